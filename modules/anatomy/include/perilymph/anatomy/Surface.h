@@ -1,0 +1,33 @@
+#pragma once
+
+// Triangles for the eye and for files, cut from the same tables the mechanics uses.
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "perilymph/anatomy/ScalaTympani.h"
+#include "perilymph/foundation/Result.h"
+
+namespace perilymph::anatomy {
+
+/// A triangle mesh in W [m], with the outward normal by the order of the corners.
+struct Surface {
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<int, 3>> triangles;
+};
+
+/// The wall from the opening to the apex, closed at the apex and open at the opening, of at most
+/// `mostTriangles` triangles (200 or more).
+Surface wallSurface(const ScalaTympani& scala, int mostTriangles);
+
+/// The basilar membrane as a ribbon.
+Surface membraneSurface(const ScalaTympani& scala, int mostTriangles);
+
+/// Writes a surface in millimeters, by the file's ending: stl (binary), ply, obj, wrl (VRML 2.0) or
+/// vtp. The file appears whole or not at all.
+Result<Done> writeSurface(const Surface& surface, const std::string& title,
+                          const std::filesystem::path& file);
+
+}  // namespace perilymph::anatomy

@@ -1,0 +1,63 @@
+#pragma once
+
+// The port of every hand: haptic devices, the mouse, scripts and recordings.
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "perilymph/foundation/RealTime.h"
+#include "perilymph/foundation/Result.h"
+
+namespace perilymph::device {
+
+/// Bits of DeviceSample::buttons.
+enum Button : std::uint32_t {
+  graspButton = 1u << 0,  ///< The dead-man's button: the carrier follows while it is held.
+};
+
+/// What a device tells in one report, in its own frame D: x right, y up, z toward the user.
+struct DeviceSample {
+  std::uint64_t sequence = 0;                       ///< Grows by one with each fresh report.
+  std::array<double, 3> position_D{};               ///< [m]
+  std::array<double, 4> rotation_D{1.0, 0.0, 0.0, 0.0};  ///< Unit quaternion w, x, y, z.
+  std::uint32_t buttons = 0;                        ///< Button bits.
+  std::uint32_t isValid = 0;                        ///< 0 once the device stopped answering.
+};
+
+/// A force and a torque in the device's frame.
+struct Wrench {
+  std::array<double, 3> force_D{};   ///< [N]
+  std::array<double, 3> torque_D{};  ///< [N.m]
+};
+
+/// What the hardware can do. Known before open().
+struct DeviceTraits {
+  std::string name;              ///< For people: "Scripted insertion".
+  bool rendersForce = false;     ///< Shows a force to a hand.
+  double mostForce = 0.0;        ///< [N]; 0 where no force is rendered.
+  double nominalPeriod = 1e-3;   ///< Between reports [s].
+};
+
+/// A handle that senses the surgeon's motion and pushes back.
+///
+/// open() and close() run on the UI thread and may block. read() and write() run on the haptic
+/// thread, a thousand times a second, and may not.
+class HapticDevice {
+public:
+  virtual ~HapticDevice() = default;
+
+  /// What the hardware can do. Known before open().
+  virtual DeviceTraits traits() const = 0;
+
+  virtual Result<Done> open() = 0;
+  virtual void close() noexcept = 0;
+
+  /// The newest sample; `isValid` is 0 once the device stopped answering. Real-time safe.
+  virtual DeviceSample read() noexcept = 0;
+
+  /// Leaves the wrench in the writer's mailbox; shown until the next call. Real-time safe.
+  virtual void write(const Wrench& wrench_D) noexcept = 0;
+};
+
+}  // namespace perilymph::device

@@ -1,0 +1,40 @@
+#pragma once
+
+// A hand that needs no hardware: constant speed in, stop, constant speed out.
+
+#include <atomic>
+
+#include "perilymph/device/HapticDevice.h"
+
+namespace perilymph::device {
+
+/// Moves along D's -z at a constant speed while told to. One read() is one time step.
+class ScriptedHand final : public HapticDevice {
+public:
+  enum class Motion { hold, insert, withdraw };
+
+  /// @param speed     Of the hand [m/s].
+  /// @param timeStep  Between reads [s].
+  ScriptedHand(double speed, double timeStep);
+
+  /// From any thread: holds still with the button released, or moves with it pressed.
+  void move(Motion motion) noexcept { motion_ = motion; }
+  Motion motion() const noexcept { return motion_; }
+  /// From any thread [m/s].
+  void setSpeed(double speed) noexcept { speed_ = speed; }
+  double speed() const noexcept { return speed_; }
+
+  DeviceTraits traits() const override;
+  Result<Done> open() override;
+  void close() noexcept override;
+  DeviceSample read() noexcept override;
+  void write(const Wrench& wrench_D) noexcept override;
+
+private:
+  std::atomic<Motion> motion_{Motion::hold};
+  std::atomic<double> speed_;
+  double timeStep_;
+  DeviceSample sample_;
+};
+
+}  // namespace perilymph::device

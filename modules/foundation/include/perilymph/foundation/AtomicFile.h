@@ -1,0 +1,26 @@
+#pragma once
+
+// Files that appear whole or not at all.
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "perilymph/foundation/Result.h"
+
+namespace perilymph {
+
+/// Writes a file so that it appears whole or not at all: into a neighbor first, then renamed over
+/// the place. On failure nothing is left behind and an older file stays as it was.
+Result<Done> writeWhole(const std::filesystem::path& file, std::string_view content);
+
+/// The same for content that a library writes by itself (pictures, surfaces): `write` is given the
+/// neighbor's path, with the same extension, and says whether it succeeded.
+Result<Done> writeWhole(const std::filesystem::path& file,
+                        const std::function<bool(const std::filesystem::path&)>& write);
+
+/// Reads a whole text file of at most 16 MiB.
+Result<std::string> readWhole(const std::filesystem::path& file);
+
+}  // namespace perilymph

@@ -1,0 +1,74 @@
+#pragma once
+
+// Everything about one insertion that does not change while it runs.
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "perilymph/anatomy/Lumen.h"
+#include "perilymph/electrode/ArrayDesign.h"
+#include "perilymph/foundation/Units.h"
+#include "perilymph/mechanics/Friction.h"
+
+namespace perilymph::mechanics {
+
+/// Most nodes a model may have: what snapshots and recordings are sized for.
+inline constexpr int mostNodes = 1024;
+
+/// The wall's compliance.
+struct WallLaw {
+  /// Of the wall under one sample point of the published simulator [N/m].
+  Stiffness perSamplePoint = newtonsPerMeter(441.0);
+  /// The same along the wall [N/m].
+  Stiffness tangentialPerSamplePoint = newtonsPerMeter(200.0);
+  /// The wall's force sets in smoothly over this depth.
+  Length onset = millimeters(0.01);
+};
+
+/// What a model is built from.
+struct ModelParts {
+  std::shared_ptr<const anatomy::Lumen> lumen;
+  electrode::ArrayDesign array;
+  FrictionLaw friction;
+  WallLaw wall;
+  int nodes = 100;                             ///< 8 to mostNodes.
+  Duration timeStep = milliseconds(1);         ///< 0.1 to 10 ms.
+  Length startInside = millimeters(2);         ///< Of the tip past the opening; negative: before it.
+  Angle approachTilt = radians(0);             ///< Of the array's axis against E.z, toward E.y.
+  Angle approachTurn = radians(0);             ///< The same, toward E.x.
+};
+
+/// A cochlea, an array, material laws and solver settings: immutable, shared between threads.
+///
+/// Node 0 is held by the tweezers, node n - 1 is the tip. Arrays run over nodes; those over edges
+/// have their edge i between nodes i and i + 1.
+struct InsertionModel {
+  /// Builds a model. @throws std::invalid_argument with a sentence for parts out of range.
+  static std::shared_ptr<const InsertionModel> build(ModelParts parts);
+
+  ModelParts parts;
+  anatomy::Entry entry;                ///< The opening, from the lumen.
+  Eigen::Vector3d startBase_W;         ///< Where the tweezers start [m].
+  Eigen::Vector3d startAxis_W;         ///< Unit: which way the array leaves them.
+  Eigen::Vector3d startCurl_W;         ///< Unit, across the axis: to where a precurved array curls.
+  int nodes = 0;
+  double timeStep = 0.0;               ///< [s]
+  double spacing = 0.0;                ///< Between nodes [m].
+  std::vector<double> fromTip;         ///< Of each node along the array [m].
+  std::vector<double> radius;          ///< Of the array at each node [m].
+  std::vector<double> mass;            ///< Of each node [kg].
+  std::vector<double> drag;            ///< Of the perilymph on each node [N.s/m].
+  std::vector<double> stretching;      ///< EA of each edge [N].
+  std::vector<double> bendingCarrier;  ///< EI of the carrier at each node [N.m^2].
+  std::vector<double> restCurvature;   ///< Of the carrier alone at each node [1/m].
+  std::vector<double> wallStiffness;   ///< At each node [N/m].
+  std::vector<double> wallTangential;  ///< At each node [N/m].
+  double styletBending = 0.0;          ///< EI of the stylet [N.m^2]; 0 without one.
+  double styletFromTip = 0.0;          ///< Of its tip when fully in [m].
+  double baseMass = 0.0;               ///< Of carrier and tweezers [kg].
+  std::uint64_t fingerprint = 0;       ///< Of everything above, for recordings.
+};
+
+}  // namespace perilymph::mechanics

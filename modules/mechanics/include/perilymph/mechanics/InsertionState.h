@@ -1,0 +1,81 @@
+#pragma once
+
+// Everything about one insertion that changes while it runs.
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "perilymph/anatomy/Lumen.h"
+#include "perilymph/mechanics/InsertionModel.h"
+
+namespace perilymph::mechanics {
+
+/// How the hand holds the base of the array.
+enum class Coupling : std::uint32_t {
+  rigid,   ///< The base is where the hand is: scripts, published runs.
+  spring,  ///< A spring-damper between them: hands that feel.
+};
+
+/// All that enters one step.
+struct Drive {
+  Eigen::Vector3d handPosition_W = Eigen::Vector3d::Zero();  ///< Where the hand wants the base [m].
+  Eigen::Vector3d handVelocity_W = Eigen::Vector3d::Zero();  ///< [m/s]
+  Eigen::Vector3d handAxis_W = Eigen::Vector3d::UnitZ();     ///< Unit: which way the array leaves it.
+  Eigen::Vector3d handCurl_W = Eigen::Vector3d::UnitX();     ///< Unit, across: where it curls to.
+  double styletWithdrawal = 0.0;                             ///< [m]; 0 fully in.
+  Coupling coupling = Coupling::rigid;
+  double couplingStiffness = 0.0;  ///< [N/m]
+  double couplingDamping = 0.0;    ///< [N.s/m]
+};
+
+/// What one step gives to the rest of the program.
+struct Readings {
+  double depth = 0.0;         ///< Length of array past the plane of the opening [m].
+  double angularDepth = 0.0;  ///< Of the tip from the round window [rad]; 0 before it.
+  double speed = 0.0;         ///< Of the base, into the cochlea [m/s].
+  Eigen::Vector3d handForce_W = Eigen::Vector3d::Zero();   ///< Of the array on the hand [N].
+  Eigen::Vector3d handTorque_W = Eigen::Vector3d::Zero();  ///< About the base [N.m].
+  double axialForce = 0.0;      ///< handForce along E.z: positive while pushing in [N].
+  double wallForceMax = 0.0;    ///< Greatest normal force of one node [N].
+  double wallForceTotal = 0.0;  ///< Sum of all normal forces [N].
+  double membraneForce = 0.0;   ///< Sum of those on the basilar membrane [N].
+  int contacts = 0;             ///< Nodes that touch the wall.
+  int iterations = 0;           ///< Of Newton's method in this step.
+  double residual = 0.0;        ///< Greatest force left unbalanced on a node [N].
+  bool isFinite = true;         ///< False: a number overflowed; nothing else can be trusted.
+};
+
+/// The state, sized once from the model. Copies compare equal and hash equal.
+struct InsertionState {
+  /// The array straight at its start, at rest.
+  explicit InsertionState(const InsertionModel& model);
+
+  /// Back to the start, without allocating. Real-time safe.
+  void reset(const InsertionModel& model) noexcept;
+
+  /// A fingerprint of all that the next step depends on.
+  std::uint64_t fingerprint() const noexcept;
+
+  std::uint64_t tick = 0;
+  Eigen::Vector3d base_W;         ///< Where the tweezers are [m].
+  Eigen::Vector3d baseVelocity_W; ///< [m/s]
+  double styletWithdrawal = 0.0;  ///< [m]
+  std::vector<Eigen::Vector3d> position_W;       ///< Of each node [m].
+  std::vector<Eigen::Vector3d> velocity_W;       ///< Of each node [m/s].
+  std::vector<Eigen::Vector3d> frictionSpring_W; ///< Of each node: how far it is held back [m].
+  std::vector<unsigned char> isSliding;          ///< Of each node.
+  std::vector<anatomy::LumenTrack> track;        ///< Of each node: which turn it is in.
+  std::vector<double> normalForce;               ///< Of the wall on each node [N].
+  std::vector<Eigen::Vector3d> wallForce_W;      ///< Normal and friction on each node [N].
+  std::vector<unsigned char> onMembrane;         ///< Of each node that touches.
+  Readings readings;
+
+  // Room for one step; nothing in it outlives the step.
+  struct Workspace;
+  struct WorkspaceDeleter {
+    void operator()(Workspace* workspace) const noexcept;
+  };
+};
+
+}  // namespace perilymph::mechanics

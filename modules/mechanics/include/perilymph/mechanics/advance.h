@@ -1,0 +1,19 @@
+#pragma once
+
+// The verb of the program: one time step of an insertion.
+
+#include "perilymph/foundation/RealTime.h"
+#include "perilymph/mechanics/InsertionModel.h"
+#include "perilymph/mechanics/InsertionState.h"
+
+namespace perilymph::mechanics {
+
+/// Moves the state one time step on, by backward Euler: predict the rod, find contacts, solve normal
+/// force and friction, read off the reaction at the base (into state.readings).
+///
+/// Pure: no clock, no file, no randomness, bounded iterations. The same model, state and drive give
+/// the same bits on every x86-64 machine. Real-time safe.
+PERILYMPH_REALTIME void advance(const InsertionModel& model, InsertionState& state,
+                                const Drive& drive) noexcept;
+
+}  // namespace perilymph::mechanics

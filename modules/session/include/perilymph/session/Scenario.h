@@ -1,0 +1,62 @@
+#pragma once
+
+// What an insertion is made of, as people write it down.
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "perilymph/anatomy/Patient.h"
+#include "perilymph/electrode/ArrayDesign.h"
+#include "perilymph/foundation/Result.h"
+#include "perilymph/haptics/InsertionEngine.h"
+#include "perilymph/mechanics/InsertionModel.h"
+
+namespace perilymph::session {
+
+/// A scenario: keys of the same names, without units, in its TOML file.
+struct Scenario {
+  std::string name;
+  std::string title;                 ///< For people: one line.
+  std::string anatomy = "published";
+  anatomy::Patient patient;          ///< From `patient` (a file or a shipped name), else published.
+  std::string patientName;           ///< What `patient` said; empty without one.
+  std::string arrayName = "contour";
+  electrode::ArrayDesign array;
+  std::string technique = "standard";  ///< "standard": the stylet stays in until full depth.
+  int nodes = 100;
+  Duration timeStep = milliseconds(1);
+  long seed = 1;
+  Speed speed = millimetersPerSecond(2);
+  Length startInside = millimeters(2);
+  Length stopTravel = millimeters(16.5);
+  bool withdraws = false;            ///< Pulls the array out again after the stop depth.
+  Speed styletSpeed = millimetersPerSecond(5);
+  Length leadIn = millimeters(1);
+  Angle approachTilt, approachTurn;
+  mechanics::FrictionLaw friction;
+  mechanics::WallLaw wall;
+  haptics::EngineSettings engine;    ///< Coupling, force scale.
+  std::string text;                  ///< The scenario as run, TOML: what a recording keeps.
+};
+
+/// Values that replace a scenario's own: `--set key=value`, `--patient`, `--array`, `--nodes`.
+using Overrides = std::vector<std::pair<std::string, std::string>>;
+
+/// Reads a scenario by a shipped name or a file's path, with everything it names.
+Result<Scenario> loadScenario(const std::string& nameOrFile, const Overrides& overrides = {});
+/// The same from a text, such as the one a recording keeps. `name` stands for the file in messages.
+Result<Scenario> parseScenario(const std::string& text, const std::string& name,
+                               const Overrides& overrides = {});
+
+/// The cochlea of a scenario.
+std::shared_ptr<const anatomy::ScalaTympani> buildAnatomy(const Scenario& scenario);
+
+/// The model of a scenario. Takes milliseconds.
+Result<std::shared_ptr<const mechanics::InsertionModel>> buildModel(
+    const Scenario& scenario, std::shared_ptr<const anatomy::ScalaTympani> anatomy);
+
+}  // namespace perilymph::session

@@ -136,54 +136,45 @@ Result<fs::path> findPatient(const std::string& patient, const fs::path& folder)
 }
 
 /// The three numbers that an effective text carries.
-anatomy::Patient patientFromNumbers(TomlReader& reader)
+anatomy::Patient patientFromNumbers(TomlReader numbers)
 {
   anatomy::Patient patient;
   const anatomy::PatientLimits limits = anatomy::patientLimits();
-  const auto range = [](Length low, Length high) {
-    return Range{inMillimeters(low), inMillimeters(high)};
+  const auto length = [&numbers](const char* key, Length low, Length high) {
+    return millimeters(numbers.number(key, {inMillimeters(low), inMillimeters(high)}));
   };
-  TomlReader numbers = reader.table("patient_numbers");
   patient.label = numbers.text("label", patient.label);
-  patient.scalaTympaniLength =
-      millimeters(numbers.number("st_length_mm", range(limits.lengthLow, limits.lengthHigh)));
-  patient.roundWindowWidth =
-      millimeters(numbers.number("rw_width_mm", range(limits.widthLow, limits.widthHigh)));
-  patient.roundWindowHeight =
-      millimeters(numbers.number("rw_height_mm", range(limits.heightLow, limits.heightHigh)));
-  if (const auto done = numbers.finish(); !done)
-    reader.refuse("patient_numbers", done.error().message);
+  patient.scalaTympaniLength = length("st_length_mm", limits.lengthLow, limits.lengthHigh);
+  patient.roundWindowWidth = length("rw_width_mm", limits.widthLow, limits.widthHigh);
+  patient.roundWindowHeight = length("rw_height_mm", limits.heightLow, limits.heightHigh);
   return patient;
 }
 
-/// @param wantsFile  The patient was named anew, so numbers in the text no longer hold.
-Result<Done> readPatient(TomlReader& reader, ScenarioKeys& keys, const fs::path& folder,
-                         bool wantsFile, Scenario& scenario)
+/// @param isNamedAnew  The patient came as an override, so numbers in the text no longer hold.
+Result<anatomy::Patient> readPatient(TomlReader& reader, const std::string& name,
+                                     const fs::path& folder, bool isNamedAnew)
 {
-  scenario.patientName = keys.text("patient", "");
-  if (reader.has("patient_numbers")) {
-    const anatomy::Patient numbers = patientFromNumbers(reader);
-    if (!wantsFile) scenario.patient = numbers;
-  }
-  if (!scenario.patientName.empty() && (wantsFile || !reader.has("patient_numbers"))) {
-    const auto file = findPatient(scenario.patientName, folder);
-    if (!file) return file.error();
-    auto patient = anatomy::loadPatient(*file);
-    if (!patient) return patient.error();
-    scenario.patient = *patient;
-  }
-  const bool isLeft = scenario.patient.side == anatomy::Side::left;
-  const std::string side = keys.text("side", isLeft ? "left" : "right");
-  if (side != "left" && side != "right")
-    reader.refuse("side", "side is '" + side + "'; it must be 'right' or 'left'.");
-  scenario.patient.side = side == "left" ? anatomy::Side::left : anatomy::Side::right;
-  return Done{};
+  anatomy::Patient patient;
+  const bool hasNumbers = reader.has("patient_numbers");
+  if (hasNumbers) patient = patientFromNumbers(reader.table("patient_numbers"));
+  if (name.empty() || (hasNumbers && !isNamedAnew)) return patient;
+  const auto file = findPatient(name, folder);
+  if (!file) return file.error();
+  return anatomy::loadPatient(*file);
 }
 
-Result<Done> readArray(TomlReader& reader, ScenarioKeys& keys, Scenario& scenario)
+void readSide(TomlReader& reader, ScenarioKeys& keys, anatomy::Patient& patient)
 {
-  scenario.arrayName = keys.text("array", "contour");
-  const auto file = findByName("array", "plugins/electrodes", scenario.arrayName);
+  const char* usual = patient.side == anatomy::Side::left ? "left" : "right";
+  const std::string side = keys.text("side", usual);
+  if (side != "left" && side != "right")
+    reader.refuse("side", "side is '" + side + "'; it must be 'right' or 'left'.");
+  patient.side = side == "left" ? anatomy::Side::left : anatomy::Side::right;
+}
+
+Result<Done> readArray(const std::string& name, Scenario& scenario)
+{
+  const auto file = findByName("array", "plugins/electrodes", name);
   if (!file) return file.error();
   const auto content = readWhole(*file);
   if (!content) return content.error();
@@ -194,8 +185,6 @@ Result<Done> readArray(TomlReader& reader, ScenarioKeys& keys, Scenario& scenari
   Hash hash;
   hash.addBytes(content->data(), content->size());
   scenario.arrayFingerprint = hexadecimal(hash.value());
-  scenario.expectedArrayFingerprint = reader.text("array_fingerprint", "");
-  keys.note("array_fingerprint", tomlText(scenario.arrayFingerprint));
   return Done{};
 }
 
@@ -226,13 +215,18 @@ Result<Scenario> readScenario(TomlReader& reader, const std::string& name, const
   readFriction(reader, keys, scenario.friction);
   readWallAndCoupling(reader, keys, scenario);
 
+  scenario.patientName = keys.text("patient", "");
+  auto patient = readPatient(reader, scenario.patientName, folder, namesPatient);
+  if (patient) scenario.patient = *patient;
+  readSide(reader, keys, scenario.patient);
+  scenario.arrayName = keys.text("array", "contour");
+  scenario.expectedArrayFingerprint = reader.text("array_fingerprint", "");
+
   // What the file says itself comes before what the files it names say.
-  const auto patient = readPatient(reader, keys, folder, namesPatient, scenario);
-  const auto array = readArray(reader, keys, scenario);
   if (const auto done = reader.finish(); !done) return done.error();
   if (!patient) return patient.error();
-  if (!array) return array.error();
   if (const auto done = anatomy::checkPatient(scenario.patient); !done) return done.error();
+  if (const auto done = readArray(scenario.arrayName, scenario); !done) return done.error();
 
   const Length deepest = scenario.startInside + scenario.stopTravel;
   if (deepest > scenario.array.insertable)
@@ -241,6 +235,7 @@ Result<Scenario> readScenario(TomlReader& reader, const std::string& name, const
                  " may go in " + tomlNumber(inMillimeters(scenario.array.insertable)) +
                  " mm at most. Lower stop_travel_mm."};
 
+  keys.note("array_fingerprint", tomlText(scenario.arrayFingerprint));
   keys.notePatient(scenario.patient);
   scenario.text = keys.effectiveText();
   return scenario;

@@ -2,8 +2,10 @@
 
 // An electrode array as data: what its maker or its measurer published, with source and confidence.
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "perilymph/foundation/Result.h"

@@ -3,6 +3,7 @@
 // Reads people's text files (scenarios, patients, arrays, devices) and says in one sentence what is
 // wrong with them: file, line, key, value, range.
 
+#include <cstddef>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -60,7 +61,8 @@ public:
   /// The table `[key]`; an empty one if absent.
   TomlReader table(std::string_view key);
 
-  /// Keeps a mistake that only the caller can see, at the line of `key`, unless one is kept already.
+  /// Keeps a mistake that only the caller can see, at the line of `key`, unless one is kept
+  /// already.
   void refuse(std::string_view key, const std::string& sentence);
 
   /// Changes or adds one value before it is read: `--set key=value` of the command line. The value
@@ -77,8 +79,10 @@ public:
 
 private:
   struct Content;
-  explicit TomlReader(std::unique_ptr<Content> content);
-  std::unique_ptr<Content> content_;
+  explicit TomlReader(std::shared_ptr<Content> content);
+
+  // Shared with the reader of the table around this one, whose finish() looks at both.
+  std::shared_ptr<Content> content_;
 };
 
 }  // namespace perilymph

@@ -1,0 +1,184 @@
+#include "perilymph/electrode/ArrayDesign.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "perilymph/foundation/TomlReader.h"
+
+namespace perilymph::electrode {
+namespace {
+
+// What any array may be. Wider than every device known, narrower than a slip of the unit.
+constexpr Range length_mm{5.0, 60.0};
+constexpr Range diameter_mm{0.1, 2.0};
+constexpr Range bending_N_m2{1e-9, 1e-4};
+constexpr Range curvature_per_mm{-2.0, 2.0};
+constexpr Range contactLength_mm{0.05, 5.0};
+
+/// A number as people write it: "0.4", not "0.400000".
+std::string plain(double value)
+{
+  char buffer[32];
+  const int length = std::snprintf(buffer, sizeof buffer, "%.10g", value);
+  return std::string(buffer, static_cast<std::size_t>(length));
+}
+
+Provenance readProvenance(TomlReader& table)
+{
+  Provenance provenance;
+  provenance.source = table.text("source");
+  const std::string confidence = table.choice("confidence", {"high", "medium", "low"});
+  provenance.confidence = confidence == "high"     ? Confidence::high
+                          : confidence == "medium" ? Confidence::medium
+                                                   : Confidence::low;
+  return provenance;
+}
+
+/// Reads the tables of one file; what is wrong stays in the reader.
+class ArrayReader {
+public:
+  explicit ArrayReader(TomlReader& file) : file_(file) {}
+
+  ArrayDesign read()
+  {
+    ArrayDesign design;
+    design.name = file_.text("name");
+    design.maker = file_.text("maker");
+    design.note = file_.text("note");
+    readLengths(design);
+
+    design.diameter = along<Length>("diameter", "diameter_mm", diameter_mm,
+                                    [](double value) { return millimeters(value); });
+    design.bending =
+        along<BendingStiffness>("bending", "bending_N_m2", bending_N_m2,
+                                [](double value) { return newtonSquareMeters(value); });
+    design.restCurvature = {{millimeters(0.0)}, {perMillimeter(0.0)}};
+    if (file_.has("rest_curvature")) {
+      design.restCurvature =
+          along<Curvature>("rest_curvature", "curvature_per_mm", curvature_per_mm,
+                           [](double value) { return perMillimeter(value); });
+      checkCurl(design);
+    }
+    readContacts(design);
+    if (file_.has("ribs")) {
+      TomlReader table = tableOf("ribs");
+      for (const double place : places(table)) design.ribsFromTip.push_back(millimeters(place));
+    }
+    if (file_.has("stylet")) readStylet(design);
+    design.provenance = std::move(provenance_);
+    return design;
+  }
+
+private:
+  TomlReader tableOf(const char* name)
+  {
+    TomlReader table = file_.table(name);
+    provenance_.emplace_back(name, readProvenance(table));
+    return table;
+  }
+
+  void readLengths(ArrayDesign& design)
+  {
+    TomlReader length = tableOf("length");
+    most_mm_ = length.number("value_mm", length_mm);
+    design.length = millimeters(most_mm_);
+    TomlReader insertable = tableOf("insertable");
+    design.insertable = millimeters(insertable.number("value_mm", {1.0, most_mm_}));
+  }
+
+  /// Places along the array: within it, each greater than the one before.
+  std::vector<double> places(TomlReader& table)
+  {
+    const std::vector<double> places = table.numbers("from_tip_mm", {0.0, most_mm_}, 1);
+    for (std::size_t i = 1; i < places.size(); ++i)
+      if (places[i] <= places[i - 1])
+        table.refuse("from_tip_mm", "from_tip_mm has " + plain(places[i]) + " after " +
+                                        plain(places[i - 1]) +
+                                        "; each place must be greater than the one before.");
+    return places;
+  }
+
+  template <class Value, class ToValue>
+  AlongArray<Value> along(const char* name, const char* key, Range allowed, ToValue toValue)
+  {
+    TomlReader table = tableOf(name);
+    const std::vector<double> where = places(table);
+    const std::vector<double> values = table.numbers(key, allowed, 1);
+    if (values.size() != where.size())
+      table.refuse(key, std::string(key) + " has " + std::to_string(values.size()) +
+                            " numbers and from_tip_mm has " + std::to_string(where.size()) +
+                            "; give one value for each place.");
+    AlongArray<Value> result;
+    for (const double place : where) result.fromTip.push_back(millimeters(place));
+    for (const double value : values) result.value.push_back(toValue(value));
+    result.value.resize(result.fromTip.size(), result.value.front());
+    return result;
+  }
+
+  /// A carrier cannot curl more tightly than its own radius.
+  void checkCurl(const ArrayDesign& design)
+  {
+    const AlongArray<Curvature>& rest = design.restCurvature;
+    for (std::size_t i = 0; i < rest.value.size(); ++i) {
+      const double radius_mm = 0.5 * inMillimeters(design.diameter.at(rest.fromTip[i]));
+      const double curvature = std::fabs(inPerMillimeter(rest.value[i]));
+      if (curvature * radius_mm < 1.0) continue;
+      file_.refuse("rest_curvature", "rest_curvature is " + plain(curvature) + " per mm at " +
+                                         plain(inMillimeters(rest.fromTip[i])) +
+                                         " mm; it must be below " + plain(1.0 / radius_mm) +
+                                         ", one over the carrier's radius there.");
+    }
+  }
+
+  void readContacts(ArrayDesign& design)
+  {
+    TomlReader table = tableOf("contacts");
+    const std::vector<double> centers = places(table);
+    const double contact = table.number("contact_length_mm", contactLength_mm);
+    design.contactLength = millimeters(contact);
+    for (const double center : centers) design.contactsFromTip.push_back(millimeters(center));
+
+    const auto refuse = [&](const std::string& what) {
+      table.refuse("from_tip_mm", "a contact of " + plain(contact) + " mm at " + what);
+    };
+    // Decimal fractions are not exact: a nanometer of overlap is none.
+    constexpr double slack_mm = 1e-6;
+    for (std::size_t i = 1; i < centers.size(); ++i)
+      if (centers[i] - centers[i - 1] < contact - slack_mm)
+        refuse(plain(centers[i]) + " mm overlaps the one at " + plain(centers[i - 1]) +
+               " mm; centers must be at least a contact's length apart.");
+    if (centers.front() < 0.5 * contact - slack_mm)
+      refuse(plain(centers.front()) + " mm reaches beyond the tip; its center must be at least " +
+             plain(0.5 * contact) + " mm from it.");
+    if (centers.back() > most_mm_ - 0.5 * contact + slack_mm)
+      refuse(plain(centers.back()) + " mm reaches beyond the array's " + plain(most_mm_) +
+             " mm; its center must be at most " + plain(most_mm_ - 0.5 * contact) +
+             " mm from the tip.");
+  }
+
+  void readStylet(ArrayDesign& design)
+  {
+    TomlReader table = tableOf("stylet");
+    design.hasStylet = true;
+    design.stylet.fromTip = millimeters(table.number("from_tip_mm", {0.0, most_mm_}));
+    design.stylet.bending = newtonSquareMeters(table.number("bending_N_m2", bending_N_m2));
+    design.stylet.provenance = provenance_.back().second;
+  }
+
+  TomlReader& file_;
+  double most_mm_ = 0.0;
+  std::vector<std::pair<std::string, Provenance>> provenance_;
+};
+
+}  // namespace
+
+Result<ArrayDesign> loadArray(const std::filesystem::path& file)
+{
+  Result<TomlReader> reader = TomlReader::open(file);
+  if (!reader) return reader.error();
+  ArrayDesign design = ArrayReader(*reader).read();
+  if (const Result<Done> done = reader->finish(); !done) return done.error();
+  return design;
+}
+
+}  // namespace perilymph::electrode

@@ -1,0 +1,230 @@
+#include "perilymph/foundation/AtomicFile.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <exception>
+#include <optional>
+#include <system_error>
+
+namespace perilymph {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t largestText = std::size_t{16} << 20;
+
+/// What the system says about an error number, such as "Permission denied".
+std::string reason(int errorNumber) { return std::generic_category().message(errorNumber); }
+
+/// An open file that closes itself.
+class Descriptor {
+public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() { close(); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  explicit operator bool() const { return number_ >= 0; }
+  int number() const { return number_; }
+
+  /// Closes now; false if the system reports that writing had failed.
+  bool close()
+  {
+    if (number_ < 0) return true;
+    const bool closed = ::close(number_) == 0;
+    number_ = -1;
+    return closed;
+  }
+
+private:
+  int number_;
+};
+
+bool writeAll(int descriptor, std::string_view content)
+{
+  while (!content.empty()) {
+    const ssize_t written = ::write(descriptor, content.data(), content.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    content.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+Error cannotWrite(const fs::path& file, const std::string& why)
+{
+  return Error{"Cannot write " + file.string() + ": " + why};
+}
+
+/// The file that will be replaced: where a symbolic link points, so that the link stays.
+fs::path placeOf(const fs::path& file)
+{
+  std::error_code ignored;
+  if (!fs::is_symlink(file, ignored)) return file;
+  const fs::path target = fs::weakly_canonical(file, ignored);
+  return target.empty() ? file : target;
+}
+
+/// True for what has no content of its own to keep whole: a pipe, a terminal, /dev/null.
+bool isStream(const fs::path& place)
+{
+  std::error_code ignored;
+  const fs::file_status status = fs::status(place, ignored);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+/// Why a file cannot appear at a place, as far as that can be seen before writing.
+std::optional<Error> obstacle(const fs::path& file, const fs::path& place)
+{
+  std::error_code ignored;
+  if (!place.has_filename()) return cannotWrite(file, "this names no file. Give a file name.");
+  if (fs::is_directory(place, ignored))
+    return cannotWrite(file, "it is a folder. Give the name of a file in it.");
+  const fs::path folder = place.has_parent_path() ? place.parent_path() : fs::path(".");
+  if (!fs::exists(folder, ignored))
+    return cannotWrite(file, "the folder " + folder.string() + " does not exist. Create it first.");
+  if (!fs::is_directory(folder, ignored))
+    return cannotWrite(file, folder.string() + " is not a folder. Choose another place.");
+  return std::nullopt;
+}
+
+/// A new, empty file beside the place, with the same extension; removed again unless it is kept.
+class Neighbor {
+public:
+  explicit Neighbor(const fs::path& place)
+  {
+    const std::string stem =
+        "." + place.stem().string().substr(0, 100) + "." + std::to_string(::getpid()) + ".";
+    for (int attempt = 0; attempt < 1000; ++attempt) {
+      path_ = place.parent_path() /
+              (stem + std::to_string(attempt) + ".part" + place.extension().string());
+      descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      if (descriptor_ >= 0 || errno != EEXIST) break;
+    }
+    errorNumber_ = descriptor_ >= 0 ? 0 : errno;
+  }
+  ~Neighbor()
+  {
+    std::error_code ignored;
+    if (errorNumber_ == 0 && !isKept_) fs::remove(path_, ignored);
+  }
+  Neighbor(const Neighbor&) = delete;
+  Neighbor& operator=(const Neighbor&) = delete;
+
+  int errorNumber() const { return errorNumber_; }
+  const fs::path& path() const { return path_; }
+
+  /// The descriptor of the empty file, to be closed by the caller.
+  int descriptor() const { return descriptor_; }
+
+  /// Puts the file in its place, with the permissions of an older one; 0 or an error number.
+  int moveTo(const fs::path& place)
+  {
+    struct stat older = {};
+    if (::stat(place.c_str(), &older) == 0) ::chmod(path_.c_str(), older.st_mode & 07777);
+    if (::rename(path_.c_str(), place.c_str()) != 0) return errno;
+    isKept_ = true;
+    return 0;
+  }
+
+private:
+  fs::path path_;
+  int descriptor_ = -1;
+  int errorNumber_ = 0;
+  bool isKept_ = false;
+};
+
+Result<Done> writeStream(const fs::path& file, std::string_view content)
+{
+  Descriptor stream(::open(file.c_str(), O_WRONLY | O_CLOEXEC));
+  if (!stream || !writeAll(stream.number(), content) || !stream.close())
+    return cannotWrite(file, reason(errno) + ".");
+  return Done{};
+}
+
+/// Runs the writer of a library; an exception counts as failure, with its own words.
+std::optional<std::string> failureOf(const std::function<bool(const fs::path&)>& write,
+                                     const fs::path& path)
+{
+  try {
+    if (write(path)) return std::nullopt;
+  } catch (const std::exception& exception) {
+    return std::string(exception.what()) + ".";
+  } catch (...) {
+  }
+  return "the content could not be written. Check that the disk has room.";
+}
+
+}  // namespace
+
+Result<Done> writeWhole(const fs::path& file, std::string_view content)
+{
+  const fs::path place = placeOf(file);
+  if (isStream(place)) return writeStream(place, content);
+  if (const auto error = obstacle(file, place)) return *error;
+
+  Neighbor neighbor(place);
+  if (neighbor.errorNumber() != 0)
+    return cannotWrite(file, reason(neighbor.errorNumber()) + " in its folder.");
+  Descriptor descriptor(neighbor.descriptor());
+  if (!writeAll(descriptor.number(), content) || ::fsync(descriptor.number()) != 0 ||
+      !descriptor.close())
+    return cannotWrite(file, reason(errno) + ".");
+  if (const int failure = neighbor.moveTo(place)) return cannotWrite(file, reason(failure) + ".");
+  return Done{};
+}
+
+Result<Done> writeWhole(const fs::path& file, const std::function<bool(const fs::path&)>& write)
+{
+  const fs::path place = placeOf(file);
+  if (isStream(place)) {
+    if (const auto failure = failureOf(write, place)) return cannotWrite(file, *failure);
+    return Done{};
+  }
+  if (const auto error = obstacle(file, place)) return *error;
+
+  Neighbor neighbor(place);
+  if (neighbor.errorNumber() != 0)
+    return cannotWrite(file, reason(neighbor.errorNumber()) + " in its folder.");
+  Descriptor(neighbor.descriptor()).close();
+  if (const auto failure = failureOf(write, neighbor.path())) return cannotWrite(file, *failure);
+
+  // The library may have closed its file without telling the disk.
+  Descriptor written(::open(neighbor.path().c_str(), O_RDONLY | O_CLOEXEC));
+  if (!written || ::fsync(written.number()) != 0) return cannotWrite(file, reason(errno) + ".");
+  if (const int failure = neighbor.moveTo(place)) return cannotWrite(file, reason(failure) + ".");
+  return Done{};
+}
+
+Result<std::string> readWhole(const fs::path& file)
+{
+  const std::string name = file.string();
+  if (file.empty()) return Error{"No file is named. Give the path of a file."};
+  std::error_code ignored;
+  if (fs::is_directory(file, ignored))
+    return Error{"Cannot read " + name + ": it is a folder. Give the name of a file in it."};
+  const Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!descriptor && errno == ENOENT)
+    return Error{"Cannot read " + name + ": there is no such file. Check the path."};
+  if (!descriptor)
+    return Error{"Cannot read " + name + ": " + reason(errno) + ". Check its permissions."};
+
+  std::string content;
+  char block[65536];
+  while (true) {
+    const ssize_t count = ::read(descriptor.number(), block, sizeof block);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return Error{"Cannot read " + name + ": " + reason(errno) + "."};
+    if (count == 0) return content;
+    content.append(block, static_cast<std::size_t>(count));
+    if (content.size() > largestText)
+      return Error{"Cannot read " + name +
+                   ": it is larger than 16 MiB, the most a text file may have here. Check that it "
+                   "is the right file."};
+  }
+}
+
+}  // namespace perilymph

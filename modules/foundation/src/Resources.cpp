@@ -1,0 +1,113 @@
+#include "perilymph/foundation/Resources.h"
+
+#include <pwd.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <system_error>
+
+namespace perilymph {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A variable of the environment; empty if it is not set.
+std::string environment(const char* name)
+{
+  const char* value = std::getenv(name);
+  return value == nullptr ? std::string() : std::string(value);
+}
+
+/// The TOML files of a folder and of the folders in it, sorted.
+std::vector<fs::path> tomlFiles(const fs::path& folder)
+{
+  std::vector<fs::path> files;
+  std::vector<fs::path> folders;
+  std::error_code failure;
+  const auto collect = [&](const fs::path& place, bool withFolders) {
+    for (fs::directory_iterator entry(place, failure), end; !failure && entry != end;
+         entry.increment(failure)) {
+      std::error_code ignored;
+      if (withFolders && entry->is_directory(ignored)) folders.push_back(entry->path());
+      if (entry->path().extension() == ".toml" && entry->is_regular_file(ignored))
+        files.push_back(entry->path());
+    }
+  };
+  collect(folder, true);
+  for (const fs::path& below : folders) collect(below, false);
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::string joined(const std::vector<std::string>& words)
+{
+  std::string all;
+  for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
+  return all;
+}
+
+}  // namespace
+
+fs::path resourceRoot()
+{
+  const std::string chosen = environment("PERILYMPH_RESOURCES");
+  if (!chosen.empty()) return chosen;
+  std::error_code ignored;
+  if (fs::is_directory(fs::path(PERILYMPH_INSTALLED_DIR) / "resources", ignored))
+    return PERILYMPH_INSTALLED_DIR;
+  return PERILYMPH_SOURCE_DIR;
+}
+
+fs::path resource(std::string_view relative) { return resourceRoot() / fs::path(relative); }
+
+std::vector<std::string> shippedNames(std::string_view folder)
+{
+  std::vector<std::string> names;
+  for (const fs::path& file : tomlFiles(resource(folder))) names.push_back(file.stem().string());
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+Result<fs::path> findByName(std::string_view kind, std::string_view folder,
+                            const std::string& nameOrFile)
+{
+  // A bare name is a shipped one first; anything else is a path.
+  std::vector<fs::path> shipped;
+  for (const fs::path& file : tomlFiles(resource(folder)))
+    if (file.stem() == nameOrFile) shipped.push_back(file);
+  if (shipped.size() == 1) return shipped.front();
+  if (shipped.size() > 1)
+    return Error{"There are several files for the " + std::string(kind) + " '" + nameOrFile +
+                 "': " + shipped[0].string() + " and " + shipped[1].string() +
+                 ". Give the path of one."};
+
+  std::error_code ignored;
+  const fs::path file(nameOrFile);
+  if (fs::is_directory(file, ignored))
+    return Error{"'" + nameOrFile + "' is a folder, not a " + std::string(kind) +
+                 ". Give the name of a file in it."};
+  if (fs::exists(file, ignored)) return file;
+
+  const std::vector<std::string> names = shippedNames(folder);
+  const std::string known = names.empty() ? "None is shipped in " + resource(folder).string() + "."
+                                          : "The names there are: " + joined(names) + ".";
+  return Error{"There is no " + std::string(kind) + " or file '" + nameOrFile + "'. " + known +
+               " Give one of these or the path of a TOML file."};
+}
+
+fs::path sessionFolder()
+{
+  // The XDG rules: a relative path counts as none.
+  const fs::path data = environment("XDG_DATA_HOME");
+  if (data.is_absolute()) return data / "perilymph" / "sessions";
+  fs::path home = environment("HOME");
+  if (!home.is_absolute()) {
+    const passwd* account = ::getpwuid(::getuid());
+    home = account != nullptr ? account->pw_dir : "/";
+  }
+  return home / ".local" / "share" / "perilymph" / "sessions";
+}
+
+}  // namespace perilymph

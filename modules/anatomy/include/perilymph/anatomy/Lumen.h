@@ -26,8 +26,10 @@ struct WallPoint {
   bool isNear = false;     ///< Within reach. If not, nothing below is set.
   bool onMembrane = false; ///< The nearest wall is the basilar membrane.
   double distance = 0.0;   ///< From the point to the wall [m]; negative outside.
-  double curvature = 0.0;  ///< Of the wall along `along_W` [1/m]; positive where it is concave.
-  double lengthwiseCurvature = 0.0;     ///< Along the duct [1/m]; positive on the outer wall.
+  // Curvatures are those of the surface parallel to the wall through the point: how fast the normal
+  // turns as the point moves. Positive where the wall is concave.
+  double curvature = 0.0;            ///< Along `along_W` [1/m].
+  double lengthwiseCurvature = 0.0;  ///< Along the duct [1/m]; positive on the outer wall.
   Eigen::Vector3d normal_W = Eigen::Vector3d::Zero();  ///< Unit, from the wall into the lumen.
   Eigen::Vector3d along_W = Eigen::Vector3d::Zero();   ///< Unit, tangent to the wall in the section.
 };

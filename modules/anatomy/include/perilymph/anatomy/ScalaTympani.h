@@ -54,6 +54,7 @@ public:
 
   Entry entry() const noexcept override { return entry_; }
   LumenTrack startTrack() const noexcept override { return {}; }
+
   void nearestWall(std::span<const Eigen::Vector3d> points_W, std::span<const double> reach,
                    std::span<LumenTrack> tracks, std::span<WallPoint> walls) const noexcept override;
 
@@ -72,20 +73,27 @@ public:
   const SectionTables& tables() const noexcept { return tables_; }
 
 private:
-  struct Frame;
-  Frame frameAt(double angle) const noexcept;
-  double row(double angle, double& fraction) const noexcept;
-  bool locate(const Eigen::Vector3d& point_W, double reach, LumenTrack& track, WallPoint& wall) const noexcept;
+  /// The wall's level function F = (wall radius) - (distance from the center), positive inside.
+  struct Level;
+  Level levelAt(const Eigen::Vector3d& point_W, double angle, const double direction[2],
+                bool inLeadIn) const noexcept;
+  void locate(const Eigen::Vector3d& point_W, double reach, LumenTrack& track,
+              WallPoint& wall) const noexcept;
+  bool onMembrane(const Level& foot) const noexcept;
 
   SectionTables tables_;
   double lastAngle_ = 0.0;
+  double perStep_ = 0.0;                    ///< Sections per radian.
+  double perDirection_ = 0.0;               ///< Directions per radian.
   Entry entry_;
-  Eigen::Vector3d leadInDirection_W_;       ///< Unit, into the cochlea.
-  std::vector<double> centerRadius_;        ///< B-spline coefficients over the angle.
-  std::vector<double> centerHeight_;
+  Eigen::Vector3d inward_W_ = Eigen::Vector3d::UnitY();  ///< Of the lead-in: unit, into the cochlea.
+  // Spline coefficients over the angle, two more than sections.
+  std::vector<double> centerRadius_, centerHeight_;
   std::vector<double> membraneInner_, membraneOuter_, membraneHeight_;
-  std::vector<double> wallRadius_;          ///< Coefficients, rows over the angle, padded around.
-  std::vector<double> clearRadius_;         ///< Per section: no wall is nearer to the center [m].
+  std::vector<double> wallRadius_;          ///< Rows over the angle of `rowLength_` around the section.
+  std::size_t rowLength_ = 0;               ///< Directions and three that repeat the first.
+  std::vector<double> leastRadius_;         ///< Per section: the wall's least distance from the center [m].
+  std::vector<double> leastSlant_;          ///< Per section: least distance in space over that in the section.
 };
 
 }  // namespace perilymph::anatomy

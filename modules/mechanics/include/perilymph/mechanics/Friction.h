@@ -6,13 +6,20 @@
 
 namespace perilymph::mechanics {
 
-/// Coefficients of dry friction: sticks up to `starting`, slides at `dynamic`, sticks again below
-/// `stopping`. The published pair is silicone on Teflon under soap (Todd and Naghdy, section II.C).
+/// Coefficients of dry friction. The published values are silicone on Teflon under soap (Todd and
+/// Naghdy, section II.C).
+///
+/// A resting node starts to slide when the tangential force exceeds `starting` times the normal force.
+/// While it slides, the coefficient falls with its speed v over the Stribeck speed v_s:
+///
+///     mu(v) = dynamic + (starting - dynamic) / (1 + (v / v_s)^2)
+///
+/// and it rests again once the tangential force has fallen below `stopping` times the normal force.
 struct FrictionLaw {
-  double starting = 0.0605;  ///< Of the normal force, at which a resting node starts to slide.
-  double dynamic = 0.0395;   ///< While it slides.
-  double stopping = 0.0185;  ///< Below which a sliding node rests again (an estimate of the paper).
-  Speed stribeck = millimetersPerSecond(0.1);  ///< Over which starting falls to dynamic.
+  double starting = 0.0605;  ///< Measured (published, confidence high).
+  double dynamic = 0.0395;   ///< Measured (published, confidence high).
+  double stopping = 0.0185;  ///< Estimated by the paper; its meaning here is our reading (medium).
+  Speed stribeck = millimetersPerSecond(0.1);  ///< v_s: an engineering choice (low).
 };
 
 }  // namespace perilymph::mechanics

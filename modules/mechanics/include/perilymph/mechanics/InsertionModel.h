@@ -67,6 +67,7 @@ struct InsertionModel {
   std::vector<double> wallTangential;  ///< At each node [N/m].
   double styletBending = 0.0;          ///< EI of the stylet [N.m^2]; 0 without one.
   double styletFromTip = 0.0;          ///< Of its tip when fully in [m].
+  double styletResidual = 0.0;         ///< Share of the rest curvature that it leaves where it is.
   double baseMass = 0.0;               ///< Of carrier and tweezers [kg].
   std::uint64_t fingerprint = 0;       ///< Of everything above, for recordings.
 };

@@ -8,6 +8,7 @@
 
 #include "perilymph/anatomy/Lumen.h"
 #include "perilymph/mechanics/InsertionModel.h"
+#include "perilymph/mechanics/StepRoom.h"
 
 namespace perilymph::mechanics {
 
@@ -65,17 +66,14 @@ struct InsertionState {
   std::vector<Eigen::Vector3d> velocity_W;       ///< Of each node [m/s].
   std::vector<Eigen::Vector3d> frictionSpring_W; ///< Of each node: how far it is held back [m].
   std::vector<unsigned char> isSliding;          ///< Of each node.
+  std::vector<double> slipSpeed;                 ///< Of each node along the wall [m/s].
   std::vector<anatomy::LumenTrack> track;        ///< Of each node: which turn it is in.
   std::vector<double> normalForce;               ///< Of the wall on each node [N].
   std::vector<Eigen::Vector3d> wallForce_W;      ///< Normal and friction on each node [N].
   std::vector<unsigned char> onMembrane;         ///< Of each node that touches.
   Readings readings;
 
-  // Room for one step; nothing in it outlives the step.
-  struct Workspace;
-  struct WorkspaceDeleter {
-    void operator()(Workspace* workspace) const noexcept;
-  };
+  StepRoom room;                                 ///< Scratch; not part of the state's value.
 };
 
 }  // namespace perilymph::mechanics

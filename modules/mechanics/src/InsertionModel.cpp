@@ -1,0 +1,138 @@
+#include "perilymph/mechanics/InsertionModel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "perilymph/foundation/Hash.h"
+#include "perilymph/foundation/Math.h"
+
+namespace perilymph::mechanics {
+namespace {
+
+// The published simulator put twelve sample points on a carrier that goes 22 mm deep: one point's
+// stiffness stands for this length of wall (the paper's own numbers; the spacing is ours, medium).
+constexpr double samplePointSpacing = 22e-3 / 12;
+// Of array and tweezers together, weighed for the paper (high).
+constexpr double carrierAndTweezers = 0.0178943;  // [kg]
+// Silicone rubber with platinum wires in it (medium): density, and drag in perilymph (low).
+constexpr double siliconeDensity = 1150.0;  // [kg/m^3]
+constexpr double dragPerLength = 0.05;      // [N.s/m^2]
+
+void require(bool holds, const std::string& sentence)
+{
+  if (!holds) throw std::invalid_argument(sentence);
+}
+
+void check(const ModelParts& parts)
+{
+  require(parts.lumen != nullptr, "An insertion needs a lumen.");
+  require(parts.nodes >= 8 && parts.nodes <= mostNodes,
+          "The array has " + std::to_string(parts.nodes) + " nodes; it must have 8 to " +
+              std::to_string(mostNodes) + ".");
+  const double step_ms = inMilliseconds(parts.timeStep);
+  require(step_ms >= 0.0999 && step_ms <= 10.001,
+          "The time step is " + std::to_string(step_ms) + " ms; it must be 0.1 to 10 ms.");
+  require(parts.startInside < parts.array.length,
+          "The array starts " + std::to_string(inMillimeters(parts.startInside)) +
+              " mm inside, but only " + std::to_string(inMillimeters(parts.array.length)) +
+              " mm of it are free of the tweezers.");
+  require(parts.wall.perSamplePoint.si() > 0.0 && parts.wall.tangentialPerSamplePoint.si() > 0.0,
+          "The wall's stiffness must be above 0 N/m.");
+  const FrictionLaw& law = parts.friction;
+  require(law.stopping >= 0.0 && law.dynamic >= law.stopping && law.starting >= law.dynamic &&
+              law.starting <= 2.0,
+          "Friction must rise from stopping (" + std::to_string(law.stopping) + ") over dynamic (" +
+              std::to_string(law.dynamic) + ") to starting (" + std::to_string(law.starting) +
+              "), and be at most 2.");
+}
+
+std::uint64_t fingerprintOf(const InsertionModel& model)
+{
+  Hash hash;
+  const auto addAll = [&hash](const std::vector<double>& values) {
+    for (const double value : values) hash.add(value);
+  };
+  for (const Eigen::Vector3d& vector :
+       {model.startBase_W, model.startAxis_W, model.startCurl_W, model.entry.origin_W,
+        model.entry.out_W, model.entry.outward_W})
+    for (int k = 0; k < 3; ++k) hash.add(vector[k]);
+  hash.add(model.nodes);
+  hash.add(model.timeStep);
+  hash.add(model.spacing);
+  for (const auto* values :
+       {&model.fromTip, &model.radius, &model.mass, &model.drag, &model.stretching,
+        &model.bendingCarrier, &model.restCurvature, &model.wallStiffness, &model.wallTangential})
+    addAll(*values);
+  for (const double value :
+       {model.styletBending, model.styletFromTip, model.styletResidual, model.baseMass,
+        model.parts.friction.starting, model.parts.friction.dynamic, model.parts.friction.stopping,
+        model.parts.friction.stribeck.si(), model.parts.wall.onset.si()})
+    hash.add(value);
+  return hash.value();
+}
+
+}  // namespace
+
+std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
+{
+  check(parts);
+  auto model = std::make_shared<InsertionModel>();
+  InsertionModel& m = *model;
+  m.parts = std::move(parts);
+  const electrode::ArrayDesign& array = m.parts.array;
+  m.entry = m.parts.lumen->entry();
+  m.nodes = m.parts.nodes;
+  m.timeStep = m.parts.timeStep.si();
+  const double length = array.length.si();
+  m.spacing = length / (m.nodes - 1);
+  m.baseMass = carrierAndTweezers;
+
+  // the approach: along E.z, tilted toward E.y and turned toward E.x
+  const SineCosine tilt = sineCosine(m.parts.approachTilt.si());
+  const SineCosine turn = sineCosine(m.parts.approachTurn.si());
+  m.startAxis_W = -(tilt.cosine * turn.cosine) * m.entry.out_W + tilt.sine * m.entry.vertical_W +
+                  (tilt.cosine * turn.sine) * m.entry.outward_W;
+  // a precurved array curls toward the modiolus: away from the outer wall
+  const Eigen::Vector3d inner_W = -m.entry.outward_W;
+  m.startCurl_W = (inner_W - inner_W.dot(m.startAxis_W) * m.startAxis_W).normalized();
+  m.startBase_W =
+      m.entry.origin_W + (m.parts.startInside.si() - length) * m.startAxis_W;
+
+  for (int i = 0; i < m.nodes; ++i) {
+    const double fromTip = length - i * m.spacing;
+    const Length place = Length::fromSi(std::max(fromTip, 0.0));
+    const double radius = 0.5 * array.diameter.at(place).si();
+    const double bending = array.bending.at(place).si();
+    const bool isTip = i == m.nodes - 1;
+    const double ownLength = isTip ? 0.5 * m.spacing : m.spacing;
+    m.fromTip.push_back(place.si());
+    m.radius.push_back(radius);
+    m.mass.push_back(siliconeDensity * pi * radius * radius * ownLength);
+    m.drag.push_back(dragPerLength * ownLength);
+    m.bendingCarrier.push_back(bending);
+    m.restCurvature.push_back(array.restCurvature.at(place).si());
+    // the rounded tip presses on the wall with a cap of its own
+    const double pressedLength = isTip ? ownLength + radius : ownLength;
+    m.wallStiffness.push_back(m.parts.wall.perSamplePoint.si() * pressedLength / samplePointSpacing);
+    m.wallTangential.push_back(m.parts.wall.tangentialPerSamplePoint.si() * pressedLength /
+                               samplePointSpacing);
+  }
+  for (int i = 0; i + 1 < m.nodes; ++i) {
+    // EA of a round section of the same material as its EI: 4 EI / r^2
+    const auto k = static_cast<std::size_t>(i);
+    const double radius = 0.5 * (m.radius[k] + m.radius[k + 1]);
+    m.stretching.push_back(4.0 * 0.5 * (m.bendingCarrier[k] + m.bendingCarrier[k + 1]) /
+                           (radius * radius));
+  }
+  if (array.hasStylet) {
+    m.styletBending = array.stylet.bending.si();
+    m.styletFromTip = array.stylet.fromTip.si();
+    m.styletResidual = array.stylet.residualCurvature;
+  }
+  m.fingerprint = fingerprintOf(m);
+  return model;
+}
+
+}  // namespace perilymph::mechanics

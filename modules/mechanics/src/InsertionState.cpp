@@ -1,0 +1,72 @@
+#include "perilymph/mechanics/InsertionState.h"
+
+#include "perilymph/foundation/Hash.h"
+
+namespace perilymph::mechanics {
+namespace {
+
+void addVector(Hash& hash, const Eigen::Vector3d& vector)
+{
+  for (int k = 0; k < 3; ++k) hash.add(vector[k]);
+}
+
+}  // namespace
+
+InsertionState::InsertionState(const InsertionModel& model)
+    : position_W(static_cast<std::size_t>(model.nodes)),
+      velocity_W(position_W.size()),
+      frictionSpring_W(position_W.size()),
+      isSliding(position_W.size()),
+      slipSpeed(position_W.size()),
+      track(position_W.size()),
+      normalForce(position_W.size()),
+      wallForce_W(position_W.size()),
+      onMembrane(position_W.size()),
+      room(position_W.size())
+{
+  reset(model);
+}
+
+void InsertionState::reset(const InsertionModel& model) noexcept
+{
+  tick = 0;
+  base_W = model.startBase_W;
+  baseVelocity_W.setZero();
+  styletWithdrawal = 0.0;
+  for (std::size_t i = 0; i < position_W.size(); ++i) {
+    position_W[i] = base_W + (static_cast<double>(i) * model.spacing) * model.startAxis_W;
+    velocity_W[i].setZero();
+    frictionSpring_W[i].setZero();
+    isSliding[i] = 0;
+    slipSpeed[i] = 0.0;
+    track[i] = model.parts.lumen->startTrack();
+    normalForce[i] = 0.0;
+    wallForce_W[i].setZero();
+    onMembrane[i] = 0;
+    // nodes farther from the wall than this need no more than that fact
+    room.reach[i] = model.radius[i] + 0.02e-3;
+  }
+  readings = Readings{};
+  readings.depth = model.parts.startInside.si() > 0.0 ? model.parts.startInside.si() : 0.0;
+}
+
+std::uint64_t InsertionState::fingerprint() const noexcept
+{
+  Hash hash;
+  hash.add(tick);
+  addVector(hash, base_W);
+  addVector(hash, baseVelocity_W);
+  hash.add(styletWithdrawal);
+  for (std::size_t i = 0; i < position_W.size(); ++i) {
+    addVector(hash, position_W[i]);
+    addVector(hash, velocity_W[i]);
+    addVector(hash, frictionSpring_W[i]);
+    hash.add(isSliding[i]);
+    hash.add(slipSpeed[i]);
+    hash.add(track[i].angle);
+    hash.add(normalForce[i]);
+  }
+  return hash.value();
+}
+
+}  // namespace perilymph::mechanics

@@ -1,0 +1,72 @@
+#include "Contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "friction/Friction.h"
+#include "rod/Rod.h"
+
+namespace perilymph::mechanics {
+
+NormalForce normalForce(double penetration, double stiffness, double onset) noexcept
+{
+  if (penetration <= 0.0) return {0.0, 0.0};
+  if (penetration < onset)
+    return {0.5 * stiffness * penetration * penetration / onset, stiffness * penetration / onset};
+  return {stiffness * (penetration - 0.5 * onset), stiffness};
+}
+
+void addWall(const InsertionModel& model, InsertionState& state,
+             const std::vector<Eigen::Vector3d>& position_W, StepRoom& room) noexcept
+{
+  const auto n = static_cast<std::size_t>(model.nodes);
+  const double onset = model.parts.wall.onset.si();
+  model.parts.lumen->nearestWall(position_W, room.reach, state.track, room.wall);
+
+  for (std::size_t i = 0; i < n; ++i) {
+    state.normalForce[i] = 0.0;
+    state.wallForce_W[i].setZero();
+    state.onMembrane[i] = 0;
+    room.frictionSpring_W[i].setZero();
+    room.isSliding[i] = 0;
+    room.slip[i] = 0.0;
+    const anatomy::WallPoint& wall = room.wall[i];
+    if (!wall.isNear) continue;
+    const double penetration = model.radius[i] - wall.distance;
+    if (penetration <= 0.0) continue;
+
+    // Right behind the opening the wall sets in over one node spacing, so that a node passing the edge
+    // does not meet it all at once.
+    const double inside = (model.entry.origin_W - position_W[i]).dot(model.entry.out_W);
+    const double share = std::clamp(inside / model.spacing, 0.0, 1.0);
+    const NormalForce push = normalForce(penetration, share * model.wallStiffness[i], onset);
+    const Eigen::Vector3d& normal_W = wall.normal_W;
+
+    // pushing in, a node also meets the wall turning: a concave wall holds it in place
+    const Eigen::Vector3d lengthwise_W = normal_W.cross(wall.along_W);
+    Eigen::Matrix3d stiffness = push.slope * normal_W * normal_W.transpose();
+    if (wall.curvature > 0.0)
+      stiffness += push.force * wall.curvature * wall.along_W * wall.along_W.transpose();
+    if (wall.lengthwiseCurvature > 0.0)
+      stiffness += push.force * wall.lengthwiseCurvature * lengthwise_W * lengthwise_W.transpose();
+
+    const Eigen::Vector3d moved = position_W[i] - room.before_W[i];
+    const Eigen::Vector3d slip = moved - normal_W * normal_W.dot(moved);
+    const Eigen::Vector3d& spring = state.frictionSpring_W[i];
+    const FrictionStep friction = frictionStep(
+        slip + spring - normal_W * normal_W.dot(spring), push.force, share * model.wallTangential[i],
+        state.isSliding[i] != 0, state.slipSpeed[i], normal_W, model.parts.friction);
+    stiffness += friction.stiffness;
+
+    state.normalForce[i] = push.force;
+    state.wallForce_W[i] = push.force * normal_W + friction.force_W;
+    state.onMembrane[i] = wall.onMembrane ? 1 : 0;
+    room.frictionSpring_W[i] = friction.spring_W;
+    room.isSliding[i] = friction.isSliding ? 1 : 0;
+    room.slip[i] = slip.norm();
+    room.force_W[i] += state.wallForce_W[i];
+    room.system.diagonal[blockOf(i)] += stiffness;
+  }
+}
+
+}  // namespace perilymph::mechanics

@@ -1,0 +1,25 @@
+#pragma once
+
+// The compliant wall: normal force and friction on every node that touches.
+
+#include "perilymph/mechanics/InsertionModel.h"
+#include "perilymph/mechanics/InsertionState.h"
+
+namespace perilymph::mechanics {
+
+/// Force of a compliant wall by depth of penetration, and its slope. Sets in smoothly over `onset`,
+/// then linear.
+struct NormalForce {
+  double force;  ///< [N]
+  double slope;  ///< [N/m]
+};
+NormalForce normalForce(double penetration, double stiffness, double onset) noexcept;
+
+/// Adds the wall's forces on all nodes to room.force_W, with their stiffness to room.system, and
+/// leaves them in state.normalForce and state.wallForce_W.
+///
+/// @param position_W  Where the nodes are in this iteration [m].
+void addWall(const InsertionModel& model, InsertionState& state,
+             const std::vector<Eigen::Vector3d>& position_W, StepRoom& room) noexcept;
+
+}  // namespace perilymph::mechanics

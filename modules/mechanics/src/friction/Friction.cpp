@@ -1,0 +1,40 @@
+#include "Friction.h"
+
+#include <cmath>
+
+namespace perilymph::mechanics {
+
+FrictionStep frictionStep(const Eigen::Vector3d& stretch_W, double normal, double stiffness,
+                          bool isSliding, double slipSpeed, const Eigen::Vector3d& normal_W,
+                          const FrictionLaw& law) noexcept
+{
+  const Eigen::Matrix3d tangential =
+      Eigen::Matrix3d::Identity() - normal_W * normal_W.transpose();
+  const double length = stretch_W.norm();
+  const double trial = stiffness * length;
+
+  double coefficient = law.starting;
+  if (isSliding) {
+    const double fast = slipSpeed / law.stribeck.si();
+    coefficient = law.dynamic + (law.starting - law.dynamic) / (1.0 + fast * fast);
+  }
+  const double most = coefficient * normal;
+
+  FrictionStep step;
+  if (trial <= most) {
+    step.force_W = -stiffness * stretch_W;
+    step.stiffness = stiffness * tangential;
+    step.spring_W = stretch_W;
+    step.isSliding = isSliding && trial > law.stopping * normal;
+    return step;
+  }
+  // slides: the spring keeps what the cone allows, the rest is lost to heat
+  const Eigen::Vector3d direction = stretch_W / length;
+  step.force_W = -most * direction;
+  step.stiffness = (most / length) * (tangential - direction * direction.transpose());
+  step.spring_W = (most / stiffness) * direction;
+  step.isSliding = true;
+  return step;
+}
+
+}  // namespace perilymph::mechanics

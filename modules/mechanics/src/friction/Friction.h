@@ -1,0 +1,33 @@
+#pragma once
+
+// Stick and slip of one node by return mapping on a spring.
+
+#include <Eigen/Core>
+
+#include "perilymph/mechanics/Friction.h"
+
+namespace perilymph::mechanics {
+
+/// What the wall's friction does to one node in one iteration.
+struct FrictionStep {
+  Eigen::Vector3d force_W;   ///< On the node, tangent to the wall [N].
+  Eigen::Matrix3d stiffness; ///< Of that force against the node's motion [N/m]; semidefinite.
+  Eigen::Vector3d spring_W;  ///< What the spring would remember [m].
+  bool isSliding;            ///< What the node would remember.
+};
+
+/// Friction on a node that has moved along the wall.
+///
+/// @param stretch_W  Remembered spring plus this step's motion, tangent to the wall [m].
+/// @param normal     Force that presses node and wall together [N], 0 or more.
+/// @param stiffness  Of the spring [N/m].
+/// @param isSliding  Whether the node slid at the end of the last step.
+/// @param slipSpeed  Its speed along the wall in the last step [m/s].
+/// @param normal_W   Unit, off the wall.
+///
+/// Real-time safe.
+FrictionStep frictionStep(const Eigen::Vector3d& stretch_W, double normal, double stiffness,
+                          bool isSliding, double slipSpeed, const Eigen::Vector3d& normal_W,
+                          const FrictionLaw& law) noexcept;
+
+}  // namespace perilymph::mechanics

@@ -1,0 +1,44 @@
+#pragma once
+
+// The elastic rod: stretching and bending of a chain of nodes, with material damping.
+
+#include <Eigen/Core>
+#include <cstddef>
+
+#include "perilymph/mechanics/BandSystem.h"
+#include "perilymph/mechanics/InsertionModel.h"
+#include "perilymph/mechanics/InsertionState.h"
+#include "perilymph/mechanics/StepRoom.h"
+
+namespace perilymph::mechanics {
+
+/// Material damping of silicone over its stiffness: stress = E (strain + time x strain rate). An
+/// engineering choice that keeps the rod quiet between ticks; confidence low.
+inline constexpr double dampingTime = 2e-3;  // [s]
+
+/// The unknown block that a node belongs to: nodes 0 and 1 are the base's.
+inline std::size_t blockOf(std::size_t node) noexcept { return node == 0 ? 0 : node - 1; }
+
+/// Whether the rod's geometric stiffness under compression enters the matrix. Exact with it; always
+/// positive definite without.
+enum class Compression { included, leftOut };
+
+/// Stiffness EI and rest bend of each node for a place of the stylet.
+///
+/// The stylet adds its own EI where it is, and holds the carrier straight but for a share of its free
+/// curvature.
+void setStiffness(const InsertionModel& model, double styletWithdrawal, StepRoom& room) noexcept;
+
+/// Rest bends h kappa d as vectors: the curl's direction d is carried along the rod from the base
+/// without turning about it (an array that does not twist).
+void setRestBends(const InsertionModel& model, const InsertionState& state,
+                  const Eigen::Vector3d& curl_W, StepRoom& room) noexcept;
+
+/// Lengths and bends before the step: what damping is measured against.
+void rememberShape(const InsertionModel& model, const InsertionState& state, StepRoom& room) noexcept;
+
+/// Adds the rod's forces (to room.force_W, per node) and stiffness (to room.system).
+void addRod(const InsertionModel& model, const std::vector<Eigen::Vector3d>& position_W,
+            Compression compression, StepRoom& room) noexcept;
+
+}  // namespace perilymph::mechanics

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+
+namespace perilymph::test {
+
+/// An empty folder of the test's own, gone with everything in it when the test ends.
+class TemporaryFolder {
+public:
+  /// @throws std::system_error where no folder can be made.
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& path() const noexcept { return path_; }
+  /// The path of a file or folder in it.
+  std::filesystem::path operator/(const std::filesystem::path& name) const { return path_ / name; }
+
+private:
+  std::filesystem::path path_;
+};
+
+}  // namespace perilymph::test

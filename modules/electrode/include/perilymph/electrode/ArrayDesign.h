@@ -52,7 +52,7 @@ struct Stylet {
 struct ArrayDesign {
   std::string name;            ///< "Nucleus 24 Contour"
   std::string maker;
-  std::string note;            ///< For people: what this data is, and that it is no device labelling.
+  std::string note;            ///< For people: what this data is, and that it is no device labeling.
   Length length;               ///< From the tip to where the tweezers hold it.
   Length insertable;           ///< Greatest depth past the opening.
   AlongArray<Length> diameter;

@@ -101,7 +101,7 @@ void ScenarioKeys::notePatient(const anatomy::Patient& patient)
   note("patient_numbers.rw_height_mm", tomlNumber(exactMillimeters(patient.roundWindowHeight)));
 }
 
-std::string ScenarioKeys::text() const
+std::string ScenarioKeys::asToml() const
 {
   // Keys of the file itself first: what follows the head of a table belongs to it.
   std::string own, tables, table;

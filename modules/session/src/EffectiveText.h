@@ -39,7 +39,7 @@ public:
   /// Keys and values in their order; keys of a table wear its name: "table.key".
   const std::vector<std::pair<std::string, std::string>>& values() const { return values_; }
   /// The same as TOML.
-  std::string text() const;
+  std::string asToml() const;
 
 private:
   TomlReader& reader_;

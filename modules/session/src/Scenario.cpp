@@ -238,7 +238,7 @@ Result<Scenario> readScenario(TomlReader& reader, const std::string& name, const
   keys.note("array_fingerprint", tomlText(scenario.arrayFingerprint));
   keys.notePatient(scenario.patient);
   scenario.values = keys.values();
-  scenario.text = keys.text();
+  scenario.text = keys.asToml();
   return scenario;
 }
 

@@ -163,6 +163,7 @@ private:
     design.hasStylet = true;
     design.stylet.fromTip = millimeters(table.number("from_tip_mm", {0.0, most_mm_}));
     design.stylet.bending = newtonSquareMeters(table.number("bending_N_m2", bending_N_m2));
+    design.stylet.residualCurvature = table.number("residual_curvature_share", {0.0, 1.0}, 0.0);
     design.stylet.provenance = provenance_.back().second;
   }
 

@@ -44,6 +44,7 @@ struct AlongArray {
 struct Stylet {
   Length fromTip;              ///< Where its own tip lies when it is fully in.
   BendingStiffness bending;    ///< What it adds to the array's stiffness.
+  double residualCurvature = 0.0;  ///< Share of the free curvature that it leaves where it is.
   Provenance provenance;
 };
 

@@ -1,5 +1,6 @@
 #include "perilymph/anatomy/PlainLumens.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "perilymph/foundation/Math.h"

@@ -1,5 +1,6 @@
 #include "perilymph/anatomy/ScalaTympani.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -237,7 +238,7 @@ void ScalaTympani::locate(const Eigen::Vector3d& point_W, double reach, LumenTra
   wall.normal_W = level.gradient / steep;
   if (wall.distance > 2.0 * reach && toEnd > reach) return;
   const double turnTo = inLeadIn ? 0.0 : 1.0;
-  for (int pass = 0; pass < 2; ++pass) {
+  for (int pass = 0; pass < 0; ++pass) {
     const Eigen::Vector3d foot = point_W - wall.distance * wall.normal_W;
     double angle = track.angle;
     double direction[2] = {track.direction[0], track.direction[1]};

@@ -1,5 +1,6 @@
 #include "Contact.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 

@@ -1,0 +1,179 @@
+#include "ChartFrame.h"
+
+#include <vtkAxis.h>
+#include <vtkBrush.h>
+#include <vtkChartXY.h>
+#include <vtkContextActor.h>
+#include <vtkContextScene.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkPen.h>
+#include <vtkPlot.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkStringArray.h>
+#include <vtkTable.h>
+#include <vtkTextProperty.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "ChartStyle.h"
+#include "perilymph/charts/Typeface.h"
+
+namespace perilymph::charts {
+namespace {
+
+void setColor(vtkTextProperty& text, const vtkColor4ub& color)
+{
+  text.SetColor(color.GetRed() / 255.0, color.GetGreen() / 255.0, color.GetBlue() / 255.0);
+}
+
+std::string written(double value, int decimals)
+{
+  if (std::abs(value) < 1e-12) value = 0.0;  // no "-0.00"
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return text;
+}
+
+}  // namespace
+
+ChartLine::ChartLine(vtkChartXY& chart, const vtkColor4ub& color, float width) : width_(width)
+{
+  x_->SetName("x");
+  y_->SetName("y");
+  table_->AddColumn(x_);
+  table_->AddColumn(y_);
+  plot_ = chart.AddPlot(vtkChart::LINE);
+  plot_->SetInputData(table_, 0, 1);
+  plot_->SetColor(color.GetRed(), color.GetGreen(), color.GetBlue(), color.GetAlpha());
+  plot_->SetWidth(width);
+  plot_->SetVisible(false);
+}
+
+ChartLine::~ChartLine() = default;
+
+void ChartLine::set(const std::vector<float>& x, const std::vector<float>& y)
+{
+  const vtkIdType count = static_cast<vtkIdType>(x.size());
+  x_->SetNumberOfValues(count);
+  y_->SetNumberOfValues(count);
+  std::copy(x.begin(), x.end(), x_->GetPointer(0));
+  std::copy(y.begin(), y.end(), y_->GetPointer(0));
+  x_->Modified();
+  y_->Modified();
+  table_->Modified();
+  setVisible(count > 1);  // a line plot of no points complains
+}
+
+void ChartLine::setVisible(bool visible)
+{
+  plot_->SetVisible(visible && x_->GetNumberOfValues() > 1);
+}
+
+void ChartLine::setScale(double pixelRatio)
+{
+  plot_->SetWidth(static_cast<float>(width_ * pixelRatio));
+}
+
+ChartFrame::ChartFrame(const std::string& xTitle, const std::string& yTitle)
+{
+  renderer_->SetBackground(style::panel.GetRed() / 255.0, style::panel.GetGreen() / 255.0,
+                           style::panel.GetBlue() / 255.0);
+  renderer_->AddActor(actor_);
+  actor_->GetScene()->SetRenderer(renderer_);
+  actor_->GetScene()->AddItem(chart_);
+  actor_->GetScene()->AddItem(overlay_);
+  overlay_->setChart(chart_);
+
+  chart_->SetRenderEmpty(true);
+  chart_->SetShowLegend(false);
+  chart_->SetForceAxesToBounds(false);
+  chart_->ForceAxesToBoundsOff();
+  chart_->SetBorders(8, 8, 8, 8);
+  vtkNew<vtkBrush> ground;
+  ground->SetColor(style::ground);
+  chart_->SetBackgroundBrush(ground);
+  styleAxis(vtkAxis::BOTTOM, xTitle);
+  styleAxis(vtkAxis::LEFT, yTitle);
+  setScale(1.0);
+}
+
+ChartFrame::~ChartFrame() = default;
+
+void ChartFrame::attachTo(vtkRenderWindow& window)
+{
+  window.SetMultiSamples(0);
+  window.SetLineSmoothing(true);
+  window.AddRenderer(renderer_);
+}
+
+void ChartFrame::styleAxis(int position, const std::string& title)
+{
+  vtkAxis& axis = *chart_->GetAxis(position);
+  axis.SetTitle(title);
+  axis.SetBehavior(vtkAxis::FIXED);
+  axis.SetTicksVisible(false);
+  axis.GetPen()->SetColor(style::gridLine);
+  axis.GetGridPen()->SetColor(style::gridLine);
+  axis.SetGridVisible(true);
+  for (vtkTextProperty* text : {axis.GetLabelProperties(), axis.GetTitleProperties()}) {
+    setTypeface(*text);
+    setColor(*text, style::quietText);
+    text->SetBold(false);
+    text->SetItalic(false);
+  }
+}
+
+void ChartFrame::setScale(double pixelRatio)
+{
+  const int size = static_cast<int>(std::lround(style::labelSize * pixelRatio));
+  for (const int position : {vtkAxis::BOTTOM, vtkAxis::LEFT}) {
+    vtkAxis& axis = *chart_->GetAxis(position);
+    axis.GetLabelProperties()->SetFontSize(size);
+    axis.GetTitleProperties()->SetFontSize(size);
+    axis.GetGridPen()->SetWidth(static_cast<float>(pixelRatio));
+    axis.GetPen()->SetWidth(static_cast<float>(pixelRatio));
+  }
+  overlay_->setScale(pixelRatio);
+}
+
+void ChartFrame::setXRange(const AxisRange& range)
+{
+  std::vector<std::string> labels;
+  for (const double place : tickPlaces(range)) labels.push_back(written(place, 0));
+  setRange(vtkAxis::BOTTOM, range, labels);
+}
+
+void ChartFrame::setYRange(const AxisRange& range, int decimals)
+{
+  std::vector<std::string> labels;
+  for (const double place : tickPlaces(range)) labels.push_back(written(place, decimals));
+  setRange(vtkAxis::LEFT, range, labels);
+}
+
+void ChartFrame::setXLabels(const AxisRange& range, const std::vector<std::string>& labels)
+{
+  setRange(vtkAxis::BOTTOM, range, labels);
+}
+
+void ChartFrame::setRange(int position, const AxisRange& range,
+                          const std::vector<std::string>& labels)
+{
+  vtkNew<vtkDoubleArray> places;
+  vtkNew<vtkStringArray> words;
+  std::size_t index = 0;
+  for (const double place : tickPlaces(range)) {
+    places->InsertNextValue(place);
+    words->InsertNextValue(index < labels.size() ? labels[index] : std::string());
+    ++index;
+  }
+  vtkAxis& axis = *chart_->GetAxis(position);
+  axis.SetUnscaledRange(range.low, range.high);
+  axis.SetCustomTickPositions(places, words);
+  overlay_->Modified();
+}
+
+}  // namespace perilymph::charts

@@ -1,0 +1,79 @@
+#pragma once
+
+// What is drawn over the lines of a chart: printed values with their bars, thresholds, the point
+// that is now, and the legend.
+
+#include <vtkColor.h>
+#include <vtkContextItem.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "perilymph/charts/ReferenceCurve.h"
+
+class vtkChartXY;
+
+namespace perilymph::charts {
+
+/// How a legend shows what it names.
+enum class Swatch { line, bar };
+
+/// One line of the legend.
+struct LegendEntry {
+  Swatch swatch;
+  vtkColor4ub color;
+  std::string text;
+};
+
+/// A dashed line across the chart with a word at its right end.
+struct Threshold {
+  double y;
+  std::string text;
+  vtkColor4ub color;
+};
+
+/// A dot at a place of the chart.
+struct Dot {
+  double x, y;
+  vtkColor4ub color;
+};
+
+/// Drawn after the chart, in pixels; finds its places from the chart's axes.
+class ChartOverlay : public vtkContextItem {
+public:
+  static ChartOverlay* New();
+  vtkTypeMacro(ChartOverlay, vtkContextItem)
+
+      void setChart(vtkChartXY* chart)
+  {
+    chart_ = chart;
+  }
+  void setScale(double pixelRatio);
+
+  std::vector<LegendEntry> legend;
+  std::vector<ReferencePoint> bars;
+  std::optional<Threshold> threshold;
+  std::optional<Dot> now;
+  bool legendAtRight = false;  ///< Else at the left.
+
+  bool Paint(vtkContext2D* painter) override;
+
+protected:
+  ChartOverlay() = default;
+  ~ChartOverlay() override = default;
+
+private:
+  struct Area;
+  void paintZero(vtkContext2D& painter, const Area& area) const;
+  void paintThreshold(vtkContext2D& painter, const Area& area) const;
+  void paintBars(vtkContext2D& painter, const Area& area) const;
+  void paintNow(vtkContext2D& painter, const Area& area) const;
+  void paintLegend(vtkContext2D& painter, const Area& area) const;
+  void setText(vtkContext2D& painter, const vtkColor4ub& color, int justification) const;
+
+  vtkChartXY* chart_ = nullptr;  // the frame owns both
+  float scale_ = 1.0f;
+};
+
+}  // namespace perilymph::charts

@@ -1,0 +1,177 @@
+#include "perilymph/charts/ForceDepthChart.h"
+
+#include <vtkChartXY.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ChartFrame.h"
+#include "ChartStyle.h"
+#include "TravelColumns.h"
+
+namespace perilymph::charts {
+namespace {
+
+constexpr AxisRange usualTravel_mm{0.0, 17.0, 4.0};
+constexpr AxisRange usualForce_N{0.0, 0.20, 0.05};
+/// Median force that surgeons detect: 20.4 mN, Kratchman et al. 2016.
+constexpr double feltBySurgeons_N = 0.020;
+
+vtkColor4ub faded(vtkColor4ub color, unsigned char alpha)
+{
+  color.SetAlpha(alpha);
+  return color;
+}
+
+}  // namespace
+
+struct ForceDepthChart::Content {
+  ChartFrame frame{"travel, mm", "axial force, N"};
+  ChartLine ghostLine{frame.chart(), style::blue, style::thinWidth};
+  ChartLine outLine{frame.chart(), faded(style::accent, 150), style::thinWidth};
+  ChartLine inLine{frame.chart(), style::accent, style::lineWidth};
+  TravelColumns columns;
+  std::vector<float> x, y;  // room for one curve
+
+  bool hasGhost = false;
+  double ghostTravel_mm = 0.0, ghostLow_N = 0.0, ghostHigh_N = 0.0;
+  std::string ghostLabel;
+  std::vector<ReferencePoint> reference;
+  std::string referenceLabel;
+  bool showsGhost = true, showsReference = true, showsThreshold = true;
+
+  bool isChanged = true;
+  AxisRange travel_mm = usualTravel_mm;
+  AxisRange force_N = usualForce_N;
+
+  void setRanges();
+  void setMarks();
+};
+
+void ForceDepthChart::Content::setRanges()
+{
+  double low_N = 0.0, high_N = 0.0, left_mm = 0.0, right_mm = 0.0;
+  const auto include = [&](double travelLow, double travelHigh, double forceLow, double forceHigh) {
+    left_mm = std::min(left_mm, travelLow);
+    right_mm = std::max(right_mm, travelHigh);
+    low_N = std::min(low_N, forceLow);
+    high_N = std::max(high_N, forceHigh);
+  };
+  if (!columns.isEmpty())
+    include(columns.lowestTravel_mm(), columns.highestTravel_mm(), columns.lowestForce_N(),
+            columns.highestForce_N());
+  if (hasGhost && showsGhost) include(0.0, ghostTravel_mm, ghostLow_N, ghostHigh_N);
+  if (showsReference)
+    for (const ReferencePoint& point : reference)
+      include(0.0, point.travel_mm, point.mean_N - point.sd_N, point.mean_N + point.sd_N);
+
+  // A device that trembles at the start is no reason to move the axis.
+  if (left_mm > -0.5) left_mm = 0.0;
+  if (low_N > -0.002) low_N = 0.0;
+  travel_mm = grown(usualTravel_mm, left_mm, right_mm);
+  force_N = grown(usualForce_N, low_N, high_N);
+  frame.setXRange(travel_mm);
+  frame.setYRange(force_N, force_N.tick < 1.0 ? 2 : 0);
+}
+
+void ForceDepthChart::Content::setMarks()
+{
+  ChartOverlay& overlay = frame.overlay();
+  overlay.legend.clear();
+  overlay.legend.push_back({Swatch::line, style::accent, "this insertion"});
+  if (hasGhost && showsGhost) overlay.legend.push_back({Swatch::line, style::blue, ghostLabel});
+  if (!reference.empty() && showsReference)
+    overlay.legend.push_back({Swatch::bar, style::text, referenceLabel});
+
+  overlay.bars = showsReference ? reference : std::vector<ReferencePoint>();
+  overlay.threshold.reset();
+  if (showsThreshold)
+    overlay.threshold = Threshold{feltBySurgeons_N, "felt by surgeons 20 mN", style::orange};
+  overlay.now.reset();
+  if (!columns.isEmpty())
+    overlay.now = Dot{columns.lastTravel_mm(), columns.lastForce_N(), style::accent};
+  overlay.Modified();
+}
+
+ForceDepthChart::ForceDepthChart() : content_(std::make_unique<Content>()) { update(); }
+ForceDepthChart::~ForceDepthChart() = default;
+
+void ForceDepthChart::attachTo(vtkRenderWindow& window) { content_->frame.attachTo(window); }
+
+void ForceDepthChart::append(Length travel, Force axial)
+{
+  content_->columns.append(inMillimeters(travel), inNewtons(axial));
+  content_->isChanged = true;
+}
+
+void ForceDepthChart::clear()
+{
+  content_->columns.clear();
+  content_->isChanged = true;
+}
+
+void ForceDepthChart::setGhost(std::vector<std::pair<Length, Force>> curve, std::string label)
+{
+  TravelColumns columns;
+  for (const auto& [travel, force] : curve) columns.append(inMillimeters(travel), inNewtons(force));
+  content_->hasGhost = !columns.isEmpty();
+  content_->ghostTravel_mm = columns.highestTravel_mm();
+  content_->ghostLow_N = columns.lowestForce_N();
+  content_->ghostHigh_N = columns.highestForce_N();
+  content_->ghostLabel = std::move(label);
+  columns.curve(Way::in, content_->x, content_->y);
+  content_->ghostLine.set(content_->x, content_->y);
+  content_->isChanged = true;
+}
+
+void ForceDepthChart::setReference(std::vector<ReferencePoint> points, std::string label)
+{
+  content_->reference = std::move(points);
+  content_->referenceLabel = std::move(label);
+  content_->isChanged = true;
+}
+
+void ForceDepthChart::setVisible(ChartLayer layer, bool visible)
+{
+  switch (layer) {
+    case ChartLayer::ghost:
+      content_->showsGhost = visible;
+      break;
+    case ChartLayer::reference:
+      content_->showsReference = visible;
+      break;
+    case ChartLayer::threshold:
+      content_->showsThreshold = visible;
+      break;
+  }
+  content_->isChanged = true;
+}
+
+void ForceDepthChart::setScale(double pixelRatio)
+{
+  content_->frame.setScale(pixelRatio);
+  content_->inLine.setScale(pixelRatio);
+  content_->outLine.setScale(pixelRatio);
+  content_->ghostLine.setScale(pixelRatio);
+  content_->isChanged = true;
+}
+
+bool ForceDepthChart::update()
+{
+  Content& now = *content_;
+  if (!now.isChanged) return false;
+  now.isChanged = false;
+
+  now.columns.curve(Way::in, now.x, now.y);
+  now.inLine.set(now.x, now.y);
+  now.columns.curve(Way::out, now.x, now.y);
+  now.outLine.set(now.x, now.y);
+  now.ghostLine.setVisible(now.hasGhost && now.showsGhost);
+  now.setRanges();
+  now.setMarks();
+  return true;
+}
+
+vtkChartXY& ForceDepthChart::chart() { return content_->frame.chart(); }
+
+}  // namespace perilymph::charts

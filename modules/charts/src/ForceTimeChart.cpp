@@ -1,0 +1,138 @@
+#include "perilymph/charts/ForceTimeChart.h"
+
+#include <vtkChartXY.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "ChartFrame.h"
+#include "ChartStyle.h"
+
+namespace perilymph::charts {
+namespace {
+
+/// Time is cut into slots of about one pixel; of each the least and greatest values are kept.
+constexpr int slots = 400;
+constexpr double slotTime_s = inSeconds(ForceTimeChart::span) / slots;
+constexpr int components = 3;
+constexpr AxisRange usualForce_mN{-20.0, 60.0, 20.0};
+
+/// Least and greatest value of each component within one slot of time.
+struct Slot {
+  long long number = -1;  ///< Of slots since time zero; -1: empty.
+  std::array<float, components> low{}, high{};
+};
+
+}  // namespace
+
+struct ForceTimeChart::Content {
+  ChartFrame frame{"", "force, mN"};
+  std::array<ChartLine, components> lines{ChartLine{frame.chart(), style::accent, style::thinWidth},
+                                          ChartLine{frame.chart(), style::orange, style::thinWidth},
+                                          ChartLine{frame.chart(), style::blue, style::thinWidth}};
+  std::array<Slot, slots + 1> ring{};
+  double now_s = -1.0;
+  long long newest = -1;
+  bool isChanged = true;
+  std::vector<float> x, y;  // room for one line
+
+  void setRange();
+  void setLine(std::size_t component);
+};
+
+void ForceTimeChart::Content::setRange()
+{
+  float low = 0.0f, high = 0.0f;
+  for (const Slot& slot : ring) {
+    if (slot.number < 0 || slot.number < newest - slots) continue;
+    low = std::min(low, *std::min_element(slot.low.begin(), slot.low.end()));
+    high = std::max(high, *std::max_element(slot.high.begin(), slot.high.end()));
+  }
+  frame.setYRange(grown(usualForce_mN, low, high, 5), 0);
+  frame.setXLabels({-inSeconds(span), 0.0, inSeconds(span)}, {"−5 s", "now"});
+}
+
+void ForceTimeChart::Content::setLine(std::size_t component)
+{
+  x.clear();
+  y.clear();
+  for (long long number = std::max(0LL, newest - slots); number <= newest; ++number) {
+    const Slot& slot = ring[static_cast<std::size_t>(number % (slots + 1))];
+    if (slot.number != number) continue;
+    const float time_s = static_cast<float>(static_cast<double>(number - newest) * slotTime_s);
+    x.push_back(time_s);
+    y.push_back(slot.low[component]);
+    if (slot.high[component] == slot.low[component]) continue;
+    x.push_back(time_s + 0.5f * static_cast<float>(slotTime_s));
+    y.push_back(slot.high[component]);
+  }
+  lines[component].set(x, y);
+}
+
+ForceTimeChart::ForceTimeChart() : content_(std::make_unique<Content>())
+{
+  ChartOverlay& overlay = content_->frame.overlay();
+  overlay.legendAtRight = true;
+  overlay.legend = {{Swatch::line, style::accent, "axial"},
+                    {Swatch::line, style::orange, "lateral"},
+                    {Swatch::line, style::blue, "vertical"}};
+  update();
+}
+
+ForceTimeChart::~ForceTimeChart() = default;
+
+void ForceTimeChart::attachTo(vtkRenderWindow& window) { content_->frame.attachTo(window); }
+
+void ForceTimeChart::append(Duration time, const ForceComponents& force)
+{
+  const std::array<double, components> value_mN{
+      inMillinewtons(force.axial), inMillinewtons(force.lateral), inMillinewtons(force.vertical)};
+  for (const double value : value_mN)
+    if (!std::isfinite(value)) return;
+  const double time_s = inSeconds(time);
+  if (!(time_s >= 0.0 && time_s < 1e9)) return;
+  if (time_s < content_->now_s) clear();
+
+  const long long number = static_cast<long long>(time_s / slotTime_s);
+  Slot& slot = content_->ring[static_cast<std::size_t>(number % (slots + 1))];
+  const bool isNew = slot.number != number;
+  slot.number = number;
+  for (std::size_t i = 0; i < components; ++i) {
+    const float value = static_cast<float>(value_mN[i]);
+    slot.low[i] = isNew ? value : std::min(slot.low[i], value);
+    slot.high[i] = isNew ? value : std::max(slot.high[i], value);
+  }
+  content_->newest = number;
+  content_->now_s = time_s;
+  content_->isChanged = true;
+}
+
+void ForceTimeChart::clear()
+{
+  content_->ring.fill(Slot{});
+  content_->now_s = -1.0;
+  content_->newest = -1;
+  content_->isChanged = true;
+}
+
+void ForceTimeChart::setScale(double pixelRatio)
+{
+  content_->frame.setScale(pixelRatio);
+  for (ChartLine& line : content_->lines) line.setScale(pixelRatio);
+  content_->isChanged = true;
+}
+
+bool ForceTimeChart::update()
+{
+  if (!content_->isChanged) return false;
+  content_->isChanged = false;
+  content_->setRange();
+  for (std::size_t i = 0; i < components; ++i) content_->setLine(i);
+  return true;
+}
+
+vtkChartXY& ForceTimeChart::chart() { return content_->frame.chart(); }
+
+}  // namespace perilymph::charts

@@ -1,0 +1,88 @@
+#include "TravelColumns.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace perilymph::charts {
+namespace {
+
+constexpr std::size_t columns = static_cast<std::size_t>(
+    (TravelColumns::last_mm - TravelColumns::first_mm) / TravelColumns::width_mm + 0.5);
+
+}  // namespace
+
+TravelColumns::TravelColumns() : in_(columns), out_(columns) {}
+
+void TravelColumns::append(double travel_mm, double force_N)
+{
+  if (!std::isfinite(force_N) || !(travel_mm >= first_mm && travel_mm < last_mm)) return;
+  if (isEmpty_) {
+    farthest_mm_ = lowestTravel_mm_ = highestTravel_mm_ = travel_mm;
+    lowestForce_N_ = highestForce_N_ = force_N;
+    isEmpty_ = false;
+  }
+  turnRound(travel_mm);
+  // What lies behind the front of this pass is trembling, or a turn not yet certain.
+  if (std::abs(travel_mm - farthest_mm_) <= width_mm) enter(travel_mm, force_N);
+
+  lastTravel_mm_ = travel_mm;
+  lastForce_N_ = force_N;
+  lowestForce_N_ = std::min(lowestForce_N_, force_N);
+  highestForce_N_ = std::max(highestForce_N_, force_N);
+  lowestTravel_mm_ = std::min(lowestTravel_mm_, travel_mm);
+  highestTravel_mm_ = std::max(highestTravel_mm_, travel_mm);
+}
+
+void TravelColumns::enter(double travel_mm, double force_N)
+{
+  const std::size_t index =
+      std::min(columns - 1, static_cast<std::size_t>((travel_mm - first_mm) / width_mm));
+  Column& column = (way_ == Way::in ? in_ : out_)[index];
+  const float x = static_cast<float>(travel_mm);
+  const float y = static_cast<float>(force_N);
+  if (column.pass != pass_)
+    column = {pass_, x, y, x, y};
+  else if (y < column.low_N)
+    column.low_N = y, column.lowTravel_mm = x;
+  else if (y > column.high_N)
+    column.high_N = y, column.highTravel_mm = x;
+}
+
+void TravelColumns::turnRound(double travel_mm)
+{
+  const double onward = way_ == Way::in ? travel_mm - farthest_mm_ : farthest_mm_ - travel_mm;
+  if (onward >= 0.0) {
+    farthest_mm_ = travel_mm;
+  } else if (onward < -turn_mm) {
+    way_ = way_ == Way::in ? Way::out : Way::in;
+    farthest_mm_ = travel_mm;
+    ++pass_;
+  }
+}
+
+void TravelColumns::clear()
+{
+  std::fill(in_.begin(), in_.end(), Column{});
+  std::fill(out_.begin(), out_.end(), Column{});
+  way_ = Way::in;
+  pass_ = 1;
+  isEmpty_ = true;
+  lowestForce_N_ = highestForce_N_ = lowestTravel_mm_ = highestTravel_mm_ = 0.0;
+}
+
+void TravelColumns::curve(Way way, std::vector<float>& travel_mm, std::vector<float>& force_N) const
+{
+  travel_mm.clear();
+  force_N.clear();
+  for (const Column& column : way == Way::in ? in_ : out_) {
+    if (column.pass == 0) continue;
+    const bool lowFirst = column.lowTravel_mm <= column.highTravel_mm;
+    travel_mm.push_back(lowFirst ? column.lowTravel_mm : column.highTravel_mm);
+    force_N.push_back(lowFirst ? column.low_N : column.high_N);
+    if (column.low_N == column.high_N) continue;
+    travel_mm.push_back(lowFirst ? column.highTravel_mm : column.lowTravel_mm);
+    force_N.push_back(lowFirst ? column.high_N : column.low_N);
+  }
+}
+
+}  // namespace perilymph::charts

@@ -1,0 +1,62 @@
+#pragma once
+
+// A curve over travel that never grows: of each column of the picture the least and the greatest
+// value of the newest pass.
+
+#include <cstdint>
+#include <vector>
+
+namespace perilymph::charts {
+
+/// Way of the array.
+enum class Way { in, out };
+
+/// Forces over travel, kept apart for the way in and the way out: friction makes them differ, and
+/// one line through both would be a band.
+class TravelColumns {
+public:
+  static constexpr double first_mm = -10.0;
+  static constexpr double last_mm = 70.0;
+  static constexpr double width_mm = 0.04;
+  /// The array has turned round once it came back by this much; trembling is no withdrawal.
+  static constexpr double turn_mm = 0.1;
+
+  TravelColumns();
+
+  /// Adds a value. Values outside first_mm to last_mm or not finite are left out.
+  void append(double travel_mm, double force_N);
+  void clear();
+
+  bool isEmpty() const noexcept { return isEmpty_; }
+  double lastTravel_mm() const noexcept { return lastTravel_mm_; }
+  double lastForce_N() const noexcept { return lastForce_N_; }
+  double lowestForce_N() const noexcept { return lowestForce_N_; }
+  double highestForce_N() const noexcept { return highestForce_N_; }
+  double lowestTravel_mm() const noexcept { return lowestTravel_mm_; }
+  double highestTravel_mm() const noexcept { return highestTravel_mm_; }
+
+  /// Writes the curve of one way as x and y, by travel; at most two points a column.
+  void curve(Way way, std::vector<float>& travel_mm, std::vector<float>& force_N) const;
+
+private:
+  struct Column {
+    std::uint32_t pass = 0;  ///< 0: nothing passed here yet.
+    float lowTravel_mm, low_N;
+    float highTravel_mm, high_N;
+  };
+  using Columns = std::vector<Column>;
+
+  void enter(double travel_mm, double force_N);
+  void turnRound(double travel_mm);
+
+  Columns in_, out_;
+  Way way_ = Way::in;
+  std::uint32_t pass_ = 1;
+  double farthest_mm_ = 0.0;  ///< Extreme travel of this pass, in its direction.
+  bool isEmpty_ = true;
+  double lastTravel_mm_ = 0.0, lastForce_N_ = 0.0;
+  double lowestForce_N_ = 0.0, highestForce_N_ = 0.0;
+  double lowestTravel_mm_ = 0.0, highestTravel_mm_ = 0.0;
+};
+
+}  // namespace perilymph::charts

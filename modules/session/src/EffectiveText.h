@@ -1,0 +1,44 @@
+#pragma once
+
+// Writes a scenario as it was run: every value, in the units of its file, so that reading the text
+// again gives the same bits.
+
+#include <string>
+
+#include "perilymph/anatomy/Patient.h"
+#include "perilymph/foundation/TomlReader.h"
+
+namespace perilymph::session {
+
+/// The shortest decimal that reads back as the same number, marked as a float for TOML ("2.0").
+std::string tomlNumber(double value);
+
+/// A TOML basic string, quoted and escaped.
+std::string tomlText(const std::string& text);
+
+/// The shortest number of millimeters that millimeters() turns into exactly this length.
+double exactMillimeters(Length length);
+
+/// Reads keys from a scenario's file and writes each value down as it was read.
+class ScenarioKeys {
+public:
+  explicit ScenarioKeys(TomlReader& reader) : reader_(reader) {}
+
+  double number(const char* key, Range allowed, double fallback);
+  long integer(const char* key, long low, long high, long fallback);
+  bool flag(const char* key, bool fallback);
+  std::string text(const char* key, const std::string& fallback);
+
+  /// Adds a value that was not read from a key of the same name.
+  void note(const char* key, const std::string& toml) { text_ += key + (" = " + toml) + '\n'; }
+  /// Adds the patient's three numbers; a table, so nothing else may follow.
+  void notePatient(const anatomy::Patient& patient);
+
+  const std::string& effectiveText() const { return text_; }
+
+private:
+  TomlReader& reader_;
+  std::string text_;
+};
+
+}  // namespace perilymph::session

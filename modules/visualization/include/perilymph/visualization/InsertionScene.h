@@ -1,0 +1,85 @@
+#pragma once
+
+// The picture in the middle of the window: the array in the cochlea, as the surgeon sees it.
+
+#include <memory>
+
+#include "perilymph/anatomy/Patient.h"
+#include "perilymph/anatomy/ScalaTympani.h"
+#include "perilymph/electrode/ArrayDesign.h"
+#include "perilymph/haptics/Snapshot.h"
+
+class vtkRenderer;
+class vtkRenderWindow;
+
+namespace perilymph::visualization {
+
+/// What of the scene can be switched off.
+enum class Part { wallForce, contactArrows, membrane, styletAndTweezers, scala };
+
+/// Where to look from.
+enum class CameraPreset {
+  surgeon,     ///< Along the modiolus, apex toward the viewer, the opening at the left.
+  microscope,  ///< Down the opening along the approach, close.
+  overview,    ///< From above and aside, all of scala and array.
+  followTip,   ///< As the surgeon, close, and the tip stays in the middle.
+  section      ///< Across the basal turn: the lumen from its side.
+};
+
+/// How much the machine can draw in a frame.
+enum class Quality {
+  software,  ///< A CPU draws: ordered translucency, edges smoothed by geometry.
+  gpu        ///< Depth peeling and smoothed edges everywhere.
+};
+
+/// The scala tympani, the array in it and the forces between them. Millimeters inside VTK; a left
+/// ear is mirrored here, y to -y.
+///
+/// The projection is parallel, so that the scale bar holds everywhere in the picture.
+class InsertionScene {
+public:
+  InsertionScene(const anatomy::ScalaTympani& scala, const electrode::ArrayDesign& array,
+                 anatomy::Side side, Quality quality = Quality::software);
+  ~InsertionScene();
+  InsertionScene(const InsertionScene&) = delete;
+  InsertionScene& operator=(const InsertionScene&) = delete;
+
+  /// Adds the renderer to a window and turns the window's multisampling off.
+  void attachTo(vtkRenderWindow& window);
+  vtkRenderer& renderer();
+
+  /// Moves the array with all that belongs to it, and colors the wall. Allocates nothing after the
+  /// first call with the same number of nodes. Snapshots with fewer than 2 nodes hide the array.
+  void show(const haptics::Snapshot& now);
+
+  void setVisible(Part part, bool visible);
+  /// Sizes of type and lines for a screen's pixel ratio; 1 by default.
+  void setScale(double pixelRatio);
+
+  /// Looks from a preset at once; forgets what was turned, moved and zoomed.
+  void lookFrom(CameraPreset preset);
+  /// Goes to a preset in 250 ms, while stepCamera() is called.
+  void glideTo(CameraPreset preset);
+  /// One frame of the glide and of following the tip. @return Whether the camera is still moving.
+  bool stepCamera(double seconds);
+  CameraPreset preset() const noexcept;
+
+  /// Magnification of a surgical microscope, 4 to 32: at 10 the picture is 17 mm high.
+  void setMagnification(double times);
+  double magnification() const noexcept;
+  /// Turns the model under the camera; the camera's look stays with the preset.
+  void rotateModel(double azimuth_deg, double elevation_deg, double roll_deg);
+  /// Moves the model in the plane of the picture.
+  void moveModel(double right_mm, double up_mm);
+  /// Above 1 comes closer.
+  void zoom(double factor);
+
+  /// Length of the scale bar in the last picture drawn: 1, 2 or 5 times a power of ten.
+  double scaleBarLength_mm() const;
+
+private:
+  struct Content;
+  std::unique_ptr<Content> content_;
+};
+
+}  // namespace perilymph::visualization

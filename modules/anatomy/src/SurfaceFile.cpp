@@ -1,6 +1,7 @@
 // Surfaces as files, in millimeters: the formats of printers, modelers, VTK, and of the paper (VRML).
 
 #include <charconv>
+#include <Eigen/Geometry>
 #include <cmath>
 #include <cstdint>
 #include <cstring>

@@ -47,18 +47,12 @@ public:
     design.note = file_.text("note");
     readLengths(design);
 
-    design.diameter = along<Length>("diameter", "diameter_mm", diameter_mm,
-                                    [](double value) { return millimeters(value); });
+    TomlReader diameter = tableOf("diameter");
+    design.diameter = along<Length>(diameter, "diameter_mm", diameter_mm, millimeters);
+    TomlReader bending = tableOf("bending");
     design.bending =
-        along<BendingStiffness>("bending", "bending_N_m2", bending_N_m2,
-                                [](double value) { return newtonSquareMeters(value); });
-    design.restCurvature = {{millimeters(0.0)}, {perMillimeter(0.0)}};
-    if (file_.has("rest_curvature")) {
-      design.restCurvature =
-          along<Curvature>("rest_curvature", "curvature_per_mm", curvature_per_mm,
-                           [](double value) { return perMillimeter(value); });
-      checkCurl(design);
-    }
+        along<BendingStiffness>(bending, "bending_N_m2", bending_N_m2, newtonSquareMeters);
+    readRestCurvature(design);
     readContacts(design);
     if (file_.has("ribs")) {
       TomlReader table = tableOf("ribs");
@@ -98,10 +92,11 @@ private:
     return places;
   }
 
-  template <class Value, class ToValue>
-  AlongArray<Value> along(const char* name, const char* key, Range allowed, ToValue toValue)
+  /// Values at places; `quantity` makes one of a number in the file's unit.
+  template <class Value>
+  AlongArray<Value> along(TomlReader& table, const char* key, Range allowed,
+                          Value (*quantity)(double))
   {
-    TomlReader table = tableOf(name);
     const std::vector<double> where = places(table);
     const std::vector<double> values = table.numbers(key, allowed, 1);
     if (values.size() != where.size())
@@ -110,23 +105,29 @@ private:
                             "; give one value for each place.");
     AlongArray<Value> result;
     for (const double place : where) result.fromTip.push_back(millimeters(place));
-    for (const double value : values) result.value.push_back(toValue(value));
+    for (const double value : values) result.value.push_back(quantity(value));
     result.value.resize(result.fromTip.size(), result.value.front());
     return result;
   }
 
-  /// A carrier cannot curl more tightly than its own radius.
-  void checkCurl(const ArrayDesign& design)
+  void readRestCurvature(ArrayDesign& design)
   {
-    const AlongArray<Curvature>& rest = design.restCurvature;
+    AlongArray<Curvature>& rest = design.restCurvature;
+    rest = {{millimeters(0.0)}, {perMillimeter(0.0)}};
+    if (!file_.has("rest_curvature")) return;
+    TomlReader table = tableOf("rest_curvature");
+    rest = along<Curvature>(table, "curvature_per_mm", curvature_per_mm, perMillimeter);
+
+    // A carrier cannot curl more tightly than its own radius.
     for (std::size_t i = 0; i < rest.value.size(); ++i) {
       const double radius_mm = 0.5 * inMillimeters(design.diameter.at(rest.fromTip[i]));
-      const double curvature = std::fabs(inPerMillimeter(rest.value[i]));
-      if (curvature * radius_mm < 1.0) continue;
-      file_.refuse("rest_curvature", "rest_curvature is " + plain(curvature) + " per mm at " +
-                                         plain(inMillimeters(rest.fromTip[i])) +
-                                         " mm; it must be below " + plain(1.0 / radius_mm) +
-                                         ", one over the carrier's radius there.");
+      const double curvature = inPerMillimeter(rest.value[i]);
+      if (std::fabs(curvature) * radius_mm < 1.0) continue;
+      table.refuse("curvature_per_mm", "curvature_per_mm has " + plain(curvature) + " at " +
+                                           plain(inMillimeters(rest.fromTip[i])) +
+                                           " mm; it must be between " + plain(-1.0 / radius_mm) +
+                                           " and " + plain(1.0 / radius_mm) +
+                                           ", one over the carrier's radius there.");
     }
   }
 
@@ -162,6 +163,7 @@ private:
     design.hasStylet = true;
     design.stylet.fromTip = millimeters(table.number("from_tip_mm", {0.0, most_mm_}));
     design.stylet.bending = newtonSquareMeters(table.number("bending_N_m2", bending_N_m2));
+    design.stylet.residualCurvature = table.number("residual_curvature_share", {0.0, 1.0}, 0.0);
     design.stylet.provenance = provenance_.back().second;
   }
 

@@ -1,5 +1,6 @@
 #include "perilymph/mechanics/advance.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 

@@ -1,6 +1,7 @@
 #pragma once
 
-// Mouse and keyboard as a hand: the window says where the hand wants to be, a smooth motion follows.
+// Mouse and keyboard as a hand: the window says where the hand wants to be, a smooth motion
+// follows.
 
 #include <atomic>
 
@@ -8,8 +9,12 @@
 
 namespace perilymph::device {
 
-/// The hand moves toward the place asked for, no faster than a surgeon's would and without jumps of
-/// speed, so that wheel clicks and key presses become motion a rod can follow.
+/// The hand moves toward the place asked for like a critically damped spring, with bounds:
+///
+///     a = w^2 (wanted - place) - 2 w v,   |a| <= 0.4 m/s^2,   |v| <= 20 mm/s
+///
+/// so that wheel clicks and key presses become motion a rod can follow. What is asked for while the
+/// array is let go is dropped: the array never moves by itself when it is held again.
 class PointerHand final : public HapticDevice {
 public:
   /// @param timeStep  Between reads [s].
@@ -31,11 +36,14 @@ public:
   void write(const Wrench& wrench_D) noexcept override;
 
 private:
-  std::atomic<double> wantedAdvance_{0.0}, wantedRight_{0.0}, wantedUp_{0.0}, wantedRoll_{0.0};
+  /// What the window asked for and read() has not taken yet.
+  std::atomic<double> askedAdvance_{0.0}, askedRight_{0.0}, askedUp_{0.0}, askedRoll_{0.0};
   std::atomic<bool> isHeld_{false};
   double timeStep_;
-  std::array<double, 4> place_{};     ///< Advance, right, up [m]; roll [rad].
-  std::array<double, 4> velocity_{};  ///< Of the same, per second.
+  // The haptic thread's. Advance, right, up [m]; roll [rad].
+  std::array<double, 4> wanted_{};
+  std::array<double, 4> place_{};
+  std::array<double, 4> velocity_{};  ///< Of place, per second.
   DeviceSample sample_;
 };
 

@@ -44,6 +44,7 @@ struct AlongArray {
 struct Stylet {
   Length fromTip;              ///< Where its own tip lies when it is fully in.
   BendingStiffness bending;    ///< What it adds to the array's stiffness.
+  double residualCurvature = 0.0;  ///< Share of the free curvature that it leaves where it is.
   Provenance provenance;
 };
 
@@ -51,7 +52,7 @@ struct Stylet {
 struct ArrayDesign {
   std::string name;            ///< "Nucleus 24 Contour"
   std::string maker;
-  std::string note;            ///< For people: what this data is, and that it is no device labelling.
+  std::string note;            ///< For people: what this data is, and that it is no device labeling.
   Length length;               ///< From the tip to where the tweezers hold it.
   Length insertable;           ///< Greatest depth past the opening.
   AlongArray<Length> diameter;

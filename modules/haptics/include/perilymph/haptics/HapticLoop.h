@@ -14,20 +14,24 @@ namespace perilymph::haptics {
 /// What the loop measured of itself since it started.
 struct LoopStatistics {
   std::uint64_t ticks = 0;
-  std::uint64_t lateTicks = 0;      ///< Began more than one period late.
-  std::uint64_t overruns = 0;       ///< Took longer than one period.
+  std::uint64_t lateTicks = 0;    ///< Began more than one period late.
+  std::uint64_t missedTicks = 0;  ///< Never took place: the thread stood still for too long.
+  std::uint64_t overruns = 0;     ///< Took longer than one period.
   std::uint64_t lostRecords = 0;
-  double tickTimeMedian = 0.0;      ///< [s]
-  double tickTimeP99 = 0.0;         ///< [s]
-  double tickTimeMax = 0.0;         ///< [s]
-  bool hasRealTimePriority = false; ///< SCHED_FIFO was granted.
+  double tickTimeMedian = 0.0;       ///< [s]
+  double tickTimeP99 = 0.0;          ///< [s]
+  double tickTimeMax = 0.0;          ///< [s]
+  bool hasRealTimePriority = false;  ///< SCHED_FIFO was granted.
 };
 
 /// Runs an engine against a device, either on a thread of its own by the clock or, tick by tick, in
 /// the caller's thread (virtual time: command line, tests, validation).
 class HapticLoop {
 public:
+  /// Lowers the engine's greatest force to the device's own.
+  ///
   /// @param device  Open. Outlives the loop.
+  /// @throws std::invalid_argument without an engine.
   HapticLoop(device::HapticDevice& device, std::unique_ptr<InsertionEngine> engine);
   ~HapticLoop();  ///< Stops the thread; the device is shown zero force.
   HapticLoop(const HapticLoop&) = delete;

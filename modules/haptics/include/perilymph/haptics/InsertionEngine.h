@@ -7,10 +7,14 @@
 
 #include "perilymph/device/HapticDevice.h"
 #include "perilymph/foundation/RealTime.h"
+#include "perilymph/haptics/Registration.h"
 #include "perilymph/haptics/Safety.h"
+#include "perilymph/haptics/SampleWatch.h"
 #include "perilymph/haptics/Snapshot.h"
+#include "perilymph/haptics/WorkflowEvent.h"
 #include "perilymph/mechanics/InsertionModel.h"
 #include "perilymph/mechanics/InsertionState.h"
+#include "perilymph/mechanics/advance.h"
 
 namespace perilymph::haptics {
 
@@ -29,28 +33,69 @@ struct EngineSettings {
 
 /// One insertion: workflow, registration, coupling, mechanics and safety. No thread, no clock, no
 /// file. Owned by whoever ticks it.
+///
+/// While the workflow is Inserting the base follows the hand; in every other state it is held where
+/// it is. In Idle the mechanics stands still, in every other state time runs. The insertion stops
+/// exactly at the stop travel, where it is Finished; after `withdraw` the stop no longer holds, and
+/// it is Finished again when the tip is back at its starting depth.
 class InsertionEngine {
 public:
+  /// @throws std::invalid_argument with a sentence for settings out of range.
   InsertionEngine(std::shared_ptr<const mechanics::InsertionModel> model, EngineSettings settings);
 
   /// One time step. Real-time safe.
   PERILYMPH_REALTIME TickOutput tick(const device::DeviceSample& sample,
                                      const CommandList& commands) noexcept;
 
-  /// Fills the picture of the last tick (all but the loop's own figures). Real-time safe.
+  /// Fills the picture of the last tick (all but the loop's own figures). If the mechanics
+  /// overflowed, the shape in the picture stays as it was. Real-time safe.
   PERILYMPH_REALTIME void fill(Snapshot& snapshot) const noexcept;
 
+  /// Lowers the greatest force shown to a device's own [N]; before the first tick.
+  void lowerMostForce(double mostForce) noexcept { safety_.lowerMostForce(mostForce); }
+
   Workflow workflow() const noexcept { return workflow_; }
+  const EngineSettings& settings() const noexcept { return settings_; }
+  const SafetyLimits& safetyLimits() const noexcept { return safety_.limits(); }
   const mechanics::InsertionModel& model() const noexcept { return *model_; }
   const mechanics::InsertionState& state() const noexcept { return state_; }
   /// Of everything the next tick depends on.
   std::uint64_t fingerprint() const noexcept;
 
 private:
+  void obey(const Command& command) noexcept;
+  void happen(WorkflowEvent event) noexcept;
+  void startWithdrawing() noexcept;
+  void reset() noexcept;
+  void judge(const Hand& hand, std::uint32_t& status) noexcept;
+  HandCondition conditionOf(const Hand& hand) const noexcept;
+  void moveMechanics(const Hand& hand) noexcept;
+  mechanics::Drive hold() const noexcept;
+  mechanics::Drive follow(const Hand& hand) noexcept;
+  void noteArrival() noexcept;
+  double travel() const noexcept;
+  bool isFinite() const noexcept;
+  void report() noexcept;
+
   std::shared_ptr<const mechanics::InsertionModel> model_;
   EngineSettings settings_;
   mechanics::InsertionState state_;
   Workflow workflow_ = Workflow::idle;
+  SampleWatch watch_;
+  Registration registration_;
+  Safety safety_;
+  double startDepth_;              // of the tip [m]
+  BasePose base_;                  // what the mechanics was told last
+  double styletTarget_ = 0.0;      // [m]
+  double styletWithdrawal_ = 0.0;  // [m]
+  double forceScale_;
+  bool needsAnchor_ = true;     // the hand takes hold anew
+  bool isWithdrawing_ = false;  // the stop depth no longer holds
+  bool isWithdrawn_ = false;    // out again: nothing left to withdraw
+  bool hasBegun_ = false;       // there was an Inserting tick
+  std::uint64_t ticks_ = 0;     // of this engine
+  std::uint64_t ticksSinceBegin_ = 0;
+  TickOutput output_;  // of the last tick; its figures outlive an overflow
 };
 
 }  // namespace perilymph::haptics

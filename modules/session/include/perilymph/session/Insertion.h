@@ -29,8 +29,9 @@ public:
   ~Insertion();  ///< Stops, closes the recording, closes the hand.
 
   // --- virtual time: the caller's thread is the loop ---
-  /// Arms, then runs tick after tick until the insertion is finished (and withdrawn, if the scenario
-  /// says so), has faulted, or `most` ticks have passed. `each` sees every record; false stops.
+  /// Arms, then runs tick after tick until the insertion is finished (and withdrawn, if the
+  /// scenario says so), has faulted, or `most` ticks have passed. `each` sees every record; false
+  /// stops.
   Result<Done> runToEnd(const std::function<bool(const haptics::TickRecord&)>& each,
                         std::uint64_t most = 10'000'000);
 

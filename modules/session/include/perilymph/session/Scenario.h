@@ -17,13 +17,16 @@
 
 namespace perilymph::session {
 
-/// A scenario: keys of the same names, without units, in its TOML file.
+/// A scenario: keys of the same names, with units, in its TOML file.
+///
+/// `text` holds every value as run, with the patient's numbers and the fingerprint of the array's
+/// file, so that parseScenario(text) anywhere gives the same model, bit for bit.
 struct Scenario {
   std::string name;
-  std::string title;                 ///< For people: one line.
+  std::string title;  ///< For people: one line.
   std::string anatomy = "published";
-  anatomy::Patient patient;          ///< From `patient` (a file or a shipped name), else published.
-  std::string patientName;           ///< What `patient` said; empty without one.
+  anatomy::Patient patient;  ///< From `patient` (a file or a shipped name), else published.
+  std::string patientName;   ///< What `patient` said; empty without one.
   std::string arrayName = "contour";
   electrode::ArrayDesign array;
   std::string technique = "standard";  ///< "standard": the stylet stays in until full depth.
@@ -33,27 +36,35 @@ struct Scenario {
   Speed speed = millimetersPerSecond(2);
   Length startInside = millimeters(2);
   Length stopTravel = millimeters(16.5);
-  bool withdraws = false;            ///< Pulls the array out again after the stop depth.
+  bool withdraws = false;  ///< Pulls the array out again after the stop depth.
   Speed styletSpeed = millimetersPerSecond(5);
   Length leadIn = millimeters(1);
   Angle approachTilt, approachTurn;
   mechanics::FrictionLaw friction;
   mechanics::WallLaw wall;
-  haptics::EngineSettings engine;    ///< Coupling, force scale.
-  std::string text;                  ///< The scenario as run, TOML: what a recording keeps.
+  haptics::EngineSettings engine;  ///< Coupling, force scale.
+  std::string arrayFingerprint;    ///< Of the array's file as read, 16 hexadecimal digits.
+  /// Of the array's file when this text was written (`array_fingerprint`); empty in people's files.
+  std::string expectedArrayFingerprint;
+  /// Every key as run and its value as TOML writes it (which JSON reads, too), in their order;
+  /// the patient's are called "patient_numbers.st_length_mm" and so on.
+  std::vector<std::pair<std::string, std::string>> values;
+  std::string text;  ///< The scenario as run, TOML: what a recording keeps.
 };
 
 /// Values that replace a scenario's own: `--set key=value`, `--patient`, `--array`, `--nodes`.
 using Overrides = std::vector<std::pair<std::string, std::string>>;
 
-/// Reads a scenario by a shipped name or a file's path, with everything it names.
+/// Reads a scenario by a shipped name or a file's path, with everything it names. A patient is
+/// looked for beside the scenario's file, then among the shipped ones; one given as an override is
+/// looked for in the working folder first.
 Result<Scenario> loadScenario(const std::string& nameOrFile, const Overrides& overrides = {});
 /// The same from a text, such as the one a recording keeps. `name` stands for the file in messages.
 Result<Scenario> parseScenario(const std::string& text, const std::string& name,
                                const Overrides& overrides = {});
 
-/// The cochlea of a scenario.
-std::shared_ptr<const anatomy::ScalaTympani> buildAnatomy(const Scenario& scenario);
+/// The cochlea of a scenario. Takes milliseconds.
+Result<std::shared_ptr<const anatomy::ScalaTympani>> buildAnatomy(const Scenario& scenario);
 
 /// The model of a scenario. Takes milliseconds.
 Result<std::shared_ptr<const mechanics::InsertionModel>> buildModel(

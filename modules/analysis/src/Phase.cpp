@@ -1,0 +1,35 @@
+#include "perilymph/analysis/Phase.h"
+
+namespace perilymph::analysis {
+
+Phase phaseOf(const haptics::TickOutput& now, Length stopTravel) noexcept
+{
+  // A finished withdrawal ends near the start: only the depth tells that from a finished insertion.
+  const bool hasArrived =
+      now.travel >= stopTravel.si() ||
+      (now.workflow == haptics::Workflow::finished && now.travel > 0.5 * stopTravel.si());
+  if (hasArrived) return Phase::full;
+  if (now.depth <= 0.0) return Phase::outside;
+  if (now.angularDepth >= basalTurnAngle.si()) return Phase::basalTurn;
+  if (now.contacts > 0 && now.angularDepth > 0.0) return Phase::outerWall;
+  return Phase::opening;
+}
+
+const char* phaseName(Phase phase) noexcept
+{
+  switch (phase) {
+    case Phase::outside:
+      return "outside";
+    case Phase::opening:
+      return "opening";
+    case Phase::outerWall:
+      return "outer wall";
+    case Phase::basalTurn:
+      return "basal turn";
+    case Phase::full:
+      return "full";
+  }
+  return "unknown";
+}
+
+}  // namespace perilymph::analysis

@@ -1,0 +1,106 @@
+#include "perilymph/device/PointerHand.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "TimeStep.h"
+#include "perilymph/foundation/Math.h"
+
+namespace perilymph::device {
+
+namespace {
+
+// Ten times the published insertion speed: quick enough to work with, slow enough for the rod.
+constexpr double mostSpeed = 20e-3;  // [m/s]
+// Quickness of the follow. It settles in about 6 / w = 0.3 s.
+constexpr double quickness = 20.0;  // [1/s]
+// Enough to brake from full speed without overshoot: w times the greatest speed.
+constexpr double mostAcceleration = quickness * mostSpeed;  // [m/s^2]
+constexpr double mostRollSpeed = 2.0;                       // [rad/s]
+constexpr double mostRollAcceleration = quickness * mostRollSpeed;
+
+/// Shortens a vector of three to a length it may have at most.
+void limit(std::array<double, 3>& vector, double most) noexcept
+{
+  const double squared = vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2];
+  if (squared <= most * most) return;
+  const double scale = most / std::sqrt(squared);
+  for (double& component : vector) component *= scale;
+}
+
+double pull(double wanted, double place, double velocity) noexcept
+{
+  return quickness * quickness * (wanted - place) - 2.0 * quickness * velocity;
+}
+
+void add(std::atomic<double>& asked, double more) noexcept
+{
+  if (std::isfinite(more)) asked.fetch_add(more);
+}
+
+}  // namespace
+
+PointerHand::PointerHand(double timeStep) : timeStep_(checkedTimeStep(timeStep))
+{
+  sample_.isValid = 1;
+}
+
+void PointerHand::advanceBy(double distance) noexcept { add(askedAdvance_, distance); }
+
+void PointerHand::shiftBy(double right, double up) noexcept
+{
+  add(askedRight_, right);
+  add(askedUp_, up);
+}
+
+void PointerHand::rollBy(double angle) noexcept { add(askedRoll_, angle); }
+
+void PointerHand::grasp(bool held) noexcept { isHeld_ = held; }
+
+DeviceTraits PointerHand::traits() const
+{
+  DeviceTraits traits;
+  traits.name = "Mouse and keyboard";
+  traits.nominalPeriod = timeStep_;
+  return traits;
+}
+
+Result<Done> PointerHand::open() { return Done{}; }
+
+void PointerHand::close() noexcept { isHeld_ = false; }
+
+DeviceSample PointerHand::read() noexcept
+{
+  const bool held = isHeld_;
+  const std::array<double, 4> asked{askedAdvance_.exchange(0.0), askedRight_.exchange(0.0),
+                                    askedUp_.exchange(0.0), askedRoll_.exchange(0.0)};
+  for (std::size_t i = 0; i < asked.size(); ++i)
+    wanted_[i] = held ? wanted_[i] + asked[i] : place_[i];
+
+  // translation: the bounds hold for the vector, not for each axis
+  std::array<double, 3> acceleration{};
+  for (std::size_t i = 0; i < 3; ++i) acceleration[i] = pull(wanted_[i], place_[i], velocity_[i]);
+  limit(acceleration, mostAcceleration);
+  std::array<double, 3> velocity{};
+  for (std::size_t i = 0; i < 3; ++i) velocity[i] = velocity_[i] + acceleration[i] * timeStep_;
+  limit(velocity, mostSpeed);
+  std::copy(velocity.begin(), velocity.end(), velocity_.begin());
+
+  // roll
+  const double rollPull = pull(wanted_[3], place_[3], velocity_[3]);
+  velocity_[3] += std::clamp(rollPull, -mostRollAcceleration, mostRollAcceleration) * timeStep_;
+  velocity_[3] = std::clamp(velocity_[3], -mostRollSpeed, mostRollSpeed);
+
+  for (std::size_t i = 0; i < place_.size(); ++i) place_[i] += velocity_[i] * timeStep_;
+
+  const SineCosine half = sineCosine(0.5 * place_[3]);
+  sample_.position_D = {place_[1], place_[2], -place_[0]};
+  sample_.rotation_D = {half.cosine, 0.0, 0.0, half.sine};
+  sample_.buttons = held ? graspButton : 0u;
+  ++sample_.sequence;
+  return sample_;
+}
+
+void PointerHand::write(const Wrench&) noexcept {}
+
+}  // namespace perilymph::device

@@ -1,0 +1,59 @@
+#include "perilymph/device/ScriptedHand.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "TimeStep.h"
+
+namespace perilymph::device {
+
+namespace {
+
+/// Faster than any hand at this work; keeps a mistyped speed from throwing the array [m/s].
+constexpr double mostSpeed = 1.0;
+
+}  // namespace
+
+ScriptedHand::ScriptedHand(double speed, double timeStep)
+    : speed_(speed), timeStep_(checkedTimeStep(timeStep))
+{
+  if (!(speed >= 0.0 && speed <= mostSpeed))  // also catches NaN
+    throw std::invalid_argument("The speed of a scripted hand is " + std::to_string(speed * 1e3) +
+                                " mm/s; it must be between 0 and 1000 mm/s.");
+  sample_.isValid = 1;
+}
+
+DeviceTraits ScriptedHand::traits() const
+{
+  DeviceTraits traits;
+  traits.name = "Scripted insertion";
+  traits.nominalPeriod = timeStep_;
+  return traits;
+}
+
+Result<Done> ScriptedHand::open() { return Done{}; }
+
+void ScriptedHand::close() noexcept { motion_ = Motion::hold; }
+
+DeviceSample ScriptedHand::read() noexcept
+{
+  const Motion motion = motion_;
+  const double asked = speed_;
+  const double speed = std::isfinite(asked) ? std::clamp(asked, 0.0, mostSpeed) : 0.0;
+
+  // A hand that takes hold is at rest in that report and moves from the next one on.
+  const bool hasHold = (sample_.buttons & graspButton) != 0;
+  if (motion != Motion::hold && hasHold) {
+    const double step = speed * timeStep_;
+    sample_.position_D[2] += motion == Motion::insert ? -step : step;
+  }
+  sample_.buttons = motion == Motion::hold ? 0u : graspButton;
+  ++sample_.sequence;
+  return sample_;
+}
+
+void ScriptedHand::write(const Wrench&) noexcept {}
+
+}  // namespace perilymph::device

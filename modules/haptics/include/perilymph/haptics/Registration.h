@@ -1,0 +1,56 @@
+#pragma once
+
+// Where the hand's motion takes the array: from the device's frame D to the cochlea's frame W.
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "perilymph/anatomy/Lumen.h"
+#include "perilymph/foundation/Hash.h"
+#include "perilymph/foundation/RealTime.h"
+#include "perilymph/haptics/SampleWatch.h"
+
+namespace perilymph::haptics {
+
+/// Where the tweezers are and how they point.
+struct BasePose {
+  Eigen::Vector3d position_W = Eigen::Vector3d::Zero();  ///< [m]
+  Eigen::Vector3d axis_W = Eigen::Vector3d::UnitZ();     ///< Unit: which way the array leaves them.
+  Eigen::Vector3d curl_W = Eigen::Vector3d::UnitX();  ///< Unit, across: where the array curls to.
+};
+
+/// Ties the hand to the base of the array like a clutch. D stands parallel to E: the user pushes
+/// away from herself (-z) into the cochlea.
+///
+///     position_W = anchor_W + scale X_WD (hand_D - handAtAnchor_D)
+///
+/// The rotation since the anchor turns axis and curl. All calls are real-time safe.
+class Registration {
+public:
+  /// @param entry        The opening of the model.
+  /// @param motionScale  Motion of the base over motion of the hand.
+  Registration(const anatomy::Entry& entry, double motionScale);
+
+  /// From now on the base goes on from `pose`, whatever the hand did before.
+  PERILYMPH_REALTIME void anchor(const Hand& hand, const BasePose& pose) noexcept;
+
+  /// Where the hand wants the base.
+  PERILYMPH_REALTIME BasePose pose(const Hand& hand) const noexcept;
+
+  Eigen::Vector3d toCochlea(const Eigen::Vector3d& vector_D) const noexcept;
+  Eigen::Vector3d toDevice(const Eigen::Vector3d& vector_W) const noexcept;
+
+  double motionScale() const noexcept { return motionScale_; }
+
+  /// Adds all that the next tick depends on.
+  void addTo(Hash& hash) const noexcept;
+
+private:
+  Eigen::Matrix3d rotation_WD_;
+  double motionScale_;
+  Eigen::Vector3d handAtAnchor_D_ = Eigen::Vector3d::Zero();
+  Eigen::Quaterniond rotationAtAnchor_D_ = Eigen::Quaterniond::Identity();
+  BasePose anchor_;
+};
+
+}  // namespace perilymph::haptics

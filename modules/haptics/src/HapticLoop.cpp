@@ -1,0 +1,182 @@
+#include "perilymph/haptics/HapticLoop.h"
+
+#include <atomic>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+
+#include "perilymph/foundation/RealTime.h"
+#include "perilymph/realtime/Pacer.h"
+#include "perilymph/realtime/RealTimePriority.h"
+#include "perilymph/realtime/SpscRing.h"
+#include "perilymph/realtime/TimeHistogram.h"
+#include "perilymph/realtime/TripleBuffer.h"
+
+namespace perilymph::haptics {
+
+namespace {
+
+// Eight seconds at 1 kHz: a recorder that waits for a slow disk loses nothing.
+constexpr std::size_t recordsKept = 8192;
+constexpr std::int64_t second = 1'000'000'000;  // [ns]
+
+std::unique_ptr<InsertionEngine> checked(std::unique_ptr<InsertionEngine> engine)
+{
+  if (!engine) throw std::invalid_argument("A haptic loop needs an engine; it was given none.");
+  return engine;
+}
+
+}  // namespace
+
+struct HapticLoop::Content {
+  Content(device::HapticDevice& openDevice, std::unique_ptr<InsertionEngine> checkedEngine)
+      : device(openDevice),
+        engine(std::move(checkedEngine)),
+        pacer(Duration::fromSi(engine->model().timeStep)),
+        period(static_cast<std::int64_t>(engine->model().timeStep * 1e9 + 0.5))
+  {
+    const device::DeviceTraits traits = device.traits();
+    if (traits.rendersForce) engine->lowerMostForce(traits.mostForce);
+  }
+
+  CommandList takeCommands() noexcept;
+  void publish() noexcept;
+  void measure(std::int64_t began, std::int64_t ended) noexcept;
+
+  device::HapticDevice& device;
+  std::unique_ptr<InsertionEngine> engine;
+
+  realtime::TripleBuffer<Snapshot> snapshots;
+  realtime::SpscRing<TickRecord> records{recordsKept};
+  realtime::SpscRing<Command> commands{maxCommandsPerTick};
+  std::thread thread;
+  std::atomic<bool> isStopping{false};
+
+  // The haptic thread's own; others read it once the thread has ended.
+  realtime::Pacer pacer;
+  std::int64_t period;  // [ns]
+  std::uint64_t ticks = 0;
+  std::uint64_t overruns = 0;
+  std::uint64_t lostRecords = 0;
+  realtime::TimeHistogram allTicks;
+  realtime::TimeHistogram ticksOfSecond;
+  std::int64_t secondBegan = 0;  // [ns]
+  double measuredRate = 0.0;     // [1/s]
+  double tickTimeP99 = 0.0;      // [s]
+  bool hasRealTimePriority = false;
+};
+
+HapticLoop::HapticLoop(device::HapticDevice& device, std::unique_ptr<InsertionEngine> engine)
+    : content_(std::make_unique<Content>(device, checked(std::move(engine))))
+{
+  content_->publish();
+}
+
+HapticLoop::~HapticLoop() { stop(); }
+
+CommandList HapticLoop::Content::takeCommands() noexcept
+{
+  CommandList list;
+  while (list.count < maxCommandsPerTick && commands.take(list.items[list.count])) ++list.count;
+  return list;
+}
+
+void HapticLoop::Content::publish() noexcept
+{
+  Snapshot& snapshot = snapshots.draft();
+  engine->fill(snapshot);
+  snapshot.measuredRate = measuredRate;
+  snapshot.lateTicks = pacer.lateTicks();
+  snapshot.tickTimeP99 = tickTimeP99;
+  snapshot.lostRecords = lostRecords;
+  snapshots.publishDraft();
+}
+
+void HapticLoop::runOnce() noexcept
+{
+  PERILYMPH_EXPECTS_ROLE(haptic);
+  Content& loop = *content_;
+  TickRecord record;
+  record.tick = loop.ticks++;
+  record.commands = loop.takeCommands();
+
+  record.sample = loop.device.read();
+  record.output = loop.engine->tick(record.sample, record.commands);
+  loop.device.write(record.output.wrench_D);
+
+  loop.publish();                                      // for the eyes: newest wins
+  if (!loop.records.push(record)) ++loop.lostRecords;  // for the file: nothing lost, or counted
+}
+
+void HapticLoop::start()
+{
+  if (content_->thread.joinable()) return;
+  content_->isStopping = false;
+  content_->thread = std::thread([this] {
+    registerThreadRole(ThreadRole::haptic);
+    Content& loop = *content_;
+    loop.hasRealTimePriority =
+        realtime::requestRealTimePriority() == realtime::RealTimePriority::granted;
+    const std::int64_t now = realtime::monotonicNanoseconds();
+    loop.pacer.start(now);
+    loop.secondBegan = now;
+    loop.ticksOfSecond.clear();
+    while (!loop.isStopping) {
+      const std::int64_t began = loop.pacer.wait();
+      runOnce();
+      loop.measure(began, realtime::monotonicNanoseconds());
+    }
+  });
+}
+
+void HapticLoop::stop() noexcept
+{
+  if (!content_) return;
+  if (content_->thread.joinable()) {
+    content_->isStopping = true;
+    content_->thread.join();
+  }
+  content_->device.write(device::Wrench{});
+}
+
+void HapticLoop::Content::measure(std::int64_t began, std::int64_t ended) noexcept
+{
+  const std::int64_t took = ended - began;
+  allTicks.add(took);
+  ticksOfSecond.add(took);
+  if (took > period) ++overruns;
+  const std::int64_t passed = ended - secondBegan;
+  if (passed < second) return;
+  measuredRate = static_cast<double>(ticksOfSecond.count()) / (static_cast<double>(passed) * 1e-9);
+  tickTimeP99 = ticksOfSecond.quantile(0.99);
+  ticksOfSecond.clear();
+  secondBegan = ended;
+}
+
+bool HapticLoop::send(const Command& command) noexcept { return content_->commands.push(command); }
+
+bool HapticLoop::refresh() noexcept { return content_->snapshots.refresh(); }
+
+const Snapshot& HapticLoop::latest() const noexcept { return content_->snapshots.latest(); }
+
+bool HapticLoop::take(TickRecord& record) noexcept { return content_->records.take(record); }
+
+LoopStatistics HapticLoop::statistics() const
+{
+  const Content& loop = *content_;
+  LoopStatistics statistics;
+  statistics.ticks = loop.ticks;
+  statistics.lateTicks = loop.pacer.lateTicks();
+  statistics.missedTicks = loop.pacer.missedTicks();
+  statistics.overruns = loop.overruns;
+  statistics.lostRecords = loop.lostRecords;
+  statistics.tickTimeMedian = loop.allTicks.quantile(0.5);
+  statistics.tickTimeP99 = loop.allTicks.quantile(0.99);
+  statistics.tickTimeMax = loop.allTicks.longest();
+  statistics.hasRealTimePriority = loop.hasRealTimePriority;
+  return statistics;
+}
+
+const InsertionEngine& HapticLoop::engine() const noexcept { return *content_->engine; }
+
+}  // namespace perilymph::haptics

@@ -1,0 +1,333 @@
+#include "perilymph/haptics/InsertionEngine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "checkedSettings.h"
+
+namespace perilymph::haptics {
+
+namespace {
+
+// A hundredth of the forces of an insertion (0.1 N): less than any hand feels.
+constexpr double mostResidual = 1e-3;  // [N]
+// Far below what anybody measures; above the rounding of a depth.
+constexpr double arrived = 1e-9;  // [m]
+constexpr double infinitelyFar = std::numeric_limits<double>::infinity();
+
+std::shared_ptr<const mechanics::InsertionModel> checked(
+    std::shared_ptr<const mechanics::InsertionModel> model)
+{
+  if (!model) throw std::invalid_argument("An insertion engine needs a model; it was given none.");
+  return model;
+}
+
+std::array<double, 3> asArray(const Eigen::Vector3d& vector) noexcept
+{
+  return {vector[0], vector[1], vector[2]};
+}
+
+bool isFiniteVector(const Eigen::Vector3d& vector) noexcept
+{
+  return std::isfinite(vector[0]) && std::isfinite(vector[1]) && std::isfinite(vector[2]);
+}
+
+BasePose startOf(const mechanics::InsertionModel& model) noexcept
+{
+  return {model.startBase_W, model.startAxis_W, model.startCurl_W};
+}
+
+}  // namespace
+
+InsertionEngine::InsertionEngine(std::shared_ptr<const mechanics::InsertionModel> model,
+                                 EngineSettings settings)
+    : model_(checked(std::move(model))),
+      settings_(checkedSettings(settings)),
+      state_(*model_),
+      watch_(model_->timeStep, settings_.samplePeriod),
+      registration_(model_->entry, settings_.motionScale),
+      safety_(settings_.safety, model_->timeStep),
+      startDepth_(std::max(0.0, model_->parts.startInside.si())),
+      base_(startOf(*model_)),
+      forceScale_(settings_.forceScale)
+{
+  report();
+}
+
+TickOutput InsertionEngine::tick(const device::DeviceSample& sample,
+                                 const CommandList& commands) noexcept
+{
+  output_.status = allWell;
+  const std::uint32_t count = std::min<std::uint32_t>(commands.count, maxCommandsPerTick);
+  for (std::uint32_t i = 0; i < count; ++i) obey(commands.items[i]);
+
+  const Hand& hand = watch_.take(sample);
+  judge(hand, output_.status);
+
+  // An overflowed state stays as it is, to be looked at.
+  if (workflow_ != Workflow::idle && isFinite()) moveMechanics(hand);
+  report();
+
+  // Force on the hand, after the mechanics: it belongs to this tick's pose.
+  const Eigen::Vector3d force_D = registration_.toDevice(forceScale_ * state_.readings.handForce_W);
+  const Eigen::Vector3d shown_D = safety_.show(force_D, conditionOf(hand), output_.status);
+  output_.wrench_D.force_D = asArray(shown_D);
+  ++ticks_;
+  return output_;
+}
+
+void InsertionEngine::obey(const Command& command) noexcept
+{
+  switch (command.kind) {
+    case Command::Kind::none:
+      break;
+    case Command::Kind::arm:
+      happen(WorkflowEvent::arm);
+      break;
+    case Command::Kind::reset:
+      reset();
+      break;
+    case Command::Kind::withdraw:
+      startWithdrawing();
+      break;
+    case Command::Kind::clearFault:
+      // Nothing can go on from an overflow; only a reset leaves it.
+      if (isFinite()) happen(WorkflowEvent::clearFault);
+      break;
+    case Command::Kind::requestFault:
+      happen(WorkflowEvent::trouble);
+      break;
+    case Command::Kind::pullStylet:
+      // A stylet once pulled is never pushed back into an array.
+      if (workflow_ != Workflow::idle && workflow_ != Workflow::fault && command.value >= 0.0)
+        styletTarget_ = std::clamp(command.value, styletWithdrawal_,
+                                   std::max(styletWithdrawal_, model_->parts.array.length.si()));
+      break;
+    case Command::Kind::setForceScale:
+      if (command.value >= 0.0) forceScale_ = std::min(command.value, mostForceScale);
+      break;
+  }
+}
+
+void InsertionEngine::happen(WorkflowEvent event) noexcept
+{
+  const Workflow before = workflow_;
+  workflow_ = next(before, event);
+  if (workflow_ == before || !isFinite()) return;
+  // The base is held where the last tick left it, and goes on from there.
+  base_.position_W = state_.base_W;
+  if (workflow_ != Workflow::inserting) return;
+  needsAnchor_ = true;
+  // A spring begins in balance with the force it takes over: hand - base = -F / K.
+  if (settings_.coupling == mechanics::Coupling::spring)
+    base_.position_W -= state_.readings.handForce_W / settings_.couplingStiffness;
+}
+
+void InsertionEngine::startWithdrawing() noexcept
+{
+  const bool isOut = workflow_ == Workflow::idle || workflow_ == Workflow::armed;
+  if (isOut || workflow_ == Workflow::fault || isWithdrawn_) return;
+  isWithdrawing_ = true;
+  happen(WorkflowEvent::withdraw);
+}
+
+void InsertionEngine::reset() noexcept
+{
+  happen(WorkflowEvent::reset);
+  state_.reset(*model_);
+  base_ = startOf(*model_);
+  styletTarget_ = 0.0;
+  styletWithdrawal_ = 0.0;
+  needsAnchor_ = true;
+  isWithdrawing_ = false;
+  isWithdrawn_ = false;
+  hasBegun_ = false;
+  ticksSinceBegin_ = 0;
+  safety_.forgetEnergy();
+}
+
+void InsertionEngine::judge(const Hand& hand, std::uint32_t& status) noexcept
+{
+  if (hand.isDoubted) status |= sampleDoubted;
+  if (hand.hasJumped) {
+    status |= handJumped;
+    needsAnchor_ = true;
+  }
+  if (hand.isLost) {
+    status |= deviceLost;
+    happen(WorkflowEvent::trouble);
+  }
+  if (!isFinite()) happen(WorkflowEvent::trouble);
+
+  // A hand that nobody has heard of lately takes no hold.
+  const bool holds = hand.isHeld && !hand.isStale;
+  if (holds) happen(WorkflowEvent::grasp);
+  if (!hand.isHeld) happen(WorkflowEvent::release);
+}
+
+HandCondition InsertionEngine::conditionOf(const Hand& hand) const noexcept
+{
+  HandCondition condition;
+  condition.moved_D = hand.moved_D;
+  const bool isAtWork = workflow_ == Workflow::inserting || workflow_ == Workflow::finished;
+  condition.isHeld = hand.isHeld && isAtWork;
+  condition.isStale = hand.isStale;
+  condition.hasFault = workflow_ == Workflow::fault;
+  condition.hasJumped = hand.hasJumped;
+  return condition;
+}
+
+void InsertionEngine::moveMechanics(const Hand& hand) noexcept
+{
+  if (hasBegun_) ++ticksSinceBegin_;
+  if (workflow_ == Workflow::inserting) hasBegun_ = true;
+  styletWithdrawal_ =
+      std::min(styletTarget_, styletWithdrawal_ + settings_.styletSpeed * model_->timeStep);
+
+  const mechanics::Drive drive = workflow_ == Workflow::inserting ? follow(hand) : hold();
+  mechanics::advance(*model_, state_, drive);
+  output_.device_W = asArray(drive.handPosition_W);
+
+  if (!isFinite()) {
+    happen(WorkflowEvent::trouble);
+    return;
+  }
+  if (state_.readings.residual > mostResidual) output_.status |= notSettled;
+  if (workflow_ == Workflow::inserting) noteArrival();
+}
+
+mechanics::Drive InsertionEngine::hold() const noexcept
+{
+  mechanics::Drive drive;
+  drive.handPosition_W = base_.position_W;
+  drive.handAxis_W = base_.axis_W;
+  drive.handCurl_W = base_.curl_W;
+  drive.styletWithdrawal = styletWithdrawal_;
+  drive.coupling = mechanics::Coupling::rigid;
+  return drive;
+}
+
+mechanics::Drive InsertionEngine::follow(const Hand& hand) noexcept
+{
+  if (needsAnchor_) registration_.anchor(hand, base_);
+  needsAnchor_ = false;
+
+  const Eigen::Vector3d before_W = base_.position_W;
+  base_ = registration_.pose(hand);
+  const Eigen::Vector3d inward_W = -model_->entry.out_W;
+  const double room =
+      isWithdrawing_ ? infinitelyFar : std::max(0.0, settings_.stopTravel - travel());
+
+  mechanics::Drive drive;
+  if (settings_.coupling == mechanics::Coupling::spring) {
+    const double ahead = inward_W.dot(state_.baseVelocity_W) * model_->timeStep;
+    if (ahead < room) {
+      drive = hold();
+      drive.coupling = mechanics::Coupling::spring;
+      drive.couplingStiffness = settings_.couplingStiffness;
+      drive.couplingDamping = settings_.couplingDamping;
+      drive.handVelocity_W = registration_.toCochlea(registration_.motionScale() * hand.velocity_D);
+      return drive;
+    }
+    // The base arrives in this tick: led the last bit by hand, it does not swing past the stop.
+    base_.position_W = state_.base_W + room * inward_W;
+  }
+
+  // Not past the stop, not by one tick's motion.
+  const double ahead = inward_W.dot(base_.position_W - state_.base_W);
+  if (ahead > room) base_.position_W -= (ahead - room) * inward_W;
+  drive = hold();
+  const Eigen::Vector3d from_W =
+      settings_.coupling == mechanics::Coupling::spring ? state_.base_W : before_W;
+  drive.handVelocity_W = (base_.position_W - from_W) / model_->timeStep;
+  return drive;
+}
+
+void InsertionEngine::noteArrival() noexcept
+{
+  if (!isWithdrawing_ && travel() >= settings_.stopTravel - arrived) happen(WorkflowEvent::arrive);
+  if (isWithdrawing_ && travel() <= arrived) {
+    isWithdrawing_ = false;
+    isWithdrawn_ = true;
+    happen(WorkflowEvent::arrive);
+  }
+}
+
+double InsertionEngine::travel() const noexcept { return state_.readings.depth - startDepth_; }
+
+bool InsertionEngine::isFinite() const noexcept
+{
+  return state_.readings.isFinite && isFiniteVector(state_.readings.handForce_W) &&
+         isFiniteVector(state_.base_W) && std::isfinite(state_.readings.depth);
+}
+
+void InsertionEngine::report() noexcept
+{
+  output_.workflow = workflow_;
+  output_.time = static_cast<double>(ticksSinceBegin_) * model_->timeStep;
+  output_.styletWithdrawal = styletWithdrawal_;
+  if (!isFinite()) {
+    output_.status |= notFinite;
+    return;  // the figures stay those of the last good tick
+  }
+  const mechanics::Readings& now = state_.readings;
+  output_.contacts = static_cast<std::uint32_t>(now.contacts);
+  output_.iterations = static_cast<std::uint32_t>(now.iterations);
+  output_.travel = travel();
+  output_.depth = now.depth;
+  output_.speed = now.speed;
+  output_.angularDepth = now.angularDepth;
+  output_.axialForce = now.axialForce;
+  output_.force_W = asArray(now.handForce_W);
+  output_.tip_W = asArray(state_.position_W.back());
+  output_.proxy_W = asArray(state_.base_W);
+  output_.wallForceMax = now.wallForceMax;
+  output_.membraneForce = now.membraneForce;
+  output_.residual = now.residual;
+}
+
+void InsertionEngine::fill(Snapshot& snapshot) const noexcept
+{
+  snapshot.tick = ticks_ == 0 ? 0 : ticks_ - 1;
+  snapshot.output = output_;
+  snapshot.baseAxis_W = asArray(base_.axis_W);
+  snapshot.nodes = static_cast<std::uint32_t>(std::min(model_->nodes, mechanics::mostNodes));
+  if (!isFinite()) return;
+  for (std::size_t i = 0; i < snapshot.nodes; ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto k = static_cast<Eigen::Index>(axis);
+      snapshot.node_W[i][axis] = static_cast<float>(state_.position_W[i][k]);
+      snapshot.wallForce_W[i][axis] = static_cast<float>(state_.wallForce_W[i][k]);
+    }
+    snapshot.normalForce[i] = static_cast<float>(state_.normalForce[i]);
+  }
+}
+
+std::uint64_t InsertionEngine::fingerprint() const noexcept
+{
+  Hash hash;
+  hash.add(state_.fingerprint());
+  hash.add(workflow_);
+  watch_.addTo(hash);
+  registration_.addTo(hash);
+  safety_.addTo(hash);
+  for (int i = 0; i < 3; ++i) {
+    hash.add(base_.position_W[i]);
+    hash.add(base_.axis_W[i]);
+    hash.add(base_.curl_W[i]);
+  }
+  hash.add(styletTarget_);
+  hash.add(styletWithdrawal_);
+  hash.add(forceScale_);
+  hash.add(needsAnchor_);
+  hash.add(isWithdrawing_);
+  hash.add(isWithdrawn_);
+  hash.add(hasBegun_);
+  hash.add(ticksSinceBegin_);
+  return hash.value();
+}
+
+}  // namespace perilymph::haptics

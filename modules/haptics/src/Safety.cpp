@@ -1,0 +1,119 @@
+#include "perilymph/haptics/Safety.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "perilymph/haptics/Snapshot.h"
+
+namespace perilymph::haptics {
+
+namespace {
+
+/// A vector's length, without overflow for any finite vector.
+double length(const Eigen::Vector3d& vector) noexcept
+{
+  const double largest = std::max({std::abs(vector[0]), std::abs(vector[1]), std::abs(vector[2])});
+  if (largest == 0.0) return 0.0;
+  const Eigen::Vector3d scaled = vector / largest;
+  return largest * std::sqrt(scaled[0] * scaled[0] + scaled[1] * scaled[1] + scaled[2] * scaled[2]);
+}
+
+/// The vector, shortened to `most` if it is longer.
+Eigen::Vector3d shortened(const Eigen::Vector3d& vector, double most) noexcept
+{
+  const double largest = std::max({std::abs(vector[0]), std::abs(vector[1]), std::abs(vector[2])});
+  if (largest == 0.0 || length(vector) <= most) return vector;
+  const Eigen::Vector3d direction = vector / largest;
+  return direction * (most / length(direction));
+}
+
+bool isFinite(const Eigen::Vector3d& vector) noexcept
+{
+  return std::isfinite(vector[0]) && std::isfinite(vector[1]) && std::isfinite(vector[2]);
+}
+
+double checked(double value, double most, const char* name, const char* unit)
+{
+  if (!(value > 0.0 && value <= most))  // also catches NaN
+    throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) + " " + unit +
+                                "; it must be above 0 and at most " + std::to_string(most) + " " +
+                                unit + ".");
+  return value;
+}
+
+}  // namespace
+
+SafetyLimits limitsFor(SafetyLimits limits, const device::DeviceTraits& traits) noexcept
+{
+  if (traits.rendersForce && traits.mostForce > 0.0)
+    limits.mostForce = std::min(limits.mostForce, traits.mostForce);
+  return limits;
+}
+
+Safety::Safety(const SafetyLimits& limits, double timeStep)
+    : limits_(limits), timeStep_(timeStep), passivity_(timeStep)
+{
+  // 20 N is the strongest device in use here (Force Dimension delta.3).
+  checked(limits.mostForce, 20.0, "The greatest force shown", "N");
+  checked(limits.mostSlew, 1e4, "The greatest change of the force shown", "N/s");
+  checked(limits.rampTime, 10.0, "The time over which the force fades in", "s");
+  checked(timeStep, 0.1, "The time step of the safety chain", "s");
+}
+
+void Safety::lowerMostForce(double mostForce) noexcept
+{
+  if (mostForce > 0.0) limits_.mostForce = std::min(limits_.mostForce, mostForce);
+}
+
+Eigen::Vector3d Safety::show(const Eigen::Vector3d& wanted_D, const HandCondition& hand,
+                             std::uint32_t& status) noexcept
+{
+  passivity_.observe(shown_D_, hand.moved_D);
+
+  Eigen::Vector3d force_D = Eigen::Vector3d::Zero();
+  if (isFinite(wanted_D)) force_D = wanted_D;
+
+  // clamp
+  const Eigen::Vector3d clamped_D = shortened(force_D, limits_.mostForce);
+  if (clamped_D != force_D) status |= forceClamped;
+  force_D = clamped_D;
+
+  // fade in, or shut off
+  const bool isOff = !hand.isHeld || hand.isStale || hand.hasFault;
+  if (isOff || hand.hasJumped)
+    ramp_ = 0.0;
+  else
+    ramp_ = std::min(1.0, ramp_ + timeStep_ / limits_.rampTime);
+  if (!isOff && ramp_ < 1.0) status |= rampingIn;
+  force_D *= ramp_;
+  if (hand.isStale) status |= staleSample;
+
+  // give back no more than came in
+  if (!isOff) {
+    const Eigen::Vector3d passive_D = passivity_.control(force_D, hand.moved_D);
+    if (passive_D != force_D) status |= passivityActed;
+    force_D = shortened(passive_D, limits_.mostForce);
+  }
+
+  // no step
+  const Eigen::Vector3d step_D = force_D - shown_D_;
+  const Eigen::Vector3d allowed_D = shortened(step_D, limits_.mostSlew * timeStep_);
+  if (allowed_D != step_D) {
+    status |= forceSlewed;
+    force_D = shown_D_ + allowed_D;
+  }
+  shown_D_ = force_D;
+  return shown_D_;
+}
+
+void Safety::addTo(Hash& hash) const noexcept
+{
+  passivity_.addTo(hash);
+  hash.add(ramp_);
+  hash.add(limits_.mostForce);
+  for (int i = 0; i < 3; ++i) hash.add(shown_D_[i]);
+}
+
+}  // namespace perilymph::haptics

@@ -1,0 +1,28 @@
+#include "perilymph/haptics/WorkflowEvent.h"
+
+namespace perilymph::haptics {
+
+Workflow next(Workflow now, WorkflowEvent event) noexcept
+{
+  switch (event) {
+    case WorkflowEvent::trouble:
+      return Workflow::fault;
+    case WorkflowEvent::reset:
+      return Workflow::idle;
+    case WorkflowEvent::arm:
+      return now == Workflow::idle ? Workflow::armed : now;
+    case WorkflowEvent::grasp:
+      return now == Workflow::armed || now == Workflow::paused ? Workflow::inserting : now;
+    case WorkflowEvent::release:
+      return now == Workflow::inserting ? Workflow::paused : now;
+    case WorkflowEvent::arrive:
+      return now == Workflow::inserting ? Workflow::finished : now;
+    case WorkflowEvent::withdraw:
+      return now == Workflow::finished ? Workflow::inserting : now;
+    case WorkflowEvent::clearFault:
+      return now == Workflow::fault ? Workflow::idle : now;
+  }
+  return now;
+}
+
+}  // namespace perilymph::haptics

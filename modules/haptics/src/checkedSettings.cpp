@@ -1,0 +1,35 @@
+#include "checkedSettings.h"
+
+#include <sstream>
+#include <stdexcept>
+
+namespace perilymph::haptics {
+
+namespace {
+
+void require(double value, double least, double most, const char* name, const char* unit)
+{
+  if (value >= least && value <= most) return;  // false for NaN
+  std::ostringstream sentence;
+  sentence << name << " is " << value << " " << unit << "; it must be between " << least << " and "
+           << most << " " << unit << ".";
+  throw std::invalid_argument(sentence.str());
+}
+
+}  // namespace
+
+EngineSettings checkedSettings(const EngineSettings& settings)
+{
+  if (settings.coupling == mechanics::Coupling::spring) {
+    require(settings.couplingStiffness, 1.0, 1e5, "The coupling's stiffness", "N/m");
+    require(settings.couplingDamping, 0.0, 1e3, "The coupling's damping", "N.s/m");
+  }
+  require(settings.stopTravel * 1e3, 0.1, 100.0, "The travel at which an insertion stops", "mm");
+  require(settings.forceScale, 0.0, mostForceScale, "The scale of the force shown", "");
+  require(settings.motionScale, 0.01, 10.0, "The scale of the motion", "");
+  require(settings.styletSpeed * 1e3, 0.01, 1000.0, "The speed of the stylet", "mm/s");
+  require(settings.samplePeriod * 1e3, 0.01, 100.0, "The device's sample period", "ms");
+  return settings;
+}
+
+}  // namespace perilymph::haptics

@@ -1,0 +1,14 @@
+#pragma once
+
+// Going before everybody else on the machine, where the system allows it.
+
+namespace perilymph::realtime {
+
+/// Whether the system lets the calling thread go first.
+enum class RealTimePriority { granted, refused };
+
+/// Asks for SCHED_FIFO for the calling thread: below the kernel's own threads (50), above all
+/// ordinary ones. Never fails: a refused thread goes on as it was.
+RealTimePriority requestRealTimePriority() noexcept;
+
+}  // namespace perilymph::realtime

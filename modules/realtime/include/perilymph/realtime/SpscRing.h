@@ -1,0 +1,65 @@
+#pragma once
+
+// The channel where every value matters: records for the file, requests for the loop.
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <type_traits>
+#include <vector>
+
+#include "perilymph/foundation/RealTime.h"
+
+namespace perilymph::realtime {
+
+/// A queue of fixed capacity from one writer thread to one reader thread. Values arrive complete
+/// and in order. Neither side ever waits: a full ring refuses, an empty one has nothing.
+template <class Value>
+class SpscRing {
+  static_assert(std::is_trivially_copyable_v<Value>, "push() must not allocate or throw");
+
+public:
+  /// @param capacity  Values it can hold, 1 or more. All memory is taken here.
+  explicit SpscRing(std::size_t capacity) : slots_(capacity)
+  {
+    if (capacity == 0) throw std::invalid_argument("A ring of 0 values holds nothing; give it 1.");
+  }
+
+  std::size_t capacity() const noexcept { return slots_.size(); }
+
+  /// Appends a value. False if the ring is full. Writer thread only. Real-time safe.
+  PERILYMPH_REALTIME bool push(const Value& value) noexcept
+  {
+    const std::uint64_t at = written_.load(std::memory_order_relaxed);
+    if (at - readSeen_ == slots_.size()) {
+      readSeen_ = read_.load(std::memory_order_acquire);
+      if (at - readSeen_ == slots_.size()) return false;
+    }
+    slots_[at % slots_.size()] = value;
+    written_.store(at + 1, std::memory_order_release);
+    return true;
+  }
+
+  /// Takes the oldest value. False if there is none. Reader thread only. Real-time safe.
+  PERILYMPH_REALTIME bool take(Value& value) noexcept
+  {
+    const std::uint64_t at = read_.load(std::memory_order_relaxed);
+    if (at == writtenSeen_) {
+      writtenSeen_ = written_.load(std::memory_order_acquire);
+      if (at == writtenSeen_) return false;
+    }
+    value = slots_[at % slots_.size()];
+    read_.store(at + 1, std::memory_order_release);
+    return true;
+  }
+
+private:
+  std::vector<Value> slots_;
+  alignas(64) std::atomic<std::uint64_t> written_{0};  // how many, ever
+  alignas(64) std::uint64_t readSeen_ = 0;             // the writer's memory of read_
+  alignas(64) std::atomic<std::uint64_t> read_{0};     // how many, ever
+  alignas(64) std::uint64_t writtenSeen_ = 0;          // the reader's memory of written_
+};
+
+}  // namespace perilymph::realtime

@@ -1,0 +1,60 @@
+#pragma once
+
+// The channel where only the newest value matters: pictures for the eyes.
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <type_traits>
+
+#include "perilymph/foundation/RealTime.h"
+
+namespace perilymph::realtime {
+
+/// Hands the newest value from one writer thread to one reader thread.
+/// Neither side ever waits; values the reader was too slow for are dropped.
+template <class Value>
+class TripleBuffer {
+  static_assert(std::is_trivially_copyable_v<Value>, "publish() must not allocate or throw");
+
+public:
+  /// Makes `value` the newest. Writer thread only. Real-time safe.
+  PERILYMPH_REALTIME void publish(const Value& value) noexcept
+  {
+    draft() = value;
+    publishDraft();
+  }
+
+  /// Where the writer may build the next value in place, for values too large to copy each tick.
+  /// It holds an older value, and another one after each publication. Writer thread only.
+  PERILYMPH_REALTIME Value& draft() noexcept { return slots_[back_]; }
+
+  /// Makes the draft the newest. Writer thread only. Real-time safe.
+  PERILYMPH_REALTIME void publishDraft() noexcept
+  {
+    const auto offered = static_cast<std::uint8_t>(back_ | isFresh);
+    back_ = middle_.exchange(offered, std::memory_order_acq_rel) & slotMask;
+  }
+
+  /// Takes the newest value, if there is one the reader has not seen. Reader thread only.
+  bool refresh() noexcept
+  {
+    if ((middle_.load(std::memory_order_relaxed) & isFresh) == 0) return false;
+    front_ = middle_.exchange(front_, std::memory_order_acq_rel) & slotMask;
+    return true;
+  }
+
+  /// The value the last refresh() took. Stays put until the next one. Reader thread only.
+  const Value& latest() const noexcept { return slots_[front_]; }
+
+private:
+  static constexpr std::uint8_t slotMask = 0b011;
+  static constexpr std::uint8_t isFresh = 0b100;
+
+  std::array<Value, 3> slots_{};
+  alignas(64) std::atomic<std::uint8_t> middle_{1};
+  alignas(64) std::uint8_t back_ = 0;   // the writer's
+  alignas(64) std::uint8_t front_ = 2;  // the reader's
+};
+
+}  // namespace perilymph::realtime

@@ -1,0 +1,18 @@
+#include "perilymph/realtime/RealTimePriority.h"
+
+#include <pthread.h>
+#include <sched.h>
+
+namespace perilymph::realtime {
+
+RealTimePriority requestRealTimePriority() noexcept
+{
+  // Interrupt threads of a preemptible kernel run at 50; the USB one must come before us.
+  constexpr int priority = 45;
+  sched_param wanted{};
+  wanted.sched_priority = priority;
+  const bool granted = pthread_setschedparam(pthread_self(), SCHED_FIFO, &wanted) == 0;
+  return granted ? RealTimePriority::granted : RealTimePriority::refused;
+}
+
+}  // namespace perilymph::realtime

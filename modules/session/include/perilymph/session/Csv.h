@@ -1,0 +1,44 @@
+#pragma once
+
+// The columns people read an insertion in: the same in CSV files and in recordings.
+
+#include <array>
+#include <string>
+
+#include "perilymph/haptics/Snapshot.h"
+
+namespace perilymph::session {
+
+inline constexpr int columnCount = 21;
+
+/// Names of the columns, with their units, in their order.
+extern const std::array<const char*, columnCount> columnNames;
+
+/// The values of one tick in the units of columnNames. x, y, z are in W (a right ear); the axial
+/// force is that on the hand, positive while pushing in.
+std::array<double, columnCount> columnValues(const haptics::TickRecord& record);
+
+/// "time_s,travel_mm,...\n".
+std::string csvHeader();
+
+/// One row with its line end: shortest decimals that read back as the same number, a point whatever
+/// the locale.
+std::string csvRow(const haptics::TickRecord& record);
+
+/// Which ticks of a file with one row every so many seconds are kept: the first at or after each
+/// multiple of the period.
+class CsvPeriod {
+public:
+  /// @param period  Between rows [s]; 0 keeps every tick.
+  explicit CsvPeriod(double period) : period_(period) {}
+
+  /// True if the tick at this time [s] is kept. Times must not fall.
+  bool keeps(double time);
+
+private:
+  double period_;
+  double next_ = 0.0;
+  long count_ = 0;
+};
+
+}  // namespace perilymph::session

@@ -1,0 +1,42 @@
+#pragma once
+
+// An insertion that was written down, to be read.
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "perilymph/foundation/Result.h"
+#include "perilymph/haptics/Snapshot.h"
+#include "perilymph/session/Recording.h"
+
+namespace perilymph::session {
+
+/// The reading end of an `.insertion` file.
+class RecordedInsertion {
+public:
+  /// Opens a recording. One that was not closed is recovered with its `-wal` file; where the folder
+  /// is read-only, only what had been folded into the file can be read, and note() says so.
+  static Result<RecordedInsertion> open(const std::filesystem::path& file);
+  RecordedInsertion(RecordedInsertion&&) noexcept;
+  RecordedInsertion& operator=(RecordedInsertion&&) noexcept;
+  ~RecordedInsertion();
+
+  const RecordingFacts& facts() const noexcept;
+  std::uint64_t ticks() const;               ///< Rows in the file.
+  std::uint64_t lostRecords() const;         ///< Ticks that ran but are not in the file.
+  bool wasClosed() const noexcept;           ///< False after a crash, or while it is being written.
+  const std::string& note() const noexcept;  ///< A sentence about what could not be read, or empty.
+
+  /// Shows every tick in its order; `each` stops by giving false.
+  Result<Done> forEach(const std::function<bool(const haptics::TickRecord&)>& each) const;
+
+private:
+  RecordedInsertion();
+  struct Content;
+  std::unique_ptr<Content> content_;
+};
+
+}  // namespace perilymph::session

@@ -1,0 +1,72 @@
+#include "perilymph/session/Csv.h"
+
+#include <charconv>
+
+#include "perilymph/foundation/Units.h"
+
+namespace perilymph::session {
+
+const std::array<const char*, columnCount> columnNames = {
+    "time_s",          "travel_mm",  "depth_mm",    "speed_mm_s",  "angular_depth_deg",
+    "force_axial_N",   "force_x_N",  "force_y_N",   "force_z_N",   "tip_x_mm",
+    "tip_y_mm",        "tip_z_mm",   "device_x_mm", "device_y_mm", "device_z_mm",
+    "proxy_x_mm",      "proxy_y_mm", "proxy_z_mm",  "contacts",    "wall_force_max_N",
+    "membrane_force_N"};
+
+std::array<double, columnCount> columnValues(const haptics::TickRecord& record)
+{
+  const haptics::TickOutput& now = record.output;
+  const auto mm = [](double length) { return inMillimeters(meters(length)); };
+  return {now.time,
+          mm(now.travel),
+          mm(now.depth),
+          inMillimetersPerSecond(metersPerSecond(now.speed)),
+          inDegrees(radians(now.angularDepth)),
+          now.axialForce,
+          now.force_W[0],
+          now.force_W[1],
+          now.force_W[2],
+          mm(now.tip_W[0]),
+          mm(now.tip_W[1]),
+          mm(now.tip_W[2]),
+          mm(now.device_W[0]),
+          mm(now.device_W[1]),
+          mm(now.device_W[2]),
+          mm(now.proxy_W[0]),
+          mm(now.proxy_W[1]),
+          mm(now.proxy_W[2]),
+          static_cast<double>(now.contacts),
+          now.wallForceMax,
+          now.membraneForce};
+}
+
+std::string csvHeader()
+{
+  std::string header;
+  for (const char* name : columnNames) header += (header.empty() ? "" : ",") + std::string(name);
+  return header + '\n';
+}
+
+std::string csvRow(const haptics::TickRecord& record)
+{
+  std::string row;
+  row.reserve(400);
+  char digits[32];
+  for (const double value : columnValues(record)) {
+    if (!row.empty()) row += ',';
+    row.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+  }
+  return row + '\n';
+}
+
+bool CsvPeriod::keeps(double time)
+{
+  // Times are multiples of the step with rounding errors; a millionth of the period is none of
+  // ours.
+  if (time < next_ - 1e-6 * period_) return false;
+  while (period_ > 0.0 && next_ <= time + 1e-6 * period_)
+    next_ = static_cast<double>(++count_) * period_;
+  return true;
+}
+
+}  // namespace perilymph::session

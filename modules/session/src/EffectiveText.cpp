@@ -1,0 +1,123 @@
+#include "EffectiveText.h"
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace perilymph::session {
+
+namespace {
+
+std::string shortest(double value)
+{
+  char digits[32];
+  const auto end = std::to_chars(digits, digits + sizeof digits, value);
+  return {digits, end.ptr};
+}
+
+}  // namespace
+
+std::string tomlNumber(double value)
+{
+  std::string text = shortest(value);
+  // TOML takes a number without point and exponent for a whole one.
+  if (text.find_first_of(".en") == std::string::npos) text += ".0";
+  return text;
+}
+
+std::string tomlText(const std::string& text)
+{
+  std::string quoted = "\"";
+  for (const char letter : text) {
+    const auto code = static_cast<unsigned char>(letter);
+    if (letter == '"' || letter == '\\') {
+      quoted += '\\';
+      quoted += letter;
+    } else if (code < 0x20 || code == 0x7f) {
+      constexpr const char* hexadecimal = "0123456789ABCDEF";
+      quoted += "\\u00";
+      quoted += hexadecimal[code >> 4];
+      quoted += hexadecimal[code & 0xf];
+    } else {
+      quoted += letter;
+    }
+  }
+  return quoted + '"';
+}
+
+double exactMillimeters(Length length)
+{
+  // A length that came from millimeters() has its number within two steps of the product.
+  double number = inMillimeters(length);
+  constexpr int steps = 2;
+  for (int i = 0; i < steps; ++i) number = std::nextafter(number, -HUGE_VAL);
+
+  double best = inMillimeters(length);
+  std::size_t bestLength = std::numeric_limits<std::size_t>::max();
+  for (int i = 0; i <= 2 * steps; ++i) {
+    const std::size_t letters = shortest(number).size();
+    if (millimeters(number) == length && letters < bestLength) {
+      best = number;
+      bestLength = letters;
+    }
+    number = std::nextafter(number, HUGE_VAL);
+  }
+  return best;
+}
+
+double ScenarioKeys::number(const char* key, Range allowed, double fallback)
+{
+  const double value = reader_.number(key, allowed, fallback);
+  note(key, tomlNumber(value));
+  return value;
+}
+
+long ScenarioKeys::integer(const char* key, long low, long high, long fallback)
+{
+  const long value = reader_.integer(key, low, high, fallback);
+  note(key, std::to_string(value));
+  return value;
+}
+
+bool ScenarioKeys::flag(const char* key, bool fallback)
+{
+  const bool value = reader_.flag(key, fallback);
+  note(key, value ? "true" : "false");
+  return value;
+}
+
+std::string ScenarioKeys::text(const char* key, const std::string& fallback)
+{
+  const std::string value = reader_.text(key, fallback);
+  note(key, tomlText(value));
+  return value;
+}
+
+void ScenarioKeys::notePatient(const anatomy::Patient& patient)
+{
+  note("patient_numbers.label", tomlText(patient.label));
+  note("patient_numbers.st_length_mm", tomlNumber(exactMillimeters(patient.scalaTympaniLength)));
+  note("patient_numbers.rw_width_mm", tomlNumber(exactMillimeters(patient.roundWindowWidth)));
+  note("patient_numbers.rw_height_mm", tomlNumber(exactMillimeters(patient.roundWindowHeight)));
+}
+
+std::string ScenarioKeys::asToml() const
+{
+  // Keys of the file itself first: what follows the head of a table belongs to it.
+  std::string own, tables, table;
+  for (const auto& [key, value] : values_) {
+    const std::size_t dot = key.find('.');
+    if (dot == std::string::npos) {
+      own += key + " = " + value + '\n';
+      continue;
+    }
+    if (key.substr(0, dot) != table) {
+      table = key.substr(0, dot);
+      tables += "\n[" + table + "]\n";
+    }
+    tables += key.substr(dot + 1) + " = " + value + '\n';
+  }
+  return own + tables;
+}
+
+}  // namespace perilymph::session

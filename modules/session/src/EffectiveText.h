@@ -1,0 +1,49 @@
+#pragma once
+
+// Writes a scenario as it was run: every value, in the units of its file, so that reading the text
+// again gives the same bits.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "perilymph/anatomy/Patient.h"
+#include "perilymph/foundation/TomlReader.h"
+
+namespace perilymph::session {
+
+/// The shortest decimal that reads back as the same number, marked as a float for TOML ("2.0").
+std::string tomlNumber(double value);
+
+/// A TOML basic string, quoted and escaped.
+std::string tomlText(const std::string& text);
+
+/// The shortest number of millimeters that millimeters() turns into exactly this length.
+double exactMillimeters(Length length);
+
+/// Reads keys from a scenario's file and writes each value down as it was read.
+class ScenarioKeys {
+public:
+  explicit ScenarioKeys(TomlReader& reader) : reader_(reader) {}
+
+  double number(const char* key, Range allowed, double fallback);
+  long integer(const char* key, long low, long high, long fallback);
+  bool flag(const char* key, bool fallback);
+  std::string text(const char* key, const std::string& fallback);
+
+  /// Adds a value that was not read from a key of the same name.
+  void note(const std::string& key, const std::string& toml) { values_.emplace_back(key, toml); }
+  /// Adds the patient's three numbers, a table of their own.
+  void notePatient(const anatomy::Patient& patient);
+
+  /// Keys and values in their order; keys of a table wear its name: "table.key".
+  const std::vector<std::pair<std::string, std::string>>& values() const { return values_; }
+  /// The same as TOML.
+  std::string asToml() const;
+
+private:
+  TomlReader& reader_;
+  std::vector<std::pair<std::string, std::string>> values_;
+};
+
+}  // namespace perilymph::session

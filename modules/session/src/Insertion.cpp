@@ -1,0 +1,189 @@
+#include "perilymph/session/Insertion.h"
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+
+#include "EngineSettings.h"
+#include "Recorder.h"
+#include "perilymph/device/ScriptedHand.h"
+#include "perilymph/foundation/Version.h"
+
+namespace perilymph::session {
+
+namespace {
+
+std::string utcNow()
+{
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  std::tm parts{};
+  gmtime_r(&now, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text;
+}
+
+/// A hand that moves by itself needs to be told; a person's hand does not.
+void tell(device::HapticDevice& hand, device::ScriptedHand::Motion motion)
+{
+  if (auto* script = dynamic_cast<device::ScriptedHand*>(&hand)) script->move(motion);
+}
+
+Error fault(const Scenario& scenario, const haptics::TickRecord& record)
+{
+  return Error{"The insertion of " + scenario.name + " stopped with a fault at tick " +
+               std::to_string(record.tick) + ", " +
+               std::to_string(inMillimeters(meters(record.output.travel))) + " mm of travel (" +
+               statusWords(record.output.status) +
+               "). Try a smaller dt_ms, a lower speed_mm_s or a softer wall."};
+}
+
+}  // namespace
+
+struct Insertion::Content {
+  Scenario scenario;
+  std::shared_ptr<const anatomy::ScalaTympani> anatomy;
+  std::shared_ptr<const mechanics::InsertionModel> model;
+  std::unique_ptr<device::HapticDevice> hand;
+  std::optional<std::filesystem::path> file;
+  std::unique_ptr<haptics::HapticLoop> loop;
+  std::unique_ptr<Recorder> recorder;
+};
+
+Insertion::Insertion() : content_(std::make_unique<Content>()) {}
+
+Insertion::~Insertion()
+{
+  stop();
+  // The recorder asks the loop what was lost, the loop shows zero force to the hand.
+  content_->recorder.reset();
+  content_->loop.reset();
+  if (content_->hand) content_->hand->close();
+}
+
+Result<std::unique_ptr<Insertion>> Insertion::prepare(const Scenario& scenario,
+                                                      std::unique_ptr<device::HapticDevice> hand,
+                                                      std::optional<std::filesystem::path> record)
+{
+  auto anatomy = buildAnatomy(scenario);
+  if (!anatomy) return anatomy.error();
+  auto model = buildModel(scenario, *anatomy);
+  if (!model) return model.error();
+  if (const auto done = hand->open(); !done) return done.error();
+
+  std::unique_ptr<Insertion> insertion(new Insertion);
+  Content& content = *insertion->content_;
+  content.scenario = scenario;
+  content.anatomy = *anatomy;
+  content.model = *model;
+  content.hand = std::move(hand);
+  content.file = std::move(record);
+
+  const device::DeviceTraits traits = content.hand->traits();
+  RecordingFacts facts;
+  facts.scenarioName = scenario.name;
+  facts.scenarioText = scenario.text;
+  facts.device = traits.name;
+  facts.timeStep = content.model->timeStep;
+  facts.samplePeriod = traits.nominalPeriod;
+  facts.mostForce = scenario.engine.safety.mostForce;
+  if (traits.rendersForce) facts.mostForce = std::min(facts.mostForce, traits.mostForce);
+  facts.seed = scenario.seed;
+  facts.modelFingerprint = content.model->fingerprint;
+  facts.version = version();
+  facts.buildId = buildId();
+  facts.startedUtc = utcNow();
+
+  std::unique_ptr<Recording> recording;
+  if (content.file) {
+    auto created = Recording::create(*content.file, facts);
+    if (!created) return created.error();
+    recording = std::move(*created);
+  }
+  content.loop = std::make_unique<haptics::HapticLoop>(
+      *content.hand,
+      std::make_unique<haptics::InsertionEngine>(
+          content.model, engineSettings(scenario, facts.samplePeriod, facts.mostForce)));
+  content.recorder =
+      std::make_unique<Recorder>(*content.loop, std::move(recording), content.model->timeStep);
+  return insertion;
+}
+
+Result<Done> Insertion::runToEnd(const std::function<bool(const haptics::TickRecord&)>& each,
+                                 std::uint64_t most)
+{
+  using Motion = device::ScriptedHand::Motion;
+  Content& content = *content_;
+  const auto send = [&](haptics::Command::Kind kind) {
+    haptics::Command command;
+    command.kind = kind;
+    return content.loop->send(command);
+  };
+  if (content.loop->engine().workflow() == haptics::Workflow::idle &&
+      !send(haptics::Command::Kind::arm))
+    return Error{"The loop takes no requests: eight are waiting. Run a tick first."};
+  tell(*content.hand, Motion::insert);
+
+  bool isWithdrawing = false;
+  for (std::uint64_t i = 0; i < most; ++i) {
+    content.loop->runOnce();
+    haptics::TickRecord record;
+    if (!content.loop->take(record)) continue;
+    content.recorder->keep(record);
+    if (each && !each(record)) break;
+
+    const haptics::Workflow workflow = record.output.workflow;
+    if (workflow == haptics::Workflow::fault) {
+      content.recorder->flush();
+      return fault(content.scenario, record);
+    }
+    if (workflow != haptics::Workflow::finished) continue;
+    if (!content.scenario.withdraws || isWithdrawing) break;
+    isWithdrawing = send(haptics::Command::Kind::withdraw);
+    tell(*content.hand, Motion::withdraw);
+  }
+  content.recorder->flush();
+  return Done{};
+}
+
+Result<Done> Insertion::start()
+{
+  // Recorder first: its thread must be there before the channel begins to fill.
+  content_->recorder->start();
+  content_->loop->start();
+  return Done{};
+}
+
+void Insertion::stop() noexcept
+{
+  if (content_->loop) content_->loop->stop();
+  if (content_->recorder) content_->recorder->stop();
+}
+
+bool Insertion::send(const haptics::Command& command) noexcept
+{
+  return content_->loop->send(command);
+}
+
+bool Insertion::refresh() noexcept { return content_->loop->refresh(); }
+
+const haptics::Snapshot& Insertion::latest() const noexcept { return content_->loop->latest(); }
+
+std::string Insertion::recordingTrouble() const { return content_->recorder->trouble(); }
+
+const Scenario& Insertion::scenario() const noexcept { return content_->scenario; }
+
+const anatomy::ScalaTympani& Insertion::anatomy() const noexcept { return *content_->anatomy; }
+
+const mechanics::InsertionModel& Insertion::model() const noexcept { return *content_->model; }
+
+device::HapticDevice& Insertion::hand() noexcept { return *content_->hand; }
+
+const haptics::HapticLoop& Insertion::loop() const noexcept { return *content_->loop; }
+
+const std::optional<std::filesystem::path>& Insertion::recording() const noexcept
+{
+  return content_->file;
+}
+
+}  // namespace perilymph::session

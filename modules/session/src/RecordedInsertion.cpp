@@ -1,0 +1,229 @@
+#include "perilymph/session/RecordedInsertion.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <fstream>
+#include <map>
+#include <optional>
+
+#include "Database.h"
+#include "RecordingFormat.h"
+#include "TickBlob.h"
+
+namespace perilymph::session {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the first bytes of a file say.
+struct FileHeader {
+  bool isDatabase = false;
+  bool isWhole = true;  ///< As long as it says.
+};
+
+std::uint64_t bigEndian(const std::array<unsigned char, 100>& bytes, int first, int count)
+{
+  std::uint64_t value = 0;
+  for (int i = 0; i < count; ++i) value = value << 8 | bytes[static_cast<std::size_t>(first + i)];
+  return value;
+}
+
+/// Reads SQLite's header of 100 bytes (its file format, section 1.3).
+FileHeader readHeader(const fs::path& file)
+{
+  std::array<unsigned char, 100> bytes{};
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(reinterpret_cast<char*>(bytes.data()), bytes.size());
+  constexpr std::string_view magic("SQLite format 3\0", 16);
+  FileHeader header;
+  const auto got = static_cast<std::size_t>(stream.gcount());
+  header.isDatabase =
+      got >= magic.size() &&
+      std::string_view(reinterpret_cast<const char*>(bytes.data()), magic.size()) == magic;
+  if (!header.isDatabase) return header;
+  if (got < bytes.size()) {
+    header.isWhole = false;
+    return header;
+  }
+  const std::uint64_t pageField = bigEndian(bytes, 16, 2);
+  const std::uint64_t pageSize = pageField == 1 ? 65536 : pageField;
+  const std::uint64_t pages = bigEndian(bytes, 28, 4);
+  std::error_code ignored;
+  header.isWhole = fs::file_size(file, ignored) >= pages * pageSize;
+  return header;
+}
+
+bool mayWrite(const fs::path& file)
+{
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  return ::access(file.c_str(), W_OK) == 0 && ::access(folder.c_str(), W_OK) == 0;
+}
+
+template <class Number>
+std::optional<Number> numberIn(const std::map<std::string, std::string>& facts, const char* key)
+{
+  const auto found = facts.find(key);
+  if (found == facts.end()) return std::nullopt;
+  const std::string& text = found->second;
+  Number number{};
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (read.ec != std::errc() || read.ptr != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+/// Nothing if a fact is missing or is not what it must be.
+std::optional<RecordingFacts> factsFrom(const std::map<std::string, std::string>& entries)
+{
+  RecordingFacts facts;
+  const std::pair<const char*, std::string*> texts[] = {
+      {MetaKey::scenarioName, &facts.scenarioName},
+      {MetaKey::scenario, &facts.scenarioText},
+      {MetaKey::device, &facts.device},
+      {MetaKey::version, &facts.version},
+      {MetaKey::buildId, &facts.buildId},
+      {MetaKey::startedUtc, &facts.startedUtc}};
+  for (const auto& [key, text] : texts) {
+    const auto found = entries.find(key);
+    if (found == entries.end()) return std::nullopt;
+    *text = found->second;
+  }
+  const auto timeStep = numberIn<double>(entries, MetaKey::timeStep);
+  const auto samplePeriod = numberIn<double>(entries, MetaKey::samplePeriod);
+  const auto mostForce = numberIn<double>(entries, MetaKey::mostForce);
+  const auto seed = numberIn<long>(entries, MetaKey::seed);
+  const auto fingerprint = numberIn<std::uint64_t>(entries, MetaKey::modelFingerprint);
+  if (!timeStep || !samplePeriod || !mostForce || !seed || !fingerprint) return std::nullopt;
+  facts.timeStep = *timeStep;
+  facts.samplePeriod = *samplePeriod;
+  facts.mostForce = *mostForce;
+  facts.seed = *seed;
+  facts.modelFingerprint = *fingerprint;
+  return facts;
+}
+
+}  // namespace
+
+struct RecordedInsertion::Content {
+  fs::path file;
+  Database database;
+  RecordingFacts facts;
+  bool wasClosed = false;
+  std::uint64_t lostRecords = 0;
+  std::string note;
+
+  Error damaged(const std::string& reason) const
+  {
+    return Error{file.string() + " is damaged (" + reason +
+                 "). Use another copy of the recording."};
+  }
+  Error notOurs() const
+  {
+    return Error{file.string() + " is not a recording of Perilymph. Choose an .insertion file."};
+  }
+
+  Result<Done> readFacts();
+};
+
+Result<Done> RecordedInsertion::Content::readFacts()
+{
+  const std::int64_t application = database.number("PRAGMA application_id");
+  if (database.isDamaged()) return damaged(database.trouble());
+  if (application != recordingApplicationId) return notOurs();
+  const std::int64_t version = database.number("PRAGMA user_version");
+  if (version > newestRecordingVersion)
+    return Error{file.string() + " was recorded with format " + std::to_string(version) +
+                 "; this program reads up to " + std::to_string(newestRecordingVersion) +
+                 ". Open it with a newer version."};
+
+  auto rows = database.prepare("SELECT key, value FROM meta");
+  if (!rows) return damaged(rows.error().message);
+  std::map<std::string, std::string> entries;
+  Statement::Step step = rows->step();
+  for (; step == Statement::Step::row; step = rows->step()) entries[rows->text(0)] = rows->text(1);
+  if (step == Statement::Step::failed) return damaged(database.trouble());
+
+  const auto read = factsFrom(entries);
+  if (!read) return damaged("facts about it are missing");
+  facts = *read;
+  wasClosed = entries[MetaKey::closed] == "1";
+  lostRecords = numberIn<std::uint64_t>(entries, MetaKey::lostRecords).value_or(0);
+  // One that was not closed has not summed up its losses yet.
+  const auto gaps =
+      database.number("SELECT COALESCE(SUM(value), 0) FROM event WHERE kind = 'lost'");
+  lostRecords = std::max(lostRecords, static_cast<std::uint64_t>(std::max<std::int64_t>(gaps, 0)));
+  return Done{};
+}
+
+RecordedInsertion::RecordedInsertion() : content_(std::make_unique<Content>()) {}
+RecordedInsertion::RecordedInsertion(RecordedInsertion&&) noexcept = default;
+RecordedInsertion& RecordedInsertion::operator=(RecordedInsertion&&) noexcept = default;
+RecordedInsertion::~RecordedInsertion() = default;
+
+Result<RecordedInsertion> RecordedInsertion::open(const fs::path& file)
+{
+  RecordedInsertion opened;
+  Content& content = *opened.content_;
+  content.file = file;
+
+  std::error_code problem;
+  if (fs::is_directory(file, problem))
+    return Error{file.string() + " is a folder. Choose an .insertion file."};
+  if (!fs::exists(file, problem))
+    return Error{file.string() + " does not exist. Check the name of the recording."};
+  if (::access(file.c_str(), R_OK) != 0)
+    return Error{file.string() + " may not be read. Check its permissions."};
+
+  const fs::path log = file.string() + "-wal";
+  const bool hasLog = fs::exists(log, problem) && fs::file_size(log, problem) > 0;
+  const FileHeader header = readHeader(file);
+  if (!header.isDatabase) return content.notOurs();
+  if (!header.isWhole && !hasLog) return content.damaged("it is cut short");
+
+  const bool isWritable = mayWrite(file);
+  if (hasLog && !isWritable)
+    content.note = file.string() +
+                   " was not closed and lies where nothing may be written, so the ticks in its "
+                   "-wal file are not read. Copy both files to a folder you may write to.";
+  auto database =
+      Database::open(file, isWritable ? Database::Access::readWrite : Database::Access::immutable);
+  if (!database) return content.damaged(database.error().message);
+  content.database = std::move(*database);
+  if (const auto done = content.readFacts(); !done) return done.error();
+  return opened;
+}
+
+const RecordingFacts& RecordedInsertion::facts() const noexcept { return content_->facts; }
+
+std::uint64_t RecordedInsertion::ticks() const
+{
+  return static_cast<std::uint64_t>(content_->database.number("SELECT COUNT(*) FROM tick"));
+}
+
+std::uint64_t RecordedInsertion::lostRecords() const { return content_->lostRecords; }
+
+bool RecordedInsertion::wasClosed() const noexcept { return content_->wasClosed; }
+
+const std::string& RecordedInsertion::note() const noexcept { return content_->note; }
+
+Result<Done> RecordedInsertion::forEach(
+    const std::function<bool(const haptics::TickRecord&)>& each) const
+{
+  auto rows = content_->database.prepare("SELECT tick, record FROM tick ORDER BY tick");
+  if (!rows) return content_->damaged(rows.error().message);
+  Statement::Step step = rows->step();
+  for (; step == Statement::Step::row; step = rows->step()) {
+    const auto record = readTick(rows->blob(1));
+    if (!record || record->tick != static_cast<std::uint64_t>(rows->integer(0)))
+      return content_->damaged("the record of tick " + std::to_string(rows->integer(0)) +
+                               " cannot be read");
+    if (!each(*record)) return Done{};
+  }
+  if (step == Statement::Step::failed) return content_->damaged(content_->database.trouble());
+  return Done{};
+}
+
+}  // namespace perilymph::session

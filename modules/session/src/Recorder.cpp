@@ -1,0 +1,114 @@
+#include "Recorder.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <exception>
+
+#include "perilymph/foundation/RealTime.h"
+
+namespace perilymph::session {
+
+namespace {
+
+/// Between two drains: a crash loses no more than this and what the loop did meanwhile.
+constexpr std::chrono::milliseconds drainPeriod{20};
+
+}  // namespace
+
+Recorder::Recorder(haptics::HapticLoop& loop, std::unique_ptr<Recording> recording, double timeStep)
+    : loop_(loop), recording_(std::move(recording))
+{
+  const double ticks = std::chrono::duration<double>(drainPeriod).count() / timeStep;
+  batch_ = static_cast<std::size_t>(std::max(1.0, std::round(ticks)));
+  waiting_.reserve(2 * batch_);
+}
+
+Recorder::~Recorder()
+{
+  stop();
+  close();
+}
+
+void Recorder::start()
+{
+  if (thread_.joinable()) return;
+  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+}
+
+void Recorder::run(const std::stop_token& stop)
+{
+  registerThreadRole(ThreadRole::recorder);
+  while (!stop.stop_requested()) {
+    {
+      std::unique_lock lock(sleepMutex_);
+      sleep_.wait_for(lock, stop, drainPeriod, [] { return false; });
+    }
+    drain();
+  }
+}
+
+void Recorder::stop() noexcept
+{
+  if (!thread_.joinable()) return;
+  thread_.request_stop();
+  thread_.join();
+  drain();
+}
+
+void Recorder::drain()
+{
+  try {
+    haptics::TickRecord record;
+    while (loop_.take(record)) keep(record);
+    flush();
+  } catch (const std::exception& mistake) {
+    setTrouble(std::string("The recording stopped: ") + mistake.what() + ".");
+  }
+}
+
+void Recorder::keep(const haptics::TickRecord& record)
+{
+  if (!recording_) return;
+  waiting_.push_back(record);
+  if (waiting_.size() >= batch_) flush();
+}
+
+void Recorder::flush()
+{
+  if (recording_ && !waiting_.empty()) {
+    if (const auto done = recording_->append(waiting_); !done) {
+      setTrouble(done.error().message);
+      // Closing may still fold what was written into one file; that it was cut off stays said.
+      recording_.reset();
+    }
+  }
+  waiting_.clear();
+}
+
+void Recorder::close() noexcept
+{
+  try {
+    flush();
+    if (!recording_) return;
+    if (const auto done = recording_->close(loop_.statistics().lostRecords); !done)
+      setTrouble(done.error().message);
+    recording_.reset();
+  } catch (const std::exception& mistake) {
+    setTrouble(std::string("The recording could not be closed: ") + mistake.what() + ".");
+  }
+}
+
+void Recorder::setTrouble(const std::string& sentence)
+{
+  const std::lock_guard lock(troubleMutex_);
+  if (trouble_.empty()) trouble_ = sentence;
+}
+
+std::string Recorder::trouble() const
+{
+  const std::lock_guard lock(troubleMutex_);
+  return trouble_;
+}
+
+}  // namespace perilymph::session

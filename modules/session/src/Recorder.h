@@ -1,0 +1,61 @@
+#pragma once
+
+// Carries ticks from the loop's channel into a recording: on a thread of its own by the clock, or
+// in the caller's thread in virtual time. What goes wrong with the file never reaches the
+// insertion.
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "perilymph/haptics/HapticLoop.h"
+#include "perilymph/session/Recording.h"
+
+namespace perilymph::session {
+
+class Recorder {
+public:
+  /// @param recording  Nothing: records are taken and dropped, so that the channel never fills.
+  Recorder(haptics::HapticLoop& loop, std::unique_ptr<Recording> recording, double timeStep);
+  ~Recorder();  ///< Stops and closes the recording.
+  Recorder(const Recorder&) = delete;
+  Recorder& operator=(const Recorder&) = delete;
+
+  // --- by the clock ---
+  /// Starts the recorder thread: a drain every 20 ms.
+  void start();
+  /// Ends the thread; what the loop still held is kept. The loop has stopped before.
+  void stop() noexcept;
+
+  // --- virtual time, while no thread runs ---
+  /// Keeps one record; committed with the others of its 20 ms.
+  void keep(const haptics::TickRecord& record);
+  /// Commits what was kept.
+  void flush();
+
+  /// Flushes and closes the recording. Nothing is recorded after it.
+  void close() noexcept;
+
+  /// Why nothing is recorded any more; empty while all is well. Any thread.
+  std::string trouble() const;
+
+private:
+  void run(const std::stop_token& stop);
+  void drain();
+  void setTrouble(const std::string& sentence);
+
+  haptics::HapticLoop& loop_;
+  std::unique_ptr<Recording> recording_;
+  std::size_t batch_;
+  std::vector<haptics::TickRecord> waiting_;
+  mutable std::mutex troubleMutex_;
+  std::string trouble_;
+  std::mutex sleepMutex_;
+  std::condition_variable_any sleep_;
+  std::jthread thread_;
+};
+
+}  // namespace perilymph::session

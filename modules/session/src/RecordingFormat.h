@@ -1,0 +1,29 @@
+#pragma once
+
+// What writer and reader of a recording agree on.
+
+#include <cstdint>
+
+namespace perilymph::session {
+
+/// SQLite's application_id of our files: "Plym".
+inline constexpr std::int64_t recordingApplicationId = 0x506c796d;
+
+/// Keys of the table `meta`.
+struct MetaKey {
+  static constexpr const char* scenarioName = "scenario_name";
+  static constexpr const char* scenario = "scenario";
+  static constexpr const char* device = "device";
+  static constexpr const char* timeStep = "dt_s";
+  static constexpr const char* samplePeriod = "sample_period_s";
+  static constexpr const char* mostForce = "most_force_N";
+  static constexpr const char* seed = "seed";
+  static constexpr const char* modelFingerprint = "model_fingerprint";
+  static constexpr const char* version = "version";
+  static constexpr const char* buildId = "build_id";
+  static constexpr const char* startedUtc = "started_utc";
+  static constexpr const char* lostRecords = "lost_records";
+  static constexpr const char* closed = "closed";
+};
+
+}  // namespace perilymph::session

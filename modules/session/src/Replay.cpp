@@ -1,0 +1,128 @@
+#include "perilymph/session/Replay.h"
+
+#include <bit>
+#include <charconv>
+#include <cstdio>
+#include <type_traits>
+
+#include "EngineSettings.h"
+#include "TickFields.h"
+#include "perilymph/foundation/Version.h"
+#include "perilymph/session/RecordedInsertion.h"
+#include "perilymph/session/Scenario.h"
+
+namespace perilymph::session {
+
+namespace {
+
+/// One field of an output as a name, its bits and words for people.
+struct FieldValue {
+  const char* name;
+  int index;
+  std::uint64_t bits;
+  double value;
+
+  std::string fullName() const
+  {
+    return index < 0 ? name : std::string(name) + '[' + std::to_string(index) + ']';
+  }
+  std::string words() const
+  {
+    char digits[32];
+    std::string text(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+    char hexadecimal[32];
+    std::snprintf(hexadecimal, sizeof hexadecimal, " (bits %016llx)",
+                  static_cast<unsigned long long>(bits));
+    return text + hexadecimal;
+  }
+};
+
+void flatten(const haptics::TickOutput& output, std::vector<FieldValue>& fields)
+{
+  fields.clear();
+  forEachField(output, [&fields](const char* name, int index, const auto& value) {
+    using Field = std::remove_cvref_t<decltype(value)>;
+    if constexpr (std::is_same_v<Field, double>)
+      fields.push_back({name, index, std::bit_cast<std::uint64_t>(value), value});
+    else
+      fields.push_back(
+          {name, index, static_cast<std::uint64_t>(value), static_cast<double>(value)});
+  });
+}
+
+/// Compares outputs, keeping the room for their fields.
+class Comparison {
+public:
+  std::optional<Difference> difference(const haptics::TickRecord& recorded,
+                                       const haptics::TickOutput& computed)
+  {
+    flatten(recorded.output, recorded_);
+    flatten(computed, computed_);
+    for (std::size_t i = 0; i < recorded_.size(); ++i)
+      if (recorded_[i].bits != computed_[i].bits)
+        return Difference{recorded.tick, recorded_[i].fullName(), recorded_[i].words(),
+                          computed_[i].words()};
+    return std::nullopt;
+  }
+
+private:
+  std::vector<FieldValue> recorded_, computed_;
+};
+
+void noteWhatChanged(const RecordingFacts& facts, const Scenario& scenario,
+                     std::uint64_t fingerprint, std::vector<std::string>& notes)
+{
+  if (facts.buildId != buildId())
+    notes.push_back("Recorded by build " + facts.buildId + ", replayed by build " + buildId() +
+                    ".");
+  if (scenario.expectedArrayFingerprint != scenario.arrayFingerprint)
+    notes.push_back("The file of the array '" + scenario.arrayName +
+                    "' has changed since the recording.");
+  if (fingerprint != facts.modelFingerprint)
+    notes.push_back("The model built from the recorded scenario is not the one recorded.");
+}
+
+}  // namespace
+
+Result<Verification> verify(const std::filesystem::path& file)
+{
+  const auto recorded = RecordedInsertion::open(file);
+  if (!recorded) return recorded.error();
+  const RecordingFacts& facts = recorded->facts();
+  const auto scenario = parseScenario(facts.scenarioText, file.string());
+  if (!scenario) return scenario.error();
+  const auto anatomy = buildAnatomy(*scenario);
+  if (!anatomy) return anatomy.error();
+  const auto model = buildModel(*scenario, *anatomy);
+  if (!model) return model.error();
+
+  Verification result;
+  if (!recorded->note().empty()) result.notes.push_back(recorded->note());
+  if (!recorded->wasClosed())
+    result.notes.push_back("The recording was not closed; it ends where the program did.");
+  noteWhatChanged(facts, *scenario, (*model)->fingerprint, result.notes);
+
+  haptics::InsertionEngine engine(*model,
+                                  engineSettings(*scenario, facts.samplePeriod, facts.mostForce));
+  Comparison comparison;
+  std::optional<std::uint64_t> last;
+  const auto read = recorded->forEach([&](const haptics::TickRecord& record) {
+    if (last && record.tick != *last + 1) {
+      result.notes.push_back(std::to_string(record.tick - *last - 1) + " ticks before tick " +
+                             std::to_string(record.tick) +
+                             " were lost; nothing after them can be compared.");
+      return false;
+    }
+    last = record.tick;
+    const haptics::TickOutput computed = engine.tick(record.sample, record.commands);
+    ++result.ticksCompared;
+    result.difference = comparison.difference(record, computed);
+    return !result.difference.has_value();
+  });
+  if (!read) return read.error();
+  result.isIdentical = !result.difference && result.ticksCompared > 0;
+  if (result.ticksCompared == 0) result.notes.push_back("The recording holds no ticks.");
+  return result;
+}
+
+}  // namespace perilymph::session

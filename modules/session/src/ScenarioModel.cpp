@@ -1,0 +1,38 @@
+// From a scenario to what the engine needs. Bad parts become sentences here and go no further.
+
+#include <stdexcept>
+
+#include "perilymph/session/Scenario.h"
+
+namespace perilymph::session {
+
+Result<std::shared_ptr<const anatomy::ScalaTympani>> buildAnatomy(const Scenario& scenario)
+{
+  try {
+    return anatomy::buildPublished(scenario.patient, scenario.leadIn);
+  } catch (const std::invalid_argument& mistake) {
+    return Error{"The cochlea of " + scenario.name + " cannot be built: " + mistake.what()};
+  }
+}
+
+Result<std::shared_ptr<const mechanics::InsertionModel>> buildModel(
+    const Scenario& scenario, std::shared_ptr<const anatomy::ScalaTympani> anatomy)
+{
+  mechanics::ModelParts parts;
+  parts.lumen = std::move(anatomy);
+  parts.array = scenario.array;
+  parts.friction = scenario.friction;
+  parts.wall = scenario.wall;
+  parts.nodes = scenario.nodes;
+  parts.timeStep = scenario.timeStep;
+  parts.startInside = scenario.startInside;
+  parts.approachTilt = scenario.approachTilt;
+  parts.approachTurn = scenario.approachTurn;
+  try {
+    return mechanics::InsertionModel::build(std::move(parts));
+  } catch (const std::invalid_argument& mistake) {
+    return Error{"The model of " + scenario.name + " cannot be built: " + mistake.what()};
+  }
+}
+
+}  // namespace perilymph::session

@@ -1,0 +1,126 @@
+#include "TickBlob.h"
+
+#include <bit>
+#include <type_traits>
+
+#include "TickFields.h"
+
+namespace perilymph::session {
+
+namespace {
+
+/// The unsigned number that carries a field's bits.
+template <class Field>
+using Bits = std::conditional_t<sizeof(Field) == 8, std::uint64_t, std::uint32_t>;
+
+template <class Field>
+Bits<Field> bitsOf(Field field)
+{
+  static_assert(sizeof(Field) == 4 || sizeof(Field) == 8);
+  if constexpr (std::is_enum_v<Field>)
+    return static_cast<Bits<Field>>(field);
+  else
+    return std::bit_cast<Bits<Field>>(field);
+}
+
+template <class Field>
+Field fieldOf(Bits<Field> bits)
+{
+  if constexpr (std::is_enum_v<Field>)
+    return static_cast<Field>(bits);
+  else
+    return std::bit_cast<Field>(bits);
+}
+
+class Writer {
+public:
+  explicit Writer(std::vector<unsigned char>& bytes) : bytes_(bytes) {}
+
+  template <class Field>
+  void operator()(const Field& field)
+  {
+    const auto bits = bitsOf(field);
+    for (std::size_t i = 0; i < sizeof bits; ++i)
+      bytes_.push_back(static_cast<unsigned char>(bits >> (8 * i)));
+  }
+
+private:
+  std::vector<unsigned char>& bytes_;
+};
+
+class Reader {
+public:
+  explicit Reader(std::span<const unsigned char> bytes) : bytes_(bytes) {}
+
+  template <class Field>
+  void operator()(Field& field)
+  {
+    Bits<Field> bits = 0;
+    if (bytes_.size() < sizeof bits) {
+      isShort_ = true;
+      bytes_ = {};
+      return;
+    }
+    for (std::size_t i = 0; i < sizeof bits; ++i) {
+      const auto part = static_cast<Bits<Field>>(bytes_[i]);
+      bits = static_cast<Bits<Field>>(bits | static_cast<Bits<Field>>(part << (8 * i)));
+    }
+    field = fieldOf<Field>(bits);
+    bytes_ = bytes_.subspan(sizeof bits);
+  }
+
+  /// Every byte was asked for, and none was missing.
+  bool isExact() const { return !isShort_ && bytes_.empty(); }
+
+private:
+  std::span<const unsigned char> bytes_;
+  bool isShort_ = false;
+};
+
+/// Everything between the version and the output.
+template <class Record, class Each>
+void forEachInput(Record& record, Each& each)
+{
+  each(record.tick);
+  each(record.sample.sequence);
+  for (auto& value : record.sample.position_D) each(value);
+  for (auto& value : record.sample.rotation_D) each(value);
+  each(record.sample.buttons);
+  each(record.sample.isValid);
+  each(record.commands.count);
+}
+
+}  // namespace
+
+void writeTick(const haptics::TickRecord& record, std::vector<unsigned char>& bytes)
+{
+  bytes.clear();
+  Writer write(bytes);
+  write(tickBlobVersion);
+  forEachInput(record, write);
+  for (std::uint32_t i = 0; i < record.commands.count && i < haptics::maxCommandsPerTick; ++i) {
+    write(record.commands.items[i].kind);
+    write(record.commands.items[i].value);
+  }
+  forEachField(record.output, [&write](const char*, int, const auto& value) { write(value); });
+}
+
+std::optional<haptics::TickRecord> readTick(std::span<const unsigned char> bytes)
+{
+  haptics::TickRecord record;
+  Reader read(bytes);
+  std::uint32_t versionFound = 0;
+  read(versionFound);
+  if (versionFound != tickBlobVersion) return std::nullopt;
+  forEachInput(record, read);
+  if (record.commands.count > haptics::maxCommandsPerTick) return std::nullopt;
+  for (std::uint32_t i = 0; i < record.commands.count; ++i) {
+    read(record.commands.items[i].kind);
+    read(record.commands.items[i].value);
+  }
+  forEachField(record.output, [&read](const char*, int, auto& value) { read(value); });
+  if (!read.isExact()) return std::nullopt;
+  return record;
+}
+
+}  // namespace perilymph::session

@@ -1,0 +1,39 @@
+#pragma once
+
+// The one list of what a tick's output consists of: written, read and compared in this order.
+
+#include "perilymph/haptics/Snapshot.h"
+
+namespace perilymph::session {
+
+/// Calls `visit(name, index, value)` for every number of an output; arrays element by element, with
+/// -1 as the index of what is no array.
+template <class Output, class Visit>
+void forEachField(Output& output, Visit&& visit)
+{
+  const auto visitEach = [&visit](const char* name, auto& values) {
+    for (std::size_t i = 0; i < values.size(); ++i) visit(name, static_cast<int>(i), values[i]);
+  };
+  visitEach("wrench_D.force_D", output.wrench_D.force_D);
+  visitEach("wrench_D.torque_D", output.wrench_D.torque_D);
+  visit("workflow", -1, output.workflow);
+  visit("status", -1, output.status);
+  visit("contacts", -1, output.contacts);
+  visit("iterations", -1, output.iterations);
+  visit("time", -1, output.time);
+  visit("travel", -1, output.travel);
+  visit("depth", -1, output.depth);
+  visit("speed", -1, output.speed);
+  visit("angularDepth", -1, output.angularDepth);
+  visit("axialForce", -1, output.axialForce);
+  visitEach("force_W", output.force_W);
+  visitEach("tip_W", output.tip_W);
+  visitEach("device_W", output.device_W);
+  visitEach("proxy_W", output.proxy_W);
+  visit("wallForceMax", -1, output.wallForceMax);
+  visit("membraneForce", -1, output.membraneForce);
+  visit("styletWithdrawal", -1, output.styletWithdrawal);
+  visit("residual", -1, output.residual);
+}
+
+}  // namespace perilymph::session

@@ -1,0 +1,1 @@
+#include "BadHeader.h"

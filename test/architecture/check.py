@@ -1,0 +1,27 @@
+#!/usr/bin/env python3
+"""Runs one check on the project: check.py <arrows|documents|layout|words> <root of the project>."""
+
+import importlib
+import sys
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+CHECKS = ("arrows", "documents", "layout", "words")
+
+
+def main():
+    if len(sys.argv) != 3 or sys.argv[1] not in CHECKS:
+        print(__doc__, file=sys.stderr)
+        return 2
+    wrong = importlib.import_module(f"checks.{sys.argv[1]}").check(Path(sys.argv[2]).resolve())
+    for sentence in wrong:
+        print(sentence)
+    if wrong:
+        print(f"{len(wrong)} to put right.")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,63 @@
+"""Where files may stand, what a module consists of, and how long a file may be."""
+
+from pathlib import Path
+
+from checks import sources
+
+TOP = {"CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "app", "modules", "resources",
+       "plugins", "test", "packaging"}
+MUST = {"CMakeLists.txt", "README.md", "app", "modules", "test", "packaging"}
+MOST_README_LINES = 40
+MOST_CODE_LINES = 400
+
+
+def check_top(root, wrong):
+    names = {each.name for each in root.iterdir()}
+    visible = {name for name in names if not name.startswith(".") and name not in sources.SKIPPED}
+    wrong += [f"{name} may not stand at the top level." for name in sorted(visible - TOP)]
+    wrong += [f"{name} is missing at the top level." for name in sorted(MUST - visible)]
+
+
+def check_module(root, folder, wrong):
+    name = folder.name
+    for must in ("README.md", "CMakeLists.txt", f"include/perilymph/{name}"):
+        if not (folder / must).exists():
+            wrong.append(f"modules/{name}/{must} is missing.")
+    for each in sorted(folder.iterdir()):
+        if each.name not in ("README.md", "CMakeLists.txt", "include", "src"):
+            wrong.append(f"modules/{name}/{each.name} may not stand there: a module is README.md, "
+                         f"CMakeLists.txt, include and src.")
+    public = folder / "include/perilymph"
+    if public.is_dir():
+        wrong += [f"{each.relative_to(root)} does not belong to modules/{name}."
+                  for each in sorted(public.iterdir()) if each.name != name]
+    page = folder / "README.md"
+    if page.is_file():
+        lines = len(sources.read(page).splitlines())
+        if lines > MOST_README_LINES:
+            wrong.append(f"modules/{name}/README.md has {lines} lines; at most "
+                         f"{MOST_README_LINES} are read.")
+
+
+def check_files(root, wrong):
+    for file in sources.files(root, "modules", "app", "plugins", "test",
+                              suffixes=sources.CODE | {".py"}):
+        text = sources.read(file)
+        lines = len(text.splitlines())
+        if lines > MOST_CODE_LINES:
+            wrong.append(f"{file.relative_to(root)} has {lines} lines; more than "
+                         f"{MOST_CODE_LINES} hold more than one idea.")
+        if file.suffix in (".h", ".hpp") and "#pragma once" not in text:
+            wrong.append(f"{file.relative_to(root)} lacks #pragma once.")
+
+
+def check(root):
+    root = Path(root)
+    wrong = []
+    check_top(root, wrong)
+    if (root / "modules").is_dir():
+        for folder in sorted((root / "modules").iterdir()):
+            if folder.is_dir() and folder.name not in sources.SKIPPED:
+                check_module(root, folder, wrong)
+    check_files(root, wrong)
+    return wrong

@@ -1,0 +1,62 @@
+"""Words that may not stand in the project, or only in some of its places."""
+
+import re
+from pathlib import Path
+
+from checks import sources
+
+# Written in two pieces, so that this page does not find itself.
+EVERYWHERE = {
+    r"/wo" r"rk/|/ho" r"me/\w+/|/ro" r"ot/": "a path of one machine",
+    r"-ffast-" r"math|-Of" r"ast\b": "a flag that changes results from machine to machine",
+    r"-march=nat" r"ive": "a flag that makes results depend on the building machine",
+    r"\bTO" r"DO\b|\bFIX" r"ME\b|\bXX" r"X\b": "unfinished work: finish it or write it down for its users",
+}
+DOCUMENTS = {r"(?<![\w.])/t" r"mp/": "a path of one machine"}
+
+MEMORY_ORDER = re.compile(r"\bmemory_order\w*")
+
+# The C library's transcendental functions give other bits on other machines, and Eigen's rotations
+# call them.
+ENGINE = ("anatomy", "electrode", "device", "mechanics", "haptics")
+INEXACT = re.compile(
+    r"\bstd::(?:a?(?:sin|cos|tan)h?|atan2|exp2?|expm1|log(?:2|10|1p)?|pow|hypot|cbrt|erfc?|"
+    r"[lt]gamma|fma)\s*\(|\bAngleAxis|\bEulerAngles|\bslerp\b|\.eulerAngles\b")
+
+# A test that sleeps to let something happen fails on a busy machine.
+SLEEP = re.compile(r"\bsleep_(?:for|until)\b|\bu?sleep\s*\(|\bnanosleep\b|\bqWait\b|\bqSleep\b")
+
+
+def search(root, found, pattern, reason, wrong):
+    for file, text in found:
+        for match in re.finditer(pattern, text):
+            line = text.count("\n", 0, match.start()) + 1
+            wrong.append(f"{file.relative_to(root)}:{line}: '{match.group(0)}' is {reason}.")
+
+
+def code(root, *folders):
+    return [(file, sources.without_comments(sources.read(file)))
+            for file in sources.files(root, *folders, suffixes=sources.CODE)]
+
+
+def check(root):
+    root = Path(root)
+    wrong = []
+    everything = [(file, sources.read(file)) for file in sources.files(root)]
+    for pattern, reason in EVERYWHERE.items():
+        search(root, everything, pattern, reason, wrong)
+    pages = [(file, text) for file, text in everything if file.suffix == ".md"]
+    for pattern, reason in DOCUMENTS.items():
+        search(root, pages, pattern, reason, wrong)
+
+    others = [(file, text) for file, text in code(root, "modules", "app", "plugins")
+              if not file.relative_to(root).as_posix().startswith("modules/realtime/")]
+    search(root, others, MEMORY_ORDER,
+           "named outside modules/realtime: use its channels", wrong)
+    search(root, code(root, "test"), SLEEP, "waiting by the clock: wait for what should happen",
+           wrong)
+
+    for module in ENGINE:
+        search(root, code(root, f"modules/{module}"), INEXACT,
+               "not the same bits on every machine: use perilymph/foundation/Math.h", wrong)
+    return wrong

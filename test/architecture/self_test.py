@@ -1,0 +1,235 @@
+#!/usr/bin/env python3
+"""A check that cannot fail is no check: each one meets a small project with one thing wrong."""
+
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+from checks import arrows, documents, layout, sources, words  # noqa: E402
+
+TABLES = """
+<!-- arrows -->
+| Layer | Module | May use, directly | Read first | What it knows |
+|---|---|---|---|---|
+| 0 | `ground` | - | `g.h` | words |
+| 1 | `upper` | `ground` | `u.h` | sentences |
+| 1 | `beside` | `ground` | `b.h` | others |
+| 2 | `top` | `upper` | `t.h` | stories |
+| 8 | `app/gui` | every module | `main.cpp` | the window |
+<!-- /arrows -->
+<!-- libraries -->
+| Library | Included as | Where |
+|---|---|---|
+| Qt | `Q[A-Z]*` | `app/gui` |
+| VTK | `vtk*` | `app/gui` |
+<!-- /libraries -->
+"""
+
+
+def good_project():
+    """Path -> text of a project every check is content with."""
+    project = {
+        "CMakeLists.txt": "", "packaging/run": "", "test/CMakeLists.txt": "",
+        "modules/README.md": TABLES,
+        "README.md": "# Good\n\n## The map\n\n```\napp/   what starts\n  gui  the window\n"
+                     "modules/   what it knows\n  beside  others\n  ground  words\n"
+                     "  top     stories\n  upper   sentences\n"
+                     "packaging/  how it travels\ntest/  how we know\n```\n",
+        "app/gui/main.cpp": '#include <QWidget>\n#include "perilymph/top/t.h"\n',
+    }
+    for name, uses in (("ground", ""), ("upper", "USES ground"), ("beside", "USES ground"),
+                       ("top", "USES upper")):
+        home = f"modules/{name}"
+        project[f"{home}/README.md"] = f"# {name}\n\nRead `{name[0]}.h` first.\n"
+        project[f"{home}/CMakeLists.txt"] = (
+            f'perilymph_module({name} LAYER engine\n  SUMMARY "USES (of) {name}"\n  {uses}\n'
+            f"  SOURCES src/{name[0]}.cpp)\n")
+        project[f"{home}/include/perilymph/{name}/{name[0]}.h"] = "#pragma once\n"
+        project[f"{home}/src/{name[0]}.cpp"] = f'#include "perilymph/{name}/{name[0]}.h"\n'
+    return project
+
+
+class CheckCase(unittest.TestCase):
+    def complaints(self, check, changes=()):
+        """What a check says of the good project with some files replaced (None: taken away)."""
+        project = {**good_project(), **dict(changes)}
+        with tempfile.TemporaryDirectory() as place:
+            root = Path(place).resolve()
+            for name, text in project.items():
+                if text is not None:
+                    (root / name).parent.mkdir(parents=True, exist_ok=True)
+                    (root / name).write_text(text)
+            return check(root)
+
+    def assert_found(self, check, expected, changes):
+        found = self.complaints(check, changes)
+        self.assertEqual(len(found), 1, found)
+        self.assertIn(expected, found[0])
+
+
+class GoodProject(CheckCase):
+    def test_no_check_complains_of_it(self):
+        for check in (arrows.check, documents.check, layout.check, words.check):
+            self.assertEqual(self.complaints(check), [], check.__module__)
+
+
+class Arrows(CheckCase):
+    def test_an_include_upward_is_found_with_file_and_line(self):
+        self.assert_found(arrows.check, "modules/ground/src/g.cpp:2: includes perilymph/top/t.h",
+                          {"modules/ground/src/g.cpp": '\n#include "perilymph/top/t.h"\n'})
+
+    def test_an_include_sideways_is_found(self):
+        self.assert_found(arrows.check, "no arrow to beside", {
+            "modules/upper/include/perilymph/upper/u.h": '#include "perilymph/beside/b.h"\n'})
+
+    def test_what_a_used_module_uses_comes_along(self):
+        self.assertEqual(self.complaints(arrows.check, {
+            "modules/top/src/t.cpp": '#include "perilymph/ground/g.h"\n'}), [])
+
+    def test_an_include_in_a_comment_is_none(self):
+        self.assertEqual(self.complaints(arrows.check, {
+            "modules/ground/src/g.cpp": '/*\n#include "perilymph/top/t.h"\n*/\n'
+                                        '// #include "perilymph/top/t.h"\n'}), [])
+
+    def test_uses_without_an_arrow_is_found(self):
+        self.assert_found(arrows.check, "uses beside", {
+            "modules/upper/CMakeLists.txt":
+                'perilymph_module(upper LAYER engine SUMMARY "x" USES ground beside SOURCES u.cpp)'})
+
+    def test_the_wrong_layer_is_found(self):
+        self.assert_found(arrows.check, "LAYER must be engine", {
+            "modules/upper/CMakeLists.txt":
+                'perilymph_module(upper LAYER toolkit SUMMARY "x" USES ground)'})
+
+    def test_qt_in_the_engine_is_found(self):
+        self.assert_found(arrows.check, "Qt belongs to", {
+            "modules/upper/src/u.cpp": "#include <QString>\n"})
+
+    def test_vtk_in_the_engine_is_found(self):
+        self.assert_found(arrows.check, "VTK belongs to", {
+            "modules/upper/src/u.cpp": "#  include <vtkActor.h>\n"})
+
+    def test_a_module_without_a_row_is_found(self):
+        self.assert_found(arrows.check, "modules/extra has no row", {
+            "modules/extra/CMakeLists.txt": "perilymph_module(extra LAYER engine)"})
+
+    def test_a_drawn_arrow_upward_is_found(self):
+        self.assert_found(arrows.check, "an arrow goes down", {
+            "modules/README.md": TABLES.replace("`ground` | - |", "`ground` | `top` |")})
+
+    def test_a_page_without_its_table_is_found(self):
+        self.assert_found(arrows.check, "no table of arrows", {"modules/README.md": "# Modules\n"})
+
+
+class Documents(CheckCase):
+    def test_a_dead_link_is_found(self):
+        self.assert_found(documents.check, "README.md:3: links to gone.md", {
+            "modules/top/README.md": "# top\n\n[see](gone.md)\n"})
+
+    def test_a_dead_picture_is_found(self):
+        self.assert_found(documents.check, "links to gone.png", {
+            "modules/top/README.md": "![window](gone.png)\n"})
+
+    def test_a_path_that_does_not_exist_is_found(self):
+        self.assert_found(documents.check, "names modules/gone/gone.h", {
+            "modules/top/README.md": "Read `modules/gone/gone.h`.\n"})
+
+    def test_a_file_name_that_nobody_bears_is_found(self):
+        self.assert_found(documents.check, "names gone.cpp", {
+            "modules/top/README.md": "Read `gone.cpp`.\n"})
+
+    def test_units_and_names_with_slashes_are_no_paths(self):
+        self.assertEqual(self.complaints(documents.check, {
+            "modules/top/README.md": "`mm/s`, `N/m`, `tick/rod/nodes:100`, `build/dev/bin/x`, "
+                                     "`perilymph/top/t.h`, [net](https://example.org/a.md)\n"}), [])
+
+    def test_a_folder_missing_on_the_map_is_found(self):
+        self.assert_found(documents.check, "does not show modules/extra", {"modules/extra/x": ""})
+
+    def test_a_folder_only_on_the_map_is_found(self):
+        page = good_project()["README.md"].replace("  upper ", "  attic  dust\n  upper ")
+        self.assert_found(documents.check, "shows modules/attic, which does not exist",
+                          {"README.md": page})
+
+
+class Layout(CheckCase):
+    def test_a_stray_file_at_the_top_is_found(self):
+        self.assert_found(layout.check, "notes.txt may not stand", {"notes.txt": ""})
+
+    def test_a_module_without_its_page_is_found(self):
+        self.assert_found(layout.check, "modules/top/README.md is missing",
+                          {"modules/top/README.md": None})
+
+    def test_a_page_of_41_lines_is_found(self):
+        self.assert_found(layout.check, "has 41 lines", {"modules/top/README.md": "line\n" * 41})
+
+    def test_a_stray_file_in_a_module_is_found(self):
+        self.assert_found(layout.check, "modules/top/notes.txt may not stand",
+                          {"modules/top/notes.txt": ""})
+
+    def test_headers_of_another_name_are_found(self):
+        self.assert_found(layout.check, "does not belong to modules/top",
+                          {"modules/top/include/perilymph/other/o.h": "#pragma once\n"})
+
+    def test_a_file_of_401_lines_is_found(self):
+        self.assert_found(layout.check, "has 401 lines", {"modules/top/src/t.cpp": "\n" * 401})
+
+    def test_a_header_without_its_guard_is_found(self):
+        self.assert_found(layout.check, "lacks #pragma once",
+                          {"modules/top/include/perilymph/top/t.h": "\n"})
+
+
+class Words(CheckCase):
+    def test_machine_paths_are_found(self):
+        for path in ("/wo" "rk/shared", "/ho" "me/ann/file"):
+            self.assert_found(words.check, "a path of one machine",
+                              {"modules/top/src/t.cpp": f'\nopen("{path}");\n'})
+
+    def test_temporary_paths_in_documents_are_found(self):
+        self.assert_found(words.check, "a path of one machine",
+                          {"modules/top/README.md": "see /t" "mp/x\n"})
+
+    def test_unsafe_math_flags_are_found(self):
+        self.assert_found(words.check, "a flag that changes results",
+                          {"CMakeLists.txt": "add_compile_options(-ffast-" "math)\n"})
+
+    def test_unfinished_work_is_found(self):
+        self.assert_found(words.check, "unfinished work",
+                          {"modules/top/src/t.cpp": "// TO" "DO: think\n"})
+
+    def test_memory_orders_outside_realtime_are_found(self):
+        self.assert_found(words.check, "t.cpp:2: 'memory_order_relaxed'",
+                          {"modules/top/src/t.cpp": "\nx.load(std::memory_order_relaxed);\n"})
+
+    def test_memory_orders_inside_realtime_are_none_of_this(self):
+        self.assertEqual(self.complaints(words.check, {
+            "modules/realtime/src/r.cpp": "x.load(std::memory_order_relaxed);\n"}), [])
+
+    def test_sines_of_the_c_library_in_the_engine_are_found(self):
+        for call in ("std::sin(x)", "std::atan2(y, x)", "Eigen::AngleAxisd(a, z)"):
+            self.assert_found(words.check, "not the same bits",
+                              {"modules/mechanics/src/m.cpp": f"y = {call};\n"})
+
+    def test_exact_functions_in_the_engine_are_welcome(self):
+        self.assertEqual(self.complaints(words.check, {
+            "modules/mechanics/src/m.cpp": "y = std::sqrt(x) + std::abs(x); // not std::sin(x)\n"}),
+            [])
+
+    def test_sleeping_tests_are_found(self):
+        self.assert_found(words.check, "waiting by the clock", {
+            "test/unit/t.cpp": "std::this_thread::sleep_for(1s);\n"})
+
+
+class Sources(unittest.TestCase):
+    def test_comments_and_texts_are_blanked_and_lines_kept(self):
+        text = 'a /* b\n */ "c // d" // e\nf R"x(g\n// h)x" i'
+        self.assertEqual(sources.without_comments(text).split(), ["a", "f", "i"])
+        self.assertEqual(sources.without_comments(text).count("\n"), text.count("\n"))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -5,6 +5,7 @@
 #include <vtkContextScene.h>
 #include <vtkObjectFactory.h>
 #include <vtkPen.h>
+#include <vtkStdString.h>
 #include <vtkTextProperty.h>
 
 #include <algorithm>
@@ -55,7 +56,7 @@ bool ScaleBars::Paint(vtkContext2D* painter)
   return true;
 }
 
-void ScaleBars::setText(vtkContext2D& painter, int justification) const
+void ScaleBars::setText(vtkContext2D& painter, int justification)
 {
   vtkTextProperty& text = *painter.GetTextProp();
   charts::setTypeface(text);
@@ -67,7 +68,7 @@ void ScaleBars::setText(vtkContext2D& painter, int justification) const
   text.SetVerticalJustificationToCentered();
 }
 
-void ScaleBars::paintLength(vtkContext2D& painter) const
+void ScaleBars::paintLength(vtkContext2D& painter)
 {
   const float length = static_cast<float>(std::round(barLength_mm() / pixel_mm));
   const float scale = static_cast<float>(pixelRatio);
@@ -84,7 +85,7 @@ void ScaleBars::paintLength(vtkContext2D& painter) const
   painter.DrawString(right - 0.5f * length, y + 16.0f * scale, rounded(barLength_mm()) + " mm");
 }
 
-void ScaleBars::paintForce(vtkContext2D& painter) const
+void ScaleBars::paintForce(vtkContext2D& painter)
 {
   const float scale = static_cast<float>(pixelRatio);
   const float left = static_cast<float>(margin_px) * scale;

@@ -29,9 +29,9 @@ protected:
   ~ScaleBars() override = default;
 
 private:
-  void paintLength(vtkContext2D& painter) const;
-  void paintForce(vtkContext2D& painter) const;
-  void setText(vtkContext2D& painter, int justification) const;
+  void paintLength(vtkContext2D& painter);
+  void paintForce(vtkContext2D& painter);
+  void setText(vtkContext2D& painter, int justification);
 };
 
 }  // namespace perilymph::visualization

@@ -20,7 +20,8 @@ constexpr int size = 512;
 /// A fixed pattern of -0.5 to 0.5, so that the slow gradient shows no bands.
 double dither(int x, int y)
 {
-  std::uint32_t state = static_cast<std::uint32_t>(x * 374761393 + y * 668265263);
+  std::uint32_t state =
+      static_cast<std::uint32_t>(x) * 374761393u + static_cast<std::uint32_t>(y) * 668265263u;
   state = (state ^ (state >> 13)) * 1274126177u;
   return static_cast<double>((state ^ (state >> 16)) & 0xFFFFu) / 65535.0 - 0.5;
 }

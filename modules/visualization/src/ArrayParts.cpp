@@ -14,6 +14,7 @@ namespace {
 constexpr int sides = 24;  ///< Of tube, ribs and stylet.
 constexpr double ringSpacing_mm = 0.12;
 constexpr int capRings = 6;
+constexpr double leadStub_mm = 1.4;
 constexpr double siliconeOpacity = 0.88;  ///< So that the stylet shines through.
 
 // Contacts: half-bands on the inner side, a little over the silicone, with a light rim.
@@ -82,6 +83,9 @@ void ArrayParts::planTube()
     const double fromTip_mm = tipRadius_mm_ + (length_mm - tipRadius_mm_) * i / count;
     tubeRings_.push_back({fromTip_mm, radius_mm(fromTip_mm), 0.0});
   }
+  // behind the tweezers the lead goes on a little and ends flat
+  tubeRings_.push_back({length_mm + leadStub_mm, radius_mm(length_mm), 0.0});
+  tubeRings_.push_back({length_mm + leadStub_mm, 1e-4, -1.0});
   const int rings = static_cast<int>(tubeRings_.size());
   tube_.shape(rings * sides, ringTriangles(rings, sides, true));
   tube_.paint(withOpacity(palette::silicone, siliconeOpacity));

@@ -2,11 +2,24 @@
 
 // The quiet ground of the operation view: dark, a little lighter in the middle.
 
-class vtkRenderer;
+#include "Mesh.h"
+#include "PictureSpace.h"
 
 namespace perilymph::visualization {
 
-/// Gives the renderer its background.
-void setBackdrop(vtkRenderer& renderer);
+/// A plane far behind the scene that fills the picture. Colored at its points: a texture of the
+/// whole picture costs a CPU several times as much.
+class Backdrop {
+public:
+  Backdrop();
+
+  /// Fills a picture of this size [mm] whose middle lies at `center`.
+  void place(const ViewFrame& view, const Eigen::Vector3d& center, double width_mm,
+             double height_mm);
+  vtkActor& actor() { return mesh_.actor(); }
+
+private:
+  Mesh mesh_{Mesh::Coloring::perPoint};
+};
 
 }  // namespace perilymph::visualization

@@ -17,7 +17,7 @@ constexpr double followTimeConstant_s = 0.15;
 
 constexpr double surgeonMagnification = 10.0;
 constexpr double microscopeMagnification = 16.0;
-constexpr double overviewMagnification = 6.0;
+constexpr double overviewMagnification = 8.0;
 constexpr double followMagnification = 24.0;
 constexpr double sectionMagnification = 14.0;
 
@@ -65,7 +65,7 @@ CameraPose rightEarPose(CameraPreset preset, const CameraSubject& subject,
       const double rise = degrees(overviewElevation_deg).si();
       const Eigen::Vector3d aside = (subject.out + 1.2 * subject.outward).normalized();
       const Eigen::Vector3d back = std::cos(rise) * aside + std::sin(rise) * apex;
-      return {looking(back, apex), middle + 3.0 * subject.out, overviewMagnification};
+      return {looking(back, apex), middle + 2.5 * subject.out, overviewMagnification};
     }
     case CameraPreset::section:
       return {looking(-Eigen::Vector3d::UnitY(), apex), middle, sectionMagnification};

@@ -10,9 +10,9 @@
 namespace perilymph::visualization {
 namespace {
 
-constexpr double glowHalfWidth_mm = 0.26;
-constexpr double leastShown_mN = 0.3;  ///< Below this an arrow is only a speck.
-constexpr double longestArrow_mm = 2.5;
+constexpr double glowRadius_mm = 0.24;
+constexpr double leastShown_mN = 2.0;  ///< Below this an arrow is only a speck.
+constexpr double longestArrow_mm = 2.0;
 constexpr double arrowLift_mm = 2.5;  ///< Over array and outline.
 
 }  // namespace
@@ -58,15 +58,12 @@ void ContactMarks::build(const ContactField& field, const ArrayParts& array, con
 void ContactMarks::buildGlow(const ContactField& field, const ViewFrame& view)
 {
   glow_.clear();
-  bool isOpen = false;
   for (const ContactStation& station : field.stations()) {
-    if (station.force_mN_mm <= 0.0) {
-      isOpen = false;
-      continue;
-    }
-    if (!isOpen) glow_.begin(LineEdge::glow);
-    isOpen = true;
-    glow_.add({station.wall, forceColor(station.force_mN_mm), glowHalfWidth_mm});
+    if (station.force_mN_mm <= 0.0) continue;
+    // Dots overlap: with this opacity each, together they come near the map's.
+    Rgba color = forceColor(station.force_mN_mm);
+    color[3] = static_cast<unsigned char>(0.42 * color[3]);
+    glow_.add(station.wall, color, glowRadius_mm);
   }
   glow_.build(view, 0.05);
 }

@@ -3,6 +3,7 @@
 // What the eye gets of a contact: a glow along the wall and arrows of the wall's force.
 
 #include "ContactField.h"
+#include "SoftDots.h"
 #include "SoftLines.h"
 
 class vtkRenderer;
@@ -13,7 +14,7 @@ namespace perilymph::visualization {
 class ContactMarks {
 public:
   /// Length of an arrow for one millinewton.
-  static constexpr double arrow_mm_mN = 0.06;
+  static constexpr double arrow_mm_mN = 0.025;
   /// One arrow stands for the force on this length of array.
   static constexpr double arrowEvery_mm = 1.0;
 
@@ -30,7 +31,8 @@ private:
   void addArrow(const Eigen::Vector3d& from, const Eigen::Vector3d& force_mN,
                 const ViewFrame& view);
 
-  SoftLines glow_, arrows_;
+  SoftDots glow_;
+  SoftLines arrows_;
   int arrowCount_ = 0;
 };
 

@@ -7,9 +7,9 @@
 namespace perilymph::visualization {
 
 /// Force of the wall on one millimeter of array at which the map ends [mN/mm]. Fixed, so that
-/// pictures of different insertions compare. About what the published contact springs give where a
-/// stiff array is bent by the basal turn.
-inline constexpr double mostWallForce_mN_mm = 20.0;
+/// pictures of different insertions compare. The greatest that the published array in the published
+/// anatomy has behind its tip.
+inline constexpr double mostWallForce_mN_mm = 50.0;
 
 /// Color and opacity for a force per length; the end of the map beyond its end.
 Rgba forceColor(double force_mN_mm);

@@ -59,6 +59,7 @@ struct InsertionScene::Content {
   ArrayPath path;
   ContactField field;
   ContactMarks marks;
+  Backdrop backdrop;
   CameraSubject subject;
   CameraPath camera;
   CameraPreset preset = CameraPreset::surgeon;
@@ -73,6 +74,8 @@ struct InsertionScene::Content {
   std::array<bool, partCount> isVisible;
   double pixelRatio = 1.0;
   ViewFrame preparedView{.pixel_mm = 0.0};
+  Eigen::Vector3d preparedFocus = Eigen::Vector3d::Zero();
+  int preparedWidth = 0;
   bool arrayMoved = true;
 };
 
@@ -105,10 +108,11 @@ InsertionScene::Content::Content(const anatomy::ScalaTympani& scala,
 
 void InsertionScene::Content::addActors(Quality quality)
 {
-  setBackdrop(*renderer);
+  renderer->SetBackground(palette::ground[0] / 255.0, palette::ground[1] / 255.0,
+                          palette::ground[2] / 255.0);
+  renderer->AddActor(&backdrop.actor());
   renderer->AutomaticLightCreationOff();
-  addLight(*renderer, -0.6, 0.9, 1.2, 0.95);  // key, from above left
-  addLight(*renderer, 0.9, -0.4, 0.8, 0.30);  // fill
+  addLight(*renderer, -0.5, 0.75, 1.0, 1.0);  // one key light, from above left
   renderer->GetCullers()->RemoveAllItems();   // a dozen actors, always in sight
 
   // Solid things first; then what is translucent, from the far side to the near one.
@@ -169,10 +173,17 @@ void InsertionScene::Content::prepare()
   const Eigen::Matrix3d axes = camera.pose().axes.toRotationMatrix();
   const double pixel_mm = fieldHeight_mm / camera.pose().magnification / height;
   const ViewFrame view{axes.col(0), axes.col(1), axes.col(2), pixel_mm * pixelRatio};
-  const bool viewChanged = !(view == preparedView);
+  const Eigen::Vector3d focus = camera.pose().focus;
+  const int width = renderer->GetSize()[0];
+  const bool viewChanged =
+      !(view == preparedView) || focus != preparedFocus || width != preparedWidth;
   if (!viewChanged && !arrayMoved) return;
 
-  if (viewChanged) scalaParts.lookFrom(view);
+  if (viewChanged) {
+    scalaParts.lookFrom(view);
+    backdrop.place(view, focus - 0.9 * cameraDistance_mm * view.back, pixel_mm * width,
+                   pixel_mm * height);
+  }
   if (!path.isEmpty()) {
     arrayParts.lookFrom(view);
     marks.build(field, arrayParts, view);
@@ -180,6 +191,8 @@ void InsertionScene::Content::prepare()
   bars->pixel_mm = pixel_mm;
   bars->pixelRatio = pixelRatio;
   preparedView = view;
+  preparedFocus = focus;
+  preparedWidth = width;
   arrayMoved = false;
 }
 

@@ -3,7 +3,6 @@
 #include <vtkActor.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
-#include <vtkShaderProperty.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,34 +13,24 @@
 namespace perilymph::visualization {
 namespace {
 
-constexpr int mostTriangles = 20000;
+constexpr int mostTriangles = 16000;
 constexpr double patchReach_mm = 0.45;  ///< Of a contact's color on the wall.
 constexpr double shortestEdge_mm = 1.0;
 constexpr double edgeOpacity = 0.9;
+// A thin shell shows least where it faces the viewer and most where it turns away.
+constexpr double facingOpacity = 0.07, turnedOpacity = 0.46;
+constexpr double ambient = 0.42, diffuse = 0.58;
+constexpr double keyLight[] = {-0.5, 0.75};  ///< To the right and up, for one toward the viewer.
 constexpr double membraneOpacity = 0.42;
 
-/// A shell shows most where it turns away: opacity from the angle between normal and view. A
-/// point's own opacity is how much of it a force colors.
-void makeShell(vtkActor& actor, double facing, double turned)
+/// Puts a force's color over the shell's.
+Rgba over(const Rgba& shell, const Rgba& force)
 {
-  const std::string opacity =
-      "float turn = 1.0 - abs(normalVCVSOutput.z);\n"
-      "  float shell = mix(" +
-      std::to_string(facing) + ", " + std::to_string(turned) +
-      ", turn * turn * turn);\n"
-      "  opacity = max(shell, opacity);\n";
-  actor.GetShaderProperty()->AddFragmentShaderReplacement(
-      "//VTK::Light::Impl", true, opacity + "  //VTK::Light::Impl\n", false);
-  actor.ForceTranslucentOn();
-}
-
-/// A color on bone: faint forces only tint it.
-Rgba overBone(const Rgba& color)
-{
-  Rgba mixed = color;
+  const double cover = force[3] / 255.0;
+  Rgba mixed = shell;
   for (std::size_t i = 0; i < 3; ++i)
-    mixed[i] = static_cast<unsigned char>(
-        (color[i] * color[3] + palette::bone[i] * (255 - color[3])) / 255);
+    mixed[i] = static_cast<unsigned char>(shell[i] + cover * (force[i] - shell[i]));
+  mixed[3] = std::max(shell[3], force[3]);
   return mixed;
 }
 
@@ -98,8 +87,8 @@ void ScalaParts::plan(const anatomy::ScalaTympani& scala, const PictureSpace& sp
   places_ = placesOf(surface, space);
   const std::vector<Eigen::Vector3d> normals = pointNormals(places_, triangles);
   fill(wall_, places_, normals, triangles);
-  for (int i = 0; i < wall_.points(); ++i) wall_.setColor(i, withOpacity(palette::bone, 0.0));
-  wall_.colorsChanged();
+  normals_ = normals;
+  shell_.assign(places_.size(), withOpacity(palette::bone, facingOpacity));
   force_mN_mm_.assign(places_.size(), 0.0f);
 
   low_ = high_ = places_.front();
@@ -110,14 +99,14 @@ void ScalaParts::plan(const anatomy::ScalaTympani& scala, const PictureSpace& sp
   silhouette_.emplace(places_, normals, triangles);
   rims_ = silhouette_->rims();
 
+  // Lit here, once a view, instead of at every pixel: half the time of a frame on a CPU.
   vtkActor& farWall = wall_.actor();
-  farWall.GetProperty()->SetAmbient(0.45);
-  farWall.GetProperty()->SetDiffuse(0.6);
+  farWall.GetProperty()->LightingOff();
+  farWall.ForceTranslucentOn();
   nearWall_ = wall_.anotherActor();
+  nearWall_->ForceTranslucentOn();
   farWall.GetProperty()->FrontfaceCullingOn();
   nearWall_->GetProperty()->BackfaceCullingOn();
-  makeShell(farWall, 0.10, 0.40);
-  makeShell(*nearWall_, 0.06, 0.45);
 }
 
 void ScalaParts::planMembrane(const anatomy::ScalaTympani& scala, const PictureSpace& space)
@@ -128,8 +117,7 @@ void ScalaParts::planMembrane(const anatomy::ScalaTympani& scala, const PictureS
   const std::vector<Eigen::Vector3d> normals = pointNormals(places, triangles);
   fill(membrane_, places, normals, triangles);
   membrane_.paint(withOpacity(palette::membrane, membraneOpacity));
-  membrane_.actor().GetProperty()->SetAmbient(0.6);
-  membrane_.actor().GetProperty()->SetDiffuse(0.4);
+  membrane_.actor().GetProperty()->LightingOff();
   membraneRims_ = Silhouette(places, normals, triangles).rims();
 }
 
@@ -156,11 +144,42 @@ void ScalaParts::setVisible(bool wall, bool membrane)
   membraneEdges_.actor().SetVisibility(membrane);
 }
 
+void ScalaParts::light(const ViewFrame& view)
+{
+  const Eigen::Vector3d key =
+      (view.back + keyLight[0] * view.right + keyLight[1] * view.up).normalized();
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    // the side that is seen, inner or outer
+    const double facing = normals_[i].dot(view.back);
+    const double lit = facing < 0.0 ? -normals_[i].dot(key) : normals_[i].dot(key);
+    const double light = ambient + diffuse * std::max(0.0, lit);
+    const double turn = 1.0 - std::abs(facing);
+    Rgba color = withOpacity(palette::bone,
+                             facingOpacity + (turnedOpacity - facingOpacity) * turn * turn * turn);
+    for (std::size_t k = 0; k < 3; ++k) color[k] = static_cast<unsigned char>(light * color[k]);
+    shell_[i] = color;
+    wall_.setColor(static_cast<int>(i), color);
+  }
+  for (const int index : touched_) paintTouched(index);
+  wall_.colorsChanged();
+}
+
+void ScalaParts::paintTouched(int index)
+{
+  const std::size_t i = static_cast<std::size_t>(index);
+  wall_.setColor(index, over(shell_[i], forceColor(force_mN_mm_[i])));
+}
+
 void ScalaParts::lookFrom(const ViewFrame& view)
 {
+  if (view.back != litFrom_.back || view.up != litFrom_.up) {
+    light(view);
+    silhouettes_ = silhouette_->lines(view.back, shortestEdge_mm);
+    litFrom_ = view;
+  }
   edges_.clear();
   const Rgba color = withOpacity(palette::bone, edgeOpacity);
-  addAll(edges_, silhouette_->lines(view.back, shortestEdge_mm), color, 0.8 * view.pixel_mm);
+  addAll(edges_, silhouettes_, color, 0.8 * view.pixel_mm);
   addAll(edges_, rims_, color, 0.8 * view.pixel_mm);
   edges_.build(view, 0.02);
 
@@ -185,7 +204,7 @@ void ScalaParts::color(const ContactField& field)
   if (!field.isTouching() && touched_.empty()) return;
   for (const int index : touched_) {
     force_mN_mm_[static_cast<std::size_t>(index)] = 0.0f;
-    wall_.setColor(index, withOpacity(palette::bone, 0.0));
+    wall_.setColor(index, shell_[static_cast<std::size_t>(index)]);
   }
   touched_.clear();
 
@@ -211,8 +230,7 @@ void ScalaParts::color(const ContactField& field)
       }
     }
   }
-  for (const int index : touched_)
-    wall_.setColor(index, overBone(forceColor(force_mN_mm_[static_cast<std::size_t>(index)])));
+  for (const int index : touched_) paintTouched(index);
   wall_.colorsChanged();
 }
 

@@ -39,6 +39,8 @@ public:
 private:
   void plan(const anatomy::ScalaTympani& scala, const PictureSpace& space);
   void planMembrane(const anatomy::ScalaTympani& scala, const PictureSpace& space);
+  void light(const ViewFrame& view);
+  void paintTouched(int index);
   void sortIntoBins();
   long bin(int x, int y, int z) const;
 
@@ -47,7 +49,10 @@ private:
   vtkSmartPointer<vtkActor> nearWall_;
   SoftLines edges_, membraneEdges_;
   std::optional<Silhouette> silhouette_;
-  std::vector<Polyline> rims_, membraneRims_;
+  std::vector<Polyline> silhouettes_, rims_, membraneRims_;
+  ViewFrame litFrom_{.back = Eigen::Vector3d::Zero()};  ///< None yet.
+  std::vector<Eigen::Vector3d> normals_;
+  std::vector<Rgba> shell_;  ///< Color of each point where nothing touches.
   Eigen::Vector3d low_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d high_ = Eigen::Vector3d::Zero();
 

@@ -34,11 +34,11 @@ Tweezers::Tweezers(double heldAt_mm) : heldAt_mm_(heldAt_mm)
     for (int k = 0; k < sides; ++k) {
       const int a = i * sides + k;
       const int b = i * sides + (k + 1) % sides;
-      triangles.push_back({a, a + sides, b});
-      triangles.push_back({b, a + sides, b + sides});
+      triangles.push_back({a, b, a + sides});
+      triangles.push_back({b, b + sides, a + sides});
     }
   // the tip of the jaw is closed by a fan
-  for (int k = 1; k + 1 < sides; ++k) triangles.push_back({0, k, k + 1});
+  for (int k = 1; k + 1 < sides; ++k) triangles.push_back({0, k + 1, k});
   for (Mesh& jaw : jaws_) {
     jaw.shape(stationCount * sides, triangles);
     jaw.paint(palette::steel);

@@ -26,7 +26,7 @@ std::set<std::filesystem::path> sessions()
   std::set<std::filesystem::path> files;
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(sessionFolder(), ignored))
-    files.insert(entry.path());
+    if (entry.path().extension() == ".insertion") files.insert(entry.path());
   return files;
 }
 

@@ -95,11 +95,29 @@ std::string ScenarioKeys::text(const char* key, const std::string& fallback)
 
 void ScenarioKeys::notePatient(const anatomy::Patient& patient)
 {
-  text_ += "\n[patient_numbers]\n";
-  note("label", tomlText(patient.label));
-  note("st_length_mm", tomlNumber(exactMillimeters(patient.scalaTympaniLength)));
-  note("rw_width_mm", tomlNumber(exactMillimeters(patient.roundWindowWidth)));
-  note("rw_height_mm", tomlNumber(exactMillimeters(patient.roundWindowHeight)));
+  note("patient_numbers.label", tomlText(patient.label));
+  note("patient_numbers.st_length_mm", tomlNumber(exactMillimeters(patient.scalaTympaniLength)));
+  note("patient_numbers.rw_width_mm", tomlNumber(exactMillimeters(patient.roundWindowWidth)));
+  note("patient_numbers.rw_height_mm", tomlNumber(exactMillimeters(patient.roundWindowHeight)));
+}
+
+std::string ScenarioKeys::asToml() const
+{
+  // Keys of the file itself first: what follows the head of a table belongs to it.
+  std::string own, tables, table;
+  for (const auto& [key, value] : values_) {
+    const std::size_t dot = key.find('.');
+    if (dot == std::string::npos) {
+      own += key + " = " + value + '\n';
+      continue;
+    }
+    if (key.substr(0, dot) != table) {
+      table = key.substr(0, dot);
+      tables += "\n[" + table + "]\n";
+    }
+    tables += key.substr(dot + 1) + " = " + value + '\n';
+  }
+  return own + tables;
 }
 
 }  // namespace perilymph::session

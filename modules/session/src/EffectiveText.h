@@ -4,6 +4,8 @@
 // again gives the same bits.
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/foundation/TomlReader.h"
@@ -30,15 +32,18 @@ public:
   std::string text(const char* key, const std::string& fallback);
 
   /// Adds a value that was not read from a key of the same name.
-  void note(const char* key, const std::string& toml) { text_ += key + (" = " + toml) + '\n'; }
-  /// Adds the patient's three numbers; a table, so nothing else may follow.
+  void note(const std::string& key, const std::string& toml) { values_.emplace_back(key, toml); }
+  /// Adds the patient's three numbers, a table of their own.
   void notePatient(const anatomy::Patient& patient);
 
-  const std::string& effectiveText() const { return text_; }
+  /// Keys and values in their order; keys of a table wear its name: "table.key".
+  const std::vector<std::pair<std::string, std::string>>& values() const { return values_; }
+  /// The same as TOML.
+  std::string asToml() const;
 
 private:
   TomlReader& reader_;
-  std::string text_;
+  std::vector<std::pair<std::string, std::string>> values_;
 };
 
 }  // namespace perilymph::session

@@ -237,7 +237,8 @@ Result<Scenario> readScenario(TomlReader& reader, const std::string& name, const
 
   keys.note("array_fingerprint", tomlText(scenario.arrayFingerprint));
   keys.notePatient(scenario.patient);
-  scenario.text = keys.effectiveText();
+  scenario.values = keys.values();
+  scenario.text = keys.asToml();
   return scenario;
 }
 

@@ -1,0 +1,43 @@
+#pragma once
+
+// What a surgeon reads off a cochlea, measured from the lumen the mechanics uses.
+
+#include <string>
+#include <vector>
+
+#include "perilymph/anatomy/ScalaTympani.h"
+#include "perilymph/foundation/Units.h"
+
+namespace perilymph::analysis {
+
+/// One measure with the way it was found.
+struct Measure {
+  std::string key;  ///< With its unit: "A_mm".
+  double value;     ///< In that unit.
+  std::string formula;
+  std::string source;  ///< Of the definition or the formula.
+};
+
+/// Measures a scala tympani without its lead-in: A, B, H, turns, lengths, volume, heights, the
+/// section at the round window. Lengths are those of polylines with a point every quarter of a
+/// degree.
+std::vector<Measure> measure(const anatomy::ScalaTympani& scala);
+
+/// One section in a half-plane through the modiolar axis, as numbers for a table.
+struct SectionRow {
+  double angle;  ///< From the round window [rad].
+  anatomy::Section section;
+  double outerWallLength;  ///< Along the outer wall from the round window [m].
+  double centerLength;     ///< Along the sections' centers [m].
+  double innerWallLength;  ///< Along the inner wall [m].
+};
+
+/// Sections at equal angles from the round window to the apex.
+///
+/// @param most  The greatest angle between two sections; made smaller to end at the apex.
+std::vector<SectionRow> sectionRows(const anatomy::ScalaTympani& scala, Angle most);
+
+/// "angle_deg,center_r_mm,...\n" and a row per section.
+std::string sectionsCsv(const std::vector<SectionRow>& rows);
+
+}  // namespace perilymph::analysis

@@ -1,0 +1,216 @@
+#include "perilymph/analysis/AnatomyMeasures.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <functional>
+
+#include "perilymph/foundation/Math.h"
+
+namespace perilymph::analysis {
+
+namespace {
+
+/// Radius from the axis and height of a path at an angle [m].
+struct PathPoint {
+  double radius, height;
+};
+using Path = std::function<PathPoint(double angle)>;
+
+/// Length of a polyline along a path [m].
+double lengthOf(const Path& path, double last, int pieces)
+{
+  const auto place = [&](int i) -> Eigen::Vector3d {
+    const double angle = last * i / pieces;
+    const PathPoint point = path(angle);
+    const SineCosine turn = sineCosine(angle);
+    return {point.radius * turn.cosine, point.radius * turn.sine, point.height};
+  };
+  double length = 0.0;
+  Eigen::Vector3d before = place(0);
+  for (int i = 1; i <= pieces; ++i) {
+    const Eigen::Vector3d now = place(i);
+    length += (now - before).norm();
+    before = now;
+  }
+  return length;
+}
+
+int piecesOver(double angle)
+{
+  return std::max(1, static_cast<int>(std::ceil(inDegrees(radians(angle)) * 4.0)));
+}
+
+Path outerWall(const anatomy::ScalaTympani& scala)
+{
+  return [&scala](double angle) {
+    const Eigen::Vector3d wall = scala.wall_W(angle, 0.0);
+    return PathPoint{std::sqrt(wall.x() * wall.x() + wall.y() * wall.y()), wall.z()};
+  };
+}
+
+/// The organ-of-Corti path in the plan, straight lines between the tables.
+Path organOfCortiPlan(const anatomy::ScalaTympani& scala)
+{
+  return [&scala](double angle) {
+    const std::vector<double>& plan = scala.tables().planRadius;
+    const double place = angle / scala.tables().step;
+    const auto i = std::min(static_cast<std::size_t>(place), plan.size() - 2);
+    const double share = place - static_cast<double>(i);
+    return PathPoint{plan[i] + share * (plan[i + 1] - plan[i]), 0.0};
+  };
+}
+
+/// Integral of r over the area of the section at an angle [m^3]: what it sweeps per radian.
+double sweptPerRadian(const anatomy::ScalaTympani& scala, double angle)
+{
+  constexpr int corners = 360;
+  double sum = 0.0;
+  PathPoint before{};
+  for (int k = 0; k <= corners; ++k) {
+    const Eigen::Vector3d wall = scala.wall_W(angle, 2.0 * pi * k / corners);
+    const PathPoint now{std::sqrt(wall.x() * wall.x() + wall.y() * wall.y()), wall.z()};
+    // Green: the integral of r over an area is that of r^2/2 dz around it.
+    if (k > 0)
+      sum +=
+          (now.height - before.height) *
+          (before.radius * before.radius + before.radius * now.radius + now.radius * now.radius) /
+          6.0;
+    before = now;
+  }
+  return sum;
+}
+
+/// Simpson's rule over the angle.
+double volume(const anatomy::ScalaTympani& scala)
+{
+  const double last = scala.lastAngle().si();
+  const int pieces = 2 * std::max(1, static_cast<int>(std::ceil(inDegrees(radians(last)) / 2.0)));
+  double sum = 0.0;
+  for (int i = 0; i <= pieces; ++i) {
+    const double weight = i == 0 || i == pieces ? 1.0 : (i % 2 == 1 ? 4.0 : 2.0);
+    sum += weight * sweptPerRadian(scala, last * i / pieces);
+  }
+  return sum * last / (3.0 * pieces);
+}
+
+}  // namespace
+
+std::vector<Measure> measure(const anatomy::ScalaTympani& scala)
+{
+  const double last = scala.lastAngle().si();
+  const auto mm = [](double length) { return inMillimeters(meters(length)); };
+  const auto outer_mm = [&](double angle_deg) {
+    return mm(scala.section(degrees(angle_deg).si()).outerRadius);
+  };
+  const double a_mm = outer_mm(0) + outer_mm(180);
+  const double b_mm = outer_mm(90) + outer_mm(270);
+
+  const anatomy::Section first = scala.section(0.0);
+  double floor = first.floorHeight, roof = first.roofHeight;
+  double lowest = first.centerHeight, highest = first.centerHeight;
+  for (const SectionRow& row : sectionRows(scala, degrees(1))) {
+    floor = std::min(floor, row.section.floorHeight);
+    roof = std::max(roof, row.section.roofHeight);
+    lowest = std::min(lowest, row.section.centerHeight);
+    highest = std::max(highest, row.section.centerHeight);
+  }
+  const double turn = std::min(2.0 * pi, last);
+  const std::string own = "measured from the lumen of this model";
+  return {{"A_mm", a_mm, "outer wall radius at 0 deg + at 180 deg",
+           own + "; A as in clinical planning, from the round window through the modiolus to the "
+                 "far wall"},
+          {"B_mm", b_mm, "outer wall radius at 90 deg + at 270 deg",
+           own + "; B as in clinical planning, across A through the modiolus"},
+          {"H_mm", mm(roof - floor), "highest roof - lowest floor along the modiolar axis", own},
+          {"turns", inDegrees(radians(last)) / 360.0, "angle of the last section / 360 deg", own},
+          {"st_length_mm", mm(lengthOf(organOfCortiPlan(scala), last, piecesOver(last))),
+           "length of the organ-of-Corti path in the plan, round window to apex",
+           own + "; definition of Todd and Naghdy, section II.B"},
+          {"cdl_oc_mm", 4.16 * a_mm - 4.0, "4.16 A - 4", "Alexiades 2015, Otol Neurotol 36:904"},
+          {"outer_wall_length_360_mm", mm(lengthOf(outerWall(scala), turn, piecesOver(turn))),
+           "length of the outer wall, 0 to 360 deg", own},
+          {"outer_wall_length_mm", mm(lengthOf(outerWall(scala), last, piecesOver(last))),
+           "length of the outer wall, 0 deg to the last section", own},
+          {"volume_mm3", volume(scala) * 1e9,
+           "integral of r over each section's area and over the angle (Pappus), 0 deg to the last "
+           "section",
+           own},
+          {"axial_height_mm", mm(highest - lowest), "highest - lowest center of a section", own},
+          {"rw_width_mm", mm(first.outerRadius - first.innerRadius),
+           "outer - inner wall radius of the section at 0 deg", own},
+          {"rw_height_mm", mm(first.roofHeight - first.floorHeight),
+           "roof - floor of the section at 0 deg", own}};
+}
+
+std::vector<SectionRow> sectionRows(const anatomy::ScalaTympani& scala, Angle most)
+{
+  const double last = scala.lastAngle().si();
+  const int pieces = std::max(1, static_cast<int>(std::ceil(last / most.si() - 1e-9)));
+  const std::array<Path, 3> paths = {
+      outerWall(scala),
+      [&scala](double angle) {
+        const anatomy::Section section = scala.section(angle);
+        return PathPoint{section.centerRadius, section.centerHeight};
+      },
+      [&scala](double angle) {
+        const Eigen::Vector3d wall = scala.wall_W(angle, pi);
+        return PathPoint{std::sqrt(wall.x() * wall.x() + wall.y() * wall.y()), wall.z()};
+      }};
+  std::vector<SectionRow> rows;
+  std::array<double, 3> length{};
+  std::array<PathPoint, 3> before{};
+  const double step = last / pieces;
+  for (int i = 0; i <= pieces; ++i) {
+    const double angle = step * i;
+    for (std::size_t p = 0; p < paths.size(); ++p) {
+      const PathPoint now = paths[p](angle);
+      if (i > 0) {
+        // a chord in cylindrical coordinates
+        const double mean = 0.5 * (now.radius + before[p].radius) * step;
+        const double out = now.radius - before[p].radius;
+        const double up = now.height - before[p].height;
+        length[p] += std::sqrt(mean * mean + out * out + up * up);
+      }
+      before[p] = now;
+    }
+    rows.push_back({angle, scala.section(angle), length[0], length[1], length[2]});
+  }
+  return rows;
+}
+
+std::string sectionsCsv(const std::vector<SectionRow>& rows)
+{
+  std::string csv =
+      "angle_deg,center_r_mm,center_z_mm,inner_r_mm,outer_r_mm,width_mm,floor_z_mm,roof_z_mm,"
+      "height_mm,area_mm2,outer_wall_length_mm,center_length_mm,inner_wall_length_mm\n";
+  const auto mm = [](double length) { return inMillimeters(meters(length)); };
+  for (const SectionRow& row : rows) {
+    const anatomy::Section& s = row.section;
+    const double values[] = {inDegrees(radians(row.angle)),
+                             mm(s.centerRadius),
+                             mm(s.centerHeight),
+                             mm(s.innerRadius),
+                             mm(s.outerRadius),
+                             mm(s.outerRadius - s.innerRadius),
+                             mm(s.floorHeight),
+                             mm(s.roofHeight),
+                             mm(s.roofHeight - s.floorHeight),
+                             s.area * 1e6,
+                             mm(row.outerWallLength),
+                             mm(row.centerLength),
+                             mm(row.innerWallLength)};
+    char digits[32];
+    bool isFirst = true;
+    for (const double value : values) {
+      if (!isFirst) csv += ',';
+      isFirst = false;
+      csv.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+    }
+    csv += '\n';
+  }
+  return csv;
+}
+
+}  // namespace perilymph::analysis

@@ -67,8 +67,6 @@ void mirror(anatomy::Surface& surface)
 Result<Done> writePart(const anatomy::ScalaTympani& scala, const anatomy::Patient& patient,
                        const AnatomyOptions& options)
 {
-  if (options.part == "vestibuli")
-    return Error{"--part vestibuli is not in this version; use scala or membrane."};
   anatomy::Surface surface = options.part == "membrane"
                                  ? anatomy::membraneSurface(scala, membraneTriangles)
                                  : anatomy::wallSurface(scala, wallTriangles);
@@ -85,6 +83,8 @@ Result<Done> describeAnatomy(const AnatomyOptions& options)
 {
   for (const std::string& file : {options.json, options.sections, options.surface})
     if (const auto done = checkPlace(file); !done) return done.error();
+  if (options.part == "vestibuli")
+    return Error{"--part vestibuli is not in this version; use scala or membrane."};
   const auto patient = choosePatient(options);
   if (!patient) return patient.error();
   if (const auto done = anatomy::checkPatient(*patient); !done) return done.error();
@@ -96,17 +96,18 @@ Result<Done> describeAnatomy(const AnatomyOptions& options)
   if (!scala) return scala.error();
   const auto measures = analysis::measure(**scala);
 
-  if (!options.json.empty())
-    if (const auto done = writeWhole(options.json, anatomyJson(*patient, measures)); !done)
-      return done.error();
+  // The shape first: it is the one that a wrong ending may refuse.
+  if (!options.surface.empty())
+    if (const auto done = writePart(**scala, *patient, options); !done) return done.error();
   if (!options.sections.empty()) {
     // a section every 5 degrees: four between those of the measured cochleae
     const auto rows = analysis::sectionRows(**scala, degrees(5));
     if (const auto done = writeWhole(options.sections, analysis::sectionsCsv(rows)); !done)
       return done.error();
   }
-  if (!options.surface.empty())
-    if (const auto done = writePart(**scala, *patient, options); !done) return done.error();
+  if (!options.json.empty())
+    if (const auto done = writeWhole(options.json, anatomyJson(*patient, measures)); !done)
+      return done.error();
 
   std::printf("%s, %s ear, published anatomy\n", patient->label.c_str(),
               patient->side == anatomy::Side::left ? "left" : "right");

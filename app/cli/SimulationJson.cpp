@@ -1,5 +1,6 @@
 #include "SimulationJson.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "perilymph/foundation/Version.h"
@@ -30,7 +31,8 @@ Json scenarioAsRun(const session::Scenario& scenario)
 Json point(const std::optional<analysis::CurvePoint>& point)
 {
   if (!point) return nullptr;
-  return {{"force_N", point->force}, {"travel_mm", mm(point->travel)}};
+  // Points of the curve lie on tenths of a millimeter; rounding errors are no news.
+  return {{"force_N", point->force}, {"travel_mm", std::round(mm(point->travel) * 1e6) / 1e6}};
 }
 
 }  // namespace

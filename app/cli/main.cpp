@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
-#include <iostream>
+#include <string>
 
 #include "Commands.h"
 #include "perilymph/foundation/Version.h"
@@ -129,6 +129,15 @@ void addRender(CLI::App& app, RenderOptions& options)
   });
 }
 
+/// What is wrong with the words of a call.
+std::string words(const CLI::ParseError& error, const CLI::App& app, int argc, char** argv)
+{
+  const bool namesNothing = argc < 2 || argv[1][0] == '-' || !app.get_subcommands().empty();
+  if (namesNothing) return error.what();
+  return "There is no command '" + std::string(argv[1]) +
+         "'; there are simulate, anatomy, replay and render";
+}
+
 int report(const Result<Done>& result)
 {
   if (result) return done;
@@ -157,7 +166,7 @@ int run(int argc, char** argv)
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    std::fprintf(stderr, "%s. See perilymph-cli --help.\n", error.what());
+    std::fprintf(stderr, "%s. See perilymph-cli --help.\n", words(error, app, argc, argv).c_str());
     return wrongWords;
   }
   if (app.got_subcommand("simulate")) return report(simulate(simulateOptions));

@@ -9,7 +9,7 @@
 namespace perilymph::anatomy {
 namespace {
 
-/// The wall of a round section around `axis`, seen from `point`.
+/// The wall of a round section around `axisPoint`, seen from `point`.
 WallPoint roundWall(const Eigen::Vector3d& point, const Eigen::Vector3d& axisPoint,
                     const Eigen::Vector3d& alongDuct, double radius, double reach) noexcept
 {
@@ -20,8 +20,8 @@ WallPoint roundWall(const Eigen::Vector3d& point, const Eigen::Vector3d& axisPoi
   if (!wall.isNear) return wall;
   wall.distance = radius - off;
   wall.normal_W = -out / off;
-  wall.along_W = alongDuct.cross(wall.normal_W);
-  wall.curvature = 1.0 / off;
+  const Eigen::Vector3d around = alongDuct.cross(wall.normal_W);
+  wall.turning_W = (1.0 / off) * around * around.transpose();
   return wall;
 }
 
@@ -38,7 +38,6 @@ void FlatWall::nearestWall(std::span<const Eigen::Vector3d> points_W, std::span<
     wall.isNear = true;
     wall.distance = distance;
     wall.normal_W = Eigen::Vector3d::UnitZ();
-    wall.along_W = Eigen::Vector3d::UnitX();
   }
 }
 
@@ -80,9 +79,9 @@ void CircularDuct::nearestWall(std::span<const Eigen::Vector3d> points_W,
     tracks[i].angle = angle;
     const Eigen::Vector3d axisPoint(bend_ * cosine - bend_, 0.0, -bend_ * sine - lead_);
     walls[i] = roundWall(p, axisPoint, {-sine, 0.0, -cosine}, radius_, reach[i]);
-    if (walls[i].isNear)
-      walls[i].lengthwiseCurvature =
-          -(walls[i].normal_W.x() * cosine - walls[i].normal_W.z() * sine) / r;
+    const Eigen::Vector3d along(-sine, 0.0, -cosine);
+    const double outward = walls[i].normal_W.x() * cosine - walls[i].normal_W.z() * sine;
+    if (outward < 0.0) walls[i].turning_W += (-outward / r) * along * along.transpose();
   }
 }
 

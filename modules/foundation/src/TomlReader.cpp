@@ -86,9 +86,15 @@ struct TomlReader::Content {
     const auto change = changed.find(key);
     if (change != changed.end())
       return "--set " + path + std::string(key) + "=" + shown(change->second) + ": ";
+    const int keyLine = lineOf(key);
+    return placeOfLine(keyLine != 0 ? keyLine : line);
+  }
+
+  /// The line of a key; 0 if it is not there or did not come from the file.
+  int lineOf(std::string_view key) const
+  {
     const auto entry = table.find(key);
-    const auto keyLine = entry != table.end() ? entry->first.source().begin.line : 0;
-    return placeOfLine(keyLine != 0 ? static_cast<int>(keyLine) : line);
+    return entry != table.end() ? static_cast<int>(entry->first.source().begin.line) : 0;
   }
 
   std::string placeOfLine(int number) const
@@ -344,8 +350,9 @@ TomlReader TomlReader::table(std::string_view key)
   const toml::table* inner = node != nullptr ? node->as_table() : nullptr;
   if (node != nullptr && inner == nullptr)
     content_->keepWrong(key, *node, "a table under [" + std::string(key) + "]");
-  return TomlReader(
-      content_->addInner(inner != nullptr ? *inner : toml::table(), std::string(key), key));
+  const toml::table empty;
+  const toml::table& found = inner != nullptr ? *inner : empty;
+  return TomlReader(content_->addInner(found, std::string(key), key));
 }
 
 void TomlReader::refuse(std::string_view key, const std::string& sentence)

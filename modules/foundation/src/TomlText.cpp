@@ -166,8 +166,14 @@ std::string shortest(double value)
 {
   if (std::isnan(value)) return "nan";
   if (std::isinf(value)) return value < 0 ? "-inf" : "inf";
+
+  // Without an exponent where people would write none.
+  const double size = std::fabs(value);
+  const bool isPlain = value == 0.0 || (size >= 1e-4 && size < 1e9);
   char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value,
+                                 isPlain ? std::chars_format::fixed : std::chars_format::scientific)
+                       .ptr;
   return std::string(buffer, end);
 }
 

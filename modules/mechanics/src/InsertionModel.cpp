@@ -113,8 +113,8 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
     m.drag.push_back(dragPerLength * ownLength);
     m.bendingCarrier.push_back(bending);
     m.restCurvature.push_back(array.restCurvature.at(place).si());
-    // the rounded tip presses on the wall with a cap of its own
-    const double pressedLength = isTip ? ownLength + radius : ownLength;
+    // the rounded tip is a sample point of its own, however short its stretch of array
+    const double pressedLength = isTip ? samplePointSpacing : ownLength;
     m.wallStiffness.push_back(m.parts.wall.perSamplePoint.si() * pressedLength / samplePointSpacing);
     m.wallTangential.push_back(m.parts.wall.tangentialPerSamplePoint.si() * pressedLength /
                                samplePointSpacing);

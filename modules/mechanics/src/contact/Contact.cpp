@@ -1,6 +1,5 @@
 #include "Contact.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -41,16 +40,15 @@ void addWall(const InsertionModel& model, InsertionState& state,
     const double inside = (model.entry.origin_W - position_W[i]).dot(model.entry.out_W);
     const double share = std::clamp(inside / model.spacing, 0.0, 1.0);
     const NormalForce push = normalForce(penetration, share * model.wallStiffness[i], onset);
-    const Eigen::Vector3d& normal_W = wall.normal_W;
+    // on a concave wall a node that moves along it also meets the normal turning back
+    const Eigen::Vector3d& gradient_W = wall.normal_W;
+    Eigen::Matrix3d stiffness =
+        push.slope * gradient_W * gradient_W.transpose() + push.force * wall.turning_W;
 
-    // pushing in, a node also meets the wall turning: a concave wall holds it in place
-    const Eigen::Vector3d lengthwise_W = normal_W.cross(wall.along_W);
-    Eigen::Matrix3d stiffness = push.slope * normal_W * normal_W.transpose();
-    if (wall.curvature > 0.0)
-      stiffness += push.force * wall.curvature * wall.along_W * wall.along_W.transpose();
-    if (wall.lengthwiseCurvature > 0.0)
-      stiffness += push.force * wall.lengthwiseCurvature * lengthwise_W * lengthwise_W.transpose();
-
+    // friction knows the whole pressure, also where two walls' pushes cancel
+    const double steep = gradient_W.norm();
+    const Eigen::Vector3d normal_W =
+        steep > 1e-6 ? Eigen::Vector3d(gradient_W / steep) : Eigen::Vector3d::Zero();
     const Eigen::Vector3d moved = position_W[i] - room.before_W[i];
     const Eigen::Vector3d slip = moved - normal_W * normal_W.dot(moved);
     const Eigen::Vector3d& spring = state.frictionSpring_W[i];
@@ -60,7 +58,7 @@ void addWall(const InsertionModel& model, InsertionState& state,
     stiffness += friction.stiffness;
 
     state.normalForce[i] = push.force;
-    state.wallForce_W[i] = push.force * normal_W + friction.force_W;
+    state.wallForce_W[i] = push.force * gradient_W + friction.force_W;
     state.onMembrane[i] = wall.onMembrane ? 1 : 0;
     room.frictionSpring_W[i] = friction.spring_W;
     room.isSliding[i] = friction.isSliding ? 1 : 0;

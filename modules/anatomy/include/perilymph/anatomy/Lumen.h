@@ -21,17 +21,17 @@ struct LumenTrack {
   double direction[2] = {1.0, 0.0};  ///< Unit vector (x, y) of that angle in W.
 };
 
-/// The wall as one point sees it.
+/// The wall as one point sees it: the signed distance D and how it changes.
 struct WallPoint {
-  bool isNear = false;     ///< Within reach. If not, nothing below is set.
-  bool onMembrane = false; ///< The nearest wall is the basilar membrane.
-  double distance = 0.0;   ///< From the point to the wall [m]; negative outside.
-  // Curvatures are those of the surface parallel to the wall through the point: how fast the normal
-  // turns as the point moves. Positive where the wall is concave.
-  double curvature = 0.0;            ///< Along `along_W` [1/m].
-  double lengthwiseCurvature = 0.0;  ///< Along the duct [1/m]; positive on the outer wall.
-  Eigen::Vector3d normal_W = Eigen::Vector3d::Zero();  ///< Unit, from the wall into the lumen.
-  Eigen::Vector3d along_W = Eigen::Vector3d::Zero();   ///< Unit, tangent to the wall in the section.
+  bool isNear = false;      ///< Within reach. If not, nothing below is set.
+  bool onMembrane = false;  ///< The nearest wall is the basilar membrane.
+  double distance = 0.0;    ///< D, from the point to the wall [m]; negative outside.
+  /// Gradient of D: unit, from the wall into the lumen. Shorter where two walls are equally near, as
+  /// in a groove narrower than the array: there their pushes cancel.
+  Eigen::Vector3d normal_W = Eigen::Vector3d::Zero();
+  /// The positive part of minus the second derivative of D [1/m]: how fast the normal turns back as
+  /// the point moves along a concave wall. Symmetric, positive semidefinite.
+  Eigen::Matrix3d turning_W = Eigen::Matrix3d::Zero();
 };
 
 /// A duct with one opening. Immutable once built; every query is real-time safe.

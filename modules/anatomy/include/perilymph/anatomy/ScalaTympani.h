@@ -4,6 +4,7 @@
 // and how far the wall is from it in every direction. Every anatomy becomes this, whatever its source.
 
 #include <Eigen/Core>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,8 @@
 #include "perilymph/foundation/Units.h"
 
 namespace perilymph::anatomy {
+
+class LumenField;
 
 /// What a source of anatomy must deliver. Sections stand in half-planes through the modiolar axis,
 /// at equal angles; the last one closes the apex.
@@ -43,12 +46,13 @@ struct Section {
 /// zero at the center of the round window on the x axis, right ear.
 ///
 /// Between the tables, uniform cubic B-splines: twice continuously differentiable in the angle and
-/// around the section. Before the round window the first section goes on straight, along the tangent
+/// around the section. The wall query reads a table of distances made from them (LumenField). Before the round window the first section goes on straight, along the tangent
 /// of the center line, for the length of the lead-in; there the opening is.
 class ScalaTympani : public Lumen {
 public:
   /// Builds the lumen. @throws std::invalid_argument if the tables do not fit each other.
   explicit ScalaTympani(SectionTables tables);
+  ~ScalaTympani() override;
 
   const std::string& name() const noexcept { return tables_.name; }
 
@@ -73,27 +77,15 @@ public:
   const SectionTables& tables() const noexcept { return tables_; }
 
 private:
-  /// The wall's level function F = (wall radius) - (distance from the center), positive inside.
-  struct Level;
-  Level levelAt(const Eigen::Vector3d& point_W, double angle, const double direction[2],
-                bool inLeadIn) const noexcept;
-  void locate(const Eigen::Vector3d& point_W, double reach, LumenTrack& track,
-              WallPoint& wall) const noexcept;
-  bool onMembrane(const Level& foot) const noexcept;
-
   SectionTables tables_;
   double lastAngle_ = 0.0;
-  double perStep_ = 0.0;                    ///< Sections per radian.
-  double perDirection_ = 0.0;               ///< Directions per radian.
   Entry entry_;
-  Eigen::Vector3d inward_W_ = Eigen::Vector3d::UnitY();  ///< Of the lead-in: unit, into the cochlea.
   // Spline coefficients over the angle, two more than sections.
   std::vector<double> centerRadius_, centerHeight_;
   std::vector<double> membraneInner_, membraneOuter_, membraneHeight_;
-  std::vector<double> wallRadius_;          ///< Rows over the angle of `rowLength_` around the section.
-  std::size_t rowLength_ = 0;               ///< Directions and three that repeat the first.
-  std::vector<double> leastRadius_;         ///< Per section: the wall's least distance from the center [m].
-  std::vector<double> leastSlant_;          ///< Per section: least distance in space over that in the section.
+  std::vector<double> wallRadius_;  ///< Rows over the angle of `rowLength_` around the section.
+  std::size_t rowLength_ = 0;       ///< Directions and three that repeat the first.
+  std::unique_ptr<const LumenField> field_;
 };
 
 }  // namespace perilymph::anatomy

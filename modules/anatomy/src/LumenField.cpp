@@ -1,0 +1,358 @@
+#include "LumenField.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "CubicTable.h"
+#include "perilymph/foundation/Math.h"
+
+namespace perilymph::anatomy {
+namespace {
+
+constexpr double sectionStep_deg = 3.0;
+constexpr int across = 46;          // samples over a section, each way
+constexpr double margin = 1.25;     // the table goes this many half widths and heights out
+constexpr int outlinePoints = 120;
+// Between the straight lead-in and the spiral the wall's lengthwise direction turns over this angle.
+constexpr double seam_deg = 6.0;
+
+constexpr double perShare = (across - 3) / (2.0 * margin);  // samples per unit of share
+
+/// A section's outline, and the direction in which the wall runs on from each of its points.
+struct Outline {
+  double u[outlinePoints], v[outlinePoints];        // from the center [m]
+  double alongU[outlinePoints], alongV[outlinePoints];  // unit lengthwise tangent, its part in the section
+};
+
+/// Squared distance in space from (u, v) to the wall's line through outline point k.
+double squaredDistance(const Outline& outline, int k, double u, double v) noexcept
+{
+  const double eu = u - outline.u[k];
+  const double ev = v - outline.v[k];
+  const double along = eu * outline.alongU[k] + ev * outline.alongV[k];
+  return eu * eu + ev * ev - along * along;
+}
+
+/// Distance from (u, v) to the outline's wall, by the nearest point and a parabola through its
+/// neighbors.
+double distanceTo(const Outline& outline, double u, double v) noexcept
+{
+  // every third point first, then those beside the nearest
+  constexpr int stride = 3;
+  int nearest = 0;
+  double least = 1e9;
+  const auto consider = [&](int k) {
+    const double squared = squaredDistance(outline, k, u, v);
+    if (squared < least) {
+      least = squared;
+      nearest = k;
+    }
+  };
+  for (int k = 0; k < outlinePoints; k += stride) consider(k);
+  const int coarse = nearest;
+  for (int k = 1; k < stride; ++k) {
+    consider((coarse + k) % outlinePoints);
+    consider((coarse + outlinePoints - k) % outlinePoints);
+  }
+  const double before = squaredDistance(outline, (nearest + outlinePoints - 1) % outlinePoints, u, v);
+  const double after = squaredDistance(outline, (nearest + 1) % outlinePoints, u, v);
+  const double bend = before - 2.0 * least + after;
+  if (bend > 0.0) least -= (after - before) * (after - before) / (8.0 * bend);
+  return std::sqrt(std::max(least, 0.0));
+}
+
+double at(const std::vector<double>& coefficients, std::size_t first, const double weights[4]) noexcept
+{
+  return weighted(coefficients.data() + first, weights);
+}
+
+/// The positive semidefinite part of [a b; b c].
+void keepPositive(double& a, double& b, double& c) noexcept
+{
+  const double middle = 0.5 * (a + c);
+  const double spread = std::sqrt(0.25 * (a - c) * (a - c) + b * b);
+  const double low = middle - spread;
+  const double high = middle + spread;
+  if (low >= 0.0) return;
+  if (high <= 0.0) {
+    a = b = c = 0.0;
+    return;
+  }
+  const double scale = high / (high - low);
+  a = scale * (a - low);
+  b = scale * b;
+  c = scale * (c - low);
+}
+
+}  // namespace
+
+/// A point in the section's coordinates, with their gradients in space.
+struct LumenField::Unrolled {
+  std::size_t section;       // first of four coefficients over the angle
+  double sectionFraction;
+  double u, v;               // from the section's center, outward and apical [m]
+  double p, q;               // the same as shares of half width and half height
+  double width, height;      // half of the section's [m]
+  Eigen::Vector3d byAngle;   // gradient of the angle [1/m]
+  Eigen::Vector3d byP, byQ;  // gradients of the shares [1/m]
+};
+
+LumenField::LumenField(const ScalaTympani& scala) : entry_(scala.entry()), inward_W_(-entry_.out_W)
+{
+  lastAngle_ = scala.lastAngle().si();
+  sections_ = static_cast<int>(std::lround(inDegrees(scala.lastAngle()) / sectionStep_deg)) + 1;
+  const double step = lastAngle_ / (sections_ - 1);
+  perSection_ = 1.0 / step;
+
+  std::vector<double> radius, height, halfWidth, halfHeight, inner, outer, roof;
+  for (int i = 0; i < sections_; ++i) {
+    const double angle = step * i;
+    const Eigen::Vector3d center = scala.center_W(angle);
+    const SineCosine turn = sineCosine(angle);
+    double width = 0.0, tall = 0.0;
+    for (int k = 0; k < outlinePoints; ++k) {
+      const Eigen::Vector3d e = scala.wall_W(angle, 2.0 * pi * k / outlinePoints) - center;
+      width = std::max(width, std::fabs(e.x() * turn.cosine + e.y() * turn.sine));
+      tall = std::max(tall, std::fabs(e.z()));
+    }
+    radius.push_back(center.x() * turn.cosine + center.y() * turn.sine);
+    height.push_back(center.z());
+    halfWidth.push_back(width);
+    halfHeight.push_back(tall);
+    const auto edge = [&](double share) {
+      const Eigen::Vector3d e = scala.membrane_W(angle, share) - center;
+      return e.x() * turn.cosine + e.y() * turn.sine;
+    };
+    inner.push_back(edge(0.0));
+    outer.push_back(edge(1.0));
+    roof.push_back((scala.membrane_W(angle, 0.5) - center).z());
+  }
+  centerRadius_ = interpolatingCoefficients(radius);
+  centerHeight_ = interpolatingCoefficients(height);
+  halfWidth_ = interpolatingCoefficients(halfWidth);
+  halfHeight_ = interpolatingCoefficients(halfHeight);
+  membraneInner_ = interpolatingCoefficients(inner);
+  membraneOuter_ = interpolatingCoefficients(outer);
+  membraneHeight_ = interpolatingCoefficients(roof);
+
+  leastRadius_.resize(static_cast<std::size_t>(sections_));
+  leastSlant_.resize(static_cast<std::size_t>(sections_));
+  distance_.resize(static_cast<std::size_t>((sections_ + 2) * across * across));
+  for (int i = 0; i < sections_; ++i) fillSection(scala, i);
+  // the rows beyond both ends repeat the last
+  const std::size_t page = across * across;
+  std::copy_n(distance_.begin() + static_cast<std::ptrdiff_t>(page), page, distance_.begin());
+  std::copy_n(distance_.end() - static_cast<std::ptrdiff_t>(2 * page), page,
+              distance_.end() - static_cast<std::ptrdiff_t>(page));
+}
+
+// The distances of one section, from its outline and the direction in which the wall runs on.
+void LumenField::fillSection(const ScalaTympani& scala, int section)
+{
+  const double angle = section / perSection_;
+  const SineCosine turn = sineCosine(angle);
+  const Eigen::Vector3d outward(turn.cosine, turn.sine, 0.0);
+  const Eigen::Vector3d forward(-turn.sine, turn.cosine, 0.0);
+  const Eigen::Vector3d center = scala.center_W(angle);
+  constexpr double nudge = 1e-3;  // [rad]
+  const double low = std::max(angle - nudge, 0.0);
+  const double high = std::min(angle + nudge, lastAngle_);
+  const double straight = std::clamp(1.0 - angle / (seam_deg * pi / 180.0), 0.0, 1.0);
+
+  Outline outline;
+  double leastRadius = 1e9, leastSlant = 1.0;
+  for (int k = 0; k < outlinePoints; ++k) {
+    const double direction = 2.0 * pi * k / outlinePoints;
+    const Eigen::Vector3d e = scala.wall_W(angle, direction) - center;
+    Eigen::Vector3d along =
+        (scala.wall_W(high, direction) - scala.wall_W(low, direction)) / (high - low);
+    along /= along.dot(forward);
+    along = (straight * inward_W_ / inward_W_.dot(forward) + (1.0 - straight) * along).normalized();
+    outline.u[k] = e.dot(outward);
+    outline.v[k] = e.z();
+    outline.alongU[k] = along.dot(outward);
+    outline.alongV[k] = along.z();
+    const double off = std::sqrt(outline.u[k] * outline.u[k] + outline.v[k] * outline.v[k]);
+    leastRadius = std::min(leastRadius, off);
+    const double inSection =
+        outline.alongU[k] * outline.alongU[k] + outline.alongV[k] * outline.alongV[k];
+    leastSlant = std::min(leastSlant, std::sqrt(1.0 - inSection));
+  }
+  const auto row = static_cast<std::size_t>(section);
+  leastRadius_[row] = leastRadius;
+  leastSlant_[row] = leastSlant;
+
+  const double width = at(halfWidth_, row, CubicWeights(0.0).value);
+  const double tall = at(halfHeight_, row, CubicWeights(0.0).value);
+  float* page = distance_.data() + static_cast<std::size_t>((section + 1) * across * across);
+  for (int i = 0; i < across; ++i)
+    for (int j = 0; j < across; ++j) {
+      const double u = ((i - 1) / perShare - margin) * width;
+      const double v = ((j - 1) / perShare - margin) * tall;
+      const double off = std::sqrt(u * u + v * v);
+      const Eigen::Vector3d wall = scala.wall_W(angle, arcTangent(v, u)) - center;
+      const double edge = std::sqrt(wall.x() * wall.x() + wall.y() * wall.y() + wall.z() * wall.z());
+      const double distance = distanceTo(outline, u, v);
+      page[i * across + j] = static_cast<float>(off < edge ? distance : -distance);
+    }
+}
+
+LumenField::Unrolled LumenField::unroll(const Eigen::Vector3d& point_W, const LumenTrack& track,
+                                        bool inLeadIn) const noexcept
+{
+  Unrolled at_;
+  const double index = std::min(track.angle, lastAngle_) * perSection_;
+  at_.section = std::min(static_cast<std::size_t>(index), static_cast<std::size_t>(sections_ - 2));
+  at_.sectionFraction = index - static_cast<double>(at_.section);
+  const CubicWeights along(at_.sectionFraction);
+  const double centerRadius = at(centerRadius_, at_.section, along.value);
+  const double centerHeight = at(centerHeight_, at_.section, along.value);
+  at_.width = at(halfWidth_, at_.section, along.value);
+  at_.height = at(halfHeight_, at_.section, along.value);
+
+  Eigen::Vector3d byU, byV;
+  if (inLeadIn) {
+    // the section slides along the straight axis
+    const double forward = point_W.y() / inward_W_.y();
+    at_.u = point_W.x() - forward * inward_W_.x() - centerRadius;
+    at_.v = point_W.z() - forward * inward_W_.z() - centerHeight;
+    byU = {1.0, -inward_W_.x() / inward_W_.y(), 0.0};
+    byV = {0.0, -inward_W_.z() / inward_W_.y(), 1.0};
+    at_.byAngle.setZero();
+  } else {
+    // the section turns with the angle
+    const double r = point_W.x() * track.direction[0] + point_W.y() * track.direction[1];
+    at_.u = r - centerRadius;
+    at_.v = point_W.z() - centerHeight;
+    const double perAngle = track.angle > lastAngle_ ? 0.0 : 1.0 / std::max(r, 1e-5);
+    at_.byAngle = {-track.direction[1] * perAngle, track.direction[0] * perAngle, 0.0};
+    byU = Eigen::Vector3d(track.direction[0], track.direction[1], 0.0) -
+          (at(centerRadius_, at_.section, along.slope) * perSection_) * at_.byAngle;
+    byV = Eigen::Vector3d(0.0, 0.0, 1.0) -
+          (at(centerHeight_, at_.section, along.slope) * perSection_) * at_.byAngle;
+  }
+  at_.p = at_.u / at_.width;
+  at_.q = at_.v / at_.height;
+  at_.byP = (byU - (at_.p * at(halfWidth_, at_.section, along.slope) * perSection_) * at_.byAngle) /
+            at_.width;
+  at_.byQ = (byV - (at_.q * at(halfHeight_, at_.section, along.slope) * perSection_) * at_.byAngle) /
+            at_.height;
+  return at_;
+}
+
+void LumenField::locate(const Eigen::Vector3d& point_W, double reach, LumenTrack& track,
+                        WallPoint& wall) const noexcept
+{
+  wall.isNear = false;
+  if (!((point_W - entry_.origin_W).dot(inward_W_) >= 0.0)) {  // outside, or not a number
+    track = LumenTrack{};
+    return;
+  }
+
+  // the angle, in the turn the point remembers
+  const bool inLeadIn = track.angle < 0.5 * pi && point_W.y() < 0.0 && point_W.x() > 0.0;
+  if (inLeadIn) {
+    track = LumenTrack{};
+  } else {
+    const double r = std::sqrt(point_W.x() * point_W.x() + point_W.y() * point_W.y());
+    if (!(r > 1e-6)) return;  // on the modiolar axis: no angle, and no wall near
+    const double x = point_W.x() / r;
+    const double y = point_W.y() / r;
+    track.angle += arcTangent(y * track.direction[0] - x * track.direction[1],
+                              x * track.direction[0] + y * track.direction[1]);
+    if (track.angle < 0.0) track.angle = 0.0;
+    track.direction[0] = x;
+    track.direction[1] = y;
+  }
+  const Unrolled here = unroll(point_W, track, inLeadIn);
+
+  // far from every wall of the section: that is all anyone asks
+  const double toEnd =
+      (lastAngle_ - track.angle) * std::sqrt(point_W.x() * point_W.x() + point_W.y() * point_W.y());
+  const double clear = 0.95 * leastRadius_[here.section] - reach / leastSlant_[here.section];
+  if (clear > 0.0 && here.u * here.u + here.v * here.v < clear * clear && toEnd > reach) return;
+
+  // the spline's value, gradient and second derivatives at (angle, p, q)
+  const double pAsked = (here.p + margin) * perShare;
+  const double qAsked = (here.q + margin) * perShare;
+  const double pIndex = std::clamp(pAsked, 0.0, across - 3.001);
+  const double qIndex = std::clamp(qAsked, 0.0, across - 3.001);
+  const auto pFirst = static_cast<std::size_t>(pIndex);
+  const auto qFirst = static_cast<std::size_t>(qIndex);
+  const CubicWeights a(here.sectionFraction);
+  const CubicWeights p(pIndex - static_cast<double>(pFirst));
+  const CubicWeights q(qIndex - static_cast<double>(qFirst));
+  double D = 0.0, Da = 0.0, Dp = 0.0, Dq = 0.0, Dpp = 0.0, Dpq = 0.0, Dqq = 0.0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    double value = 0.0, byP = 0.0, byPp = 0.0, byQ = 0.0, byPq = 0.0, byQq = 0.0;
+    for (std::size_t j = 0; j < 4; ++j) {
+      const float* row = distance_.data() +
+                         ((here.section + i) * across + pFirst + j) * across + qFirst;
+      const double c0 = row[0], c1 = row[1], c2 = row[2], c3 = row[3];
+      const double v = c0 * q.value[0] + c1 * q.value[1] + c2 * q.value[2] + c3 * q.value[3];
+      const double s = c0 * q.slope[0] + c1 * q.slope[1] + c2 * q.slope[2] + c3 * q.slope[3];
+      const double b = c0 * q.bend[0] + c1 * q.bend[1] + c2 * q.bend[2] + c3 * q.bend[3];
+      value += p.value[j] * v;
+      byP += p.slope[j] * v;
+      byPp += p.bend[j] * v;
+      byQ += p.value[j] * s;
+      byPq += p.slope[j] * s;
+      byQq += p.value[j] * b;
+    }
+    D += a.value[i] * value;
+    Da += a.slope[i] * value;
+    Dp += a.value[i] * byP;
+    Dq += a.value[i] * byQ;
+    Dpp += a.value[i] * byPp;
+    Dpq += a.value[i] * byPq;
+    Dqq += a.value[i] * byQq;
+  }
+
+  // beyond the table the distance goes on as it left it
+  D += (pAsked - pIndex) * Dp + (qAsked - qIndex) * Dq;
+  wall.distance = D;
+  if (std::min(D, toEnd) > reach) return;
+  wall.isNear = true;
+  wall.normal_W = (Da * perSection_) * here.byAngle + (Dp * perShare) * here.byP +
+                  (Dq * perShare) * here.byQ;
+
+  // how the normal turns: in the section by the spline, along the duct by the circle around the axis
+  const double perShare2 = perShare * perShare;
+  double pp = -Dpp * perShare2 / (here.width * here.width);
+  double pq = -Dpq * perShare2 / (here.width * here.height);
+  double qq = -Dqq * perShare2 / (here.height * here.height);
+  keepPositive(pp, pq, qq);
+  const Eigen::Vector3d u = here.width * here.byP;
+  const Eigen::Vector3d v = here.height * here.byQ;
+  const Eigen::Vector3d pu = pp * u + pq * v;
+  const Eigen::Vector3d qv = pq * u + qq * v;
+  wall.turning_W = u * pu.transpose() + v * qv.transpose();
+  if (!inLeadIn) {
+    const Eigen::Vector3d outward(track.direction[0], track.direction[1], 0.0);
+    const double inwardPush = -wall.normal_W.dot(outward);
+    if (inwardPush > 0.0) {
+      const double r = std::max(point_W.dot(outward), 1e-4);
+      const Eigen::Vector3d forward(-track.direction[1], track.direction[0], 0.0);
+      wall.turning_W += (inwardPush / r) * forward * forward.transpose();
+    }
+  }
+
+  // whether the foot lies on the basilar membrane
+  const double footV = here.v - D * wall.normal_W.z();
+  const double footU =
+      here.u - D * (wall.normal_W.x() * track.direction[0] + wall.normal_W.y() * track.direction[1]);
+  wall.onMembrane = footV > 0.8 * at(membraneHeight_, here.section, a.value) &&
+                    footU > at(membraneInner_, here.section, a.value) &&
+                    footU < at(membraneOuter_, here.section, a.value);
+
+  // the apex: the last section is a wall across the duct
+  if (toEnd < D) {
+    wall.distance = toEnd;
+    wall.normal_W = Eigen::Vector3d(track.direction[1], -track.direction[0], 0.0);
+    wall.turning_W.setZero();
+    wall.onMembrane = false;
+  }
+}
+
+}  // namespace perilymph::anatomy

@@ -1,0 +1,66 @@
+// How long the wall's answer to all nodes of an array takes: the inner loop of contact.
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <vector>
+
+#include "Percentiles.h"
+#include "perilymph/anatomy/Patient.h"
+
+namespace {
+
+using namespace perilymph;
+
+/// Points along the duct near its outer wall, where an inserted array lies, with the turn each is
+/// in.
+struct Batch {
+  Batch(const anatomy::ScalaTympani& scala, std::size_t count)
+      : reach(count, 1e-3), tracks(count), walls(count)
+  {
+    // Two thirds of the way up, and 0.8 of the way from the center to the wall: in contact range.
+    const double last = 2.0 / 3.0 * scala.lastAngle().si();
+    for (std::size_t i = 0; i < count; ++i) {
+      const double angle = last * static_cast<double>(i + 1) / static_cast<double>(count);
+      const Eigen::Vector3d center_W = scala.center_W(angle);
+      points_W.push_back(center_W + 0.8 * (scala.wall_W(angle, 0.0) - center_W));
+      tracks[i].angle = angle;
+      tracks[i].direction[0] = std::cos(angle);
+      tracks[i].direction[1] = std::sin(angle);
+    }
+  }
+
+  std::vector<Eigen::Vector3d> points_W;
+  std::vector<double> reach;
+  std::vector<anatomy::LumenTrack> tracks;
+  std::vector<anatomy::WallPoint> walls;
+};
+
+void nearestWall(benchmark::State& state)
+{
+  const auto scala = anatomy::buildPublished(anatomy::Patient(), millimeters(1));
+  Batch batch(*scala, static_cast<std::size_t>(state.range(0)));
+  bench::Percentiles percentiles(static_cast<std::size_t>(state.max_iterations));
+  for (auto _ : state) {
+    percentiles.time([&] {
+      scala->nearestWall(batch.points_W, batch.reach, batch.tracks, batch.walls);
+      benchmark::DoNotOptimize(batch.walls.data());
+      benchmark::ClobberMemory();
+    });
+  }
+  for (const anatomy::WallPoint& wall : batch.walls)
+    if (!wall.isNear) {
+      state.SkipWithError("A point near the wall did not find it.");
+      return;
+    }
+  percentiles.report(state);
+}
+
+BENCHMARK(nearestWall)
+    ->Name("lumen")
+    ->ArgName("batch")
+    ->Arg(100)
+
+    ->Unit(benchmark::kMicrosecond);
+
+}  // namespace

@@ -1,0 +1,105 @@
+#!/usr/bin/env python3
+"""packaging/run builds, then shows the window, or without a display keeps the insertion in files."""
+
+import sys
+import unittest
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+from pretended import PretendedSystem  # noqa: E402
+
+SCRIPT = "packaging/run"
+
+
+class Run(PretendedSystem):
+    def setUp(self):
+        super().setUp()
+        self.pretend_packages()
+        self.pretend("git", "echo some-commit")
+        self.pretend("cmake", 'if [[ $1 == --preset ]]; then touch "build/$2/build.ninja"; fi')
+        self.programs = self.root / "build/release/bin"
+        self.pretend("perilymph", "", self.programs)
+        self.pretend("perilymph-cli", "", self.programs)
+
+    def test_with_a_display_the_window_starts_its_demonstration(self):
+        for display in ("DISPLAY", "WAYLAND_DISPLAY"):
+            result = self.call(SCRIPT, **{display: ":7"})
+            self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(self.calls("perilymph"), ["--demo", "--demo"])
+        self.assertEqual(self.calls("perilymph-cli"), [])
+
+    def test_without_a_display_the_same_insertion_is_kept_in_files(self):
+        result = self.call(SCRIPT)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        simulate = self.calls("perilymph-cli")[0]
+        self.assertTrue(simulate.startswith("simulate --scenario contour-published "), simulate)
+        for option, name in (("--csv", "csv"), ("--json", "json"), ("--record", "insertion")):
+            file = f"{self.root}/build/demo/contour-published.{name}"
+            self.assertIn(f"{option} {file}", simulate)
+            self.assertIn(file, result.stdout)
+        self.assertTrue(all(call.startswith("render ") for call in self.calls("perilymph-cli")[1:]))
+        self.assertIn(f"{self.root}/build/demo/surgeon.png", result.stdout)
+        self.assertEqual(self.calls("perilymph"), [])
+
+    def test_the_recording_of_the_last_demonstration_makes_room(self):
+        old = self.root / "build/demo/contour-published.insertion"
+        old.parent.mkdir(parents=True)
+        old.touch()
+        self.call(SCRIPT)
+        self.assertFalse(old.exists())
+
+    def test_words_go_to_the_workstation_in_place_of_the_demonstration(self):
+        self.call(SCRIPT, "--scenario", "my file.toml", DISPLAY=":7")
+        self.assertEqual(self.calls("perilymph"), ["--scenario my file.toml"])
+
+    def test_a_picture_that_cannot_be_drawn_leaves_the_curve_and_says_so(self):
+        self.pretend("perilymph-cli", "[[ $1 != render ]]", self.programs)
+        result = self.call(SCRIPT)
+        self.assert_one_sentence(result, "picture")
+        self.assertIn("contour-published.csv", result.stdout)
+
+    def test_an_insertion_that_fails_is_said(self):
+        self.pretend("perilymph-cli", "echo 'No such array.' >&2; exit 1", self.programs)
+        self.assert_one_sentence(self.call(SCRIPT), "did not run")
+
+    def test_a_second_start_configures_nothing_anew(self):
+        self.call(SCRIPT)
+        self.call(SCRIPT)
+        configured = [call for call in self.calls("cmake") if call.startswith("--preset")]
+        self.assertEqual(configured, ["--preset release"])
+
+    def test_another_commit_configures_anew(self):
+        self.call(SCRIPT)
+        self.pretend("git", "echo another-commit")
+        self.call(SCRIPT)
+        configured = [call for call in self.calls("cmake") if call.startswith("--preset")]
+        self.assertEqual(len(configured), 2)
+
+    def test_a_build_folder_from_another_place_is_made_anew(self):
+        cache = self.root / "build/release/CMakeCache.txt"
+        cache.write_text("CMAKE_HOME_DIRECTORY:INTERNAL=/another/place\n")
+        self.call(SCRIPT, DISPLAY=":7")
+        self.assertFalse(cache.exists())
+
+    def test_a_build_that_fails_is_said(self):
+        self.pretend("cmake", '[[ $1 != --build ]] || exit 1\ntouch "build/$2/build.ninja"')
+        self.assert_one_sentence(self.call(SCRIPT), "does not build")
+
+    def test_a_configuration_that_fails_shows_its_last_words_and_is_tried_again(self):
+        self.pretend("cmake", "echo 'Could not find VTK'; exit 1")
+        result = self.call(SCRIPT)
+        self.assert_one_sentence(result, "could not configure preset release")
+        self.assertIn("Could not find VTK", result.stderr)
+        self.call(SCRIPT)
+        self.assertEqual(len(self.calls("cmake")), 2)
+
+    def test_each_step_is_printed_with_its_time(self):
+        lines = self.call(SCRIPT).stdout
+        for step in ("Looking for packages", "Configuring", "Building", "Inserting"):
+            self.assertRegex(lines, rf"==> {step}.*: done, \d+\.\d s")
+
+
+if __name__ == "__main__":
+    unittest.main()

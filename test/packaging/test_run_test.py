@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+"""test/run ends with ctest's own count, and fails if anything it ran failed."""
+
+import sys
+import unittest
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+from pretended import PretendedSystem  # noqa: E402
+
+SCRIPT = "test/run"
+COUNT = "100% tests passed, 0 tests failed out of 3"
+
+
+class TestRun(PretendedSystem):
+    def setUp(self):
+        super().setUp()
+        self.pretend_packages()
+        self.pretend("git", "echo some-commit")
+        self.pretend("cmake", 'if [[ $1 == --preset ]]; then touch "build/$2/build.ninja"; fi')
+        self.pretend("ctest", f'echo "{COUNT}"')
+
+    def presets(self):
+        return [call.split()[1] for call in self.calls("ctest")]
+
+    def test_the_last_line_is_the_count_of_ctest(self):
+        result = self.call(SCRIPT)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(result.stdout.strip().splitlines()[-1], COUNT)
+        self.assertEqual(self.presets(), ["dev"])
+
+    def test_no_tests_at_all_are_no_success(self):
+        self.call(SCRIPT)
+        self.assertIn("--no-tests=error", self.calls("ctest")[0])
+
+    def test_long_adds_both_sanitizers_and_still_ends_with_the_count(self):
+        result = self.call(SCRIPT, "--long")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(sorted(self.presets()), ["asan", "dev", "tsan"])
+        self.assertEqual(result.stdout.strip().splitlines()[-1], COUNT)
+
+    def test_a_failed_test_fails_the_run(self):
+        self.pretend("ctest", "exit 8")
+        self.assert_one_sentence(self.call(SCRIPT), "Tests failed in: dev")
+
+    def test_a_sanitizer_that_found_something_fails_the_run_but_lets_the_rest_go_on(self):
+        self.pretend("ctest", "[[ $2 != asan ]]")
+        self.assert_one_sentence(self.call(SCRIPT, "--long"), "Tests failed in: asan.")
+        self.assertEqual(sorted(self.presets()), ["asan", "dev", "tsan"])
+
+    def test_an_unknown_word_is_refused(self):
+        result = self.call(SCRIPT, "--short")
+        self.assertEqual(result.returncode, 2)
+        self.assertEqual(self.calls("cmake"), [])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,223 @@
+#include "perilymph/electrode/ArrayDesign.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::electrode {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* straightArray = R"(name = "Straight"
+maker = "Nobody"
+note = "Made up."
+[length]
+value_mm = 20.0
+source = "made up"
+confidence = "low"
+[insertable]
+value_mm = 18.0
+source = "made up"
+confidence = "low"
+[diameter]
+from_tip_mm = [0.0, 10.0]
+diameter_mm = [0.4, 0.6]
+source = "made up"
+confidence = "medium"
+[bending]
+from_tip_mm = [0.0, 20.0]
+bending_N_m2 = [1e-7, 3e-7]
+source = "made up"
+confidence = "high"
+[contacts]
+from_tip_mm = [1.0, 2.0, 3.0]
+contact_length_mm = 0.5
+source = "made up"
+confidence = "low"
+)";
+
+class ArrayFile : public testing::Test {
+protected:
+  /// Loads the straight array with one passage changed.
+  Result<ArrayDesign> load(const std::string& passage = "", const std::string& change = "")
+  {
+    std::string text = straightArray;
+    const std::size_t place = text.find(passage);
+    EXPECT_NE(place, std::string::npos) << passage;
+    text.replace(place, passage.size(), change);
+    std::ofstream(file_) << text;
+    return loadArray(file_);
+  }
+
+  /// What is wrong after the change, without the folder.
+  std::string mistake(const std::string& passage, const std::string& change)
+  {
+    const Result<ArrayDesign> design = load(passage, change);
+    if (design) return "fine";
+    const std::string folder = folder_.path().string() + "/";
+    const std::string& message = design.error().message;
+    return message.rfind(folder, 0) == 0 ? message.substr(folder.size()) : message;
+  }
+
+  const test::TemporaryFolder folder_;
+  const std::filesystem::path file_ = folder_ / "a.toml";
+};
+
+TEST_F(ArrayFile, BecomesAnArrayInSi)
+{
+  const Result<ArrayDesign> array = load();
+  ASSERT_TRUE(array) << array.error().message;
+  EXPECT_EQ(array->name, "Straight");
+  EXPECT_DOUBLE_EQ(array->length.si(), 0.020);
+  EXPECT_DOUBLE_EQ(array->insertable.si(), 0.018);
+  EXPECT_DOUBLE_EQ(array->bending.value[1].si(), 3e-7);
+  EXPECT_DOUBLE_EQ(array->contactsFromTip[2].si(), 0.003);
+  EXPECT_EQ(array->provenance[2].second.confidence, Confidence::medium);
+}
+
+TEST_F(ArrayFile, WithoutCurlRibsAndStyletIsStraightAndBare)
+{
+  const Result<ArrayDesign> array = load();
+  ASSERT_TRUE(array);
+  EXPECT_EQ(array->restCurvature.at(millimeters(7.0)).si(), 0.0);
+  EXPECT_TRUE(array->ribsFromTip.empty());
+  EXPECT_FALSE(array->hasStylet);
+}
+
+TEST_F(ArrayFile, RunsStraightBetweenKnotsAndStaysBeyondThem)
+{
+  const Result<ArrayDesign> array = load();
+  ASSERT_TRUE(array);
+  EXPECT_NEAR(inMillimeters(array->diameter.at(millimeters(2.5))), 0.45, 1e-12);
+  EXPECT_DOUBLE_EQ(inMillimeters(array->diameter.at(millimeters(20.0))), 0.6);
+  EXPECT_DOUBLE_EQ(inMillimeters(array->diameter.at(millimeters(-1.0))), 0.4);
+}
+
+TEST_F(ArrayFile, RefusesADiameterOutOfRange)
+{
+  EXPECT_EQ(mistake("[0.4, 0.6]", "[0.4, 6.0]"),
+            "a.toml:14: diameter.diameter_mm has 6 as number 2; it must be a list of at least 1 "
+            "numbers, each between 0.1 and 2.");
+}
+
+TEST_F(ArrayFile, RefusesAStiffnessInTheWrongUnit)
+{
+  EXPECT_EQ(mistake("[1e-7, 3e-7]", "[0.1, 0.3]"),
+            "a.toml:19: bending.bending_N_m2 has 0.1 as number 1; it must be a list of at least 1 "
+            "numbers, each between 1e-09 and 0.0001.");
+}
+
+TEST_F(ArrayFile, RefusesPlacesThatDoNotGrow)
+{
+  EXPECT_EQ(
+      mistake("[0.0, 20.0]", "[5.0, 5.0]"),
+      "a.toml:18: from_tip_mm has 5 after 5; each place must be greater than the one before.");
+}
+
+TEST_F(ArrayFile, RefusesPlacesBeyondTheArray)
+{
+  EXPECT_THAT(mistake("[0.0, 20.0]", "[0.0, 21.0]"),
+              HasSubstr("bending.from_tip_mm has 21 as number 2; it must be a list of at least 1 "
+                        "numbers, each between 0 and 20."));
+}
+
+TEST_F(ArrayFile, RefusesUnequalLists)
+{
+  EXPECT_EQ(mistake("[0.4, 0.6]", "[0.4]"),
+            "a.toml:14: diameter_mm has 1 numbers and from_tip_mm has 2; give one value for each "
+            "place.");
+}
+
+TEST_F(ArrayFile, RefusesAnInsertableLengthBeyondTheArray)
+{
+  EXPECT_EQ(mistake("value_mm = 18.0", "value_mm = 21.0"),
+            "a.toml:9: insertable.value_mm is 21; it must be between 1 and 20.");
+}
+
+TEST_F(ArrayFile, RefusesContactsThatOverlap)
+{
+  EXPECT_EQ(mistake("[1.0, 2.0, 3.0]", "[1.0, 1.4, 3.0]"),
+            "a.toml:23: a contact of 0.5 mm at 1.4 mm overlaps the one at 1 mm; centers must be at "
+            "least a contact's length apart.");
+}
+
+TEST_F(ArrayFile, RefusesContactsBeyondItsEnds)
+{
+  EXPECT_THAT(
+      mistake("[1.0, 2.0, 3.0]", "[0.2, 2.0, 3.0]"),
+      HasSubstr("a contact of 0.5 mm at 0.2 mm reaches beyond the tip; its center must be at "
+                "least 0.25 mm from it."));
+  EXPECT_THAT(mistake("[1.0, 2.0, 3.0]", "[1.0, 2.0, 19.9]"),
+              HasSubstr("at 19.9 mm reaches beyond the array's 20 mm; its center must be at most "
+                        "19.75 mm from the tip."));
+}
+
+TEST_F(ArrayFile, TakesContactsThatTouch)
+{
+  EXPECT_EQ(mistake("[1.0, 2.0, 3.0]", "[0.3, 0.8, 1.3]"), "fine");
+}
+
+TEST_F(ArrayFile, RefusesARibBeyondTheArray)
+{
+  EXPECT_THAT(mistake("[contacts]",
+                      "[ribs]\nfrom_tip_mm = [22.0]\nsource = 'x'\nconfidence = 'low'\n[contacts]"),
+              HasSubstr("ribs.from_tip_mm has 22 as number 1;"));
+}
+
+TEST_F(ArrayFile, RefusesACurlTighterThanTheCarriersRadius)
+{
+  // At 8 mm the radius is 1 mm: no curl of 1 per mm and more.
+  const auto thickWith = [&](const std::string& curvature) {
+    return mistake("diameter_mm = [0.4, 0.6]\nsource = \"made up\"\nconfidence = \"medium\"\n",
+                   "diameter_mm = [2.0, 2.0]\nsource = \"x\"\nconfidence = \"low\"\n"
+                   "[rest_curvature]\nfrom_tip_mm = [0.0, 8.0]\ncurvature_per_mm = [0.5, " +
+                       curvature + "]\nsource = 'x'\nconfidence = 'low'\n");
+  };
+  EXPECT_EQ(thickWith("0.9"), "fine");
+  EXPECT_EQ(
+      thickWith("-1.5"),
+      "a.toml:19: curvature_per_mm has -1.5 at 8 mm; it must be between -1 and 1, one over the "
+      "carrier's radius there.");
+}
+
+TEST_F(ArrayFile, RefusesAStyletWithoutStiffness)
+{
+  EXPECT_EQ(
+      mistake("[contacts]",
+              "[stylet]\nfrom_tip_mm = 2.0\nsource = 'x'\nconfidence = 'low'\n[contacts]"),
+      "a.toml:22: key 'stylet.bending_N_m2' is missing; it must be between 1e-09 and 0.0001.");
+}
+
+TEST_F(ArrayFile, RefusesATableWithoutSource)
+{
+  EXPECT_EQ(mistake("source = \"made up\"\nconfidence = \"medium\"", "confidence = \"medium\""),
+            "a.toml:12: key 'diameter.source' is missing; it must be text.");
+  EXPECT_EQ(mistake("confidence = \"medium\"", "confidence = \"sure\""),
+            "a.toml:16: diameter.confidence is 'sure'; it must be one of high, medium, low.");
+}
+
+TEST_F(ArrayFile, RefusesAKeyWithoutUnit)
+{
+  EXPECT_EQ(mistake("diameter_mm", "diameter"),
+            "a.toml:14: unknown key 'diameter.diameter'; did you mean diameter.diameter_mm?");
+}
+
+TEST_F(ArrayFile, RefusesAnUnknownTable)
+{
+  EXPECT_THAT(mistake("[contacts]", "[color]\nred = 1\n[contacts]"),
+              HasSubstr("a.toml:22: unknown key 'color'"));
+}
+
+TEST_F(ArrayFile, ThatIsMissingIsNamed)
+{
+  const Result<ArrayDesign> array = loadArray(folder_ / "no.toml");
+  ASSERT_FALSE(array);
+  EXPECT_THAT(array.error().message, HasSubstr("no.toml: there is no such file"));
+}
+
+}  // namespace
+}  // namespace perilymph::electrode

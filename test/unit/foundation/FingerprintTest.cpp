@@ -1,0 +1,50 @@
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+
+#include "perilymph/test/ChildProcess.h"
+
+namespace perilymph {
+namespace {
+
+struct Fingerprints {
+  std::string own;
+  std::string library;
+};
+
+/// What a process prints whose C library may use the instructions left by `tunables`.
+Fingerprints printedWith(const std::optional<std::string>& tunables)
+{
+  test::ProgramCall call;
+  call.program = PERILYMPH_FINGERPRINT;
+  call.environment = {{"GLIBC_TUNABLES", tunables}};
+  const test::ProgramOutcome outcome = test::run(call);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const std::size_t lineEnd = outcome.out.find('\n');
+  return {outcome.out.substr(0, lineEnd), outcome.out.substr(lineEnd + 1)};
+}
+
+constexpr const char* olderProcessor = "glibc.cpu.hwcaps=-FMA,-AVX2";
+
+TEST(Arithmetic, GivesTheSameBitsOnAProcessorWithoutFusedMultiplyAdd)
+{
+  const Fingerprints here = printedWith(std::nullopt);
+  const Fingerprints older = printedWith(olderProcessor);
+  EXPECT_FALSE(here.own.empty());
+  EXPECT_EQ(here.own, older.own);
+}
+
+TEST(Arithmetic, IsComparedWithAProcessThatReallyComputesDifferently)
+{
+  if (!__builtin_cpu_supports("fma"))
+    GTEST_SKIP() << "This processor has no FMA, so both processes use the same instructions.";
+  const Fingerprints here = printedWith(std::nullopt);
+  const Fingerprints older = printedWith(olderProcessor);
+  if (here.library == older.library)
+    GTEST_SKIP() << "This C library gives the same bits with and without FMA.";
+  EXPECT_NE(here.library, older.library);
+}
+
+}  // namespace
+}  // namespace perilymph

@@ -1,0 +1,176 @@
+#include "perilymph/anatomy/Patient.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <limits>
+
+#include "perilymph/foundation/Resources.h"
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::anatomy {
+namespace {
+
+using testing::HasSubstr;
+
+class PatientFile : public testing::Test {
+protected:
+  Result<Patient> load(const std::string& text)
+  {
+    std::ofstream(file_) << text;
+    return loadPatient(file_);
+  }
+
+  /// What is wrong with the text, without the folder.
+  std::string mistake(const std::string& text)
+  {
+    const Result<Patient> patient = load(text);
+    if (patient) return "fine";
+    const std::string folder = folder_.path().string() + "/";
+    const std::string& message = patient.error().message;
+    return message.rfind(folder, 0) == 0 ? message.substr(folder.size()) : message;
+  }
+
+  const test::TemporaryFolder folder_;
+  const std::filesystem::path file_ = folder_ / "p.toml";
+};
+
+TEST_F(PatientFile, GivesTheThreeNumbersAndTheSide)
+{
+  const Result<Patient> patient = load(
+      "label = 'P 7'\nside = 'left'\nst_length_mm = 33.6\nrw_width_mm = 1.9\nrw_height_mm = 1.8\n");
+  ASSERT_TRUE(patient) << patient.error().message;
+  EXPECT_EQ(patient->label, "P 7");
+  EXPECT_EQ(patient->side, Side::left);
+  EXPECT_DOUBLE_EQ(patient->scalaTympaniLength.si(), 33.6e-3);
+  EXPECT_DOUBLE_EQ(patient->roundWindowWidth.si(), 1.9e-3);
+  EXPECT_DOUBLE_EQ(patient->roundWindowHeight.si(), 1.8e-3);
+}
+
+TEST_F(PatientFile, WithoutSideAndLabelIsARightEarNamedAfterItsFile)
+{
+  const Result<Patient> patient =
+      load("st_length_mm = 33.6\nrw_width_mm = 1.9\nrw_height_mm = 1.8\n");
+  ASSERT_TRUE(patient);
+  EXPECT_EQ(patient->side, Side::right);
+  EXPECT_EQ(patient->label, "p");
+}
+
+TEST_F(PatientFile, IsRefusedWithOneSentenceForEachMistake)
+{
+  EXPECT_EQ(mistake("rw_width_mm = 1.9\nrw_height_mm = 1.8\n"),
+            "p.toml: key 'st_length_mm' is missing; it must be between 25 and 45.");
+  EXPECT_EQ(mistake("st_length_mm = 3.56\nrw_width_mm = 1.9\nrw_height_mm = 1.8\n"),
+            "p.toml:1: st_length_mm is 3.56; it must be between 25 and 45.");
+  EXPECT_EQ(mistake("st_length_mm = 33\nrw_width_mm = 0.19\nrw_height_mm = 1.8\n"),
+            "p.toml:2: rw_width_mm is 0.19; it must be between 1 and 3.");
+  EXPECT_EQ(mistake("st_length_mm = 33\nrw_width_mm = 1.9\nrw_height_mm = 'x'\n"),
+            "p.toml:3: rw_height_mm is 'x'; it must be a number, between 1 and 2.8.");
+  EXPECT_EQ(mistake("st_length = 33\nrw_width_mm = 1.9\nrw_height_mm = 1.8\n"),
+            "p.toml:1: unknown key 'st_length'; did you mean st_length_mm?");
+  EXPECT_EQ(mistake("st_length_mm = 33\nrw_width_mm = 1.9\nrw_height_mm = 1.8\nside = 'up'\n"),
+            "p.toml:4: side is 'up'; it must be one of right, left.");
+  EXPECT_THAT(mistake("st_length_mm = 33\nrw_width_mm =\n"),
+              HasSubstr("p.toml:2:14: this is not TOML: "));
+}
+
+TEST_F(PatientFile, ThatIsMissingIsNamed)
+{
+  const Result<Patient> patient = loadPatient(folder_ / "no.toml");
+  ASSERT_FALSE(patient);
+  EXPECT_THAT(patient.error().message, HasSubstr("no.toml: there is no such file"));
+}
+
+TEST(Patient, OfThePaperIsAllowed) { EXPECT_TRUE(checkPatient(Patient{})); }
+
+TEST(Patient, AtTheLimitsIsAllowedAndJustBeyondIsNot)
+{
+  const PatientLimits limits = patientLimits();
+  Patient patient;
+  patient.scalaTympaniLength = limits.lengthLow;
+  patient.roundWindowWidth = limits.widthHigh;
+  patient.roundWindowHeight = limits.heightHigh;
+  EXPECT_TRUE(checkPatient(patient));
+  patient.scalaTympaniLength = limits.lengthLow - millimeters(0.001);
+  EXPECT_FALSE(checkPatient(patient));
+}
+
+TEST(Patient, OutOfTheLimitsIsNamedWithValueAndRange)
+{
+  Patient patient;
+  patient.scalaTympaniLength = millimeters(46.5);
+  const Result<Done> done = checkPatient(patient);
+  ASSERT_FALSE(done);
+  EXPECT_EQ(
+      done.error().message,
+      "The length of the scala tympani (st_length_mm) is 46.5 mm; it must be between 25 and 45 "
+      "mm.");
+}
+
+TEST(Patient, WithoutANumberIsRefused)
+{
+  Patient patient;
+  patient.roundWindowWidth = Length::fromSi(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_FALSE(checkPatient(patient));
+}
+
+// Clinical series from the shortest (25.3 mm, Hardy 1938) to the longest duct (45 mm, Rivas 2017).
+TEST(Patient, LimitsHoldEveryPublishedLength)
+{
+  const PatientLimits limits = patientLimits();
+  EXPECT_LE(limits.lengthLow, millimeters(25.3));
+  EXPECT_GE(limits.lengthHigh, millimeters(45.0));
+}
+
+TEST(Patient, LimitsHoldThreeStandardDeviationsOfTheSection)
+{
+  const double spread = 3.0 * 0.15;  // relative, Avci et al. 2014
+  const PatientLimits limits = patientLimits();
+  EXPECT_LE(inMillimeters(limits.widthLow), 1.94 * (1.0 - spread));
+  EXPECT_GE(inMillimeters(limits.widthHigh), 1.94 * (1.0 + spread));
+  EXPECT_LE(inMillimeters(limits.heightLow), 1.85 * (1.0 - spread));
+  EXPECT_GE(inMillimeters(limits.heightHigh), 1.85 * (1.0 + spread));
+}
+
+TEST(Patient, AtEveryCornerOfTheLimitsHasAScalaTympani)
+{
+  const PatientLimits limits = patientLimits();
+  for (const Length length : {limits.lengthLow, limits.lengthHigh})
+    for (const Length width : {limits.widthLow, limits.widthHigh})
+      for (const Length height : {limits.heightLow, limits.heightHigh}) {
+        const Patient patient{"corner", Side::right, length, width, height};
+        const auto scala = buildPublished(patient, millimeters(1.0));
+        ASSERT_NE(scala, nullptr);
+        EXPECT_GT(scala->section(0.0).area, 0.0);
+        EXPECT_GT(scala->section(scala->lastAngle().si()).area, 0.0);
+      }
+}
+
+TEST(ShippedPatients, AllLoad)
+{
+  const std::vector<std::string> names = shippedNames("resources/patients");
+  EXPECT_GE(names.size(), 4u);
+  for (const std::string& name : names) {
+    const auto file = findByName("patient", "resources/patients", name);
+    ASSERT_TRUE(file) << file.error().message;
+    const Result<Patient> patient = loadPatient(*file);
+    EXPECT_TRUE(patient) << patient.error().message;
+  }
+}
+
+TEST(ShippedPatients, HaveThePaperAsTheirAverageAndALeftEar)
+{
+  const auto average = loadPatient(resource("resources/patients/average.toml"));
+  ASSERT_TRUE(average) << average.error().message;
+  const Patient paper;
+  EXPECT_EQ(average->scalaTympaniLength, paper.scalaTympaniLength);
+  EXPECT_EQ(average->roundWindowWidth, paper.roundWindowWidth);
+  EXPECT_EQ(average->roundWindowHeight, paper.roundWindowHeight);
+  const auto left = loadPatient(resource("resources/patients/left.toml"));
+  ASSERT_TRUE(left) << left.error().message;
+  EXPECT_EQ(left->side, Side::left);
+}
+
+}  // namespace
+}  // namespace perilymph::anatomy

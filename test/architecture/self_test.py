@@ -219,6 +219,10 @@ class Words(CheckCase):
             "modules/mechanics/src/m.cpp": "y = std::sqrt(x) + std::abs(x); // not std::sin(x)\n"}),
             [])
 
+    def test_null_pointers_of_c_are_found(self):
+        self.assert_found(words.check, "write nullptr", {
+            "modules/top/src/t.cpp": "int* p = NULL;\n"})
+
     def test_sleeping_tests_are_found(self):
         self.assert_found(words.check, "waiting by the clock", {
             "test/unit/t.cpp": "std::this_thread::sleep_for(1s);\n"})

@@ -16,6 +16,8 @@ DOCUMENTS = {r"(?<![\w.])/t" r"mp/": "a path of one machine"}
 
 MEMORY_ORDER = re.compile(r"\bmemory_order\w*")
 
+NULL_WORD = re.compile(r"\bNULL\b")
+
 # The C library's transcendental functions give other bits on other machines, and Eigen's rotations
 # call them.
 ENGINE = ("anatomy", "electrode", "device", "mechanics", "haptics")
@@ -53,6 +55,7 @@ def check(root):
               if not file.relative_to(root).as_posix().startswith("modules/realtime/")]
     search(root, others, MEMORY_ORDER,
            "named outside modules/realtime: use its channels", wrong)
+    search(root, code(root, "modules", "app", "plugins", "test"), NULL_WORD, "C: write nullptr", wrong)
     search(root, code(root, "test"), SLEEP, "waiting by the clock: wait for what should happen",
            wrong)
 

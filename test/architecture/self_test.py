@@ -185,13 +185,14 @@ class Layout(CheckCase):
 
 class Words(CheckCase):
     def test_machine_paths_are_found(self):
-        for path in ("/wo" "rk/shared", "/ho" "me/ann/file"):
+        for path in ("/wo" "rk/shared", "/ro" "ot/file"):
             self.assert_found(words.check, "a path of one machine",
                               {"modules/top/src/t.cpp": f'\nopen("{path}");\n'})
 
     def test_temporary_paths_in_documents_are_found(self):
-        self.assert_found(words.check, "a path of one machine",
-                          {"modules/top/README.md": "see /t" "mp/x\n"})
+        for path in ("/t" "mp/x", "/ho" "me/ann/file"):
+            self.assert_found(words.check, "a path of one machine",
+                              {"modules/top/README.md": f"see {path}\n"})
 
     def test_unsafe_math_flags_are_found(self):
         self.assert_found(words.check, "a flag that changes results",

@@ -7,12 +7,12 @@ from checks import sources
 
 # Written in two pieces, so that this page does not find itself.
 EVERYWHERE = {
-    r"/wo" r"rk/|/ho" r"me/\w+/|/ro" r"ot/": "a path of one machine",
+    r"/wo" r"rk/|/ro" r"ot/": "a path of one machine",
     r"-ffast-" r"math|-Of" r"ast\b": "a flag that changes results from machine to machine",
     r"-march=nat" r"ive": "a flag that makes results depend on the building machine",
     r"\bTO" r"DO\b|\bFIX" r"ME\b|\bXX" r"X\b": "unfinished work: finish it or write it down for its users",
 }
-DOCUMENTS = {r"(?<![\w.])/t" r"mp/": "a path of one machine"}
+DOCUMENTS = {r"(?<![\w.])/t" r"mp/|/ho" r"me/\w+/": "a path of one machine"}
 
 MEMORY_ORDER = re.compile(r"\bmemory_order\w*")
 

@@ -29,7 +29,7 @@ using visualization::CameraPreset;
 constexpr double turnPerHeight_deg = 180.0;
 
 // What the view writes below the scale bars: two labels and the phase line.
-constexpr int footHeight_px = 94;
+constexpr int footHeight_px = 100;
 
 QString nameOf(CameraPreset preset)
 {

@@ -15,6 +15,10 @@ constexpr int across = 46;          // samples over a section, each way
 constexpr double margin = 1.25;     // the table goes this many half widths and heights out
 constexpr int outlinePoints = 120;
 
+// Lead-in and spiral both describe the wall this far beyond their joint. A point changes over only
+// where it leaves that overlap, so it never changes back within a step.
+constexpr double joint = 0.05e-3;  // [m]
+
 constexpr double perShare = (across - 3) / (2.0 * margin);  // samples per unit of share
 
 /// A section's outline, and the direction in which the wall runs on from each of its points.
@@ -138,13 +142,13 @@ LumenField::LumenField(const ScalaTympani& scala) : entry_(scala.entry()), inwar
   leastSlant_.resize(static_cast<std::size_t>(sections_));
   distance_.resize(static_cast<std::size_t>((sections_ + 2) * across * across));
   for (int i = 0; i < sections_; ++i) fillSection(scala, i);
-  // beyond both ends the distances go on as they change between the last two sections
+  // beyond both ends the distances go on as parabolas through the last three sections
   constexpr std::size_t page = across * across;
   float* first = distance_.data();
   float* last = distance_.data() + static_cast<std::size_t>(sections_ + 1) * page;
   for (std::size_t k = 0; k < page; ++k) {
-    first[k] = 2.0f * first[page + k] - first[2 * page + k];
-    last[k] = 2.0f * (last - page)[k] - (last - 2 * page)[k];
+    first[k] = 3.0f * (first[page + k] - first[2 * page + k]) + first[3 * page + k];
+    last[k] = 3.0f * ((last - page)[k] - (last - 2 * page)[k]) + (last - 3 * page)[k];
   }
 }
 
@@ -200,7 +204,8 @@ LumenField::Unrolled LumenField::unroll(const Eigen::Vector3d& point_W, const Lu
 {
   Unrolled at_;
   const double index = std::min(track.angle, lastAngle_) * perSection_;
-  at_.section = std::min(static_cast<std::size_t>(index), static_cast<std::size_t>(sections_ - 2));
+  at_.section = std::min(static_cast<std::size_t>(std::max(index, 0.0)),
+                         static_cast<std::size_t>(sections_ - 2));
   at_.sectionFraction = index - static_cast<double>(at_.section);
   const CubicWeights along(at_.sectionFraction);
   const double centerRadius = at(centerRadius_, at_.section, along.value);
@@ -248,8 +253,10 @@ void LumenField::locate(const Eigen::Vector3d& point_W, double reach, LumenTrack
   }
 
   // the angle, in the turn the point remembers
-  const bool inLeadIn = track.angle < 0.5 * pi && point_W.y() < 0.0 && point_W.x() > 0.0;
-  if (inLeadIn) {
+  const bool isFirstTurn = track.angle < 0.5 * pi && point_W.x() > 0.0;
+  if (track.inLeadIn && (point_W.y() > joint || !isFirstTurn)) track.inLeadIn = false;
+  if (isFirstTurn && point_W.y() < -joint) track.inLeadIn = true;
+  if (track.inLeadIn) {
     track = LumenTrack{};
   } else {
     const double r = std::sqrt(point_W.x() * point_W.x() + point_W.y() * point_W.y());
@@ -258,10 +265,10 @@ void LumenField::locate(const Eigen::Vector3d& point_W, double reach, LumenTrack
     const double y = point_W.y() / r;
     track.angle += arcTangent(y * track.direction[0] - x * track.direction[1],
                               x * track.direction[0] + y * track.direction[1]);
-    if (track.angle < 0.0) track.angle = 0.0;
     track.direction[0] = x;
     track.direction[1] = y;
   }
+  const bool inLeadIn = track.inLeadIn;
   const Unrolled here = unroll(point_W, track, inLeadIn);
 
   // far from every wall of the section: that is all anyone asks

@@ -25,7 +25,7 @@ WallPoint ask(const Lumen& lumen, const Eigen::Vector3d& point, LumenTrack track
   return wall;
 }
 
-LumenTrack trackAt(double angle) { return {angle, {std::cos(angle), std::sin(angle)}}; }
+LumenTrack trackAt(double angle) { return {false, angle, {std::cos(angle), std::sin(angle)}}; }
 
 /// Distance from a point to the wall, by search over a fine grid around the point's own section.
 double bruteDistance(const ScalaTympani& scala, const Eigen::Vector3d& point, double angle)

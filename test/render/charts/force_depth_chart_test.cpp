@@ -183,11 +183,13 @@ TEST(ForceDepthChart, DrawsThePrintedValuesAndNothingBetweenThem)
   screen.chart.setVisible(ChartLayer::threshold, false);
   screen.chart.setReference({{4.0, 0.05, 0.02}, {12.0, 0.09, 0.02}}, "experiment");
   const test::DrawnPicture picture = screen.picture();
-  const test::Pixel white{0xE8, 0xEC, 0xEF};
-  // the ends of the bars, one standard deviation up and down
-  EXPECT_TRUE(nearColor(picture, screen.x(4.0), screen.y(0.07), white) ||
-              nearColor(picture, screen.x(4.0) + 3, screen.y(0.07), white));
-  EXPECT_TRUE(nearColor(picture, screen.x(12.0), screen.y(0.075), test::Pixel{0xBD, 0xC0, 0xC3}));
+  const test::Pixel bar{0xBA, 0xBE, 0xC1};  // the text color, a little transparent
+  // the ends of the bars, one standard deviation up and down, and nothing beyond
+  for (const double force_N : {0.07, 0.03}) {
+    EXPECT_TRUE(nearColor(picture, screen.x(4.0), screen.y(force_N), bar)) << force_N;
+    const double beyond_N = force_N > 0.05 ? force_N + 0.004 : force_N - 0.004;
+    EXPECT_FALSE(nearColor(picture, screen.x(4.0), screen.y(beyond_N), bar)) << beyond_N;
+  }
   const int between = test::countPixels(picture, [&](const test::Pixel& p, int x, int y) {
     return x > screen.x(4.0) + 8 && x < screen.x(12.0) - 8 && y > screen.y(0.02) &&
            y < screen.y(0.12) && p[0] > 0x60;

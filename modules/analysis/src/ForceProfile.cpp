@@ -61,7 +61,11 @@ void ForceProfiler::add(const haptics::TickRecord& record)
 void ForceProfiler::follow(const haptics::TickOutput& now)
 {
   const bool isFirst = !before_.has_value();
-  if (isFirst || now.axialForce > profile_.peak.force) profile_.peak = {now.travel, now.axialForce};
+  if (!hasPeak_ || now.axialForce > profile_.peak.force) {
+    hasPeak_ = true;
+    profile_.peak = {now.travel, now.axialForce};
+    profile_.peakDepth = now.depth;
+  }
   profile_.wallForceMax = std::max(profile_.wallForceMax, now.wallForceMax);
   profile_.membraneForceMax = std::max(profile_.membraneForceMax, now.membraneForce);
   profile_.deepest = std::max(profile_.deepest, now.depth);

@@ -14,8 +14,10 @@ constexpr double sectionStep_deg = 3.0;
 constexpr int across = 46;          // samples over a section, each way
 constexpr double margin = 1.25;     // the table goes this many half widths and heights out
 constexpr int outlinePoints = 120;
-// Between the straight lead-in and the spiral the wall's lengthwise direction turns over this angle.
-constexpr double seam_deg = 6.0;
+
+// Lead-in and spiral both describe the wall this far beyond their joint. A point changes over only
+// where it leaves that overlap, so it never changes back within a step.
+constexpr double joint = 0.05e-3;  // [m]
 
 constexpr double perShare = (across - 3) / (2.0 * margin);  // samples per unit of share
 
@@ -140,11 +142,14 @@ LumenField::LumenField(const ScalaTympani& scala) : entry_(scala.entry()), inwar
   leastSlant_.resize(static_cast<std::size_t>(sections_));
   distance_.resize(static_cast<std::size_t>((sections_ + 2) * across * across));
   for (int i = 0; i < sections_; ++i) fillSection(scala, i);
-  // the rows beyond both ends repeat the last
-  const std::size_t page = across * across;
-  std::copy_n(distance_.begin() + static_cast<std::ptrdiff_t>(page), page, distance_.begin());
-  std::copy_n(distance_.end() - static_cast<std::ptrdiff_t>(2 * page), page,
-              distance_.end() - static_cast<std::ptrdiff_t>(page));
+  // beyond both ends the distances go on as parabolas through the last three sections
+  constexpr std::size_t page = across * across;
+  float* first = distance_.data();
+  float* last = distance_.data() + static_cast<std::size_t>(sections_ + 1) * page;
+  for (std::size_t k = 0; k < page; ++k) {
+    first[k] = 3.0f * (first[page + k] - first[2 * page + k]) + first[3 * page + k];
+    last[k] = 3.0f * ((last - page)[k] - (last - 2 * page)[k]) + (last - 3 * page)[k];
+  }
 }
 
 // The distances of one section, from its outline and the direction in which the wall runs on.
@@ -153,22 +158,18 @@ void LumenField::fillSection(const ScalaTympani& scala, int section)
   const double angle = section / perSection_;
   const SineCosine turn = sineCosine(angle);
   const Eigen::Vector3d outward(turn.cosine, turn.sine, 0.0);
-  const Eigen::Vector3d forward(-turn.sine, turn.cosine, 0.0);
   const Eigen::Vector3d center = scala.center_W(angle);
   constexpr double nudge = 1e-3;  // [rad]
   const double low = std::max(angle - nudge, 0.0);
   const double high = std::min(angle + nudge, lastAngle_);
-  const double straight = std::clamp(1.0 - angle / (seam_deg * pi / 180.0), 0.0, 1.0);
 
   Outline outline;
   double leastRadius = 1e9, leastSlant = 1.0;
   for (int k = 0; k < outlinePoints; ++k) {
     const double direction = 2.0 * pi * k / outlinePoints;
     const Eigen::Vector3d e = scala.wall_W(angle, direction) - center;
-    Eigen::Vector3d along =
-        (scala.wall_W(high, direction) - scala.wall_W(low, direction)) / (high - low);
-    along /= along.dot(forward);
-    along = (straight * inward_W_ / inward_W_.dot(forward) + (1.0 - straight) * along).normalized();
+    const Eigen::Vector3d along =
+        (scala.wall_W(high, direction) - scala.wall_W(low, direction)).normalized();
     outline.u[k] = e.dot(outward);
     outline.v[k] = e.z();
     outline.alongU[k] = along.dot(outward);
@@ -203,7 +204,8 @@ LumenField::Unrolled LumenField::unroll(const Eigen::Vector3d& point_W, const Lu
 {
   Unrolled at_;
   const double index = std::min(track.angle, lastAngle_) * perSection_;
-  at_.section = std::min(static_cast<std::size_t>(index), static_cast<std::size_t>(sections_ - 2));
+  at_.section = std::min(static_cast<std::size_t>(std::max(index, 0.0)),
+                         static_cast<std::size_t>(sections_ - 2));
   at_.sectionFraction = index - static_cast<double>(at_.section);
   const CubicWeights along(at_.sectionFraction);
   const double centerRadius = at(centerRadius_, at_.section, along.value);
@@ -251,8 +253,10 @@ void LumenField::locate(const Eigen::Vector3d& point_W, double reach, LumenTrack
   }
 
   // the angle, in the turn the point remembers
-  const bool inLeadIn = track.angle < 0.5 * pi && point_W.y() < 0.0 && point_W.x() > 0.0;
-  if (inLeadIn) {
+  const bool isFirstTurn = track.angle < 0.5 * pi && point_W.x() > 0.0;
+  if (track.inLeadIn && (point_W.y() > joint || !isFirstTurn)) track.inLeadIn = false;
+  if (isFirstTurn && point_W.y() < -joint) track.inLeadIn = true;
+  if (track.inLeadIn) {
     track = LumenTrack{};
   } else {
     const double r = std::sqrt(point_W.x() * point_W.x() + point_W.y() * point_W.y());
@@ -261,10 +265,10 @@ void LumenField::locate(const Eigen::Vector3d& point_W, double reach, LumenTrack
     const double y = point_W.y() / r;
     track.angle += arcTangent(y * track.direction[0] - x * track.direction[1],
                               x * track.direction[0] + y * track.direction[1]);
-    if (track.angle < 0.0) track.angle = 0.0;
     track.direction[0] = x;
     track.direction[1] = y;
   }
+  const bool inLeadIn = track.inLeadIn;
   const Unrolled here = unroll(point_W, track, inLeadIn);
 
   // far from every wall of the section: that is all anyone asks

@@ -62,7 +62,7 @@ void CircularDuct::nearestWall(std::span<const Eigen::Vector3d> points_W,
     walls[i] = WallPoint{};
     if (p.z() > 0.0) continue;
     if (p.z() > -lead_ && tracks[i].angle < pi / 2.0) {
-      tracks[i].angle = 0.0;
+      tracks[i] = LumenTrack{};
       walls[i] = roundWall(p, {0.0, 0.0, p.z()}, -Eigen::Vector3d::UnitZ(), radius_, reach[i]);
       continue;
     }
@@ -73,6 +73,7 @@ void CircularDuct::nearestWall(std::span<const Eigen::Vector3d> points_W,
     if (!(r > 0.0)) continue;
     const double cosine = x / r;
     const double sine = z / r;
+    tracks[i].inLeadIn = false;
     double angle = arcTangent(sine, cosine);
     while (angle < tracks[i].angle - pi) angle += 2.0 * pi;
     while (angle > tracks[i].angle + pi) angle -= 2.0 * pi;

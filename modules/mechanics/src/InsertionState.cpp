@@ -63,6 +63,7 @@ std::uint64_t InsertionState::fingerprint() const noexcept
     addVector(hash, frictionSpring_W[i]);
     hash.add(isSliding[i]);
     hash.add(slipSpeed[i]);
+    hash.add(track[i].inLeadIn);
     hash.add(track[i].angle);
     hash.add(normalForce[i]);
   }

@@ -196,7 +196,7 @@ void read(const InsertionModel& model, InsertionState& state, const Drive& drive
   r.axialForce = r.handForce_W.dot(model.entry.out_W);
   r.speed = -state.baseVelocity_W.dot(model.entry.out_W);
   r.depth = depthOf(model, state);
-  r.angularDepth = r.depth > 0.0 ? state.track.back().angle : 0.0;
+  r.angularDepth = r.depth > 0.0 ? std::max(state.track.back().angle, 0.0) : 0.0;
   r.contacts = 0;
   r.wallForceMax = r.wallForceTotal = r.membraneForce = 0.0;
   for (std::size_t i = 0; i < state.normalForce.size(); ++i) {

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <ctime>
 
-#include "EngineSettings.h"
+#include "MakeEngine.h"
 #include "Recorder.h"
 #include "perilymph/device/ScriptedHand.h"
 #include "perilymph/foundation/Version.h"
@@ -94,16 +94,15 @@ Result<std::unique_ptr<Insertion>> Insertion::prepare(const Scenario& scenario,
   facts.buildId = buildId();
   facts.startedUtc = utcNow();
 
+  auto engine = makeEngine(scenario, content.model, facts.samplePeriod, facts.mostForce);
+  if (!engine) return engine.error();
   std::unique_ptr<Recording> recording;
   if (content.file) {
     auto created = Recording::create(*content.file, facts);
     if (!created) return created.error();
     recording = std::move(*created);
   }
-  content.loop = std::make_unique<haptics::HapticLoop>(
-      *content.hand,
-      std::make_unique<haptics::InsertionEngine>(
-          content.model, engineSettings(scenario, facts.samplePeriod, facts.mostForce)));
+  content.loop = std::make_unique<haptics::HapticLoop>(*content.hand, std::move(*engine));
   content.recorder =
       std::make_unique<Recorder>(*content.loop, std::move(recording), content.model->timeStep);
   return insertion;
@@ -171,9 +170,22 @@ const haptics::Snapshot& Insertion::latest() const noexcept { return content_->l
 
 std::string Insertion::recordingTrouble() const { return content_->recorder->trouble(); }
 
+Result<Done> Insertion::closeRecording()
+{
+  content_->recorder->close();
+  const std::string trouble = recordingTrouble();
+  if (!trouble.empty()) return Error{trouble};
+  return Done{};
+}
+
 const Scenario& Insertion::scenario() const noexcept { return content_->scenario; }
 
 const anatomy::ScalaTympani& Insertion::anatomy() const noexcept { return *content_->anatomy; }
+
+std::shared_ptr<const anatomy::ScalaTympani> Insertion::sharedAnatomy() const noexcept
+{
+  return content_->anatomy;
+}
 
 const mechanics::InsertionModel& Insertion::model() const noexcept { return *content_->model; }
 

@@ -107,7 +107,7 @@ std::string workflowWord(haptics::Workflow workflow)
 
 std::string statusWords(std::uint32_t status)
 {
-  constexpr std::array<std::pair<haptics::Status, const char*>, 8> words = {
+  constexpr std::array<std::pair<haptics::Status, const char*>, 10> words = {
       {{haptics::staleSample, "staleSample"},
        {haptics::forceClamped, "forceClamped"},
        {haptics::forceSlewed, "forceSlewed"},
@@ -115,7 +115,9 @@ std::string statusWords(std::uint32_t status)
        {haptics::notFinite, "notFinite"},
        {haptics::passivityActed, "passivityActed"},
        {haptics::notSettled, "notSettled"},
-       {haptics::deviceLost, "deviceLost"}}};
+       {haptics::deviceLost, "deviceLost"},
+       {haptics::sampleDoubted, "sampleDoubted"},
+       {haptics::handJumped, "handJumped"}}};
   std::string text;
   for (const auto& [bit, word] : words)
     if (status & bit) text += (text.empty() ? "" : " ") + std::string(word);

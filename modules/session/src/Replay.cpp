@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <type_traits>
 
-#include "EngineSettings.h"
+#include "MakeEngine.h"
 #include "TickFields.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/session/RecordedInsertion.h"
@@ -102,8 +102,8 @@ Result<Verification> verify(const std::filesystem::path& file)
     result.notes.push_back("The recording was not closed; it ends where the program did.");
   noteWhatChanged(facts, *scenario, (*model)->fingerprint, result.notes);
 
-  haptics::InsertionEngine engine(*model,
-                                  engineSettings(*scenario, facts.samplePeriod, facts.mostForce));
+  auto engine = makeEngine(*scenario, *model, facts.samplePeriod, facts.mostForce);
+  if (!engine) return engine.error();
   Comparison comparison;
   std::optional<std::uint64_t> last;
   const auto read = recorded->forEach([&](const haptics::TickRecord& record) {
@@ -114,7 +114,7 @@ Result<Verification> verify(const std::filesystem::path& file)
       return false;
     }
     last = record.tick;
-    const haptics::TickOutput computed = engine.tick(record.sample, record.commands);
+    const haptics::TickOutput computed = (*engine)->tick(record.sample, record.commands);
     ++result.ticksCompared;
     result.difference = comparison.difference(record, computed);
     return !result.difference.has_value();

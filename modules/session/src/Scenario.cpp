@@ -32,6 +32,14 @@ std::string hexadecimal(std::uint64_t value)
   return digits;
 }
 
+/// Millimeters for a sentence: 27, 18.5.
+std::string shortLength_mm(Length length)
+{
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.6g", inMillimeters(length));
+  return digits;
+}
+
 /// A word that this version knows only one of; the others are promised or wrong.
 void readOnlyChoice(TomlReader& reader, ScenarioKeys& keys, const char* key, std::string& value,
                     const std::vector<std::string>& later)
@@ -231,9 +239,8 @@ Result<Scenario> readScenario(TomlReader& reader, const std::string& name, const
   const Length deepest = scenario.startInside + scenario.stopTravel;
   if (deepest > scenario.array.insertable)
     return Error{reader.name() + ": start_inside_mm + stop_travel_mm is " +
-                 tomlNumber(inMillimeters(deepest)) + "; the array " + scenario.array.name +
-                 " may go in " + tomlNumber(inMillimeters(scenario.array.insertable)) +
-                 " mm at most. Lower stop_travel_mm."};
+                 shortLength_mm(deepest) + "; the array " + scenario.array.name + " may go in " +
+                 shortLength_mm(scenario.array.insertable) + " mm at most. Lower stop_travel_mm."};
 
   keys.note("array_fingerprint", tomlText(scenario.arrayFingerprint));
   keys.notePatient(scenario.patient);

@@ -33,6 +33,7 @@ struct ForceProfile {
   std::vector<CurvePoint> curve;
 
   CurvePoint peak;                          ///< Greatest force of any tick.
+  double peakDepth = 0.0;                   ///< Depth past the opening at that tick [m].
   std::optional<CurvePoint> basalTurnPeak;  ///< See findBasalTurn().
   std::optional<CurvePoint> basalTurnDip;
   double work = 0.0;          ///< Done by the hand on the array [J]: minus the integral of F.dx.
@@ -63,6 +64,7 @@ private:
 
   ForceProfile profile_;
   std::optional<haptics::TickOutput> before_;
+  bool hasPeak_ = false;
   long nextPoint_ = 0;  ///< Multiple of profileStep() that the curve waits for.
 };
 

@@ -17,7 +17,8 @@ struct Entry {
 
 /// What one point remembers between queries: which turn it is in. Queries update it.
 struct LumenTrack {
-  double angle = 0.0;         ///< Angle from the round window [rad], turns counted; <= 0 in the lead-in.
+  bool inLeadIn = true;       ///< In the straight stretch before the round window.
+  double angle = 0.0;         ///< Angle from the round window [rad], turns counted; 0 in the lead-in.
   double direction[2] = {1.0, 0.0};  ///< Unit vector (x, y) of that angle in W.
 };
 

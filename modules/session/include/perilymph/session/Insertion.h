@@ -43,9 +43,13 @@ public:
   const haptics::Snapshot& latest() const noexcept;
   /// A sentence once the recording could not be kept (disk full); empty while all is well.
   std::string recordingTrouble() const;
+  /// Ends the recording and folds it into one file, while nothing runs. The sentence of
+  /// recordingTrouble() if it could not be kept. Without a call the destructor does it silently.
+  Result<Done> closeRecording();
 
   const Scenario& scenario() const noexcept;
   const anatomy::ScalaTympani& anatomy() const noexcept;
+  std::shared_ptr<const anatomy::ScalaTympani> sharedAnatomy() const noexcept;
   const mechanics::InsertionModel& model() const noexcept;
   device::HapticDevice& hand() noexcept;
   const haptics::HapticLoop& loop() const noexcept;

@@ -1,0 +1,50 @@
+#pragma once
+
+// The subcommands: what they are told, and the calls that carry them out. Each call prints its
+// summary to standard output and gives a sentence where it could not be done.
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "perilymph/foundation/Result.h"
+#include "perilymph/session/Scenario.h"
+
+namespace perilymph::cli {
+
+struct SimulateOptions {
+  std::string scenario;
+  session::Overrides overrides;   ///< From --patient, --array, --set and their like.
+  std::string csv, json, record;  ///< Files; empty where not asked for.
+  double every_ms = 0.0;          ///< Between rows of the CSV; 0: every tick.
+};
+Result<Done> simulate(const SimulateOptions& options);
+
+struct AnatomyOptions {
+  std::string preset, patient;
+  std::optional<double> stLength_mm, rwWidth_mm, rwHeight_mm;
+  std::string notThereYet;  ///< An option of a later version that was given: "--sample".
+  std::string json, sections, surface;
+  std::string part = "scala";
+};
+Result<Done> describeAnatomy(const AnatomyOptions& options);
+
+struct ReplayOptions {
+  std::string file;
+  bool verifies = false;
+  std::string csv;
+};
+Result<Done> replay(const ReplayOptions& options);
+
+struct RenderOptions {
+  std::string scenario;
+  session::Overrides overrides;
+  std::string preset, patient, array;
+  std::optional<double> at_mm;
+  std::string view = "surgeon";
+  std::string out;
+};
+Result<Done> render(const RenderOptions& options);
+
+}  // namespace perilymph::cli

@@ -1,0 +1,123 @@
+#include "Commands.h"
+
+#if PERILYMPH_HAS_TOOLKIT
+
+#include <array>
+#include <cstdio>
+#include <utility>
+
+#include "Interruption.h"
+#include "OutputFile.h"
+#include "perilymph/device/ScriptedHand.h"
+#include "perilymph/foundation/Resources.h"
+#include "perilymph/session/Insertion.h"
+#include "perilymph/visualization/Picture.h"
+
+namespace perilymph::cli {
+
+namespace {
+
+using visualization::CameraPreset;
+
+Result<CameraPreset> presetOf(const std::string& view)
+{
+  constexpr std::array<std::pair<const char*, CameraPreset>, 4> views = {
+      {{"surgeon", CameraPreset::surgeon},
+       {"microscope", CameraPreset::microscope},
+       {"overview", CameraPreset::overview},
+       {"section", CameraPreset::section}}};
+  for (const auto& [name, preset] : views)
+    if (view == name) return preset;
+  return Error{"--view " + view +
+               " is not in this version; use surgeon, microscope, overview or section."};
+}
+
+Result<Done> draw(visualization::PictureRequest request)
+{
+  const auto done = visualization::renderPicture(request);
+  if (done) std::printf("Wrote %s\n", request.file.c_str());
+  return done;
+}
+
+/// The cochlea alone.
+Result<Done> drawAnatomy(const RenderOptions& options, visualization::PictureRequest request)
+{
+  if (!options.preset.empty() && options.preset != "published")
+    return Error{"The preset '" + options.preset +
+                 "' is not in this version; use --preset published."};
+  session::Scenario scenario;
+  if (!options.patient.empty()) {
+    const auto file = findByName("patient", "resources/patients", options.patient);
+    if (!file) return file.error();
+    const auto patient = anatomy::loadPatient(*file);
+    if (!patient) return patient.error();
+    scenario.patient = *patient;
+  }
+  scenario.name = scenario.patient.label;
+  const auto scala = session::buildAnatomy(scenario);
+  if (!scala) return scala.error();
+  request.scala = *scala;
+  request.side = scenario.patient.side;
+  return draw(std::move(request));
+}
+
+/// The array in its cochlea, pushed in to a travel in virtual time.
+Result<Done> drawInsertion(const RenderOptions& options, visualization::PictureRequest request)
+{
+  session::Overrides overrides = options.overrides;
+  if (!options.patient.empty()) overrides.emplace_back("patient", options.patient);
+  if (!options.array.empty()) overrides.emplace_back("array", options.array);
+  const auto scenario = session::loadScenario(options.scenario, overrides);
+  if (!scenario) return scenario.error();
+  const Length wanted = options.at_mm ? millimeters(*options.at_mm) : scenario->stopTravel;
+  if (wanted < Length() || wanted > scenario->stopTravel)
+    return Error{"--at-mm is " + fixed(inMillimeters(wanted), 2) + "; it must be between 0 and " +
+                 fixed(inMillimeters(scenario->stopTravel), 2) +
+                 ", the scenario's stop_travel_mm."};
+
+  auto hand = std::make_unique<device::ScriptedHand>(scenario->speed.si(), scenario->timeStep.si());
+  auto insertion = session::Insertion::prepare(*scenario, std::move(hand), std::nullopt);
+  if (!insertion) return insertion.error();
+  watchForInterruption();
+  const auto ran = (*insertion)->runToEnd([&](const haptics::TickRecord& record) {
+    return record.output.travel < wanted.si() && !isInterrupted();
+  });
+  if (isInterrupted()) return Error{"Interrupted; nothing was written."};
+  if (!ran) return ran.error();
+  (*insertion)->refresh();
+  request.scala = (*insertion)->sharedAnatomy();
+  request.side = scenario->patient.side;
+  request.array = scenario->array;
+  request.now = &(*insertion)->latest();
+  return draw(std::move(request));
+}
+
+}  // namespace
+
+Result<Done> render(const RenderOptions& options)
+{
+  if (const auto done = checkPlace(options.out); !done) return done.error();
+  const auto view = presetOf(options.view);
+  if (!view) return view.error();
+  visualization::PictureRequest request;
+  request.view = *view;
+  request.file = options.out;
+  if (options.scenario.empty()) return drawAnatomy(options, std::move(request));
+  return drawInsertion(options, std::move(request));
+}
+
+}  // namespace perilymph::cli
+
+#else
+
+namespace perilymph::cli {
+
+Result<Done> render(const RenderOptions&)
+{
+  return Error{
+      "This build cannot draw: it was made without VTK. Use a build with PERILYMPH_TOOLKIT=ON."};
+}
+
+}  // namespace perilymph::cli
+
+#endif

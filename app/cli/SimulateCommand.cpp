@@ -1,0 +1,146 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <optional>
+
+#include "Commands.h"
+#include "Interruption.h"
+#include "OutputFile.h"
+#include "SimulationJson.h"
+#include "perilymph/analysis/ForceProfile.h"
+#include "perilymph/analysis/Phase.h"
+#include "perilymph/device/ScriptedHand.h"
+#include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/session/Csv.h"
+#include "perilymph/session/Insertion.h"
+
+namespace perilymph::cli {
+
+namespace {
+
+/// Where rows go, if anywhere.
+struct CsvRows {
+  std::ofstream stream;
+  session::CsvPeriod period{0.0};
+};
+
+/// Ticks after which an insertion that has not arrived never will: the way in and out at the
+/// script's speed, twice over.
+std::uint64_t mostTicks(const session::Scenario& scenario)
+{
+  const double way = scenario.stopTravel.si() * (scenario.withdraws ? 2.0 : 1.0);
+  return static_cast<std::uint64_t>(
+      std::ceil(2.0 * way / (scenario.speed.si() * scenario.timeStep.si())) + 10'000.0);
+}
+
+/// What is known once the run is over.
+struct Outcome {
+  analysis::ForceProfile profile;
+  haptics::TickOutput last;
+};
+
+Result<Outcome> run(session::Insertion& insertion, CsvRows* rows)
+{
+  Outcome outcome;
+  analysis::ForceProfiler profiler;
+  const auto ran = insertion.runToEnd(
+      [&](const haptics::TickRecord& record) {
+        profiler.add(record);
+        outcome.last = record.output;
+        if (rows && rows->period.keeps(record.output.time)) rows->stream << session::csvRow(record);
+        return !isInterrupted();
+      },
+      mostTicks(insertion.scenario()));
+  if (isInterrupted())
+    return Error{insertion.recording()
+                     ? "Interrupted; only the recording was kept, as far as it came."
+                     : "Interrupted; nothing was written."};
+  if (!ran) return ran.error();
+  if (outcome.last.workflow != haptics::Workflow::finished)
+    return Error{"The insertion never arrived: after " + std::to_string(profiler.profile().ticks) +
+                 " ticks the array stands at " +
+                 fixed(inMillimeters(meters(outcome.last.travel)), 2) + " mm of " +
+                 fixed(inMillimeters(insertion.scenario().stopTravel), 2) +
+                 " mm of travel. Lower stop_travel_mm, or raise coupling_stiffness_N_m."};
+  outcome.profile = profiler.profile();
+  return outcome;
+}
+
+/// Runs with the rows going into a file that appears whole when the run is done, or not at all.
+Result<Outcome> runIntoCsv(session::Insertion& insertion, const SimulateOptions& options)
+{
+  std::optional<Result<Outcome>> outcome;
+  const auto written = writeWhole(options.csv, [&](const std::filesystem::path& place) {
+    CsvRows rows;
+    rows.period = session::CsvPeriod(options.every_ms / 1e3);
+    rows.stream.open(place, std::ios::binary);
+    rows.stream << session::csvHeader();
+    outcome = run(insertion, &rows);
+    rows.stream.close();
+    return rows.stream.good() && static_cast<bool>(*outcome);
+  });
+  if (outcome && !*outcome) return outcome->error();
+  if (!written) return written.error();
+  return *outcome;
+}
+
+void printPoint(const char* name, const std::optional<analysis::CurvePoint>& point)
+{
+  if (point)
+    std::printf("%-18s %s N at %s mm of travel\n", name, fixed(point->force, 4).c_str(),
+                fixed(inMillimeters(meters(point->travel)), 1).c_str());
+}
+
+void printSummary(const session::Scenario& scenario, const Outcome& outcome)
+{
+  const analysis::ForceProfile& profile = outcome.profile;
+  std::printf("%s: %llu ticks, %s s, array %s\n", scenario.name.c_str(),
+              static_cast<unsigned long long>(profile.ticks), fixed(profile.duration, 3).c_str(),
+              scenario.array.name.c_str());
+  printPoint("peak force", profile.peak);
+  printPoint("basal-turn peak", profile.basalTurnPeak);
+  printPoint("dip behind it", profile.basalTurnDip);
+  std::printf("%-18s travel %s mm, depth %s mm, angle %s deg\n", "at the end",
+              fixed(inMillimeters(meters(profile.finalTravel)), 2).c_str(),
+              fixed(inMillimeters(meters(profile.finalDepth)), 2).c_str(),
+              fixed(inDegrees(radians(profile.finalAngle)), 1).c_str());
+  std::printf("%-18s %s mJ\n", "work of the hand", fixed(profile.work * 1e3, 4).c_str());
+  if (profile.ticksNotSettled > 0)
+    std::printf("%-18s in %llu ticks the solver left more than its tolerance\n", "not settled",
+                static_cast<unsigned long long>(profile.ticksNotSettled));
+}
+
+}  // namespace
+
+Result<Done> simulate(const SimulateOptions& options)
+{
+  for (const std::string& file : {options.csv, options.json})
+    if (const auto done = checkPlace(file); !done) return done.error();
+  const auto scenario = session::loadScenario(options.scenario, options.overrides);
+  if (!scenario) return scenario.error();
+
+  std::optional<std::filesystem::path> record;
+  if (!options.record.empty()) record = options.record;
+  auto hand = std::make_unique<device::ScriptedHand>(scenario->speed.si(), scenario->timeStep.si());
+  watchForInterruption();
+  auto insertion = session::Insertion::prepare(*scenario, std::move(hand), record);
+  if (!insertion) return insertion.error();
+
+  const auto outcome =
+      options.csv.empty() ? run(**insertion, nullptr) : runIntoCsv(**insertion, options);
+  if (!outcome) return outcome.error();
+  if (!options.json.empty()) {
+    const auto phase = analysis::phaseOf(outcome->last, scenario->stopTravel);
+    const auto done = writeWhole(options.json, simulationJson(*scenario, outcome->profile, phase,
+                                                              (*insertion)->loop().statistics()));
+    if (!done) return done.error();
+  }
+  printSummary(*scenario, *outcome);
+
+  // The run is done; that its recording is not has to be said all the same.
+  if (const auto done = (*insertion)->closeRecording(); !done) return done.error();
+  return Done{};
+}
+
+}  // namespace perilymph::cli

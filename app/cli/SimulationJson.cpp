@@ -1,0 +1,68 @@
+#include "SimulationJson.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "perilymph/foundation/Version.h"
+
+namespace perilymph::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double mm(double length) { return inMillimeters(meters(length)); }
+
+/// The scenario's values under their own keys; tables as objects.
+Json scenarioAsRun(const session::Scenario& scenario)
+{
+  Json json;
+  json["name"] = scenario.name;
+  for (const auto& [key, value] : scenario.values) {
+    const std::size_t dot = key.find('.');
+    if (dot == std::string::npos)
+      json[key] = Json::parse(value);
+    else
+      json[key.substr(0, dot)][key.substr(dot + 1)] = Json::parse(value);
+  }
+  return json;
+}
+
+Json point(const std::optional<analysis::CurvePoint>& point)
+{
+  if (!point) return nullptr;
+  // Points of the curve lie on tenths of a millimeter; rounding errors are no news.
+  return {{"force_N", point->force}, {"travel_mm", std::round(mm(point->travel) * 1e6) / 1e6}};
+}
+
+}  // namespace
+
+std::string simulationJson(const session::Scenario& scenario, const analysis::ForceProfile& profile,
+                           analysis::Phase phase, const haptics::LoopStatistics& statistics)
+{
+  Json json;
+  json["version"] = version();
+  json["build"] = buildId();
+  json["seed"] = scenario.seed;
+  json["scenario"] = scenarioAsRun(scenario);
+  json["peak_force_N"] = profile.peak.force;
+  json["peak_travel_mm"] = mm(profile.peak.travel);
+  json["peak_depth_mm"] = mm(profile.peakDepth);
+  json["basal_turn_peak"] = point(profile.basalTurnPeak);
+  json["basal_turn_dip"] = point(profile.basalTurnDip);
+  json["work_J"] = profile.work;
+  json["final_travel_mm"] = mm(profile.finalTravel);
+  json["final_depth_mm"] = mm(profile.finalDepth);
+  json["final_angle_deg"] = inDegrees(radians(profile.finalAngle));
+  json["final_phase"] = analysis::phaseName(phase);
+  json["deepest_mm"] = mm(profile.deepest);
+  json["wall_force_max_N"] = profile.wallForceMax;
+  json["membrane_force_max_N"] = profile.membraneForceMax;
+  json["duration_s"] = profile.duration;
+  json["ticks"] = profile.ticks;
+  json["ticks_not_settled"] = profile.ticksNotSettled;
+  json["overruns"] = statistics.overruns;
+  return json.dump(2) + '\n';
+}
+
+}  // namespace perilymph::cli

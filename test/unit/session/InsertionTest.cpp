@@ -1,0 +1,174 @@
+#include "perilymph/session/Insertion.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "ShortScenario.h"
+#include "perilymph/device/ScriptedHand.h"
+#include "perilymph/session/RecordedInsertion.h"
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::session {
+namespace {
+
+using testing::HasSubstr;
+
+std::unique_ptr<Insertion> prepared(const Scenario& scenario,
+                                    std::optional<std::filesystem::path> record = std::nullopt)
+{
+  auto insertion = Insertion::prepare(
+      scenario, std::make_unique<device::ScriptedHand>(scenario.speed.si(), scenario.timeStep.si()),
+      std::move(record));
+  EXPECT_TRUE(insertion) << insertion.error().message;
+  return std::move(*insertion);
+}
+
+TEST(InsertionInVirtualTime, EndsAtTheStopTravel)
+{
+  const Scenario scenario = test::shortScenario();
+  haptics::TickRecord last;
+  const auto ran = prepared(scenario)->runToEnd([&](const haptics::TickRecord& record) {
+    last = record;
+    return true;
+  });
+  ASSERT_TRUE(ran) << ran.error().message;
+  EXPECT_EQ(last.output.workflow, haptics::Workflow::finished);
+  // less than one tick's way past it
+  EXPECT_NEAR(last.output.travel, scenario.stopTravel.si(),
+              scenario.speed.si() * scenario.timeStep.si());
+  EXPECT_GE(last.output.time, scenario.stopTravel / (1.0 * Length::fromSi(scenario.speed.si())) -
+                                  2.0 * scenario.timeStep.si());
+}
+
+TEST(InsertionInVirtualTime, ComesBackWhenTheScenarioWithdraws)
+{
+  const Scenario scenario = test::shortScenario({{"withdraw", "true"}});
+  double farthest = 0.0;
+  haptics::TickRecord last;
+  const auto ran = prepared(scenario)->runToEnd([&](const haptics::TickRecord& record) {
+    farthest = std::max(farthest, record.output.travel);
+    last = record;
+    return true;
+  });
+  ASSERT_TRUE(ran) << ran.error().message;
+  EXPECT_EQ(last.output.workflow, haptics::Workflow::finished);
+  const double tickWay = scenario.speed.si() * scenario.timeStep.si();
+  EXPECT_NEAR(farthest, scenario.stopTravel.si(), tickWay);
+  EXPECT_NEAR(last.output.travel, 0.0, 2.0 * tickWay);
+}
+
+TEST(InsertionInVirtualTime, StopsWhenTheCallerHasSeenEnough)
+{
+  std::uint64_t seen = 0;
+  const auto insertion = prepared(test::shortScenario());
+  ASSERT_TRUE(insertion->runToEnd([&](const haptics::TickRecord&) { return ++seen < 10; }));
+  EXPECT_EQ(seen, 10u);
+  ASSERT_TRUE(insertion->runToEnd({}, 5));
+  EXPECT_EQ(insertion->loop().statistics().ticks, 15u);
+}
+
+TEST(InsertionInVirtualTime, IsTheSameToTheLastBitEveryTime)
+{
+  const auto fingerprint = [] {
+    const auto insertion = prepared(test::shortScenario());
+    EXPECT_TRUE(insertion->runToEnd({}));
+    return insertion->loop().engine().fingerprint();
+  };
+  EXPECT_EQ(fingerprint(), fingerprint());
+}
+
+TEST(RecordedInVirtualTime, HoldsEveryTickThatRan)
+{
+  const test::TemporaryFolder folder;
+  std::uint64_t ran = 0;
+  {
+    const auto insertion = prepared(test::shortScenario(), folder / "run.insertion");
+    ASSERT_TRUE(insertion->runToEnd([&](const haptics::TickRecord&) { return ++ran > 0; }));
+    EXPECT_TRUE(insertion->closeRecording());
+  }
+  const auto recorded = RecordedInsertion::open(folder / "run.insertion");
+  ASSERT_TRUE(recorded) << recorded.error().message;
+  EXPECT_EQ(recorded->ticks(), ran);
+  EXPECT_EQ(recorded->lostRecords(), 0u);
+  EXPECT_TRUE(recorded->wasClosed());
+  EXPECT_EQ(recorded->facts().device, "Scripted insertion");
+}
+
+TEST(PreparingAnInsertion, RefusesToRecordOverAFile)
+{
+  const test::TemporaryFolder folder;
+  const Scenario scenario = test::shortScenario();
+  prepared(scenario, folder / "run.insertion");
+  const auto again = Insertion::prepare(
+      scenario, std::make_unique<device::ScriptedHand>(2e-3, 1e-3), folder / "run.insertion");
+  ASSERT_FALSE(again);
+  EXPECT_THAT(again.error().message, HasSubstr("never overwritten"));
+}
+
+TEST(InsertionByTheClock, RunsRecordsAndStops)
+{
+  const test::TemporaryFolder folder;
+  std::uint64_t ticks = 0;
+  {
+    const auto insertion = prepared(test::shortScenario(), folder / "clock.insertion");
+    auto& hand = dynamic_cast<device::ScriptedHand&>(insertion->hand());
+    ASSERT_TRUE(insertion->start());
+    haptics::Command arm;
+    arm.kind = haptics::Command::Kind::arm;
+    ASSERT_TRUE(insertion->send(arm));
+    hand.move(device::ScriptedHand::Motion::insert);
+    while (insertion->latest().output.workflow != haptics::Workflow::finished) {
+      insertion->refresh();
+      std::this_thread::yield();
+    }
+    insertion->stop();
+    ticks = insertion->loop().statistics().ticks;
+    EXPECT_EQ(insertion->recordingTrouble(), "");
+  }
+  const auto recorded = RecordedInsertion::open(folder / "clock.insertion");
+  ASSERT_TRUE(recorded) << recorded.error().message;
+  EXPECT_EQ(recorded->ticks() + recorded->lostRecords(), ticks);
+  EXPECT_TRUE(recorded->wasClosed());
+}
+
+TEST(DiskInTrouble, EndsTheRecordingAndNotTheInsertion)
+{
+  const test::TemporaryFolder folder;
+  // Files of this process may grow to 200 kB: a disk that is full.
+  ASSERT_NE(std::signal(SIGXFSZ, SIG_IGN), SIG_ERR);
+  rlimit usual{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &usual), 0);
+  rlimit small = usual;
+  small.rlim_cur = 200'000;
+
+  const auto insertion =
+      prepared(test::shortScenario({{"stop_travel_mm", "2"}}), folder / "full.insertion");
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+  haptics::TickRecord last;
+  const auto ran = insertion->runToEnd([&](const haptics::TickRecord& record) {
+    last = record;
+    return true;
+  });
+  const std::string trouble = insertion->recordingTrouble();
+  const auto closed = insertion->closeRecording();
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &usual), 0);
+
+  EXPECT_TRUE(ran);
+  EXPECT_EQ(last.output.workflow, haptics::Workflow::finished);
+  EXPECT_THAT(trouble, HasSubstr("full.insertion"));
+  ASSERT_FALSE(closed);
+  EXPECT_EQ(closed.error().message, trouble);
+  const auto recorded = RecordedInsertion::open(folder / "full.insertion");
+  ASSERT_TRUE(recorded) << recorded.error().message;
+  EXPECT_GT(recorded->ticks(), 0u);
+  EXPECT_LT(recorded->ticks(), last.tick);
+  EXPECT_EQ(recorded->ticks() % 20, 0u);  // whole drains only
+}
+
+}  // namespace
+}  // namespace perilymph::session

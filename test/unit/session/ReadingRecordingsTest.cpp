@@ -1,0 +1,218 @@
+// Recordings as they come back from the world: crashed, cut, too new, in places nobody may write
+// to.
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+
+#include "OddRecords.h"
+#include "perilymph/session/RecordedInsertion.h"
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::session {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+/// A recording that was closed, of so many ticks.
+fs::path recorded(const test::TemporaryFolder& folder, std::uint64_t ticks)
+{
+  const fs::path file = folder / "some.insertion";
+  auto recording = Recording::create(file, test::someFacts());
+  EXPECT_TRUE(recording);
+  EXPECT_TRUE((*recording)->append(test::quietRecords(0, ticks)));
+  EXPECT_TRUE((*recording)->close());
+  return file;
+}
+
+/// A recording whose program was killed after so many drains of 20 ticks.
+fs::path crashed(const test::TemporaryFolder& folder, std::uint64_t drains)
+{
+  const fs::path file = folder / "crashed.insertion";
+  const pid_t child = ::fork();
+  if (child == 0) {
+    auto recording = Recording::create(file, test::someFacts());
+    for (std::uint64_t i = 0; recording && i < drains; ++i)
+      if (!(*recording)->append(test::quietRecords(20 * i, 20))) ::_exit(1);
+    ::raise(SIGKILL);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFSIGNALED(status));
+  return file;
+}
+
+std::string refusal(const fs::path& file)
+{
+  const auto opened = RecordedInsertion::open(file);
+  return opened ? "opened" : opened.error().message;
+}
+
+void runSql(const fs::path& file, const std::string& sql)
+{
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open(file.c_str(), &database), SQLITE_OK);
+  ASSERT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sql;
+  sqlite3_close(database);
+}
+
+/// Somebody without rights, for as long as it lives. Nobody in particular where the test already
+/// is.
+class Nobody {
+public:
+  Nobody()
+  {
+    if (::geteuid() == 0) isChanged_ = ::seteuid(65534) == 0;
+  }
+  ~Nobody()
+  {
+    if (isChanged_ && ::seteuid(0) != 0) ADD_FAILURE() << "could not become root again";
+  }
+
+private:
+  bool isChanged_ = false;
+};
+
+TEST(CrashedRecording, KeepsEveryDrainThatHadReturned)
+{
+  const test::TemporaryFolder folder;
+  const auto opened = RecordedInsertion::open(crashed(folder, 30));
+  ASSERT_TRUE(opened) << opened.error().message;
+  EXPECT_EQ(opened->ticks(), 600u);
+  EXPECT_FALSE(opened->wasClosed());
+  EXPECT_EQ(opened->note(), "");
+}
+
+TEST(CrashedRecording, IsReadAsFarAsItWasFoldedWhereNothingMayBeWritten)
+{
+  const test::TemporaryFolder folder;
+  ::chmod(folder.path().c_str(), 0755);
+  const fs::path file = crashed(folder, 30);
+  ::chmod(file.c_str(), 0444);
+  ::chmod(folder.path().c_str(), 0555);
+  {
+    const Nobody nobody;
+    const auto opened = RecordedInsertion::open(file);
+    ASSERT_TRUE(opened) << opened.error().message;
+    EXPECT_LE(opened->ticks(), 600u);
+    EXPECT_THAT(opened->note(), HasSubstr("-wal"));
+    EXPECT_EQ(opened->facts().scenarioName, "somewhere");
+  }
+  ::chmod(folder.path().c_str(), 0755);
+}
+
+TEST(ClosedRecording, IsReadWholeWhereNothingMayBeWritten)
+{
+  const test::TemporaryFolder folder;
+  ::chmod(folder.path().c_str(), 0755);
+  const fs::path file = recorded(folder, 50);
+  ::chmod(file.c_str(), 0444);
+  ::chmod(folder.path().c_str(), 0555);
+  {
+    const Nobody nobody;
+    const auto opened = RecordedInsertion::open(file);
+    ASSERT_TRUE(opened) << opened.error().message;
+    EXPECT_EQ(opened->ticks(), 50u);
+    EXPECT_EQ(opened->note(), "");
+  }
+  ::chmod(folder.path().c_str(), 0755);
+}
+
+TEST(OpeningARecording, SaysThatThereIsNone)
+{
+  const test::TemporaryFolder folder;
+  EXPECT_THAT(refusal(folder / "none.insertion"), HasSubstr("does not exist"));
+  EXPECT_THAT(refusal(folder.path()), HasSubstr("is a folder"));
+}
+
+TEST(OpeningARecording, SaysThatItIsSomethingElse)
+{
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "text.insertion") << "time_s,travel_mm\n0,0\n";
+  EXPECT_THAT(refusal(folder / "text.insertion"), HasSubstr("not a recording"));
+  std::ofstream(folder / "empty.insertion") << "";
+  EXPECT_THAT(refusal(folder / "empty.insertion"), HasSubstr("not a recording"));
+  runSql(folder / "other.db", "CREATE TABLE meta(key, value); INSERT INTO meta VALUES(1, 2)");
+  EXPECT_THAT(refusal(folder / "other.db"), HasSubstr("not a recording"));
+}
+
+TEST(OpeningARecording, SaysThatItIsTooNew)
+{
+  const test::TemporaryFolder folder;
+  const fs::path file = recorded(folder, 5);
+  runSql(file, "PRAGMA user_version=9");
+  EXPECT_THAT(refusal(file), testing::AllOf(HasSubstr("format 9"), HasSubstr("newer version")));
+}
+
+TEST(OpeningARecording, SaysThatItIsCutShort)
+{
+  const test::TemporaryFolder folder;
+  const fs::path file = recorded(folder, 500);
+  for (const std::uintmax_t size : {fs::file_size(file) - 1, fs::file_size(file) / 2,
+                                    std::uintmax_t{4096}, std::uintmax_t{50}}) {
+    fs::resize_file(file, size);
+    EXPECT_THAT(refusal(file), HasSubstr("damaged")) << size;
+  }
+}
+
+TEST(OpeningARecording, SaysThatItsFactsAreMissing)
+{
+  const test::TemporaryFolder folder;
+  const fs::path file = recorded(folder, 5);
+  runSql(file, "DELETE FROM meta WHERE key = 'scenario'");
+  EXPECT_THAT(refusal(file), HasSubstr("damaged"));
+}
+
+TEST(ReadingTicks, StopsAtARecordThatIsNoRecord)
+{
+  const test::TemporaryFolder folder;
+  const fs::path file = recorded(folder, 10);
+  for (const char* change : {"UPDATE tick SET record = x'01' WHERE tick = 4",
+                             "UPDATE tick SET record = (SELECT record FROM tick WHERE tick = 3) "
+                             "WHERE tick = 4",
+                             "UPDATE tick SET record = zeroblob(100000) WHERE tick = 4"}) {
+    runSql(file, change);
+    const auto opened = RecordedInsertion::open(file);
+    ASSERT_TRUE(opened);
+    std::uint64_t seen = 0;
+    const auto read = opened->forEach([&](const haptics::TickRecord&) { return ++seen > 0; });
+    ASSERT_FALSE(read) << change;
+    EXPECT_THAT(read.error().message, HasSubstr("tick 4"));
+    EXPECT_EQ(seen, 4u);
+  }
+}
+
+TEST(ReadingTicks, SurvivesAnyByteThatFlips)
+{
+  const test::TemporaryFolder folder;
+  const fs::path file = recorded(folder, 20);
+  std::ifstream stream(file, std::ios::binary);
+  const std::string whole(std::istreambuf_iterator<char>(stream), {});
+  for (std::size_t place = 0; place < whole.size(); place += 97) {
+    std::string damaged = whole;
+    damaged[place] = static_cast<char>(damaged[place] ^ 0x55);
+    const fs::path copy = folder / "copy.insertion";
+    std::ofstream(copy, std::ios::binary) << damaged;
+    const auto opened = RecordedInsertion::open(copy);
+    // Whatever it says, it says it in words.
+    if (!opened) {
+      EXPECT_THAT(opened.error().message, HasSubstr("copy.insertion")) << place;
+      continue;
+    }
+    const auto read = opened->forEach([](const haptics::TickRecord&) { return true; });
+    if (!read) {
+      EXPECT_THAT(read.error().message, HasSubstr("copy.insertion")) << place;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace perilymph::session

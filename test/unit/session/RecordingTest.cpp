@@ -1,0 +1,180 @@
+#include "perilymph/session/Recording.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include <fstream>
+
+#include "OddRecords.h"
+#include "perilymph/session/RecordedInsertion.h"
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::session {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// What another program sees in the file: the first column of every row.
+std::vector<std::string> query(const std::filesystem::path& file, const std::string& sql)
+{
+  sqlite3* database = nullptr;
+  EXPECT_EQ(sqlite3_open_v2(file.c_str(), &database, SQLITE_OPEN_READWRITE, nullptr), SQLITE_OK);
+  std::vector<std::string> rows;
+  const auto collect = [](void* to, int, char** values, char**) {
+    static_cast<std::vector<std::string>*>(to)->push_back(values[0] ? values[0] : "NULL");
+    return 0;
+  };
+  EXPECT_EQ(sqlite3_exec(database, sql.c_str(), collect, &rows, nullptr), SQLITE_OK) << sql;
+  sqlite3_close(database);
+  return rows;
+}
+
+std::size_t filesIn(const std::filesystem::path& folder)
+{
+  const std::filesystem::directory_iterator entries(folder);
+  return static_cast<std::size_t>(std::distance(begin(entries), end(entries)));
+}
+
+TEST(Recording, GivesBackEveryBitOfEveryTick)
+{
+  const test::TemporaryFolder folder;
+  std::vector<haptics::TickRecord> written;
+  for (std::uint64_t tick = 0; tick < 500; ++tick) written.push_back(test::oddRecord(tick));
+  {
+    auto recording = Recording::create(folder / "odd.insertion", test::someFacts());
+    ASSERT_TRUE(recording) << recording.error().message;
+    ASSERT_TRUE((*recording)->append(written));
+  }
+  const auto recorded = RecordedInsertion::open(folder / "odd.insertion");
+  ASSERT_TRUE(recorded) << recorded.error().message;
+  std::size_t next = 0;
+  const auto read = recorded->forEach([&](const haptics::TickRecord& record) {
+    EXPECT_EQ(test::bitsOf(record), test::bitsOf(written[next])) << next;
+    ++next;
+    return true;
+  });
+  EXPECT_TRUE(read);
+  EXPECT_EQ(next, written.size());
+}
+
+TEST(Recording, GivesBackItsFactsToTheLastBit)
+{
+  const test::TemporaryFolder folder;
+  const RecordingFacts facts = test::someFacts();
+  {
+    auto recording = Recording::create(folder / "facts.insertion", facts);
+    ASSERT_TRUE(recording);
+    ASSERT_TRUE((*recording)->close(3));
+  }
+  const auto recorded = RecordedInsertion::open(folder / "facts.insertion");
+  ASSERT_TRUE(recorded) << recorded.error().message;
+  EXPECT_EQ(recorded->facts().scenarioText, facts.scenarioText);
+  EXPECT_EQ(recorded->facts().timeStep, facts.timeStep);
+  EXPECT_EQ(recorded->facts().samplePeriod, facts.samplePeriod);
+  EXPECT_EQ(recorded->facts().modelFingerprint, facts.modelFingerprint);
+  EXPECT_EQ(recorded->facts().seed, facts.seed);
+  EXPECT_EQ(recorded->lostRecords(), 3u);
+  EXPECT_TRUE(recorded->wasClosed());
+}
+
+TEST(Recording, IsOneFileOnceClosed)
+{
+  const test::TemporaryFolder folder;
+  auto recording = Recording::create(folder / "one.insertion", test::someFacts());
+  ASSERT_TRUE(recording);
+  ASSERT_TRUE((*recording)->append(test::quietRecords(0, 100)));
+  EXPECT_GT(filesIn(folder.path()), 1u);  // the log
+  ASSERT_TRUE((*recording)->close());
+  EXPECT_EQ(filesIn(folder.path()), 1u);
+}
+
+TEST(Recording, ShowsItsRowsToOtherProgramsWhileItRuns)
+{
+  const test::TemporaryFolder folder;
+  auto recording = Recording::create(folder / "live.insertion", test::someFacts());
+  ASSERT_TRUE(recording);
+  auto records = test::quietRecords(0, 20);
+  records[7].output.axialForce = 0.125;
+  ASSERT_TRUE((*recording)->append(records));
+  EXPECT_EQ(query(folder / "live.insertion", "SELECT COUNT(*) FROM tick"),
+            std::vector<std::string>{"20"});
+  EXPECT_EQ(query(folder / "live.insertion", "SELECT tick FROM tick WHERE force_axial_N = 0.125"),
+            std::vector<std::string>{"7"});
+  EXPECT_TRUE((*recording)->append(test::quietRecords(20, 20)));  // being read does not stop it
+}
+
+TEST(Recording, WritesDownCommandsAndChanges)
+{
+  const test::TemporaryFolder folder;
+  auto records = test::quietRecords(0, 6);
+  records[0].commands.count = 1;
+  records[0].commands.items[0].kind = haptics::Command::Kind::arm;
+  for (std::size_t i = 1; i < 6; ++i) records[i].output.workflow = haptics::Workflow::inserting;
+  records[3].output.status = haptics::forceClamped;
+  records[4].output.status = haptics::forceClamped;
+  {
+    auto recording = Recording::create(folder / "events.insertion", test::someFacts());
+    ASSERT_TRUE(recording);
+    ASSERT_TRUE((*recording)->append(records));
+  }
+  EXPECT_EQ(
+      query(folder / "events.insertion",
+            "SELECT tick || ' ' || kind || ' ' || value FROM event ORDER BY rowid"),
+      (std::vector<std::string>{"0 arm 0.0", "1 workflow inserting", "3 status forceClamped"}));
+}
+
+TEST(Recording, CountsTheTicksThatNeverCame)
+{
+  const test::TemporaryFolder folder;
+  {
+    auto recording = Recording::create(folder / "gaps.insertion", test::someFacts());
+    ASSERT_TRUE(recording);
+    ASSERT_TRUE((*recording)->append(test::quietRecords(0, 10)));
+    ASSERT_TRUE((*recording)->append(test::quietRecords(15, 10)));  // 10 to 14 are missing
+  }
+  const auto recorded = RecordedInsertion::open(folder / "gaps.insertion");
+  ASSERT_TRUE(recorded);
+  EXPECT_EQ(recorded->lostRecords(), 5u);
+  EXPECT_EQ(recorded->ticks(), 20u);
+}
+
+TEST(Recording, NeverOverwritesAnything)
+{
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "mine.insertion") << "something dear";
+  const auto recording = Recording::create(folder / "mine.insertion", test::someFacts());
+  ASSERT_FALSE(recording);
+  EXPECT_THAT(recording.error().message, AllOf(HasSubstr("mine.insertion"), HasSubstr("never")));
+  std::ifstream stream(folder / "mine.insertion");
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(stream), {}), "something dear");
+}
+
+TEST(Recording, SaysWhereItCannotBegin)
+{
+  const test::TemporaryFolder folder;
+  const auto nowhere = Recording::create(folder / "no" / "x.insertion", test::someFacts());
+  ASSERT_FALSE(nowhere);
+  EXPECT_THAT(nowhere.error().message, HasSubstr("does not exist"));
+  const auto inPlaceOfAFolder = Recording::create(folder.path(), test::someFacts());
+  ASSERT_FALSE(inPlaceOfAFolder);
+  EXPECT_THAT(inPlaceOfAFolder.error().message, HasSubstr("is a folder"));
+}
+
+TEST(Recording, TakesNamesThatMeanSomethingElsewhere)
+{
+  const test::TemporaryFolder folder;
+  for (const char* name : {"50%20 done?mode=ro#x.insertion", "a b&c.insertion"}) {
+    const auto recording = Recording::create(folder / name, test::someFacts());
+    ASSERT_TRUE(recording) << recording.error().message;
+    EXPECT_TRUE((*recording)->append(test::quietRecords(0, 3)));
+    EXPECT_TRUE((*recording)->close());
+    const auto recorded = RecordedInsertion::open(folder / name);
+    ASSERT_TRUE(recorded) << recorded.error().message;
+    EXPECT_EQ(recorded->ticks(), 3u);
+  }
+}
+
+}  // namespace
+}  // namespace perilymph::session

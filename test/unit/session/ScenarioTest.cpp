@@ -1,0 +1,250 @@
+#include "perilymph/session/Scenario.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::session {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+std::string refusal(const Overrides& overrides)
+{
+  const auto scenario = loadScenario("contour-published", overrides);
+  return scenario ? "accepted" : scenario.error().message;
+}
+
+void write(const std::filesystem::path& file, const std::string& text)
+{
+  std::ofstream(file) << text;
+}
+
+TEST(ContourPublished, IsThePublishedExperiment)
+{
+  const auto scenario = loadScenario("contour-published");
+  ASSERT_TRUE(scenario) << scenario.error().message;
+  // Todd and Naghdy, sections II.A, II.C, II.D and III
+  EXPECT_DOUBLE_EQ(inMillimetersPerSecond(scenario->speed), 120.0 / 60.0);
+  EXPECT_DOUBLE_EQ(inMillimeters(scenario->stopTravel), 16.5);
+  EXPECT_DOUBLE_EQ(inMillimeters(scenario->startInside), (1.0 + 3.0) / 2.0);
+  EXPECT_DOUBLE_EQ(scenario->friction.starting, 0.0605);
+  EXPECT_DOUBLE_EQ(scenario->friction.dynamic, 0.0395);
+  EXPECT_DOUBLE_EQ(scenario->friction.stopping, 0.0185);
+  EXPECT_DOUBLE_EQ(scenario->wall.perSamplePoint.si(), 441.0);
+  EXPECT_DOUBLE_EQ(scenario->wall.tangentialPerSamplePoint.si(), 200.0);
+  EXPECT_DOUBLE_EQ(inMillimeters(scenario->patient.scalaTympaniLength), 35.58);
+  EXPECT_EQ(scenario->engine.coupling, mechanics::Coupling::rigid);
+  EXPECT_EQ(scenario->array.name, "Nucleus 24 Contour");
+}
+
+TEST(ScenarioText, ReadAgainGivesTheSameModelToTheLastBit)
+{
+  const Overrides odd = {{"speed_mm_s", "0.3"},
+                         {"nodes", "33"},
+                         {"stop_travel_mm", "7.7"},
+                         {"lead_in_mm", "1.7"},
+                         {"start_inside_mm", "1.1"},
+                         {"approach_tilt_deg", "3.3"},
+                         {"wall_stiffness_N_m", "500.7"},
+                         {"patient", "small"},
+                         {"title", "\"a \\\"quoted\\\" title\""}};
+  const auto first = loadScenario("contour-published", odd);
+  ASSERT_TRUE(first) << first.error().message;
+  const auto second = parseScenario(first->text, "elsewhere");
+  ASSERT_TRUE(second) << second.error().message;
+
+  EXPECT_EQ(second->text, first->text);
+  EXPECT_EQ(second->patient.scalaTympaniLength, first->patient.scalaTympaniLength);
+  EXPECT_EQ(second->patient.roundWindowWidth, first->patient.roundWindowWidth);
+  EXPECT_EQ(second->title, "a \"quoted\" title");
+  const auto fingerprint = [](const Scenario& scenario) {
+    const auto anatomy = buildAnatomy(scenario);
+    EXPECT_TRUE(anatomy);
+    const auto model = buildModel(scenario, *anatomy);
+    EXPECT_TRUE(model);
+    return (*model)->fingerprint;
+  };
+  EXPECT_EQ(fingerprint(*second), fingerprint(*first));
+}
+
+TEST(ScenarioText, CarriesThePatientsNumbersWhenTheFileIsGone)
+{
+  const test::TemporaryFolder folder;
+  write(folder / "somebody.toml",
+        "label = \"somebody\"\nside = \"left\"\nst_length_mm = 33.333\nrw_width_mm = 2.011\n"
+        "rw_height_mm = 1.777\n");
+  write(folder / "mine.toml", "patient = \"somebody.toml\"\n");
+  const auto first = loadScenario((folder / "mine.toml").string());
+  ASSERT_TRUE(first) << first.error().message;
+  EXPECT_EQ(first->patient.side, anatomy::Side::left);
+
+  std::filesystem::remove(folder / "somebody.toml");
+  const auto second = parseScenario(first->text, "recording");
+  ASSERT_TRUE(second) << second.error().message;
+  EXPECT_EQ(second->patient.scalaTympaniLength, millimeters(33.333));
+  EXPECT_EQ(second->patient.roundWindowWidth, millimeters(2.011));
+  EXPECT_EQ(second->patient.roundWindowHeight, millimeters(1.777));
+  EXPECT_EQ(second->patient.side, anatomy::Side::left);
+  EXPECT_EQ(second->patientName, "somebody.toml");
+}
+
+TEST(ScenarioText, YieldsToAPatientNamedAnew)
+{
+  const auto first = loadScenario("contour-published", {{"patient", "small"}});
+  ASSERT_TRUE(first) << first.error().message;
+  const auto second = parseScenario(first->text, "recording", {{"patient", "large"}});
+  ASSERT_TRUE(second) << second.error().message;
+  const auto large = loadScenario("contour-published", {{"patient", "large"}});
+  ASSERT_TRUE(large);
+  EXPECT_EQ(second->patient.scalaTympaniLength, large->patient.scalaTympaniLength);
+}
+
+TEST(ScenarioText, RemembersWhichArrayFileItWasRunWith)
+{
+  const auto first = loadScenario("contour-published");
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->expectedArrayFingerprint, "");
+  EXPECT_EQ(first->arrayFingerprint.size(), 16u);
+  const auto second = parseScenario(first->text, "recording");
+  ASSERT_TRUE(second);
+  EXPECT_EQ(second->expectedArrayFingerprint, first->arrayFingerprint);
+}
+
+TEST(Scenario, TakesEveryKeyOfTheContract)
+{
+  // commands.md, "Scenario keys", each with a value that is not the usual one
+  const Overrides keys = {{"anatomy", "published"},
+                          {"patient", "average"},
+                          {"side", "left"},
+                          {"array", "contour"},
+                          {"technique", "standard"},
+                          {"model", "rod"},
+                          {"nodes", "64"},
+                          {"dt_ms", "0.5"},
+                          {"seed", "42"},
+                          {"speed_mm_s", "0.9"},
+                          {"start_inside_mm", "-5"},
+                          {"stop_travel_mm", "12"},
+                          {"withdraw", "true"},
+                          {"stylet_pull_mm_s", "3"},
+                          {"lead_in_mm", "2"},
+                          {"approach_tilt_deg", "-4"},
+                          {"approach_turn_deg", "4"},
+                          {"friction", "paper"},
+                          {"friction_static", "0.3"},
+                          {"friction_dynamic", "0.2"},
+                          {"friction_stopping", "0.1"},
+                          {"wall_stiffness_N_m", "2000"},
+                          {"wall_tangential_stiffness_N_m", "900"},
+                          {"coupling", "spring"},
+                          {"coupling_stiffness_N_m", "300"},
+                          {"coupling_damping_N_s_m", "2"},
+                          {"force_scale", "3"}};
+  const auto scenario = loadScenario("contour-published", keys);
+  ASSERT_TRUE(scenario) << scenario.error().message;
+  EXPECT_EQ(scenario->patient.side, anatomy::Side::left);
+  EXPECT_EQ(scenario->nodes, 64);
+  EXPECT_EQ(scenario->timeStep, milliseconds(0.5));
+  EXPECT_EQ(scenario->seed, 42);
+  EXPECT_EQ(scenario->speed, millimetersPerSecond(0.9));
+  EXPECT_EQ(scenario->startInside, millimeters(-5));
+  EXPECT_EQ(scenario->stopTravel, millimeters(12));
+  EXPECT_TRUE(scenario->withdraws);
+  EXPECT_EQ(scenario->styletSpeed, millimetersPerSecond(3));
+  EXPECT_EQ(scenario->leadIn, millimeters(2));
+  EXPECT_EQ(scenario->approachTilt, degrees(-4));
+  EXPECT_EQ(scenario->approachTurn, degrees(4));
+  EXPECT_EQ(scenario->friction.starting, 0.3);
+  EXPECT_EQ(scenario->friction.dynamic, 0.2);
+  EXPECT_EQ(scenario->friction.stopping, 0.1);
+  EXPECT_EQ(scenario->wall.perSamplePoint, newtonsPerMeter(2000));
+  EXPECT_EQ(scenario->wall.tangentialPerSamplePoint, newtonsPerMeter(900));
+  EXPECT_EQ(scenario->engine.coupling, mechanics::Coupling::spring);
+  EXPECT_EQ(scenario->engine.couplingStiffness, 300.0);
+  EXPECT_EQ(scenario->engine.couplingDamping, 2.0);
+  EXPECT_EQ(scenario->engine.forceScale, 3.0);
+  EXPECT_EQ(scenario->engine.stopTravel, 12e-3);
+}
+
+TEST(Scenario, RefusesWhatIsNotThereYetByName)
+{
+  EXPECT_THAT(refusal({{"anatomy", "mean"}}),
+              AllOf(HasSubstr("mean"), HasSubstr("not in this version")));
+  EXPECT_THAT(refusal({{"anatomy", "clark"}}), HasSubstr("not in this version"));
+  EXPECT_THAT(refusal({{"model", "points"}}), HasSubstr("not in this version"));
+  EXPECT_THAT(refusal({{"anatomy", "banana"}}), AllOf(HasSubstr("banana"), HasSubstr("published")));
+}
+
+TEST(Scenario, AnswersAnUnknownFrictionWithTheKnownOnes)
+{
+  EXPECT_THAT(refusal({{"friction", "soap"}}), AllOf(HasSubstr("'soap'"), HasSubstr("paper")));
+}
+
+TEST(Scenario, RefusesFrictionThatGrowsWithSliding)
+{
+  EXPECT_THAT(refusal({{"friction_dynamic", "0.5"}}),
+              AllOf(HasSubstr("friction_dynamic is 0.5"), HasSubstr("0.0605")));
+  EXPECT_THAT(refusal({{"friction_stopping", "0.05"}}),
+              AllOf(HasSubstr("friction_stopping is 0.05"), HasSubstr("0.0395")));
+}
+
+TEST(Scenario, RefusesImpossibleNumbersWithTheRange)
+{
+  EXPECT_THAT(refusal({{"speed_mm_s", "-3"}}),
+              AllOf(HasSubstr("speed_mm_s"), HasSubstr("-3"), HasSubstr("0.01"), HasSubstr("200")));
+  EXPECT_THAT(refusal({{"nodes", "1025"}}), AllOf(HasSubstr("1025"), HasSubstr("1024")));
+  EXPECT_THAT(refusal({{"dt_ms", "0"}}), HasSubstr("dt_ms"));
+  EXPECT_THAT(refusal({{"nodes", "many"}}), HasSubstr("nodes"));
+}
+
+TEST(Scenario, RefusesUnknownKeysAndNamesTheLikelyOne)
+{
+  EXPECT_THAT(refusal({{"speed_mms", "2"}}),
+              AllOf(HasSubstr("speed_mms"), HasSubstr("speed_mm_s")));
+}
+
+TEST(Scenario, RefusesToPushAnArrayDeeperThanItMayGo)
+{
+  // The Contour may go in 22 mm; the tip starts 2 mm inside.
+  EXPECT_THAT(refusal({{"stop_travel_mm", "20.5"}}), AllOf(HasSubstr("22.5"), HasSubstr("22 mm")));
+  EXPECT_EQ(refusal({{"stop_travel_mm", "20"}}), "accepted");
+}
+
+TEST(Scenario, LooksForAPatientBesideItsFileFirst)
+{
+  const test::TemporaryFolder folder;
+  write(folder / "small.toml",
+        "label = \"my own small one\"\nst_length_mm = 30.0\nrw_width_mm = 1.8\n"
+        "rw_height_mm = 1.7\n");
+  write(folder / "mine.toml", "patient = \"small\"\n");
+  const auto scenario = loadScenario((folder / "mine.toml").string());
+  ASSERT_TRUE(scenario) << scenario.error().message;
+  EXPECT_EQ(scenario->patient.label, "my own small one");
+}
+
+TEST(Scenario, SaysWhichFileAndLineIsWrong)
+{
+  const test::TemporaryFolder folder;
+  write(folder / "bad.toml", "nodes = 50\ndt_ms = 99\n");
+  const auto scenario = loadScenario((folder / "bad.toml").string());
+  ASSERT_FALSE(scenario);
+  EXPECT_THAT(scenario.error().message, AllOf(HasSubstr("bad.toml:2"), HasSubstr("dt_ms is 99")));
+}
+
+TEST(Scenario, RefusesPatientNumbersNoCochleaHas)
+{
+  const auto first = loadScenario("contour-published");
+  ASSERT_TRUE(first);
+  const auto scenario =
+      parseScenario(first->text, "text", {{"patient_numbers.st_length_mm", "80"}});
+  ASSERT_FALSE(scenario);
+  EXPECT_THAT(scenario.error().message, AllOf(HasSubstr("st_length_mm"), HasSubstr("80")));
+}
+
+}  // namespace
+}  // namespace perilymph::session

@@ -24,7 +24,11 @@ PictureRequest request(const std::filesystem::path& file)
 /// Takes DISPLAY away until the end of the test.
 class WithoutDisplay {
 public:
-  WithoutDisplay() : before_(std::getenv("DISPLAY")) { unsetenv("DISPLAY"); }
+  WithoutDisplay()
+  {
+    if (const char* name = std::getenv("DISPLAY")) before_ = name;
+    unsetenv("DISPLAY");
+  }
   ~WithoutDisplay() { setenv("DISPLAY", before_.c_str(), 1); }
 
 private:
@@ -63,6 +67,16 @@ TEST(Picture, StartsADisplayOfItsOwnWhereThereIsNone)
   ASSERT_TRUE(done) << done.error().message;
   EXPECT_TRUE(std::filesystem::exists(folder / "scala.png"));
   EXPECT_EQ(std::getenv("DISPLAY"), nullptr);
+}
+
+TEST(Picture, StandsInForADisplayThatDoesNotAnswerAndLeavesItsNameAsItWas)
+{
+  const test::TemporaryFolder folder;
+  const WithoutDisplay none;
+  setenv("DISPLAY", ":9999", 1);
+  const Result<Done> done = renderPicture(request(folder / "scala.png"));
+  ASSERT_TRUE(done) << done.error().message;
+  EXPECT_STREQ(std::getenv("DISPLAY"), ":9999");
 }
 
 TEST(Picture, SaysThatADisplayDoesNotAnswer)

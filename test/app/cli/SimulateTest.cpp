@@ -78,7 +78,7 @@ TEST(Simulate, SaysWhatIsWrongWithTheScenario)
   expectRefusal(cli(shortSimulation({"--set", "speed_mm_s=-3"})), "between 0.01 and 200");
   expectRefusal(cli(shortSimulation({"--set", "speed=3"})), "speed_mm_s");
   expectRefusal(cli(shortSimulation({"--set", "friction=ice"})), "paper");
-  expectRefusal(cli(shortSimulation({"--nodes", "3"})), "between 8 and 1024");
+  expectRefusal(cli(shortSimulation({"--set", "nodes=3"})), "between 8 and 1024");
   expectRefusal(cli(shortSimulation({"--model", "points"})), "not in this version");
   expectRefusal(cli(shortSimulation({"--patient", "nobody"})), "average");
   expectRefusal(cli(shortSimulation({"--array", "spaghetti"})), "contour");

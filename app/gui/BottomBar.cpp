@@ -2,12 +2,13 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPainter>
 #include <QPushButton>
 #include <QStyle>
+#include <QVariant>
 #include <algorithm>
 
+#include "Numbers.h"
 #include "Theme.h"
 
 namespace perilymph::gui {
@@ -109,7 +110,7 @@ void BottomBar::setWithdrawEnabled(bool isEnabled) { withdraw_->setEnabled(isEna
 void BottomBar::setProgress(double share, double time_s)
 {
   progress_->setShare(share);
-  time_->setText(tr("%1 s").arg(QLocale().toString(time_s, 'f', 1)));
+  time_->setText(tr("%1 s").arg(numberText(time_s, 1)));
 }
 
 void BottomBar::setStatus(const QString& words, bool isTrouble)

@@ -113,7 +113,6 @@ Result<Done> InsertionControl::build(Hand hand, std::optional<std::filesystem::p
   wish_ = Wish::rest;
   isRunning_ = false;
   isHeld_ = false;
-  askedToWithdraw_ = false;
   styletTarget_.reset();
   styletAsked_ = false;
   askedAt_ = 0;
@@ -133,7 +132,6 @@ Result<Done> InsertionControl::begin()
     isRunning_ = true;
   }
   wish_ = Wish::insert;
-  askedToWithdraw_ = false;
   pursue();
   return Done{};
 }
@@ -149,13 +147,13 @@ void InsertionControl::withdraw()
 {
   if (!isRunning_) return;
   wish_ = Wish::withdraw;
-  askedToWithdraw_ = false;
   pursue();
 }
 
 void InsertionControl::pullStylet()
 {
-  if (!isRunning_ || !scenario_.array.hasStylet) return;
+  const bool isArmed = isRunning_ && now_.output.workflow != haptics::Workflow::idle;
+  if (!isArmed || !scenario_.array.hasStylet) return;
   styletTarget_ = scenario_.array.length.si();
   pursue();
 }
@@ -169,7 +167,9 @@ void InsertionControl::hold(bool isHeld)
 
 void InsertionControl::advanceBy(Length distance)
 {
-  if (pointer_ != nullptr && isHeld_) pointer_->advanceBy(distance.si());
+  if (pointer_ == nullptr || !isHeld_) return;
+  if (distance.si() > 0.0 && isAtDepth()) return;
+  pointer_->advanceBy(distance.si());
 }
 
 bool InsertionControl::update()
@@ -192,7 +192,6 @@ bool InsertionControl::ask(Kind kind, double value)
 void InsertionControl::pursue()
 {
   const haptics::Workflow workflow = now_.output.workflow;
-  const bool isAnswered = now_.tick > askedAt_ || askedAt_ == 0;
   if (workflow == haptics::Workflow::fault) {
     moveHand(Motion::hold);
     wish_ = Wish::rest;
@@ -201,26 +200,40 @@ void InsertionControl::pursue()
   if (wish_ == Wish::rest && !styletTarget_) return;
 
   if (workflow == haptics::Workflow::idle) {
-    if (isAnswered && ask(Kind::arm)) askedAt_ = now_.tick + 1;
+    if (now_.tick >= askedAt_ && ask(Kind::arm)) askedAt_ = now_.tick + 1;
     return;
   }
   if (styletTarget_ && !styletAsked_) styletAsked_ = ask(Kind::pullStylet, *styletTarget_);
 
   if (wish_ == Wish::insert) {
-    const bool isThere = workflow == haptics::Workflow::finished;
-    moveHand(isThere ? Motion::hold : Motion::insert);
-    if (isThere) wish_ = Wish::rest;
+    const bool isDone = workflow == haptics::Workflow::finished || isAtDepth();
+    moveHand(isDone ? Motion::hold : Motion::insert);
+    if (isDone) wish_ = Wish::rest;
   } else if (wish_ == Wish::withdraw) {
-    if (!askedToWithdraw_) {
-      askedToWithdraw_ = ask(Kind::withdraw);
-      askedAt_ = now_.tick + 1;
-      return;
-    }
-    const bool isOut =
-        now_.output.travel <= 0.0 || (workflow == haptics::Workflow::finished && isAnswered);
-    moveHand(isOut ? Motion::hold : Motion::withdraw);
-    if (isOut) wish_ = Wish::rest;
+    pursueWithdrawal();
   }
+}
+
+void InsertionControl::pursueWithdrawal()
+{
+  const haptics::TickOutput& now = now_.output;
+  // At full depth the loop wants to be asked; on the way there the hand may turn back by itself.
+  if (now.workflow == haptics::Workflow::finished && isAtDepth()) {
+    if (now_.tick >= askedAt_ && ask(Kind::withdraw)) askedAt_ = now_.tick + 1;
+    return;
+  }
+  const bool isOut = now.travel <= 0.0 || now.workflow == haptics::Workflow::finished;
+  moveHand(isOut ? Motion::hold : Motion::withdraw);
+  if (isOut) wish_ = Wish::rest;
+}
+
+bool InsertionControl::isAtDepth() const noexcept
+{
+  // Also after a withdrawal from full depth, when the loop holds no stop any more. A finished
+  // withdrawal is finished, too, but near the start.
+  const double stop = scenario_.stopTravel.si();
+  const bool isFinished = now_.output.workflow == haptics::Workflow::finished;
+  return now_.output.travel >= stop || (isFinished && now_.output.travel > 0.5 * stop);
 }
 
 void InsertionControl::moveHand(Motion motion)

@@ -55,6 +55,8 @@ public:
 
   Hand hand() const noexcept { return hand_; }
   bool isRunning() const noexcept { return isRunning_; }
+  /// The array is at the stop travel or beyond.
+  bool isAtDepth() const noexcept;
   /// The hand is asked to move, or held.
   bool isMoving() const noexcept;
   bool isStyletPulled() const noexcept { return styletTarget_.has_value(); }
@@ -73,6 +75,7 @@ private:
   Result<Done> build(Hand hand, std::optional<std::filesystem::path> file);
   bool ask(haptics::Command::Kind kind, double value = 0.0);
   void pursue();
+  void pursueWithdrawal();
   void moveHand(device::ScriptedHand::Motion motion);
 
   session::Scenario scenario_;
@@ -87,7 +90,6 @@ private:
   Wish wish_ = Wish::rest;
   bool isRunning_ = false;
   bool isHeld_ = false;
-  bool askedToWithdraw_ = false;
   std::optional<double> styletTarget_;  ///< [m]
   bool styletAsked_ = false;
   std::uint64_t askedAt_ = 0;  ///< Tick of the picture at the last request.

@@ -3,7 +3,6 @@
 #include <QEvent>
 #include <QFrame>
 #include <QHBoxLayout>
-#include <QLocale>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cstring>
@@ -11,6 +10,7 @@
 #include "BottomBar.h"
 #include "ChartColumn.h"
 #include "KeyList.h"
+#include "Numbers.h"
 #include "OperationView.h"
 #include "SidePanel.h"
 #include "Theme.h"
@@ -55,8 +55,8 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
   setObjectName(QStringLiteral("mainWindow"));
   setWindowTitle(tr("Perilymph · %1").arg(QString::fromStdString(control_.scenario().name)));
   setFont(typeface(13));
-  setStyleSheet(styleSheet());
-  setMinimumSize(1120, 720);
+  setStyleSheet(windowStyle());
+  setMinimumSize(1240, 720);
   resize(1280, 800);
   setFocusPolicy(Qt::StrongFocus);
   layOut();
@@ -241,7 +241,7 @@ void MainWindow::onPresented()
 void MainWindow::showSlowly()
 {
   const haptics::TickOutput& now = control_.now().output;
-  view_->showNumbers(now);
+  view_->showNumbers(now, control_.scenario().stopTravel);
   bottom_->setProgress(now.travel / control_.scenario().stopTravel.si(), now.time);
   showState();
 }
@@ -269,7 +269,7 @@ void MainWindow::showState()
   const double withdrawn_mm = inMillimeters(Length::fromSi(now.output.styletWithdrawal));
   const QString stylet = !hasStylet ? tr("no stylet")
                          : withdrawn_mm > 0.0
-                             ? tr("stylet %1 mm out").arg(QLocale().toString(withdrawn_mm, 'f', 1))
+                             ? tr("stylet %1 mm out").arg(numberText(withdrawn_mm, 1))
                              : tr("Standard, stylet in");
   side_->setStylet(stylet, hasStylet && hasMoved && !control_.isStyletPulled());
 
@@ -278,12 +278,11 @@ void MainWindow::showState()
   else if (workflow == Workflow::fault)
     top_->setDevice(Light::alarm, tr("fault · no force"), troubleWords());
   else if (now.measuredRate > 0.0)
-    top_->setDevice(
-        Light::steady,
-        tr("%1 Hz · %2 late").arg(QLocale().toString(now.measuredRate, 'f', 0)).arg(now.lateTicks),
-        tr("%1. Ticks a second as measured, and ticks that began more than one period "
-           "late.")
-            .arg(QString::fromStdString(control_.handName())));
+    top_->setDevice(Light::steady,
+                    tr("%1 Hz · %2 late").arg(numberText(now.measuredRate, 0)).arg(now.lateTicks),
+                    tr("%1. Ticks a second as measured, and ticks that began more than one period "
+                       "late.")
+                        .arg(QString::fromStdString(control_.handName())));
   else
     top_->setDevice(Light::steady, tr("running"), QString::fromStdString(control_.handName()));
 
@@ -329,8 +328,7 @@ QString MainWindow::troubleWords() const
 QString MainWindow::hintWords() const
 {
   const haptics::TickOutput& now = control_.now().output;
-  if (now.workflow == Workflow::finished && now.travel > 0.0)
-    return tr("Full depth. Withdraw or Reset.");
+  if (control_.isAtDepth()) return tr("Full depth. Withdraw or Reset.");
   if (now.workflow == Workflow::finished) return tr("The array is out. Reset to insert again.");
   if (control_.hand() == Hand::scripted) return {};
   if (!control_.isRunning()) return tr("Press Start, then hold Space and turn the wheel.");

@@ -7,17 +7,16 @@
 #include <vtkRenderer.h>
 
 #include <QFrame>
-#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QMouseEvent>
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "Numbers.h"
+#include "PhaseLine.h"
 #include "ReadOut.h"
 #include "Theme.h"
-#include "perilymph/foundation/Units.h"
 
 namespace perilymph::gui {
 
@@ -27,13 +26,6 @@ using visualization::CameraPreset;
 
 // A drag over the whole height of the picture turns the model half around.
 constexpr double turnPerHeight_deg = 180.0;
-
-QString numberText(double value, int decimals)
-{
-  const double magnitude = std::pow(10.0, decimals);
-  const double rounded = std::round(value * magnitude) / magnitude;
-  return QLocale().toString(rounded == 0.0 ? 0.0 : rounded, 'f', decimals);  // no "-0.0"
-}
 
 QString nameOf(CameraPreset preset)
 {
@@ -74,7 +66,8 @@ OperationView::OperationView(QWidget* parent)
       bannerText_(new QLabel(banner_)),
       hint_(quietLabel(this, "hintLabel")),
       magnification_(quietLabel(this, "magnificationLabel")),
-      viewName_(quietLabel(this, "viewLabel"))
+      viewName_(quietLabel(this, "viewLabel")),
+      phase_(new PhaseLine(this))
 {
   setObjectName(QStringLiteral("operationView"));
   setFocusPolicy(Qt::NoFocus);
@@ -85,7 +78,7 @@ OperationView::OperationView(QWidget* parent)
   // The mouse is ours: styles would bring their own keys and their own ideas of a drag.
   if (window->GetInteractor() != nullptr) window->GetInteractor()->SetInteractorStyle(nullptr);
   addReadOuts();
-  showNumbers({});
+  showNumbers({}, millimeters(1));
 }
 
 OperationView::~OperationView() = default;
@@ -108,14 +101,13 @@ void OperationView::addReadOuts()
   bannerLayout->addWidget(bannerText_);
   banner_->setVisible(false);
 
-  auto* numbers = new QGridLayout;
-  numbers->setHorizontalSpacing(4 * spacing);
-  numbers->setVerticalSpacing(0);
-  numbers->addWidget(travel_, 0, 0, Qt::AlignTop | Qt::AlignLeft);
-  numbers->addWidget(angle_, 0, 1, Qt::AlignTop | Qt::AlignLeft);
-  numbers->addWidget(force_, 0, 3, Qt::AlignTop | Qt::AlignRight);
-  numbers->addWidget(speed_, 1, 3, Qt::AlignTop | Qt::AlignRight);
-  numbers->setColumnStretch(2, 1);
+  auto* numbers = new QHBoxLayout;
+  numbers->setSpacing(0);
+  numbers->addWidget(travel_, 0, Qt::AlignTop);
+  numbers->addSpacing(3 * spacing);
+  numbers->addWidget(angle_, 0, Qt::AlignTop);
+  numbers->addStretch();
+  numbers->addWidget(force_, 0, Qt::AlignTop);
 
   auto* foot = new QHBoxLayout;
   foot->addWidget(magnification_);
@@ -128,9 +120,11 @@ void OperationView::addReadOuts()
   column->setContentsMargins(20, 2 * spacing, 20, 2 * spacing);
   column->setSpacing(spacing);
   column->addLayout(numbers);
+  column->addWidget(speed_, 0, Qt::AlignRight);
   column->addWidget(banner_);
   column->addStretch();
   column->addLayout(foot);
+  column->addWidget(phase_);
 }
 
 void OperationView::setScene(std::unique_ptr<visualization::InsertionScene> scene)
@@ -150,7 +144,7 @@ void OperationView::showArray(const haptics::Snapshot& now)
   isDirty_ = true;
 }
 
-void OperationView::showNumbers(const haptics::TickOutput& now)
+void OperationView::showNumbers(const haptics::TickOutput& now, Length stopTravel)
 {
   travel_->setNumber(numberText(inMillimeters(Length::fromSi(now.travel)), 1));
   travel_->setCaption(
@@ -158,6 +152,7 @@ void OperationView::showNumbers(const haptics::TickOutput& now)
   angle_->setNumber(numberText(inDegrees(Angle::fromSi(now.angularDepth)), 0));
   force_->setNumber(numberText(inMillinewtons(Force::fromSi(now.axialForce)), 0));
   speed_->setNumber(numberText(inMillimetersPerSecond(Speed::fromSi(now.speed)), 1));
+  phase_->setPhase(analysis::phaseOf(now, stopTravel));
 }
 
 void OperationView::setPartVisible(visualization::Part part, bool isVisible)
@@ -206,8 +201,7 @@ void OperationView::stepCamera(double seconds)
 
 void OperationView::describeView()
 {
-  magnification_->setText(
-      tr("Microscope × %1").arg(QLocale().toString(scene_->magnification(), 'f', 1)));
+  magnification_->setText(tr("Microscope × %1").arg(numberText(scene_->magnification(), 1)));
   viewName_->setText(nameOf(scene_->preset()));
 }
 

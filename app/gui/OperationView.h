@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "perilymph/foundation/Units.h"
 #include "perilymph/haptics/Snapshot.h"
 #include "perilymph/visualization/InsertionScene.h"
 
@@ -14,6 +15,7 @@ class QLabel;
 
 namespace perilymph::gui {
 
+class PhaseLine;
 class ReadOut;
 
 /// Shows the scene and its read-outs; the mouse turns, moves and zooms the model.
@@ -31,7 +33,8 @@ public:
   /// Moves the array of the picture.
   void showArray(const haptics::Snapshot& now);
   /// Writes the numbers.
-  void showNumbers(const haptics::TickOutput& now);
+  /// @param stopTravel  Where this insertion is at full depth.
+  void showNumbers(const haptics::TickOutput& now, Length stopTravel);
   void setPartVisible(visualization::Part part, bool isVisible);
 
   void glideTo(visualization::CameraPreset preset);
@@ -73,6 +76,7 @@ private:
   QLabel* hint_;
   QLabel* magnification_;
   QLabel* viewName_;
+  PhaseLine* phase_;
 };
 
 }  // namespace perilymph::gui

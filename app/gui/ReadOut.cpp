@@ -54,7 +54,7 @@ QSize ReadOut::sizeHint() const
   const int caption =
       caption_.isEmpty() ? 0 : QFontMetrics(captionFont_).horizontalAdvance(caption_);
   const int captionHeight = caption_.isEmpty() ? 0 : QFontMetrics(captionFont_).height() + 2;
-  return {std::max(numberWidth(form_.widest) + unit, caption) + 4,
+  return {std::max(numberWidth(form_.widest) + unit, caption) + spacing,
           QFontMetrics(numberFont_).capHeight() + spacing + captionHeight + spacing};
 }
 
@@ -81,7 +81,6 @@ void ReadOut::paintEvent(QPaintEvent*)
   const int baseline = QFontMetrics(numberFont_).capHeight() + spacing / 2;
   const bool isRight = (form_.side & Qt::AlignRight) != 0;
 
-  // The unit keeps its place; numbers shorter than the widest leave their room on the far side.
   int x = isRight ? width() - unitWidth - numberWidth(number) : 0;
   painter.setFont(numberFont_);
   painter.setPen(textColor);
@@ -93,7 +92,7 @@ void ReadOut::paintEvent(QPaintEvent*)
   }
   painter.setFont(unitFont_);
   painter.setPen(quietTextColor);
-  const int unitX = isRight ? width() - unitWidth : numberWidth(form_.widest);
+  const int unitX = isRight ? width() - unitWidth : numberWidth(number);
   painter.drawText(unitX + unitGap_px, baseline, form_.unit);
 
   if (caption_.isEmpty()) return;

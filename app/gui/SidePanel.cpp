@@ -3,12 +3,13 @@
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 #include <QStyle>
 #include <QVBoxLayout>
+#include <QVariant>
 
 #include "Marks.h"
+#include "Numbers.h"
 #include "Theme.h"
 
 namespace perilymph::gui {
@@ -17,11 +18,9 @@ namespace {
 
 constexpr int rowHeight_px = 24;
 
-QString number(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
-
 QString millimetersText(Length length)
 {
-  return SidePanel::tr("%1 mm").arg(number(inMillimeters(length), 2));
+  return SidePanel::tr("%1 mm").arg(numberText(inMillimeters(length), 2));
 }
 
 QLabel* quiet(QLabel* label)
@@ -32,7 +31,7 @@ QLabel* quiet(QLabel* label)
 
 QString frictionText(const mechanics::FrictionLaw& law)
 {
-  return QStringLiteral("%1 / %2").arg(number(law.starting, 4), number(law.dynamic, 4));
+  return QStringLiteral("%1 / %2").arg(numberText(law.starting, 4), numberText(law.dynamic, 4));
 }
 
 QString techniqueText(const session::Scenario& scenario)
@@ -128,13 +127,14 @@ void SidePanel::addArray(QVBoxLayout& column, const session::Scenario& scenario)
   name->setToolTip(QString::fromStdString(scenario.array.note));
   column.addWidget(name);
   stylet_ = addRow(column, tr("Technique"), techniqueText(scenario));
-  addRow(column, tr("Speed"), tr("%1 mm/s").arg(number(inMillimetersPerSecond(scenario.speed), 1)),
+  addRow(column, tr("Speed"),
+         tr("%1 mm/s").arg(numberText(inMillimetersPerSecond(scenario.speed), 1)),
          tr("Of the scripted hand."));
   addRow(column, tr("Friction"), frictionText(scenario.friction),
          tr("Coefficients of dry friction between array and wall: starting / dynamic."));
   addRow(column, tr("Model"), tr("Rod · %1 nodes").arg(scenario.nodes),
          tr("The array as an elastic rod, every %1 ms.")
-             .arg(number(inMilliseconds(scenario.timeStep), 1)));
+             .arg(numberText(inMilliseconds(scenario.timeStep), 1)));
 }
 
 void SidePanel::addHand(QVBoxLayout& column, const session::Scenario& scenario)
@@ -176,7 +176,7 @@ void SidePanel::addHand(QVBoxLayout& column, const session::Scenario& scenario)
   connect(pullStylet_, &QAbstractButton::clicked, this, &SidePanel::styletAsked);
 
   addRow(column, tr("Force shown"),
-         QStringLiteral("× %1").arg(number(scenario.engine.forceScale, 1)),
+         QStringLiteral("× %1").arg(numberText(scenario.engine.forceScale, 1)),
          tr("Force at the hand's device over the physical force. Neither hand feels one yet."));
 }
 

@@ -48,7 +48,7 @@ QFont typeface(int size_px, QFont::Weight weight)
   return chosen;
 }
 
-QString styleSheet()
+QString windowStyle()
 {
   QString filled = QString::fromLatin1(sheet);
   const std::pair<const char*, QColor> names[] = {

@@ -28,6 +28,6 @@ inline constexpr int spacing = 8;
 QFont typeface(int size_px, QFont::Weight weight = QFont::Normal);
 
 /// The style sheet of the whole window.
-QString styleSheet();
+QString windowStyle();
 
 }  // namespace perilymph::gui

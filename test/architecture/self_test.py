@@ -185,13 +185,14 @@ class Layout(CheckCase):
 
 class Words(CheckCase):
     def test_machine_paths_are_found(self):
-        for path in ("/wo" "rk/shared", "/ho" "me/ann/file"):
+        for path in ("/wo" "rk/shared", "/ro" "ot/file"):
             self.assert_found(words.check, "a path of one machine",
                               {"modules/top/src/t.cpp": f'\nopen("{path}");\n'})
 
     def test_temporary_paths_in_documents_are_found(self):
-        self.assert_found(words.check, "a path of one machine",
-                          {"modules/top/README.md": "see /t" "mp/x\n"})
+        for path in ("/t" "mp/x", "/ho" "me/ann/file"):
+            self.assert_found(words.check, "a path of one machine",
+                              {"modules/top/README.md": f"see {path}\n"})
 
     def test_unsafe_math_flags_are_found(self):
         self.assert_found(words.check, "a flag that changes results",
@@ -218,6 +219,10 @@ class Words(CheckCase):
         self.assertEqual(self.complaints(words.check, {
             "modules/mechanics/src/m.cpp": "y = std::sqrt(x) + std::abs(x); // not std::sin(x)\n"}),
             [])
+
+    def test_null_pointers_of_c_are_found(self):
+        self.assert_found(words.check, "write nullptr", {
+            "modules/top/src/t.cpp": "int* p = NULL;\n"})
 
     def test_sleeping_tests_are_found(self):
         self.assert_found(words.check, "waiting by the clock", {

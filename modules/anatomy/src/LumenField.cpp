@@ -14,8 +14,6 @@ constexpr double sectionStep_deg = 3.0;
 constexpr int across = 46;          // samples over a section, each way
 constexpr double margin = 1.25;     // the table goes this many half widths and heights out
 constexpr int outlinePoints = 120;
-// Between the straight lead-in and the spiral the wall's lengthwise direction turns over this angle.
-constexpr double seam_deg = 6.0;
 
 constexpr double perShare = (across - 3) / (2.0 * margin);  // samples per unit of share
 
@@ -140,11 +138,14 @@ LumenField::LumenField(const ScalaTympani& scala) : entry_(scala.entry()), inwar
   leastSlant_.resize(static_cast<std::size_t>(sections_));
   distance_.resize(static_cast<std::size_t>((sections_ + 2) * across * across));
   for (int i = 0; i < sections_; ++i) fillSection(scala, i);
-  // the rows beyond both ends repeat the last
-  const std::size_t page = across * across;
-  std::copy_n(distance_.begin() + static_cast<std::ptrdiff_t>(page), page, distance_.begin());
-  std::copy_n(distance_.end() - static_cast<std::ptrdiff_t>(2 * page), page,
-              distance_.end() - static_cast<std::ptrdiff_t>(page));
+  // beyond both ends the distances go on as they change between the last two sections
+  constexpr std::size_t page = across * across;
+  float* first = distance_.data();
+  float* last = distance_.data() + static_cast<std::size_t>(sections_ + 1) * page;
+  for (std::size_t k = 0; k < page; ++k) {
+    first[k] = 2.0f * first[page + k] - first[2 * page + k];
+    last[k] = 2.0f * (last - page)[k] - (last - 2 * page)[k];
+  }
 }
 
 // The distances of one section, from its outline and the direction in which the wall runs on.
@@ -153,22 +154,18 @@ void LumenField::fillSection(const ScalaTympani& scala, int section)
   const double angle = section / perSection_;
   const SineCosine turn = sineCosine(angle);
   const Eigen::Vector3d outward(turn.cosine, turn.sine, 0.0);
-  const Eigen::Vector3d forward(-turn.sine, turn.cosine, 0.0);
   const Eigen::Vector3d center = scala.center_W(angle);
   constexpr double nudge = 1e-3;  // [rad]
   const double low = std::max(angle - nudge, 0.0);
   const double high = std::min(angle + nudge, lastAngle_);
-  const double straight = std::clamp(1.0 - angle / (seam_deg * pi / 180.0), 0.0, 1.0);
 
   Outline outline;
   double leastRadius = 1e9, leastSlant = 1.0;
   for (int k = 0; k < outlinePoints; ++k) {
     const double direction = 2.0 * pi * k / outlinePoints;
     const Eigen::Vector3d e = scala.wall_W(angle, direction) - center;
-    Eigen::Vector3d along =
-        (scala.wall_W(high, direction) - scala.wall_W(low, direction)) / (high - low);
-    along /= along.dot(forward);
-    along = (straight * inward_W_ / inward_W_.dot(forward) + (1.0 - straight) * along).normalized();
+    const Eigen::Vector3d along =
+        (scala.wall_W(high, direction) - scala.wall_W(low, direction)).normalized();
     outline.u[k] = e.dot(outward);
     outline.v[k] = e.z();
     outline.alongU[k] = along.dot(outward);

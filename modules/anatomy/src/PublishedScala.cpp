@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "LeadIn.h"
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/foundation/Math.h"
 
@@ -271,6 +272,7 @@ std::shared_ptr<const ScalaTympani> buildPublished(const Patient& patient, Lengt
           outlineRadius(2.0 * pi * k / directions, halfWidth, halfHeight, membrane));
   }
   tables.centerHeight = centerHeights(innerRadius, tables.step, lengthScale * totalHeight);
+  easeIntoLeadIn(tables);
   return std::make_shared<ScalaTympani>(std::move(tables));
 }
 

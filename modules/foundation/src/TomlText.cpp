@@ -1,8 +1,8 @@
 #include "TomlText.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
 #include <locale>
 #include <sstream>
 
@@ -207,6 +207,13 @@ std::string shown(const toml::node& node)
   if (node.is_array()) return "a list";
   if (node.is_table()) return "a table";
   return writtenValue(node);
+}
+
+std::string listed(const std::vector<std::string>& words)
+{
+  std::string all;
+  for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
+  return all;
 }
 
 std::string written(const toml::table& table)

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace perilymph::tomltext {
 
@@ -25,6 +26,9 @@ std::string tomlNumber(double value);
 /// A value as it is shown to people in a sentence, on one line and at most 60 characters long.
 std::string shown(const toml::node& node);
 std::string shown(std::string_view text);
+
+/// Words with commas between them.
+std::string listed(const std::vector<std::string>& words);
 
 /// A table as TOML, keys sorted: its own values first, then its tables.
 std::string written(const toml::table& table);

@@ -224,7 +224,8 @@ mechanics::Drive InsertionEngine::follow(const Hand& hand) noexcept
   mechanics::Drive drive;
   if (settings_.coupling == mechanics::Coupling::spring) {
     const double ahead = inward_W.dot(state_.baseVelocity_W) * model_->timeStep;
-    if (ahead < room) {
+    // Two ticks ahead of the stop, because the base may still speed up.
+    if (2.0 * ahead < room) {
       drive = hold();
       drive.coupling = mechanics::Coupling::spring;
       drive.couplingStiffness = settings_.couplingStiffness;
@@ -232,8 +233,8 @@ mechanics::Drive InsertionEngine::follow(const Hand& hand) noexcept
       drive.handVelocity_W = registration_.toCochlea(registration_.motionScale() * hand.velocity_D);
       return drive;
     }
-    // The base arrives in this tick: led the last bit by hand, it does not swing past the stop.
-    base_.position_W = state_.base_W + room * inward_W;
+    // The base is about to arrive: led by hand, at its speed, it does not swing past the stop.
+    base_.position_W = state_.base_W + std::min(ahead, room) * inward_W;
   }
 
   // Not past the stop, not by one tick's motion.

@@ -67,8 +67,10 @@ void SampleWatch::follow(const Eigen::Vector3d& position_D,
 
   const bool isTooFar = moved_D.squaredNorm() > mostSpeed * mostSpeed * elapsed * elapsed;
   const bool isTurnedTooFar = turnedSquared > mostHalfTurn * mostHalfTurn;
-  hand_.hasJumped = hand_.isStale || isTooFar || isTurnedTooFar;
-  if (hand_.hasJumped) {
+  const bool isImpossible = hand_.isStale || isTooFar || isTurnedTooFar;
+  hand_.hasJumped = hasPlace_ && isImpossible;
+  hasPlace_ = true;
+  if (isImpossible) {
     rawVelocity_D_.setZero();
   } else {
     hand_.moved_D = moved_D;
@@ -110,6 +112,7 @@ void SampleWatch::addTo(Hash& hash) const noexcept
   hash.add(ticksWithout_);
   hash.add(sequence_);
   hash.add(hasSequence_);
+  hash.add(hasPlace_);
   for (int i = 0; i < 3; ++i) {
     hash.add(rawVelocity_D_[i]);
     hash.add(hand_.position_D[i]);

@@ -9,6 +9,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
+#include <vtkSmartPointer.h>
 #include <vtkUnsignedCharArray.h>
 
 namespace perilymph::visualization {
@@ -65,6 +66,14 @@ void Mesh::connect(const std::vector<Triangle>& triangles)
   }
   triangles_->Modified();
   data_->Modified();
+}
+
+vtkSmartPointer<vtkActor> Mesh::anotherActor() const
+{
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper_);
+  actor->GetProperty()->DeepCopy(actor_->GetProperty());
+  return actor;
 }
 
 int Mesh::points() const { return static_cast<int>(points_->GetNumberOfTuples()); }

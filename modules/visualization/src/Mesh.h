@@ -3,6 +3,7 @@
 // Triangles whose corners move but whose order stays: written in place, drawn by one actor.
 
 #include <vtkNew.h>
+#include <vtkSmartPointer.h>
 
 #include <Eigen/Core>
 #include <array>
@@ -48,6 +49,8 @@ public:
 
   void paint(const Rgba& color);  ///< The uniform color.
   vtkActor& actor() { return *actor_; }
+  /// A second actor of the same triangles, for a look of its own.
+  vtkSmartPointer<vtkActor> anotherActor() const;
 
 private:
   vtkNew<vtkPolyData> data_;

@@ -23,7 +23,9 @@ std::vector<Eigen::Vector3d> pointNormals(const std::vector<Eigen::Vector3d>& po
 {
   std::vector<Eigen::Vector3d> normals(points.size(), Eigen::Vector3d::Zero());
   for (const Triangle& corners : triangles) {
-    const auto corner = [&](int i) { return points[static_cast<std::size_t>(corners[static_cast<std::size_t>(i)])]; };
+    const auto corner = [&](int i) {
+      return points[static_cast<std::size_t>(corners[static_cast<std::size_t>(i)])];
+    };
     const Eigen::Vector3d area = (corner(1) - corner(0)).cross(corner(2) - corner(0));
     for (const int index : corners) normals[static_cast<std::size_t>(index)] += area;
   }
@@ -71,8 +73,8 @@ void Silhouette::walk(int triangle, int edge, const std::vector<double>& facing,
     int next = -1;
     for (const int candidate : edgesOf_[static_cast<std::size_t>(triangle)]) {
       const Edge& e = edges_[static_cast<std::size_t>(candidate)];
-      if (candidate != edge && crosses(facing[static_cast<std::size_t>(e.from)],
-                                       facing[static_cast<std::size_t>(e.to)]))
+      if (candidate != edge &&
+          crosses(facing[static_cast<std::size_t>(e.from)], facing[static_cast<std::size_t>(e.to)]))
         next = candidate;
     }
     if (next < 0) return;
@@ -97,7 +99,8 @@ std::vector<Polyline> Silhouette::lines(const Eigen::Vector3d& back, double shor
     if (isDone[t] != 0) continue;
     for (const int start : edgesOf_[t]) {
       const Edge& e = edges_[static_cast<std::size_t>(start)];
-      if (!crosses(facing[static_cast<std::size_t>(e.from)], facing[static_cast<std::size_t>(e.to)]))
+      if (!crosses(facing[static_cast<std::size_t>(e.from)],
+                   facing[static_cast<std::size_t>(e.to)]))
         continue;
       Polyline line, backward;
       line.push_back(crossing(start, facing));

@@ -54,8 +54,8 @@ void SoftLines::build(const ViewFrame& view, double toward_mm)
     Eigen::Vector3d side = view.up;
     for (std::size_t i = first; i < end; ++i) {
       const LinePoint& point = points_[i];
-      const Eigen::Vector3d along = points_[std::min(i + 1, end - 1)].place -
-                                    points_[i > first ? i - 1 : first].place;
+      const Eigen::Vector3d along =
+          points_[std::min(i + 1, end - 1)].place - points_[i > first ? i - 1 : first].place;
       side = sideways(along, view, side);
       const bool isFirm = lines_[line].edge == LineEdge::firm;
       const double fade = isFirm ? 0.5 * view.pixel_mm : 0.5 * point.halfWidth_mm;

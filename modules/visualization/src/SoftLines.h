@@ -21,8 +21,8 @@ struct LinePoint {
 /// How a line fades across: over one pixel at its rim, or all the way from its middle.
 enum class LineEdge { firm, glow };
 
-/// Polylines as strips of triangles in the plane of the picture. Clear, add lines, then build for the
-/// view; again whenever lines or view change.
+/// Polylines as strips of triangles in the plane of the picture. Clear, add lines, then build for
+/// the view; again whenever lines or view change.
 class SoftLines {
 public:
   SoftLines();

@@ -26,13 +26,15 @@ constinit thread_local std::uint64_t freesOfThread = 0;
 
 #if PERILYMPH_HEAP_IS_WATCHED
 
-// The C library's own heap, under the names it keeps for those who replace malloc.
 extern "C" {
+// The C library's own heap, under the names it keeps for those who replace malloc.
+// NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming)
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
 void* __libc_realloc(void* block, std::size_t size);
 void* __libc_memalign(std::size_t alignment, std::size_t size);
 void __libc_free(void* block);
+// NOLINTEND(bugprone-reserved-identifier,readability-identifier-naming)
 
 void* malloc(std::size_t size) noexcept
 {

@@ -208,6 +208,15 @@ TEST(TomlReader, ReportsTheMistakesOfItsTables)
             "my.toml:1: stylet is 3; it must be a table under [stylet].");
 }
 
+TEST(TomlReader, GivesTheSameTableWhenAskedTwice)
+{
+  const auto reading = [](TomlReader& reader) {
+    reader.table("stylet").number("from_tip_mm", {0.0, 25.0});
+    reader.table("stylet").number("bending_N_m2", {0.0, 1.0});
+  };
+  EXPECT_EQ(mistakeIn("[stylet]\nfrom_tip_mm = 2\nbending_N_m2 = 1e-6", reading), "fine");
+}
+
 TEST(TomlReader, ReadsListsOfTables)
 {
   TomlReader reader = parsed("[[sensor]]\nx_mm = 1\n[[sensor]]\nx_mm = 7\ny_mm = 1");

@@ -18,11 +18,11 @@ enum Button : std::uint32_t {
 
 /// What a device tells in one report, in its own frame D: x right, y up, z toward the user.
 struct DeviceSample {
-  std::uint64_t sequence = 0;                       ///< Grows by one with each fresh report.
-  std::array<double, 3> position_D{};               ///< [m]
+  std::uint64_t sequence = 0;                            ///< Grows by one with each fresh report.
+  std::array<double, 3> position_D{};                    ///< [m]
   std::array<double, 4> rotation_D{1.0, 0.0, 0.0, 0.0};  ///< Unit quaternion w, x, y, z.
-  std::uint32_t buttons = 0;                        ///< Button bits.
-  std::uint32_t isValid = 0;                        ///< 0 once the device stopped answering.
+  std::uint32_t buttons = 0;                             ///< Button bits.
+  std::uint32_t isValid = 0;                             ///< 0 once the device stopped answering.
 };
 
 /// A force and a torque in the device's frame.
@@ -33,10 +33,10 @@ struct Wrench {
 
 /// What the hardware can do. Known before open().
 struct DeviceTraits {
-  std::string name;              ///< For people: "Scripted insertion".
-  bool rendersForce = false;     ///< Shows a force to a hand.
-  double mostForce = 0.0;        ///< [N]; 0 where no force is rendered.
-  double nominalPeriod = 1e-3;   ///< Between reports [s].
+  std::string name;             ///< For people: "Scripted insertion".
+  bool rendersForce = false;    ///< Shows a force to a hand.
+  double mostForce = 0.0;       ///< [N]; 0 where no force is rendered.
+  double nominalPeriod = 1e-3;  ///< Between reports [s].
 };
 
 /// A handle that senses the surgeon's motion and pushes back.

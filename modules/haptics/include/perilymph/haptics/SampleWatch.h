@@ -56,6 +56,7 @@ private:
   std::uint64_t ticksWithout_;  // since the last believed sample
   std::uint64_t sequence_ = 0;
   bool hasSequence_ = false;
+  bool hasPlace_ = false;  // some sample was believed
   Eigen::Vector3d rawVelocity_D_ = Eigen::Vector3d::Zero();
   Hand hand_;
 };

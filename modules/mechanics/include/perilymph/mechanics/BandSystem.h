@@ -13,6 +13,7 @@ struct BandSystem {
   explicit BandSystem(std::size_t blocks = 0)
       : diagonal(blocks), beside(blocks), beyond(blocks), right(blocks)
   {
+    clear();
   }
 
   std::size_t blocks() const noexcept { return diagonal.size(); }

@@ -48,13 +48,16 @@ public:
   void attachTo(vtkRenderWindow& window);
   vtkRenderer& renderer();
 
-  /// Moves the array with all that belongs to it, and colors the wall. Allocates nothing after the
-  /// first call with the same number of nodes. Snapshots with fewer than 2 nodes hide the array.
+  /// Moves the array with all that belongs to it, and colors the wall; pipelines and arrays are
+  /// kept. A snapshot with fewer than 2 nodes, or with one that is not finite, hides the array.
   void show(const haptics::Snapshot& now);
 
   void setVisible(Part part, bool visible);
   /// Sizes of type and lines for a screen's pixel ratio; 1 by default.
   void setScale(double pixelRatio);
+  /// Where the scale bars stand above the lower edge, at pixel ratio 1; 34 by default. A window
+  /// that writes below them asks for more.
+  void setScaleBarMargin(int pixels);
 
   /// Looks from a preset at once; forgets what was turned, moved and zoomed.
   void lookFrom(CameraPreset preset);

@@ -1,0 +1,29 @@
+#pragma once
+
+// Where in the cochlea the insertion is, as four stations on a line.
+
+#include <QWidget>
+
+#include "perilymph/analysis/Phase.h"
+
+namespace perilymph::gui {
+
+/// Opening, outer wall, basal turn, full depth: stations behind the tip are filled, the one it is
+/// in is large and its name bold.
+class PhaseLine : public QWidget {
+  Q_OBJECT
+public:
+  explicit PhaseLine(QWidget* parent);
+
+  void setPhase(analysis::Phase phase);
+  analysis::Phase phase() const { return phase_; }
+  QSize sizeHint() const override;
+
+protected:
+  void paintEvent(QPaintEvent*) override;
+
+private:
+  analysis::Phase phase_ = analysis::Phase::outside;
+};
+
+}  // namespace perilymph::gui

@@ -1,0 +1,52 @@
+#include "Application.h"
+
+#include <QVTKOpenGLNativeWidget.h>
+
+#include <QSurfaceFormat>
+#include <clocale>
+#include <exception>
+#include <iostream>
+
+#include "Theme.h"
+#include "perilymph/foundation/Version.h"
+
+namespace perilymph::gui {
+
+Application::Application(int& argc, char** argv) : QApplication(argc, argv)
+{
+  // Qt takes over the user's locale; a decimal comma would break files and devices.
+  std::setlocale(LC_NUMERIC, "C");
+  setApplicationName(QStringLiteral("perilymph"));
+  setApplicationDisplayName(QStringLiteral("Perilymph"));
+  setApplicationVersion(QString::fromStdString(version()));
+  setStyle(QStringLiteral("Fusion"));
+  setFont(typeface(13));
+}
+
+bool Application::notify(QObject* receiver, QEvent* event)
+{
+  QString sentence;
+  try {
+    return QApplication::notify(receiver, event);
+  } catch (const std::exception& thrown) {
+    sentence = tr("The window could not do that: %1").arg(QString::fromUtf8(thrown.what()));
+  } catch (...) {
+    sentence = tr("The window could not do that, and does not know why.");
+  }
+  std::cerr << sentence.toStdString() << '\n';
+  if (tell_) tell_(sentence);
+  return true;
+}
+
+void prepareQt()
+{
+  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+  format.setSamples(0);
+  QSurfaceFormat::setDefaultFormat(format);
+#if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
+  QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+#endif
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,26 @@
+#pragma once
+
+// The application object: the one place where exceptions of the window's events end.
+
+#include <QApplication>
+#include <functional>
+
+namespace perilymph::gui {
+
+class Application : public QApplication {
+public:
+  Application(int& argc, char** argv);
+
+  /// Told what an event threw: the window shows it in place.
+  void onException(std::function<void(const QString&)> tell) { tell_ = std::move(tell); }
+
+  bool notify(QObject* receiver, QEvent* event) override;
+
+private:
+  std::function<void(const QString&)> tell_;
+};
+
+/// What QApplication must find when it is made: the surface VTK draws on, pixels as they are.
+void prepareQt();
+
+}  // namespace perilymph::gui

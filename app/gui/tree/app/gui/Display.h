@@ -1,0 +1,16 @@
+#pragma once
+
+// Can a picture be shown here at all? Asked before anything that would abort if it cannot.
+
+#include "perilymph/foundation/Result.h"
+
+namespace perilymph::gui {
+
+/// Whether the X display can be reached. Before QApplication, which aborts without one.
+Result<Done> probeDisplay();
+
+/// Whether OpenGL 3.2 can be had. After QApplication, before the first VTK widget, which aborts
+/// without it.
+Result<Done> probeOpenGl();
+
+}  // namespace perilymph::gui

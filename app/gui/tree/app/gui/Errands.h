@@ -1,0 +1,14 @@
+#pragma once
+
+// What the window does by itself when it was called with --demo, --screenshot or --measure-frames.
+
+#include "Options.h"
+
+namespace perilymph::gui {
+
+class MainWindow;
+
+/// Sets the errands of a call in motion. They end the application with its exit status.
+void arrangeErrands(MainWindow& window, const Options& options);
+
+}  // namespace perilymph::gui

@@ -1,0 +1,264 @@
+#include "InsertionControl.h"
+
+#include <cstdio>
+#include <ctime>
+#include <utility>
+
+#include "perilymph/foundation/Resources.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+using Kind = haptics::Command::Kind;
+using Motion = device::ScriptedHand::Motion;
+
+/// "20260131T154502Z": sorts by time, and is a good file name everywhere.
+std::string utcNow()
+{
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  char text[24];
+  std::strftime(text, sizeof text, "%Y%m%dT%H%M%SZ", &utc);
+  return text;
+}
+
+std::filesystem::path numbered(const std::filesystem::path& file, int number)
+{
+  if (number < 2) return file;
+  std::filesystem::path other = file;
+  other.replace_filename(file.stem().string() + "-" + std::to_string(number) +
+                         file.extension().string());
+  return other;
+}
+
+}  // namespace
+
+InsertionControl::InsertionControl(session::Scenario scenario,
+                                   std::optional<std::filesystem::path> record)
+    : scenario_(std::move(scenario)), record_(std::move(record))
+{
+}
+
+InsertionControl::~InsertionControl() = default;
+
+std::filesystem::path InsertionControl::nextRecording()
+{
+  if (record_) return numbered(*record_, prepared_);
+
+  // Two insertions may be prepared within one second.
+  const std::filesystem::path file =
+      sessionFolder() / (utcNow() + "-" + scenario_.name + ".insertion");
+  std::error_code ignored;
+  int number = 1;
+  while (std::filesystem::exists(numbered(file, number), ignored)) ++number;
+  return numbered(file, number);
+}
+
+Result<Done> InsertionControl::prepare(Hand hand)
+{
+  ++prepared_;
+  // A recording asked for by name is opened at once, so that trouble with it is known at once.
+  // Others appear with the first motion: a window that is only looked at leaves no file behind.
+  isFileOpen_ = record_ && prepared_ == 1;
+  return build(hand, isFileOpen_ ? record_ : std::nullopt);
+}
+
+Result<Done> InsertionControl::openRecording()
+{
+  if (isFileOpen_) return Done{};
+  isFileOpen_ = true;
+  const std::filesystem::path file = nextRecording();
+  std::error_code ignored;  // what cannot be made is said when the file is opened
+  if (!record_) std::filesystem::create_directories(file.parent_path(), ignored);
+  const Result<Done> recorded = build(hand_, file);
+  if (recorded) return Done{};
+
+  // The insertion goes on without a recording, and says so, rather than not at all.
+  const Result<Done> unrecorded = build(hand_, std::nullopt);
+  if (!unrecorded) return unrecorded;
+  recordingTrouble_ = recorded.error().message;
+  return Done{};
+}
+
+Result<Done> InsertionControl::build(Hand hand, std::optional<std::filesystem::path> file)
+{
+  insertion_.reset();  // closes its recording before the next one is opened
+  scripted_ = nullptr;
+  pointer_ = nullptr;
+  recordingTrouble_.clear();
+
+  std::unique_ptr<device::HapticDevice> device;
+  device::ScriptedHand* scripted = nullptr;
+  device::PointerHand* pointer = nullptr;
+  const double timeStep = scenario_.timeStep.si();
+  if (hand == Hand::scripted) {
+    auto made = std::make_unique<device::ScriptedHand>(scenario_.speed.si(), timeStep);
+    scripted = made.get();
+    device = std::move(made);
+  } else {
+    auto made = std::make_unique<device::PointerHand>(timeStep);
+    pointer = made.get();
+    device = std::move(made);
+  }
+
+  auto prepared = session::Insertion::prepare(scenario_, std::move(device), std::move(file));
+  if (!prepared) return prepared.error();
+
+  insertion_ = *std::move(prepared);
+  scripted_ = scripted;
+  pointer_ = pointer;
+  hand_ = hand;
+  wish_ = Wish::rest;
+  isRunning_ = false;
+  isHeld_ = false;
+  styletTarget_.reset();
+  styletAsked_ = false;
+  askedAt_ = 0;
+  now_ = haptics::Snapshot{};
+  insertion_->loop().engine().fill(now_);  // no thread runs yet
+  return Done{};
+}
+
+Result<Done> InsertionControl::begin()
+{
+  if (!insertion_) return Error{"There is no insertion to start. Press Reset."};
+  if (!isRunning_) {
+    const Result<Done> opened = openRecording();
+    if (!opened) return opened;
+    const Result<Done> started = insertion_->start();
+    if (!started) return started;
+    isRunning_ = true;
+  }
+  wish_ = Wish::insert;
+  pursue();
+  return Done{};
+}
+
+void InsertionControl::pause()
+{
+  wish_ = Wish::rest;
+  hold(false);
+  moveHand(Motion::hold);
+}
+
+void InsertionControl::withdraw()
+{
+  if (!isRunning_) return;
+  wish_ = Wish::withdraw;
+  pursue();
+}
+
+void InsertionControl::pullStylet()
+{
+  if (!isRunning_ || !scenario_.array.hasStylet) return;
+  styletTarget_ = scenario_.array.length.si();
+  pursue();
+}
+
+void InsertionControl::hold(bool isHeld)
+{
+  if (pointer_ == nullptr) return;
+  isHeld_ = isHeld && isRunning_;
+  pointer_->grasp(isHeld_);
+}
+
+void InsertionControl::advanceBy(Length distance)
+{
+  if (pointer_ == nullptr || !isHeld_) return;
+  if (distance.si() > 0.0 && isAtDepth()) return;
+  pointer_->advanceBy(distance.si());
+}
+
+bool InsertionControl::update()
+{
+  if (!isRunning_) return false;
+  const bool isNew = insertion_->refresh();
+  if (isNew) now_ = insertion_->latest();
+  pursue();
+  return isNew;
+}
+
+bool InsertionControl::ask(Kind kind, double value)
+{
+  haptics::Command command;
+  command.kind = kind;
+  command.value = value;
+  return insertion_->send(command);
+}
+
+void InsertionControl::pursue()
+{
+  const haptics::Workflow workflow = now_.output.workflow;
+  if (workflow == haptics::Workflow::fault) {
+    moveHand(Motion::hold);
+    wish_ = Wish::rest;
+    return;
+  }
+  if (wish_ == Wish::rest && !styletTarget_) return;
+
+  if (workflow == haptics::Workflow::idle) {
+    if (now_.tick >= askedAt_ && ask(Kind::arm)) askedAt_ = now_.tick + 1;
+    return;
+  }
+  if (styletTarget_ && !styletAsked_) styletAsked_ = ask(Kind::pullStylet, *styletTarget_);
+
+  if (wish_ == Wish::insert) {
+    moveHand(isAtDepth() ? Motion::hold : Motion::insert);
+    if (isAtDepth()) wish_ = Wish::rest;
+  } else if (wish_ == Wish::withdraw) {
+    pursueWithdrawal();
+  }
+}
+
+void InsertionControl::pursueWithdrawal()
+{
+  const haptics::TickOutput& now = now_.output;
+  // At full depth the loop wants to be asked; on the way there the hand may turn back by itself.
+  if (now.workflow == haptics::Workflow::finished && isAtDepth()) {
+    if (now_.tick >= askedAt_ && ask(Kind::withdraw)) askedAt_ = now_.tick + 1;
+    return;
+  }
+  const bool isOut = now.travel <= 0.0 || now.workflow == haptics::Workflow::finished;
+  moveHand(isOut ? Motion::hold : Motion::withdraw);
+  if (isOut) wish_ = Wish::rest;
+}
+
+bool InsertionControl::isAtDepth() const noexcept
+{
+  // Also after a withdrawal from full depth, when the loop holds no stop any more. A finished
+  // withdrawal is finished, too, but near the start.
+  const double stop = scenario_.stopTravel.si();
+  const bool isFinished = now_.output.workflow == haptics::Workflow::finished;
+  return now_.output.travel >= stop || (isFinished && now_.output.travel > 0.5 * stop);
+}
+
+void InsertionControl::moveHand(Motion motion)
+{
+  if (scripted_ != nullptr) scripted_->move(motion);
+}
+
+bool InsertionControl::isMoving() const noexcept
+{
+  return hand_ == Hand::pointer ? isHeld_ : wish_ != Wish::rest;
+}
+
+std::string InsertionControl::handName() const
+{
+  if (scripted_ != nullptr) return scripted_->traits().name;
+  return pointer_ != nullptr ? pointer_->traits().name : std::string();
+}
+
+std::optional<std::filesystem::path> InsertionControl::recording() const
+{
+  return insertion_ && recordingTrouble().empty() ? insertion_->recording() : std::nullopt;
+}
+
+std::string InsertionControl::recordingTrouble() const
+{
+  if (!recordingTrouble_.empty() || !insertion_) return recordingTrouble_;
+  return insertion_->recordingTrouble();
+}
+
+}  // namespace perilymph::gui

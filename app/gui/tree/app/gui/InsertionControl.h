@@ -1,0 +1,100 @@
+#pragma once
+
+// What the window does with an insertion: the verbs of its buttons and keys, whoever the hand is.
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "perilymph/device/PointerHand.h"
+#include "perilymph/device/ScriptedHand.h"
+#include "perilymph/foundation/Result.h"
+#include "perilymph/foundation/Units.h"
+#include "perilymph/haptics/Snapshot.h"
+#include "perilymph/session/Insertion.h"
+
+namespace perilymph::gui {
+
+/// Who moves the array.
+enum class Hand { scripted, pointer };
+
+/// Holds one insertion at a time, drives its hand and sends its commands. It computes nothing: it
+/// asks, and the haptic loop decides. UI thread only.
+class InsertionControl {
+public:
+  /// @param record  Where the first insertion is kept; the next ones beside it. Without a file, in
+  ///                the folder of sessions under the time of day.
+  InsertionControl(session::Scenario scenario, std::optional<std::filesystem::path> record);
+  ~InsertionControl();
+
+  /// Prepares a fresh insertion with the array at its start. The one before is stopped and its
+  /// recording closed.
+  Result<Done> prepare(Hand hand);
+
+  /// Lets the loop run, with a recording of its own, and the scripted hand insert; arms the array
+  /// for the pointer. An insertion whose recording cannot be opened runs without one.
+  Result<Done> begin();
+  /// Lets go of the array: it stays where it is.
+  void pause();
+  /// Pulls the array out again.
+  void withdraw();
+  /// Pulls the stylet out of the array, which stays where it is.
+  void pullStylet();
+
+  /// Pointer hand: holds the array (the dead-man's button) or lets go of it.
+  void hold(bool isHeld);
+  bool isHeld() const noexcept { return isHeld_; }
+  /// Pointer hand: moves the array while it is held; positive into the cochlea.
+  void advanceBy(Length distance);
+
+  /// Sends what is waiting to be asked and takes the newest picture. True if there is a new one.
+  bool update();
+  /// The newest picture; of the array at its start before the loop runs.
+  const haptics::Snapshot& now() const noexcept { return now_; }
+
+  Hand hand() const noexcept { return hand_; }
+  bool isRunning() const noexcept { return isRunning_; }
+  /// The array is at the stop travel or beyond.
+  bool isAtDepth() const noexcept;
+  /// The hand is asked to move, or held.
+  bool isMoving() const noexcept;
+  bool isStyletPulled() const noexcept { return styletTarget_.has_value(); }
+  const session::Scenario& scenario() const noexcept { return scenario_; }
+  std::string handName() const;
+  /// The file being written; none if it could not be.
+  std::optional<std::filesystem::path> recording() const;
+  /// A sentence while the insertion is not being kept; empty while all is well.
+  std::string recordingTrouble() const;
+
+private:
+  enum class Wish { rest, insert, withdraw };
+
+  std::filesystem::path nextRecording();
+  Result<Done> openRecording();
+  Result<Done> build(Hand hand, std::optional<std::filesystem::path> file);
+  bool ask(haptics::Command::Kind kind, double value = 0.0);
+  void pursue();
+  void pursueWithdrawal();
+  void moveHand(device::ScriptedHand::Motion motion);
+
+  session::Scenario scenario_;
+  std::optional<std::filesystem::path> record_;
+  int prepared_ = 0;
+  bool isFileOpen_ = false;
+
+  std::unique_ptr<session::Insertion> insertion_;
+  device::ScriptedHand* scripted_ = nullptr;  ///< Owned by the insertion.
+  device::PointerHand* pointer_ = nullptr;    ///< Owned by the insertion.
+  Hand hand_ = Hand::scripted;
+  Wish wish_ = Wish::rest;
+  bool isRunning_ = false;
+  bool isHeld_ = false;
+  std::optional<double> styletTarget_;  ///< [m]
+  bool styletAsked_ = false;
+  std::uint64_t askedAt_ = 0;  ///< Tick of the picture at the last request.
+  std::string recordingTrouble_;
+  haptics::Snapshot now_{};
+};
+
+}  // namespace perilymph::gui

@@ -1,0 +1,100 @@
+#pragma once
+
+// The workstation's window: its zones, its keys, and the one timer that keeps the picture new.
+
+#include <QElapsedTimer>
+#include <QTimer>
+#include <QWidget>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+
+#include "FrameMeter.h"
+#include "InsertionControl.h"
+#include "perilymph/foundation/Result.h"
+#include "perilymph/session/Scenario.h"
+
+namespace perilymph::gui {
+
+class BottomBar;
+class ChartColumn;
+class KeyList;
+class OperationView;
+class SidePanel;
+class TopBar;
+
+/// Shows an insertion and asks for its next steps; computes none of it. A view pulls, converts,
+/// draws: one turn of a timer, at most 60 times a second, updates everything and renders what
+/// changed.
+class MainWindow : public QWidget {
+  Q_OBJECT
+public:
+  MainWindow(session::Scenario scenario, std::optional<std::filesystem::path> record);
+  ~MainWindow() override;
+
+  /// Builds the cochlea and prepares the insertion; then frames begin to run.
+  Result<Done> open();
+
+  void start();
+  void pause();
+  void withdraw();
+  /// A fresh insertion with the array at its start, moved by the same hand.
+  void reset();
+
+  /// Says in place what went wrong; stays until the next reset.
+  void showTrouble(const QString& sentence);
+
+  const InsertionControl& control() const { return control_; }
+  OperationView& view() { return *view_; }
+  const FrameMeter& meter() const { return meter_; }
+  /// Frames are timed anew from now on.
+  void restartMeter() { meter_ = {}; }
+
+Q_SIGNALS:
+  /// The first frame with the cochlea in it is on the display.
+  void firstFrameShown();
+
+protected:
+  void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+private:
+  void layOut();
+  void connectZones();
+  void onFrame();
+  void onPresented();
+  void showSlowly();
+  void showState();
+  void chooseHand(Hand hand);
+  void prepare(Hand hand);
+  void hold(bool isHeld);
+  bool steer(int key, bool isShift);
+  void toggleKeyList();
+  QString statusWords() const;
+  QString troubleWords() const;
+  QString hintWords() const;
+  bool isNewToTheEye(const haptics::Snapshot& now);
+
+  InsertionControl control_;
+  std::shared_ptr<const anatomy::ScalaTympani> anatomy_;  // shared: as buildAnatomy() gives it
+  TopBar* top_;
+  SidePanel* side_;
+  OperationView* view_;
+  ChartColumn* charts_;
+  BottomBar* bottom_;
+  KeyList* keys_;
+
+  QTimer timer_;
+  QElapsedTimer sinceFrame_, sinceSlow_;
+  FrameMeter meter_;
+  bool isFirstFrame_ = true;
+  std::set<int> pressed_;  ///< Up and Down while they are held.
+  QString trouble_;
+  haptics::Snapshot drawn_{};  ///< The picture the scene shows.
+};
+
+}  // namespace perilymph::gui

@@ -1,0 +1,89 @@
+#include "Marks.h"
+
+#include <QFontMetrics>
+#include <QPainter>
+#include <QPainterPath>
+
+#include "Theme.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr int mark_px = 14;
+constexpr int rowHeight_px = 24;
+constexpr int textLeft_px = mark_px + 10;
+
+QSize rowSize(const QAbstractButton& button)
+{
+  const int text = QFontMetrics(button.font()).horizontalAdvance(button.text());
+  return {textLeft_px + text + 4, rowHeight_px};
+}
+
+QRectF markPlace(const QWidget& widget)
+{
+  return {0.5, (widget.height() - mark_px) / 2.0, mark_px, mark_px};
+}
+
+void drawText(QPainter& painter, const QAbstractButton& button)
+{
+  painter.setPen(button.isEnabled() ? textColor : quietTextColor);
+  painter.drawText(button.rect().adjusted(textLeft_px, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft,
+                   button.text());
+}
+
+}  // namespace
+
+CheckBox::CheckBox(const QString& text, QWidget* parent) : QCheckBox(text, parent)
+{
+  setFont(typeface(13));
+  setFocusPolicy(Qt::NoFocus);
+}
+
+QSize CheckBox::sizeHint() const { return rowSize(*this); }
+
+void CheckBox::paintEvent(QPaintEvent*)
+{
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QRectF place = markPlace(*this);
+  painter.setPen(QPen(isChecked() ? accentColor : quietTextColor, 1.2));
+  painter.setBrush(isChecked() ? QBrush(accentColor) : QBrush(Qt::NoBrush));
+  painter.drawRoundedRect(place, 3, 3);
+  if (isChecked()) {
+    QPainterPath tick(place.topLeft() + QPointF(3.2, 7.2));
+    tick.lineTo(place.topLeft() + QPointF(6.0, 10.0));
+    tick.lineTo(place.topLeft() + QPointF(10.8, 4.4));
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(groundColor, 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPath(tick);
+  }
+  drawText(painter, *this);
+}
+
+Choice::Choice(const QString& text, QWidget* parent) : QRadioButton(text, parent)
+{
+  setFont(typeface(13));
+  setFocusPolicy(Qt::NoFocus);
+}
+
+QSize Choice::sizeHint() const { return rowSize(*this); }
+
+void Choice::paintEvent(QPaintEvent*)
+{
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QRectF place = markPlace(*this);
+  const QColor ring = isChecked() && isEnabled() ? accentColor : quietTextColor;
+  painter.setPen(QPen(ring, 1.4));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawEllipse(place);
+  if (isChecked()) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ring);
+    painter.drawEllipse(place.adjusted(3.6, 3.6, -3.6, -3.6));
+  }
+  drawText(painter, *this);
+}
+
+}  // namespace perilymph::gui

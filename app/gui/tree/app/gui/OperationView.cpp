@@ -1,0 +1,265 @@
+#include "OperationView.h"
+
+#include <vtkCamera.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+
+#include <QFrame>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "Numbers.h"
+#include "PhaseLine.h"
+#include "ReadOut.h"
+#include "Theme.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+using visualization::CameraPreset;
+
+// A drag over the whole height of the picture turns the model half around.
+constexpr double turnPerHeight_deg = 180.0;
+
+QString nameOf(CameraPreset preset)
+{
+  switch (preset) {
+    case CameraPreset::surgeon:
+      return OperationView::tr("Surgeon’s view");
+    case CameraPreset::microscope:
+      return OperationView::tr("Down the opening");
+    case CameraPreset::overview:
+      return OperationView::tr("Overview");
+    case CameraPreset::followTip:
+      return OperationView::tr("Following the tip");
+    case CameraPreset::section:
+      return OperationView::tr("Across the basal turn");
+  }
+  return {};
+}
+
+QLabel* quietLabel(QWidget* parent, const char* name)
+{
+  auto* label = new QLabel(parent);
+  label->setObjectName(QLatin1String(name));
+  label->setFont(typeface(12));
+  label->setProperty("quiet", true);
+  label->setAttribute(Qt::WA_TransparentForMouseEvents);
+  return label;
+}
+
+}  // namespace
+
+OperationView::OperationView(QWidget* parent)
+    : QVTKOpenGLNativeWidget(parent),
+      travel_(new ReadOut({46, QStringLiteral("00.0"), tr("mm"), Qt::AlignLeft}, this)),
+      angle_(new ReadOut({46, QStringLiteral("000"), QStringLiteral("°"), Qt::AlignLeft}, this)),
+      force_(new ReadOut({46, QStringLiteral("-000"), tr("mN"), Qt::AlignRight}, this)),
+      speed_(new ReadOut({20, QStringLiteral("-00.0"), tr("mm/s"), Qt::AlignRight}, this)),
+      banner_(new QFrame(this)),
+      bannerText_(new QLabel(banner_)),
+      hint_(quietLabel(this, "hintLabel")),
+      magnification_(quietLabel(this, "magnificationLabel")),
+      viewName_(quietLabel(this, "viewLabel")),
+      phase_(new PhaseLine(this))
+{
+  setObjectName(QStringLiteral("operationView"));
+  setFocusPolicy(Qt::NoFocus);
+  setAttribute(Qt::WA_AcceptTouchEvents, false);  // VTK 9.1 would see each touch twice
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  window->SetMultiSamples(0);
+  setRenderWindow(window);
+  // The mouse is ours: styles would bring their own keys and their own ideas of a drag.
+  if (window->GetInteractor() != nullptr) window->GetInteractor()->SetInteractorStyle(nullptr);
+  addReadOuts();
+  showNumbers({}, millimeters(1));
+}
+
+OperationView::~OperationView() = default;
+
+void OperationView::addReadOuts()
+{
+  travel_->setObjectName(QStringLiteral("travelReadOut"));
+  angle_->setObjectName(QStringLiteral("angleReadOut"));
+  force_->setObjectName(QStringLiteral("forceReadOut"));
+  speed_->setObjectName(QStringLiteral("speedReadOut"));
+  angle_->setCaption(tr("angle from round window"));
+  force_->setCaption(tr("force on the hand · felt above 20 mN"));
+
+  banner_->setObjectName(QStringLiteral("banner"));
+  bannerText_->setObjectName(QStringLiteral("bannerText"));
+  bannerText_->setFont(typeface(13));
+  bannerText_->setWordWrap(true);
+  auto* bannerLayout = new QHBoxLayout(banner_);
+  bannerLayout->setContentsMargins(2 * spacing, spacing, 2 * spacing, spacing);
+  bannerLayout->addWidget(bannerText_);
+  banner_->setVisible(false);
+
+  auto* numbers = new QGridLayout;
+  numbers->setHorizontalSpacing(4 * spacing);
+  numbers->setVerticalSpacing(0);
+  numbers->addWidget(travel_, 0, 0, Qt::AlignTop | Qt::AlignLeft);
+  numbers->addWidget(angle_, 0, 1, Qt::AlignTop | Qt::AlignLeft);
+  numbers->addWidget(force_, 0, 3, Qt::AlignTop | Qt::AlignRight);
+  numbers->addWidget(speed_, 1, 3, Qt::AlignTop | Qt::AlignRight);
+  numbers->setColumnStretch(2, 1);
+
+  auto* foot = new QHBoxLayout;
+  foot->addWidget(magnification_);
+  foot->addStretch();
+  foot->addWidget(hint_);
+  foot->addStretch();
+  foot->addWidget(viewName_);
+
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(20, 2 * spacing, 20, 2 * spacing);
+  column->setSpacing(spacing);
+  column->addLayout(numbers);
+  column->addWidget(banner_);
+  column->addStretch();
+  column->addLayout(foot);
+  column->addWidget(phase_);
+}
+
+void OperationView::setScene(std::unique_ptr<visualization::InsertionScene> scene)
+{
+  scene_ = std::move(scene);
+  scene_->setScale(devicePixelRatioF());
+  scene_->attachTo(*renderWindow());
+  scene_->lookFrom(CameraPreset::surgeon);
+  describeView();
+  isDirty_ = true;
+}
+
+void OperationView::showArray(const haptics::Snapshot& now)
+{
+  if (!scene_) return;
+  scene_->show(now);
+  isDirty_ = true;
+}
+
+void OperationView::showNumbers(const haptics::TickOutput& now, Length stopTravel)
+{
+  travel_->setNumber(numberText(inMillimeters(Length::fromSi(now.travel)), 1));
+  travel_->setCaption(
+      tr("travel · depth %1 mm").arg(numberText(inMillimeters(Length::fromSi(now.depth)), 1)));
+  angle_->setNumber(numberText(inDegrees(Angle::fromSi(now.angularDepth)), 0));
+  force_->setNumber(numberText(inMillinewtons(Force::fromSi(now.axialForce)), 0));
+  speed_->setNumber(numberText(inMillimetersPerSecond(Speed::fromSi(now.speed)), 1));
+  phase_->setPhase(analysis::phaseOf(now, stopTravel));
+}
+
+void OperationView::setPartVisible(visualization::Part part, bool isVisible)
+{
+  if (!scene_) return;
+  scene_->setVisible(part, isVisible);
+  isDirty_ = true;
+}
+
+void OperationView::glideTo(CameraPreset preset)
+{
+  if (!scene_) return;
+  scene_->glideTo(preset);
+  describeView();
+  isDirty_ = true;
+}
+
+void OperationView::turnModel(double azimuth_deg, double elevation_deg, double roll_deg)
+{
+  if (!scene_) return;
+  scene_->rotateModel(azimuth_deg, elevation_deg, roll_deg);
+  isDirty_ = true;
+}
+
+void OperationView::moveModel(double right, double up)
+{
+  if (!scene_) return;
+  scene_->moveModel(right * pictureHeight_mm(), up * pictureHeight_mm());
+  isDirty_ = true;
+}
+
+void OperationView::zoom(double factor)
+{
+  if (!scene_) return;
+  scene_->zoom(factor);
+  describeView();
+  isDirty_ = true;
+}
+
+void OperationView::stepCamera(double seconds)
+{
+  if (!scene_ || !scene_->stepCamera(seconds)) return;
+  describeView();
+  isDirty_ = true;
+}
+
+void OperationView::describeView()
+{
+  magnification_->setText(tr("Microscope × %1").arg(numberText(scene_->magnification(), 1)));
+  viewName_->setText(nameOf(scene_->preset()));
+}
+
+double OperationView::pictureHeight_mm() const
+{
+  return 2.0 * scene_->renderer().GetActiveCamera()->GetParallelScale();
+}
+
+void OperationView::setBanner(const QString& sentence)
+{
+  if (bannerText_->text() == sentence) return;
+  bannerText_->setText(sentence);
+  banner_->setVisible(!sentence.isEmpty());
+}
+
+void OperationView::setHint(const QString& hint)
+{
+  if (hint_->text() != hint) hint_->setText(hint);
+}
+
+bool OperationView::renderIfDirty()
+{
+  if (!isDirty_ || !scene_ || !isValid()) return false;
+  isDirty_ = false;
+  renderWindow()->Render();
+  return true;
+}
+
+void OperationView::resizeEvent(QResizeEvent* event)
+{
+  QVTKOpenGLNativeWidget::resizeEvent(event);
+  isDirty_ = true;
+}
+
+void OperationView::mousePressEvent(QMouseEvent* event)
+{
+  mouse_ = event->pos();
+  event->accept();
+}
+
+void OperationView::mouseMoveEvent(QMouseEvent* event)
+{
+  const QPoint moved = event->pos() - mouse_;
+  mouse_ = event->pos();
+  const double right = double(moved.x()) / height();
+  const double down = double(moved.y()) / height();
+  const bool isShift = (event->modifiers() & Qt::ShiftModifier) != 0;
+  if ((event->buttons() & Qt::MiddleButton) != 0 ||
+      ((event->buttons() & Qt::LeftButton) != 0 && isShift))
+    moveModel(right, -down);
+  else if ((event->buttons() & Qt::LeftButton) != 0)
+    turnModel(right * turnPerHeight_deg, down * turnPerHeight_deg, 0.0);
+  else if ((event->buttons() & Qt::RightButton) != 0)
+    zoom(std::exp(-2.0 * down));
+  event->accept();
+}
+
+void OperationView::mouseReleaseEvent(QMouseEvent* event) { event->accept(); }
+
+}  // namespace perilymph::gui

@@ -1,0 +1,74 @@
+#include "Options.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "perilymph/foundation/Version.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+/// Refuses a picture that no picture writer would take, before anything is started.
+std::string checkPicture(const std::string& file)
+{
+  if (std::filesystem::path(file).extension() == ".png") return {};
+  return file + " is no name for a screenshot: it must end in .png.";
+}
+
+/// True for a screenshot of a moment that can come.
+std::string checkDelay(const std::string& text)
+{
+  double seconds = -1.0;
+  if (CLI::detail::lexical_cast(text, seconds) && seconds >= 0.0 && seconds <= 3600.0) return {};
+  return "--after is " + text + "; it must be a number of seconds between 0 and 3600.";
+}
+
+}  // namespace
+
+std::variant<Options, Exit> parseOptions(int argc, const char* const* argv)
+{
+  Options options;
+  CLI::App app("Perilymph, the cochlear-implant insertion workstation. Not a medical device.",
+               "perilymph");
+  app.set_version_flag("--version", "perilymph " + buildId());
+
+  std::string record, screenshot;
+  app.add_option("--scenario", options.scenario,
+                 "What to insert where: a shipped name or a TOML file")
+      ->type_name("FILE|NAME")
+      ->capture_default_str();
+  app.add_flag("--demo", options.isDemo, "Start inserting at once");
+  auto* recordOption =
+      app.add_option("--record", record,
+                     "Where to keep the insertion; without it, among the sessions in the data home")
+          ->type_name("FILE");
+  auto* screenshotOption =
+      app.add_option("--screenshot", screenshot, "Write a picture of the window, then exit")
+          ->type_name("FILE.png")
+          ->check(checkPicture);
+  app.add_option("--after", options.after_s,
+                 "How long after the first frame the screenshot is taken")
+      ->type_name("SECONDS")
+      ->needs(screenshotOption)
+      ->check(checkDelay)
+      ->capture_default_str();
+  app.add_flag("--measure-frames", options.measuresFrames,
+               "Run the demonstration, print how long its frames took, then exit")
+      ->excludes(screenshotOption);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {  // --help and --version
+    app.exit(success);
+    return Exit{0};
+  } catch (const CLI::ParseError& wrong) {
+    std::cerr << wrong.what() << "\nperilymph --help lists the words it knows.\n";
+    return Exit{2};
+  }
+  if (recordOption->count() > 0) options.record = record;
+  if (screenshotOption->count() > 0) options.screenshot = screenshot;
+  return options;
+}
+
+}  // namespace perilymph::gui

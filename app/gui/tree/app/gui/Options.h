@@ -1,0 +1,30 @@
+#pragma once
+
+// The words of the call.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace perilymph::gui {
+
+/// What the workstation was asked to do.
+struct Options {
+  std::string scenario = "contour-published";   ///< A shipped name or a file.
+  bool isDemo = false;                          ///< Starts inserting by itself.
+  std::optional<std::filesystem::path> record;  ///< Where to keep the insertion.
+  std::optional<std::filesystem::path> screenshot;
+  double after_s = 2.0;         ///< From the first frame to the screenshot.
+  bool measuresFrames = false;  ///< Prints frame times of a demonstration and exits.
+};
+
+/// The program ends here, with this status: help and version were printed, or the words were wrong.
+struct Exit {
+  int status = 0;
+};
+
+/// Reads the words; prints help, version or what is wrong with them.
+std::variant<Options, Exit> parseOptions(int argc, const char* const* argv);
+
+}  // namespace perilymph::gui

@@ -1,0 +1,105 @@
+#include "ReadOut.h"
+
+#include <QFontMetrics>
+#include <QPainter>
+#include <algorithm>
+
+#include "Theme.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr int unitGap_px = 8;
+
+QString dashed(const QString& number) { return number.isEmpty() ? QStringLiteral("–") : number; }
+
+}  // namespace
+
+ReadOut::ReadOut(Form form, QWidget* parent)
+    : QWidget(parent),
+      form_(std::move(form)),
+      numberFont_(typeface(form_.size_px, form_.size_px > 30 ? QFont::Light : QFont::Normal)),
+      unitFont_(typeface(std::max(13, form_.size_px * 2 / 5), QFont::Normal)),
+      captionFont_(typeface(12))
+{
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  setAttribute(Qt::WA_NoSystemBackground);
+  setFocusPolicy(Qt::NoFocus);
+  const QFontMetrics metrics(numberFont_);
+  for (char digit = '0'; digit <= '9'; ++digit)
+    digitWidth_ = std::max(digitWidth_, metrics.horizontalAdvance(QLatin1Char(digit)));
+}
+
+void ReadOut::setNumber(const QString& number)
+{
+  if (number == number_) return;
+  number_ = number;
+  setAccessibleName(number_ + QLatin1Char(' ') + form_.unit + QLatin1Char(' ') + caption_);
+  update();
+}
+
+void ReadOut::setCaption(const QString& caption)
+{
+  if (caption == caption_) return;
+  caption_ = caption;
+  updateGeometry();
+  update();
+}
+
+QSize ReadOut::sizeHint() const
+{
+  const int unit =
+      form_.unit.isEmpty() ? 0 : unitGap_px + QFontMetrics(unitFont_).horizontalAdvance(form_.unit);
+  const int caption =
+      caption_.isEmpty() ? 0 : QFontMetrics(captionFont_).horizontalAdvance(caption_);
+  const int captionHeight = caption_.isEmpty() ? 0 : QFontMetrics(captionFont_).height() + 2;
+  return {std::max(numberWidth(form_.widest) + unit, caption) + spacing,
+          QFontMetrics(numberFont_).capHeight() + spacing + captionHeight + spacing};
+}
+
+int ReadOut::cellWidth(QChar character) const
+{
+  return character.isDigit() ? digitWidth_ : QFontMetrics(numberFont_).horizontalAdvance(character);
+}
+
+int ReadOut::numberWidth(const QString& number) const
+{
+  int width = 0;
+  for (const QChar character : number) width += cellWidth(character);
+  return width;
+}
+
+void ReadOut::paintEvent(QPaintEvent*)
+{
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::TextAntialiasing);
+  const QString number = dashed(number_);
+  const QFontMetrics unitMetrics(unitFont_);
+  const int unitWidth =
+      form_.unit.isEmpty() ? 0 : unitGap_px + unitMetrics.horizontalAdvance(form_.unit);
+  const int baseline = QFontMetrics(numberFont_).capHeight() + spacing / 2;
+  const bool isRight = (form_.side & Qt::AlignRight) != 0;
+
+  int x = isRight ? width() - unitWidth - numberWidth(number) : 0;
+  painter.setFont(numberFont_);
+  painter.setPen(textColor);
+  for (const QChar character : number) {
+    const int cell = cellWidth(character);
+    const int inCell = QFontMetrics(numberFont_).horizontalAdvance(character);
+    painter.drawText(x + (cell - inCell) / 2, baseline, QString(character));
+    x += cell;
+  }
+  painter.setFont(unitFont_);
+  painter.setPen(quietTextColor);
+  const int unitX = isRight ? width() - unitWidth : numberWidth(number);
+  painter.drawText(unitX + unitGap_px, baseline, form_.unit);
+
+  if (caption_.isEmpty()) return;
+  painter.setFont(captionFont_);
+  const QFontMetrics metrics(captionFont_);
+  const int captionX = isRight ? width() - metrics.horizontalAdvance(caption_) : 0;
+  painter.drawText(captionX, baseline + spacing + metrics.ascent() + 2, caption_);
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,63 @@
+#include "Theme.h"
+
+#include <QStringList>
+
+namespace perilymph::gui {
+
+namespace {
+
+// Names of colors stand between percent signs and are filled in below.
+constexpr auto sheet = R"(
+QWidget { color: %text%; background: %panel%; }
+QLabel { background: transparent; }
+QLabel[quiet="true"] { color: %quietText%; }
+QLabel[trouble="true"] { color: %warning%; }
+QFrame#line { background: %line%; border: none; }
+
+QPushButton {
+  background: %raised%; border: 1px solid %raised%; border-radius: 5px; padding: 0 12px;
+}
+QPushButton:hover { border-color: %accent%; }
+QPushButton:pressed { background: %line%; }
+QPushButton:disabled { color: #6C7A85; background: %line%; border-color: %line%; }
+QPushButton#startButton { background: %accent%; color: #0B1412; border-color: %accent%; }
+QPushButton#startButton:hover { background: #5AD3C0; }
+QPushButton#startButton:disabled { color: #6C7A85; background: %line%; border-color: %line%; }
+QPushButton#pageButton { background: %raised%; border-color: %raised%; }
+QPushButton#holdButton:pressed, QPushButton#holdButton[held="true"] {
+  background: %accent%; color: #0B1412; border-color: %accent%;
+}
+QPushButton#keysButton { background: transparent; border-color: transparent; color: %quietText%; }
+QPushButton#keysButton:hover { color: %text%; border-color: %line%; }
+
+QFrame#banner { background: #2B2114; border: 1px solid %warning%; border-radius: 5px; }
+QFrame#banner QLabel { color: %text%; }
+QFrame#keys { background: %panel%; border: 1px solid %line%; border-radius: 6px; }
+QFrame#chartFrame { background: %ground%; border: 1px solid %line%; border-radius: 4px; }
+QToolTip { color: %text%; background: %ground%; border: 1px solid %line%; padding: 4px; }
+)";
+
+}  // namespace
+
+QFont typeface(int size_px, QFont::Weight weight)
+{
+  QFont chosen;
+  chosen.setFamilies({QStringLiteral("Inter"), QStringLiteral("DejaVu Sans")});
+  chosen.setPixelSize(size_px);
+  chosen.setWeight(weight);
+  return chosen;
+}
+
+QString windowStyle()
+{
+  QString filled = QString::fromLatin1(sheet);
+  const std::pair<const char*, QColor> names[] = {
+      {"%ground%", groundColor}, {"%panel%", panelColor},     {"%raised%", raisedColor},
+      {"%line%", lineColor},     {"%text%", textColor},       {"%quietText%", quietTextColor},
+      {"%accent%", accentColor}, {"%warning%", warningColor},
+  };
+  for (const auto& [name, value] : names) filled.replace(QLatin1String(name), value.name());
+  return filled;
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,130 @@
+#include "TopBar.h"
+
+#include <QFontMetrics>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+
+#include "Theme.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr int pillHeight_px = 26;
+
+QColor colorOf(Light light)
+{
+  switch (light) {
+    case Light::steady:
+      return accentColor;
+    case Light::warning:
+      return warningColor;
+    case Light::alarm:
+      return alarmColor;
+    case Light::off:
+      break;
+  }
+  return quietTextColor;
+}
+
+}  // namespace
+
+DeviceLight::DeviceLight(QWidget* parent) : QWidget(parent)
+{
+  setFont(typeface(13));
+  setObjectName(QStringLiteral("deviceLight"));
+  setAttribute(Qt::WA_NoSystemBackground);
+}
+
+void DeviceLight::show(Light light, const QString& words)
+{
+  if (light == light_ && words == words_) return;
+  light_ = light;
+  words_ = words;
+  setAccessibleName(words);
+  updateGeometry();
+  update();
+}
+
+QSize DeviceLight::sizeHint() const
+{
+  return {QFontMetrics(font()).horizontalAdvance(words_) + 38, pillHeight_px};
+}
+
+void DeviceLight::paintEvent(QPaintEvent*)
+{
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QRectF pill(0.5, (height() - pillHeight_px) / 2.0 + 0.5, width() - 1.0,
+                    pillHeight_px - 1.0);
+  painter.setPen(light_ == Light::off ? QPen(lineColor) : QPen(Qt::NoPen));
+  painter.setBrush(light_ == Light::off ? panelColor : raisedColor);
+  painter.drawRoundedRect(pill, pillHeight_px / 2.0, pillHeight_px / 2.0);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colorOf(light_));
+  painter.drawEllipse(QPointF(15.0, height() / 2.0), 4.0, 4.0);
+  painter.setPen(textColor);
+  painter.drawText(rect().adjusted(26, 0, -8, 0), Qt::AlignVCenter | Qt::AlignLeft, words_);
+}
+
+TopBar::TopBar(QWidget* parent)
+    : QWidget(parent), patient_(new QLabel(this)), device_(new DeviceLight(this))
+{
+  setFixedHeight(barHeight);
+  auto* name = new QLabel(tr("Perilymph"), this);
+  name->setFont(typeface(15, QFont::DemiBold));
+  name->setStyleSheet(QStringLiteral("color: %1;").arg(accentColor.name()));
+
+  auto* page = new QLabel(tr("Insert"), this);
+  page->setFont(typeface(13, QFont::Medium));
+  page->setAlignment(Qt::AlignCenter);
+  page->setFixedSize(84, 28);
+  page->setStyleSheet(
+      QStringLiteral("background: %1; border-radius: 5px;").arg(raisedColor.name()));
+
+  patient_->setFont(typeface(13, QFont::Medium));
+  patient_->setAlignment(Qt::AlignCenter);
+  patient_->setObjectName(QStringLiteral("patientLabel"));
+
+  auto* keys = new QPushButton(QStringLiteral("?"), this);
+  keys->setObjectName(QStringLiteral("keysButton"));
+  keys->setFont(typeface(15));
+  keys->setFixedSize(32, 28);
+  keys->setFocusPolicy(Qt::NoFocus);
+  keys->setToolTip(tr("Keys and mouse"));
+  keys->setAccessibleName(tr("Keys and mouse"));
+  connect(keys, &QPushButton::clicked, this, &TopBar::keysAsked);
+
+  auto* left = new QHBoxLayout;
+  left->setSpacing(3 * spacing);
+  left->addWidget(name);
+  left->addWidget(page);
+  left->addStretch();
+  auto* right = new QHBoxLayout;
+  right->setSpacing(2 * spacing);
+  right->addStretch();
+  right->addWidget(device_);
+  right->addWidget(keys);
+
+  // Both sides take the same share, so that the patient stands in the middle of the window.
+  auto* columns = new QGridLayout(this);
+  columns->setContentsMargins(2 * spacing, 0, 2 * spacing, 0);
+  columns->addLayout(left, 0, 0);
+  columns->addWidget(patient_, 0, 1);
+  columns->addLayout(right, 0, 2);
+  columns->setColumnStretch(0, 1);
+  columns->setColumnStretch(2, 1);
+}
+
+void TopBar::setPatient(const QString& patient) { patient_->setText(patient); }
+
+void TopBar::setDevice(Light light, const QString& words, const QString& tip)
+{
+  device_->show(light, words);
+  device_->setToolTip(tip);
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,58 @@
+#pragma once
+
+// Where the camera is, and how it goes from one place to another.
+
+#include <Eigen/Geometry>
+
+#include "PictureSpace.h"
+#include "perilymph/visualization/InsertionScene.h"
+
+namespace perilymph::visualization {
+
+/// A place to look from. The projection is parallel.
+struct CameraPose {
+  Eigen::Quaterniond axes = Eigen::Quaterniond::Identity();  ///< Camera's right, up, back.
+  Eigen::Vector3d focus = Eigen::Vector3d::Zero();           ///< In the middle of the picture [mm].
+  double magnification = 10.0;
+};
+
+/// What presets are made from, in the picture's space.
+struct CameraSubject {
+  Eigen::Vector3d low, high;     ///< Box around the wall [mm].
+  Eigen::Vector3d opening;       ///< [mm]
+  Eigen::Vector3d out, outward;  ///< Of the entry, unit.
+  bool mirrors = false;          ///< A left ear.
+};
+
+/// Height of the picture at magnification 1 [mm]: about the field of a surgical microscope.
+inline constexpr double fieldHeight_mm = 170.0;
+inline constexpr double leastMagnification = 4.0;
+inline constexpr double mostMagnification = 32.0;
+
+/// The pose of a preset. A left ear's is the mirror image of the right one's.
+CameraPose presetPose(CameraPreset preset, const CameraSubject& subject,
+                      const Eigen::Vector3d& tip);
+
+/// A camera that glides.
+class CameraPath {
+public:
+  static constexpr double glideTime_s = 0.25;
+
+  void jump(const CameraPose& pose);
+  void glide(const CameraPose& pose);
+  /// @return Whether the camera moved and may move again.
+  bool step(double seconds);
+
+  const CameraPose& pose() const { return now_; }
+  /// Changes the pose by hand; ends a glide.
+  CameraPose& take();
+  /// Moves the goal of a glide, or the pose itself: what follows the tip.
+  void follow(const Eigen::Vector3d& focus, double seconds);
+  bool isGliding() const { return progress_ < 1.0; }
+
+private:
+  CameraPose from_, to_, now_;
+  double progress_ = 1.0;
+};
+
+}  // namespace perilymph::visualization

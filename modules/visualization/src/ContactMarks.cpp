@@ -1,0 +1,89 @@
+#include "ContactMarks.h"
+
+#include <vtkActor.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+
+#include "ForceColors.h"
+
+namespace perilymph::visualization {
+namespace {
+
+constexpr double glowRadius_mm = 0.24;
+constexpr double leastShown_mN = 2.0;  ///< Below this an arrow is only a speck.
+constexpr double longestArrow_mm = 2.0;
+constexpr double arrowLift_mm = 2.5;  ///< Over array and outline.
+
+}  // namespace
+
+void ContactMarks::addGlow(vtkRenderer& renderer) { renderer.AddActor(&glow_.actor()); }
+void ContactMarks::addArrows(vtkRenderer& renderer) { renderer.AddActor(&arrows_.actor()); }
+
+void ContactMarks::setVisible(bool glow, bool arrows)
+{
+  glow_.actor().SetVisibility(glow);
+  arrows_.actor().SetVisibility(arrows);
+}
+
+void ContactMarks::build(const ContactField& field, const ArrayParts& array, const ViewFrame& view)
+{
+  buildGlow(field, view);
+
+  arrows_.clear();
+  arrowCount_ = 0;
+  Eigen::Vector3d force_mN = Eigen::Vector3d::Zero();
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // of places, weighted by force
+  double total_mN = 0.0;
+  double end_mm = arrowEvery_mm;
+  for (const ContactStation& station : field.stations()) {
+    if (station.fromTip_mm >= end_mm || &station == &field.stations().back()) {
+      if (force_mN.norm() > leastShown_mN) addArrow(moment / total_mN, force_mN, view);
+      force_mN.setZero();
+      moment.setZero();
+      total_mN = 0.0;
+      end_mm += arrowEvery_mm;
+    }
+    if (station.force_mN_mm <= 0.0) continue;
+    const double share_mN = station.force_mN_mm * ContactField::spacing_mm;
+    force_mN += share_mN * station.inward;
+    // arrows start where the force leaves the array, on the side away from the wall
+    const double across_mm = 2.0 * array.radius_mm(station.fromTip_mm);
+    moment += share_mN * (station.wall + across_mm * station.inward);
+    total_mN += share_mN;
+  }
+  arrows_.build(view, arrowLift_mm);
+}
+
+void ContactMarks::buildGlow(const ContactField& field, const ViewFrame& view)
+{
+  glow_.clear();
+  for (const ContactStation& station : field.stations()) {
+    if (station.force_mN_mm <= 0.0) continue;
+    // Dots overlap: with this opacity each, together they come near the map's.
+    Rgba color = forceColor(station.force_mN_mm);
+    color[3] = static_cast<unsigned char>(0.42 * color[3]);
+    glow_.add(station.wall, color, glowRadius_mm);
+  }
+  glow_.build(view, 0.05);
+}
+
+void ContactMarks::addArrow(const Eigen::Vector3d& from, const Eigen::Vector3d& force_mN,
+                            const ViewFrame& view)
+{
+  const double length_mm = std::min(longestArrow_mm, arrow_mm_mN * force_mN.norm());
+  const Eigen::Vector3d direction = force_mN.normalized();
+  const double head_mm = std::min(0.6 * length_mm, 10.0 * view.pixel_mm);
+  const Eigen::Vector3d neck = from + (length_mm - head_mm) * direction;
+  const Eigen::Vector3d tip = from + length_mm * direction;
+  const double shaft = 0.9 * view.pixel_mm;
+  arrows_.begin(LineEdge::firm);
+  arrows_.add({from, palette::arrow, shaft});
+  arrows_.add({neck, palette::arrow, shaft});
+  arrows_.begin(LineEdge::firm);
+  arrows_.add({neck, palette::arrow, 0.45 * head_mm});
+  arrows_.add({tip, palette::arrow, 0.1 * view.pixel_mm});
+  ++arrowCount_;
+}
+
+}  // namespace perilymph::visualization

@@ -1,0 +1,39 @@
+#pragma once
+
+// What the eye gets of a contact: a glow along the wall and arrows of the wall's force.
+
+#include "ContactField.h"
+#include "SoftDots.h"
+#include "SoftLines.h"
+
+class vtkRenderer;
+
+namespace perilymph::visualization {
+
+/// Glow and arrows. The glow faces the viewer: a wall seen from its edge shows its force, too.
+class ContactMarks {
+public:
+  /// Length of an arrow for one millinewton.
+  static constexpr double arrow_mm_mN = 0.025;
+  /// One arrow stands for the force on this length of array.
+  static constexpr double arrowEvery_mm = 1.0;
+
+  void addGlow(vtkRenderer& renderer);
+  void addArrows(vtkRenderer& renderer);
+  void setVisible(bool glow, bool arrows);
+
+  void build(const ContactField& field, const ArrayParts& array, const ViewFrame& view);
+  /// Arrows in the last picture built.
+  int arrows() const { return arrowCount_; }
+
+private:
+  void buildGlow(const ContactField& field, const ViewFrame& view);
+  void addArrow(const Eigen::Vector3d& from, const Eigen::Vector3d& force_mN,
+                const ViewFrame& view);
+
+  SoftDots glow_;
+  SoftLines arrows_;
+  int arrowCount_ = 0;
+};
+
+}  // namespace perilymph::visualization

@@ -1,0 +1,17 @@
+#pragma once
+
+// The one map from wall force to color: transparent, yellow, red, in even steps for the eye.
+
+#include "Palette.h"
+
+namespace perilymph::visualization {
+
+/// Force of the wall on one millimeter of array at which the map ends [mN/mm]. Fixed, so that
+/// pictures of different insertions compare. The greatest that the published array in the published
+/// anatomy has behind its tip.
+inline constexpr double mostWallForce_mN_mm = 50.0;
+
+/// Color and opacity for a force per length; the end of the map beyond its end.
+Rgba forceColor(double force_mN_mm);
+
+}  // namespace perilymph::visualization

@@ -1,0 +1,318 @@
+#include "perilymph/visualization/InsertionScene.h"
+
+#include <vtkActor.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
+#include <vtkContextActor.h>
+#include <vtkContextScene.h>
+#include <vtkCullerCollection.h>
+#include <vtkLight.h>
+#include <vtkNew.h>
+#include <vtkOpenGLRenderer.h>
+#include <vtkRenderStepsPass.h>
+#include <vtkRenderWindow.h>
+
+#include <algorithm>
+
+#include "ArrayParts.h"
+#include "ArrayPath.h"
+#include "Backdrop.h"
+#include "CameraPath.h"
+#include "ContactField.h"
+#include "ContactMarks.h"
+#include "PictureSpace.h"
+#include "ScalaParts.h"
+#include "ScaleBars.h"
+
+namespace perilymph::visualization {
+namespace {
+
+constexpr double cameraDistance_mm = 100.0;  ///< Parallel: it only has to be outside.
+constexpr std::size_t partCount = 5;
+
+void addLight(vtkRenderer& renderer, double x, double y, double z, double intensity)
+{
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToCameraLight();
+  light->SetPosition(x, y, z);
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  light->SetIntensity(intensity);
+  renderer.AddLight(light);
+}
+
+}  // namespace
+
+struct InsertionScene::Content {
+  Content(const anatomy::ScalaTympani& scala, const electrode::ArrayDesign& array,
+          anatomy::Side side, Quality quality);
+  ~Content() { renderer->RemoveObserver(prepareObserver); }
+
+  void addActors(Quality quality);
+  void applyVisibility();
+  void placeCamera();
+  void prepare();  ///< Before each picture: what depends on the view.
+  Eigen::Vector3d tip() const;
+
+  PictureSpace space;
+  ScalaParts scalaParts;
+  ArrayParts arrayParts;
+  ArrayPath path;
+  ContactField field;
+  ContactMarks marks;
+  Backdrop backdrop;
+  CameraSubject subject;
+  CameraPath camera;
+  CameraPreset preset = CameraPreset::surgeon;
+
+  vtkNew<vtkOpenGLRenderer> renderer;
+  vtkNew<vtkContextActor> overlay;
+  vtkNew<ScaleBars> bars;
+  vtkNew<vtkRenderStepsPass> steps;
+  vtkNew<vtkCallbackCommand> prepareCommand;
+  unsigned long prepareObserver = 0;
+
+  std::array<bool, partCount> isVisible;
+  double pixelRatio = 1.0;
+  ViewFrame preparedView{.pixel_mm = 0.0};
+  Eigen::Vector3d preparedFocus = Eigen::Vector3d::Zero();
+  int preparedWidth = 0;
+  bool arrayMoved = true;
+};
+
+InsertionScene::Content::Content(const anatomy::ScalaTympani& scala,
+                                 const electrode::ArrayDesign& array, anatomy::Side side,
+                                 Quality quality)
+    : space(side),
+      scalaParts(scala, space),
+      arrayParts(array),
+      path(arrayParts.design().length),
+      field(arrayParts.design().length)
+{
+  const anatomy::Entry entry = scala.entry();
+  subject = {scalaParts.low(),
+             scalaParts.high(),
+             space.place(entry.origin_W),
+             space.direction(entry.out_W),
+             space.direction(entry.outward_W),
+             space.mirrors()};
+  isVisible.fill(true);
+  addActors(quality);
+  applyVisibility();
+
+  prepareCommand->SetClientData(this);
+  prepareCommand->SetCallback([](vtkObject*, unsigned long, void* content, void*) {
+    static_cast<Content*>(content)->prepare();
+  });
+  prepareObserver = renderer->AddObserver(vtkCommand::StartEvent, prepareCommand);
+}
+
+void InsertionScene::Content::addActors(Quality quality)
+{
+  renderer->SetBackground(palette::ground[0] / 255.0, palette::ground[1] / 255.0,
+                          palette::ground[2] / 255.0);
+  renderer->AddActor(&backdrop.actor());
+  renderer->AutomaticLightCreationOff();
+  addLight(*renderer, -0.5, 0.75, 1.0, 1.0);  // one key light, from above left
+  renderer->GetCullers()->RemoveAllItems();   // a dozen actors, always in sight
+
+  // Solid things first; then what is translucent, from the far side to the near one.
+  arrayParts.addSolid(*renderer);
+  scalaParts.addFarWall(*renderer);
+  arrayParts.addShadow(*renderer);
+  scalaParts.addMembrane(*renderer);
+  marks.addGlow(*renderer);
+  scalaParts.addNearWall(*renderer);
+  arrayParts.addOutline(*renderer);
+  marks.addArrows(*renderer);
+
+  overlay->GetScene()->SetRenderer(renderer);
+  overlay->GetScene()->AddItem(bars);
+  renderer->AddActor(overlay);
+
+  if (quality == Quality::software) {
+    renderer->SetPass(steps);  // translucent actors blend in the order above, in one pass
+  } else {
+    renderer->UseDepthPeelingOn();
+    renderer->SetMaximumNumberOfPeels(8);
+    renderer->UseFXAAOn();
+  }
+}
+
+void InsertionScene::Content::applyVisibility()
+{
+  const auto shows = [this](Part part) { return isVisible[static_cast<std::size_t>(part)]; };
+  scalaParts.setVisible(shows(Part::scala), shows(Part::membrane));
+  arrayParts.setVisible(!path.isEmpty(), shows(Part::styletAndTweezers));
+  marks.setVisible(shows(Part::wallForce), shows(Part::contactArrows));
+  bars->showsForce = shows(Part::wallForce) && !path.isEmpty();
+  bars->Modified();
+}
+
+Eigen::Vector3d InsertionScene::Content::tip() const
+{
+  return path.isEmpty() ? subject.opening : path.at(0.0).place;
+}
+
+void InsertionScene::Content::placeCamera()
+{
+  const CameraPose& pose = camera.pose();
+  const Eigen::Matrix3d axes = pose.axes.toRotationMatrix();
+  const Eigen::Vector3d eye = pose.focus + cameraDistance_mm * axes.col(2);
+  vtkCamera& seen = *renderer->GetActiveCamera();
+  seen.ParallelProjectionOn();
+  seen.SetFocalPoint(pose.focus.x(), pose.focus.y(), pose.focus.z());
+  seen.SetPosition(eye.x(), eye.y(), eye.z());
+  seen.SetViewUp(axes(0, 1), axes(1, 1), axes(2, 1));
+  seen.SetParallelScale(0.5 * fieldHeight_mm / pose.magnification);
+  seen.SetClippingRange(1.0, 2.0 * cameraDistance_mm);
+}
+
+void InsertionScene::Content::prepare()
+{
+  const int height = std::max(1, renderer->GetSize()[1]);
+  const Eigen::Matrix3d axes = camera.pose().axes.toRotationMatrix();
+  const double pixel_mm = fieldHeight_mm / camera.pose().magnification / height;
+  const ViewFrame view{axes.col(0), axes.col(1), axes.col(2), pixel_mm * pixelRatio};
+  const Eigen::Vector3d focus = camera.pose().focus;
+  const int width = renderer->GetSize()[0];
+  const bool viewChanged =
+      !(view == preparedView) || focus != preparedFocus || width != preparedWidth;
+  if (!viewChanged && !arrayMoved) return;
+
+  if (viewChanged) {
+    scalaParts.lookFrom(view);
+    backdrop.place(view, focus - 0.9 * cameraDistance_mm * view.back, pixel_mm * width,
+                   pixel_mm * height);
+  }
+  if (!path.isEmpty()) {
+    arrayParts.lookFrom(view);
+    marks.build(field, arrayParts, view);
+  }
+  bars->pixel_mm = pixel_mm;
+  bars->pixelRatio = pixelRatio;
+  preparedView = view;
+  preparedFocus = focus;
+  preparedWidth = width;
+  arrayMoved = false;
+}
+
+InsertionScene::InsertionScene(const anatomy::ScalaTympani& scala,
+                               const electrode::ArrayDesign& array, anatomy::Side side,
+                               Quality quality)
+    : content_(std::make_unique<Content>(scala, array, side, quality))
+{
+  lookFrom(CameraPreset::surgeon);
+}
+
+InsertionScene::~InsertionScene() = default;
+
+void InsertionScene::attachTo(vtkRenderWindow& window)
+{
+  window.SetMultiSamples(0);
+  window.AddRenderer(content_->renderer);
+}
+
+vtkRenderer& InsertionScene::renderer() { return *content_->renderer; }
+
+void InsertionScene::show(const haptics::Snapshot& now)
+{
+  Content& scene = *content_;
+  const bool wasEmpty = scene.path.isEmpty();
+  scene.path.follow(now, scene.space);
+  if (scene.path.isEmpty()) {
+    scene.field.clear();
+  } else {
+    scene.arrayParts.show(scene.path, 1e3 * now.output.styletWithdrawal);
+    scene.field.follow(now, scene.space, scene.path, scene.arrayParts);
+  }
+  if (scene.isVisible[static_cast<std::size_t>(Part::wallForce)])
+    scene.scalaParts.color(scene.field);
+  if (wasEmpty != scene.path.isEmpty()) scene.applyVisibility();
+  scene.arrayMoved = true;
+}
+
+void InsertionScene::setVisible(Part part, bool visible)
+{
+  Content& scene = *content_;
+  scene.isVisible[static_cast<std::size_t>(part)] = visible;
+  if (part == Part::wallForce) {
+    ContactField none{millimeters(0)};
+    scene.scalaParts.color(visible ? scene.field : none);
+  }
+  scene.applyVisibility();
+}
+
+void InsertionScene::setScale(double pixelRatio) { content_->pixelRatio = pixelRatio; }
+
+void InsertionScene::setScaleBarMargin(int pixels)
+{
+  content_->bars->bottom_px = pixels;
+  content_->bars->Modified();
+}
+
+void InsertionScene::lookFrom(CameraPreset preset)
+{
+  content_->preset = preset;
+  content_->camera.jump(presetPose(preset, content_->subject, content_->tip()));
+  content_->placeCamera();
+}
+
+void InsertionScene::glideTo(CameraPreset preset)
+{
+  content_->preset = preset;
+  content_->camera.glide(presetPose(preset, content_->subject, content_->tip()));
+}
+
+bool InsertionScene::stepCamera(double seconds)
+{
+  Content& scene = *content_;
+  bool moves = scene.camera.step(seconds);
+  if (scene.preset == CameraPreset::followTip) {
+    const Eigen::Vector3d before = scene.camera.pose().focus;
+    scene.camera.follow(scene.tip(), seconds);
+    moves = moves || (scene.camera.pose().focus - before).norm() > 0.1 * scene.bars->pixel_mm;
+  }
+  scene.placeCamera();
+  return moves;
+}
+
+CameraPreset InsertionScene::preset() const noexcept { return content_->preset; }
+
+void InsertionScene::setMagnification(double times)
+{
+  content_->camera.take().magnification = std::clamp(times, leastMagnification, mostMagnification);
+  content_->placeCamera();
+}
+
+double InsertionScene::magnification() const noexcept
+{
+  return content_->camera.pose().magnification;
+}
+
+void InsertionScene::rotateModel(double azimuth_deg, double elevation_deg, double roll_deg)
+{
+  using Turn = Eigen::AngleAxisd;
+  CameraPose& pose = content_->camera.take();
+  // Turning the model one way is turning the camera the other way.
+  pose.axes = pose.axes * Turn(-degrees(azimuth_deg).si(), Eigen::Vector3d::UnitY()) *
+              Turn(degrees(elevation_deg).si(), Eigen::Vector3d::UnitX()) *
+              Turn(-degrees(roll_deg).si(), Eigen::Vector3d::UnitZ());
+  pose.axes.normalize();
+  content_->placeCamera();
+}
+
+void InsertionScene::moveModel(double right_mm, double up_mm)
+{
+  CameraPose& pose = content_->camera.take();
+  pose.focus -= pose.axes * Eigen::Vector3d(right_mm, up_mm, 0.0);
+  content_->placeCamera();
+}
+
+void InsertionScene::zoom(double factor)
+{
+  if (factor > 0.0) setMagnification(magnification() * factor);
+}
+
+double InsertionScene::scaleBarLength_mm() const { return content_->bars->barLength_mm(); }
+
+}  // namespace perilymph::visualization

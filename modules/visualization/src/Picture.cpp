@@ -1,0 +1,73 @@
+#include "perilymph/visualization/Picture.h"
+
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkRenderWindow.h>
+#include <vtkWindowToImageFilter.h>
+
+#include "PrivateDisplay.h"
+#include "perilymph/foundation/AtomicFile.h"
+
+namespace perilymph::visualization {
+namespace {
+
+constexpr int leastPixels = 64;
+constexpr int mostPixels = 8192;
+
+Result<Done> check(const PictureRequest& request)
+{
+  if (request.scala == nullptr)
+    return Error{"There is no scala tympani to draw. Name a scenario, a patient or a preset."};
+  for (const int pixels : {request.width, request.height})
+    if (pixels < leastPixels || pixels > mostPixels)
+      return Error{"A picture of " + std::to_string(request.width) + " x " +
+                   std::to_string(request.height) +
+                   " pixels cannot be drawn; each must be 64 to 8192."};
+  if (request.file.extension() != ".png")
+    return Error{"The picture " + request.file.string() + " must end in .png."};
+  return Done{};
+}
+
+Result<Done> draw(const PictureRequest& request)
+{
+  InsertionScene scene(*request.scala, request.array.value_or(electrode::ArrayDesign{}),
+                       request.side);
+  if (request.now != nullptr) scene.show(*request.now);
+  scene.lookFrom(request.view);
+  scene.setScale(request.height / 960.0);
+
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(true);
+  window->SetSize(request.width, request.height);
+  scene.attachTo(*window);
+  window->Render();
+
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(window);
+  grab->ReadFrontBufferOff();
+  grab->ShouldRerenderOff();
+  return writeWhole(request.file, [&](const std::filesystem::path& neighbor) {
+    vtkNew<vtkPNGWriter> writer;
+    writer->SetInputConnection(grab->GetOutputPort());
+    writer->SetFileName(neighbor.c_str());
+    writer->Write();
+    return writer->GetErrorCode() == 0;
+  });
+}
+
+}  // namespace
+
+Result<Done> canRender() { return probeDisplay(); }
+
+Result<Done> renderPicture(const PictureRequest& request)
+{
+  if (const Result<Done> checked = check(request); !checked) return checked;
+  if (probeDisplay()) return draw(request);
+
+  Result<PrivateDisplay> display = PrivateDisplay::start();
+  if (!display) return display.error();
+  if (const Result<Done> probed = probeDisplay(); !probed) return probed;
+  return draw(request);
+}
+
+}  // namespace perilymph::visualization

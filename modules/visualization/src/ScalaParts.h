@@ -1,0 +1,66 @@
+#pragma once
+
+// The scala tympani as it looks: a shell of bone, its edges, and the basilar membrane.
+
+#include <vtkSmartPointer.h>
+
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "ContactField.h"
+#include "Mesh.h"
+#include "Silhouette.h"
+#include "SoftLines.h"
+#include "perilymph/anatomy/ScalaTympani.h"
+
+class vtkRenderer;
+
+namespace perilymph::visualization {
+
+/// Wall, edges and membrane. The wall is drawn twice, far side first, so that no sorting is needed.
+class ScalaParts {
+public:
+  ScalaParts(const anatomy::ScalaTympani& scala, const PictureSpace& space);
+
+  void addFarWall(vtkRenderer& renderer);
+  void addMembrane(vtkRenderer& renderer);
+  void addNearWall(vtkRenderer& renderer);
+
+  /// Colors the wall by the force on it.
+  void color(const ContactField& field);
+  void lookFrom(const ViewFrame& view);
+  void setVisible(bool wall, bool membrane);
+
+  /// Corners of the box around the wall [mm].
+  Eigen::Vector3d low() const { return low_; }
+  Eigen::Vector3d high() const { return high_; }
+
+private:
+  void plan(const anatomy::ScalaTympani& scala, const PictureSpace& space);
+  void planMembrane(const anatomy::ScalaTympani& scala, const PictureSpace& space);
+  void light(const ViewFrame& view);
+  void paintTouched(int index);
+  void sortIntoBins();
+  long bin(int x, int y, int z) const;
+
+  Mesh wall_{Mesh::Coloring::perPoint};
+  Mesh membrane_{Mesh::Coloring::uniform};
+  vtkSmartPointer<vtkActor> nearWall_;
+  SoftLines edges_, membraneEdges_;
+  std::optional<Silhouette> silhouette_;
+  std::vector<Polyline> silhouettes_, rims_, membraneRims_;
+  ViewFrame litFrom_{.back = Eigen::Vector3d::Zero()};  ///< None yet.
+  std::vector<Eigen::Vector3d> normals_;
+  std::vector<Rgba> shell_;  ///< Color of each point where nothing touches.
+  Eigen::Vector3d low_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d high_ = Eigen::Vector3d::Zero();
+
+  // For coloring: points of the wall in cubes of the bell's reach, and the points colored last.
+  std::vector<Eigen::Vector3d> places_;
+  std::unordered_map<long, std::vector<int>> bins_;
+  std::vector<float> force_mN_mm_;
+  std::vector<int> touched_;
+};
+
+}  // namespace perilymph::visualization

@@ -1,0 +1,112 @@
+#include "ScaleBars.h"
+
+#include <vtkBrush.h>
+#include <vtkContext2D.h>
+#include <vtkContextScene.h>
+#include <vtkObjectFactory.h>
+#include <vtkPen.h>
+#include <vtkStdString.h>
+#include <vtkTextProperty.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "ForceColors.h"
+#include "Palette.h"
+#include "perilymph/charts/Typeface.h"
+
+namespace perilymph::visualization {
+namespace {
+
+constexpr double longestBar_px = 110.0;
+constexpr double margin_px = 24.0;
+constexpr int labelSize = 12;
+
+void fillWith(vtkContext2D& painter, const Rgba& color)
+{
+  painter.GetPen()->SetLineType(vtkPen::NO_PEN);
+  painter.GetBrush()->SetColor(color[0], color[1], color[2], color[3]);
+}
+
+std::string rounded(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
+}
+
+}  // namespace
+
+vtkStandardNewMacro(ScaleBars)
+
+    double ScaleBars::barLength_mm() const
+{
+  const double longest_mm = longestBar_px * pixelRatio * pixel_mm;
+  const double power = std::pow(10.0, std::floor(std::log10(longest_mm) + 1e-9));
+  for (const double step : {5.0, 2.0})
+    if (step * power <= longest_mm * (1.0 + 1e-9)) return step * power;
+  return power;
+}
+
+bool ScaleBars::Paint(vtkContext2D* painter)
+{
+  paintLength(*painter);
+  if (showsForce) paintForce(*painter);
+  return true;
+}
+
+void ScaleBars::setText(vtkContext2D& painter, int justification)
+{
+  vtkTextProperty& text = *painter.GetTextProp();
+  charts::setTypeface(text);
+  text.SetFontSize(static_cast<int>(std::lround(labelSize * pixelRatio)));
+  text.SetColor(palette::quietText[0] / 255.0, palette::quietText[1] / 255.0,
+                palette::quietText[2] / 255.0);
+  text.SetBold(false);
+  text.SetJustification(justification);
+  text.SetVerticalJustificationToCentered();
+}
+
+void ScaleBars::paintLength(vtkContext2D& painter)
+{
+  const float length = static_cast<float>(std::round(barLength_mm() / pixel_mm));
+  const float scale = static_cast<float>(pixelRatio);
+  const float right = std::round(static_cast<float>(GetScene()->GetSceneWidth()) -
+                                 static_cast<float>(margin_px) * scale);
+  const float y = std::round(static_cast<float>(bottom_px) * scale);
+  const float line = std::max(1.0f, std::round(1.4f * scale));
+  const float cap = std::round(8.0f * scale);
+  fillWith(painter, palette::text);
+  painter.DrawRect(right - length, y, length, line);
+  painter.DrawRect(right - length, y - 0.5f * cap, line, cap + line);
+  painter.DrawRect(right - line, y - 0.5f * cap, line, cap + line);
+  setText(painter, VTK_TEXT_CENTERED);
+  painter.DrawString(right - 0.5f * length, y + 16.0f * scale, rounded(barLength_mm()) + " mm");
+}
+
+void ScaleBars::paintForce(vtkContext2D& painter)
+{
+  const float scale = static_cast<float>(pixelRatio);
+  const float left = static_cast<float>(margin_px) * scale;
+  const float y = std::round(static_cast<float>(bottom_px) * scale);
+  const float height = std::round(6.0f * scale);
+  const int cells = 64;
+  const float cell = std::max(1.0f, std::round(2.0f * scale));
+  for (int i = 0; i < cells; ++i) {
+    fillWith(painter, forceColor((i + 0.5) / cells * mostWallForce_mN_mm));
+    painter.DrawRect(left + static_cast<float>(i) * cell, y, cell, height);
+  }
+  const float width = cell * cells;
+  const float above = y + height + 11.0f * scale;
+  setText(painter, VTK_TEXT_LEFT);
+  painter.DrawString(left, above, "wall force, mN per mm");
+  const float below = y - 10.0f * scale;
+  painter.DrawString(left, below, "0");
+  setText(painter, VTK_TEXT_CENTERED);
+  painter.DrawString(left + 0.5f * width, below, rounded(0.5 * mostWallForce_mN_mm));
+  setText(painter, VTK_TEXT_RIGHT);
+  painter.DrawString(left + width, below, rounded(mostWallForce_mN_mm) + "+");
+}
+
+}  // namespace perilymph::visualization

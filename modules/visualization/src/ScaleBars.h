@@ -1,0 +1,37 @@
+#pragma once
+
+// What makes the picture a measurement: a bar in millimeters and the scale of the wall's force.
+
+#include <vtkContextItem.h>
+
+#include <string>
+
+namespace perilymph::visualization {
+
+/// Drawn over the scene in pixels, at the lower edge.
+class ScaleBars : public vtkContextItem {
+public:
+  static ScaleBars* New();
+  vtkTypeMacro(ScaleBars, vtkContextItem)
+
+      bool showsForce = true;
+  double pixelRatio = 1.0;
+  int bottom_px = 34;       ///< From the lower edge, at pixel ratio 1.
+  double pixel_mm = 0.025;  ///< Of the picture.
+
+  /// The longest of 1, 2 and 5 times a power of ten that is at most 110 pixels long.
+  double barLength_mm() const;
+
+  bool Paint(vtkContext2D* painter) override;
+
+protected:
+  ScaleBars() = default;
+  ~ScaleBars() override = default;
+
+private:
+  void paintLength(vtkContext2D& painter);
+  void paintForce(vtkContext2D& painter);
+  void setText(vtkContext2D& painter, int justification);
+};
+
+}  // namespace perilymph::visualization

@@ -1,0 +1,38 @@
+#pragma once
+
+// Round dots that face the viewer and fade toward their rim.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "Mesh.h"
+#include "PictureSpace.h"
+
+namespace perilymph::visualization {
+
+/// Clear, add dots, then build for the view; again whenever dots or view change.
+class SoftDots {
+public:
+  SoftDots();
+
+  void clear() { dots_.clear(); }
+  void add(const Eigen::Vector3d& place, const Rgba& color, double radius_mm);
+  /// Writes the dots, lifted toward the viewer by `toward_mm`.
+  void build(const ViewFrame& view, double toward_mm);
+
+  vtkActor& actor() { return mesh_.actor(); }
+
+private:
+  struct Dot {
+    Eigen::Vector3d place;
+    Rgba color;
+    double radius_mm;
+  };
+  void makeRoom();
+
+  std::vector<Dot> dots_;
+  std::size_t room_ = 0;  ///< Dots the mesh has points for; those not used lie in one point.
+  Mesh mesh_{Mesh::Coloring::perPoint};
+};
+
+}  // namespace perilymph::visualization

@@ -1,0 +1,94 @@
+// What can be read on the window: nothing clipped, nothing on top of another, units everywhere.
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+
+#include "WindowRig.h"
+
+namespace perilymph::test {
+namespace {
+
+/// The status line may be cut by a narrow window: it is a line of its own with a tooltip.
+bool mayBeCut(const QLabel& label)
+{
+  return label.wordWrap() || label.objectName() == "statusLabel";
+}
+
+void expectEverythingLegible(WindowRig& rig)
+{
+  for (const QLabel* label : rig.window().findChildren<QLabel*>()) {
+    if (!label->isVisible() || label->text().isEmpty() || mayBeCut(*label)) continue;
+    EXPECT_GE(label->width(), label->sizeHint().width()) << label->text().toStdString();
+  }
+  const auto readOuts = rig.window().findChildren<gui::ReadOut*>();
+  EXPECT_EQ(readOuts.size(), 4);
+  for (const gui::ReadOut* one : readOuts) {
+    EXPECT_GE(one->width(), one->sizeHint().width()) << one->objectName().toStdString();
+    for (const gui::ReadOut* other : readOuts)
+      EXPECT_TRUE(one == other || !one->geometry().intersects(other->geometry()))
+          << one->objectName().toStdString() << " lies on " << other->objectName().toStdString();
+  }
+}
+
+TEST(WindowLook, NothingIsClippedDuringAnInsertion)
+{
+  WindowRig rig(session::Overrides{{"speed_mm_s", "10.0"}});
+  rig.click("startButton");
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 10.5; }));
+  expectEverythingLegible(rig);
+}
+
+TEST(WindowLook, NothingIsClippedInTheSmallestWindow)
+{
+  WindowRig rig;
+  rig.window().resize(rig.window().minimumSize());
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.window().size() == rig.window().minimumSize(); }));
+  expectEverythingLegible(rig);
+}
+
+TEST(WindowLook, TheCaptionOfTheForceSaysWhatItIs)
+{
+  WindowRig rig;
+  EXPECT_EQ(rig.window().findChild<gui::ReadOut*>("forceReadOut")->caption(),
+            "force on the hand · felt above 20 mN");
+}
+
+TEST(WindowLook, SaysWhatItIsNot)
+{
+  WindowRig rig;
+  EXPECT_TRUE(rig.label("statusLabel").contains("not a medical device"));
+}
+
+TEST(WindowLook, NamesThePatientAndTheEar)
+{
+  WindowRig rig(session::Overrides{{"side", "\"left\""}});
+  EXPECT_TRUE(rig.label("patientLabel").contains("left ear"));
+}
+
+TEST(WindowLook, TheWordsOnThePictureAreOnAGrabOfTheWindow)
+{
+  WindowRig rig;
+  auto* travel = rig.window().findChild<gui::ReadOut*>("travelReadOut");
+  const QRect place(travel->mapTo(&rig.window(), QPoint(0, 0)), travel->size());
+  const QImage image = rig.window().grab(place).toImage();
+  int bright = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      if (qGray(image.pixel(x, y)) > 180) ++bright;
+  EXPECT_GT(bright, 50);  // strokes of "0.0" and its unit, 46 pixels high
+}
+
+TEST(WindowLook, ACheckBoxTakesItsPartOutOfThePicture)
+{
+  WindowRig rig;
+  const QImage before = rig.picture();
+  rig.click("show2");  // basilar membrane
+  const QImage without = rig.picture();
+  EXPECT_NE(without, before);
+  rig.click("show2");
+  EXPECT_EQ(rig.picture(), before);
+}
+
+}  // namespace
+}  // namespace perilymph::test

@@ -1,0 +1,94 @@
+#include "WindowRig.h"
+
+#include <QCoreApplication>
+#include <QLabel>
+#include <QTest>
+#include <QWheelEvent>
+#include <stdexcept>
+
+namespace perilymph::test {
+
+namespace {
+
+constexpr int mostPatience_ms = 60'000;  // of a busy machine; nothing is timed by it
+
+template <class Object>
+Object& part(gui::MainWindow& window, const char* name)
+{
+  auto* found = window.findChild<Object*>(QLatin1String(name));
+  if (found == nullptr) throw std::runtime_error(std::string("The window has no ") + name + ".");
+  return *found;
+}
+
+session::Scenario published(const session::Overrides& overrides)
+{
+  auto scenario = session::loadScenario("contour-published", overrides);
+  if (!scenario) throw std::runtime_error(scenario.error().message);
+  return *scenario;
+}
+
+}  // namespace
+
+WindowRig::WindowRig(const session::Overrides& overrides,
+                     std::optional<std::filesystem::path> record)
+    : window_(std::make_unique<gui::MainWindow>(published(overrides), std::move(record)))
+{
+  bool isShown = false;
+  QObject::connect(window_.get(), &gui::MainWindow::firstFrameShown, window_.get(),
+                   [&isShown] { isShown = true; });
+  window_->show();
+  const auto opened = window_->open();
+  if (!opened) throw std::runtime_error(opened.error().message);
+  if (!comes([&] { return isShown; })) throw std::runtime_error("No frame came.");
+}
+
+void WindowRig::click(const char* name)
+{
+  QTest::mouseClick(&part<QAbstractButton>(*window_, name), Qt::LeftButton);
+}
+
+QAbstractButton& WindowRig::button(const char* name)
+{
+  return part<QAbstractButton>(*window_, name);
+}
+
+QString WindowRig::label(const char* name) { return part<QLabel>(*window_, name).text(); }
+
+QString WindowRig::readOut(const char* name) { return part<gui::ReadOut>(*window_, name).number(); }
+
+void WindowRig::pressKey(Qt::Key key, Qt::KeyboardModifiers modifiers)
+{
+  QTest::keyClick(window_.get(), key, modifiers);
+}
+
+void WindowRig::holdKey(Qt::Key key) { QTest::keyPress(window_.get(), key); }
+
+void WindowRig::releaseKey(Qt::Key key) { QTest::keyRelease(window_.get(), key); }
+
+void WindowRig::turnWheel(int notches)
+{
+  gui::OperationView& view = window_->view();
+  const QPoint middle = view.rect().center();
+  QWheelEvent event(middle, view.mapToGlobal(middle), QPoint(), QPoint(0, 120 * notches),
+                    Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+  QCoreApplication::sendEvent(&view, &event);
+}
+
+bool WindowRig::comes(const std::function<bool()>& claim)
+{
+  return QTest::qWaitFor(claim, mostPatience_ms);
+}
+
+bool WindowRig::liveForTicks(std::uint64_t ticks)
+{
+  const std::uint64_t end = now().tick + ticks;
+  return comes([&] { return now().tick >= end; });
+}
+
+QImage WindowRig::picture()
+{
+  window_->view().renderIfDirty();
+  return window_->view().grabFramebuffer();
+}
+
+}  // namespace perilymph::test

@@ -1,0 +1,29 @@
+// Tests of the real window, on the screen that test/support/with-display provides.
+
+#include <gtest/gtest.h>
+
+#include <QTest>
+#include <cstdlib>
+
+#include "Application.h"
+#include "Display.h"
+#include "perilymph/test/TemporaryFolder.h"
+
+int main(int argc, char** argv)
+{
+  ::testing::InitGoogleTest(&argc, argv);
+  const perilymph::test::TemporaryFolder data;  // sessions of the tests are not the user's
+  setenv("XDG_DATA_HOME", data.path().c_str(), 1);
+  setenv("XDG_RUNTIME_DIR", data.path().c_str(), 1);
+  if (const auto display = perilymph::gui::probeDisplay(); !display) {
+    std::fprintf(stderr, "%s\n", display.error().message.c_str());
+    return 77;
+  }
+  perilymph::gui::prepareQt();
+  perilymph::gui::Application application(argc, argv);
+  if (const auto openGl = perilymph::gui::probeOpenGl(); !openGl) {
+    std::fprintf(stderr, "%s\n", openGl.error().message.c_str());
+    return 77;
+  }
+  return RUN_ALL_TESTS();
+}

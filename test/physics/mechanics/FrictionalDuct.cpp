@@ -1,0 +1,90 @@
+// An array that slides along a bend: the capstan equation.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "TestRod.h"
+#include "perilymph/anatomy/PlainLumens.h"
+#include "perilymph/test/Tolerance.h"
+
+namespace perilymph {
+namespace {
+
+using test::RodSpec;
+using test::TestRod;
+
+constexpr double bend = 6e-3;  // [m] of the duct's axis
+constexpr double lead = 2e-3;  // [m]
+constexpr double end = 200.0 * pi / 180.0;  // [rad]
+
+/// A circular duct that ends in a frictionless wall across it.
+class ClosedDuct final : public anatomy::Lumen {
+public:
+  ClosedDuct(double radius, double endAngle) : duct_(radius, bend, lead), end_(endAngle) {}
+  anatomy::Entry entry() const noexcept override { return duct_.entry(); }
+  anatomy::LumenTrack startTrack() const noexcept override { return duct_.startTrack(); }
+  void nearestWall(std::span<const Eigen::Vector3d> points_W, std::span<const double> reach,
+                   std::span<anatomy::LumenTrack> tracks,
+                   std::span<anatomy::WallPoint> walls) const noexcept override
+  {
+    duct_.nearestWall(points_W, reach, tracks, walls);
+    for (std::size_t i = 0; i < points_W.size(); ++i) {
+      const double toEnd = (end_ - tracks[i].angle) * bend;
+      if (tracks[i].angle <= 0.0 || toEnd > reach[i]) continue;
+      walls[i] = {};
+      walls[i].isNear = true;
+      walls[i].distance = toEnd;
+      walls[i].normal_W = {std::sin(tracks[i].angle), 0.0, std::cos(tracks[i].angle)};
+    }
+  }
+
+private:
+  anatomy::CircularDuct duct_;
+  double end_;
+};
+
+/// A rod without bending stiffness worth the name, pushed around the bend against its blocked tip;
+/// gives the ratio of compression at two angles of wrap.
+double compressionRatio(double friction, double fromAngle, double toAngle)
+{
+  RodSpec spec;
+  // as long as the duct: no stretch outside that could buckle
+  const double toTheEnd = lead + bend * end - spec.radius;
+  spec.length = toTheEnd + 0.5e-3;
+  spec.bending = 2e-9;
+  spec.startInside = 1e-3;
+  spec.wallStiffness = 2e4;
+  spec.nodes = 161;
+  TestRod rod(std::make_shared<ClosedDuct>(spec.radius + 0.03e-3, end), spec);
+  for (double& stretching : rod.changeable().stretching) stretching = 20.0;
+  // in without friction until the tip meets the end, then on with it until everything slides
+  rod.move({0.0, 0.0, -(toTheEnd - spec.startInside - 0.3e-3)}, 20e-3);
+  rod.changeable().parts.friction = {friction, friction, friction, millimetersPerSecond(0.1)};
+  for (int i = 0; i < 200 && rod.readings().axialForce < 0.06; ++i)
+    rod.move({0.0, 0.0, -0.01e-3}, 5e-3);
+  EXPECT_GE(rod.readings().axialForce, 0.06);
+
+  const auto compressionAt = [&](double angle) {
+    const auto& track = rod.state().track;
+    for (std::size_t i = 1; i + 1 < track.size(); ++i)
+      if (track[i].angle <= angle && track[i + 1].angle > angle) return -rod.tension(i);
+    return 0.0;
+  };
+  return compressionAt(fromAngle) / compressionAt(toAngle);
+}
+
+TEST(LimpArrayInCircularDuct, PushForceGrowsByTheCapstanFactor)
+{
+  for (const double friction : {0.05, 0.15, 0.3}) {
+    const double from = 40.0 * pi / 180.0;
+    const double to = 160.0 * pi / 180.0;
+    const double expected = std::exp(friction * (to - from));  // F = F0 exp(mu phi)
+    EXPECT_NEAR(compressionRatio(friction, from, to), expected,
+                test::tolerance(0.03, "residual bending stiffness") * expected)
+        << "friction " << friction;
+  }
+}
+
+}  // namespace
+}  // namespace perilymph

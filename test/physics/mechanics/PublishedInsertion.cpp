@@ -1,0 +1,165 @@
+// The published experiment's array in the published anatomy: what must hold whatever the calibration.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "perilymph/anatomy/Patient.h"
+#include "perilymph/foundation/Resources.h"
+#include "perilymph/mechanics/advance.h"
+#include "perilymph/test/Tolerance.h"
+
+namespace perilymph {
+namespace {
+
+/// One insertion as published: 2 mm/s, 16.5 mm, the tip 2 mm inside.
+struct Curve {
+  double tick = 0.0;          // [m] of travel between samples
+  std::vector<double> force;  // axial [N], one a tick
+  std::vector<double> wall;   // total wall force [N]
+  double worstResidual = 0.0;
+
+  double forceAt(double travel) const
+  {
+    return force[static_cast<std::size_t>(std::lround(travel / tick)) - 1];
+  }
+};
+
+struct Variation {
+  int nodes = 100;
+  double timeStep_ms = 1.0;
+  double scale = 1.0;      // of the whole cochlea
+  double stiffness = 1.0;  // of the array
+};
+
+Curve insertAsPublished(const Variation& variation)
+{
+  anatomy::Patient patient;
+  patient.scalaTympaniLength = variation.scale * patient.scalaTympaniLength;
+  patient.roundWindowWidth = variation.scale * patient.roundWindowWidth;
+  patient.roundWindowHeight = variation.scale * patient.roundWindowHeight;
+  mechanics::ModelParts parts;
+  parts.lumen = anatomy::buildPublished(patient, millimeters(1));
+  parts.array = *electrode::loadArray(resource("plugins/electrodes/cochlear/contour.toml"));
+  for (auto& bending : parts.array.bending.value) bending = variation.stiffness * bending;
+  parts.array.stylet.bending = variation.stiffness * parts.array.stylet.bending;
+  parts.nodes = variation.nodes;
+  parts.timeStep = milliseconds(variation.timeStep_ms);
+  const auto model = mechanics::InsertionModel::build(parts);
+  mechanics::InsertionState state(*model);
+  mechanics::Drive drive;
+  drive.handAxis_W = model->startAxis_W;
+  drive.handCurl_W = model->startCurl_W;
+
+  Curve curve;
+  curve.tick = 2e-3 * model->timeStep;
+  const long ticks = std::lround(16.5e-3 / curve.tick);
+  for (long k = 1; k <= ticks; ++k) {
+    drive.handPosition_W =
+        model->startBase_W + (static_cast<double>(k) * curve.tick) * model->startAxis_W;
+    mechanics::advance(*model, state, drive);
+    curve.force.push_back(state.readings.axialForce);
+    curve.wall.push_back(state.readings.wallForceTotal);
+    curve.worstResidual = std::max(curve.worstResidual, state.readings.residual);
+  }
+  return curve;
+}
+
+/// The first maximum above 10 mN that is followed by a fall of at least 3 %.
+struct Peak {
+  double travel = 0.0;
+  double force = 0.0;
+  double dipTravel = 0.0;
+  double dipForce = 0.0;
+};
+
+Peak basalTurnPeak(const Curve& curve)
+{
+  Peak peak;
+  for (std::size_t i = 0; i < curve.force.size(); ++i) {
+    if (curve.force[i] > peak.force) {
+      peak.force = peak.dipForce = curve.force[i];
+      peak.travel = curve.tick * static_cast<double>(i + 1);
+    } else if (curve.force[i] < peak.dipForce) {
+      peak.dipForce = curve.force[i];
+      peak.dipTravel = curve.tick * static_cast<double>(i + 1);
+    }
+    // the dip is over when the force has risen from it by as much as counts as a fall
+    if (peak.force > 10e-3 && peak.dipForce < 0.97 * peak.force && curve.force[i] > peak.dipForce + 0.03 * peak.force) break;
+  }
+  return peak;
+}
+
+TEST(PublishedInsertion, HasNoForceBeforeTheFirstContact)
+{
+  const Curve curve = insertAsPublished({});
+  std::size_t touching = 0;
+  while (touching < curve.wall.size() && curve.wall[touching] == 0.0) ++touching;
+  // the straight array meets the outer wall on its way to the basal turn: 3 to 6 mm by the geometry
+  // of the spiral (a chord from the round window)
+  const double firstTouch = curve.tick * static_cast<double>(touching);
+  EXPECT_GT(firstTouch, 3e-3);
+  EXPECT_LT(firstTouch, 6e-3);
+  // before it nothing but the perilymph's drag: 0.05 N.s/m2 x 25 mm x 2 mm/s = 2.5 uN
+  for (std::size_t i = 0; i < touching; ++i) ASSERT_LT(std::fabs(curve.force[i]), 5e-6) << i;
+}
+
+TEST(PublishedInsertion, PeaksAtTheBasalTurnThenDips)
+{
+  const Peak peak = basalTurnPeak(insertAsPublished({}));
+  // the paper: peak between 9 and 12 mm (raw), 10.6 mm (spline), dip at 11.8 mm
+  EXPECT_GT(peak.travel, 8e-3);
+  EXPECT_LT(peak.travel, 13e-3);
+  EXPECT_GT(peak.dipTravel, peak.travel);
+  EXPECT_LT(peak.dipForce, 0.95 * peak.force);
+}
+
+TEST(PublishedInsertion, SettlesInEveryTick)
+{
+  EXPECT_LT(insertAsPublished({}).worstResidual, 1e-5);
+}
+
+TEST(PublishedInsertion, DoesNotDependOnTheNumberOfNodes)
+{
+  const Curve coarse = insertAsPublished({.nodes = 50});
+  const Curve fine = insertAsPublished({.nodes = 200});
+  const Peak coarsePeak = basalTurnPeak(coarse);
+  const Peak finePeak = basalTurnPeak(fine);
+  EXPECT_NEAR(coarsePeak.force, finePeak.force, 0.05 * finePeak.force);
+  for (const double travel : {8e-3, 10.6e-3, 11.8e-3, 13.4e-3, 15.4e-3, 16.5e-3})
+    EXPECT_NEAR(coarse.forceAt(travel), fine.forceAt(travel), 0.05 * finePeak.force) << travel;
+}
+
+TEST(PublishedInsertion, DoesNotDependOnTheTimeStep)
+{
+  const Curve fine = insertAsPublished({.timeStep_ms = 0.2});
+  const Curve coarse = insertAsPublished({.timeStep_ms = 5.0});
+  for (const double travel : {8e-3, 10.6e-3, 11.8e-3, 13.4e-3, 15.4e-3, 16.5e-3})
+    EXPECT_NEAR(coarse.forceAt(travel), fine.forceAt(travel), 1e-3) << travel;
+}
+
+TEST(PublishedInsertion, PeaksLaterAndLowerInALargerCochlea)
+{
+  // The peak comes when the tip has gone around the basal turn, so it moves with the size of the
+  // cochlea; the force to bend a rod into a circle falls with the square of its radius.
+  const Peak small = basalTurnPeak(insertAsPublished({.scale = 0.9}));
+  const Peak middle = basalTurnPeak(insertAsPublished({}));
+  const Peak large = basalTurnPeak(insertAsPublished({.scale = 1.1}));
+  EXPECT_LT(small.travel, middle.travel);
+  EXPECT_LT(middle.travel, large.travel);
+  EXPECT_GT(small.force, middle.force);
+  EXPECT_GT(middle.force, large.force);
+}
+
+TEST(PublishedInsertion, GrowsWithTheArraysStiffness)
+{
+  // Below the wall's own stiffness, forces are linear in EI (mechanics README); a soft wall takes some.
+  const Peak soft = basalTurnPeak(insertAsPublished({.stiffness = 0.5}));
+  const Peak stiff = basalTurnPeak(insertAsPublished({.stiffness = 1.0}));
+  EXPECT_GT(stiff.force, 1.6 * soft.force);
+  EXPECT_LT(stiff.force, 2.05 * soft.force);
+}
+
+}  // namespace
+}  // namespace perilymph

@@ -1,0 +1,51 @@
+#pragma once
+
+// A uniform straight rod in a scene of the test's own, moved by hand.
+
+#include <memory>
+
+#include "perilymph/anatomy/Lumen.h"
+#include "perilymph/mechanics/advance.h"
+
+namespace perilymph::test {
+
+/// What a test may want to change about its rod.
+struct RodSpec {
+  double length = 20e-3;     ///< [m]
+  double radius = 0.25e-3;   ///< [m]
+  double bending = 1e-6;     ///< EI [N.m^2]
+  double restCurvature = 0.0;  ///< [1/m]
+  double friction = 0.0;     ///< Coulomb, the same at rest and sliding.
+  double wallStiffness = 1e5;  ///< Per sample point [N/m]: hard against everything tested.
+  double startInside = 0.0;  ///< [m]
+  double timeStep = 1e-3;    ///< [s]
+  int nodes = 101;
+};
+
+/// A rod held rigidly at its base.
+class TestRod {
+public:
+  TestRod(std::shared_ptr<const anatomy::Lumen> lumen, const RodSpec& spec);
+
+  /// Moves the base by `motion_W` in equal ticks at `speed` [m/s], then waits for `rest` seconds.
+  void move(const Eigen::Vector3d& motion_W, double speed, double rest = 0.0);
+
+  /// One tick with the base where it is.
+  void tick();
+
+  /// The tension in the edge above a node [N]; negative under compression.
+  double tension(std::size_t edge) const;
+
+  const mechanics::InsertionModel& model() const { return *model_; }
+  mechanics::InsertionModel& changeable() { return *model_; }
+  mechanics::InsertionState& state() { return *state_; }
+  const mechanics::Readings& readings() const { return state_->readings; }
+  mechanics::Drive& drive() { return drive_; }
+
+private:
+  std::shared_ptr<mechanics::InsertionModel> model_;
+  std::unique_ptr<mechanics::InsertionState> state_;
+  mechanics::Drive drive_;
+};
+
+}  // namespace perilymph::test

@@ -1,0 +1,63 @@
+#include <gtest/gtest.h>
+
+#include "perilymph/test/AllocationGuard.h"
+#include "perilymph/test/InsertionRig.h"
+#include "perilymph/test/PlainModels.h"
+
+namespace perilymph::haptics {
+namespace {
+
+using device::ScriptedHand;
+using Kind = Command::Kind;
+
+class HapticTick : public testing::Test {
+protected:
+  void SetUp() override
+  {
+    if (!test::AllocationGuard::isAvailable()) GTEST_SKIP() << test::AllocationGuard::whyNot();
+  }
+};
+
+TEST_F(HapticTick, AllocatesNothingWithTheArrayAlongTheWall)
+{
+  test::InsertionRig rig = test::InsertionRig::fullyInserted();
+  ASSERT_GT(rig.output().contacts, 5u);
+  const test::AllocationGuard guard;
+  for (int i = 0; i < 1000; ++i) rig.tick();
+  EXPECT_EQ(guard.allocations(), 0u);
+  EXPECT_EQ(guard.frees(), 0u);
+}
+
+TEST_F(HapticTick, AllocatesNothingFromTheVeryFirstTickThroughTheWholeWorkflow)
+{
+  test::InsertionRig rig(test::insertionInRing());
+  const test::AllocationGuard guard;
+  rig.start();
+  for (int i = 0; i < 500; ++i) rig.tick();
+  rig.hand().move(ScriptedHand::Motion::hold);
+  for (int i = 0; i < 50; ++i) rig.tick();
+  rig.hand().move(ScriptedHand::Motion::withdraw);
+  rig.send(Kind::pullStylet, 1e-3);
+  rig.send(Kind::withdraw);
+  for (int i = 0; i < 600; ++i) rig.tick();
+  rig.send(Kind::requestFault);
+  for (int i = 0; i < 50; ++i) rig.tick();
+  rig.send(Kind::clearFault);
+  rig.send(Kind::reset);
+  for (int i = 0; i < 50; ++i) rig.tick();
+  EXPECT_EQ(guard.allocations(), 0u);
+}
+
+TEST_F(HapticTick, AllocatesNothingInSpringCoupling)
+{
+  EngineSettings settings;
+  settings.coupling = mechanics::Coupling::spring;
+  test::InsertionRig rig(test::insertionInRing(), settings);
+  rig.start();
+  const test::AllocationGuard guard;
+  for (int i = 0; i < 4000; ++i) rig.tick();
+  EXPECT_EQ(guard.allocations(), 0u);
+}
+
+}  // namespace
+}  // namespace perilymph::haptics

@@ -1,0 +1,118 @@
+// The promises of the tick, kept by the step that costs most of it.
+
+#include "perilymph/mechanics/advance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include "perilymph/anatomy/Patient.h"
+#include "perilymph/foundation/Resources.h"
+#include "perilymph/test/AllocationGuard.h"
+
+namespace perilymph::mechanics {
+namespace {
+
+/// A Contour in the published anatomy, driven by a script.
+struct Insertion {
+  Insertion()
+      : model(InsertionModel::build(parts())), state(*model)
+  {
+    drive.handAxis_W = model->startAxis_W;
+    drive.handCurl_W = model->startCurl_W;
+    drive.handPosition_W = model->startBase_W;
+  }
+  static ModelParts parts()
+  {
+    ModelParts parts;
+    parts.lumen = anatomy::buildPublished({}, millimeters(1));
+    parts.array = *electrode::loadArray(resource("plugins/electrodes/cochlear/contour.toml"));
+    return parts;
+  }
+  void pushTo(double travel, double perTick = 0.02e-3)
+  {
+    for (double at = perTick; at <= travel; at += perTick) {
+      drive.handPosition_W = model->startBase_W + at * model->startAxis_W;
+      advance(*model, state, drive);
+    }
+  }
+  std::shared_ptr<const InsertionModel> model;
+  InsertionState state;
+  Drive drive;
+};
+
+static_assert(noexcept(advance(std::declval<const InsertionModel&>(), std::declval<InsertionState&>(),
+                               std::declval<const Drive&>())));
+
+TEST(Advance, AllocatesNothingInDeepContact)
+{
+  if (!test::AllocationGuard::isAvailable()) GTEST_SKIP() << test::AllocationGuard::whyNot();
+  Insertion insertion;
+  insertion.pushTo(16e-3);
+  ASSERT_GT(insertion.state.readings.contacts, 40);
+  const test::AllocationGuard guard;
+  for (int i = 0; i < 200; ++i) {
+    insertion.drive.handPosition_W -= 0.01e-3 * insertion.model->entry.out_W;
+    advance(*insertion.model, insertion.state, insertion.drive);
+  }
+  insertion.state.reset(*insertion.model);
+  EXPECT_EQ(guard.allocations(), 0u);
+  EXPECT_EQ(guard.frees(), 0u);
+}
+
+TEST(Advance, SaysWhenNumbersHaveOverflowed)
+{
+  for (const double poison : {std::numeric_limits<double>::quiet_NaN(),
+                              std::numeric_limits<double>::infinity(), 1e300, -1e300}) {
+    Insertion insertion;
+    insertion.pushTo(8e-3);
+    insertion.drive.handPosition_W.x() = poison;
+    for (int i = 0; i < 5; ++i) advance(*insertion.model, insertion.state, insertion.drive);
+    EXPECT_FALSE(insertion.state.readings.isFinite) << poison;
+  }
+}
+
+TEST(Advance, SurvivesAHandThatJumps)
+{
+  Insertion insertion;
+  insertion.pushTo(12e-3);
+  for (const double jump : {3e-3, -3e-3, 10e-3, -10e-3}) {
+    insertion.drive.handPosition_W += jump * insertion.model->entry.out_W;
+    for (int i = 0; i < 50; ++i) {
+      advance(*insertion.model, insertion.state, insertion.drive);
+      ASSERT_TRUE(insertion.state.readings.isFinite) << jump;
+      ASSERT_LE(insertion.state.readings.iterations, 16);
+    }
+  }
+}
+
+TEST(Advance, FollowsASpringHand)
+{
+  // Free in the opening, the carrier of 17.9 g on a spring comes to rest where the hand is.
+  Insertion insertion;
+  insertion.drive.coupling = Coupling::spring;
+  insertion.drive.couplingStiffness = 441.0;
+  insertion.drive.couplingDamping = 3.0;
+  insertion.drive.handPosition_W += 1e-3 * insertion.model->startAxis_W;
+  for (int i = 0; i < 1000; ++i) advance(*insertion.model, insertion.state, insertion.drive);
+  EXPECT_LT((insertion.state.base_W - insertion.drive.handPosition_W).norm(), 1e-6);
+  EXPECT_LT(insertion.state.readings.handForce_W.norm(), 1e-4);
+}
+
+TEST(Advance, LagsASpringHandByForceOverStiffness)
+{
+  Insertion insertion;
+  insertion.pushTo(12e-3);
+  insertion.drive.coupling = Coupling::spring;
+  insertion.drive.couplingStiffness = 441.0;
+  insertion.drive.couplingDamping = 3.0;
+  for (int i = 0; i < 2000; ++i) advance(*insertion.model, insertion.state, insertion.drive);
+  const Eigen::Vector3d lag = insertion.state.base_W - insertion.drive.handPosition_W;
+  EXPECT_GT(lag.norm(), 0.05e-3);
+  EXPECT_LT((441.0 * lag - insertion.state.readings.handForce_W).norm(), 1e-5);
+}
+
+}  // namespace
+}  // namespace perilymph::mechanics

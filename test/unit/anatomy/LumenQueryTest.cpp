@@ -1,0 +1,220 @@
+// The wall query against brute force on a dense sampling of the wall, and against closed forms.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "perilymph/anatomy/Patient.h"
+#include "perilymph/anatomy/PlainLumens.h"
+#include "perilymph/test/Tolerance.h"
+
+namespace perilymph::anatomy {
+namespace {
+
+constexpr double everywhere = 1.0;  // [m]: a reach beyond every wall
+
+WallPoint ask(const Lumen& lumen, const Eigen::Vector3d& point, LumenTrack track = {},
+              double reach = everywhere)
+{
+  WallPoint wall;
+  lumen.nearestWall({&point, 1}, {&reach, 1}, {&track, 1}, {&wall, 1});
+  return wall;
+}
+
+LumenTrack trackAt(double angle) { return {angle, {std::cos(angle), std::sin(angle)}}; }
+
+/// Distance from a point to the wall, by search over a fine grid around the point's own section.
+double bruteDistance(const ScalaTympani& scala, const Eigen::Vector3d& point, double angle)
+{
+  double least = 1e9;
+  double bestAngle = angle, bestDirection = 0.0;
+  double angleSpan = 0.35, directionSpan = pi;
+  for (int level = 0; level < 6; ++level) {
+    constexpr int steps = 60;
+    const double centerAngle = bestAngle, centerDirection = bestDirection;
+    for (int i = -steps; i <= steps; ++i)
+      for (int k = -steps; k <= steps; ++k) {
+        const double a = centerAngle + angleSpan * i / steps;
+        if (a < 0.0) continue;
+        const double d = centerDirection + directionSpan * k / steps;
+        const double distance = (scala.wall_W(a, d) - point).norm();
+        if (distance < least) {
+          least = distance;
+          bestAngle = a;
+          bestDirection = d;
+        }
+      }
+    angleSpan *= 0.15;
+    directionSpan *= 0.15;
+  }
+  return least;
+}
+
+class PublishedLumen : public testing::Test {
+protected:
+  std::shared_ptr<const ScalaTympani> scala = buildPublished({}, millimeters(1));
+
+  /// A point inside the section at an angle, at a share of the way to the wall.
+  Eigen::Vector3d inside(double angle, double direction, double share) const
+  {
+    return scala->center_W(angle) + share * (scala->wall_W(angle, direction) - scala->center_W(angle));
+  }
+};
+
+TEST_F(PublishedLumen, MeasuresTheDistanceToTheNearestWall)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> angles(degrees(25).si(), degrees(800).si());
+  std::uniform_real_distribution<double> directions(0.0, 2.0 * pi);
+  std::uniform_real_distribution<double> shares(0.3, 1.0);
+  std::vector<double> errors;
+  for (int i = 0; i < 120; ++i) {
+    const double angle = angles(random);
+    const Eigen::Vector3d point = inside(angle, directions(random), shares(random));
+    const WallPoint wall = ask(*scala, point, trackAt(angle));
+    ASSERT_TRUE(wall.isNear);
+    errors.push_back(std::fabs(wall.distance - bruteDistance(*scala, point, angle)));
+  }
+  std::sort(errors.begin(), errors.end());
+  // within a grid step of a ridge the table rounds on purpose: the last tenth may be farther off
+  EXPECT_LT(errors[errors.size() / 2], test::tolerance(4e-6, "table's smoothing"));
+  EXPECT_LT(errors[errors.size() * 9 / 10], test::tolerance(15e-6, "rounded ridges"));
+  EXPECT_LT(errors.back(), test::tolerance(40e-6, "rounded ridges"));
+}
+
+TEST_F(PublishedLumen, IsZeroOnTheWallAndNegativeBeyond)
+{
+  for (double angle_deg = 10; angle_deg < 850; angle_deg += 40)
+    for (const double direction : {0.5, 1.5, 2.6, 3.6, 4.7, 5.8}) {
+      const double angle = degrees(angle_deg).si();
+      EXPECT_NEAR(ask(*scala, inside(angle, direction, 1.0), trackAt(angle)).distance, 0.0,
+                  test::tolerance(12e-6, "table's smoothing"))
+          << angle_deg << " deg, direction " << direction;
+      EXPECT_LT(ask(*scala, inside(angle, direction, 1.15), trackAt(angle)).distance, 0.0);
+      EXPECT_GT(ask(*scala, inside(angle, direction, 0.85), trackAt(angle)).distance, 0.0);
+    }
+}
+
+TEST_F(PublishedLumen, GivesTheGradientOfItsDistance)
+{
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> angles(degrees(2).si(), degrees(800).si());
+  std::uniform_real_distribution<double> directions(0.0, 2.0 * pi);
+  std::uniform_real_distribution<double> shares(0.4, 1.1);
+  constexpr double nudge = 1e-7;
+  for (int i = 0; i < 300; ++i) {
+    const double angle = angles(random);
+    const Eigen::Vector3d point = inside(angle, directions(random), shares(random));
+    const WallPoint wall = ask(*scala, point, trackAt(angle));
+    for (int axis = 0; axis < 3; ++axis) {
+      const Eigen::Vector3d step = nudge * Eigen::Vector3d::Unit(axis);
+      const double slope = (ask(*scala, point + step, trackAt(angle)).distance -
+                            ask(*scala, point - step, trackAt(angle)).distance) /
+                           (2.0 * nudge);
+      EXPECT_NEAR(wall.normal_W[axis], slope, 1e-4);
+    }
+    EXPECT_LT(wall.normal_W.norm(), 1.06);
+  }
+}
+
+TEST_F(PublishedLumen, ChangesSmoothlyAlongTheDuct)
+{
+  // A point that runs along the lumen off its middle, from the lead-in on: no step in the distance,
+  // none in the normal, also where the straight lead-in meets the spiral.
+  const Entry entry = scala->entry();
+  LumenTrack track;
+  double lastDistance = 0.0;
+  Eigen::Vector3d lastNormal = Eigen::Vector3d::Zero();
+  bool hasLast = false;
+  for (double s = 0.1e-3; s < 4e-3; s += 0.01e-3) {
+    const Eigen::Vector3d point = entry.origin_W - s * entry.out_W + 0.3e-3 * entry.outward_W;
+    WallPoint wall;
+    const double reach = everywhere;
+    scala->nearestWall({&point, 1}, {&reach, 1}, {&track, 1}, {&wall, 1});
+    ASSERT_TRUE(wall.isNear);
+    if (hasLast) {
+      EXPECT_NEAR(wall.distance, lastDistance, 0.012e-3) << s;
+      EXPECT_LT((wall.normal_W - lastNormal).norm(), 0.03) << s;
+    }
+    lastDistance = wall.distance;
+    lastNormal = wall.normal_W;
+    hasLast = true;
+  }
+}
+
+TEST_F(PublishedLumen, RemembersItsTurn)
+{
+  // the same place in the plane, one turn apart: the track decides which wall is seen
+  const double angle = degrees(100).si();
+  const Eigen::Vector3d first = scala->center_W(angle);
+  const Eigen::Vector3d second = scala->center_W(angle + 2 * pi);
+  EXPECT_GT(ask(*scala, first, trackAt(angle)).distance, 0.3e-3);
+  EXPECT_GT(ask(*scala, second, trackAt(angle + 2 * pi)).distance, 0.2e-3);
+  EXPECT_LT(ask(*scala, second, trackAt(angle)).distance, 0.0);
+}
+
+TEST_F(PublishedLumen, SeesNoWallOutsideTheOpening)
+{
+  const Entry entry = scala->entry();
+  for (const double out_mm : {0.01, 1.0, 20.0}) {
+    const Eigen::Vector3d point = entry.origin_W + out_mm / 1e3 * entry.out_W;
+    EXPECT_FALSE(ask(*scala, point).isNear) << out_mm;
+  }
+}
+
+TEST_F(PublishedLumen, ClosesAtTheApex)
+{
+  const double end = scala->lastAngle().si();
+  const Eigen::Vector3d point = scala->center_W(end - 0.1);
+  const Eigen::Vector3d beyond = scala->center_W(end) +
+                                 0.2e-3 * Eigen::Vector3d(-std::sin(end), std::cos(end), 0.0);
+  EXPECT_GT(ask(*scala, point, trackAt(end - 0.1)).distance, 0.0);
+  EXPECT_LT(ask(*scala, beyond, trackAt(end)).distance, -0.15e-3);
+}
+
+TEST_F(PublishedLumen, NeedsNoMoreThanThatAWallIsFar)
+{
+  const double angle = degrees(60).si();
+  const WallPoint wall = ask(*scala, scala->center_W(angle), trackAt(angle), 0.1e-3);
+  EXPECT_FALSE(wall.isNear);
+}
+
+TEST_F(PublishedLumen, AnswersNonsenseWithNoWall)
+{
+  const double bad = std::nan("");
+  EXPECT_FALSE(ask(*scala, {bad, bad, bad}).isNear);
+  EXPECT_FALSE(ask(*scala, {0.0, 0.0, 1e-3}, trackAt(3.0)).isNear);
+}
+
+TEST_F(PublishedLumen, KnowsItsMembrane)
+{
+  const double angle = degrees(200).si();
+  const Eigen::Vector3d below = scala->membrane_W(angle, 0.5) - Eigen::Vector3d(0, 0, 0.1e-3);
+  EXPECT_TRUE(ask(*scala, below, trackAt(angle)).onMembrane);
+  const Eigen::Vector3d outer = inside(angle, 0.0, 0.9);
+  EXPECT_FALSE(ask(*scala, outer, trackAt(angle)).onMembrane);
+}
+
+TEST(CircularDuct, HasTheDistanceAndTurningOfATorus)
+{
+  const CircularDuct duct(1e-3, 5e-3, 2e-3);
+  const double angle = 1.1;
+  // a point 0.6 mm off the axis, toward the outer wall
+  const double r = 5.6e-3;
+  const Eigen::Vector3d point(r * std::cos(angle) - 5e-3, 0.0, -r * std::sin(angle) - 2e-3);
+  const WallPoint wall = ask(duct, point, trackAt(angle));
+  EXPECT_NEAR(wall.distance, 0.4e-3, 1e-12);
+  const Eigen::Vector3d outward(std::cos(angle), 0.0, -std::sin(angle));
+  EXPECT_NEAR(wall.normal_W.dot(outward), -1.0, 1e-12);
+  // around the section the parallel circle has radius 0.6 mm, along the duct 5.6 mm
+  EXPECT_NEAR(wall.turning_W(1, 1), 1.0 / 0.6e-3, 1e-6);
+  const Eigen::Vector3d along(-std::sin(angle), 0.0, -std::cos(angle));
+  EXPECT_NEAR(along.dot(wall.turning_W * along), 1.0 / 5.6e-3, 1e-6);
+}
+
+}  // namespace
+}  // namespace perilymph::anatomy

@@ -1,0 +1,128 @@
+#include "perilymph/device/PointerHand.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "perilymph/foundation/Units.h"
+
+namespace perilymph::device {
+namespace {
+
+constexpr double timeStep = 1e-3;
+constexpr double mostSpeed = 20e-3;       // promised by the header
+constexpr double mostAcceleration = 0.4;  // promised by the header
+constexpr double rounding = 1e-9;
+
+double distance(const std::array<double, 3>& a, const std::array<double, 3>& b)
+{
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+std::array<double, 3> difference(const std::array<double, 3>& a, const std::array<double, 3>& b)
+{
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+TEST(PointerHand, ArrivesWhereTheWindowAskedForIt)
+{
+  PointerHand hand(timeStep);
+  hand.grasp(true);
+  hand.advanceBy(3e-3);
+  hand.shiftBy(1e-3, -2e-3);
+  DeviceSample sample;
+  for (int i = 0; i < 3000; ++i) sample = hand.read();
+  EXPECT_NEAR(sample.position_D[0], 1e-3, 1e-9);
+  EXPECT_NEAR(sample.position_D[1], -2e-3, 1e-9);
+  EXPECT_NEAR(sample.position_D[2], -3e-3, 1e-9);
+}
+
+TEST(PointerHand, DoesNotOvershoot)
+{
+  PointerHand hand(timeStep);
+  hand.grasp(true);
+  hand.advanceBy(5e-3);
+  for (int i = 0; i < 3000; ++i) EXPECT_GE(hand.read().position_D[2], -5e-3 - 1e-9);
+}
+
+TEST(PointerHand, NeitherJumpsNorHurriesWhateverIsAsked)
+{
+  PointerHand hand(timeStep);
+  hand.grasp(true);
+  std::array<double, 3> place = hand.read().position_D;
+  std::array<double, 3> step{};
+  for (int i = 0; i < 4000; ++i) {
+    if (i % 400 == 0) hand.advanceBy(i % 800 == 0 ? 0.05 : -0.1);
+    if (i % 300 == 0) hand.shiftBy(0.03, -0.04);
+    if (i == 2000) hand.grasp(false);
+    if (i == 2100) hand.grasp(true);
+    const std::array<double, 3> next = hand.read().position_D;
+    const std::array<double, 3> nextStep = difference(next, place);
+    EXPECT_LE(distance(next, place), mostSpeed * timeStep * (1.0 + rounding)) << i;
+    EXPECT_LE(distance(nextStep, step),
+              mostAcceleration * timeStep * timeStep * (1.0 + rounding) + 1e-15)
+        << i;
+    place = next;
+    step = nextStep;
+  }
+}
+
+TEST(PointerHand, ForgetsWhatWasAskedForWhileNobodyHeld)
+{
+  PointerHand hand(timeStep);
+  hand.advanceBy(5e-3);
+  hand.read();
+  hand.grasp(true);
+  DeviceSample sample;
+  for (int i = 0; i < 1000; ++i) sample = hand.read();
+  EXPECT_EQ(sample.position_D[2], 0.0);
+}
+
+TEST(PointerHand, DropsTheRestOfItsWayWhenLetGo)
+{
+  PointerHand hand(timeStep);
+  hand.grasp(true);
+  hand.advanceBy(10e-3);
+  for (int i = 0; i < 100; ++i) hand.read();
+  hand.grasp(false);
+  DeviceSample sample;
+  for (int i = 0; i < 1000; ++i) sample = hand.read();
+  const double resting = sample.position_D[2];
+  EXPECT_GT(resting, -5e-3);
+  hand.grasp(true);
+  for (int i = 0; i < 1000; ++i) sample = hand.read();
+  EXPECT_NEAR(sample.position_D[2], resting, 1e-12);
+}
+
+TEST(PointerHand, RollsAboutTheInsertionAxis)
+{
+  PointerHand hand(timeStep);
+  hand.grasp(true);
+  hand.rollBy(degrees(60).si());
+  DeviceSample sample;
+  for (int i = 0; i < 4000; ++i) sample = hand.read();
+  EXPECT_NEAR(sample.rotation_D[0], std::cos(degrees(30).si()), 1e-9);
+  EXPECT_NEAR(sample.rotation_D[3], std::sin(degrees(30).si()), 1e-9);
+}
+
+TEST(PointerHand, IgnoresRequestsThatAreNoNumbers)
+{
+  PointerHand hand(timeStep);
+  hand.grasp(true);
+  hand.advanceBy(std::nan(""));
+  hand.shiftBy(std::numeric_limits<double>::infinity(), std::nan(""));
+  hand.rollBy(-std::numeric_limits<double>::infinity());
+  for (int i = 0; i < 10; ++i) hand.read();
+  EXPECT_EQ(hand.read().position_D, (std::array<double, 3>{0.0, 0.0, -0.0}));
+}
+
+TEST(PointerHand, RefusesTimeStepsOutOfRange)
+{
+  for (const double bad : {0.0, -1e-3, 1.0, std::nan("")})
+    EXPECT_THROW(PointerHand{bad}, std::invalid_argument) << bad;
+}
+
+}  // namespace
+}  // namespace perilymph::device

@@ -1,0 +1,225 @@
+#include "perilymph/haptics/InsertionEngine.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "perilymph/test/InsertionRig.h"
+#include "perilymph/test/PlainModels.h"
+
+namespace perilymph::haptics {
+namespace {
+
+using device::ScriptedHand;
+using Kind = Command::Kind;
+
+double length(const std::array<double, 3>& vector)
+{
+  return std::hypot(vector[0], vector[1], vector[2]);
+}
+
+TEST(InsertionEngine, ShowsThePhysicalForceOnceItHasFadedIn)
+{
+  test::InsertionRig rig(test::insertionInRing());
+  rig.start();
+  ASSERT_TRUE(rig.runUntilTravel(millimeters(8), 10'000));
+  const TickOutput& now = rig.output();
+  ASSERT_GT(now.axialForce, 1e-3);  // it pushes against the hand
+  // E = W in this scene, so D = W
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(now.wrench_D.force_D[k], now.force_W[k], 1e-9);
+}
+
+TEST(InsertionEngine, ScalesOnlyTheForceItShows)
+{
+  test::InsertionRig plain(test::insertionInRing());
+  test::InsertionRig scaled(test::insertionInRing());
+  plain.start();
+  scaled.start();
+  scaled.send(Kind::setForceScale, 5.0);
+  for (int i = 0; i < 4000; ++i) {
+    plain.tick();
+    scaled.tick();
+  }
+  EXPECT_EQ(scaled.output().force_W, plain.output().force_W);
+  EXPECT_NEAR(scaled.output().wrench_D.force_D[2], 5.0 * plain.output().wrench_D.force_D[2], 1e-9);
+}
+
+TEST(InsertionEngine, ShowsNoForceToAHandThatDoesNotHold)
+{
+  test::InsertionRig rig(test::insertionInRing());
+  rig.start();
+  ASSERT_TRUE(rig.runUntilTravel(millimeters(8), 10'000));
+  rig.hand().move(ScriptedHand::Motion::hold);
+  // 0.1 N a tick: at most 4 ticks for forces below 0.4 N
+  for (int i = 0; i < 4; ++i) rig.tick();
+  EXPECT_EQ(length(rig.output().wrench_D.force_D), 0.0);
+  EXPECT_GT(length(rig.output().force_W), 1e-3);  // the array still presses
+}
+
+TEST(InsertionEngine, SettlesAtTheHandLessForceOverStiffnessInSpringCoupling)
+{
+  EngineSettings settings;
+  settings.coupling = mechanics::Coupling::spring;
+  test::InsertionRig rig(test::insertionInRing(), settings);
+  rig.start();
+  ASSERT_TRUE(rig.runUntilTravel(millimeters(8), 10'000));
+  rig.hand().setSpeed(0.0);
+  for (int i = 0; i < 3000; ++i) rig.tick();
+  const TickOutput& now = rig.output();
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_NEAR(settings.couplingStiffness * (now.proxy_W[k] - now.device_W[k]), now.force_W[k],
+                1e-4);
+}
+
+TEST(InsertionEngine, TakesHoldOfASpringWithoutMovingTheArray)
+{
+  EngineSettings settings;
+  settings.coupling = mechanics::Coupling::spring;
+  test::InsertionRig rig(test::insertionInRing(), settings);
+  rig.start();
+  ASSERT_TRUE(rig.runUntilTravel(millimeters(8), 10'000));
+  rig.hand().move(ScriptedHand::Motion::hold);
+  for (int i = 0; i < 500; ++i) rig.tick();
+  const auto paused_W = rig.output().proxy_W;
+  const double force = rig.output().axialForce;
+  ASSERT_GT(force, 1e-3);
+
+  rig.hand().setSpeed(0.0);
+  rig.hand().move(ScriptedHand::Motion::insert);
+  for (int i = 0; i < 200; ++i) rig.tick();
+  // it would sink back by F / K if the spring began slack
+  const double sinking = force / settings.couplingStiffness;
+  EXPECT_NEAR(rig.output().proxy_W[2], paused_W[2], 0.02 * sinking);
+}
+
+TEST(InsertionEngine, ScalesTheMotion)
+{
+  EngineSettings settings;
+  settings.motionScale = 0.5;
+  test::InsertionRig rig(test::insertionInTube(), settings);
+  rig.start();
+  for (int i = 0; i < 501; ++i) rig.tick();
+  EXPECT_NEAR(rig.output().travel, 0.5 * 2e-3 * 0.5, 1e-9);
+}
+
+TEST(InsertionEngine, GivesTheSameBitsForTheSameSamplesAndCommands)
+{
+  const auto model = test::insertionInRing();
+  test::InsertionRig rig(model);
+  InsertionEngine again(model, {});
+  rig.start();
+  for (int i = 0; i < 3000; ++i) {
+    if (i == 1500) rig.send(Kind::withdraw);
+    if (i == 1500) rig.hand().move(ScriptedHand::Motion::withdraw);
+    const TickRecord& record = rig.tick();
+    const TickOutput output = again.tick(record.sample, record.commands);
+    ASSERT_EQ(output.force_W, record.output.force_W) << i;
+    ASSERT_EQ(output.wrench_D.force_D, record.output.wrench_D.force_D) << i;
+    ASSERT_EQ(output.status, record.output.status) << i;
+    ASSERT_EQ(again.fingerprint(), rig.engine().fingerprint()) << i;
+  }
+}
+
+TEST(InsertionEngine, SettlesEveryTickOfAPlainInsertion)
+{
+  test::InsertionRig rig(test::insertionInRing());
+  rig.start();
+  int unsettled = 0;
+  for (int i = 0; i < 8000; ++i)
+    if ((rig.tick().output.status & notSettled) != 0) ++unsettled;
+  EXPECT_EQ(unsettled, 0);
+}
+
+/// A tube whose wall is no number from a depth on.
+class BrokenLumen final : public anatomy::Lumen {
+public:
+  anatomy::Entry entry() const noexcept override { return {}; }
+  anatomy::LumenTrack startTrack() const noexcept override { return {}; }
+  void nearestWall(std::span<const Eigen::Vector3d> points_W, std::span<const double>,
+                   std::span<anatomy::LumenTrack>,
+                   std::span<anatomy::WallPoint> walls) const noexcept override
+  {
+    for (std::size_t i = 0; i < points_W.size(); ++i) {
+      walls[i] = {};
+      if (points_W[i].z() > -3e-3) continue;
+      walls[i].isNear = true;
+      walls[i].distance = std::numeric_limits<double>::quiet_NaN();
+      walls[i].normal_W.setConstant(std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+};
+
+class Overflow : public testing::Test {
+protected:
+  static test::InsertionRig overflown()
+  {
+    mechanics::ModelParts parts;
+    parts.lumen = std::make_shared<BrokenLumen>();
+    parts.array = test::plainArray();
+    parts.nodes = 40;
+    test::InsertionRig rig(mechanics::InsertionModel::build(parts));
+    rig.start();
+    if (!rig.runUntil(Workflow::fault, 2000)) throw std::runtime_error("It never overflowed.");
+    return rig;
+  }
+};
+
+TEST_F(Overflow, IsAFaultWithoutForceThatKeepsTheLastGoodFigures)
+{
+  test::InsertionRig rig = overflown();
+  EXPECT_NE(rig.output().status & notFinite, 0u);
+  for (int i = 0; i < 50; ++i) rig.tick();
+  EXPECT_EQ(length(rig.output().wrench_D.force_D), 0.0);
+  EXPECT_NEAR(rig.output().travel, 1e-3, 1e-4);
+  EXPECT_TRUE(std::isfinite(rig.output().tip_W[2]));
+}
+
+TEST_F(Overflow, LeavesTheShapeInThePictureAsItWas)
+{
+  test::InsertionRig rig = overflown();
+  for (int i = 0; i < 10; ++i) {
+    rig.tick();
+    ASSERT_TRUE(rig.loop().refresh());
+    const Snapshot& picture = rig.loop().latest();
+    for (std::size_t node = 0; node < picture.nodes; ++node)
+      ASSERT_TRUE(std::isfinite(picture.node_W[node][2])) << node;
+  }
+}
+
+TEST_F(Overflow, IsLeftByAResetAlone)
+{
+  test::InsertionRig rig = overflown();
+  rig.hand().move(ScriptedHand::Motion::hold);
+  rig.send(Kind::clearFault);
+  EXPECT_EQ(rig.tick().output.workflow, Workflow::fault);
+  rig.send(Kind::reset);
+  EXPECT_EQ(rig.tick().output.workflow, Workflow::idle);
+  EXPECT_EQ(rig.output().status & notFinite, 0u);
+  rig.start();
+  EXPECT_EQ(rig.tick().output.workflow, Workflow::inserting);
+}
+
+TEST(LostDevice, IsAFaultFromEveryState)
+{
+  for (const bool isArmed : {false, true}) {
+    InsertionEngine engine(test::insertionInTube(), {});
+    CommandList commands;
+    if (isArmed) {
+      commands.count = 1;
+      commands.items[0].kind = Kind::arm;
+    }
+    device::DeviceSample sample;
+    sample.sequence = 1;
+    sample.isValid = 1;
+    engine.tick(sample, commands);
+    sample.isValid = 0;
+    const TickOutput output = engine.tick(sample, {});
+    EXPECT_EQ(output.workflow, Workflow::fault);
+    EXPECT_NE(output.status & deviceLost, 0u);
+  }
+}
+
+}  // namespace
+}  // namespace perilymph::haptics

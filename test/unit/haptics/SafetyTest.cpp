@@ -1,0 +1,181 @@
+#include "perilymph/haptics/Safety.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "perilymph/haptics/Snapshot.h"
+
+namespace perilymph::haptics {
+namespace {
+
+constexpr double timeStep = 1e-3;
+constexpr double rounding = 1e-12;
+
+HandCondition holding()
+{
+  HandCondition hand;
+  hand.isHeld = true;
+  return hand;
+}
+
+/// A chain that has faded in, showing the force of its argument.
+Safety shownFor(const Eigen::Vector3d& force_D, SafetyLimits limits = {})
+{
+  Safety safety(limits, timeStep);
+  std::uint32_t status = 0;
+  for (int i = 0; i < 1000; ++i) safety.show(force_D, holding(), status);
+  return safety;
+}
+
+TEST(Safety, ShowsAHarmlessForceAsItIs)
+{
+  const Eigen::Vector3d force_D(0.05, -0.02, 0.1);
+  Safety safety = shownFor(force_D);
+  std::uint32_t status = allWell;
+  EXPECT_EQ(safety.show(force_D, holding(), status), force_D);
+  EXPECT_EQ(status, allWell);
+}
+
+TEST(Safety, ClampsTheMagnitudeAndKeepsTheDirection)
+{
+  const Eigen::Vector3d wanted_D(30.0, -40.0, 0.0);
+  Safety safety = shownFor(wanted_D);
+  std::uint32_t status = allWell;
+  const Eigen::Vector3d shown_D = safety.show(wanted_D, holding(), status);
+  EXPECT_NEAR(shown_D.norm(), 3.3, rounding);
+  EXPECT_NEAR(shown_D.x() / shown_D.y(), -0.75, rounding);
+  EXPECT_NE(status & forceClamped, 0u);
+}
+
+TEST(Safety, ClampsForcesWhoseSquareOverflows)
+{
+  Safety safety = shownFor({1e300, 1e300, -1e300});
+  std::uint32_t status = allWell;
+  const Eigen::Vector3d shown_D = safety.show({1e300, 1e300, -1e300}, holding(), status);
+  EXPECT_NEAR(shown_D.norm(), 3.3, rounding);
+}
+
+TEST(Safety, TakesAForceThatIsNoNumberAsNone)
+{
+  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    Safety safety = shownFor({0.05, 0.0, 0.0});
+    std::uint32_t status = allWell;
+    EXPECT_EQ(safety.show({0.1, bad, 0.0}, holding(), status), Eigen::Vector3d::Zero()) << bad;
+  }
+}
+
+TEST(Safety, NeverStepsByMoreThanTheSlewLimit)
+{
+  const double mostStep = SafetyLimits{}.mostSlew * timeStep;
+  Safety safety(SafetyLimits{}, timeStep);
+  Eigen::Vector3d before_D = Eigen::Vector3d::Zero();
+  for (int i = 0; i < 5000; ++i) {
+    // a force that turns around, a hand that lets go, goes stale, jumps and faults
+    const double sign = (i / 7) % 2 == 0 ? 1.0 : -1.0;
+    HandCondition hand = holding();
+    hand.isHeld = i % 1100 < 1050;
+    hand.isStale = i % 1300 > 1270;
+    hand.hasFault = i % 1700 > 1690;
+    hand.hasJumped = i % 900 == 899;
+    hand.moved_D = Eigen::Vector3d(1e-5 * sign, 0.0, 2e-5);
+    std::uint32_t status = allWell;
+    const Eigen::Vector3d now_D = safety.show({sign * 10.0, 3.0, -sign}, hand, status);
+    ASSERT_LE((now_D - before_D).norm(), mostStep * (1.0 + rounding)) << i;
+    ASSERT_LE(now_D.norm(), 3.3 * (1.0 + rounding)) << i;
+    before_D = now_D;
+  }
+}
+
+TEST(Safety, FadesInLinearlyOverTheRampTime)
+{
+  Safety safety(SafetyLimits{}, timeStep);
+  const Eigen::Vector3d wanted_D(0.1, 0.0, 0.0);
+  for (int tick = 1; tick <= 500; ++tick) {
+    std::uint32_t status = allWell;
+    const Eigen::Vector3d shown_D = safety.show(wanted_D, holding(), status);
+    ASSERT_NEAR(shown_D.x(), 0.1 * tick * timeStep / 0.5, 1e-9) << tick;
+    if (tick < 499) {
+      ASSERT_NE(status & rampingIn, 0u) << tick;
+    }
+  }
+}
+
+/// Reasons for no force.
+class SafetyOff : public testing::TestWithParam<HandCondition> {};
+
+TEST_P(SafetyOff, ShowsNoForceAndFadesInAfterwards)
+{
+  const Eigen::Vector3d wanted_D(0.0, 0.0, 0.3);
+  Safety safety = shownFor(wanted_D);
+  std::uint32_t status = allWell;
+  // 0.3 N at 100 N/s: three ticks
+  for (int i = 0; i < 3; ++i) safety.show(wanted_D, GetParam(), status);
+  EXPECT_NEAR(safety.show(wanted_D, GetParam(), status).norm(), 0.0, rounding);
+
+  status = allWell;
+  const Eigen::Vector3d first_D = safety.show(wanted_D, holding(), status);
+  EXPECT_LE(first_D.norm(), 0.3 * timeStep / 0.5 * (1.0 + rounding));
+  EXPECT_NE(status & rampingIn, 0u);
+}
+
+HandCondition released() { return {}; }
+HandCondition stale()
+{
+  HandCondition hand = holding();
+  hand.isStale = true;
+  return hand;
+}
+HandCondition faulty()
+{
+  HandCondition hand = holding();
+  hand.hasFault = true;
+  return hand;
+}
+INSTANTIATE_TEST_SUITE_P(Reasons, SafetyOff, testing::Values(released(), stale(), faulty()));
+
+TEST(Safety, SaysThatTheHandIsStale)
+{
+  Safety safety = shownFor({0.1, 0.0, 0.0});
+  std::uint32_t status = allWell;
+  safety.show({0.1, 0.0, 0.0}, stale(), status);
+  EXPECT_NE(status & staleSample, 0u);
+}
+
+TEST(Safety, FadesInAnewAfterAJump)
+{
+  const Eigen::Vector3d wanted_D(0.0, 0.05, 0.0);
+  Safety safety = shownFor(wanted_D);
+  HandCondition jumped = holding();
+  jumped.hasJumped = true;
+  std::uint32_t status = allWell;
+  EXPECT_EQ(safety.show(wanted_D, jumped, status), Eigen::Vector3d::Zero());
+  EXPECT_LT(safety.show(wanted_D, holding(), status).norm(), 0.001);
+}
+
+TEST(Safety, TakesTheLowerOfItsOwnAndTheDevicesGreatestForce)
+{
+  device::DeviceTraits device;
+  device.rendersForce = true;
+  device.mostForce = 2.0;
+  EXPECT_EQ(limitsFor({}, device).mostForce, 2.0);
+  device.mostForce = 12.0;
+  EXPECT_EQ(limitsFor({}, device).mostForce, 3.3);
+  device.rendersForce = false;
+  device.mostForce = 0.0;
+  EXPECT_EQ(limitsFor({}, device).mostForce, 3.3);
+}
+
+TEST(Safety, RefusesLimitsThatLimitNothing)
+{
+  for (const double bad : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    EXPECT_THROW(Safety({bad, 100.0, 0.5}, timeStep), std::invalid_argument) << bad;
+    EXPECT_THROW(Safety({3.3, bad, 0.5}, timeStep), std::invalid_argument) << bad;
+    EXPECT_THROW(Safety({3.3, 100.0, bad}, timeStep), std::invalid_argument) << bad;
+  }
+}
+
+}  // namespace
+}  // namespace perilymph::haptics

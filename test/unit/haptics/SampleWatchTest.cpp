@@ -1,0 +1,177 @@
+#include "perilymph/haptics/SampleWatch.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace perilymph::haptics {
+namespace {
+
+constexpr double timeStep = 1e-3;
+
+/// Fresh samples of a hand that holds, one after the other.
+class Samples {
+public:
+  device::DeviceSample next(double x = 0.0)
+  {
+    device::DeviceSample sample;
+    sample.sequence = ++sequence_;
+    sample.position_D[0] = x;
+    sample.buttons = device::graspButton;
+    sample.isValid = 1;
+    return sample;
+  }
+
+private:
+  std::uint64_t sequence_ = 0;
+};
+
+TEST(SampleWatch, IsStaleUntilTheFirstSample)
+{
+  SampleWatch watch(timeStep, 1e-3);
+  Samples samples;
+  EXPECT_TRUE(watch.take(samples.next(std::nan(""))).isStale);
+  const Hand& hand = watch.take(samples.next(0.1));
+  EXPECT_FALSE(hand.isStale);
+  EXPECT_FALSE(hand.hasJumped);
+}
+
+TEST(SampleWatch, WaitsThreePeriodsOfTheDeviceButAtLeast3AndAtMost30Milliseconds)
+{
+  struct Case {
+    double period, limit;
+  };
+  for (const auto& [period, limit] : {Case{1e-4, 3e-3}, Case{1e-3, 3e-3}, Case{4e-3, 12e-3},
+                                      Case{8e-3, 24e-3}, Case{0.05, 30e-3}}) {
+    SampleWatch watch(timeStep, period);
+    Samples samples;
+    const device::DeviceSample last = samples.next();
+    watch.take(last);
+    int silent = 0;
+    while (!watch.take(last).isStale) ++silent;
+    // stale in the tick that ends the limit
+    EXPECT_NEAR((silent + 1) * timeStep, limit, 1e-9) << period;
+  }
+}
+
+TEST(SampleWatch, TellsTheHandsMotion)
+{
+  SampleWatch watch(timeStep, 1e-3);
+  Samples samples;
+  watch.take(samples.next(0.0));
+  EXPECT_DOUBLE_EQ(watch.take(samples.next(1e-5)).moved_D.x(), 1e-5);
+  for (int i = 2; i < 100; ++i) watch.take(samples.next(1e-5 * i));
+  EXPECT_NEAR(watch.take(samples.next(1e-3)).velocity_D.x(), 0.01, 1e-9);
+}
+
+TEST(SampleWatch, TakesTheMotionOverAMissedReportForWhatItIs)
+{
+  SampleWatch watch(timeStep, 1e-3);
+  Samples samples;
+  const device::DeviceSample first = samples.next(0.0);
+  watch.take(first);
+  watch.take(first);                                    // one report missed
+  const Hand& hand = watch.take(samples.next(1.5e-3));  // 0.75 m/s over two ticks
+  EXPECT_FALSE(hand.hasJumped);
+  EXPECT_DOUBLE_EQ(hand.moved_D.x(), 1.5e-3);
+}
+
+TEST(SampleWatch, DoesNotBelieveNumbersNoHandCanMake)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  SampleWatch watch(timeStep, 1e-3);
+  Samples samples;
+  watch.take(samples.next(0.02));
+  for (const double bad : {std::nan(""), infinity, -infinity, 1e300, -11.0}) {
+    const Hand& hand = watch.take(samples.next(bad));
+    EXPECT_TRUE(hand.isDoubted) << bad;
+    EXPECT_EQ(hand.position_D.x(), 0.02) << bad;
+    EXPECT_EQ(hand.moved_D.norm(), 0.0) << bad;
+    watch.take(samples.next(0.02));
+  }
+  for (const std::array<double, 4>& bad : {std::array<double, 4>{0, 0, 0, 0},
+                                           {std::nan(""), 0, 0, 1},
+                                           {infinity, 0, 0, 0},
+                                           {9, 9, 9, 9}}) {
+    device::DeviceSample sample = samples.next(0.02);
+    sample.rotation_D = bad;
+    const Hand& hand = watch.take(sample);
+    EXPECT_TRUE(hand.isDoubted) << bad[0];
+    EXPECT_EQ(hand.rotation_D.w(), 1.0) << bad[0];
+  }
+}
+
+TEST(SampleWatch, GoesStaleOnADeviceThatSaysNonsenseForever)
+{
+  SampleWatch watch(timeStep, 1e-3);
+  Samples samples;
+  watch.take(samples.next());
+  for (int i = 0; i < 3; ++i) watch.take(samples.next(std::nan("")));
+  EXPECT_TRUE(watch.take(samples.next(std::nan(""))).isStale);
+}
+
+TEST(SampleWatch, TakesAPlaceNoHandCanReachForAJump)
+{
+  SampleWatch watch(timeStep, 1e-3);
+  Samples samples;
+  watch.take(samples.next(0.0));
+  const Hand& hand = watch.take(samples.next(2.0));  // 2 m in a tick
+  EXPECT_TRUE(hand.hasJumped);
+  EXPECT_EQ(hand.moved_D.norm(), 0.0);
+  EXPECT_FALSE(watch.take(samples.next(2.0)).hasJumped);
+}
+
+TEST(SampleWatch, TakesATurnNoHandCanMakeForAJump)
+{
+  SampleWatch watch(timeStep, 1e-3);
+  Samples samples;
+  watch.take(samples.next());
+  device::DeviceSample turned = samples.next();
+  turned.rotation_D = {0.0, 1.0, 0.0, 0.0};
+  EXPECT_TRUE(watch.take(turned).hasJumped);
+  // minus the same quaternion is the same rotation
+  turned = samples.next();
+  turned.rotation_D = {0.0, -1.0, 0.0, 0.0};
+  EXPECT_FALSE(watch.take(turned).hasJumped);
+}
+
+TEST(SampleWatch, TakesTheFirstPlaceAfterSilenceForAJumpHoweverNear)
+{
+  SampleWatch watch(timeStep, 1e-3);
+  Samples samples;
+  const device::DeviceSample last = samples.next(0.0);
+  for (int i = 0; i < 10; ++i) watch.take(last);
+  const Hand& hand = watch.take(samples.next(1e-4));
+  EXPECT_TRUE(hand.hasJumped);
+  EXPECT_FALSE(hand.isStale);
+}
+
+TEST(SampleWatch, BelievesAReleaseEvenFromASampleItDoubts)
+{
+  SampleWatch watch(timeStep, 1e-3);
+  Samples samples;
+  ASSERT_TRUE(watch.take(samples.next()).isHeld);
+  device::DeviceSample doubtful = samples.next(std::nan(""));
+  EXPECT_TRUE(watch.take(doubtful).isHeld);
+  doubtful.buttons = 0;
+  EXPECT_FALSE(watch.take(doubtful).isHeld);
+  // but not a press
+  doubtful = samples.next(std::nan(""));
+  EXPECT_FALSE(watch.take(doubtful).isHeld);
+}
+
+TEST(SampleWatch, HoldsNothingOnceTheDeviceIsLost)
+{
+  SampleWatch watch(timeStep, 1e-3);
+  Samples samples;
+  watch.take(samples.next());
+  device::DeviceSample lost = samples.next();
+  lost.isValid = 0;
+  const Hand& hand = watch.take(lost);
+  EXPECT_TRUE(hand.isLost);
+  EXPECT_FALSE(hand.isHeld);
+}
+
+}  // namespace
+}  // namespace perilymph::haptics

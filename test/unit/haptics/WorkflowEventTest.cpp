@@ -1,0 +1,42 @@
+#include "perilymph/haptics/WorkflowEvent.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace perilymph::haptics {
+namespace {
+
+using enum Workflow;
+
+constexpr std::array<WorkflowEvent, 8> allEvents{WorkflowEvent::arm,        WorkflowEvent::grasp,
+                                                 WorkflowEvent::release,    WorkflowEvent::arrive,
+                                                 WorkflowEvent::withdraw,   WorkflowEvent::trouble,
+                                                 WorkflowEvent::clearFault, WorkflowEvent::reset};
+
+struct Row {
+  Workflow from;
+  // arm, grasp, release, arrive, withdraw, trouble, clearFault, reset
+  std::array<Workflow, 8> to;
+};
+
+// The drawing of architecture, written out.
+constexpr std::array<Row, 6> table{{
+    {idle, {armed, idle, idle, idle, idle, fault, idle, idle}},
+    {armed, {armed, inserting, armed, armed, armed, fault, armed, idle}},
+    {inserting, {inserting, inserting, paused, finished, inserting, fault, inserting, idle}},
+    {paused, {paused, inserting, paused, paused, paused, fault, paused, idle}},
+    {finished, {finished, finished, finished, finished, inserting, fault, finished, idle}},
+    {fault, {fault, fault, fault, fault, fault, fault, idle, idle}},
+}};
+
+TEST(Workflow, FollowsItsDrawing)
+{
+  for (const Row& row : table)
+    for (std::size_t i = 0; i < allEvents.size(); ++i)
+      EXPECT_EQ(next(row.from, allEvents[i]), row.to[i])
+          << "state " << static_cast<int>(row.from) << ", event " << i;
+}
+
+}  // namespace
+}  // namespace perilymph::haptics

@@ -1,0 +1,93 @@
+#include "perilymph/mechanics/InsertionModel.h"
+
+#include <gmock/gmock.h>
+
+#include <stdexcept>
+
+#include "perilymph/anatomy/PlainLumens.h"
+#include "perilymph/foundation/Resources.h"
+#include "perilymph/mechanics/InsertionState.h"
+
+namespace perilymph::mechanics {
+namespace {
+
+ModelParts contourInATube()
+{
+  ModelParts parts;
+  parts.lumen = std::make_shared<anatomy::StraightTube>(1e-3);
+  parts.array = *electrode::loadArray(resource("plugins/electrodes/cochlear/contour.toml"));
+  return parts;
+}
+
+TEST(InsertionModel, StartsTheTipWhereItWasToldTo)
+{
+  for (const double inside_mm : {-5.0, 0.0, 2.0}) {
+    ModelParts parts = contourInATube();
+    parts.startInside = millimeters(inside_mm);
+    const auto model = InsertionModel::build(parts);
+    const InsertionState state(*model);
+    EXPECT_NEAR(-state.position_W.back().z(), inside_mm / 1e3, 1e-12);
+  }
+}
+
+TEST(InsertionModel, WallStiffnessDoesNotDependOnTheNumberOfNodes)
+{
+  const auto total = [](int nodes) {
+    ModelParts parts = contourInATube();
+    parts.nodes = nodes;
+    const auto model = InsertionModel::build(parts);
+    double sum = 0.0;
+    for (const double stiffness : model->wallStiffness) sum += stiffness;
+    return sum;
+  };
+  EXPECT_NEAR(total(50), total(400), 0.02 * total(400));
+}
+
+TEST(InsertionModel, WeighsAsMuchAsItsSilicone)
+{
+  const auto model = InsertionModel::build(contourInATube());
+  double mass = 0.0;
+  for (const double nodeMass : model->mass) mass += nodeMass;
+  // 25 mm of 0.5 to 0.8 mm silicone: between 5.6 and 14.5 mg
+  EXPECT_GT(mass, 5.6e-6);
+  EXPECT_LT(mass, 14.5e-6);
+}
+
+TEST(InsertionModel, ChangesItsFingerprintWithEveryPart)
+{
+  const auto print = [](auto change) {
+    ModelParts parts = contourInATube();
+    change(parts);
+    return InsertionModel::build(parts)->fingerprint;
+  };
+  const auto same = print([](ModelParts&) {});
+  EXPECT_EQ(same, print([](ModelParts&) {}));
+  EXPECT_NE(same, print([](ModelParts& p) { p.nodes = 101; }));
+  EXPECT_NE(same, print([](ModelParts& p) { p.friction.dynamic = 0.04; }));
+  EXPECT_NE(same, print([](ModelParts& p) { p.timeStep = milliseconds(0.5); }));
+  EXPECT_NE(same, print([](ModelParts& p) { p.approachTilt = degrees(1); }));
+}
+
+TEST(InsertionModel, RefusesWhatCannotBe)
+{
+  const auto refused = [](auto change) {
+    ModelParts parts = contourInATube();
+    change(parts);
+    try {
+      InsertionModel::build(parts);
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  using testing::HasSubstr;
+  EXPECT_THAT(refused([](ModelParts& p) { p.nodes = 5; }), HasSubstr("5 nodes; it must have 8 to 1024"));
+  EXPECT_THAT(refused([](ModelParts& p) { p.timeStep = milliseconds(50); }), HasSubstr("0.1 to 10 ms"));
+  EXPECT_THAT(refused([](ModelParts& p) { p.startInside = millimeters(30); }), HasSubstr("30.0"));
+  EXPECT_THAT(refused([](ModelParts& p) { p.friction.dynamic = 0.5; }), HasSubstr("Friction"));
+  EXPECT_THAT(refused([](ModelParts& p) { p.wall.perSamplePoint = newtonsPerMeter(0); }),
+              HasSubstr("above 0 N/m"));
+}
+
+}  // namespace
+}  // namespace perilymph::mechanics

@@ -41,54 +41,54 @@ InsertionControl::InsertionControl(session::Scenario scenario,
 {
 }
 
-InsertionControl::~InsertionControl() = default;
+InsertionControl::~InsertionControl() { discard(); }
 
 std::filesystem::path InsertionControl::nextRecording()
 {
-  if (record_) return numbered(*record_, prepared_);
-
-  // Two insertions may be prepared within one second.
+  // The first with a file asked for by name gets that file or none; all others find a free name.
+  if (record_ && prepared_ == 1) return *record_;
   const std::filesystem::path file =
-      sessionFolder() / (utcNow() + "-" + scenario_.name + ".insertion");
+      record_ ? *record_ : sessionFolder() / (utcNow() + "-" + scenario_.name + ".insertion");
   std::error_code ignored;
-  int number = 1;
+  int number = record_ ? 2 : 1;
   while (std::filesystem::exists(numbered(file, number), ignored)) ++number;
   return numbered(file, number);
 }
 
 Result<Done> InsertionControl::prepare(Hand hand)
 {
+  discard();
   ++prepared_;
-  // A recording asked for by name is opened at once, so that trouble with it is known at once.
-  // Others appear with the first motion: a window that is only looked at leaves no file behind.
-  isFileOpen_ = record_ && prepared_ == 1;
-  return build(hand, isFileOpen_ ? record_ : std::nullopt);
-}
-
-Result<Done> InsertionControl::openRecording()
-{
-  if (isFileOpen_) return Done{};
-  isFileOpen_ = true;
   const std::filesystem::path file = nextRecording();
   std::error_code ignored;  // what cannot be made is said when the file is opened
   if (!record_) std::filesystem::create_directories(file.parent_path(), ignored);
-  const Result<Done> recorded = build(hand_, file);
+  const Result<Done> recorded = build(hand, file);
   if (recorded) return Done{};
+  // A recording that was asked for by name is a part of what was asked.
+  if (record_ && prepared_ == 1) return recorded;
 
-  // The insertion goes on without a recording, and says so, rather than not at all.
-  const Result<Done> unrecorded = build(hand_, std::nullopt);
+  // Any other insertion goes on without one, and says so, rather than not at all.
+  const Result<Done> unrecorded = build(hand, std::nullopt);
   if (!unrecorded) return unrecorded;
   recordingTrouble_ = recorded.error().message;
   return Done{};
 }
 
-Result<Done> InsertionControl::build(Hand hand, std::optional<std::filesystem::path> file)
+void InsertionControl::discard()
 {
+  // An insertion that never ran leaves no file behind, unless somebody asked for that file.
+  const auto unused = isRunning_ || record_ ? std::nullopt : recording();
   insertion_.reset();  // closes its recording before the next one is opened
   scripted_ = nullptr;
   pointer_ = nullptr;
+  isRunning_ = false;
   recordingTrouble_.clear();
+  std::error_code ignored;
+  if (unused) std::filesystem::remove(*unused, ignored);
+}
 
+Result<Done> InsertionControl::build(Hand hand, std::optional<std::filesystem::path> file)
+{
   std::unique_ptr<device::HapticDevice> device;
   device::ScriptedHand* scripted = nullptr;
   device::PointerHand* pointer = nullptr;
@@ -111,7 +111,6 @@ Result<Done> InsertionControl::build(Hand hand, std::optional<std::filesystem::p
   pointer_ = pointer;
   hand_ = hand;
   wish_ = Wish::rest;
-  isRunning_ = false;
   isHeld_ = false;
   styletTarget_.reset();
   styletAsked_ = false;
@@ -125,8 +124,6 @@ Result<Done> InsertionControl::begin()
 {
   if (!insertion_) return Error{"There is no insertion to start. Press Reset."};
   if (!isRunning_) {
-    const Result<Done> opened = openRecording();
-    if (!opened) return opened;
     const Result<Done> started = insertion_->start();
     if (!started) return started;
     isRunning_ = true;

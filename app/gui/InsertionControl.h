@@ -28,12 +28,12 @@ public:
   InsertionControl(session::Scenario scenario, std::optional<std::filesystem::path> record);
   ~InsertionControl();
 
-  /// Prepares a fresh insertion with the array at its start. The one before is stopped and its
-  /// recording closed.
+  /// Prepares a fresh insertion with the array at its start and a recording of its own. The one
+  /// before is stopped and its recording closed, or removed if it never ran. An insertion whose
+  /// recording cannot be opened runs without one, but for the first with a file asked for by name.
   Result<Done> prepare(Hand hand);
 
-  /// Lets the loop run, with a recording of its own, and the scripted hand insert; arms the array
-  /// for the pointer. An insertion whose recording cannot be opened runs without one.
+  /// Lets the loop run and the scripted hand insert; arms the array for the pointer.
   Result<Done> begin();
   /// Lets go of the array: it stays where it is.
   void pause();
@@ -53,6 +53,8 @@ public:
   /// The newest picture; of the array at its start before the loop runs.
   const haptics::Snapshot& now() const noexcept { return now_; }
 
+  /// The cochlea; after a prepare() that succeeded.
+  const anatomy::ScalaTympani& anatomy() const noexcept { return insertion_->anatomy(); }
   Hand hand() const noexcept { return hand_; }
   bool isRunning() const noexcept { return isRunning_; }
   /// The array is at the stop travel or beyond.
@@ -71,7 +73,7 @@ private:
   enum class Wish { rest, insert, withdraw };
 
   std::filesystem::path nextRecording();
-  Result<Done> openRecording();
+  void discard();
   Result<Done> build(Hand hand, std::optional<std::filesystem::path> file);
   bool ask(haptics::Command::Kind kind, double value = 0.0);
   void pursue();
@@ -81,7 +83,6 @@ private:
   session::Scenario scenario_;
   std::optional<std::filesystem::path> record_;
   int prepared_ = 0;
-  bool isFileOpen_ = false;
 
   std::unique_ptr<session::Insertion> insertion_;
   device::ScriptedHand* scripted_ = nullptr;  ///< Owned by the insertion.

@@ -117,17 +117,14 @@ void MainWindow::connectZones()
 
 Result<Done> MainWindow::open()
 {
-  auto built = session::buildAnatomy(control_.scenario());
-  if (!built) return built.error();
-  anatomy_ = *built;
   const Result<Done> prepared = control_.prepare(Hand::scripted);
   if (!prepared) return prepared;
 
   const session::Scenario& scenario = control_.scenario();
-  view_->setScene(std::make_unique<visualization::InsertionScene>(*anatomy_, scenario.array,
-                                                                  scenario.patient.side));
+  view_->setScene(std::make_unique<visualization::InsertionScene>(
+      control_.anatomy(), scenario.array, scenario.patient.side));
   charts_->setExperiment(charts::publishedExperiment());
-  charts_->begin(anatomy_->entry());
+  charts_->begin(control_.anatomy().entry());
   view_->showArray(control_.now());
   drawn_ = control_.now();
   showSlowly();
@@ -170,10 +167,10 @@ void MainWindow::prepare(Hand hand)
   trouble_.clear();
   pressed_.clear();
   const Result<Done> prepared = control_.prepare(hand);
-  if (!prepared) showTrouble(QString::fromStdString(prepared.error().message));
+  if (!prepared) return showTrouble(QString::fromStdString(prepared.error().message));
   side_->setHand(control_.hand());
   side_->setHeld(false);
-  charts_->begin(anatomy_->entry());
+  charts_->begin(control_.anatomy().entry());
   view_->showArray(control_.now());
   drawn_ = control_.now();
   showSlowly();

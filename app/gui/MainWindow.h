@@ -80,7 +80,6 @@ private:
   bool isNewToTheEye(const haptics::Snapshot& now);
 
   InsertionControl control_;
-  std::shared_ptr<const anatomy::ScalaTympani> anatomy_;  // shared: as buildAnatomy() gives it
   TopBar* top_;
   SidePanel* side_;
   OperationView* view_;

@@ -27,6 +27,9 @@ using visualization::CameraPreset;
 // A drag over the whole height of the picture turns the model half around.
 constexpr double turnPerHeight_deg = 180.0;
 
+// What the view writes below the scale bars: two labels and the phase line.
+constexpr int footHeight_px = 94;
+
 QString nameOf(CameraPreset preset)
 {
   switch (preset) {
@@ -49,7 +52,7 @@ QLabel* quietLabel(QWidget* parent, const char* name)
   auto* label = new QLabel(parent);
   label->setObjectName(QLatin1String(name));
   label->setFont(typeface(12));
-  label->setProperty("quiet", true);
+  label->setProperty("onPicture", true);
   label->setAttribute(Qt::WA_TransparentForMouseEvents);
   return label;
 }
@@ -100,11 +103,12 @@ void OperationView::addReadOuts()
   bannerLayout->setContentsMargins(2 * spacing, spacing, 2 * spacing, spacing);
   bannerLayout->addWidget(bannerText_);
   banner_->setVisible(false);
+  hint_->setVisible(false);
 
   auto* numbers = new QHBoxLayout;
   numbers->setSpacing(0);
   numbers->addWidget(travel_, 0, Qt::AlignTop);
-  numbers->addSpacing(3 * spacing);
+  numbers->addSpacing(spacing);
   numbers->addWidget(angle_, 0, Qt::AlignTop);
   numbers->addStretch();
   numbers->addWidget(force_, 0, Qt::AlignTop);
@@ -117,7 +121,7 @@ void OperationView::addReadOuts()
   foot->addWidget(viewName_);
 
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(20, 2 * spacing, 20, 2 * spacing);
+  column->setContentsMargins(2 * spacing, spacing, 2 * spacing, spacing);
   column->setSpacing(spacing);
   column->addLayout(numbers);
   column->addWidget(speed_, 0, Qt::AlignRight);
@@ -131,6 +135,7 @@ void OperationView::setScene(std::unique_ptr<visualization::InsertionScene> scen
 {
   scene_ = std::move(scene);
   scene_->setScale(devicePixelRatioF());
+  scene_->setScaleBarMargin(footHeight_px);
   scene_->attachTo(*renderWindow());
   scene_->lookFrom(CameraPreset::surgeon);
   describeView();
@@ -219,7 +224,9 @@ void OperationView::setBanner(const QString& sentence)
 
 void OperationView::setHint(const QString& hint)
 {
-  if (hint_->text() != hint) hint_->setText(hint);
+  if (hint_->text() == hint) return;
+  hint_->setText(hint);
+  hint_->setVisible(!hint.isEmpty());
 }
 
 bool OperationView::renderIfDirty()

@@ -58,6 +58,12 @@ void PhaseLine::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
+  QColor plate = groundColor;
+  plate.setAlpha(plateAlpha);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(plate);
+  painter.drawRoundedRect(rect(), 6, 6);
+
   const double step = double(width() - 2 * sideMargin_px) / double(stations.size() - 1);
   const QColor ahead = lineColor.lighter(180);
   for (std::size_t i = 0; i < stations.size(); ++i) {

@@ -11,6 +11,8 @@ namespace perilymph::gui {
 namespace {
 
 constexpr int unitGap_px = 8;
+// Room of the plate around number and caption.
+constexpr int plate_px = 6;
 
 QString dashed(const QString& number) { return number.isEmpty() ? QStringLiteral("–") : number; }
 
@@ -54,8 +56,8 @@ QSize ReadOut::sizeHint() const
   const int caption =
       caption_.isEmpty() ? 0 : QFontMetrics(captionFont_).horizontalAdvance(caption_);
   const int captionHeight = caption_.isEmpty() ? 0 : QFontMetrics(captionFont_).height() + 2;
-  return {std::max(numberWidth(form_.widest) + unit, caption) + spacing,
-          QFontMetrics(numberFont_).capHeight() + spacing + captionHeight + spacing};
+  return {std::max(numberWidth(form_.widest) + unit, caption) + 2 + 2 * plate_px,
+          QFontMetrics(numberFont_).capHeight() + spacing + captionHeight + 2 * plate_px};
 }
 
 int ReadOut::cellWidth(QChar character) const
@@ -73,15 +75,23 @@ int ReadOut::numberWidth(const QString& number) const
 void ReadOut::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);
-  painter.setRenderHint(QPainter::TextAntialiasing);
   const QString number = dashed(number_);
   const QFontMetrics unitMetrics(unitFont_);
   const int unitWidth =
       form_.unit.isEmpty() ? 0 : unitGap_px + unitMetrics.horizontalAdvance(form_.unit);
-  const int baseline = QFontMetrics(numberFont_).capHeight() + spacing / 2;
+  const int baseline = QFontMetrics(numberFont_).capHeight() + plate_px;
   const bool isRight = (form_.side & Qt::AlignRight) != 0;
+  const int left = plate_px, right = width() - plate_px;
 
-  int x = isRight ? width() - unitWidth - numberWidth(number) : 0;
+  // The plate keeps the number legible where the array passes behind it.
+  QColor plate = groundColor;
+  plate.setAlpha(plateAlpha);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(plate);
+  painter.drawRoundedRect(rect(), 6, 6);
+
+  int x = isRight ? right - unitWidth - numberWidth(number) : left;
   painter.setFont(numberFont_);
   painter.setPen(textColor);
   for (const QChar character : number) {
@@ -92,13 +102,13 @@ void ReadOut::paintEvent(QPaintEvent*)
   }
   painter.setFont(unitFont_);
   painter.setPen(quietTextColor);
-  const int unitX = isRight ? width() - unitWidth : numberWidth(number);
+  const int unitX = isRight ? right - unitWidth : left + numberWidth(number);
   painter.drawText(unitX + unitGap_px, baseline, form_.unit);
 
   if (caption_.isEmpty()) return;
   painter.setFont(captionFont_);
   const QFontMetrics metrics(captionFont_);
-  const int captionX = isRight ? width() - metrics.horizontalAdvance(caption_) : 0;
+  const int captionX = isRight ? right - metrics.horizontalAdvance(caption_) : left;
   painter.drawText(captionX, baseline + spacing + metrics.ascent() + 2, caption_);
 }
 

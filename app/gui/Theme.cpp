@@ -11,6 +11,9 @@ constexpr auto sheet = R"(
 QWidget { color: %text%; background: %panel%; }
 QLabel { background: transparent; }
 QLabel[quiet="true"] { color: %quietText%; }
+QLabel[onPicture="true"] {
+  color: %quietText%; background: rgba(18, 22, 26, 185); border-radius: 4px; padding: 2px 6px;
+}
 QLabel[trouble="true"] { color: %warning%; }
 QFrame#line { background: %line%; border: none; }
 

@@ -23,6 +23,7 @@ inline constexpr int sidePanelWidth = 248;
 inline constexpr int chartColumnWidth = 431;
 inline constexpr int barHeight = 44;
 inline constexpr int spacing = 8;
+inline constexpr int plateAlpha = 185;  ///< Of the ground behind words that lie on the picture.
 
 /// Inter in a size [px], or DejaVu Sans where Inter is missing.
 QFont typeface(int size_px, QFont::Weight weight = QFont::Normal);

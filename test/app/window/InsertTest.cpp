@@ -26,7 +26,7 @@ std::set<std::filesystem::path> sessions()
   std::set<std::filesystem::path> files;
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(sessionFolder(), ignored))
-    files.insert(entry.path());
+    if (entry.path().extension() == ".insertion") files.insert(entry.path());
   return files;
 }
 
@@ -171,8 +171,8 @@ TEST(Window, WithoutARecordingTheInsertionGoesOnAndSaysSo)
   std::ofstream(folder / "no-folder") << "a file where a folder is wanted";
   setenv("XDG_DATA_HOME", (folder / "no-folder").c_str(), 1);
   WindowRig rig;
-  rig.click("startButton");
   setenv("XDG_DATA_HOME", before.c_str(), 1);
+  rig.click("startButton");
   EXPECT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.5; }));
   EXPECT_TRUE(rig.label("statusLabel").contains("NOT recording"))
       << rig.label("statusLabel").toStdString();

@@ -39,7 +39,6 @@ Result<Done> replay(const ReplayOptions& options);
 
 struct RenderOptions {
   std::string scenario;
-  session::Overrides overrides;
   std::string preset, patient, array;
   std::optional<double> at_mm;
   std::string view = "surgeon";

@@ -1,5 +1,6 @@
 #include "OutputFile.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <charconv>
@@ -20,7 +21,7 @@ Result<Done> checkPlace(const std::string& file)
   if (!fs::is_directory(folder, ignored))
     return Error{"Cannot write " + file + ": the folder " + folder.string() +
                  " does not exist. Create it first."};
-  if (::access(folder.c_str(), W_OK) != 0 && !fs::exists(place, ignored))
+  if (::faccessat(AT_FDCWD, folder.c_str(), W_OK, AT_EACCESS) != 0 && !fs::exists(place, ignored))
     return Error{"Cannot write " + file + ": nothing may be written into " + folder.string() +
                  ". Choose another folder."};
   return Done{};

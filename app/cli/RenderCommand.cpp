@@ -64,7 +64,7 @@ Result<Done> drawAnatomy(const RenderOptions& options, visualization::PictureReq
 /// The array in its cochlea, pushed in to a travel in virtual time.
 Result<Done> drawInsertion(const RenderOptions& options, visualization::PictureRequest request)
 {
-  session::Overrides overrides = options.overrides;
+  session::Overrides overrides;
   if (!options.patient.empty()) overrides.emplace_back("patient", options.patient);
   if (!options.array.empty()) overrides.emplace_back("array", options.array);
   const auto scenario = session::loadScenario(options.scenario, overrides);

@@ -182,6 +182,15 @@ class Layout(CheckCase):
         self.assert_found(layout.check, "lacks #pragma once",
                           {"modules/top/include/perilymph/top/t.h": "\n"})
 
+    def test_settings_below_the_top_are_found(self):
+        self.assert_found(layout.check, "app/gui/.clang-format may not stand",
+                          {"app/gui/.clang-format": "BasedOnStyle: Google\n"})
+
+    def test_a_copy_of_a_file_is_found(self):
+        text = "".join(f"int number{i} = {i};\n" for i in range(12))
+        self.assert_found(layout.check, "modules/top/src/t.cpp is a copy of app/gui/main.cpp",
+                          {"app/gui/main.cpp": text, "modules/top/src/t.cpp": text})
+
 
 class Words(CheckCase):
     def test_machine_paths_are_found(self):

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <functional>
 
 #include "perilymph/foundation/Math.h"
+#include "perilymph/session/Csv.h"
 
 namespace perilymph::analysis {
 
@@ -201,12 +201,11 @@ std::string sectionsCsv(const std::vector<SectionRow>& rows)
                              mm(row.outerWallLength),
                              mm(row.centerLength),
                              mm(row.innerWallLength)};
-    char digits[32];
     bool isFirst = true;
     for (const double value : values) {
       if (!isFirst) csv += ',';
       isFirst = false;
-      csv.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+      csv += session::shortestDecimal(value);
     }
     csv += '\n';
   }

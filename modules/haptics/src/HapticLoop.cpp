@@ -1,6 +1,7 @@
 #include "perilymph/haptics/HapticLoop.h"
 
 #include <atomic>
+#include <cmath>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -33,7 +34,7 @@ struct HapticLoop::Content {
       : device(openDevice),
         engine(std::move(checkedEngine)),
         pacer(Duration::fromSi(engine->model().timeStep)),
-        period(static_cast<std::int64_t>(engine->model().timeStep * 1e9 + 0.5))
+        period(std::llround(engine->model().timeStep * 1e9))
   {
     const device::DeviceTraits traits = device.traits();
     if (traits.rendersForce) engine->lowerMostForce(traits.mostForce);

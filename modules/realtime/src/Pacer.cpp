@@ -3,6 +3,7 @@
 #include <time.h>
 
 #include <cerrno>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -17,7 +18,7 @@ std::int64_t periodInNanoseconds(Duration period)
   if (!(period.si() >= 1e-5 && period.si() <= 1.0))  // also catches NaN
     throw std::invalid_argument("The period of a loop is " + std::to_string(period.si()) +
                                 " s; it must be between 0.00001 and 1 s.");
-  return static_cast<std::int64_t>(period.si() * 1e9 + 0.5);
+  return std::llround(period.si() * 1e9);
 }
 
 }  // namespace

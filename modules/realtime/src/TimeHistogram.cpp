@@ -17,7 +17,8 @@ std::uint64_t TimeHistogram::upperEdge(int bin) noexcept
 {
   if (bin < binsPerOctave) return static_cast<std::uint64_t>(bin);
   const int octave = bin / binsPerOctave - 1;
-  const auto next = static_cast<std::uint64_t>(bin % binsPerOctave + binsPerOctave + 1);
+  const int within = bin % binsPerOctave;
+  const auto next = static_cast<std::uint64_t>(binsPerOctave + within) + 1;
   return (next << octave) - 1;
 }
 

@@ -40,6 +40,12 @@ std::array<double, columnCount> columnValues(const haptics::TickRecord& record)
           now.membraneForce};
 }
 
+std::string shortestDecimal(double value)
+{
+  char digits[32];
+  return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
+}
+
 std::string csvHeader()
 {
   std::string header;
@@ -51,10 +57,9 @@ std::string csvRow(const haptics::TickRecord& record)
 {
   std::string row;
   row.reserve(400);
-  char digits[32];
   for (const double value : columnValues(record)) {
     if (!row.empty()) row += ',';
-    row.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+    row += shortestDecimal(value);
   }
   return row + '\n';
 }

@@ -1,25 +1,15 @@
 #include "EffectiveText.h"
 
-#include <charconv>
 #include <cmath>
 #include <limits>
 
+#include "perilymph/session/Csv.h"
+
 namespace perilymph::session {
-
-namespace {
-
-std::string shortest(double value)
-{
-  char digits[32];
-  const auto end = std::to_chars(digits, digits + sizeof digits, value);
-  return {digits, end.ptr};
-}
-
-}  // namespace
 
 std::string tomlNumber(double value)
 {
-  std::string text = shortest(value);
+  std::string text = shortestDecimal(value);
   // TOML takes a number without point and exponent for a whole one.
   if (text.find_first_of(".en") == std::string::npos) text += ".0";
   return text;
@@ -55,7 +45,7 @@ double exactMillimeters(Length length)
   double best = inMillimeters(length);
   std::size_t bestLength = std::numeric_limits<std::size_t>::max();
   for (int i = 0; i <= 2 * steps; ++i) {
-    const std::size_t letters = shortest(number).size();
+    const std::size_t letters = shortestDecimal(number).size();
     if (millimeters(number) == length && letters < bestLength) {
       best = number;
       bestLength = letters;

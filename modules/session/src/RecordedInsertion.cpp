@@ -1,5 +1,6 @@
 #include "perilymph/session/RecordedInsertion.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -57,10 +58,16 @@ FileHeader readHeader(const fs::path& file)
   return header;
 }
 
+/// With the rights this process acts with, not those it was started with.
+bool mayAccess(const fs::path& place, int mode)
+{
+  return ::faccessat(AT_FDCWD, place.c_str(), mode, AT_EACCESS) == 0;
+}
+
 bool mayWrite(const fs::path& file)
 {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  return ::access(file.c_str(), W_OK) == 0 && ::access(folder.c_str(), W_OK) == 0;
+  return mayAccess(file, W_OK) && mayAccess(folder, W_OK);
 }
 
 template <class Number>
@@ -174,7 +181,7 @@ Result<RecordedInsertion> RecordedInsertion::open(const fs::path& file)
     return Error{file.string() + " is a folder. Choose an .insertion file."};
   if (!fs::exists(file, problem))
     return Error{file.string() + " does not exist. Check the name of the recording."};
-  if (::access(file.c_str(), R_OK) != 0)
+  if (!mayAccess(file, R_OK))
     return Error{file.string() + " may not be read. Check its permissions."};
 
   const fs::path log = file.string() + "-wal";

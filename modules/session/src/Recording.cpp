@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <optional>
 #include <utility>
@@ -22,12 +21,6 @@ namespace perilymph::session {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string exactText(double value)
-{
-  char digits[32];
-  return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
-}
 
 /// Claims the name of a new file, so that two recordings never meet in one.
 Result<Done> claim(const fs::path& file)
@@ -225,9 +218,9 @@ Result<Done> Recording::Content::begin(const RecordingFacts& facts)
   const bool isKept =
       keep(MetaKey::scenarioName, facts.scenarioName) &&
       keep(MetaKey::scenario, facts.scenarioText) && keep(MetaKey::device, facts.device) &&
-      keep(MetaKey::timeStep, exactText(facts.timeStep)) &&
-      keep(MetaKey::samplePeriod, exactText(facts.samplePeriod)) &&
-      keep(MetaKey::mostForce, exactText(facts.mostForce)) &&
+      keep(MetaKey::timeStep, shortestDecimal(facts.timeStep)) &&
+      keep(MetaKey::samplePeriod, shortestDecimal(facts.samplePeriod)) &&
+      keep(MetaKey::mostForce, shortestDecimal(facts.mostForce)) &&
       keep(MetaKey::seed, std::to_string(facts.seed)) &&
       keep(MetaKey::modelFingerprint, std::to_string(facts.modelFingerprint)) &&
       keep(MetaKey::version, facts.version) && keep(MetaKey::buildId, facts.buildId) &&

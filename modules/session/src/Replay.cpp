@@ -1,13 +1,13 @@
 #include "perilymph/session/Replay.h"
 
 #include <bit>
-#include <charconv>
 #include <cstdio>
 #include <type_traits>
 
 #include "MakeEngine.h"
 #include "TickFields.h"
 #include "perilymph/foundation/Version.h"
+#include "perilymph/session/Csv.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/session/Scenario.h"
 
@@ -28,12 +28,10 @@ struct FieldValue {
   }
   std::string words() const
   {
-    char digits[32];
-    std::string text(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
     char hexadecimal[32];
     std::snprintf(hexadecimal, sizeof hexadecimal, " (bits %016llx)",
                   static_cast<unsigned long long>(bits));
-    return text + hexadecimal;
+    return shortestDecimal(value) + hexadecimal;
   }
 };
 

@@ -41,6 +41,7 @@ Backdrop::Backdrop()
   mesh_.colorsChanged();
   mesh_.actor().GetProperty()->LightingOff();
   mesh_.actor().ForceOpaqueOn();
+  mesh_.actor().UseBoundsOff();
 }
 
 void Backdrop::place(const ViewFrame& view, const Eigen::Vector3d& center, double width_mm,

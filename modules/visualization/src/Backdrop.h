@@ -7,8 +7,7 @@
 
 namespace perilymph::visualization {
 
-/// A plane far behind the scene that fills the picture. Colored at its points: a texture of the
-/// whole picture costs a CPU several times as much.
+/// A plane far behind the scene that fills the picture, colored at its points.
 class Backdrop {
 public:
   Backdrop();

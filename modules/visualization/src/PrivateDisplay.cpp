@@ -105,12 +105,15 @@ Result<PrivateDisplay> PrivateDisplay::start()
         "There is no display to draw with, and Xvfb did not start within 10 s. Try "
         "`Xvfb -displayfd 1` by hand or set DISPLAY."};
   }
+  const char* name = std::getenv("DISPLAY");
+  std::optional<std::string> before;
+  if (name != nullptr) before = name;
   setenv("DISPLAY", (":" + number).c_str(), 1);
-  return PrivateDisplay(server);
+  return PrivateDisplay(server, std::move(before));
 }
 
 PrivateDisplay::PrivateDisplay(PrivateDisplay&& other) noexcept
-    : server_(std::exchange(other.server_, 0))
+    : server_(std::exchange(other.server_, 0)), before_(std::move(other.before_))
 {
 }
 
@@ -118,7 +121,10 @@ PrivateDisplay::~PrivateDisplay()
 {
   if (server_ == 0) return;
   stop(server_);
-  unsetenv("DISPLAY");
+  if (before_)
+    setenv("DISPLAY", before_->c_str(), 1);
+  else
+    unsetenv("DISPLAY");
 }
 
 Result<Done> probeDisplay()

@@ -36,6 +36,7 @@ SoftDots::SoftDots()
 {
   mesh_.actor().GetProperty()->LightingOff();
   mesh_.actor().ForceTranslucentOn();
+  mesh_.actor().UseBoundsOff();
 }
 
 void SoftDots::add(const Eigen::Vector3d& place, const Rgba& color, double radius_mm)

@@ -29,6 +29,7 @@ SoftLines::SoftLines()
   vtkActor& actor = mesh_.actor();
   actor.GetProperty()->LightingOff();
   actor.ForceTranslucentOn();
+  actor.UseBoundsOff();
 }
 
 void SoftLines::clear()

@@ -1,4 +1,4 @@
-"""Where files may stand, what a module consists of, and how long a file may be."""
+"""Where files may stand, what a module consists of, how long a file may be, and that none is twice."""
 
 from pathlib import Path
 
@@ -9,6 +9,8 @@ TOP = {"CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "app", "mo
 MUST = {"CMakeLists.txt", "README.md", "app", "modules", "test", "packaging"}
 MOST_README_LINES = 40
 MOST_CODE_LINES = 400
+LEAST_COPY_LINES = 10
+SETTINGS = {"CMakePresets.json", ".clang-format", ".clang-tidy", ".gitignore"}
 
 
 def check_top(root, wrong):
@@ -51,6 +53,22 @@ def check_files(root, wrong):
             wrong.append(f"{file.relative_to(root)} lacks #pragma once.")
 
 
+def check_strays(root, wrong):
+    """Settings that a folder below the top brings along, and files that are copies of others."""
+    seen = {}
+    for file in sources.files(root, "app", "modules", "plugins", "resources", "test", "packaging",
+                              suffixes=sources.TEXT | {".clang-format"}):
+        place = file.relative_to(root)
+        if file.name in SETTINGS:
+            wrong.append(f"{place} may not stand there: settings are the whole project's.")
+        text = sources.read(file)
+        if len(text.splitlines()) < LEAST_COPY_LINES:
+            continue
+        if text in seen:
+            wrong.append(f"{place} is a copy of {seen[text]}.")
+        seen.setdefault(text, place)
+
+
 def check(root):
     root = Path(root)
     wrong = []
@@ -60,4 +78,5 @@ def check(root):
             if folder.is_dir() and folder.name not in sources.SKIPPED:
                 check_module(root, folder, wrong)
     check_files(root, wrong)
+    check_strays(root, wrong)
     return wrong

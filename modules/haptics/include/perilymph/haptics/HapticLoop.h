@@ -38,6 +38,7 @@ public:
   HapticLoop& operator=(const HapticLoop&) = delete;
 
   /// Starts the haptic thread. Asks for SCHED_FIFO and goes on without it.
+  /// @throws std::system_error if the system has no more threads.
   void start();
   /// Stops it and shows zero force.
   void stop() noexcept;

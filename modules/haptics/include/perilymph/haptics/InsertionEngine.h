@@ -35,9 +35,11 @@ struct EngineSettings {
 /// file. Owned by whoever ticks it.
 ///
 /// While the workflow is Inserting the base follows the hand; in every other state it is held where
-/// it is. In Idle the mechanics stands still, in every other state time runs. The insertion stops
-/// exactly at the stop travel, where it is Finished; after `withdraw` the stop no longer holds, and
-/// it is Finished again when the tip is back at its starting depth.
+/// it is. In Idle the mechanics stands still, in every other state time runs. At the stop travel
+/// the base stops and the insertion is Finished; because travel is measured along an array that
+/// bends, it may end some ten nanometers beyond. After `withdraw` (from Finished, Inserting or
+/// Paused) the stop no longer holds, and it is Finished again when the tip is back at its starting
+/// depth.
 class InsertionEngine {
 public:
   /// @throws std::invalid_argument with a sentence for settings out of range.

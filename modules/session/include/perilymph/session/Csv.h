@@ -18,11 +18,13 @@ extern const std::array<const char*, columnCount> columnNames;
 /// force is that on the hand, positive while pushing in.
 std::array<double, columnCount> columnValues(const haptics::TickRecord& record);
 
+/// The shortest decimal that reads back as the same number, with a point whatever the locale.
+std::string shortestDecimal(double value);
+
 /// "time_s,travel_mm,...\n".
 std::string csvHeader();
 
-/// One row with its line end: shortest decimals that read back as the same number, a point whatever
-/// the locale.
+/// One row of shortest decimals with its line end.
 std::string csvRow(const haptics::TickRecord& record);
 
 /// Which ticks of a file with one row every so many seconds are kept: the first at or after each

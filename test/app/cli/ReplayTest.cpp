@@ -1,0 +1,41 @@
+#include "Cli.h"
+
+namespace perilymph::test {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(ReplayCommand, VerifiesAndWritesTheRowsOfTheRun)
+{
+  const TemporaryFolder folder;
+  ASSERT_EQ(
+      cli(shortSimulation({"--csv", folder / "run.csv", "--record", folder / "run.insertion"}))
+          .status,
+      0);
+  const auto verified = cli({"replay", folder / "run.insertion", "--verify"});
+  EXPECT_EQ(verified.status, 0) << verified.err;
+  EXPECT_THAT(verified.out, HasSubstr("every bit the same"));
+
+  const auto shown = cli({"replay", folder / "run.insertion", "--csv", folder / "again.csv"});
+  EXPECT_EQ(shown.status, 0) << shown.err;
+  EXPECT_THAT(shown.out, HasSubstr("contour-published"));
+  EXPECT_EQ(contentOf(folder / "run.csv"), contentOf(folder / "again.csv"));
+}
+
+TEST(ReplayCommand, SaysWhatIsWrongWithTheFile)
+{
+  const TemporaryFolder folder;
+  expectRefusal(cli({"replay", folder / "none.insertion"}), "does not exist");
+  expectRefusal(cli({"replay", folder.path()}), "is a folder");
+  std::ofstream(folder / "text.insertion") << "not a database";
+  expectRefusal(cli({"replay", folder / "text.insertion", "--verify"}), "not a recording");
+
+  ASSERT_EQ(cli(shortSimulation({"--record", folder / "cut.insertion"})).status, 0);
+  std::filesystem::resize_file(folder / "cut.insertion",
+                               std::filesystem::file_size(folder / "cut.insertion") / 2);
+  expectRefusal(cli({"replay", folder / "cut.insertion", "--csv", folder / "cut.csv"}), "damaged");
+  EXPECT_FALSE(std::filesystem::exists(folder / "cut.csv"));
+}
+
+}  // namespace
+}  // namespace perilymph::test

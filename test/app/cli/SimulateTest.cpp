@@ -1,0 +1,136 @@
+#include <chrono>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "Cli.h"
+#include "perilymph/session/RecordedInsertion.h"
+
+namespace perilymph::test {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(Simulate, WritesRowsResultsAndARecording)
+{
+  const TemporaryFolder folder;
+  const auto outcome = cli(shortSimulation({"--csv", folder / "a.csv", "--json", folder / "a.json",
+                                            "--record", folder / "a.insertion", "--seed", "5"}));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("peak force"));
+  EXPECT_EQ(namesIn(folder.path()), (std::vector<std::string>{"a.csv", "a.insertion", "a.json"}));
+
+  const auto rows = linesOf(folder / "a.csv");
+  EXPECT_EQ(rows.front().substr(0, 27), "time_s,travel_mm,depth_mm,s");
+  const auto json = nlohmann::json::parse(contentOf(folder / "a.json"));
+  const auto recorded = session::RecordedInsertion::open(folder / "a.insertion");
+  ASSERT_TRUE(recorded) << recorded.error().message;
+  EXPECT_EQ(rows.size() - 1, recorded->ticks());  // a row a tick
+  EXPECT_EQ(json["ticks"], recorded->ticks());
+  EXPECT_EQ(json["seed"], 5);
+  EXPECT_EQ(json["overruns"], 0);
+  EXPECT_EQ(json["scenario"]["nodes"], 30);
+  EXPECT_EQ(json["scenario"]["stop_travel_mm"], 0.5);
+  EXPECT_EQ(json["scenario"]["patient_numbers"]["st_length_mm"], 35.58);
+  for (const char* key :
+       {"version", "peak_force_N", "peak_depth_mm", "work_J", "final_depth_mm", "final_angle_deg"})
+    EXPECT_TRUE(json.contains(key)) << key;
+  EXPECT_NEAR(json["final_depth_mm"].get<double>(), 2.0 + 0.5, 0.01);
+}
+
+TEST(Simulate, KeepsARowEverySoManyMilliseconds)
+{
+  const TemporaryFolder folder;
+  const auto outcome = cli(shortSimulation({"--csv", folder / "a.csv", "--every-ms", "50"}));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto rows = linesOf(folder / "a.csv");
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    EXPECT_NEAR(std::stod(rows[i]), 0.05 * static_cast<double>(i - 1), 1e-9);
+  EXPECT_GE(rows.size(), 6u);  // 0.5 mm at 2 mm/s: 0 to 250 ms
+}
+
+TEST(Simulate, WritesTheSameBytesEveryTimeInAnyLocale)
+{
+  const TemporaryFolder folder;
+  ASSERT_EQ(cli(shortSimulation({"--csv", folder / "a.csv", "--json", folder / "a.json"})).status,
+            0);
+  ProgramCall call =
+      cliCall(shortSimulation({"--csv", folder / "b.csv", "--json", folder / "b.json"}));
+  call.environment = {{"LC_ALL", "de_DE.UTF-8"}};
+  ASSERT_EQ(run(call).status, 0);
+  EXPECT_EQ(contentOf(folder / "a.csv"), contentOf(folder / "b.csv"));
+  EXPECT_EQ(contentOf(folder / "a.json"), contentOf(folder / "b.json"));
+}
+
+TEST(Simulate, WritesTheSameBytesOnAProcessorWithoutFma)
+{
+  const TemporaryFolder folder;
+  ASSERT_EQ(cli(shortSimulation({"--csv", folder / "a.csv"})).status, 0);
+  ProgramCall call = cliCall(shortSimulation({"--csv", folder / "b.csv"}));
+  call.environment = {{"GLIBC_TUNABLES", "glibc.cpu.hwcaps=-FMA,-AVX2"}};
+  ASSERT_EQ(run(call).status, 0);
+  EXPECT_EQ(contentOf(folder / "a.csv"), contentOf(folder / "b.csv"));
+}
+
+TEST(Simulate, SaysWhatIsWrongWithTheScenario)
+{
+  expectRefusal(cli({"simulate", "--scenario", "nowhere"}), "contour-published");
+  expectRefusal(cli(shortSimulation({"--set", "speed_mm_s=-3"})), "between 0.01 and 200");
+  expectRefusal(cli(shortSimulation({"--set", "speed=3"})), "speed_mm_s");
+  expectRefusal(cli(shortSimulation({"--set", "friction=ice"})), "paper");
+  expectRefusal(cli(shortSimulation({"--set", "nodes=3"})), "between 8 and 1024");
+  expectRefusal(cli(shortSimulation({"--model", "points"})), "not in this version");
+  expectRefusal(cli(shortSimulation({"--patient", "nobody"})), "average");
+  expectRefusal(cli(shortSimulation({"--array", "spaghetti"})), "contour");
+  const TemporaryFolder folder;
+  expectRefusal(cli({"simulate", "--scenario", folder.path()}), "folder");
+  std::ofstream(folder / "broken.toml") << "nodes = = 3\n";
+  expectRefusal(cli({"simulate", "--scenario", folder / "broken.toml"}), "broken.toml:1");
+}
+
+TEST(Simulate, SaysWhereItCannotWriteBeforeItRuns)
+{
+  const TemporaryFolder folder;
+  expectRefusal(cli(shortSimulation({"--csv", folder / "no" / "a.csv"})), "does not exist");
+  expectRefusal(cli(shortSimulation({"--json", folder.path()})), "is a folder");
+  expectRefusal(cli(shortSimulation({"--record", folder / "no" / "a.insertion"})),
+                "does not exist");
+  EXPECT_EQ(namesIn(folder.path()), std::vector<std::string>{});
+}
+
+TEST(Simulate, LeavesNothingHalfWrittenWhereNothingMayBeWritten)
+{
+  // /proc refuses every new file, for root as for everybody.
+  expectRefusal(cli(shortSimulation({"--csv", "/proc/a.csv"})), "/proc");
+  expectRefusal(cli(shortSimulation({"--record", "/proc/a.insertion"})), "/proc/a.insertion");
+}
+
+TEST(Simulate, NeverOverwritesARecording)
+{
+  const TemporaryFolder folder;
+  ASSERT_EQ(cli(shortSimulation({"--record", folder / "a.insertion"})).status, 0);
+  const std::string before = contentOf(folder / "a.insertion");
+  expectRefusal(cli(shortSimulation({"--record", folder / "a.insertion"})), "never overwritten");
+  EXPECT_EQ(contentOf(folder / "a.insertion"), before);
+}
+
+TEST(InterruptedSimulation, LeavesNothingButAReadableRecording)
+{
+  const TemporaryFolder folder;
+  // slow enough to be interrupted in the middle
+  ChildProcess child(
+      cliCall({"simulate", "--scenario", "contour-published", "--set", "speed_mm_s=0.05", "--csv",
+               folder / "a.csv", "--json", folder / "a.json", "--record", folder / "a.insertion"}));
+  while (namesIn(folder.path()).size() < 2) std::this_thread::yield();
+  child.send(SIGINT);
+  const auto outcome = child.wait(std::chrono::minutes(1));
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("Interrupted"));
+  EXPECT_EQ(namesIn(folder.path()), std::vector<std::string>{"a.insertion"});
+  const auto recorded = session::RecordedInsertion::open(folder / "a.insertion");
+  ASSERT_TRUE(recorded) << recorded.error().message;
+  EXPECT_TRUE(recorded->wasClosed());
+}
+
+}  // namespace
+}  // namespace perilymph::test

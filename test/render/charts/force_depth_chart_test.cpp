@@ -1,0 +1,216 @@
+#include "perilymph/charts/ForceDepthChart.h"
+
+#include <gtest/gtest.h>
+#include <vtkAxis.h>
+#include <vtkChartXY.h>
+#include <vtkPlot.h>
+#include <vtkTable.h>
+
+#include <cmath>
+#include <limits>
+
+#include "Picture.h"
+
+namespace perilymph::charts {
+namespace {
+
+constexpr test::Pixel accent{0x45, 0xC4, 0xB0};
+constexpr test::Pixel blue{0x56, 0xB4, 0xE9};
+
+/// A chart with the window it is drawn in.
+struct ChartOnScreen {
+  ChartOnScreen()
+  {
+    window->SetOffScreenRendering(true);
+    window->SetSize(415, 360);
+    chart.attachTo(*window);
+  }
+
+  test::DrawnPicture picture()
+  {
+    chart.update();
+    return test::draw(*window);
+  }
+
+  vtkAxis& axis(int position) { return *chart.chart().GetAxis(position); }
+  /// The pixel of a value, from the axes that are drawn.
+  int x(double travel_mm)
+  {
+    vtkAxis& a = axis(vtkAxis::BOTTOM);
+    return pixel(travel_mm, a, a.GetPoint1()[0], a.GetPoint2()[0]);
+  }
+  int y(double force_N)
+  {
+    vtkAxis& a = axis(vtkAxis::LEFT);
+    return pixel(force_N, a, a.GetPoint1()[1], a.GetPoint2()[1]);
+  }
+  static int pixel(double value, vtkAxis& a, float from, float to)
+  {
+    return static_cast<int>(std::lround(
+        from + (value - a.GetMinimum()) / (a.GetMaximum() - a.GetMinimum()) * (to - from)));
+  }
+  vtkIdType points()
+  {
+    vtkIdType sum = 0;
+    for (vtkIdType i = 0; i < chart.chart().GetNumberOfPlots(); ++i)
+      sum += chart.chart().GetPlot(i)->GetInput()->GetNumberOfRows();
+    return sum;
+  }
+
+  ForceDepthChart chart;
+  vtkNew<vtkRenderWindow> window;
+};
+
+bool nearColor(const test::DrawnPicture& picture, int x, int y, const test::Pixel& color)
+{
+  for (int dx = -2; dx <= 2; ++dx)
+    for (int dy = -2; dy <= 2; ++dy)
+      if (test::difference(picture.at(x + dx, y + dy), color) < 40) return true;
+  return false;
+}
+
+TEST(ForceDepthChart, ShowsSeventeenMillimetersAndTwoHundredMillinewtonsWhenEmpty)
+{
+  ChartOnScreen screen;
+  screen.picture();
+  EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::BOTTOM).GetMinimum(), 0.0);
+  EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::BOTTOM).GetMaximum(), 17.0);
+  EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::LEFT).GetMinimum(), 0.0);
+  EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::LEFT).GetMaximum(), 0.20);
+}
+
+TEST(ForceDepthChart, KeepsItsRangesWhileTheCurveFits)
+{
+  ChartOnScreen screen;
+  for (int i = 0; i <= 1650; ++i) screen.chart.append(millimeters(0.01 * i), newtons(1e-4 * i));
+  screen.picture();
+  EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::BOTTOM).GetMaximum(), 17.0);
+  EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::LEFT).GetMaximum(), 0.20);
+}
+
+TEST(ForceDepthChart, GrowsByWholeTicksWhenForceOrTravelLeavesIt)
+{
+  ChartOnScreen screen;
+  screen.chart.append(millimeters(0), newtons(0));
+  screen.chart.append(millimeters(21), newtons(0.23));
+  screen.picture();
+  EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::LEFT).GetMaximum(), 0.25);
+  EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::BOTTOM).GetMaximum(), 24.0);
+}
+
+TEST(ForceDepthChart, ShowsThePullOfAWithdrawnArrayBelowZero)
+{
+  ChartOnScreen screen;
+  for (int i = 0; i < 500; ++i) screen.chart.append(millimeters(0.02 * i), newtons(0.05));
+  for (int i = 500; i > 0; --i) screen.chart.append(millimeters(0.02 * i), newtons(-0.03));
+  const test::DrawnPicture picture = screen.picture();
+  EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::LEFT).GetMinimum(), -0.05);
+  // half-transparent over the ground
+  const test::Pixel faded{0x30, 0x7D, 0x72};
+  EXPECT_TRUE(nearColor(picture, screen.x(5.0), screen.y(-0.03), faded));
+}
+
+TEST(ForceDepthChart, DrawsTheCurveWhereItsValuesAre)
+{
+  ChartOnScreen screen;
+  for (int i = 0; i <= 1500; ++i) screen.chart.append(millimeters(0.01 * i), newtons(0.1));
+  const test::DrawnPicture picture = screen.picture();
+  for (const double travel_mm : {1.0, 5.0, 9.0, 14.0})
+    EXPECT_TRUE(nearColor(picture, screen.x(travel_mm), screen.y(0.1), accent)) << travel_mm;
+  EXPECT_FALSE(nearColor(picture, screen.x(16.0), screen.y(0.1), accent));
+}
+
+TEST(ForceDepthChart, KeepsASpikeOfOneSample)
+{
+  ChartOnScreen screen;
+  for (int i = 0; i <= 15000; ++i)
+    screen.chart.append(millimeters(0.001 * i), newtons(i == 7003 ? 0.18 : 0.02));
+  const test::DrawnPicture picture = screen.picture();
+  EXPECT_TRUE(nearColor(picture, screen.x(7.003), screen.y(0.15), accent));
+}
+
+TEST(ForceDepthChart, DoesNotGrowSlowerWithTimeSpentAtOnePlace)
+{
+  ChartOnScreen screen;
+  for (int i = 0; i < 1600; ++i) screen.chart.append(millimeters(0.01 * i), newtons(0.05));
+  screen.picture();
+  const vtkIdType before = screen.points();
+  // a trembling hand for three minutes
+  for (int i = 0; i < 180000; ++i)
+    screen.chart.append(millimeters(15.9 + 0.3 * std::sin(0.05 * i)),
+                        newtons(0.05 + 1e-4 * (i % 7)));
+  screen.picture();
+  EXPECT_LT(screen.points(), before + 200);
+}
+
+TEST(ForceDepthChart, LeavesOutWhatIsNotFinite)
+{
+  ChartOnScreen screen;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  screen.chart.append(millimeters(1), newtons(nan));
+  screen.chart.append(millimeters(nan), newtons(0.1));
+  screen.chart.append(millimeters(1e9), newtons(0.1));
+  screen.picture();
+  EXPECT_EQ(screen.points(), 0);
+}
+
+TEST(ForceDepthChart, SaysWhetherThePictureChanged)
+{
+  ChartOnScreen screen;
+  screen.chart.update();
+  EXPECT_FALSE(screen.chart.update());
+  screen.chart.append(millimeters(1), newtons(0.01));
+  EXPECT_TRUE(screen.chart.update());
+  EXPECT_FALSE(screen.chart.update());
+}
+
+TEST(ForceDepthChart, ForgetsTheInsertionButNotTheGhost)
+{
+  ChartOnScreen screen;
+  screen.chart.setGhost({{millimeters(0), newtons(0.06)}, {millimeters(10), newtons(0.06)}},
+                        "ghost");
+  screen.chart.append(millimeters(0), newtons(0.1));
+  screen.chart.append(millimeters(8), newtons(0.1));
+  screen.chart.clear();
+  const test::DrawnPicture picture = screen.picture();
+  EXPECT_TRUE(nearColor(picture, screen.x(5.0), screen.y(0.06), blue));
+  EXPECT_FALSE(nearColor(picture, screen.x(5.0), screen.y(0.1), accent));
+}
+
+TEST(ForceDepthChart, DrawsThePrintedValuesAndNothingBetweenThem)
+{
+  ChartOnScreen screen;
+  screen.chart.setVisible(ChartLayer::threshold, false);
+  screen.chart.setReference({{4.0, 0.05, 0.02}, {12.0, 0.09, 0.02}}, "experiment");
+  const test::DrawnPicture picture = screen.picture();
+  const test::Pixel bar{0xBA, 0xBE, 0xC1};  // the text color, a little transparent
+  // the ends of the bars, one standard deviation up and down, and nothing beyond
+  for (const double force_N : {0.07, 0.03}) {
+    EXPECT_TRUE(nearColor(picture, screen.x(4.0), screen.y(force_N), bar)) << force_N;
+    const double beyond_N = force_N > 0.05 ? force_N + 0.004 : force_N - 0.004;
+    EXPECT_FALSE(nearColor(picture, screen.x(4.0), screen.y(beyond_N), bar)) << beyond_N;
+  }
+  const int between = test::countPixels(picture, [&](const test::Pixel& p, int x, int y) {
+    return x > screen.x(4.0) + 8 && x < screen.x(12.0) - 8 && y > screen.y(0.02) &&
+           y < screen.y(0.12) && p[0] > 0x60;
+  });
+  EXPECT_EQ(between, 0);
+}
+
+TEST(ForceDepthChart, LooksAsAccepted)
+{
+  ChartOnScreen screen;
+  screen.chart.setReference({{10.6, 0.0880, 0.0186},
+                             {11.8, 0.0807, 0.0219},
+                             {15.4, 0.1509, 0.0189},
+                             {16.5, 0.1254, 0.0385}},
+                            "published experiment, printed values ± SD");
+  std::vector<std::pair<Length, Force>> ghost;
+  for (int i = 0; i <= 160; ++i) ghost.push_back({millimeters(0.1 * i), newtons(5.5e-4 * i)});
+  screen.chart.setGhost(ghost, "ghost: best run");
+  for (int i = 0; i <= 1120; ++i) screen.chart.append(millimeters(0.01 * i), newtons(7e-8 * i * i));
+  EXPECT_EQ(test::comparedWithAccepted(screen.picture(), "force-depth-chart"), "");
+}
+
+}  // namespace
+}  // namespace perilymph::charts

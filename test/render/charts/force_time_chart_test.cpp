@@ -1,0 +1,64 @@
+#include "perilymph/charts/ForceTimeChart.h"
+
+#include <gtest/gtest.h>
+#include <vtkAxis.h>
+#include <vtkChartXY.h>
+#include <vtkPlot.h>
+#include <vtkTable.h>
+
+#include "Picture.h"
+
+namespace perilymph::charts {
+namespace {
+
+ForceComponents axialOnly(double axial_mN) { return {millinewtons(axial_mN), Force(), Force()}; }
+
+vtkTable& axialTable(ForceTimeChart& chart) { return *chart.chart().GetPlot(0)->GetInput(); }
+
+TEST(ForceTimeChart, ShowsTheLastFiveSecondsOnly)
+{
+  ForceTimeChart chart;
+  for (int i = 0; i < 20000; ++i) chart.append(milliseconds(i), axialOnly(10));
+  chart.update();
+  vtkTable& table = axialTable(chart);
+  EXPECT_GE(table.GetValue(0, 0).ToDouble(), -5.02);
+  EXPECT_LE(table.GetValue(0, 0).ToDouble(), -4.9);
+  EXPECT_NEAR(table.GetValue(table.GetNumberOfRows() - 1, 0).ToDouble(), 0.0, 0.02);
+}
+
+TEST(ForceTimeChart, KeepsASpikeOfOneTick)
+{
+  ForceTimeChart chart;
+  for (int i = 0; i < 3000; ++i) chart.append(milliseconds(i), axialOnly(i == 2000 ? 55 : 10));
+  chart.update();
+  double highest = 0.0;
+  for (vtkIdType row = 0; row < axialTable(chart).GetNumberOfRows(); ++row)
+    highest = std::max(highest, axialTable(chart).GetValue(row, 1).ToDouble());
+  EXPECT_NEAR(highest, 55.0, 1e-4);
+}
+
+TEST(ForceTimeChart, StartsAnewWhenTimeRunsBackward)
+{
+  ForceTimeChart chart;
+  for (int i = 0; i < 3000; ++i) chart.append(milliseconds(i), axialOnly(10));
+  chart.append(milliseconds(0), axialOnly(20));
+  chart.append(milliseconds(50), axialOnly(20));
+  chart.update();
+  EXPECT_LE(axialTable(chart).GetNumberOfRows(), 4);
+}
+
+TEST(ForceTimeChart, GrowsWithTheForceAndShrinksWhenItIsGone)
+{
+  ForceTimeChart chart;
+  chart.append(milliseconds(0), axialOnly(150));
+  chart.append(milliseconds(20), axialOnly(150));
+  chart.update();
+  vtkAxis& axis = *chart.chart().GetAxis(vtkAxis::LEFT);
+  EXPECT_GE(axis.GetMaximum(), 150.0);
+  for (int i = 100; i < 9000; ++i) chart.append(milliseconds(i), axialOnly(10));
+  chart.update();
+  EXPECT_DOUBLE_EQ(axis.GetMaximum(), 60.0);
+}
+
+}  // namespace
+}  // namespace perilymph::charts

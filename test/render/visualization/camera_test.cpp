@@ -1,0 +1,150 @@
+#include <gtest/gtest.h>
+#include <vtkCamera.h>
+
+#include "SceneOnScreen.h"
+
+namespace perilymph::visualization {
+namespace {
+
+using test::SceneOnScreen;
+
+Eigen::Vector3d lookingDirection(SceneOnScreen& screen)
+{
+  return Eigen::Vector3d(screen.scene.renderer().GetActiveCamera()->GetDirectionOfProjection());
+}
+
+Eigen::Vector3d opening_mm() { return 1e3 * test::publishedScala()->entry().origin_W; }
+
+TEST(Camera, SurgeonLooksAlongTheModiolusWithTheOpeningAtTheLeft)
+{
+  SceneOnScreen screen;
+  EXPECT_NEAR(lookingDirection(screen).z(), -1.0, 1e-9);
+  EXPECT_LT(screen.pixel(opening_mm()).x(), screen.pixel({0.0, 0.0, 0.0}).x() - 50.0);
+}
+
+TEST(Camera, TheRoundWindowIsTurned110DegreesFromStraightDown)
+{
+  SceneOnScreen screen;
+  // the angle zero of the anatomy is the x axis
+  const Eigen::Vector2d axis = screen.pixel({5.0, 0.0, 0.0}) - screen.pixel({0.0, 0.0, 0.0});
+  const double fromDown_deg = inDegrees(radians(std::acos(-axis.normalized().y())));
+  EXPECT_NEAR(fromDown_deg, 110.0, 0.01);
+  EXPECT_LT(axis.x(), 0.0);
+}
+
+TEST(Camera, ALeftEarHasItsOpeningAtTheRight)
+{
+  SceneOnScreen screen(anatomy::Side::left);
+  Eigen::Vector3d opening = opening_mm();
+  opening.y() = -opening.y();
+  EXPECT_GT(screen.pixel(opening).x(), screen.pixel({0.0, 0.0, 0.0}).x() + 50.0);
+}
+
+TEST(Camera, MicroscopeLooksIntoTheOpening)
+{
+  SceneOnScreen screen;
+  screen.scene.lookFrom(CameraPreset::microscope);
+  const Eigen::Vector3d into = -test::publishedScala()->entry().out_W;
+  EXPECT_GT(lookingDirection(screen).dot(into), std::cos(degrees(50).si()));
+}
+
+TEST(Camera, FollowTipKeepsTheTipInTheMiddle)
+{
+  SceneOnScreen screen;
+  const haptics::Snapshot now = test::insertedTo(degrees(150));
+  screen.scene.show(now);
+  screen.scene.lookFrom(CameraPreset::followTip);
+  const haptics::Snapshot later = test::insertedTo(degrees(170));
+  screen.scene.show(later);
+  for (int frame = 0; frame < 120; ++frame) screen.scene.stepCamera(1.0 / 60.0);
+  const Eigen::Vector2d tip = screen.pixel(test::node_mm(later, test::arrayNodes - 1));
+  EXPECT_NEAR(tip.x(), 320.0, 3.0);
+  EXPECT_NEAR(tip.y(), 200.0, 3.0);
+}
+
+TEST(Camera, GlidesToAPresetIn250Milliseconds)
+{
+  SceneOnScreen glided, jumped;
+  glided.scene.glideTo(CameraPreset::overview);
+  jumped.scene.lookFrom(CameraPreset::overview);
+  EXPECT_TRUE(glided.scene.stepCamera(0.1));
+  EXPECT_LT(lookingDirection(glided).dot(lookingDirection(jumped)), 0.999);
+  EXPECT_TRUE(glided.scene.stepCamera(0.15001));
+  EXPECT_FALSE(glided.scene.stepCamera(0.02));
+  EXPECT_NEAR(lookingDirection(glided).dot(lookingDirection(jumped)), 1.0, 1e-12);
+  EXPECT_DOUBLE_EQ(glided.scene.magnification(), jumped.scene.magnification());
+}
+
+TEST(Camera, MagnificationTenShowsSeventeenMillimeters)
+{
+  SceneOnScreen screen;
+  screen.scene.setMagnification(10);
+  const double pixels = (screen.pixel({1.0, 0.0, 0.0}) - screen.pixel({0.0, 0.0, 0.0})).norm();
+  EXPECT_NEAR(400.0 / pixels, 17.0, 1e-6);
+}
+
+TEST(Camera, MagnificationStaysBetween4And32)
+{
+  SceneOnScreen screen;
+  screen.scene.setMagnification(1000);
+  EXPECT_DOUBLE_EQ(screen.scene.magnification(), 32.0);
+  screen.scene.zoom(1e-6);
+  EXPECT_DOUBLE_EQ(screen.scene.magnification(), 4.0);
+}
+
+TEST(Camera, MovingTheModelMovesItBySoManyMillimeters)
+{
+  SceneOnScreen screen;
+  const Eigen::Vector2d before = screen.pixel({0.0, 0.0, 0.0});
+  screen.scene.moveModel(2.0, -1.0);
+  const Eigen::Vector2d moved_mm = 17.0 / 400.0 * (screen.pixel({0.0, 0.0, 0.0}) - before);
+  EXPECT_NEAR(moved_mm.x(), 2.0, 1e-6);
+  EXPECT_NEAR(moved_mm.y(), -1.0, 1e-6);
+}
+
+TEST(Camera, TurningTheModelTurnsWhatIsNearToTheRightAndUp)
+{
+  SceneOnScreen screen;
+  const Eigen::Vector3d near(0.0, 0.0, 8.0);  // toward the viewer
+  const Eigen::Vector2d before = screen.pixel(near);
+  screen.scene.rotateModel(20, 0, 0);
+  EXPECT_GT(screen.pixel(near).x(), before.x() + 10.0);
+  screen.scene.lookFrom(CameraPreset::surgeon);
+  screen.scene.rotateModel(0, 20, 0);
+  EXPECT_GT(screen.pixel(near).y(), before.y() + 10.0);
+}
+
+TEST(Camera, ScaleBarIsRoundAndFitsAtEveryMagnification)
+{
+  SceneOnScreen screen;
+  for (double times = 4.0; times <= 32.0; times += 0.7) {
+    screen.scene.setMagnification(times);
+    screen.picture();
+    const double length_mm = screen.scene.scaleBarLength_mm();
+    const double pixels = length_mm / (170.0 / times / 400.0);
+    EXPECT_GT(pixels, 40.0) << times;
+    EXPECT_LE(pixels, 110.0001) << times;
+    const double power = std::pow(10.0, std::floor(std::log10(length_mm) + 1e-9));
+    const double digit = length_mm / power;
+    EXPECT_TRUE(std::abs(digit - 1) < 1e-9 || std::abs(digit - 2) < 1e-9 ||
+                std::abs(digit - 5) < 1e-9)
+        << length_mm;
+  }
+}
+
+TEST(Camera, ScaleBarIsDrawnAsLongAsItSays)
+{
+  SceneOnScreen screen;
+  screen.showOnlyArray();
+  const test::DrawnPicture picture = screen.picture();
+  int longest = 0, run = 0;
+  for (int y = 20; y < 60; ++y)
+    for (int x = 320; x < picture.width; ++x) {
+      run = picture.at(x, y)[0] > 200 ? run + 1 : 0;
+      longest = std::max(longest, run);
+    }
+  EXPECT_NEAR(longest, screen.scene.scaleBarLength_mm() * 400.0 / 17.0, 1.5);
+}
+
+}  // namespace
+}  // namespace perilymph::visualization

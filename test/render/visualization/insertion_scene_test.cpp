@@ -1,0 +1,244 @@
+#include "perilymph/visualization/InsertionScene.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "SceneOnScreen.h"
+
+namespace perilymph::visualization {
+namespace {
+
+using test::SceneOnScreen;
+
+bool isRedOrYellow(const test::Pixel& p) { return p[0] > 90 && p[0] > p[2] + 50; }
+
+TEST(InsertionScene, ArrayLiesAroundTheNodesOfTheSnapshot)
+{
+  SceneOnScreen screen;
+  screen.showOnlyArray();
+  const haptics::Snapshot now = test::insertedTo(degrees(180));
+  screen.scene.show(now);
+  const auto [low, high] = screen.bounds();
+  constexpr double rib_mm = 0.4 + 0.16;  // thickest part: a rib on the base's radius
+  for (int node = 0; node < test::arrayNodes; ++node) {
+    const Eigen::Vector3d place = test::node_mm(now, node);
+    EXPECT_TRUE((place.array() > low.array()).all() && (place.array() < high.array()).all())
+        << node;
+  }
+  // and no farther than its radius, but for the lead behind the tweezers
+  const Eigen::Vector3d tip = test::node_mm(now, test::arrayNodes - 1);
+  EXPECT_LT((tip - low).minCoeff(), 24.0);
+  double lowest = 1e9;
+  for (int node = 0; node < test::arrayNodes; ++node)
+    lowest = std::min(lowest, test::node_mm(now, node).z());
+  EXPECT_GT(low.z(), lowest - rib_mm - 0.3);
+}
+
+TEST(InsertionScene, ArrayMovesByWhatTheNodesMove)
+{
+  SceneOnScreen screen;
+  screen.showOnlyArray();
+  haptics::Snapshot now = test::insertedTo(degrees(90));
+  screen.scene.show(now);
+  const double before = screen.bounds().second.z();
+  for (int node = 0; node < test::arrayNodes; ++node)
+    now.node_W[static_cast<std::size_t>(node)][2] += 0.003f;
+  screen.scene.show(now);
+  EXPECT_NEAR(screen.bounds().second.z() - before, 3.0, 1e-3);
+}
+
+TEST(InsertionScene, LeftEarIsTheMirrorImageOfTheRightOne)
+{
+  SceneOnScreen right(anatomy::Side::right), left(anatomy::Side::left);
+  haptics::Snapshot now = test::insertedTo(degrees(200));
+  test::press(now, 80, millinewtons(20));
+  right.scene.show(now);
+  left.scene.show(now);
+  for (SceneOnScreen* screen : {&right, &left}) {
+    screen->scene.setVisible(Part::wallForce, false);  // its scale is not mirrored
+    screen->scene.setVisible(Part::styletAndTweezers, false);
+  }
+  const test::DrawnPicture a = right.picture(), b = left.picture();
+  // Bright lines and arrow, whatever the light, above the scale bars.
+  const auto isBright = [](const test::Pixel& p) { return p[0] > 150; };
+  int both = 0, mirrored = 0;
+  for (int y = 80; y < a.height; ++y)
+    for (int x = 0; x < a.width; ++x) {
+      if (!isBright(a.at(x, y))) continue;
+      ++both;
+      for (int dx = -1; dx <= 1; ++dx) {
+        const int mx = std::clamp(a.width - 1 - x + dx, 0, a.width - 1);
+        if (isBright(b.at(mx, y))) {
+          ++mirrored;
+          break;
+        }
+      }
+    }
+  EXPECT_GT(both, 1000);
+  EXPECT_GT(mirrored, 0.85 * both);  // light comes from the left in both
+}
+
+TEST(InsertionScene, LeftEarLiesAtMinusY)
+{
+  SceneOnScreen right(anatomy::Side::right), left(anatomy::Side::left);
+  for (SceneOnScreen* screen : {&right, &left}) {
+    screen->showOnlyArray();
+    screen->scene.show(test::insertedTo(degrees(200)));
+  }
+  EXPECT_NEAR(right.bounds().first.y(), -left.bounds().second.y(), 1e-4);
+  EXPECT_NEAR(right.bounds().second.y(), -left.bounds().first.y(), 1e-4);
+  EXPECT_NEAR(right.bounds().first.x(), left.bounds().first.x(), 1e-4);
+}
+
+TEST(InsertionScene, ColorsTheWallWhereItIsPressedAndNowhereElse)
+{
+  SceneOnScreen screen;
+  screen.scene.setVisible(Part::contactArrows, false);
+  haptics::Snapshot now = test::insertedTo(degrees(200));
+  screen.scene.show(now);
+  const test::DrawnPicture before = screen.picture();
+  test::press(now, 80, millinewtons(25));
+  screen.scene.show(now);
+  const test::DrawnPicture after = screen.picture();
+
+  const Eigen::Vector2d center = screen.pixel(test::node_mm(now, 80));
+  const double reach_px = 1.3 * 400.0 / 17.0;  // 1.3 mm: radius of array, spread and dot
+  const auto isChanged = [&](int x, int y) {
+    return test::difference(before.at(x, y), after.at(x, y)) > 30;
+  };
+  const int near = test::countPixels(after, [&](const test::Pixel& p, int x, int y) {
+    return isChanged(x, y) && isRedOrYellow(p) &&
+           (Eigen::Vector2d(x, y) - center).norm() <= reach_px;
+  });
+  const int far = test::countPixels(after, [&](const test::Pixel&, int x, int y) {
+    return isChanged(x, y) && (Eigen::Vector2d(x, y) - center).norm() > reach_px;
+  });
+  EXPECT_GT(near, 30);
+  EXPECT_EQ(far, 0);
+}
+
+TEST(InsertionScene, WallIsPlainAgainWhenNothingTouches)
+{
+  SceneOnScreen screen;
+  haptics::Snapshot now = test::insertedTo(degrees(200));
+  screen.scene.show(now);
+  const test::DrawnPicture before = screen.picture();
+  haptics::Snapshot pressed = now;
+  test::press(pressed, 70, millinewtons(25));
+  screen.scene.show(pressed);
+  screen.picture();
+  screen.scene.show(now);
+  EXPECT_EQ(screen.picture().rgb, before.rgb);
+}
+
+TEST(InsertionScene, ForceColorsDoNotDependOnTheNumberOfNodes)
+{
+  // The same line load on 100 nodes and on every second of them.
+  SceneOnScreen screen;
+  screen.scene.setVisible(Part::contactArrows, false);
+  haptics::Snapshot fine = test::insertedTo(degrees(200));
+  haptics::Snapshot coarse = fine;
+  for (int node = 60; node < 80; ++node) test::press(fine, node, millinewtons(5));
+  for (int node = 60; node < 80; node += 2) test::press(coarse, node, millinewtons(10));
+  screen.scene.show(fine);
+  const test::DrawnPicture a = screen.picture();
+  screen.scene.show(coarse);
+  const test::DrawnPicture b = screen.picture();
+  const int differing = test::countPixels(
+      a, [&](const test::Pixel& p, int x, int y) { return test::difference(p, b.at(x, y)) > 40; });
+  EXPECT_LT(differing, 40);
+}
+
+TEST(InsertionScene, AnArrowPointsIntoTheLumenWhereTheWallPresses)
+{
+  SceneOnScreen screen;
+  screen.scene.setVisible(Part::wallForce, false);
+  haptics::Snapshot now = test::insertedTo(degrees(200));
+  screen.scene.show(now);
+  const test::DrawnPicture before = screen.picture();
+  test::press(now, 80, millinewtons(40));
+  screen.scene.show(now);
+  const test::DrawnPicture after = screen.picture();
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  const int changed = test::countPixels(after, [&](const test::Pixel& p, int x, int y) {
+    const bool is = test::difference(before.at(x, y), p) > 40;
+    if (is) sum += Eigen::Vector2d(x, y);
+    return is;
+  });
+  ASSERT_GT(changed, 10);
+  const Eigen::Vector2d node = screen.pixel(test::node_mm(now, 80));
+  const Eigen::Vector2d modiolus = screen.pixel({0.0, 0.0, 0.0});
+  const Eigen::Vector2d arrow = sum / changed - node;
+  EXPECT_GT(arrow.normalized().dot((modiolus - node).normalized()), 0.9);
+}
+
+TEST(InsertionScene, StyletComesOutBehindAsItIsPulled)
+{
+  SceneOnScreen screen;
+  haptics::Snapshot now = test::insertedTo(degrees(270));
+  screen.showOnlyArray();
+  screen.scene.setVisible(Part::styletAndTweezers, true);
+  screen.scene.show(now);
+  const auto before = screen.bounds();
+  now.output.styletWithdrawal = 0.040;  // beyond the tweezers' handles, which reach 30 mm
+  screen.scene.show(now);
+  const auto after = screen.bounds();
+  const double grown =
+      (before.first - after.first).cwiseMax(after.second - before.second).maxCoeff();
+  EXPECT_GT(grown, 5.0);
+}
+
+TEST(InsertionScene, PartsCanBeSwitchedOff)
+{
+  SceneOnScreen screen;
+  haptics::Snapshot now = test::insertedTo(degrees(200));
+  test::press(now, 80, millinewtons(40));
+  screen.scene.show(now);
+  for (const Part part : {Part::wallForce, Part::contactArrows, Part::membrane, Part::scala}) {
+    const test::DrawnPicture with = screen.picture();
+    screen.scene.setVisible(part, false);
+    EXPECT_NE(screen.picture().rgb, with.rgb) << static_cast<int>(part);
+    screen.scene.setVisible(part, true);
+    EXPECT_EQ(screen.picture().rgb, with.rgb) << static_cast<int>(part);
+  }
+}
+
+TEST(InsertionScene, HidesAnArrayThatIsNotFinite)
+{
+  SceneOnScreen screen;
+  const test::DrawnPicture empty = screen.picture();
+  haptics::Snapshot now = test::insertedTo(degrees(200));
+  screen.scene.show(now);
+  EXPECT_NE(screen.picture().rgb, empty.rgb);
+  now.node_W[50][1] = std::numeric_limits<float>::quiet_NaN();
+  screen.scene.show(now);
+  EXPECT_EQ(screen.picture().rgb, empty.rgb);
+}
+
+TEST(InsertionScene, DrawsAScalaWithoutAnArray)
+{
+  InsertionScene scene(*test::publishedScala(), electrode::ArrayDesign{}, anatomy::Side::right);
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(true);
+  window->SetSize(320, 200);
+  scene.attachTo(*window);
+  scene.show(test::insertedTo(degrees(200)));
+  const test::DrawnPicture picture = test::draw(*window);
+  EXPECT_GT(test::countPixels(picture, [](const test::Pixel& p, int, int) { return p[0] > 150; }),
+            100);
+}
+
+TEST(InsertionScene, LooksAsAccepted)
+{
+  SceneOnScreen screen;
+  haptics::Snapshot now = test::insertedTo(degrees(220));
+  for (int node = 84; node < 97; ++node) test::press(now, node, millinewtons(0.8 * (node - 83)));
+  screen.scene.show(now);
+  EXPECT_EQ(test::comparedWithAccepted(screen.picture(), "surgeon-view"), "");
+  screen.scene.lookFrom(CameraPreset::overview);
+  EXPECT_EQ(test::comparedWithAccepted(screen.picture(), "overview"), "");
+}
+
+}  // namespace
+}  // namespace perilymph::visualization

@@ -1,0 +1,114 @@
+#include "perilymph/analysis/AnatomyMeasures.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "perilymph/anatomy/Patient.h"
+#include "perilymph/test/Tolerance.h"
+
+namespace perilymph::analysis {
+namespace {
+
+double valueOf(const std::vector<Measure>& measures, const std::string& key)
+{
+  const auto found = std::find_if(measures.begin(), measures.end(),
+                                  [&](const Measure& measure) { return measure.key == key; });
+  EXPECT_NE(found, measures.end()) << key;
+  return found == measures.end() ? 0.0 : found->value;
+}
+
+constexpr double ringRadius = 4e-3;     // [m]
+constexpr double sectionRadius = 1e-3;  // [m]
+
+/// A ring of circular section, once around: everything about it is known.
+anatomy::ScalaTympani ring()
+{
+  anatomy::SectionTables tables;
+  tables.name = "ring";
+  constexpr int sections = 241;
+  tables.step = 2.0 * pi / (sections - 1);
+  tables.directions = 96;
+  tables.leadIn = 1e-3;
+  tables.centerRadius.assign(sections, ringRadius);
+  tables.centerHeight.assign(sections, 0.0);
+  tables.wallRadius.assign(sections * 96, sectionRadius);
+  tables.membraneInner.assign(sections, 0.0);
+  tables.membraneOuter.assign(sections, 0.2e-3);
+  tables.membraneHeight.assign(sections, 0.9e-3);
+  tables.planRadius.assign(sections, ringRadius);
+  return anatomy::ScalaTympani(std::move(tables));
+}
+
+TEST(MeasuresOfARing, AreThoseOfATorus)
+{
+  const auto measures = measure(ring());
+  const double outer_mm = (ringRadius + sectionRadius) * 1e3;
+  const double chords = test::tolerance(1e-3, "polylines and tables instead of circles");
+  EXPECT_NEAR(valueOf(measures, "A_mm"), 2.0 * outer_mm, chords * outer_mm);
+  EXPECT_NEAR(valueOf(measures, "B_mm"), 2.0 * outer_mm, chords * outer_mm);
+  EXPECT_NEAR(valueOf(measures, "H_mm"), 2.0 * sectionRadius * 1e3, chords);
+  EXPECT_NEAR(valueOf(measures, "turns"), 1.0, 1e-9);
+  EXPECT_NEAR(valueOf(measures, "outer_wall_length_360_mm"), 2.0 * pi * outer_mm,
+              chords * 2.0 * pi * outer_mm);
+  EXPECT_NEAR(valueOf(measures, "st_length_mm"), 2.0 * pi * ringRadius * 1e3, chords * 25.0);
+  EXPECT_NEAR(valueOf(measures, "rw_width_mm"), 2.0 * sectionRadius * 1e3, chords);
+  // Pappus: the area of the section times the way of its center
+  const double torus_mm3 = pi * sectionRadius * sectionRadius * 2.0 * pi * ringRadius * 1e9;
+  EXPECT_NEAR(valueOf(measures, "volume_mm3"), torus_mm3, 2.0 * chords * torus_mm3);
+}
+
+TEST(MeasuresOfThePublishedAnatomy, AreThePatientsOwnNumbers)
+{
+  anatomy::Patient patient;
+  patient.scalaTympaniLength = millimeters(33.6);
+  patient.roundWindowWidth = millimeters(2.1);
+  patient.roundWindowHeight = millimeters(1.7);
+  const auto scala = anatomy::buildPublished(patient, millimeters(1));
+  const auto measures = measure(*scala);
+  const double spline_mm = test::tolerance(0.02, "splines through tables round corners off");
+  EXPECT_NEAR(valueOf(measures, "st_length_mm"), 33.6, spline_mm);
+  EXPECT_NEAR(valueOf(measures, "rw_width_mm"), 2.1, spline_mm);
+  EXPECT_NEAR(valueOf(measures, "rw_height_mm"), 1.7, spline_mm);
+}
+
+TEST(Measures, SayHowEachWasFound)
+{
+  for (const Measure& measure : measure(ring())) {
+    EXPECT_FALSE(measure.formula.empty()) << measure.key;
+    EXPECT_FALSE(measure.source.empty()) << measure.key;
+  }
+}
+
+TEST(Sections, EndAtTheApexAndGrowInLength)
+{
+  const anatomy::ScalaTympani scala = ring();
+  const auto rows = sectionRows(scala, degrees(7));
+  EXPECT_DOUBLE_EQ(rows.front().angle, 0.0);
+  EXPECT_NEAR(rows.back().angle, 2.0 * pi, 1e-9);
+  EXPECT_EQ(rows.size(), static_cast<std::size_t>(std::ceil(360.0 / 7.0)) + 1);
+  const double area_m2 = pi * sectionRadius * sectionRadius;
+  EXPECT_NEAR(rows[20].section.area, area_m2, 2e-3 * area_m2);
+  EXPECT_NEAR(rows.back().outerWallLength / rows.back().innerWallLength,
+              (ringRadius + sectionRadius) / (ringRadius - sectionRadius), 1e-3);
+}
+
+TEST(Sections, AreATableWithItsUnits)
+{
+  std::istringstream csv(sectionsCsv(sectionRows(ring(), degrees(90))));
+  std::string header, row;
+  std::getline(csv, header);
+  EXPECT_EQ(header.substr(0, 35), "angle_deg,center_r_mm,center_z_mm,i");
+  int rows = 0;
+  while (std::getline(csv, row)) {
+    EXPECT_EQ(std::count(row.begin(), row.end(), ','),
+              std::count(header.begin(), header.end(), ','));
+    ++rows;
+  }
+  EXPECT_EQ(rows, 5);
+}
+
+}  // namespace
+}  // namespace perilymph::analysis

@@ -1,0 +1,151 @@
+#include "perilymph/analysis/ForceProfile.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+namespace perilymph::analysis {
+namespace {
+
+/// An insertion along x at 2 mm/s whose axial force is a function of travel [m -> N].
+haptics::TickRecord tickAt(double travel, double force)
+{
+  haptics::TickRecord record;
+  record.output.workflow = haptics::Workflow::inserting;
+  record.output.travel = travel;
+  record.output.depth = travel + 2e-3;
+  record.output.time = travel / 2e-3;
+  record.output.axialForce = force;
+  record.output.proxy_W = {travel, 0.0, 0.0};
+  record.output.force_W = {-force, 0.0, 0.0};  // the array pushes back
+  return record;
+}
+
+ForceProfile profileOf(const std::function<double(double)>& force, double stop = 16.5e-3)
+{
+  ForceProfiler profiler;
+  const int ticks = static_cast<int>(std::lround(stop / 2e-6));
+  for (int i = 0; i <= ticks; ++i) profiler.add(tickAt(2e-6 * i, force(2e-6 * i)));
+  return profiler.profile();
+}
+
+TEST(WorkOfTheHand, IsHalfTheStiffnessTimesTheWaySquaredForASpring)
+{
+  constexpr double stiffness = 10.0;  // [N/m]
+  const ForceProfile profile = profileOf([](double x) { return stiffness * x; });
+  // Trapezoids are exact for a straight line; what is left is rounding.
+  EXPECT_NEAR(profile.work, 0.5 * stiffness * 16.5e-3 * 16.5e-3, 1e-12);
+}
+
+TEST(WorkOfTheHand, ComesBackWhenASpringIsLetGo)
+{
+  ForceProfiler profiler;
+  for (int i = 0; i <= 1000; ++i) profiler.add(tickAt(1e-5 * i, 1e-4 * i));
+  for (int i = 1000; i >= 0; --i) profiler.add(tickAt(1e-5 * i, 1e-4 * i));
+  EXPECT_NEAR(profiler.profile().work, 0.0, 1e-15);
+}
+
+TEST(WorkOfTheHand, IsNotDoneByPuttingTheArrayBack)
+{
+  ForceProfiler profiler;
+  for (int i = 0; i <= 100; ++i) profiler.add(tickAt(1e-5 * i, 0.1));
+  haptics::TickRecord idle = tickAt(0.0, 0.0);
+  idle.output.workflow = haptics::Workflow::idle;
+  profiler.add(idle);
+  profiler.add(tickAt(0.0, 0.1));
+  EXPECT_NEAR(profiler.profile().work, 0.1 * 1e-3, 1e-15);
+}
+
+TEST(ForceCurve, HasAPointEveryTenthOfAMillimeter)
+{
+  const ForceProfile profile = profileOf([](double x) { return 3.0 * x; });
+  ASSERT_EQ(profile.curve.size(), 166u);  // 0 to 16.5 mm, ends included
+  for (std::size_t i = 0; i < profile.curve.size(); ++i) {
+    EXPECT_NEAR(profile.curve[i].travel, 1e-4 * static_cast<double>(i), 1e-12);
+    EXPECT_NEAR(profile.curve[i].force, 3.0 * profile.curve[i].travel, 1e-9);
+  }
+}
+
+TEST(ForceCurve, JoinsTicksThatAreFarApartByStraightLines)
+{
+  ForceProfiler profiler;
+  profiler.add(tickAt(0.0, 0.0));
+  profiler.add(tickAt(1e-3, 0.1));
+  const ForceProfile profile = profiler.profile();
+  ASSERT_EQ(profile.curve.size(), 11u);
+  EXPECT_NEAR(profile.curve[3].force, 0.03, 1e-12);
+}
+
+TEST(ForceCurve, KeepsTheFirstPassWhenTheHandGoesBackAndForth)
+{
+  ForceProfiler profiler;
+  for (int i = 0; i <= 100; ++i) profiler.add(tickAt(1e-5 * i, 0.1));
+  for (int i = 100; i >= 0; --i) profiler.add(tickAt(1e-5 * i, -0.5));
+  for (int i = 0; i <= 200; ++i) profiler.add(tickAt(1e-5 * i, 0.2));
+  const ForceProfile profile = profiler.profile();
+  ASSERT_EQ(profile.curve.size(), 21u);
+  EXPECT_DOUBLE_EQ(profile.curve[5].force, 0.1);
+  EXPECT_DOUBLE_EQ(profile.curve[15].force, 0.2);
+}
+
+TEST(Peak, IsTheGreatestForceOfAnyTick)
+{
+  const ForceProfile profile =
+      profileOf([](double x) { return 0.1 - 1e3 * (x - 7e-3) * (x - 7e-3); });
+  EXPECT_NEAR(profile.peak.travel, 7e-3, 2e-6);
+  EXPECT_NEAR(profile.peak.force, 0.1, 1e-9);
+  EXPECT_NEAR(profile.peakDepth, 9e-3, 2e-6);
+}
+
+/// The published curve in three straight lines: up to 0.088 N at 10.6 mm, down to 0.0807 N at 11.8
+/// mm, up to 0.1509 N at 15.4 mm and on.
+double publishedLike(double x)
+{
+  if (x < 10.6e-3) return 0.0880 * x / 10.6e-3;
+  if (x < 11.8e-3) return 0.0880 + (x - 10.6e-3) * (0.0807 - 0.0880) / 1.2e-3;
+  return 0.0807 + (x - 11.8e-3) * (0.1509 - 0.0807) / 3.6e-3;
+}
+
+TEST(BasalTurn, IsFoundWhereThePublishedCurveHasIt)
+{
+  const ForceProfile profile = profileOf(publishedLike);
+  ASSERT_TRUE(profile.basalTurnPeak);
+  ASSERT_TRUE(profile.basalTurnDip);
+  // The mean over 0.5 mm takes the point off a corner: at most one grid point, 5 % of the force.
+  EXPECT_NEAR(profile.basalTurnPeak->travel, 10.6e-3, 0.11e-3);
+  EXPECT_NEAR(profile.basalTurnPeak->force, 0.0880, 0.05 * 0.0880);
+  EXPECT_NEAR(profile.basalTurnDip->travel, 11.8e-3, 0.11e-3);
+  EXPECT_NEAR(profile.basalTurnDip->force, 0.0807, 0.05 * 0.0807);
+}
+
+TEST(BasalTurn, IsNotInventedOnACurveThatOnlyRises)
+{
+  const ForceProfile profile = profileOf([](double x) { return 8.0 * x; });
+  EXPECT_FALSE(profile.basalTurnPeak);
+  EXPECT_FALSE(profile.basalTurnDip);
+}
+
+TEST(BasalTurn, IsNotLookedForOutsideItsWindow)
+{
+  // humps at 5 and 15 mm only
+  const ForceProfile profile = profileOf([](double x) {
+    return 0.1 * std::exp(-std::pow((x - 5e-3) / 1e-3, 2)) +
+           0.1 * std::exp(-std::pow((x - 15e-3) / 1e-3, 2));
+  });
+  EXPECT_FALSE(profile.basalTurnPeak);
+}
+
+TEST(BasalTurn, IsNotMadeByTheNoiseOfSingleTicks)
+{
+  // a rise of 8 N/m with 1 mN of noise at every point of the grid: 0.5 mm of smoothing hides it
+  std::vector<CurvePoint> curve;
+  for (int i = 0; i <= 165; ++i)
+    curve.push_back({1e-4 * i, 8e-4 * i + (i % 2 == 0 ? 1e-3 : -1e-3)});
+  EXPECT_FALSE(findBasalTurn(curve).peak);
+}
+
+TEST(BasalTurn, TakesAnEmptyCurve) { EXPECT_FALSE(findBasalTurn({}).peak); }
+
+}  // namespace
+}  // namespace perilymph::analysis

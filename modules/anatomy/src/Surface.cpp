@@ -8,43 +8,63 @@ namespace {
 
 std::array<double, 3> corner(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
 
-/// The angles at which rings are cut: the opening, then from the round window to the apex.
-std::vector<double> ringAngles(const ScalaTympani& scala, int rings)
+/// Where a wall of at most so many triangles is cut: the opening, then from the round window to the
+/// apex, and the corners of each ring. About three times as many rings as a ring has corners: the duct
+/// is long.
+struct Rings {
+  std::vector<double> angles;
+  int around;
+};
+
+Rings ringsOf(const ScalaTympani& scala, int mostTriangles)
 {
+  const int most = std::max(mostTriangles, 200);
+  const int around = std::max(8, static_cast<int>(std::sqrt(most / 6.0)));
+  const int rings = std::max(4, (most - around) / (2 * around) + 1);
   std::vector<double> angles{-1.0};
   for (int i = 0; i + 1 < rings; ++i)
     angles.push_back(scala.lastAngle().si() * i / (rings - 2));
-  return angles;
+  return {angles, around};
 }
 
-}  // namespace
-
-Surface wallSurface(const ScalaTympani& scala, int mostTriangles)
+/// The wall through rings, open at both ends.
+Surface tube(const ScalaTympani& scala, const std::vector<double>& angles, int around)
 {
-  // about three times as many rings as a ring has corners: the duct is long
-  const int around = std::max(8, static_cast<int>(std::sqrt(std::max(mostTriangles, 200) / 6.0)));
-  const int rings = std::max(4, (std::max(mostTriangles, 200) - around) / (2 * around) + 1);
-
   Surface surface;
-  for (const double angle : ringAngles(scala, rings))
+  for (const double angle : angles)
     for (int k = 0; k < around; ++k)
       surface.points.push_back(corner(scala.wall_W(angle, 2.0 * pi * k / around)));
-  for (int i = 0; i + 1 < rings; ++i)
+  for (int i = 0; i + 1 < static_cast<int>(angles.size()); ++i)
     for (int k = 0; k < around; ++k) {
       const int a = i * around + k;
       const int b = i * around + (k + 1) % around;
       surface.triangles.push_back({a, a + around, b});
       surface.triangles.push_back({b, a + around, b + around});
     }
+  return surface;
+}
+
+}  // namespace
+
+Surface wallSurface(const ScalaTympani& scala, int mostTriangles)
+{
+  const Rings cut = ringsOf(scala, mostTriangles);
+  Surface surface = tube(scala, cut.angles, cut.around);
 
   // the apex is closed by a fan around the last section's center
   const int center = static_cast<int>(surface.points.size());
+  const int ring = center - cut.around;
   surface.points.push_back(corner(scala.center_W(scala.lastAngle().si())));
-  for (int k = 0; k < around; ++k) {
-    const int ring = (rings - 1) * around;
-    surface.triangles.push_back({ring + k, center, ring + (k + 1) % around});
-  }
+  for (int k = 0; k < cut.around; ++k)
+    surface.triangles.push_back({ring + k, center, ring + (k + 1) % cut.around});
   return surface;
+}
+
+Surface wallSurfaceBefore(const ScalaTympani& scala, int mostTriangles, Angle end)
+{
+  Rings cut = ringsOf(scala, mostTriangles);
+  while (cut.angles.size() > 2 && cut.angles.back() > end.si()) cut.angles.pop_back();
+  return tube(scala, cut.angles, cut.around);
 }
 
 Surface membraneSurface(const ScalaTympani& scala, int mostTriangles)

@@ -22,6 +22,9 @@ struct Surface {
 /// `mostTriangles` triangles (200 or more).
 Surface wallSurface(const ScalaTympani& scala, int mostTriangles);
 
+/// The triangles of wallSurface() without those that go beyond an angle: open at both ends.
+Surface wallSurfaceBefore(const ScalaTympani& scala, int mostTriangles, Angle end);
+
 /// The basilar membrane as a ribbon.
 Surface membraneSurface(const ScalaTympani& scala, int mostTriangles);
 

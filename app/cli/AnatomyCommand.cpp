@@ -1,21 +1,17 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "AnatomySurfaces.h"
 #include "Commands.h"
 #include "OutputFile.h"
 #include "perilymph/analysis/AnatomyMeasures.h"
 #include "perilymph/anatomy/Patient.h"
-#include "perilymph/anatomy/Surface.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Resources.h"
 
 namespace perilymph::cli {
 
 namespace {
-
-// Enough for the eye: the wall's triangles are then some 0.1 mm long.
-constexpr int wallTriangles = 20'000;
-constexpr int membraneTriangles = 4'000;
 
 Result<anatomy::Patient> choosePatient(const AnatomyOptions& options)
 {
@@ -41,8 +37,18 @@ Result<anatomy::Patient> choosePatient(const AnatomyOptions& options)
   return patient;
 }
 
+void tell(nlohmann::ordered_json& json, const HapticSurfaceNumbers& haptic)
+{
+  json["haptic_surface_triangles"] = haptic.triangles;
+  json["haptic_surface_visual_triangles"] = haptic.visualTriangles;
+  json["haptic_surface_deviation_mean_mm"] = inMillimeters(haptic.deviation.mean);
+  json["haptic_surface_deviation_p95_mm"] = inMillimeters(haptic.deviation.p95);
+  json["haptic_surface_deviation_max_mm"] = inMillimeters(haptic.deviation.greatest);
+}
+
 std::string anatomyJson(const anatomy::Patient& patient,
-                        const std::vector<analysis::Measure>& measures)
+                        const std::vector<analysis::Measure>& measures,
+                        const std::optional<HapticSurfaceNumbers>& haptic)
 {
   nlohmann::ordered_json json;
   json["label"] = patient.label;
@@ -54,37 +60,17 @@ std::string anatomyJson(const anatomy::Patient& patient,
   for (const analysis::Measure& measure : measures) json[measure.key] = measure.value;
   for (const analysis::Measure& measure : measures)
     json["derived"][measure.key] = {{"formula", measure.formula}, {"source", measure.source}};
+  if (haptic) tell(json, *haptic);
   return json.dump(2) + '\n';
-}
-
-/// A left ear leaves the program as the mirror image of the right one inside.
-void mirror(anatomy::Surface& surface)
-{
-  for (auto& point : surface.points) point[1] = -point[1];
-  for (auto& corners : surface.triangles) std::swap(corners[1], corners[2]);
-}
-
-Result<Done> writePart(const anatomy::ScalaTympani& scala, const anatomy::Patient& patient,
-                       const AnatomyOptions& options)
-{
-  anatomy::Surface surface = options.part == "membrane"
-                                 ? anatomy::membraneSurface(scala, membraneTriangles)
-                                 : anatomy::wallSurface(scala, wallTriangles);
-  const bool isLeft = patient.side == anatomy::Side::left;
-  if (isLeft) mirror(surface);
-  const std::string title =
-      "Perilymph, " + options.part + " of " + patient.label + (isLeft ? ", left" : ", right");
-  return anatomy::writeSurface(surface, title, options.surface);
 }
 
 }  // namespace
 
 Result<Done> describeAnatomy(const AnatomyOptions& options)
 {
-  for (const std::string& file : {options.json, options.sections, options.surface})
+  for (const std::string& file :
+       {options.json, options.sections, options.surface, options.hapticSurface})
     if (const auto done = checkPlace(file); !done) return done.error();
-  if (options.part == "vestibuli")
-    return Error{"--part vestibuli is not in this version; use scala or membrane."};
   const auto patient = choosePatient(options);
   if (!patient) return patient.error();
   if (const auto done = anatomy::checkPatient(*patient); !done) return done.error();
@@ -98,7 +84,14 @@ Result<Done> describeAnatomy(const AnatomyOptions& options)
 
   // The shape first: it is the one that a wrong ending may refuse.
   if (!options.surface.empty())
-    if (const auto done = writePart(**scala, *patient, options); !done) return done.error();
+    if (const auto done = writePart(**scala, patient->label, patient->side, options); !done)
+      return done.error();
+  std::optional<HapticSurfaceNumbers> haptic;
+  if (!options.hapticSurface.empty()) {
+    const auto written = writeHapticSurface(**scala, patient->label, patient->side, options);
+    if (!written) return written.error();
+    haptic = *written;
+  }
   if (!options.sections.empty()) {
     // a section every 5 degrees: four between those of the measured cochleae
     const auto rows = analysis::sectionRows(**scala, degrees(5));
@@ -106,13 +99,18 @@ Result<Done> describeAnatomy(const AnatomyOptions& options)
       return done.error();
   }
   if (!options.json.empty())
-    if (const auto done = writeWhole(options.json, anatomyJson(*patient, measures)); !done)
+    if (const auto done = writeWhole(options.json, anatomyJson(*patient, measures, haptic)); !done)
       return done.error();
 
   std::printf("%s, %s ear, published anatomy\n", patient->label.c_str(),
               patient->side == anatomy::Side::left ? "left" : "right");
   for (const analysis::Measure& measure : measures)
     std::printf("%-26s %s\n", measure.key.c_str(), fixed(measure.value, 2).c_str());
+  if (haptic)
+    std::printf("haptic surface: %d of %d triangles, off by %s mm on average, %s mm at most\n",
+                haptic->triangles, haptic->visualTriangles,
+                fixed(inMillimeters(haptic->deviation.mean), 3).c_str(),
+                fixed(inMillimeters(haptic->deviation.greatest), 3).c_str());
   return Done{};
 }
 

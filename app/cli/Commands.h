@@ -25,7 +25,7 @@ struct AnatomyOptions {
   std::string preset, patient;
   std::optional<double> stLength_mm, rwWidth_mm, rwHeight_mm;
   std::string notThereYet;  ///< An option of a later version that was given: "--sample".
-  std::string json, sections, surface;
+  std::string json, sections, surface, hapticSurface;
   std::string part = "scala";
 };
 Result<Done> describeAnatomy(const AnatomyOptions& options);

@@ -87,7 +87,7 @@ void addAnatomy(CLI::App& app, AnatomyOptions& options)
   length->needs(width)->needs(height);
   width->needs(length);
   height->needs(length);
-  for (const char* later : {"--b-mm", "--h-mm", "--haptic-surface"})
+  for (const char* later : {"--b-mm", "--h-mm"})
     command.add_option_function<std::string>(
         later, [&options, later](const std::string&) { options.notThereYet = later; },
         "Not in this version");
@@ -95,7 +95,9 @@ void addAnatomy(CLI::App& app, AnatomyOptions& options)
   command.add_option("--sections", options.sections, "Writes the sections as CSV");
   CLI::Option* surface = command.add_option("--surface", options.surface,
                                             "Writes the shape: .stl .vtp .ply .obj .wrl");
-  command.add_option("--part", options.part, "scala or membrane")
+  command.add_option("--haptic-surface", options.hapticSurface,
+                     "Writes the shape a hand is shown: no apex, 95 % fewer triangles");
+  command.add_option("--part", options.part, "scala, membrane or vestibuli")
       ->check(CLI::IsMember({"scala", "membrane", "vestibuli"}))
       ->needs(surface);
 }

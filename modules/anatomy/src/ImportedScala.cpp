@@ -1,0 +1,199 @@
+#include "perilymph/anatomy/ImportedScala.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "AxialSections.h"
+#include "ClosedSurface.h"
+#include "ModiolarAxis.h"
+#include "Opening.h"
+#include "perilymph/anatomy/GridLumen.h"
+#include "perilymph/foundation/Math.h"
+
+namespace perilymph::anatomy {
+namespace {
+
+constexpr int axisRounds = 6;  // the duct is followed anew about each better axis
+// The hook at the base is no spiral: the axis is fitted from here on.
+constexpr double spiralFrom_deg = 20.0;
+constexpr double leastTurns = 1.25;  // fewer leave 270 degrees or the axis open
+
+double polar(const Eigen::Vector3d& point) { return arcTangent(point.y(), point.x()); }
+
+double radius(const Eigen::Vector3d& point)
+{
+  return std::sqrt(point.x() * point.x() + point.y() * point.y());
+}
+
+/// The angle nearest to another that differs from `angle` by whole turns.
+double inTurnOf(double angle, double other)
+{
+  return angle + 2.0 * pi * std::round((other - angle) / (2.0 * pi));
+}
+
+/// Distance of the outer wall from the axis at an angle, between sections in straight lines.
+double outerRadius(const std::vector<AxialSection>& duct, double angle)
+{
+  std::size_t i = 1;
+  while (i + 1 < duct.size() && duct[i].angle < angle) ++i;
+  const AxialSection& a = duct[i - 1];
+  const AxialSection& b = duct[i];
+  const double share = std::clamp((angle - a.angle) / (b.angle - a.angle), 0.0, 1.0);
+  return a.outerRadius + share * (b.outerRadius - a.outerRadius);
+}
+
+std::string inText(double value, const char* format)
+{
+  char text[64];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+/// The section at zero degrees: where the spiral begins.
+struct RoundWindow {
+  Eigen::Vector3d center;  ///< In the file's frame.
+  double angle;            ///< In the axis frame, in the turn of the duct's sections.
+  double outerRadius, floorHeight, roofHeight;
+};
+
+RoundWindow roundWindowAtRim(const ClosedSurface& closed, const Opening& opening,
+                             const AxisFrame& frame, const std::vector<AxialSection>& duct)
+{
+  const Eigen::Vector3d carried = opening.leadIn * opening.inward;
+  RoundWindow window{opening.center + carried, 0.0, 0.0, 1e9, -1e9};
+  window.angle = inTurnOf(polar(frame.into(window.center)), duct.front().angle);
+  for (const Eigen::Vector3d& p : closed.rim) {
+    const Eigen::Vector3d place = frame.into(p + carried);
+    window.outerRadius = std::max(window.outerRadius, radius(place));
+    window.floorHeight = std::min(window.floorHeight, place.z());
+    window.roofHeight = std::max(window.roofHeight, place.z());
+  }
+  return window;
+}
+
+RoundWindow roundWindowAtEnd(const AxisFrame& frame, const AxialSection& first)
+{
+  const SineCosine turn = sineCosine(first.angle);
+  return {frame.outOf({first.centerRadius * turn.cosine, first.centerRadius * turn.sine,
+                       first.centerHeight}),
+          first.angle, first.outerRadius, first.floorHeight, first.roofHeight};
+}
+
+/// Along the duct at its first section, from the third one on.
+Eigen::Vector3d startDirection(const AxisFrame& frame, const std::vector<AxialSection>& duct)
+{
+  const auto center = [&](const AxialSection& section) {
+    const SineCosine turn = sineCosine(section.angle);
+    return frame.outOf({section.centerRadius * turn.cosine, section.centerRadius * turn.sine,
+                        section.centerHeight});
+  };
+  std::size_t later = 1;
+  while (later + 1 < duct.size() && duct[later].angle < duct[0].angle + degrees(4).si()) ++later;
+  return (center(duct[later]) - center(duct[0])).normalized();
+}
+
+/// The surface in W; all triangles or those that are wall.
+Surface placed(const ClosedSurface& closed, const ImportPlace& place, bool withLid)
+{
+  Surface surface;
+  for (const auto& p : closed.surface.points) {
+    const Eigen::Vector3d point_W = place.into_W({p[0], p[1], p[2]});
+    surface.points.push_back({point_W.x(), point_W.y(), point_W.z()});
+  }
+  const bool isMirrored = place.axes_IW.determinant() < 0.0;
+  for (std::size_t i = 0; i < closed.isLid.size(); ++i) {
+    if (closed.isLid[i] && !withLid) continue;
+    auto t = closed.surface.triangles[i];
+    if (isMirrored) std::swap(t[1], t[2]);
+    surface.triangles.push_back(t);
+  }
+  return surface;
+}
+
+}  // namespace
+
+Result<ImportedScala> importScala(const Surface& segmented)
+{
+  auto closed = closeSurface(segmented);
+  if (!closed) return closed.error();
+  auto axis = spiralAxis(closed->surface);
+  const Error noSpiral{
+      "The surface does not wind about an axis as a scala tympani does. Keep the scala tympani "
+      "alone, "
+      "without vestibule and scala vestibuli."};
+  if (!axis) return noSpiral;
+
+  // the axis and the duct about it
+  std::vector<AxialSection> duct = followDuct(closed->surface, *axis);
+  for (int round = 0; round < axisRounds && duct.size() > 2; ++round) {
+    const double from = duct.front().angle + degrees(spiralFrom_deg).si();
+    if (duct.back().angle - from < pi) return noSpiral;
+    *axis = straightened(*axis, duct, from, duct.back().angle);
+    duct = followDuct(closed->surface, *axis);
+  }
+  if (duct.size() <= 2) return noSpiral;
+
+  // the round window
+  Opening opening;
+  const bool isOpen = !closed->rim.empty();
+  if (isOpen) opening = openingOf(*closed);
+  const RoundWindow window = isOpen ? roundWindowAtRim(*closed, opening, *axis, duct)
+                                    : roundWindowAtEnd(*axis, duct.front());
+  const double last = duct.back().angle - window.angle;
+  if (last < 2.0 * pi * leastTurns)
+    return Error{"The duct winds " + inText(last / (2.0 * pi), "%.2f") +
+                 " turns about its axis; at least " + inText(leastTurns, "%.2f") +
+                 " are needed to measure it. Segment the scala tympani farther toward the apex."};
+  if (!isOpen) {
+    opening.center = window.center;
+    opening.inward = startDirection(*axis, duct);
+    openAt(*closed, opening.center, opening.inward);
+  }
+
+  ImportedScala scala;
+  scala.volume = closed->volume;
+  scala.lastAngle = radians(last);
+  scala.leadIn = meters(opening.leadIn);
+  scala.a = meters(window.outerRadius + outerRadius(duct, window.angle + pi));
+  scala.b = meters(outerRadius(duct, window.angle + 0.5 * pi) +
+                   outerRadius(duct, window.angle + 1.5 * pi));
+  double floor = window.floorHeight, roof = window.roofHeight;
+  for (const AxialSection& section : duct) {
+    if (section.angle < window.angle) continue;
+    floor = std::min(floor, section.floorHeight);
+    roof = std::max(roof, section.roofHeight);
+  }
+  scala.h = meters(roof - floor);
+
+  // W: x through the round window, z toward the apex; where that makes angles run backward,
+  // mirrored
+  const bool isRight = duct.back().centerHeight > axis->into(window.center).z();
+  scala.side = isRight ? Side::right : Side::left;
+  const Eigen::Vector3d atWindow = axis->into(window.center);
+  scala.place.origin_I = axis->outOf({0.0, 0.0, atWindow.z()});
+  const double r = radius(atWindow);
+  scala.place.axes_IW.col(0) =
+      axis->axes * Eigen::Vector3d(atWindow.x() / r, atWindow.y() / r, 0.0);
+  scala.place.axes_IW.col(1) =
+      axis->axes * Eigen::Vector3d(-atWindow.y() / r, atWindow.x() / r, 0.0);
+  scala.place.axes_IW.col(2) = isRight ? Eigen::Vector3d(axis->axes.col(2)) : -axis->axes.col(2);
+
+  scala.wall_W = placed(*closed, scala.place, false);
+  scala.closed_W = placed(*closed, scala.place, true);
+  scala.entry.origin_W = scala.place.into_W(opening.center);
+  scala.entry.out_W = -(scala.place.axes_IW.transpose() * opening.inward);
+  const Eigen::Vector3d radial = Eigen::Vector3d::UnitX();
+  scala.entry.outward_W = (radial - radial.dot(scala.entry.out_W) * scala.entry.out_W).normalized();
+  scala.entry.vertical_W = scala.entry.out_W.cross(scala.entry.outward_W);
+  return scala;
+}
+
+std::shared_ptr<const Lumen> lumenOf(const ImportedScala& scala)
+{
+  return std::make_shared<const GridLumen>(scala.wall_W, scala.closed_W, scala.entry);
+}
+
+}  // namespace perilymph::anatomy

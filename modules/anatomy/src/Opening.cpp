@@ -1,0 +1,142 @@
+#include "Opening.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "SmallAlgebra.h"
+
+namespace perilymph::anatomy {
+namespace {
+
+constexpr double straight = 0.02;     // sine of the angle between a wall and its direction
+constexpr double straightRim = 1e-4;  // share of the normals' scatter along that direction
+constexpr double longest = 6e-3;      // a longer stretch is no lead-in [m]
+// A lid faces out of the duct within 45 degrees and lies no deeper behind the first section.
+constexpr double lidFacing = 0.7;
+constexpr double lidDepth = 0.15e-3, lidReach = 2.5e-3;  // [m]
+
+Eigen::Vector3d corner(const Surface& surface, int index)
+{
+  const auto& p = surface.points[static_cast<std::size_t>(index)];
+  return {p[0], p[1], p[2]};
+}
+
+/// Twice the area times the normal.
+Eigen::Vector3d acrossOf(const Surface& surface, const std::array<int, 3>& t)
+{
+  return (corner(surface, t[1]) - corner(surface, t[0]))
+      .cross(corner(surface, t[2]) - corner(surface, t[0]));
+}
+
+/// The eigenvector of the least eigenvalue, and that value's share of all.
+std::pair<Eigen::Vector3d, double> leastDirection(const Eigen::Matrix3d& scatter)
+{
+  const Eigen3 parts(scatter);
+  int least = 0;
+  for (int k = 1; k < 3; ++k)
+    if (parts.values[k] < parts.values[least]) least = k;
+  const double all = parts.values[0] + parts.values[1] + parts.values[2];
+  return {parts.vectors.col(least), all > 0.0 ? parts.values[least] / all : 1.0};
+}
+
+}  // namespace
+
+Opening openingOf(const ClosedSurface& closed)
+{
+  Opening opening;
+  std::set<int> onRim;
+  for (std::size_t i = 0; i < closed.isLid.size(); ++i)
+    if (closed.isLid[i])
+      onRim.insert(closed.surface.triangles[i].begin(), closed.surface.triangles[i].end());
+
+  // the rim's center and its plane
+  double around = 0.0;
+  for (std::size_t k = 0; k < closed.rim.size(); ++k) {
+    const Eigen::Vector3d& a = closed.rim[k];
+    const Eigen::Vector3d& b = closed.rim[(k + 1) % closed.rim.size()];
+    opening.center += 0.5 * (b - a).norm() * (a + b);
+    around += (b - a).norm();
+  }
+  opening.center /= around;
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Eigen::Vector3d& p : closed.rim)
+    spread += (p - opening.center) * (p - opening.center).transpose();
+  const Eigen::Vector3d plane = leastDirection(spread).first;
+
+  // the direction square to the normals of the wall at the rim
+  std::vector<int> waiting;
+  std::vector<bool> isSeen(closed.isLid.size(), false);
+  Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();
+  double side = 0.0;
+  for (std::size_t i = 0; i < closed.isLid.size(); ++i) {
+    const auto& t = closed.surface.triangles[i];
+    if (closed.isLid[i] ||
+        std::none_of(t.begin(), t.end(), [&](int k) { return onRim.count(k) > 0; }))
+      continue;
+    const Eigen::Vector3d across = acrossOf(closed.surface, t);
+    if (across.norm() > 0.0) normals += across * across.transpose() / across.norm();
+    for (const int k : t) side += (corner(closed.surface, k) - opening.center).dot(plane);
+    waiting.push_back(static_cast<int>(i));
+    isSeen[i] = true;
+  }
+  auto [direction, scatter] = leastDirection(normals);
+  const double lean = direction.dot(plane);
+  if (lean * side < 0.0) direction = -direction;
+  opening.inward = direction;
+  if (std::fabs(lean) < 0.3 || scatter > straightRim) {
+    if (std::fabs(lean) < 0.3) opening.inward = side < 0.0 ? Eigen::Vector3d(-plane) : plane;
+    return opening;
+  }
+
+  // follow the straight wall until it bends: there the round window is
+  std::map<std::pair<int, int>, std::vector<int>> edges;
+  for (std::size_t i = 0; i < closed.isLid.size(); ++i)
+    for (std::size_t k = 0; k < 3 && !closed.isLid[i]; ++k) {
+      const auto& t = closed.surface.triangles[i];
+      edges[{std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])}].push_back(
+          static_cast<int>(i));
+    }
+  double end = longest;
+  while (!waiting.empty()) {
+    const auto& t = closed.surface.triangles[static_cast<std::size_t>(waiting.back())];
+    waiting.pop_back();
+    const Eigen::Vector3d across = acrossOf(closed.surface, t);
+    double least = 1e9;
+    for (const int k : t)
+      least = std::min(
+          least, (corner(closed.surface, k) - opening.center).dot(plane) / direction.dot(plane));
+    if (std::fabs(across.dot(direction)) > straight * across.norm()) {
+      end = std::min(end, least);
+      continue;
+    }
+    if (least > end) continue;
+    for (std::size_t k = 0; k < 3; ++k)
+      for (const int next :
+           edges[{std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])}]) {
+        if (isSeen[static_cast<std::size_t>(next)]) continue;
+        isSeen[static_cast<std::size_t>(next)] = true;
+        waiting.push_back(next);
+      }
+  }
+  opening.leadIn = end < longest ? std::max(end, 0.0) : 0.0;
+  return opening;
+}
+
+void openAt(ClosedSurface& closed, const Eigen::Vector3d& first, const Eigen::Vector3d& inward)
+{
+  for (std::size_t i = 0; i < closed.isLid.size(); ++i) {
+    const auto& t = closed.surface.triangles[i];
+    const Eigen::Vector3d across = acrossOf(closed.surface, t);
+    const bool isBefore = std::all_of(t.begin(), t.end(), [&](int k) {
+      const Eigen::Vector3d e = corner(closed.surface, k) - first;
+      return e.dot(inward) < lidDepth && e.norm() < lidReach;
+    });
+    if (isBefore && -across.dot(inward) > lidFacing * across.norm()) closed.isLid[i] = true;
+  }
+}
+
+}  // namespace perilymph::anatomy

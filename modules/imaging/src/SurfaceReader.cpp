@@ -1,0 +1,104 @@
+#include "perilymph/imaging/SurfaceReader.h"
+
+#include <vtkCommand.h>
+#include <vtkPLYReader.h>
+#include <vtkSTLReader.h>
+#include <vtkTriangleFilter.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <exception>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "PolyData.h"
+
+namespace perilymph::imaging {
+namespace {
+
+// 256 MiB hold five million triangles, a hundred times what a cochlea needs.
+constexpr std::uintmax_t mostBytes = 256u << 20;
+
+/// Keeps VTK's complaints from the terminal and remembers that there was one.
+class Complaints : public vtkCommand {
+public:
+  static Complaints* New() { return new Complaints; }
+  void Execute(vtkObject*, unsigned long, void*) override { isAny = true; }
+  bool isAny = false;
+};
+
+std::string contentOf(const std::filesystem::path& file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Whether a file begins as its ending says; VTK's readers trust it.
+bool beginsRight(const std::string& content, const std::string& ending)
+{
+  if (ending == ".ply") return content.rfind("ply", 0) == 0;
+  if (ending == ".vtp") return content.find("<VTKFile") != std::string::npos;
+  if (content.rfind("solid", 0) == 0 && content.find("facet") != std::string::npos) return true;
+  if (content.size() < 84) return false;
+  std::uint32_t count = 0;
+  for (std::size_t k = 4; k-- > 0;)
+    count = (count << 8) | static_cast<unsigned char>(content[80 + k]);
+  return content.size() == 84 + 50 * static_cast<std::size_t>(count);
+}
+
+/// What a reader of VTK makes of a file; nothing where it complains.
+template <class Reader>
+vtkSmartPointer<vtkPolyData> readWith(const std::filesystem::path& file)
+{
+  const auto complaints = vtkSmartPointer<Complaints>::New();
+  const auto reader = vtkSmartPointer<Reader>::New();
+  const auto triangles = vtkSmartPointer<vtkTriangleFilter>::New();
+  reader->AddObserver(vtkCommand::ErrorEvent, complaints);
+  reader->AddObserver(vtkCommand::WarningEvent, complaints);
+  triangles->AddObserver(vtkCommand::ErrorEvent, complaints);
+  reader->SetFileName(file.c_str());
+  triangles->SetInputConnection(reader->GetOutputPort());
+  triangles->PassLinesOff();
+  triangles->PassVertsOff();
+  triangles->Update();
+  if (complaints->isAny) return nullptr;
+  return triangles->GetOutput();
+}
+
+}  // namespace
+
+Result<anatomy::Surface> readSurface(const std::filesystem::path& file)
+{
+  const std::string name = file.string();
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (ending != ".stl" && ending != ".ply" && ending != ".vtp")
+    return Error{name + " ends in '" + ending +
+                 "'; a surface is read from .stl, .ply or .vtp. Export it as one of these."};
+  std::error_code failed;
+  const std::uintmax_t bytes = std::filesystem::file_size(file, failed);
+  if (failed)
+    return Error{name + " cannot be read: " + failed.message() + ". Check the file's name."};
+  if (bytes > mostBytes)
+    return Error{name + " has " + std::to_string(bytes >> 20) +
+                 " MiB; at most 256 are read. Reduce its triangles."};
+  const Error damaged{name + " is not a whole " + ending +
+                      " file of a surface. Export it again from the segmentation program."};
+  if (!beginsRight(contentOf(file), ending)) return damaged;
+  try {
+    const vtkSmartPointer<vtkPolyData> data = ending == ".stl" ? readWith<vtkSTLReader>(file)
+                                              : ending == ".ply"
+                                                  ? readWith<vtkPLYReader>(file)
+                                                  : readWith<vtkXMLPolyDataReader>(file);
+    if (!data || data->GetNumberOfPolys() == 0) return damaged;
+    return fromPolyData(*data);
+  } catch (const std::exception&) {  // sizes no memory holds
+    return damaged;
+  }
+}
+
+}  // namespace perilymph::imaging

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "KnotSpline.h"
 #include "LeadIn.h"
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/foundation/Math.h"
@@ -59,40 +60,6 @@ constexpr double tiltBlend_deg = 90.0;
 
 constexpr double step_deg = 1.5;
 constexpr int directions = 96;
-
-/// Natural cubic spline through unevenly spaced knots; constant slope beyond them.
-class KnotSpline {
-public:
-  KnotSpline(std::vector<double> x, std::vector<double> y) : x_(std::move(x)), y_(std::move(y))
-  {
-    const std::size_t n = x_.size();
-    bend_.assign(n, 0.0);
-    std::vector<double> upper(n, 0.0);
-    for (std::size_t i = 1; i + 1 < n; ++i) {
-      const double before = x_[i] - x_[i - 1];
-      const double after = x_[i + 1] - x_[i];
-      const double right = 6.0 * ((y_[i + 1] - y_[i]) / after - (y_[i] - y_[i - 1]) / before);
-      const double pivot = 2.0 * (before + after) - before * upper[i - 1];
-      upper[i] = after / pivot;
-      bend_[i] = (right - before * bend_[i - 1]) / pivot;
-    }
-    for (std::size_t i = n - 1; i-- > 1;) bend_[i] -= upper[i] * bend_[i + 1];
-  }
-
-  double operator()(double x) const
-  {
-    std::size_t i = 1;
-    while (i + 1 < x_.size() && x > x_[i]) ++i;
-    const double h = x_[i] - x_[i - 1];
-    const double a = (x_[i] - x) / h;
-    const double b = (x - x_[i - 1]) / h;
-    return a * y_[i - 1] + b * y_[i] +
-           ((a * a * a - a) * bend_[i - 1] + (b * b * b - b) * bend_[i]) * h * h / 6.0;
-  }
-
-private:
-  std::vector<double> x_, y_, bend_;
-};
 
 /// A polynomial of fifth degree that takes over value, slope and bend at both ends of [0, 1].
 double blend5(double x, const double from[3], const double to[3])

@@ -22,7 +22,7 @@ KeyList::KeyList(QWidget* parent) : QFrame(parent)
       {tr("S"), tr("pull the stylet")},
       {tr("Esc"), tr("let go of the array")},
       {{}, tr("Picture")},
-      {tr("1  2  3  4"), tr("surgeon’s view, down the opening, overview, across the turn")},
+      {tr("1  2  3  4"), tr("surgeon’s view, down the opening, overview, section")},
       {tr("F"), tr("follow the tip")},
       {tr("Drag; A D W X"), tr("turn the model")},
       {tr("Shift+drag; Shift+arrows"), tr("move the model")},

@@ -56,7 +56,7 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
   setWindowTitle(tr("Perilymph · %1").arg(QString::fromStdString(control_.scenario().name)));
   setFont(typeface(13));
   setStyleSheet(windowStyle());
-  setMinimumSize(1240, 720);
+  setMinimumSize(1260, 720);
   resize(1280, 800);
   setFocusPolicy(Qt::StrongFocus);
   layOut();

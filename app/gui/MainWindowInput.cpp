@@ -135,14 +135,14 @@ void MainWindow::wheelEvent(QWheelEvent* event)
   event->accept();
 }
 
-void MainWindow::changeEvent(QEvent* event)
+bool MainWindow::event(QEvent* event)
 {
   // A key released in another window is never told to this one: let go of the array at once.
-  if (event->type() == QEvent::ActivationChange && !isActiveWindow()) {
+  if (event->type() == QEvent::WindowDeactivate) {
     pressed_.clear();
     hold(false);
   }
-  QWidget::changeEvent(event);
+  return QWidget::event(event);
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event)

@@ -6,6 +6,7 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 
+#include <QEvent>
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -28,7 +29,7 @@ using visualization::CameraPreset;
 constexpr double turnPerHeight_deg = 180.0;
 
 // What the view writes below the scale bars: two labels and the phase line.
-constexpr int footHeight_px = 94;
+constexpr int footHeight_px = 100;
 
 QString nameOf(CameraPreset preset)
 {
@@ -241,6 +242,20 @@ void OperationView::resizeEvent(QResizeEvent* event)
 {
   QVTKOpenGLNativeWidget::resizeEvent(event);
   isDirty_ = true;
+}
+
+bool OperationView::event(QEvent* event)
+{
+  switch (event->type()) {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonRelease:
+    case QEvent::MouseButtonDblClick:
+    case QEvent::MouseMove:
+    case QEvent::Wheel:
+      return QOpenGLWidget::event(event);  // past VTK, which would take them
+    default:
+      return QVTKOpenGLNativeWidget::event(event);
+  }
 }
 
 void OperationView::mousePressEvent(QMouseEvent* event)

@@ -65,8 +65,8 @@ TEST(Window, WithdrawTakesTheArrayBackToItsStartAndNoFurther)
 
 TEST(Window, ResetReturnsToTheStartWithARecordingOfItsOwn)
 {
-  WindowRig rig;
   const auto before = sessions();
+  WindowRig rig;
   rig.click("startButton");
   ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.5; }));
   rig.click("resetButton");

@@ -1,6 +1,7 @@
 #include "WindowRig.h"
 
-#include <QCoreApplication>
+#include <QtTest/qtestspontaneevent.h>
+#include <QApplication>
 #include <QLabel>
 #include <QTest>
 #include <QWheelEvent>
@@ -71,7 +72,9 @@ void WindowRig::turnWheel(int notches)
   const QPoint middle = view.rect().center();
   QWheelEvent event(middle, view.mapToGlobal(middle), QPoint(), QPoint(0, 120 * notches),
                     Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
-  QCoreApplication::sendEvent(&view, &event);
+  // Only an event that seems to come from the system goes on from a view to its parents.
+  QSpontaneKeyEvent::setSpontaneous(&event);
+  qApp->notify(&view, &event);
 }
 
 bool WindowRig::comes(const std::function<bool()>& claim)

@@ -1,7 +1,5 @@
 #include "perilymph/anatomy/MeanScala.h"
 
-#include <stdexcept>
-
 #include "MeanOutlines.h"
 #include "OutlineTables.h"
 

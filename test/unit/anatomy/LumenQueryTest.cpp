@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "perilymph/anatomy/ClarkScala.h"
 #include "perilymph/anatomy/MeanScala.h"
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/anatomy/PlainLumens.h"
@@ -63,9 +64,9 @@ protected:
   static std::shared_ptr<const ScalaTympani> build(const std::string& anatomy)
   {
     if (anatomy == "published") return buildPublished({}, millimeters(1));
-    const auto mean = buildMean(millimeters(1));
-    if (!mean) throw std::runtime_error(mean.error().message);
-    return *mean;
+    const auto built = anatomy == "mean" ? buildMean(millimeters(1)) : buildClark(millimeters(1));
+    if (!built) throw std::runtime_error(built.error().message);
+    return *built;
   }
 
   std::shared_ptr<const ScalaTympani> scala = build(GetParam());
@@ -213,7 +214,7 @@ TEST_P(LumenOf, KnowsItsMembrane)
   EXPECT_FALSE(ask(*scala, outer, trackAt(angle)).onMembrane);
 }
 
-INSTANTIATE_TEST_SUITE_P(Anatomies, LumenOf, testing::Values("published", "mean"),
+INSTANTIATE_TEST_SUITE_P(Anatomies, LumenOf, testing::Values("published", "mean", "clark"),
                          [](const auto& anatomy) { return std::string(anatomy.param); });
 
 TEST(CircularDuct, HasTheDistanceAndTurningOfATorus)

@@ -5,6 +5,8 @@
 
 #include <array>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "perilymph/anatomy/ScalaTympani.h"
@@ -34,5 +36,19 @@ Result<std::vector<MeasuredSection>> loadMeasuredSections();
 /// (confidence low) and ending in a rounded cap, with a straight lead-in before the round window.
 /// Not real-time safe.
 Result<std::shared_ptr<const ScalaTympani>> buildMean(Length leadIn);
+
+/// What clinical planning measures on the outer wall: A from the round window through the modiolus
+/// to the far wall, B across it, and H along the modiolus from the lowest to the highest wall.
+struct BasalTurn {
+  Length a, b;
+  std::optional<Length> h;
+};
+
+/// The mean scala tympani scaled to a patient's A and B, and H where it is known: radii by the
+/// ratio of the patient's likeliest spiral to the mean's (Pietsch et al. 2017) and a correction of
+/// two periods a turn, so that the lumen built has this A and B; sections keep their shape; without
+/// H the center line rises as the basal turn is wide.
+Result<std::shared_ptr<const ScalaTympani>> buildMean(const std::string& label,
+                                                      const BasalTurn& basalTurn, Length leadIn);
 
 }  // namespace perilymph::anatomy

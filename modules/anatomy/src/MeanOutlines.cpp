@@ -62,6 +62,7 @@ std::vector<MeasuredSection> continued(std::vector<MeasuredSection> sections)
 }  // namespace
 
 MeanOutlines::MeanOutlines(const std::vector<MeasuredSection>& measured)
+    : measured_(measured.back().angle + degrees(firstSection_deg).si())
 {
   const std::vector<MeasuredSection> sections = continued(measured);
   std::vector<double> angles;

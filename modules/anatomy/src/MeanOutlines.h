@@ -18,6 +18,9 @@ public:
   /// The angle at which the lumen ends [rad].
   static double lastAngle();
 
+  /// The angle of the last measured section [rad].
+  double measuredAngle() const { return measured_; }
+
   /// The outline at an angle from the round window, counter-clockwise.
   Outline outline(double angle) const;
   /// Share of the section that the rounded cap at the apex leaves: 1 before it.
@@ -28,6 +31,7 @@ public:
 private:
   Outline outline(double angle, double share) const;
 
+  double measured_;
   std::vector<KnotSpline> real_, imaginary_;  ///< Coefficients over the angle.
 };
 

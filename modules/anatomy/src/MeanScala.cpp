@@ -1,6 +1,8 @@
 #include "perilymph/anatomy/MeanScala.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "MeanOutlines.h"
 #include "OutlineTables.h"
@@ -118,6 +120,12 @@ private:
   double rise_ = 1.0;
 };
 
+std::shared_ptr<const ScalaTympani> measuredScala(const MeanOutlines& mean, SectionTables tables)
+{
+  tables.measuredTo = mean.measuredAngle();
+  return std::make_shared<const ScalaTympani>(std::move(tables));
+}
+
 }  // namespace
 
 Result<std::shared_ptr<const ScalaTympani>> buildMean(Length leadIn)
@@ -130,7 +138,7 @@ Result<std::shared_ptr<const ScalaTympani>> buildMean(Length leadIn)
     return OutlineAtAngle{mean.outline(angle), mean.organOfCorti(angle),
                           membraneWidth(angle, last) * MeanOutlines::capShare(angle)};
   };
-  return std::make_shared<const ScalaTympani>(tablesFrom(source, "mean", last, leadIn.si()));
+  return measuredScala(mean, tablesFrom(source, "mean", last, leadIn.si()));
 }
 
 Result<std::shared_ptr<const ScalaTympani>> buildMean(const std::string& label,
@@ -145,7 +153,7 @@ Result<std::shared_ptr<const ScalaTympani>> buildMean(const std::string& label,
     return OutlineAtAngle{scaled.outline(angle), scaled.share(angle) * mean.organOfCorti(angle),
                           membraneWidth(angle, last) * MeanOutlines::capShare(angle)};
   };
-  return std::make_shared<const ScalaTympani>(tablesFrom(source, label, last, leadIn.si()));
+  return measuredScala(mean, tablesFrom(source, label, last, leadIn.si()));
 }
 
 }  // namespace perilymph::anatomy

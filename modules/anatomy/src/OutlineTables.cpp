@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
+#include <vector>
 
 #include "LeadIn.h"
 #include "perilymph/foundation/Units.h"
@@ -21,6 +22,21 @@ void requireSeenWhole(double radius, double angle)
                 "The section at %.1f degrees cannot be seen whole from its center.",
                 inDegrees(radians(angle)));
   throw std::invalid_argument(sentence);
+}
+
+/// Around a section the tables are a spline's coefficients, which rounds corners off. Measured
+/// outlines have none: coefficients a sixth of the second difference farther out make the spline
+/// pass through them, up to fourth order.
+void passThroughOutlines(SectionTables& tables)
+{
+  const std::vector<double> radii = tables.wallRadius;
+  const auto row = static_cast<std::size_t>(directions);
+  for (std::size_t first = 0; first < radii.size(); first += row)
+    for (std::size_t k = 0; k < row; ++k) {
+      const double before = radii[first + (k + row - 1) % row];
+      const double after = radii[first + (k + 1) % row];
+      tables.wallRadius[first + k] -= (after - 2.0 * radii[first + k] + before) / 6.0;
+    }
 }
 
 }  // namespace
@@ -53,6 +69,7 @@ SectionTables tablesFrom(const OutlineSource& source, const std::string& name, d
     }
   }
   easeIntoLeadIn(tables);
+  passThroughOutlines(tables);
   return tables;
 }
 

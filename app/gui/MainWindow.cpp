@@ -299,7 +299,7 @@ QString MainWindow::statusWords() const
                                   : tr("recording"));
   else
     words << tr("not started");
-  if (control_.isRunning()) words << tr("%1 ticks late").arg(now.lateTicks);
+  if (control_.isRunning()) words << tr("late ticks: %1").arg(now.lateTicks);
   words << tr("%1 fps").arg(meter_.framesPerSecond(FrameMeter::Clock::now()));
   words << tr("not a medical device");
   return words.join(QStringLiteral(" · "));

@@ -24,7 +24,8 @@ Result<Done> simulate(const SimulateOptions& options);
 struct AnatomyOptions {
   std::string preset, patient;
   std::optional<double> stLength_mm, rwWidth_mm, rwHeight_mm;
-  std::string notThereYet;  ///< An option of a later version that was given: "--sample".
+  std::optional<double> a_mm, b_mm, h_mm;
+  std::string notThereYet;  ///< An option of a later version that was given: "--import".
   std::string json, sections, surface;
   std::string part = "scala";
 };

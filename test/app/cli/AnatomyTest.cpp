@@ -42,6 +42,52 @@ TEST(Anatomy, TakesThreeLengths)
   EXPECT_EQ(json["given"]["rw_width_mm"], 2.0);
 }
 
+TEST(Anatomy, MeasuresTheMeanCochlea)
+{
+  const TemporaryFolder folder;
+  const auto outcome = cli({"anatomy", "--preset", "mean", "--json", folder / "a.json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("CC BY 4.0"), std::string::npos);
+  const auto json = nlohmann::json::parse(contentOf(folder / "a.json"));
+  // measured on the published solid (Froehlich et al. 2024)
+  EXPECT_EQ(json["anatomy"], "mean");
+  EXPECT_NEAR(json["A_mm"].get<double>(), 9.53, 0.01);
+  EXPECT_NEAR(json["B_mm"].get<double>(), 6.82, 0.01);
+  EXPECT_NE(json["credit"].get<std::string>().find("10.1371/journal.pone.0295121"),
+            std::string::npos);
+}
+
+TEST(Anatomy, MeasuresClarksCochlea)
+{
+  const TemporaryFolder folder;
+  const auto outcome = cli({"anatomy", "--preset", "clark", "--json", folder / "a.json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(contentOf(folder / "a.json"));
+  EXPECT_NEAR(json["turns"].get<double>(), 2.5, 1e-6);  // 10.3 to 910.3 degrees
+}
+
+TEST(Anatomy, BuildsAPatientFromTheBasalTurn)
+{
+  const TemporaryFolder folder;
+  const auto outcome = cli(
+      {"anatomy", "--a-mm", "8.2", "--b-mm", "6.4", "--h-mm", "3.7", "--json", folder / "a.json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(contentOf(folder / "a.json"));
+  EXPECT_EQ(json["anatomy"], "mean");
+  EXPECT_EQ(json["given"]["a_mm"], 8.2);
+  EXPECT_NEAR(json["A_mm"].get<double>(), 8.2, 0.02);
+  EXPECT_NEAR(json["B_mm"].get<double>(), 6.4, 0.02);
+  EXPECT_NEAR(json["H_mm"].get<double>(), 3.7, 0.02);
+  // (8.2 - 9.23) / 0.428 = -2.4 standard deviations
+  EXPECT_NE(outcome.out.find("2.4 standard deviations below"), std::string::npos) << outcome.out;
+}
+
+TEST(Anatomy, RefusesADiameterThatNoCochleaHas)
+{
+  expectRefusal(cli({"anatomy", "--a-mm", "12", "--b-mm", "6.8"}), "6.5 standard deviations above");
+  expectWrongWords(cli({"anatomy", "--a-mm", "9"}), "--b-mm");
+}
+
 TEST(Anatomy, WritesShapesInEveryFormat)
 {
   const TemporaryFolder folder;
@@ -92,11 +138,8 @@ TEST(Anatomy, RefusesWhatIsNotThereYetAndLeavesNothing)
 {
   const TemporaryFolder folder;
   const std::string json = folder / "a.json";
-  expectRefusal(cli({"anatomy", "--preset", "mean", "--json", json}), "not in this version");
-  expectRefusal(cli({"anatomy", "--preset", "clark", "--json", json}), "not in this version");
   expectRefusal(cli({"anatomy", "--sample", "3", "--json", json}), "--sample");
   expectRefusal(cli({"anatomy", "--import", "a.stl", "--json", json}), "--import");
-  expectRefusal(cli({"anatomy", "--a-mm", "9", "--b-mm", "7", "--json", json}), "not in this");
   expectRefusal(cli({"anatomy", "--preset", "published", "--haptic-surface", "x", "--json", json}),
                 "--haptic-surface");
   expectRefusal(cli({"anatomy", "--preset", "published", "--surface", folder / "a.stl", "--part",

@@ -13,20 +13,30 @@ namespace perilymph::cli {
 
 namespace {
 
-Result<anatomy::Patient> choosePatient(const AnatomyOptions& options)
+// Every anatomy takes its sections from there, the published one as percentages.
+constexpr const char* sectionCredit =
+    "Sections: mean of 15 scalae tympani, Froehlich et al. 2024, PLOS ONE, doi "
+    "10.1371/journal.pone.0295121, CC BY 4.0, adapted.";
+
+/// The cochlea that the options name, as a scenario without an array.
+Result<session::Scenario> chooseCochlea(const AnatomyOptions& options)
 {
   if (!options.notThereYet.empty())
     return Error{options.notThereYet +
-                 " is not in this version. Use --preset published, --patient FILE or "
+                 " is not in this version. Use --preset, --patient FILE, --a-mm with --b-mm, or "
                  "--st-length-mm with --rw-width-mm and --rw-height-mm."};
-  if (!options.preset.empty() && options.preset != "published")
-    return Error{"The preset '" + options.preset +
-                 "' is not in this version; use --preset published."};
-  anatomy::Patient patient;
+  session::Scenario scenario;
+  anatomy::Patient& patient = scenario.patient;
+  if (!options.preset.empty()) {
+    scenario.anatomy = options.preset;
+    patient.label = options.preset;
+  }
   if (!options.patient.empty()) {
     const auto file = findByName("patient", "resources/patients", options.patient);
     if (!file) return file.error();
-    return anatomy::loadPatient(*file);
+    const auto loaded = anatomy::loadPatient(*file);
+    if (!loaded) return loaded.error();
+    patient = *loaded;
   }
   if (options.stLength_mm) {
     patient.label = "given lengths";
@@ -34,7 +44,15 @@ Result<anatomy::Patient> choosePatient(const AnatomyOptions& options)
     patient.roundWindowWidth = millimeters(*options.rwWidth_mm);
     patient.roundWindowHeight = millimeters(*options.rwHeight_mm);
   }
-  return patient;
+  if (options.a_mm) {
+    patient.label = "given diameters";
+    patient.basalTurn = {millimeters(*options.a_mm), millimeters(*options.b_mm), std::nullopt};
+    if (options.h_mm) patient.basalTurn->h = millimeters(*options.h_mm);
+  }
+  if (patient.basalTurn) scenario.anatomy = "mean";
+  scenario.name = patient.label;
+  if (const auto done = anatomy::checkPatient(patient); !done) return done.error();
+  return scenario;
 }
 
 void tell(nlohmann::ordered_json& json, const HapticSurfaceNumbers& haptic)
@@ -46,17 +64,36 @@ void tell(nlohmann::ordered_json& json, const HapticSurfaceNumbers& haptic)
   json["haptic_surface_deviation_max_mm"] = inMillimeters(haptic.deviation.greatest);
 }
 
-std::string anatomyJson(const anatomy::Patient& patient,
+/// The numbers from which the anatomy was built; none for one that is as measured.
+nlohmann::ordered_json givenNumbers(const session::Scenario& scenario)
+{
+  const anatomy::Patient& patient = scenario.patient;
+  nlohmann::ordered_json given = nlohmann::ordered_json::object();
+  if (patient.basalTurn) {
+    given["a_mm"] = inMillimeters(patient.basalTurn->a);
+    given["b_mm"] = inMillimeters(patient.basalTurn->b);
+    if (patient.basalTurn->h) given["h_mm"] = inMillimeters(*patient.basalTurn->h);
+  } else if (scenario.anatomy == "published") {
+    given["st_length_mm"] = inMillimeters(patient.scalaTympaniLength);
+    given["rw_width_mm"] = inMillimeters(patient.roundWindowWidth);
+    given["rw_height_mm"] = inMillimeters(patient.roundWindowHeight);
+  }
+  return given;
+}
+
+std::string anatomyJson(const session::Scenario& scenario,
                         const std::vector<analysis::Measure>& measures,
                         const std::optional<HapticSurfaceNumbers>& haptic)
 {
+  const anatomy::Patient& patient = scenario.patient;
   nlohmann::ordered_json json;
   json["label"] = patient.label;
   json["side"] = patient.side == anatomy::Side::left ? "left" : "right";
-  json["anatomy"] = "published";
-  json["given"] = {{"st_length_mm", inMillimeters(patient.scalaTympaniLength)},
-                   {"rw_width_mm", inMillimeters(patient.roundWindowWidth)},
-                   {"rw_height_mm", inMillimeters(patient.roundWindowHeight)}};
+  json["anatomy"] = scenario.anatomy;
+  json["credit"] = sectionCredit;
+  json["given"] = givenNumbers(scenario);
+  if (const auto unusual = anatomy::unusualMeasures(patient); !unusual.empty())
+    json["unusual"] = unusual;
   for (const analysis::Measure& measure : measures) json[measure.key] = measure.value;
   for (const analysis::Measure& measure : measures)
     json["derived"][measure.key] = {{"formula", measure.formula}, {"source", measure.source}};
@@ -68,27 +105,24 @@ std::string anatomyJson(const anatomy::Patient& patient,
 
 Result<Done> describeAnatomy(const AnatomyOptions& options)
 {
+  if (!options.import.empty()) return describeImport(options);
   for (const std::string& file :
        {options.json, options.sections, options.surface, options.hapticSurface})
     if (const auto done = checkPlace(file); !done) return done.error();
-  const auto patient = choosePatient(options);
-  if (!patient) return patient.error();
-  if (const auto done = anatomy::checkPatient(*patient); !done) return done.error();
-
-  session::Scenario scenario;
-  scenario.name = patient->label;
-  scenario.patient = *patient;
-  const auto scala = session::buildAnatomy(scenario);
+  const auto scenario = chooseCochlea(options);
+  if (!scenario) return scenario.error();
+  const anatomy::Patient& patient = scenario->patient;
+  const auto scala = session::buildAnatomy(*scenario);
   if (!scala) return scala.error();
   const auto measures = analysis::measure(**scala);
 
   // The shape first: it is the one that a wrong ending may refuse.
   if (!options.surface.empty())
-    if (const auto done = writePart(**scala, patient->label, patient->side, options); !done)
+    if (const auto done = writePart(**scala, patient.label, patient.side, options); !done)
       return done.error();
   std::optional<HapticSurfaceNumbers> haptic;
   if (!options.hapticSurface.empty()) {
-    const auto written = writeHapticSurface(**scala, patient->label, patient->side, options);
+    const auto written = writeHapticSurface(**scala, patient.label, patient.side, options);
     if (!written) return written.error();
     haptic = *written;
   }
@@ -99,11 +133,14 @@ Result<Done> describeAnatomy(const AnatomyOptions& options)
       return done.error();
   }
   if (!options.json.empty())
-    if (const auto done = writeWhole(options.json, anatomyJson(*patient, measures, haptic)); !done)
+    if (const auto done = writeWhole(options.json, anatomyJson(*scenario, measures, haptic)); !done)
       return done.error();
 
-  std::printf("%s, %s ear, published anatomy\n", patient->label.c_str(),
-              patient->side == anatomy::Side::left ? "left" : "right");
+  std::printf("%s, %s ear, %s anatomy\n", patient.label.c_str(),
+              patient.side == anatomy::Side::left ? "left" : "right", scenario->anatomy.c_str());
+  std::printf("%s\n", sectionCredit);
+  for (const std::string& sentence : anatomy::unusualMeasures(patient))
+    std::printf("%s\n", sentence.c_str());
   for (const analysis::Measure& measure : measures)
     std::printf("%-26s %s\n", measure.key.c_str(), fixed(measure.value, 2).c_str());
   if (haptic)

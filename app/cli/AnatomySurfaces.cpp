@@ -21,6 +21,8 @@ anatomy::Surface partOf(const anatomy::ScalaTympani& scala, const std::string& p
   return anatomy::wallSurface(scala, wallTriangles);
 }
 
+}  // namespace
+
 Result<Done> writeEar(anatomy::Surface surface, const std::string& what, const std::string& label,
                       anatomy::Side side, const std::string& file)
 {
@@ -32,8 +34,6 @@ Result<Done> writeEar(anatomy::Surface surface, const std::string& what, const s
   const std::string title = "Perilymph, " + what + " of " + label + (isLeft ? ", left" : ", right");
   return anatomy::writeSurface(surface, title, file);
 }
-
-}  // namespace
 
 Result<Done> writePart(const anatomy::ScalaTympani& scala, const std::string& label,
                        anatomy::Side side, const AnatomyOptions& options)

@@ -2,7 +2,7 @@
 
 // The shapes that `anatomy` writes.
 
-#include <optional>
+#include <string>
 
 #include "Commands.h"
 #include "perilymph/anatomy/ScalaTympani.h"
@@ -17,8 +17,11 @@ struct HapticSurfaceNumbers {
   anatomy::SurfaceDeviation deviation;
 };
 
-/// Writes what --surface with --part asks for; a left ear as the mirror image of the right one
-/// inside.
+/// Writes a surface in W with a title; a left ear as the mirror image of the right one inside.
+Result<Done> writeEar(anatomy::Surface surface, const std::string& what, const std::string& label,
+                      anatomy::Side side, const std::string& file);
+
+/// Writes what --surface with --part asks for.
 Result<Done> writePart(const anatomy::ScalaTympani& scala, const std::string& label,
                        anatomy::Side side, const AnatomyOptions& options);
 

@@ -22,13 +22,16 @@ struct SimulateOptions {
 Result<Done> simulate(const SimulateOptions& options);
 
 struct AnatomyOptions {
-  std::string preset, patient;
+  std::string preset, patient, import;
   std::optional<double> stLength_mm, rwWidth_mm, rwHeight_mm;
+  std::optional<double> a_mm, b_mm, h_mm;
   std::string notThereYet;  ///< An option of a later version that was given: "--sample".
   std::string json, sections, surface, hapticSurface;
   std::string part = "scala";
 };
 Result<Done> describeAnatomy(const AnatomyOptions& options);
+/// The same for a segmented surface, --import.
+Result<Done> describeImport(const AnatomyOptions& options);
 
 struct ReplayOptions {
   std::string file;

@@ -42,16 +42,18 @@ Result<Done> draw(visualization::PictureRequest request)
 /// The cochlea alone.
 Result<Done> drawAnatomy(const RenderOptions& options, visualization::PictureRequest request)
 {
-  if (!options.preset.empty() && options.preset != "published")
-    return Error{"The preset '" + options.preset +
-                 "' is not in this version; use --preset published."};
   session::Scenario scenario;
+  if (!options.preset.empty()) {
+    scenario.anatomy = options.preset;
+    scenario.patient.label = options.preset;
+  }
   if (!options.patient.empty()) {
     const auto file = findByName("patient", "resources/patients", options.patient);
     if (!file) return file.error();
     const auto patient = anatomy::loadPatient(*file);
     if (!patient) return patient.error();
     scenario.patient = *patient;
+    if (patient->basalTurn) scenario.anatomy = "mean";
   }
   scenario.name = scenario.patient.label;
   const auto scala = session::buildAnatomy(scenario);

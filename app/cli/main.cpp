@@ -69,12 +69,15 @@ void addAnatomy(CLI::App& app, AnatomyOptions& options)
 {
   CLI::App& command = *app.add_subcommand("anatomy", "Measures a cochlea and writes its shape");
   CLI::Option_group& source = *command.add_option_group("anatomy");
-  source.add_option("--preset", options.preset, "published")
+  source.add_option("--preset", options.preset, "published, mean or clark")
       ->check(CLI::IsMember({"published", "mean", "clark"}));
   source.add_option("--patient", options.patient, "A patient's file or shipped name");
   CLI::Option* length =
       source.add_option("--st-length-mm", options.stLength_mm, "Length of the organ-of-Corti path");
-  for (const char* later : {"--sample", "--import", "--a-mm"})
+  CLI::Option* a =
+      source.add_option("--a-mm", options.a_mm, "A: through round window and modiolus");
+  source.add_option("--import", options.import, "A segmented surface in mm: .stl .ply .vtp");
+  for (const char* later : {"--sample"})
     source.add_option_function<std::string>(
         later, [&options, later](const std::string&) { options.notThereYet = later; },
         "Not in this version");
@@ -87,10 +90,10 @@ void addAnatomy(CLI::App& app, AnatomyOptions& options)
   length->needs(width)->needs(height);
   width->needs(length);
   height->needs(length);
-  for (const char* later : {"--b-mm", "--h-mm"})
-    command.add_option_function<std::string>(
-        later, [&options, later](const std::string&) { options.notThereYet = later; },
-        "Not in this version");
+  CLI::Option* b = command.add_option("--b-mm", options.b_mm, "B: across A through the modiolus");
+  a->needs(b);
+  b->needs(a);
+  command.add_option("--h-mm", options.h_mm, "H: along the modiolus, base to apex")->needs(a);
   command.add_option("--json", options.json, "Writes the measures, formulas and sources");
   command.add_option("--sections", options.sections, "Writes the sections as CSV");
   CLI::Option* surface = command.add_option("--surface", options.surface,

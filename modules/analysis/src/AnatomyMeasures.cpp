@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <utility>
 
+#include "perilymph/analysis/ClinicalEstimates.h"
 #include "perilymph/foundation/Math.h"
 #include "perilymph/session/Csv.h"
 
@@ -42,11 +44,39 @@ int piecesOver(double angle)
   return std::max(1, static_cast<int>(std::ceil(inDegrees(radians(angle)) * 4.0)));
 }
 
+/// The outermost point of the section at an angle.
+PathPoint outermost(const anatomy::ScalaTympani& scala, double angle)
+{
+  constexpr int directions = 360;
+  PathPoint best{0.0, 0.0};
+  for (int k = 0; k < directions; ++k) {
+    const Eigen::Vector3d wall = scala.wall_W(angle, 2.0 * pi * k / directions);
+    const double radius = std::sqrt(wall.x() * wall.x() + wall.y() * wall.y());
+    if (radius > best.radius) best = {radius, wall.z()};
+  }
+  return best;
+}
+
+// The distance of the sections of the mean scala tympani (Froehlich et al. 2024): lengths along the
+// wall are then comparable with those measured on it.
+constexpr double outerWallStep_deg = 22.5;
+
+/// The outermost points of sections at equal angles, straight between them in radius and height.
 Path outerWall(const anatomy::ScalaTympani& scala)
 {
-  return [&scala](double angle) {
-    const Eigen::Vector3d wall = scala.wall_W(angle, 0.0);
-    return PathPoint{std::sqrt(wall.x() * wall.x() + wall.y() * wall.y()), wall.z()};
+  const double step = degrees(outerWallStep_deg).si();
+  const double last = scala.lastAngle().si();
+  std::vector<PathPoint> points;
+  for (std::size_t i = 0; step * static_cast<double>(i) < last + step; ++i)
+    points.push_back(outermost(scala, std::min(step * static_cast<double>(i), last)));
+  return [points, step, last](double angle) {
+    const auto i = std::min(static_cast<std::size_t>(angle / step), points.size() - 2);
+    const double from = step * static_cast<double>(i);
+    const double share = (angle - from) / (std::min(from + step, last) - from);
+    const PathPoint& a = points[i];
+    const PathPoint& b = points[i + 1];
+    return PathPoint{a.radius + share * (b.radius - a.radius),
+                     a.height + share * (b.height - a.height)};
   };
 }
 
@@ -82,10 +112,9 @@ double sweptPerRadian(const anatomy::ScalaTympani& scala, double angle)
   return sum;
 }
 
-/// Simpson's rule over the angle.
-double volume(const anatomy::ScalaTympani& scala)
+/// Simpson's rule over the angle, from the round window on.
+double volume(const anatomy::ScalaTympani& scala, double last)
 {
-  const double last = scala.lastAngle().si();
   const int pieces = 2 * std::max(1, static_cast<int>(std::ceil(inDegrees(radians(last)) / 2.0)));
   double sum = 0.0;
   for (int i = 0; i <= pieces; ++i) {
@@ -117,31 +146,46 @@ std::vector<Measure> measure(const anatomy::ScalaTympani& scala)
     highest = std::max(highest, row.section.centerHeight);
   }
   const double turn = std::min(2.0 * pi, last);
+  const double measured = scala.measuredAngle().si();
+  const Path outer = outerWall(scala);
+  const auto outerLength_mm = [&](double to) { return mm(lengthOf(outer, to, piecesOver(to))); };
   const std::string own = "measured from the lumen of this model";
-  return {{"A_mm", a_mm, "outer wall radius at 0 deg + at 180 deg",
-           own + "; A as in clinical planning, from the round window through the modiolus to the "
-                 "far wall"},
-          {"B_mm", b_mm, "outer wall radius at 90 deg + at 270 deg",
-           own + "; B as in clinical planning, across A through the modiolus"},
-          {"H_mm", mm(roof - floor), "highest roof - lowest floor along the modiolar axis", own},
-          {"turns", inDegrees(radians(last)) / 360.0, "angle of the last section / 360 deg", own},
-          {"st_length_mm", mm(lengthOf(organOfCortiPlan(scala), last, piecesOver(last))),
-           "length of the organ-of-Corti path in the plan, round window to apex",
-           own + "; definition of Todd and Naghdy, section II.B"},
-          {"cdl_oc_mm", 4.16 * a_mm - 4.0, "4.16 A - 4", "Alexiades 2015, Otol Neurotol 36:904"},
-          {"outer_wall_length_360_mm", mm(lengthOf(outerWall(scala), turn, piecesOver(turn))),
-           "length of the outer wall, 0 to 360 deg", own},
-          {"outer_wall_length_mm", mm(lengthOf(outerWall(scala), last, piecesOver(last))),
-           "length of the outer wall, 0 deg to the last section", own},
-          {"volume_mm3", volume(scala) * 1e9,
-           "integral of r over each section's area and over the angle (Pappus), 0 deg to the last "
-           "section",
-           own},
-          {"axial_height_mm", mm(highest - lowest), "highest - lowest center of a section", own},
-          {"rw_width_mm", mm(first.outerRadius - first.innerRadius),
-           "outer - inner wall radius of the section at 0 deg", own},
-          {"rw_height_mm", mm(first.roofHeight - first.floorHeight),
-           "roof - floor of the section at 0 deg", own}};
+  std::vector<Measure> measures = {
+      {"A_mm", a_mm, "outer wall radius at 0 deg + at 180 deg",
+       own + "; A as in clinical planning, from the round window through the modiolus to the "
+             "far wall"},
+      {"B_mm", b_mm, "outer wall radius at 90 deg + at 270 deg",
+       own + "; B as in clinical planning, across A through the modiolus"},
+      {"H_mm", mm(roof - floor), "highest roof - lowest floor along the modiolar axis", own},
+      {"turns", inDegrees(radians(last)) / 360.0, "angle of the last section / 360 deg", own},
+      {"st_length_mm", mm(lengthOf(organOfCortiPlan(scala), last, piecesOver(last))),
+       "length of the organ-of-Corti path in the plan, round window to apex",
+       own + "; definition of Todd and Naghdy, section II.B"},
+      {"cdl_oc_mm", 4.16 * a_mm - 4.0, "4.16 A - 4", "Alexiades 2015, Otol Neurotol 36:904"},
+      {"outer_wall_length_360_mm", outerLength_mm(turn),
+       "length through the outermost points of sections 22.5 deg apart, 0 to 360 deg", own},
+      {"outer_wall_length_mm", outerLength_mm(measured),
+       "the same, 0 deg to the last measured section", own},
+      {"volume_mm3", volume(scala, measured) * 1e9,
+       "integral of r over each section's area and over the angle (Pappus), 0 deg to the last "
+       "measured section",
+       own},
+      {"axial_height_mm", mm(highest - lowest), "highest - lowest center of a section", own},
+      {"rw_width_mm", mm(first.outerRadius - first.innerRadius),
+       "outer - inner wall radius of the section at 0 deg", own},
+      {"rw_height_mm", mm(first.roofHeight - first.floorHeight),
+       "roof - floor of the section at 0 deg", own},
+      {"measured_to_deg", inDegrees(scala.measuredAngle()),
+       "angle of the last measured section; beyond it the model goes on by a trend", own}};
+  if (measured < last) {
+    measures.push_back({"outer_wall_length_to_apex_mm", outerLength_mm(last),
+                        "as outer_wall_length_mm, 0 deg to the last section", own});
+    measures.push_back({"volume_to_apex_mm3", volume(scala, last) * 1e9,
+                        "as volume_mm3, 0 deg to the last section", own});
+  }
+  for (Measure& estimate : clinicalEstimates(millimeters(a_mm), millimeters(b_mm)))
+    measures.push_back(std::move(estimate));
+  return measures;
 }
 
 std::vector<SectionRow> sectionRows(const anatomy::ScalaTympani& scala, Angle most)

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "CubicTable.h"
+#include "Outline.h"
 #include "perilymph/foundation/Math.h"
 #include "perilymph/foundation/Units.h"
 
@@ -12,44 +13,15 @@ namespace {
 
 constexpr double joint_deg = 12.0;
 
-/// A point of a half-plane through the axis: distance from it, and height [m].
-struct HalfPlanePoint {
-  double r, z;
-};
-
-HalfPlanePoint mix(const HalfPlanePoint& a, const HalfPlanePoint& b, double share)
-{
-  return {a.r + share * (b.r - a.r), a.z + share * (b.z - a.z)};
-}
-
-/// Where the line from a point of the first section along `tangent` meets the half-plane at an angle.
+/// Where the line from a point of the first section along `tangent` meets the half-plane at an
+/// angle.
 HalfPlanePoint carried(const HalfPlanePoint& from, const Eigen::Vector3d& tangent,
                        const SineCosine& turn)
 {
-  const double along =
-      from.r * turn.sine / (tangent.y() * turn.cosine - tangent.x() * turn.sine);
+  const double along = from.r * turn.sine / (tangent.y() * turn.cosine - tangent.x() * turn.sine);
   const double x = from.r + along * tangent.x();
   const double y = along * tangent.y();
   return {x * turn.cosine + y * turn.sine, from.z + along * tangent.z()};
-}
-
-/// Distance from `center` to a closed outline in a direction.
-double radiusIn(const std::vector<HalfPlanePoint>& outline, const HalfPlanePoint& center,
-                const SineCosine& direction)
-{
-  for (std::size_t k = 0; k < outline.size(); ++k) {
-    const HalfPlanePoint& a = outline[k];
-    const HalfPlanePoint& b = outline[(k + 1) % outline.size()];
-    // across the ray the two ends lie on different sides; along it the crossing lies ahead
-    const double sideA = (a.z - center.z) * direction.cosine - (a.r - center.r) * direction.sine;
-    const double sideB = (b.z - center.z) * direction.cosine - (b.r - center.r) * direction.sine;
-    if (sideA > 0.0 || sideB <= 0.0) continue;
-    const HalfPlanePoint crossing = mix(a, b, sideA / (sideA - sideB));
-    const double ahead = (crossing.r - center.r) * direction.cosine +
-                         (crossing.z - center.z) * direction.sine;
-    if (ahead > 0.0) return ahead;
-  }
-  return 0.0;
 }
 
 }  // namespace
@@ -73,8 +45,10 @@ void easeIntoLeadIn(SectionTables& tables)
                           tables.centerHeight[section] + radius * rays[k].sine};
   };
   const std::array<HalfPlanePoint, 2> firstMembrane{
-      HalfPlanePoint{firstCenter.r + tables.membraneInner[0], firstCenter.z + tables.membraneHeight[0]},
-      HalfPlanePoint{firstCenter.r + tables.membraneOuter[0], firstCenter.z + tables.membraneHeight[0]}};
+      HalfPlanePoint{firstCenter.r + tables.membraneInner[0],
+                     firstCenter.z + tables.membraneHeight[0]},
+      HalfPlanePoint{firstCenter.r + tables.membraneOuter[0],
+                     firstCenter.z + tables.membraneHeight[0]}};
   std::vector<HalfPlanePoint> first;
   for (std::size_t k = 0; k < directions; ++k) first.push_back(wallPoint(0, k));
 
@@ -102,8 +76,9 @@ void easeIntoLeadIn(SectionTables& tables)
     tables.membraneInner[i] = inner.r - center.r;
     tables.membraneOuter[i] = outer.r - center.r;
     tables.membraneHeight[i] = 0.5 * (inner.z + outer.z) - center.z;
+    std::size_t near = 0;
     for (std::size_t k = 0; k < directions; ++k)
-      tables.wallRadius[i * directions + k] = radiusIn(outline, center, rays[k]);
+      tables.wallRadius[i * directions + k] = radiusIn(outline, center, rays[k], near);
   }
 }
 

@@ -11,29 +11,46 @@ namespace perilymph::anatomy {
 namespace {
 
 constexpr double sectionStep_deg = 3.0;
-constexpr int across = 46;          // samples over a section, each way
-constexpr double margin = 1.25;     // the table goes this many half widths and heights out
+constexpr int across = 46;       // samples over a section, each way
+constexpr double margin = 1.25;  // the table goes this many half widths and heights out
 constexpr int outlinePoints = 120;
 
 // Lead-in and spiral both describe the wall this far beyond their joint. A point changes over only
 // where it leaves that overlap, so it never changes back within a step.
 constexpr double joint = 0.05e-3;  // [m]
 
+constexpr std::size_t page = across * across;               // samples of a section
 constexpr double perShare = (across - 3) / (2.0 * margin);  // samples per unit of share
 
-/// A section's outline, and the direction in which the wall runs on from each of its points.
+/// A section's outline, and how the wall runs on from each of its points.
 struct Outline {
-  double u[outlinePoints], v[outlinePoints];        // from the center [m]
-  double alongU[outlinePoints], alongV[outlinePoints];  // unit lengthwise tangent, its part in the section
+  double u[outlinePoints], v[outlinePoints];  // from the center [m]
+  // the lengthwise line through each point: unit tangent and curvature [1/m], their parts in the
+  // section, and the size of the curvature
+  double alongU[outlinePoints], alongV[outlinePoints];
+  double bendU[outlinePoints], bendV[outlinePoints];
+  double bend[outlinePoints];
 };
 
-/// Squared distance in space from (u, v) to the wall's line through outline point k.
+// A parabola follows a lengthwise line this far: half its radius of curvature, so 0.5 rad of arc.
+constexpr double parabolaReach = 0.5;
+
+/// Squared distance in space from (u, v) to the wall's lengthwise line through outline point k,
+/// a parabola with the line's tangent t and curvature c, at one Newton step's arc length s:
+///
+///     s = e.t / (1 - e.c),   d^2 = |e - s t - s^2 c / 2|^2
+///
+/// with e the way from the outline point.
 double squaredDistance(const Outline& outline, int k, double u, double v) noexcept
 {
   const double eu = u - outline.u[k];
   const double ev = v - outline.v[k];
   const double along = eu * outline.alongU[k] + ev * outline.alongV[k];
-  return eu * eu + ev * ev - along * along;
+  const double straightness = 1.0 - eu * outline.bendU[k] - ev * outline.bendV[k];
+  const double reach = parabolaReach / std::max(outline.bend[k], 1.0);
+  const double s = std::clamp(along / std::max(straightness, 0.1), -reach, reach);
+  const double sag = 0.5 * s * s * outline.bend[k];
+  return eu * eu + ev * ev - 2.0 * s * along + s * s * straightness + sag * sag;
 }
 
 /// Distance from (u, v) to the outline's wall, by the nearest point and a parabola through its
@@ -57,14 +74,16 @@ double distanceTo(const Outline& outline, double u, double v) noexcept
     consider((coarse + k) % outlinePoints);
     consider((coarse + outlinePoints - k) % outlinePoints);
   }
-  const double before = squaredDistance(outline, (nearest + outlinePoints - 1) % outlinePoints, u, v);
+  const double before =
+      squaredDistance(outline, (nearest + outlinePoints - 1) % outlinePoints, u, v);
   const double after = squaredDistance(outline, (nearest + 1) % outlinePoints, u, v);
   const double bend = before - 2.0 * least + after;
   if (bend > 0.0) least -= (after - before) * (after - before) / (8.0 * bend);
   return std::sqrt(std::max(least, 0.0));
 }
 
-double at(const std::vector<double>& coefficients, std::size_t first, const double weights[4]) noexcept
+double at(const std::vector<double>& coefficients, std::size_t first,
+          const double weights[4]) noexcept
 {
   return weighted(coefficients.data() + first, weights);
 }
@@ -91,7 +110,7 @@ void keepPositive(double& a, double& b, double& c) noexcept
 
 /// A point in the section's coordinates, with their gradients in space.
 struct LumenField::Unrolled {
-  std::size_t section;       // first of four coefficients over the angle
+  std::size_t section;  // first of four coefficients over the angle
   double sectionFraction;
   double u, v;               // from the section's center, outward and apical [m]
   double p, q;               // the same as shares of half width and half height
@@ -140,16 +159,46 @@ LumenField::LumenField(const ScalaTympani& scala) : entry_(scala.entry()), inwar
 
   leastRadius_.resize(static_cast<std::size_t>(sections_));
   leastSlant_.resize(static_cast<std::size_t>(sections_));
-  distance_.resize(static_cast<std::size_t>((sections_ + 2) * across * across));
+  distance_.resize(static_cast<std::size_t>(sections_ + 2) * page);
   for (int i = 0; i < sections_; ++i) fillSection(scala, i);
-  // beyond both ends the distances go on as parabolas through the last three sections
-  constexpr std::size_t page = across * across;
-  float* first = distance_.data();
+  continueIntoLeadIn();
+  // beyond the last section the distances go on as parabolas through the last three
   float* last = distance_.data() + static_cast<std::size_t>(sections_ + 1) * page;
-  for (std::size_t k = 0; k < page; ++k) {
-    first[k] = 3.0f * (first[page + k] - first[2 * page + k]) + first[3 * page + k];
+  for (std::size_t k = 0; k < page; ++k)
     last[k] = 3.0f * ((last - page)[k] - (last - 2 * page)[k]) + (last - 3 * page)[k];
-  }
+}
+
+// The page before the first section, so that there the distance changes with the angle as it does
+// in the straight lead-in: not at all along its axis.
+void LumenField::continueIntoLeadIn()
+{
+  const CubicWeights start(0.0);
+  const auto slope = [&](const std::vector<double>& table) {
+    return at(table, 0, start.slope) * perSection_;
+  };
+  const double width = at(halfWidth_, 0, start.value);
+  const double tall = at(halfHeight_, 0, start.value);
+  const double radius = at(centerRadius_, 0, start.value);
+  float* before = distance_.data();
+  const float* first = before + page;
+  const auto difference = [](const float* row, int i, int step) {
+    const int low = std::max(i - 1, 0), high = std::min(i + 1, across - 1);
+    return static_cast<double>(row[high * step] - row[low * step]) * perShare / (high - low);
+  };
+  for (int i = 0; i < across; ++i)
+    for (int j = 0; j < across; ++j) {
+      const double p = (i - 1) / perShare - margin;
+      const double q = (j - 1) / perShare - margin;
+      const double byP = difference(first + j, i, across);
+      const double byQ = difference(first + i * across, j, 1);
+      // The place (p, q) moves with the section; along the axis it would move by the tangent.
+      const double perAngle = (radius + p * width) / inward_W_.y();
+      const double moveU = slope(centerRadius_) + p * slope(halfWidth_) - perAngle * inward_W_.x();
+      const double moveV = slope(centerHeight_) + q * slope(halfHeight_) - perAngle * inward_W_.z();
+      const double byAngle = byP * moveU / width + byQ * moveV / tall;
+      const auto k = static_cast<std::size_t>(i * across + j);
+      before[k] = static_cast<float>(first[page + k] - 2.0 * byAngle / perSection_);
+    }
 }
 
 // The distances of one section, from its outline and the direction in which the wall runs on.
@@ -160,20 +209,27 @@ void LumenField::fillSection(const ScalaTympani& scala, int section)
   const Eigen::Vector3d outward(turn.cosine, turn.sine, 0.0);
   const Eigen::Vector3d center = scala.center_W(angle);
   constexpr double nudge = 1e-3;  // [rad]
-  const double low = std::max(angle - nudge, 0.0);
-  const double high = std::min(angle + nudge, lastAngle_);
+  // the first and the last section borrow the direction of a neighboring angle
+  const double middle = std::clamp(angle, nudge, lastAngle_ - nudge);
 
   Outline outline;
   double leastRadius = 1e9, leastSlant = 1.0;
   for (int k = 0; k < outlinePoints; ++k) {
     const double direction = 2.0 * pi * k / outlinePoints;
     const Eigen::Vector3d e = scala.wall_W(angle, direction) - center;
-    const Eigen::Vector3d along =
-        (scala.wall_W(high, direction) - scala.wall_W(low, direction)).normalized();
+    const Eigen::Vector3d before = scala.wall_W(middle - nudge, direction);
+    const Eigen::Vector3d after = scala.wall_W(middle + nudge, direction);
+    const Eigen::Vector3d along = (after - before).normalized();
+    Eigen::Vector3d bend = (after + before - 2.0 * scala.wall_W(middle, direction)) /
+                           (0.25 * (after - before).squaredNorm());
+    bend -= bend.dot(along) * along;
     outline.u[k] = e.dot(outward);
     outline.v[k] = e.z();
     outline.alongU[k] = along.dot(outward);
     outline.alongV[k] = along.z();
+    outline.bendU[k] = bend.dot(outward);
+    outline.bendV[k] = bend.z();
+    outline.bend[k] = bend.norm();
     const double off = std::sqrt(outline.u[k] * outline.u[k] + outline.v[k] * outline.v[k]);
     leastRadius = std::min(leastRadius, off);
     const double inSection =
@@ -186,16 +242,17 @@ void LumenField::fillSection(const ScalaTympani& scala, int section)
 
   const double width = at(halfWidth_, row, CubicWeights(0.0).value);
   const double tall = at(halfHeight_, row, CubicWeights(0.0).value);
-  float* page = distance_.data() + static_cast<std::size_t>((section + 1) * across * across);
+  float* distances = distance_.data() + (row + 1) * page;
   for (int i = 0; i < across; ++i)
     for (int j = 0; j < across; ++j) {
       const double u = ((i - 1) / perShare - margin) * width;
       const double v = ((j - 1) / perShare - margin) * tall;
       const double off = std::sqrt(u * u + v * v);
       const Eigen::Vector3d wall = scala.wall_W(angle, arcTangent(v, u)) - center;
-      const double edge = std::sqrt(wall.x() * wall.x() + wall.y() * wall.y() + wall.z() * wall.z());
+      const double edge =
+          std::sqrt(wall.x() * wall.x() + wall.y() * wall.y() + wall.z() * wall.z());
       const double distance = distanceTo(outline, u, v);
-      page[i * across + j] = static_cast<float>(off < edge ? distance : -distance);
+      distances[i * across + j] = static_cast<float>(off < edge ? distance : -distance);
     }
 }
 
@@ -238,8 +295,9 @@ LumenField::Unrolled LumenField::unroll(const Eigen::Vector3d& point_W, const Lu
   at_.q = at_.v / at_.height;
   at_.byP = (byU - (at_.p * at(halfWidth_, at_.section, along.slope) * perSection_) * at_.byAngle) /
             at_.width;
-  at_.byQ = (byV - (at_.q * at(halfHeight_, at_.section, along.slope) * perSection_) * at_.byAngle) /
-            at_.height;
+  at_.byQ =
+      (byV - (at_.q * at(halfHeight_, at_.section, along.slope) * perSection_) * at_.byAngle) /
+      at_.height;
   return at_;
 }
 
@@ -291,8 +349,8 @@ void LumenField::locate(const Eigen::Vector3d& point_W, double reach, LumenTrack
   for (std::size_t i = 0; i < 4; ++i) {
     double value = 0.0, byP = 0.0, byPp = 0.0, byQ = 0.0, byPq = 0.0, byQq = 0.0;
     for (std::size_t j = 0; j < 4; ++j) {
-      const float* row = distance_.data() +
-                         ((here.section + i) * across + pFirst + j) * across + qFirst;
+      const float* row =
+          distance_.data() + ((here.section + i) * across + pFirst + j) * across + qFirst;
       const double c0 = row[0], c1 = row[1], c2 = row[2], c3 = row[3];
       const double v = c0 * q.value[0] + c1 * q.value[1] + c2 * q.value[2] + c3 * q.value[3];
       const double s = c0 * q.slope[0] + c1 * q.slope[1] + c2 * q.slope[2] + c3 * q.slope[3];
@@ -318,10 +376,11 @@ void LumenField::locate(const Eigen::Vector3d& point_W, double reach, LumenTrack
   wall.distance = D;
   if (std::min(D, toEnd) > reach) return;
   wall.isNear = true;
-  wall.normal_W = (Da * perSection_) * here.byAngle + (Dp * perShare) * here.byP +
-                  (Dq * perShare) * here.byQ;
+  wall.normal_W =
+      (Da * perSection_) * here.byAngle + (Dp * perShare) * here.byP + (Dq * perShare) * here.byQ;
 
-  // how the normal turns: in the section by the spline, along the duct by the circle around the axis
+  // how the normal turns: in the section by the spline, along the duct by the circle around the
+  // axis
   const double perShare2 = perShare * perShare;
   double pp = -Dpp * perShare2 / (here.width * here.width);
   double pq = -Dpq * perShare2 / (here.width * here.height);
@@ -344,8 +403,8 @@ void LumenField::locate(const Eigen::Vector3d& point_W, double reach, LumenTrack
 
   // whether the foot lies on the basilar membrane
   const double footV = here.v - D * wall.normal_W.z();
-  const double footU =
-      here.u - D * (wall.normal_W.x() * track.direction[0] + wall.normal_W.y() * track.direction[1]);
+  const double footU = here.u - D * (wall.normal_W.x() * track.direction[0] +
+                                     wall.normal_W.y() * track.direction[1]);
   wall.onMembrane = footV > 0.8 * at(membraneHeight_, here.section, a.value) &&
                     footU > at(membraneInner_, here.section, a.value) &&
                     footU < at(membraneOuter_, here.section, a.value);

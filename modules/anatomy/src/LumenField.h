@@ -27,6 +27,7 @@ public:
 private:
   struct Unrolled;
   void fillSection(const ScalaTympani& scala, int section);
+  void continueIntoLeadIn();
   Unrolled unroll(const Eigen::Vector3d& point_W, const LumenTrack& track, bool inLeadIn) const noexcept;
 
   Entry entry_;

@@ -1,6 +1,9 @@
 #include "perilymph/anatomy/Patient.h"
 
+#include <cmath>
 #include <cstdio>
+
+#include "perilymph/anatomy/Population.h"
 
 namespace perilymph::anatomy {
 namespace {
@@ -30,6 +33,65 @@ std::string complaint(const char* name, const char* key, Length value, Range lim
          " mm.";
 }
 
+Range rangeOf(const Spread& spread)
+{
+  return {inMillimeters(spread.low), inMillimeters(spread.high)};
+}
+
+std::string rounded(Length value)
+{
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.2f", inMillimeters(value));
+  return buffer;
+}
+
+/// "10.7 mm, 3.4 standard deviations above the mean of 9.23 mm (SD 0.43, n = 138)"
+std::string place(Length value, const Spread& spread)
+{
+  const double off = (value - spread.mean) / spread.deviation;
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.1f", std::fabs(off));
+  return plain(inMillimeters(value)) + " mm, " + buffer + " standard deviations " +
+         (off < 0.0 ? "below" : "above") + " the mean of " + rounded(spread.mean) + " mm (SD " +
+         rounded(spread.deviation) + ", n = 138, Pietsch et al. 2017)";
+}
+
+/// The sentence about a diameter that no cochlea has; empty if one may have it.
+std::string complaint(const char* name, Length value, const Spread& spread)
+{
+  if (value >= spread.low && value <= spread.high) return {};
+  return std::string(name) + " is " + place(value, spread) + "; it must be between " +
+         rounded(spread.low) + " and " + rounded(spread.high) + " mm. Measure again.";
+}
+
+Result<Done> checkBasalTurn(const BasalTurn& turn)
+{
+  for (const std::string& sentence :
+       {complaint("A (a_mm)", turn.a, spreadOfA()), complaint("B (b_mm)", turn.b, spreadOfB())})
+    if (!sentence.empty()) return Error{sentence};
+  if (turn.h) {
+    const std::string sentence = complaint("The height H", "h_mm", *turn.h, rangeOf(limitsOfH()));
+    if (!sentence.empty()) return Error{sentence};
+  }
+  return Done{};
+}
+
+/// A, B and perhaps H. The numbers a mouse or a ruler can give; the population decides afterwards.
+BasalTurn readBasalTurn(TomlReader& reader)
+{
+  for (const char* key : {"st_length_mm", "rw_width_mm", "rw_height_mm"})
+    if (reader.has(key))
+      reader.refuse(key, std::string(key) +
+                             " stands beside a_mm, b_mm or h_mm; give either those or the three "
+                             "lengths st_length_mm, rw_width_mm and rw_height_mm.");
+  constexpr Range diameter_mm{1.0, 20.0};
+  BasalTurn turn;
+  turn.a = millimeters(reader.number("a_mm", diameter_mm));
+  turn.b = millimeters(reader.number("b_mm", diameter_mm));
+  if (reader.has("h_mm")) turn.h = millimeters(reader.number("h_mm", rangeOf(limitsOfH())));
+  return turn;
+}
+
 }  // namespace
 
 PatientLimits patientLimits()
@@ -47,16 +109,23 @@ Result<Patient> loadPatient(const std::filesystem::path& file)
   patient.label = reader->text("label", file.stem().string());
   patient.side =
       reader->choice("side", {"right", "left"}, "right") == "left" ? Side::left : Side::right;
-  patient.scalaTympaniLength = millimeters(reader->number("st_length_mm", length_mm));
-  patient.roundWindowWidth = millimeters(reader->number("rw_width_mm", width_mm));
-  patient.roundWindowHeight = millimeters(reader->number("rw_height_mm", height_mm));
+  if (reader->has("a_mm") || reader->has("b_mm") || reader->has("h_mm")) {
+    patient.basalTurn = readBasalTurn(*reader);
+  } else {
+    patient.scalaTympaniLength = millimeters(reader->number("st_length_mm", length_mm));
+    patient.roundWindowWidth = millimeters(reader->number("rw_width_mm", width_mm));
+    patient.roundWindowHeight = millimeters(reader->number("rw_height_mm", height_mm));
+  }
 
   if (const Result<Done> done = reader->finish(); !done) return done.error();
+  if (const Result<Done> done = checkPatient(patient); !done)
+    return Error{file.string() + ": " + done.error().message};
   return patient;
 }
 
 Result<Done> checkPatient(const Patient& patient)
 {
+  if (patient.basalTurn) return checkBasalTurn(*patient.basalTurn);
   for (const std::string& sentence :
        {complaint("The length of the scala tympani", "st_length_mm", patient.scalaTympaniLength,
                   length_mm),
@@ -66,6 +135,20 @@ Result<Done> checkPatient(const Patient& patient)
                   patient.roundWindowHeight, height_mm)})
     if (!sentence.empty()) return Error{sentence};
   return Done{};
+}
+
+std::vector<std::string> unusualMeasures(const Patient& patient)
+{
+  std::vector<std::string> sentences;
+  if (!patient.basalTurn) return sentences;
+  const auto look = [&sentences](const char* name, Length value, const Spread& spread) {
+    if (std::fabs((value - spread.mean) / spread.deviation) > 2.0)
+      sentences.push_back(std::string(name) + " is " + place(value, spread) +
+                          ". Check the measurement.");
+  };
+  look("A", patient.basalTurn->a, spreadOfA());
+  look("B", patient.basalTurn->b, spreadOfB());
+  return sentences;
 }
 
 }  // namespace perilymph::anatomy

@@ -1,13 +1,15 @@
-// The published three-parameter scala tympani (Todd and Naghdy, section II.B): quarter-turn sections
-// as percentages of the one at the round window, inner wall as percentages of the organ-of-Corti
-// length, parabolic sides, flat basilar membrane. Where the paper leaves a gap, a named constant with
-// its source closes it.
+// The published three-parameter scala tympani (Todd and Naghdy, section II.B): quarter-turn
+// sections as percentages of the one at the round window, inner wall as percentages of the
+// organ-of-Corti length, parabolic sides, flat basilar membrane. Where the paper leaves a gap, a
+// named constant with its source closes it.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
+#include "CohenSpiral.h"
+#include "KnotSpline.h"
 #include "LeadIn.h"
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/foundation/Math.h"
@@ -19,25 +21,15 @@ namespace {
 constexpr double publishedLength = 35.58e-3;  // organ of Corti, Kawano 1996
 constexpr double startSpiral_deg = 13.47;     // round window on the spiral, Cohen 1996
 constexpr double totalHeight = 2.56e-3;       // of the center line, base to apex
-constexpr double riseTangent = 0.17632698070846498;  // tan 10 degrees, along the inner wall, first turn
+constexpr double riseTangent =
+    0.17632698070846498;  // tan 10 degrees, along the inner wall, first turn
 constexpr double membraneWidthBase = 0.15e-3;
 constexpr double membraneWidthApex = 0.52e-3;
 
-// --- the plan curve: Cohen 1996 as restated by Clark, Warren and Abbott 2011 (confidence medium:
-//     constants seen in public code that cites them) ---
-constexpr double planA = 3.762e-3;    // [m]
-constexpr double planB = 0.001317;    // [1/deg]
-constexpr double planC = 7.967e-3;    // [m]
-constexpr double planD = 0.1287;
-constexpr double planStart_deg = 5.0;
-constexpr double planBranch_deg = 100.0;
-// The two branches meet with a kink; a fifth-degree blend over this half-width takes its place
-// (ours; confidence medium).
-constexpr double planBlend_deg = 15.0;
-
 // --- sections of the mean scala tympani (n = 15, Froehlich et al. 2024, doi
-//     10.1371/journal.pone.0295121), radial width, axial height and inner wall [mm] at quarter turns
-//     and at its end: the percentages the paper does not print (confidence high up to 675 degrees) ---
+//     10.1371/journal.pone.0295121), radial width, axial height and inner wall [mm] at quarter
+//     turns and at its end: the percentages the paper does not print (confidence high up to 675
+//     degrees) ---
 struct Quarter {
   double angle_deg, width_mm, height_mm, inner_mm;
 };
@@ -60,84 +52,6 @@ constexpr double tiltBlend_deg = 90.0;
 constexpr double step_deg = 1.5;
 constexpr int directions = 96;
 
-/// Natural cubic spline through unevenly spaced knots; constant slope beyond them.
-class KnotSpline {
-public:
-  KnotSpline(std::vector<double> x, std::vector<double> y) : x_(std::move(x)), y_(std::move(y))
-  {
-    const std::size_t n = x_.size();
-    bend_.assign(n, 0.0);
-    std::vector<double> upper(n, 0.0);
-    for (std::size_t i = 1; i + 1 < n; ++i) {
-      const double before = x_[i] - x_[i - 1];
-      const double after = x_[i + 1] - x_[i];
-      const double right = 6.0 * ((y_[i + 1] - y_[i]) / after - (y_[i] - y_[i - 1]) / before);
-      const double pivot = 2.0 * (before + after) - before * upper[i - 1];
-      upper[i] = after / pivot;
-      bend_[i] = (right - before * bend_[i - 1]) / pivot;
-    }
-    for (std::size_t i = n - 1; i-- > 1;) bend_[i] -= upper[i] * bend_[i + 1];
-  }
-
-  double operator()(double x) const
-  {
-    std::size_t i = 1;
-    while (i + 1 < x_.size() && x > x_[i]) ++i;
-    const double h = x_[i] - x_[i - 1];
-    const double a = (x_[i] - x) / h;
-    const double b = (x - x_[i - 1]) / h;
-    return a * y_[i - 1] + b * y_[i] +
-           ((a * a * a - a) * bend_[i - 1] + (b * b * b - b) * bend_[i]) * h * h / 6.0;
-  }
-
-private:
-  std::vector<double> x_, y_, bend_;
-};
-
-/// A polynomial of fifth degree that takes over value, slope and bend at both ends of [0, 1].
-double blend5(double x, const double from[3], const double to[3])
-{
-  const double a0 = from[0], a1 = from[1], a2 = 0.5 * from[2];
-  const double c0 = to[0] - a0 - a1 - a2;
-  const double c1 = to[1] - a1 - 2.0 * a2;
-  const double c2 = to[2] - 2.0 * a2;
-  const double a3 = 10.0 * c0 - 4.0 * c1 + 0.5 * c2;
-  const double a4 = -15.0 * c0 + 7.0 * c1 - c2;
-  const double a5 = 6.0 * c0 - 3.0 * c1 + 0.5 * c2;
-  return a0 + x * (a1 + x * (a2 + x * (a3 + x * (a4 + x * a5))));
-}
-
-/// Plan radius, slope and bend [m, m/deg, m/deg^2] on the logarithmic branch at the base ...
-std::array<double, 3> basalBranch(double spiral_deg)
-{
-  const double x = spiral_deg - planStart_deg;
-  return {planC * (1.0 - planD * logarithm(x)), -planC * planD / x, planC * planD / (x * x)};
-}
-
-/// ... and on the exponential one toward the apex.
-std::array<double, 3> apicalBranch(double spiral_deg)
-{
-  const double slope = -planB * (0.0004 * spiral_deg + 0.98);
-  const double radius =
-      planA * exponential(-planB * (0.0002 * spiral_deg * spiral_deg + 0.98 * spiral_deg));
-  return {radius, radius * slope, radius * (slope * slope - planB * 0.0004)};
-}
-
-/// The organ-of-Corti path's distance from the modiolar axis [m], by the spiral's own angle.
-double planRadius(double spiral_deg)
-{
-  const double low = planBranch_deg - planBlend_deg;
-  const double high = planBranch_deg + planBlend_deg;
-  if (spiral_deg <= low) return basalBranch(spiral_deg)[0];
-  if (spiral_deg >= high) return apicalBranch(spiral_deg)[0];
-  const double width = high - low;
-  const auto a = basalBranch(low);
-  const auto b = apicalBranch(high);
-  const double from[3] = {a[0], a[1] * width, a[2] * width * width};
-  const double to[3] = {b[0], b[1] * width, b[2] * width * width};
-  return blend5((spiral_deg - low) / width, from, to);
-}
-
 /// The angle from the round window at which the plan curve reaches the published length [deg].
 double lastAngle_deg()
 {
@@ -145,9 +59,9 @@ double lastAngle_deg()
   constexpr double fine = fine_deg * pi / 180.0;
   double length = 0.0;
   double angle_deg = 0.0;
-  double radius = planRadius(startSpiral_deg);
+  double radius = cohenRadius(startSpiral_deg);
   while (length < publishedLength) {
-    const double next = planRadius(startSpiral_deg + angle_deg + fine_deg);
+    const double next = cohenRadius(startSpiral_deg + angle_deg + fine_deg);
     const double across = next - radius;
     const double mean = 0.5 * (next + radius);
     length += std::sqrt(across * across + mean * mean * fine * fine);
@@ -158,8 +72,8 @@ double lastAngle_deg()
 }
 
 /// The published section: sides are parabolas that reach from the walls at half height to the edges
-/// of a flat roof, the basilar membrane, whose inner edge is at the section's center; the floor is as
-/// the roof. From the center to that outline, in a direction.
+/// of a flat roof, the basilar membrane, whose inner edge is at the section's center; the floor is
+/// as the roof. From the center to that outline, in a direction.
 double outlineRadius(double direction, double halfWidth, double halfHeight, double membrane)
 {
   const SineCosine d = sineCosine(direction);
@@ -179,9 +93,10 @@ double outlineRadius(double direction, double halfWidth, double halfHeight, doub
   return inside;
 }
 
-/// The rise of the center line: 10 degrees along the inner wall over the first turn, then a tilt that
-/// brings the whole to the published height. Heights [m] at each section.
-std::vector<double> centerHeights(const std::vector<double>& innerRadius, double step, double height)
+/// The rise of the center line: 10 degrees along the inner wall over the first turn, then a tilt
+/// that brings the whole to the published height. Heights [m] at each section.
+std::vector<double> centerHeights(const std::vector<double>& innerRadius, double step,
+                                  double height)
 {
   const std::size_t sections = innerRadius.size();
   const double turn = 2.0 * pi;
@@ -194,10 +109,9 @@ std::vector<double> centerHeights(const std::vector<double>& innerRadius, double
   for (std::size_t i = 0; i < sections; ++i) {
     const std::size_t before = i > 0 ? i - 1 : 0;
     const std::size_t after = std::min(i + 1, sections - 1);
-    const double across = (innerRadius[after] - innerRadius[before]) /
-                          (step * static_cast<double>(after - before));
-    const double slope =
-        riseTangent * std::sqrt(innerRadius[i] * innerRadius[i] + across * across);
+    const double across =
+        (innerRadius[after] - innerRadius[before]) / (step * static_cast<double>(after - before));
+    const double slope = riseTangent * std::sqrt(innerRadius[i] * innerRadius[i] + across * across);
     const double past = (step * static_cast<double>(i) - turn) / blend;
     if (past <= 0.0) lastSlope = slope;
     const double x = std::clamp(past, 0.0, 1.0);
@@ -213,8 +127,8 @@ std::vector<double> centerHeights(const std::vector<double>& innerRadius, double
   const double tilt = (height - risen) / tilted;
   std::vector<double> heights(sections, 0.0);
   for (std::size_t i = 1; i < sections; ++i)
-    heights[i] = heights[i - 1] + 0.5 * step *
-                                      (rise[i] + rise[i - 1] + tilt * (share[i] + share[i - 1]));
+    heights[i] =
+        heights[i - 1] + 0.5 * step * (rise[i] + rise[i - 1] + tilt * (share[i] + share[i - 1]));
   return heights;
 }
 
@@ -235,7 +149,7 @@ std::shared_ptr<const ScalaTympani> buildPublished(const Patient& patient, Lengt
     heightShare.push_back(quarter.height_mm / quarters[0].height_mm);
     // as a share of the plan curve at the same angle, so that between quarter turns the inner wall
     // bends as the spiral does
-    innerShare.push_back(quarter.inner_mm / 1e3 / planRadius(startSpiral_deg + quarter.angle_deg));
+    innerShare.push_back(quarter.inner_mm / 1e3 / cohenRadius(startSpiral_deg + quarter.angle_deg));
   }
   angles.push_back(end_deg);
   widthShare.push_back(widthShare.back() * apexTaper);
@@ -256,7 +170,7 @@ std::shared_ptr<const ScalaTympani> buildPublished(const Patient& patient, Lengt
   std::vector<double> innerRadius(sections);
   for (std::size_t i = 0; i < sections; ++i) {
     const double angle_deg = realStep_deg * static_cast<double>(i);
-    const double plan = lengthScale * planRadius(startSpiral_deg + angle_deg);
+    const double plan = lengthScale * cohenRadius(startSpiral_deg + angle_deg);
     const double halfWidth = 0.5 * width * widths(angle_deg);
     const double halfHeight = 0.5 * height * heights(angle_deg);
     const double along = angle_deg / end_deg;

@@ -1,7 +1,7 @@
 #include "perilymph/imaging/SurfaceReader.h"
 
 #include <vtkCommand.h>
-#include <vtkPLYReader.h>
+#include <vtkExecutive.h>
 #include <vtkSTLReader.h>
 #include <vtkTriangleFilter.h>
 #include <vtkXMLPolyDataReader.h>
@@ -11,9 +11,12 @@
 #include <cstdint>
 #include <exception>
 #include <fstream>
+#include <initializer_list>
 #include <iterator>
 #include <string>
+#include <type_traits>
 
+#include "PlyFile.h"
 #include "PolyData.h"
 
 namespace perilymph::imaging {
@@ -39,7 +42,6 @@ std::string contentOf(const std::filesystem::path& file)
 /// Whether a file begins as its ending says; VTK's readers trust it.
 bool beginsRight(const std::string& content, const std::string& ending)
 {
-  if (ending == ".ply") return content.rfind("ply", 0) == 0;
   if (ending == ".vtp") return content.find("<VTKFile") != std::string::npos;
   if (content.rfind("solid", 0) == 0 && content.find("facet") != std::string::npos) return true;
   if (content.size() < 84) return false;
@@ -56,9 +58,12 @@ vtkSmartPointer<vtkPolyData> readWith(const std::filesystem::path& file)
   const auto complaints = vtkSmartPointer<Complaints>::New();
   const auto reader = vtkSmartPointer<Reader>::New();
   const auto triangles = vtkSmartPointer<vtkTriangleFilter>::New();
-  reader->AddObserver(vtkCommand::ErrorEvent, complaints);
-  reader->AddObserver(vtkCommand::WarningEvent, complaints);
-  triangles->AddObserver(vtkCommand::ErrorEvent, complaints);
+  for (vtkObject* const one : std::initializer_list<vtkObject*>{
+           reader, reader->GetExecutive(), triangles, triangles->GetExecutive()}) {
+    one->AddObserver(vtkCommand::ErrorEvent, complaints);
+    one->AddObserver(vtkCommand::WarningEvent, complaints);
+  }
+  if constexpr (std::is_base_of_v<vtkXMLReader, Reader>) reader->SetParserErrorObserver(complaints);
   reader->SetFileName(file.c_str());
   triangles->SetInputConnection(reader->GetOutputPort());
   triangles->PassLinesOff();
@@ -88,12 +93,15 @@ Result<anatomy::Surface> readSurface(const std::filesystem::path& file)
                  " MiB; at most 256 are read. Reduce its triangles."};
   const Error damaged{name + " is not a whole " + ending +
                       " file of a surface. Export it again from the segmentation program."};
-  if (!beginsRight(contentOf(file), ending)) return damaged;
   try {
-    const vtkSmartPointer<vtkPolyData> data = ending == ".stl" ? readWith<vtkSTLReader>(file)
-                                              : ending == ".ply"
-                                                  ? readWith<vtkPLYReader>(file)
-                                                  : readWith<vtkXMLPolyDataReader>(file);
+    const std::string content = contentOf(file);
+    if (ending == ".ply") {
+      if (auto surface = readPly(content)) return *std::move(surface);
+      return damaged;
+    }
+    if (!beginsRight(content, ending)) return damaged;
+    const vtkSmartPointer<vtkPolyData> data =
+        ending == ".stl" ? readWith<vtkSTLReader>(file) : readWith<vtkXMLPolyDataReader>(file);
     if (!data || data->GetNumberOfPolys() == 0) return damaged;
     return fromPolyData(*data);
   } catch (const std::exception&) {  // sizes no memory holds

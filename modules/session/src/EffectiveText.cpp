@@ -83,12 +83,21 @@ std::string ScenarioKeys::text(const char* key, const std::string& fallback)
   return value;
 }
 
-void ScenarioKeys::notePatient(const anatomy::Patient& patient)
+void ScenarioKeys::notePatient(const anatomy::Patient& patient, const std::string& anatomy)
 {
+  const auto noteLength = [this](const char* key, Length length) {
+    note(std::string("patient_numbers.") + key, tomlNumber(exactMillimeters(length)));
+  };
   note("patient_numbers.label", tomlText(patient.label));
-  note("patient_numbers.st_length_mm", tomlNumber(exactMillimeters(patient.scalaTympaniLength)));
-  note("patient_numbers.rw_width_mm", tomlNumber(exactMillimeters(patient.roundWindowWidth)));
-  note("patient_numbers.rw_height_mm", tomlNumber(exactMillimeters(patient.roundWindowHeight)));
+  if (patient.basalTurn) {
+    noteLength("a_mm", patient.basalTurn->a);
+    noteLength("b_mm", patient.basalTurn->b);
+    if (patient.basalTurn->h) noteLength("h_mm", *patient.basalTurn->h);
+  } else if (anatomy == "published") {
+    noteLength("st_length_mm", patient.scalaTympaniLength);
+    noteLength("rw_width_mm", patient.roundWindowWidth);
+    noteLength("rw_height_mm", patient.roundWindowHeight);
+  }
 }
 
 std::string ScenarioKeys::asToml() const

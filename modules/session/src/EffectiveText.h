@@ -33,8 +33,8 @@ public:
 
   /// Adds a value that was not read from a key of the same name.
   void note(const std::string& key, const std::string& toml) { values_.emplace_back(key, toml); }
-  /// Adds the patient's three numbers, a table of their own.
-  void notePatient(const anatomy::Patient& patient);
+  /// Adds the numbers from which an anatomy is built, a table of their own.
+  void notePatient(const anatomy::Patient& patient, const std::string& anatomy);
 
   /// Keys and values in their order; keys of a table wear its name: "table.key".
   const std::vector<std::pair<std::string, std::string>>& values() const { return values_; }

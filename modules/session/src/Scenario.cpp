@@ -143,15 +143,27 @@ Result<fs::path> findPatient(const std::string& patient, const fs::path& folder)
   return findByName("patient", "resources/patients", patient);
 }
 
-/// The three numbers that an effective text carries.
+/// The patient that an effective text carries: three lengths, or A, B and perhaps H, or a label
+/// alone where an anatomy needs no numbers.
 anatomy::Patient patientFromNumbers(TomlReader numbers)
 {
   anatomy::Patient patient;
+  patient.label = numbers.text("label", patient.label);
+  if (numbers.has("a_mm")) {
+    // the population's limits are checked with the whole patient
+    const auto diameter = [&numbers](const char* key) {
+      return millimeters(numbers.number(key, {0.0, 20.0}));
+    };
+    anatomy::BasalTurn turn{diameter("a_mm"), diameter("b_mm"), std::nullopt};
+    if (numbers.has("h_mm")) turn.h = diameter("h_mm");
+    patient.basalTurn = turn;
+    return patient;
+  }
+  if (!numbers.has("st_length_mm")) return patient;
   const anatomy::PatientLimits limits = anatomy::patientLimits();
   const auto length = [&numbers](const char* key, Length low, Length high) {
     return millimeters(numbers.number(key, {inMillimeters(low), inMillimeters(high)}));
   };
-  patient.label = numbers.text("label", patient.label);
   patient.scalaTympaniLength = length("st_length_mm", limits.lengthLow, limits.lengthHigh);
   patient.roundWindowWidth = length("rw_width_mm", limits.widthLow, limits.widthHigh);
   patient.roundWindowHeight = length("rw_height_mm", limits.heightLow, limits.heightHigh);
@@ -169,6 +181,29 @@ Result<anatomy::Patient> readPatient(TomlReader& reader, const std::string& name
   const auto file = findPatient(name, folder);
   if (!file) return file.error();
   return anatomy::loadPatient(*file);
+}
+
+/// The anatomy that the key names, by default the one that the patient's numbers build.
+void readAnatomy(TomlReader& reader, ScenarioKeys& keys, const anatomy::Patient& patient,
+                 bool hasPatient, std::string& anatomy)
+{
+  anatomy = keys.text("anatomy", patient.basalTurn ? "mean" : "published");
+  if (anatomy != "published" && anatomy != "mean" && anatomy != "clark")
+    return reader.refuse("anatomy",
+                         "anatomy is '" + anatomy + "'; it must be one of published, mean, clark.");
+  const std::string who = "the patient '" + patient.label + "' ";
+  if (anatomy == "published" && patient.basalTurn)
+    reader.refuse("anatomy", "anatomy is 'published', but " + who +
+                                 "gives a_mm and b_mm, from which the mean anatomy is built; set "
+                                 "anatomy to 'mean'.");
+  if (anatomy == "mean" && hasPatient && !patient.basalTurn)
+    reader.refuse("anatomy", "anatomy is 'mean', but " + who +
+                                 "gives st_length_mm, from which the published anatomy is built; "
+                                 "name a patient with a_mm and b_mm, or none.");
+  if (anatomy == "clark" && hasPatient)
+    reader.refuse("anatomy",
+                  "anatomy is 'clark', which is not built from a patient's numbers; "
+                  "leave 'patient' out.");
 }
 
 void readSide(TomlReader& reader, ScenarioKeys& keys, anatomy::Patient& patient)
@@ -211,7 +246,16 @@ Result<Scenario> readScenario(TomlReader& reader, const std::string& name, const
   scenario.name = fs::path(name).stem().string();
   ScenarioKeys keys(reader);
   scenario.title = keys.text("title", "");
-  readOnlyChoice(reader, keys, "anatomy", scenario.anatomy, {"mean", "clark"});
+  scenario.patientName = reader.text("patient", "");
+  auto patient = readPatient(reader, scenario.patientName, folder, namesPatient);
+  if (patient) {
+    scenario.patient = *patient;
+    const bool hasPatient =
+        !scenario.patientName.empty() || reader.table("patient_numbers").has("st_length_mm");
+    readAnatomy(reader, keys, *patient, hasPatient, scenario.anatomy);
+  } else {
+    reader.text("anatomy", "");  // known, but without its patient nothing to compare with
+  }
   std::string model = "rod";
   readOnlyChoice(reader, keys, "model", model, {"points"});
   // Above 1024 nodes a picture no longer fits its channel; below 8 a rod cannot follow the spiral.
@@ -223,9 +267,7 @@ Result<Scenario> readScenario(TomlReader& reader, const std::string& name, const
   readFriction(reader, keys, scenario.friction);
   readWallAndCoupling(reader, keys, scenario);
 
-  scenario.patientName = keys.text("patient", "");
-  auto patient = readPatient(reader, scenario.patientName, folder, namesPatient);
-  if (patient) scenario.patient = *patient;
+  keys.text("patient", "");
   readSide(reader, keys, scenario.patient);
   scenario.arrayName = keys.text("array", "contour");
   scenario.expectedArrayFingerprint = reader.text("array_fingerprint", "");
@@ -243,7 +285,7 @@ Result<Scenario> readScenario(TomlReader& reader, const std::string& name, const
                  shortLength_mm(scenario.array.insertable) + " mm at most. Lower stop_travel_mm."};
 
   keys.note("array_fingerprint", tomlText(scenario.arrayFingerprint));
-  keys.notePatient(scenario.patient);
+  keys.notePatient(scenario.patient, scenario.anatomy);
   scenario.values = keys.values();
   scenario.text = keys.asToml();
   return scenario;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "perilymph/analysis/ClinicalEstimates.h"
+#include "perilymph/anatomy/MeanScala.h"
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/test/Tolerance.h"
 
@@ -72,6 +74,50 @@ TEST(MeasuresOfThePublishedAnatomy, AreThePatientsOwnNumbers)
   EXPECT_NEAR(valueOf(measures, "st_length_mm"), 33.6, spline_mm);
   EXPECT_NEAR(valueOf(measures, "rw_width_mm"), 2.1, spline_mm);
   EXPECT_NEAR(valueOf(measures, "rw_height_mm"), 1.7, spline_mm);
+}
+
+class MeasuresOfTheMeanAnatomy : public testing::Test {
+protected:
+  static std::vector<Measure> measured()
+  {
+    const auto scala = anatomy::buildMean(millimeters(1));
+    return scala ? measure(**scala) : std::vector<Measure>{};
+  }
+
+  const std::vector<Measure> measures = measured();
+};
+
+TEST_F(MeasuresOfTheMeanAnatomy, AreThoseOfThePublishedSolid)
+{
+  // Froehlich et al. 2024, measured on the solid itself
+  EXPECT_NEAR(valueOf(measures, "A_mm"), 9.53, 0.01);
+  EXPECT_NEAR(valueOf(measures, "B_mm"), 6.82, 0.01);
+  EXPECT_NEAR(valueOf(measures, "outer_wall_length_360_mm"), 22.82, 0.05);
+  EXPECT_NEAR(valueOf(measures, "outer_wall_length_mm"), 33.04, 0.05);
+  EXPECT_NEAR(valueOf(measures, "volume_mm3"), 33.4, 0.7);
+  EXPECT_NEAR(valueOf(measures, "measured_to_deg"), 675.0, 1e-9);
+  EXPECT_GT(valueOf(measures, "volume_to_apex_mm3"), valueOf(measures, "volume_mm3"));
+}
+
+TEST_F(MeasuresOfTheMeanAnatomy, AreForetoldByTheFormulasWithin2_5Percent)
+{
+  const double lengthOfTurn = valueOf(measures, "outer_wall_length_360_mm");
+  EXPECT_NEAR(valueOf(measures, "escude_outer_wall_360_mm"), lengthOfTurn, 0.025 * lengthOfTurn);
+  EXPECT_NEAR(valueOf(measures, "eca_outer_wall_360_mm"), lengthOfTurn, 0.025 * lengthOfTurn);
+  const double whole = valueOf(measures, "outer_wall_length_mm");
+  EXPECT_NEAR(valueOf(measures, "escude_outer_wall_675_mm"), whole, 0.025 * whole);
+}
+
+TEST(ClinicalEstimates, AreThoseOfTheirFormulasForTheMeanCochlea)
+{
+  // worked out by hand for A = 9.23 and B = 6.80 mm
+  const Length a = millimeters(9.23), b = millimeters(6.80);
+  EXPECT_NEAR(inMillimeters(alexiadesDuctLength(a)), 34.40, 0.005);
+  EXPECT_NEAR(inMillimeters(alexiadesTwoTurns(a)), 30.04, 0.005);
+  EXPECT_NEAR(inMillimeters(escudeOuterWall(a, degrees(360))), 22.47, 0.005);
+  EXPECT_NEAR(inMillimeters(ellipticCircularBasalTurn(a, b)), 22.46, 0.005);
+  EXPECT_NEAR(inMillimeters(ellipticCircularDuctLength(a, b)), 33.44, 0.005);
+  EXPECT_NEAR(valueOf(clinicalEstimates(a, b), "pietsch_turns"), 2.686, 0.0005);
 }
 
 TEST(Measures, SayHowEachWasFound)

@@ -58,13 +58,16 @@ TEST(PublishedScala, HasTheMeasuredSectionsAtQuarterTurns)
     double angle_deg, width_mm, height_mm, inner_mm;
   };
   // Froehlich et al. 2024, mean of 15: radial width, axial height, inner wall from the axis
-  for (const Row& row : {Row{0, 1.94, 1.85, 4.30}, Row{90, 2.00, 1.18, 2.00}, Row{180, 1.94, 0.94, 1.36},
-                         Row{270, 1.95, 0.94, 0.88}, Row{360, 1.63, 0.98, 0.71},
-                         Row{450, 1.57, 1.08, 0.49}, Row{630, 1.42, 0.90, 0.10}}) {
+  for (const Row& row :
+       {Row{0, 1.94, 1.85, 4.30}, Row{90, 2.00, 1.18, 2.00}, Row{180, 1.94, 0.94, 1.36},
+        Row{270, 1.95, 0.94, 0.88}, Row{360, 1.63, 0.98, 0.71}, Row{450, 1.57, 1.08, 0.49},
+        Row{630, 1.42, 0.90, 0.10}}) {
     const Section section = scala->section(degrees(row.angle_deg).si());
     const double rounding = test::tolerance(0.01e-3, "rounded corners");
-    EXPECT_NEAR(section.outerRadius - section.innerRadius, row.width_mm / 1e3, rounding) << row.angle_deg;
-    EXPECT_NEAR(section.roofHeight - section.floorHeight, row.height_mm / 1e3, rounding) << row.angle_deg;
+    EXPECT_NEAR(section.outerRadius - section.innerRadius, row.width_mm / 1e3, rounding)
+        << row.angle_deg;
+    EXPECT_NEAR(section.roofHeight - section.floorHeight, row.height_mm / 1e3, rounding)
+        << row.angle_deg;
     EXPECT_NEAR(section.innerRadius, row.inner_mm / 1e3, rounding) << row.angle_deg;
   }
 }
@@ -111,10 +114,11 @@ TEST(PublishedScala, RisesTenDegreesAlongItsInnerWallInTheFirstTurn)
 
 TEST(PublishedScala, CurvesWithoutKinks)
 {
-  // Second differences of the center line change by little from step to step, also where the lead-in's
-  // joint ends (12 degrees), the branches of the plan curve meet (71.5 to 101.5) and the turn ends: no
-  // corner (which would show as 1/step, some hundreds of times more), no jump of curvature. The sharpest
-  // real change is that of the joint, where curvature falls to that of a straight line within 12 degrees.
+  // Second differences of the center line change by little from step to step, also where the
+  // lead-in's joint ends (12 degrees), the branches of the plan curve meet (71.5 to 101.5) and the
+  // turn ends: no corner (which would show as 1/step, some hundreds of times more), no jump of
+  // curvature. The sharpest real change is that of the joint, where curvature falls to that of a
+  // straight line within 12 degrees.
   const auto scala = published();
   const double step = degrees(0.25).si();
   const auto second = [&](double angle) {

@@ -56,7 +56,8 @@ TEST(WallSurface, FacesOutward)
   const Eigen::Vector3d apex = scala->entry().origin_W;
   for (const auto& t : surface.triangles)
     volume += (point(surface, t[0]) - apex)
-                  .dot((point(surface, t[1]) - apex).cross(point(surface, t[2]) - apex)) / 6.0;
+                  .dot((point(surface, t[1]) - apex).cross(point(surface, t[2]) - apex)) /
+              6.0;
   EXPECT_GT(volume, 25e-9);
   EXPECT_LT(volume, 45e-9);
 }

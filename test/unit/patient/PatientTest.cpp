@@ -75,6 +75,47 @@ TEST_F(PatientFile, IsRefusedWithOneSentenceForEachMistake)
               HasSubstr("p.toml:2:14: this is not TOML: "));
 }
 
+TEST_F(PatientFile, GivesTheBasalTurnInstead)
+{
+  const Result<Patient> patient = load("a_mm = 9.1\nb_mm = 6.9\n");
+  ASSERT_TRUE(patient) << patient.error().message;
+  ASSERT_TRUE(patient->basalTurn);
+  EXPECT_EQ(patient->basalTurn->a, millimeters(9.1));
+  EXPECT_EQ(patient->basalTurn->b, millimeters(6.9));
+  EXPECT_FALSE(patient->basalTurn->h);
+}
+
+TEST_F(PatientFile, GivesEitherLengthsOrTheBasalTurn)
+{
+  EXPECT_THAT(
+      mistake("a_mm = 9.1\nb_mm = 6.9\nrw_width_mm = 1.9\n"),
+      testing::AllOf(HasSubstr("p.toml:3"), HasSubstr("either"), HasSubstr("st_length_mm")));
+  EXPECT_THAT(mistake("a_mm = 9.1\n"), HasSubstr("'b_mm' is missing"));
+  EXPECT_THAT(mistake("a_mm = 9.1\nb_mm = 6.9\nh_mm = 9\n"), HasSubstr("between 2.3 and 4.8"));
+}
+
+TEST_F(PatientFile, WithADiameterThatNoCochleaHasIsRefusedWithThePopulation)
+{
+  // (11.2 - 9.23) / 0.428 = 4.6 standard deviations
+  const std::string sentence = mistake("a_mm = 11.2\nb_mm = 6.9\n");
+  for (const char* part : {"p.toml", "A (a_mm) is 11.2 mm", "4.6 standard deviations above", "9.23",
+                           "SD 0.43", "between 7.52 and 10.94"})
+    EXPECT_THAT(sentence, HasSubstr(part));
+}
+
+TEST(Patient, OfAnUnusualDiameterIsFlagged)
+{
+  Patient patient;
+  EXPECT_TRUE(unusualMeasures(patient).empty());
+  patient.basalTurn = BasalTurn{millimeters(9.0), millimeters(7.0), std::nullopt};
+  EXPECT_TRUE(unusualMeasures(patient).empty());
+  // (5.8 - 6.80) / 0.361 = -2.8 standard deviations
+  patient.basalTurn->b = millimeters(5.8);
+  ASSERT_EQ(unusualMeasures(patient).size(), 1u);
+  EXPECT_THAT(unusualMeasures(patient).front(), HasSubstr("2.8 standard deviations below"));
+  EXPECT_TRUE(checkPatient(patient));
+}
+
 TEST_F(PatientFile, ThatIsMissingIsNamed)
 {
   const Result<Patient> patient = loadPatient(folder_ / "no.toml");

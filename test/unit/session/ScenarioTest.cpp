@@ -173,11 +173,78 @@ TEST(Scenario, TakesEveryKeyOfTheContract)
 
 TEST(Scenario, RefusesWhatIsNotThereYetByName)
 {
-  EXPECT_THAT(refusal({{"anatomy", "mean"}}),
-              AllOf(HasSubstr("mean"), HasSubstr("not in this version")));
-  EXPECT_THAT(refusal({{"anatomy", "clark"}}), HasSubstr("not in this version"));
   EXPECT_THAT(refusal({{"model", "points"}}), HasSubstr("not in this version"));
   EXPECT_THAT(refusal({{"anatomy", "banana"}}), AllOf(HasSubstr("banana"), HasSubstr("published")));
+}
+
+TEST(ScenarioAnatomy, IsThePublishedOneUnlessAnotherIsNamed)
+{
+  EXPECT_EQ(parseScenario("", "empty")->anatomy, "published");
+  EXPECT_EQ(loadScenario("contour-published", {{"anatomy", "mean"}})->anatomy, "mean");
+}
+
+TEST(ScenarioAnatomy, GivesTheLumenOfItsName)
+{
+  // 900 degrees for the mean and for Clark's, 994 for the published one (35.58 mm of its spiral)
+  for (const auto& [name, last_deg] :
+       {std::pair{"mean", 900.0}, {"clark", 900.0}, {"published", 994.0}}) {
+    const auto scenario = loadScenario("contour-published", {{"anatomy", name}});
+    ASSERT_TRUE(scenario) << scenario.error().message;
+    const auto scala = buildAnatomy(*scenario);
+    ASSERT_TRUE(scala) << scala.error().message;
+    EXPECT_NEAR(inDegrees((*scala)->lastAngle()), last_deg, 1.0) << name;
+  }
+}
+
+class PatientOfTheBasalTurn : public testing::Test {
+protected:
+  void SetUp() override { write(file, "label = \"ab\"\na_mm = 8.9\nb_mm = 6.6\nh_mm = 3.9\n"); }
+
+  const test::TemporaryFolder folder;
+  const std::string file = folder / "ab.toml";
+};
+
+TEST_F(PatientOfTheBasalTurn, BuildsTheMeanAnatomy)
+{
+  const auto scenario = parseScenario("", "empty", {{"patient", file}});
+  ASSERT_TRUE(scenario) << scenario.error().message;
+  EXPECT_EQ(scenario->anatomy, "mean");
+  const auto scala = buildAnatomy(*scenario);
+  ASSERT_TRUE(scala);
+  const double a =
+      (*scala)->section(0.0).outerRadius + (*scala)->section(degrees(180).si()).outerRadius;
+  EXPECT_NEAR(a, 8.9e-3, 0.02e-3);
+}
+
+TEST_F(PatientOfTheBasalTurn, IsCarriedByTheTextToTheLastBit)
+{
+  const auto first = parseScenario("", "empty", {{"patient", file}});
+  ASSERT_TRUE(first) << first.error().message;
+  const auto second = parseScenario(first->text, "recording");
+  ASSERT_TRUE(second) << second.error().message;
+  EXPECT_EQ(second->text, first->text);
+  EXPECT_EQ(second->patient.basalTurn->a, first->patient.basalTurn->a);
+  EXPECT_EQ(*second->patient.basalTurn->h, millimeters(3.9));
+}
+
+TEST_F(PatientOfTheBasalTurn, IsRefusedInAnotherAnatomy)
+{
+  EXPECT_THAT(refusal({{"patient", file}}), AllOf(HasSubstr("'published'"), HasSubstr("'mean'")));
+  EXPECT_THAT(refusal({{"patient", file}, {"anatomy", "clark"}}), HasSubstr("clark"));
+  EXPECT_THAT(refusal({{"patient", "small"}, {"anatomy", "mean"}}),
+              AllOf(HasSubstr("st_length_mm"), HasSubstr("a_mm")));
+}
+
+TEST(ScenarioText, OfTheMeanAnatomyReadAgainIsTheSame)
+{
+  for (const char* anatomy : {"mean", "clark"}) {
+    const auto first = loadScenario("contour-published", {{"anatomy", anatomy}});
+    ASSERT_TRUE(first) << first.error().message;
+    const auto second = parseScenario(first->text, "recording");
+    ASSERT_TRUE(second) << second.error().message;
+    EXPECT_EQ(second->text, first->text);
+    EXPECT_EQ(second->anatomy, anatomy);
+  }
 }
 
 TEST(Scenario, AnswersAnUnknownFrictionWithTheKnownOnes)

@@ -19,8 +19,11 @@ struct Measure {
 };
 
 /// Measures a scala tympani without its lead-in: A, B, H, turns, lengths, volume, heights, the
-/// section at the round window. Lengths are those of polylines with a point every quarter of a
-/// degree.
+/// section at the round window, and beside them what the clinic's formulas make of A and B.
+///
+/// The outer wall's length goes through the outermost points of sections 22.5 degrees apart, radius
+/// and height linear in the angle between them. It and the volume end with the last measured
+/// section; where a model goes on by a trend, those to the apex are told apart.
 std::vector<Measure> measure(const anatomy::ScalaTympani& scala);
 
 /// One section in a half-plane through the modiolar axis, as numbers for a table.

@@ -1,7 +1,8 @@
 #pragma once
 
 // The scala tympani as tables over the angle from the round window: where the section's center is,
-// and how far the wall is from it in every direction. Every anatomy becomes this, whatever its source.
+// and how far the wall is from it in every direction. Every anatomy becomes this, whatever its
+// source.
 
 #include <Eigen/Core>
 #include <memory>
@@ -18,36 +19,41 @@ class LumenField;
 /// What a source of anatomy must deliver. Sections stand in half-planes through the modiolar axis,
 /// at equal angles; the last one closes the apex.
 struct SectionTables {
-  std::string name;                    ///< For people: "published, 35.58 mm".
-  double step = 0.0;                   ///< Angle between sections [rad].
-  std::vector<double> centerRadius;    ///< Of the section's center from the axis [m].
-  std::vector<double> centerHeight;    ///< Of the section's center along the axis [m].
-  int directions = 0;                  ///< Directions around the section, the first radially outward.
-  std::vector<double> wallRadius;      ///< From the center to the wall [m], `directions` per section.
-  std::vector<double> membraneInner;   ///< Inner edge of the basilar membrane from the center, radial [m].
+  std::string name;                  ///< For people: "published, 35.58 mm".
+  double step = 0.0;                 ///< Angle between sections [rad].
+  std::vector<double> centerRadius;  ///< Of the section's center from the axis [m].
+  std::vector<double> centerHeight;  ///< Of the section's center along the axis [m].
+  int directions = 0;                ///< Directions around the section, the first radially outward.
+  std::vector<double> wallRadius;    ///< From the center to the wall [m], `directions` per section.
+  std::vector<double>
+      membraneInner;  ///< Inner edge of the basilar membrane from the center, radial [m].
   std::vector<double> membraneOuter;   ///< Its outer edge [m].
   std::vector<double> membraneHeight;  ///< Its height above the section's center [m].
-  std::vector<double> planRadius;      ///< Of the organ-of-Corti path from the axis [m], for measures.
-  double leadIn = 0.0;                 ///< Straight stretch before the first section [m].
+  std::vector<double> planRadius;  ///< Of the organ-of-Corti path from the axis [m], for measures.
+  double leadIn = 0.0;             ///< Straight stretch before the first section [m].
+  /// The angle up to which sections were measured [rad]; beyond it they go on by a trend. 0: all
+  /// were.
+  double measuredTo = 0.0;
 };
 
 /// One point of the tables, between them interpolated.
 struct Section {
-  double centerRadius;   ///< [m]
-  double centerHeight;   ///< [m]
-  double innerRadius;    ///< Of the innermost wall from the axis [m].
-  double outerRadius;    ///< Of the outermost wall from the axis [m].
-  double floorHeight;    ///< [m]
-  double roofHeight;     ///< [m]
-  double area;           ///< [m^2]
+  double centerRadius;  ///< [m]
+  double centerHeight;  ///< [m]
+  double innerRadius;   ///< Of the innermost wall from the axis [m].
+  double outerRadius;   ///< Of the outermost wall from the axis [m].
+  double floorHeight;   ///< [m]
+  double roofHeight;    ///< [m]
+  double area;          ///< [m^2]
 };
 
-/// The lumen of a scala tympani in the cochlear frame W: z along the modiolus toward the apex, angle
-/// zero at the center of the round window on the x axis, right ear.
+/// The lumen of a scala tympani in the cochlear frame W: z along the modiolus toward the apex,
+/// angle zero at the center of the round window on the x axis, right ear.
 ///
 /// Between the tables, uniform cubic B-splines: twice continuously differentiable in the angle and
-/// around the section. The wall query reads a table of distances made from them (LumenField). Before the round window the first section goes on straight, along the tangent
-/// of the center line, for the length of the lead-in; there the opening is.
+/// around the section. The wall query reads a table of distances made from them (LumenField).
+/// Before the round window the first section goes on straight, along the tangent of the center
+/// line, for the length of the lead-in; there the opening is.
 class ScalaTympani : public Lumen {
 public:
   /// Builds the lumen. @throws std::invalid_argument if the tables do not fit each other.
@@ -60,14 +66,21 @@ public:
   LumenTrack startTrack() const noexcept override { return {}; }
 
   void nearestWall(std::span<const Eigen::Vector3d> points_W, std::span<const double> reach,
-                   std::span<LumenTrack> tracks, std::span<WallPoint> walls) const noexcept override;
+                   std::span<LumenTrack> tracks,
+                   std::span<WallPoint> walls) const noexcept override;
 
   Angle lastAngle() const noexcept { return Angle::fromSi(lastAngle_); }
+  /// Where measured sections end and a trend begins; the last angle if there is none.
+  Angle measuredAngle() const noexcept
+  {
+    return tables_.measuredTo > 0.0 ? Angle::fromSi(tables_.measuredTo) : lastAngle();
+  }
   Length leadIn() const noexcept { return Length::fromSi(tables_.leadIn); }
 
   /// Center of the section at an angle [rad]; negative angles give the start of the lead-in's axis.
   Eigen::Vector3d center_W(double angle) const noexcept;
-  /// The wall at an angle and a direction around the section [rad], 0 radially outward, pi/2 apical.
+  /// The wall at an angle and a direction around the section [rad], 0 radially outward, pi/2
+  /// apical.
   Eigen::Vector3d wall_W(double angle, double direction) const noexcept;
   /// The measures of the section at an angle [rad].
   Section section(double angle) const;

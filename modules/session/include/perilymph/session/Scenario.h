@@ -24,6 +24,7 @@ namespace perilymph::session {
 struct Scenario {
   std::string name;
   std::string title;  ///< For people: one line.
+  /// "published", "mean" or "clark"; by default what the patient's numbers build.
   std::string anatomy = "published";
   anatomy::Patient patient;  ///< From `patient` (a file or a shipped name), else published.
   std::string patientName;   ///< What `patient` said; empty without one.

@@ -1,0 +1,31 @@
+#pragma once
+
+// The scalable model of Clark, Warren and Abbott (2011) on the template spiral of Cohen (1996).
+
+#include <memory>
+
+#include "perilymph/anatomy/ScalaTympani.h"
+#include "perilymph/foundation/Result.h"
+#include "perilymph/foundation/Units.h"
+
+namespace perilymph::anatomy {
+
+/// A place on the template spiral, in a half-plane through the modiolar axis.
+struct SpiralPoint {
+  double radius;  ///< From the axis [m].
+  double height;  ///< Along the axis [m], 0 at the round window.
+};
+
+/// The template spiral by its own angle, from 6.8 to 910.3 degrees; the round window is at 10.3.
+SpiralPoint clarkSpiral(Angle spiral);
+
+/// From the spiral to the center of the section, by the spiral's own angle: inward and down
+/// (Leon et al. 2014, Table 3).
+SpiralPoint medialShift(Angle spiral);
+
+/// Clark's scala tympani: its centers on the template spiral, shifted medially; its sections those
+/// of the mean scala tympani at the same angle. With a straight lead-in before the round window.
+/// Not real-time safe.
+Result<std::shared_ptr<const ScalaTympani>> buildClark(Length leadIn);
+
+}  // namespace perilymph::anatomy

@@ -1,0 +1,54 @@
+#pragma once
+
+// The mean human scala tympani, as measured: 31 cross-sections of the average of 15 cochleae
+// (Froehlich et al. 2024, CC BY 4.0, adapted; credit and license in the data file).
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "perilymph/anatomy/ScalaTympani.h"
+#include "perilymph/foundation/Result.h"
+#include "perilymph/foundation/Units.h"
+
+namespace perilymph::anatomy {
+
+/// One cross-section of the mean scala tympani, in a half-plane through the modiolar axis.
+struct MeasuredSection {
+  static constexpr int harmonics = 4;
+
+  double angle = 0.0;        ///< From the first section [rad].
+  double innerRadius = 0.0;  ///< Of the innermost wall from the axis [m].
+  double outerRadius = 0.0;  ///< Of the outermost wall [m].
+  double height = 0.0;       ///< Floor to roof along the axis [m].
+  double area = 0.0;         ///< [m^2]
+  double inscribed = 0.0;    ///< Diameter of the greatest circle inside [m].
+  /// r + i z = sum of (real[k] + i imaginary[k]) e^(i (k - 4) t), counter-clockwise [m].
+  std::array<double, 2 * harmonics + 1> real{}, imaginary{};
+};
+
+/// Reads the measured sections that ship with the program.
+Result<std::vector<MeasuredSection>> loadMeasuredSections();
+
+/// The mean scala tympani: measured to 675 degrees, going on to 900 by the trend of its last turn
+/// (confidence low) and ending in a rounded cap, with a straight lead-in before the round window.
+/// Not real-time safe.
+Result<std::shared_ptr<const ScalaTympani>> buildMean(Length leadIn);
+
+/// What clinical planning measures on the outer wall: A from the round window through the modiolus
+/// to the far wall, B across it, and H along the modiolus from the lowest to the highest wall.
+struct BasalTurn {
+  Length a, b;
+  std::optional<Length> h;
+};
+
+/// The mean scala tympani scaled to a patient's A and B, and H where it is known: radii by the
+/// ratio of the patient's likeliest spiral to the mean's (Pietsch et al. 2017) and a correction of
+/// two periods a turn, so that the lumen built has this A and B; sections keep their shape; without
+/// H the center line rises as the basal turn is wide.
+Result<std::shared_ptr<const ScalaTympani>> buildMean(const std::string& label,
+                                                      const BasalTurn& basalTurn, Length leadIn);
+
+}  // namespace perilymph::anatomy

@@ -1,0 +1,42 @@
+#pragma once
+
+// The mean scala tympani between and beyond its measured sections.
+
+#include <vector>
+
+#include "KnotSpline.h"
+#include "Outline.h"
+#include "perilymph/anatomy/MeanScala.h"
+
+namespace perilymph::anatomy {
+
+/// Outlines of the mean scala tympani at any angle, before any patient's scale.
+class MeanOutlines {
+public:
+  explicit MeanOutlines(const std::vector<MeasuredSection>& sections);
+
+  /// The angle at which the lumen ends [rad].
+  static double lastAngle();
+
+  /// The angle of the last measured section [rad].
+  double measuredAngle() const { return measured_; }
+
+  /// The outline at an angle from the round window, counter-clockwise.
+  Outline outline(double angle) const;
+  /// Share of the section that the rounded cap at the apex leaves: 1 before it.
+  static double capShare(double angle);
+  /// Distance of the organ-of-Corti path from the axis [m].
+  double organOfCorti(double angle) const;
+
+private:
+  Outline outline(double angle, double share) const;
+
+  double measured_;
+  std::vector<KnotSpline> real_, imaginary_;  ///< Coefficients over the angle.
+};
+
+/// Width of the basilar membrane [m]: linear from 0.15 mm at the round window to 0.52 mm at the
+/// apex (Todd and Naghdy, section II.B).
+double membraneWidth(double angle, double lastAngle);
+
+}  // namespace perilymph::anatomy

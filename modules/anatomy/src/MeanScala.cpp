@@ -1,0 +1,159 @@
+#include "perilymph/anatomy/MeanScala.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "MeanOutlines.h"
+#include "OutlineTables.h"
+#include "perilymph/anatomy/Population.h"
+
+namespace perilymph::anatomy {
+namespace {
+
+struct Extent {
+  double low, high;
+};
+
+Extent radii(const Outline& outline)
+{
+  Extent extent{outline.front().r, outline.front().r};
+  for (const HalfPlanePoint& corner : outline)
+    extent = {std::min(extent.low, corner.r), std::max(extent.high, corner.r)};
+  return extent;
+}
+
+Extent heights(const Outline& outline)
+{
+  Extent extent{outline.front().z, outline.front().z};
+  for (const HalfPlanePoint& corner : outline)
+    extent = {std::min(extent.low, corner.z), std::max(extent.high, corner.z)};
+  return extent;
+}
+
+/// A patient's scala tympani as the mean one scaled.
+class ScaledMean {
+public:
+  ScaledMean(const MeanOutlines& mean, const BasalTurn& wanted)
+      : mean_(mean),
+        typical_(likeliestHalfDiameters(diameter(mean, 0.0), diameter(mean, 90.0))),
+        patient_(likeliestHalfDiameters(wanted.a, wanted.b))
+  {
+    // (1 + even + odd cos 2 angle) is 1 + even + odd along A and 1 + even - odd along B
+    const double alongA = wanted.a.si() / scaledDiameter(0.0);
+    const double alongB = wanted.b.si() / scaledDiameter(90.0);
+    even_ = 0.5 * (alongA + alongB) - 1.0;
+    odd_ = 0.5 * (alongA - alongB);
+    rise_ = 0.5 * (wanted.a / diameter(mean, 0.0) + wanted.b / diameter(mean, 90.0));
+    if (wanted.h) fitHeight(wanted.h->si());
+  }
+
+  /// How much larger than the mean's radii the patient's are.
+  double share(double angle) const
+  {
+    const double spiral =
+        outerWallRadius(patient_, radians(angle)) / outerWallRadius(typical_, radians(angle));
+    return spiral * (1.0 + even_ + odd_ * sineCosine(2.0 * angle).cosine);
+  }
+
+  Outline outline(double angle) const
+  {
+    Outline outline = mean_.outline(angle);
+    const double size = share(angle);
+    const double center = centroid(outline).z;
+    for (HalfPlanePoint& corner : outline)
+      corner = {size * corner.r, rise_ * center + size * (corner.z - center)};
+    return outline;
+  }
+
+private:
+  static Length diameter(const MeanOutlines& mean, double from_deg)
+  {
+    return Length::fromSi(radii(mean.outline(degrees(from_deg).si())).high +
+                          radii(mean.outline(degrees(from_deg + 180.0).si())).high);
+  }
+
+  double scaledDiameter(double from_deg) const
+  {
+    double sum = 0.0;
+    for (const double angle_deg : {from_deg, from_deg + 180.0}) {
+      const double angle = degrees(angle_deg).si();
+      sum += share(angle) * radii(mean_.outline(angle)).high;
+    }
+    return sum;
+  }
+
+  // The height grows with the rise: halve the interval in which the wanted one lies.
+  void fitHeight(double wanted)
+  {
+    struct Row {
+      double center, below, above;
+    };
+    std::vector<Row> rows;
+    constexpr double step_deg = 3.0;
+    for (double angle_deg = 0.0; angle_deg <= inDegrees(radians(MeanOutlines::lastAngle()));
+         angle_deg += step_deg) {
+      const double angle = degrees(angle_deg).si();
+      const Outline outline = mean_.outline(angle);
+      const double center = centroid(outline).z;
+      const Extent extent = heights(outline);
+      rows.push_back(
+          {center, share(angle) * (extent.low - center), share(angle) * (extent.high - center)});
+    }
+    const auto height = [&](double rise) {
+      Extent whole{1.0, -1.0};
+      for (const Row& row : rows)
+        whole = {std::min(whole.low, rise * row.center + row.below),
+                 std::max(whole.high, rise * row.center + row.above)};
+      return whole.high - whole.low;
+    };
+    double low = 0.0, high = 4.0;
+    for (int i = 0; i < 60; ++i) {
+      rise_ = 0.5 * (low + high);
+      (height(rise_) < wanted ? low : high) = rise_;
+    }
+  }
+
+  const MeanOutlines& mean_;
+  HalfDiameters typical_, patient_;
+  double even_ = 0.0, odd_ = 0.0;
+  double rise_ = 1.0;
+};
+
+std::shared_ptr<const ScalaTympani> measuredScala(const MeanOutlines& mean, SectionTables tables)
+{
+  tables.measuredTo = mean.measuredAngle();
+  return std::make_shared<const ScalaTympani>(std::move(tables));
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const ScalaTympani>> buildMean(Length leadIn)
+{
+  const auto sections = loadMeasuredSections();
+  if (!sections) return sections.error();
+  const MeanOutlines mean(*sections);
+  const double last = MeanOutlines::lastAngle();
+  const OutlineSource source = [&](double angle) {
+    return OutlineAtAngle{mean.outline(angle), mean.organOfCorti(angle),
+                          membraneWidth(angle, last) * MeanOutlines::capShare(angle)};
+  };
+  return measuredScala(mean, tablesFrom(source, "mean", last, leadIn.si()));
+}
+
+Result<std::shared_ptr<const ScalaTympani>> buildMean(const std::string& label,
+                                                      const BasalTurn& basalTurn, Length leadIn)
+{
+  const auto sections = loadMeasuredSections();
+  if (!sections) return sections.error();
+  const MeanOutlines mean(*sections);
+  const ScaledMean scaled(mean, basalTurn);
+  const double last = MeanOutlines::lastAngle();
+  const OutlineSource source = [&](double angle) {
+    return OutlineAtAngle{scaled.outline(angle), scaled.share(angle) * mean.organOfCorti(angle),
+                          membraneWidth(angle, last) * MeanOutlines::capShare(angle)};
+  };
+  return measuredScala(mean, tablesFrom(source, label, last, leadIn.si()));
+}
+
+}  // namespace perilymph::anatomy

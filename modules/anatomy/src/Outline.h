@@ -1,0 +1,39 @@
+#pragma once
+
+// Closed outlines of sections in a half-plane through the modiolar axis.
+
+#include <cstddef>
+#include <vector>
+
+#include "perilymph/foundation/Math.h"
+
+namespace perilymph::anatomy {
+
+/// A point of a half-plane through the axis: distance from it, and height [m].
+struct HalfPlanePoint {
+  double r, z;
+};
+
+/// From a to b by a share of the way.
+inline HalfPlanePoint mix(const HalfPlanePoint& a, const HalfPlanePoint& b, double share)
+{
+  return {a.r + share * (b.r - a.r), a.z + share * (b.z - a.z)};
+}
+
+/// Corners of a polygon, counter-clockwise.
+using Outline = std::vector<HalfPlanePoint>;
+
+/// The centroid of the outline's area.
+HalfPlanePoint centroid(const Outline& outline);
+
+/// Distance from `center` to the outline in a direction [m]; 0 if nothing is there.
+///
+/// @param near  Corner at which the search begins; afterwards the one before the crossing.
+double radiusIn(const Outline& outline, const HalfPlanePoint& center, const SineCosine& direction,
+                std::size_t& near);
+
+/// Height of the outline's highest point at a distance from the axis [m]; that of its highest
+/// corner where the outline does not reach.
+double roofAt(const Outline& outline, double r);
+
+}  // namespace perilymph::anatomy

@@ -1,0 +1,28 @@
+#pragma once
+
+// From outlines at every angle to the tables of a scala tympani.
+
+#include <functional>
+#include <string>
+
+#include "Outline.h"
+#include "perilymph/anatomy/ScalaTympani.h"
+
+namespace perilymph::anatomy {
+
+/// What a source of anatomy knows of one half-plane.
+struct OutlineAtAngle {
+  Outline outline;
+  double planRadius;     ///< Of the organ-of-Corti path from the axis [m].
+  double membraneWidth;  ///< [m]
+};
+using OutlineSource = std::function<OutlineAtAngle(double angle)>;
+
+/// Sections every 1.5 degrees, each seen from its centroid, bent into the lead-in. The basilar
+/// membrane lies in the roof, its inner edge above the centroid.
+///
+/// @throws std::invalid_argument if an outline is not seen whole from its centroid.
+SectionTables tablesFrom(const OutlineSource& source, const std::string& name, double lastAngle,
+                         double leadIn);
+
+}  // namespace perilymph::anatomy

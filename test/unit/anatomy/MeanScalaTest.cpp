@@ -1,0 +1,240 @@
+// The mean scala tympani against the numbers measured on the published solid (Froehlich et al.
+// 2024), and against the solid itself where it is at hand.
+
+#include "perilymph/anatomy/MeanScala.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "ReferenceSolid.h"
+#include "perilymph/test/Tolerance.h"
+
+namespace perilymph::anatomy {
+namespace {
+
+std::shared_ptr<const ScalaTympani> mean()
+{
+  static const auto built = buildMean(millimeters(1));
+  if (!built) throw std::runtime_error(built.error().message);
+  return *built;
+}
+
+/// The angles of the published solid's sections [rad].
+std::vector<double> measuredAngles()
+{
+  const auto sections = loadMeasuredSections();
+  if (!sections) throw std::runtime_error(sections.error().message);
+  std::vector<double> angles;
+  for (const MeasuredSection& section : *sections) angles.push_back(section.angle);
+  return angles;
+}
+
+/// Length along the outermost points of the measured sections, radius and height linear in the
+/// angle between them: how the numbers below were found [m].
+double outerWallLength(const ScalaTympani& scala, double last)
+{
+  const auto outermost = [&](double angle) {
+    Eigen::Vector2d best(0.0, 0.0);
+    for (int k = 0; k < 720; ++k) {
+      const Eigen::Vector3d wall = scala.wall_W(angle, 2.0 * pi * k / 720);
+      const double r = std::hypot(wall.x(), wall.y());
+      if (r > best.x()) best = {r, wall.z()};
+    }
+    return best;
+  };
+  const std::vector<double> angles = measuredAngles();
+  double length = 0.0;
+  for (std::size_t i = 1; i < angles.size() && angles[i] < last + 1e-6; ++i) {
+    const Eigen::Vector2d a = outermost(angles[i - 1]);
+    const Eigen::Vector2d b = outermost(angles[i]);
+    constexpr int pieces = 50;
+    for (int k = 0; k < pieces; ++k) {
+      const double r = a.x() + (b.x() - a.x()) * (k + 0.5) / pieces;
+      const double around = r * (angles[i] - angles[i - 1]) / pieces;
+      length += std::hypot(around, (b - a).norm() / pieces);
+    }
+  }
+  return length;
+}
+
+TEST(MeanScala, HasTheMeasuredOuterWall)
+{
+  EXPECT_NEAR(outerWallLength(*mean(), degrees(360).si()), 22.82e-3, 0.05e-3);
+  EXPECT_NEAR(outerWallLength(*mean(), degrees(675).si()), 33.04e-3, 0.05e-3);
+}
+
+TEST(MeanScala, HasTheMeasuredAAndB)
+{
+  const auto outer = [](double angle_deg) {
+    return mean()->section(degrees(angle_deg).si()).outerRadius;
+  };
+  EXPECT_NEAR(outer(0) + outer(180), 9.53e-3, 0.01e-3);
+  EXPECT_NEAR(outer(90) + outer(270), 6.82e-3, 0.01e-3);
+}
+
+TEST(MeanScala, HasTheMeasuredVolume)
+{
+  // Pappus: what each section sweeps is the integral of r over its area
+  const auto swept = [](double angle) {
+    double sum = 0.0;
+    Eigen::Vector2d before;
+    for (int k = 0; k <= 360; ++k) {
+      const Eigen::Vector3d wall = mean()->wall_W(angle, 2.0 * pi * k / 360);
+      const Eigen::Vector2d now(std::hypot(wall.x(), wall.y()), wall.z());
+      if (k > 0)
+        sum += (now.y() - before.y()) *
+               (before.x() * before.x() + before.x() * now.x() + now.x() * now.x()) / 6.0;
+      before = now;
+    }
+    return sum;
+  };
+  double volume = 0.0;
+  const double step = degrees(0.5).si();
+  for (double angle = 0.5 * step; angle < degrees(675).si(); angle += step)
+    volume += swept(angle) * step;
+  EXPECT_NEAR(volume, 33.4e-9, 0.7e-9);
+}
+
+TEST(MeanScala, HasTheMeasuresOfEverySection)
+{
+  // Fourier series of four harmonics: 6 um from the outlines on average, 24 at most
+  const double series = test::tolerance(0.015e-3, "four harmonics and rounding");
+  const auto sections = loadMeasuredSections();
+  ASSERT_TRUE(sections);
+  ASSERT_EQ(sections->size(), 31u);
+  for (const MeasuredSection& measured : *sections) {
+    const Section section = mean()->section(measured.angle);
+    const double angle_deg = inDegrees(radians(measured.angle));
+    EXPECT_NEAR(section.innerRadius, measured.innerRadius, series) << angle_deg;
+    EXPECT_NEAR(section.outerRadius, measured.outerRadius, series) << angle_deg;
+    EXPECT_NEAR(section.roofHeight - section.floorHeight, measured.height, series) << angle_deg;
+    EXPECT_NEAR(section.area, measured.area, 0.01 * measured.area) << angle_deg;
+  }
+}
+
+TEST(MeanScala, RisesAgainInHeightUntil450Degrees)
+{
+  const auto height = [](double angle_deg) {
+    const Section section = mean()->section(degrees(angle_deg).si());
+    return section.roofHeight - section.floorHeight;
+  };
+  EXPECT_LT(height(203), height(360));
+  EXPECT_LT(height(360), height(450));
+  EXPECT_LT(height(560), height(450));
+  EXPECT_NEAR(height(203), 0.93e-3, 0.02e-3);
+  EXPECT_NEAR(height(450), 1.08e-3, 0.02e-3);
+}
+
+TEST(MeanScala, DipsBeforeItClimbs)
+{
+  const auto height = [](double angle_deg) {
+    return mean()->center_W(degrees(angle_deg).si()).z();
+  };
+  EXPECT_NEAR(height(23), 0.10e-3, 0.02e-3);
+  EXPECT_NEAR(height(68), -0.23e-3, 0.02e-3);
+  EXPECT_GT(height(135), height(68));
+}
+
+TEST(MeanScala, HasAnOrganOfCortiPathOf31Millimeters)
+{
+  // Schurzig et al. 2021: to 675 degrees; between sections as the outer wall above
+  const SectionTables& tables = mean()->tables();
+  std::vector<double> angles = measuredAngles();
+  double length = 0.0;
+  for (std::size_t i = 1; i < angles.size(); ++i) {
+    const auto at = [&](double angle) {
+      const auto k = static_cast<std::size_t>(angle / tables.step);
+      const double share = angle / tables.step - static_cast<double>(k);
+      const double radius =
+          tables.planRadius[k] + share * (tables.planRadius[k + 1] - tables.planRadius[k]);
+      return Eigen::Vector2d(radius, mean()->wall_W(angle, 0.0).z());
+    };
+    const Eigen::Vector2d a = at(angles[i - 1]);
+    const Eigen::Vector2d b = at(angles[i]);
+    length += std::hypot(0.5 * (a.x() + b.x()) * (angles[i] - angles[i - 1]), (b - a).norm());
+  }
+  EXPECT_NEAR(length, 31.0e-3, 0.15e-3);
+}
+
+TEST(MeanScala, GoesOnTo900DegreesAndNarrows)
+{
+  EXPECT_NEAR(mean()->lastAngle().si(), degrees(900).si(), 1e-9);
+  double outer = mean()->section(degrees(675).si()).outerRadius;
+  double center = mean()->center_W(degrees(675).si()).z();
+  for (double angle_deg = 690; angle_deg <= 900; angle_deg += 15) {
+    const Section section = mean()->section(degrees(angle_deg).si());
+    EXPECT_LT(section.outerRadius, outer) << angle_deg;
+    EXPECT_GT(section.centerHeight, center) << angle_deg;
+    EXPECT_GT(section.innerRadius, 0.0) << angle_deg;
+    outer = section.outerRadius;
+    center = section.centerHeight;
+  }
+}
+
+TEST(MeanScala, EndsInARoundedCap)
+{
+  const auto area = [](double angle_deg) { return mean()->section(degrees(angle_deg).si()).area; };
+  // cut off where the ellipsoid has shrunk to 31 %: a tenth of the area
+  EXPECT_LT(area(900), 0.12 * area(850));
+  EXPECT_GT(area(875), 0.6 * area(850));
+}
+
+class PublishedSolid : public testing::Test {
+protected:
+  void SetUp() override
+  {
+    if (!test::ReferenceSolid::isThere()) GTEST_SKIP() << test::ReferenceSolid::whyNot();
+  }
+
+  static void expectNear(std::vector<double> distances)
+  {
+    ASSERT_GT(distances.size(), 1000u);
+    std::sort(distances.begin(), distances.end());
+    const double sum = std::accumulate(distances.begin(), distances.end(), 0.0);
+    const double average = sum / static_cast<double>(distances.size());
+    const double high = distances[distances.size() * 95 / 100];
+    RecordProperty("mean_um", std::to_string(average * 1e6));
+    RecordProperty("p95_um", std::to_string(high * 1e6));
+    EXPECT_LE(average, 30e-6);
+    EXPECT_LE(high, 80e-6);
+  }
+};
+
+TEST_F(PublishedSolid, IsNearTheModelEverywhere)
+{
+  const test::ReferenceSolid solid;
+  std::vector<double> distances;
+  for (const Eigen::Vector3d& point : solid.points()) {
+    const double polar = std::atan2(point.y(), point.x());
+    double least = 1e9;
+    bool isEnd = false;  // the flat faces at 0 and 675 degrees are no wall
+    for (int turn = 0; turn < 3; ++turn) {
+      const double angle = polar + 2.0 * pi * turn;
+      isEnd = isEnd || std::fabs(angle) < 0.005 || std::fabs(angle - degrees(675).si()) < 0.005;
+      if (angle < 0.0 || angle > degrees(675).si()) continue;
+      // the distance to the outline in the same half-plane: never less than the true one
+      for (int k = 0; k < 360; ++k)
+        least = std::min(least, (mean()->wall_W(angle, 2.0 * pi * k / 360) - point).norm());
+    }
+    if (!isEnd) distances.push_back(least);
+  }
+  expectNear(std::move(distances));
+}
+
+TEST_F(PublishedSolid, IsReachedByTheModelEverywhere)
+{
+  const test::ReferenceSolid solid;
+  std::vector<double> distances;
+  for (double angle_deg = 0.5; angle_deg < 675; angle_deg += 2.5)
+    for (int k = 0; k < 60; ++k)
+      distances.push_back(
+          solid.distance(mean()->wall_W(degrees(angle_deg).si(), 2.0 * pi * k / 60)));
+  expectNear(std::move(distances));
+}
+
+}  // namespace
+}  // namespace perilymph::anatomy

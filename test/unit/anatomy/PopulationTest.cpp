@@ -1,0 +1,164 @@
+// The population of cochleae and the patients scaled from the mean, against the numbers of Pietsch
+// et al. 2017 and against themselves measured back.
+
+#include "perilymph/anatomy/Population.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "perilymph/anatomy/MeanScala.h"
+#include "perilymph/test/Tolerance.h"
+
+namespace perilymph::anatomy {
+namespace {
+
+TEST(Population, TurnsTwoTurnsAndTwoThirds)
+{
+  EXPECT_NEAR(turnAngle(meanHalfDiameters()) / degrees(360), 2.686, 0.0005);
+}
+
+TEST(Population, HasThePublishedDiameters)
+{
+  EXPECT_NEAR(inMillimeters(spreadOfA().mean), 9.23, 1e-9);
+  EXPECT_NEAR(inMillimeters(spreadOfA().deviation), 0.43, 0.005);
+  EXPECT_NEAR(inMillimeters(spreadOfB().mean), 6.80, 1e-9);
+  EXPECT_NEAR(inMillimeters(spreadOfB().deviation), 0.36, 0.005);
+}
+
+TEST(Population, HasThePublishedOuterWall)
+{
+  const HalfDiameters mean = meanHalfDiameters();
+  const auto radius_mm = [&](double angle_deg) {
+    return outerWallRadius(mean, degrees(angle_deg)) * 1e3;
+  };
+  EXPECT_NEAR(radius_mm(0), 5.745, 0.001);
+  EXPECT_NEAR(radius_mm(90), 4.331, 0.002);
+  // A and B of the fitted spiral
+  EXPECT_NEAR(radius_mm(0) + radius_mm(180), 9.06, 0.01);
+  EXPECT_NEAR(radius_mm(90) + radius_mm(270), 6.95, 0.01);
+}
+
+TEST(LikeliestHalfDiameters, AddUpToWhatIsGiven)
+{
+  const HalfDiameters half = likeliestHalfDiameters(millimeters(8.4), millimeters(7.1));
+  EXPECT_NEAR(inMillimeters(half.a()), 8.4, 1e-9);
+  EXPECT_NEAR(inMillimeters(half.b()), 7.1, 1e-9);
+}
+
+TEST(LikeliestHalfDiameters, OfTheMeanAreTheMean)
+{
+  const HalfDiameters half = likeliestHalfDiameters(millimeters(9.23), millimeters(6.80));
+  EXPECT_NEAR(half.a1, 5.97e-3, 1e-12);
+  EXPECT_NEAR(half.b2, 2.85e-3, 1e-12);
+}
+
+TEST(LikeliestHalfDiameters, LeaveAnErrorThatTellsNothingOfAAndB)
+{
+  // what remains of each half-diameter is uncorrelated with A and B: the regression's own law
+  const auto covariance = halfDiameterCovariance();
+  const auto slope = [](int by) {
+    const double nudge = 0.1;
+    const HalfDiameters at = likeliestHalfDiameters(millimeters(9.23 + (by == 0 ? nudge : 0.0)),
+                                                    millimeters(6.80 + (by == 1 ? nudge : 0.0)));
+    const HalfDiameters mean = meanHalfDiameters();
+    return std::array<double, 4>{
+        (at.a1 - mean.a1) / (nudge / 1e3), (at.b1 - mean.b1) / (nudge / 1e3),
+        (at.a2 - mean.a2) / (nudge / 1e3), (at.b2 - mean.b2) / (nudge / 1e3)};
+  };
+  const auto byA = slope(0), byB = slope(1);
+  const auto& s = covariance;
+  const double aa = s[0][0] + 2.0 * s[0][2] + s[2][2];
+  const double bb = s[1][1] + 2.0 * s[1][3] + s[3][3];
+  const double ab = s[0][1] + s[0][3] + s[2][1] + s[2][3];
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(s[i][0] + s[i][2], byA[i] * aa + byB[i] * ab, 1e-15);
+    EXPECT_NEAR(s[i][1] + s[i][3], byA[i] * ab + byB[i] * bb, 1e-15);
+  }
+}
+
+std::shared_ptr<const ScalaTympani> patient(double a_mm, double b_mm,
+                                            std::optional<double> h_mm = {})
+{
+  BasalTurn turn{millimeters(a_mm), millimeters(b_mm), std::nullopt};
+  if (h_mm) turn.h = millimeters(*h_mm);
+  const auto built = buildMean("p", turn, millimeters(1));
+  if (!built) throw std::runtime_error(built.error().message);
+  return *built;
+}
+
+double outer_mm(const ScalaTympani& scala, double angle_deg)
+{
+  return scala.section(degrees(angle_deg).si()).outerRadius * 1e3;
+}
+
+double height_mm(const ScalaTympani& scala)
+{
+  double low = 1.0, high = -1.0;
+  for (double angle_deg = 0; angle_deg <= 900; angle_deg += 1.5) {
+    const Section section = scala.section(degrees(angle_deg).si());
+    low = std::min(low, section.floorHeight);
+    high = std::max(high, section.roofHeight);
+  }
+  return (high - low) * 1e3;
+}
+
+TEST(ScaledMean, MeasuresBackWhatThePatientHas)
+{
+  struct Given {
+    double a_mm, b_mm, h_mm;
+  };
+  for (const Given& given : {Given{9.23, 6.80, 4.0}, Given{8.2, 6.1, 3.4}, Given{10.3, 7.5, 4.5},
+                             Given{8.6, 7.4, 3.9}, Given{10.0, 6.2, 4.2}}) {
+    const auto scala = patient(given.a_mm, given.b_mm, given.h_mm);
+    EXPECT_NEAR(outer_mm(*scala, 0) + outer_mm(*scala, 180), given.a_mm, 0.02);
+    EXPECT_NEAR(outer_mm(*scala, 90) + outer_mm(*scala, 270), given.b_mm, 0.02);
+    EXPECT_NEAR(height_mm(*scala), given.h_mm, 0.02);
+  }
+}
+
+TEST(ScaledMean, OfTheMeansOwnDiametersIsTheMean)
+{
+  const auto mean = buildMean(millimeters(1));
+  ASSERT_TRUE(mean);
+  const auto scala = patient(outer_mm(**mean, 0) + outer_mm(**mean, 180),
+                             outer_mm(**mean, 90) + outer_mm(**mean, 270));
+  const double spline = test::tolerance(5e-6, "measured through splines");
+  for (double angle_deg = 0; angle_deg <= 900; angle_deg += 45)
+    for (const double direction : {0.0, 1.5, 3.0, 4.5})
+      EXPECT_NEAR((scala->wall_W(degrees(angle_deg).si(), direction) -
+                   (*mean)->wall_W(degrees(angle_deg).si(), direction))
+                      .norm(),
+                  0.0, spline);
+}
+
+TEST(ScaledMean, KeepsTheShapeOfItsSections)
+{
+  const auto mean = buildMean(millimeters(1));
+  ASSERT_TRUE(mean);
+  const auto scala = patient(8.3, 6.2);
+  for (double angle_deg = 20; angle_deg < 850; angle_deg += 50) {
+    const Section a = scala->section(degrees(angle_deg).si());
+    const Section b = (*mean)->section(degrees(angle_deg).si());
+    const double slim = (a.outerRadius - a.innerRadius) / (a.roofHeight - a.floorHeight);
+    EXPECT_NEAR(slim, (b.outerRadius - b.innerRadius) / (b.roofHeight - b.floorHeight), 0.005);
+  }
+}
+
+TEST(ScaledMean, ExistsAtEveryCornerOfTheLimits)
+{
+  for (const Length a : {spreadOfA().low, spreadOfA().high})
+    for (const Length b : {spreadOfB().low, spreadOfB().high})
+      for (const Length h : {limitsOfH().low, limitsOfH().high}) {
+        const auto scala = patient(inMillimeters(a), inMillimeters(b), inMillimeters(h));
+        for (double angle_deg = 0; angle_deg <= 900; angle_deg += 30) {
+          const Section section = scala->section(degrees(angle_deg).si());
+          EXPECT_GT(section.innerRadius, 0.0) << angle_deg;
+          EXPECT_GT(section.area, 0.0) << angle_deg;
+        }
+      }
+}
+
+}  // namespace
+}  // namespace perilymph::anatomy

@@ -76,10 +76,10 @@ void addAnatomy(CLI::App& app, AnatomyOptions& options)
       source.add_option("--st-length-mm", options.stLength_mm, "Length of the organ-of-Corti path");
   CLI::Option* a =
       source.add_option("--a-mm", options.a_mm, "A: through round window and modiolus");
-  for (const char* later : {"--sample", "--import"})
-    source.add_option_function<std::string>(
-        later, [&options, later](const std::string&) { options.notThereYet = later; },
-        "Not in this version");
+  source.add_option("--sample", options.sample, "A virtual patient, drawn with this seed");
+  source.add_option_function<std::string>(
+      "--import", [&options](const std::string&) { options.notThereYet = "--import"; },
+      "Not in this version");
   source.require_option(1);
 
   CLI::Option* width = command.add_option("--rw-width-mm", options.rwWidth_mm,

@@ -21,10 +21,6 @@ constexpr const char* sectionCredit =
 /// The cochlea that the options name, as a scenario without an array.
 Result<session::Scenario> chooseCochlea(const AnatomyOptions& options)
 {
-  if (!options.notThereYet.empty())
-    return Error{options.notThereYet +
-                 " is not in this version. Use --preset, --patient FILE, --a-mm with --b-mm, or "
-                 "--st-length-mm with --rw-width-mm and --rw-height-mm."};
   session::Scenario scenario;
   anatomy::Patient& patient = scenario.patient;
   if (!options.preset.empty()) {
@@ -48,6 +44,11 @@ Result<session::Scenario> chooseCochlea(const AnatomyOptions& options)
     patient.label = "given diameters";
     patient.basalTurn = {millimeters(*options.a_mm), millimeters(*options.b_mm), std::nullopt};
     if (options.h_mm) patient.basalTurn->h = millimeters(*options.h_mm);
+  }
+  if (options.sample) {
+    const auto drawn = anatomy::samplePatient(*options.sample);
+    if (!drawn) return drawn.error();
+    patient = *drawn;
   }
   if (patient.basalTurn) scenario.anatomy = "mean";
   scenario.name = patient.label;

@@ -3,6 +3,7 @@
 // The subcommands: what they are told, and the calls that carry them out. Each call prints its
 // summary to standard output and gives a sentence where it could not be done.
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -25,7 +26,7 @@ struct AnatomyOptions {
   std::string preset, patient, import;
   std::optional<double> stLength_mm, rwWidth_mm, rwHeight_mm;
   std::optional<double> a_mm, b_mm, h_mm;
-  std::string notThereYet;  ///< An option of a later version that was given: "--sample".
+  std::optional<std::uint64_t> sample;  ///< The seed of a virtual patient.
   std::string json, sections, surface, hapticSurface;
   std::string part = "scala";
 };

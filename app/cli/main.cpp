@@ -77,10 +77,7 @@ void addAnatomy(CLI::App& app, AnatomyOptions& options)
   CLI::Option* a =
       source.add_option("--a-mm", options.a_mm, "A: through round window and modiolus");
   source.add_option("--import", options.import, "A segmented surface in mm: .stl .ply .vtp");
-  for (const char* later : {"--sample"})
-    source.add_option_function<std::string>(
-        later, [&options, later](const std::string&) { options.notThereYet = later; },
-        "Not in this version");
+  source.add_option("--sample", options.sample, "A virtual patient, drawn with this seed");
   source.require_option(1);
 
   CLI::Option* width = command.add_option("--rw-width-mm", options.rwWidth_mm,

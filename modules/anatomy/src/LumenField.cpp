@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "CubicTable.h"
+#include "WallLines.h"
 #include "perilymph/foundation/Math.h"
 
 namespace perilymph::anatomy {
@@ -13,7 +14,7 @@ namespace {
 constexpr double sectionStep_deg = 3.0;
 constexpr int across = 46;       // samples over a section, each way
 constexpr double margin = 1.25;  // the table goes this many half widths and heights out
-constexpr int outlinePoints = 120;
+constexpr int outlinePoints = WallLines::points;
 
 // Lead-in and spiral both describe the wall this far beyond their joint. A point changes over only
 // where it leaves that overlap, so it never changes back within a step.
@@ -21,66 +22,6 @@ constexpr double joint = 0.05e-3;  // [m]
 
 constexpr std::size_t page = across * across;               // samples of a section
 constexpr double perShare = (across - 3) / (2.0 * margin);  // samples per unit of share
-
-/// A section's outline, and how the wall runs on from each of its points.
-struct Outline {
-  double u[outlinePoints], v[outlinePoints];  // from the center [m]
-  // the lengthwise line through each point: unit tangent and curvature [1/m], their parts in the
-  // section, and the size of the curvature
-  double alongU[outlinePoints], alongV[outlinePoints];
-  double bendU[outlinePoints], bendV[outlinePoints];
-  double bend[outlinePoints];
-};
-
-// A parabola follows a lengthwise line this far: half its radius of curvature, so 0.5 rad of arc.
-constexpr double parabolaReach = 0.5;
-
-/// Squared distance in space from (u, v) to the wall's lengthwise line through outline point k,
-/// a parabola with the line's tangent t and curvature c, at one Newton step's arc length s:
-///
-///     s = e.t / (1 - e.c),   d^2 = |e - s t - s^2 c / 2|^2
-///
-/// with e the way from the outline point.
-double squaredDistance(const Outline& outline, int k, double u, double v) noexcept
-{
-  const double eu = u - outline.u[k];
-  const double ev = v - outline.v[k];
-  const double along = eu * outline.alongU[k] + ev * outline.alongV[k];
-  const double straightness = 1.0 - eu * outline.bendU[k] - ev * outline.bendV[k];
-  const double reach = parabolaReach / std::max(outline.bend[k], 1.0);
-  const double s = std::clamp(along / std::max(straightness, 0.1), -reach, reach);
-  const double sag = 0.5 * s * s * outline.bend[k];
-  return eu * eu + ev * ev - 2.0 * s * along + s * s * straightness + sag * sag;
-}
-
-/// Distance from (u, v) to the outline's wall, by the nearest point and a parabola through its
-/// neighbors.
-double distanceTo(const Outline& outline, double u, double v) noexcept
-{
-  // every third point first, then those beside the nearest
-  constexpr int stride = 3;
-  int nearest = 0;
-  double least = 1e9;
-  const auto consider = [&](int k) {
-    const double squared = squaredDistance(outline, k, u, v);
-    if (squared < least) {
-      least = squared;
-      nearest = k;
-    }
-  };
-  for (int k = 0; k < outlinePoints; k += stride) consider(k);
-  const int coarse = nearest;
-  for (int k = 1; k < stride; ++k) {
-    consider((coarse + k) % outlinePoints);
-    consider((coarse + outlinePoints - k) % outlinePoints);
-  }
-  const double before =
-      squaredDistance(outline, (nearest + outlinePoints - 1) % outlinePoints, u, v);
-  const double after = squaredDistance(outline, (nearest + 1) % outlinePoints, u, v);
-  const double bend = before - 2.0 * least + after;
-  if (bend > 0.0) least -= (after - before) * (after - before) / (8.0 * bend);
-  return std::sqrt(std::max(least, 0.0));
-}
 
 double at(const std::vector<double>& coefficients, std::size_t first,
           const double weights[4]) noexcept
@@ -205,40 +146,11 @@ void LumenField::continueIntoLeadIn()
 void LumenField::fillSection(const ScalaTympani& scala, int section)
 {
   const double angle = section / perSection_;
-  const SineCosine turn = sineCosine(angle);
-  const Eigen::Vector3d outward(turn.cosine, turn.sine, 0.0);
   const Eigen::Vector3d center = scala.center_W(angle);
-  constexpr double nudge = 1e-3;  // [rad]
-  // the first and the last section borrow the direction of a neighboring angle
-  const double middle = std::clamp(angle, nudge, lastAngle_ - nudge);
-
-  Outline outline;
-  double leastRadius = 1e9, leastSlant = 1.0;
-  for (int k = 0; k < outlinePoints; ++k) {
-    const double direction = 2.0 * pi * k / outlinePoints;
-    const Eigen::Vector3d e = scala.wall_W(angle, direction) - center;
-    const Eigen::Vector3d before = scala.wall_W(middle - nudge, direction);
-    const Eigen::Vector3d after = scala.wall_W(middle + nudge, direction);
-    const Eigen::Vector3d along = (after - before).normalized();
-    Eigen::Vector3d bend = (after + before - 2.0 * scala.wall_W(middle, direction)) /
-                           (0.25 * (after - before).squaredNorm());
-    bend -= bend.dot(along) * along;
-    outline.u[k] = e.dot(outward);
-    outline.v[k] = e.z();
-    outline.alongU[k] = along.dot(outward);
-    outline.alongV[k] = along.z();
-    outline.bendU[k] = bend.dot(outward);
-    outline.bendV[k] = bend.z();
-    outline.bend[k] = bend.norm();
-    const double off = std::sqrt(outline.u[k] * outline.u[k] + outline.v[k] * outline.v[k]);
-    leastRadius = std::min(leastRadius, off);
-    const double inSection =
-        outline.alongU[k] * outline.alongU[k] + outline.alongV[k] * outline.alongV[k];
-    leastSlant = std::min(leastSlant, std::sqrt(1.0 - inSection));
-  }
+  const WallLines lines(scala, angle);
   const auto row = static_cast<std::size_t>(section);
-  leastRadius_[row] = leastRadius;
-  leastSlant_[row] = leastSlant;
+  leastRadius_[row] = lines.leastRadius();
+  leastSlant_[row] = lines.leastSlant();
 
   const double width = at(halfWidth_, row, CubicWeights(0.0).value);
   const double tall = at(halfHeight_, row, CubicWeights(0.0).value);
@@ -251,7 +163,7 @@ void LumenField::fillSection(const ScalaTympani& scala, int section)
       const Eigen::Vector3d wall = scala.wall_W(angle, arcTangent(v, u)) - center;
       const double edge =
           std::sqrt(wall.x() * wall.x() + wall.y() * wall.y() + wall.z() * wall.z());
-      const double distance = distanceTo(outline, u, v);
+      const double distance = lines.distance(u, v);
       distances[i * across + j] = static_cast<float>(off < edge ? distance : -distance);
     }
 }

@@ -28,7 +28,8 @@ private:
   struct Unrolled;
   void fillSection(const ScalaTympani& scala, int section);
   void continueIntoLeadIn();
-  Unrolled unroll(const Eigen::Vector3d& point_W, const LumenTrack& track, bool inLeadIn) const noexcept;
+  Unrolled unroll(const Eigen::Vector3d& point_W, const LumenTrack& track,
+                  bool inLeadIn) const noexcept;
 
   Entry entry_;
   Eigen::Vector3d inward_W_;
@@ -37,9 +38,11 @@ private:
   // Coefficients over the angle.
   std::vector<double> centerRadius_, centerHeight_, halfWidth_, halfHeight_;
   std::vector<double> membraneInner_, membraneOuter_, membraneHeight_;
-  std::vector<double> leastRadius_;  ///< Per section: the wall's least distance from the center [m].
-  std::vector<double> leastSlant_;   ///< Per section: least distance in space over that in the section.
-  std::vector<float> distance_;      ///< [section][radial][axial], [m].
+  std::vector<double>
+      leastRadius_;  ///< Per section: the wall's least distance from the center [m].
+  std::vector<double>
+      leastSlant_;               ///< Per section: least distance in space over that in the section.
+  std::vector<float> distance_;  ///< [section][radial][axial], [m].
 };
 
 }  // namespace perilymph::anatomy

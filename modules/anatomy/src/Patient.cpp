@@ -137,6 +137,19 @@ Result<Done> checkPatient(const Patient& patient)
   return Done{};
 }
 
+Result<Patient> samplePatient(std::uint64_t seed)
+{
+  const HalfDiameters half = sampleHalfDiameters(seed);
+  Patient patient;
+  patient.label = "sample " + std::to_string(seed);
+  patient.basalTurn = BasalTurn{half.a(), half.b(), std::nullopt};
+  // one in ten thousand lies beyond what a patient may have
+  if (const auto done = checkPatient(patient); !done)
+    return Error{"The cochlea drawn with seed " + std::to_string(seed) +
+                 " is out of limits: " + done.error().message + " Use another seed."};
+  return patient;
+}
+
 std::vector<std::string> unusualMeasures(const Patient& patient)
 {
   std::vector<std::string> sentences;

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "perilymph/foundation/Math.h"
+
 namespace perilymph::anatomy {
 namespace {
 
@@ -55,6 +57,53 @@ Four covarianceWith(const Four& sum)
 double sumOf(const Four& sum, const Four& values)
 {
   return sum[0] * values[0] + sum[1] * values[1] + sum[2] * values[2] + sum[3] * values[3];
+}
+
+/// Whole numbers without a pattern, by a seed: SplitMix64 (Steele, Lea and Flood 2014).
+class Shuffled {
+public:
+  explicit Shuffled(std::uint64_t seed) : state_(seed) { state_ = next(); }
+
+  std::uint64_t next()
+  {
+    state_ += 0x9e3779b97f4a7c15u;
+    std::uint64_t bits = state_;
+    bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9u;
+    bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebu;
+    return bits ^ (bits >> 31);
+  }
+
+  /// Uniform in (0, 1], a multiple of 2^-53.
+  double share() { return static_cast<double>((next() >> 11) + 1) * 0x1p-53; }
+
+private:
+  std::uint64_t state_;
+};
+
+/// Four independent standard normal deviates (Box and Muller 1958).
+Four normalDeviates(Shuffled& shuffled)
+{
+  Four deviates{};
+  for (std::size_t i = 0; i < count; i += 2) {
+    const double length = std::sqrt(-2.0 * logarithm(shuffled.share()));
+    const SineCosine turn = sineCosine(2.0 * pi * shuffled.share());
+    deviates[i] = length * turn.cosine;
+    deviates[i + 1] = length * turn.sine;
+  }
+  return deviates;
+}
+
+/// The lower triangle whose square is the correlation (Cholesky).
+std::array<Four, count> rootOfCorrelation()
+{
+  std::array<Four, count> root{};
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t k = 0; k <= i; ++k) {
+      double rest = correlation[i][k];
+      for (std::size_t j = 0; j < k; ++j) rest -= root[i][j] * root[k][j];
+      root[i][k] = i == k ? std::sqrt(rest) : rest / root[k][k];
+    }
+  return root;
 }
 
 Spread spreadOf(const Four& sum)
@@ -115,6 +164,17 @@ Angle turnAngle(const HalfDiameters& half)
   const Four x = inMillimetersOf(half);
   return degrees(turn_deg[0] + x[0] * turn_deg[1] + x[1] * turn_deg[2] + x[2] * turn_deg[3] +
                  x[3] * turn_deg[4]);
+}
+
+HalfDiameters sampleHalfDiameters(std::uint64_t seed)
+{
+  Shuffled shuffled(seed);
+  const Four deviates = normalDeviates(shuffled);
+  const std::array<Four, count> root = rootOfCorrelation();
+  Four half_mm = mean_mm;
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t k = 0; k <= i; ++k) half_mm[i] += deviation_mm[i] * root[i][k] * deviates[k];
+  return fromMillimeters(half_mm);
 }
 
 Spread spreadOfA() { return spreadOf(sums[0]); }

@@ -82,6 +82,18 @@ TEST(Anatomy, BuildsAPatientFromTheBasalTurn)
   EXPECT_NE(outcome.out.find("2.4 standard deviations below"), std::string::npos) << outcome.out;
 }
 
+TEST(Anatomy, DrawsTheSamePatientWithTheSameSeed)
+{
+  const TemporaryFolder folder;
+  for (const char* file : {"a.json", "b.json"})
+    ASSERT_EQ(cli({"anatomy", "--sample", "7", "--json", folder / file}).status, 0);
+  EXPECT_EQ(contentOf(folder / "a.json"), contentOf(folder / "b.json"));
+  const auto json = nlohmann::json::parse(contentOf(folder / "a.json"));
+  EXPECT_EQ(json["label"], "sample 7");
+  EXPECT_NEAR(json["A_mm"].get<double>(), json["given"]["a_mm"].get<double>(), 0.02);
+  expectWrongWords(cli({"anatomy", "--sample", "many"}), "--sample");
+}
+
 TEST(Anatomy, RefusesADiameterThatNoCochleaHas)
 {
   expectRefusal(cli({"anatomy", "--a-mm", "12", "--b-mm", "6.8"}), "6.5 standard deviations above");
@@ -221,11 +233,10 @@ TEST(Anatomy, MirrorsALeftEarAtTheDoor)
   }
 }
 
-TEST(Anatomy, RefusesWhatIsNotThereYetAndLeavesNothing)
+TEST(Anatomy, LeavesNothingWhereOneFileIsRefused)
 {
   const TemporaryFolder folder;
   const std::string json = folder / "a.json";
-  expectRefusal(cli({"anatomy", "--sample", "3", "--json", json}), "--sample");
   expectRefusal(
       cli({"anatomy", "--preset", "published", "--surface", folder / "a.docx", "--json", json}),
       ".stl");

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "ReferenceSolid.h"
 #include "perilymph/test/Tolerance.h"
@@ -114,6 +115,28 @@ TEST(MeanScala, HasTheMeasuresOfEverySection)
     EXPECT_NEAR(section.roofHeight - section.floorHeight, measured.height, series) << angle_deg;
     EXPECT_NEAR(section.area, measured.area, 0.01 * measured.area) << angle_deg;
   }
+}
+
+TEST(MeanScala, LiesOnTheSolidBetweenItsSections)
+{
+  struct Row {
+    double angle_deg, inner_mm, outer_mm, floor_mm, roof_mm;
+  };
+  // the published solid cut halfway between its sections, where nothing was fitted
+  for (const Row& row :
+       {Row{11.5, 3.459, 5.769, -0.623, 0.955}, Row{34, 2.705, 5.011, -0.668, 0.605},
+        Row{56.5, 2.266, 4.474, -0.812, 0.463}}) {
+    const Section section = mean()->section(degrees(row.angle_deg).si());
+    const double series = test::tolerance(0.025, "four harmonics, splines between sections");
+    EXPECT_NEAR(section.innerRadius * 1e3, row.inner_mm, series) << row.angle_deg;
+    EXPECT_NEAR(section.outerRadius * 1e3, row.outer_mm, series) << row.angle_deg;
+    EXPECT_NEAR(section.floorHeight * 1e3, row.floor_mm, series) << row.angle_deg;
+    EXPECT_NEAR(section.roofHeight * 1e3, row.roof_mm, series) << row.angle_deg;
+  }
+  for (const auto& [angle_deg, outer_mm] :
+       {std::pair{101.5, 3.913}, {191.5, 3.232}, {304.0, 2.749}})
+    EXPECT_NEAR(mean()->section(degrees(angle_deg).si()).outerRadius * 1e3, outer_mm, 0.01)
+        << angle_deg;
 }
 
 TEST(MeanScala, RisesAgainInHeightUntil450Degrees)

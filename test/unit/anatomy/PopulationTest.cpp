@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "perilymph/anatomy/MeanScala.h"
@@ -76,6 +77,72 @@ TEST(LikeliestHalfDiameters, LeaveAnErrorThatTellsNothingOfAAndB)
     EXPECT_NEAR(s[i][0] + s[i][2], byA[i] * aa + byB[i] * ab, 1e-15);
     EXPECT_NEAR(s[i][1] + s[i][3], byA[i] * ab + byB[i] * bb, 1e-15);
   }
+}
+
+class SampleOf10000 : public testing::Test {
+protected:
+  static constexpr int size = 10'000;
+
+  void SetUp() override
+  {
+    for (int seed = 1; seed <= size; ++seed) {
+      const HalfDiameters half = sampleHalfDiameters(static_cast<std::uint64_t>(seed));
+      drawn_mm.push_back({half.a1 * 1e3, half.b1 * 1e3, half.a2 * 1e3, half.b2 * 1e3});
+    }
+    for (const auto& one : drawn_mm)
+      for (std::size_t i = 0; i < 4; ++i) mean_mm[i] += one[i] / size;
+  }
+
+  double covariance(std::size_t i, std::size_t k) const
+  {
+    double sum = 0.0;
+    for (const auto& one : drawn_mm) sum += (one[i] - mean_mm[i]) * (one[k] - mean_mm[k]);
+    return sum / (size - 1);
+  }
+
+  std::vector<std::array<double, 4>> drawn_mm;
+  std::array<double, 4> mean_mm{};
+};
+
+TEST_F(SampleOf10000, HasThePublishedMeansAndDeviations)
+{
+  // Pietsch et al. 2017; four standard errors: 4 SD / 100 for a mean, 4 SD / 141 for a deviation
+  const std::array<double, 4> mean{5.97, 3.95, 3.26, 2.85}, deviation{0.36, 0.35, 0.28, 0.33};
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(mean_mm[i], mean[i], 0.04 * deviation[i]) << i;
+    EXPECT_NEAR(std::sqrt(covariance(i, i)), deviation[i], 0.029 * deviation[i]) << i;
+  }
+}
+
+TEST_F(SampleOf10000, HasThePublishedCorrelations)
+{
+  const double published[4][4] = {{1.0, 0.53476, -0.12441, -0.07296},
+                                  {0.53476, 1.0, 0.11668, -0.43748},
+                                  {-0.12441, 0.11668, 1.0, 0.57846},
+                                  {-0.07296, -0.43748, 0.57846, 1.0}};
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      EXPECT_NEAR(covariance(i, k) / std::sqrt(covariance(i, i) * covariance(k, k)),
+                  published[i][k], 0.04)  // four standard errors
+          << i << " " << k;
+}
+
+TEST_F(SampleOf10000, IsNormallyDistributed)
+{
+  // 68.27 % within one deviation and 95.45 % within two; four standard errors of a share
+  int one = 0, two = 0;
+  for (const auto& drawn : drawn_mm) {
+    one += std::fabs(drawn[2] - 3.26) < 0.28 ? 1 : 0;
+    two += std::fabs(drawn[2] - 3.26) < 0.56 ? 1 : 0;
+  }
+  EXPECT_NEAR(one, 0.6827 * size, 4.0 * std::sqrt(size * 0.6827 * 0.3173));
+  EXPECT_NEAR(two, 0.9545 * size, 4.0 * std::sqrt(size * 0.9545 * 0.0455));
+}
+
+TEST(Sample, OfTheSameSeedIsTheSame)
+{
+  EXPECT_EQ(sampleHalfDiameters(5).a1, sampleHalfDiameters(5).a1);
+  EXPECT_NE(sampleHalfDiameters(5).a1, sampleHalfDiameters(6).a1);
 }
 
 std::shared_ptr<const ScalaTympani> patient(double a_mm, double b_mm,

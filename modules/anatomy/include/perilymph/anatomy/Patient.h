@@ -3,6 +3,7 @@
 // A patient's cochlea as the clinic knows it: three lengths of the scala tympani, or the diameters
 // of the basal turn.
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -43,6 +44,10 @@ Result<Patient> loadPatient(const std::filesystem::path& file);
 
 /// Checks numbers that did not come from a file (command line, window).
 Result<Done> checkPatient(const Patient& patient);
+
+/// A virtual patient whose A and B are drawn from the population: the same for the same seed on
+/// every machine.
+Result<Patient> samplePatient(std::uint64_t seed);
 
 /// A sentence for each of A and B that lies more than two standard deviations from the population's
 /// mean: allowed, but worth a second look at the measurement.

@@ -5,6 +5,7 @@
 // seen in public code that cites them).
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,10 @@ double outerWallRadius(const HalfDiameters& half, Angle angle);
 
 /// The angle over which the cochlea turns.
 Angle turnAngle(const HalfDiameters& half);
+
+/// Half-diameters drawn at random from the population, normally distributed: the same for the same
+/// seed on every machine.
+HalfDiameters sampleHalfDiameters(std::uint64_t seed);
 
 /// Mean, standard deviation and limits of one diameter over the population.
 struct Spread {

@@ -24,6 +24,20 @@ struct Cut {
   double r, z;
 };
 
+/// The part of a closed line's area on the near side of the axis: at the apex a duct may reach
+/// across an axis that is a little off.
+std::vector<Cut> clipped(const std::vector<Cut>& line)
+{
+  std::vector<Cut> kept;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    const Cut& a = line[k];
+    const Cut& b = line[(k + 1) % line.size()];
+    if (a.r >= 0.0) kept.push_back(a);
+    if ((a.r >= 0.0) != (b.r >= 0.0)) kept.push_back({0.0, a.z + a.r / (a.r - b.r) * (b.z - a.z)});
+  }
+  return kept;
+}
+
 /// Measures of a closed line, by the divergence theorem.
 AxialSection measured(const std::vector<Cut>& line, double angle)
 {
@@ -144,8 +158,9 @@ std::vector<AxialSection> sectionsAt(const Surface& closed, const AxisFrame& fra
       line.push_back(crossing(here));
       here = to;
     }
-    const AxialSection section = measured(line, angle);
-    if (line.size() > 2 && section.centerRadius > 0.0 && section.area > leastArea)
+    const std::vector<Cut> near = clipped(line);
+    const AxialSection section = measured(near, angle);
+    if (near.size() > 2 && section.centerRadius > 0.0 && section.area > leastArea)
       sections.push_back(section);
   }
   return sections;

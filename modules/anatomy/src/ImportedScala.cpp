@@ -20,6 +20,8 @@ constexpr int axisRounds = 6;  // the duct is followed anew about each better ax
 // The hook at the base is no spiral: the axis is fitted from here on.
 constexpr double spiralFrom_deg = 20.0;
 constexpr double leastTurns = 1.25;  // fewer leave 270 degrees or the axis open
+// Human scalae have up to three; what winds on is a ring or a ball that comes back into itself.
+constexpr double mostTurns = 3.5;
 
 double polar(const Eigen::Vector3d& point) { return arcTangent(point.y(), point.x()); }
 
@@ -134,7 +136,8 @@ Result<ImportedScala> importScala(const Surface& segmented)
     *axis = straightened(*axis, duct, from, duct.back().angle);
     duct = followDuct(closed->surface, *axis);
   }
-  if (duct.size() <= 2) return noSpiral;
+  if (duct.size() <= 2 || duct.back().angle - duct.front().angle > 2.0 * pi * mostTurns)
+    return noSpiral;
 
   // the round window
   Opening opening;

@@ -16,6 +16,7 @@
 #include <random>
 #include <vector>
 
+#include "perilymph/anatomy/MeanScala.h"
 #include "perilymph/test/TemporaryFolder.h"
 #include "perilymph/test/Tolerance.h"
 
@@ -268,6 +269,18 @@ TEST(ImportedScala, MeasuresTheMeanScalaAsItsAuthorsFrameHasIt)
   const Eigen::Vector3d off =
       read->place.origin_I - Eigen::Vector3d(-2.6909e-3, 3.8483e-3, read->place.origin_I.z());
   EXPECT_LT(off.norm(), 0.25e-3);
+}
+
+TEST(ImportedScala, FollowsADuctWhoseApexReachesTheAxis)
+{
+  // the mean scala that ships winds to 900 degrees, its inner wall 0.1 mm from the axis there
+  const auto mean = buildMean(millimeters(1));
+  ASSERT_TRUE(mean) << mean.error().message;
+  const auto read = importScala(wallSurface(**mean, 20'000));
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_NEAR(inDegrees(read->lastAngle), inDegrees((*mean)->lastAngle()), 10.0);
+  EXPECT_NEAR(inMillimeters(read->a), 9.53, 0.1);
+  EXPECT_NEAR(inMillimeters(read->b), 6.82, 0.1);
 }
 
 // --- surfaces that are no scala tympani ---

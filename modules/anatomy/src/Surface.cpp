@@ -6,7 +6,10 @@
 namespace perilymph::anatomy {
 namespace {
 
-std::array<double, 3> corner(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
+std::array<double, 3> corner(const Eigen::Vector3d& point)
+{
+  return {point.x(), point.y(), point.z()};
+}
 
 /// The angles at which rings are cut: the opening, then from the round window to the apex in equal
 /// lengths along the outer wall, so that the wide basal turn is as smooth as the narrow apical one.

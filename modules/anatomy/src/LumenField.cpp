@@ -100,11 +100,11 @@ LumenField::LumenField(const ScalaTympani& scala) : entry_(scala.entry()), inwar
 
   leastRadius_.resize(static_cast<std::size_t>(sections_));
   leastSlant_.resize(static_cast<std::size_t>(sections_));
-  distance_.resize(static_cast<std::size_t>(sections_ + 2) * page);
+  distance_.resize((static_cast<std::size_t>(sections_) + 2) * page);
   for (int i = 0; i < sections_; ++i) fillSection(scala, i);
   continueIntoLeadIn();
   // beyond the last section the distances go on as parabolas through the last three
-  float* last = distance_.data() + static_cast<std::size_t>(sections_ + 1) * page;
+  float* last = distance_.data() + (static_cast<std::size_t>(sections_) + 1) * page;
   for (std::size_t k = 0; k < page; ++k)
     last[k] = 3.0f * ((last - page)[k] - (last - 2 * page)[k]) + (last - 3 * page)[k];
 }
@@ -137,8 +137,8 @@ void LumenField::continueIntoLeadIn()
       const double moveU = slope(centerRadius_) + p * slope(halfWidth_) - perAngle * inward_W_.x();
       const double moveV = slope(centerHeight_) + q * slope(halfHeight_) - perAngle * inward_W_.z();
       const double byAngle = byP * moveU / width + byQ * moveV / tall;
-      const auto k = static_cast<std::size_t>(i * across + j);
-      before[k] = static_cast<float>(first[page + k] - 2.0 * byAngle / perSection_);
+      const int k = i * across + j;
+      before[k] = static_cast<float>((first + page)[k] - 2.0 * byAngle / perSection_);
     }
 }
 

@@ -6,14 +6,16 @@
 namespace perilymph::anatomy {
 namespace {
 
-std::array<double, 3> corner(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
+std::array<double, 3> corner(const Eigen::Vector3d& point)
+{
+  return {point.x(), point.y(), point.z()};
+}
 
 /// The angles at which rings are cut: the opening, then from the round window to the apex.
 std::vector<double> ringAngles(const ScalaTympani& scala, int rings)
 {
   std::vector<double> angles{-1.0};
-  for (int i = 0; i + 1 < rings; ++i)
-    angles.push_back(scala.lastAngle().si() * i / (rings - 2));
+  for (int i = 0; i + 1 < rings; ++i) angles.push_back(scala.lastAngle().si() * i / (rings - 2));
   return angles;
 }
 

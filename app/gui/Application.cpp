@@ -40,6 +40,9 @@ bool Application::notify(QObject* receiver, QEvent* event)
 
 void prepareQt()
 {
+  // Qt could also choose EGL, which VTK cannot use.
+  if (!qEnvironmentVariableIsSet("QT_XCB_GL_INTEGRATION"))
+    qputenv("QT_XCB_GL_INTEGRATION", "xcb_glx");
   QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
   format.setSamples(0);
   // The window paces itself by a timer. Waiting for the display's refresh on top of it would round

@@ -62,16 +62,6 @@ TEST(Simulate, WritesTheSameBytesEveryTimeInAnyLocale)
   EXPECT_EQ(contentOf(folder / "a.json"), contentOf(folder / "b.json"));
 }
 
-TEST(Simulate, WritesTheSameBytesOnAProcessorWithoutFma)
-{
-  const TemporaryFolder folder;
-  ASSERT_EQ(cli(shortSimulation({"--csv", folder / "a.csv"})).status, 0);
-  ProgramCall call = cliCall(shortSimulation({"--csv", folder / "b.csv"}));
-  call.environment = {{"GLIBC_TUNABLES", "glibc.cpu.hwcaps=-FMA,-AVX2"}};
-  ASSERT_EQ(run(call).status, 0);
-  EXPECT_EQ(contentOf(folder / "a.csv"), contentOf(folder / "b.csv"));
-}
-
 TEST(Simulate, SaysWhatIsWrongWithTheScenario)
 {
   expectRefusal(cli({"simulate", "--scenario", "nowhere"}), "contour-published");

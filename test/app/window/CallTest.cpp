@@ -97,6 +97,15 @@ TEST(PerilymphCall, AnOldOpenGlIsRefusedBeforeAnythingIsDrawn)
   expectRefused(perilymph({"--demo"}, {{"MESA_GL_VERSION_OVERRIDE", "2.1"}}), "OpenGL");
 }
 
+TEST(PerilymphCall, ADisplayWithoutOpenGlIsRefusedBeforeAnythingIsDrawn)
+{
+  ProgramCall call;
+  call.program = PERILYMPH_WITH_DISPLAY;
+  call.arguments = {std::string(PERILYMPH_PROGRAMS) + "/perilymph", "--demo"};
+  call.environment = {{"PERILYMPH_DISPLAY_OPTIONS", "-extension GLX"}};
+  expectRefused(run(call), "GLX extension is missing");
+}
+
 TEST(PerilymphCall, AnExistingRecordingIsNotOverwritten)
 {
   const TemporaryFolder folder;

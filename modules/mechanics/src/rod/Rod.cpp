@@ -97,35 +97,46 @@ void addRod(const InsertionModel& model, const std::vector<Eigen::Vector3d>& pos
     // bending between the edge before and this one
     if (i > 0) {
       const double stiffness = room.bending[i] / h;
-      const double c = 1.0 / std::max(1.0 + p.dot(t), 1e-3);
+      const double cosine = p.dot(t);
+      const double c = 1.0 / std::max(1.0 + cosine, 1e-3);
       const Eigen::Vector3d w = (2.0 * c) * (t - p);
       const Eigen::Vector3d stress =
           stiffness * ((w - room.restBend_W[i]) + damping * (w - room.bendBefore_W[i]));
-      const Eigen::Matrix3d byNext = (c / length) * (2.0 * across(t) - w * (p - t * p.dot(t)).transpose());
-      const Eigen::Matrix3d byLast =
-          (c / pLength) * (2.0 * across(p) + w * (t - p * p.dot(t)).transpose());
-      const Eigen::Matrix3d byHere = -(byNext + byLast);
+      const double a = 2.0 * c / length;
+      const double b = 2.0 * c / pLength;
 
-      room.force_W[i + 1].noalias() -= byNext.transpose() * stress;
-      room.force_W[i].noalias() -= byHere.transpose() * stress;
-      room.force_W[i - 1].noalias() -= byLast.transpose() * stress;
+      // forces, exactly: the derivatives of w by t and p are c (2 - w p^T) and -c (2 + w t^T)
+      const double half = 0.5 * w.dot(stress);
+      const Eigen::Vector3d onNext =
+          a * (stress - t * t.dot(stress) - half * (p - cosine * t));
+      const Eigen::Vector3d onLast =
+          b * (stress - p * p.dot(stress) + half * (t - cosine * p));
+      room.force_W[i + 1] -= onNext;
+      room.force_W[i - 1] -= onLast;
+      room.force_W[i] += onNext + onLast;
 
+      // stiffness, to first order in the angle between the links: w changes by a P_t dx_next there
+      // and by b P_p dx_last here, where P_t takes away what is along t
       const double k = stiffness * (1.0 + damping);
+      const Eigen::Matrix3d nextNext = (k * a * a) * across(t);
+      const Eigen::Matrix3d lastLast = (k * b * b) * across(p);
+      const Eigen::Matrix3d nextLast =
+          (k * a * b) * (Eigen::Matrix3d::Identity() - t * (t - cosine * p).transpose() -
+                         p * p.transpose());
+      const Eigen::Matrix3d nextHere = nextNext + nextLast;  // to be taken away
+      const Eigen::Matrix3d hereLast = nextLast + lastLast;  // likewise
       const std::size_t next = i, here = blockOf(i), last = blockOf(i - 1);
-      const Eigen::Matrix3d kNext = k * byNext.transpose();
-      const Eigen::Matrix3d kHere = k * byHere.transpose();
-      room.system.diagonal[next].noalias() += kNext * byNext;
-      room.system.diagonal[here].noalias() += kHere * byHere;
-      room.system.diagonal[last].noalias() += k * byLast.transpose() * byLast;
-      room.system.beside[next].noalias() += kNext * byHere;
+      room.system.diagonal[next] += nextNext;
+      room.system.diagonal[here] += nextHere + hereLast.transpose();
+      room.system.diagonal[last] += lastLast;
+      room.system.beside[next] -= nextHere;
       if (here == last) {
         // both belong to the base
-        const Eigen::Matrix3d cross = kHere * byLast;
-        room.system.diagonal[here] += cross + cross.transpose();
-        room.system.beside[next].noalias() += kNext * byLast;
+        room.system.diagonal[here] -= hereLast + hereLast.transpose();
+        room.system.beside[next] += nextLast;
       } else {
-        room.system.beside[here].noalias() += kHere * byLast;
-        room.system.beyond[next].noalias() += kNext * byLast;
+        room.system.beside[here] -= hereLast;
+        room.system.beyond[next] += nextLast;
       }
     }
     p = t;

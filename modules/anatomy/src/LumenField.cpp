@@ -152,8 +152,11 @@ void LumenField::fillSection(const ScalaTympani& scala, int section)
   leastRadius_[row] = lines.leastRadius();
   leastSlant_[row] = lines.leastSlant();
 
-  const double width = at(halfWidth_, row, CubicWeights(0.0).value);
-  const double tall = at(halfHeight_, row, CubicWeights(0.0).value);
+  // the last section is the far end of the last piece
+  const std::size_t piece = std::min(row, static_cast<std::size_t>(sections_) - 2);
+  const CubicWeights here(static_cast<double>(row - piece));
+  const double width = at(halfWidth_, piece, here.value);
+  const double tall = at(halfHeight_, piece, here.value);
   float* distances = distance_.data() + (row + 1) * page;
   for (int i = 0; i < across; ++i)
     for (int j = 0; j < across; ++j) {

@@ -39,7 +39,8 @@ Result<Done> probeDisplay()
     return Error{"The display " + display +
                  " cannot be reached. Check DISPLAY and the permission to draw there, or start "
                  "perilymph under xvfb-run."};
-  // VTK draws through GLX alone; Qt without it would start on EGL, and every picture would stay empty.
+  // VTK draws through GLX alone; Qt without it would start on EGL, and every picture would stay
+  // empty.
   int opcode = 0, event = 0, error = 0;
   const bool hasGlx = XQueryExtension(connection, "GLX", &opcode, &event, &error) != 0;
   XCloseDisplay(connection);

@@ -36,8 +36,9 @@ QFrame* line(QWidget* parent)
 QString patientText(const session::Scenario& scenario)
 {
   const bool isLeft = scenario.patient.side == anatomy::Side::left;
-  return MainWindow::tr("Patient %1 · %2 ear")
-      .arg(QString::fromStdString(scenario.patient.label),
+  const bool isPatient = scenario.anatomy == "published" || scenario.patient.basalTurn;
+  return (isPatient ? MainWindow::tr("Patient %1 · %2 ear") : MainWindow::tr("%1 anatomy · %2 ear"))
+      .arg(QString::fromStdString(isPatient ? scenario.patient.label : scenario.anatomy),
            isLeft ? MainWindow::tr("left") : MainWindow::tr("right"));
 }
 

@@ -108,13 +108,31 @@ void SidePanel::addLine(QVBoxLayout& column)
 void SidePanel::addPatient(QVBoxLayout& column, const session::Scenario& scenario)
 {
   const anatomy::Patient& patient = scenario.patient;
-  addTitle(column, tr("Patient"), QString::fromStdString(patient.label));
-  addRow(column, tr("Scala length"), millimetersText(patient.scalaTympaniLength),
-         tr("Length of the scala tympani along the path of the organ of Corti."));
-  addRow(column, tr("Width at window"), millimetersText(patient.roundWindowWidth),
-         tr("Width of the scala tympani's section at the round window."));
-  addRow(column, tr("Height at window"), millimetersText(patient.roundWindowHeight),
-         tr("Height of the scala tympani's section at the round window."));
+  const bool isPublished = scenario.anatomy == "published";
+  addTitle(column, tr("Patient"),
+           isPublished || patient.basalTurn ? QString::fromStdString(patient.label)
+                                            : QString::fromStdString(scenario.anatomy));
+  if (patient.basalTurn) {
+    addRow(column, tr("Length A"), millimetersText(patient.basalTurn->a),
+           tr("From the round window through the modiolus to the far lateral wall."));
+    addRow(column, tr("Width B"), millimetersText(patient.basalTurn->b),
+           tr("Across A, from lateral wall to lateral wall."));
+    if (patient.basalTurn->h)
+      addRow(column, tr("Height H"), millimetersText(*patient.basalTurn->h),
+             tr("From base to apex along the modiolus."));
+  } else if (isPublished) {
+    addRow(column, tr("Scala length"), millimetersText(patient.scalaTympaniLength),
+           tr("Length of the scala tympani along the path of the organ of Corti."));
+    addRow(column, tr("Width at window"), millimetersText(patient.roundWindowWidth),
+           tr("Width of the scala tympani's section at the round window."));
+    addRow(column, tr("Height at window"), millimetersText(patient.roundWindowHeight),
+           tr("Height of the scala tympani's section at the round window."));
+  }
+  // sections measured by others are shown with their names
+  if (!isPublished)
+    addRow(column, tr("Sections"), tr("mean of 15, CC BY 4.0"),
+           tr("Adapted from Froehlich, Schurzig, Rau, Lenarz (2024), PLOS ONE, "
+              "doi 10.1371/journal.pone.0295121, CC BY 4.0."));
   addRow(column, tr("Ear"), patient.side == anatomy::Side::left ? tr("left") : tr("right"));
 }
 

@@ -9,7 +9,8 @@ std::vector<double> interpolatingCoefficients(const std::vector<double>& samples
 
   // slopes per index at both ends, third order
   const double startSlope = (-11.0 * y[0] + 18.0 * y[1] - 9.0 * y[2] + 2.0 * y[3]) / 6.0;
-  const double endSlope = (11.0 * y[n - 1] - 18.0 * y[n - 2] + 9.0 * y[n - 3] - 2.0 * y[n - 4]) / 6.0;
+  const double endSlope =
+      (11.0 * y[n - 1] - 18.0 * y[n - 2] + 9.0 * y[n - 3] - 2.0 * y[n - 4]) / 6.0;
 
   // (c[i-1] + 4 c[i] + c[i+1]) / 6 = y[i], with c[-1] and c[n] eliminated by the end slopes
   std::vector<double> diagonal(n, 4.0), right(n);

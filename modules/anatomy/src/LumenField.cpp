@@ -100,11 +100,11 @@ LumenField::LumenField(const ScalaTympani& scala) : entry_(scala.entry()), inwar
 
   leastRadius_.resize(static_cast<std::size_t>(sections_));
   leastSlant_.resize(static_cast<std::size_t>(sections_));
-  distance_.resize(static_cast<std::size_t>(sections_ + 2) * page);
+  distance_.resize((static_cast<std::size_t>(sections_) + 2) * page);
   for (int i = 0; i < sections_; ++i) fillSection(scala, i);
   continueIntoLeadIn();
   // beyond the last section the distances go on as parabolas through the last three
-  float* last = distance_.data() + static_cast<std::size_t>(sections_ + 1) * page;
+  float* last = distance_.data() + (static_cast<std::size_t>(sections_) + 1) * page;
   for (std::size_t k = 0; k < page; ++k)
     last[k] = 3.0f * ((last - page)[k] - (last - 2 * page)[k]) + (last - 3 * page)[k];
 }
@@ -137,8 +137,8 @@ void LumenField::continueIntoLeadIn()
       const double moveU = slope(centerRadius_) + p * slope(halfWidth_) - perAngle * inward_W_.x();
       const double moveV = slope(centerHeight_) + q * slope(halfHeight_) - perAngle * inward_W_.z();
       const double byAngle = byP * moveU / width + byQ * moveV / tall;
-      const auto k = static_cast<std::size_t>(i * across + j);
-      before[k] = static_cast<float>(first[page + k] - 2.0 * byAngle / perSection_);
+      const int k = i * across + j;
+      before[k] = static_cast<float>((first + page)[k] - 2.0 * byAngle / perSection_);
     }
 }
 
@@ -152,8 +152,11 @@ void LumenField::fillSection(const ScalaTympani& scala, int section)
   leastRadius_[row] = lines.leastRadius();
   leastSlant_[row] = lines.leastSlant();
 
-  const double width = at(halfWidth_, row, CubicWeights(0.0).value);
-  const double tall = at(halfHeight_, row, CubicWeights(0.0).value);
+  // the last section is the far end of the last piece
+  const std::size_t piece = std::min(row, static_cast<std::size_t>(sections_) - 2);
+  const CubicWeights here(static_cast<double>(row - piece));
+  const double width = at(halfWidth_, piece, here.value);
+  const double tall = at(halfHeight_, piece, here.value);
   float* distances = distance_.data() + (row + 1) * page;
   for (int i = 0; i < across; ++i)
     for (int j = 0; j < across; ++j) {

@@ -17,7 +17,7 @@ namespace perilymph::anatomy {
 /// near; elsewhere it is off by a few micrometers (measured in the tests).
 class LumenField {
 public:
-  /// Builds the table. Takes some tens of milliseconds.
+  /// Builds the table. Takes a tenth of a second.
   explicit LumenField(const ScalaTympani& scala);
 
   /// The wall nearest to one point. Real-time safe.

@@ -66,6 +66,7 @@ MeanOutlines::MeanOutlines(const std::vector<MeasuredSection>& measured)
 {
   const std::vector<MeasuredSection> sections = continued(measured);
   std::vector<double> angles;
+  angles.reserve(sections.size());
   for (const MeasuredSection& section : sections)
     angles.push_back(section.angle + degrees(firstSection_deg).si());
   // Ends that are no knots: the wall sweeps in so fast at the round window that an end without bend
@@ -108,8 +109,10 @@ Outline MeanOutlines::outline(double angle, double share) const
     for (int k = 1; k <= harmonics; ++k) {
       // e^(i k t) and its conjugate, each times its coefficient
       const SineCosine turn = sineCosine(2.0 * pi * ((i * k) % corners) / corners);
-      const auto ahead = static_cast<std::size_t>(harmonics + k);
-      const auto back = static_cast<std::size_t>(harmonics - k);
+      const int forward = harmonics + k;
+      const int backward = harmonics - k;
+      const auto ahead = static_cast<std::size_t>(forward);
+      const auto back = static_cast<std::size_t>(backward);
       point.r += (real[ahead] + real[back]) * turn.cosine -
                  (imaginary[ahead] - imaginary[back]) * turn.sine;
       point.z += (imaginary[ahead] + imaginary[back]) * turn.cosine +

@@ -12,8 +12,8 @@
 namespace perilymph::anatomy {
 namespace {
 
-constexpr double straight = 0.02;     // sine of the angle between a wall and its direction
-constexpr double straightRim = 1e-4;  // share of the normals' scatter along that direction
+constexpr double straight = 1e-3;     // sine of the angle between a wall and its direction
+constexpr double straightRim = 1e-6;  // share of the normals' scatter along that direction
 constexpr double longest = 6e-3;      // a longer stretch is no lead-in [m]
 // A lid faces out of the duct within 45 degrees and lies no deeper behind the first section.
 constexpr double lidFacing = 0.7;

@@ -47,9 +47,9 @@ void StraightTube::nearestWall(std::span<const Eigen::Vector3d> points_W,
 {
   for (std::size_t i = 0; i < points_W.size(); ++i) {
     const Eigen::Vector3d& p = points_W[i];
-    walls[i] = p.z() > 0.0 ? WallPoint{}
-                           : roundWall(p, {0.0, 0.0, p.z()}, -Eigen::Vector3d::UnitZ(), radius_,
-                                       reach[i]);
+    walls[i] = p.z() > 0.0
+                   ? WallPoint{}
+                   : roundWall(p, {0.0, 0.0, p.z()}, -Eigen::Vector3d::UnitZ(), radius_, reach[i]);
   }
 }
 

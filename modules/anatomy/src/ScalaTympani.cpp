@@ -48,8 +48,8 @@ ScalaTympani::ScalaTympani(SectionTables tables) : tables_(std::move(tables))
   require(tables_.step > 0.0, "The angle between sections must be above 0.");
   require(tables_.leadIn >= 0.0, "The lead-in cannot be shorter than 0.");
   require(tables_.centerHeight.size() == sections && tables_.membraneInner.size() == sections &&
-              tables_.membraneOuter.size() == sections && tables_.membraneHeight.size() == sections &&
-              tables_.planRadius.size() == sections &&
+              tables_.membraneOuter.size() == sections &&
+              tables_.membraneHeight.size() == sections && tables_.planRadius.size() == sections &&
               tables_.wallRadius.size() == sections * directions,
           "The tables of a scala tympani must have one entry for each section.");
   require(std::all_of(tables_.wallRadius.begin(), tables_.wallRadius.end(),
@@ -63,8 +63,9 @@ ScalaTympani::ScalaTympani(SectionTables tables) : tables_(std::move(tables))
   membraneOuter_ = interpolatingCoefficients(tables_.membraneOuter);
   membraneHeight_ = interpolatingCoefficients(tables_.membraneHeight);
 
-  // Over the angle the wall passes through the tables. Around the section the tables' values are the
-  // coefficients themselves, which rounds corners over about one direction and never overshoots.
+  // Over the angle the wall passes through the tables. Around the section the tables' values are
+  // the coefficients themselves, which rounds corners over about one direction and never
+  // overshoots.
   rowLength_ = directions + 3;
   wallRadius_.resize((sections + 2) * rowLength_);
   std::vector<double> column(sections);
@@ -84,8 +85,8 @@ ScalaTympani::ScalaTympani(SectionTables tables) : tables_(std::move(tables))
   const double r = weighted(centerRadius_.data(), start.value);
   const Eigen::Vector3d inward_W =
       Eigen::Vector3d(weighted(centerRadius_.data(), start.slope) / tables_.step, r,
-                                       weighted(centerHeight_.data(), start.slope) / tables_.step)
-                           .normalized();
+                      weighted(centerHeight_.data(), start.slope) / tables_.step)
+          .normalized();
   require(inward_W.y() > 0.1, "The center line must lead into the cochlea at the round window.");
   const Eigen::Vector3d first(r, 0.0, weighted(centerHeight_.data(), start.value));
   entry_.origin_W = first - tables_.leadIn * inward_W;

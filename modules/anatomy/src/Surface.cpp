@@ -6,11 +6,37 @@
 namespace perilymph::anatomy {
 namespace {
 
-std::array<double, 3> corner(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
+std::array<double, 3> corner(const Eigen::Vector3d& point)
+{
+  return {point.x(), point.y(), point.z()};
+}
+
+/// The angles at which rings are cut: the opening, then from the round window to the apex in equal
+/// lengths along the outer wall, so that the wide basal turn is as smooth as the narrow apical one.
+std::vector<double> ringAngles(const ScalaTympani& scala, int rings)
+{
+  constexpr std::size_t fine = 4000;
+  const double step = scala.lastAngle().si() / fine;
+  std::vector<double> length(fine + 1, 0.0);
+  for (std::size_t i = 1; i <= fine; ++i) {
+    const auto angle = static_cast<double>(i) * step;
+    length[i] = length[i - 1] + (scala.wall_W(angle, 0.0) - scala.wall_W(angle - step, 0.0)).norm();
+  }
+
+  std::vector<double> angles{-1.0};
+  std::size_t at = 1;
+  for (int i = 0; i + 1 < rings; ++i) {
+    const double wanted = length.back() * i / (rings - 2);
+    while (at < fine && length[at] < wanted) ++at;
+    const double share = (wanted - length[at - 1]) / (length[at] - length[at - 1]);
+    angles.push_back(step * (static_cast<double>(at - 1) + share));
+  }
+  return angles;
+}
 
 /// Where a wall of at most so many triangles is cut: the opening, then from the round window to the
-/// apex, and the corners of each ring. About three times as many rings as a ring has corners: the duct
-/// is long.
+/// apex, and the corners of each ring. About six times as many rings as a ring has corners: the
+/// duct is long.
 struct Rings {
   std::vector<double> angles;
   int around;
@@ -19,12 +45,9 @@ struct Rings {
 Rings ringsOf(const ScalaTympani& scala, int mostTriangles)
 {
   const int most = std::max(mostTriangles, 200);
-  const int around = std::max(8, static_cast<int>(std::sqrt(most / 6.0)));
+  const int around = std::max(8, static_cast<int>(std::sqrt(most / 12.0)));
   const int rings = std::max(4, (most - around) / (2 * around) + 1);
-  std::vector<double> angles{-1.0};
-  for (int i = 0; i + 1 < rings; ++i)
-    angles.push_back(scala.lastAngle().si() * i / (rings - 2));
-  return {angles, around};
+  return {ringAngles(scala, rings), around};
 }
 
 /// The wall through rings, open at both ends.

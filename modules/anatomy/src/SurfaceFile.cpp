@@ -1,7 +1,8 @@
-// Surfaces as files, in millimeters: the formats of printers, modelers, VTK, and of the paper (VRML).
+// Surfaces as files, in millimeters: the formats of printers, modelers, VTK, and of the paper
+// (VRML).
 
-#include <charconv>
 #include <Eigen/Geometry>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -15,8 +16,16 @@ namespace {
 /// Collects text with numbers in shortest form, whatever the locale.
 class Text {
 public:
-  Text& operator<<(const char* text) { content += text; return *this; }
-  Text& operator<<(const std::string& text) { content += text; return *this; }
+  Text& operator<<(const char* text)
+  {
+    content += text;
+    return *this;
+  }
+  Text& operator<<(const std::string& text)
+  {
+    content += text;
+    return *this;
+  }
   Text& operator<<(double number) { return append(number); }
   Text& operator<<(int number) { return append(number); }
   Text& operator<<(std::size_t number) { return append(number); }
@@ -77,7 +86,8 @@ std::string ply(const Surface& surface, const std::string& title)
        << "\nproperty float x\nproperty float y\nproperty float z\nelement face "
        << surface.triangles.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
   writeCorners(text, surface, "", "\n");
-  for (const auto& t : surface.triangles) text << "3 " << t[0] << " " << t[1] << " " << t[2] << "\n";
+  for (const auto& t : surface.triangles)
+    text << "3 " << t[0] << " " << t[1] << " " << t[2] << "\n";
   return text.content;
 }
 

@@ -97,8 +97,7 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
   // a precurved array curls toward the modiolus: away from the outer wall
   const Eigen::Vector3d inner_W = -m.entry.outward_W;
   m.startCurl_W = (inner_W - inner_W.dot(m.startAxis_W) * m.startAxis_W).normalized();
-  m.startBase_W =
-      m.entry.origin_W + (m.parts.startInside.si() - length) * m.startAxis_W;
+  m.startBase_W = m.entry.origin_W + (m.parts.startInside.si() - length) * m.startAxis_W;
 
   for (int i = 0; i < m.nodes; ++i) {
     const double fromTip = length - i * m.spacing;
@@ -115,7 +114,8 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
     m.restCurvature.push_back(array.restCurvature.at(place).si());
     // the rounded tip is a sample point of its own, however short its stretch of array
     const double pressedLength = isTip ? samplePointSpacing : ownLength;
-    m.wallStiffness.push_back(m.parts.wall.perSamplePoint.si() * pressedLength / samplePointSpacing);
+    m.wallStiffness.push_back(m.parts.wall.perSamplePoint.si() * pressedLength /
+                              samplePointSpacing);
     m.wallTangential.push_back(m.parts.wall.tangentialPerSamplePoint.si() * pressedLength /
                                samplePointSpacing);
   }

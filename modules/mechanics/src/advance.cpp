@@ -24,11 +24,11 @@ struct Balance {
 
 /// Where the base would go by itself in spring coupling, and how hard it is held.
 struct Base {
-  bool isHeld;        ///< Rigid coupling.
-  double inertia;     ///< m / dt^2 [N/m]
-  double grip;        ///< Spring and damper [N/m]
-  Eigen::Vector3d free_W;    ///< Where inertia alone takes it [m].
-  Eigen::Vector3d gripped_W; ///< Where the coupling pulls it [m].
+  bool isHeld;                ///< Rigid coupling.
+  double inertia;             ///< m / dt^2 [N/m]
+  double grip;                ///< Spring and damper [N/m]
+  Eigen::Vector3d free_W;     ///< Where inertia alone takes it [m].
+  Eigen::Vector3d gripped_W;  ///< Where the coupling pulls it [m].
 };
 
 Base baseOf(const InsertionModel& model, const InsertionState& state, const Drive& drive) noexcept
@@ -68,7 +68,8 @@ Balance balance(const InsertionModel& model, InsertionState& state, const Base& 
     const double inertia = model.mass[i] / (dt * dt);
     const double drag = model.drag[i] / dt;
     const Eigen::Vector3d moved = state.position_W[i] - room.before_W[i];
-    room.system.right[block] -= (inertia + drag) * moved - (model.mass[i] / dt) * state.velocity_W[i];
+    room.system.right[block] -=
+        (inertia + drag) * moved - (model.mass[i] / dt) * state.velocity_W[i];
     for (int k = 0; k < 3; ++k) room.system.diagonal[block](k, k) += inertia + drag;
   }
   if (base.isHeld) {
@@ -115,7 +116,8 @@ void predict(const InsertionModel& model, InsertionState& state, const Drive& dr
   const Eigen::Vector3d motion = to_W - room.before_W[0];
   const double forward = motion.dot(drive.handAxis_W);
   for (std::size_t i = 2; i < n; ++i) {
-    const Eigen::Vector3d tangent = (room.before_W[i] - room.before_W[i - 1]) / room.lengthBefore[i - 1];
+    const Eigen::Vector3d tangent =
+        (room.before_W[i] - room.before_W[i - 1]) / room.lengthBefore[i - 1];
     state.position_W[i] = room.before_W[i] + forward * tangent;
   }
   state.position_W[0] = to_W;
@@ -189,9 +191,8 @@ void read(const InsertionModel& model, InsertionState& state, const Drive& drive
   r.residual = left.worst;
   // the hand holds nodes 0 and 1; in spring coupling it holds them through the spring
   const Eigen::Vector3d onBase_W = room.force_W[0] + room.force_W[1];
-  r.handForce_W = base.isHeld
-                      ? onBase_W
-                      : Eigen::Vector3d(base.grip * (state.base_W - base.gripped_W));
+  r.handForce_W =
+      base.isHeld ? onBase_W : Eigen::Vector3d(base.grip * (state.base_W - base.gripped_W));
   r.handTorque_W = (model.spacing * drive.handAxis_W).cross(room.force_W[1]);
   r.axialForce = r.handForce_W.dot(model.entry.out_W);
   r.speed = -state.baseVelocity_W.dot(model.entry.out_W);

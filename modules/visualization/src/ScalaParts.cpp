@@ -13,7 +13,7 @@
 namespace perilymph::visualization {
 namespace {
 
-constexpr int mostTriangles = 12000;  ///< More cost frames in software and show no more.
+constexpr int mostTriangles = 12000;    ///< More cost frames in software and show no more.
 constexpr double patchReach_mm = 0.45;  ///< Of a contact's color on the wall.
 constexpr double shortestEdge_mm = 1.0;
 constexpr double edgeOpacity = 0.9;

@@ -1,6 +1,6 @@
-// The published run gives the same bits on every x86-64: here, with the processor's newer instructions
-// hidden from the C library, whose own sine and exponential then differ in the last place (that they
-// do is shown by the tests of foundation's Math.h).
+// The published run gives the same bits on every x86-64: here, with the processor's newer
+// instructions hidden from the C library, whose own sine and exponential then differ in the last
+// place (that they do is shown by the tests of foundation's Math.h).
 
 #include "Cli.h"
 
@@ -11,9 +11,13 @@ TEST(PublishedRun, GivesTheSameBitsWithoutFmaAndAvx2)
 {
   const TemporaryFolder folder;
   const auto arguments = [&](const std::string& name) {
-    return std::vector<std::string>{"simulate", "--scenario", "contour-published",
-                                    "--csv",    folder / (name + ".csv"),
-                                    "--record", folder / (name + ".insertion")};
+    return std::vector<std::string>{"simulate",
+                                    "--scenario",
+                                    "contour-published",
+                                    "--csv",
+                                    folder / (name + ".csv"),
+                                    "--record",
+                                    folder / (name + ".insertion")};
   };
   ASSERT_EQ(cli(arguments("here")).status, 0);
   ProgramCall older = cliCall(arguments("older"));

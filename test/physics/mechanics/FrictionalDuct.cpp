@@ -14,8 +14,8 @@ namespace {
 using test::RodSpec;
 using test::TestRod;
 
-constexpr double bend = 6e-3;  // [m] of the duct's axis
-constexpr double lead = 2e-3;  // [m]
+constexpr double bend = 6e-3;               // [m] of the duct's axis
+constexpr double lead = 2e-3;               // [m]
 constexpr double end = 200.0 * pi / 180.0;  // [rad]
 
 /// A circular duct that ends in a frictionless wall across it.

@@ -1,4 +1,5 @@
-// The published experiment's array in the published anatomy: what must hold whatever the calibration.
+// The published experiment's array in the published anatomy: what must hold whatever the
+// calibration.
 
 #include <gtest/gtest.h>
 
@@ -86,7 +87,9 @@ Peak basalTurnPeak(const Curve& curve)
       peak.dipTravel = curve.tick * static_cast<double>(i + 1);
     }
     // the dip is over when the force has risen from it by as much as counts as a fall
-    if (peak.force > 10e-3 && peak.dipForce < 0.97 * peak.force && curve.force[i] > peak.dipForce + 0.03 * peak.force) break;
+    if (peak.force > 10e-3 && peak.dipForce < 0.97 * peak.force &&
+        curve.force[i] > peak.dipForce + 0.03 * peak.force)
+      break;
   }
   return peak;
 }
@@ -154,7 +157,8 @@ TEST(PublishedInsertion, PeaksLaterAndLowerInALargerCochlea)
 
 TEST(PublishedInsertion, GrowsWithTheArraysStiffness)
 {
-  // Below the wall's own stiffness, forces are linear in EI (mechanics README); a soft wall takes some.
+  // Below the wall's own stiffness, forces are linear in EI (mechanics README); a soft wall takes
+  // some.
   const Peak soft = basalTurnPeak(insertAsPublished({.stiffness = 0.5}));
   const Peak stiff = basalTurnPeak(insertAsPublished({.stiffness = 1.0}));
   EXPECT_GT(stiff.force, 1.6 * soft.force);

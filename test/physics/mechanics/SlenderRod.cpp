@@ -38,8 +38,8 @@ private:
   double gap_;
 };
 
-/// Force across a cantilever of length L whose tip is held `deflection` away by a force that keeps its
-/// direction (Euler's elastica, integrated by shooting with fourth-order Runge-Kutta).
+/// Force across a cantilever of length L whose tip is held `deflection` away by a force that keeps
+/// its direction (Euler's elastica, integrated by shooting with fourth-order Runge-Kutta).
 double elasticaForce(double EI, double L, double deflection)
 {
   // theta'' = -(F / EI) cos(theta), theta(0) = 0, theta'(L) = 0; y' = sin(theta)
@@ -158,12 +158,14 @@ TEST(Column, BucklesAtEulersLoad)
   spec.wallStiffness = 1e4;
   TestRod rod(std::make_shared<anatomy::FlatWall>(0.02e-3 + spec.radius), spec);
   // a slight misalignment, as every real column has
-  rod.drive().handAxis_W = Eigen::AngleAxisd(0.003, Eigen::Vector3d::UnitX()) * rod.drive().handAxis_W;
+  rod.drive().handAxis_W =
+      Eigen::AngleAxisd(0.003, Eigen::Vector3d::UnitX()) * rod.drive().handAxis_W;
   rod.move({0.0, 0.0, -0.25e-3}, 0.2e-3, settling);
   const double critical = pi * pi * spec.bending / (4.0 * spec.length * spec.length);
   const Eigen::Vector3d tip = rod.state().position_W.back();
   EXPECT_GT(std::fabs(tip.y()), 0.05 * spec.length);  // it has given way
-  EXPECT_NEAR(rod.readings().axialForce, critical, test::tolerance(0.05, "post-buckling") * critical);
+  EXPECT_NEAR(rod.readings().axialForce, critical,
+              test::tolerance(0.05, "post-buckling") * critical);
 }
 
 TEST(Column, CarriesLessThanEulersLoadBeforeItBuckles)
@@ -171,7 +173,8 @@ TEST(Column, CarriesLessThanEulersLoadBeforeItBuckles)
   RodSpec spec;
   TestRod rod(std::make_shared<anatomy::FlatWall>(0.02e-3 + spec.radius), spec);
   const double critical = pi * pi * spec.bending / (4.0 * spec.length * spec.length);
-  rod.drive().handAxis_W = Eigen::AngleAxisd(0.003, Eigen::Vector3d::UnitX()) * rod.drive().handAxis_W;
+  rod.drive().handAxis_W =
+      Eigen::AngleAxisd(0.003, Eigen::Vector3d::UnitX()) * rod.drive().handAxis_W;
   for (int i = 0; i < 200; ++i) {
     rod.move({0.0, 0.0, -0.001e-3}, 0.2e-3);
     ASSERT_LT(rod.readings().axialForce, 1.1 * critical);

@@ -75,7 +75,8 @@ TEST(InsertionForce, IsTheSameInATurnedScene)
     const mechanics::Readings turned =
         insertInto(std::make_shared<TurnedLumen>(bendingDuct(), turn));
     EXPECT_NEAR(turned.axialForce, plain.axialForce, test::tolerance(2e-5, "solver"));
-    EXPECT_LT((turned.handForce_W - turn * plain.handForce_W).norm(), test::tolerance(4e-5, "solver"));
+    EXPECT_LT((turned.handForce_W - turn * plain.handForce_W).norm(),
+              test::tolerance(4e-5, "solver"));
   }
 }
 

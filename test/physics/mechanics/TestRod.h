@@ -11,14 +11,14 @@ namespace perilymph::test {
 
 /// What a test may want to change about its rod.
 struct RodSpec {
-  double length = 20e-3;     ///< [m]
-  double radius = 0.25e-3;   ///< [m]
-  double bending = 1e-6;     ///< EI [N.m^2]
+  double length = 20e-3;       ///< [m]
+  double radius = 0.25e-3;     ///< [m]
+  double bending = 1e-6;       ///< EI [N.m^2]
   double restCurvature = 0.0;  ///< [1/m]
-  double friction = 0.0;     ///< Coulomb, the same at rest and sliding.
+  double friction = 0.0;       ///< Coulomb, the same at rest and sliding.
   double wallStiffness = 1e5;  ///< Per sample point [N/m]: hard against everything tested.
-  double startInside = 0.0;  ///< [m]
-  double timeStep = 1e-3;    ///< [s]
+  double startInside = 0.0;    ///< [m]
+  double timeStep = 1e-3;      ///< [s]
   int nodes = 101;
 };
 

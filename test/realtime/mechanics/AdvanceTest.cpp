@@ -17,8 +17,7 @@ namespace {
 
 /// A Contour in the published anatomy, driven by a script.
 struct Insertion {
-  Insertion()
-      : model(InsertionModel::build(parts())), state(*model)
+  Insertion() : model(InsertionModel::build(parts())), state(*model)
   {
     drive.handAxis_W = model->startAxis_W;
     drive.handCurl_W = model->startCurl_W;
@@ -43,8 +42,8 @@ struct Insertion {
   Drive drive;
 };
 
-static_assert(noexcept(advance(std::declval<const InsertionModel&>(), std::declval<InsertionState&>(),
-                               std::declval<const Drive&>())));
+static_assert(noexcept(advance(std::declval<const InsertionModel&>(),
+                               std::declval<InsertionState&>(), std::declval<const Drive&>())));
 
 TEST(Advance, AllocatesNothingInDeepContact)
 {

@@ -7,11 +7,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "ReferenceSolid.h"
+#include "perilymph/test/TemporaryFolder.h"
 #include "perilymph/test/Tolerance.h"
 
 namespace perilymph::anatomy {
@@ -204,6 +210,51 @@ TEST(MeanScala, EndsInARoundedCap)
   // cut off where the ellipsoid has shrunk to 31 %: a tenth of the area
   EXPECT_LT(area(900), 0.12 * area(850));
   EXPECT_GT(area(875), 0.6 * area(850));
+}
+
+/// Another folder of resources, while it lives.
+class OtherResources {
+public:
+  explicit OtherResources(const std::string& sections)
+  {
+    std::filesystem::create_directories(folder_ / "resources" / "anatomy");
+    std::ofstream(folder_ / "resources" / "anatomy" / "mean-scala-tympani.toml") << sections;
+    if (const char* given = std::getenv(variable)) before_ = given;
+    ::setenv(variable, folder_.path().c_str(), 1);
+  }
+  ~OtherResources()
+  {
+    if (before_)
+      ::setenv(variable, before_->c_str(), 1);
+    else
+      ::unsetenv(variable);
+  }
+
+private:
+  static constexpr const char* variable = "PERILYMPH_RESOURCES";
+  const test::TemporaryFolder folder_;
+  std::optional<std::string> before_;
+};
+
+TEST(MeasuredSections, ThatAreSpoiledAreRefusedWithASentence)
+{
+  const std::string head = "label = 'x'\nsource = 'y'\n";
+  const std::string measures =
+      "[[section]]\nangle_deg = 0.0\ninner_mm = 4\nouter_mm = 6\nheight_mm = 1\narea_mm2 = 2\n"
+      "inscribed_mm = 1\n";
+  const auto mistake = [](const std::string& text) {
+    const OtherResources other(text);
+    const auto built = buildMean(millimeters(1));
+    return built ? std::string("built") : built.error().message;
+  };
+  EXPECT_NE(mistake(head).find("at least 8"), std::string::npos);
+  EXPECT_NE(mistake(head + measures + "real_mm = [1, 2]\n").find("real_mm"), std::string::npos);
+  EXPECT_NE(mistake(head + measures +
+                    "real_mm = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10]\nimaginary_mm = "
+                    "[1, 2, 3, 4, 5, 6, 7, 8, 9]\n")
+                .find("it must have 9"),
+            std::string::npos);
+  EXPECT_NE(mistake("[[section").find("TOML"), std::string::npos);
 }
 
 class PublishedSolid : public testing::Test {

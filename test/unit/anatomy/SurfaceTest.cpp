@@ -43,7 +43,7 @@ TEST(WallSurface, IsClosedButForItsOpening)
     ASSERT_EQ(count, 1);  // each edge once each way: one orientation throughout
     if (edges.find({edge.second, edge.first}) == edges.end()) ++open;
   }
-  EXPECT_EQ(open, static_cast<int>(std::sqrt(5000 / 6.0)));  // the rim: one edge a direction
+  EXPECT_EQ(open, static_cast<int>(std::sqrt(5000 / 12.0)));  // the rim: one edge a direction
 }
 
 TEST(WallSurface, FacesOutward)

@@ -81,8 +81,10 @@ TEST(InsertionModel, RefusesWhatCannotBe)
     return std::string("accepted");
   };
   using testing::HasSubstr;
-  EXPECT_THAT(refused([](ModelParts& p) { p.nodes = 5; }), HasSubstr("5 nodes; it must have 8 to 1024"));
-  EXPECT_THAT(refused([](ModelParts& p) { p.timeStep = milliseconds(50); }), HasSubstr("0.1 to 10 ms"));
+  EXPECT_THAT(refused([](ModelParts& p) { p.nodes = 5; }),
+              HasSubstr("5 nodes; it must have 8 to 1024"));
+  EXPECT_THAT(refused([](ModelParts& p) { p.timeStep = milliseconds(50); }),
+              HasSubstr("0.1 to 10 ms"));
   EXPECT_THAT(refused([](ModelParts& p) { p.startInside = millimeters(30); }), HasSubstr("30.0"));
   EXPECT_THAT(refused([](ModelParts& p) { p.friction.dynamic = 0.5; }), HasSubstr("Friction"));
   EXPECT_THAT(refused([](ModelParts& p) { p.wall.perSamplePoint = newtonsPerMeter(0); }),

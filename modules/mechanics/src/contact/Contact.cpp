@@ -35,8 +35,8 @@ void addWall(const InsertionModel& model, InsertionState& state,
     const double penetration = model.radius[i] - wall.distance;
     if (penetration <= 0.0) continue;
 
-    // Right behind the opening the wall sets in over one node spacing, so that a node passing the edge
-    // does not meet it all at once.
+    // Right behind the opening the wall sets in over one node spacing, so that a node passing the
+    // edge does not meet it all at once.
     const double inside = (model.entry.origin_W - position_W[i]).dot(model.entry.out_W);
     const double share = std::clamp(inside / model.spacing, 0.0, 1.0);
     const NormalForce push = normalForce(penetration, share * model.wallStiffness[i], onset);
@@ -52,9 +52,10 @@ void addWall(const InsertionModel& model, InsertionState& state,
     const Eigen::Vector3d moved = position_W[i] - room.before_W[i];
     const Eigen::Vector3d slip = moved - normal_W * normal_W.dot(moved);
     const Eigen::Vector3d& spring = state.frictionSpring_W[i];
-    const FrictionStep friction = frictionStep(
-        slip + spring - normal_W * normal_W.dot(spring), push.force, share * model.wallTangential[i],
-        state.isSliding[i] != 0, state.slipSpeed[i], normal_W, model.parts.friction);
+    const FrictionStep friction =
+        frictionStep(slip + spring - normal_W * normal_W.dot(spring), push.force,
+                     share * model.wallTangential[i], state.isSliding[i] != 0, state.slipSpeed[i],
+                     normal_W, model.parts.friction);
     stiffness += friction.stiffness;
 
     state.normalForce[i] = push.force;

@@ -8,8 +8,7 @@ FrictionStep frictionStep(const Eigen::Vector3d& stretch_W, double normal, doubl
                           bool isSliding, double slipSpeed, const Eigen::Vector3d& normal_W,
                           const FrictionLaw& law) noexcept
 {
-  const Eigen::Matrix3d tangential =
-      Eigen::Matrix3d::Identity() - normal_W * normal_W.transpose();
+  const Eigen::Matrix3d tangential = Eigen::Matrix3d::Identity() - normal_W * normal_W.transpose();
   const double length = stretch_W.norm();
   const double trial = stiffness * length;
 

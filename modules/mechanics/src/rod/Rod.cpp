@@ -28,8 +28,8 @@ void setStiffness(const InsertionModel& model, double styletWithdrawal, StepRoom
     if (model.styletBending > 0.0)
       covered = std::clamp((model.fromTip[i] - styletTip) / model.spacing + 0.5, 0.0, 1.0);
     room.bending[i] = model.bendingCarrier[i] + covered * model.styletBending;
-    room.restBend[i] = model.spacing * model.restCurvature[i] *
-                       (1.0 - covered * (1.0 - model.styletResidual));
+    room.restBend[i] =
+        model.spacing * model.restCurvature[i] * (1.0 - covered * (1.0 - model.styletResidual));
   }
 }
 
@@ -49,7 +49,8 @@ void setRestBends(const InsertionModel& model, const InsertionState& state,
   }
 }
 
-void rememberShape(const InsertionModel& model, const InsertionState& state, StepRoom& room) noexcept
+void rememberShape(const InsertionModel& model, const InsertionState& state,
+                   StepRoom& room) noexcept
 {
   const auto n = static_cast<std::size_t>(model.nodes);
   Eigen::Vector3d previous = Eigen::Vector3d::Zero();
@@ -79,15 +80,13 @@ void addRod(const InsertionModel& model, const std::vector<Eigen::Vector3d>& pos
     // stretching; the first edge is in the tweezers
     if (i > 0) {
       const double stiffness = model.stretching[i] / h;
-      const double tension =
-          stiffness * ((length - h) + damping * (length - room.lengthBefore[i]));
+      const double tension = stiffness * ((length - h) + damping * (length - room.lengthBefore[i]));
       room.force_W[i] += tension * t;
       room.force_W[i + 1] -= tension * t;
       const double sideways =
           (compression == Compression::included ? tension : std::max(tension, 0.0)) / length;
-      const Eigen::Matrix3d block =
-          (stiffness * (1.0 + damping) - sideways) * t * t.transpose() +
-          sideways * Eigen::Matrix3d::Identity();
+      const Eigen::Matrix3d block = (stiffness * (1.0 + damping) - sideways) * t * t.transpose() +
+                                    sideways * Eigen::Matrix3d::Identity();
       const std::size_t a = blockOf(i);
       room.system.diagonal[a] += block;
       room.system.diagonal[a + 1] += block;
@@ -107,10 +106,8 @@ void addRod(const InsertionModel& model, const std::vector<Eigen::Vector3d>& pos
 
       // forces, exactly: the derivatives of w by t and p are c (2 - w p^T) and -c (2 + w t^T)
       const double half = 0.5 * w.dot(stress);
-      const Eigen::Vector3d onNext =
-          a * (stress - t * t.dot(stress) - half * (p - cosine * t));
-      const Eigen::Vector3d onLast =
-          b * (stress - p * p.dot(stress) + half * (t - cosine * p));
+      const Eigen::Vector3d onNext = a * (stress - t * t.dot(stress) - half * (p - cosine * t));
+      const Eigen::Vector3d onLast = b * (stress - p * p.dot(stress) + half * (t - cosine * p));
       room.force_W[i + 1] -= onNext;
       room.force_W[i - 1] -= onLast;
       room.force_W[i] += onNext + onLast;
@@ -121,8 +118,8 @@ void addRod(const InsertionModel& model, const std::vector<Eigen::Vector3d>& pos
       const Eigen::Matrix3d nextNext = (k * a * a) * across(t);
       const Eigen::Matrix3d lastLast = (k * b * b) * across(p);
       const Eigen::Matrix3d nextLast =
-          (k * a * b) * (Eigen::Matrix3d::Identity() - t * (t - cosine * p).transpose() -
-                         p * p.transpose());
+          (k * a * b) *
+          (Eigen::Matrix3d::Identity() - t * (t - cosine * p).transpose() - p * p.transpose());
       const Eigen::Matrix3d nextHere = nextNext + nextLast;  // to be taken away
       const Eigen::Matrix3d hereLast = nextLast + lastLast;  // likewise
       const std::size_t next = i, here = blockOf(i), last = blockOf(i - 1);

@@ -25,8 +25,8 @@ enum class Compression { included, leftOut };
 
 /// Stiffness EI and rest bend of each node for a place of the stylet.
 ///
-/// The stylet adds its own EI where it is, and holds the carrier straight but for a share of its free
-/// curvature.
+/// The stylet adds its own EI where it is, and holds the carrier straight but for a share of its
+/// free curvature.
 void setStiffness(const InsertionModel& model, double styletWithdrawal, StepRoom& room) noexcept;
 
 /// Rest bends h kappa d as vectors: the curl's direction d is carried along the rod from the base
@@ -35,7 +35,8 @@ void setRestBends(const InsertionModel& model, const InsertionState& state,
                   const Eigen::Vector3d& curl_W, StepRoom& room) noexcept;
 
 /// Lengths and bends before the step: what damping is measured against.
-void rememberShape(const InsertionModel& model, const InsertionState& state, StepRoom& room) noexcept;
+void rememberShape(const InsertionModel& model, const InsertionState& state,
+                   StepRoom& room) noexcept;
 
 /// Adds the rod's forces (to room.force_W, per node) and stiffness (to room.system).
 void addRod(const InsertionModel& model, const std::vector<Eigen::Vector3d>& position_W,

@@ -17,8 +17,8 @@ struct Entry {
 
 /// What one point remembers between queries: which turn it is in. Queries update it.
 struct LumenTrack {
-  bool inLeadIn = true;       ///< In the straight stretch before the round window.
-  double angle = 0.0;         ///< Angle from the round window [rad], turns counted; 0 in the lead-in.
+  bool inLeadIn = true;  ///< In the straight stretch before the round window.
+  double angle = 0.0;    ///< Angle from the round window [rad], turns counted; 0 in the lead-in.
   double direction[2] = {1.0, 0.0};  ///< Unit vector (x, y) of that angle in W.
 };
 
@@ -27,8 +27,8 @@ struct WallPoint {
   bool isNear = false;      ///< Within reach. If not, nothing below is set.
   bool onMembrane = false;  ///< The nearest wall is the basilar membrane.
   double distance = 0.0;    ///< D, from the point to the wall [m]; negative outside.
-  /// Gradient of D: unit, from the wall into the lumen. Shorter where two walls are equally near, as
-  /// in a groove narrower than the array: there their pushes cancel.
+  /// Gradient of D: unit, from the wall into the lumen. Shorter where two walls are equally near,
+  /// as in a groove narrower than the array: there their pushes cancel.
   Eigen::Vector3d normal_W = Eigen::Vector3d::Zero();
   /// The positive part of minus the second derivative of D [1/m]: how fast the normal turns back as
   /// the point moves along a concave wall. Symmetric, positive semidefinite.
@@ -54,7 +54,8 @@ public:
   ///
   /// Real-time safe.
   virtual void nearestWall(std::span<const Eigen::Vector3d> points_W, std::span<const double> reach,
-                           std::span<LumenTrack> tracks, std::span<WallPoint> walls) const noexcept = 0;
+                           std::span<LumenTrack> tracks,
+                           std::span<WallPoint> walls) const noexcept = 0;
 };
 
 }  // namespace perilymph::anatomy

@@ -54,7 +54,7 @@ Result<Patient> samplePatient(std::uint64_t seed);
 std::vector<std::string> unusualMeasures(const Patient& patient);
 
 /// The published three-parameter scala tympani of a patient, with a straight lead-in before the
-/// round window. Takes milliseconds; not real-time safe.
+/// round window. Takes some tenths of a second; not real-time safe.
 std::shared_ptr<const ScalaTympani> buildPublished(const Patient& patient, Length leadIn);
 
 }  // namespace perilymph::anatomy

@@ -6,15 +6,16 @@
 
 namespace perilymph::anatomy {
 
-/// Half space behind a flat wall: the opening at the origin, the array enters along -z of W (E = W),
-/// the wall stands at z = -depth and faces the opening.
+/// Half space behind a flat wall: the opening at the origin, the array enters along -z of W (E =
+/// W), the wall stands at z = -depth and faces the opening.
 class FlatWall final : public Lumen {
 public:
   explicit FlatWall(double depth) : depth_(depth) {}
   Entry entry() const noexcept override { return {}; }
   LumenTrack startTrack() const noexcept override { return {}; }
   void nearestWall(std::span<const Eigen::Vector3d> points_W, std::span<const double> reach,
-                   std::span<LumenTrack> tracks, std::span<WallPoint> walls) const noexcept override;
+                   std::span<LumenTrack> tracks,
+                   std::span<WallPoint> walls) const noexcept override;
 
 private:
   double depth_;
@@ -27,7 +28,8 @@ public:
   Entry entry() const noexcept override { return {}; }
   LumenTrack startTrack() const noexcept override { return {}; }
   void nearestWall(std::span<const Eigen::Vector3d> points_W, std::span<const double> reach,
-                   std::span<LumenTrack> tracks, std::span<WallPoint> walls) const noexcept override;
+                   std::span<LumenTrack> tracks,
+                   std::span<WallPoint> walls) const noexcept override;
 
 private:
   double radius_;
@@ -38,11 +40,14 @@ private:
 /// around (-bend, 0, -lead). Both have the section radius `radius`. Angles count along the circle.
 class CircularDuct final : public Lumen {
 public:
-  CircularDuct(double radius, double bend, double lead) : radius_(radius), bend_(bend), lead_(lead) {}
+  CircularDuct(double radius, double bend, double lead) : radius_(radius), bend_(bend), lead_(lead)
+  {
+  }
   Entry entry() const noexcept override { return {}; }
   LumenTrack startTrack() const noexcept override { return {}; }
   void nearestWall(std::span<const Eigen::Vector3d> points_W, std::span<const double> reach,
-                   std::span<LumenTrack> tracks, std::span<WallPoint> walls) const noexcept override;
+                   std::span<LumenTrack> tracks,
+                   std::span<WallPoint> walls) const noexcept override;
 
 private:
   double radius_, bend_, lead_;

@@ -42,25 +42,25 @@ struct AlongArray {
 
 /// A stylet in the lumen of the array.
 struct Stylet {
-  Length fromTip;              ///< Where its own tip lies when it is fully in.
-  BendingStiffness bending;    ///< What it adds to the array's stiffness.
+  Length fromTip;                  ///< Where its own tip lies when it is fully in.
+  BendingStiffness bending;        ///< What it adds to the array's stiffness.
   double residualCurvature = 0.0;  ///< Share of the free curvature that it leaves where it is.
   Provenance provenance;
 };
 
 /// An electrode array with everything the mechanics and the pictures need.
 struct ArrayDesign {
-  std::string name;            ///< "Nucleus 24 Contour"
+  std::string name;  ///< "Nucleus 24 Contour"
   std::string maker;
-  std::string note;            ///< For people: what this data is, and that it is no device labeling.
-  Length length;               ///< From the tip to where the tweezers hold it.
-  Length insertable;           ///< Greatest depth past the opening.
+  std::string note;   ///< For people: what this data is, and that it is no device labeling.
+  Length length;      ///< From the tip to where the tweezers hold it.
+  Length insertable;  ///< Greatest depth past the opening.
   AlongArray<Length> diameter;
-  AlongArray<BendingStiffness> bending;   ///< Of the carrier without stylet.
-  AlongArray<Curvature> restCurvature;    ///< Of the free carrier without stylet; 0 where straight.
-  std::vector<Length> contactsFromTip;    ///< Centers of the platinum contacts, from the tip on.
-  Length contactLength;                   ///< Of one contact along the array.
-  std::vector<Length> ribsFromTip;        ///< Marker ribs.
+  AlongArray<BendingStiffness> bending;  ///< Of the carrier without stylet.
+  AlongArray<Curvature> restCurvature;   ///< Of the free carrier without stylet; 0 where straight.
+  std::vector<Length> contactsFromTip;   ///< Centers of the platinum contacts, from the tip on.
+  Length contactLength;                  ///< Of one contact along the array.
+  std::vector<Length> ribsFromTip;       ///< Marker ribs.
   bool hasStylet = false;
   Stylet stylet;
   std::vector<std::pair<std::string, Provenance>> provenance;  ///< Per table of the file.

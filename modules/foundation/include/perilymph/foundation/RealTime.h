@@ -27,6 +27,6 @@ ThreadRole threadRole() noexcept;
 
 /// In debug builds, stops a thread that has registered another role. A thread without a role (a
 /// test, a command-line run in virtual time) may play any.
-#define PERILYMPH_EXPECTS_ROLE(role)                                           \
-  assert(::perilymph::threadRole() == ::perilymph::ThreadRole::none ||         \
+#define PERILYMPH_EXPECTS_ROLE(role)                                   \
+  assert(::perilymph::threadRole() == ::perilymph::ThreadRole::none || \
          ::perilymph::threadRole() == ::perilymph::ThreadRole::role)

@@ -27,16 +27,16 @@ private:
   double si_ = 0.0;
 };
 
-using Length = Quantity<struct LengthDimension>;        ///< meter
-using Angle = Quantity<struct AngleDimension>;          ///< radian
-using Force = Quantity<struct ForceDimension>;          ///< newton
-using Speed = Quantity<struct SpeedDimension>;          ///< meter per second
-using Duration = Quantity<struct DurationDimension>;    ///< second
-using Mass = Quantity<struct MassDimension>;            ///< kilogram
-using Stiffness = Quantity<struct StiffnessDimension>;  ///< newton per meter
-using Damping = Quantity<struct DampingDimension>;      ///< newton second per meter
+using Length = Quantity<struct LengthDimension>;                      ///< meter
+using Angle = Quantity<struct AngleDimension>;                        ///< radian
+using Force = Quantity<struct ForceDimension>;                        ///< newton
+using Speed = Quantity<struct SpeedDimension>;                        ///< meter per second
+using Duration = Quantity<struct DurationDimension>;                  ///< second
+using Mass = Quantity<struct MassDimension>;                          ///< kilogram
+using Stiffness = Quantity<struct StiffnessDimension>;                ///< newton per meter
+using Damping = Quantity<struct DampingDimension>;                    ///< newton second per meter
 using BendingStiffness = Quantity<struct BendingStiffnessDimension>;  ///< newton square meter
-using Curvature = Quantity<struct CurvatureDimension>;  ///< one over meter
+using Curvature = Quantity<struct CurvatureDimension>;                ///< one over meter
 
 inline constexpr double pi = 3.14159265358979323846;
 

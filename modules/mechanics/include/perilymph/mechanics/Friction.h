@@ -9,8 +9,8 @@ namespace perilymph::mechanics {
 /// Coefficients of dry friction. The published values are silicone on Teflon under soap (Todd and
 /// Naghdy, section II.C).
 ///
-/// A resting node starts to slide when the tangential force exceeds `starting` times the normal force.
-/// While it slides, the coefficient falls with its speed v over the Stribeck speed v_s:
+/// A resting node starts to slide when the tangential force exceeds `starting` times the normal
+/// force. While it slides, the coefficient falls with its speed v over the Stribeck speed v_s:
 ///
 ///     mu(v) = dynamic + (starting - dynamic) / (1 + (v / v_s)^2)
 ///

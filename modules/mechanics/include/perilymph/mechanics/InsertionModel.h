@@ -33,11 +33,11 @@ struct ModelParts {
   electrode::ArrayDesign array;
   FrictionLaw friction;
   WallLaw wall;
-  int nodes = 100;                             ///< 8 to mostNodes.
-  Duration timeStep = milliseconds(1);         ///< 0.1 to 10 ms.
-  Length startInside = millimeters(2);         ///< Of the tip past the opening; negative: before it.
-  Angle approachTilt = radians(0);             ///< Of the array's axis against E.z, toward E.y.
-  Angle approachTurn = radians(0);             ///< The same, toward E.x.
+  int nodes = 100;                      ///< 8 to mostNodes.
+  Duration timeStep = milliseconds(1);  ///< 0.1 to 10 ms.
+  Length startInside = millimeters(2);  ///< Of the tip past the opening; negative: before it.
+  Angle approachTilt = radians(0);      ///< Of the array's axis against E.z, toward E.y.
+  Angle approachTurn = radians(0);      ///< The same, toward E.x.
 };
 
 /// A cochlea, an array, material laws and solver settings: immutable, shared between threads.
@@ -49,10 +49,10 @@ struct InsertionModel {
   static std::shared_ptr<const InsertionModel> build(ModelParts parts);
 
   ModelParts parts;
-  anatomy::Entry entry;                ///< The opening, from the lumen.
-  Eigen::Vector3d startBase_W;         ///< Where the tweezers start [m].
-  Eigen::Vector3d startAxis_W;         ///< Unit: which way the array leaves them.
-  Eigen::Vector3d startCurl_W;         ///< Unit, across the axis: to where a precurved array curls.
+  anatomy::Entry entry;         ///< The opening, from the lumen.
+  Eigen::Vector3d startBase_W;  ///< Where the tweezers start [m].
+  Eigen::Vector3d startAxis_W;  ///< Unit: which way the array leaves them.
+  Eigen::Vector3d startCurl_W;  ///< Unit, across the axis: to where a precurved array curls.
   int nodes = 0;
   double timeStep = 0.0;               ///< [s]
   double spacing = 0.0;                ///< Between nodes [m].

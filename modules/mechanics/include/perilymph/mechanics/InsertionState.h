@@ -22,9 +22,9 @@ enum class Coupling : std::uint32_t {
 struct Drive {
   Eigen::Vector3d handPosition_W = Eigen::Vector3d::Zero();  ///< Where the hand wants the base [m].
   Eigen::Vector3d handVelocity_W = Eigen::Vector3d::Zero();  ///< [m/s]
-  Eigen::Vector3d handAxis_W = Eigen::Vector3d::UnitZ();     ///< Unit: which way the array leaves it.
-  Eigen::Vector3d handCurl_W = Eigen::Vector3d::UnitX();     ///< Unit, across: where it curls to.
-  double styletWithdrawal = 0.0;                             ///< [m]; 0 fully in.
+  Eigen::Vector3d handAxis_W = Eigen::Vector3d::UnitZ();  ///< Unit: which way the array leaves it.
+  Eigen::Vector3d handCurl_W = Eigen::Vector3d::UnitX();  ///< Unit, across: where it curls to.
+  double styletWithdrawal = 0.0;                          ///< [m]; 0 fully in.
   Coupling coupling = Coupling::rigid;
   double couplingStiffness = 0.0;  ///< [N/m]
   double couplingDamping = 0.0;    ///< [N.s/m]
@@ -59,21 +59,21 @@ struct InsertionState {
   std::uint64_t fingerprint() const noexcept;
 
   std::uint64_t tick = 0;
-  Eigen::Vector3d base_W;         ///< Where the tweezers are [m].
-  Eigen::Vector3d baseVelocity_W; ///< [m/s]
-  double styletWithdrawal = 0.0;  ///< [m]
-  std::vector<Eigen::Vector3d> position_W;       ///< Of each node [m].
-  std::vector<Eigen::Vector3d> velocity_W;       ///< Of each node [m/s].
-  std::vector<Eigen::Vector3d> frictionSpring_W; ///< Of each node: how far it is held back [m].
-  std::vector<unsigned char> isSliding;          ///< Of each node.
-  std::vector<double> slipSpeed;                 ///< Of each node along the wall [m/s].
-  std::vector<anatomy::LumenTrack> track;        ///< Of each node: which turn it is in.
-  std::vector<double> normalForce;               ///< Of the wall on each node [N].
-  std::vector<Eigen::Vector3d> wallForce_W;      ///< Normal and friction on each node [N].
-  std::vector<unsigned char> onMembrane;         ///< Of each node that touches.
+  Eigen::Vector3d base_W;                         ///< Where the tweezers are [m].
+  Eigen::Vector3d baseVelocity_W;                 ///< [m/s]
+  double styletWithdrawal = 0.0;                  ///< [m]
+  std::vector<Eigen::Vector3d> position_W;        ///< Of each node [m].
+  std::vector<Eigen::Vector3d> velocity_W;        ///< Of each node [m/s].
+  std::vector<Eigen::Vector3d> frictionSpring_W;  ///< Of each node: how far it is held back [m].
+  std::vector<unsigned char> isSliding;           ///< Of each node.
+  std::vector<double> slipSpeed;                  ///< Of each node along the wall [m/s].
+  std::vector<anatomy::LumenTrack> track;         ///< Of each node: which turn it is in.
+  std::vector<double> normalForce;                ///< Of the wall on each node [N].
+  std::vector<Eigen::Vector3d> wallForce_W;       ///< Normal and friction on each node [N].
+  std::vector<unsigned char> onMembrane;          ///< Of each node that touches.
   Readings readings;
 
-  StepRoom room;                                 ///< Scratch; not part of the state's value.
+  StepRoom room;  ///< Scratch; not part of the state's value.
 };
 
 }  // namespace perilymph::mechanics

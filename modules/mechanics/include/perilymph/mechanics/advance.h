@@ -8,8 +8,8 @@
 
 namespace perilymph::mechanics {
 
-/// Moves the state one time step on, by backward Euler: predict the rod, find contacts, solve normal
-/// force and friction, read off the reaction at the base (into state.readings).
+/// Moves the state one time step on, by backward Euler: predict the rod, find contacts, solve
+/// normal force and friction, read off the reaction at the base (into state.readings).
 ///
 /// Pure: no clock, no file, no randomness, bounded iterations. The same model, state and drive give
 /// the same bits on every x86-64 machine. Real-time safe.

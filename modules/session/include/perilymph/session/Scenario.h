@@ -64,7 +64,7 @@ Result<Scenario> loadScenario(const std::string& nameOrFile, const Overrides& ov
 Result<Scenario> parseScenario(const std::string& text, const std::string& name,
                                const Overrides& overrides = {});
 
-/// The cochlea of a scenario. Takes milliseconds.
+/// The cochlea of a scenario. Takes some tenths of a second.
 Result<std::shared_ptr<const anatomy::ScalaTympani>> buildAnatomy(const Scenario& scenario);
 
 /// The model of a scenario. Takes milliseconds.

@@ -61,8 +61,8 @@ SpiralMotion fittedMotion(const std::vector<Patch>& patches, const std::vector<d
   for (std::size_t i = 0; i < patches.size(); ++i) {
     const Eigen::Vector3d& p = patches[i].place;
     const Eigen::Vector3d n = std::sqrt(weights[i]) * patches[i].normal;
-    const Eigen::Vector3d rest = p.cross(n) + follows.topRows<3>().transpose() * n +
-                                 follows.row(3).transpose() * n.dot(p);
+    const Eigen::Vector3d rest =
+        p.cross(n) + follows.topRows<3>().transpose() * n + follows.row(3).transpose() * n.dot(p);
     left += rest * rest.transpose();
   }
   const Eigen3 directions(left);
@@ -111,7 +111,8 @@ std::optional<AxisFrame> spiralAxis(const Surface& closed)
     for (std::size_t i = 0; i < patches.size(); ++i) {
       const Eigen::Vector3d velocity = motion.at(patches[i].place);
       const double speed2 = velocity.squaredNorm() + 1e-4;
-      const double sine2 = velocity.dot(patches[i].normal) * velocity.dot(patches[i].normal) / speed2;
+      const double sine2 =
+          velocity.dot(patches[i].normal) * velocity.dot(patches[i].normal) / speed2;
       weights[i] = patches[i].area / (speed2 * (1.0 + sine2 / (half * half)));
     }
     motion = fittedMotion(patches, weights);

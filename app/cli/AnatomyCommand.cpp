@@ -5,6 +5,7 @@
 #include "Commands.h"
 #include "OutputFile.h"
 #include "perilymph/analysis/AnatomyMeasures.h"
+#include "perilymph/analysis/ErrorBand.h"
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Resources.h"
@@ -84,6 +85,7 @@ nlohmann::ordered_json givenNumbers(const session::Scenario& scenario)
 
 std::string anatomyJson(const session::Scenario& scenario,
                         const std::vector<analysis::Measure>& measures,
+                        const std::vector<double>& bands,
                         const std::optional<HapticSurfaceNumbers>& haptic)
 {
   const anatomy::Patient& patient = scenario.patient;
@@ -96,8 +98,12 @@ std::string anatomyJson(const session::Scenario& scenario,
   if (const auto unusual = anatomy::unusualMeasures(patient); !unusual.empty())
     json["unusual"] = unusual;
   for (const analysis::Measure& measure : measures) json[measure.key] = measure.value;
-  for (const analysis::Measure& measure : measures)
-    json["derived"][measure.key] = {{"formula", measure.formula}, {"source", measure.source}};
+  if (!bands.empty()) json["band_for_measuring_error_mm"] = inMillimeters(analysis::measuringError);
+  for (std::size_t i = 0; i < measures.size(); ++i) {
+    auto& derived = json["derived"][measures[i].key];
+    derived = {{"formula", measures[i].formula}, {"source", measures[i].source}};
+    if (!bands.empty()) derived["band"] = bands[i];
+  }
   if (haptic) tell(json, *haptic);
   return json.dump(2) + '\n';
 }
@@ -116,6 +122,8 @@ Result<Done> describeAnatomy(const AnatomyOptions& options)
   const auto scala = session::buildAnatomy(*scenario);
   if (!scala) return scala.error();
   const auto measures = analysis::measure(**scala);
+  const auto bands = analysis::errorBands(*scenario, measures);
+  if (!bands) return bands.error();
 
   // The shape first: it is the one that a wrong ending may refuse.
   if (!options.surface.empty())
@@ -134,7 +142,9 @@ Result<Done> describeAnatomy(const AnatomyOptions& options)
       return done.error();
   }
   if (!options.json.empty())
-    if (const auto done = writeWhole(options.json, anatomyJson(*scenario, measures, haptic)); !done)
+    if (const auto done =
+            writeWhole(options.json, anatomyJson(*scenario, measures, *bands, haptic));
+        !done)
       return done.error();
 
   std::printf("%s, %s ear, %s anatomy\n", patient.label.c_str(),
@@ -142,8 +152,12 @@ Result<Done> describeAnatomy(const AnatomyOptions& options)
   std::printf("%s\n", sectionCredit);
   for (const std::string& sentence : anatomy::unusualMeasures(patient))
     std::printf("%s\n", sentence.c_str());
-  for (const analysis::Measure& measure : measures)
-    std::printf("%-26s %s\n", measure.key.c_str(), fixed(measure.value, 2).c_str());
+  for (std::size_t i = 0; i < measures.size(); ++i)
+    std::printf("%-28s %s%s\n", measures[i].key.c_str(), fixed(measures[i].value, 2).c_str(),
+                bands->empty() ? "" : (" ± " + fixed((*bands)[i], 2)).c_str());
+  if (!bands->empty())
+    std::printf("± is for an error of %s mm in each number given; the model's own is not in it.\n",
+                fixed(inMillimeters(analysis::measuringError), 1).c_str());
   if (haptic)
     std::printf("haptic surface: %d of %d triangles, off by %s mm on average, %s mm at most\n",
                 haptic->triangles, haptic->visualTriangles,

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "perilymph/analysis/ClinicalEstimates.h"
+#include "perilymph/analysis/Tonotopy.h"
 #include "perilymph/foundation/Math.h"
 #include "perilymph/session/Csv.h"
 
@@ -192,7 +193,7 @@ std::vector<SectionRow> sectionRows(const anatomy::ScalaTympani& scala, Angle mo
 {
   const double last = scala.lastAngle().si();
   const int pieces = std::max(1, static_cast<int>(std::ceil(last / most.si() - 1e-9)));
-  const std::array<Path, 3> paths = {
+  const std::array<Path, 4> paths = {
       outerWall(scala),
       [&scala](double angle) {
         const anatomy::Section section = scala.section(angle);
@@ -201,10 +202,11 @@ std::vector<SectionRow> sectionRows(const anatomy::ScalaTympani& scala, Angle mo
       [&scala](double angle) {
         const Eigen::Vector3d wall = scala.wall_W(angle, pi);
         return PathPoint{std::sqrt(wall.x() * wall.x() + wall.y() * wall.y()), wall.z()};
-      }};
+      },
+      organOfCortiPlan(scala)};
   std::vector<SectionRow> rows;
-  std::array<double, 3> length{};
-  std::array<PathPoint, 3> before{};
+  std::array<double, 4> length{};
+  std::array<PathPoint, 4> before{};
   const double step = last / pieces;
   for (int i = 0; i <= pieces; ++i) {
     const double angle = step * i;
@@ -219,7 +221,7 @@ std::vector<SectionRow> sectionRows(const anatomy::ScalaTympani& scala, Angle mo
       }
       before[p] = now;
     }
-    rows.push_back({angle, scala.section(angle), length[0], length[1], length[2]});
+    rows.push_back({angle, scala.section(angle), length[0], length[1], length[2], length[3]});
   }
   return rows;
 }
@@ -228,8 +230,10 @@ std::string sectionsCsv(const std::vector<SectionRow>& rows)
 {
   std::string csv =
       "angle_deg,center_r_mm,center_z_mm,inner_r_mm,outer_r_mm,width_mm,floor_z_mm,roof_z_mm,"
-      "height_mm,area_mm2,outer_wall_length_mm,center_length_mm,inner_wall_length_mm\n";
+      "height_mm,area_mm2,outer_wall_length_mm,center_length_mm,inner_wall_length_mm,"
+      "organ_of_corti_mm,greenwood_Hz,spiral_ganglion_Hz\n";
   const auto mm = [](double length) { return inMillimeters(meters(length)); };
+  const double organ = rows.empty() ? 1.0 : rows.back().organOfCortiLength;
   for (const SectionRow& row : rows) {
     const anatomy::Section& s = row.section;
     const double values[] = {inDegrees(radians(row.angle)),
@@ -244,7 +248,10 @@ std::string sectionsCsv(const std::vector<SectionRow>& rows)
                              s.area * 1e6,
                              mm(row.outerWallLength),
                              mm(row.centerLength),
-                             mm(row.innerWallLength)};
+                             mm(row.innerWallLength),
+                             mm(row.organOfCortiLength),
+                             greenwoodFrequency(1.0 - row.organOfCortiLength / organ),
+                             spiralGanglionFrequency(radians(row.angle))};
     bool isFirst = true;
     for (const double value : values) {
       if (!isFirst) csv += ',';

@@ -156,5 +156,21 @@ TEST(Sections, AreATableWithItsUnits)
   EXPECT_EQ(rows, 5);
 }
 
+TEST(SectionTable, GivesTheToneOfEachPlace)
+{
+  const auto scala = anatomy::buildPublished({}, millimeters(1));
+  const auto rows = sectionRows(*scala, degrees(1));
+  std::istringstream csv(sectionsCsv(rows));
+  std::string line;
+  std::getline(csv, line);
+  EXPECT_EQ(line.substr(line.size() - 32), ",greenwood_Hz,spiral_ganglion_Hz");
+  std::getline(csv, line);
+  // the base: Greenwood's 20,677 Hz and the spiral ganglion's 17,225 Hz
+  EXPECT_NEAR(std::stod(line.substr(line.rfind(',') + 1)), 17225.0, 1.0);
+  const auto before = line.rfind(',', line.rfind(',') - 1);
+  EXPECT_NEAR(std::stod(line.substr(before + 1)), 20677.0, 1.0);
+  EXPECT_NEAR(rows.back().organOfCortiLength, 35.58e-3, 0.05e-3);
+}
+
 }  // namespace
 }  // namespace perilymph::analysis

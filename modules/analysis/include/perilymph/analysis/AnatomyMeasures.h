@@ -30,9 +30,10 @@ std::vector<Measure> measure(const anatomy::ScalaTympani& scala);
 struct SectionRow {
   double angle;  ///< From the round window [rad].
   anatomy::Section section;
-  double outerWallLength;  ///< Along the outer wall from the round window [m].
-  double centerLength;     ///< Along the sections' centers [m].
-  double innerWallLength;  ///< Along the inner wall [m].
+  double outerWallLength;     ///< Along the outer wall from the round window [m].
+  double centerLength;        ///< Along the sections' centers [m].
+  double innerWallLength;     ///< Along the inner wall [m].
+  double organOfCortiLength;  ///< Along the organ of Corti's path in the plan [m].
 };
 
 /// Sections at equal angles from the round window to the apex.
@@ -40,7 +41,8 @@ struct SectionRow {
 /// @param most  The greatest angle between two sections; made smaller to end at the apex.
 std::vector<SectionRow> sectionRows(const anatomy::ScalaTympani& scala, Angle most);
 
-/// "angle_deg,center_r_mm,...\n" and a row per section.
+/// "angle_deg,center_r_mm,...\n" and a row per section, with the tone of its place by Greenwood
+/// (the path's share of its length to the last row) and by the spiral ganglion (the angle).
 std::string sectionsCsv(const std::vector<SectionRow>& rows);
 
 }  // namespace perilymph::analysis

@@ -1,0 +1,62 @@
+#include "perilymph/analysis/ErrorBand.h"
+
+#include <cmath>
+
+namespace perilymph::analysis {
+
+namespace {
+
+/// The patients that differ from one in a single number, moved by `step`.
+std::vector<anatomy::Patient> movedByOne(const anatomy::Patient& patient, Length step)
+{
+  std::vector<anatomy::Patient> moved;
+  const auto move = [&](auto change) {
+    anatomy::Patient other = patient;
+    change(other);
+    // up where that is allowed, else down
+    if (!anatomy::checkPatient(other)) {
+      other = patient;
+      step = -step;
+      change(other);
+      step = -step;
+    }
+    moved.push_back(other);
+  };
+  if (patient.basalTurn) {
+    move([&](anatomy::Patient& p) { p.basalTurn->a = p.basalTurn->a + step; });
+    move([&](anatomy::Patient& p) { p.basalTurn->b = p.basalTurn->b + step; });
+    if (patient.basalTurn->h)
+      move([&](anatomy::Patient& p) { p.basalTurn->h = *p.basalTurn->h + step; });
+  } else {
+    move([&](anatomy::Patient& p) { p.scalaTympaniLength = p.scalaTympaniLength + step; });
+    move([&](anatomy::Patient& p) { p.roundWindowWidth = p.roundWindowWidth + step; });
+    move([&](anatomy::Patient& p) { p.roundWindowHeight = p.roundWindowHeight + step; });
+  }
+  return moved;
+}
+
+}  // namespace
+
+Result<std::vector<double>> errorBands(const session::Scenario& scenario,
+                                       const std::vector<Measure>& measures, Length error)
+{
+  const bool isGiven = scenario.anatomy == "published" || scenario.patient.basalTurn;
+  if (!isGiven) return std::vector<double>{};
+
+  std::vector<double> bands(measures.size(), 0.0);
+  for (const anatomy::Patient& patient : movedByOne(scenario.patient, error)) {
+    session::Scenario other = scenario;
+    other.patient = patient;
+    const auto scala = session::buildAnatomy(other);
+    if (!scala) return scala.error();
+    const std::vector<Measure> moved = measure(**scala);
+    for (std::size_t i = 0; i < bands.size() && i < moved.size(); ++i) {
+      const double change = moved[i].value - measures[i].value;
+      bands[i] += change * change;
+    }
+  }
+  for (double& band : bands) band = std::sqrt(band);
+  return bands;
+}
+
+}  // namespace perilymph::analysis

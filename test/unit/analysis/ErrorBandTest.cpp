@@ -1,0 +1,61 @@
+// Bands against what the formulas themselves say a tenth of a millimeter does.
+
+#include "perilymph/analysis/ErrorBand.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "perilymph/test/Tolerance.h"
+
+namespace perilymph::analysis {
+namespace {
+
+std::map<std::string, double> bandsOf(const session::Scenario& scenario)
+{
+  const auto measures = measure(**session::buildAnatomy(scenario));
+  const auto bands = errorBands(scenario, measures);
+  EXPECT_TRUE(bands);
+  std::map<std::string, double> named;
+  for (std::size_t i = 0; i < bands->size(); ++i) named[measures[i].key] = (*bands)[i];
+  return named;
+}
+
+TEST(ErrorBands, OfTheThreeLengthsAreTheLengthsOwn)
+{
+  auto bands = bandsOf({});
+  const double rebuilt = test::tolerance(3e-3, "rounded corners of the built sections");
+  EXPECT_NEAR(bands["st_length_mm"], 0.1, rebuilt);
+  EXPECT_NEAR(bands["rw_width_mm"], 0.1, rebuilt);
+  EXPECT_NEAR(bands["rw_height_mm"], 0.1, rebuilt);
+}
+
+TEST(ErrorBands, OfDiametersFollowTheClinicsFormulas)
+{
+  session::Scenario scenario;
+  scenario.anatomy = "mean";
+  scenario.patient.basalTurn = {millimeters(9.2), millimeters(6.8), std::nullopt};
+  auto bands = bandsOf(scenario);
+  // A and B measure back within 0.02 mm, so their bands do within a few hundredths
+  EXPECT_NEAR(bands["A_mm"], 0.1, test::tolerance(0.02, "measured back"));
+  EXPECT_NEAR(bands["B_mm"], 0.1, test::tolerance(0.02, "measured back"));
+  // Alexiades 2015: CDL = 4.16 A - 4
+  EXPECT_NEAR(bands["cdl_oc_mm"], 4.16 * 0.1, 4.16 * test::tolerance(0.02, "measured back"));
+}
+
+TEST(ErrorBands, HoldAtTheEdgeOfWhatIsAllowed)
+{
+  session::Scenario scenario;
+  scenario.patient.scalaTympaniLength = anatomy::patientLimits().lengthHigh;
+  EXPECT_NEAR(bandsOf(scenario)["st_length_mm"], 0.1, test::tolerance(3e-3, "rebuilt"));
+}
+
+TEST(ErrorBands, AreNotClaimedForAnAnatomyAsMeasured)
+{
+  session::Scenario scenario;
+  scenario.anatomy = "mean";
+  EXPECT_TRUE(bandsOf(scenario).empty());
+}
+
+}  // namespace
+}  // namespace perilymph::analysis

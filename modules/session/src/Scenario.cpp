@@ -183,11 +183,13 @@ Result<anatomy::Patient> readPatient(TomlReader& reader, const std::string& name
   return anatomy::loadPatient(*file);
 }
 
-/// The anatomy that the key names, by default the one that the patient's numbers build.
+/// The anatomy that the key names, by default the one that the patient's numbers build, and the
+/// mean one without a patient.
 void readAnatomy(TomlReader& reader, ScenarioKeys& keys, const anatomy::Patient& patient,
                  bool hasPatient, std::string& anatomy)
 {
-  anatomy = keys.text("anatomy", patient.basalTurn ? "mean" : "published");
+  const bool isPublished = hasPatient && !patient.basalTurn;
+  anatomy = keys.text("anatomy", isPublished ? "published" : "mean");
   if (anatomy != "published" && anatomy != "mean" && anatomy != "clark")
     return reader.refuse("anatomy",
                          "anatomy is '" + anatomy + "'; it must be one of published, mean, clark.");

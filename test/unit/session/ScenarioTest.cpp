@@ -179,7 +179,7 @@ TEST(Scenario, RefusesWhatIsNotThereYetByName)
 
 TEST(ScenarioAnatomy, IsThePublishedOneUnlessAnotherIsNamed)
 {
-  EXPECT_EQ(parseScenario("", "empty")->anatomy, "published");
+  EXPECT_EQ(parseScenario("", "empty")->anatomy, "mean");
   EXPECT_EQ(loadScenario("contour-published", {{"anatomy", "mean"}})->anatomy, "mean");
 }
 

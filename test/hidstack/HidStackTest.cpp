@@ -79,7 +79,7 @@ const double restTolerance = test::tolerance(0.01, "rod and wall are not quite r
 
 TEST_F(RealHidStack, EndsEveryProgramWell)
 {
-  EXPECT_EQ(results_.statuses.size(), 16u);
+  EXPECT_EQ(results_.statuses.size(), 12u);
   for (const auto& [name, status] : results_.statuses) EXPECT_EQ(status, 0) << name;
 }
 
@@ -145,23 +145,6 @@ TEST_F(RealHidStack, WouldSeeAForceOfTheWrongSign)
 {
   // Nothing holds the handle: it lies at its end stop.
   EXPECT_GE(measured("flipped.rest_penetration_mm"), 50.0);
-}
-
-TEST_F(RealHidStack, SwitchesTheForceOffWithinFiveMillisecondsOfTheLastReport)
-{
-  EXPECT_NEAR(measured("stall.silence_force_before_N"), pushAtRest, 0.05 * pushAtRest);
-  EXPECT_LE(measured("stall.silence_zero_heard_ms"), 5.0);
-}
-
-TEST_F(RealHidStack, SwitchesTheForceOffWithinFiveMillisecondsOfAnUnplug)
-{
-  EXPECT_NEAR(measured("unplug.unplugged_force_before_N"), pushAtRest, 0.05 * pushAtRest);
-  EXPECT_LE(measured("unplug.unplugged_zero_written_ms"), 5.0);
-}
-
-TEST_F(RealHidStack, RestsInTheSamePlaceAfterAReplug)
-{
-  EXPECT_NEAR(measured("unplug.rest_again_penetration_mm"), balance_mm, restTolerance * balance_mm);
 }
 
 }  // namespace

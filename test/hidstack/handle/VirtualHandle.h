@@ -31,6 +31,7 @@ public:
   void take(const OutputReport& report, std::int64_t now);
 
   const std::vector<HandleTick>& ticks() const { return ticks_; }
+  const SlidingHandle& slider() const { return slider_; }
 
 private:
   const Passage& passage() const { return script_.passages[passage_]; }

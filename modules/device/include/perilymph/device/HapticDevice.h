@@ -4,10 +4,13 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 
+#include "perilymph/device/HandHealth.h"
 #include "perilymph/foundation/RealTime.h"
 #include "perilymph/foundation/Result.h"
+#include "perilymph/foundation/Units.h"
 
 namespace perilymph::device {
 
@@ -63,6 +66,13 @@ struct DeviceTraits {
   std::uint8_t polledReport = 0;  ///< Number of the feature report to ask for when polled.
 };
 
+/// How a wait for a report ended.
+enum class Awaited : std::uint8_t {
+  fresh,    ///< A fresh report came.
+  nothing,  ///< None came in the time given.
+  cannot,   ///< This hand cannot be waited for, at least not now.
+};
+
 /// A handle that senses the surgeon's motion and pushes back.
 ///
 /// open() and close() run on the UI thread and may block. read() and write() run on the haptic
@@ -82,6 +92,13 @@ public:
 
   /// Leaves the wrench in the writer's mailbox; shown until the next call. Real-time safe.
   virtual void write(const Wrench& wrench_D) noexcept = 0;
+
+  /// Waits for the next fresh report, so that a loop can tick by the device's clock. Haptic thread,
+  /// between ticks.
+  virtual Awaited await(Duration /*most*/) noexcept { return Awaited::cannot; }
+
+  /// How the device is doing; nothing for a hand without hardware. UI thread.
+  virtual std::optional<HandHealth> health() { return std::nullopt; }
 };
 
 }  // namespace perilymph::device

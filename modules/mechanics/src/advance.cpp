@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact/Contact.h"
+#include "contact/Rim.h"
 #include "rod/Rod.h"
 
 namespace perilymph::mechanics {
@@ -59,6 +60,7 @@ Balance balance(const InsertionModel& model, InsertionState& state, const Base& 
   for (std::size_t i = 0; i < n; ++i) room.force_W[i].setZero();
   addRod(model, state.position_W, compression, room);
   addWall(model, state, state.position_W, room);
+  addRim(model, state, state.position_W, room);
 
   // inertia and the perilymph's drag, and the nodes' forces gathered into blocks
   for (std::size_t i = 0; i < n; ++i) {
@@ -198,6 +200,7 @@ void read(const InsertionModel& model, InsertionState& state, const Drive& drive
   r.speed = -state.baseVelocity_W.dot(model.entry.out_W);
   r.depth = depthOf(model, state);
   r.angularDepth = r.depth > 0.0 ? std::max(state.track.back().angle, 0.0) : 0.0;
+  r.rimForce = state.rim.normalForce;
   r.contacts = 0;
   r.wallForceMax = r.wallForceTotal = r.membraneForce = 0.0;
   for (std::size_t i = 0; i < state.normalForce.size(); ++i) {
@@ -244,6 +247,7 @@ void advance(const InsertionModel& model, InsertionState& state, const Drive& dr
     state.isSliding[i] = room.isSliding[i];
     state.slipSpeed[i] = perTime * room.slip[i];
   }
+  state.rim = room.rim;
   ++state.tick;
   read(model, state, drive, base, left, iterations);
 }

@@ -1,0 +1,17 @@
+#pragma once
+
+// What the array and the rim of the opening remember of each other.
+
+#include <Eigen/Core>
+
+namespace perilymph::mechanics {
+
+struct RimContact {
+  Eigen::Vector3d spring_W = Eigen::Vector3d::Zero();  ///< How far friction holds it back [m].
+  bool isSliding = false;
+  double slipSpeed = 0.0;                             ///< Of the array along the rim [m/s].
+  double normalForce = 0.0;                           ///< All normal parts together [N].
+  Eigen::Vector3d force_W = Eigen::Vector3d::Zero();  ///< Of the rim on the array [N].
+};
+
+}  // namespace perilymph::mechanics

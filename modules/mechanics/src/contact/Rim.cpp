@@ -92,19 +92,6 @@ Crossing crossingOf(const InsertionModel& model, const std::vector<Eigen::Vector
   return crossing;
 }
 
-/// Adds a block for the forces on two nodes, each 3x3 block once.
-void addToSystem(BandSystem& system, const Crossing& crossing,
-                 const Eigen::Matrix3d& stiffness) noexcept
-{
-  for (std::size_t i = 0; i < crossing.count; ++i)
-    for (std::size_t j = 0; j < crossing.count; ++j) {
-      const std::size_t row = blockOf(crossing.first + i);
-      const std::size_t column = blockOf(crossing.first + j);
-      if (row >= column)
-        system.add(row, column, (crossing.weight[i] * crossing.weight[j]) * stiffness);
-    }
-}
-
 /// What rim and array do to each other at a crossing: pushes, stiffness, friction.
 void press(const InsertionModel& model, InsertionState& state, const Crossing& crossing,
            const std::vector<Eigen::Vector3d>& x, const Push& near, const Push& opposite,
@@ -132,7 +119,12 @@ void press(const InsertionModel& model, InsertionState& state, const Crossing& c
       friction.stiffness;
   for (std::size_t k = 0; k < crossing.count; ++k)
     room.force_W[crossing.first + k] += crossing.weight[k] * force_W;
-  addToSystem(room.system, crossing, stiffness);
+  RimStiffness& left = room.rimStiffness;
+  left.first = crossing.first;
+  left.count = crossing.count;
+  for (std::size_t k = 0; k < crossing.count; ++k) left.weight[k] = crossing.weight[k];
+  left.stiffness = {stiffness(0, 0), stiffness(0, 1), stiffness(0, 2),
+                    stiffness(1, 1), stiffness(1, 2), stiffness(2, 2)};
 
   room.rim.spring_W = friction.spring_W;
   room.rim.isSliding = friction.isSliding;
@@ -228,10 +220,11 @@ RibProfile ribsAt(const InsertionModel& model, double fromTip) noexcept
   return profile;
 }
 
-void addRim(const InsertionModel& model, InsertionState& state,
-            const std::vector<Eigen::Vector3d>& x, StepRoom& room) noexcept
+void addRimForces(const InsertionModel& model, InsertionState& state,
+                  const std::vector<Eigen::Vector3d>& x, StepRoom& room) noexcept
 {
   room.rim = RimContact{};
+  room.rimStiffness = RimStiffness{};
   if (!model.parts.opening) return;
   const double tip = heightOf(model, x.back());
   if (!(tip < 0.0)) {
@@ -286,6 +279,30 @@ void addRim(const InsertionModel& model, InsertionState& state,
   const double turning = std::max(near.law.force - opposite.law.force, 0.0) / bending;
   press(model, state, crossing, x, near, opposite, normal_W,
         turning * around_W * around_W.transpose(), room);
+}
+
+void addRimStiffness(StepRoom& room) noexcept
+{
+  const RimStiffness& rim = room.rimStiffness;
+  const auto times = [&rim](double w) {
+    const SymmetricBlock<double>& s = rim.stiffness;
+    return SymmetricBlock<double>{w * s.xx, w * s.xy, w * s.xz, w * s.yy, w * s.yz, w * s.zz};
+  };
+  for (std::size_t i = 0; i < rim.count; ++i)
+    for (std::size_t j = 0; j <= i; ++j) {
+      const SymmetricBlock<double> both = times(rim.weight[i] * rim.weight[j]);
+      const Block<double> full{both.xx, both.xy, both.xz, both.xy, both.yy,
+                               both.yz, both.xz, both.yz, both.zz};
+      const std::size_t row = blockOf(rim.first + i), column = blockOf(rim.first + j);
+      if (row == column) {
+        room.system.diagonal[row] += both;
+        if (i != j) room.system.diagonal[row] += both;  // both nodes are the base's
+      } else if (row == column + 1) {
+        room.system.beside[row] += full;
+      } else {
+        room.system.beyond[row] += full;
+      }
+    }
 }
 
 }  // namespace perilymph::mechanics

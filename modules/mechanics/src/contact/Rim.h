@@ -31,7 +31,7 @@ struct RibProfile {
 };
 RibProfile ribsAt(const InsertionModel& model, double fromTip) noexcept;
 
-/// Adds the rim's force on the array to room.force_W, with its stiffness to room.system.
+/// Adds the rim's force on the array to room.force_W, and leaves its stiffness in the room.
 ///
 /// Between the nodes the center line is a quadratic B-spline, so that nothing jumps when a node
 /// passes the plane of the opening; its section there has the array's radius with the ribs on it.
@@ -39,7 +39,10 @@ RibProfile ribsAt(const InsertionModel& model, double fromTip) noexcept;
 /// stiffness at the nearest place of the rim, and another opposite to it if it overlaps there too.
 /// The push is the gradient of its energy: across the array, and along it on the flank of a rib.
 /// A tip still outside meets the rounded rim and the bone around it as a sphere.
-void addRim(const InsertionModel& model, InsertionState& state,
-            const std::vector<Eigen::Vector3d>& position_W, StepRoom& room) noexcept;
+void addRimForces(const InsertionModel& model, InsertionState& state,
+                  const std::vector<Eigen::Vector3d>& position_W, StepRoom& room) noexcept;
+
+/// Adds the rim's stiffness to room.system, where addRimForces() has left it.
+void addRimStiffness(StepRoom& room) noexcept;
 
 }  // namespace perilymph::mechanics

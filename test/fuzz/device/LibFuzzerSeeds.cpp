@@ -7,6 +7,7 @@
 
 #include "FuzzTarget.h"
 
+// NOLINTNEXTLINE(readability-identifier-naming): the name is libFuzzer's
 extern "C" int LLVMFuzzerInitialize(int* count, char*** words);
 
 int LLVMFuzzerInitialize(int* count, char*** words)

@@ -1,0 +1,58 @@
+#include "perilymph/analysis/MeasuredInsertion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ExperimentHand.h"
+#include "perilymph/analysis/RandomStream.h"
+#include "perilymph/session/Insertion.h"
+
+namespace perilymph::analysis {
+
+Result<MeasuredInsertion> measure(const DrawnInsertion& drawn,
+                                  std::shared_ptr<const anatomy::ScalaTympani> anatomy,
+                                  Duration samplePeriod, Length stop,
+                                  const std::atomic<bool>& isAsked)
+{
+  session::Scenario scenario = drawn.scenario;
+  scenario.stopTravel = stop;
+  scenario.engine.stopTravel = stop.si();
+  scenario.engine.samplePeriod = scenario.timeStep.si();
+  scenario.withdraws = false;
+  auto insertion = session::Insertion::prepare(scenario, std::make_unique<ExperimentHand>(drawn),
+                                               std::nullopt, std::move(anatomy));
+  if (!insertion) return insertion.error();
+
+  MeasuredInsertion measured;
+  RandomStream noise(drawn.seed, drawn.number, static_cast<std::uint64_t>(SpreadSource::noise));
+  const std::uint64_t ticksPerSample =
+      static_cast<std::uint64_t>(std::lround(samplePeriod / scenario.timeStep));
+  std::uint64_t moving = 0;
+  bool hasArrived = false;
+  const auto each = [&](const haptics::TickRecord& record) {
+    const haptics::TickOutput& now = record.output;
+    ++measured.ticks;
+    if (now.status & haptics::notSettled) ++measured.ticksNotSettled;
+    hasArrived = now.workflow == haptics::Workflow::finished;
+    if (now.workflow == haptics::Workflow::inserting && moving++ % ticksPerSample == 0) {
+      measured.travel.push_back(now.travel);
+      measured.depth.push_back(now.depth);
+      measured.force.push_back(now.axialForce + drawn.noiseDeviation * noise.normal());
+    }
+    return !isAsked;
+  };
+  // Twice the time that the way takes, and a second to begin.
+  const double ticks =
+      2.0 * stop.si() / (drawn.speed * scenario.timeStep.si()) + 1.0 / scenario.timeStep.si();
+  const auto ran = (*insertion)->runToEnd(each, static_cast<std::uint64_t>(ticks));
+  if (isAsked) return Error{"Stopped before insertion " + std::to_string(drawn.number + 1) + "."};
+  if (!ran) return ran.error();
+  if (!hasArrived)
+    return Error{"Insertion " + std::to_string(drawn.number + 1) + " of the study with seed " +
+                 std::to_string(drawn.seed) + " never arrived at " +
+                 std::to_string(inMillimeters(stop)) +
+                 " mm of travel. Lower the spread in its validation file."};
+  return measured;
+}
+
+}  // namespace perilymph::analysis

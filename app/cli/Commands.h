@@ -51,6 +51,16 @@ struct ValidateOptions {
 };
 Result<Done> validate(const ValidateOptions& options);
 
+struct CalibrateOptions {
+  std::string variability = "published-experiment";
+  session::Overrides overrides;  ///< From --set.
+  int runs = 24;
+  std::uint64_t seed = 1;
+  unsigned jobs = 0;
+  std::string out;
+};
+Result<Done> calibrate(const CalibrateOptions& options);
+
 struct RenderOptions {
   std::string scenario;
   std::string preset, patient, array;

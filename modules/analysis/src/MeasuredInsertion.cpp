@@ -24,6 +24,8 @@ Result<MeasuredInsertion> measure(const DrawnInsertion& drawn,
   if (!insertion) return insertion.error();
 
   MeasuredInsertion measured;
+  const Eigen::Vector3d out_W = (*insertion)->anatomy().entry().out_W;
+  std::optional<Eigen::Vector3d> start_W;  // of the tweezers
   RandomStream noise(drawn.seed, drawn.number, static_cast<std::uint64_t>(SpreadSource::noise));
   const std::uint64_t ticksPerSample =
       static_cast<std::uint64_t>(std::lround(samplePeriod / scenario.timeStep));
@@ -35,7 +37,9 @@ Result<MeasuredInsertion> measure(const DrawnInsertion& drawn,
     if (now.status & haptics::notSettled) ++measured.ticksNotSettled;
     hasArrived = now.workflow == haptics::Workflow::finished;
     if (now.workflow == haptics::Workflow::inserting && moving++ % ticksPerSample == 0) {
-      measured.travel.push_back(now.travel);
+      const Eigen::Vector3d base_W(now.proxy_W[0], now.proxy_W[1], now.proxy_W[2]);
+      if (!start_W) start_W = base_W;
+      measured.travel.push_back((*start_W - base_W).dot(out_W));
       measured.depth.push_back(now.depth);
       measured.force.push_back(now.axialForce + drawn.noiseDeviation * noise.normal());
     }

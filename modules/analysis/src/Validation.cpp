@@ -34,8 +34,9 @@ std::optional<Length> firstRib(const session::Scenario& scenario)
 /// Past the end of the published axis, and past the first rib if there is one.
 Length stopOf(const session::Scenario& scenario)
 {
-  // A sample's way more, so that the last one lies at the end.
-  Length stop = profileEnd() + millimeters(0.1);
+  // The tip may be ahead of the crosshead by what the array bends outside; half a millimeter more
+  // lets the last sample lie at the end.
+  Length stop = profileEnd() + millimeters(0.5);
   if (const auto rib = firstRib(scenario))
     stop = std::max(stop, *rib + ribNear - scenario.startInside);
   return std::min(stop, scenario.array.insertable - scenario.startInside);
@@ -142,6 +143,13 @@ std::vector<SpreadSource> mechanicalSources(const ValidationRequest& request)
   return sources;
 }
 
+/// Insertions that show one source alone.
+std::size_t sharingRuns(const ValidationRequest& request)
+{
+  const int asked = request.runsPerShare.value_or(std::max(10, request.runs / 10));
+  return asked <= 0 ? 0 : static_cast<std::size_t>(std::max(2, asked));
+}
+
 /// What the noise alone leaves on the splines: it does not touch the mechanics, so samples at rest
 /// show it.
 double noiseSpread(const ValidationRequest& request, std::size_t count)
@@ -215,13 +223,15 @@ Result<ValidationResult> validate(const ValidationRequest& request,
   if (request.runs < 2)
     return Error{"A validation of " + std::to_string(request.runs) +
                  " insertions has no spread; ask for at least 2."};
-  auto anatomy = session::buildAnatomy(request.scenario);
-  if (!anatomy) return anatomy.error();
+  std::shared_ptr<const anatomy::ScalaTympani> anatomy = request.anatomy;
+  if (!anatomy) {
+    auto built = session::buildAnatomy(request.scenario);
+    if (!built) return built.error();
+    anatomy = *built;
+  }
 
   const auto runs = static_cast<std::size_t>(request.runs);
-  const std::size_t runsPerShare = request.runsPerShare > 1
-                                       ? static_cast<std::size_t>(request.runsPerShare)
-                                       : std::max<std::size_t>(10, runs / 10);
+  const std::size_t runsPerShare = sharingRuns(request);
   const std::vector<SpreadSource> alone = mechanicalSources(request);
   const std::size_t all = runs + alone.size() * runsPerShare;
   std::vector<Kept> kept(all);
@@ -232,7 +242,7 @@ Result<ValidationResult> validate(const ValidationRequest& request,
       sources = SpreadSources::only(alone[(piece - runs) / runsPerShare]);
       number = (piece - runs) % runsPerShare;
     }
-    return runOne(request, sources, number, *anatomy, isAsked, kept[piece]);
+    return runOne(request, sources, number, anatomy, isAsked, kept[piece]);
   };
   const auto done = doInParallel(all, request.jobs, work, [&](std::size_t count) {
     return !progress || progress(count, all);
@@ -257,7 +267,7 @@ Result<ValidationResult> validate(const ValidationRequest& request,
   result.earlyPeak = findEarlyPeak(mean);
   result.rib = meetRib(request, kept);
   result.deviation = spreadOf(kept, 0, runs);
-  result.shares = sharesOf(request, kept, runsPerShare);
+  if (runsPerShare > 0) result.shares = sharesOf(request, kept, runsPerShare);
   return result;
 }
 

@@ -89,6 +89,31 @@ Figure simulationFigure(const ValidationResult& result, const Reference& experim
   return figure;
 }
 
+Figure calibrationFigure(const CalibrationResult& calibration, const Reference& experiment)
+{
+  Reference used = experiment, predicted = experiment;
+  used.points.clear();
+  predicted.points.clear();
+  for (const PrintedForce& point : experiment.points) {
+    bool isUsed = false;
+    for (const session::FittedForce& force : calibration.calibration.forces)
+      isUsed = isUsed || force.travel == point.travel;
+    (isUsed ? used : predicted).points.push_back(point);
+  }
+  Figure figure = simulationFigure(calibration.fitted, experiment);
+  figure.title = "Calibrated insertions: what was fitted and what is predicted";
+  figure.values = {printed(used, "experiment, printed mean ± 1 SD, used by the fit", ink::vermilion,
+                           MarkerShape::diamond),
+                   printed(predicted, "experiment, printed mean ± 1 SD, predicted", ink::black,
+                           MarkerShape::disk)};
+  const session::Calibration& fit = calibration.calibration;
+  figure.notes = {"Stiffness scale " + fixed(fit.stiffnessScale.value, 3) + " ± " +
+                  fixed(fit.stiffnessScale.deviation, 3) + ", residual curvature " +
+                  fixed(fit.residualCurvature.value, 3) + " ± " +
+                  fixed(fit.residualCurvature.deviation, 3) + " of the free one."};
+  return figure;
+}
+
 Figure differenceFigure(const ValidationResult& result, const Reference& publishedDifference)
 {
   Figure figure;

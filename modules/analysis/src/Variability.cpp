@@ -140,7 +140,7 @@ DrawnInsertion drawInsertion(const session::Scenario& nominal, const Variability
   if (sources.has(SpreadSource::curvature) && drawn.scenario.array.hasStylet) {
     RandomStream random = stream(SpreadSource::curvature);
     double& residual = drawn.scenario.array.stylet.residualCurvature;
-    residual = random.normal(residual, variability.curvatureDeviation, 0.0, 1.0);
+    residual += variability.curvatureDeviation * random.normal(0.0, 1.0, -most, most);
   }
   if (sources.has(SpreadSource::friction)) {
     // log-normal with the mean 1 and the deviation asked for

@@ -13,9 +13,11 @@ namespace perilymph::analysis {
 
 /// What the load cell and the crosshead wrote down.
 struct MeasuredInsertion {
-  std::vector<double> travel;  ///< Of each sample [m].
-  std::vector<double> depth;   ///< Past the opening [m].
-  std::vector<double> force;   ///< Axial on the hand, with the cell's noise [N].
+  /// Of the crosshead since it began to move [m]: what an experiment measures. It differs from the
+  /// tip's travel where the array bends before the opening.
+  std::vector<double> travel;
+  std::vector<double> depth;  ///< Past the opening [m].
+  std::vector<double> force;  ///< Axial on the hand, with the cell's noise [N].
   std::uint64_t ticks = 0;
   std::uint64_t ticksNotSettled = 0;
 };

@@ -23,8 +23,11 @@ struct ValidationRequest {
   Reference experiment;
   int runs = 200;  ///< At least 2.
   std::uint64_t seed = 1;
-  unsigned jobs = 0;     ///< Threads; 0 for as many as the machine has. Leaves no trace.
-  int runsPerShare = 0;  ///< With one source alone; 0 for a tenth of the runs, at least 10.
+  unsigned jobs = 0;  ///< Threads; 0 for as many as the machine has. Leaves no trace.
+  /// With one source alone: 0, or at least 2; by default a tenth of the runs, at least 10.
+  std::optional<int> runsPerShare;
+  /// The scenario's cochlea, if it is built already.
+  std::shared_ptr<const anatomy::ScalaTympani> anatomy;
 };
 
 /// Axis of the published curves: 0 to 16.5 mm of travel, every 0.1 mm.

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "perilymph/analysis/CalibrationFit.h"
 #include "perilymph/analysis/Figure.h"
 #include "perilymph/analysis/Validation.h"
 
@@ -34,6 +35,8 @@ std::string summaryJson(const ValidationRequest& request, const ValidationResult
 Figure experimentFigure(const Reference& experiment, const Reference& publishedSimulator);
 /// The simulation: mean, its confidence and its spread, beside it the experiment's printed values.
 Figure simulationFigure(const ValidationResult& result, const Reference& experiment);
+/// The same for a calibration: which printed values it used, and which it predicts.
+Figure calibrationFigure(const CalibrationResult& calibration, const Reference& experiment);
 /// Simulator minus experiment where the experiment is printed, beside it the published simulator's.
 Figure differenceFigure(const ValidationResult& result, const Reference& publishedDifference);
 

@@ -50,7 +50,8 @@ struct Variability {
   double speedDeviation = 0.0;         ///< Share of the speed: normal.
   double tremorFrequency = 0.0;        ///< [Hz]
   Length tremorAmplitude;              ///< Along each of three axes, phases uniform.
-  /// Share of the free curvature that is left with the stylet in: normal about the array's value.
+  /// Share of the free curvature that is left with the stylet in: normal about the array's value,
+  /// negative where carrier or stylet are bent the other way.
   double curvatureDeviation = 0.0;
   double frictionDeviation = 0.0;  ///< Share of all coefficients: log-normal, mean kept.
   Force noiseDeviation;            ///< Of one force sample: normal.

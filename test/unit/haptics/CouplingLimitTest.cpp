@@ -33,12 +33,31 @@ TEST(CouplingLimit, IsNoneForAHandThatFeelsNothing)
   EXPECT_TRUE(std::isinf(limit.damping));
 }
 
-TEST(CouplingLimit, IsThePassiveStiffnessAtTheMeasuredDelay)
+TEST(CouplingLimit, IsThreeQuartersOfThePassiveStiffnessAtTheMeasuredDelay)
 {
-  // b / (T/2 + td) = 0.5 / (0.0005 + 0.0017)
-  EXPECT_NEAR(couplingLimit(forceDevice(1.7e-3), 1e-3).stiffness, 227.27, 0.01);
-  EXPECT_NEAR(couplingLimit(forceDevice(0.0), 1e-3).stiffness, 1000.0, 1e-9);
-  EXPECT_NEAR(couplingLimit(forceDevice(0.0), 1e-4).stiffness, 10'000.0, 1e-9);
+  // 0.75 b / (T/2 + td) = 0.75 x 0.5 / (0.0005 + 0.0017)
+  EXPECT_NEAR(couplingLimit(forceDevice(1.7e-3), 1e-3).stiffness, 170.45, 0.01);
+  EXPECT_NEAR(couplingLimit(forceDevice(0.0), 1e-3).stiffness, 750.0, 1e-9);
+}
+
+TEST(CouplingLimit, CountsTheWaitForATickThatReportsDoNotBegin)
+{
+  // ticks of 0.1 ms, reports of 1 ms: 0.75 x 0.5 / (0.00005 + 0.0005)
+  EXPECT_NEAR(couplingLimit(forceDevice(0.0), 1e-4).stiffness, 681.82, 0.01);
+}
+
+// Measured with a handle of 90 g and 0.5 N.s/m at a wall, without damping by the host: peak to peak
+// at 441 N/m 0.012 mm through a wire of 30 us or of 0.15 ms a report, 0.55 mm through one of 0.98
+// ms, 21.8 mm where a force takes three such reports; there 100 N/m still gave 3.9 mm.
+TEST(CouplingLimit, AgreesWithWhatWasMeasuredOfFourWires)
+{
+  const auto limitAt = [](double write) {
+    return couplingLimit(forceDevice(2.0 * write), 1e-3).stiffness;
+  };
+  EXPECT_GT(limitAt(0.03e-3), 441.0);
+  EXPECT_GT(limitAt(0.15e-3), 441.0);
+  EXPECT_LT(limitAt(0.98e-3), 441.0);
+  EXPECT_LT(limitAt(2.995e-3), 100.0);
 }
 
 TEST(CouplingLimit, HoldsTheMakersBounds)
@@ -55,13 +74,13 @@ TEST(CouplingLimit, SaysInWordsWhatIsAskedGivenAndWhy)
   const CouplingLimit limit = couplingLimit(forceDevice(1.7e-3), 1e-3);
   EXPECT_EQ(
       couplingSentence(441.0, limit, "Hand"),
-      "Hand renders 227 N/m of the 441 N/m asked for, because a force reaches the hand 2.20 ms "
+      "Hand renders 170 N/m of the 441 N/m asked for, because a force reaches the hand 2.20 ms "
       "late. What is felt is softer; the forces that are recorded stay physical.");
-  EXPECT_EQ(couplingSentence(200.0, limit, "Hand"), "");
+  EXPECT_EQ(couplingSentence(170.0, limit, "Hand"), "");
 }
 
 /// A handle pushed with 0.2 N against a spring that is sampled each tick and acts `delay` later:
-/// largest less smallest place over the last of ten seconds [m].
+/// largest less smallest place over the last of twenty seconds [m].
 double trembling(const device::DeviceTraits& traits, double stiffness, double timeStep)
 {
   constexpr double step = 1e-5;  // [s]
@@ -69,14 +88,14 @@ double trembling(const device::DeviceTraits& traits, double stiffness, double ti
   const auto delayed = static_cast<std::size_t>(std::lround(traits.transportDelay / step));
   std::deque<double> forces(delayed + 1, 0.0);
   double place = 0.0, speed = 0.0, held = 0.0, least = 1.0, most = -1.0;
-  for (int i = 0; i < 1'000'000; ++i) {
+  for (int i = 0; i < 2'000'000; ++i) {
     if (i % stepsPerTick == 0) held = place > 0.0 ? -stiffness * place : 0.0;
     forces.push_back(held);
     const double force = 0.2 + forces.front() - traits.handleDamping * speed;
     forces.pop_front();
     speed += step * force / traits.handleMass;
     place += step * speed;
-    if (i < 900'000) continue;
+    if (i < 1'900'000) continue;
     least = std::min(least, place);
     most = std::max(most, place);
   }
@@ -87,14 +106,16 @@ TEST(CouplingLimit, KeepsAFreeHandleStillAgainstAWall)
 {
   for (const double delay : {0.0, 0.5e-3, 1.7e-3, 3.5e-3}) {
     const device::DeviceTraits traits = forceDevice(delay);
-    EXPECT_LT(trembling(traits, couplingLimit(traits, 1e-3).stiffness, 1e-3), 1e-6) << delay;
+    const double stiffness = couplingLimit(traits, 1e-3).stiffness;
+    const double deflection = 0.2 / stiffness;
+    EXPECT_LT(trembling(traits, stiffness, 1e-3), 0.01 * deflection) << delay;
   }
 }
 
 TEST(CouplingLimit, IsNotFarFromWhereItTrembles)
 {
   const device::DeviceTraits traits = forceDevice(1.7e-3);
-  EXPECT_GT(trembling(traits, 3.0 * couplingLimit(traits, 1e-3).stiffness, 1e-3), 1e-5);
+  EXPECT_GT(trembling(traits, 2.0 * couplingLimit(traits, 1e-3).stiffness, 1e-3), 1e-4);
 }
 
 TEST(SoftenedCoupling, GivesWayToTheDevice)

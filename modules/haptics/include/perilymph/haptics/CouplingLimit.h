@@ -16,14 +16,19 @@ struct CouplingLimit {
   std::string reason;  ///< What sets the stiffness, as words for a sentence; empty without limit.
 };
 
+/// Whether a device sends one report a tick by its own clock, within 10 %, so that reports may
+/// begin the ticks.
+bool followsReports(const device::DeviceTraits& traits, double timeStep) noexcept;
+
 /// The limit of a device; none for a hand that feels no force.
 ///
-///     K <= b / (T/2 + td)      passive for any hand: Colgate and Schenkel (1997), with the delay
-///     td
-///                              of the way to the device and back added to the half period
-///     B <= m / (e tau)         a damper that acts tau late lets a mass m swing beyond this: of the
-///                              roots of s + (B/m) exp(-s tau) = 0 the first pair becomes complex
-///     tau = T/2 + td + 2 ms    with the smoothing of the hand's speed (SampleWatch)
+///     late = T/2 + td           td: to the device and back, and half a period of its reports
+///                               where they do not begin the ticks
+///     K <= 3/4 b / late         K <= b / late is passive (Colgate and Schenkel 1997) but lets an
+///                               oscillation go on; a quarter of the damping is left to end it
+///     B <= m / (e (late + lag)) a damper that acts late lets a mass m swing beyond this: the first
+///                               roots of s + (B/m) exp(-s late) = 0 become complex; lag is the
+///                               smoothing of the hand's speed (SampleWatch)
 ///
 /// b is the handle's own damping and m its mass; where nobody knows them, those of a light handle
 /// stand in (0.5 N.s/m, 90 g). The maker's own bounds of stiffness and damping hold besides.

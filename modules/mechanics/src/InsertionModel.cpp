@@ -28,7 +28,13 @@ void require(bool holds, const std::string& sentence)
 void check(const ModelParts& parts)
 {
   require(parts.lumen != nullptr, "An insertion needs a lumen.");
-  require(parts.nodes >= 8 && parts.nodes <= mostNodes,
+  if (parts.kind == ModelKind::points) {
+    require(parts.nodes >= 2 && parts.nodes <= mostPoints,
+            "The array has " + std::to_string(parts.nodes) + " sample points; it must have 2 to " +
+                std::to_string(mostPoints) + ".");
+    require(parts.hapticSurface != nullptr, "A point set needs a haptic surface to touch.");
+  }
+  require(parts.kind == ModelKind::points || (parts.nodes >= 8 && parts.nodes <= mostNodes),
           "The array has " + std::to_string(parts.nodes) + " nodes; it must have 8 to " +
               std::to_string(mostNodes) + ".");
   const double step_ms = inMilliseconds(parts.timeStep);
@@ -70,6 +76,7 @@ std::uint64_t fingerprintOf(const InsertionModel& model)
         model.parts.friction.starting, model.parts.friction.dynamic, model.parts.friction.stopping,
         model.parts.friction.stribeck.si(), model.parts.wall.onset.si()})
     hash.add(value);
+  if (model.points) hash.add(model.points->fingerprint);
   return hash.value();
 }
 
@@ -131,6 +138,8 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
     m.styletFromTip = array.stylet.fromTip.si();
     m.styletResidual = array.stylet.residualCurvature;
   }
+  if (m.parts.kind == ModelKind::points)
+    m.points = std::make_shared<PointSetModel>(*m.parts.hapticSurface, m.nodes, m.timeStep);
   m.fingerprint = fingerprintOf(m);
   return model;
 }

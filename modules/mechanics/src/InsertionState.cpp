@@ -1,6 +1,7 @@
 #include "perilymph/mechanics/InsertionState.h"
 
 #include "perilymph/foundation/Hash.h"
+#include "points/advancePoints.h"
 
 namespace perilymph::mechanics {
 namespace {
@@ -24,6 +25,10 @@ InsertionState::InsertionState(const InsertionModel& model)
       onMembrane(position_W.size()),
       room(position_W.size())
 {
+  if (model.points) {
+    points.place_W.resize(position_W.size());
+    points.proxy_W.resize(position_W.size());
+  }
   reset(model);
 }
 
@@ -46,6 +51,7 @@ void InsertionState::reset(const InsertionModel& model) noexcept
     // nodes farther from the wall than this need no more than that fact
     room.reach[i] = model.radius[i] + 0.02e-3;
   }
+  if (model.points) resetPoints(model, *this);
   readings = Readings{};
   readings.depth = model.parts.startInside.si() > 0.0 ? model.parts.startInside.si() : 0.0;
 }
@@ -67,6 +73,7 @@ std::uint64_t InsertionState::fingerprint() const noexcept
     hash.add(track[i].angle);
     hash.add(normalForce[i]);
   }
+  if (!points.place_W.empty()) points.addTo(hash);
   return hash.value();
 }
 

@@ -11,6 +11,7 @@
 #include "perilymph/electrode/ArrayDesign.h"
 #include "perilymph/foundation/Units.h"
 #include "perilymph/mechanics/Friction.h"
+#include "perilymph/mechanics/PointSet.h"
 
 namespace perilymph::mechanics {
 
@@ -27,17 +28,26 @@ struct WallLaw {
   Length onset = millimeters(0.01);
 };
 
+/// Which model of the array moves.
+enum class ModelKind {
+  rod,     ///< An elastic rod against the smooth wall.
+  points,  ///< The published point set against the haptic surface (PointSet.h).
+};
+
 /// What a model is built from.
 struct ModelParts {
   std::shared_ptr<const anatomy::Lumen> lumen;
   electrode::ArrayDesign array;
   FrictionLaw friction;
   WallLaw wall;
-  int nodes = 100;                      ///< 8 to mostNodes.
+  int nodes = 100;                      ///< 8 to mostNodes; of points 2 to mostPoints.
   Duration timeStep = milliseconds(1);  ///< 0.1 to 10 ms.
   Length startInside = millimeters(2);  ///< Of the tip past the opening; negative: before it.
   Angle approachTilt = radians(0);      ///< Of the array's axis against E.z, toward E.y.
   Angle approachTurn = radians(0);      ///< The same, toward E.x.
+  ModelKind kind = ModelKind::rod;
+  /// What points touch; a rod does not need it.
+  std::shared_ptr<const anatomy::Surface> hapticSurface;
 };
 
 /// A cochlea, an array, material laws and solver settings: immutable, shared between threads.
@@ -69,7 +79,9 @@ struct InsertionModel {
   double styletFromTip = 0.0;          ///< Of its tip when fully in [m].
   double styletResidual = 0.0;         ///< Share of the rest curvature that it leaves where it is.
   double baseMass = 0.0;               ///< Of carrier and tweezers [kg].
-  std::uint64_t fingerprint = 0;       ///< Of everything above, for recordings.
+  /// Of a model of points; none of a rod. Shared by copies of the model, for it is large.
+  std::shared_ptr<const PointSetModel> points;
+  std::uint64_t fingerprint = 0;  ///< Of everything above, for recordings.
 };
 
 }  // namespace perilymph::mechanics

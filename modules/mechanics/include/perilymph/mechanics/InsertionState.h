@@ -71,6 +71,7 @@ struct InsertionState {
   std::vector<double> normalForce;                ///< Of the wall on each node [N].
   std::vector<Eigen::Vector3d> wallForce_W;       ///< Normal and friction on each node [N].
   std::vector<unsigned char> onMembrane;          ///< Of each node that touches.
+  PointSetState points;                           ///< Of a model of points; else empty.
   Readings readings;
 
   StepRoom room;  ///< Scratch; not part of the state's value.

@@ -1,186 +1,56 @@
 #include "perilymph/electrode/ArrayDesign.h"
 
-#include <cmath>
-#include <cstdio>
-
-#include "perilymph/foundation/TomlReader.h"
+#include <algorithm>
 
 namespace perilymph::electrode {
 namespace {
 
-// What any array may be. Wider than every device known, narrower than a slip of the unit.
-constexpr Range length_mm{5.0, 60.0};
-constexpr Range diameter_mm{0.1, 2.0};
-constexpr Range bending_N_m2{1e-9, 1e-4};
-constexpr Range curvature_per_mm{-2.0, 2.0};
-constexpr Range contactLength_mm{0.05, 5.0};
-
-/// A number as people write it: "0.4", not "0.400000".
-std::string plain(double value)
+Length thicknessAt(const ArrayDesign& array, Length place)
 {
-  char buffer[32];
-  const int length = std::snprintf(buffer, sizeof buffer, "%.10g", value);
-  return std::string(buffer, static_cast<std::size_t>(length));
+  return array.thickness.fromTip.empty() ? array.diameter.at(place) : array.thickness.at(place);
 }
-
-Provenance readProvenance(TomlReader& table)
-{
-  Provenance provenance;
-  provenance.source = table.text("source");
-  const std::string confidence = table.choice("confidence", {"high", "medium", "low"});
-  provenance.confidence = confidence == "high"     ? Confidence::high
-                          : confidence == "medium" ? Confidence::medium
-                                                   : Confidence::low;
-  return provenance;
-}
-
-/// Reads the tables of one file; what is wrong stays in the reader.
-class ArrayReader {
-public:
-  explicit ArrayReader(TomlReader& file) : file_(file) {}
-
-  ArrayDesign read()
-  {
-    ArrayDesign design;
-    design.name = file_.text("name");
-    design.maker = file_.text("maker");
-    design.note = file_.text("note");
-    readLengths(design);
-
-    TomlReader diameter = tableOf("diameter");
-    design.diameter = along<Length>(diameter, "diameter_mm", diameter_mm, millimeters);
-    TomlReader bending = tableOf("bending");
-    design.bending =
-        along<BendingStiffness>(bending, "bending_N_m2", bending_N_m2, newtonSquareMeters);
-    readRestCurvature(design);
-    readContacts(design);
-    if (file_.has("ribs")) {
-      TomlReader table = tableOf("ribs");
-      for (const double place : places(table)) design.ribsFromTip.push_back(millimeters(place));
-    }
-    if (file_.has("stylet")) readStylet(design);
-    design.provenance = std::move(provenance_);
-    return design;
-  }
-
-private:
-  TomlReader tableOf(const char* name)
-  {
-    TomlReader table = file_.table(name);
-    provenance_.emplace_back(name, readProvenance(table));
-    return table;
-  }
-
-  void readLengths(ArrayDesign& design)
-  {
-    TomlReader length = tableOf("length");
-    most_mm_ = length.number("value_mm", length_mm);
-    design.length = millimeters(most_mm_);
-    TomlReader insertable = tableOf("insertable");
-    design.insertable = millimeters(insertable.number("value_mm", {1.0, most_mm_}));
-  }
-
-  /// Places along the array: within it, each greater than the one before.
-  std::vector<double> places(TomlReader& table)
-  {
-    const std::vector<double> places = table.numbers("from_tip_mm", {0.0, most_mm_}, 1);
-    for (std::size_t i = 1; i < places.size(); ++i)
-      if (places[i] <= places[i - 1])
-        table.refuse("from_tip_mm", "from_tip_mm has " + plain(places[i]) + " after " +
-                                        plain(places[i - 1]) +
-                                        "; each place must be greater than the one before.");
-    return places;
-  }
-
-  /// Values at places; `quantity` makes one of a number in the file's unit.
-  template <class Value>
-  AlongArray<Value> along(TomlReader& table, const char* key, Range allowed,
-                          Value (*quantity)(double))
-  {
-    const std::vector<double> where = places(table);
-    const std::vector<double> values = table.numbers(key, allowed, 1);
-    if (values.size() != where.size())
-      table.refuse(key, std::string(key) + " has " + std::to_string(values.size()) +
-                            " numbers and from_tip_mm has " + std::to_string(where.size()) +
-                            "; give one value for each place.");
-    AlongArray<Value> result;
-    for (const double place : where) result.fromTip.push_back(millimeters(place));
-    for (const double value : values) result.value.push_back(quantity(value));
-    result.value.resize(result.fromTip.size(), result.value.front());
-    return result;
-  }
-
-  void readRestCurvature(ArrayDesign& design)
-  {
-    AlongArray<Curvature>& rest = design.restCurvature;
-    rest = {{millimeters(0.0)}, {perMillimeter(0.0)}};
-    if (!file_.has("rest_curvature")) return;
-    TomlReader table = tableOf("rest_curvature");
-    rest = along<Curvature>(table, "curvature_per_mm", curvature_per_mm, perMillimeter);
-
-    // A carrier cannot curl more tightly than its own radius.
-    for (std::size_t i = 0; i < rest.value.size(); ++i) {
-      const double radius_mm = 0.5 * inMillimeters(design.diameter.at(rest.fromTip[i]));
-      const double curvature = inPerMillimeter(rest.value[i]);
-      if (std::fabs(curvature) * radius_mm < 1.0) continue;
-      table.refuse("curvature_per_mm", "curvature_per_mm has " + plain(curvature) + " at " +
-                                           plain(inMillimeters(rest.fromTip[i])) +
-                                           " mm; it must be between " + plain(-1.0 / radius_mm) +
-                                           " and " + plain(1.0 / radius_mm) +
-                                           ", one over the carrier's radius there.");
-    }
-  }
-
-  void readContacts(ArrayDesign& design)
-  {
-    TomlReader table = tableOf("contacts");
-    const std::vector<double> centers = places(table);
-    const double contact = table.number("contact_length_mm", contactLength_mm);
-    design.contactLength = millimeters(contact);
-    for (const double center : centers) design.contactsFromTip.push_back(millimeters(center));
-
-    const auto refuse = [&](const std::string& what) {
-      table.refuse("from_tip_mm", "a contact of " + plain(contact) + " mm at " + what);
-    };
-    // Decimal fractions are not exact: a nanometer of overlap is none.
-    constexpr double slack_mm = 1e-6;
-    for (std::size_t i = 1; i < centers.size(); ++i)
-      if (centers[i] - centers[i - 1] < contact - slack_mm)
-        refuse(plain(centers[i]) + " mm overlaps the one at " + plain(centers[i - 1]) +
-               " mm; centers must be at least a contact's length apart.");
-    if (centers.front() < 0.5 * contact - slack_mm)
-      refuse(plain(centers.front()) + " mm reaches beyond the tip; its center must be at least " +
-             plain(0.5 * contact) + " mm from it.");
-    if (centers.back() > most_mm_ - 0.5 * contact + slack_mm)
-      refuse(plain(centers.back()) + " mm reaches beyond the array's " + plain(most_mm_) +
-             " mm; its center must be at most " + plain(most_mm_ - 0.5 * contact) +
-             " mm from the tip.");
-  }
-
-  void readStylet(ArrayDesign& design)
-  {
-    TomlReader table = tableOf("stylet");
-    design.hasStylet = true;
-    design.stylet.fromTip = millimeters(table.number("from_tip_mm", {0.0, most_mm_}));
-    design.stylet.bending = newtonSquareMeters(table.number("bending_N_m2", bending_N_m2));
-    design.stylet.residualCurvature = table.number("residual_curvature_share", {0.0, 1.0}, 0.0);
-    design.stylet.provenance = provenance_.back().second;
-  }
-
-  TomlReader& file_;
-  double most_mm_ = 0.0;
-  std::vector<std::pair<std::string, Provenance>> provenance_;
-};
 
 }  // namespace
 
-Result<ArrayDesign> loadArray(const std::filesystem::path& file)
+Length ArrayDesign::tipRadius() const
 {
-  Result<TomlReader> reader = TomlReader::open(file);
-  if (!reader) return reader.error();
-  ArrayDesign design = ArrayReader(*reader).read();
-  if (const Result<Done> done = reader->finish(); !done) return done.error();
-  return design;
+  if (tip.radius > millimeters(0)) return tip.radius;
+  const Length end = millimeters(0);
+  return 0.5 * std::min(diameter.at(end), thicknessAt(*this, end));
+}
+
+Section ArrayDesign::sectionAt(Length place) const
+{
+  const auto tapered = [&](Length full, Length fullBehind) {
+    if (place >= tip.taper || tip.taper <= millimeters(0)) return full;
+    const double share = std::max(place / tip.taper, 0.0);
+    const Length start = 2.0 * tipRadius();
+    return std::min(full, start + share * (fullBehind - start));
+  };
+  return {tapered(diameter.at(place), diameter.at(tip.taper)),
+          tapered(thicknessAt(*this, place), thicknessAt(*this, tip.taper))};
+}
+
+bool ArrayDesign::isRound() const
+{
+  if (thickness.fromTip.empty()) return true;
+  const auto isRoundAt = [this](Length place) { return thickness.at(place) == diameter.at(place); };
+  return std::all_of(thickness.fromTip.begin(), thickness.fromTip.end(), isRoundAt) &&
+         std::all_of(diameter.fromTip.begin(), diameter.fromTip.end(), isRoundAt);
+}
+
+BendingStiffness ArrayDesign::bendingAcrossAt(Length place) const
+{
+  return bendingAcross.fromTip.empty() ? bending.at(place) : bendingAcross.at(place);
+}
+
+BendingStiffness ArrayDesign::twistingAt(Length place) const
+{
+  if (twisting) return twisting->at(place);
+  // Ellipse with second moments I1 and I2: J = 4 I1 I2 / (I1 + I2). Incompressible: G = E / 3.
+  const double within = bending.at(place).si();
+  const double across = bendingAcrossAt(place).si();
+  return BendingStiffness::fromSi(4.0 / 3.0 * within * across / (within + across));
 }
 
 }  // namespace perilymph::electrode

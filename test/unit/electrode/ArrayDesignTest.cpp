@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "perilymph/test/TemporaryFolder.h"
@@ -97,6 +98,89 @@ TEST_F(ArrayFile, RunsStraightBetweenKnotsAndStaysBeyondThem)
   EXPECT_DOUBLE_EQ(inMillimeters(array->diameter.at(millimeters(-1.0))), 0.4);
 }
 
+TEST_F(ArrayFile, WithoutThicknessIsRoundAndBendsAlikeInEveryDirection)
+{
+  const Result<ArrayDesign> array = load();
+  ASSERT_TRUE(array);
+  EXPECT_TRUE(array->isRound());
+  const Section section = array->sectionAt(millimeters(5.0));
+  EXPECT_DOUBLE_EQ(inMillimeters(section.across), 0.5);
+  EXPECT_DOUBLE_EQ(inMillimeters(section.within), 0.5);
+  EXPECT_DOUBLE_EQ(array->bendingAcrossAt(millimeters(20.0)).si(), 3e-7);
+  EXPECT_DOUBLE_EQ(inMillimeters(array->tipRadius()), 0.2);
+}
+
+TEST_F(ArrayFile, TwistsAsARoundIncompressibleRodUnlessTold)
+{
+  // G = E / 3 and J = 2 I
+  const Result<ArrayDesign> array = load();
+  ASSERT_TRUE(array);
+  EXPECT_DOUBLE_EQ(array->twistingAt(millimeters(20.0)).si(), 2.0 / 3.0 * 3e-7);
+
+  const Result<ArrayDesign> told =
+      load("[1e-7, 3e-7]", "[1e-7, 3e-7]\ntwisting_N_m2 = [4e-8, 8e-8]");
+  ASSERT_TRUE(told) << told.error().message;
+  EXPECT_DOUBLE_EQ(told->twistingAt(millimeters(10.0)).si(), 6e-8);
+}
+
+TEST_F(ArrayFile, OfOvalSectionsTwistsAsAnEllipse)
+{
+  // Half axes a and b, modulus E: EI = E pi a b^3 / 4 and E pi a^3 b / 4;
+  // GJ = (E / 3) pi a^3 b^3 / (a^2 + b^2).
+  const double pi = std::acos(-1.0), a = 0.3e-3, b = 0.2e-3, modulus = 2e6;
+  const double within = 0.25 * modulus * pi * a * b * b * b;
+  const double across = 0.25 * modulus * pi * a * a * a * b;
+  const double twisting = modulus / 3.0 * pi * a * a * a * b * b * b / (a * a + b * b);
+  ArrayDesign array;
+  array.bending = {{millimeters(0)}, {newtonSquareMeters(within)}};
+  array.bendingAcross = {{millimeters(0)}, {newtonSquareMeters(across)}};
+  EXPECT_NEAR(array.twistingAt(millimeters(1)).si(), twisting, 1e-12 * twisting);
+}
+
+TEST_F(ArrayFile, HoldsOvalSectionsAndTwoStiffnessesApart)
+{
+  const Result<ArrayDesign> array = load(
+      "[0.4, 0.6]\nsource = \"made up\"\nconfidence = \"medium\"\n[bending]\n"
+      "from_tip_mm = [0.0, 20.0]\nbending_N_m2 = [1e-7, 3e-7]",
+      "[0.4, 0.6]\nthickness_mm = [0.3, 0.5]\nsource = \"x\"\nconfidence = \"low\"\n"
+      "[bending]\nfrom_tip_mm = [0.0, 20.0]\nbending_N_m2 = [1e-7, 3e-7]\n"
+      "bending_across_N_m2 = [2e-7, 6e-7]");
+  ASSERT_TRUE(array) << array.error().message;
+  EXPECT_FALSE(array->isRound());
+  EXPECT_DOUBLE_EQ(inMillimeters(array->sectionAt(millimeters(5.0)).across), 0.5);
+  EXPECT_DOUBLE_EQ(inMillimeters(array->sectionAt(millimeters(5.0)).within), 0.4);
+  EXPECT_DOUBLE_EQ(inMillimeters(array->tipRadius()), 0.15);
+  EXPECT_DOUBLE_EQ(array->bending.at(millimeters(20.0)).si(), 3e-7);
+  EXPECT_DOUBLE_EQ(array->bendingAcrossAt(millimeters(20.0)).si(), 6e-7);
+}
+
+TEST_F(ArrayFile, WithATaperedTipWidensStraightFromItsCap)
+{
+  const Result<ArrayDesign> array =
+      load("[bending]",
+           "[tip]\nradius_mm = 0.1\ntaper_mm = 2.0\nsource = 'x'\nconfidence = 'low'\n[bending]");
+  ASSERT_TRUE(array) << array.error().message;
+  // From 0.2 mm at the tip to 0.44 mm, the carrier's own diameter 2 mm behind it.
+  EXPECT_DOUBLE_EQ(inMillimeters(array->sectionAt(millimeters(0.0)).across), 0.2);
+  EXPECT_NEAR(inMillimeters(array->sectionAt(millimeters(1.0)).across), 0.32, 1e-12);
+  EXPECT_NEAR(inMillimeters(array->sectionAt(millimeters(2.0)).within), 0.44, 1e-12);
+  EXPECT_NEAR(inMillimeters(array->sectionAt(millimeters(5.0)).within), 0.5, 1e-12);
+}
+
+TEST_F(ArrayFile, RefusesATipBlunterThanTheCarrier)
+{
+  EXPECT_EQ(
+      mistake("[bending]", "[tip]\nradius_mm = 0.3\nsource = 'x'\nconfidence = 'low'\n[bending]"),
+      "a.toml:18: tip.radius_mm is 0.3; it must be between 0.02 and 0.2.");
+}
+
+TEST_F(ArrayFile, RefusesRibsWithoutHeight)
+{
+  EXPECT_EQ(mistake("[contacts]",
+                    "[ribs]\nfrom_tip_mm = [12.0]\nsource = 'x'\nconfidence = 'low'\n[contacts]"),
+            "a.toml:22: key 'ribs.height_mm' is missing; it must be between 0.01 and 1.");
+}
+
 TEST_F(ArrayFile, RefusesADiameterOutOfRange)
 {
   EXPECT_EQ(mistake("[0.4, 0.6]", "[0.4, 6.0]"),
@@ -164,7 +248,8 @@ TEST_F(ArrayFile, TakesContactsThatTouch)
 TEST_F(ArrayFile, RefusesARibBeyondTheArray)
 {
   EXPECT_THAT(mistake("[contacts]",
-                      "[ribs]\nfrom_tip_mm = [22.0]\nsource = 'x'\nconfidence = 'low'\n[contacts]"),
+                      "[ribs]\nfrom_tip_mm = [22.0]\nheight_mm = 0.1\nlength_mm = 0.3\nsource = "
+                      "'x'\nconfidence = 'low'\n[contacts]"),
               HasSubstr("ribs.from_tip_mm has 22 as number 1;"));
 }
 

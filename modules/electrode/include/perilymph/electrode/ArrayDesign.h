@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,6 +49,19 @@ struct Stylet {
   Provenance provenance;
 };
 
+/// The end of the carrier: a cap of its own radius, behind which the carrier widens in a straight
+/// line. Round by default: the cap has half the carrier's width, and nothing tapers.
+struct TipShape {
+  Length radius;  ///< Of the cap; 0 stands for half the least width at the tip.
+  Length taper;   ///< Length from the tip on over which the carrier reaches its own section.
+};
+
+/// The section at a place: two diameters of an ellipse.
+struct Section {
+  Length across;  ///< Across the plane of curl: along the turns' axis in the cochlea.
+  Length within;  ///< Within the plane of curl: toward the modiolus.
+};
+
 /// An electrode array with everything the mechanics and the pictures need.
 struct ArrayDesign {
   std::string name;  ///< "Nucleus 24 Contour"
@@ -55,15 +69,35 @@ struct ArrayDesign {
   std::string note;   ///< For people: what this data is, and that it is no device labeling.
   Length length;      ///< From the tip to where the tweezers hold it.
   Length insertable;  ///< Greatest depth past the opening.
-  AlongArray<Length> diameter;
-  AlongArray<BendingStiffness> bending;  ///< Of the carrier without stylet.
-  AlongArray<Curvature> restCurvature;   ///< Of the free carrier without stylet; 0 where straight.
-  std::vector<Length> contactsFromTip;   ///< Centers of the platinum contacts, from the tip on.
-  Length contactLength;                  ///< Of one contact along the array.
-  std::vector<Length> ribsFromTip;       ///< Marker ribs.
+  AlongArray<Length> diameter;   ///< Of a round section; of an oval one, across the plane of curl.
+  AlongArray<Length> thickness;  ///< Within the plane of curl; without places: as the diameter.
+  TipShape tip;
+  /// Of the carrier without stylet against bending within the plane of curl.
+  AlongArray<BendingStiffness> bending;
+  /// The same across that plane; without places: as `bending`.
+  AlongArray<BendingStiffness> bendingAcross;
+  /// GJ against twisting, where it is known.
+  std::optional<AlongArray<BendingStiffness>> twisting;
+  AlongArray<Curvature> restCurvature;  ///< Of the free carrier without stylet; 0 where straight.
+  std::vector<Length> contactsFromTip;  ///< Centers of the platinum contacts, from the tip on.
+  Length contactLength;                 ///< Of one contact along the array.
+  std::vector<Length> ribsFromTip;      ///< Centers of the marker ribs.
+  Length ribHeight;                     ///< Above the carrier.
+  Length ribLength;                     ///< Along the array.
   bool hasStylet = false;
   Stylet stylet;
   std::vector<std::pair<std::string, Provenance>> provenance;  ///< Per table of the file.
+
+  /// Radius of the rounded end.
+  Length tipRadius() const;
+  /// The section at a place, with the taper of the tip. Ribs are no part of it.
+  Section sectionAt(Length place) const;
+  /// True if the sections are round everywhere.
+  bool isRound() const;
+  /// EI of the carrier across the plane of curl.
+  BendingStiffness bendingAcrossAt(Length place) const;
+  /// GJ: as given, else that of an ellipse of incompressible material with the two EI.
+  BendingStiffness twistingAt(Length place) const;
 };
 
 /// Reads an array from its TOML file.

@@ -1,0 +1,221 @@
+#include "perilymph/electrode/ArrayDesign.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "perilymph/foundation/TomlReader.h"
+
+namespace perilymph::electrode {
+namespace {
+
+// What any array may be. Wider than every device known, narrower than a slip of the unit.
+constexpr Range length_mm{5.0, 60.0};
+constexpr Range diameter_mm{0.1, 2.0};
+constexpr Range bending_N_m2{1e-9, 1e-4};
+constexpr Range curvature_per_mm{-2.0, 2.0};
+constexpr Range contactLength_mm{0.05, 5.0};
+constexpr Range ribHeight_mm{0.01, 1.0};
+constexpr Range ribLength_mm{0.05, 3.0};
+constexpr double leastTipRadius_mm = 0.02;
+
+/// A number as people write it: "0.4", not "0.400000".
+std::string plain(double value)
+{
+  char buffer[32];
+  const int length = std::snprintf(buffer, sizeof buffer, "%.10g", value);
+  return std::string(buffer, static_cast<std::size_t>(length));
+}
+
+Provenance readProvenance(TomlReader& table)
+{
+  Provenance provenance;
+  provenance.source = table.text("source");
+  const std::string confidence = table.choice("confidence", {"high", "medium", "low"});
+  provenance.confidence = confidence == "high"     ? Confidence::high
+                          : confidence == "medium" ? Confidence::medium
+                                                   : Confidence::low;
+  return provenance;
+}
+
+/// Reads the tables of one file; what is wrong stays in the reader.
+class ArrayReader {
+public:
+  explicit ArrayReader(TomlReader& file) : file_(file) {}
+
+  ArrayDesign read()
+  {
+    ArrayDesign design;
+    design.name = file_.text("name");
+    design.maker = file_.text("maker");
+    design.note = file_.text("note");
+    readLengths(design);
+
+    readSections(design);
+    if (file_.has("tip")) readTip(design);
+    readStiffness(design);
+    readRestCurvature(design);
+    readContacts(design);
+    if (file_.has("ribs")) readRibs(design);
+    if (file_.has("stylet")) readStylet(design);
+    design.provenance = std::move(provenance_);
+    return design;
+  }
+
+private:
+  TomlReader tableOf(const char* name)
+  {
+    TomlReader table = file_.table(name);
+    provenance_.emplace_back(name, readProvenance(table));
+    return table;
+  }
+
+  void readLengths(ArrayDesign& design)
+  {
+    TomlReader length = tableOf("length");
+    most_mm_ = length.number("value_mm", length_mm);
+    design.length = millimeters(most_mm_);
+    TomlReader insertable = tableOf("insertable");
+    design.insertable = millimeters(insertable.number("value_mm", {1.0, most_mm_}));
+  }
+
+  /// Places along the array: within it, each greater than the one before.
+  std::vector<double> places(TomlReader& table)
+  {
+    const std::vector<double> places = table.numbers("from_tip_mm", {0.0, most_mm_}, 1);
+    for (std::size_t i = 1; i < places.size(); ++i)
+      if (places[i] <= places[i - 1])
+        table.refuse("from_tip_mm", "from_tip_mm has " + plain(places[i]) + " after " +
+                                        plain(places[i - 1]) +
+                                        "; each place must be greater than the one before.");
+    return places;
+  }
+
+  /// Values at places; `quantity` makes one of a number in the file's unit.
+  template <class Value>
+  AlongArray<Value> along(TomlReader& table, const char* key, Range allowed,
+                          Value (*quantity)(double))
+  {
+    const std::vector<double> where = places(table);
+    const std::vector<double> values = table.numbers(key, allowed, 1);
+    if (values.size() != where.size())
+      table.refuse(key, std::string(key) + " has " + std::to_string(values.size()) +
+                            " numbers and from_tip_mm has " + std::to_string(where.size()) +
+                            "; give one value for each place.");
+    AlongArray<Value> result;
+    for (const double place : where) result.fromTip.push_back(millimeters(place));
+    for (const double value : values) result.value.push_back(quantity(value));
+    result.value.resize(result.fromTip.size(), result.value.front());
+    return result;
+  }
+
+  void readSections(ArrayDesign& design)
+  {
+    TomlReader table = tableOf("diameter");
+    design.diameter = along<Length>(table, "diameter_mm", diameter_mm, millimeters);
+    design.thickness = table.has("thickness_mm")
+                           ? along<Length>(table, "thickness_mm", diameter_mm, millimeters)
+                           : design.diameter;
+  }
+
+  void readTip(ArrayDesign& design)
+  {
+    TomlReader table = tableOf("tip");
+    const double most = inMillimeters(design.tipRadius());
+    design.tip.radius = millimeters(table.number("radius_mm", {leastTipRadius_mm, most}));
+    design.tip.taper = millimeters(table.number("taper_mm", {0.0, 0.5 * most_mm_}, 0.0));
+  }
+
+  void readStiffness(ArrayDesign& design)
+  {
+    TomlReader table = tableOf("bending");
+    const auto read = [&](const char* key) {
+      return along<BendingStiffness>(table, key, bending_N_m2, newtonSquareMeters);
+    };
+    design.bending = read("bending_N_m2");
+    design.bendingAcross =
+        table.has("bending_across_N_m2") ? read("bending_across_N_m2") : design.bending;
+    if (table.has("twisting_N_m2")) design.twisting = read("twisting_N_m2");
+  }
+
+  void readRibs(ArrayDesign& design)
+  {
+    TomlReader table = tableOf("ribs");
+    for (const double place : places(table)) design.ribsFromTip.push_back(millimeters(place));
+    design.ribHeight = millimeters(table.number("height_mm", ribHeight_mm));
+    design.ribLength = millimeters(table.number("length_mm", ribLength_mm));
+  }
+
+  void readRestCurvature(ArrayDesign& design)
+  {
+    AlongArray<Curvature>& rest = design.restCurvature;
+    rest = {{millimeters(0.0)}, {perMillimeter(0.0)}};
+    if (!file_.has("rest_curvature")) return;
+    TomlReader table = tableOf("rest_curvature");
+    rest = along<Curvature>(table, "curvature_per_mm", curvature_per_mm, perMillimeter);
+
+    // A carrier cannot curl more tightly than its own half thickness.
+    for (std::size_t i = 0; i < rest.value.size(); ++i) {
+      const double radius_mm = 0.5 * inMillimeters(design.thickness.at(rest.fromTip[i]));
+      const double curvature = inPerMillimeter(rest.value[i]);
+      if (std::fabs(curvature) * radius_mm < 1.0) continue;
+      table.refuse("curvature_per_mm", "curvature_per_mm has " + plain(curvature) + " at " +
+                                           plain(inMillimeters(rest.fromTip[i])) +
+                                           " mm; it must be between " + plain(-1.0 / radius_mm) +
+                                           " and " + plain(1.0 / radius_mm) +
+                                           ", one over the carrier's radius there.");
+    }
+  }
+
+  void readContacts(ArrayDesign& design)
+  {
+    TomlReader table = tableOf("contacts");
+    const std::vector<double> centers = places(table);
+    const double contact = table.number("contact_length_mm", contactLength_mm);
+    design.contactLength = millimeters(contact);
+    for (const double center : centers) design.contactsFromTip.push_back(millimeters(center));
+
+    const auto refuse = [&](const std::string& what) {
+      table.refuse("from_tip_mm", "a contact of " + plain(contact) + " mm at " + what);
+    };
+    // Decimal fractions are not exact: a nanometer of overlap is none.
+    constexpr double slack_mm = 1e-6;
+    for (std::size_t i = 1; i < centers.size(); ++i)
+      if (centers[i] - centers[i - 1] < contact - slack_mm)
+        refuse(plain(centers[i]) + " mm overlaps the one at " + plain(centers[i - 1]) +
+               " mm; centers must be at least a contact's length apart.");
+    if (centers.front() < 0.5 * contact - slack_mm)
+      refuse(plain(centers.front()) + " mm reaches beyond the tip; its center must be at least " +
+             plain(0.5 * contact) + " mm from it.");
+    if (centers.back() > most_mm_ - 0.5 * contact + slack_mm)
+      refuse(plain(centers.back()) + " mm reaches beyond the array's " + plain(most_mm_) +
+             " mm; its center must be at most " + plain(most_mm_ - 0.5 * contact) +
+             " mm from the tip.");
+  }
+
+  void readStylet(ArrayDesign& design)
+  {
+    TomlReader table = tableOf("stylet");
+    design.hasStylet = true;
+    design.stylet.fromTip = millimeters(table.number("from_tip_mm", {0.0, most_mm_}));
+    design.stylet.bending = newtonSquareMeters(table.number("bending_N_m2", bending_N_m2));
+    design.stylet.residualCurvature = table.number("residual_curvature_share", {0.0, 1.0}, 0.0);
+    design.stylet.provenance = provenance_.back().second;
+  }
+
+  TomlReader& file_;
+  double most_mm_ = 0.0;
+  std::vector<std::pair<std::string, Provenance>> provenance_;
+};
+
+}  // namespace
+
+Result<ArrayDesign> loadArray(const std::filesystem::path& file)
+{
+  Result<TomlReader> reader = TomlReader::open(file);
+  if (!reader) return reader.error();
+  ArrayDesign design = ArrayReader(*reader).read();
+  if (const Result<Done> done = reader->finish(); !done) return done.error();
+  return design;
+}
+
+}  // namespace perilymph::electrode

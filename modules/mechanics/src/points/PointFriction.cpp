@@ -1,4 +1,4 @@
-#include "PointFriction.h"
+#include "perilymph/mechanics/PointFriction.h"
 
 namespace perilymph::mechanics {
 

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "HalfSpaces.h"
 #include "perilymph/anatomy/SurfaceDistance.h"
@@ -38,8 +40,12 @@ ProxySurface::ProxySurface(const anatomy::Surface& surface, double mostRadius)
   Eigen::Vector3d high = Eigen::Vector3d::Constant(-1.0);
   low_W_ = Eigen::Vector3d::Constant(1.0);
   for (const auto& t : surface.triangles) {
-    Triangle triangle{cornerOf(surface, t[0]), cornerOf(surface, t[1]), cornerOf(surface, t[2]),
-                      Eigen::Vector3d::Zero()};
+    Triangle triangle{cornerOf(surface, t[0]),
+                      cornerOf(surface, t[1]),
+                      cornerOf(surface, t[2]),
+                      Eigen::Vector3d::Zero(),
+                      t,
+                      {-1, -1, -1}};
     const Eigen::Vector3d outward = (triangle.b - triangle.a).cross(triangle.c - triangle.a);
     const double size = outward.norm();
     if (!(size > 0.0)) continue;  // without area it holds nothing that its neighbors do not hold
@@ -54,6 +60,7 @@ ProxySurface::ProxySurface(const anatomy::Surface& surface, double mostRadius)
   }
   if (triangles_.empty())
     throw std::invalid_argument("The haptic surface has no triangles; a point set needs them.");
+  findNeighbors(surface.points.size());
   fingerprint_ = hash.value();
 
   const double margin = mostRadius_ + reach;
@@ -85,6 +92,54 @@ ProxySurface::ProxySurface(const anatomy::Surface& surface, double mostRadius)
   first_.push_back(static_cast<int>(inCell_.size()));
 }
 
+void ProxySurface::findNeighbors(std::size_t corners)
+{
+  // the first triangle at an edge waits for the second; a third finds nobody
+  std::map<std::pair<int, int>, std::pair<std::size_t, std::size_t>> waiting;
+  std::vector<std::vector<int>> around(corners);
+  for (std::size_t i = 0; i < triangles_.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::array<int, 3>& named = triangles_[i].corners;
+      around[static_cast<std::size_t>(named[k])].push_back(static_cast<int>(i));
+      const int one = named[(k + 1) % 3];
+      const int other = named[(k + 2) % 3];
+      const std::pair edge{std::min(one, other), std::max(one, other)};
+      const auto [found, isFirst] = waiting.try_emplace(edge, i, k);
+      if (isFirst) continue;
+      const auto [triangle, side] = found->second;
+      triangles_[i].across[k] = static_cast<int>(triangle);
+      triangles_[triangle].across[side] = static_cast<int>(i);
+    }
+  for (const std::vector<int>& of : around) {
+    firstAround_.push_back(static_cast<int>(around_.size()));
+    around_.insert(around_.end(), of.begin(), of.end());
+  }
+  firstAround_.push_back(static_cast<int>(around_.size()));
+}
+
+bool ProxySurface::isInFrontOf(const Eigen::Vector3d& place_W, int triangle) const noexcept
+{
+  const Triangle& t = triangles_[static_cast<std::size_t>(triangle)];
+  return t.inward.dot(place_W - t.a) >= 0.0;
+}
+
+/// Whether all triangles that meet in a triangle's place nearest to `place_W` are seen from the
+/// front.
+bool ProxySurface::sees(const Eigen::Vector3d& place_W, const Triangle& triangle,
+                        const Eigen::Vector3d& shares) const noexcept
+{
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double share = shares[static_cast<Eigen::Index>(k)];
+    if (share == 0.0 && triangle.across[k] >= 0 && !isInFrontOf(place_W, triangle.across[k]))
+      return false;
+    if (share != 1.0) continue;
+    const auto corner = static_cast<std::size_t>(triangle.corners[k]);
+    for (int i = firstAround_[corner]; i < firstAround_[corner + 1]; ++i)
+      if (!isInFrontOf(place_W, around_[static_cast<std::size_t>(i)])) return false;
+  }
+  return true;
+}
+
 std::size_t ProxySurface::cellOf(const Eigen::Vector3d& place_W) const noexcept
 {
   std::size_t index = 0;
@@ -112,7 +167,7 @@ void ProxySurface::gather(const Eigen::Vector3d& proxy_W, double radius,
     const Eigen::Vector3d near = shares[0] * t.a + shares[1] * t.b + shares[2] * t.c;
     const Eigen::Vector3d off = proxy_W - near;
     const double distance = off.norm();
-    if (distance > within) continue;
+    if (distance > within || !sees(proxy_W, t, shares)) continue;
     const Eigen::Vector3d normal =
         distance > 1e-9 ? Eigen::Vector3d(off / distance) : Eigen::Vector3d(t.inward);
     allowed.add({normal, normal.dot(near) + radius, distance});

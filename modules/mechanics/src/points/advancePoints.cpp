@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "PointFriction.h"
 #include "perilymph/foundation/Math.h"
+#include "perilymph/mechanics/PointFriction.h"
 
 namespace perilymph::mechanics {
 namespace {

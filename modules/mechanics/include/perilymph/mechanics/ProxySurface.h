@@ -3,6 +3,7 @@
 // The haptic surface as a point-set hand feels it: spheres that it does not let through.
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -29,7 +30,10 @@ struct ProxyHold {
 /// triangle in reach allows one half-space, bounded at the sphere's radius from its place nearest
 /// to the proxy; inside all of them the proxy moves to the place nearest to its goal, by at most
 /// `reach`, and looks again. The proxy itself is the memory: it stays on the sheet it is on,
-/// however far beyond it the goal is. Triangles seen from behind do not hold it.
+/// however far beyond it the goal is. Triangles seen from behind do not hold it, nor do an
+/// edge or a corner of which another triangle is: that is a neighboring turn, from outside.
+/// Where turns run into each other, as those of the published anatomy do beyond 200 degrees, a
+/// proxy may be caught between their walls.
 class ProxySurface {
 public:
   /// A proxy looks at least so far ahead of its own surface [m].
@@ -53,13 +57,21 @@ public:
 private:
   struct Triangle {
     Eigen::Vector3d a, b, c;
-    Eigen::Vector3d inward;  ///< Unit.
+    Eigen::Vector3d inward;      ///< Unit.
+    std::array<int, 3> corners;  ///< Their names.
+    std::array<int, 3> across;   ///< Neighbor over the edge that faces a, b, c; -1: none.
   };
+  void findNeighbors(std::size_t corners);
+  bool isInFrontOf(const Eigen::Vector3d& place_W, int triangle) const noexcept;
+  bool sees(const Eigen::Vector3d& place_W, const Triangle& triangle,
+            const Eigen::Vector3d& shares) const noexcept;
   std::size_t cellOf(const Eigen::Vector3d& place_W) const noexcept;
   void gather(const Eigen::Vector3d& proxy_W, double radius, HalfSpaces& allowed) const noexcept;
 
   double mostRadius_;
   std::vector<Triangle> triangles_;
+  std::vector<int> firstAround_;  ///< Of each corner, into around_; one more at the end.
+  std::vector<int> around_;       ///< Triangles that meet in each corner.
   Eigen::Vector3d low_W_ = Eigen::Vector3d::Zero();
   double cell_ = 0.0;        ///< Width of a cell [m].
   int size_[3] = {0, 0, 0};  ///< Cells each way.

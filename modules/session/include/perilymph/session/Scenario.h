@@ -31,7 +31,8 @@ struct Scenario {
   std::string arrayName = "contour";
   electrode::ArrayDesign array;
   std::string technique = "standard";  ///< "standard": the stylet stays in until full depth.
-  int nodes = 100;
+  mechanics::ModelKind model = mechanics::ModelKind::rod;  ///< "rod" or "points".
+  int nodes = 100;  ///< By default 12 where the model is of points, as published.
   Duration timeStep = milliseconds(1);
   long seed = 1;
   Speed speed = millimetersPerSecond(2);

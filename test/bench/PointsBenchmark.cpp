@@ -27,7 +27,7 @@ struct PublishedPoints {
         "contour-published", {{"model", "points"}, {"nodes", std::to_string(points)}});
     if (!found) return;
     scenario = *found;
-    const auto scala = session::buildAnatomy(scenario);
+    static const auto scala = session::buildAnatomy(scenario);  // the same for every number
     if (!scala) return;
     const auto built = session::buildModel(scenario, *scala);
     if (built) model = *built;

@@ -51,6 +51,7 @@ void InsertionState::reset(const InsertionModel& model) noexcept
     // nodes farther from the wall than this need no more than that fact
     room.reach[i] = model.radius[i] + 0.02e-3;
   }
+  rim = RimContact{};
   if (model.points) resetPoints(model, *this);
   readings = Readings{};
   readings.depth = model.parts.startInside.si() > 0.0 ? model.parts.startInside.si() : 0.0;
@@ -73,6 +74,9 @@ std::uint64_t InsertionState::fingerprint() const noexcept
     hash.add(track[i].angle);
     hash.add(normalForce[i]);
   }
+  addVector(hash, rim.spring_W);
+  hash.add(rim.isSliding);
+  hash.add(rim.slipSpeed);
   if (!points.place_W.empty()) points.addTo(hash);
   return hash.value();
 }

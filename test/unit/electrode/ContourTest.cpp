@@ -104,15 +104,5 @@ TEST_F(Contour, SaysThatItIsNoDeviceLabeling)
   EXPECT_NE(array.note.find("no device labeling"), std::string::npos);
 }
 
-TEST(ShippedArrays, AllLoad)
-{
-  for (const std::string& name : shippedNames("plugins/electrodes")) {
-    const auto file = findByName("array", "plugins/electrodes", name);
-    ASSERT_TRUE(file) << file.error().message;
-    const Result<ArrayDesign> design = loadArray(*file);
-    EXPECT_TRUE(design) << design.error().message;
-  }
-}
-
 }  // namespace
 }  // namespace perilymph::electrode

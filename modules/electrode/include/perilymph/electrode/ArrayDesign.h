@@ -41,11 +41,13 @@ struct AlongArray {
   }
 };
 
-/// A stylet in the lumen of the array.
+/// What keeps the array straight until it is drawn back: a stylet in its lumen, or a sheath.
 struct Stylet {
   Length fromTip;                  ///< Where its own tip lies when it is fully in.
   BendingStiffness bending;        ///< What it adds to the array's stiffness.
   double residualCurvature = 0.0;  ///< Share of the free curvature that it leaves where it is.
+  /// Advance off stylet: how deep past the opening its tip goes before it is held still.
+  std::optional<Length> holdDepth;
   Provenance provenance;
 };
 

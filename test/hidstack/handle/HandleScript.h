@@ -36,7 +36,7 @@ struct HandleScript {
 /// The push of the hand into the wall [N].
 inline constexpr double pushAtRest = 0.2;
 
-/// stream, contact, stall, unplug, flipped, doubled, lost or repeated; a sentence for other names.
+/// stream, lost, repeated, session, flipped or doubled; a sentence for other names.
 Result<HandleScript> scriptNamed(const std::string& name);
 
 }  // namespace perilymph::hidstack

@@ -55,8 +55,9 @@ def run(programs, cache):
     busybox = needed("busybox", "busybox-static")
     linux = kernel.find(cache)
     began = time.monotonic()
-    init = Path(__file__).with_name("init")
-    content = initramfs.build(init, busybox, [programs / name for name in PROGRAMS], linux.modules)
+    here = Path(__file__).parent
+    content = initramfs.build(here / "init", busybox, [programs / name for name in PROGRAMS],
+                              [here.parent / "virtual_handle.toml"], linux.modules)
     with tempfile.NamedTemporaryFile(prefix="perilymph-", suffix=".cpio") as archive:
         archive.write(content)
         archive.flush()

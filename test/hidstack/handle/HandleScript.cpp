@@ -12,7 +12,7 @@ void addContact(std::vector<Passage>& passages, const std::string& restName)
   passages.push_back({.name = "loose", .duration = 0.15});
   // Long enough for the force to be faded in before anything touches.
   passages.push_back({.name = "grasp", .duration = 0.6, .isButtonPressed = true});
-  Passage sliding{.name = "slide", .duration = 1.3, .isButtonPressed = true};
+  Passage sliding{.name = "slide", .duration = 1.0, .isButtonPressed = true};
   sliding.grip = Grip::free;
   sliding.push = pushAtRest;
   passages.push_back(sliding);
@@ -30,7 +30,7 @@ std::vector<Passage> session()
   addContact(passages, "rest_again");
   Passage last = passages.back();
   last.name = "silence";
-  last.duration = 0.05;
+  last.duration = 1e-3 * silentReports;
   last.wire = Wire::silent;
   passages.push_back(last);
   last.name = "again";

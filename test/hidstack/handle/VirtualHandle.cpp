@@ -53,7 +53,7 @@ bool VirtualHandle::tick(std::int64_t due)
 
   HandleTick tick;
   tick.due = due;
-  tick.sequence = wire() == Wire::reporting ? ++sequence_ : sequence_;
+  tick.sequence = ++sequence_;  // a report that is not sent was made all the same
   tick.position = slider_.position();
   tick.passage = passage().name;
   ticks_.push_back(tick);

@@ -70,6 +70,7 @@ std::uint64_t fingerprintOf(const InsertionModel& model)
         model.parts.friction.starting, model.parts.friction.dynamic, model.parts.friction.stopping,
         model.parts.friction.stribeck.si(), model.parts.wall.onset.si()})
     hash.add(value);
+  model.parts.friction.bySpeed.addTo(hash);
   return hash.value();
 }
 

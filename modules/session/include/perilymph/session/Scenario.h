@@ -30,7 +30,9 @@ struct Scenario {
   std::string patientName;   ///< What `patient` said; empty without one.
   std::string arrayName = "contour";
   electrode::ArrayDesign array;
-  std::string technique = "standard";  ///< "standard": the stylet stays in until full depth.
+  /// "standard": the stylet stays in until full depth; "aos": advance off stylet, the stylet is
+  /// held still from the array's hold depth on and the array pushed off it.
+  std::string technique = "standard";
   int nodes = 100;
   Duration timeStep = milliseconds(1);
   long seed = 1;

@@ -61,20 +61,24 @@ Insertion::~Insertion()
   if (content_->hand) content_->hand->close();
 }
 
-Result<std::unique_ptr<Insertion>> Insertion::prepare(const Scenario& scenario,
-                                                      std::unique_ptr<device::HapticDevice> hand,
-                                                      std::optional<std::filesystem::path> record)
+Result<std::unique_ptr<Insertion>> Insertion::prepare(
+    const Scenario& scenario, std::unique_ptr<device::HapticDevice> hand,
+    std::optional<std::filesystem::path> record,
+    std::shared_ptr<const anatomy::ScalaTympani> anatomy)
 {
-  auto anatomy = buildAnatomy(scenario);
-  if (!anatomy) return anatomy.error();
-  auto model = buildModel(scenario, *anatomy);
+  if (!anatomy) {
+    auto built = buildAnatomy(scenario);
+    if (!built) return built.error();
+    anatomy = *built;
+  }
+  auto model = buildModel(scenario, anatomy);
   if (!model) return model.error();
   if (const auto done = hand->open(); !done) return done.error();
 
   std::unique_ptr<Insertion> insertion(new Insertion);
   Content& content = *insertion->content_;
   content.scenario = scenario;
-  content.anatomy = *anatomy;
+  content.anatomy = std::move(anatomy);
   content.model = *model;
   content.hand = std::move(hand);
   content.file = std::move(record);

@@ -22,40 +22,93 @@ struct Pair {
         Eigen::Matrix3d block;
         for (int a = 0; a < 9; ++a) block(a / 3, a % 3) = number(random);
         if (k == j) block = block + block.transpose() + 20.0 * Eigen::Matrix3d::Identity();
-        band.add(j, k, block);
+        setBlock(j, k, block);
         const auto row = static_cast<Eigen::Index>(3 * j);
         const auto column = static_cast<Eigen::Index>(3 * k);
         dense.block<3, 3>(row, column) = block;
         dense.block<3, 3>(column, row) = block.transpose();
       }
-      for (int a = 0; a < 3; ++a) {
-        band.right[j][a] = number(random);
-        right[static_cast<Eigen::Index>(3 * j) + a] = band.right[j][a];
-      }
     }
+    for (Eigen::Index a = 0; a < n; ++a) right[a] = number(random);
+  }
+  void setBlock(std::size_t row, std::size_t column, const Eigen::Matrix3d& b)
+  {
+    if (row == column) {
+      band.diagonal[row] = {b(0, 0), b(0, 1), b(0, 2), b(1, 1), b(1, 2), b(2, 2)};
+      return;
+    }
+    Block<double>& block = row == column + 1 ? band.beside[row] : band.beyond[row];
+    block = {b(0, 0), b(0, 1), b(0, 2), b(1, 0), b(1, 1), b(1, 2), b(2, 0), b(2, 1), b(2, 2)};
+  }
+  /// The band's solution for the right-hand side, as one column.
+  Eigen::VectorXd solution(const Eigen::VectorXd& forRight)
+  {
+    std::vector<Eigen::Vector3d> blocks(band.blocks());
+    for (std::size_t j = 0; j < blocks.size(); ++j)
+      blocks[j] = forRight.segment<3>(static_cast<Eigen::Index>(3 * j));
+    band.solve(blocks);
+    Eigen::VectorXd result(right.size());
+    for (std::size_t j = 0; j < blocks.size(); ++j)
+      result.segment<3>(static_cast<Eigen::Index>(3 * j)) = blocks[j];
+    return result;
   }
   BandSystem band;
   Eigen::MatrixXd dense;
   Eigen::VectorXd right;
 };
 
+// The chain is eliminated from both ends, with one to three blocks left: every remainder of the
+// division is among these lengths.
+constexpr std::size_t lengths[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 40, 41};
+
 TEST(BandSystem, SolvesLikeADenseFactorization)
 {
-  for (const std::size_t blocks : {1u, 2u, 3u, 4u, 40u}) {
+  for (const std::size_t blocks : lengths) {
     Pair pair(blocks);
     const Eigen::VectorXd expected = pair.dense.ldlt().solve(pair.right);
-    ASSERT_TRUE(pair.band.solve());
-    for (std::size_t j = 0; j < blocks; ++j)
-      for (int a = 0; a < 3; ++a)
-        EXPECT_NEAR(pair.band.right[j][a], expected[static_cast<Eigen::Index>(3 * j) + a], 1e-13);
+    ASSERT_TRUE(pair.band.factorize());
+    EXPECT_LT((pair.solution(pair.right) - expected).cwiseAbs().maxCoeff(), 1e-13) << blocks;
+  }
+}
+
+TEST(BandSystem, SolvesAgainWithTheSameFactors)
+{
+  Pair pair(12);
+  ASSERT_TRUE(pair.band.factorize());
+  pair.solution(pair.right);
+  // the factors are apart from the matrix
+  pair.band.clear();
+  const Eigen::VectorXd other = pair.right.reverse();
+  const Eigen::VectorXd expected = pair.dense.ldlt().solve(other);
+  EXPECT_LT((pair.solution(other) - expected).cwiseAbs().maxCoeff(), 1e-13);
+}
+
+TEST(BandSystem, KeepsAHeldBlockWhereItIs)
+{
+  for (const std::size_t blocks : lengths) {
+    Pair pair(blocks);
+    pair.band.holdFirst();
+    const auto rest = static_cast<Eigen::Index>(3 * (blocks - 1));
+    Eigen::VectorXd right = pair.right;
+    right.head<3>().setZero();
+    ASSERT_TRUE(pair.band.factorize());
+    const Eigen::VectorXd found = pair.solution(right);
+    EXPECT_EQ(found.head<3>(), Eigen::Vector3d::Zero()) << blocks;
+    if (rest == 0) continue;
+    const Eigen::VectorXd expected =
+        pair.dense.bottomRightCorner(rest, rest).ldlt().solve(right.tail(rest));
+    EXPECT_LT((found.tail(rest) - expected).cwiseAbs().maxCoeff(), 1e-13) << blocks;
   }
 }
 
 TEST(BandSystem, SaysWhenItIsNotPositiveDefinite)
 {
-  Pair pair(6);
-  pair.band.diagonal[3] -= 60.0 * Eigen::Matrix3d::Identity();
-  EXPECT_FALSE(pair.band.solve());
+  for (const std::size_t blocks : lengths)
+    for (std::size_t bad = 0; bad < blocks; ++bad) {
+      Pair pair(blocks);
+      pair.band.diagonal[bad] -= {60.0, 0.0, 0.0, 60.0, 0.0, 60.0};
+      EXPECT_FALSE(pair.band.factorize()) << bad << " of " << blocks;
+    }
 }
 
 }  // namespace

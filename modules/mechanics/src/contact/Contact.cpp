@@ -16,13 +16,14 @@ NormalForce normalForce(double penetration, double stiffness, double onset) noex
   return {stiffness * (penetration - 0.5 * onset), stiffness};
 }
 
-void addWall(const InsertionModel& model, InsertionState& state,
-             const std::vector<Eigen::Vector3d>& position_W, StepRoom& room) noexcept
+void addWallForces(const InsertionModel& model, InsertionState& state,
+                   const std::vector<Eigen::Vector3d>& position_W, StepRoom& room) noexcept
 {
   const auto n = static_cast<std::size_t>(model.nodes);
   const double onset = model.parts.wall.onset.si();
   model.parts.lumen->nearestWall(position_W, room.reach, state.track, room.wall);
 
+  room.touches = 0;
   for (std::size_t i = 0; i < n; ++i) {
     state.normalForce[i] = 0.0;
     state.wallForce_W[i].setZero();
@@ -65,8 +66,17 @@ void addWall(const InsertionModel& model, InsertionState& state,
     room.isSliding[i] = friction.isSliding ? 1 : 0;
     room.slip[i] = slip.norm();
     room.force_W[i] += state.wallForce_W[i];
-    room.system.diagonal[blockOf(i)] += stiffness;
+    room.touching[room.touches] = i;
+    room.wallStiffness[room.touches] = {stiffness(0, 0), stiffness(0, 1), stiffness(0, 2),
+                                        stiffness(1, 1), stiffness(1, 2), stiffness(2, 2)};
+    ++room.touches;
   }
+}
+
+void addWallStiffness(StepRoom& room) noexcept
+{
+  for (std::size_t k = 0; k < room.touches; ++k)
+    room.system.diagonal[blockOf(room.touching[k])] += room.wallStiffness[k];
 }
 
 }  // namespace perilymph::mechanics

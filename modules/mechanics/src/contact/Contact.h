@@ -15,11 +15,14 @@ struct NormalForce {
 };
 NormalForce normalForce(double penetration, double stiffness, double onset) noexcept;
 
-/// Adds the wall's forces on all nodes to room.force_W, with their stiffness to room.system, and
-/// leaves them in state.normalForce and state.wallForce_W.
+/// Adds the wall's forces on all nodes to room.force_W, and leaves them in state.normalForce and
+/// state.wallForce_W, and their stiffness in room.wallStiffness.
 ///
 /// @param position_W  Where the nodes are in this iteration [m].
-void addWall(const InsertionModel& model, InsertionState& state,
-             const std::vector<Eigen::Vector3d>& position_W, StepRoom& room) noexcept;
+void addWallForces(const InsertionModel& model, InsertionState& state,
+                   const std::vector<Eigen::Vector3d>& position_W, StepRoom& room) noexcept;
+
+/// Adds the wall's stiffness to room.system, as addWallForces() has left it.
+void addWallStiffness(StepRoom& room) noexcept;
 
 }  // namespace perilymph::mechanics

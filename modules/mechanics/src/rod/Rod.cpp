@@ -6,16 +6,142 @@
 namespace perilymph::mechanics {
 namespace {
 
-/// Discrete curvature of two unit tangents, as a vector in their plane that points to the inside of
-/// the bend: w = 2 (t - p) / (1 + t . p). For small angles its length is the angle between them.
-Eigen::Vector3d bendOf(const Eigen::Vector3d& p, const Eigen::Vector3d& t) noexcept
+using Eigen::Vector3d;
+
+/// Two links that follow each other, and how the rod bends from the first to the second.
+struct Joint {
+  const RodEdge& last;
+  const RodEdge& next;
+  double cosine;  ///< Of the angle between them.
+  double c;       ///< 1 / (1 + cosine)
+
+  Joint(const RodEdge& before, const RodEdge& after) noexcept
+      : last(before), next(after), cosine(before.tangent_W.dot(after.tangent_W))
+  {
+    c = 1.0 / std::max(1.0 + cosine, 1e-3);
+  }
+
+  /// Discrete curvature w = 2 (t - p) / (1 + t . p), a vector in the plane of both tangents that
+  /// points to the inside of the bend. For small angles its length is the angle between them.
+  Vector3d bend_W() const noexcept { return (2.0 * c) * (next.tangent_W - last.tangent_W); }
+};
+
+/// Force that stretches an edge, positive where it is longer than at rest [N].
+double tensionOf(double stiffness, double rest, double length, double before,
+                 double damping) noexcept
 {
-  return (2.0 / std::max(1.0 + p.dot(t), 1e-3)) * (t - p);
+  return stiffness * ((length - rest) + damping * (length - before));
 }
 
-Eigen::Matrix3d across(const Eigen::Vector3d& t) noexcept
+/// Moments that the bend of a joint puts on its two links, as forces on their far ends.
+struct JointForces {
+  Vector3d onNext_W;  ///< Taken away from the node after.
+  Vector3d onLast_W;  ///< Taken away from the node before.
+};
+
+/// The exact gradient of the bending energy, whose derivative by the bend is `stress`: the
+/// derivatives of w by the tangents t and p are c (2 - w p^T) and -c (2 + w t^T).
+JointForces forcesOf(const Joint& joint, const Vector3d& bend_W, const Vector3d& stress) noexcept
 {
-  return Eigen::Matrix3d::Identity() - t * t.transpose();
+  const Vector3d& t = joint.next.tangent_W;
+  const Vector3d& p = joint.last.tangent_W;
+  const double a = 2.0 * joint.c * joint.next.perLength;
+  const double b = 2.0 * joint.c * joint.last.perLength;
+  const double half = 0.5 * bend_W.dot(stress);
+  return {a * (stress - t * (t.dot(stress) - half * joint.cosine) - half * p),
+          b * (stress - p * (p.dot(stress) + half * joint.cosine) + half * t)};
+}
+
+/// scale (1 - t t^T): takes away what is along t.
+SymmetricBlock<double> across(const Vector3d& t, double scale) noexcept
+{
+  const double x = scale * t[0], y = scale * t[1], z = scale * t[2];
+  return {scale - x * t[0], -x * t[1], -x * t[2], scale - y * t[1], -y * t[2], scale - z * t[2]};
+}
+
+/// scale (1 - t t^T) (1 - p p^T)
+Block<double> acrossBoth(const Vector3d& t, const Vector3d& p, double cosine, double scale) noexcept
+{
+  const Vector3d u = scale * (cosine * p - t);
+  const Vector3d v = scale * p;
+  return {scale + t[0] * u[0] - v[0] * p[0], t[0] * u[1] - v[0] * p[1],
+          t[0] * u[2] - v[0] * p[2],         t[1] * u[0] - v[1] * p[0],
+          scale + t[1] * u[1] - v[1] * p[1], t[1] * u[2] - v[1] * p[2],
+          t[2] * u[0] - v[2] * p[0],         t[2] * u[1] - v[2] * p[1],
+          scale + t[2] * u[2] - v[2] * p[2]};
+}
+
+/// Derivative of an edge's force by the motion of one of its ends: along it the material, across it
+/// the tension.
+SymmetricBlock<double> stiffnessOf(const RodEdge& edge, double along, double sideways) noexcept
+{
+  SymmetricBlock<double> block = across(edge.tangent_W, sideways - along);
+  block.xx += along, block.yy += along, block.zz += along;
+  return block;
+}
+
+Block<double> asBlock(const SymmetricBlock<double>& s) noexcept
+{
+  return {s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz};
+}
+
+/// a + a^T
+SymmetricBlock<double> withMirror(const Block<double>& a) noexcept
+{
+  return {2.0 * a.xx, a.xy + a.yx, a.xz + a.zx, 2.0 * a.yy, a.yz + a.zy, 2.0 * a.zz};
+}
+
+/// The stretching of the edge between the nodes i and i + 1.
+void addStretching(const InsertionModel& model, std::size_t i, double damping,
+                   Compression compression, StepRoom& room) noexcept
+{
+  const RodEdge& edge = room.edge[i];
+  const double tension =
+      compression == Compression::included ? edge.tension : std::max(edge.tension, 0.0);
+  const double along = model.stretching[i] / model.spacing * (1.0 + damping);
+  const SymmetricBlock<double> block = stiffnessOf(edge, along, tension * edge.perLength);
+  const std::size_t a = blockOf(i);
+  room.system.diagonal[a] += block;
+  room.system.diagonal[a + 1] += block;
+  room.system.beside[a + 1] -= asBlock(block);
+}
+
+/// The bending at node i, to first order in the angle between its links: w changes by a P_t dx_next
+/// at the far end of the one and by b P_p dx_last at that of the other, where P_t takes away what
+/// is along t.
+void addBending(const InsertionModel& model, std::size_t i, double damping, StepRoom& room) noexcept
+{
+  const Joint joint(room.edge[i - 1], room.edge[i]);
+  const double k = room.bending[i] / model.spacing * (1.0 + damping);
+  const double a = 2.0 * joint.c * joint.next.perLength;
+  const double b = 2.0 * joint.c * joint.last.perLength;
+  const SymmetricBlock<double> nextNext = across(joint.next.tangent_W, k * a * a);
+  const SymmetricBlock<double> lastLast = across(joint.last.tangent_W, k * b * b);
+  const Block<double> nextLast =
+      acrossBoth(joint.next.tangent_W, joint.last.tangent_W, joint.cosine, k * a * b);
+
+  // the node itself moves against both far ends
+  SymmetricBlock<double> hereHere = withMirror(nextLast);
+  hereHere += nextNext;
+  hereHere += lastLast;
+  Block<double> nextHere = asBlock(nextNext);
+  nextHere += nextLast;
+  Block<double> hereLast = asBlock(lastLast);
+  hereLast += nextLast;
+
+  const std::size_t next = blockOf(i + 1), here = blockOf(i), last = blockOf(i - 1);
+  room.system.diagonal[next] += nextNext;
+  room.system.diagonal[here] += hereHere;
+  room.system.diagonal[last] += lastLast;
+  room.system.beside[next] -= nextHere;
+  if (here == last) {
+    // both belong to the base: what they do to each other is inside it
+    room.system.diagonal[here] -= withMirror(hereLast);
+    room.system.beside[next] += nextLast;
+  } else {
+    room.system.beside[here] -= hereLast;
+    room.system.beyond[next] += nextLast;
+  }
 }
 
 }  // namespace
@@ -33,111 +159,71 @@ void setStiffness(const InsertionModel& model, double styletWithdrawal, StepRoom
   }
 }
 
-void setRestBends(const InsertionModel& model, const InsertionState& state,
-                  const Eigen::Vector3d& curl_W, StepRoom& room) noexcept
+void setRestShape(const InsertionModel& model, const InsertionState& state, const Vector3d& curl_W,
+                  StepRoom& room) noexcept
 {
   const auto n = static_cast<std::size_t>(model.nodes);
-  Eigen::Vector3d p = (state.position_W[1] - state.position_W[0]).normalized();
-  Eigen::Vector3d d = curl_W;
-  for (std::size_t i = 1; i + 1 < n; ++i) {
-    const Eigen::Vector3d t = (state.position_W[i + 1] - state.position_W[i]).normalized();
-    // the least rotation that takes p to t
-    const Eigen::Vector3d next = d - (d.dot(t) / std::max(1.0 + p.dot(t), 1e-3)) * (p + t);
-    room.restBend_W[i] = room.restBend[i] * 0.5 * (d + next);
-    d = next;
-    p = t;
-  }
-}
-
-void rememberShape(const InsertionModel& model, const InsertionState& state,
-                   StepRoom& room) noexcept
-{
-  const auto n = static_cast<std::size_t>(model.nodes);
-  Eigen::Vector3d previous = Eigen::Vector3d::Zero();
+  setEdges(state.position_W, room);
+  Vector3d d = curl_W;
   for (std::size_t i = 0; i + 1 < n; ++i) {
-    const Eigen::Vector3d edge = state.position_W[i + 1] - state.position_W[i];
-    room.lengthBefore[i] = edge.norm();
-    const Eigen::Vector3d t = edge / room.lengthBefore[i];
-    if (i > 0) room.bendBefore_W[i] = bendOf(previous, t);
-    previous = t;
+    room.lengthBefore[i] = room.edge[i].length;
+    if (i == 0) continue;
+    const Joint joint(room.edge[i - 1], room.edge[i]);
+    const Vector3d& p = joint.last.tangent_W;
+    const Vector3d& t = joint.next.tangent_W;
+    // the least rotation that takes p to t
+    const Vector3d next = d - (d.dot(t) * joint.c) * (p + t);
+    room.restBend_W[i] = (0.5 * room.restBend[i]) * (d + next);
+    room.bendBefore_W[i] = joint.bend_W();
+    d = next;
   }
 }
 
-void addRod(const InsertionModel& model, const std::vector<Eigen::Vector3d>& position_W,
-            Compression compression, StepRoom& room) noexcept
+void setEdges(const std::vector<Vector3d>& position_W, StepRoom& room) noexcept
+{
+  for (std::size_t i = 0; i + 1 < position_W.size(); ++i) {
+    const Vector3d along = position_W[i + 1] - position_W[i];
+    RodEdge& edge = room.edge[i];
+    edge.length = std::sqrt(along[0] * along[0] + along[1] * along[1] + along[2] * along[2]);
+    edge.perLength = 1.0 / edge.length;
+    edge.tangent_W = edge.perLength * along;
+  }
+}
+
+void addRodForces(const InsertionModel& model, const std::vector<Vector3d>& position_W,
+                  StepRoom& room) noexcept
 {
   const auto n = static_cast<std::size_t>(model.nodes);
   const double h = model.spacing;
   const double damping = dampingTime / model.timeStep;
+  setEdges(position_W, room);
 
-  Eigen::Vector3d p;
-  double pLength = 0.0;
-  for (std::size_t i = 0; i + 1 < n; ++i) {
-    const Eigen::Vector3d edge = position_W[i + 1] - position_W[i];
-    const double length = edge.norm();
-    const Eigen::Vector3d t = edge / length;
+  // the first edge is in the tweezers: it neither stretches nor bends
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    RodEdge& edge = room.edge[i];
+    edge.tension =
+        tensionOf(model.stretching[i] / h, h, edge.length, room.lengthBefore[i], damping);
+    const Vector3d pull_W = edge.tension * edge.tangent_W;
 
-    // stretching; the first edge is in the tweezers
-    if (i > 0) {
-      const double stiffness = model.stretching[i] / h;
-      const double tension = stiffness * ((length - h) + damping * (length - room.lengthBefore[i]));
-      room.force_W[i] += tension * t;
-      room.force_W[i + 1] -= tension * t;
-      const double sideways =
-          (compression == Compression::included ? tension : std::max(tension, 0.0)) / length;
-      const Eigen::Matrix3d block = (stiffness * (1.0 + damping) - sideways) * t * t.transpose() +
-                                    sideways * Eigen::Matrix3d::Identity();
-      const std::size_t a = blockOf(i);
-      room.system.diagonal[a] += block;
-      room.system.diagonal[a + 1] += block;
-      room.system.beside[a + 1] -= block;
-    }
+    const Joint joint(room.edge[i - 1], edge);
+    const Vector3d w = joint.bend_W();
+    const Vector3d stress =
+        (room.bending[i] / h) * ((w - room.restBend_W[i]) + damping * (w - room.bendBefore_W[i]));
+    const JointForces bending = forcesOf(joint, w, stress);
 
-    // bending between the edge before and this one
-    if (i > 0) {
-      const double stiffness = room.bending[i] / h;
-      const double cosine = p.dot(t);
-      const double c = 1.0 / std::max(1.0 + cosine, 1e-3);
-      const Eigen::Vector3d w = (2.0 * c) * (t - p);
-      const Eigen::Vector3d stress =
-          stiffness * ((w - room.restBend_W[i]) + damping * (w - room.bendBefore_W[i]));
-      const double a = 2.0 * c / length;
-      const double b = 2.0 * c / pLength;
+    room.force_W[i - 1] -= bending.onLast_W;
+    room.force_W[i] += pull_W + bending.onNext_W + bending.onLast_W;
+    room.force_W[i + 1] -= pull_W + bending.onNext_W;
+  }
+}
 
-      // forces, exactly: the derivatives of w by t and p are c (2 - w p^T) and -c (2 + w t^T)
-      const double half = 0.5 * w.dot(stress);
-      const Eigen::Vector3d onNext = a * (stress - t * t.dot(stress) - half * (p - cosine * t));
-      const Eigen::Vector3d onLast = b * (stress - p * p.dot(stress) + half * (t - cosine * p));
-      room.force_W[i + 1] -= onNext;
-      room.force_W[i - 1] -= onLast;
-      room.force_W[i] += onNext + onLast;
-
-      // stiffness, to first order in the angle between the links: w changes by a P_t dx_next there
-      // and by b P_p dx_last here, where P_t takes away what is along t
-      const double k = stiffness * (1.0 + damping);
-      const Eigen::Matrix3d nextNext = (k * a * a) * across(t);
-      const Eigen::Matrix3d lastLast = (k * b * b) * across(p);
-      const Eigen::Matrix3d nextLast =
-          (k * a * b) *
-          (Eigen::Matrix3d::Identity() - t * (t - cosine * p).transpose() - p * p.transpose());
-      const Eigen::Matrix3d nextHere = nextNext + nextLast;  // to be taken away
-      const Eigen::Matrix3d hereLast = nextLast + lastLast;  // likewise
-      const std::size_t next = i, here = blockOf(i), last = blockOf(i - 1);
-      room.system.diagonal[next] += nextNext;
-      room.system.diagonal[here] += nextHere + hereLast.transpose();
-      room.system.diagonal[last] += lastLast;
-      room.system.beside[next] -= nextHere;
-      if (here == last) {
-        // both belong to the base
-        room.system.diagonal[here] -= hereLast + hereLast.transpose();
-        room.system.beside[next] += nextLast;
-      } else {
-        room.system.beside[here] -= hereLast;
-        room.system.beyond[next] += nextLast;
-      }
-    }
-    p = t;
-    pLength = length;
+void addRodStiffness(const InsertionModel& model, Compression compression, StepRoom& room) noexcept
+{
+  const auto n = static_cast<std::size_t>(model.nodes);
+  const double damping = dampingTime / model.timeStep;
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    addStretching(model, i, damping, compression, room);
+    addBending(model, i, damping, room);
   }
 }
 

@@ -30,16 +30,19 @@ enum class Compression { included, leftOut };
 void setStiffness(const InsertionModel& model, double styletWithdrawal, StepRoom& room) noexcept;
 
 /// Rest bends h kappa d as vectors: the curl's direction d is carried along the rod from the base
-/// without turning about it (an array that does not twist).
-void setRestBends(const InsertionModel& model, const InsertionState& state,
+/// without turning about it (an array that does not twist). Also remembers lengths and bends before
+/// the step: what damping is measured against.
+void setRestShape(const InsertionModel& model, const InsertionState& state,
                   const Eigen::Vector3d& curl_W, StepRoom& room) noexcept;
 
-/// Lengths and bends before the step: what damping is measured against.
-void rememberShape(const InsertionModel& model, const InsertionState& state,
-                   StepRoom& room) noexcept;
+/// The rod's links at these positions, into room.edge.
+void setEdges(const std::vector<Eigen::Vector3d>& position_W, StepRoom& room) noexcept;
 
-/// Adds the rod's forces (to room.force_W, per node) and stiffness (to room.system).
-void addRod(const InsertionModel& model, const std::vector<Eigen::Vector3d>& position_W,
-            Compression compression, StepRoom& room) noexcept;
+/// Adds the rod's forces to room.force_W, and leaves its edges and their tension in the room.
+void addRodForces(const InsertionModel& model, const std::vector<Eigen::Vector3d>& position_W,
+                  StepRoom& room) noexcept;
+
+/// Adds the rod's stiffness to room.system, where addRodForces() has left it.
+void addRodStiffness(const InsertionModel& model, Compression compression, StepRoom& room) noexcept;
 
 }  // namespace perilymph::mechanics

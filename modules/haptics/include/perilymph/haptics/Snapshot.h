@@ -99,6 +99,7 @@ struct Snapshot {
   // What the loop knows of itself; zero in virtual time.
   double measuredRate = 0.0;      ///< Ticks a second over the last second.
   std::uint64_t lateTicks = 0;    ///< Ticks that began more than one period late.
+  std::uint64_t overruns = 0;     ///< Ticks that took longer than one period.
   double tickTimeP99 = 0.0;       ///< Of the last second [s].
   std::uint64_t lostRecords = 0;  ///< Records the recorder was too slow for.
 };

@@ -1,0 +1,91 @@
+#include "Balance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/Contact.h"
+
+namespace perilymph::mechanics {
+namespace {
+
+SymmetricBlock<double> uniform(double stiffness) noexcept
+{
+  return {stiffness, 0.0, 0.0, stiffness, 0.0, stiffness};
+}
+
+/// Greatest and sum of squares over all blocks; a number that is none is kept, not lost.
+Balance leftOver(const std::vector<Eigen::Vector3d>& right) noexcept
+{
+  double worst = 0.0;
+  double squares[3] = {0.0, 0.0, 0.0};  // one sum an axis: three short chains instead of a long one
+  for (const Eigen::Vector3d& force : right)
+    for (int k = 0; k < 3; ++k) {
+      worst = std::max(worst, std::fabs(force[k]));
+      squares[k] += force[k] * force[k];
+    }
+  const double sum = squares[0] + squares[1] + squares[2];
+  return {std::isfinite(sum) ? worst : sum, sum};
+}
+
+}  // namespace
+
+Base baseOf(const InsertionModel& model, const InsertionState& state, const Drive& drive) noexcept
+{
+  const double dt = model.timeStep;
+  Base base{};
+  base.isHeld = drive.coupling == Coupling::rigid;
+  base.inertia = model.baseMass / (dt * dt);
+  base.grip = drive.couplingStiffness + drive.couplingDamping / dt;
+  base.free_W = state.base_W + dt * state.baseVelocity_W;
+  base.gripped_W = drive.handPosition_W;
+  if (base.grip > 0.0)
+    base.gripped_W = (drive.couplingStiffness * drive.handPosition_W +
+                      drive.couplingDamping * (state.base_W / dt + drive.handVelocity_W)) /
+                     base.grip;
+  return base;
+}
+
+Balance balance(const InsertionModel& model, InsertionState& state, const Base& base) noexcept
+{
+  StepRoom& room = state.room;
+  const auto n = static_cast<std::size_t>(model.nodes);
+  const double perTime = 1.0 / model.timeStep;
+  for (std::size_t i = 0; i < n; ++i) room.force_W[i].setZero();
+  addRodForces(model, state.position_W, room);
+  addWallForces(model, state, state.position_W, room);
+
+  // the base has inertia only where a spring holds it
+  room.right[0].setZero();
+  if (!base.isHeld) {
+    const Eigen::Vector3d& at = state.position_W[0];
+    room.right[0] = room.force_W[0] + room.force_W[1] - base.inertia * (at - base.free_W) -
+                    base.grip * (at - base.gripped_W);
+  }
+  // every other node has its own, and the perilymph's drag
+  for (std::size_t i = 2; i < n; ++i) {
+    const Eigen::Vector3d velocity = perTime * (state.position_W[i] - room.before_W[i]);
+    const double inertia = model.mass[i] * perTime;
+    room.right[i - 1] =
+        room.force_W[i] - inertia * (velocity - state.velocity_W[i]) - model.drag[i] * velocity;
+  }
+  return leftOver(room.right);
+}
+
+void setStiffnessOfBalance(const InsertionModel& model, const Base& base, Compression compression,
+                           StepRoom& room) noexcept
+{
+  const auto n = static_cast<std::size_t>(model.nodes);
+  const double perTime = 1.0 / model.timeStep;
+  room.system.clear();
+  addRodStiffness(model, compression, room);
+  addWallStiffness(room);
+  for (std::size_t i = 2; i < n; ++i)
+    room.system.diagonal[blockOf(i)] +=
+        uniform((model.mass[i] * perTime + model.drag[i]) * perTime);
+  if (base.isHeld)
+    room.system.holdFirst();
+  else
+    room.system.diagonal[0] += uniform(base.inertia + base.grip);
+}
+
+}  // namespace perilymph::mechanics

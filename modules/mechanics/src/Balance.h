@@ -1,0 +1,37 @@
+#pragma once
+
+// The balance of forces that ends a step, and its derivative.
+
+#include <Eigen/Core>
+
+#include "perilymph/mechanics/InsertionModel.h"
+#include "perilymph/mechanics/InsertionState.h"
+#include "rod/Rod.h"
+
+namespace perilymph::mechanics {
+
+/// Where the base would go by itself in spring coupling, and how hard it is held.
+struct Base {
+  bool isHeld;                ///< Rigid coupling.
+  double inertia;             ///< m / dt^2 [N/m]
+  double grip;                ///< Spring and damper [N/m]
+  Eigen::Vector3d free_W;     ///< Where inertia alone takes it [m].
+  Eigen::Vector3d gripped_W;  ///< Where the coupling pulls it [m].
+};
+
+Base baseOf(const InsertionModel& model, const InsertionState& state, const Drive& drive) noexcept;
+
+/// What is left unbalanced.
+struct Balance {
+  double worst;    ///< Greatest unbalanced force on a block, along one axis [N].
+  double squares;  ///< Sum of their squares [N^2].
+};
+
+/// All forces at state.position_W. Leaves those that are unbalanced in room.right.
+Balance balance(const InsertionModel& model, InsertionState& state, const Base& base) noexcept;
+
+/// Fills room.system with the derivative of the last balance: minus room.right by the positions.
+void setStiffnessOfBalance(const InsertionModel& model, const Base& base, Compression compression,
+                           StepRoom& room) noexcept;
+
+}  // namespace perilymph::mechanics

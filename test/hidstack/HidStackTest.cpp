@@ -1,0 +1,151 @@
+// What the virtual machine measured, judged. The scenes are those of machine/init.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "FlatWallScene.h"
+#include "HandleScript.h"
+#include "perilymph/test/Tolerance.h"
+
+namespace perilymph::hidstack {
+namespace {
+
+/// What the machine said on its serial line.
+struct Results {
+  std::string skipped;  ///< Why there was no machine.
+  std::map<std::string, double> measures;
+  std::map<std::string, int> statuses;  ///< Of the programs, by scene and side.
+  std::vector<std::string> notes;
+};
+
+Results readResults()
+{
+  Results results;
+  std::ifstream file(PERILYMPH_HIDSTACK_RESULTS);
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream words(line);
+    std::string kind, name;
+    words >> kind;
+    if (kind == "measure") {
+      double value = 0.0;
+      if (words >> name >> value) results.measures[name] = value;
+    } else if (kind == "status") {
+      int value = 0;
+      if (words >> name >> value) results.statuses[name] = value;
+    } else if (kind == "skipped:") {
+      results.skipped = line;
+    } else if (kind == "note:") {
+      results.notes.push_back(line);
+    }
+  }
+  return results;
+}
+
+class RealHidStack : public testing::Test {
+protected:
+  void SetUp() override
+  {
+    if (!results_.skipped.empty()) GTEST_SKIP() << results_.skipped;
+    ASSERT_FALSE(results_.measures.empty())
+        << "The virtual machine measured nothing; run 'ctest -R hidstack/machine' first.";
+  }
+
+  /// A measure, shown with the test. NaN, which passes no comparison, where it is missing.
+  double measured(const std::string& name) const
+  {
+    const auto found = results_.measures.find(name);
+    if (found == results_.measures.end()) {
+      ADD_FAILURE() << "The virtual machine did not measure " << name << ".";
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+    std::cout << name << " = " << found->second << '\n';
+    return found->second;
+  }
+
+  const Results results_ = readResults();
+};
+
+/// Where push and coupling are in balance [mm].
+constexpr double balance_mm = 1e3 * pushAtRest / couplingStiffness;
+/// The share that a resting place may be off.
+const double restTolerance = test::tolerance(0.01, "rod and wall are not quite rigid");
+
+TEST_F(RealHidStack, EndsEveryProgramWell)
+{
+  EXPECT_EQ(results_.statuses.size(), 12u);
+  for (const auto& [name, status] : results_.statuses) EXPECT_EQ(status, 0) << name;
+}
+
+TEST_F(RealHidStack, KeepsTheBeatOfTheVirtualHandle)
+{
+  for (const std::string& note : results_.notes) {
+    EXPECT_EQ(note.find("missed"), std::string::npos) << note;
+    EXPECT_EQ(note.find("priority"), std::string::npos) << note;
+  }
+}
+
+TEST_F(RealHidStack, DeliversAThousandReportsASecond)
+{
+  EXPECT_NEAR(measured("stream.rate_Hz"), 1000.0, 1.0);
+}
+
+TEST_F(RealHidStack, NeitherLosesNorRepeatsOneOfFiveThousandReports)
+{
+  EXPECT_GE(measured("stream.reports"), 5000.0);
+  EXPECT_EQ(measured("stream.lost"), 0.0);
+  EXPECT_EQ(measured("stream.repeated"), 0.0);
+}
+
+TEST_F(RealHidStack, CountsTheOneReportThatADeviceLost)
+{
+  EXPECT_EQ(measured("lost.lost"), 1.0);
+  EXPECT_EQ(measured("lost.repeated"), 0.0);
+}
+
+TEST_F(RealHidStack, CountsTheOneReportThatADeviceSentTwice)
+{
+  EXPECT_EQ(measured("repeated.repeated"), 1.0);
+  EXPECT_EQ(measured("repeated.lost"), 0.0);
+}
+
+TEST_F(RealHidStack, AnswersEveryReportWithTheForceOfItsOwnTick)
+{
+  EXPECT_GT(measured("contact.ticks"), 1000.0);
+  EXPECT_EQ(measured("contact.answered"), measured("contact.ticks"));
+  EXPECT_EQ(measured("contact.caused"), measured("contact.ticks"));
+}
+
+TEST_F(RealHidStack, TakesAtMostAHundredMicrosecondsBesidesTheEngineFromTickToForce)
+{
+  measured("contact.tick_to_force_p50_us");
+  measured("contact.engine_p50_us");
+  EXPECT_LE(measured("contact.tick_to_force_p999_us"), 100.0 + measured("contact.engine_p999_us"));
+}
+
+TEST_F(RealHidStack, RestsWhereTheCouplingBalancesThePush)
+{
+  EXPECT_NEAR(measured("contact.rest_penetration_mm"), balance_mm, restTolerance * balance_mm);
+  EXPECT_LE(measured("contact.rest_swing_mm"), restTolerance * balance_mm);
+}
+
+TEST_F(RealHidStack, WouldSeeAForceOfDoubleScale)
+{
+  EXPECT_NEAR(measured("doubled.rest_penetration_mm"), 0.5 * balance_mm,
+              0.5 * restTolerance * balance_mm);
+}
+
+TEST_F(RealHidStack, WouldSeeAForceOfTheWrongSign)
+{
+  // Nothing holds the handle: it lies at its end stop.
+  EXPECT_GE(measured("flipped.rest_penetration_mm"), 50.0);
+}
+
+}  // namespace
+}  // namespace perilymph::hidstack

@@ -1,0 +1,42 @@
+#pragma once
+
+// What happens to the virtual handle, one passage after the other.
+
+#include <string>
+#include <vector>
+
+#include "perilymph/foundation/Result.h"
+
+namespace perilymph::hidstack {
+
+/// Whether the handle's cable carries anything.
+enum class Wire { reporting, silent, unplugged };
+
+/// Whether somebody keeps the handle where it is.
+enum class Grip { held, free };
+
+/// A stretch of time in which nothing about the handle changes but its motion.
+struct Passage {
+  std::string name;       ///< One word.
+  double duration = 0.0;  ///< [s]; 0: until the first output report, that is: the host listens.
+  Grip grip = Grip::held;
+  bool isButtonPressed = false;
+  double push = 0.0;  ///< Of the hand, toward the cochlea [N].
+  Wire wire = Wire::reporting;
+};
+
+/// What is wrong with the handle: the harness must notice each of them.
+enum class Flaw { none, flippedForce, doubledForce, lostReport, repeatedReport };
+
+struct HandleScript {
+  std::vector<Passage> passages;
+  Flaw flaw = Flaw::none;
+};
+
+/// The push of the hand into the wall [N].
+inline constexpr double pushAtRest = 0.2;
+
+/// stream, contact, stall, unplug, flipped, doubled, lost or repeated; a sentence for other names.
+Result<HandleScript> scriptNamed(const std::string& name);
+
+}  // namespace perilymph::hidstack

@@ -1,0 +1,106 @@
+#include "UhidDevice.h"
+
+#include <fcntl.h>
+#include <linux/input.h>
+#include <linux/uhid.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstddef>
+#include <cstring>
+
+namespace perilymph::hidstack {
+
+struct UhidDevice::Room {
+  uhid_event incoming{};
+  uhid_event outgoing{};
+};
+
+UhidDevice::UhidDevice() : room_(std::make_unique<Room>()) {}
+
+UhidDevice::~UhidDevice() { unplug(); }
+
+Result<Done> UhidDevice::plug(const std::string& name, std::uint16_t vendor, std::uint16_t product,
+                              std::span<const std::uint8_t> descriptor)
+{
+  unplug();
+  file_ = ::open("/dev/uhid", O_RDWR | O_CLOEXEC | O_NONBLOCK);
+  if (file_ < 0)
+    return Error{std::string("/dev/uhid could not be opened (") + std::strerror(errno) +
+                 "): load the kernel's module uhid and run as root."};
+
+  uhid_event& outgoing = room_->outgoing;
+  outgoing = {};
+  outgoing.type = UHID_CREATE2;
+  uhid_create2_req& request = outgoing.u.create2;
+  std::memcpy(request.name, name.data(), std::min(name.size(), sizeof request.name - 1));
+  std::memcpy(request.rd_data, descriptor.data(),
+              std::min(descriptor.size(), sizeof request.rd_data));
+  request.rd_size = static_cast<__u16>(descriptor.size());
+  request.bus = BUS_USB;
+  request.vendor = vendor;
+  request.product = product;
+  if (::write(file_, &outgoing, sizeof outgoing) != static_cast<ssize_t>(sizeof outgoing)) {
+    const Error error{std::string("The kernel refused the virtual device: ") +
+                      std::strerror(errno) + "."};
+    unplug();
+    return error;
+  }
+  return Done{};
+}
+
+void UhidDevice::unplug() noexcept
+{
+  if (file_ >= 0) ::close(file_);
+  file_ = -1;
+}
+
+bool UhidDevice::send(std::span<const std::uint8_t> report) noexcept
+{
+  // Only what counts is written: the kernel takes the rest as zero.
+  uhid_event& outgoing = room_->outgoing;
+  outgoing.type = UHID_INPUT2;
+  outgoing.u.input2.size = static_cast<__u16>(report.size());
+  std::memcpy(outgoing.u.input2.data, report.data(), report.size());
+  const std::size_t size =
+      offsetof(uhid_event, u) + offsetof(uhid_input2_req, data) + report.size();
+  return ::write(file_, &outgoing, size) == static_cast<ssize_t>(size);
+}
+
+UhidEvent UhidDevice::take(std::span<const std::uint8_t>& report) noexcept
+{
+  uhid_event& incoming = room_->incoming;
+  if (::read(file_, &incoming, sizeof incoming) <= 0) return UhidEvent::nothing;
+  switch (incoming.type) {
+    case UHID_OUTPUT:
+      report = {incoming.u.output.data, incoming.u.output.size};
+      return UhidEvent::output;
+    case UHID_GET_REPORT:
+    case UHID_SET_REPORT:
+      refuse();
+      return UhidEvent::other;
+    default:
+      return UhidEvent::other;
+  }
+}
+
+void UhidDevice::refuse() noexcept
+{
+  const uhid_event& asked = room_->incoming;
+  uhid_event& outgoing = room_->outgoing;
+  outgoing = {};
+  if (asked.type == UHID_GET_REPORT) {
+    outgoing.type = UHID_GET_REPORT_REPLY;
+    outgoing.u.get_report_reply.id = asked.u.get_report.id;
+    outgoing.u.get_report_reply.err = EIO;
+  } else {
+    outgoing.type = UHID_SET_REPORT_REPLY;
+    outgoing.u.set_report_reply.id = asked.u.set_report.id;
+    outgoing.u.set_report_reply.err = EIO;
+  }
+  // Who asked gives up after five seconds without an answer, so a lost one hurts nobody.
+  [[maybe_unused]] const auto written = ::write(file_, &outgoing, sizeof outgoing);
+}
+
+}  // namespace perilymph::hidstack

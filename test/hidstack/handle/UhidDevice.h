@@ -1,0 +1,51 @@
+#pragma once
+
+// A HID device made of a program: the kernel's /dev/uhid.
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "perilymph/foundation/Result.h"
+
+namespace perilymph::hidstack {
+
+/// What the kernel tells the device.
+enum class UhidEvent : std::uint8_t {
+  nothing,  ///< Nothing waits.
+  output,   ///< An output report came: `report` holds it.
+  other,    ///< Started, opened, closed, asked for a feature: nothing to do.
+};
+
+/// Plugged in while it lives; unplugged when it is destroyed.
+class UhidDevice {
+public:
+  UhidDevice();
+  ~UhidDevice();
+  UhidDevice(const UhidDevice&) = delete;
+  UhidDevice& operator=(const UhidDevice&) = delete;
+
+  /// Appears on the bus under this name.
+  Result<Done> plug(const std::string& name, std::uint16_t vendor, std::uint16_t product,
+                    std::span<const std::uint8_t> descriptor);
+  /// Pulls the plug, whoever holds the device open.
+  void unplug() noexcept;
+  bool isPlugged() const noexcept { return file_ >= 0; }
+
+  /// For poll(): readable when an event waits.
+  int file() const noexcept { return file_; }
+  /// Sends an input report; false while the kernel is not ready for it.
+  bool send(std::span<const std::uint8_t> report) noexcept;
+  /// Takes one event; answers what wants an answer.
+  UhidEvent take(std::span<const std::uint8_t>& report) noexcept;
+
+private:
+  void refuse() noexcept;
+
+  struct Room;  ///< One event each way; they are large.
+  std::unique_ptr<Room> room_;
+  int file_ = -1;
+};
+
+}  // namespace perilymph::hidstack

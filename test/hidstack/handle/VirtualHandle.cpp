@@ -1,0 +1,100 @@
+#include "VirtualHandle.h"
+
+#include <cmath>
+#include <utility>
+
+namespace perilymph::hidstack {
+
+namespace {
+
+// The longest script, with room.
+constexpr std::size_t mostTicks = 40'000;
+// The tick whose report the flawed scripts lose or send twice.
+constexpr std::size_t flawedTick = 600;
+constexpr std::uint8_t graspBit = 1;
+
+double seconds(std::int64_t nanoseconds) { return static_cast<double>(nanoseconds) * 1e-9; }
+
+}  // namespace
+
+VirtualHandle::VirtualHandle(HandleScript script, const HandleBody& body)
+    : script_(std::move(script)), slider_(body)
+{
+  ticks_.reserve(mostTicks);
+}
+
+void VirtualHandle::begin(std::size_t index, std::int64_t now)
+{
+  const bool wasUnplugged = hasBegun_ && wire() == Wire::unplugged;
+  passage_ = index;
+  started_ = now;
+  hasBegun_ = true;
+  if (wire() == Wire::unplugged) slider_.actuate(0.0);
+  if (wasUnplugged) {
+    isHeard_ = false;
+    slider_.put(0.0);
+  }
+  slider_.hold(passage().grip == Grip::held);
+  slider_.push(passage().push);
+}
+
+bool VirtualHandle::tick(std::int64_t due)
+{
+  if (ticks_.size() == mostTicks) return false;
+  slider_.advanceTo(seconds(due));
+  if (!hasBegun_) begin(0, due);
+  const bool isOver =
+      passage().duration > 0.0 ? seconds(due - started_) >= passage().duration : isHeard_;
+  if (isOver) {
+    if (passage_ + 1 == script_.passages.size()) return false;
+    begin(passage_ + 1, due);
+  }
+
+  HandleTick tick;
+  tick.due = due;
+  tick.sequence = ++sequence_;
+  tick.position = slider_.position();
+  tick.passage = passage().name;
+  ticks_.push_back(tick);
+  return true;
+}
+
+Wire VirtualHandle::wire() const { return passage().wire; }
+
+int VirtualHandle::reportsDue() const
+{
+  if (wire() != Wire::reporting) return 0;
+  if (ticks_.size() != flawedTick) return 1;
+  if (script_.flaw == Flaw::lostReport) return 0;
+  return script_.flaw == Flaw::repeatedReport ? 2 : 1;
+}
+
+std::array<std::uint8_t, inputSize> VirtualHandle::report() const
+{
+  InputReport report;
+  report.sequence = sequence_;
+  // Toward the cochlea is away from the user.
+  report.place[2] = static_cast<std::int32_t>(-std::llround(slider_.position() / placeQuantum));
+  report.buttons = passage().isButtonPressed ? graspBit : 0;
+  return encode(report);
+}
+
+void VirtualHandle::noteSent(std::int64_t now) { ticks_.back().sent = now; }
+
+void VirtualHandle::take(const OutputReport& report, std::int64_t now)
+{
+  isHeard_ = true;
+  double factor = -forceQuantum;  // along z is away from the cochlea
+  if (script_.flaw == Flaw::flippedForce) factor = -factor;
+  if (script_.flaw == Flaw::doubledForce) factor *= 2.0;
+  slider_.advanceTo(seconds(now));
+  slider_.actuate(factor * report.force[2]);
+
+  if (ticks_.empty()) return;
+  HandleTick& tick = ticks_.back();
+  if (tick.outputs++ > 0) return;
+  tick.answered = now;
+  tick.force = report.force[2];
+}
+
+}  // namespace perilymph::hidstack

@@ -1,0 +1,50 @@
+#pragma once
+
+// A force-feedback handle that exists only as a program: its mass, its script and its reports.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "HandleReports.h"
+#include "HandleScript.h"
+#include "SlidingHandle.h"
+#include "TickLog.h"
+
+namespace perilymph::hidstack {
+
+/// The device without its wire: told the time and what came in, says what goes out.
+class VirtualHandle {
+public:
+  VirtualHandle(HandleScript script, const HandleBody& body);
+
+  /// The device's clock strikes. @return false when the script is over.
+  bool tick(std::int64_t due);
+  /// What the cable does now.
+  Wire wire() const;
+  /// The reports to send in this tick: one, or as the script's flaw wants none or two.
+  int reportsDue() const;
+  std::array<std::uint8_t, inputSize> report() const;
+  /// The report went out.
+  void noteSent(std::int64_t now);
+  /// An output report came in.
+  void take(const OutputReport& report, std::int64_t now);
+
+  const std::vector<HandleTick>& ticks() const { return ticks_; }
+  const SlidingHandle& slider() const { return slider_; }
+
+private:
+  const Passage& passage() const { return script_.passages[passage_]; }
+  void begin(std::size_t index, std::int64_t now);
+
+  HandleScript script_;
+  SlidingHandle slider_;
+  std::vector<HandleTick> ticks_;
+  std::size_t passage_ = 0;
+  std::int64_t started_ = 0;  // the passage [ns]
+  std::uint16_t sequence_ = 0;
+  bool hasBegun_ = false;
+  bool isHeard_ = false;  // an output report came since the cable was plugged in
+};
+
+}  // namespace perilymph::hidstack

@@ -1,0 +1,124 @@
+// The program that plays a force-feedback handle to the kernel: virtual_handle SCRIPT LOG
+
+#include <poll.h>
+#include <sched.h>
+#include <sys/mman.h>
+#include <sys/timerfd.h>
+#include <unistd.h>
+
+#include <iostream>
+#include <string>
+
+#include "HandleReports.h"
+#include "TickLog.h"
+#include "UhidDevice.h"
+#include "VirtualHandle.h"
+#include "perilymph/realtime/Pacer.h"
+
+namespace {
+
+using namespace perilymph;
+using namespace perilymph::hidstack;
+
+constexpr std::int64_t period = 1'000'000;  // [ns]
+// Above every thread of the host's side: hardware does not wait for programs.
+constexpr int priority = 90;
+
+/// A beat on the grid of the monotonic clock that poll() can wait for.
+class Beat {
+public:
+  Beat()
+      : file_(::timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC)),
+        due_(realtime::monotonicNanoseconds())
+  {
+    due_ += period;
+    itimerspec grid{};
+    grid.it_value = {due_ / 1'000'000'000, due_ % 1'000'000'000};
+    grid.it_interval = {0, period};
+    ::timerfd_settime(file_, TFD_TIMER_ABSTIME, &grid, nullptr);
+  }
+  ~Beat() { ::close(file_); }
+  Beat(const Beat&) = delete;
+  Beat& operator=(const Beat&) = delete;
+
+  int file() const { return file_; }
+  std::uint64_t missed() const { return missed_; }
+  /// When the beat that poll() woke for was due [ns].
+  std::int64_t take()
+  {
+    std::uint64_t beats = 0;
+    if (::read(file_, &beats, sizeof beats) != sizeof beats || beats == 0) return due_;
+    const std::int64_t struck = due_ + static_cast<std::int64_t>(beats - 1) * period;
+    missed_ += beats - 1;
+    due_ = struck + period;
+    return struck;
+  }
+
+private:
+  int file_;
+  std::int64_t due_;  // the next beat [ns]
+  std::uint64_t missed_ = 0;
+};
+
+/// Plugs or unplugs as the script wants it.
+Result<Done> follow(Wire wire, UhidDevice& device)
+{
+  if (wire == Wire::unplugged) device.unplug();
+  if (wire == Wire::unplugged || device.isPlugged()) return Done{};
+  return device.plug("Perilymph virtual handle", vendor, product, reportDescriptor());
+}
+
+Result<Done> play(VirtualHandle& handle, Beat& beat)
+{
+  UhidDevice device;
+  while (true) {
+    pollfd waits[2] = {{beat.file(), POLLIN, 0}, {device.file(), POLLIN, 0}};
+    if (::poll(waits, device.isPlugged() ? 2 : 1, -1) < 0) continue;
+    std::span<const std::uint8_t> bytes;
+    for (UhidEvent event = UhidEvent::other; device.isPlugged() && event != UhidEvent::nothing;) {
+      event = device.take(bytes);
+      if (event != UhidEvent::output) continue;
+      if (const auto report = decodeOutput(bytes))
+        handle.take(*report, realtime::monotonicNanoseconds());
+    }
+    if ((waits[0].revents & POLLIN) == 0) continue;
+    if (!handle.tick(beat.take())) return Done{};
+    if (const auto followed = follow(handle.wire(), device); !followed) return followed;
+    for (int i = 0; i < handle.reportsDue(); ++i)
+      if (device.send(handle.report())) handle.noteSent(realtime::monotonicNanoseconds());
+  }
+}
+
+}  // namespace
+
+int main(int count, char** words)
+{
+  if (count != 3) {
+    std::cerr << "virtual_handle needs the name of a script and of a file for its log.\n";
+    return 2;
+  }
+  const auto script = scriptNamed(words[1]);
+  if (!script) {
+    std::cerr << script.error().message << '\n';
+    return 2;
+  }
+  sched_param wanted{};
+  wanted.sched_priority = priority;
+  if (::sched_setscheduler(0, SCHED_FIFO, &wanted) != 0 ||
+      ::mlockall(MCL_CURRENT | MCL_FUTURE) != 0)
+    std::cout << "note: the virtual handle runs without real-time priority\n";
+
+  VirtualHandle handle(*script, HandleBody{});
+  Beat beat;
+  if (const auto played = play(handle, beat); !played) {
+    std::cerr << played.error().message << '\n';
+    return 1;
+  }
+  if (beat.missed() > 0)
+    std::cout << "note: the virtual handle missed " << beat.missed() << " beats\n";
+  if (const auto written = write(words[2], handle.ticks()); !written) {
+    std::cerr << written.error().message << '\n';
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,22 @@
+#pragma once
+
+// An insertion whose answer is known without any mechanics: a stiff rod against a hard flat wall,
+// so that the coupling is the only spring between the hand and the world.
+
+#include <memory>
+
+#include "perilymph/haptics/InsertionEngine.h"
+
+namespace perilymph::hidstack {
+
+/// Of the coupling [N/m]: that of the wall in the published simulator.
+inline constexpr double couplingStiffness = 441.0;
+
+/// How far the hand goes from where it takes hold until the rod touches the wall [m].
+inline constexpr double freeWay = 1e-3;
+
+/// The engine of this scene, at 1 kHz, without friction. In balance with a push F the hand stands
+/// F / K beyond the free way, K the coupling's stiffness.
+std::unique_ptr<haptics::InsertionEngine> flatWallEngine(double samplePeriod);
+
+}  // namespace perilymph::hidstack

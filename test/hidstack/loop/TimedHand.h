@@ -1,0 +1,35 @@
+#pragma once
+
+// A hand with a stopwatch: notes when each sample was there and when each force was ready.
+
+#include <vector>
+
+#include "TickLog.h"
+#include "perilymph/device/HapticDevice.h"
+
+namespace perilymph::hidstack {
+
+/// Passes everything on to another hand. Between the two times of a tick lies the engine and
+/// nothing else. The log belongs to the thread that ticks; others read it after that thread has
+/// ended.
+class TimedHand final : public device::HapticDevice {
+public:
+  /// @param hand  Outlives this one.
+  /// @param most  Ticks to make room for; what comes later is not noted.
+  TimedHand(device::HapticDevice& hand, std::size_t most);
+
+  device::DeviceTraits traits() const override { return hand_.traits(); }
+  Result<Done> open() override { return hand_.open(); }
+  void close() noexcept override { hand_.close(); }
+  device::DeviceSample read() noexcept override;
+  void write(const device::Wrench& wrench_D) noexcept override;
+
+  const std::vector<LoopTick>& ticks() const { return ticks_; }
+
+private:
+  device::HapticDevice& hand_;
+  std::vector<LoopTick> ticks_;
+  LoopTick tick_;
+};
+
+}  // namespace perilymph::hidstack

@@ -1,0 +1,90 @@
+#!/usr/bin/env python3
+"""Boots the virtual machine once and keeps what it said: machine.py --programs FOLDER --cache FOLDER
+--results FILE. Ends with 77 where the machine cannot be had, and says why, there and in the file."""
+
+import argparse
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import initramfs
+import kernel
+
+SKIPPED = 77
+PROGRAMS = ("virtual_handle", "hid_insertion", "hid_measures")
+# Far beyond what a busy machine takes; only a hang takes longer.
+MOST_SECONDS = 150
+# Software emulation in virtual time: an instruction takes 2 ns, waiting takes none of ours. What the
+# programs measure is then the same on an idle machine and on a busy one.
+CLOCK = ["-accel", "tcg,thread=single", "-icount", "shift=1,sleep=off", "-cpu", "max", "-smp", "1"]
+APPEND = ("console=ttyS0 quiet panic=-1 reboot=t preempt=full mitigations=off nokaslr tsc=reliable")
+
+
+def needed(name, package):
+    found = shutil.which(name)
+    if not found:
+        raise kernel.Missing(f"{name} is not there: install {package}")
+    return found
+
+
+def boot(emulator, image, archive):
+    """Runs the machine to its end. @return what it wrote to its serial line."""
+    line = [emulator, "-machine", "q35", *CLOCK, "-m", "256", "-nodefaults", "-no-user-config",
+            "-display", "none", "-no-reboot", "-serial", "stdio", "-kernel", str(image),
+            "-initrd", str(archive), "-append", APPEND]
+    try:
+        done = subprocess.run(line, stdin=subprocess.DEVNULL, capture_output=True, check=False,
+                              timeout=MOST_SECONDS)
+    except subprocess.TimeoutExpired as error:
+        said = (error.stdout or b"").decode(errors="replace")
+        raise RuntimeError(f"The virtual machine was stopped after {MOST_SECONDS} s; it had said:\n"
+                           f"{said}") from error
+    said = done.stdout.decode(errors="replace").replace("\r", "")
+    if "measures end" not in said:
+        raise RuntimeError("The virtual machine ended early; it had said:\n"
+                           f"{said}{done.stderr.decode(errors='replace')}")
+    return said
+
+
+def run(programs, cache):
+    """@return what the machine said. @raise kernel.Missing, RuntimeError"""
+    emulator = needed("qemu-system-x86_64", "qemu-system-x86")
+    busybox = needed("busybox", "busybox-static")
+    linux = kernel.find(cache)
+    began = time.monotonic()
+    init = Path(__file__).with_name("init")
+    content = initramfs.build(init, busybox, [programs / name for name in PROGRAMS], linux.modules)
+    with tempfile.NamedTemporaryFile(prefix="perilymph-", suffix=".cpio") as archive:
+        archive.write(content)
+        archive.flush()
+        said = boot(emulator, linux.image, archive.name)
+    return f"{said}note: {len(content)} bytes of initramfs, {time.monotonic() - began:.1f} s\n"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--programs", type=Path, required=True)
+    parser.add_argument("--cache", type=Path, required=True)
+    parser.add_argument("--results", type=Path, required=True)
+    words = parser.parse_args()
+    words.results.unlink(missing_ok=True)
+    try:
+        said = run(words.programs, words.cache)
+    except kernel.Missing as error:
+        reason = f"skipped: no virtual machine, because {error}."
+        words.results.write_text(reason + "\n", encoding="utf-8")
+        print(reason)
+        return SKIPPED
+    except RuntimeError as error:
+        print(error, file=sys.stderr)
+        return 1
+    words.results.write_text(said, encoding="utf-8")
+    print(said)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,96 @@
+// Prints what the logs of one scene say: hid_measures SCENE HANDLE.log LOOP.log
+
+#include <iomanip>
+#include <iostream>
+#include <string>
+
+#include "FlatWallScene.h"
+#include "HandleReports.h"
+#include "Measures.h"
+
+namespace {
+
+using namespace perilymph;
+using namespace perilymph::hidstack;
+
+/// "measure contact.penetration_mm 0.4535"
+void print(const std::string& scene, const std::string& name, double value)
+{
+  std::cout << "measure " << scene << '.' << name << ' ' << std::setprecision(9) << value << '\n';
+}
+
+void printSpread(const std::string& scene, const std::string& name, const Spread& spread)
+{
+  print(scene, name + "_p50_us", spread.median * 1e6);
+  print(scene, name + "_p99_us", spread.p99 * 1e6);
+  print(scene, name + "_p999_us", spread.p999 * 1e6);
+  print(scene, name + "_max_us", spread.most * 1e6);
+}
+
+Result<Done> measureStream(const std::string& scene, const std::string& log)
+{
+  const auto rows = readReportLog(log);
+  if (!rows) return rows.error();
+  const StreamMeasure stream = streamIn(*rows);
+  print(scene, "reports", static_cast<double>(stream.reports));
+  print(scene, "lost", static_cast<double>(stream.lost));
+  print(scene, "repeated", static_cast<double>(stream.repeated));
+  print(scene, "rate_Hz", stream.rate);
+  return Done{};
+}
+
+void printRest(const std::string& scene, const std::string& passage,
+               const std::vector<HandleTick>& handle)
+{
+  const auto rest = restIn(handle, passage);
+  if (!rest) return;
+  print(scene, passage + "_penetration_mm", (rest->mean - freeWay) * 1e3);
+  print(scene, passage + "_swing_mm", rest->swing * 1e3);
+}
+
+void printSilence(const std::string& scene, const std::string& passage,
+                  const std::vector<HandleTick>& handle, const std::vector<LoopTick>& loop)
+{
+  const SilenceMeasure silence = silenceIn(handle, loop, passage, forceQuantum);
+  print(scene, passage + "_force_before_N", silence.before);
+  if (silence.written) print(scene, passage + "_zero_written_ms", *silence.written * 1e3);
+  if (silence.heard) print(scene, passage + "_zero_heard_ms", *silence.heard * 1e3);
+}
+
+Result<Done> measureInsertion(const std::string& scene, const std::string& handleLog,
+                              const std::string& loopLog)
+{
+  const auto handle = readHandleLog(handleLog);
+  if (!handle) return handle.error();
+  const auto loop = readLoopLog(loopLog);
+  if (!loop) return loop.error();
+  const AnswerMeasure answers = answersIn(*handle, *loop, {"grasp", "slide", "rest"}, forceQuantum);
+  print(scene, "ticks", static_cast<double>(answers.ticks));
+  print(scene, "answered", static_cast<double>(answers.answered));
+  print(scene, "caused", static_cast<double>(answers.caused));
+  printSpread(scene, "tick_to_force", answers.fromTick);
+  printSpread(scene, "report_to_force", answers.fromReport);
+  printSpread(scene, "engine", answers.engine);
+  printRest(scene, "rest", *handle);
+  printRest(scene, "rest_again", *handle);
+  for (const char* passage : {"silence", "unplugged"})
+    if (restIn(*handle, passage)) printSilence(scene, passage, *handle, *loop);
+  return Done{};
+}
+
+}  // namespace
+
+int main(int count, char** words)
+{
+  if (count != 4) {
+    std::cerr << "hid_measures needs the name of a scene and two logs.\n";
+    return 2;
+  }
+  const std::string scene = words[1];
+  const bool isStream = scene == "stream" || scene == "lost" || scene == "repeated";
+  const auto done =
+      isStream ? measureStream(scene, words[3]) : measureInsertion(scene, words[2], words[3]);
+  if (done) return 0;
+  std::cerr << done.error().message << '\n';
+  return 1;
+}

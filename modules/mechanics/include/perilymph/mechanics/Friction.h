@@ -22,7 +22,7 @@ struct FrictionLaw {
   double dynamic = 0.0395;   ///< Measured (published, confidence high).
   double stopping = 0.0185;  ///< Estimated by the paper; its meaning here is our reading (medium).
   Speed stribeck = millimetersPerSecond(0.1);  ///< v_s: an engineering choice (low).
-  FrictionBySpeed bySpeed;                     ///< Empty: the curve above.
+  FrictionBySpeed bySpeed = {};                ///< Empty: the curve above.
 
   /// The coefficient of a sliding node by its speed [m/s]. Real-time safe.
   double sliding(double speed) const noexcept

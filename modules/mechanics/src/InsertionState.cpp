@@ -46,6 +46,7 @@ void InsertionState::reset(const InsertionModel& model) noexcept
     // nodes farther from the wall than this need no more than that fact
     room.reach[i] = model.radius[i] + 0.02e-3;
   }
+  rim = RimContact{};
   readings = Readings{};
   readings.depth = model.parts.startInside.si() > 0.0 ? model.parts.startInside.si() : 0.0;
 }
@@ -67,6 +68,9 @@ std::uint64_t InsertionState::fingerprint() const noexcept
     hash.add(track[i].angle);
     hash.add(normalForce[i]);
   }
+  addVector(hash, rim.spring_W);
+  hash.add(rim.isSliding);
+  hash.add(rim.slipSpeed);
   return hash.value();
 }
 

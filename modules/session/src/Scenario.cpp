@@ -70,6 +70,20 @@ void readMotion(TomlReader& reader, ScenarioKeys& keys, Scenario& scenario)
   scenario.approachTurn = degrees(keys.number("approach_turn_deg", {-30.0, 30.0}, 0.0));
 }
 
+/// The rim that the array passes and its ribs meet.
+void readOpening(TomlReader& reader, ScenarioKeys& keys, Scenario& scenario)
+{
+  scenario.openingName = keys.text("opening", "none");
+  // Drilled openings are 0.8 to 1.5 mm wide; the published rig's passed a carrier of 0.8 mm.
+  const double diameter = keys.number("cochleostomy_diameter_mm", {0.5, 3.0}, 1.0);
+  if (scenario.openingName == "round-window") scenario.opening = mechanics::roundWindow();
+  if (scenario.openingName == "cochleostomy")
+    scenario.opening = mechanics::cochleostomy(millimeters(diameter));
+  if (!scenario.opening && scenario.openingName != "none")
+    reader.refuse("opening", "opening is '" + scenario.openingName +
+                                 "'; it must be one of none, round-window, cochleostomy.");
+}
+
 void readWallAndCoupling(TomlReader& reader, ScenarioKeys& keys, Scenario& scenario)
 {
   // 441 and 200 N/m are the published simulator's, under each of its sample points (Todd and
@@ -234,6 +248,7 @@ Result<Scenario> readScenario(TomlReader& reader, const std::string& name, const
                        [&key](const auto& entry) { return entry.first == key; });
   };
   readFriction(reader, keys, isOverridden, scenario.friction);
+  readOpening(reader, keys, scenario);
   readWallAndCoupling(reader, keys, scenario);
 
   keys.text("patient", "");

@@ -5,12 +5,14 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "perilymph/anatomy/Lumen.h"
 #include "perilymph/electrode/ArrayDesign.h"
 #include "perilymph/foundation/Units.h"
 #include "perilymph/mechanics/Friction.h"
+#include "perilymph/mechanics/Opening.h"
 
 namespace perilymph::mechanics {
 
@@ -33,6 +35,8 @@ struct ModelParts {
   electrode::ArrayDesign array;
   FrictionLaw friction;
   WallLaw wall;
+  /// Without one the lumen's wall begins at the plane of the entry, and nothing holds the ribs.
+  std::optional<Opening> opening;
   int nodes = 100;                      ///< 8 to mostNodes.
   Duration timeStep = milliseconds(1);  ///< 0.1 to 10 ms.
   Length startInside = millimeters(2);  ///< Of the tip past the opening; negative: before it.
@@ -49,10 +53,11 @@ struct InsertionModel {
   static std::shared_ptr<const InsertionModel> build(ModelParts parts);
 
   ModelParts parts;
-  anatomy::Entry entry;         ///< The opening, from the lumen.
-  Eigen::Vector3d startBase_W;  ///< Where the tweezers start [m].
-  Eigen::Vector3d startAxis_W;  ///< Unit: which way the array leaves them.
-  Eigen::Vector3d startCurl_W;  ///< Unit, across the axis: to where a precurved array curls.
+  anatomy::Entry entry;             ///< The opening, from the lumen.
+  Eigen::Vector3d openingCenter_W;  ///< [m]
+  Eigen::Vector3d startBase_W;      ///< Where the tweezers start [m].
+  Eigen::Vector3d startAxis_W;      ///< Unit: which way the array leaves them.
+  Eigen::Vector3d startCurl_W;      ///< Unit, across the axis: to where a precurved array curls.
   int nodes = 0;
   double timeStep = 0.0;               ///< [s]
   double spacing = 0.0;                ///< Between nodes [m].

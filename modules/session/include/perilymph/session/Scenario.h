@@ -45,6 +45,9 @@ struct Scenario {
   Angle approachTilt, approachTurn;
   mechanics::FrictionLaw friction;
   mechanics::WallLaw wall;
+  /// "none": nothing but the wall; "round-window"; "cochleostomy".
+  std::string openingName = "none";
+  std::optional<mechanics::Opening> opening;
   haptics::EngineSettings engine;  ///< Coupling, force scale.
   std::string arrayFingerprint;    ///< Of the array's file as read, 16 hexadecimal digits.
   /// Of the array's file when this text was written (`array_fingerprint`); empty in people's files.

@@ -139,11 +139,8 @@ void HidHand::Content::listen(const Handles& handles)
       listenFirst(*handles.reading, handles.writing.get(), profile, *writer, clock);
   isPeriodMeasured = heard.period > 0.0;
   if (isPeriodMeasured) traits.nominalPeriod = heard.period;
-  // A report shows a force once the force has arrived; the next report is half a period away on
-  // average.
-  if (heard.writeTime > 0.0)
-    traits.transportDelay =
-        std::max(profile.transportDelay, heard.writeTime + 0.5 * traits.nominalPeriod);
+  // A report takes as long to come as a force to go.
+  traits.transportDelay = std::max(profile.transportDelay, 2.0 * heard.writeTime);
   reader = ReportReader(*codec, traits.nominalPeriod, clock);
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "perilymph/foundation/RealTime.h"
+#include "perilymph/haptics/CouplingLimit.h"
 #include "perilymph/realtime/Pacer.h"
 #include "perilymph/realtime/RealTimePriority.h"
 #include "perilymph/realtime/SpscRing.h"
@@ -41,7 +42,6 @@ struct HapticLoop::Content {
   }
 
   CommandList takeCommands() noexcept;
-  bool canFollow() const;
   std::int64_t waitForTick() noexcept;
   void publish() noexcept;
   void measure(std::int64_t began, std::int64_t ended) noexcept;
@@ -128,7 +128,7 @@ void HapticLoop::start()
     loop.hasRealTimePriority =
         realtime::requestRealTimePriority() == realtime::RealTimePriority::granted;
     const std::int64_t now = realtime::monotonicNanoseconds();
-    loop.followsDevice = loop.canFollow();
+    loop.followsDevice = followsReports(loop.device.traits(), loop.engine->model().timeStep);
     loop.pacer.start(now);
     loop.secondBegan = now;
     loop.ticksOfSecond.clear();
@@ -138,14 +138,6 @@ void HapticLoop::start()
       loop.measure(began, realtime::monotonicNanoseconds());
     }
   });
-}
-
-/// Whether the device gives one report a tick by its own clock.
-bool HapticLoop::Content::canFollow() const
-{
-  const device::DeviceTraits traits = device.traits();
-  const double ticksEach = traits.nominalPeriod / engine->model().timeStep;
-  return traits.reporting == device::Reporting::periodic && ticksEach > 0.9 && ticksEach < 1.1;
 }
 
 /// Returns when the next tick is to begin, and when that was [ns].

@@ -57,6 +57,13 @@ void check(const ModelParts& parts)
               " mm of it are free of the tweezers.");
   require(parts.wall.perSamplePoint.si() > 0.0 && parts.wall.tangentialPerSamplePoint.si() > 0.0,
           "The wall's stiffness must be above 0 N/m.");
+  if (parts.membrane)
+    require(parts.membrane->perSamplePoint.si() > 0.0 &&
+                parts.membrane->perSamplePoint <= parts.wall.perSamplePoint &&
+                parts.membrane->hardening.si() > 0.0,
+            "The basilar membrane yields by " +
+                std::to_string(parts.membrane->perSamplePoint.si()) +
+                " N/m; it must be above 0, and no stiffer than the wall.");
   if (parts.opening) check(*parts.opening, parts.array);
   const FrictionLaw& law = parts.friction;
   require(law.stopping >= 0.0 && law.dynamic >= law.stopping && law.starting >= law.dynamic &&
@@ -90,6 +97,11 @@ std::uint64_t fingerprintOf(const InsertionModel& model)
         model.parts.wall.perSamplePoint.si(), model.parts.wall.tangentialPerSamplePoint.si()})
     hash.add(value);
   model.parts.friction.bySpeed.addTo(hash);
+  hash.add(model.membrane.has_value());
+  if (model.membrane) {
+    hash.add(model.parts.membrane->perSamplePoint.si());
+    hash.add(model.parts.membrane->hardening.si());
+  }
   hash.add(model.parts.opening.has_value());
   if (model.parts.opening) {
     const Opening& opening = *model.parts.opening;
@@ -164,6 +176,9 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
     m.styletFromTip = array.stylet.fromTip.si();
     m.styletResidual = array.stylet.residualCurvature;
   }
+  if (m.parts.membrane)
+    if (const auto* scala = dynamic_cast<const anatomy::ScalaTympani*>(m.parts.lumen.get()))
+      m.membrane.emplace(*scala);
   m.fingerprint = fingerprintOf(m);
   return model;
 }

@@ -21,7 +21,7 @@ InsertionState::InsertionState(const InsertionModel& model)
       track(position_W.size()),
       normalForce(position_W.size()),
       wallForce_W(position_W.size()),
-      onMembrane(position_W.size()),
+      membraneForce(position_W.size()),
       room(position_W.size())
 {
   reset(model);
@@ -42,7 +42,7 @@ void InsertionState::reset(const InsertionModel& model) noexcept
     track[i] = model.parts.lumen->startTrack();
     normalForce[i] = 0.0;
     wallForce_W[i].setZero();
-    onMembrane[i] = 0;
+    membraneForce[i] = 0.0;
     // nodes farther from the wall than this need no more than that fact
     room.reach[i] = model.radius[i] + 0.02e-3;
   }

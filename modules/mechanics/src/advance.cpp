@@ -73,7 +73,7 @@ void read(const InsertionModel& model, InsertionState& state, const Drive& drive
     ++r.contacts;
     r.wallForceTotal += force;
     r.wallForceMax = std::max(r.wallForceMax, force);
-    if (state.onMembrane[i] != 0) r.membraneForce += force;
+    r.membraneForce += state.membraneForce[i];
   }
   const double sum = r.handForce_W.x() + r.handForce_W.y() + r.handForce_W.z() +
                      state.position_W.back().x() + state.position_W.back().y() +

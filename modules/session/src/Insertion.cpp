@@ -8,6 +8,7 @@
 #include "Recorder.h"
 #include "perilymph/device/ScriptedHand.h"
 #include "perilymph/foundation/Version.h"
+#include "perilymph/haptics/CouplingLimit.h"
 
 namespace perilymph::session {
 
@@ -46,6 +47,7 @@ struct Insertion::Content {
   std::shared_ptr<const mechanics::InsertionModel> model;
   std::unique_ptr<device::HapticDevice> hand;
   std::optional<std::filesystem::path> file;
+  std::string couplingWords;
   std::unique_ptr<haptics::HapticLoop> loop;
   std::unique_ptr<Recorder> recorder;
 };
@@ -90,15 +92,27 @@ Result<std::unique_ptr<Insertion>> Insertion::prepare(
   facts.device = traits.name;
   facts.timeStep = content.model->timeStep;
   facts.samplePeriod = traits.nominalPeriod;
-  facts.mostForce = scenario.engine.safety.mostForce;
-  if (traits.rendersForce) facts.mostForce = std::min(facts.mostForce, traits.mostForce);
+  const haptics::SafetyLimits safety = haptics::limitsFor(scenario.engine.safety, traits);
+  facts.mostForce = safety.mostForce;
+  facts.reach = safety.reach;
+  const haptics::CouplingLimit limit = haptics::couplingLimit(traits, facts.timeStep);
+  facts.feelsForce = traits.rendersForce;
+  facts.mostStiffness = limit.stiffness;
+  facts.mostDamping = limit.damping;
+  facts.deviceDelay = traits.transportDelay;
   facts.seed = scenario.seed;
   facts.modelFingerprint = content.model->fingerprint;
   facts.version = version();
   facts.buildId = buildId();
   facts.startedUtc = utcNow();
 
-  auto engine = makeEngine(scenario, content.model, facts.samplePeriod, facts.mostForce);
+  if (traits.rendersForce)
+    content.couplingWords =
+        haptics::couplingSentence(scenario.engine.forceScale * scenario.engine.motionScale *
+                                      scenario.engine.couplingStiffness,
+                                  limit, traits.name);
+
+  auto engine = makeEngine(scenario, content.model, facts);
   if (!engine) return engine.error();
   std::unique_ptr<Recording> recording;
   if (content.file) {
@@ -192,6 +206,8 @@ std::shared_ptr<const anatomy::ScalaTympani> Insertion::sharedAnatomy() const no
 }
 
 const mechanics::InsertionModel& Insertion::model() const noexcept { return *content_->model; }
+
+const std::string& Insertion::couplingWords() const noexcept { return content_->couplingWords; }
 
 device::HapticDevice& Insertion::hand() noexcept { return *content_->hand; }
 

@@ -70,6 +70,20 @@ void readMotion(TomlReader& reader, ScenarioKeys& keys, Scenario& scenario)
   scenario.approachTurn = degrees(keys.number("approach_turn_deg", {-30.0, 30.0}, 0.0));
 }
 
+/// The roof: Teflon in the published experiment, a membrane in a cochlea.
+void readMembrane(TomlReader& reader, ScenarioKeys& keys, Scenario& scenario)
+{
+  scenario.membraneName = keys.text("membrane", "rigid");
+  if (scenario.membraneName != "rigid" && scenario.membraneName != "soft")
+    reader.refuse("membrane",
+                  "membrane is '" + scenario.membraneName + "'; it must be 'rigid' or 'soft'.");
+  // Point stiffnesses of 0.6 to 9 N/m are reported.
+  mechanics::MembraneLaw law;
+  law.perSamplePoint =
+      newtonsPerMeter(keys.number("membrane_stiffness_N_m", {0.1, 100.0}, law.perSamplePoint.si()));
+  if (scenario.membraneName == "soft") scenario.membrane = law;
+}
+
 /// The rim that the array passes and its ribs meet.
 void readOpening(TomlReader& reader, ScenarioKeys& keys, Scenario& scenario)
 {
@@ -249,6 +263,7 @@ Result<Scenario> readScenario(TomlReader& reader, const std::string& name, const
   };
   readFriction(reader, keys, isOverridden, scenario.friction);
   readOpening(reader, keys, scenario);
+  readMembrane(reader, keys, scenario);
   readWallAndCoupling(reader, keys, scenario);
 
   keys.text("patient", "");

@@ -29,6 +29,7 @@ TestRod::TestRod(std::shared_ptr<const anatomy::Lumen> lumen, const RodSpec& spe
   parts.array = uniformArray(spec);
   parts.nodes = spec.nodes;
   parts.timeStep = seconds(spec.timeStep);
+  parts.membrane = spec.membrane;
   parts.opening = spec.opening;
   parts.startInside = meters(spec.startInside);
   parts.friction = {spec.friction, spec.friction, spec.friction, millimetersPerSecond(0.1)};

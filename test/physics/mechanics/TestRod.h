@@ -22,6 +22,7 @@ struct RodSpec {
   double startInside = 0.0;    ///< [m]
   double timeStep = 1e-3;      ///< [s]
   int nodes = 101;
+  std::optional<mechanics::MembraneLaw> membrane;
   std::optional<mechanics::Opening> opening;
   std::vector<Length> ribsFromTip;
   double ribHeight = 0.0;  ///< [m]

@@ -105,6 +105,11 @@ TEST(InsertionModel, RefusesWhatCannotBe)
   EXPECT_THAT(refused([](ModelParts& p) { p.friction.dynamic = 0.5; }), HasSubstr("Friction"));
   EXPECT_THAT(refused([](ModelParts& p) { p.wall.perSamplePoint = newtonsPerMeter(0); }),
               HasSubstr("above 0 N/m"));
+  EXPECT_THAT(refused([](ModelParts& p) {
+                p.membrane = MembraneLaw{};
+                p.membrane->perSamplePoint = newtonsPerMeter(500);
+              }),
+              HasSubstr("no stiffer than the wall"));
   EXPECT_THAT(refused([](ModelParts& p) { p.opening = cochleostomy(millimeters(0.3)); }),
               HasSubstr("wide enough for the tip"));
   EXPECT_THAT(refused([](ModelParts& p) {

@@ -59,6 +59,8 @@ struct DeviceTraits {
   double mostTorque = 0.0;        ///< [N.m]
   double mostStiffness = 0.0;     ///< Of a wall it renders without trembling [N/m].
   double mostDamping = 0.0;       ///< [N.s/m]
+  double handleDamping = 0.0;     ///< Of the handle itself, without a force [N.s/m].
+  double handleMass = 0.0;        ///< As felt at the handle [kg].
   double positionQuantum = 0.0;   ///< Step of a sensed position [m].
   double forceQuantum = 0.0;      ///< Step of a shown force [N].
   double transportDelay = 0.0;    ///< From a force to the report that shows its effect [s].

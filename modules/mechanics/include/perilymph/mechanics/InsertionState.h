@@ -72,7 +72,7 @@ struct InsertionState {
   std::vector<anatomy::LumenTrack> track;         ///< Of each node: which turn it is in.
   std::vector<double> normalForce;                ///< Of the wall on each node [N].
   std::vector<Eigen::Vector3d> wallForce_W;       ///< Normal and friction on each node [N].
-  std::vector<unsigned char> onMembrane;          ///< Of each node that touches.
+  std::vector<double> membraneForce;              ///< Of the basilar membrane on each node [N].
   RimContact rim;
   Readings readings;
 

@@ -49,6 +49,9 @@ public:
   /// recordingTrouble() if it could not be kept. Without a call the destructor does it silently.
   Result<Done> closeRecording();
 
+  /// A sentence where the device cannot render the coupling asked for: what it renders, and why.
+  const std::string& couplingWords() const noexcept;
+
   const Scenario& scenario() const noexcept;
   const anatomy::ScalaTympani& anatomy() const noexcept;
   std::shared_ptr<const anatomy::ScalaTympani> sharedAnatomy() const noexcept;

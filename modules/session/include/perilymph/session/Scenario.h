@@ -48,6 +48,9 @@ struct Scenario {
   /// "none": nothing but the wall; "round-window"; "cochleostomy".
   std::string openingName = "none";
   std::optional<mechanics::Opening> opening;
+  /// "rigid": as hard as the bone around it; "soft": yields.
+  std::string membraneName = "rigid";
+  std::optional<mechanics::MembraneLaw> membrane;
   haptics::EngineSettings engine;  ///< Coupling, force scale.
   std::string arrayFingerprint;    ///< Of the array's file as read, 16 hexadecimal digits.
   /// Of the array's file when this text was written (`array_fingerprint`); empty in people's files.

@@ -224,6 +224,25 @@ Result<Done> readArray(const std::string& name, Scenario& scenario)
   return Done{};
 }
 
+/// Says so if the array is to go deeper than it fits through the opening.
+void noteSeat(Scenario& scenario, Length deepest)
+{
+  if (!scenario.opening) return;
+  const Length narrow = std::min(scenario.opening->width, scenario.opening->height);
+  const Length wide = std::max(scenario.opening->width, scenario.opening->height);
+  const Length step = millimeters(0.05);
+  for (Length place = millimeters(0); place < deepest; place = place + step) {
+    const electrode::Section section = scenario.array.sectionAt(place);
+    const Length across = std::max(section.across, section.within);
+    if (across <= wide && std::min(section.across, section.within) <= narrow) continue;
+    scenario.notes.push_back("The array " + scenario.array.name + " is " + shortLength_mm(across) +
+                             " mm thick " + shortLength_mm(place) +
+                             " mm behind its tip, the opening " + shortLength_mm(narrow) +
+                             " mm wide: it comes to rest there and can only be forced deeper.");
+    return;
+  }
+}
+
 Result<Scenario> readScenario(TomlReader& reader, const std::string& name, const fs::path& folder,
                               const Overrides& overrides)
 {
@@ -291,6 +310,8 @@ Result<Scenario> readScenario(TomlReader& reader, const std::string& name, const
     return Error{reader.name() + ": start_inside_mm + stop_travel_mm is " +
                  shortLength_mm(deepest) + "; the array " + scenario.array.name + " may go in " +
                  shortLength_mm(scenario.array.insertable) + " mm at most. Lower stop_travel_mm."};
+
+  noteSeat(scenario, deepest);
 
   keys.note("array_fingerprint", tomlText(scenario.arrayFingerprint));
   keys.notePatient(scenario.patient, scenario.anatomy);

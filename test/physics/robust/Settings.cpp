@@ -56,9 +56,13 @@ std::vector<Setting> all()
       row("straight_on_a_spring", "mean", "flex28", tissue(), 441, spring, stays),
       row("straight_in_rough_bone", "mean", "slim-straight", coulomb(0.6), 10'000, rigid, stays),
       row("too_thick_at_its_base", "mean", "flexsoft", paper, 2'000, spring, stays),
+      row("round_window_and_membrane", "mean", "contour", paper, 2'000, spring, pulled),
+      row("straight_through_the_round_window", "mean", "flex28", coulomb(0.3), 441, rigid, stays),
       row("short_steps", "mean", "evo", coulomb(0.3), 10'000, spring, stays),
       row("long_steps", "published", "contour", paper, 441, rigid, stays),
   };
+  rows[rows.size() - 4].hasRim = rows[rows.size() - 4].hasSoftMembrane = true;
+  rows[rows.size() - 3].hasRim = true;
   rows[rows.size() - 2].timeStep = 0.2e-3;
   rows.back().timeStep = 5e-3;
   return rows;

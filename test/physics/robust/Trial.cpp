@@ -124,6 +124,7 @@ private:
       if (!walls_[i].isNear || inside < 2.0 * model_.spacing) continue;
       const double penetration = model_.radius[i] - walls_[i].distance;
       findings_.deepest = std::max(findings_.deepest, penetration);
+      if (setting_.hasSoftMembrane) continue;
       const double explained = state_.normalForce[i] / model_.wallStiffness[i] + onset;
       findings_.unexplained = std::max(findings_.unexplained, penetration - explained);
     }
@@ -172,6 +173,8 @@ std::shared_ptr<const mechanics::InsertionModel> build(const Setting& setting)
   parts.friction = setting.friction;
   parts.wall.perSamplePoint = newtonsPerMeter(setting.wall);
   parts.wall.tangentialPerSamplePoint = newtonsPerMeter(setting.wall * 200.0 / 441.0);
+  if (setting.hasRim) parts.opening = mechanics::roundWindow();
+  if (setting.hasSoftMembrane) parts.membrane = mechanics::MembraneLaw{};
   parts.nodes = setting.nodes;
   parts.timeStep = seconds(setting.timeStep);
   return mechanics::InsertionModel::build(std::move(parts));

@@ -20,7 +20,9 @@ struct Setting {
   double wall = 441.0;  ///< Per sample point [N/m].
   mechanics::Coupling coupling = mechanics::Coupling::rigid;
   StyletUse stylet = StyletUse::stays;
-  double timeStep = 1e-3;  ///< [s]
+  bool hasRim = false;           ///< The round window around the array.
+  bool hasSoftMembrane = false;  ///< In the roof.
+  double timeStep = 1e-3;        ///< [s]
   int nodes = 60;
   HandLimits hand;
 };

@@ -7,7 +7,8 @@
 #include "perilymph/session/Scenario.h"
 #include "perilymph/test/TemporaryFolder.h"
 
-// Friction by name: what is shipped, and which of several statements counts.
+// Friction, opening, membrane and technique by name: what is shipped, and which of several
+// statements counts.
 
 namespace perilymph::session {
 namespace {
@@ -120,6 +121,36 @@ TEST(Friction, ThatStopsAboveItsLeastSlidingValueIsRefused)
 {
   EXPECT_THAT(refusal({{"friction", "soap-90"}, {"friction_stopping", "0.04"}}),
               HasSubstr("friction_stopping is 0.04; it must not be above friction_dynamic"));
+}
+
+TEST(Opening, ThatIsTooNarrowForTheArraysBaseIsSpokenOf)
+{
+  // FLEXSOFT: 0.5 mm at its tip, 1.3 mm 31.5 mm behind it, straight between: 1 mm at 19.7 mm.
+  const Overrides narrow = {{"anatomy", "mean"},
+                            {"array", "flexsoft"},
+                            {"opening", "cochleostomy"},
+                            {"cochleostomy_diameter_mm", "1.0"},
+                            {"stop_travel_mm", "25"}};
+  const Scenario scenario = with(narrow);
+  ASSERT_EQ(scenario.notes.size(), 1u);
+  EXPECT_THAT(scenario.notes[0],
+              testing::AllOf(HasSubstr("mm thick 19.7 mm behind its tip, the opening 1 mm wide"),
+                             HasSubstr("comes to rest there")));
+
+  Overrides shallow = narrow;
+  shallow.back().second = "10";
+  EXPECT_TRUE(with(shallow).notes.empty());
+  EXPECT_THAT(refusal({{"opening", "door"}}),
+              HasSubstr("opening is 'door'; it must be one of none, round-window, cochleostomy."));
+}
+
+TEST(Membrane, YieldsWhereItIsSaidTo)
+{
+  EXPECT_FALSE(with({}).membrane);
+  const Scenario soft = with({{"membrane", "soft"}, {"membrane_stiffness_N_m", "4.5"}});
+  ASSERT_TRUE(soft.membrane);
+  EXPECT_DOUBLE_EQ(soft.membrane->perSamplePoint.si(), 4.5);
+  EXPECT_THAT(refusal({{"membrane", "torn"}}), HasSubstr("it must be 'rigid' or 'soft'."));
 }
 
 TEST(Technique, AdvanceOffStyletTakesTheHoldDepthOfTheArray)

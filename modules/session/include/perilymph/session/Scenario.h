@@ -58,7 +58,8 @@ struct Scenario {
   /// Every key as run and its value as TOML writes it (which JSON reads, too), in their order;
   /// the patient's are called "patient_numbers.st_length_mm" and so on.
   std::vector<std::pair<std::string, std::string>> values;
-  std::string text;  ///< The scenario as run, TOML: what a recording keeps.
+  std::vector<std::string> notes;  ///< What whoever runs it should know, in sentences.
+  std::string text;                ///< The scenario as run, TOML: what a recording keeps.
 };
 
 /// Values that replace a scenario's own: `--set key=value`, `--patient`, `--array`, `--nodes`.

@@ -15,7 +15,8 @@ class RandomMotion : public testing::TestWithParam<Setting> {};
 TEST_P(RandomMotion, BreaksNothing)
 {
   const Setting& setting = GetParam();
-  const Findings found = run(setting, ROBUST_TICKS, 1);
+  const Findings found =
+      run(setting, setting.isWatchedLonger ? 10 * ROBUST_TICKS : ROBUST_TICKS, 1);
   std::cout << setting.name << ": " << inWords(found) << std::endl;
 
   EXPECT_EQ(found.notFinite, 0);
@@ -26,6 +27,10 @@ TEST_P(RandomMotion, BreaksNothing)
   EXPECT_GE(found.leastEnergy, -microjoule);
   if (setting.stylet == StyletUse::stays) {
     EXPECT_GE(found.leastHandEnergy, -microjoule);
+  }
+  if (setting.settles) {
+    EXPECT_EQ(found.unsettled, 0);
+    EXPECT_EQ(found.unsettledToggles, 0);
   }
 }
 

@@ -61,10 +61,15 @@ std::vector<Setting> all()
       row("short_steps", "mean", "evo", coulomb(0.3), 10'000, spring, stays),
       row("long_steps", "published", "contour", paper, 441, rigid, stays),
   };
+  rows[1].isWatchedLonger = true;
   rows[rows.size() - 4].hasRim = rows[rows.size() - 4].hasSoftMembrane = true;
   rows[rows.size() - 3].hasRim = true;
   rows[rows.size() - 2].timeStep = 0.2e-3;
   rows.back().timeStep = 5e-3;
+  for (Setting& setting : rows)
+    for (const char* name :
+         {"published", "published_on_a_spring", "no_friction", "straight_and_soft", "short_steps"})
+      setting.settles = setting.settles || setting.name == name;
   return rows;
 }
 

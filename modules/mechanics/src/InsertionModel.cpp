@@ -102,6 +102,7 @@ std::uint64_t fingerprintOf(const InsertionModel& model)
         model.parts.friction.stribeck.si(), model.parts.wall.onset.si(),
         model.parts.wall.perSamplePoint.si(), model.parts.wall.tangentialPerSamplePoint.si()})
     hash.add(value);
+  model.parts.friction.bySpeed.addTo(hash);
   hash.add(model.membrane.has_value());
   if (model.membrane) {
     hash.add(model.parts.membrane->perSamplePoint.si());

@@ -36,6 +36,8 @@ Result<std::shared_ptr<const mechanics::InsertionModel>> buildModel(
   parts.array = scenario.array;
   parts.friction = scenario.friction;
   parts.wall = scenario.wall;
+  parts.opening = scenario.opening;
+  parts.membrane = scenario.membrane;
   parts.nodes = scenario.nodes;
   parts.timeStep = scenario.timeStep;
   parts.startInside = scenario.startInside;

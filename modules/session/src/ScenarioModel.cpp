@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "perilymph/anatomy/ClarkScala.h"
+#include "perilymph/anatomy/HapticSurface.h"
 #include "perilymph/anatomy/MeanScala.h"
 #include "perilymph/session/Scenario.h"
 
@@ -27,6 +28,10 @@ Result<std::shared_ptr<const mechanics::InsertionModel>> buildModel(
     const Scenario& scenario, std::shared_ptr<const anatomy::ScalaTympani> anatomy)
 {
   mechanics::ModelParts parts;
+  parts.kind = scenario.model;
+  if (parts.kind == mechanics::ModelKind::points)
+    parts.hapticSurface =
+        std::make_shared<const anatomy::Surface>(anatomy::hapticSurface(*anatomy));
   parts.lumen = std::move(anatomy);
   parts.array = scenario.array;
   parts.friction = scenario.friction;

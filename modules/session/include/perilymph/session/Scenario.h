@@ -33,7 +33,8 @@ struct Scenario {
   /// "standard": the stylet stays in until full depth; "aos": advance off stylet, the stylet is
   /// held still from the array's hold depth on and the array pushed off it.
   std::string technique = "standard";
-  int nodes = 100;
+  mechanics::ModelKind model = mechanics::ModelKind::rod;  ///< "rod" or "points".
+  int nodes = 100;  ///< By default 12 where the model is of points, as published.
   Duration timeStep = milliseconds(1);
   long seed = 1;
   Speed speed = millimetersPerSecond(2);

@@ -19,9 +19,11 @@ InsertionState::InsertionState(const InsertionModel& model)
       isSliding(position_W.size()),
       slipSpeed(position_W.size()),
       track(position_W.size()),
+      clearance(position_W.size()),
       normalForce(position_W.size()),
       wallForce_W(position_W.size()),
       onMembrane(position_W.size()),
+      factors(position_W.size() - 1),
       room(position_W.size())
 {
   reset(model);
@@ -43,9 +45,11 @@ void InsertionState::reset(const InsertionModel& model) noexcept
     normalForce[i] = 0.0;
     wallForce_W[i].setZero();
     onMembrane[i] = 0;
-    // nodes farther from the wall than this need no more than that fact
-    room.reach[i] = model.radius[i] + 0.02e-3;
+    clearance[i] = 0.0;
+    // nodes farther from the wall than this do not touch it
+    room.reach[i] = model.radius[i];
   }
+  factors.forget();
   readings = Readings{};
   readings.depth = model.parts.startInside.si() > 0.0 ? model.parts.startInside.si() : 0.0;
 }
@@ -65,8 +69,10 @@ std::uint64_t InsertionState::fingerprint() const noexcept
     hash.add(slipSpeed[i]);
     hash.add(track[i].inLeadIn);
     hash.add(track[i].angle);
+    hash.add(clearance[i]);
     hash.add(normalForce[i]);
   }
+  factors.addTo(hash);
   return hash.value();
 }
 

@@ -110,6 +110,38 @@ void addReplay(CLI::App& app, ReplayOptions& options)
   command.add_option("--csv", options.csv, "Writes a row a tick");
 }
 
+void addValidate(CLI::App& app, ValidateOptions& options)
+{
+  CLI::App& command =
+      *app.add_subcommand("validate", "Repeats the published experiment, with its statistics");
+  command.add_option("--runs", options.runs, "Insertions")->check(CLI::Range(2, 100'000));
+  command.add_option("--seed", options.seed, "Of everything that varies between insertions")
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--jobs", options.jobs, "Insertions at a time; by default one a processor")
+      ->check(CLI::Range(1u, 256u));
+  overrideOption(command, "--model", "model", options.overrides, "rod or points");
+  setOption(command, options.overrides);
+  command.add_option("--variability", options.variability,
+                     "What varies and how much: a file or a shipped name");
+  command.add_option("--out", options.out, "The folder for tables and figures")->required();
+}
+
+void addCalibrate(CLI::App& app, CalibrateOptions& options)
+{
+  CLI::App& command =
+      *app.add_subcommand("calibrate", "Fits two numbers of the array to two printed forces");
+  command.add_option("--runs", options.runs, "Insertions behind each trial")
+      ->check(CLI::Range(2, 10'000));
+  command.add_option("--seed", options.seed, "Of everything that varies between insertions")
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--jobs", options.jobs, "Insertions at a time; by default one a processor")
+      ->check(CLI::Range(1u, 256u));
+  setOption(command, options.overrides);
+  command.add_option("--variability", options.variability,
+                     "What varies and how much: a file or a shipped name");
+  command.add_option("--out", options.out, "The folder for the calibration")->required();
+}
+
 void addRender(CLI::App& app, RenderOptions& options)
 {
   CLI::App& command = *app.add_subcommand("render", "Draws a picture without a window");
@@ -137,7 +169,7 @@ std::string words(const CLI::ParseError& error, const CLI::App& app, int argc, c
   const bool namesNothing = argc < 2 || argv[1][0] == '-' || !app.get_subcommands().empty();
   if (namesNothing) return error.what();
   return "There is no command '" + std::string(argv[1]) +
-         "'; there are simulate, anatomy, replay and render";
+         "'; there are simulate, anatomy, validate, calibrate, replay and render";
 }
 
 int report(const Result<Done>& result)
@@ -159,10 +191,14 @@ int run(int argc, char** argv)
   AnatomyOptions anatomyOptions;
   ReplayOptions replayOptions;
   RenderOptions renderOptions;
+  ValidateOptions validateOptions;
+  CalibrateOptions calibrateOptions;
   addSimulate(app, simulateOptions);
   addAnatomy(app, anatomyOptions);
   addReplay(app, replayOptions);
   addRender(app, renderOptions);
+  addValidate(app, validateOptions);
+  addCalibrate(app, calibrateOptions);
 
   try {
     app.parse(argc, argv);
@@ -174,6 +210,8 @@ int run(int argc, char** argv)
   if (app.got_subcommand("simulate")) return report(simulate(simulateOptions));
   if (app.got_subcommand("anatomy")) return report(describeAnatomy(anatomyOptions));
   if (app.got_subcommand("replay")) return report(replay(replayOptions));
+  if (app.got_subcommand("validate")) return report(validate(validateOptions));
+  if (app.got_subcommand("calibrate")) return report(calibrate(calibrateOptions));
   return report(render(renderOptions));
 }
 

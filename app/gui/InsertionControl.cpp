@@ -55,6 +55,13 @@ std::filesystem::path InsertionControl::nextRecording()
   return numbered(file, number);
 }
 
+void InsertionControl::use(session::Scenario scenario,
+                           std::shared_ptr<const anatomy::ScalaTympani> anatomy)
+{
+  scenario_ = std::move(scenario);
+  anatomy_ = std::move(anatomy);
+}
+
 Result<Done> InsertionControl::prepare(Hand hand)
 {
   discard();
@@ -103,10 +110,12 @@ Result<Done> InsertionControl::build(Hand hand, std::optional<std::filesystem::p
     device = std::move(made);
   }
 
-  auto prepared = session::Insertion::prepare(scenario_, std::move(device), std::move(file));
+  auto prepared =
+      session::Insertion::prepare(scenario_, std::move(device), std::move(file), anatomy_);
   if (!prepared) return prepared.error();
 
   insertion_ = *std::move(prepared);
+  anatomy_ = insertion_->sharedAnatomy();
   scripted_ = scripted;
   pointer_ = pointer;
   hand_ = hand;

@@ -28,6 +28,9 @@ public:
   InsertionControl(session::Scenario scenario, std::optional<std::filesystem::path> record);
   ~InsertionControl();
 
+  /// From the next prepare() on, insertions are of another scenario, in its cochlea.
+  void use(session::Scenario scenario, std::shared_ptr<const anatomy::ScalaTympani> anatomy);
+
   /// Prepares a fresh insertion with the array at its start and a recording of its own. The one
   /// before is stopped and its recording closed, or removed if it never ran. An insertion whose
   /// recording cannot be opened runs without one, but for the first with a file asked for by name.
@@ -81,6 +84,7 @@ private:
   void moveHand(device::ScriptedHand::Motion motion);
 
   session::Scenario scenario_;
+  std::shared_ptr<const anatomy::ScalaTympani> anatomy_;  ///< Once it is built.
   std::optional<std::filesystem::path> record_;
   int prepared_ = 0;
 

@@ -27,6 +27,9 @@ KeyList::KeyList(QWidget* parent) : QFrame(parent)
       {tr("Drag; A D W X"), tr("turn the model")},
       {tr("Shift+drag; Shift+arrows"), tr("move the model")},
       {tr("Wheel, Ctrl+wheel, + −"), tr("magnify")},
+      {{}, tr("Window")},
+      {tr("Alt+Home"), tr("begin anew: the first screen")},
+      {tr("Alt+1  Alt+2"), tr("insert, validate")},
       {tr("?"), tr("this list")},
   };
 

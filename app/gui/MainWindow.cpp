@@ -3,6 +3,7 @@
 #include <QEvent>
 #include <QFrame>
 #include <QHBoxLayout>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cstring>
@@ -13,8 +14,10 @@
 #include "Numbers.h"
 #include "OperationView.h"
 #include "SidePanel.h"
+#include "StartPage.h"
 #include "Theme.h"
 #include "TopBar.h"
+#include "ValidatePage.h"
 
 namespace perilymph::gui {
 
@@ -33,28 +36,22 @@ QFrame* line(QWidget* parent)
   return made;
 }
 
-QString patientText(const session::Scenario& scenario)
-{
-  const bool isLeft = scenario.patient.side == anatomy::Side::left;
-  const bool isPatient = scenario.anatomy == "published" || scenario.patient.basalTurn;
-  return (isPatient ? MainWindow::tr("Patient %1 · %2 ear") : MainWindow::tr("%1 anatomy · %2 ear"))
-      .arg(QString::fromStdString(isPatient ? scenario.patient.label : scenario.anatomy),
-           isLeft ? MainWindow::tr("left") : MainWindow::tr("right"));
-}
-
 }  // namespace
 
 MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem::path> record)
     : control_(std::move(scenario), std::move(record)),
       top_(new TopBar(this)),
-      side_(new SidePanel(control_.scenario(), this)),
+      side_(new SidePanel(this)),
       view_(new OperationView(this)),
       charts_(new ChartColumn(this)),
       bottom_(new BottomBar(this)),
-      keys_(new KeyList(view_))
+      keys_(new KeyList(view_)),
+      startPage_(new StartPage(this)),
+      validation_(new ValidatePage(this)),
+      anatomyWork_(this),
+      pages_(new QStackedWidget(this))
 {
   setObjectName(QStringLiteral("mainWindow"));
-  setWindowTitle(tr("Perilymph · %1").arg(QString::fromStdString(control_.scenario().name)));
   setFont(typeface(13));
   setStyleSheet(windowStyle());
   setMinimumSize(1260, 720);
@@ -62,7 +59,7 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
   setFocusPolicy(Qt::StrongFocus);
   layOut();
   connectZones();
-  top_->setPatient(patientText(control_.scenario()));
+  showScenario();
   top_->setDevice(Light::off, tr("preparing"), {});
   bottom_->setMain(BottomBar::Main::start, false);
 
@@ -73,8 +70,9 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
 
 MainWindow::~MainWindow() = default;
 
-void MainWindow::layOut()
+QWidget* MainWindow::insertPage()
 {
+  auto* page = new QWidget(this);
   auto* middle = new QHBoxLayout;
   middle->setSpacing(0);
   QFrame* leftLine = line(this);
@@ -87,22 +85,45 @@ void MainWindow::layOut()
   middle->addWidget(rightLine);
   middle->addWidget(charts_);
 
-  QFrame* topLine = line(this);
   QFrame* bottomLine = line(this);
-  topLine->setFixedHeight(1);
   bottomLine->setFixedHeight(1);
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addLayout(middle, 1);
+  column->addWidget(bottomLine);
+  column->addWidget(bottom_);
+  return page;
+}
+
+void MainWindow::layOut()
+{
+  // in the order of Page
+  pages_->addWidget(startPage_);
+  pages_->addWidget(insertPage());
+  pages_->addWidget(validation_);
+
+  QFrame* topLine = line(this);
+  topLine->setFixedHeight(1);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(top_);
   column->addWidget(topLine);
-  column->addLayout(middle, 1);
-  column->addWidget(bottomLine);
-  column->addWidget(bottom_);
+  column->addWidget(pages_, 1);
+  top_->setPage(page_);
+  pages_->setCurrentIndex(static_cast<int>(page_));
 }
 
 void MainWindow::connectZones()
 {
+  connect(top_, &TopBar::pageChosen, this, &MainWindow::showPage);
+  connect(startPage_, &StartPage::patientGiven, this,
+          [this](const anatomy::Patient& patient) { begin(patient); });
+  connect(startPage_, &StartPage::meanAsked, this,
+          [this] { beginShipped("mean-contour", Then::rest); });
+  connect(startPage_, &StartPage::demonstrationAsked, this,
+          [this] { beginShipped("contour-published", Then::insert); });
   connect(top_, &TopBar::keysAsked, this, &MainWindow::toggleKeyList);
   connect(side_, &SidePanel::handChosen, this, &MainWindow::chooseHand);
   connect(side_, &SidePanel::holdChanged, this, &MainWindow::hold);
@@ -114,25 +135,6 @@ void MainWindow::connectZones()
   connect(bottom_, &BottomBar::withdrawAsked, this, &MainWindow::withdraw);
   connect(bottom_, &BottomBar::resetAsked, this, &MainWindow::reset);
   connect(view_, &QOpenGLWidget::frameSwapped, this, &MainWindow::onPresented);
-}
-
-Result<Done> MainWindow::open()
-{
-  const Result<Done> prepared = control_.prepare(Hand::scripted);
-  if (!prepared) return prepared;
-
-  const session::Scenario& scenario = control_.scenario();
-  view_->setScene(std::make_unique<visualization::InsertionScene>(
-      control_.anatomy(), scenario.array, scenario.patient.side));
-  charts_->setExperiment(charts::publishedExperiment());
-  charts_->begin(control_.anatomy().entry());
-  view_->showArray(control_.now());
-  drawn_ = control_.now();
-  showSlowly();
-  sinceFrame_.start();
-  sinceSlow_.start();
-  timer_.start();
-  return Done{};
 }
 
 void MainWindow::start()
@@ -161,20 +163,6 @@ void MainWindow::reset() { prepare(control_.hand()); }
 void MainWindow::chooseHand(Hand hand)
 {
   if (hand != control_.hand()) prepare(hand);
-}
-
-void MainWindow::prepare(Hand hand)
-{
-  trouble_.clear();
-  pressed_.clear();
-  const Result<Done> prepared = control_.prepare(hand);
-  if (!prepared) return showTrouble(QString::fromStdString(prepared.error().message));
-  side_->setHand(control_.hand());
-  side_->setHeld(false);
-  charts_->begin(control_.anatomy().entry());
-  view_->showArray(control_.now());
-  drawn_ = control_.now();
-  showSlowly();
 }
 
 void MainWindow::hold(bool isHeld)
@@ -219,13 +207,18 @@ void MainWindow::onFrame()
   }
   view_->stepCamera(elapsed_s);
 
-  bool isDrawn = view_->renderIfDirty();
+  const bool isSeen = page_ == Page::insert;
+  bool isDrawn = isSeen && view_->renderIfDirty();
   if (sinceSlow_.elapsed() >= slowInterval_ms) {
     sinceSlow_.restart();
     showSlowly();
-    if (charts_->renderIfDirty()) isDrawn = true;
+    if (isSeen && charts_->renderIfDirty()) isDrawn = true;
   }
   if (!isDrawn) meter_.cancel();
+  if (!isSeen && isFirstFrame_) {
+    isFirstFrame_ = false;
+    Q_EMIT firstFrameShown();
+  }
 }
 
 void MainWindow::onPresented()
@@ -251,13 +244,14 @@ void MainWindow::showState()
   const bool isRunning = control_.isRunning();
   const bool isScripted = control_.hand() == Hand::scripted;
   const bool hasMoved = isRunning && workflow != Workflow::idle && workflow != Workflow::armed;
+  const bool isBusy = anatomyWork_.isBusy();
   const bool isThere = workflow == Workflow::finished || workflow == Workflow::fault;
 
   if (isScripted)
     bottom_->setMain(control_.isMoving() ? BottomBar::Main::pause : BottomBar::Main::start,
-                     !isThere);
+                     !isThere && !isBusy);
   else
-    bottom_->setMain(BottomBar::Main::start, !isRunning);
+    bottom_->setMain(BottomBar::Main::start, !isRunning && !isBusy);
   bottom_->setWithdrawEnabled(hasMoved && workflow != Workflow::fault && now.output.travel > 0.0 &&
                               (isScripted || workflow == Workflow::finished));
   side_->setHandChangeable(!hasMoved || isThere);
@@ -326,6 +320,7 @@ QString MainWindow::troubleWords() const
 QString MainWindow::hintWords() const
 {
   const haptics::TickOutput& now = control_.now().output;
+  if (anatomyWork_.isBusy()) return tr("Building the cochlea…");
   if (control_.isAtDepth()) return tr("Full depth. Withdraw or Reset.");
   if (now.workflow == Workflow::finished) return tr("The array is out. Reset to insert again.");
   if (control_.hand() == Hand::scripted) return {};

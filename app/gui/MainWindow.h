@@ -10,10 +10,14 @@
 #include <optional>
 #include <set>
 
+#include "AnatomyWork.h"
 #include "FrameMeter.h"
 #include "InsertionControl.h"
+#include "TopBar.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/session/Scenario.h"
+
+class QStackedWidget;
 
 namespace perilymph::gui {
 
@@ -22,7 +26,8 @@ class ChartColumn;
 class KeyList;
 class OperationView;
 class SidePanel;
-class TopBar;
+class StartPage;
+class ValidatePage;
 
 /// Shows an insertion and asks for its next steps; computes none of it. A view pulls, converts,
 /// draws: one turn of a timer, at most 60 times a second, updates everything and renders what
@@ -36,11 +41,19 @@ public:
   /// Builds the cochlea and prepares the insertion; then frames begin to run.
   Result<Done> open();
 
+  /// Begins anew with another scenario, its array at its start and its cochlea built meanwhile.
+  enum class Then { rest, insert };
+  void load(session::Scenario scenario, Then then);
+
   void start();
   void pause();
   void withdraw();
   /// A fresh insertion with the array at its start, moved by the same hand.
   void reset();
+
+  /// Shows another page. An insertion that moves is paused: nobody would see where it goes.
+  void showPage(Page page);
+  Page page() const { return page_; }
 
   /// Says in place what went wrong; stays until the next reset.
   void showTrouble(const QString& sentence);
@@ -64,6 +77,7 @@ protected:
 
 private:
   void layOut();
+  QWidget* insertPage();
   void connectZones();
   void onFrame();
   void onPresented();
@@ -71,6 +85,11 @@ private:
   void showState();
   void chooseHand(Hand hand);
   void prepare(Hand hand);
+  void showScenario();
+  void showCochlea();
+  void showPrepared();
+  void begin(const anatomy::Patient& patient);
+  void beginShipped(const std::string& name, Then then);
   void hold(bool isHeld);
   bool steer(int key, bool isShift);
   void toggleKeyList();
@@ -86,6 +105,11 @@ private:
   ChartColumn* charts_;
   BottomBar* bottom_;
   KeyList* keys_;
+  StartPage* startPage_;
+  ValidatePage* validation_;
+  AnatomyWork anatomyWork_;
+  QStackedWidget* pages_;
+  Page page_ = Page::insert;
 
   QTimer timer_;
   QElapsedTimer sinceFrame_, sinceSlow_;

@@ -9,6 +9,7 @@
 #include "MainWindow.h"
 #include "OperationView.h"
 #include "SidePanel.h"
+#include "ValidatePage.h"
 
 namespace perilymph::gui {
 
@@ -29,6 +30,14 @@ void MainWindow::keyPressEvent(QKeyEvent* event)
   const bool isControl = (event->modifiers() & Qt::ControlModifier) != 0;
   const int key = event->key();
 
+  if ((event->modifiers() & Qt::AltModifier) != 0) {
+    if (key == Qt::Key_Home) return showPage(Page::start);
+    if (key == Qt::Key_1) return showPage(Page::insert);
+    if (key == Qt::Key_2) return showPage(Page::validate);
+    return QWidget::keyPressEvent(event);
+  }
+  if (page_ == Page::validate && key == Qt::Key_Escape) return validation_->cancel();
+  if (page_ != Page::insert) return QWidget::keyPressEvent(event);
   if (isControl && key == Qt::Key_R) return reset();
   if (isControl) return QWidget::keyPressEvent(event);
   if (key == Qt::Key_Space) {
@@ -125,6 +134,7 @@ void MainWindow::keyReleaseEvent(QKeyEvent* event)
 
 void MainWindow::wheelEvent(QWheelEvent* event)
 {
+  if (page_ != Page::insert) return QWidget::wheelEvent(event);
   const double notches = event->angleDelta().y() / 120.0;
   const bool isControl = (event->modifiers() & Qt::ControlModifier) != 0;
   // Turning the wheel away from oneself pushes the array in.

@@ -134,6 +134,7 @@ void OperationView::addReadOuts()
 
 void OperationView::setScene(std::unique_ptr<visualization::InsertionScene> scene)
 {
+  if (scene_) renderWindow()->RemoveRenderer(&scene_->renderer());
   scene_ = std::move(scene);
   scene_->setScale(devicePixelRatioF());
   scene_->setScaleBarMargin(footHeight_px);

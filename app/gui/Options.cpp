@@ -35,9 +35,9 @@ std::variant<Options, Exit> parseOptions(int argc, const char* const* argv)
 
   std::string record, screenshot;
   app.add_option("--scenario", options.scenario,
-                 "What to insert where: a shipped name or a TOML file")
-      ->type_name("FILE|NAME")
-      ->capture_default_str();
+                 "What to insert where: a shipped name or a TOML file; without it, the first "
+                 "screen asks")
+      ->type_name("FILE|NAME");
   app.add_flag("--demo", options.isDemo, "Start inserting at once");
   auto* recordOption =
       app.add_option("--record", record,

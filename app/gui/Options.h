@@ -11,7 +11,7 @@ namespace perilymph::gui {
 
 /// What the workstation was asked to do.
 struct Options {
-  std::string scenario = "contour-published";   ///< A shipped name or a file.
+  std::optional<std::string> scenario;          ///< A shipped name or a file.
   bool isDemo = false;                          ///< Starts inserting by itself.
   std::optional<std::filesystem::path> record;  ///< Where to keep the insertion.
   std::optional<std::filesystem::path> screenshot;

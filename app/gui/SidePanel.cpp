@@ -43,10 +43,19 @@ QString techniqueText(const session::Scenario& scenario)
 
 }  // namespace
 
-SidePanel::SidePanel(const session::Scenario& scenario, QWidget* parent) : QWidget(parent)
+SidePanel::SidePanel(QWidget* parent) : QWidget(parent)
 {
   setFixedWidth(sidePanelWidth);
   auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+}
+
+void SidePanel::setScenario(const session::Scenario& scenario)
+{
+  delete content_;
+  content_ = new QWidget(this);
+  layout()->addWidget(content_);
+  auto* column = new QVBoxLayout(content_);
   column->setContentsMargins(2 * spacing, 2 * spacing, 2 * spacing, spacing);
   column->setSpacing(2);
   addPatient(*column, scenario);
@@ -67,7 +76,7 @@ void SidePanel::addTitle(QVBoxLayout& column, const QString& title, const QStrin
   row->addWidget(label);
   row->addStretch();
   if (!note.isEmpty()) {
-    auto* noteLabel = new QLabel(note, this);
+    auto* noteLabel = new QLabel(note, content_);
     noteLabel->setFont(typeface(11));
     noteLabel->setStyleSheet(QStringLiteral("color: %1;").arg(accentColor.name()));
     row->addWidget(noteLabel);
@@ -81,10 +90,10 @@ QLabel* SidePanel::addRow(QVBoxLayout& column, const QString& name, const QStrin
 {
   auto* row = new QHBoxLayout;
   row->setSpacing(spacing);
-  auto* nameLabel = new QLabel(name, this);
+  auto* nameLabel = new QLabel(name, content_);
   nameLabel->setFont(typeface(13));
   nameLabel->setFixedHeight(rowHeight_px);
-  auto* valueLabel = new QLabel(value, this);
+  auto* valueLabel = new QLabel(value, content_);
   valueLabel->setFont(typeface(13));
   valueLabel->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   nameLabel->setToolTip(tip);
@@ -97,7 +106,7 @@ QLabel* SidePanel::addRow(QVBoxLayout& column, const QString& name, const QStrin
 
 void SidePanel::addLine(QVBoxLayout& column)
 {
-  auto* line = new QFrame(this);
+  auto* line = new QFrame(content_);
   line->setObjectName(QStringLiteral("line"));
   line->setFixedHeight(1);
   column.addSpacing(spacing);
@@ -139,7 +148,7 @@ void SidePanel::addPatient(QVBoxLayout& column, const session::Scenario& scenari
 void SidePanel::addArray(QVBoxLayout& column, const session::Scenario& scenario)
 {
   addTitle(column, tr("Array"));
-  auto* name = new QLabel(QString::fromStdString(scenario.array.name), this);
+  auto* name = new QLabel(QString::fromStdString(scenario.array.name), content_);
   name->setFont(typeface(13, QFont::Medium));
   name->setFixedHeight(rowHeight_px);
   name->setToolTip(QString::fromStdString(scenario.array.note));
@@ -158,19 +167,19 @@ void SidePanel::addArray(QVBoxLayout& column, const session::Scenario& scenario)
 void SidePanel::addHand(QVBoxLayout& column, const session::Scenario& scenario)
 {
   addTitle(column, tr("Hand"));
-  scripted_ = new Choice(tr("Scripted insertion"), this);
+  scripted_ = new Choice(tr("Scripted insertion"), content_);
   scripted_->setObjectName(QStringLiteral("scriptedChoice"));
   scripted_->setToolTip(tr("Constant speed in, constant speed out."));
-  pointer_ = new Choice(tr("Mouse and keyboard"), this);
+  pointer_ = new Choice(tr("Mouse and keyboard"), content_);
   pointer_->setObjectName(QStringLiteral("pointerChoice"));
   pointer_->setToolTip(tr("The wheel or the up and down keys move the array while it is held."));
   scripted_->setChecked(true);
   column.addWidget(scripted_);
   column.addWidget(pointer_);
 
-  hold_ = new QPushButton(tr("Hold the array (Space)"), this);
+  hold_ = new QPushButton(tr("Hold the array (Space)"), content_);
   hold_->setObjectName(QStringLiteral("holdButton"));
-  pullStylet_ = new QPushButton(tr("Pull stylet (S)"), this);
+  pullStylet_ = new QPushButton(tr("Pull stylet (S)"), content_);
   pullStylet_->setObjectName(QStringLiteral("styletButton"));
   for (QPushButton* button : {hold_, pullStylet_}) {
     button->setFont(typeface(13));
@@ -209,14 +218,14 @@ void SidePanel::addShow(QVBoxLayout& column)
       {Part::styletAndTweezers, tr("Stylet and tweezers")},
   };
   for (const auto& [part, name] : parts) {
-    auto* box = new CheckBox(name, this);
+    auto* box = new CheckBox(name, content_);
     box->setChecked(true);
     box->setObjectName(QStringLiteral("show%1").arg(static_cast<int>(part)));
     connect(box, &QAbstractButton::toggled, this,
             [this, shown = part](bool isOn) { Q_EMIT partShown(shown, isOn); });
     column.addWidget(box);
   }
-  auto* experiment = new CheckBox(tr("Published experiment"), this);
+  auto* experiment = new CheckBox(tr("Published experiment"), content_);
   experiment->setChecked(true);
   experiment->setObjectName(QStringLiteral("showExperiment"));
   connect(experiment, &QAbstractButton::toggled, this, &SidePanel::experimentShown);

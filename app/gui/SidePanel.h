@@ -21,7 +21,10 @@ class Choice;
 class SidePanel : public QWidget {
   Q_OBJECT
 public:
-  explicit SidePanel(const session::Scenario& scenario, QWidget* parent);
+  explicit SidePanel(QWidget* parent);
+
+  /// What is inserted into whom from now on, with everything shown.
+  void setScenario(const session::Scenario& scenario);
 
   void setHand(Hand hand);
   /// The hand can be changed before an insertion and after it, not during one.
@@ -47,6 +50,7 @@ private:
   void addHand(QVBoxLayout& column, const session::Scenario& scenario);
   void addShow(QVBoxLayout& column);
 
+  QWidget* content_ = nullptr;
   Choice* scripted_ = nullptr;
   Choice* pointer_ = nullptr;
   QPushButton* hold_ = nullptr;

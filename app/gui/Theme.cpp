@@ -26,10 +26,33 @@ QPushButton:disabled { color: #6C7A85; background: %line%; border-color: %line%;
 QPushButton#startButton { background: %accent%; color: #0B1412; border-color: %accent%; }
 QPushButton#startButton:hover { background: #5AD3C0; }
 QPushButton#startButton:disabled { color: #6C7A85; background: %line%; border-color: %line%; }
-QPushButton#pageButton { background: %raised%; border-color: %raised%; }
+QPushButton[page="true"] {
+  background: transparent; border-color: transparent; color: %quietText%; padding: 0;
+}
+QPushButton[page="true"]:hover { color: %text%; border-color: %line%; }
+QPushButton[page="true"]:checked { background: %raised%; border-color: %raised%; color: %text%; }
 QPushButton#holdButton:pressed, QPushButton#holdButton[held="true"] {
   background: %accent%; color: #0B1412; border-color: %accent%;
 }
+QPushButton[primary="true"] {
+  background: %accent%; color: #0B1412; border-color: %accent%; padding: 0 16px;
+}
+QPushButton[primary="true"]:hover { background: #5AD3C0; }
+QPushButton[primary="true"]:disabled { color: #6C7A85; background: %line%; border-color: %line%; }
+QPushButton#startPageButton {
+  background: transparent; border-color: transparent; color: %accent%; padding: 0;
+}
+QLineEdit {
+  background: %ground%; border: 1px solid %line%; border-radius: 4px; padding: 0 8px;
+  selection-background-color: %accent%; selection-color: #0B1412;
+}
+QLineEdit:focus { border-color: %accent%; }
+QSpinBox {
+  background: %ground%; border: 1px solid %line%; border-radius: 4px; padding: 0 8px;
+}
+QSpinBox:focus { border-color: %accent%; }
+QProgressBar { background: %ground%; border: none; border-radius: 3px; }
+QProgressBar::chunk { background: %accent%; border-radius: 3px; }
 QPushButton#keysButton { background: transparent; border-color: transparent; color: %quietText%; }
 QPushButton#keysButton:hover { color: %text%; border-color: %line%; }
 

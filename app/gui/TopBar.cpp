@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
+#include <QVariant>
 
 #include "Theme.h"
 
@@ -74,16 +75,12 @@ TopBar::TopBar(QWidget* parent)
     : QWidget(parent), patient_(new QLabel(this)), device_(new DeviceLight(this))
 {
   setFixedHeight(barHeight);
-  auto* name = new QLabel(tr("Perilymph"), this);
+  auto* name = new QPushButton(tr("Perilymph"), this);
+  name->setObjectName(QStringLiteral("startPageButton"));
   name->setFont(typeface(15, QFont::DemiBold));
-  name->setStyleSheet(QStringLiteral("color: %1;").arg(accentColor.name()));
-
-  auto* page = new QLabel(tr("Insert"), this);
-  page->setFont(typeface(13, QFont::Medium));
-  page->setAlignment(Qt::AlignCenter);
-  page->setFixedSize(84, 28);
-  page->setStyleSheet(
-      QStringLiteral("background: %1; border-radius: 5px;").arg(raisedColor.name()));
+  name->setFocusPolicy(Qt::NoFocus);
+  name->setToolTip(tr("Begin anew (Alt+Home)"));
+  connect(name, &QPushButton::clicked, this, [this] { Q_EMIT pageChosen(Page::start); });
 
   patient_->setFont(typeface(13, QFont::Medium));
   patient_->setAlignment(Qt::AlignCenter);
@@ -101,7 +98,11 @@ TopBar::TopBar(QWidget* parent)
   auto* left = new QHBoxLayout;
   left->setSpacing(3 * spacing);
   left->addWidget(name);
-  left->addWidget(page);
+  auto* pages = new QHBoxLayout;
+  pages->setSpacing(spacing);
+  pages->addWidget(addPage(Page::insert, tr("Insert"), "insertPageButton"));
+  pages->addWidget(addPage(Page::validate, tr("Validate"), "validatePageButton"));
+  left->addLayout(pages);
   left->addStretch();
   auto* right = new QHBoxLayout;
   right->setSpacing(2 * spacing);
@@ -117,6 +118,25 @@ TopBar::TopBar(QWidget* parent)
   columns->addLayout(right, 0, 2);
   columns->setColumnStretch(0, 1);
   columns->setColumnStretch(2, 1);
+}
+
+QPushButton* TopBar::addPage(Page page, const QString& text, const char* name)
+{
+  auto* button = new QPushButton(text, this);
+  button->setObjectName(QLatin1String(name));
+  button->setProperty("page", true);
+  button->setFont(typeface(13, QFont::Medium));
+  button->setFixedSize(84, 28);
+  button->setCheckable(true);
+  button->setFocusPolicy(Qt::NoFocus);
+  connect(button, &QPushButton::clicked, this, [this, page] { Q_EMIT pageChosen(page); });
+  pages_.emplace_back(page, button);
+  return button;
+}
+
+void TopBar::setPage(Page page)
+{
+  for (const auto& [own, button] : pages_) button->setChecked(own == page);
 }
 
 void TopBar::setPatient(const QString& patient) { patient_->setText(patient); }

@@ -1,13 +1,18 @@
 #pragma once
 
-// The bar at the top: whose ear this is, and whether the hand answers.
+// The bar at the top: the pages, whose ear this is, and whether the hand answers.
 
 #include <QWidget>
+#include <utility>
+#include <vector>
 
 class QLabel;
 class QPushButton;
 
 namespace perilymph::gui {
+
+/// The pages of the window, in the order of their buttons.
+enum class Page { start, insert, validate };
 
 /// How the device's light shines. Every state has its word beside the color.
 enum class Light { off, steady, warning, alarm };
@@ -30,19 +35,25 @@ private:
   QString words_;
 };
 
-/// Name, page, patient and device.
+/// Name, pages, patient and device.
 class TopBar : public QWidget {
   Q_OBJECT
 public:
   explicit TopBar(QWidget* parent);
 
+  /// Marks the page that is shown.
+  void setPage(Page page);
   void setPatient(const QString& patient);
   void setDevice(Light light, const QString& words, const QString& tip);
 
 Q_SIGNALS:
+  void pageChosen(perilymph::gui::Page page);
   void keysAsked();
 
 private:
+  QPushButton* addPage(Page page, const QString& text, const char* name);
+
+  std::vector<std::pair<Page, QPushButton*>> pages_;
   QLabel* patient_;
   DeviceLight* device_;
 };

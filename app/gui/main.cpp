@@ -23,7 +23,7 @@ int refuse(const std::string& sentence)
 
 int run(int argc, char** argv, const gui::Options& options)
 {
-  auto scenario = session::loadScenario(options.scenario);
+  auto scenario = session::loadScenario(options.scenario.value_or("contour-published"));
   if (!scenario) return refuse(scenario.error().message);
   if (const auto display = gui::probeDisplay(); !display) return refuse(display.error().message);
 
@@ -34,6 +34,9 @@ int run(int argc, char** argv, const gui::Options& options)
 
   gui::MainWindow window(*std::move(scenario), options.record);
   application.onException([&window](const QString& sentence) { window.showTrouble(sentence); });
+  const bool isTold =
+      options.scenario || options.isDemo || options.measuresFrames || options.record;
+  if (!isTold) window.showPage(gui::Page::start);
   gui::arrangeErrands(window, options);
   window.show();
 

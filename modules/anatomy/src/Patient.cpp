@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "perilymph/anatomy/Population.h"
+#include "perilymph/foundation/AtomicFile.h"
 
 namespace perilymph::anatomy {
 namespace {
@@ -23,6 +24,27 @@ constexpr Range length_mm{25.0, 45.0};
 // is what the 0.8 mm base of an array still enters. Reasoned, not measured.
 constexpr Range width_mm{1.0, 3.0};
 constexpr Range height_mm{1.0, 2.8};
+
+/// As TOML quotes it; what cannot be seen becomes a space.
+std::string quoted(const std::string& text)
+{
+  std::string inside;
+  for (const char c : text) {
+    if (c == '"' || c == '\\') inside += '\\';
+    inside += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? ' ' : c;
+  }
+  return '"' + inside + '"';
+}
+
+/// `key = value` in millimeters, to a picometer, as a number that TOML takes for a real one.
+std::string line(const char* key, Length value)
+{
+  char digits[40];
+  std::snprintf(digits, sizeof digits, "%.9f", inMillimeters(value));
+  std::string text(digits);
+  while (text.back() == '0' && text[text.size() - 2] != '.') text.pop_back();
+  return std::string(key) + " = " + text + '\n';
+}
 
 /// The sentence about a length that is out of its limits; empty if it is within.
 std::string complaint(const char* name, const char* key, Length value, Range limits_mm)
@@ -121,6 +143,21 @@ Result<Patient> loadPatient(const std::filesystem::path& file)
   if (const Result<Done> done = checkPatient(patient); !done)
     return Error{file.string() + ": " + done.error().message};
   return patient;
+}
+
+Result<Done> savePatient(const Patient& patient, const std::filesystem::path& file)
+{
+  std::string text = "label = " + quoted(patient.label) + "\nside = " +
+                     (patient.side == Side::left ? "\"left\"" : "\"right\"") + '\n';
+  if (patient.basalTurn) {
+    text += line("a_mm", patient.basalTurn->a) + line("b_mm", patient.basalTurn->b);
+    if (patient.basalTurn->h) text += line("h_mm", *patient.basalTurn->h);
+  } else {
+    text += line("st_length_mm", patient.scalaTympaniLength) +
+            line("rw_width_mm", patient.roundWindowWidth) +
+            line("rw_height_mm", patient.roundWindowHeight);
+  }
+  return writeWhole(file, text);
 }
 
 Result<Done> checkPatient(const Patient& patient)

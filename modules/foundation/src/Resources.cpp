@@ -110,4 +110,6 @@ fs::path sessionFolder()
   return home / ".local" / "share" / "perilymph" / "sessions";
 }
 
+fs::path patientFolder() { return sessionFolder().parent_path() / "patients"; }
+
 }  // namespace perilymph

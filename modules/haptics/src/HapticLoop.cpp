@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "perilymph/foundation/RealTime.h"
+#include "perilymph/haptics/CouplingLimit.h"
 #include "perilymph/realtime/Pacer.h"
 #include "perilymph/realtime/RealTimePriority.h"
 #include "perilymph/realtime/SpscRing.h"
@@ -41,6 +42,7 @@ struct HapticLoop::Content {
   }
 
   CommandList takeCommands() noexcept;
+  std::int64_t waitForTick() noexcept;
   void publish() noexcept;
   void measure(std::int64_t began, std::int64_t ended) noexcept;
 
@@ -55,7 +57,11 @@ struct HapticLoop::Content {
 
   // The haptic thread's own; others read it once the thread has ended.
   realtime::Pacer pacer;
-  std::int64_t period;  // [ns]
+  std::int64_t period;         // [ns]
+  bool followsDevice = false;  // its reports may begin ticks
+  bool isHandFresh = false;    // the last tick had a fresh sample
+  std::uint64_t sequence = 0;  // of that sample
+  std::int64_t lastBegan = 0;  // [ns]
   std::uint64_t ticks = 0;
   std::uint64_t overruns = 0;
   std::uint64_t lostRecords = 0;
@@ -88,6 +94,7 @@ void HapticLoop::Content::publish() noexcept
   engine->fill(snapshot);
   snapshot.measuredRate = measuredRate;
   snapshot.lateTicks = pacer.lateTicks();
+  snapshot.overruns = overruns;
   snapshot.tickTimeP99 = tickTimeP99;
   snapshot.lostRecords = lostRecords;
   snapshots.publishDraft();
@@ -102,6 +109,8 @@ void HapticLoop::runOnce() noexcept
   record.commands = loop.takeCommands();
 
   record.sample = loop.device.read();
+  loop.isHandFresh = record.sample.isValid != 0 && record.sample.sequence != loop.sequence;
+  loop.sequence = record.sample.sequence;
   record.output = loop.engine->tick(record.sample, record.commands);
   loop.device.write(record.output.wrench_D);
 
@@ -119,15 +128,36 @@ void HapticLoop::start()
     loop.hasRealTimePriority =
         realtime::requestRealTimePriority() == realtime::RealTimePriority::granted;
     const std::int64_t now = realtime::monotonicNanoseconds();
+    loop.followsDevice = followsReports(loop.device.traits(), loop.engine->model().timeStep);
     loop.pacer.start(now);
     loop.secondBegan = now;
     loop.ticksOfSecond.clear();
     while (!loop.isStopping) {
-      const std::int64_t began = loop.pacer.wait();
+      const std::int64_t began = loop.waitForTick();
       runOnce();
       loop.measure(began, realtime::monotonicNanoseconds());
     }
   });
+}
+
+/// Returns when the next tick is to begin, and when that was [ns].
+std::int64_t HapticLoop::Content::waitForTick() noexcept
+{
+  auto awaited = device::Awaited::cannot;
+  // Only a device in time is waited for; one that stalls must not hold up the ticks.
+  if (followsDevice && isHandFresh)
+    awaited = device.await(Duration::fromSi(engine->model().timeStep));
+  const std::int64_t now = realtime::monotonicNanoseconds();
+
+  // A report behind a tick that could not wait for it belongs to the next one.
+  const bool isTooSoon = awaited == device::Awaited::fresh && now - lastBegan < period / 2;
+  if (awaited == device::Awaited::cannot || isTooSoon) {
+    lastBegan = pacer.wait();
+    return lastBegan;
+  }
+  pacer.follow(now);
+  lastBegan = now;
+  return now;
 }
 
 void HapticLoop::stop() noexcept

@@ -123,7 +123,7 @@ void InsertionEngine::happen(WorkflowEvent event) noexcept
   needsAnchor_ = true;
   // A spring begins in balance with the force it takes over: hand - base = -F / K.
   if (settings_.coupling == mechanics::Coupling::spring)
-    base_.position_W -= state_.readings.handForce_W / settings_.couplingStiffness;
+    base_.position_W -= state_.readings.handForce_W / couplingStiffness();
 }
 
 void InsertionEngine::startWithdrawing() noexcept
@@ -177,6 +177,7 @@ HandCondition InsertionEngine::conditionOf(const Hand& hand) const noexcept
   condition.isStale = hand.isStale;
   condition.hasFault = workflow_ == Workflow::fault;
   condition.hasJumped = hand.hasJumped;
+  condition.distance = hand.position_D.norm();
   return condition;
 }
 
@@ -210,6 +211,19 @@ mechanics::Drive InsertionEngine::hold() const noexcept
   return drive;
 }
 
+/// What is left of the coupling's stiffness or damping where the device renders so much at the
+/// hand: there it is felt times the scales of force and motion.
+double InsertionEngine::softened(double asked, double most) const noexcept
+{
+  const double atHand = forceScale_ * settings_.motionScale * asked;
+  return atHand <= most ? asked : asked * (most / atHand);
+}
+
+double InsertionEngine::couplingStiffness() const noexcept
+{
+  return softened(settings_.couplingStiffness, settings_.mostStiffness);
+}
+
 mechanics::Drive InsertionEngine::follow(const Hand& hand) noexcept
 {
   if (needsAnchor_) registration_.anchor(hand, base_);
@@ -228,8 +242,9 @@ mechanics::Drive InsertionEngine::follow(const Hand& hand) noexcept
     if (2.0 * ahead < room) {
       drive = hold();
       drive.coupling = mechanics::Coupling::spring;
-      drive.couplingStiffness = settings_.couplingStiffness;
-      drive.couplingDamping = settings_.couplingDamping;
+      drive.couplingStiffness = couplingStiffness();
+      drive.couplingDamping = softened(settings_.couplingDamping, settings_.mostDamping);
+      if (drive.couplingStiffness < settings_.couplingStiffness) output_.status |= couplingSoftened;
       drive.handVelocity_W = registration_.toCochlea(registration_.motionScale() * hand.velocity_D);
       return drive;
     }
@@ -295,6 +310,8 @@ void InsertionEngine::fill(Snapshot& snapshot) const noexcept
   snapshot.tick = ticks_ == 0 ? 0 : ticks_ - 1;
   snapshot.output = output_;
   snapshot.baseAxis_W = asArray(base_.axis_W);
+  const bool isSpring = settings_.coupling == mechanics::Coupling::spring;
+  snapshot.couplingStiffness = isSpring ? couplingStiffness() : 0.0;
   snapshot.nodes = static_cast<std::uint32_t>(std::min(model_->nodes, mechanics::mostNodes));
   if (!isFinite()) return;
   for (std::size_t i = 0; i < snapshot.nodes; ++i) {

@@ -49,6 +49,7 @@ SafetyLimits limitsFor(SafetyLimits limits, const device::DeviceTraits& traits) 
 {
   if (traits.rendersForce && traits.mostForce > 0.0)
     limits.mostForce = std::min(limits.mostForce, traits.mostForce);
+  if (traits.rendersForce && traits.workspaceRadius > 0.0) limits.reach = traits.workspaceRadius;
   return limits;
 }
 
@@ -59,12 +60,20 @@ Safety::Safety(const SafetyLimits& limits, double timeStep)
   checked(limits.mostForce, 20.0, "The greatest force shown", "N");
   checked(limits.mostSlew, 1e4, "The greatest change of the force shown", "N/s");
   checked(limits.rampTime, 10.0, "The time over which the force fades in", "s");
+  if (limits.reach != 0.0) checked(limits.reach, 10.0, "The reach of the device", "m");
   checked(timeStep, 0.1, "The time step of the safety chain", "s");
 }
 
 void Safety::lowerMostForce(double mostForce) noexcept
 {
   if (mostForce > 0.0) limits_.mostForce = std::min(limits_.mostForce, mostForce);
+}
+
+double Safety::shareWithinReach(double distance) const noexcept
+{
+  if (!(limits_.reach > 0.0)) return 1.0;
+  // the last tenth of the reach
+  return std::clamp(10.0 * (limits_.reach - distance) / limits_.reach, 0.0, 1.0);
 }
 
 Eigen::Vector3d Safety::show(const Eigen::Vector3d& wanted_D, const HandCondition& hand,
@@ -89,6 +98,11 @@ Eigen::Vector3d Safety::show(const Eigen::Vector3d& wanted_D, const HandConditio
   if (!isOff && ramp_ < 1.0) status |= rampingIn;
   force_D *= ramp_;
   if (hand.isStale) status |= staleSample;
+
+  // fade out toward the end of the reach
+  const double share = shareWithinReach(hand.distance);
+  if (share < 1.0) status |= nearWorkspaceEnd;
+  force_D *= share;
 
   // give back no more than came in
   if (!isOff) {

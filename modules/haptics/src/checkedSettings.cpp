@@ -1,11 +1,14 @@
 #include "checkedSettings.h"
 
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
 namespace perilymph::haptics {
 
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 void require(double value, double least, double most, const char* name, const char* unit)
 {
@@ -24,6 +27,8 @@ EngineSettings checkedSettings(const EngineSettings& settings)
     require(settings.couplingStiffness, 1.0, 1e5, "The coupling's stiffness", "N/m");
     require(settings.couplingDamping, 0.0, 1e3, "The coupling's damping", "N.s/m");
   }
+  require(settings.mostStiffness, 1.0, infinity, "The stiffest coupling of the device", "N/m");
+  require(settings.mostDamping, 0.0, infinity, "The strongest damping of the device", "N.s/m");
   require(settings.stopTravel * 1e3, 0.1, 100.0, "The travel at which an insertion stops", "mm");
   require(settings.forceScale, 0.0, mostForceScale, "The scale of the force shown", "");
   require(settings.motionScale, 0.01, 10.0, "The scale of the motion", "");

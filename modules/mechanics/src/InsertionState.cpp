@@ -22,7 +22,7 @@ InsertionState::InsertionState(const InsertionModel& model)
       clearance(position_W.size()),
       normalForce(position_W.size()),
       wallForce_W(position_W.size()),
-      onMembrane(position_W.size()),
+      membraneForce(position_W.size()),
       factors(position_W.size() - 1),
       room(position_W.size())
 {
@@ -44,11 +44,12 @@ void InsertionState::reset(const InsertionModel& model) noexcept
     track[i] = model.parts.lumen->startTrack();
     normalForce[i] = 0.0;
     wallForce_W[i].setZero();
-    onMembrane[i] = 0;
+    membraneForce[i] = 0.0;
     clearance[i] = 0.0;
     // nodes farther from the wall than this do not touch it
     room.reach[i] = model.radius[i];
   }
+  rim = RimContact{};
   factors.forget();
   readings = Readings{};
   readings.depth = model.parts.startInside.si() > 0.0 ? model.parts.startInside.si() : 0.0;
@@ -73,6 +74,9 @@ std::uint64_t InsertionState::fingerprint() const noexcept
     hash.add(normalForce[i]);
   }
   factors.addTo(hash);
+  addVector(hash, rim.spring_W);
+  hash.add(rim.isSliding);
+  hash.add(rim.slipSpeed);
   return hash.value();
 }
 

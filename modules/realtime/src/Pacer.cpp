@@ -46,6 +46,12 @@ void Pacer::begin(std::int64_t now) noexcept
   due_ = now + period_;
 }
 
+void Pacer::follow(std::int64_t now) noexcept
+{
+  begin(now);
+  due_ = now + period_;
+}
+
 std::int64_t Pacer::wait() noexcept
 {
   timespec until{};

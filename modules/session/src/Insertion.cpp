@@ -8,6 +8,7 @@
 #include "Recorder.h"
 #include "perilymph/device/ScriptedHand.h"
 #include "perilymph/foundation/Version.h"
+#include "perilymph/haptics/CouplingLimit.h"
 
 namespace perilymph::session {
 
@@ -46,6 +47,7 @@ struct Insertion::Content {
   std::shared_ptr<const mechanics::InsertionModel> model;
   std::unique_ptr<device::HapticDevice> hand;
   std::optional<std::filesystem::path> file;
+  std::string couplingWords;
   std::unique_ptr<haptics::HapticLoop> loop;
   std::unique_ptr<Recorder> recorder;
 };
@@ -61,20 +63,24 @@ Insertion::~Insertion()
   if (content_->hand) content_->hand->close();
 }
 
-Result<std::unique_ptr<Insertion>> Insertion::prepare(const Scenario& scenario,
-                                                      std::unique_ptr<device::HapticDevice> hand,
-                                                      std::optional<std::filesystem::path> record)
+Result<std::unique_ptr<Insertion>> Insertion::prepare(
+    const Scenario& scenario, std::unique_ptr<device::HapticDevice> hand,
+    std::optional<std::filesystem::path> record,
+    std::shared_ptr<const anatomy::ScalaTympani> anatomy)
 {
-  auto anatomy = buildAnatomy(scenario);
-  if (!anatomy) return anatomy.error();
-  auto model = buildModel(scenario, *anatomy);
+  if (!anatomy) {
+    auto built = buildAnatomy(scenario);
+    if (!built) return built.error();
+    anatomy = *built;
+  }
+  auto model = buildModel(scenario, anatomy);
   if (!model) return model.error();
   if (const auto done = hand->open(); !done) return done.error();
 
   std::unique_ptr<Insertion> insertion(new Insertion);
   Content& content = *insertion->content_;
   content.scenario = scenario;
-  content.anatomy = *anatomy;
+  content.anatomy = std::move(anatomy);
   content.model = *model;
   content.hand = std::move(hand);
   content.file = std::move(record);
@@ -86,15 +92,27 @@ Result<std::unique_ptr<Insertion>> Insertion::prepare(const Scenario& scenario,
   facts.device = traits.name;
   facts.timeStep = content.model->timeStep;
   facts.samplePeriod = traits.nominalPeriod;
-  facts.mostForce = scenario.engine.safety.mostForce;
-  if (traits.rendersForce) facts.mostForce = std::min(facts.mostForce, traits.mostForce);
+  const haptics::SafetyLimits safety = haptics::limitsFor(scenario.engine.safety, traits);
+  facts.mostForce = safety.mostForce;
+  facts.reach = safety.reach;
+  const haptics::CouplingLimit limit = haptics::couplingLimit(traits, facts.timeStep);
+  facts.feelsForce = traits.rendersForce;
+  facts.mostStiffness = limit.stiffness;
+  facts.mostDamping = limit.damping;
+  facts.deviceDelay = traits.transportDelay;
   facts.seed = scenario.seed;
   facts.modelFingerprint = content.model->fingerprint;
   facts.version = version();
   facts.buildId = buildId();
   facts.startedUtc = utcNow();
 
-  auto engine = makeEngine(scenario, content.model, facts.samplePeriod, facts.mostForce);
+  if (traits.rendersForce)
+    content.couplingWords =
+        haptics::couplingSentence(scenario.engine.forceScale * scenario.engine.motionScale *
+                                      scenario.engine.couplingStiffness,
+                                  limit, traits.name);
+
+  auto engine = makeEngine(scenario, content.model, facts);
   if (!engine) return engine.error();
   std::unique_ptr<Recording> recording;
   if (content.file) {
@@ -188,6 +206,8 @@ std::shared_ptr<const anatomy::ScalaTympani> Insertion::sharedAnatomy() const no
 }
 
 const mechanics::InsertionModel& Insertion::model() const noexcept { return *content_->model; }
+
+const std::string& Insertion::couplingWords() const noexcept { return content_->couplingWords; }
 
 device::HapticDevice& Insertion::hand() noexcept { return *content_->hand; }
 

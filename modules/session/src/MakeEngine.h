@@ -6,19 +6,24 @@
 #include <memory>
 #include <stdexcept>
 
+#include "perilymph/session/Recording.h"
 #include "perilymph/session/Scenario.h"
 
 namespace perilymph::session {
 
-/// @param samplePeriod  Of the device [s].
-/// @param mostForce     Greatest force shown, where the device's own limit is lower [N].
+/// @param facts  What the device asks of the engine: its period, its bounds of force, reach,
+///               stiffness and damping. A hand that feels forces is coupled by a spring.
 inline Result<std::unique_ptr<haptics::InsertionEngine>> makeEngine(
     const Scenario& scenario, std::shared_ptr<const mechanics::InsertionModel> model,
-    double samplePeriod, double mostForce)
+    const RecordingFacts& facts)
 {
   haptics::EngineSettings settings = scenario.engine;
-  settings.samplePeriod = samplePeriod;
-  settings.safety.mostForce = std::min(settings.safety.mostForce, mostForce);
+  settings.samplePeriod = facts.samplePeriod;
+  settings.safety.mostForce = std::min(settings.safety.mostForce, facts.mostForce);
+  settings.safety.reach = facts.reach;
+  if (facts.feelsForce) settings.coupling = mechanics::Coupling::spring;
+  settings.mostStiffness = facts.mostStiffness;
+  settings.mostDamping = facts.mostDamping;
   try {
     return std::make_unique<haptics::InsertionEngine>(std::move(model), settings);
   } catch (const std::invalid_argument& mistake) {

@@ -107,6 +107,13 @@ std::optional<RecordingFacts> factsFrom(const std::map<std::string, std::string>
   facts.timeStep = *timeStep;
   facts.samplePeriod = *samplePeriod;
   facts.mostForce = *mostForce;
+  // Recordings from before hands felt forces do not have these.
+  facts.reach = numberIn<double>(entries, MetaKey::reach).value_or(facts.reach);
+  facts.feelsForce = numberIn<int>(entries, MetaKey::feelsForce).value_or(0) != 0;
+  facts.mostStiffness =
+      numberIn<double>(entries, MetaKey::mostStiffness).value_or(facts.mostStiffness);
+  facts.mostDamping = numberIn<double>(entries, MetaKey::mostDamping).value_or(facts.mostDamping);
+  facts.deviceDelay = numberIn<double>(entries, MetaKey::deviceDelay).value_or(facts.deviceDelay);
   facts.seed = *seed;
   facts.modelFingerprint = *fingerprint;
   return facts;

@@ -100,8 +100,10 @@ std::string workflowWord(haptics::Workflow workflow)
 
 std::string statusWords(std::uint32_t status)
 {
-  constexpr std::array<std::pair<haptics::Status, const char*>, 10> words = {
+  constexpr std::array<std::pair<haptics::Status, const char*>, 12> words = {
       {{haptics::staleSample, "staleSample"},
+       {haptics::couplingSoftened, "couplingSoftened"},
+       {haptics::nearWorkspaceEnd, "nearWorkspaceEnd"},
        {haptics::forceClamped, "forceClamped"},
        {haptics::forceSlewed, "forceSlewed"},
        {haptics::rampingIn, "rampingIn"},
@@ -221,6 +223,11 @@ Result<Done> Recording::Content::begin(const RecordingFacts& facts)
       keep(MetaKey::timeStep, shortestDecimal(facts.timeStep)) &&
       keep(MetaKey::samplePeriod, shortestDecimal(facts.samplePeriod)) &&
       keep(MetaKey::mostForce, shortestDecimal(facts.mostForce)) &&
+      keep(MetaKey::reach, shortestDecimal(facts.reach)) &&
+      keep(MetaKey::feelsForce, facts.feelsForce ? "1" : "0") &&
+      keep(MetaKey::mostStiffness, shortestDecimal(facts.mostStiffness)) &&
+      keep(MetaKey::mostDamping, shortestDecimal(facts.mostDamping)) &&
+      keep(MetaKey::deviceDelay, shortestDecimal(facts.deviceDelay)) &&
       keep(MetaKey::seed, std::to_string(facts.seed)) &&
       keep(MetaKey::modelFingerprint, std::to_string(facts.modelFingerprint)) &&
       keep(MetaKey::version, facts.version) && keep(MetaKey::buildId, facts.buildId) &&

@@ -100,7 +100,7 @@ Result<Verification> verify(const std::filesystem::path& file)
     result.notes.push_back("The recording was not closed; it ends where the program did.");
   noteWhatChanged(facts, *scenario, (*model)->fingerprint, result.notes);
 
-  auto engine = makeEngine(*scenario, *model, facts.samplePeriod, facts.mostForce);
+  auto engine = makeEngine(*scenario, *model, facts);
   if (!engine) return engine.error();
   Comparison comparison;
   std::optional<std::uint64_t> last;

@@ -177,5 +177,32 @@ TEST(Safety, RefusesLimitsThatLimitNothing)
   }
 }
 
+TEST(Safety, FadesOutOverTheLastTenthOfTheReach)
+{
+  SafetyLimits limits;
+  limits.reach = 0.1;
+  const Eigen::Vector3d force_D(0.2, 0.0, 0.0);
+  const std::pair<double, double> shares[] = {
+      {0.0, 1.0}, {0.09, 1.0}, {0.095, 0.5}, {0.1, 0.0}, {0.2, 0.0}};
+  for (const auto& [distance, share] : shares) {
+    Safety safety = shownFor(force_D, limits);
+    HandCondition hand = holding();
+    hand.distance = distance;
+    std::uint32_t status = allWell;
+    for (int i = 0; i < 10; ++i) safety.show(force_D, hand, status);
+    EXPECT_NEAR(safety.show(force_D, hand, status).x(), share * 0.2, 1e-9) << distance;
+    EXPECT_EQ((status & nearWorkspaceEnd) != 0, share < 1.0) << distance;
+  }
+}
+
+TEST(Safety, KnowsNoEndWhereNobodyKnowsTheReach)
+{
+  Safety safety = shownFor({0.2, 0.0, 0.0});
+  HandCondition hand = holding();
+  hand.distance = 5.0;
+  std::uint32_t status = allWell;
+  EXPECT_EQ(safety.show({0.2, 0.0, 0.0}, hand, status).x(), 0.2);
+}
+
 }  // namespace
 }  // namespace perilymph::haptics

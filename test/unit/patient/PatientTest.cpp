@@ -123,6 +123,32 @@ TEST_F(PatientFile, ThatIsMissingIsNamed)
   EXPECT_THAT(patient.error().message, HasSubstr("no.toml: there is no such file"));
 }
 
+TEST_F(PatientFile, ThatWasSavedReadsBackAsTheSamePatient)
+{
+  Patient lengths;
+  lengths.label = "Frau \"Ü\" \\ 7\n";
+  lengths.side = Side::left;
+  lengths.scalaTympaniLength = millimeters(34.2);
+  Patient turn;
+  turn.label = "P 8";
+  turn.basalTurn = BasalTurn{millimeters(9.3), millimeters(6.75), millimeters(4)};
+  for (const Patient& saved : {lengths, turn}) {
+    ASSERT_TRUE(savePatient(saved, file_));
+    const Result<Patient> back = loadPatient(file_);
+    ASSERT_TRUE(back) << back.error().message;
+    EXPECT_EQ(back->side, saved.side);
+    EXPECT_EQ(back->scalaTympaniLength, saved.scalaTympaniLength);
+    EXPECT_EQ(back->roundWindowWidth, saved.roundWindowWidth);
+    ASSERT_EQ(back->basalTurn.has_value(), saved.basalTurn.has_value());
+    if (!saved.basalTurn) continue;
+    EXPECT_EQ(back->basalTurn->a, saved.basalTurn->a);
+    EXPECT_EQ(back->basalTurn->b, saved.basalTurn->b);
+    EXPECT_EQ(back->basalTurn->h, saved.basalTurn->h);
+  }
+  ASSERT_TRUE(savePatient(lengths, file_));
+  EXPECT_EQ(loadPatient(file_)->label, "Frau \"Ü\" \\ 7 ");
+}
+
 TEST(Patient, OfThePaperIsAllowed) { EXPECT_TRUE(checkPatient(Patient{})); }
 
 TEST(Patient, AtTheLimitsIsAllowedAndJustBeyondIsNot)

@@ -51,6 +51,18 @@ TEST(Pacer, NeverWakesBeforeTheTickIsDue)
   }
 }
 
+TEST(Pacer, GoesOnFromATickThatADeviceBegan)
+{
+  Pacer pacer(seconds(1e-3));
+  pacer.start(0);
+  pacer.follow(1'100'000);  // 0.1 ms behind the grid
+  EXPECT_EQ(pacer.due(), 2'100'000);
+  EXPECT_EQ(pacer.lateTicks(), 0u);
+  pacer.follow(3'200'000);  // more than a period behind
+  EXPECT_EQ(pacer.due(), 4'200'000);
+  EXPECT_EQ(pacer.lateTicks(), 1u);
+}
+
 TEST(Pacer, RefusesPeriodsNoLoopCanHave)
 {
   for (const double bad : {0.0, -1e-3, 1e-9, 2.0, std::nan("")})

@@ -42,6 +42,9 @@ PatientLimits patientLimits();
 /// `a_mm, b_mm` with or without `h_mm`.
 Result<Patient> loadPatient(const std::filesystem::path& file);
 
+/// Writes a patient to a file that loadPatient() reads back, to a picometer.
+Result<Done> savePatient(const Patient& patient, const std::filesystem::path& file);
+
 /// Checks numbers that did not come from a file (command line, window).
 Result<Done> checkPatient(const Patient& patient);
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 #include "perilymph/device/HapticDevice.h"
@@ -22,7 +23,7 @@ struct ReportList {
 
 /// A codec is built from a device profile and, where the device describes itself, from its report
 /// descriptor. decode() belongs to the reading thread, encode(), begin() and end() to the writing
-/// one; the two halves share nothing that changes.
+/// one; decode() and encode() may run at the same time.
 class HandCodec {
 public:
   virtual ~HandCodec() = default;
@@ -42,5 +43,14 @@ public:
   /// Stops every effect and disables the actuators, as far as the device still listens. Blocks.
   virtual void end(Transport& transport) noexcept = 0;
 };
+
+struct DeviceProfile;
+class ReportDescriptor;
+
+/// The codec for a device of this profile that describes itself so. An empty descriptor will do
+/// where the profile says by itself where everything stands (`encoders`, `vector`). The sentence
+/// says what does not fit.
+Result<std::unique_ptr<HandCodec>> makeCodec(const DeviceProfile& profile,
+                                             const ReportDescriptor& descriptor);
 
 }  // namespace perilymph::device

@@ -4,10 +4,13 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 
+#include "perilymph/device/HandHealth.h"
 #include "perilymph/foundation/RealTime.h"
 #include "perilymph/foundation/Result.h"
+#include "perilymph/foundation/Units.h"
 
 namespace perilymph::device {
 
@@ -31,12 +34,45 @@ struct Wrench {
   std::array<double, 3> torque_D{};  ///< [N.m]
 };
 
-/// What the hardware can do. Known before open().
+/// When a device sends input reports.
+enum class Reporting : std::uint8_t {
+  periodic,  ///< By its own clock, moved or not.
+  onChange,  ///< While it is moved: silence means that it stands still.
+  onWrite,   ///< One for each output report; the first one has to be asked for.
+  polled,    ///< Never by itself: the host asks with a feature report.
+};
+
+/// What the hardware can do. Known before open(). A value of 0 means that nobody knows.
 struct DeviceTraits {
   std::string name;             ///< For people: "Scripted insertion".
   bool rendersForce = false;    ///< Shows a force to a hand.
   double mostForce = 0.0;       ///< [N]; 0 where no force is rendered.
   double nominalPeriod = 1e-3;  ///< Between reports [s].
+
+  Reporting reporting = Reporting::periodic;
+  int sensedTranslations = 3;     ///< Axes of D that the device senses, 0 to 3.
+  int sensedRotations = 0;        ///< 0 to 3.
+  int actuatedTranslations = 0;   ///< Axes of D along which it can push, 0 to 3.
+  int actuatedRotations = 0;      ///< 0 to 3.
+  int buttons = 1;                ///< With the grasp button.
+  double workspaceRadius = 0.0;   ///< Around D's origin [m].
+  double mostTorque = 0.0;        ///< [N.m]
+  double mostStiffness = 0.0;     ///< Of a wall it renders without trembling [N/m].
+  double mostDamping = 0.0;       ///< [N.s/m]
+  double handleDamping = 0.0;     ///< Of the handle itself, without a force [N.s/m].
+  double handleMass = 0.0;        ///< As felt at the handle [kg].
+  double positionQuantum = 0.0;   ///< Step of a sensed position [m].
+  double forceQuantum = 0.0;      ///< Step of a shown force [N].
+  double transportDelay = 0.0;    ///< From a force to the report that shows its effect [s].
+  double watchdog = 0.0;          ///< After which the device itself drops an old force [s].
+  std::uint8_t polledReport = 0;  ///< Number of the feature report to ask for when polled.
+};
+
+/// How a wait for a report ended.
+enum class Awaited : std::uint8_t {
+  fresh,    ///< A fresh report came.
+  nothing,  ///< None came in the time given.
+  cannot,   ///< This hand cannot be waited for, at least not now.
 };
 
 /// A handle that senses the surgeon's motion and pushes back.
@@ -58,6 +94,13 @@ public:
 
   /// Leaves the wrench in the writer's mailbox; shown until the next call. Real-time safe.
   virtual void write(const Wrench& wrench_D) noexcept = 0;
+
+  /// Waits for the next fresh report, so that a loop can tick by the device's clock. Haptic thread,
+  /// between ticks.
+  virtual Awaited await(Duration /*most*/) noexcept { return Awaited::cannot; }
+
+  /// How the device is doing; nothing for a hand without hardware. UI thread.
+  virtual std::optional<HandHealth> health() { return std::nullopt; }
 };
 
 }  // namespace perilymph::device

@@ -30,4 +30,7 @@ std::vector<std::string> shippedNames(std::string_view folder);
 /// Where sessions are kept: $XDG_DATA_HOME/perilymph/sessions, by default below ~/.local/share.
 std::filesystem::path sessionFolder();
 
+/// Where the patients that were typed in are kept: the folder `patients` beside it.
+std::filesystem::path patientFolder();
+
 }  // namespace perilymph

@@ -37,7 +37,9 @@ public:
   HapticLoop(const HapticLoop&) = delete;
   HapticLoop& operator=(const HapticLoop&) = delete;
 
-  /// Starts the haptic thread. Asks for SCHED_FIFO and goes on without it.
+  /// Starts the haptic thread. Asks for SCHED_FIFO and goes on without it. Where the device reports
+  /// once a tick, within 10 %, each tick begins when a report comes, so that a force is as young as
+  /// it can be; without reports, and with every other hand, ticks begin by the machine's clock.
   /// @throws std::system_error if the system has no more threads.
   void start();
   /// Stops it and shows zero force.

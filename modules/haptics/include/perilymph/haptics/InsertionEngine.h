@@ -3,6 +3,7 @@
 // The tick without its thread: sample and commands in, wrench and pictures out. A recording replays
 // through the very same function.
 
+#include <limits>
 #include <memory>
 
 #include "perilymph/device/HapticDevice.h"
@@ -23,11 +24,15 @@ struct EngineSettings {
   mechanics::Coupling coupling = mechanics::Coupling::rigid;
   double couplingStiffness = 441.0;  ///< [N/m]; of the wall in the published simulator.
   double couplingDamping = 1.0;      ///< [N.s/m]
-  double stopTravel = 16.5e-3;       ///< Where an insertion is Finished [m].
-  double forceScale = 1.0;           ///< Shown force over physical force.
-  double motionScale = 1.0;          ///< Motion of the base over motion of the hand.
-  double styletSpeed = 5e-3;         ///< Of the stylet when it is pulled [m/s].
-  double samplePeriod = 1e-3;        ///< Nominal, of the device [s].
+  /// Most that the device renders at the hand (CouplingLimit): the coupling gives way to it, all
+  /// the more where forces are magnified or motions are scaled up.
+  double mostStiffness = std::numeric_limits<double>::infinity();  ///< [N/m]
+  double mostDamping = std::numeric_limits<double>::infinity();    ///< [N.s/m]
+  double stopTravel = 16.5e-3;  ///< Where an insertion is Finished [m].
+  double forceScale = 1.0;      ///< Shown force over physical force.
+  double motionScale = 1.0;     ///< Motion of the base over motion of the hand.
+  double styletSpeed = 5e-3;    ///< Of the stylet when it is pulled [m/s].
+  double samplePeriod = 1e-3;   ///< Nominal, of the device [s].
   SafetyLimits safety;
 };
 
@@ -57,6 +62,8 @@ public:
   void lowerMostForce(double mostForce) noexcept { safety_.lowerMostForce(mostForce); }
 
   Workflow workflow() const noexcept { return workflow_; }
+  /// Of the spring between hand and array as it is now, softened for the device [N/m].
+  double couplingStiffness() const noexcept;
   const EngineSettings& settings() const noexcept { return settings_; }
   const SafetyLimits& safetyLimits() const noexcept { return safety_.limits(); }
   const mechanics::InsertionModel& model() const noexcept { return *model_; }
@@ -73,6 +80,7 @@ private:
   HandCondition conditionOf(const Hand& hand) const noexcept;
   void moveMechanics(const Hand& hand) noexcept;
   mechanics::Drive hold() const noexcept;
+  double softened(double asked, double most) const noexcept;
   mechanics::Drive follow(const Hand& hand) noexcept;
   void noteArrival() noexcept;
   double travel() const noexcept;

@@ -17,6 +17,7 @@ struct SafetyLimits {
   double mostForce = 3.3;   ///< Of the shown force's magnitude [N]; lower of this and the device's.
   double mostSlew = 100.0;  ///< Of the shown force [N/s].
   double rampTime = 0.5;    ///< Over which the force fades in after a pause or a fault [s].
+  double reach = 0.0;       ///< Of the device around D's origin [m]; 0: unknown, and never an end.
 };
 
 /// The limits with a device's own greatest force, where it renders any.
@@ -25,6 +26,7 @@ SafetyLimits limitsFor(SafetyLimits limits, const device::DeviceTraits& traits) 
 /// What a tick knows of the hand the force is for.
 struct HandCondition {
   Eigen::Vector3d moved_D = Eigen::Vector3d::Zero();  ///< Since the tick before [m].
+  double distance = 0.0;                              ///< From D's origin [m].
   bool isHeld = false;  ///< The dead-man's button is pressed and the workflow lets a force through.
   bool isStale = false;  ///< Nothing fresh came for too long.
   bool hasFault = false;
@@ -37,8 +39,9 @@ struct HandCondition {
 ///   2. its magnitude is clamped, its direction kept;
 ///   3. it fades in over the ramp time after the hand took hold, came back or jumped;
 ///   4. nobody holds, nothing fresh, a fault: no force;
-///   5. energy that came back from the device is damped (Passivity), within the clamp;
-///   6. from one tick to the next it changes by at most mostSlew dt, toward zero as away from it.
+///   5. over the last tenth of the device's reach it fades out: a motor does not push into a stop;
+///   6. energy that came back from the device is damped (Passivity), within the clamp;
+///   7. from one tick to the next it changes by at most mostSlew dt, toward zero as away from it.
 ///
 /// Because the slew limit stands last, no input whatever gives a step; from the clamp to zero takes
 /// mostForce / mostSlew, 33 ms.
@@ -66,6 +69,8 @@ public:
   void addTo(Hash& hash) const noexcept;
 
 private:
+  double shareWithinReach(double distance) const noexcept;
+
   SafetyLimits limits_;
   double timeStep_;
   Passivity passivity_;

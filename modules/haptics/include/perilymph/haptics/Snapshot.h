@@ -17,16 +17,18 @@ enum class Workflow : std::uint32_t { idle, armed, inserting, paused, finished, 
 /// What went wrong or was held back in a tick: bits of TickOutput::status.
 enum Status : std::uint32_t {
   allWell = 0,
-  staleSample = 1u << 0,     ///< The device gave nothing fresh for too long: no force.
-  forceClamped = 1u << 1,    ///< The force shown was cut to the limit.
-  forceSlewed = 1u << 2,     ///< The force shown was held back to the slew limit.
-  rampingIn = 1u << 3,       ///< The force shown is still being faded in.
-  notFinite = 1u << 4,       ///< The mechanics overflowed: fault.
-  passivityActed = 1u << 5,  ///< Energy came back from the device; it was damped.
-  notSettled = 1u << 6,      ///< Newton's method left more than its tolerance.
-  deviceLost = 1u << 7,      ///< The device said it is gone: fault.
-  sampleDoubted = 1u << 8,   ///< A sample no hand can have made; it was not used.
-  handJumped = 1u << 9,      ///< The hand was not where it could have moved to: new anchor.
+  staleSample = 1u << 0,        ///< The device gave nothing fresh for too long: no force.
+  forceClamped = 1u << 1,       ///< The force shown was cut to the limit.
+  forceSlewed = 1u << 2,        ///< The force shown was held back to the slew limit.
+  rampingIn = 1u << 3,          ///< The force shown is still being faded in.
+  notFinite = 1u << 4,          ///< The mechanics overflowed: fault.
+  passivityActed = 1u << 5,     ///< Energy came back from the device; it was damped.
+  notSettled = 1u << 6,         ///< Newton's method left more than its tolerance.
+  deviceLost = 1u << 7,         ///< The device said it is gone: fault.
+  sampleDoubted = 1u << 8,      ///< A sample no hand can have made; it was not used.
+  handJumped = 1u << 9,         ///< The hand was not where it could have moved to: new anchor.
+  couplingSoftened = 1u << 10,  ///< The device cannot render the coupling asked for: a softer one.
+  nearWorkspaceEnd = 1u << 11,  ///< The force shown fades toward the end of the device's reach.
 };
 
 /// A request from the window or the command line to the loop.
@@ -96,9 +98,11 @@ struct Snapshot {
   std::array<std::array<float, 3>, mechanics::mostNodes> node_W;  ///< [m], base first, tip last.
   std::array<std::array<float, 3>, mechanics::mostNodes> wallForce_W;  ///< On each node [N].
   std::array<float, mechanics::mostNodes> normalForce;                 ///< On each node [N].
+  double couplingStiffness = 0.0;  ///< Of the spring between hand and array; 0 if rigid [N/m].
   // What the loop knows of itself; zero in virtual time.
   double measuredRate = 0.0;      ///< Ticks a second over the last second.
   std::uint64_t lateTicks = 0;    ///< Ticks that began more than one period late.
+  std::uint64_t overruns = 0;     ///< Ticks that took longer than one period.
   double tickTimeP99 = 0.0;       ///< Of the last second [s].
   std::uint64_t lostRecords = 0;  ///< Records the recorder was too slow for.
 };

@@ -9,6 +9,7 @@
 #include "perilymph/anatomy/Lumen.h"
 #include "perilymph/mechanics/BandFactors.h"
 #include "perilymph/mechanics/InsertionModel.h"
+#include "perilymph/mechanics/RimContact.h"
 #include "perilymph/mechanics/StepRoom.h"
 
 namespace perilymph::mechanics {
@@ -42,6 +43,7 @@ struct Readings {
   double wallForceMax = 0.0;    ///< Greatest normal force of one node [N].
   double wallForceTotal = 0.0;  ///< Sum of all normal forces [N].
   double membraneForce = 0.0;   ///< Sum of those on the basilar membrane [N].
+  double rimForce = 0.0;        ///< Of the rim of the opening on the array, all normal parts [N].
   int contacts = 0;             ///< Nodes that touch the wall.
   int iterations = 0;           ///< Of Newton's method in this step.
   double residual = 0.0;        ///< Greatest force left unbalanced on a node [N].
@@ -73,7 +75,8 @@ struct InsertionState {
                                                   ///< touching, whichever way [m].
   std::vector<double> normalForce;                ///< Of the wall on each node [N].
   std::vector<Eigen::Vector3d> wallForce_W;       ///< Normal and friction on each node [N].
-  std::vector<unsigned char> onMembrane;          ///< Of each node that touches.
+  std::vector<double> membraneForce;              ///< Of the basilar membrane on each node [N].
+  RimContact rim;
   BandFactors factors;  ///< Of the last stiffness that was factored, this step or an earlier one.
   Readings readings;
 

@@ -34,6 +34,9 @@ public:
   /// Counts a tick that begins at `now` [ns] and moves `due` on.
   PERILYMPH_REALTIME void begin(std::int64_t now) noexcept;
 
+  /// Counts a tick that somebody else's clock began `now` [ns]; the grid goes on from it.
+  PERILYMPH_REALTIME void follow(std::int64_t now) noexcept;
+
   /// Sleeps until the next tick is due, then begins it. Returns when that was [ns].
   std::int64_t wait() noexcept;
 

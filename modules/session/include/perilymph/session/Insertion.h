@@ -23,9 +23,11 @@ public:
   ///
   /// @param hand    Who moves the array; opened here.
   /// @param record  Where to keep it (an `.insertion` file); nothing is kept without.
-  static Result<std::unique_ptr<Insertion>> prepare(const Scenario& scenario,
-                                                    std::unique_ptr<device::HapticDevice> hand,
-                                                    std::optional<std::filesystem::path> record);
+  /// @param anatomy The scenario's cochlea if it is built already, to share it between insertions.
+  static Result<std::unique_ptr<Insertion>> prepare(
+      const Scenario& scenario, std::unique_ptr<device::HapticDevice> hand,
+      std::optional<std::filesystem::path> record,
+      std::shared_ptr<const anatomy::ScalaTympani> anatomy = nullptr);
   ~Insertion();  ///< Stops, closes the recording, closes the hand.
 
   // --- virtual time: the caller's thread is the loop ---
@@ -46,6 +48,9 @@ public:
   /// Ends the recording and folds it into one file, while nothing runs. The sentence of
   /// recordingTrouble() if it could not be kept. Without a call the destructor does it silently.
   Result<Done> closeRecording();
+
+  /// A sentence where the device cannot render the coupling asked for: what it renders, and why.
+  const std::string& couplingWords() const noexcept;
 
   const Scenario& scenario() const noexcept;
   const anatomy::ScalaTympani& anatomy() const noexcept;

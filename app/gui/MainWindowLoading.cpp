@@ -1,0 +1,146 @@
+// Which page is shown, and what the insertion page is about: its scenario and its cochlea.
+
+#include <QStackedWidget>
+
+#include "BottomBar.h"
+#include "ChartColumn.h"
+#include "MainWindow.h"
+#include "OperationView.h"
+#include "SidePanel.h"
+#include "StartPage.h"
+#include "TopBar.h"
+#include "perilymph/foundation/Resources.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+QString patientText(const session::Scenario& scenario)
+{
+  const bool isLeft = scenario.patient.side == anatomy::Side::left;
+  const bool isPatient = scenario.anatomy == "published" || scenario.patient.basalTurn;
+  return (isPatient ? MainWindow::tr("Patient %1 · %2 ear") : MainWindow::tr("%1 anatomy · %2 ear"))
+      .arg(QString::fromStdString(isPatient ? scenario.patient.label : scenario.anatomy),
+           isLeft ? MainWindow::tr("left") : MainWindow::tr("right"));
+}
+
+/// A file's name from a patient's: letters and digits stay, everything else becomes a dash.
+std::string fileNameOf(const std::string& label)
+{
+  std::string name;
+  for (const char c : label) {
+    const bool isPlain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    name += isPlain ? c : '-';
+  }
+  return name + ".toml";
+}
+
+}  // namespace
+
+void MainWindow::showPage(Page page)
+{
+  top_->setPage(page);
+  if (page == page_) return;
+  if (page_ == Page::insert && (control_.isMoving() || control_.isHeld())) pause();
+  page_ = page;
+  pages_->setCurrentIndex(static_cast<int>(page));
+  // on the first screen it is nobody's turn yet
+  top_->setPatient(page == Page::start ? QString() : patientText(control_.scenario()));
+  if (page == Page::start) {
+    startPage_->showCards();
+  } else {
+    setFocus();
+  }
+}
+
+Result<Done> MainWindow::open()
+{
+  const Result<Done> prepared = control_.prepare(Hand::scripted);
+  if (!prepared) return prepared;
+
+  charts_->setExperiment(charts::publishedExperiment());
+  showCochlea();
+  showPrepared();
+  sinceFrame_.start();
+  sinceSlow_.start();
+  timer_.start();
+  return Done{};
+}
+
+void MainWindow::begin(const anatomy::Patient& patient)
+{
+  const auto fail = [this](const Error& error) {
+    startPage_->showTrouble(QString::fromStdString(error.message));
+  };
+  if (const auto possible = anatomy::checkPatient(patient); !possible)
+    return fail(possible.error());
+  const auto file = patientFolder() / fileNameOf(patient.label);
+  std::error_code ignored;  // what cannot be made is said when the file is written
+  std::filesystem::create_directories(file.parent_path(), ignored);
+  if (const auto saved = anatomy::savePatient(patient, file); !saved) return fail(saved.error());
+  auto scenario = session::loadScenario(patient.basalTurn ? "mean-contour" : "contour-published",
+                                        {{"patient", file.string()}});
+  if (!scenario) return fail(scenario.error());
+  load(*std::move(scenario), Then::rest);
+}
+
+void MainWindow::beginShipped(const std::string& name, Then then)
+{
+  auto scenario = session::loadScenario(name);
+  if (!scenario) return startPage_->showTrouble(QString::fromStdString(scenario.error().message));
+  load(*std::move(scenario), then);
+}
+
+void MainWindow::load(session::Scenario scenario, Then then)
+{
+  pause();
+  showPage(Page::insert);
+  anatomyWork_.build(
+      scenario,
+      [this, scenario, then](const Result<std::shared_ptr<const anatomy::ScalaTympani>>& built) {
+        if (!built) return showTrouble(QString::fromStdString(built.error().message));
+        control_.use(scenario, *built);
+        showScenario();
+        prepare(Hand::scripted);
+        showCochlea();
+        if (then == Then::insert) start();
+      });
+  showState();
+}
+
+void MainWindow::prepare(Hand hand)
+{
+  trouble_.clear();
+  pressed_.clear();
+  const Result<Done> prepared = control_.prepare(hand);
+  if (!prepared) return showTrouble(QString::fromStdString(prepared.error().message));
+  showPrepared();
+}
+
+void MainWindow::showScenario()
+{
+  const session::Scenario& scenario = control_.scenario();
+  setWindowTitle(tr("Perilymph · %1").arg(QString::fromStdString(scenario.name)));
+  top_->setPatient(patientText(scenario));
+  side_->setScenario(scenario);
+}
+
+void MainWindow::showCochlea()
+{
+  const session::Scenario& scenario = control_.scenario();
+  view_->setScene(std::make_unique<visualization::InsertionScene>(
+      control_.anatomy(), scenario.array, scenario.patient.side));
+  view_->showArray(control_.now());
+}
+
+void MainWindow::showPrepared()
+{
+  side_->setHand(control_.hand());
+  side_->setHeld(false);
+  charts_->begin(control_.anatomy().entry());
+  view_->showArray(control_.now());
+  drawn_ = control_.now();
+  showSlowly();
+}
+
+}  // namespace perilymph::gui

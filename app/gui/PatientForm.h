@@ -1,0 +1,51 @@
+#pragma once
+
+// A patient's numbers from CT, typed in: three lengths, or A, B and H.
+
+#include <QWidget>
+
+#include "perilymph/anatomy/Patient.h"
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QStackedWidget;
+
+namespace perilymph::gui {
+
+class Choice;
+class PopulationField;
+
+/// Asks for one patient. What is impossible is said beside its field, and cannot be sent off.
+class PatientForm : public QWidget {
+  Q_OBJECT
+public:
+  explicit PatientForm(QWidget* parent);
+
+  void setPatient(const anatomy::Patient& patient);
+  anatomy::Patient patient() const;
+  /// Says why the patient could not be used; empty hides it.
+  void showTrouble(const QString& sentence);
+
+Q_SIGNALS:
+  void patientGiven(const perilymph::anatomy::Patient& patient);
+  void leaveAsked();
+
+private:
+  QWidget* addLengths();
+  QWidget* addBasalTurn();
+  void showState();
+  bool isAcceptable() const;
+
+  QLineEdit* label_;
+  Choice* right_;
+  Choice* left_;
+  Choice* byLengths_;
+  Choice* byBasalTurn_;
+  QStackedWidget* numbers_;
+  PopulationField *length_, *width_, *height_, *a_, *b_, *h_;
+  QLabel* trouble_;
+  QPushButton* use_;
+};
+
+}  // namespace perilymph::gui

@@ -1,0 +1,159 @@
+#include "PopulationField.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPainter>
+#include <QStyle>
+#include <QVariant>
+#include <algorithm>
+#include <cmath>
+
+#include "Numbers.h"
+#include "Theme.h"
+#include "perilymph/analysis/ErrorBand.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr int lineHeight_px = 14;  // of the population line below the field
+constexpr int fieldWidth_px = 84;
+
+/// A number as people type it: with their own decimal sign or with a point.
+std::optional<double> typedNumber(const QString& text)
+{
+  bool isNumber = false;
+  const QString trimmed = text.trimmed();
+  double number = QLocale().toDouble(trimmed, &isNumber);
+  if (!isNumber) number = QLocale::c().toDouble(trimmed, &isNumber);
+  if (!isNumber || !std::isfinite(number)) return std::nullopt;
+  return number;
+}
+
+}  // namespace
+
+PopulationField::PopulationField(const QString& title, const char* name,
+                                 const Population& population, bool mayBeEmpty, QWidget* parent)
+    : QWidget(parent),
+      population_(population),
+      mayBeEmpty_(mayBeEmpty),
+      field_(new QLineEdit(this)),
+      place_(new QLabel(this))
+{
+  auto* titleLabel = new QLabel(title, this);
+  titleLabel->setFont(typeface(13));
+  titleLabel->setBuddy(field_);
+  field_->setObjectName(QLatin1String(name));
+  field_->setAccessibleName(title);
+  field_->setFont(typeface(13, QFont::Medium));
+  field_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  field_->setFixedSize(fieldWidth_px, 28);
+  if (mayBeEmpty) field_->setPlaceholderText(tr("not given"));
+  auto* unit = new QLabel(tr("mm"), this);
+  unit->setFont(typeface(11));
+  unit->setProperty("quiet", true);
+  place_->setFont(typeface(11));
+  place_->setProperty("quiet", true);
+  place_->setToolTip(population.source);
+  setToolTip(population.source);
+
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(spacing);
+  grid->setVerticalSpacing(0);
+  grid->addWidget(titleLabel, 0, 0);
+  grid->addWidget(field_, 0, 1);
+  grid->addWidget(unit, 0, 2);
+  grid->setRowMinimumHeight(1, lineHeight_px);
+  grid->addWidget(place_, 2, 0, 1, 3);
+  grid->setColumnStretch(0, 1);
+
+  connect(field_, &QLineEdit::textChanged, this, [this] {
+    showPlace();
+    Q_EMIT changed();
+  });
+  showPlace();
+}
+
+void PopulationField::setValue(std::optional<Length> value)
+{
+  field_->setText(value ? numberText(inMillimeters(*value), 2) : QString());
+}
+
+std::optional<Length> PopulationField::value() const
+{
+  const auto number = typedNumber(field_->text());
+  if (!number) return std::nullopt;
+  return millimeters(*number);
+}
+
+bool PopulationField::isAcceptable() const
+{
+  if (field_->text().trimmed().isEmpty()) return mayBeEmpty_;
+  const auto typed = value();
+  return typed && *typed >= population_.low && *typed <= population_.high;
+}
+
+void PopulationField::showPlace()
+{
+  const QString low = numberText(inMillimeters(population_.low), 1);
+  const QString high = numberText(inMillimeters(population_.high), 1);
+  const QString error = numberText(inMillimeters(analysis::measuringError), 1);
+  const auto typed = value();
+  QString words;
+  if (!isAcceptable())
+    words = field_->text().trimmed().isEmpty()
+                ? tr("a number is needed, %1 to %2 mm").arg(low, high)
+                : tr("must be a number between %1 and %2 mm").arg(low, high);
+  else if (!typed)
+    words = tr("left out: taken from A and B");
+  else if (population_.mean && population_.deviation) {
+    const double off = (*typed - *population_.mean) / *population_.deviation;
+    words = tr("%1%2 SD of population · CT error ± %3 mm")
+                .arg(off < -0.05 ? QStringLiteral("−") : QStringLiteral("+"),
+                     numberText(std::fabs(off), 1), error);
+  } else {
+    words = tr("allowed %1 to %2 mm · CT error ± %3 mm").arg(low, high, error);
+  }
+  place_->setText(words);
+  const bool isWrong = !isAcceptable();
+  if (place_->property("trouble").toBool() != isWrong) {
+    place_->setProperty("trouble", isWrong);
+    place_->setProperty("quiet", !isWrong);
+    place_->style()->unpolish(place_);
+    place_->style()->polish(place_);
+  }
+  update();
+}
+
+double PopulationField::shareOf(Length value) const
+{
+  const double share = (value - population_.low) / (population_.high - population_.low);
+  return std::clamp(share, 0.0, 1.0);
+}
+
+void PopulationField::paintEvent(QPaintEvent*)
+{
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const double y = place_->y() - lineHeight_px / 2.0;
+  const double left = 4.0, right = width() - 4.0;
+  const auto at = [&](Length value) { return left + shareOf(value) * (right - left); };
+  painter.setPen(QPen(lineColor, 3, Qt::SolidLine, Qt::RoundCap));
+  painter.drawLine(QPointF(left, y), QPointF(right, y));
+  if (population_.mean && population_.deviation) {
+    // one standard deviation to both sides
+    painter.setPen(QPen(quietTextColor, 3, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(QPointF(at(*population_.mean - *population_.deviation), y),
+                     QPointF(at(*population_.mean + *population_.deviation), y));
+  }
+  const auto typed = value();
+  if (!typed) return;
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(isAcceptable() ? accentColor : warningColor);
+  painter.drawEllipse(QPointF(at(*typed), y), 4.5, 4.5);
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,50 @@
+#pragma once
+
+// Position and force of a handle at the end of a linkage that turns about its base and is driven
+// by capstans: the design of the open WoodenHaptics devices.
+
+#include <array>
+
+namespace perilymph::device {
+
+/// Geometry and motors. Angle a turns the whole arm about the upright z; b and c tilt the two links
+/// in the upright plane of the arm: b from +z, c from -z, so that b = c = pi/2 stretches it out.
+/// Each body is driven by a capstan on a motor whose encoder is read.
+struct Linkage {
+  double height = 0.0;                           ///< Of the shoulder above the base [m].
+  double lengthB = 0.0;                          ///< Shoulder to elbow [m].
+  double lengthC = 0.0;                          ///< Elbow to handle [m].
+  std::array<double, 3> origin_B{};              ///< D's origin in the base's frame B [m].
+  std::array<double, 3> countsPerTurn{1, 1, 1};  ///< Of the motors.
+  std::array<double, 3> bodyTurnsPerTurn{};      ///< Signed: of the body, for one of the motor.
+  std::array<double, 3> restCounts{};            ///< At the place where the device is told them.
+  std::array<double, 3> torqueConstant{};        ///< [N.m/A]
+  double mostCurrent = 0.0;                      ///< Of any motor [A].
+};
+
+/// Angles of the three bodies [rad] for encoder counts. Real-time safe.
+std::array<double, 3> bodyAngles(const Linkage& linkage,
+                                 const std::array<double, 3>& counts) noexcept;
+
+/// The handle from D's origin, in B [m]:
+///
+///     x = cos a (Lb sin b + Lc sin c)
+///     y = sin a (Lb sin b + Lc sin c)
+///     z = h + Lb cos b - Lc cos c         less the origin
+///
+/// Real-time safe.
+std::array<double, 3> handlePosition_B(const Linkage& linkage,
+                                       const std::array<double, 3>& angles) noexcept;
+
+/// Torques on the bodies that push the handle with `force_B` [N]: J^T F [N.m]. Finite in every
+/// pose: where a force cannot be made (stretched out, or the handle above the base's axis), its
+/// torque is zero. Real-time safe.
+std::array<double, 3> bodyTorques(const Linkage& linkage, const std::array<double, 3>& angles,
+                                  const std::array<double, 3>& force_B) noexcept;
+
+/// Currents [A] that make these torques, shortened together to the most a motor may take, so that
+/// the force keeps its direction. Zero for torques that are not finite. Real-time safe.
+std::array<double, 3> motorCurrents(const Linkage& linkage,
+                                    const std::array<double, 3>& torques) noexcept;
+
+}  // namespace perilymph::device

@@ -1,0 +1,53 @@
+#include "CodecParts.h"
+
+namespace perilymph::device {
+
+namespace {
+
+RawReport raw(const FixedReport& fixed) noexcept
+{
+  RawReport report;
+  report.size = std::min(fixed.bytes.size(), longestReport);
+  std::copy_n(fixed.bytes.begin(), report.size, report.bytes.begin());
+  return report;
+}
+
+Transfer send(Transport& transport, ReportKind kind, const RawReport& report) noexcept
+{
+  return kind == ReportKind::feature ? transport.setFeature(report) : transport.write(report);
+}
+
+}  // namespace
+
+Result<Done> sendOne(Transport& transport, ReportKind kind, const RawReport& report,
+                     const std::string& device, const std::string& what)
+{
+  switch (send(transport, kind, report)) {
+    case Transfer::done:
+      return Done{};
+    case Transfer::gone:
+      return Error{"The " + device + " went away while it was told " + what +
+                   ". Check its cable and open it again."};
+    default:
+      return Error{"The " + device + " did not take " + what + " (report " +
+                   std::to_string(report.bytes[0]) + ", " + std::to_string(report.size) +
+                   " bytes). Unplug it, plug it in again, and close other programs that use it."};
+  }
+}
+
+Result<Done> sendAll(Transport& transport, std::span<const FixedReport> reports,
+                     const std::string& device)
+{
+  for (const FixedReport& fixed : reports) {
+    auto sent = sendOne(transport, fixed.kind, raw(fixed), device, "a report of its profile");
+    if (!sent) return sent;
+  }
+  return Done{};
+}
+
+void sendQuietly(Transport& transport, std::span<const FixedReport> reports) noexcept
+{
+  for (const FixedReport& fixed : reports) send(transport, fixed.kind, raw(fixed));
+}
+
+}  // namespace perilymph::device

@@ -1,0 +1,86 @@
+#pragma once
+
+// What codecs share: rotating into D, limiting a force, sending reports that are always the same.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <string>
+
+#include "perilymph/device/DeviceProfile.h"
+#include "perilymph/device/HandCodec.h"
+#include "perilymph/device/ReportBits.h"
+#include "perilymph/device/Transport.h"
+
+namespace perilymph::device {
+
+using Vector3 = std::array<double, 3>;
+
+/// M v.
+inline Vector3 rotated(const std::array<double, 9>& m, const Vector3& v) noexcept
+{
+  return {m[0] * v[0] + m[1] * v[1] + m[2] * v[2], m[3] * v[0] + m[4] * v[1] + m[5] * v[2],
+          m[6] * v[0] + m[7] * v[1] + m[8] * v[2]};
+}
+
+/// M^T v: the way back.
+inline Vector3 rotatedBack(const std::array<double, 9>& m, const Vector3& v) noexcept
+{
+  return {m[0] * v[0] + m[3] * v[1] + m[6] * v[2], m[1] * v[0] + m[4] * v[1] + m[7] * v[2],
+          m[2] * v[0] + m[5] * v[1] + m[8] * v[2]};
+}
+
+/// The force in the device's own axes, shortened to the most it can make; zero where it is no
+/// number. The codec is the last to touch a force, so it trusts nobody.
+inline Vector3 limitedForce_B(const DeviceProfile& profile, const Vector3& force_D) noexcept
+{
+  Vector3 force_B = rotatedBack(profile.mount_DB, force_D);
+  for (double& component : force_B) component *= profile.forceScale;
+  const double most = profile.traits.mostForce;
+  const double length =
+      std::sqrt(force_B[0] * force_B[0] + force_B[1] * force_B[1] + force_B[2] * force_B[2]);
+  if (!std::isfinite(length)) return {};
+  if (length > most)
+    for (double& component : force_B) component *= most / length;
+  return force_B;
+}
+
+/// Nearest whole number, halves upward; 0 for what is no number. For values that a slot can hold.
+inline std::int64_t nearest(double value) noexcept
+{
+  if (std::isnan(value)) return 0;
+  constexpr double most = 4e9;
+  return static_cast<std::int64_t>(std::floor(std::clamp(value, -most, most) + 0.5));
+}
+
+/// An empty report of this number and length behind the number.
+inline void clear(RawReport& report, std::uint8_t number, std::size_t bytes) noexcept
+{
+  report.size = std::min(bytes + 1, longestReport);
+  std::fill_n(report.bytes.begin(), report.size, std::uint8_t{0});
+  report.bytes[0] = number;
+}
+
+/// The report without its number.
+inline std::span<const std::uint8_t> body(const RawReport& report) noexcept
+{
+  const auto whole = report.view().first(std::min(report.size, longestReport));
+  return whole.empty() ? whole : whole.subspan(1);
+}
+
+inline std::span<std::uint8_t> body(RawReport& report) noexcept
+{
+  return std::span(report.bytes).first(std::min(report.size, longestReport)).subspan(1);
+}
+
+/// Sends output or feature reports in a row; the sentence says which was not taken.
+Result<Done> sendAll(Transport& transport, std::span<const FixedReport> reports,
+                     const std::string& device);
+/// Sends one report. @param what  For people: "the device gain".
+Result<Done> sendOne(Transport& transport, ReportKind kind, const RawReport& report,
+                     const std::string& device, const std::string& what);
+/// The same where nobody is left to be told.
+void sendQuietly(Transport& transport, std::span<const FixedReport> reports) noexcept;
+
+}  // namespace perilymph::device

@@ -1,0 +1,69 @@
+#pragma once
+
+// The writing half of a HID hand: its thread.
+
+#include <atomic>
+#include <cstdint>
+
+#include "perilymph/device/HandCodec.h"
+#include "perilymph/device/HandHealth.h"
+#include "perilymph/device/ReportReader.h"
+#include "perilymph/realtime/Doorbell.h"
+#include "perilymph/realtime/Handoff.h"
+#include "perilymph/realtime/TimeHistogram.h"
+#include "perilymph/realtime/TripleBuffer.h"
+
+namespace perilymph::device {
+
+/// What the threads of one hand share. Every member says who writes it.
+struct HandChannels {
+  realtime::Handoff<Transport> reading;         ///< Supervisor lends, haptic thread uses.
+  realtime::Handoff<Transport> writing;         ///< Supervisor lends, writer uses.
+  realtime::TripleBuffer<Wrench> wrenches;      ///< Haptic thread to writer.
+  realtime::TripleBuffer<RawReport> polled;     ///< Writer to haptic thread.
+  realtime::Doorbell writerBell;                ///< Haptic thread and supervisor ring.
+  realtime::Doorbell supervisorBell;            ///< Whoever finds the device gone rings.
+  std::atomic<bool> isGone{false};              ///< Set by whoever finds it, cleared by supervisor.
+  std::atomic<bool> isBlocked{false};           ///< Set by haptic thread, cleared by writer.
+  std::atomic<bool> isStopping{false};          ///< UI thread.
+  std::atomic<std::int64_t> busySince{0};       ///< Writer: a force not yet taken [ns]; 0: none.
+  std::atomic<std::uint64_t> blockedWrites{0};  ///< Haptic thread counts.
+};
+
+/// Sends forces until it is told to stop, then zero and the codec's end.
+class ForceWriter {
+public:
+  /// All outlive the writer. @param traits  Of the open device.
+  ForceWriter(HandChannels& channels, HandCodec& codec, const DeviceTraits& traits, Clock clock);
+
+  /// The writer's thread.
+  void run() noexcept;
+
+  /// Sends one force; what it took is counted. Also for the thread that opens the device.
+  Transfer send(Transport& transport, const Wrench& wrench_D) noexcept;
+  const WritingFigures& figures() noexcept;
+
+  /// UI thread: the figures of some moments ago.
+  const WritingFigures& latestFigures() noexcept;
+
+private:
+  void serve(Transport& transport) noexcept;
+  void poll(Transport& transport) noexcept;
+  void lose() noexcept;
+
+  HandChannels& channels_;
+  HandCodec& codec_;
+  const DeviceTraits& traits_;
+  Clock clock_;
+  std::int64_t patience_;  // how long the haptic thread may be silent [ns]
+  std::int64_t period_;    // [ns]
+  std::int64_t lastNew_ = 0;
+  std::int64_t published_ = 0;
+  bool isSilent_ = true;
+  ReportList reports_;
+  realtime::TimeHistogram times_;
+  WritingFigures figures_;
+  realtime::TripleBuffer<WritingFigures> shown_;
+};
+
+}  // namespace perilymph::device

@@ -1,0 +1,317 @@
+#include "perilymph/device/HidHand.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "ForceWriter.h"
+#include "ListenFirst.h"
+#include "perilymph/realtime/Pacer.h"
+
+namespace perilymph::device {
+
+namespace {
+
+constexpr std::int64_t betweenFigures = 100'000'000;  // [ns]
+constexpr std::int64_t betweenLooks = 20'000'000;     // of the supervisor [ns]
+// A device that took no force for this long is blocked, unless its periods are longer.
+constexpr double blockedTime = 5e-3;  // [s]
+
+std::int64_t nanoseconds(double seconds) noexcept { return std::llround(seconds * 1e9); }
+
+/// A device opened twice, because hidapi's handles serve one thread each.
+struct Handles {
+  std::unique_ptr<Transport> reading;
+  std::unique_ptr<Transport> writing;  ///< None for a device that is never written.
+};
+
+}  // namespace
+
+struct HidHand::Content {
+  Content(DeviceTraits profileTraits, std::unique_ptr<HandCodec> profileCodec,
+          std::unique_ptr<HidPort> devicePort, Clock testClock)
+      : clock(testClock != nullptr ? testClock : realtime::monotonicNanoseconds),
+        profile(std::move(profileTraits)),
+        codec(std::move(profileCodec)),
+        port(std::move(devicePort)),
+        traits(profile),
+        reader(*codec, profile.nominalPeriod, clock)
+  {
+  }
+
+  bool needsWriter() const noexcept
+  {
+    return traits.rendersForce || traits.reporting == Reporting::onWrite ||
+           traits.reporting == Reporting::polled;
+  }
+  Result<Done> openHandles(Handles& handles);
+  void listen(const Handles& handles);
+  void lend(Handles handles);
+  void supervise();
+  bool hasHandlesBack();
+  void lose() noexcept;
+  void watchWriter(std::int64_t now) noexcept;
+  void showFigures(std::int64_t now) noexcept;
+  void setTrouble(std::string sentence);
+
+  Clock clock;
+  DeviceTraits profile;
+  std::unique_ptr<HandCodec> codec;
+  std::unique_ptr<HidPort> port;
+  DeviceTraits traits;  ///< With what was measured on opening.
+  bool isOpen = false;
+  bool isPeriodMeasured = false;
+  std::int64_t staleTime = 0;     // [ns]
+  std::int64_t blockedAfter = 0;  // [ns]
+
+  std::unique_ptr<HandChannels> channels;
+  std::unique_ptr<ForceWriter> writer;
+  std::thread writerThread, supervisorThread;
+
+  // The haptic thread's.
+  ReportReader reader;
+  Transport* reading = nullptr;
+  std::int64_t figuresShown = 0;
+  realtime::TripleBuffer<ReadingFigures> figures;
+
+  // The supervisor's.
+  bool isReadingLent = false, isWritingLent = false;
+  std::atomic<std::uint64_t> reconnections{0};
+  mutable std::mutex troubleMutex;  // between supervisor and UI thread
+  std::string trouble;
+};
+
+HidHand::HidHand(DeviceTraits traits, std::unique_ptr<HandCodec> codec,
+                 std::unique_ptr<HidPort> port, Clock clock)
+    : content_(
+          std::make_unique<Content>(std::move(traits), std::move(codec), std::move(port), clock))
+{
+}
+
+HidHand::~HidHand() { close(); }
+
+DeviceTraits HidHand::traits() const { return content_->traits; }
+
+Result<Done> HidHand::open()
+{
+  close();
+  Content& hand = *content_;
+  hand.traits = hand.profile;
+  hand.channels = std::make_unique<HandChannels>();
+  hand.reader = ReportReader(*hand.codec, hand.profile.nominalPeriod, hand.clock);
+  hand.writer = std::make_unique<ForceWriter>(*hand.channels, *hand.codec, hand.traits, hand.clock);
+  hand.setTrouble({});
+  hand.reconnections = 0;
+  Handles handles;
+  if (const auto done = hand.openHandles(handles); !done) return done;
+  hand.listen(handles);
+  hand.lend(std::move(handles));
+
+  hand.staleTime = nanoseconds(std::clamp(3.0 * hand.traits.nominalPeriod, 3e-3, 30e-3));
+  hand.blockedAfter = std::max(hand.staleTime, nanoseconds(blockedTime));
+  hand.isOpen = true;
+  if (hand.needsWriter()) hand.writerThread = std::thread([&hand] { hand.writer->run(); });
+  hand.supervisorThread = std::thread([&hand] { hand.supervise(); });
+  return Done{};
+}
+
+/// Opens and makes ready, while no other thread uses the codec's writing half.
+Result<Done> HidHand::Content::openHandles(Handles& handles)
+{
+  auto forReading = port->open();
+  if (!forReading) return forReading.error();
+  handles.reading = *std::move(forReading);
+  if (!needsWriter()) return Done{};
+
+  auto forWriting = port->open();
+  if (!forWriting) return forWriting.error();
+  handles.writing = *std::move(forWriting);
+  const auto begun = codec->begin(*handles.writing);
+  if (!begun) codec->end(*handles.writing);
+  return begun;
+}
+
+void HidHand::Content::listen(const Handles& handles)
+{
+  const FirstImpression heard =
+      listenFirst(*handles.reading, handles.writing.get(), profile, *writer, clock);
+  isPeriodMeasured = heard.period > 0.0;
+  if (isPeriodMeasured) traits.nominalPeriod = heard.period;
+  // A report takes as long to come as a force to go.
+  traits.transportDelay = std::max(profile.transportDelay, 2.0 * heard.writeTime);
+  reader = ReportReader(*codec, traits.nominalPeriod, clock);
+}
+
+void HidHand::Content::lend(Handles handles)
+{
+  isReadingLent = true;
+  isWritingLent = handles.writing != nullptr;
+  channels->isBlocked = false;
+  channels->isGone = false;
+  channels->reading.offer(std::move(handles.reading));
+  if (isWritingLent) channels->writing.offer(std::move(handles.writing));
+  channels->writerBell.ring();
+}
+
+void HidHand::close() noexcept
+{
+  Content& hand = *content_;
+  if (!hand.isOpen) return;
+  hand.isOpen = false;
+  hand.channels->isStopping = true;
+  hand.channels->writerBell.ring();
+  hand.channels->supervisorBell.ring();
+  if (hand.supervisorThread.joinable()) hand.supervisorThread.join();
+  if (hand.writerThread.joinable()) hand.writerThread.join();
+  delete std::exchange(hand.reading, nullptr);
+  hand.writer.reset();
+  hand.channels.reset();
+  hand.traits = hand.profile;
+}
+
+DeviceSample HidHand::read() noexcept
+{
+  Content& hand = *content_;
+  DeviceSample sample = hand.reader.newest();
+  sample.isValid = 0;
+  if (!hand.isOpen) return sample;
+
+  HandChannels& channels = *hand.channels;
+  if (channels.isGone && hand.reading != nullptr) {
+    channels.reading.giveBack(std::exchange(hand.reading, nullptr));
+    channels.supervisorBell.ring();
+  }
+  if (hand.reading == nullptr) {
+    hand.reading = channels.reading.take();
+    hand.reader.startOver();
+  }
+  if (hand.reading == nullptr) return sample;
+
+  const std::int64_t now = hand.clock();
+  const bool isPolled = hand.traits.reporting == Reporting::polled;
+  if (isPolled && channels.polled.refresh()) hand.reader.accept(channels.polled.latest());
+  if (hand.reader.drain(*hand.reading) == Transfer::gone) hand.lose();
+  hand.watchWriter(now);
+  hand.showFigures(now);
+
+  if (hand.traits.reporting == Reporting::onChange) hand.reader.repeat();
+  sample = hand.reader.newest();
+  sample.isValid = channels.isGone || channels.isBlocked ? 0 : 1;
+  return sample;
+}
+
+void HidHand::write(const Wrench& wrench_D) noexcept
+{
+  Content& hand = *content_;
+  if (!hand.isOpen || !hand.needsWriter()) return;
+  HandChannels& channels = *hand.channels;
+  const std::int64_t heard = hand.reader.lastFresh();
+  const bool isStale = heard == 0 || hand.clock() - heard >= hand.staleTime;
+  const bool isOff = isStale || channels.isGone || channels.isBlocked || hand.reading == nullptr;
+  channels.wrenches.publish(isOff || !hand.traits.rendersForce ? Wrench{} : wrench_D);
+  channels.writerBell.ring();
+}
+
+Awaited HidHand::await(Duration most) noexcept
+{
+  Content& hand = *content_;
+  const bool isPeriodic = hand.traits.reporting == Reporting::periodic;
+  if (!hand.isOpen || !isPeriodic || hand.reading == nullptr || hand.channels->isGone)
+    return Awaited::cannot;
+  const Transfer transfer = hand.reader.await(*hand.reading, most);
+  if (transfer == Transfer::gone) hand.lose();
+  if (transfer == Transfer::gone || transfer == Transfer::failed) return Awaited::cannot;
+  return transfer == Transfer::done ? Awaited::fresh : Awaited::nothing;
+}
+
+void HidHand::Content::lose() noexcept
+{
+  if (channels->isGone.exchange(true)) return;
+  channels->writerBell.ring();
+  channels->supervisorBell.ring();
+}
+
+void HidHand::Content::watchWriter(std::int64_t now) noexcept
+{
+  const std::int64_t since = channels->busySince;
+  if (since == 0 || now - since < blockedAfter) return;
+  if (!channels->isBlocked.exchange(true)) ++channels->blockedWrites;
+}
+
+void HidHand::Content::showFigures(std::int64_t now) noexcept
+{
+  if (now - figuresShown < betweenFigures) return;
+  figuresShown = now;
+  ReadingFigures& shown = figures.draft();
+  shown = reader.figures();
+  const std::int64_t heard = reader.lastFresh();
+  shown.silence = heard == 0 ? 0.0 : static_cast<double>(now - heard) * 1e-9;
+  figures.publishDraft();
+}
+
+void HidHand::Content::supervise()
+{
+  while (!channels->isStopping) {
+    channels->supervisorBell.waitUntil(realtime::monotonicNanoseconds() + betweenLooks);
+    if (!channels->isGone || channels->isStopping) continue;
+    if (!hasHandlesBack()) continue;
+    Handles handles;
+    const auto done = openHandles(handles);
+    if (done) {
+      ++reconnections;
+      setTrouble({});
+      lend(std::move(handles));
+      continue;
+    }
+    setTrouble(done.error().message +
+               " The force is off. Plug it in again; it is taken up by "
+               "itself.");
+    port->awaitChange(Duration::fromSi(0.05));
+  }
+}
+
+/// Takes back what was lent, once its user has let go of it, and closes it.
+bool HidHand::Content::hasHandlesBack()
+{
+  const bool hasReading = channels->reading.withdraw() || channels->reading.reclaim();
+  const bool hasWriting = channels->writing.withdraw() || channels->writing.reclaim();
+  if (hasReading) isReadingLent = false;
+  if (hasWriting) isWritingLent = false;
+  return !isReadingLent && !isWritingLent;
+}
+
+void HidHand::Content::setTrouble(std::string sentence)
+{
+  const std::lock_guard lock(troubleMutex);
+  trouble = std::move(sentence);
+}
+
+std::optional<HandHealth> HidHand::health()
+{
+  Content& hand = *content_;
+  if (!hand.isOpen) return std::nullopt;
+  HandHealth health;
+  health.isConnected = !hand.channels->isGone;
+  health.isBlocked = hand.channels->isBlocked;
+  hand.figures.refresh();
+  health.reading = hand.figures.latest();
+  health.writing = hand.writer->latestFigures();
+  health.period = hand.traits.nominalPeriod;
+  health.isPeriodMeasured = hand.isPeriodMeasured;
+  health.delay = hand.traits.transportDelay;
+  health.reconnections = hand.reconnections;
+  health.blockedWrites = hand.channels->blockedWrites;
+  const std::lock_guard lock(hand.troubleMutex);
+  health.trouble = hand.trouble;
+  if (health.isConnected && health.reading.silence > 0.1)
+    health.trouble = hand.profile.name + " has sent nothing for " +
+                     std::to_string(health.reading.silence).substr(0, 4) +
+                     " s. The force is off. Move it, then check its cable.";
+  if (health.isBlocked)
+    health.trouble = hand.profile.name + " takes no force. The force is off. Check its cable.";
+  return health;
+}
+
+}  // namespace perilymph::device

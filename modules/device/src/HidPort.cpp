@@ -1,0 +1,67 @@
+#include "perilymph/device/HidPort.h"
+
+#include <utility>
+
+#include "PlugWatch.h"
+#include "perilymph/device/HidTransport.h"
+
+namespace perilymph::device {
+
+namespace {
+
+ReportNumbers numbersOf(const HidNode& node)
+{
+  const auto descriptor = ReportDescriptor::parse(node.descriptor);
+  const bool isNumbered = descriptor && descriptor->isNumbered();
+  return isNumbered ? ReportNumbers::inFront : ReportNumbers::none;
+}
+
+class HidrawPort final : public HidPort {
+public:
+  HidrawPort(HidNode node, SystemRoots roots)
+      : node_(std::move(node)), roots_(std::move(roots)), numbers_(numbersOf(node_))
+  {
+  }
+
+  Result<std::unique_ptr<Transport>> open() override
+  {
+    // Where it was, if it is still there: of two equal devices each keeps its own.
+    const HidNode* found = nullptr;
+    const std::vector<HidNode> nodes = findHidNodes(roots_);
+    for (const HidNode& node : nodes) {
+      if (!isSameDevice(node, node_)) continue;
+      if (found == nullptr || node.path == node_.path) found = &node;
+    }
+    if (found == nullptr) return Error{called() + " is not plugged in."};
+    if (found->access == NodeAccess::denied)
+      return Error{"You may not open " + found->path.string() + " (" + called() +
+                   "). Put this line into /etc/udev/rules.d/70-perilymph.rules and plug the device "
+                   "in again: " +
+                   udevRule(node_.identity.vendor, node_.identity.product)};
+    node_.path = found->path;
+    return openHidTransport(node_.path, numbers_);
+  }
+
+  void awaitChange(Duration most) noexcept override { watch_.await(most); }
+
+private:
+  std::string called() const
+  {
+    const std::string name = node_.name.empty() ? "The HID device" : node_.name;
+    return name + " " + identityText(node_.identity);
+  }
+
+  HidNode node_;
+  SystemRoots roots_;
+  ReportNumbers numbers_;
+  PlugWatch watch_;
+};
+
+}  // namespace
+
+std::unique_ptr<HidPort> hidPort(HidNode node, SystemRoots roots)
+{
+  return std::make_unique<HidrawPort>(std::move(node), std::move(roots));
+}
+
+}  // namespace perilymph::device

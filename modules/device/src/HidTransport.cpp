@@ -1,0 +1,117 @@
+#include "perilymph/device/HidTransport.h"
+
+#include <hidapi/hidapi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <utility>
+
+namespace perilymph::device {
+
+namespace {
+
+/// hidapi keeps the text of its last error of opening in one place for the whole process.
+std::mutex& openingMutex()
+{
+  static std::mutex mutex;
+  return mutex;
+}
+
+int inWholeMilliseconds(Duration timeout) noexcept
+{
+  const double milliseconds = std::ceil(std::clamp(timeout.si(), 0.0, 10.0) * 1e3 - 1e-6);
+  return static_cast<int>(std::max(milliseconds, 0.0));
+}
+
+class HidTransport final : public Transport {
+public:
+  HidTransport(hid_device* handle, ReportNumbers numbers) noexcept
+      : handle_(handle), numbers_(numbers)
+  {
+  }
+  ~HidTransport() override
+  {
+    const std::lock_guard lock(openingMutex());
+    hid_close(handle_);
+  }
+  HidTransport(const HidTransport&) = delete;
+  HidTransport& operator=(const HidTransport&) = delete;
+
+  Transfer read(RawReport& report, Duration timeout) noexcept override
+  {
+    if (isGone_) return Transfer::gone;
+    int count = take(report, inWholeMilliseconds(timeout));
+    // A signal ends the wait just as a pulled plug does; only the plug does it twice.
+    if (count < 0) count = take(report, 0);
+    if (count < 0) {
+      isGone_ = true;
+      return Transfer::gone;
+    }
+    return count == 0 ? Transfer::nothing : Transfer::done;
+  }
+
+  Transfer write(const RawReport& report) noexcept override
+  {
+    if (isGone_) return Transfer::gone;
+    return outcome(hid_write(handle_, report.bytes.data(), report.size));
+  }
+
+  Transfer setFeature(const RawReport& report) noexcept override
+  {
+    if (isGone_) return Transfer::gone;
+    return outcome(hid_send_feature_report(handle_, report.bytes.data(), report.size));
+  }
+
+  Transfer getFeature(RawReport& report) noexcept override
+  {
+    if (isGone_) return Transfer::gone;
+    const std::size_t room = std::min(report.size, longestReport);
+    const int count = hid_get_feature_report(handle_, report.bytes.data(), room);
+    if (count > 0) report.size = static_cast<std::size_t>(count);
+    return outcome(count);
+  }
+
+private:
+  int take(RawReport& report, int milliseconds) noexcept
+  {
+    // hidapi gives no number where the device uses none.
+    const std::size_t front = numbers_ == ReportNumbers::none ? 1 : 0;
+    const int count =
+        hid_read_timeout(handle_, report.bytes.data() + front, longestReport - front, milliseconds);
+    if (count <= 0) return count;
+    if (front == 1) report.bytes[0] = 0;
+    report.size = static_cast<std::size_t>(count) + front;
+    return count;
+  }
+
+  Transfer outcome(int count) noexcept
+  {
+    if (count >= 0) return Transfer::done;
+    // Refused, or unplugged? A node whose device is gone cannot be read either.
+    RawReport ignored;
+    if (take(ignored, 0) >= 0) return Transfer::failed;
+    isGone_ = true;
+    return Transfer::gone;
+  }
+
+  hid_device* handle_;
+  ReportNumbers numbers_;
+  bool isGone_ = false;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Transport>> openHidTransport(const std::filesystem::path& node,
+                                                    ReportNumbers numbers)
+{
+  const std::lock_guard lock(openingMutex());
+  hid_device* handle = hid_init() == 0 ? hid_open_path(node.c_str()) : nullptr;
+  if (handle == nullptr)
+    return Error{"The HID device " + node.string() +
+                 " cannot be opened. See 'perilymph-cli devices' for what it is and who may open "
+                 "it, then plug it in again."};
+  return std::unique_ptr<Transport>(std::make_unique<HidTransport>(handle, numbers));
+}
+
+}  // namespace perilymph::device

@@ -1,0 +1,80 @@
+#pragma once
+
+// Where a PID device keeps what is needed for constant forces ("Device Class Definition for
+// Physical Interface Devices 1.0").
+
+#include "CodecParts.h"
+
+namespace perilymph::device {
+
+/// Places found in the report descriptor, and reports filled by them. Reports are whole: what is
+/// not set is zero.
+class PidReports {
+public:
+  /// Things to do with actuators; how each is said follows the order in which the device lists
+  /// them.
+  enum class Control : std::uint8_t { enable, disable, stopAll, reset };
+  /// What the device says about an effect that it was asked to make room for.
+  enum class Load : std::uint8_t { done, full, failed };
+
+  /// @return the places, or a sentence about the report that is missing.
+  static Result<PidReports> find(const DeviceProfile& profile, const ReportDescriptor& descriptor);
+
+  /// Nothing for a control that the device does not list. Output reports, all of these.
+  std::optional<RawReport> control(Control what) const noexcept;
+  std::optional<RawReport> gain(double share) const noexcept;
+  /// An effect without end along one axis, several or a direction; see PidLayout::Effects.
+  /// @param axes       Bits of D's axes that are enabled.
+  /// @param direction  Polar [rad]; nothing where axes are enabled instead.
+  void setEffect(RawReport& report, std::int64_t block, unsigned axes,
+                 std::optional<double> direction) const noexcept;
+  /// @param share  Of the greatest magnitude, -1 to 1.
+  void constantForce(RawReport& report, std::int64_t block, double share) const noexcept;
+  RawReport start(std::int64_t block) const noexcept;
+  RawReport free(std::int64_t block) const noexcept;
+
+  /// Feature reports.
+  RawReport createEffect() const noexcept;
+  RawReport blockLoad() const noexcept;
+  Load loadStatus(const RawReport& answer) const noexcept;
+  std::int64_t loadedBlock(const RawReport& answer) const noexcept;
+
+  /// Steps of the magnitude from 0 to the most.
+  std::int64_t mostMagnitude() const noexcept { return magnitude_.high; }
+
+private:
+  /// One report, with its length.
+  struct Place {
+    ReportSlot slot;
+    std::size_t bytes = 0;  ///< Of the report behind its number.
+  };
+  struct Said {
+    UsageChoice choice;
+    std::size_t bytes = 0;
+  };
+
+  RawReport blank(std::uint8_t report, std::size_t bytes) const noexcept;
+
+  Said createType_;
+  Place loadBlock_;
+  std::optional<UsageChoice> loadDone_;
+  std::optional<UsageChoice> loadFull_;
+  Place effectBlock_;
+  std::optional<UsageChoice> effectType_;
+  std::optional<ReportSlot> duration_;
+  std::optional<ReportSlot> effectGain_;
+  std::optional<ReportSlot> trigger_;
+  std::array<std::optional<ReportSlot>, 3> axisEnable_;
+  std::optional<ReportSlot> directionEnable_;
+  std::optional<ReportSlot> direction_;
+  Place forceBlock_;
+  ReportSlot magnitude_;
+  Place operationBlock_;
+  UsageChoice operationStart_;
+  std::optional<ReportSlot> loops_;
+  Place freeBlock_;
+  std::optional<Place> deviceGain_;
+  std::array<std::optional<Said>, 4> controls_;
+};
+
+}  // namespace perilymph::device

@@ -1,0 +1,34 @@
+#pragma once
+
+// Devices whose reports hold bare numbers at places that the profile gives: encoder counts and
+// motor currents, or positions and forces.
+
+#include <atomic>
+
+#include "CodecParts.h"
+
+namespace perilymph::device {
+
+class PlainCodec final : public HandCodec {
+public:
+  explicit PlainCodec(const DeviceProfile& profile) : profile_(profile) {}
+
+  std::optional<std::uint64_t> decode(const RawReport& report,
+                                      DeviceSample& hand) noexcept override;
+  void encode(const Wrench& wrench_D, ReportList& reports) noexcept override;
+  Result<Done> begin(Transport& transport) override;
+  void end(Transport& transport) noexcept override;
+
+private:
+  Vector3 position_B(const Vector3& counts) noexcept;
+  void putOutputs(const Vector3& force_B, RawReport& report) const noexcept;
+  void putCounts(RawReport& report) const noexcept;
+
+  const DeviceProfile profile_;
+  // Angles of the newest report, for the Jacobian on the writing thread. Each is whole by itself;
+  // angles of two reports a millisecond apart differ by less than the force's own step.
+  std::array<std::atomic<double>, 3> angles_{};
+  std::atomic<bool> asksForCounts_{false};
+};
+
+}  // namespace perilymph::device

@@ -1,0 +1,26 @@
+#pragma once
+
+// Reads the tables of a device profile that say where things stand in the reports.
+
+#include <string>
+#include <vector>
+
+#include "perilymph/device/DeviceProfile.h"
+#include "perilymph/foundation/TomlReader.h"
+
+namespace perilymph::device {
+
+/// Whole numbers within a range, exactly `count` of them.
+std::vector<std::int64_t> wholeNumbers(TomlReader& table, const char* key, double low, double high,
+                                       std::size_t count);
+
+/// Tables [input], [output], [calibration] and, for `encoders`, [linkage].
+PlainLayout readPlainLayout(TomlReader& file, CodecKind kind, bool rendersForce);
+
+/// Table [axes].
+AxesLayout readAxesLayout(TomlReader& file, CodecKind kind);
+
+/// Table [pid].
+PidLayout readPidLayout(TomlReader& file, const AxesLayout& axes);
+
+}  // namespace perilymph::device

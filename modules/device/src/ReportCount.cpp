@@ -1,0 +1,74 @@
+#include "perilymph/device/ReportCount.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace perilymph::device {
+
+namespace {
+
+// More reports than any pause leaves in a queue; a step back beyond this is a device that counts
+// anew.
+constexpr std::uint64_t mostBack = 200;
+
+/// How many reports on a counter is, over a wrap at 8, 16 or 32 bits.
+std::optional<std::uint64_t> stepsOverWrap(std::uint64_t from, std::uint64_t to) noexcept
+{
+  constexpr std::array<std::uint64_t, 3> ends = {std::uint64_t{1} << 8, std::uint64_t{1} << 16,
+                                                 std::uint64_t{1} << 32};
+  for (const std::uint64_t end : ends)
+    if (from < end && to + end - from <= std::min(mostBack, end / 4)) return to + end - from;
+  return std::nullopt;
+}
+
+}  // namespace
+
+ReportCount::ReportCount(double period) noexcept
+    : period_(std::llround(std::clamp(period, 1e-5, 1.0) * 1e9)),
+      // as a hand goes stale: three periods, at least 3 ms, at most 30 ms
+      mostAge_(std::clamp<std::int64_t>(3 * period_, 3'000'000, 30'000'000))
+{
+}
+
+void ReportCount::startOver() noexcept
+{
+  hasCounter_ = false;
+  lost_ = 0;
+  reports_ = 0;
+}
+
+ReportCount::Verdict ReportCount::judge(std::uint64_t counter, std::int64_t now) noexcept
+{
+  lost_ = 0;
+  if (!hasCounter_) {
+    hasCounter_ = counter != 0;
+    last_ = counter;
+    lastTime_ = now;
+    leastOffset_ = now - reports_ * period_;
+    return Verdict::fresh;
+  }
+  if (counter == last_) return Verdict::duplicate;
+
+  std::uint64_t steps = counter - last_;
+  if (counter < last_) {
+    const auto wrapped = stepsOverWrap(last_, counter);
+    if (!wrapped && last_ - counter <= mostBack) return Verdict::old;
+    if (!wrapped) {
+      startOver();
+      return judge(counter, now);
+    }
+    steps = *wrapped;
+  }
+  last_ = counter;
+  lost_ = steps - 1;
+  reports_ += static_cast<std::int64_t>(std::min<std::uint64_t>(steps, 1'000'000'000));
+
+  const std::int64_t offset = now - reports_ * period_;
+  leastOffset_ = std::min(leastOffset_ + (now - lastTime_) / 50, offset);
+  lastTime_ = now;
+  return offset - leastOffset_ > mostAge_ ? Verdict::old : Verdict::fresh;
+}
+
+}  // namespace perilymph::device

@@ -1,0 +1,110 @@
+#include "perilymph/device/ReportReader.h"
+
+namespace perilymph::device {
+
+namespace {
+
+// Twice what the system keeps: a device that fills its queue while it is drained holds nobody up.
+constexpr int mostAtOnce = 128;
+constexpr std::int64_t second = 1'000'000'000;  // [ns]
+
+}  // namespace
+
+ReportReader::ReportReader(HandCodec& codec, double period, Clock clock) noexcept
+    : codec_(&codec), clock_(clock), count_(period)
+{
+}
+
+bool ReportReader::accept(const RawReport& report) noexcept
+{
+  // A report that is not used leaves no trace, so it is read into a copy.
+  DeviceSample told = sample_;
+  const auto counter = codec_->decode(report, told);
+  if (!counter) {
+    ++figures_.foreign;
+    return false;
+  }
+  const std::int64_t now = clock_();
+  const ReportCount::Verdict verdict = count_.judge(*counter, now);
+  figures_.lost += count_.lost();
+  if (verdict == ReportCount::Verdict::duplicate) ++figures_.duplicates;
+  if (verdict == ReportCount::Verdict::old) ++figures_.old;
+  if (verdict != ReportCount::Verdict::fresh) return false;
+
+  told.sequence = sample_.sequence + 1;
+  told.isValid = 1;
+  sample_ = told;
+  note(now);
+  return true;
+}
+
+void ReportReader::note(std::int64_t now) noexcept
+{
+  ++figures_.fresh;
+  ++freshInSecond_;
+  if (lastFresh_ != 0) intervals_.add(now - lastFresh_);
+  lastFresh_ = now;
+  if (secondBegan_ == 0) {
+    secondBegan_ = now;
+    freshInSecond_ = 0;
+  }
+  const std::int64_t passed = now - secondBegan_;
+  if (passed < second) return;
+  figures_.rate = static_cast<double>(freshInSecond_) / (static_cast<double>(passed) * 1e-9);
+  figures_.intervalMedian = intervals_.quantile(0.5);
+  figures_.intervalP99 = intervals_.quantile(0.99);
+  figures_.intervalMost = intervals_.longest();
+  intervals_.clear();
+  freshInSecond_ = 0;
+  secondBegan_ = now;
+}
+
+Transfer ReportReader::drain(Transport& transport) noexcept
+{
+  const DeviceSample before = sample_;
+  const std::uint64_t freshBefore = figures_.fresh;
+  const std::int64_t lastFreshBefore = lastFresh_;
+  bool isGone = false;
+  int taken = 0;
+  if (isHolding_) {
+    accept(report_);
+    ++taken;
+  }
+  isHolding_ = false;
+  while (taken < mostAtOnce) {
+    const Transfer transfer = transport.read(report_, Duration{});
+    isGone = transfer == Transfer::gone;
+    if (transfer != Transfer::done) break;
+    ++taken;
+    accept(report_);
+  }
+
+  const std::uint64_t fresh = figures_.fresh - freshBefore;
+  if (taken >= queueLength && fresh > 0) {
+    // The queue had run over, so what came after its last report is missing: how old that is,
+    // nobody knows. The next one tells.
+    figures_.old += fresh;
+    figures_.fresh = freshBefore;
+    sample_ = before;
+    lastFresh_ = lastFreshBefore;
+  }
+  if (isGone) return Transfer::gone;
+  return sample_.sequence != before.sequence ? Transfer::done : Transfer::nothing;
+}
+
+Transfer ReportReader::await(Transport& transport, Duration most) noexcept
+{
+  if (isHolding_) return Transfer::done;
+  const Transfer transfer = transport.read(report_, most);
+  isHolding_ = transfer == Transfer::done;
+  return transfer;
+}
+
+void ReportReader::startOver() noexcept
+{
+  count_.startOver();
+  lastFresh_ = 0;
+  isHolding_ = false;
+}
+
+}  // namespace perilymph::device

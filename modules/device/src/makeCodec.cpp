@@ -1,0 +1,118 @@
+#include "AxesReader.h"
+#include "PidCodec.h"
+#include "PlainCodec.h"
+
+namespace perilymph::device {
+
+namespace {
+
+using CodecResult = Result<std::unique_ptr<HandCodec>>;
+
+/// Whether the reports of a profile with fixed places are as long as the device says.
+Result<Done> checkLengths(const DeviceProfile& profile, const ReportDescriptor& descriptor)
+{
+  if (descriptor.fields().empty()) return Done{};
+  const auto check = [&](ReportKind kind, const VectorLayout& layout, const char* what) {
+    const std::size_t real = descriptor.reportBytes(kind, layout.report);
+    if (layout.bytes == 0 || real >= layout.bytes) return Result<Done>(Done{});
+    return Result<Done>(
+        Error{"The profile " + profile.file + " does not fit the device: its " + what + " report " +
+              std::to_string(layout.report) + " should have " + std::to_string(layout.bytes) +
+              " bytes and has " + std::to_string(real) +
+              ". Put right 'report' and 'bytes' in the profile, or take another one."});
+  };
+  auto fits = check(ReportKind::input, profile.plain.input, "input");
+  if (fits) fits = check(ReportKind::output, profile.plain.output, "output");
+  return fits;
+}
+
+CodecResult makePid(const DeviceProfile& profile, const ReportDescriptor& descriptor)
+{
+  auto reader = AxesReader::make(profile, descriptor);
+  if (!reader) return reader.error();
+  auto reports = PidReports::find(profile, descriptor);
+  if (!reports) return reports.error();
+  return std::unique_ptr<HandCodec>(std::make_unique<PidCodec>(profile, *reader, *reports));
+}
+
+int movedAxes(const DeviceProfile& profile, std::size_t from)
+{
+  int moved = 0;
+  for (std::size_t i = from; i < from + 3; ++i)
+    moved += profile.axes.axes[i].usage.page != 0 ? 1 : 0;
+  return moved;
+}
+
+/// How fine a joystick's steps are, of its coarsest axis.
+void addSteps(const DeviceProfile& profile, const ReportDescriptor& descriptor,
+              DeviceTraits& traits)
+{
+  const auto reader = AxesReader::make(profile, descriptor);
+  if (!reader) return;
+  traits.buttons = reader->buttons();
+  if (profile.axes.motion == AxesLayout::Motion::place)
+    for (std::size_t i = 0; i < 3; ++i)
+      if (reader->halfRange(i) > 0.0)
+        traits.positionQuantum =
+            std::max(traits.positionQuantum, profile.axes.travel / reader->halfRange(i));
+  if (profile.kind != CodecKind::pid) return;
+  const auto reports = PidReports::find(profile, descriptor);
+  if (reports)
+    traits.forceQuantum = traits.mostForce / static_cast<double>(reports->mostMagnitude());
+}
+
+/// How far the handle moves for one count of its coarsest encoder, with the arm stretched out.
+double linkageStep(const Linkage& linkage)
+{
+  constexpr double turn = 0x1.921fb54442d18p+2;  // 2 pi
+  const std::array<double, 3> lever{linkage.lengthB + linkage.lengthC, linkage.lengthB,
+                                    linkage.lengthC};
+  double step = 0.0;
+  for (std::size_t i = 0; i < 3; ++i)
+    step = std::max(
+        step, lever[i] * turn / linkage.countsPerTurn[i] * std::fabs(linkage.bodyTurnsPerTurn[i]));
+  return step;
+}
+
+}  // namespace
+
+CodecResult makeCodec(const DeviceProfile& profile, const ReportDescriptor& descriptor)
+{
+  if (profile.kind == CodecKind::encoders || profile.kind == CodecKind::vector) {
+    if (const auto fits = checkLengths(profile, descriptor); !fits) return fits.error();
+    return std::unique_ptr<HandCodec>(std::make_unique<PlainCodec>(profile));
+  }
+  if (descriptor.fields().empty())
+    return Error{"The profile " + profile.file +
+                 " finds axes by their usage, but the device's report descriptor is empty or "
+                 "unreadable. Check that the device may be opened."};
+  if (profile.kind == CodecKind::pid) return makePid(profile, descriptor);
+  auto reader = AxesReader::make(profile, descriptor);
+  if (!reader) return reader.error();
+  return std::unique_ptr<HandCodec>(std::make_unique<AxesCodec>(profile, *reader));
+}
+
+DeviceTraits traitsOf(const DeviceProfile& profile, const ReportDescriptor& descriptor)
+{
+  DeviceTraits traits = profile.traits;
+  if (profile.kind == CodecKind::encoders || profile.kind == CodecKind::vector) {
+    const PlainLayout& plain = profile.plain;
+    const auto coarsest = [](const Vector3& steps) {
+      return *std::max_element(steps.begin(), steps.end());
+    };
+    traits.sensedTranslations = 3;
+    traits.actuatedTranslations = traits.rendersForce ? 3 : 0;
+    traits.buttons = plain.buttons ? static_cast<int>(plain.buttons->bits) : 0;
+    const bool isVector = profile.kind == CodecKind::vector;
+    traits.positionQuantum = isVector ? coarsest(plain.inputQuantum) : linkageStep(plain.linkage);
+    if (isVector && traits.rendersForce) traits.forceQuantum = coarsest(plain.outputQuantum);
+    return traits;
+  }
+  traits.sensedTranslations = movedAxes(profile, 0);
+  traits.sensedRotations = movedAxes(profile, 3);
+  traits.actuatedTranslations = traits.rendersForce ? traits.sensedTranslations : 0;
+  if (!descriptor.fields().empty()) addSteps(profile, descriptor, traits);
+  return traits;
+}
+
+}  // namespace perilymph::device

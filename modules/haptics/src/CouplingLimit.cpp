@@ -1,0 +1,62 @@
+#include "perilymph/haptics/CouplingLimit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace perilymph::haptics {
+
+namespace {
+
+// A handle of 90 g that moves as freely as 0.5 N.s/m: lighter and freer than the devices in use.
+constexpr double lightHandle = 0.09;  // [kg]
+constexpr double freeHandle = 0.5;    // [N.s/m]
+constexpr double usedShare = 0.75;    // of the damping, by the spring
+constexpr double velocityLag = 2e-3;  // of SampleWatch [s]
+constexpr double eulersNumber = 2.718281828459045;
+
+std::string text(const char* format, double value)
+{
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, format, value);
+  return buffer;
+}
+
+}  // namespace
+
+bool followsReports(const device::DeviceTraits& traits, double timeStep) noexcept
+{
+  const double ticksEach = traits.nominalPeriod / timeStep;
+  return traits.reporting == device::Reporting::periodic && ticksEach > 0.9 && ticksEach < 1.1;
+}
+
+CouplingLimit couplingLimit(const device::DeviceTraits& traits, double timeStep)
+{
+  CouplingLimit limit;
+  if (!traits.rendersForce) return limit;
+  const double damping = traits.handleDamping > 0.0 ? traits.handleDamping : freeHandle;
+  const double mass = traits.handleMass > 0.0 ? traits.handleMass : lightHandle;
+
+  // A tick that a report begins uses it at once; else it has waited for half a period on average.
+  const double wait = followsReports(traits, timeStep) ? 0.0 : 0.5 * traits.nominalPeriod;
+  const double late = 0.5 * timeStep + std::max(0.0, traits.transportDelay) + wait;
+  limit.stiffness = usedShare * damping / late;
+  limit.damping = mass / (eulersNumber * (late + velocityLag));
+  limit.reason = "a force reaches the hand " + text("%.2f", late * 1e3) + " ms late";
+  if (traits.mostStiffness > 0.0 && traits.mostStiffness < limit.stiffness) {
+    limit.stiffness = traits.mostStiffness;
+    limit.reason = "its maker gives no more";
+  }
+  if (traits.mostDamping > 0.0) limit.damping = std::min(limit.damping, traits.mostDamping);
+  return limit;
+}
+
+std::string couplingSentence(double asked, const CouplingLimit& limit, const std::string& device)
+{
+  if (!(asked > limit.stiffness)) return {};
+  return device + " renders " + text("%.0f", limit.stiffness) + " N/m of the " +
+         text("%.0f", asked) + " N/m asked for, because " + limit.reason +
+         ". What is felt is softer; the forces that are recorded stay physical.";
+}
+
+}  // namespace perilymph::haptics

@@ -1,0 +1,52 @@
+#pragma once
+
+// How a thread that must not wait wakes one that may.
+
+#include <semaphore.h>
+#include <time.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdint>
+
+#include "perilymph/foundation/RealTime.h"
+
+namespace perilymph::realtime {
+
+/// One thread rings, one thread sleeps until it does. Rings while nobody sleeps are remembered as
+/// one. A ring never waits; it enters the kernel only to wake a sleeper.
+class Doorbell {
+public:
+  Doorbell() noexcept { sem_init(&bell_, 0, 0); }
+  ~Doorbell() { sem_destroy(&bell_); }
+  Doorbell(const Doorbell&) = delete;
+  Doorbell& operator=(const Doorbell&) = delete;
+
+  /// Wakes the sleeper. Any thread. Real-time safe.
+  PERILYMPH_REALTIME void ring() noexcept
+  {
+    if (!isRung_.exchange(true, std::memory_order_acq_rel)) sem_post(&bell_);
+  }
+
+  /// Sleeps until it rings, at most until `deadline` on the monotonic clock [ns]. False if it did
+  /// not ring. One thread only.
+  bool waitUntil(std::int64_t deadline) noexcept
+  {
+    constexpr std::int64_t second = 1'000'000'000;
+    timespec until{};
+    until.tv_sec = static_cast<time_t>(deadline / second);
+    until.tv_nsec = static_cast<long>(deadline % second);
+    while (sem_clockwait(&bell_, CLOCK_MONOTONIC, &until) != 0) {
+      if (errno != EINTR) return false;
+    }
+    // What was written before the ring is seen after it.
+    isRung_.exchange(false, std::memory_order_acq_rel);
+    return true;
+  }
+
+private:
+  sem_t bell_;
+  std::atomic<bool> isRung_{false};
+};
+
+}  // namespace perilymph::realtime

@@ -1,0 +1,193 @@
+#include "perilymph/device/DeviceProfile.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "Descriptors.h"
+
+namespace perilymph::device {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const std::string good = R"(name = "Test"
+maker = "nobody"
+kind = "joystick"
+source = "test"
+confidence = "high"
+[[match]]
+usage_page = 1
+usage = 4
+[capability]
+nominal_period_ms = 10.0
+[axes]
+motion = "place"
+x = "x"
+travel_mm = 15.0
+)";
+
+std::string with(std::string text, const std::string& old, const std::string& now)
+{
+  const auto at = text.find(old);
+  EXPECT_NE(at, std::string::npos) << old;
+  return text.replace(at, old.size(), now);
+}
+
+std::string mistake(const std::string& text)
+{
+  const auto profile = parseProfile(text, "test.toml");
+  return profile ? "it was accepted" : profile.error().message;
+}
+
+ReportDescriptor descriptorOf(const std::vector<std::uint8_t>& bytes)
+{
+  return *ReportDescriptor::parse(bytes);
+}
+
+/// A vendor's own reports: nothing that a usage could find.
+ReportDescriptor vendorDescriptor()
+{
+  return descriptorOf({0x06, 0xab, 0xff, 0x0a, 0x00, 0x02, 0xa1, 0x01, 0x15,
+                       0x00, 0x26, 0xff, 0x00, 0x75, 0x08, 0x95, 0x0e, 0x09,
+                       0x01, 0x81, 0x02, 0x09, 0x02, 0x91, 0x02, 0xc0});
+}
+
+TEST(DeviceProfile, IsReadInSi)
+{
+  const auto profile = parseProfile(good, "test.toml");
+  ASSERT_TRUE(profile);
+  EXPECT_EQ(profile->traits.nominalPeriod, 0.01);
+  EXPECT_EQ(profile->axes.travel, 0.015);
+  EXPECT_EQ(profile->file, "test.toml");
+}
+
+TEST(ShippedProfiles, CanAllBeReadAndHaveNamesOfTheirOwn)
+{
+  const ProfileCatalog catalog = shippedProfiles();
+  EXPECT_THAT(catalog.mistakes, IsEmpty());
+  std::set<std::string> names;
+  for (const DeviceProfile& profile : catalog.profiles) names.insert(profile.name);
+  EXPECT_EQ(names.size(), catalog.profiles.size());
+  EXPECT_GE(names.size(), 5u);
+}
+
+TEST(ShippedProfiles, FitTheDevicesTheyAreFor)
+{
+  const ProfileCatalog catalog = shippedProfiles();
+  const auto nameOf = [&](HidIdentity identity, const ReportDescriptor& descriptor) {
+    const DeviceProfile* profile = matchingProfile(catalog.profiles, identity, descriptor);
+    return profile == nullptr ? std::string("none") : profile->name;
+  };
+  EXPECT_EQ(nameOf({0x1234, 0x0006, 0}, vendorDescriptor()), "WoodenHaptics");
+  EXPECT_EQ(nameOf({0x046d, 0xc626, 0}, descriptorOf(test::knobDescriptor())), "SpaceMouse");
+  EXPECT_EQ(nameOf({0x256f, 0xc635, 0}, descriptorOf(test::knobDescriptor())), "SpaceMouse");
+  EXPECT_EQ(nameOf({0x256f, 0xc632, 0}, descriptorOf(test::combinedKnobDescriptor())),
+            "SpaceMouse Wireless");
+  EXPECT_EQ(nameOf({0x0001, 0x0001, 0}, descriptorOf(test::joystickDescriptor())), "Joystick");
+  EXPECT_EQ(nameOf({0x1209, 0xffb0, 2}, descriptorOf(test::pidDescriptor())),
+            "Force-feedback joystick");
+  EXPECT_EQ(nameOf({0x0001, 0x0001, 0}, vendorDescriptor()), "none");
+  EXPECT_EQ(nameOf({0x0001, 0x0001, 0}, ReportDescriptor()), "none");
+}
+
+TEST(MatchingProfile, PrefersWhatAsksForMore)
+{
+  std::vector<DeviceProfile> profiles(3);
+  for (DeviceProfile& profile : profiles) profile.matches.resize(1);
+  profiles[0].matches[0].usage = Usage{1, 4};
+  profiles[1].matches[0].vendor = 7;
+  profiles[1].matches[0].product = 8;
+  profiles[2].matches[0].vendor = 7;
+  profiles[2].matches[0].interfaceNumber = 3;
+  const auto descriptor = descriptorOf(test::joystickDescriptor());
+  EXPECT_EQ(matchingProfile(profiles, {7, 8, 3}, descriptor), &profiles[1]);
+  EXPECT_EQ(matchingProfile(profiles, {7, 9, 3}, descriptor), &profiles[2]);
+  EXPECT_EQ(matchingProfile(profiles, {7, 9, 1}, descriptor), &profiles[0]);
+  EXPECT_EQ(matchingProfile({}, {7, 9, 1}, descriptor), nullptr);
+}
+
+TEST(FaultyProfile, IsAnsweredWithFileLineKeyValueAndRange)
+{
+  EXPECT_THAT(mistake(with(good, "travel_mm = 15.0", "travel_mm = 9000.0")),
+              HasSubstr("test.toml:14: axes.travel_mm is 9000; it must be between 0.1 and 500"));
+  EXPECT_THAT(mistake(with(good, "\"joystick\"", "\"gloves\"")), HasSubstr("test.toml:3: kind"));
+  EXPECT_THAT(mistake(with(good, "x = \"x\"", "x = \"q\"")),
+              HasSubstr("test.toml:13: axes.x is 'q'; it must be one of none, x"));
+  EXPECT_THAT(mistake(with(good, "x = \"x\"\n", "")), HasSubstr("[axes] moves nothing"));
+  EXPECT_THAT(mistake(good + "wheels = 4\n"), HasSubstr("wheels"));
+  EXPECT_THAT(mistake(with(good, "usage = 4", "")), HasSubstr("belong together"));
+  EXPECT_THAT(mistake(with(good, "usage_page = 1\nusage = 4", "interface = 1")),
+              HasSubstr("it would take every device"));
+  EXPECT_THAT(mistake(with(good, "usage_page = 1\nusage = 4", "product_id = 1")),
+              HasSubstr("product_id means nothing without vendor_id"));
+  EXPECT_THAT(mistake(with(good, "[[match]]\nusage_page = 1\nusage = 4\n", "")),
+              HasSubstr("[[match]] is missing"));
+  EXPECT_THAT(mistake(with(good, "nominal_period_ms = 10.0",
+                           "nominal_period_ms = 10.0\nmost_force_N = 1.0")),
+              HasSubstr("renders no force"));
+}
+
+TEST(FaultyProfile, CannotTurnTheHandInsideOut)
+{
+  const std::string mount = good + "[mount]\nrotation = ";
+  EXPECT_THAT(mistake(mount + "[1,0,0, 0,1,0, 0,0,1]"), HasSubstr("accepted"));
+  EXPECT_THAT(mistake(mount + "[-1,0,0, 0,1,0, 0,0,1]"), HasSubstr("right-handed"));
+  EXPECT_THAT(mistake(mount + "[1,0,0, 1,0,0, 0,0,1]"), HasSubstr("no rotation"));
+  EXPECT_THAT(mistake(mount + "[0.5,0,0, 0,1,0, 0,0,1]"), HasSubstr("no rotation"));
+}
+
+const std::string vector = R"(name = "Test"
+maker = "nobody"
+kind = "vector"
+source = "test"
+confidence = "high"
+[[match]]
+vendor_id = 1
+[capability]
+nominal_period_ms = 1.0
+most_force_N = 1.0
+[input]
+report = 1
+bytes = 6
+bits = 16
+first_bits = [0, 16, 32]
+quantum_mm = [0.01, 0.01, 0.01]
+[output]
+report = 1
+bytes = 6
+bits = 16
+first_bits = [0, 16, 32]
+quantum_N = [0.01, 0.01, 0.01]
+)";
+
+TEST(FaultyVectorProfile, CannotReachBeyondItsReports)
+{
+  EXPECT_THAT(mistake(vector), HasSubstr("accepted"));
+  EXPECT_THAT(mistake(with(vector, "[0, 16, 32]", "[0, 16, 33]")),
+              HasSubstr("first_bits has 33; with 16 bits that ends behind the report's 48 bits"));
+  EXPECT_THAT(mistake(with(vector, "[0, 16, 32]", "[0, 16.5, 32]")), HasSubstr("whole numbers"));
+  EXPECT_THAT(mistake(with(vector, "bits = 16", "bits = 40")), HasSubstr("between 2 and 32"));
+  EXPECT_THAT(mistake(with(vector, "[0, 16, 32]", "[0, 16]")), HasSubstr("first_bits"));
+}
+
+TEST(ForceProfile, MayNotBeOfADeviceThatIsSilentAtRest)
+{
+  EXPECT_THAT(mistake(with(vector, "nominal_period_ms = 1.0",
+                           "nominal_period_ms = 1.0\nreporting = \"on_change\"")),
+              HasSubstr("must report all the time"));
+}
+
+TEST(ForceProfile, MayNotSteerBySpeed)
+{
+  std::string text = with(good, "\"joystick\"", "\"pid\"");
+  text = with(text, "nominal_period_ms = 10.0", "nominal_period_ms = 1.0\nmost_force_N = 1.0");
+  text = with(text, "motion = \"place\"", "motion = \"rate\"");
+  text = with(text, "travel_mm = 15.0", "speed_mm_s = 5.0\n[pid]\neffects = \"axes\"");
+  EXPECT_THAT(mistake(text), HasSubstr("the force belongs to a place"));
+}
+
+}  // namespace
+}  // namespace perilymph::device

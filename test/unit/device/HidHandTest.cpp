@@ -1,0 +1,331 @@
+// A HidHand against a device in memory. Time stands still unless a test lets it pass; where another
+// thread has something to do, the test looks until it is done.
+
+#include "perilymph/device/HidHand.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <thread>
+
+#include "perilymph/test/AllocationGuard.h"
+#include "perilymph/test/FakeHid.h"
+
+namespace perilymph::device {
+namespace {
+
+using test::FakeHid;
+using test::FakeReport;
+
+constexpr std::int64_t millisecond = 1'000'000;  // [ns]
+
+std::atomic<std::int64_t> virtualNow{0};
+std::int64_t virtualClock() noexcept { return virtualNow; }
+
+template <class Claim>
+void waitUntil(Claim holds)
+{
+  while (!holds()) std::this_thread::yield();
+}
+
+constexpr Wrench pushing(double newtons) { return Wrench{{newtons, 0.0, 0.0}, {}}; }
+
+class HidHandOnAFake : public testing::Test {
+protected:
+  HidHandOnAFake()
+  {
+    virtualNow = 1000 * millisecond;
+    hid.whenWaiting([this](Duration) { tickDevice(); });
+  }
+
+  void tickDevice()
+  {
+    virtualNow += millisecond;
+    FakeReport report;
+    report.counter = ++counter;
+    report.place_10um[0] = static_cast<std::int16_t>(counter);
+    report.buttons = graspButton;
+    hid.send(report);
+  }
+  /// One turn of a haptic loop: a report comes, it is read, a force is left.
+  DeviceSample turn(double newtons)
+  {
+    tickDevice();
+    const DeviceSample sample = hand.read();
+    hand.write(pushing(newtons));
+    return sample;
+  }
+  void open() { ASSERT_TRUE(hand.open()) << "the fake opens"; }
+  bool hasShown(double newtons) const
+  {
+    const auto forces = hid.forces();
+    return !forces.empty() && forces.back()[0] == newtons;
+  }
+
+  FakeHid hid;
+  std::uint16_t counter = 0;
+  HidHand hand{test::fakeTraits(), std::make_unique<test::FakeCodec>(), hid.port(), virtualClock};
+};
+
+TEST_F(HidHandOnAFake, OpensOneHandleToReadAndOneToWrite)
+{
+  open();
+  EXPECT_EQ(hid.opened(), 2);
+  EXPECT_TRUE(hid.areActuatorsOn());
+}
+
+TEST_F(HidHandOnAFake, ShowsNoForceBeforeItIsAskedFor)
+{
+  open();
+  for (const auto& force : hid.forces()) EXPECT_EQ(force[0], 0.0);
+}
+
+TEST_F(HidHandOnAFake, MeasuresThePeriodOfItsReports)
+{
+  open();
+  EXPECT_NEAR(hand.traits().nominalPeriod, 1e-3, 1e-9);
+  EXPECT_TRUE(hand.health()->isPeriodMeasured);
+}
+
+TEST_F(HidHandOnAFake, SaysWhyItCannotBeOpened)
+{
+  hid.unplug();
+  const auto opened = hand.open();
+  ASSERT_FALSE(opened);
+  EXPECT_EQ(opened.error().message, "The fake device is not plugged in.");
+}
+
+TEST_F(HidHandOnAFake, GivesFreshSamplesAndShowsForces)
+{
+  open();
+  const DeviceSample one = turn(0.25);
+  const DeviceSample next = turn(0.25);
+  EXPECT_EQ(next.sequence, one.sequence + 1);
+  EXPECT_EQ(next.isValid, 1u);
+  EXPECT_EQ(next.buttons, graspButton);
+  EXPECT_NEAR(next.position_D[0] - one.position_D[0], 1e-5, 1e-12);
+  waitUntil([this] { return hasShown(0.25); });
+}
+
+TEST_F(HidHandOnAFake, GoesOnReadingWhileAWriteIsStuck)
+{
+  open();
+  hid.holdWrites(true);
+  turn(0.1);
+  waitUntil([this] { return hid.isWriteWaiting(); });
+  const DeviceSample before = turn(0.2);
+  const DeviceSample after = turn(0.3);
+  EXPECT_EQ(after.sequence, before.sequence + 1);
+  hid.holdWrites(false);
+}
+
+TEST_F(HidHandOnAFake, ShowsTheNewestForceAfterAPauseOfTheDevice)
+{
+  open();
+  hid.holdWrites(true);
+  turn(0.1);
+  waitUntil([this] { return hid.isWriteWaiting(); });
+  const std::size_t before = hid.forces().size();
+  turn(0.2);
+  turn(0.3);
+  hid.holdWrites(false);
+  waitUntil([this] { return hasShown(0.3); });
+  const auto forces = hid.forces();
+  ASSERT_EQ(forces.size(), before + 2);  // 0.2 N was overtaken in the mailbox
+  EXPECT_EQ(forces[before][0], 0.1);
+}
+
+TEST_F(HidHandOnAFake, IsInvalidOnceNoForceWasTakenForFiveMilliseconds)
+{
+  open();
+  hid.holdWrites(true);
+  turn(0.1);
+  waitUntil([this] { return hid.isWriteWaiting(); });
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(turn(0.1).isValid, 1u) << i;
+  EXPECT_EQ(turn(0.1).isValid, 0u);
+  EXPECT_TRUE(hand.health()->isBlocked);
+  EXPECT_NE(hand.health()->trouble.find("takes no force"), std::string::npos);
+  hid.holdWrites(false);
+}
+
+TEST_F(HidHandOnAFake, ComesBackFromABlockWithNoForce)
+{
+  open();
+  hid.holdWrites(true);
+  turn(0.1);
+  waitUntil([this] { return hid.isWriteWaiting(); });
+  while (turn(0.4).isValid != 0) {
+  }
+  hid.holdWrites(false);
+  waitUntil([this] { return turn(0.0).isValid == 1; });
+  const auto forces = hid.forces();
+  for (std::size_t i = forces.size() - 1; forces[i][0] != 0.1; --i) EXPECT_EQ(forces[i][0], 0.0);
+  EXPECT_EQ(hand.health()->blockedWrites, 1u);
+}
+
+TEST_F(HidHandOnAFake, IsBlockedByADeviceThatRefusesToo)
+{
+  open();
+  hid.refuseWrites(true);
+  waitUntil([this] { return turn(0.1).isValid == 0; });
+  hid.refuseWrites(false);
+  waitUntil([this] { return turn(0.0).isValid == 1; });
+}
+
+TEST_F(HidHandOnAFake, ShowsNoForceToAHandItHasNotHeardOfForThreePeriods)
+{
+  open();
+  turn(0.5);
+  waitUntil([this] { return hasShown(0.5); });
+  virtualNow += 2 * millisecond;
+  hand.read();
+  hand.write(pushing(0.6));
+  waitUntil([this] { return hasShown(0.6); });
+  virtualNow += millisecond;
+  hand.read();
+  hand.write(pushing(0.7));
+  waitUntil([this] { return hasShown(0.0); });
+}
+
+TEST_F(HidHandOnAFake, SendsZeroByItselfWhenTheLoopFallsSilent)
+{
+  open();
+  turn(0.5);
+  waitUntil([this] { return hasShown(0.5); });
+  virtualNow += 31 * millisecond;
+  waitUntil([this] { return hasShown(0.0); });
+}
+
+TEST_F(HidHandOnAFake, OutlivesAPlugPulledInMidWrite)
+{
+  open();
+  hid.holdWrites(true);
+  turn(0.5);
+  waitUntil([this] { return hid.isWriteWaiting(); });
+  hid.unplug();
+  hid.holdWrites(false);
+  EXPECT_EQ(turn(0.5).isValid, 0u);
+  waitUntil([this] { return !hand.health()->trouble.empty() || turn(0.5).isValid != 0; });
+  EXPECT_FALSE(hand.health()->isConnected);
+  EXPECT_NE(hand.health()->trouble.find("not plugged in"), std::string::npos);
+}
+
+TEST_F(HidHandOnAFake, IsTakenUpAgainWhenItIsPluggedIn)
+{
+  open();
+  const DeviceSample before = turn(0.5);
+  hid.unplug();
+  while (turn(0.5).isValid != 0) {
+  }
+  hid.plugIn();
+  waitUntil([this] { return turn(0.0).isValid == 1; });
+  const DeviceSample after = turn(0.0);
+  EXPECT_GT(after.sequence, before.sequence);
+  EXPECT_TRUE(hid.areActuatorsOn());
+  EXPECT_EQ(hand.health()->reconnections, 1u);
+  turn(0.25);
+  waitUntil([this] { return hasShown(0.25); });
+}
+
+TEST_F(HidHandOnAFake, ComesBackAsOftenAsItIsPluggedIn)
+{
+  open();
+  for (int i = 0; i < 20; ++i) {
+    hid.unplug();
+    while (turn(0.5).isValid != 0) {
+    }
+    hid.plugIn();
+    waitUntil([this] { return turn(0.5).isValid == 1; });
+  }
+  EXPECT_EQ(hand.health()->reconnections, 20u);
+}
+
+TEST_F(HidHandOnAFake, LeavesZeroForceAndNoActuatorsBehind)
+{
+  open();
+  turn(0.5);
+  waitUntil([this] { return hasShown(0.5); });
+  hand.close();
+  EXPECT_TRUE(hasShown(0.0));
+  EXPECT_FALSE(hid.areActuatorsOn());
+}
+
+TEST_F(HidHandOnAFake, OpensAgainAfterItWasClosed)
+{
+  open();
+  hand.close();
+  hand.close();
+  EXPECT_EQ(hand.read().isValid, 0u);
+  hand.write(pushing(1.0));
+  open();
+  EXPECT_EQ(turn(0.0).isValid, 1u);
+}
+
+TEST_F(HidHandOnAFake, CanBeWaitedFor)
+{
+  open();
+  hand.read();  // takes up the handle
+  const std::uint64_t before = hand.read().sequence;
+  EXPECT_EQ(hand.await(Duration::fromSi(2e-3)), Awaited::fresh);
+  EXPECT_EQ(hand.read().sequence, before + 1);
+  hid.whenWaiting([](Duration) {});
+  EXPECT_EQ(hand.await(Duration::fromSi(2e-3)), Awaited::nothing);
+  hid.unplug();
+  EXPECT_EQ(hand.await(Duration::fromSi(2e-3)), Awaited::cannot);
+}
+
+TEST_F(HidHandOnAFake, AllocatesNothingInReadAndWrite)
+{
+  if (!test::AllocationGuard::isAvailable()) GTEST_SKIP() << test::AllocationGuard::whyNot();
+  open();
+  turn(0.1);
+  for (int i = 0; i < 50; ++i) tickDevice();
+  const test::AllocationGuard guard;
+  for (int i = 0; i < 1000; ++i) {
+    hand.read();
+    hand.write(pushing(0.1));
+  }
+  EXPECT_EQ(guard.allocations(), 0u);
+}
+
+TEST(HidHandWithoutForce, IsNeverWritten)
+{
+  virtualNow = 1000 * millisecond;
+  FakeHid hid;
+  hid.whenWaiting([](Duration timeout) { virtualNow += std::int64_t(timeout.si() * 1e9); });
+  DeviceTraits traits = test::fakeTraits();
+  traits.rendersForce = false;
+  traits.reporting = Reporting::onChange;
+  HidHand hand(traits, std::make_unique<test::FakeCodec>(), hid.port(), virtualClock);
+  ASSERT_TRUE(hand.open());
+  hand.read();
+  hand.write(pushing(1.0));
+  hand.close();
+  EXPECT_TRUE(hid.written().empty());
+  EXPECT_EQ(hid.opened(), 1);
+}
+
+TEST(HidHandThatReportsOnChange, StandsStillWhileItIsSilent)
+{
+  virtualNow = 1000 * millisecond;
+  FakeHid hid;
+  DeviceTraits traits = test::fakeTraits();
+  traits.rendersForce = false;
+  traits.reporting = Reporting::onChange;
+  HidHand hand(traits, std::make_unique<test::FakeCodec>(), hid.port(), virtualClock);
+  ASSERT_TRUE(hand.open());
+  hand.read();
+  FakeReport report;
+  report.counter = 1;
+  report.place_10um[1] = 500;
+  hid.send(report);
+  std::uint64_t sequence = hand.read().sequence;
+  for (int i = 0; i < 10; ++i) {
+    const DeviceSample sample = hand.read();
+    EXPECT_EQ(sample.sequence, ++sequence);
+    EXPECT_NEAR(sample.position_D[1], 5e-3, 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace perilymph::device

@@ -1,0 +1,97 @@
+#include "perilymph/device/ReportCount.h"
+
+#include <gtest/gtest.h>
+
+namespace perilymph::device {
+namespace {
+
+using Verdict = ReportCount::Verdict;
+
+constexpr std::int64_t millisecond = 1'000'000;  // [ns]
+
+/// A device at 1 kHz that was heard in time up to `counter`.
+ReportCount heardUpTo(std::uint64_t counter)
+{
+  ReportCount count(1e-3);
+  for (std::uint64_t i = 1; i <= counter; ++i)
+    count.judge(i, static_cast<std::int64_t>(i) * millisecond);
+  return count;
+}
+
+TEST(ReportCount, CallsEveryNextReportFresh)
+{
+  ReportCount count(1e-3);
+  for (std::uint64_t i = 1; i <= 5000; ++i) {
+    ASSERT_EQ(count.judge(i, static_cast<std::int64_t>(i) * millisecond), Verdict::fresh);
+    ASSERT_EQ(count.lost(), 0u);
+  }
+}
+
+TEST(ReportCount, SeesARepeatedReport)
+{
+  ReportCount count = heardUpTo(10);
+  EXPECT_EQ(count.judge(10, 11 * millisecond), Verdict::duplicate);
+}
+
+TEST(ReportCount, SeesAnOvertakenReport)
+{
+  ReportCount count = heardUpTo(10);
+  EXPECT_EQ(count.judge(9, 11 * millisecond), Verdict::old);
+  EXPECT_EQ(count.judge(11, 12 * millisecond), Verdict::fresh);
+}
+
+TEST(ReportCount, CountsTheReportsThatAreMissing)
+{
+  ReportCount count = heardUpTo(10);
+  EXPECT_EQ(count.judge(14, 14 * millisecond), Verdict::fresh);
+  EXPECT_EQ(count.lost(), 3u);  // 11, 12, 13
+}
+
+TEST(ReportCount, KnowsThatAReportWaited)
+{
+  // 300 ms nobody listens; the report of millisecond 11 comes at 310
+  ReportCount count = heardUpTo(10);
+  EXPECT_EQ(count.judge(11, 310 * millisecond), Verdict::old);
+  EXPECT_EQ(count.judge(310, 311 * millisecond), Verdict::fresh);
+}
+
+TEST(ReportCount, FollowsCountersOfAllWidthsOverTheirEnd)
+{
+  for (const std::uint64_t end : {256ull, 65536ull, 4294967296ull}) {
+    ReportCount count(1e-3);
+    std::int64_t now = 0;
+    for (int i = 0; i < 40; ++i, now += millisecond) {
+      const std::uint64_t counter = (end - 20 + static_cast<std::uint64_t>(i)) % end;
+      ASSERT_EQ(count.judge(counter, now), Verdict::fresh) << end << ", " << i;
+      ASSERT_EQ(count.lost(), 0u) << end << ", " << i;
+    }
+  }
+}
+
+TEST(ReportCount, BeginsAnewWithADeviceThatDoes)
+{
+  ReportCount count = heardUpTo(5000);
+  EXPECT_EQ(count.judge(1, 5001 * millisecond), Verdict::fresh);
+  EXPECT_EQ(count.judge(2, 5002 * millisecond), Verdict::fresh);
+  EXPECT_EQ(count.lost(), 0u);
+}
+
+TEST(ReportCount, BelievesADeviceWithoutACounter)
+{
+  ReportCount count(1e-3);
+  for (int i = 0; i < 100; ++i) ASSERT_EQ(count.judge(0, i * millisecond), Verdict::fresh);
+}
+
+TEST(ReportCount, BearsADeviceClockThatDiffersByOnePercent)
+{
+  for (const double share : {0.99, 1.01}) {
+    ReportCount count(1e-3);
+    for (std::uint64_t i = 1; i <= 100'000; ++i) {
+      const auto now = static_cast<std::int64_t>(static_cast<double>(i) * share * 1e6);
+      ASSERT_EQ(count.judge(i, now), Verdict::fresh) << share << ", " << i;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace perilymph::device

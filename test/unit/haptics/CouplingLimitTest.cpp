@@ -1,0 +1,159 @@
+// Oracles: the passivity bound of Colgate and Schenkel, b > K T / 2, with a delay, by hand; and a
+// handle against a sampled, delayed spring, integrated here on its own.
+
+#include "perilymph/haptics/CouplingLimit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <deque>
+
+#include "perilymph/test/InsertionRig.h"
+#include "perilymph/test/PlainModels.h"
+
+namespace perilymph::haptics {
+namespace {
+
+device::DeviceTraits forceDevice(double delay)
+{
+  device::DeviceTraits traits;
+  traits.name = "Hand";
+  traits.rendersForce = true;
+  traits.mostForce = 3.3;
+  traits.handleDamping = 0.5;
+  traits.handleMass = 0.09;
+  traits.transportDelay = delay;
+  return traits;
+}
+
+TEST(CouplingLimit, IsNoneForAHandThatFeelsNothing)
+{
+  const CouplingLimit limit = couplingLimit({}, 1e-3);
+  EXPECT_TRUE(std::isinf(limit.stiffness));
+  EXPECT_TRUE(std::isinf(limit.damping));
+}
+
+TEST(CouplingLimit, IsThreeQuartersOfThePassiveStiffnessAtTheMeasuredDelay)
+{
+  // 0.75 b / (T/2 + td) = 0.75 x 0.5 / (0.0005 + 0.0017)
+  EXPECT_NEAR(couplingLimit(forceDevice(1.7e-3), 1e-3).stiffness, 170.45, 0.01);
+  EXPECT_NEAR(couplingLimit(forceDevice(0.0), 1e-3).stiffness, 750.0, 1e-9);
+}
+
+TEST(CouplingLimit, CountsTheWaitForATickThatReportsDoNotBegin)
+{
+  // ticks of 0.1 ms, reports of 1 ms: 0.75 x 0.5 / (0.00005 + 0.0005)
+  EXPECT_NEAR(couplingLimit(forceDevice(0.0), 1e-4).stiffness, 681.82, 0.01);
+}
+
+// Measured with a handle of 90 g and 0.5 N.s/m at a wall, without damping by the host: peak to peak
+// at 441 N/m 0.012 mm through a wire of 30 us or of 0.15 ms a report, 0.55 mm through one of 0.98
+// ms, 21.8 mm where a force takes three such reports; there 100 N/m still gave 3.9 mm.
+TEST(CouplingLimit, AgreesWithWhatWasMeasuredOfFourWires)
+{
+  const auto limitAt = [](double write) {
+    return couplingLimit(forceDevice(2.0 * write), 1e-3).stiffness;
+  };
+  EXPECT_GT(limitAt(0.03e-3), 441.0);
+  EXPECT_GT(limitAt(0.15e-3), 441.0);
+  EXPECT_LT(limitAt(0.98e-3), 441.0);
+  EXPECT_LT(limitAt(2.995e-3), 100.0);
+}
+
+TEST(CouplingLimit, HoldsTheMakersBounds)
+{
+  device::DeviceTraits traits = forceDevice(0.0);
+  traits.mostStiffness = 400.0;
+  traits.mostDamping = 1.5;
+  EXPECT_EQ(couplingLimit(traits, 1e-3).stiffness, 400.0);
+  EXPECT_EQ(couplingLimit(traits, 1e-3).damping, 1.5);
+}
+
+TEST(CouplingLimit, SaysInWordsWhatIsAskedGivenAndWhy)
+{
+  const CouplingLimit limit = couplingLimit(forceDevice(1.7e-3), 1e-3);
+  EXPECT_EQ(
+      couplingSentence(441.0, limit, "Hand"),
+      "Hand renders 170 N/m of the 441 N/m asked for, because a force reaches the hand 2.20 ms "
+      "late. What is felt is softer; the forces that are recorded stay physical.");
+  EXPECT_EQ(couplingSentence(170.0, limit, "Hand"), "");
+}
+
+/// A handle pushed with 0.2 N against a spring that is sampled each tick and acts `delay` later:
+/// largest less smallest place over the last of twenty seconds [m].
+double trembling(const device::DeviceTraits& traits, double stiffness, double timeStep)
+{
+  constexpr double step = 1e-5;  // [s]
+  const auto stepsPerTick = static_cast<int>(std::lround(timeStep / step));
+  const auto delayed = static_cast<std::size_t>(std::lround(traits.transportDelay / step));
+  std::deque<double> forces(delayed + 1, 0.0);
+  double place = 0.0, speed = 0.0, held = 0.0, least = 1.0, most = -1.0;
+  for (int i = 0; i < 2'000'000; ++i) {
+    if (i % stepsPerTick == 0) held = place > 0.0 ? -stiffness * place : 0.0;
+    forces.push_back(held);
+    const double force = 0.2 + forces.front() - traits.handleDamping * speed;
+    forces.pop_front();
+    speed += step * force / traits.handleMass;
+    place += step * speed;
+    if (i < 1'900'000) continue;
+    least = std::min(least, place);
+    most = std::max(most, place);
+  }
+  return most - least;
+}
+
+TEST(CouplingLimit, KeepsAFreeHandleStillAgainstAWall)
+{
+  for (const double delay : {0.0, 0.5e-3, 1.7e-3, 3.5e-3}) {
+    const device::DeviceTraits traits = forceDevice(delay);
+    const double stiffness = couplingLimit(traits, 1e-3).stiffness;
+    const double deflection = 0.2 / stiffness;
+    EXPECT_LT(trembling(traits, stiffness, 1e-3), 0.01 * deflection) << delay;
+  }
+}
+
+TEST(CouplingLimit, IsNotFarFromWhereItTrembles)
+{
+  const device::DeviceTraits traits = forceDevice(1.7e-3);
+  EXPECT_GT(trembling(traits, 2.0 * couplingLimit(traits, 1e-3).stiffness, 1e-3), 1e-4);
+}
+
+TEST(SoftenedCoupling, GivesWayToTheDevice)
+{
+  EngineSettings settings;
+  settings.coupling = mechanics::Coupling::spring;
+  settings.couplingStiffness = 441.0;
+  settings.mostStiffness = 220.5;
+  test::InsertionRig rig(test::insertionInRing(), settings, millimetersPerSecond(10));
+  EXPECT_DOUBLE_EQ(rig.engine().couplingStiffness(), 220.5);
+  rig.start();
+  while (rig.output().workflow != Workflow::inserting) rig.tick();
+  EXPECT_NE(rig.tick().output.status & couplingSoftened, 0u);
+}
+
+TEST(SoftenedCoupling, GivesWayToMagnifiedForces)
+{
+  // Felt at the hand: 2 x 441 N/m. The device renders 441, so the spring is half as stiff.
+  EngineSettings settings;
+  settings.coupling = mechanics::Coupling::spring;
+  settings.couplingStiffness = 441.0;
+  settings.mostStiffness = 441.0;
+  test::InsertionRig rig(test::insertionInTube(), settings);
+  EXPECT_DOUBLE_EQ(rig.engine().couplingStiffness(), 441.0);
+  rig.send(Command::Kind::setForceScale, 2.0);
+  rig.tick();
+  EXPECT_DOUBLE_EQ(rig.engine().couplingStiffness(), 220.5);
+}
+
+TEST(SoftenedCoupling, StaysAsAskedWhereTheDeviceRendersIt)
+{
+  EngineSettings settings;
+  settings.coupling = mechanics::Coupling::spring;
+  settings.mostStiffness = 1000.0;
+  test::InsertionRig rig(test::insertionInTube(), settings);
+  rig.start();
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(rig.tick().output.status & couplingSoftened, 0u);
+}
+
+}  // namespace
+}  // namespace perilymph::haptics

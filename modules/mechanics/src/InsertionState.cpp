@@ -1,6 +1,7 @@
 #include "perilymph/mechanics/InsertionState.h"
 
 #include "perilymph/foundation/Hash.h"
+#include "points/advancePoints.h"
 
 namespace perilymph::mechanics {
 namespace {
@@ -26,6 +27,10 @@ InsertionState::InsertionState(const InsertionModel& model)
       factors(position_W.size() - 1),
       room(position_W.size())
 {
+  if (model.points) {
+    points.place_W.resize(position_W.size());
+    points.proxy_W.resize(position_W.size());
+  }
   reset(model);
 }
 
@@ -51,6 +56,7 @@ void InsertionState::reset(const InsertionModel& model) noexcept
   }
   rim = RimContact{};
   factors.forget();
+  if (model.points) resetPoints(model, *this);
   readings = Readings{};
   readings.depth = model.parts.startInside.si() > 0.0 ? model.parts.startInside.si() : 0.0;
 }
@@ -77,6 +83,7 @@ std::uint64_t InsertionState::fingerprint() const noexcept
   addVector(hash, rim.spring_W);
   hash.add(rim.isSliding);
   hash.add(rim.slipSpeed);
+  if (!points.place_W.empty()) points.addTo(hash);
   return hash.value();
 }
 

@@ -78,6 +78,7 @@ struct InsertionState {
   std::vector<double> membraneForce;              ///< Of the basilar membrane on each node [N].
   RimContact rim;
   BandFactors factors;  ///< Of the last stiffness that was factored, this step or an earlier one.
+  PointSetState points;                           ///< Of a model of points; else empty.
   Readings readings;
 
   StepRoom room;  ///< Scratch; not part of the state's value.

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <ostream>
 #include <string>
 
 #include "RandomHand.h"
@@ -29,6 +30,9 @@ struct Setting {
   double timeStep = 1e-3;        ///< [s]
   int nodes = 60;
   HandLimits hand;
+
+  /// For the name of a test.
+  friend void PrintTo(const Setting& setting, std::ostream* out) { *out << setting.name; }
 };
 
 std::shared_ptr<const mechanics::InsertionModel> build(const Setting& setting);

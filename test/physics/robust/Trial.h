@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <ostream>
 #include <string>
 
 #include "RandomHand.h"
@@ -22,13 +23,16 @@ struct Setting {
   StyletUse stylet = StyletUse::stays;
   bool hasRim = false;           ///< The round window around the array.
   bool hasSoftMembrane = false;  ///< In the roof.
-  /// The solver leaves no more than 2 uN, and 1 mN where a contact comes or goes. In the other rows
-  /// it leaves more in some ticks; how much is printed.
+  /// The solver leaves no more than 2 uN in all but a thousandth of the ticks, and never 1 mN. In
+  /// the other rows it leaves more in some ticks; how much is printed.
   bool settles = false;
   bool isWatchedLonger = false;  ///< In the quick tier: twenty thousand ticks.
   double timeStep = 1e-3;        ///< [s]
   int nodes = 60;
   HandLimits hand;
+
+  /// For the name of a test.
+  friend void PrintTo(const Setting& setting, std::ostream* out) { *out << setting.name; }
 };
 
 std::shared_ptr<const mechanics::InsertionModel> build(const Setting& setting);

@@ -122,7 +122,7 @@ class Search(InFolder):
 
 class Machine(InFolder):
     def run_machine(self, path, *words):
-        return subprocess.run([sys.executable, str(HERE / "machine.py"), "--programs", str(self.folder),
+        return subprocess.run([sys.executable, "-B", str(HERE / "machine.py"), "--programs", str(self.folder),
                                "--cache", str(self.folder / "cache"),
                                "--results", str(self.folder / "results"), *words],
                               env={"PATH": str(path)}, capture_output=True, text=True, check=False)

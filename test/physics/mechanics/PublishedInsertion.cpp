@@ -113,8 +113,11 @@ TEST(PublishedInsertion, HasNoForceBeforeTheFirstContact)
   const double firstTouch = curve.tick * static_cast<double>(touching);
   EXPECT_GT(firstTouch, 3e-3);
   EXPECT_LT(firstTouch, 6e-3);
+  // the first tick sets the array in motion: 25 mm of silicone, at most 0.8 mm thick, are at most
+  // 14.5 mg, and 14.5 mg x 2 mm/s / 1 ms = 29 uN
+  EXPECT_LT(std::fabs(curve.force[0]), 29e-6);
   // before it nothing but the perilymph's drag: 0.05 N.s/m2 x 25 mm x 2 mm/s = 2.5 uN
-  for (std::size_t i = 0; i < touching; ++i) ASSERT_LT(std::fabs(curve.force[i]), 5e-6) << i;
+  for (std::size_t i = 1; i < touching; ++i) ASSERT_LT(std::fabs(curve.force[i]), 5e-6) << i;
 }
 
 TEST(PublishedInsertion, PeaksAtTheBasalTurnThenDips)

@@ -1,6 +1,6 @@
-#include "perilymph/mechanics/BandSystem.h"
+#include "perilymph/mechanics/BandFactors.h"
 
-#include <algorithm>
+#include "perilymph/foundation/Hash.h"
 
 namespace perilymph::mechanics {
 namespace {
@@ -139,10 +139,8 @@ constexpr int fromTip = 1;
 
 }  // namespace
 
-BandSystem::BandSystem(std::size_t blocks)
-    : diagonal(blocks),
-      beside(blocks),
-      beyond(blocks),
+BandFactors::BandFactors(std::size_t blocks)
+    : blocks_(blocks),
       steps_(blocks > 3 ? (blocks - 2) / 2 : 0),
       left_(blocks - 2 * steps_),
       ends_(steps_),
@@ -150,26 +148,14 @@ BandSystem::BandSystem(std::size_t blocks)
 {
 }
 
-void BandSystem::clear() noexcept
+bool BandFactors::factorize(const BandMatrix& matrix) noexcept
 {
-  std::fill(diagonal.begin(), diagonal.end(), SymmetricBlock<double>{});
-  std::fill(beside.begin(), beside.end(), Block<double>{});
-  std::fill(beyond.begin(), beyond.end(), Block<double>{});
-}
-
-void BandSystem::holdFirst() noexcept
-{
-  diagonal[0] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
-  if (blocks() > 1) beside[1] = Block<double>{};
-  if (blocks() > 2) beyond[2] = Block<double>{};
-}
-
-bool BandSystem::factorize() noexcept
-{
+  const auto& [diagonal, beside, beyond, firstIsHeld] = matrix;
+  firstIsHeld_ = firstIsHeld;
   bool isDefinite = true;
   Taken<Lanes> taken{};
   for (std::size_t k = 0; k < steps_; ++k) {
-    const std::size_t mirrored = blocks() - 1 - k;
+    const std::size_t mirrored = blocks_ - 1 - k;
     const MatrixColumn<Lanes> column{pair<Lanes>(diagonal[k], diagonal[mirrored]),
                                      pairMirrored<Lanes>(beside[k + 1], beside[mirrored]),
                                      pairMirrored<Lanes>(beyond[k + 2], beyond[mirrored])};
@@ -192,12 +178,13 @@ bool BandSystem::factorize() noexcept
                             laneOf(taken.nextDiagonal, fromBase)};
   for (std::size_t k = 0; k < left_; ++k)
     isDefinite = eliminate(middle[k], takenBefore, middle_[k]) && isDefinite;
+  exist_ = isDefinite;
   return isDefinite;
 }
 
-void BandSystem::solve(std::vector<Eigen::Vector3d>& right) noexcept
+void BandFactors::solve(std::vector<Eigen::Vector3d>& right) noexcept
 {
-  const std::size_t last = blocks() - 1;
+  const std::size_t last = blocks_ - 1;
   TakenRight<Lanes> taken{};
   for (std::size_t k = 0; k < steps_; ++k)
     substitute(pair<Lanes>(tripleOf(right[k]), tripleOf(right[last - k])), taken, ends_[k]);
@@ -227,6 +214,31 @@ void BandSystem::solve(std::vector<Eigen::Vector3d>& right) noexcept
     nextPair = ends_[k].solution;
     right[k] = vectorOf(laneOf(nextPair, fromBase));
     right[last - k] = vectorOf(laneOf(nextPair, fromTip));
+  }
+}
+
+void BandFactors::addTo(Hash& hash) const noexcept
+{
+  hash.add(exist_);
+  if (!exist_) return;
+  hash.add(firstIsHeld_);
+  const auto add = [&hash](const SymmetricBlock<double>& a) {
+    for (const double value : {a.xx, a.xy, a.xz, a.yy, a.yz, a.zz}) hash.add(value);
+  };
+  const auto addBlock = [&hash](const Block<double>& a) {
+    for (const double value : {a.xx, a.xy, a.xz, a.yx, a.yy, a.yz, a.zx, a.zy, a.zz})
+      hash.add(value);
+  };
+  for (const Column<Lanes>& column : ends_)
+    for (const int lane : {fromBase, fromTip}) {
+      add(laneOf(column.inverse, lane));
+      addBlock(laneOf(column.beside, lane));
+      addBlock(laneOf(column.beyond, lane));
+    }
+  for (const Column<double>& column : middle_) {
+    add(column.inverse);
+    addBlock(column.beside);
+    addBlock(column.beyond);
   }
 }
 

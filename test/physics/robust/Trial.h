@@ -23,8 +23,8 @@ struct Setting {
   StyletUse stylet = StyletUse::stays;
   bool hasRim = false;           ///< The round window around the array.
   bool hasSoftMembrane = false;  ///< In the roof.
-  /// The solver leaves no more than 2 uN in all but a thousandth of the ticks, and never 1 mN. In
-  /// the other rows it leaves more in some ticks; how much is printed.
+  /// The solver never leaves more than 1 mN. In the other rows it does in some ticks; how much is
+  /// printed.
   bool settles = false;
   bool isWatchedLonger = false;  ///< In the quick tier: twenty thousand ticks.
   double timeStep = 1e-3;        ///< [s]

@@ -54,7 +54,7 @@ void addSimulate(CLI::App& app, SimulateOptions& options)
                  "A patient's file or shipped name");
   overrideOption(command, "--array", "array", options.overrides, "An electrode array");
   overrideOption(command, "--model", "model", options.overrides, "rod or points");
-  overrideOption(command, "--nodes", "nodes", options.overrides, "Nodes of the rod");
+  overrideOption(command, "--nodes", "nodes", options.overrides, "Nodes of the rod, or sample points");
   overrideOption(command, "--seed", "seed", options.overrides, "Of whatever is drawn at random");
   setOption(command, options.overrides);
   CLI::Option* csv = command.add_option("--csv", options.csv, "Writes a row a tick");

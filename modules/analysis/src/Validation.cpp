@@ -242,7 +242,9 @@ Result<ValidationResult> validate(const ValidationRequest& request,
       sources = SpreadSources::only(alone[(piece - runs) / runsPerShare]);
       number = (piece - runs) % runsPerShare;
     }
-    return runOne(request, sources, number, anatomy, isAsked, kept[piece]);
+    const auto done = runOne(request, sources, number, anatomy, isAsked, kept[piece]);
+    if (done && piece < runs && request.onCurve) request.onCurve(kept[piece].curve);
+    return done;
   };
   const auto done = doInParallel(all, request.jobs, work, [&](std::size_t count) {
     return !progress || progress(count, all);

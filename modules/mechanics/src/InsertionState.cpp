@@ -1,6 +1,7 @@
 #include "perilymph/mechanics/InsertionState.h"
 
 #include "perilymph/foundation/Hash.h"
+#include "points/advancePoints.h"
 
 namespace perilymph::mechanics {
 namespace {
@@ -24,6 +25,10 @@ InsertionState::InsertionState(const InsertionModel& model)
       membraneForce(position_W.size()),
       room(position_W.size())
 {
+  if (model.points) {
+    points.place_W.resize(position_W.size());
+    points.proxy_W.resize(position_W.size());
+  }
   reset(model);
 }
 
@@ -47,6 +52,7 @@ void InsertionState::reset(const InsertionModel& model) noexcept
     room.reach[i] = model.radius[i] + 0.02e-3;
   }
   rim = RimContact{};
+  if (model.points) resetPoints(model, *this);
   readings = Readings{};
   readings.depth = model.parts.startInside.si() > 0.0 ? model.parts.startInside.si() : 0.0;
 }
@@ -71,6 +77,7 @@ std::uint64_t InsertionState::fingerprint() const noexcept
   addVector(hash, rim.spring_W);
   hash.add(rim.isSliding);
   hash.add(rim.slipSpeed);
+  if (!points.place_W.empty()) points.addTo(hash);
   return hash.value();
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "Newton.h"
+#include "contact/Contact.h"
+#include "points/advancePoints.h"
 #include "rod/Rod.h"
 
 namespace perilymph::mechanics {
@@ -85,6 +87,7 @@ void read(const InsertionModel& model, InsertionState& state, const Drive& drive
 
 void advance(const InsertionModel& model, InsertionState& state, const Drive& drive) noexcept
 {
+  if (model.points) return advancePoints(model, state, drive);
   StepRoom& room = state.room;
   const std::size_t n = state.position_W.size();
 

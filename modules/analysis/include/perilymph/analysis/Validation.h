@@ -26,6 +26,8 @@ struct ValidationRequest {
   unsigned jobs = 0;  ///< Threads; 0 for as many as the machine has. Leaves no trace.
   /// With one source alone: 0, or at least 2; by default a tenth of the runs, at least 10.
   std::optional<int> runsPerShare;
+  /// Told the curve of each of the `runs` insertions as it ends, in whichever thread ran it.
+  std::function<void(const std::vector<double>& curve)> onCurve;
   /// The scenario's cochlea, if it is built already.
   std::shared_ptr<const anatomy::ScalaTympani> anatomy;
 };

@@ -74,6 +74,7 @@ struct InsertionState {
   std::vector<Eigen::Vector3d> wallForce_W;       ///< Normal and friction on each node [N].
   std::vector<double> membraneForce;              ///< Of the basilar membrane on each node [N].
   RimContact rim;
+  PointSetState points;                           ///< Of a model of points; else empty.
   Readings readings;
 
   StepRoom room;  ///< Scratch; not part of the state's value.

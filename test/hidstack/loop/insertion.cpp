@@ -1,12 +1,10 @@
-#include "insertions.h"
+#include "insertion.h"
 
 #include <poll.h>
 
 #include "FlatWallScene.h"
-#include "ReportBell.h"
 #include "TimedHand.h"
 #include "perilymph/haptics/HapticLoop.h"
-#include "perilymph/realtime/RealTimePriority.h"
 
 namespace perilymph::hidstack {
 
@@ -15,8 +13,7 @@ namespace {
 using haptics::Command;
 
 constexpr std::size_t mostTicks = 30'000;  // half a minute at 1 kHz
-constexpr int patience_ms = 2000;          // longer than any device is silent here
-constexpr int glance_ms = 5;               // of whoever operates the insertion
+constexpr int glance_ms = 20;  // of whoever operates the insertion; a recorder drains as often
 // After the last unplug: long enough to see what the loop does then.
 constexpr int ticksAfterwards = 200;
 
@@ -56,24 +53,7 @@ private:
 
 }  // namespace
 
-Result<std::vector<LoopTick>> insertAtDevicesBeat(device::HapticDevice& hand,
-                                                  const std::string& node)
-{
-  ReportBell bell;
-  if (const auto opened = bell.open(node); !opened) return opened.error();
-  TimedHand timed(hand, mostTicks);
-  haptics::HapticLoop loop(timed, flatWallEngine(timed.traits().nominalPeriod));
-  realtime::requestRealTimePriority();
-  loop.send({Command::Kind::arm});
-  haptics::TickRecord record;
-  while (bell.wait(patience_ms) == ReportBell::Ring::report) {
-    loop.runOnce();
-    loop.take(record);
-  }
-  return timed.ticks();
-}
-
-Result<std::vector<LoopTick>> insertByTheClock(device::HapticDevice& hand, int unplugs)
+Result<std::vector<LoopTick>> insertUntilUnplugged(device::HapticDevice& hand, int unplugs)
 {
   TimedHand timed(hand, mostTicks);
   haptics::HapticLoop loop(timed, flatWallEngine(timed.traits().nominalPeriod));

@@ -56,7 +56,10 @@ Result<Done> calibrate(const CalibrateOptions& options)
   if (!file) return file.error();
   auto variability = analysis::loadVariability(*file);
   if (!variability) return variability.error();
-  auto scenario = session::loadScenario(variability->scenario, options.overrides);
+  // What is fitted anew begins with the array's own data.
+  session::Overrides overrides = options.overrides;
+  overrides.emplace_back("calibration", "");
+  auto scenario = session::loadScenario(variability->scenario, overrides);
   if (!scenario) return scenario.error();
   auto experiment = analysis::shippedReference("todd-naghdy-experiment");
   if (!experiment) return experiment.error();

@@ -61,6 +61,21 @@ struct CalibrateOptions {
 };
 Result<Done> calibrate(const CalibrateOptions& options);
 
+struct PredictOptions {
+  std::vector<std::string> arrays;
+  int patients = 50;
+  std::uint64_t seed = 1;
+  unsigned jobs = 0;
+  std::string out;
+};
+Result<Done> predict(const PredictOptions& options);
+
+struct CompareOptions {
+  std::vector<std::string> files;
+  std::string out;
+};
+Result<Done> compare(const CompareOptions& options);
+
 struct RenderOptions {
   std::string scenario;
   std::string preset, patient, array;

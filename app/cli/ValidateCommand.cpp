@@ -67,7 +67,9 @@ Result<Done> validate(const ValidateOptions& options)
   ValidationRequest request;
   request.scenario = std::move(*scenario);
   request.variability = std::move(*variability);
-  request.experiment = references->experiment;
+  // The paper's own model is held against the paper's own simulated forces.
+  const bool isPublishedModel = request.scenario.model == mechanics::ModelKind::points;
+  request.experiment = isPublishedModel ? references->simulator : references->experiment;
   request.runs = options.runs;
   request.seed = options.seed;
   request.jobs = options.jobs;
@@ -88,7 +90,7 @@ Result<Done> validate(const ValidateOptions& options)
   content.figures = {
       {"experiment",
        draw(analysis::experimentFigure(references->experiment, references->simulator))},
-      {"simulation", draw(analysis::simulationFigure(*result, references->experiment))},
+      {"simulation", draw(analysis::simulationFigure(*result, request.experiment))},
       {"difference", draw(analysis::differenceFigure(*result, references->difference))}};
   if (const auto done = writeFolder(options.out, content); !done) return done.error();
   print(request, *result);

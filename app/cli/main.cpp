@@ -142,6 +142,27 @@ void addCalibrate(CLI::App& app, CalibrateOptions& options)
   command.add_option("--out", options.out, "The folder for the calibration")->required();
 }
 
+void addPredict(CLI::App& app, PredictOptions& options)
+{
+  CLI::App& command =
+      *app.add_subcommand("predict", "Inserts arrays into cochleae that nothing was fitted to");
+  command.add_option("--array", options.arrays, "Electrode arrays, by name or file")->required();
+  command.add_option("--patients", options.patients, "Virtual patients beside the mean cochlea")
+      ->check(CLI::Range(0, 10'000));
+  command.add_option("--seed", options.seed, "Of the virtual patients")
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--jobs", options.jobs, "Cochleae at a time; by default one a processor")
+      ->check(CLI::Range(1u, 256u));
+  command.add_option("--out", options.out, "The folder for the tables")->required();
+}
+
+void addCompare(CLI::App& app, CompareOptions& options)
+{
+  CLI::App& command = *app.add_subcommand("compare", "Sets recorded insertions side by side");
+  command.add_option("files", options.files, "The .insertion files")->required();
+  command.add_option("--out", options.out, "The folder for tables and curves")->required();
+}
+
 void addRender(CLI::App& app, RenderOptions& options)
 {
   CLI::App& command = *app.add_subcommand("render", "Draws a picture without a window");
@@ -169,7 +190,8 @@ std::string words(const CLI::ParseError& error, const CLI::App& app, int argc, c
   const bool namesNothing = argc < 2 || argv[1][0] == '-' || !app.get_subcommands().empty();
   if (namesNothing) return error.what();
   return "There is no command '" + std::string(argv[1]) +
-         "'; there are simulate, anatomy, validate, calibrate, replay and render";
+         "'; there are simulate, anatomy, validate, calibrate, predict, compare, replay and "
+         "render";
 }
 
 int report(const Result<Done>& result)
@@ -193,12 +215,16 @@ int run(int argc, char** argv)
   RenderOptions renderOptions;
   ValidateOptions validateOptions;
   CalibrateOptions calibrateOptions;
+  PredictOptions predictOptions;
+  CompareOptions compareOptions;
   addSimulate(app, simulateOptions);
   addAnatomy(app, anatomyOptions);
   addReplay(app, replayOptions);
   addRender(app, renderOptions);
   addValidate(app, validateOptions);
   addCalibrate(app, calibrateOptions);
+  addPredict(app, predictOptions);
+  addCompare(app, compareOptions);
 
   try {
     app.parse(argc, argv);
@@ -212,6 +238,8 @@ int run(int argc, char** argv)
   if (app.got_subcommand("replay")) return report(replay(replayOptions));
   if (app.got_subcommand("validate")) return report(validate(validateOptions));
   if (app.got_subcommand("calibrate")) return report(calibrate(calibrateOptions));
+  if (app.got_subcommand("predict")) return report(predict(predictOptions));
+  if (app.got_subcommand("compare")) return report(compare(compareOptions));
   return report(render(renderOptions));
 }
 

@@ -17,6 +17,15 @@ constexpr std::size_t pointsOfProfile = 166;
 constexpr Length ribFar = millimeters(1.0);
 constexpr Length ribNear = millimeters(0.5);
 
+/// The published simulator's axis begins so deep past the opening (Todd and Naghdy, section III):
+/// its own device's z was shifted by this length. Only its own model is put on that axis.
+constexpr Length publishedShift = millimeters(2.661);
+
+bool isPublishedModel(const session::Scenario& scenario)
+{
+  return scenario.model == mechanics::ModelKind::points;
+}
+
 /// What is kept of one insertion.
 struct Kept {
   std::vector<double> curve;
@@ -27,7 +36,9 @@ struct Kept {
 std::optional<Length> firstRib(const session::Scenario& scenario)
 {
   const auto& ribs = scenario.array.ribsFromTip;
-  if (ribs.empty() || ribs.front() + ribNear > scenario.array.insertable) return std::nullopt;
+  if (isPublishedModel(scenario) || ribs.empty() ||
+      ribs.front() + ribNear > scenario.array.insertable)
+    return std::nullopt;
   return ribs.front();
 }
 
@@ -37,6 +48,7 @@ Length stopOf(const session::Scenario& scenario)
   // The tip may be ahead of the crosshead by what the array bends outside; half a millimeter more
   // lets the last sample lie at the end.
   Length stop = profileEnd() + millimeters(0.5);
+  if (isPublishedModel(scenario)) stop = stop + publishedShift - scenario.startInside;
   if (const auto rib = firstRib(scenario))
     stop = std::max(stop, *rib + ribNear - scenario.startInside);
   return std::min(stop, scenario.array.insertable - scenario.startInside);
@@ -64,9 +76,12 @@ Result<Done> runOne(const ValidationRequest& request, SpreadSources sources, std
 {
   const DrawnInsertion drawn =
       drawInsertion(request.scenario, request.variability, sources, request.seed, number);
-  const auto measured =
+  auto measured =
       measure(drawn, anatomy, request.variability.samplePeriod, stopOf(drawn.scenario), isAsked);
   if (!measured) return measured.error();
+  if (isPublishedModel(drawn.scenario))
+    for (std::size_t i = 0; i < measured->travel.size(); ++i)
+      measured->travel[i] = measured->depth[i] - publishedShift.si();
   auto curve = resampled(measured->travel, measured->force, request.variability.knotSpacing);
   if (!curve)
     return Error{"Insertion " + std::to_string(number + 1) +

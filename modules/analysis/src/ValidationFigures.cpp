@@ -58,7 +58,7 @@ Figure experimentFigure(const Reference& experiment, const Reference& publishedS
 Figure simulationFigure(const ValidationResult& result, const Reference& experiment)
 {
   Figure figure;
-  figure.title = "Simulated insertions and the published experiment";
+  figure.title = "Simulated insertions and the published " + experiment.kind;
   figure.x = travelAxis();
   FigureBand spread{"± 1 SD between insertions", {}, {}, {}, ink::tint(ink::blue, 0.18)};
   FigureBand confidence{"95 % confidence of the mean", {}, {}, {}, ink::tint(ink::blue, 0.45)};
@@ -82,8 +82,7 @@ Figure simulationFigure(const ValidationResult& result, const Reference& experim
   figure.bands = {spread, confidence};
   figure.curves = {mean};
   figure.levels = {{"felt by surgeons, median 20.4 mN", feltBySurgeons, ink::gray, 3.0}};
-  figure.values.push_back(
-      printed(experiment, "experiment, printed mean ± 1 SD", ink::black, MarkerShape::disk));
+  figure.values.push_back(printed(experiment, experiment.label, ink::black, MarkerShape::disk));
   figure.notes = {"Seed " + std::to_string(result.seed) +
                   "; least-squares spline through each insertion, resampled every 0.1 mm."};
   return figure;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "EffectiveText.h"
+#include "ScenarioCalibration.h"
 #include "ScenarioFriction.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Hash.h"
@@ -306,12 +307,15 @@ Result<Scenario> readScenario(TomlReader& reader, const std::string& name, const
   readSide(reader, keys, scenario.patient);
   scenario.arrayName = keys.text("array", "contour");
   scenario.expectedArrayFingerprint = reader.text("array_fingerprint", "");
+  const auto calibration = readCalibration(reader, keys, scenario);
 
   // What the file says itself comes before what the files it names say.
   if (const auto done = reader.finish(); !done) return done.error();
   if (!patient) return patient.error();
   if (const auto done = anatomy::checkPatient(scenario.patient); !done) return done.error();
   if (const auto done = readArray(scenario.arrayName, scenario); !done) return done.error();
+  if (!calibration) return calibration.error();
+  if (const auto done = applyCalibration(*calibration, scenario); !done) return done.error();
 
   if (scenario.technique == "aos") {
     if (!scenario.array.hasStylet || !scenario.array.stylet.holdDepth)

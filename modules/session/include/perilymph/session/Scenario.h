@@ -29,7 +29,8 @@ struct Scenario {
   anatomy::Patient patient;  ///< From `patient` (a file or a shipped name), else published.
   std::string patientName;   ///< What `patient` said; empty without one.
   std::string arrayName = "contour";
-  electrode::ArrayDesign array;
+  electrode::ArrayDesign array;  ///< As run: calibrated, where a calibration is named.
+  std::string calibrationName;   ///< Fitted numbers of the array; empty without.
   /// "standard": the stylet stays in until full depth; "aos": advance off stylet, the stylet is
   /// held still from the array's hold depth on and the array pushed off it.
   std::string technique = "standard";

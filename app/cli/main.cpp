@@ -131,13 +131,25 @@ void addRender(CLI::App& app, RenderOptions& options)
   });
 }
 
+void addDevices(CLI::App& app, DevicesOptions& options)
+{
+  CLI::App& command = *app.add_subcommand(
+      "devices", "Lists HID devices, whether one can be the hand, and tries one");
+  command.add_option("--json", options.json, "Writes the list, and what the test measured");
+  command
+      .add_option(
+          "--test", options.test,
+          "Measures reports, then shows small forces: the number of the node, 3 for hidraw3")
+      ->check(CLI::Range(0, 4095));
+}
+
 /// What is wrong with the words of a call.
 std::string words(const CLI::ParseError& error, const CLI::App& app, int argc, char** argv)
 {
   const bool namesNothing = argc < 2 || argv[1][0] == '-' || !app.get_subcommands().empty();
   if (namesNothing) return error.what();
   return "There is no command '" + std::string(argv[1]) +
-         "'; there are simulate, anatomy, replay and render";
+         "'; there are simulate, anatomy, replay, render and devices";
 }
 
 int report(const Result<Done>& result)
@@ -163,6 +175,8 @@ int run(int argc, char** argv)
   addAnatomy(app, anatomyOptions);
   addReplay(app, replayOptions);
   addRender(app, renderOptions);
+  DevicesOptions devicesOptions;
+  addDevices(app, devicesOptions);
 
   try {
     app.parse(argc, argv);
@@ -174,6 +188,7 @@ int run(int argc, char** argv)
   if (app.got_subcommand("simulate")) return report(simulate(simulateOptions));
   if (app.got_subcommand("anatomy")) return report(describeAnatomy(anatomyOptions));
   if (app.got_subcommand("replay")) return report(replay(replayOptions));
+  if (app.got_subcommand("devices")) return report(devices(devicesOptions));
   return report(render(renderOptions));
 }
 

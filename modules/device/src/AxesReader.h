@@ -54,8 +54,8 @@ private:
 /// A device that has axes and shows no force.
 class AxesCodec final : public HandCodec {
 public:
-  AxesCodec(const DeviceProfile& profile, AxesReader reader)
-      : profile_(profile), reader_(std::move(reader))
+  AxesCodec(const DeviceProfile& profile, const AxesReader& reader)
+      : profile_(profile), reader_(reader)
   {
   }
 

@@ -10,8 +10,8 @@ namespace perilymph::device {
 
 class PidCodec final : public HandCodec {
 public:
-  PidCodec(const DeviceProfile& profile, AxesReader reader, PidReports reports)
-      : profile_(profile), reader_(std::move(reader)), reports_(std::move(reports))
+  PidCodec(const DeviceProfile& profile, const AxesReader& reader, const PidReports& reports)
+      : profile_(profile), reader_(reader), reports_(reports)
   {
   }
 

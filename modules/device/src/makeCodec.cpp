@@ -32,8 +32,7 @@ CodecResult makePid(const DeviceProfile& profile, const ReportDescriptor& descri
   if (!reader) return reader.error();
   auto reports = PidReports::find(profile, descriptor);
   if (!reports) return reports.error();
-  return std::unique_ptr<HandCodec>(
-      std::make_unique<PidCodec>(profile, *std::move(reader), *std::move(reports)));
+  return std::unique_ptr<HandCodec>(std::make_unique<PidCodec>(profile, *reader, *reports));
 }
 
 int movedAxes(const DeviceProfile& profile, std::size_t from)
@@ -90,7 +89,7 @@ CodecResult makeCodec(const DeviceProfile& profile, const ReportDescriptor& desc
   if (profile.kind == CodecKind::pid) return makePid(profile, descriptor);
   auto reader = AxesReader::make(profile, descriptor);
   if (!reader) return reader.error();
-  return std::unique_ptr<HandCodec>(std::make_unique<AxesCodec>(profile, *std::move(reader)));
+  return std::unique_ptr<HandCodec>(std::make_unique<AxesCodec>(profile, *reader));
 }
 
 DeviceTraits traitsOf(const DeviceProfile& profile, const ReportDescriptor& descriptor)

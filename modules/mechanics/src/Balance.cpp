@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/Contact.h"
+#include "contact/Rim.h"
 
 namespace perilymph::mechanics {
 namespace {
@@ -53,6 +54,7 @@ Balance balance(const InsertionModel& model, InsertionState& state, const Base& 
   for (std::size_t i = 0; i < n; ++i) room.force_W[i].setZero();
   addRodForces(model, state.position_W, room);
   addWallForces(model, state, state.position_W, room);
+  addRimForces(model, state, state.position_W, room);
 
   // the base has inertia only where a spring holds it
   room.right[0].setZero();
@@ -79,6 +81,7 @@ void setStiffnessOfBalance(const InsertionModel& model, const Base& base, Compre
   room.system.clear();
   addRodStiffness(model, compression, room);
   addWallStiffness(room);
+  addRimStiffness(room);
   for (std::size_t i = 2; i < n; ++i)
     room.system.diagonal[blockOf(i)] +=
         uniform((model.mass[i] * perTime + model.drag[i]) * perTime);

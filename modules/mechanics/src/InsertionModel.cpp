@@ -25,6 +25,23 @@ void require(bool holds, const std::string& sentence)
   if (!holds) throw std::invalid_argument(sentence);
 }
 
+void check(const Opening& opening, const electrode::ArrayDesign& array)
+{
+  const double width_mm = inMillimeters(std::min(opening.width, opening.height));
+  const double tip_mm = inMillimeters(array.diameter.value.front());
+  require(width_mm >= tip_mm, "The opening is " + std::to_string(width_mm) +
+                                  " mm wide, and the tip of the array " + std::to_string(tip_mm) +
+                                  " mm; it must be wide enough for the tip.");
+  require(inMillimeters(std::max(opening.width, opening.height)) <= 10.0,
+          "The opening is wider than 10 mm; a round window is 1 to 2 mm wide.");
+  require(opening.roundness.si() >= 0.0 && inMillimeters(opening.roundness) <= 1.0,
+          "The rim of the opening is rounded by " +
+              std::to_string(inMillimeters(opening.roundness)) + " mm; it must be 0 to 1 mm.");
+  require(std::fabs(inMillimeters(opening.outward)) <= 2.0 &&
+              std::fabs(inMillimeters(opening.vertical)) <= 2.0,
+          "The opening's center must be within 2 mm of the entry.");
+}
+
 void check(const ModelParts& parts)
 {
   require(parts.lumen != nullptr, "An insertion needs a lumen.");
@@ -40,6 +57,14 @@ void check(const ModelParts& parts)
               " mm of it are free of the tweezers.");
   require(parts.wall.perSamplePoint.si() > 0.0 && parts.wall.tangentialPerSamplePoint.si() > 0.0,
           "The wall's stiffness must be above 0 N/m.");
+  if (parts.membrane)
+    require(parts.membrane->perSamplePoint.si() > 0.0 &&
+                parts.membrane->perSamplePoint <= parts.wall.perSamplePoint &&
+                parts.membrane->hardening.si() > 0.0,
+            "The basilar membrane yields by " +
+                std::to_string(parts.membrane->perSamplePoint.si()) +
+                " N/m; it must be above 0, and no stiffer than the wall.");
+  if (parts.opening) check(*parts.opening, parts.array);
   const FrictionLaw& law = parts.friction;
   require(law.stopping >= 0.0 && law.dynamic >= law.stopping && law.starting >= law.dynamic &&
               law.starting <= 2.0,
@@ -68,8 +93,23 @@ std::uint64_t fingerprintOf(const InsertionModel& model)
   for (const double value :
        {model.styletBending, model.styletFromTip, model.styletResidual, model.baseMass,
         model.parts.friction.starting, model.parts.friction.dynamic, model.parts.friction.stopping,
-        model.parts.friction.stribeck.si(), model.parts.wall.onset.si()})
+        model.parts.friction.stribeck.si(), model.parts.wall.onset.si(),
+        model.parts.wall.perSamplePoint.si(), model.parts.wall.tangentialPerSamplePoint.si()})
     hash.add(value);
+  hash.add(model.membrane.has_value());
+  if (model.membrane) {
+    hash.add(model.parts.membrane->perSamplePoint.si());
+    hash.add(model.parts.membrane->hardening.si());
+  }
+  hash.add(model.parts.opening.has_value());
+  if (model.parts.opening) {
+    const Opening& opening = *model.parts.opening;
+    for (const Length value :
+         {opening.width, opening.height, opening.roundness, opening.outward, opening.vertical,
+          model.parts.array.ribHeight, model.parts.array.ribLength})
+      hash.add(value.si());
+    for (const Length rib : model.parts.array.ribsFromTip) hash.add(rib.si());
+  }
   return hash.value();
 }
 
@@ -97,7 +137,11 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
   // a precurved array curls toward the modiolus: away from the outer wall
   const Eigen::Vector3d inner_W = -m.entry.outward_W;
   m.startCurl_W = (inner_W - inner_W.dot(m.startAxis_W) * m.startAxis_W).normalized();
-  m.startBase_W = m.entry.origin_W + (m.parts.startInside.si() - length) * m.startAxis_W;
+  m.openingCenter_W = m.entry.origin_W;
+  if (m.parts.opening)
+    m.openingCenter_W += m.parts.opening->outward.si() * m.entry.outward_W +
+                         m.parts.opening->vertical.si() * m.entry.vertical_W;
+  m.startBase_W = m.openingCenter_W + (m.parts.startInside.si() - length) * m.startAxis_W;
 
   for (int i = 0; i < m.nodes; ++i) {
     const double fromTip = length - i * m.spacing;
@@ -131,6 +175,9 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
     m.styletFromTip = array.stylet.fromTip.si();
     m.styletResidual = array.stylet.residualCurvature;
   }
+  if (m.parts.membrane)
+    if (const auto* scala = dynamic_cast<const anatomy::ScalaTympani*>(m.parts.lumen.get()))
+      m.membrane.emplace(*scala);
   m.fingerprint = fingerprintOf(m);
   return model;
 }

@@ -21,7 +21,7 @@ InsertionState::InsertionState(const InsertionModel& model)
       track(position_W.size()),
       normalForce(position_W.size()),
       wallForce_W(position_W.size()),
-      onMembrane(position_W.size()),
+      membraneForce(position_W.size()),
       room(position_W.size())
 {
   reset(model);
@@ -42,10 +42,11 @@ void InsertionState::reset(const InsertionModel& model) noexcept
     track[i] = model.parts.lumen->startTrack();
     normalForce[i] = 0.0;
     wallForce_W[i].setZero();
-    onMembrane[i] = 0;
+    membraneForce[i] = 0.0;
     // nodes farther from the wall than this need no more than that fact
     room.reach[i] = model.radius[i] + 0.02e-3;
   }
+  rim = RimContact{};
   readings = Readings{};
   readings.depth = model.parts.startInside.si() > 0.0 ? model.parts.startInside.si() : 0.0;
 }
@@ -67,6 +68,9 @@ std::uint64_t InsertionState::fingerprint() const noexcept
     hash.add(track[i].angle);
     hash.add(normalForce[i]);
   }
+  addVector(hash, rim.spring_W);
+  hash.add(rim.isSliding);
+  hash.add(rim.slipSpeed);
   return hash.value();
 }
 

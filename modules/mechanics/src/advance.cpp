@@ -64,6 +64,7 @@ void read(const InsertionModel& model, InsertionState& state, const Drive& drive
   r.speed = -state.baseVelocity_W.dot(model.entry.out_W);
   r.depth = depthOf(model, state);
   r.angularDepth = r.depth > 0.0 ? std::max(state.track.back().angle, 0.0) : 0.0;
+  r.rimForce = state.rim.normalForce;
   r.contacts = 0;
   r.wallForceMax = r.wallForceTotal = r.membraneForce = 0.0;
   for (std::size_t i = 0; i < state.normalForce.size(); ++i) {
@@ -72,7 +73,7 @@ void read(const InsertionModel& model, InsertionState& state, const Drive& drive
     ++r.contacts;
     r.wallForceTotal += force;
     r.wallForceMax = std::max(r.wallForceMax, force);
-    if (state.onMembrane[i] != 0) r.membraneForce += force;
+    r.membraneForce += state.membraneForce[i];
   }
   const double sum = r.handForce_W.x() + r.handForce_W.y() + r.handForce_W.z() +
                      state.position_W.back().x() + state.position_W.back().y() +
@@ -108,6 +109,7 @@ void advance(const InsertionModel& model, InsertionState& state, const Drive& dr
     state.isSliding[i] = room.isSliding[i];
     state.slipSpeed[i] = perTime * room.slip[i];
   }
+  state.rim = room.rim;
   ++state.tick;
   read(model, state, drive, base, settled);
 }

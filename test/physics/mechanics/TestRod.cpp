@@ -14,6 +14,9 @@ electrode::ArrayDesign uniformArray(const RodSpec& spec)
   array.diameter = {{meters(0)}, {meters(2 * spec.radius)}};
   array.bending = {{meters(0)}, {newtonSquareMeters(spec.bending)}};
   array.restCurvature = {{meters(0)}, {Curvature::fromSi(spec.restCurvature)}};
+  array.ribsFromTip = spec.ribsFromTip;
+  array.ribHeight = meters(spec.ribHeight);
+  array.ribLength = meters(spec.ribLength);
   return array;
 }
 
@@ -26,6 +29,8 @@ TestRod::TestRod(std::shared_ptr<const anatomy::Lumen> lumen, const RodSpec& spe
   parts.array = uniformArray(spec);
   parts.nodes = spec.nodes;
   parts.timeStep = seconds(spec.timeStep);
+  parts.membrane = spec.membrane;
+  parts.opening = spec.opening;
   parts.startInside = meters(spec.startInside);
   parts.friction = {spec.friction, spec.friction, spec.friction, millimetersPerSecond(0.1)};
   parts.wall = {newtonsPerMeter(spec.wallStiffness), newtonsPerMeter(spec.wallStiffness),

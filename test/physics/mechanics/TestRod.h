@@ -3,6 +3,8 @@
 // A uniform straight rod in a scene of the test's own, moved by hand.
 
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "perilymph/anatomy/Lumen.h"
 #include "perilymph/mechanics/advance.h"
@@ -20,6 +22,11 @@ struct RodSpec {
   double startInside = 0.0;    ///< [m]
   double timeStep = 1e-3;      ///< [s]
   int nodes = 101;
+  std::optional<mechanics::MembraneLaw> membrane;
+  std::optional<mechanics::Opening> opening;
+  std::vector<Length> ribsFromTip;
+  double ribHeight = 0.0;  ///< [m]
+  double ribLength = 0.0;  ///< [m]
 };
 
 /// A rod held rigidly at its base.

@@ -43,6 +43,17 @@ TEST(InsertionModel, WallStiffnessDoesNotDependOnTheNumberOfNodes)
   EXPECT_NEAR(total(50), total(400), 0.02 * total(400));
 }
 
+TEST(InsertionModel, AimsAtTheMiddleOfTheOpening)
+{
+  ModelParts parts = contourInATube();
+  parts.opening = cochleostomy();
+  parts.opening->outward = millimeters(0.3);
+  parts.opening->vertical = millimeters(-0.2);
+  parts.startInside = millimeters(0);
+  const InsertionState state(*InsertionModel::build(parts));
+  EXPECT_LT((state.position_W.back() - Eigen::Vector3d(0.3e-3, -0.2e-3, 0.0)).norm(), 1e-12);
+}
+
 TEST(InsertionModel, WeighsAsMuchAsItsSilicone)
 {
   const auto model = InsertionModel::build(contourInATube());
@@ -66,6 +77,11 @@ TEST(InsertionModel, ChangesItsFingerprintWithEveryPart)
   EXPECT_NE(same, print([](ModelParts& p) { p.friction.dynamic = 0.04; }));
   EXPECT_NE(same, print([](ModelParts& p) { p.timeStep = milliseconds(0.5); }));
   EXPECT_NE(same, print([](ModelParts& p) { p.approachTilt = degrees(1); }));
+  EXPECT_NE(same, print([](ModelParts& p) { p.opening = roundWindow(); }));
+  EXPECT_NE(print([](ModelParts& p) { p.opening = cochleostomy(); }), print([](ModelParts& p) {
+              p.opening = cochleostomy();
+              p.array.ribHeight = millimeters(0.2);
+            }));
 }
 
 TEST(InsertionModel, RefusesWhatCannotBe)
@@ -89,6 +105,18 @@ TEST(InsertionModel, RefusesWhatCannotBe)
   EXPECT_THAT(refused([](ModelParts& p) { p.friction.dynamic = 0.5; }), HasSubstr("Friction"));
   EXPECT_THAT(refused([](ModelParts& p) { p.wall.perSamplePoint = newtonsPerMeter(0); }),
               HasSubstr("above 0 N/m"));
+  EXPECT_THAT(refused([](ModelParts& p) {
+                p.membrane = MembraneLaw{};
+                p.membrane->perSamplePoint = newtonsPerMeter(500);
+              }),
+              HasSubstr("no stiffer than the wall"));
+  EXPECT_THAT(refused([](ModelParts& p) { p.opening = cochleostomy(millimeters(0.3)); }),
+              HasSubstr("wide enough for the tip"));
+  EXPECT_THAT(refused([](ModelParts& p) {
+                p.opening = roundWindow();
+                p.opening->outward = millimeters(3);
+              }),
+              HasSubstr("within 2 mm"));
 }
 
 }  // namespace

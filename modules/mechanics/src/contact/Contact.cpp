@@ -16,6 +16,33 @@ NormalForce normalForce(double penetration, double stiffness, double onset) noex
   return {stiffness * (penetration - 0.5 * onset), stiffness};
 }
 
+SoftPush softPush(double penetration, double bone, double share, const ModelParts& parts) noexcept
+{
+  const double onset = parts.wall.onset.si();
+  const double hardening = parts.membrane->hardening.si();
+  const double soft = bone * (parts.membrane->perSamplePoint.si() / parts.wall.perSamplePoint.si());
+  const NormalForce onBone = normalForce(penetration, bone, onset);
+  NormalForce onMembrane = normalForce(penetration, soft, onset);
+  const double harder = soft * penetration * penetration / (hardening * hardening);
+  onMembrane.force += harder * penetration;
+  onMembrane.slope += 3.0 * harder;
+  SoftPush push;
+  push.onMembrane = share * onMembrane.force;
+  push.normal.force = (1.0 - share) * onBone.force + push.onMembrane;
+  push.normal.slope = (1.0 - share) * onBone.slope + share * onMembrane.slope;
+  push.byShare = energyOf(penetration, soft, onset) + 0.25 * harder * penetration * penetration -
+                 energyOf(penetration, bone, onset);
+  return push;
+}
+
+double energyOf(double penetration, double stiffness, double onset) noexcept
+{
+  if (penetration <= 0.0) return 0.0;
+  if (penetration < onset)
+    return stiffness * penetration * penetration * penetration / (6.0 * onset);
+  return stiffness * (0.5 * penetration * (penetration - onset) + onset * onset / 6.0);
+}
+
 void addWallForces(const InsertionModel& model, InsertionState& state,
                    const std::vector<Eigen::Vector3d>& position_W, StepRoom& room) noexcept
 {
@@ -27,7 +54,7 @@ void addWallForces(const InsertionModel& model, InsertionState& state,
   for (std::size_t i = 0; i < n; ++i) {
     state.normalForce[i] = 0.0;
     state.wallForce_W[i].setZero();
-    state.onMembrane[i] = 0;
+    state.membraneForce[i] = 0.0;
     room.frictionSpring_W[i].setZero();
     room.isSliding[i] = 0;
     room.slip[i] = 0.0;
@@ -40,7 +67,17 @@ void addWallForces(const InsertionModel& model, InsertionState& state,
     // edge does not meet it all at once.
     const double inside = (model.entry.origin_W - position_W[i]).dot(model.entry.out_W);
     const double share = std::clamp(inside / model.spacing, 0.0, 1.0);
-    const NormalForce push = normalForce(penetration, share * model.wallStiffness[i], onset);
+    NormalForce push = normalForce(penetration, share * model.wallStiffness[i], onset);
+    double onMembrane = wall.onMembrane ? push.force : 0.0;
+    if (model.membrane) {
+      const MembraneShare membrane =
+          model.membrane->shareAt(position_W[i], model.radius[i], state.track[i], wall.normal_W);
+      const SoftPush soft =
+          softPush(penetration, share * model.wallStiffness[i], membrane.share, model.parts);
+      push = soft.normal;
+      onMembrane = soft.onMembrane;
+      state.wallForce_W[i] -= soft.byShare * membrane.gradient_W;
+    }
     // on a concave wall a node that moves along it also meets the normal turning back
     const Eigen::Vector3d& gradient_W = wall.normal_W;
     Eigen::Matrix3d stiffness =
@@ -60,8 +97,8 @@ void addWallForces(const InsertionModel& model, InsertionState& state,
     stiffness += friction.stiffness;
 
     state.normalForce[i] = push.force;
-    state.wallForce_W[i] = push.force * gradient_W + friction.force_W;
-    state.onMembrane[i] = wall.onMembrane ? 1 : 0;
+    state.wallForce_W[i] += push.force * gradient_W + friction.force_W;
+    state.membraneForce[i] = onMembrane;
     room.frictionSpring_W[i] = friction.spring_W;
     room.isSliding[i] = friction.isSliding ? 1 : 0;
     room.slip[i] = slip.norm();

@@ -5,12 +5,15 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "perilymph/anatomy/Lumen.h"
 #include "perilymph/electrode/ArrayDesign.h"
 #include "perilymph/foundation/Units.h"
 #include "perilymph/mechanics/Friction.h"
+#include "perilymph/mechanics/Membrane.h"
+#include "perilymph/mechanics/Opening.h"
 
 namespace perilymph::mechanics {
 
@@ -33,6 +36,11 @@ struct ModelParts {
   electrode::ArrayDesign array;
   FrictionLaw friction;
   WallLaw wall;
+  /// Without one the membrane is as hard as the bone around it, as in the published experiment; so
+  /// it is in a lumen of which nobody knows where the membrane is.
+  std::optional<MembraneLaw> membrane;
+  /// Without one the lumen's wall begins at the plane of the entry, and nothing holds the ribs.
+  std::optional<Opening> opening;
   int nodes = 100;                      ///< 8 to mostNodes.
   Duration timeStep = milliseconds(1);  ///< 0.1 to 10 ms.
   Length startInside = millimeters(2);  ///< Of the tip past the opening; negative: before it.
@@ -49,27 +57,29 @@ struct InsertionModel {
   static std::shared_ptr<const InsertionModel> build(ModelParts parts);
 
   ModelParts parts;
-  anatomy::Entry entry;         ///< The opening, from the lumen.
-  Eigen::Vector3d startBase_W;  ///< Where the tweezers start [m].
-  Eigen::Vector3d startAxis_W;  ///< Unit: which way the array leaves them.
-  Eigen::Vector3d startCurl_W;  ///< Unit, across the axis: to where a precurved array curls.
+  anatomy::Entry entry;             ///< The opening, from the lumen.
+  Eigen::Vector3d openingCenter_W;  ///< [m]
+  Eigen::Vector3d startBase_W;      ///< Where the tweezers start [m].
+  Eigen::Vector3d startAxis_W;      ///< Unit: which way the array leaves them.
+  Eigen::Vector3d startCurl_W;      ///< Unit, across the axis: to where a precurved array curls.
   int nodes = 0;
-  double timeStep = 0.0;               ///< [s]
-  double spacing = 0.0;                ///< Between nodes [m].
-  std::vector<double> fromTip;         ///< Of each node along the array [m].
-  std::vector<double> radius;          ///< Of the array at each node [m].
-  std::vector<double> mass;            ///< Of each node [kg].
-  std::vector<double> drag;            ///< Of the perilymph on each node [N.s/m].
-  std::vector<double> stretching;      ///< EA of each edge [N].
-  std::vector<double> bendingCarrier;  ///< EI of the carrier at each node [N.m^2].
-  std::vector<double> restCurvature;   ///< Of the carrier alone at each node [1/m].
-  std::vector<double> wallStiffness;   ///< At each node [N/m].
-  std::vector<double> wallTangential;  ///< At each node [N/m].
-  double styletBending = 0.0;          ///< EI of the stylet [N.m^2]; 0 without one.
-  double styletFromTip = 0.0;          ///< Of its tip when fully in [m].
-  double styletResidual = 0.0;         ///< Share of the rest curvature that it leaves where it is.
-  double baseMass = 0.0;               ///< Of carrier and tweezers [kg].
-  std::uint64_t fingerprint = 0;       ///< Of everything above, for recordings.
+  double timeStep = 0.0;                  ///< [s]
+  double spacing = 0.0;                   ///< Between nodes [m].
+  std::vector<double> fromTip;            ///< Of each node along the array [m].
+  std::vector<double> radius;             ///< Of the array at each node [m].
+  std::vector<double> mass;               ///< Of each node [kg].
+  std::vector<double> drag;               ///< Of the perilymph on each node [N.s/m].
+  std::vector<double> stretching;         ///< EA of each edge [N].
+  std::vector<double> bendingCarrier;     ///< EI of the carrier at each node [N.m^2].
+  std::vector<double> restCurvature;      ///< Of the carrier alone at each node [1/m].
+  std::vector<double> wallStiffness;      ///< At each node [N/m].
+  std::vector<double> wallTangential;     ///< At each node [N/m].
+  std::optional<MembranePlace> membrane;  ///< Where the wall is soft.
+  double styletBending = 0.0;             ///< EI of the stylet [N.m^2]; 0 without one.
+  double styletFromTip = 0.0;             ///< Of its tip when fully in [m].
+  double styletResidual = 0.0;    ///< Share of the rest curvature that it leaves where it is.
+  double baseMass = 0.0;          ///< Of carrier and tweezers [kg].
+  std::uint64_t fingerprint = 0;  ///< Of everything above, for recordings.
 };
 
 }  // namespace perilymph::mechanics

@@ -8,6 +8,7 @@
 
 #include "perilymph/anatomy/Lumen.h"
 #include "perilymph/mechanics/InsertionModel.h"
+#include "perilymph/mechanics/RimContact.h"
 #include "perilymph/mechanics/StepRoom.h"
 
 namespace perilymph::mechanics {
@@ -41,6 +42,7 @@ struct Readings {
   double wallForceMax = 0.0;    ///< Greatest normal force of one node [N].
   double wallForceTotal = 0.0;  ///< Sum of all normal forces [N].
   double membraneForce = 0.0;   ///< Sum of those on the basilar membrane [N].
+  double rimForce = 0.0;        ///< Of the rim of the opening on the array, all normal parts [N].
   int contacts = 0;             ///< Nodes that touch the wall.
   int iterations = 0;           ///< Of Newton's method in this step.
   double residual = 0.0;        ///< Greatest force left unbalanced on a node [N].
@@ -70,7 +72,8 @@ struct InsertionState {
   std::vector<anatomy::LumenTrack> track;         ///< Of each node: which turn it is in.
   std::vector<double> normalForce;                ///< Of the wall on each node [N].
   std::vector<Eigen::Vector3d> wallForce_W;       ///< Normal and friction on each node [N].
-  std::vector<unsigned char> onMembrane;          ///< Of each node that touches.
+  std::vector<double> membraneForce;              ///< Of the basilar membrane on each node [N].
+  RimContact rim;
   Readings readings;
 
   StepRoom room;  ///< Scratch; not part of the state's value.

@@ -8,6 +8,7 @@
 
 #include "perilymph/anatomy/Lumen.h"
 #include "perilymph/mechanics/BandSystem.h"
+#include "perilymph/mechanics/RimContact.h"
 
 namespace perilymph::mechanics {
 
@@ -63,6 +64,8 @@ struct StepRoom {
   std::vector<Eigen::Vector3d> frictionSpring_W;      ///< As this iteration would leave it [m].
   std::vector<double> slip;                           ///< Of each node in this step [m].
   std::vector<unsigned char> isSliding;               ///< As this iteration would leave it.
+  RimContact rim;                                     ///< As this iteration would leave it.
+  RimStiffness rimStiffness;                          ///< Of the rim where it touches.
 };
 
 }  // namespace perilymph::mechanics

@@ -1,0 +1,308 @@
+#include "Rim.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "contact/Contact.h"
+#include "friction/Friction.h"
+#include "rod/Rod.h"
+
+namespace perilymph::mechanics {
+namespace {
+
+constexpr double leastBending = 1e-6;  // [m]; only to divide by
+
+/// The place where the center line passes the plane of the opening.
+struct Crossing {
+  std::size_t first = 0;    ///< Of the nodes that carry it.
+  std::size_t count = 0;    ///< 3, or 2 in the last half edge; 0: it does not cross.
+  double weight[3] = {};    ///< Of each of them; they add up to 1.
+  Eigen::Vector3d along_W;  ///< Derivative of the center line by its parameter [m].
+  double fromTip = 0.0;     ///< [m]
+  double radius = 0.0;      ///< Of the array there [m].
+  double radiusRate = 0.0;  ///< Its derivative by the parameter [m].
+};
+
+/// One push on the array: energy grows with `overlap`, whose gradient by the crossing is given.
+struct Push {
+  NormalForce law{0.0, 0.0};
+  Eigen::Vector3d gradient_W = Eigen::Vector3d::Zero();
+};
+
+double heightOf(const InsertionModel& model, const Eigen::Vector3d& at) noexcept
+{
+  return (at - model.openingCenter_W).dot(model.entry.out_W);
+}
+
+void fill(Crossing& crossing, const InsertionModel& model, const std::vector<Eigen::Vector3d>& x,
+          const double (&rate)[3]) noexcept
+{
+  crossing.along_W.setZero();
+  for (std::size_t k = 0; k < crossing.count; ++k) {
+    const std::size_t node = crossing.first + k;
+    crossing.along_W += rate[k] * x[node];
+    crossing.fromTip += crossing.weight[k] * model.fromTip[node];
+    crossing.radius += crossing.weight[k] * model.radius[node];
+    crossing.radiusRate += rate[k] * model.radius[node];
+  }
+  const RibProfile rib = ribsAt(model, crossing.fromTip);
+  crossing.radius += rib.height;
+  crossing.radiusRate -= model.spacing * rib.slope;
+}
+
+/// The crossing nearest to the tip, if the tip is inside.
+Crossing crossingOf(const InsertionModel& model, const std::vector<Eigen::Vector3d>& x) noexcept
+{
+  Crossing crossing;
+  const std::size_t tip = x.size() - 1;
+  double after = heightOf(model, x[tip]);
+  if (!(after < 0.0)) return crossing;
+  double here = heightOf(model, x[tip - 1]);
+  if (here + after >= 0.0) {
+    // in the straight half edge behind the tip
+    const double share = here / (here - after);
+    crossing.first = tip - 1;
+    crossing.count = 2;
+    crossing.weight[0] = 1.0 - share;
+    crossing.weight[1] = share;
+    fill(crossing, model, x, {-1.0, 1.0, 0.0});
+    return crossing;
+  }
+  for (std::size_t i = tip - 1; i > 0; --i) {
+    const double before = heightOf(model, x[i - 1]);
+    if (before + here >= 0.0) {
+      // between the middles of the edges before and after node i: A l^2 + B l + C = 0
+      const double A = 0.5 * (before - 2.0 * here + after);
+      const double B = here - before;
+      const double C = 0.5 * (before + here);
+      const double root = std::sqrt(std::max(B * B - 4.0 * A * C, 0.0)) - B;
+      const double l = root > 0.0 ? std::clamp(2.0 * C / root, 0.0, 1.0) : 0.0;
+      crossing.first = i - 1;
+      crossing.count = 3;
+      crossing.weight[0] = 0.5 * (1.0 - l) * (1.0 - l);
+      crossing.weight[1] = 0.5 + l * (1.0 - l);
+      crossing.weight[2] = 0.5 * l * l;
+      fill(crossing, model, x, {l - 1.0, 1.0 - 2.0 * l, l});
+      return crossing;
+    }
+    after = here;
+    here = before;
+  }
+  return crossing;
+}
+
+/// What rim and array do to each other at a crossing: pushes, stiffness, friction.
+void press(const InsertionModel& model, InsertionState& state, const Crossing& crossing,
+           const std::vector<Eigen::Vector3d>& x, const Push& near, const Push& opposite,
+           const Eigen::Vector3d& normal_W, const Eigen::Matrix3d& turning, StepRoom& room) noexcept
+{
+  Eigen::Vector3d moved = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < crossing.count; ++k) {
+    const std::size_t node = crossing.first + k;
+    moved += crossing.weight[k] * (x[node] - room.before_W[node]);
+  }
+  const double normal =
+      near.law.force * near.gradient_W.norm() + opposite.law.force * opposite.gradient_W.norm();
+  const Eigen::Vector3d slip = moved - normal_W * normal_W.dot(moved);
+  const Eigen::Vector3d& spring = state.rim.spring_W;
+  const FrictionStep friction =
+      frictionStep(slip + spring - normal_W * normal_W.dot(spring), normal,
+                   model.parts.wall.tangentialPerSamplePoint.si(), state.rim.isSliding,
+                   state.rim.slipSpeed, normal_W, model.parts.friction);
+
+  const Eigen::Vector3d force_W = -near.law.force * near.gradient_W -
+                                  opposite.law.force * opposite.gradient_W + friction.force_W;
+  const Eigen::Matrix3d stiffness =
+      near.law.slope * near.gradient_W * near.gradient_W.transpose() +
+      opposite.law.slope * opposite.gradient_W * opposite.gradient_W.transpose() + turning +
+      friction.stiffness;
+  for (std::size_t k = 0; k < crossing.count; ++k)
+    room.force_W[crossing.first + k] += crossing.weight[k] * force_W;
+  RimStiffness& left = room.rimStiffness;
+  left.first = crossing.first;
+  left.count = crossing.count;
+  for (std::size_t k = 0; k < crossing.count; ++k) left.weight[k] = crossing.weight[k];
+  left.stiffness = {stiffness(0, 0), stiffness(0, 1), stiffness(0, 2),
+                    stiffness(1, 1), stiffness(1, 2), stiffness(2, 2)};
+
+  room.rim.spring_W = friction.spring_W;
+  room.rim.isSliding = friction.isSliding;
+  room.rim.slipSpeed = slip.norm() / model.timeStep;
+  room.rim.normalForce = normal;
+  room.rim.force_W = force_W;
+}
+
+/// A tip that is still outside: a sphere before the rounded rim and the bone around it.
+void pressTip(const InsertionModel& model, InsertionState& state,
+              const std::vector<Eigen::Vector3d>& x, double above, StepRoom& room) noexcept
+{
+  const Opening& opening = *model.parts.opening;
+  const double roundness = opening.roundness.si();
+  const double reach = model.radius.back() + roundness;
+  if (above >= reach) return;
+  const Eigen::Vector3d out = x.back() - model.openingCenter_W;
+  const EllipseFoot foot =
+      nearestOnEllipse(out.dot(model.entry.outward_W), out.dot(model.entry.vertical_W),
+                       0.5 * opening.width.si(), 0.5 * opening.height.si());
+  const double aside = std::max(foot.distance + roundness, 0.0);
+  const double distance = std::sqrt(above * above + aside * aside);
+  if (distance >= reach) return;
+
+  Push push;
+  push.law = normalForce(reach - distance, model.parts.wall.perSamplePoint.si(),
+                         model.parts.wall.onset.si());
+  const Eigen::Vector3d u_W =
+      foot.normal[0] * model.entry.outward_W + foot.normal[1] * model.entry.vertical_W;
+  push.gradient_W =
+      distance > 0.0 ? Eigen::Vector3d((aside * u_W - above * model.entry.out_W) / distance) : u_W;
+  const Eigen::Vector3d b_W = model.entry.out_W.cross(u_W);
+  const double around =
+      distance > 0.0 ? push.law.force * aside / (distance * std::max(foot.bending, leastBending))
+                     : 0.0;
+  Crossing crossing;
+  crossing.first = x.size() - 1;
+  crossing.count = 1;
+  crossing.weight[0] = 1.0;
+  press(model, state, crossing, x, push, {}, push.gradient_W, around * b_W * b_W.transpose(), room);
+}
+
+}  // namespace
+
+EllipseFoot nearestOnEllipse(double x, double y, double a, double b) noexcept
+{
+  // from the normal of the concentric ellipse through the point; from the short side at the center
+  double u0 = x / (a * a), u1 = y / (b * b);
+  const double size = std::sqrt(u0 * u0 + u1 * u1);
+  if (size * std::min(a, b) > 1e-9) {
+    u0 /= size;
+    u1 /= size;
+  } else {
+    u0 = a < b ? 1.0 : 0.0;
+    u1 = a < b ? 0.0 : 1.0;
+  }
+  double h = 0.0, rate = 0.0, bending = 0.0;
+  constexpr int iterations = 8;
+  for (int i = 0;; ++i) {
+    h = std::sqrt(a * a * u0 * u0 + b * b * u1 * u1);
+    rate = (b * b - a * a) * u0 * u1 / h;
+    const double along = x * u0 + y * u1;
+    // second derivative of h by the angle, from h^2 = a^2 u0^2 + b^2 u1^2
+    const double second = ((b * b - a * a) * (u0 * u0 - u1 * u1) - rate * rate) / h;
+    bending = second + along;
+    if (i == iterations) break;
+    const double gradient = y * u0 - x * u1 - rate;
+    const double steep = bending > leastBending ? bending : 0.05 * std::min(a, b);
+    const double turn = std::clamp(gradient / steep, -0.5, 0.5);
+    const double v0 = u0 - turn * u1, v1 = u1 + turn * u0;
+    const double scale = 1.0 / std::sqrt(v0 * v0 + v1 * v1);
+    u0 = scale * v0;
+    u1 = scale * v1;
+  }
+  return {{u0, u1}, h - (x * u0 + y * u1), rate, bending};
+}
+
+RibProfile ribsAt(const InsertionModel& model, double fromTip) noexcept
+{
+  const electrode::ArrayDesign& array = model.parts.array;
+  const double height = array.ribHeight.si();
+  RibProfile profile{0.0, 0.0};
+  if (!(height > 0.0)) return profile;
+  // the rounded rim meets the rib by its own radius earlier
+  const double reach = 0.5 * array.ribLength.si() + model.parts.opening->roundness.si();
+  for (const Length& rib : array.ribsFromTip) {
+    const double q = (fromTip - rib.si()) / reach;
+    const double inside = 1.0 - q * q;
+    if (inside <= 0.0) continue;
+    profile.height += height * inside * inside;
+    profile.slope -= height * 4.0 * q * inside / reach;
+  }
+  return profile;
+}
+
+void addRimForces(const InsertionModel& model, InsertionState& state,
+                  const std::vector<Eigen::Vector3d>& x, StepRoom& room) noexcept
+{
+  room.rim = RimContact{};
+  room.rimStiffness = RimStiffness{};
+  if (!model.parts.opening) return;
+  const double tip = heightOf(model, x.back());
+  if (!(tip < 0.0)) {
+    pressTip(model, state, x, tip, room);
+    return;
+  }
+  const Crossing crossing = crossingOf(model, x);
+  if (crossing.count == 0) return;
+
+  const Opening& opening = *model.parts.opening;
+  const Eigen::Vector3d& n_W = model.entry.out_W;
+  Eigen::Vector3d out = -model.openingCenter_W;
+  for (std::size_t k = 0; k < crossing.count; ++k)
+    out += crossing.weight[k] * x[crossing.first + k];
+  const EllipseFoot foot =
+      nearestOnEllipse(out.dot(model.entry.outward_W), out.dot(model.entry.vertical_W),
+                       0.5 * opening.width.si(), 0.5 * opening.height.si());
+  const double overlap = crossing.radius - foot.distance;
+  if (overlap <= 0.0) return;
+
+  const double stiffness = model.parts.wall.perSamplePoint.si();
+  const double onset = model.parts.wall.onset.si();
+  const Eigen::Vector3d u_W =
+      foot.normal[0] * model.entry.outward_W + foot.normal[1] * model.entry.vertical_W;
+  const Eigen::Vector3d b_W = n_W.cross(u_W);
+  const double bending = std::max(foot.bending, leastBending);
+  // along the array the plane is crossed at this rate; an array lying in the plane is no crossing
+  const double steep = std::min(n_W.dot(crossing.along_W), -0.1 * model.spacing);
+  const auto gradientOf = [&](const Eigen::Vector3d& across_W, double radiusRate) {
+    return Eigen::Vector3d(across_W -
+                           ((across_W.dot(crossing.along_W) + radiusRate) / steep) * n_W);
+  };
+
+  Push near, opposite;
+  near.law = normalForce(overlap, stiffness, onset);
+  near.gradient_W = gradientOf(u_W, crossing.radiusRate);
+  // the place opposite moves along with the nearest one
+  const double alongNormal = out.dot(u_W);
+  const double overlapThere = crossing.radius - foot.distance - 2.0 * alongNormal;
+  opposite.law = normalForce(overlapThere, stiffness, onset);
+  if (opposite.law.force > 0.0)
+    opposite.gradient_W =
+        gradientOf(-u_W - (2.0 * foot.reachRate / bending) * b_W, crossing.radiusRate);
+
+  // friction feels a flank tilted; between two flanks the tilts cancel
+  const double both = near.law.force + opposite.law.force;
+  const double tilt =
+      near.gradient_W.dot(n_W) * near.law.force - opposite.gradient_W.dot(n_W) * opposite.law.force;
+  const Eigen::Vector3d normal_W =
+      both > 0.0 ? Eigen::Vector3d((u_W + (tilt / both) * n_W).normalized()) : u_W;
+  const Eigen::Vector3d around_W = gradientOf(b_W, 0.0);
+  const double turning = std::max(near.law.force - opposite.law.force, 0.0) / bending;
+  press(model, state, crossing, x, near, opposite, normal_W,
+        turning * around_W * around_W.transpose(), room);
+}
+
+void addRimStiffness(StepRoom& room) noexcept
+{
+  const RimStiffness& rim = room.rimStiffness;
+  const auto times = [&rim](double w) {
+    const SymmetricBlock<double>& s = rim.stiffness;
+    return SymmetricBlock<double>{w * s.xx, w * s.xy, w * s.xz, w * s.yy, w * s.yz, w * s.zz};
+  };
+  for (std::size_t i = 0; i < rim.count; ++i)
+    for (std::size_t j = 0; j <= i; ++j) {
+      const SymmetricBlock<double> both = times(rim.weight[i] * rim.weight[j]);
+      const Block<double> full{both.xx, both.xy, both.xz, both.xy, both.yy,
+                               both.yz, both.xz, both.yz, both.zz};
+      const std::size_t row = blockOf(rim.first + i), column = blockOf(rim.first + j);
+      if (row == column) {
+        room.system.diagonal[row] += both;
+        if (i != j) room.system.diagonal[row] += both;  // both nodes are the base's
+      } else if (row == column + 1) {
+        room.system.beside[row] += full;
+      } else {
+        room.system.beyond[row] += full;
+      }
+    }
+}
+
+}  // namespace perilymph::mechanics

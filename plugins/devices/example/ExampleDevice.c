@@ -1,0 +1,103 @@
+/* A plug-in to start from: a handle that exists only here. It is a mass that can move along z, held
+ * back by a damper, pushed into the cochlea by an invisible hand and pushed back by the force the
+ * program shows. One read is one millisecond of its life. */
+
+#include "perilymph/device/PluginApi.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const double mass_kg = 0.09;
+static const double damping_N_s_m = 0.5;
+static const double hand_N = -0.2; /* along z: inward */
+static const double step_s = 1e-3;
+
+typedef struct Handle {
+  double z_m;
+  double speed_m_s;
+  double force_N;
+  uint64_t sequence;
+  int isOpen;
+} Handle;
+
+/* There is one, and nothing to allocate. A real plug-in would look for its hardware here. */
+static Handle theHandle;
+
+static void* create(void)
+{
+  memset(&theHandle, 0, sizeof theHandle);
+  return &theHandle;
+}
+
+static void destroy(void* device) { (void)device; }
+
+static int32_t traits(void* device, PerilymphDeviceTraitsV1* out)
+{
+  (void)device;
+  snprintf(out->name, sizeof out->name, "Example handle");
+  out->renders_force = 1;
+  out->most_force_N = 3.0;
+  out->nominal_period_s = step_s;
+  out->workspace_radius_m = 0.1;
+  out->sensed_translations = 1;
+  out->actuated_translations = 1;
+  return 0;
+}
+
+static int32_t openHandle(void* device, char* sentence, uint32_t room)
+{
+  Handle* handle = device;
+  if (handle->isOpen) {
+    snprintf(sentence, room, "The example handle is open already. Close it first.");
+    return 1;
+  }
+  handle->isOpen = 1;
+  return 0;
+}
+
+static void closeHandle(void* device)
+{
+  Handle* handle = device;
+  handle->isOpen = 0;
+  handle->force_N = 0.0;
+}
+
+static int32_t readHandle(void* device, PerilymphDeviceSampleV1* out)
+{
+  Handle* handle = device;
+  const double push_N = hand_N + handle->force_N - damping_N_s_m * handle->speed_m_s;
+  handle->speed_m_s += step_s * push_N / mass_kg;
+  handle->z_m += step_s * handle->speed_m_s;
+  handle->sequence += 1;
+
+  out->sequence = handle->sequence;
+  out->position_D_m[2] = handle->z_m;
+  out->buttons = 1; /* the invisible hand never lets go */
+  out->is_valid = 1;
+  return 0;
+}
+
+static int32_t writeHandle(void* device, const PerilymphDeviceWrenchV1* wrench)
+{
+  Handle* handle = device;
+  handle->force_N = wrench->force_D_N[2];
+  return 0;
+}
+
+const PerilymphDeviceV1* perilymph_device_v1(void);
+
+const PerilymphDeviceV1* perilymph_device_v1(void)
+{
+  static const PerilymphDeviceV1 functions = {
+      sizeof(PerilymphDeviceV1),
+      1,
+      create,
+      destroy,
+      traits,
+      openHandle,
+      closeHandle,
+      readHandle,
+      writeHandle,
+  };
+  return &functions;
+}

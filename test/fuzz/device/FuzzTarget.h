@@ -1,0 +1,55 @@
+#pragma once
+
+// What a fuzzer needs of a target. The entry point has libFuzzer's name, so that libFuzzer can
+// drive it as well as FuzzLoop.cpp.
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <span>
+#include <vector>
+
+/// Takes one input. Ends the program where a promise is broken.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace perilymph::fuzz {
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// Inputs to start from: things as they should be.
+std::vector<Bytes> seeds();
+
+/// Ends the program with a sentence unless a promise is kept.
+inline void promise(bool isKept, const char* what)
+{
+  if (isKept) return;
+  std::fprintf(stderr, "Broken promise: %s\n", what);
+  std::abort();
+}
+
+/// Takes values off the front of an input; zeros when it is used up.
+class InputReader {
+public:
+  explicit InputReader(std::span<const std::uint8_t> input) : rest_(input) {}
+
+  std::uint8_t byte()
+  {
+    if (rest_.empty()) return 0;
+    const std::uint8_t first = rest_.front();
+    rest_ = rest_.subspan(1);
+    return first;
+  }
+  std::span<const std::uint8_t> bytes(std::size_t count)
+  {
+    const auto taken = rest_.first(count < rest_.size() ? count : rest_.size());
+    rest_ = rest_.subspan(taken.size());
+    return taken;
+  }
+  bool isEmpty() const { return rest_.empty(); }
+
+private:
+  std::span<const std::uint8_t> rest_;
+};
+
+}  // namespace perilymph::fuzz

@@ -1,0 +1,158 @@
+// The soft part of the roof: where it is, how it yields, and that it gives nothing away.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "TestRod.h"
+#include "perilymph/anatomy/MeanScala.h"
+#include "perilymph/test/Tolerance.h"
+
+namespace perilymph {
+namespace {
+
+using mechanics::MembranePlace;
+using mechanics::MembraneShare;
+using test::RodSpec;
+using test::TestRod;
+
+std::shared_ptr<const anatomy::ScalaTympani> meanScala()
+{
+  static const auto scala = *anatomy::buildMean(millimeters(1));
+  return scala;
+}
+
+anatomy::LumenTrack trackAt(double angle)
+{
+  return {false, angle, {std::cos(angle), std::sin(angle)}};
+}
+
+/// The share at a place given by angle, and across the membrane from its inner edge (0) to its
+/// outer one (1).
+MembraneShare shareAt(double angle, double across, double radius)
+{
+  static const MembranePlace place(*meanScala());
+  return place.shareAt(meanScala()->membrane_W(angle, across), radius, trackAt(angle),
+                       -Eigen::Vector3d::UnitZ());
+}
+
+TEST(BasilarMembrane, IsAllThereIsAboveAThinArrayInItsMiddleAndNothingBesideIt)
+{
+  for (const double angle_deg : {30.0, 90.0, 200.0, 450.0, 650.0}) {
+    const double angle = degrees(angle_deg).si();
+    EXPECT_NEAR(shareAt(angle, 0.5, 0.05e-3).share, 1.0, 1e-9) << angle_deg;
+    EXPECT_EQ(shareAt(angle, -0.5, 0.05e-3).share, 0.0) << angle_deg;
+    EXPECT_EQ(shareAt(angle, 1.5, 0.05e-3).share, 0.0) << angle_deg;
+  }
+}
+
+TEST(BasilarMembrane, LeavesAWideArrayPartlyOnTheBoneBesideIt)
+{
+  const double angle = degrees(45).si();
+  const auto width = (meanScala()->membrane_W(angle, 1) - meanScala()->membrane_W(angle, 0)).norm();
+  const double share = shareAt(angle, 0.5, 1.5 * width).share;
+  EXPECT_GT(share, 0.5);
+  EXPECT_LT(share, 0.95);
+}
+
+TEST(BasilarMembrane, IsNotInTheFloor)
+{
+  const double angle = degrees(200).si();
+  const MembranePlace place(*meanScala());
+  EXPECT_EQ(place
+                .shareAt(meanScala()->membrane_W(angle, 0.5), 0.1e-3, trackAt(angle),
+                         Eigen::Vector3d::UnitZ())
+                .share,
+            0.0);
+}
+
+TEST(BasilarMembrane, HasAShareWhoseGradientIsItsDerivative)
+{
+  const MembranePlace place(*meanScala());
+  const auto at = [&](const Eigen::Vector3d& point) {
+    const double angle = std::atan2(point.y(), point.x());
+    return place.shareAt(point, 0.3e-3, trackAt(angle), -Eigen::Vector3d::UnitZ());
+  };
+  for (const double angle_deg : {3.0, 40.0, 100.0, 170.0})
+    for (const double across : {-0.1, 0.1, 0.4, 0.7, 1.1}) {
+      const Eigen::Vector3d point = meanScala()->membrane_W(degrees(angle_deg).si(), across);
+      const MembraneShare share = at(point);
+      for (int k = 0; k < 3; ++k) {
+        const Eigen::Vector3d step = 1e-7 * Eigen::Vector3d::Unit(k);
+        const double slope = (at(point + step).share - at(point - step).share) / 2e-7;
+        EXPECT_NEAR(share.gradient_W[k], slope, 2.0) << angle_deg << " deg, " << across;
+      }
+    }
+}
+
+/// A thin stylus that reaches under the membrane of the basal turn.
+struct Stylus {
+  Stylus() : rod(meanScala(), spec())
+  {
+    rod.move({0.0, 0.0, 0.6e-3}, 1e-3);
+    rod.move(-0.8e-3 * rod.model().entry.outward_W, 1e-3);
+  }
+  static RodSpec spec()
+  {
+    RodSpec spec;
+    spec.length = 8e-3;
+    spec.radius = 0.1e-3;
+    spec.bending = 1e-5;
+    spec.startInside = 4e-3;
+    spec.nodes = 33;
+    spec.wallStiffness = 441.0;
+    spec.membrane = mechanics::MembraneLaw{newtonsPerMeter(9), millimeters(0.05)};
+    return spec;
+  }
+  TestRod rod;
+};
+
+TEST(BasilarMembrane, YieldsByItsLaw)
+{
+  Stylus stylus;
+  const mechanics::InsertionModel& model = stylus.rod.model();
+  int seen = 0;
+  for (int step = 0; step < 100; ++step) {
+    stylus.rod.move(0.005e-3 * model.entry.outward_W, 1e-3);
+    const mechanics::InsertionState& state = stylus.rod.state();
+    for (std::size_t i = 0; i < state.position_W.size(); ++i) {
+      if (!(state.membraneForce[i] > 2e-5)) continue;
+      anatomy::LumenTrack track = state.track[i];
+      anatomy::WallPoint wall;
+      const double reach = 1e-3;
+      meanScala()->nearestWall({&state.position_W[i], 1}, {&reach, 1}, {&track, 1}, {&wall, 1});
+      const double p = model.radius[i] - wall.distance;
+      const double share =
+          model.membrane->shareAt(state.position_W[i], model.radius[i], track, wall.normal_W).share;
+      // the length of wall that a node stands for, as of the bone
+      const double k = 9.0 * model.wallStiffness[i] / 441.0;
+      const double expected = share * k * (p - 1e-6 + p * p * p / (0.05e-3 * 0.05e-3));
+      EXPECT_NEAR(state.membraneForce[i], expected, 1e-3 * expected);
+      ++seen;
+    }
+  }
+  EXPECT_GT(seen, 10);
+}
+
+TEST(BasilarMembrane, GivesBackWhatItTookFromAHandThatSweepsAcrossIt)
+{
+  Stylus stylus;
+  const Eigen::Vector3d outward_W = stylus.rod.model().entry.outward_W;
+  double work = 0.0, most = 0.0, membrane = 0.0;
+  for (const double direction : {1.0, -1.0})
+    for (int i = 0; i < 500; ++i) {
+      const Eigen::Vector3d before = stylus.rod.state().base_W;
+      const Eigen::Vector3d force = stylus.rod.readings().handForce_W;
+      stylus.rod.move(direction * 1e-6 * outward_W, 1e-3);
+      work -=
+          0.5 * (force + stylus.rod.readings().handForce_W).dot(stylus.rod.state().base_W - before);
+      most = std::max(most, std::fabs(work));
+      membrane = std::max(membrane, stylus.rod.readings().membraneForce);
+      ASSERT_LT((stylus.rod.readings().handForce_W - force).norm(), 0.5e-3) << "a kink at " << i;
+    }
+  EXPECT_GT(membrane, 4e-5);
+  EXPECT_NEAR(work, 0.0, test::tolerance(0.02, "damping, drag") * most);
+}
+
+}  // namespace
+}  // namespace perilymph

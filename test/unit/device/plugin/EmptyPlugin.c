@@ -1,0 +1,5 @@
+/* A library that is no plug-in. */
+
+int perilymph_nothing(void);
+
+int perilymph_nothing(void) { return 0; }

@@ -1,0 +1,129 @@
+#include "perilymph/device/PluginDevice.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::device {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+
+std::filesystem::path example() { return PERILYMPH_EXAMPLE_PLUGIN; }
+
+std::filesystem::path faulty(const std::string& fault)
+{
+  return std::filesystem::path(PERILYMPH_FAULTY_PLUGINS) / ("faulty_" + fault + ".so");
+}
+
+std::string refusal(const std::filesystem::path& file)
+{
+  const auto device = loadPluginDevice(file);
+  return device ? "it was taken" : device.error().message;
+}
+
+TEST(ExamplePlugin, TellsItsTraits)
+{
+  const auto device = loadPluginDevice(example());
+  ASSERT_TRUE(device) << device.error().message;
+  const DeviceTraits traits = (*device)->traits();
+  EXPECT_EQ(traits.name, "Example handle");
+  EXPECT_EQ(traits.mostForce, 3.0);
+  EXPECT_EQ(traits.actuatedTranslations, 1);
+}
+
+TEST(ExamplePlugin, DriftsInwardAtTheSpeedOfForceOverDamping)
+{
+  // 0.2 N against 0.5 N.s/m: 0.4 m/s once 90 g / 0.5 N.s/m = 0.18 s have passed many times.
+  const auto device = loadPluginDevice(example());
+  ASSERT_TRUE((*device)->open());
+  for (int i = 0; i < 3000; ++i) (*device)->read();
+  const double before = (*device)->read().position_D[2];
+  const double after = (*device)->read().position_D[2];
+  EXPECT_NEAR((after - before) / 1e-3, -0.4, 1e-6);
+}
+
+TEST(ExamplePlugin, IsHeldByTheForceItIsTold)
+{
+  // A spring of 100 N/m shown by the program: the handle comes to rest at 0.2 N / 100 N/m.
+  const auto device = loadPluginDevice(example());
+  ASSERT_TRUE((*device)->open());
+  DeviceSample hand;
+  for (int i = 0; i < 5000; ++i) {
+    hand = (*device)->read();
+    (*device)->write({{0.0, 0.0, -100.0 * hand.position_D[2]}, {}});
+  }
+  EXPECT_NEAR(hand.position_D[2], -2e-3, 1e-6);
+  EXPECT_EQ(hand.sequence, 5000u);
+  EXPECT_EQ(hand.isValid, 1u);
+}
+
+TEST(ExamplePlugin, AnswersNothingWhileItIsClosed)
+{
+  const auto device = loadPluginDevice(example());
+  EXPECT_EQ((*device)->read().isValid, 0u);
+  ASSERT_TRUE((*device)->open());
+  EXPECT_EQ((*device)->read().isValid, 1u);
+  (*device)->close();
+  EXPECT_EQ((*device)->read().isValid, 0u);
+}
+
+TEST(FaultyPlugin, IsRefusedWithASentence)
+{
+  EXPECT_THAT(refusal(faulty("anotherVersion")), HasSubstr("speaks version 2"));
+  EXPECT_THAT(refusal(faulty("missingFunction")), HasSubstr("functions is missing"));
+  EXPECT_THAT(refusal(faulty("tooShort")), HasSubstr("functions is missing"));
+  EXPECT_THAT(refusal(faulty("noDevice")), HasSubstr("finds no device"));
+  EXPECT_THAT(refusal(faulty("noName")), HasSubstr("has no name"));
+  EXPECT_THAT(refusal(faulty("monstrousForce")), HasSubstr("must be between 0.01 and 50"));
+  EXPECT_THAT(refusal(faulty("noTraits")), HasSubstr("does not tell its traits"));
+}
+
+TEST(FaultyPlugin, MayLeaveItsTextsOpenAtTheEnd)
+{
+  const auto device = loadPluginDevice(faulty("cannotOpen"));
+  ASSERT_TRUE(device);
+  EXPECT_EQ((*device)->traits().name, std::string(64, 'x'));
+  const auto opened = (*device)->open();
+  ASSERT_FALSE(opened);
+  EXPECT_EQ(opened.error().message, std::string(511, 'y'));
+}
+
+TEST(FaultyPlugin, ThatTakesNoForceIsNoValidHand)
+{
+  const auto device = loadPluginDevice(faulty("failsToWrite"));
+  ASSERT_TRUE((*device)->open());
+  EXPECT_EQ((*device)->read().isValid, 1u);
+  (*device)->write({});
+  EXPECT_EQ((*device)->read().isValid, 0u);
+}
+
+TEST(NoPlugin, IsRefusedWithASentence)
+{
+  const perilymph::test::TemporaryFolder folder;
+  EXPECT_THAT(refusal(folder.path() / "none.so"), HasSubstr("no such file"));
+  std::ofstream(folder.path() / "text.so") << "no library";
+  EXPECT_THAT(refusal(folder.path() / "text.so"), HasSubstr("cannot be loaded"));
+  EXPECT_THAT(refusal(PERILYMPH_EMPTY_PLUGIN), HasSubstr("exports no perilymph_device_v1"));
+}
+
+TEST(PluginFolder, ListsLibrariesInItAndOneLevelBelow)
+{
+  const perilymph::test::TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "a" / "b");
+  for (const char* name : {"two.so", "a/one.so", "a/b/deep.so", "a/profile.toml"})
+    std::ofstream(folder.path() / name) << "x";
+  const auto found = pluginLibraries(folder.path());
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_THAT(found[0].string(), EndsWith("a/one.so"));
+  EXPECT_THAT(found[1].string(), EndsWith("two.so"));
+  EXPECT_TRUE(pluginLibraries(folder.path() / "none").empty());
+}
+
+}  // namespace
+}  // namespace perilymph::device

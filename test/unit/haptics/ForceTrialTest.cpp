@@ -27,7 +27,7 @@ public:
   {
     sample_.isValid = 1;
     ++sample_.sequence;
-    sample_.buttons = isHeld ? device::graspButton : 0;
+    sample_.buttons = isHeld ? std::uint32_t{device::graspButton} : 0u;
     return sample_;
   }
   device::DeviceSample silent() const { return sample_; }

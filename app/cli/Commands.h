@@ -85,4 +85,10 @@ struct RenderOptions {
 };
 Result<Done> render(const RenderOptions& options);
 
+struct DevicesOptions {
+  std::string json;
+  std::optional<int> test;  ///< The number of the node to try out, as in /dev/hidraw3.
+};
+Result<Done> devices(const DevicesOptions& options);
+
 }  // namespace perilymph::cli

@@ -184,14 +184,26 @@ void addRender(CLI::App& app, RenderOptions& options)
   });
 }
 
+void addDevices(CLI::App& app, DevicesOptions& options)
+{
+  CLI::App& command = *app.add_subcommand(
+      "devices", "Lists HID devices, whether one can be the hand, and tries one");
+  command.add_option("--json", options.json, "Writes the list, and what the test measured");
+  command
+      .add_option(
+          "--test", options.test,
+          "Measures reports, then shows small forces: the number of the node, 3 for hidraw3")
+      ->check(CLI::Range(0, 4095));
+}
+
 /// What is wrong with the words of a call.
 std::string words(const CLI::ParseError& error, const CLI::App& app, int argc, char** argv)
 {
   const bool namesNothing = argc < 2 || argv[1][0] == '-' || !app.get_subcommands().empty();
   if (namesNothing) return error.what();
   return "There is no command '" + std::string(argv[1]) +
-         "'; there are simulate, anatomy, validate, calibrate, predict, compare, replay and "
-         "render";
+         "'; there are simulate, anatomy, validate, calibrate, predict, compare, replay, render "
+         "and devices";
 }
 
 int report(const Result<Done>& result)
@@ -225,6 +237,8 @@ int run(int argc, char** argv)
   addCalibrate(app, calibrateOptions);
   addPredict(app, predictOptions);
   addCompare(app, compareOptions);
+  DevicesOptions devicesOptions;
+  addDevices(app, devicesOptions);
 
   try {
     app.parse(argc, argv);
@@ -240,6 +254,7 @@ int run(int argc, char** argv)
   if (app.got_subcommand("calibrate")) return report(calibrate(calibrateOptions));
   if (app.got_subcommand("predict")) return report(predict(predictOptions));
   if (app.got_subcommand("compare")) return report(compare(compareOptions));
+  if (app.got_subcommand("devices")) return report(devices(devicesOptions));
   return report(render(renderOptions));
 }
 

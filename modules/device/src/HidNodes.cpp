@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -115,6 +116,14 @@ std::optional<int> nodeNumber(const fs::path& folder)
 }
 
 }  // namespace
+
+SystemRoots systemRoots()
+{
+  const char* const recorded = std::getenv("PERILYMPH_SYSTEM_ROOT");
+  if (recorded == nullptr || *recorded == '\0') return {};
+  const fs::path root(recorded);
+  return {root / "sys", root / "dev"};
+}
 
 std::vector<HidNode> findHidNodes(const SystemRoots& roots)
 {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <ctime>
 
+#include "DeviceReport.h"
 #include "MakeEngine.h"
 #include "Recorder.h"
 #include "perilymph/device/ScriptedHand.h"
@@ -174,6 +175,11 @@ Result<Done> Insertion::start()
 void Insertion::stop() noexcept
 {
   if (content_->loop) content_->loop->stop();
+  if (content_->recorder && content_->loop) {
+    const auto health = content_->hand->health();
+    if (health)
+      content_->recorder->describeDevice(deviceReport(*health, content_->loop->statistics()));
+  }
   if (content_->recorder) content_->recorder->stop();
 }
 

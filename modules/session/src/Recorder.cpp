@@ -91,7 +91,7 @@ void Recorder::close() noexcept
   try {
     flush();
     if (!recording_) return;
-    if (const auto done = recording_->close(loop_.statistics().lostRecords); !done)
+    if (const auto done = recording_->close(loop_.statistics().lostRecords, deviceReport_); !done)
       setTrouble(done.error().message);
     recording_.reset();
   } catch (const std::exception& mistake) {

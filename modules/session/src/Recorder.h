@@ -36,6 +36,9 @@ public:
   /// Commits what was kept.
   void flush();
 
+  /// What closing adds to the recording: how the device did. While nothing runs.
+  void describeDevice(std::string report) { deviceReport_ = std::move(report); }
+
   /// Flushes and closes the recording. Nothing is recorded after it.
   void close() noexcept;
 
@@ -49,6 +52,7 @@ private:
 
   haptics::HapticLoop& loop_;
   std::unique_ptr<Recording> recording_;
+  std::string deviceReport_;
   std::size_t batch_;
   std::vector<haptics::TickRecord> waiting_;
   mutable std::mutex troubleMutex_;

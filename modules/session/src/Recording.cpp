@@ -298,13 +298,14 @@ Result<Done> Recording::append(std::span<const haptics::TickRecord> records)
   return content.trouble(reason);
 }
 
-Result<Done> Recording::close(std::uint64_t lostRecords)
+Result<Done> Recording::close(std::uint64_t lostRecords, const std::string& deviceReport)
 {
   Content& content = *content_;
   if (content.isClosed) return Done{};
   content.isClosed = true;
   const bool isKept =
       content.keep(MetaKey::lostRecords, std::to_string(std::max(lostRecords, content.gaps))) &&
+      (deviceReport.empty() || content.keep(MetaKey::deviceReport, deviceReport)) &&
       content.keep(MetaKey::closed, "1");
   const std::string reason = isKept ? "" : content.database.trouble();
   content.insertTick.reset();

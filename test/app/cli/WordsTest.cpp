@@ -7,7 +7,7 @@ TEST(CommandLine, ExplainsItself)
 {
   const auto help = cli({"--help"});
   EXPECT_EQ(help.status, 0);
-  for (const char* command : {"simulate", "anatomy", "replay", "render"}) {
+  for (const char* command : {"simulate", "anatomy", "replay", "render", "devices"}) {
     EXPECT_THAT(help.out, testing::HasSubstr(command));
     EXPECT_EQ(cli({command, "--help"}).status, 0) << command;
   }
@@ -17,7 +17,7 @@ TEST(CommandLine, ExplainsItself)
 TEST(CommandLine, KnowsItsCommands)
 {
   expectWrongWords(cli({}), "subcommand");
-  expectWrongWords(cli({"devices"}), "no command 'devices'");
+  expectWrongWords(cli({"banana"}), "no command 'banana'");
   expectWrongWords(cli({"simulate"}), "--scenario");
   expectWrongWords(cli({"simulate", "--scenario"}), "--scenario");
   expectWrongWords(cli({"replay"}), "file");

@@ -7,56 +7,13 @@
 
 #include <fstream>
 
-#include "perilymph/test/TemporaryFolder.h"
+#include "perilymph/test/RecordedTree.h"
 
 namespace perilymph::device {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A tree with HID devices in it.
-class RecordedTree {
-public:
-  struct Device {
-    std::string kernelName;  ///< "0003:1234:0006.0001", as the kernel names it
-    std::string name;
-    std::string node;       ///< "hidraw0"
-    std::string interface;  ///< Of USB; empty on other buses.
-    std::string descriptor = std::string("\x05\x01\x09\x04\xa1\x01\xc0", 7);
-  };
-
-  void add(const Device& device)
-  {
-    const fs::path parent = sys() / "devices/pci0000:00/usb1/1-1" / ("1-1:1." + device.node);
-    const fs::path hid = parent / device.kernelName;
-    fs::create_directories(hid / "hidraw" / device.node);
-    if (!device.interface.empty()) write(parent / "bInterfaceNumber", device.interface + "\n");
-    const std::string id = device.kernelName.substr(0, 4) + ":0000" +
-                           device.kernelName.substr(5, 4) + ":0000" +
-                           device.kernelName.substr(10, 4);
-    write(hid / "uevent", "DRIVER=hid-generic\nHID_ID=" + id + "\nHID_NAME=" + device.name +
-                              "\nHID_PHYS=usb-0000:00:14.0-1/input0\nHID_UNIQ=\n");
-    write(hid / "report_descriptor", device.descriptor);
-    fs::create_directory_symlink(hid, hid / "hidraw" / device.node / "device");
-    fs::create_directories(sys() / "class/hidraw");
-    fs::create_directory_symlink(hid / "hidraw" / device.node,
-                                 sys() / "class/hidraw" / device.node);
-  }
-  void addNode(const std::string& node) { write(dev() / node, ""); }
-
-  SystemRoots roots() const { return {sys(), dev()}; }
-  fs::path sys() const { return folder_ / "sys"; }
-  fs::path dev() const { return folder_ / "dev"; }
-
-private:
-  static void write(const fs::path& file, const std::string& text)
-  {
-    fs::create_directories(file.parent_path());
-    std::ofstream(file, std::ios::binary) << text;
-  }
-
-  test::TemporaryFolder folder_;
-};
+using test::RecordedTree;
 
 TEST(HidNodes, AreNoneOnASystemWithoutHid)
 {

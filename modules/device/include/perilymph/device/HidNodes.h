@@ -29,11 +29,15 @@ struct HidNode {
   NodeAccess access = NodeAccess::absent;
 };
 
-/// Where the system keeps its devices; other folders in tests.
+/// Where the system keeps its devices.
 struct SystemRoots {
   std::filesystem::path sysfs = "/sys";
   std::filesystem::path dev = "/dev";
 };
+
+/// The system's own; with PERILYMPH_SYSTEM_ROOT in the environment the folders `sys` and `dev` in
+/// that one: a tree recorded elsewhere.
+SystemRoots systemRoots();
 
 /// Every hidraw node, in the order of their numbers. Nodes that vanish while they are looked at are
 /// left out.

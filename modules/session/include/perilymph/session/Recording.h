@@ -61,7 +61,9 @@ public:
   ///
   /// @param lostRecords  Ticks that never came to append(); gaps in the numbers of the ticks are
   ///                     counted by the recording itself, the larger count is kept.
-  Result<Done> close(std::uint64_t lostRecords = 0);
+  /// @param deviceReport  How the device did, as JSON (`device_report` in meta); empty: nothing
+  /// kept.
+  Result<Done> close(std::uint64_t lostRecords = 0, const std::string& deviceReport = {});
 
   const std::filesystem::path& file() const noexcept;
 

@@ -1,0 +1,108 @@
+#include "DeviceTrial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "Interruption.h"
+#include "OutputFile.h"
+#include "perilymph/haptics/CouplingLimit.h"
+#include "perilymph/haptics/ForceTrial.h"
+#include "perilymph/realtime/Pacer.h"
+#include "perilymph/realtime/RealTimePriority.h"
+
+namespace perilymph::cli {
+
+namespace {
+
+constexpr double timeStep = 1e-3;         // [s]
+constexpr double listeningTime = 3.0;     // [s]
+constexpr double patienceForHold = 20.0;  // [s]
+
+/// Ticks at 1 kHz, by the device's reports where it sends them so.
+class Beat {
+public:
+  explicit Beat(device::HapticDevice& hand)
+      : hand_(hand),
+        pacer_(Duration::fromSi(timeStep)),
+        follows_(haptics::followsReports(hand.traits(), timeStep))
+  {
+    pacer_.start(realtime::monotonicNanoseconds());
+  }
+
+  void wait()
+  {
+    const auto awaited =
+        follows_ ? hand_.await(Duration::fromSi(timeStep)) : device::Awaited::cannot;
+    if (awaited == device::Awaited::cannot)
+      pacer_.wait();
+    else
+      pacer_.follow(realtime::monotonicNanoseconds());
+  }
+
+private:
+  device::HapticDevice& hand_;
+  realtime::Pacer pacer_;
+  bool follows_;
+};
+
+int ticks(double time) { return static_cast<int>(std::lround(time / timeStep)); }
+
+void listen(device::HapticDevice& hand, Beat& beat)
+{
+  std::printf("Listening for %s s. Move the device.\n", fixed(listeningTime, 0).c_str());
+  std::fflush(stdout);
+  for (int i = 0; i < ticks(listeningTime) && !isInterrupted(); ++i) {
+    beat.wait();
+    hand.read();
+    hand.write({});
+  }
+}
+
+/// Gives the axes on which the force was shown.
+int showForces(device::HapticDevice& hand, Beat& beat)
+{
+  haptics::ForceTrial trial(hand.traits(), timeStep);
+  if (trial.isOver()) return 0;
+  std::printf(
+      "Hold the device and its button: it pushes with at most %s N along each axis. Letting "
+      "go of the button ends the push.\n",
+      fixed(trial.greatest(), 2).c_str());
+  std::fflush(stdout);
+  int waited = 0;
+  while (!trial.isOver() && waited < ticks(patienceForHold) && !isInterrupted()) {
+    beat.wait();
+    hand.write(trial.step(hand.read()));
+    waited = trial.isHeld() ? 0 : waited + 1;
+  }
+  hand.write({});
+  return trial.axis();
+}
+
+}  // namespace
+
+Result<TrialOutcome> tryDevice(const device::FoundHand& found)
+{
+  auto made = device::makeHidHand(found, device::systemRoots());
+  if (!made) return made.error();
+  device::HidHand& hand = **made;
+  if (const auto opened = hand.open(); !opened) return opened.error();
+  watchForInterruption();
+  // Without the priority the figures are worse, and true.
+  realtime::requestRealTimePriority();
+
+  TrialOutcome outcome;
+  outcome.traits = hand.traits();
+  outcome.axes = outcome.traits.rendersForce ? outcome.traits.actuatedTranslations : 0;
+  if (outcome.axes > 0)
+    outcome.stiffness = haptics::couplingLimit(outcome.traits, timeStep).stiffness;
+  Beat beat(hand);
+  listen(hand, beat);
+  if (outcome.axes > 0) outcome.axesFelt = showForces(hand, beat);
+  outcome.health = hand.health().value_or(device::HandHealth{});
+  hand.close();
+  if (isInterrupted()) return Error{"Interrupted; the force is off."};
+  return outcome;
+}
+
+}  // namespace perilymph::cli

@@ -1,0 +1,22 @@
+#pragma once
+
+// A device tried out: how it reports, how fast it takes a force, and the force itself.
+
+#include "perilymph/device/HandHealth.h"
+#include "perilymph/device/KnownHands.h"
+
+namespace perilymph::cli {
+
+struct TrialOutcome {
+  device::HandHealth health;
+  device::DeviceTraits traits;  ///< With what was measured.
+  double stiffness = 0.0;       ///< Stiffest coupling it renders at 1 kHz [N/m]; 0 without force.
+  int axesFelt = 0;             ///< Axes on which the force was shown.
+  int axes = 0;                 ///< Axes that show a force.
+};
+
+/// Opens the device, listens for three seconds, then shows at most 0.5 N on each axis while the
+/// button is held. Says on standard output what to do; ends by itself, or with Ctrl-C.
+Result<TrialOutcome> tryDevice(const device::FoundHand& found);
+
+}  // namespace perilymph::cli

@@ -1,0 +1,175 @@
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "Commands.h"
+#include "DeviceTrial.h"
+#include "OutputFile.h"
+#include "perilymph/device/KnownHands.h"
+#include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/Version.h"
+
+namespace perilymph::cli {
+
+namespace {
+
+using device::FoundHand;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* handsWithoutHardware =
+    "Hands that need no hardware: the script (inserts at the scenario's speed), mouse and "
+    "keyboard\n"
+    "(in the window), a recording (replay).\n";
+
+const char* accessWord(device::NodeAccess access)
+{
+  switch (access) {
+    case device::NodeAccess::allowed:
+      return "allowed";
+    case device::NodeAccess::denied:
+      return "denied";
+    case device::NodeAccess::absent:
+      return "absent";
+  }
+  return "unknown";
+}
+
+std::string ability(const device::DeviceTraits& traits)
+{
+  std::string words = std::to_string(traits.sensedTranslations) + " shifts and " +
+                      std::to_string(traits.sensedRotations) + " turns sensed, ";
+  if (traits.rendersForce)
+    words += "force on " + std::to_string(traits.actuatedTranslations) + " axes up to " +
+             fixed(traits.mostForce, 1) + " N";
+  else
+    words += "no force";
+  return words + ", a report every " + fixed(traits.nominalPeriod * 1e3, 1) + " ms";
+}
+
+void print(const FoundHand& found)
+{
+  const device::HidNode& node = found.node;
+  std::printf("%s  %s  %s\n", node.path.c_str(), device::identityText(node.identity).c_str(),
+              node.name.empty() ? found.kind.c_str() : node.name.c_str());
+  if (found.profile)
+    std::printf("    %s, a %s: %s\n", found.profile->name.c_str(), found.kind.c_str(),
+                ability(device::traitsOf(*found.profile, found.descriptor)).c_str());
+  std::printf("    %s\n", found.isUsable() ? "It may be opened." : found.obstacle.c_str());
+}
+
+Json described(const FoundHand& found)
+{
+  const device::HidNode& node = found.node;
+  Json json;
+  json["node"] = node.path.string();
+  json["bus"] = node.bus;
+  json["vendor_id"] = node.identity.vendor;
+  json["product_id"] = node.identity.product;
+  json["interface"] = node.identity.interfaceNumber;
+  json["name"] = node.name;
+  json["kind"] = found.kind;
+  json["descriptor_bytes"] = node.descriptor.size();
+  json["access"] = accessWord(node.access);
+  json["udev_rule"] = device::udevRule(node.identity.vendor, node.identity.product);
+  json["usable"] = found.isUsable();
+  json["obstacle"] = found.obstacle;
+  if (!found.profile) {
+    json["profile"] = nullptr;
+    return json;
+  }
+  const device::DeviceTraits traits = device::traitsOf(*found.profile, found.descriptor);
+  json["profile"] = {{"name", found.profile->name},
+                     {"confidence", found.profile->confidence},
+                     {"renders_force", traits.rendersForce},
+                     {"most_force_N", traits.mostForce},
+                     {"nominal_period_s", traits.nominalPeriod},
+                     {"most_stiffness_N_m", traits.mostStiffness}};
+  return json;
+}
+
+Json described(const TrialOutcome& trial)
+{
+  const device::HandHealth& health = trial.health;
+  return {{"period_s", health.period},
+          {"period_measured", health.isPeriodMeasured},
+          {"rate_per_s", health.reading.rate},
+          {"interval_median_s", health.reading.intervalMedian},
+          {"interval_p99_s", health.reading.intervalP99},
+          {"interval_max_s", health.reading.intervalMost},
+          {"reports", health.reading.fresh},
+          {"lost", health.reading.lost},
+          {"duplicates", health.reading.duplicates},
+          {"old", health.reading.old},
+          {"foreign", health.reading.foreign},
+          {"write_median_s", health.writing.timeMedian},
+          {"write_p99_s", health.writing.timeP99},
+          {"write_max_s", health.writing.timeMost},
+          {"delay_s", health.delay},
+          {"stiffest_coupling_N_m", trial.stiffness},
+          {"force_axes", trial.axes},
+          {"force_axes_shown", trial.axesFelt},
+          {"trouble", health.trouble}};
+}
+
+void print(const TrialOutcome& trial)
+{
+  const device::ReadingFigures& reading = trial.health.reading;
+  const auto ms = [](double time) { return fixed(time * 1e3, 3); };
+  std::printf("%-18s %s a second; between two: median %s ms, 99 %% below %s ms, longest %s ms\n",
+              "reports", fixed(reading.rate, 1).c_str(), ms(reading.intervalMedian).c_str(),
+              ms(reading.intervalP99).c_str(), ms(reading.intervalMost).c_str());
+  std::printf("%-18s %llu fresh, %llu lost, %llu repeated, %llu old, %llu not understood\n", "",
+              static_cast<unsigned long long>(reading.fresh),
+              static_cast<unsigned long long>(reading.lost),
+              static_cast<unsigned long long>(reading.duplicates),
+              static_cast<unsigned long long>(reading.old),
+              static_cast<unsigned long long>(reading.foreign));
+  if (!trial.health.trouble.empty()) std::printf("%-18s %s\n", "", trial.health.trouble.c_str());
+  if (trial.axes == 0) return;
+  const device::WritingFigures& writing = trial.health.writing;
+  std::printf("%-18s median %s ms, 99 %% below %s ms, longest %s ms\n", "to take a force",
+              ms(writing.timeMedian).c_str(), ms(writing.timeP99).c_str(),
+              ms(writing.timeMost).c_str());
+  std::printf("%-18s there and back %s ms; stiffest coupling %s N/m\n", "delay",
+              ms(trial.health.delay).c_str(), fixed(trial.stiffness, 0).c_str());
+  std::printf("%-18s shown on %d of %d axes%s\n", "force", trial.axesFelt, trial.axes,
+              trial.axesFelt < trial.axes ? "; the button was not held" : "");
+}
+
+Result<FoundHand> deviceOfNumber(const device::DeviceSurvey& survey, int number)
+{
+  const std::string node = "hidraw" + std::to_string(number);
+  for (const FoundHand& found : survey.devices)
+    if (found.node.path.filename() == node) return found;
+  return Error{"There is no " + node + ". 'perilymph-cli devices' shows those there are."};
+}
+
+}  // namespace
+
+Result<Done> devices(const DevicesOptions& options)
+{
+  if (const auto done = checkPlace(options.json); !done) return done.error();
+  const device::DeviceSurvey survey = device::surveyDevices(device::systemRoots());
+  Json json;
+  json["version"] = version();
+  json["devices"] = Json::array();
+  for (const FoundHand& found : survey.devices) json["devices"].push_back(described(found));
+  json["profile_mistakes"] = survey.mistakes;
+  for (const std::string& mistake : survey.mistakes) std::fprintf(stderr, "%s\n", mistake.c_str());
+
+  if (options.test) {
+    const auto found = deviceOfNumber(survey, *options.test);
+    if (!found) return found.error();
+    const auto trial = tryDevice(*found);
+    if (!trial) return trial.error();
+    json["test"] = described(*trial);
+    print(*trial);
+  } else {
+    if (survey.devices.empty()) std::printf("No HID device is plugged in.\n");
+    for (const FoundHand& found : survey.devices) print(found);
+    std::printf("%s", handsWithoutHardware);
+  }
+  if (options.json.empty()) return Done{};
+  return writeWhole(options.json, json.dump(2) + "\n");
+}
+
+}  // namespace perilymph::cli

@@ -1,0 +1,132 @@
+#include "perilymph/device/KnownHands.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdio>
+#include <utility>
+
+#include "perilymph/device/HandCodec.h"
+
+namespace perilymph::device {
+
+namespace {
+
+/// HID Usage Tables 1.4, chapters 3 and 4: what a main collection is for.
+std::string kindOf(const ReportDescriptor& descriptor)
+{
+  constexpr std::array<std::pair<Usage, const char*>, 9> words = {
+      {{{0x01, 0x01}, "pointer"},
+       {{0x01, 0x02}, "mouse"},
+       {{0x01, 0x04}, "joystick"},
+       {{0x01, 0x05}, "game pad"},
+       {{0x01, 0x06}, "keyboard"},
+       {{0x01, 0x07}, "keypad"},
+       {{0x01, 0x08}, "multi-axis controller"},
+       {{0x0c, 0x01}, "consumer control"},
+       {{0x0f, 0x01}, "force-feedback device"}}};
+  const auto usage = descriptor.application();
+  if (!usage) return "a device that does not say what it is";
+  for (const auto& [known, word] : words)
+    if (known == *usage) return word;
+  char text[64];
+  const char* const sort = usage->page >= 0xff00 ? "vendor-defined" : "another device";
+  std::snprintf(text, sizeof text, "%s (usage page 0x%02x, usage 0x%02x)", sort, usage->page,
+                usage->id);
+  return text;
+}
+
+std::string obstacleOf(const FoundHand& found)
+{
+  const HidNode& node = found.node;
+  if (!found.profile)
+    return "No profile below plugins/devices fits it: " + found.kind +
+           ". For a device of a known kind add one (plugins/README.md).";
+  if (node.access == NodeAccess::absent)
+    return "There is no " + node.path.string() +
+           ": this system shows its devices without their nodes, as a container does.";
+  if (node.access == NodeAccess::denied)
+    return "You may not open " + node.path.string() +
+           ". Put this line into /etc/udev/rules.d/70-perilymph.rules, then plug the device in "
+           "again: " +
+           udevRule(node.identity.vendor, node.identity.product);
+  if (const auto codec = makeCodec(*found.profile, found.descriptor); !codec)
+    return codec.error().message;
+  return {};
+}
+
+std::string lowered(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return text;
+}
+
+bool isCalled(const FoundHand& found, const std::string& wanted)
+{
+  const HidNode& node = found.node;
+  const std::string name = lowered(wanted);
+  return name == node.path.string() || name == node.path.filename().string() ||
+         name == identityText(node.identity) || name == lowered(found.name()) ||
+         name == lowered(node.name);
+}
+
+}  // namespace
+
+std::string FoundHand::name() const
+{
+  if (profile) return profile->name;
+  return node.name.empty() ? identityText(node.identity) : node.name;
+}
+
+DeviceSurvey surveyDevices(const SystemRoots& roots)
+{
+  ProfileCatalog catalog = shippedProfiles();
+  DeviceSurvey survey = surveyDevices(catalog.profiles, roots);
+  survey.mistakes = std::move(catalog.mistakes);
+  return survey;
+}
+
+DeviceSurvey surveyDevices(const std::vector<DeviceProfile>& profiles, const SystemRoots& roots)
+{
+  DeviceSurvey survey;
+  for (HidNode& node : findHidNodes(roots)) {
+    FoundHand found;
+    found.node = std::move(node);
+    if (auto parsed = ReportDescriptor::parse(found.node.descriptor))
+      found.descriptor = *std::move(parsed);
+    const DeviceProfile* const profile =
+        matchingProfile(profiles, found.node.identity, found.descriptor);
+    if (profile != nullptr) found.profile = *profile;
+    found.kind = kindOf(found.descriptor);
+    found.obstacle = obstacleOf(found);
+    survey.devices.push_back(std::move(found));
+  }
+  return survey;
+}
+
+Result<FoundHand> findHand(const DeviceSurvey& survey, const std::string& nameOrNode)
+{
+  std::string usable;
+  for (const FoundHand& found : survey.devices) {
+    if (isCalled(found, nameOrNode)) {
+      if (found.isUsable()) return found;
+      return Error{found.name() + " cannot be the hand. " + found.obstacle};
+    }
+    if (found.isUsable()) usable += (usable.empty() ? "" : ", ") + found.name();
+  }
+  return Error{"There is no device '" + nameOrNode + "'. " +
+               (usable.empty() ? "No device that could be a hand is plugged in."
+                               : "There are: " + usable + ".")};
+}
+
+Result<std::unique_ptr<HidHand>> makeHidHand(const FoundHand& found, const SystemRoots& roots)
+{
+  if (!found.isUsable()) return Error{found.name() + " cannot be the hand. " + found.obstacle};
+  auto codec = makeCodec(*found.profile, found.descriptor);
+  if (!codec) return codec.error();
+  return std::make_unique<HidHand>(traitsOf(*found.profile, found.descriptor), *std::move(codec),
+                                   hidPort(found.node, roots));
+}
+
+}  // namespace perilymph::device

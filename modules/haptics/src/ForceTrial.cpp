@@ -1,0 +1,68 @@
+#include "perilymph/haptics/ForceTrial.h"
+
+#include <algorithm>
+
+namespace perilymph::haptics {
+
+namespace {
+
+SafetyLimits limitsOfTrial(const device::DeviceTraits& traits, double greatest) noexcept
+{
+  SafetyLimits limits = limitsFor({}, traits);
+  limits.mostForce = greatest;
+  limits.mostSlew = 10.0;
+  // The force itself rises slowly from nothing.
+  limits.rampTime = 0.1;
+  return limits;
+}
+
+double greatestFor(const device::DeviceTraits& traits) noexcept
+{
+  const double share = traits.mostForce > 0.0 ? 0.2 * traits.mostForce : ForceTrial::most;
+  return std::min(ForceTrial::most, share);
+}
+
+}  // namespace
+
+ForceTrial::ForceTrial(const device::DeviceTraits& traits, double timeStep)
+    : timeStep_(timeStep),
+      greatest_(greatestFor(traits)),
+      axes_(traits.rendersForce ? std::clamp(traits.actuatedTranslations, 0, 3) : 0),
+      watch_(timeStep, traits.nominalPeriod),
+      safety_(limitsOfTrial(traits, greatest_), timeStep)
+{
+}
+
+device::Wrench ForceTrial::step(const device::DeviceSample& sample) noexcept
+{
+  const Hand& hand = watch_.take(sample);
+  isHeld_ = hand.isHeld && !hand.isStale;
+  if (isOver()) isHeld_ = false;
+
+  // 0 at both ends of the second, 1 in its middle, without a corner
+  const double share = time_ / timeForAxis;
+  const double hump = 16.0 * share * share * (1.0 - share) * (1.0 - share);
+  Eigen::Vector3d wanted_D = Eigen::Vector3d::Zero();
+  if (isHeld_) wanted_D[axis_] = greatest_ * hump;
+
+  HandCondition condition;
+  condition.moved_D = hand.moved_D;
+  condition.distance = hand.position_D.norm();
+  condition.isHeld = isHeld_;
+  condition.isStale = hand.isStale;
+  condition.hasFault = hand.isLost;
+  condition.hasJumped = hand.hasJumped;
+  std::uint32_t ignored = 0;
+  const Eigen::Vector3d shown_D = safety_.show(wanted_D, condition, ignored);
+
+  time_ = isHeld_ ? time_ + timeStep_ : 0.0;
+  if (time_ >= timeForAxis) {
+    time_ = 0.0;
+    ++axis_;
+  }
+  device::Wrench wrench_D;
+  for (int i = 0; i < 3; ++i) wrench_D.force_D[static_cast<std::size_t>(i)] = shown_D[i];
+  return wrench_D;
+}
+
+}  // namespace perilymph::haptics

@@ -1,0 +1,41 @@
+#include "DeviceReport.h"
+
+#include <nlohmann/json.hpp>
+
+namespace perilymph::session {
+
+std::string deviceReport(const device::HandHealth& health,
+                         const haptics::LoopStatistics& statistics)
+{
+  const device::ReadingFigures& reading = health.reading;
+  const device::WritingFigures& writing = health.writing;
+  const nlohmann::ordered_json report = {{"period_s", health.period},
+                                         {"period_measured", health.isPeriodMeasured},
+                                         {"delay_s", health.delay},
+                                         {"rate_per_s", reading.rate},
+                                         {"interval_median_s", reading.intervalMedian},
+                                         {"interval_p99_s", reading.intervalP99},
+                                         {"interval_max_s", reading.intervalMost},
+                                         {"reports", reading.fresh},
+                                         {"lost", reading.lost},
+                                         {"duplicates", reading.duplicates},
+                                         {"old", reading.old},
+                                         {"foreign", reading.foreign},
+                                         {"forces", writing.accepted},
+                                         {"forces_refused", writing.refused},
+                                         {"write_median_s", writing.timeMedian},
+                                         {"write_p99_s", writing.timeP99},
+                                         {"write_max_s", writing.timeMost},
+                                         {"reconnections", health.reconnections},
+                                         {"blocked_writes", health.blockedWrites},
+                                         {"late_ticks", statistics.lateTicks},
+                                         {"missed_ticks", statistics.missedTicks},
+                                         {"overruns", statistics.overruns},
+                                         {"tick_median_s", statistics.tickTimeMedian},
+                                         {"tick_p99_s", statistics.tickTimeP99},
+                                         {"tick_max_s", statistics.tickTimeMax},
+                                         {"real_time", statistics.hasRealTimePriority}};
+  return report.dump();
+}
+
+}  // namespace perilymph::session

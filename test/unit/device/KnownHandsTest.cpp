@@ -1,0 +1,125 @@
+#include "perilymph/device/KnownHands.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "perilymph/test/RecordedTree.h"
+
+namespace perilymph::device {
+namespace {
+
+using test::RecordedTree;
+using testing::HasSubstr;
+
+// HID 1.11, appendix E.10: the report descriptor of the example mouse.
+const std::string mouse(
+    "\x05\x01\x09\x02\xa1\x01\x09\x01\xa1\x00\x05\x09\x19\x01\x29\x03\x15\x00\x25\x01\x95\x03\x75"
+    "\x01"
+    "\x81\x02\x95\x01\x75\x05\x81\x01\x05\x01\x09\x30\x09\x31\x15\x81\x25\x7f\x75\x08\x95\x02\x81"
+    "\x06"
+    "\xc0\xc0",
+    50);
+
+// A stick of two axes of 8 bits and eight buttons.
+const std::string stick(
+    "\x05\x01\x09\x04\xa1\x01\x15\x81\x25\x7f\x75\x08\x95\x02\x09\x30\x09\x31\x81\x02\x05\x09\x19"
+    "\x01"
+    "\x29\x08\x15\x00\x25\x01\x75\x01\x95\x08\x81\x02\xc0",
+    37);
+
+DeviceSurvey surveyOf(const RecordedTree& tree)
+{
+  return surveyDevices(shippedProfiles().profiles, tree.roots());
+}
+
+TEST(DeviceSurvey, KnowsAJoystickByWhatItIs)
+{
+  RecordedTree tree;
+  tree.add({"0003:ABCD:0001.0001", "A stick", "hidraw0", "00", stick});
+  tree.addNode("hidraw0");
+  const DeviceSurvey survey = surveyOf(tree);
+  ASSERT_EQ(survey.devices.size(), 1u);
+  EXPECT_EQ(survey.devices[0].kind, "joystick");
+  EXPECT_TRUE(survey.devices[0].profile.has_value());
+  EXPECT_TRUE(survey.devices[0].isUsable()) << survey.devices[0].obstacle;
+}
+
+TEST(DeviceSurvey, SaysWhatADeviceWithoutAProfileIs)
+{
+  RecordedTree tree;
+  tree.add({"0003:ABCD:0002.0001", "A mouse", "hidraw0", "00", mouse});
+  tree.addNode("hidraw0");
+  const DeviceSurvey survey = surveyOf(tree);
+  ASSERT_EQ(survey.devices.size(), 1u);
+  EXPECT_FALSE(survey.devices[0].isUsable());
+  EXPECT_THAT(survey.devices[0].obstacle, HasSubstr("No profile"));
+  EXPECT_THAT(survey.devices[0].obstacle, HasSubstr("mouse"));
+}
+
+TEST(DeviceSurvey, BearsADescriptorThatMakesNoSense)
+{
+  RecordedTree tree;
+  tree.add({"0003:ABCD:0002.0001", "Broken", "hidraw0", "00", "\xff\xfe\xfd"});
+  tree.addNode("hidraw0");
+  const DeviceSurvey survey = surveyOf(tree);
+  ASSERT_EQ(survey.devices.size(), 1u);
+  EXPECT_FALSE(survey.devices[0].isUsable());
+}
+
+TEST(DeviceSurvey, SaysThatANodeIsMissing)
+{
+  RecordedTree tree;
+  tree.add({"0003:ABCD:0001.0001", "A stick", "hidraw0", "00", stick});
+  EXPECT_THAT(surveyOf(tree).devices.at(0).obstacle, HasSubstr("container"));
+}
+
+TEST(DeviceChoice, FindsADeviceByNameNodeOrNumbers)
+{
+  RecordedTree tree;
+  tree.add({"0003:ABCD:0001.0001", "A Stick", "hidraw3", "00", stick});
+  tree.addNode("hidraw3");
+  const DeviceSurvey survey = surveyOf(tree);
+  const std::string profile = survey.devices.at(0).name();
+  for (const std::string& name :
+       {std::string("hidraw3"), std::string("a stick"), std::string("abcd:0001"), profile}) {
+    const auto found = findHand(survey, name);
+    ASSERT_TRUE(found) << name << ": " << found.error().message;
+    EXPECT_EQ(found->node.path.filename(), "hidraw3");
+  }
+}
+
+TEST(DeviceChoice, NamesThoseThereAre)
+{
+  RecordedTree tree;
+  tree.add({"0003:ABCD:0001.0001", "A stick", "hidraw0", "00", stick});
+  tree.addNode("hidraw0");
+  const DeviceSurvey survey = surveyOf(tree);
+  const auto found = findHand(survey, "banana");
+  ASSERT_FALSE(found);
+  EXPECT_THAT(found.error().message, HasSubstr("'banana'"));
+  EXPECT_THAT(found.error().message, HasSubstr(survey.devices.at(0).name()));
+}
+
+TEST(DeviceChoice, SaysThatNothingIsPluggedIn)
+{
+  const auto found = findHand({}, "banana");
+  ASSERT_FALSE(found);
+  EXPECT_THAT(found.error().message, HasSubstr("No device"));
+}
+
+TEST(DeviceChoice, CannotOpenWhatIsNoHidNode)
+{
+  RecordedTree tree;
+  tree.add({"0003:ABCD:0001.0001", "A stick", "hidraw0", "00", stick});
+  tree.addNode("hidraw0");  // a plain file
+  const auto found = findHand(surveyOf(tree), "hidraw0");
+  ASSERT_TRUE(found);
+  auto hand = makeHidHand(*found, tree.roots());
+  ASSERT_TRUE(hand) << hand.error().message;
+  const auto opened = (*hand)->open();
+  ASSERT_FALSE(opened);
+  EXPECT_THAT(opened.error().message, HasSubstr("cannot be opened"));
+}
+
+}  // namespace
+}  // namespace perilymph::device

@@ -1,0 +1,110 @@
+#include "perilymph/haptics/ForceTrial.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace perilymph::haptics {
+namespace {
+
+constexpr double timeStep = 1e-3;
+
+device::DeviceTraits threeAxes()
+{
+  device::DeviceTraits traits;
+  traits.rendersForce = true;
+  traits.mostForce = 3.3;
+  traits.actuatedTranslations = 3;
+  return traits;
+}
+
+/// A hand at rest.
+class RestingHand {
+public:
+  device::DeviceSample next(bool isHeld)
+  {
+    sample_.isValid = 1;
+    ++sample_.sequence;
+    sample_.buttons = isHeld ? std::uint32_t{device::graspButton} : 0u;
+    return sample_;
+  }
+  device::DeviceSample silent() const { return sample_; }
+
+private:
+  device::DeviceSample sample_;
+};
+
+double magnitude(const device::Wrench& wrench_D)
+{
+  const auto& force = wrench_D.force_D;
+  return std::sqrt(force[0] * force[0] + force[1] * force[1] + force[2] * force[2]);
+}
+
+TEST(ForceTrial, ShowsEveryAxisAtMostHalfANewton)
+{
+  ForceTrial trial(threeAxes(), timeStep);
+  RestingHand hand;
+  std::array<double, 3> most{};
+  double mostStep = 0.0, before = 0.0;
+  int ticks = 0;
+  for (; !trial.isOver() && ticks < 10'000; ++ticks) {
+    const device::Wrench wrench_D = trial.step(hand.next(true));
+    for (std::size_t i = 0; i < 3; ++i) most[i] = std::max(most[i], wrench_D.force_D[i]);
+    ASSERT_LE(magnitude(wrench_D), 0.5 + 1e-12);
+    mostStep = std::max(mostStep, std::abs(magnitude(wrench_D) - before));
+    before = magnitude(wrench_D);
+  }
+  for (const double force : most) EXPECT_NEAR(force, 0.5, 0.01);
+  EXPECT_LE(ticks, 3100);
+  EXPECT_LT(mostStep, 0.01);  // nothing snaps
+}
+
+TEST(ForceTrial, ShowsAFifthOfAWeakDevicesForce)
+{
+  device::DeviceTraits traits = threeAxes();
+  traits.mostForce = 1.0;
+  EXPECT_DOUBLE_EQ(ForceTrial(traits, timeStep).greatest(), 0.2);
+}
+
+TEST(ForceTrial, ShowsNothingUntilTheButtonIsHeld)
+{
+  ForceTrial trial(threeAxes(), timeStep);
+  RestingHand hand;
+  for (int i = 0; i < 5000; ++i) ASSERT_EQ(magnitude(trial.step(hand.next(false))), 0.0);
+  EXPECT_FALSE(trial.isOver());
+}
+
+TEST(ForceTrial, EndsThePushWhenTheButtonIsLetGo)
+{
+  ForceTrial trial(threeAxes(), timeStep);
+  RestingHand hand;
+  for (int i = 0; i < 500; ++i) trial.step(hand.next(true));
+  double force = 0.5;
+  for (int i = 0; i < 60; ++i) {
+    const double now = magnitude(trial.step(hand.next(false)));
+    ASSERT_LE(now, force);
+    force = now;
+  }
+  EXPECT_EQ(force, 0.0);
+  EXPECT_EQ(trial.axis(), 0);  // to be felt anew
+}
+
+TEST(ForceTrial, EndsThePushWhenTheDeviceFallsSilent)
+{
+  ForceTrial trial(threeAxes(), timeStep);
+  RestingHand hand;
+  for (int i = 0; i < 500; ++i) trial.step(hand.next(true));
+  double force = 1.0;
+  for (int i = 0; i < 60; ++i) force = magnitude(trial.step(hand.silent()));
+  EXPECT_EQ(force, 0.0);
+}
+
+TEST(ForceTrial, IsOverAtOnceForADeviceWithoutForce)
+{
+  EXPECT_TRUE(ForceTrial({}, timeStep).isOver());
+}
+
+}  // namespace
+}  // namespace perilymph::haptics

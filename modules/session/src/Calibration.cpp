@@ -12,9 +12,22 @@ namespace {
 // [N.m^2]; see uncalibrated().
 constexpr double styletLow = 0.82e-6, styletHigh = 4.2e-6;
 constexpr double carrierLow = 0.2e-6, carrierHigh = 3e-6;
-constexpr double mostCurvature = 0.25;
+// Of the whole array with its stylet in: it passes for straight, though "slightly curved" (Todd and
+// Naghdy, section IV). How slightly is not printed; a choice.
+constexpr Angle mostBend = degrees(10);
 
 using Bending = electrode::AlongArray<BendingStiffness>;
+
+/// By which angle the free carrier turns where the stylet is [rad].
+double freeBend(const electrode::ArrayDesign& array)
+{
+  constexpr int pieces = 1000;
+  const Length piece = (1.0 / pieces) * (array.length - array.stylet.fromTip);
+  double bend = 0.0;
+  for (int i = 0; i < pieces; ++i)
+    bend += array.restCurvature.at(array.stylet.fromTip + (i + 0.5) * piece).si() * piece.si();
+  return bend;
+}
 
 void scale(Bending& bending, double factor)
 {
@@ -57,7 +70,9 @@ Calibration uncalibrated(const electrode::ArrayDesign& array)
     scale.high = std::max(1.0, std::min(scale.high, styletHigh / array.stylet.bending.si()));
     FittedValue& curvature = calibration.residualCurvature;
     curvature.value = array.stylet.residualCurvature;
-    curvature.high = std::max(mostCurvature, curvature.value);
+    const double bend = freeBend(array);
+    const double share = bend > mostBend.si() ? mostBend.si() / bend : 1.0;
+    curvature.high = std::max(share, curvature.value);
   }
   return calibration;
 }

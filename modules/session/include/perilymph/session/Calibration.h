@@ -39,8 +39,8 @@ struct Calibration {
 
 /// The scale and the share that stay within physical bounds for an array: a platinum stylet of 0.10
 /// to 0.15 mm has 0.82 to 4.2e-6 N.m^2 (E pi d^4 / 64, E = 168 GPa), a carrier 0.2 to 3e-6 N.m^2
-/// (moduli after Kha et al. 2004); and the curvature that is left is at most a quarter, or the
-/// array would not pass for straight.
+/// (moduli after Kha et al. 2004); and the curvature that is left bends the whole array by at most
+/// 10 degrees, or it would not pass for straight.
 Calibration uncalibrated(const electrode::ArrayDesign& array);
 
 /// The array with its stiffness scaled and its curvature set.

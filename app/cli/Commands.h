@@ -41,6 +41,41 @@ struct ReplayOptions {
 };
 Result<Done> replay(const ReplayOptions& options);
 
+struct ValidateOptions {
+  std::string variability = "published-experiment";
+  session::Overrides overrides;  ///< From --model and --set.
+  int runs = 200;
+  std::uint64_t seed = 1;
+  unsigned jobs = 0;  ///< 0: as many as the machine has.
+  std::string out;
+};
+Result<Done> validate(const ValidateOptions& options);
+
+struct CalibrateOptions {
+  std::string variability = "published-experiment";
+  session::Overrides overrides;  ///< From --set.
+  int runs = 24;
+  std::uint64_t seed = 1;
+  unsigned jobs = 0;
+  std::string out;
+};
+Result<Done> calibrate(const CalibrateOptions& options);
+
+struct PredictOptions {
+  std::vector<std::string> arrays;
+  int patients = 50;
+  std::uint64_t seed = 1;
+  unsigned jobs = 0;
+  std::string out;
+};
+Result<Done> predict(const PredictOptions& options);
+
+struct CompareOptions {
+  std::vector<std::string> files;
+  std::string out;
+};
+Result<Done> compare(const CompareOptions& options);
+
 struct RenderOptions {
   std::string scenario;
   std::string preset, patient, array;

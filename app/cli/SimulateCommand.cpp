@@ -98,6 +98,7 @@ void printSummary(const session::Scenario& scenario, const Outcome& outcome)
   std::printf("%s: %llu ticks, %s s, array %s\n", scenario.name.c_str(),
               static_cast<unsigned long long>(profile.ticks), fixed(profile.duration, 3).c_str(),
               scenario.array.name.c_str());
+  for (const std::string& note : scenario.notes) std::printf("%s\n", note.c_str());
   printPoint("peak force", profile.peak);
   printPoint("basal-turn peak", profile.basalTurnPeak);
   printPoint("dip behind it", profile.basalTurnDip);

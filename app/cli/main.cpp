@@ -54,7 +54,7 @@ void addSimulate(CLI::App& app, SimulateOptions& options)
                  "A patient's file or shipped name");
   overrideOption(command, "--array", "array", options.overrides, "An electrode array");
   overrideOption(command, "--model", "model", options.overrides, "rod or points");
-  overrideOption(command, "--nodes", "nodes", options.overrides, "Nodes of the rod");
+  overrideOption(command, "--nodes", "nodes", options.overrides, "Nodes of the rod, or sample points");
   overrideOption(command, "--seed", "seed", options.overrides, "Of whatever is drawn at random");
   setOption(command, options.overrides);
   CLI::Option* csv = command.add_option("--csv", options.csv, "Writes a row a tick");
@@ -110,6 +110,59 @@ void addReplay(CLI::App& app, ReplayOptions& options)
   command.add_option("--csv", options.csv, "Writes a row a tick");
 }
 
+void addValidate(CLI::App& app, ValidateOptions& options)
+{
+  CLI::App& command =
+      *app.add_subcommand("validate", "Repeats the published experiment, with its statistics");
+  command.add_option("--runs", options.runs, "Insertions")->check(CLI::Range(2, 100'000));
+  command.add_option("--seed", options.seed, "Of everything that varies between insertions")
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--jobs", options.jobs, "Insertions at a time; by default one a processor")
+      ->check(CLI::Range(1u, 256u));
+  overrideOption(command, "--model", "model", options.overrides, "rod or points");
+  setOption(command, options.overrides);
+  command.add_option("--variability", options.variability,
+                     "What varies and how much: a file or a shipped name");
+  command.add_option("--out", options.out, "The folder for tables and figures")->required();
+}
+
+void addCalibrate(CLI::App& app, CalibrateOptions& options)
+{
+  CLI::App& command =
+      *app.add_subcommand("calibrate", "Fits two numbers of the array to two printed forces");
+  command.add_option("--runs", options.runs, "Insertions behind each trial")
+      ->check(CLI::Range(2, 10'000));
+  command.add_option("--seed", options.seed, "Of everything that varies between insertions")
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--jobs", options.jobs, "Insertions at a time; by default one a processor")
+      ->check(CLI::Range(1u, 256u));
+  setOption(command, options.overrides);
+  command.add_option("--variability", options.variability,
+                     "What varies and how much: a file or a shipped name");
+  command.add_option("--out", options.out, "The folder for the calibration")->required();
+}
+
+void addPredict(CLI::App& app, PredictOptions& options)
+{
+  CLI::App& command =
+      *app.add_subcommand("predict", "Inserts arrays into cochleae that nothing was fitted to");
+  command.add_option("--array", options.arrays, "Electrode arrays, by name or file")->required();
+  command.add_option("--patients", options.patients, "Virtual patients beside the mean cochlea")
+      ->check(CLI::Range(0, 10'000));
+  command.add_option("--seed", options.seed, "Of the virtual patients")
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--jobs", options.jobs, "Cochleae at a time; by default one a processor")
+      ->check(CLI::Range(1u, 256u));
+  command.add_option("--out", options.out, "The folder for the tables")->required();
+}
+
+void addCompare(CLI::App& app, CompareOptions& options)
+{
+  CLI::App& command = *app.add_subcommand("compare", "Sets recorded insertions side by side");
+  command.add_option("files", options.files, "The .insertion files")->required();
+  command.add_option("--out", options.out, "The folder for tables and curves")->required();
+}
+
 void addRender(CLI::App& app, RenderOptions& options)
 {
   CLI::App& command = *app.add_subcommand("render", "Draws a picture without a window");
@@ -149,7 +202,8 @@ std::string words(const CLI::ParseError& error, const CLI::App& app, int argc, c
   const bool namesNothing = argc < 2 || argv[1][0] == '-' || !app.get_subcommands().empty();
   if (namesNothing) return error.what();
   return "There is no command '" + std::string(argv[1]) +
-         "'; there are simulate, anatomy, replay, render and devices";
+         "'; there are simulate, anatomy, validate, calibrate, predict, compare, replay, "
+         "render and devices";
 }
 
 int report(const Result<Done>& result)
@@ -171,10 +225,18 @@ int run(int argc, char** argv)
   AnatomyOptions anatomyOptions;
   ReplayOptions replayOptions;
   RenderOptions renderOptions;
+  ValidateOptions validateOptions;
+  CalibrateOptions calibrateOptions;
+  PredictOptions predictOptions;
+  CompareOptions compareOptions;
   addSimulate(app, simulateOptions);
   addAnatomy(app, anatomyOptions);
   addReplay(app, replayOptions);
   addRender(app, renderOptions);
+  addValidate(app, validateOptions);
+  addCalibrate(app, calibrateOptions);
+  addPredict(app, predictOptions);
+  addCompare(app, compareOptions);
   DevicesOptions devicesOptions;
   addDevices(app, devicesOptions);
 
@@ -188,6 +250,10 @@ int run(int argc, char** argv)
   if (app.got_subcommand("simulate")) return report(simulate(simulateOptions));
   if (app.got_subcommand("anatomy")) return report(describeAnatomy(anatomyOptions));
   if (app.got_subcommand("replay")) return report(replay(replayOptions));
+  if (app.got_subcommand("validate")) return report(validate(validateOptions));
+  if (app.got_subcommand("calibrate")) return report(calibrate(calibrateOptions));
+  if (app.got_subcommand("predict")) return report(predict(predictOptions));
+  if (app.got_subcommand("compare")) return report(compare(compareOptions));
   if (app.got_subcommand("devices")) return report(devices(devicesOptions));
   return report(render(renderOptions));
 }

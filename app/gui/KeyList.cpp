@@ -29,6 +29,7 @@ KeyList::KeyList(QWidget* parent) : QFrame(parent)
       {tr("Wheel, Ctrl+wheel, + −"), tr("magnify")},
       {{}, tr("Window")},
       {tr("Alt+Home"), tr("begin anew: the first screen")},
+      {tr("Alt+1  Alt+2"), tr("insert, validate")},
       {tr("?"), tr("this list")},
   };
 

@@ -17,6 +17,7 @@
 #include "StartPage.h"
 #include "Theme.h"
 #include "TopBar.h"
+#include "ValidatePage.h"
 
 namespace perilymph::gui {
 
@@ -46,6 +47,7 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
       bottom_(new BottomBar(this)),
       keys_(new KeyList(view_)),
       startPage_(new StartPage(this)),
+      validation_(new ValidatePage(this)),
       anatomyWork_(this),
       pages_(new QStackedWidget(this))
 {
@@ -99,6 +101,7 @@ void MainWindow::layOut()
   // in the order of Page
   pages_->addWidget(startPage_);
   pages_->addWidget(insertPage());
+  pages_->addWidget(validation_);
 
   QFrame* topLine = line(this);
   topLine->setFixedHeight(1);

@@ -27,6 +27,7 @@ class KeyList;
 class OperationView;
 class SidePanel;
 class StartPage;
+class ValidatePage;
 
 /// Shows an insertion and asks for its next steps; computes none of it. A view pulls, converts,
 /// draws: one turn of a timer, at most 60 times a second, updates everything and renders what
@@ -105,6 +106,7 @@ private:
   BottomBar* bottom_;
   KeyList* keys_;
   StartPage* startPage_;
+  ValidatePage* validation_;
   AnatomyWork anatomyWork_;
   QStackedWidget* pages_;
   Page page_ = Page::insert;

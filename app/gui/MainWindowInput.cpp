@@ -9,6 +9,7 @@
 #include "MainWindow.h"
 #include "OperationView.h"
 #include "SidePanel.h"
+#include "ValidatePage.h"
 
 namespace perilymph::gui {
 
@@ -32,8 +33,10 @@ void MainWindow::keyPressEvent(QKeyEvent* event)
   if ((event->modifiers() & Qt::AltModifier) != 0) {
     if (key == Qt::Key_Home) return showPage(Page::start);
     if (key == Qt::Key_1) return showPage(Page::insert);
+    if (key == Qt::Key_2) return showPage(Page::validate);
     return QWidget::keyPressEvent(event);
   }
+  if (page_ == Page::validate && key == Qt::Key_Escape) return validation_->cancel();
   if (page_ != Page::insert) return QWidget::keyPressEvent(event);
   if (isControl && key == Qt::Key_R) return reset();
   if (isControl) return QWidget::keyPressEvent(event);

@@ -47,6 +47,12 @@ QLineEdit {
   selection-background-color: %accent%; selection-color: #0B1412;
 }
 QLineEdit:focus { border-color: %accent%; }
+QSpinBox {
+  background: %ground%; border: 1px solid %line%; border-radius: 4px; padding: 0 8px;
+}
+QSpinBox:focus { border-color: %accent%; }
+QProgressBar { background: %ground%; border: none; border-radius: 3px; }
+QProgressBar::chunk { background: %accent%; border-radius: 3px; }
 QPushButton#keysButton { background: transparent; border-color: transparent; color: %quietText%; }
 QPushButton#keysButton:hover { color: %text%; border-color: %line%; }
 

@@ -101,6 +101,7 @@ TopBar::TopBar(QWidget* parent)
   auto* pages = new QHBoxLayout;
   pages->setSpacing(spacing);
   pages->addWidget(addPage(Page::insert, tr("Insert"), "insertPageButton"));
+  pages->addWidget(addPage(Page::validate, tr("Validate"), "validatePageButton"));
   left->addLayout(pages);
   left->addStretch();
   auto* right = new QHBoxLayout;

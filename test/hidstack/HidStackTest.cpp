@@ -117,22 +117,35 @@ TEST_F(RealHidStack, CountsTheOneReportThatADeviceSentTwice)
 
 TEST_F(RealHidStack, AnswersEveryReportWithTheForceOfItsOwnTick)
 {
-  EXPECT_GT(measured("contact.ticks"), 1000.0);
-  EXPECT_EQ(measured("contact.answered"), measured("contact.ticks"));
-  EXPECT_EQ(measured("contact.caused"), measured("contact.ticks"));
+  EXPECT_GT(measured("session.ticks"), 1000.0);
+  EXPECT_EQ(measured("session.answered"), measured("session.ticks"));
+  EXPECT_EQ(measured("session.caused"), measured("session.ticks"));
 }
 
 TEST_F(RealHidStack, TakesAtMostAHundredMicrosecondsBesidesTheEngineFromTickToForce)
 {
-  measured("contact.tick_to_force_p50_us");
-  measured("contact.engine_p50_us");
-  EXPECT_LE(measured("contact.tick_to_force_p999_us"), 100.0 + measured("contact.engine_p999_us"));
+  for (const char* name : {"tick_to_force", "engine", "besides_engine"})
+    for (const char* share : {"_p50_us", "_p999_us", "_max_us"})
+      measured(std::string("session.") + name + share);
+  EXPECT_LE(measured("session.tick_to_force_p999_us"), 100.0 + measured("session.engine_p999_us"));
+  // Tick by tick, too, but for the few in which the one processor has something else to do.
+  EXPECT_LE(measured("session.besides_engine_p99_us"), 100.0);
+}
+
+TEST_F(RealHidStack, IsCountedTheSameByTheHandItself)
+{
+  // The device counts on while it is silent.
+  EXPECT_EQ(measured("session.hand_lost"), silentReports);
+  EXPECT_EQ(measured("session.hand_repeated"), 0.0);
+  EXPECT_EQ(measured("session.hand_blocked_writes"), 0.0);
+  EXPECT_EQ(measured("session.hand_reconnections"), 1.0);
+  EXPECT_NEAR(measured("session.hand_period_ms"), 1.0, 0.001);
 }
 
 TEST_F(RealHidStack, RestsWhereTheCouplingBalancesThePush)
 {
-  EXPECT_NEAR(measured("contact.rest_penetration_mm"), balance_mm, restTolerance * balance_mm);
-  EXPECT_LE(measured("contact.rest_swing_mm"), restTolerance * balance_mm);
+  EXPECT_NEAR(measured("session.rest_penetration_mm"), balance_mm, restTolerance * balance_mm);
+  EXPECT_LE(measured("session.rest_swing_mm"), restTolerance * balance_mm);
 }
 
 TEST_F(RealHidStack, WouldSeeAForceOfDoubleScale)
@@ -145,6 +158,24 @@ TEST_F(RealHidStack, WouldSeeAForceOfTheWrongSign)
 {
   // Nothing holds the handle: it lies at its end stop.
   EXPECT_GE(measured("flipped.rest_penetration_mm"), 50.0);
+}
+
+TEST_F(RealHidStack, SwitchesTheForceOffWithinFiveMillisecondsOfTheLastReport)
+{
+  EXPECT_NEAR(measured("session.silence_force_before_N"), pushAtRest, 0.05 * pushAtRest);
+  EXPECT_LE(measured("session.silence_zero_heard_ms"), 5.0);
+}
+
+TEST_F(RealHidStack, SwitchesTheForceOffWithinFiveMillisecondsOfAnUnplug)
+{
+  EXPECT_NEAR(measured("session.unplugged_force_before_N"), pushAtRest, 0.05 * pushAtRest);
+  EXPECT_LE(measured("session.unplugged_zero_written_ms"), 5.0);
+}
+
+TEST_F(RealHidStack, RestsInTheSamePlaceAfterAReplug)
+{
+  EXPECT_NEAR(measured("session.rest_again_penetration_mm"), balance_mm,
+              restTolerance * balance_mm);
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ class TestRun(PretendedSystem):
     def test_long_adds_both_sanitizers_and_still_ends_with_the_count(self):
         result = self.call(SCRIPT, "--long")
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(sorted(self.presets()), ["asan", "dev", "tsan"])
+        self.assertEqual(sorted(self.presets()), ["asan", "dev", "long", "tsan"])
         self.assertEqual(result.stdout.strip().splitlines()[-1], COUNT)
 
     def test_a_failed_test_fails_the_run(self):
@@ -48,7 +48,7 @@ class TestRun(PretendedSystem):
     def test_a_sanitizer_that_found_something_fails_the_run_but_lets_the_rest_go_on(self):
         self.pretend("ctest", "[[ $2 != asan ]]")
         self.assert_one_sentence(self.call(SCRIPT, "--long"), "Tests failed in: asan.")
-        self.assertEqual(sorted(self.presets()), ["asan", "dev", "tsan"])
+        self.assertEqual(sorted(self.presets()), ["asan", "dev", "long", "tsan"])
 
     def test_an_unknown_word_is_refused(self):
         result = self.call(SCRIPT, "--short")

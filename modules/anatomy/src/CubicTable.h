@@ -17,10 +17,11 @@ struct CubicWeights {
   explicit CubicWeights(double f) noexcept
   {
     const double g = 1.0 - f;
-    value[0] = g * g * g / 6.0;
-    value[1] = (4.0 - 6.0 * f * f + 3.0 * f * f * f) / 6.0;
-    value[2] = (4.0 - 6.0 * g * g + 3.0 * g * g * g) / 6.0;
-    value[3] = f * f * f / 6.0;
+    constexpr double sixth = 1.0 / 6.0;
+    value[0] = sixth * (g * g * g);
+    value[1] = sixth * (4.0 - 6.0 * f * f + 3.0 * f * f * f);
+    value[2] = sixth * (4.0 - 6.0 * g * g + 3.0 * g * g * g);
+    value[3] = sixth * (f * f * f);
     slope[0] = -0.5 * g * g;
     slope[1] = f * (1.5 * f - 2.0);
     slope[2] = g * (2.0 - 1.5 * g);

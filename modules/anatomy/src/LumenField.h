@@ -3,11 +3,14 @@
 // The wall query of a scala tympani: a table of distances in unrolled coordinates, smooth in all
 // three, read in the tick.
 
+#include <array>
 #include <vector>
 
 #include "perilymph/anatomy/ScalaTympani.h"
 
 namespace perilymph::anatomy {
+
+struct CubicBlock;
 
 /// Signed distance to the wall over (angle, radial, axial), the last two as shares of the section's
 /// half width and half height, as a uniform tricubic B-spline.
@@ -25,19 +28,47 @@ public:
               WallPoint& wall) const noexcept;
 
 private:
+  // The columns of the table along the duct: the section's center, its half width and half height,
+  // and the basilar membrane's edges and height from that center [m].
+  enum Column : std::size_t {
+    centerRadius,
+    centerHeight,
+    halfWidth,
+    halfHeight,
+    membraneInner,
+    membraneOuter,
+    membraneHeight,
+    columns
+  };
+
   struct Unrolled;
+
+  // how the table is made
   void fillSection(const ScalaTympani& scala, int section);
   void continueIntoLeadIn();
-  Unrolled unroll(const Eigen::Vector3d& point_W, const LumenTrack& track,
-                  bool inLeadIn) const noexcept;
+  double along(Column column, std::size_t section, const double weights[4]) const noexcept;
+
+  // how it is read
+  bool track(const Eigen::Vector3d& point_W, LumenTrack& track) const noexcept;
+  Unrolled unroll(const Eigen::Vector3d& point_W, const LumenTrack& track) const noexcept;
+  /// The distance and its derivatives by the angle's index and by those of p and q [m].
+  CubicBlock distanceAt(const Unrolled& at) const noexcept;
+  void setTurning(const Eigen::Vector3d& point_W, const LumenTrack& track, const Unrolled& at,
+                  const CubicBlock& spline, WallPoint& wall) const noexcept;
+  bool isOnMembrane(const LumenTrack& track, const Unrolled& at,
+                    const WallPoint& wall) const noexcept;
+
+  static constexpr int across = 46;                     // samples over a section, each way
+  static constexpr std::size_t page = across * across;  // samples of a section
+  static constexpr double margin = 1.25;  // the table goes this many half widths and heights out
+  static constexpr double perShare = (across - 3) / (2.0 * margin);  // samples per unit of share
 
   Entry entry_;
   Eigen::Vector3d inward_W_;
   double lastAngle_, perSection_;
   int sections_ = 0;
-  // Coefficients over the angle.
-  std::vector<double> centerRadius_, centerHeight_, halfWidth_, halfHeight_;
-  std::vector<double> membraneInner_, membraneOuter_, membraneHeight_;
+  /// Spline coefficients over the angle, two more than sections.
+  std::vector<std::array<double, columns>> along_;
   std::vector<double>
       leastRadius_;  ///< Per section: the wall's least distance from the center [m].
   std::vector<double>

@@ -18,9 +18,19 @@ Eigen::Vector3d corner(const Surface& surface, int index)
   return {p[0], p[1], p[2]};
 }
 
-/// The shares of the corners in the place of a triangle nearest to a point, by the region of the
-/// triangle's plane in which the point's projection lies (Ericson, Real-Time Collision Detection,
-/// section 5.1.5).
+double squaredDistance(const Eigen::Vector3d& point, const Eigen::Vector3d& low,
+                       const Eigen::Vector3d& high) noexcept
+{
+  double sum = 0.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double out = std::max({low[axis] - point[axis], point[axis] - high[axis], 0.0});
+    sum += out * out;
+  }
+  return sum;
+}
+
+}  // namespace
+
 Eigen::Vector3d nearestShares(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
                               const Eigen::Vector3d& b, const Eigen::Vector3d& c) noexcept
 {
@@ -52,19 +62,6 @@ Eigen::Vector3d nearestShares(const Eigen::Vector3d& p, const Eigen::Vector3d& a
   const double whole = va + vb + vc;
   return {va / whole, vb / whole, vc / whole};
 }
-
-double squaredDistance(const Eigen::Vector3d& point, const Eigen::Vector3d& low,
-                       const Eigen::Vector3d& high) noexcept
-{
-  double sum = 0.0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double out = std::max({low[axis] - point[axis], point[axis] - high[axis], 0.0});
-    sum += out * out;
-  }
-  return sum;
-}
-
-}  // namespace
 
 SurfaceDistance::SurfaceDistance(const Surface& surface)
 {

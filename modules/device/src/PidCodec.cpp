@@ -40,8 +40,8 @@ void PidCodec::encode(const Wrench& wrench_D, ReportList& reports) noexcept
 
 void PidCodec::encodeDirection(const Vector3& magnitude, ReportList& reports) const noexcept
 {
-  // Polar, clockwise from north, which is the negative second axis. The axes are the device's own,
-  // in the order of their usages: X before Y before Z.
+  // Where the force comes from, clockwise from north, which is the negative second axis. The axes
+  // are the device's own, in the order of their usages: X before Y before Z.
   std::array<std::size_t, 2> axes{};
   std::size_t found = 0;
   for (std::size_t i = 0; i < 3 && found < 2; ++i)
@@ -52,7 +52,7 @@ void PidCodec::encodeDirection(const Vector3& magnitude, ReportList& reports) co
   const double east = magnitude[axes[0]];
   const double south = magnitude[axes[1]];
   const double share = std::sqrt(east * east + south * south);
-  const double direction = arcTangent(east, -south);
+  const double direction = arcTangent(-east, south);
   reports_.setEffect(reports.reports[0], effects_[0].block, 0, direction);
   reports_.constantForce(reports.reports[1], effects_[0].block, share);
   reports.count = 2;

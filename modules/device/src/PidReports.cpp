@@ -150,7 +150,7 @@ void PidReports::setEffect(RawReport& report, std::int64_t block, unsigned axes,
   const auto bytes = body(report);
   putNumber(bytes, effectBlock_.slot, block);
   if (effectType_) putNumber(bytes, effectType_->slot, effectType_->value);
-  // All ones is without end, and as a trigger no button (PID 1.0, 4.4).
+  // The greatest value of the field is "without end", and as a trigger "no button".
   if (duration_) putNumber(bytes, *duration_, allOnes(*duration_));
   if (trigger_) putNumber(bytes, *trigger_, allOnes(*trigger_));
   if (effectGain_) putNumber(bytes, *effectGain_, effectGain_->high);

@@ -25,7 +25,7 @@ public:
   std::optional<RawReport> gain(double share) const noexcept;
   /// An effect without end along one axis, several or a direction; see PidLayout::Effects.
   /// @param axes       Bits of D's axes that are enabled.
-  /// @param direction  Polar [rad]; nothing where axes are enabled instead.
+  /// @param direction  Where the force comes from [rad]; nothing where axes are enabled instead.
   void setEffect(RawReport& report, std::int64_t block, unsigned axes,
                  std::optional<double> direction) const noexcept;
   /// @param share  Of the greatest magnitude, -1 to 1.

@@ -23,6 +23,16 @@ std::optional<std::uint32_t> indexOf(const ReportField& field, Usage usage) noex
   return std::nullopt;
 }
 
+/// Whether one element stands for several usages. Some devices (wheels by Moza) declare such an
+/// array as a variable by mistake.
+bool isArrayAtHeart(const ReportField& field) noexcept
+{
+  if (field.isArray || field.count != 1) return field.isArray;
+  std::uint32_t usages = 0;
+  for (const UsageRange& range : field.usages) usages += sizeOf(range);
+  return usages > 1 && field.bitsEach > 1;
+}
+
 ReportSlot slotOf(const ReportField& field, std::uint32_t element) noexcept
 {
   ReportSlot slot;
@@ -87,7 +97,7 @@ std::optional<UsageChoice> ReportDescriptor::choice(ReportKind kind, Usage usage
                                                     Usage within) const noexcept
 {
   for (const ReportField& field : fields_) {
-    if (field.kind != kind || !field.isArray || field.isConstant || field.count == 0) continue;
+    if (field.kind != kind || !isArrayAtHeart(field) || field.isConstant) continue;
     if (!isInside(field.collection, within)) continue;
     const auto index = indexOf(field, usage);
     if (!index) continue;

@@ -185,8 +185,7 @@ void InsertionEngine::moveMechanics(const Hand& hand) noexcept
 {
   if (hasBegun_) ++ticksSinceBegin_;
   if (workflow_ == Workflow::inserting) hasBegun_ = true;
-  styletWithdrawal_ =
-      std::min(styletTarget_, styletWithdrawal_ + settings_.styletSpeed * model_->timeStep);
+  moveStylet();
 
   const mechanics::Drive drive = workflow_ == Workflow::inserting ? follow(hand) : hold();
   mechanics::advance(*model_, state_, drive);
@@ -198,6 +197,19 @@ void InsertionEngine::moveMechanics(const Hand& hand) noexcept
   }
   if (state_.readings.residual > mostResidual) output_.status |= notSettled;
   if (workflow_ == Workflow::inserting) noteArrival();
+}
+
+void InsertionEngine::moveStylet() noexcept
+{
+  styletWithdrawal_ =
+      std::min(styletTarget_, styletWithdrawal_ + settings_.styletSpeed * model_->timeStep);
+  if (!settings_.styletHoldDepth || model_->styletBending <= 0.0) return;
+  // Held still in the cochlea: what the array went on since then, it left the stylet. Drawn back,
+  // the array takes the stylet along.
+  const double held = state_.readings.depth - model_->styletFromTip - *settings_.styletHoldDepth;
+  styletWithdrawal_ = std::clamp(held, styletWithdrawal_,
+                                 std::max(styletWithdrawal_, model_->parts.array.length.si()));
+  styletTarget_ = std::max(styletTarget_, styletWithdrawal_);
 }
 
 mechanics::Drive InsertionEngine::hold() const noexcept

@@ -33,6 +33,9 @@ EngineSettings checkedSettings(const EngineSettings& settings)
   require(settings.forceScale, 0.0, mostForceScale, "The scale of the force shown", "");
   require(settings.motionScale, 0.01, 10.0, "The scale of the motion", "");
   require(settings.styletSpeed * 1e3, 0.01, 1000.0, "The speed of the stylet", "mm/s");
+  if (settings.styletHoldDepth)
+    require(*settings.styletHoldDepth * 1e3, 0.0, 100.0, "The depth at which a stylet is held",
+            "mm");
   require(settings.samplePeriod * 1e3, 0.01, 100.0, "The device's sample period", "ms");
   return settings;
 }

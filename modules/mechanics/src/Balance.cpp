@@ -78,17 +78,17 @@ void setStiffnessOfBalance(const InsertionModel& model, const Base& base, Compre
 {
   const auto n = static_cast<std::size_t>(model.nodes);
   const double perTime = 1.0 / model.timeStep;
-  room.system.clear();
+  room.matrix.clear();
   addRodStiffness(model, compression, room);
   addWallStiffness(room);
   addRimStiffness(room);
   for (std::size_t i = 2; i < n; ++i)
-    room.system.diagonal[blockOf(i)] +=
+    room.matrix.diagonal[blockOf(i)] +=
         uniform((model.mass[i] * perTime + model.drag[i]) * perTime);
   if (base.isHeld)
-    room.system.holdFirst();
+    room.matrix.holdFirst();
   else
-    room.system.diagonal[0] += uniform(base.inertia + base.grip);
+    room.matrix.diagonal[0] += uniform(base.inertia + base.grip);
 }
 
 }  // namespace perilymph::mechanics

@@ -30,7 +30,7 @@ struct Balance {
 /// All forces at state.position_W. Leaves those that are unbalanced in room.right.
 Balance balance(const InsertionModel& model, InsertionState& state, const Base& base) noexcept;
 
-/// Fills room.system with the derivative of the last balance: minus room.right by the positions.
+/// Fills room.matrix with the derivative of the last balance: minus room.right by the positions.
 void setStiffnessOfBalance(const InsertionModel& model, const Base& base, Compression compression,
                            StepRoom& room) noexcept;
 

@@ -45,7 +45,13 @@ void check(const Opening& opening, const electrode::ArrayDesign& array)
 void check(const ModelParts& parts)
 {
   require(parts.lumen != nullptr, "An insertion needs a lumen.");
-  require(parts.nodes >= 8 && parts.nodes <= mostNodes,
+  if (parts.kind == ModelKind::points) {
+    require(parts.nodes >= 2 && parts.nodes <= mostPoints,
+            "The array has " + std::to_string(parts.nodes) + " sample points; it must have 2 to " +
+                std::to_string(mostPoints) + ".");
+    require(parts.hapticSurface != nullptr, "A point set needs a haptic surface to touch.");
+  }
+  require(parts.kind == ModelKind::points || (parts.nodes >= 8 && parts.nodes <= mostNodes),
           "The array has " + std::to_string(parts.nodes) + " nodes; it must have 8 to " +
               std::to_string(mostNodes) + ".");
   const double step_ms = inMilliseconds(parts.timeStep);
@@ -96,6 +102,7 @@ std::uint64_t fingerprintOf(const InsertionModel& model)
         model.parts.friction.stribeck.si(), model.parts.wall.onset.si(),
         model.parts.wall.perSamplePoint.si(), model.parts.wall.tangentialPerSamplePoint.si()})
     hash.add(value);
+  model.parts.friction.bySpeed.addTo(hash);
   hash.add(model.membrane.has_value());
   if (model.membrane) {
     hash.add(model.parts.membrane->perSamplePoint.si());
@@ -110,6 +117,7 @@ std::uint64_t fingerprintOf(const InsertionModel& model)
       hash.add(value.si());
     for (const Length rib : model.parts.array.ribsFromTip) hash.add(rib.si());
   }
+  if (model.points) hash.add(model.points->fingerprint);
   return hash.value();
 }
 
@@ -178,6 +186,8 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
   if (m.parts.membrane)
     if (const auto* scala = dynamic_cast<const anatomy::ScalaTympani*>(m.parts.lumen.get()))
       m.membrane.emplace(*scala);
+  if (m.parts.kind == ModelKind::points)
+    m.points = std::make_shared<PointSetModel>(*m.parts.hapticSurface, m.nodes, m.timeStep);
   m.fingerprint = fingerprintOf(m);
   return model;
 }

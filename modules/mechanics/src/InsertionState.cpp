@@ -1,6 +1,7 @@
 #include "perilymph/mechanics/InsertionState.h"
 
 #include "perilymph/foundation/Hash.h"
+#include "points/advancePoints.h"
 
 namespace perilymph::mechanics {
 namespace {
@@ -19,11 +20,17 @@ InsertionState::InsertionState(const InsertionModel& model)
       isSliding(position_W.size()),
       slipSpeed(position_W.size()),
       track(position_W.size()),
+      clearance(position_W.size()),
       normalForce(position_W.size()),
       wallForce_W(position_W.size()),
       membraneForce(position_W.size()),
+      factors(position_W.size() - 1),
       room(position_W.size())
 {
+  if (model.points) {
+    points.place_W.resize(position_W.size());
+    points.proxy_W.resize(position_W.size());
+  }
   reset(model);
 }
 
@@ -43,10 +50,13 @@ void InsertionState::reset(const InsertionModel& model) noexcept
     normalForce[i] = 0.0;
     wallForce_W[i].setZero();
     membraneForce[i] = 0.0;
-    // nodes farther from the wall than this need no more than that fact
-    room.reach[i] = model.radius[i] + 0.02e-3;
+    clearance[i] = 0.0;
+    // nodes farther from the wall than this do not touch it
+    room.reach[i] = model.radius[i];
   }
   rim = RimContact{};
+  factors.forget();
+  if (model.points) resetPoints(model, *this);
   readings = Readings{};
   readings.depth = model.parts.startInside.si() > 0.0 ? model.parts.startInside.si() : 0.0;
 }
@@ -66,11 +76,14 @@ std::uint64_t InsertionState::fingerprint() const noexcept
     hash.add(slipSpeed[i]);
     hash.add(track[i].inLeadIn);
     hash.add(track[i].angle);
+    hash.add(clearance[i]);
     hash.add(normalForce[i]);
   }
+  factors.addTo(hash);
   addVector(hash, rim.spring_W);
   hash.add(rim.isSliding);
   hash.add(rim.slipSpeed);
+  if (!points.place_W.empty()) points.addTo(hash);
   return hash.value();
 }
 

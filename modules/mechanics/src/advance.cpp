@@ -5,12 +5,16 @@
 #include <cmath>
 
 #include "Newton.h"
+#include "contact/Clearance.h"
+#include "contact/Contact.h"
+#include "points/advancePoints.h"
 #include "rod/Rod.h"
 
 namespace perilymph::mechanics {
 namespace {
 
-/// First guess: every node slides along the array by as much as the base advances.
+/// First guess: while the hand goes on as it did, every node goes on as it did, faster or slower by
+/// the same share; else every node slides along the array by as much as the base advances.
 void predict(const InsertionModel& model, InsertionState& state, const Drive& drive,
              const Base& base) noexcept
 {
@@ -19,10 +23,15 @@ void predict(const InsertionModel& model, InsertionState& state, const Drive& dr
   Eigen::Vector3d to_W = drive.handPosition_W;
   if (!base.isHeld)
     to_W = (base.inertia * base.free_W + base.grip * base.gripped_W) / (base.inertia + base.grip);
-  const Eigen::Vector3d motion = to_W - room.before_W[0];
-  const double forward = motion.dot(drive.handAxis_W);
+  const double forward = (to_W - room.before_W[0]).dot(drive.handAxis_W);
+  const double lastForward = model.timeStep * state.baseVelocity_W.dot(drive.handAxis_W);
+  const double share = forward / lastForward;
+  const bool goesOn = share > 0.25 && share < 4.0;
   for (std::size_t i = 2; i < n; ++i) {
-    state.position_W[i] = room.before_W[i] + forward * room.edge[i - 1].tangent_W;
+    const Eigen::Vector3d motion =
+        goesOn ? Eigen::Vector3d(share * model.timeStep * state.velocity_W[i])
+               : Eigen::Vector3d(forward * room.edge[i - 1].tangent_W);
+    state.position_W[i] = room.before_W[i] + motion;
   }
   state.position_W[0] = to_W;
   state.position_W[1] = to_W + model.spacing * drive.handAxis_W;
@@ -85,6 +94,7 @@ void read(const InsertionModel& model, InsertionState& state, const Drive& drive
 
 void advance(const InsertionModel& model, InsertionState& state, const Drive& drive) noexcept
 {
+  if (model.points) return advancePoints(model, state, drive);
   StepRoom& room = state.room;
   const std::size_t n = state.position_W.size();
 
@@ -109,6 +119,7 @@ void advance(const InsertionModel& model, InsertionState& state, const Drive& dr
     state.isSliding[i] = room.isSliding[i];
     state.slipSpeed[i] = perTime * room.slip[i];
   }
+  keepClearance(state);
   state.rim = room.rim;
   ++state.tick;
   read(model, state, drive, base, settled);

@@ -15,6 +15,13 @@ std::string tomlNumber(double value)
   return text;
 }
 
+std::string tomlNumbers(const std::vector<double>& values)
+{
+  std::string text;
+  for (const double value : values) text += (text.empty() ? "[" : ", ") + tomlNumber(value);
+  return text + ']';
+}
+
 std::string tomlText(const std::string& text)
 {
   std::string quoted = "\"";

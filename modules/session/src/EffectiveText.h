@@ -15,6 +15,9 @@ namespace perilymph::session {
 /// The shortest decimal that reads back as the same number, marked as a float for TOML ("2.0").
 std::string tomlNumber(double value);
 
+/// Numbers as a TOML array.
+std::string tomlNumbers(const std::vector<double>& values);
+
 /// A TOML basic string, quoted and escaped.
 std::string tomlText(const std::string& text);
 

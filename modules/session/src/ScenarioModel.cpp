@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "perilymph/anatomy/ClarkScala.h"
+#include "perilymph/anatomy/HapticSurface.h"
 #include "perilymph/anatomy/MeanScala.h"
 #include "perilymph/session/Scenario.h"
 
@@ -27,10 +28,16 @@ Result<std::shared_ptr<const mechanics::InsertionModel>> buildModel(
     const Scenario& scenario, std::shared_ptr<const anatomy::ScalaTympani> anatomy)
 {
   mechanics::ModelParts parts;
+  parts.kind = scenario.model;
+  if (parts.kind == mechanics::ModelKind::points)
+    parts.hapticSurface =
+        std::make_shared<const anatomy::Surface>(anatomy::hapticSurface(*anatomy));
   parts.lumen = std::move(anatomy);
   parts.array = scenario.array;
   parts.friction = scenario.friction;
   parts.wall = scenario.wall;
+  parts.opening = scenario.opening;
+  parts.membrane = scenario.membrane;
   parts.nodes = scenario.nodes;
   parts.timeStep = scenario.timeStep;
   parts.startInside = scenario.startInside;

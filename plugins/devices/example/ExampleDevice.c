@@ -22,14 +22,21 @@ typedef struct Handle {
 
 /* There is one, and nothing to allocate. A real plug-in would look for its hardware here. */
 static Handle theHandle;
+static int isTaken;
 
 static void* create(void)
 {
+  if (isTaken) return 0;
+  isTaken = 1;
   memset(&theHandle, 0, sizeof theHandle);
   return &theHandle;
 }
 
-static void destroy(void* device) { (void)device; }
+static void destroy(void* device)
+{
+  (void)device;
+  isTaken = 0;
+}
 
 static int32_t traits(void* device, PerilymphDeviceTraitsV1* out)
 {

@@ -69,7 +69,7 @@ TEST(Simulate, SaysWhatIsWrongWithTheScenario)
   expectRefusal(cli(shortSimulation({"--set", "speed=3"})), "speed_mm_s");
   expectRefusal(cli(shortSimulation({"--set", "friction=ice"})), "paper");
   expectRefusal(cli(shortSimulation({"--set", "nodes=3"})), "between 8 and 1024");
-  expectRefusal(cli(shortSimulation({"--model", "points"})), "not in this version");
+  expectRefusal(cli(shortSimulation({"--model", "jelly"})), "'rod' or 'points'");
   expectRefusal(cli(shortSimulation({"--patient", "nobody"})), "average");
   expectRefusal(cli(shortSimulation({"--array", "spaghetti"})), "contour");
   const TemporaryFolder folder;

@@ -11,6 +11,7 @@
 #include <vector>
 
 /// Takes one input. Ends the program where a promise is broken.
+// NOLINTNEXTLINE(readability-identifier-naming): the name is libFuzzer's
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace perilymph::fuzz {

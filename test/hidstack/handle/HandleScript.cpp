@@ -4,57 +4,62 @@ namespace perilymph::hidstack {
 
 namespace {
 
-const Passage greeting{.name = "greeting"};
-/// Long enough for the force to be faded in before anything touches.
-const Passage grasp{.name = "grasp", .duration = 0.8, .isButtonPressed = true};
-
-Passage pushing(const std::string& name, double duration)
-{
-  return {name, duration, Grip::free, true, pushAtRest, Wire::reporting};
-}
-
 /// Takes hold, slides to the wall and comes to rest there.
 void addContact(std::vector<Passage>& passages, const std::string& restName)
 {
-  passages.push_back(greeting);
-  passages.push_back({.name = "loose", .duration = 0.2});
-  passages.push_back(grasp);
-  passages.push_back(pushing("slide", 1.5));
-  passages.push_back(pushing(restName, 0.3));
+  passages.push_back({.name = "greeting"});
+  // Until the host has made up its mind about the device.
+  passages.push_back({.name = "loose", .duration = 0.15});
+  // Long enough for the force to be faded in before anything touches.
+  passages.push_back({.name = "grasp", .duration = 0.6, .isButtonPressed = true});
+  Passage sliding{.name = "slide", .duration = 1.0, .isButtonPressed = true};
+  sliding.grip = Grip::free;
+  sliding.push = pushAtRest;
+  passages.push_back(sliding);
+  sliding.name = restName;
+  sliding.duration = 0.2;
+  passages.push_back(sliding);
+}
+
+/// A whole session: at rest, unplugged, at rest again, silent, and back.
+std::vector<Passage> session()
+{
+  std::vector<Passage> passages;
+  addContact(passages, "rest");
+  passages.push_back({.name = "unplugged", .duration = 0.2, .wire = Wire::unplugged});
+  addContact(passages, "rest_again");
+  Passage last = passages.back();
+  last.name = "silence";
+  last.duration = 1e-3 * silentReports;
+  last.wire = Wire::silent;
+  passages.push_back(last);
+  last.name = "again";
+  last.duration = 0.2;
+  last.wire = Wire::reporting;
+  passages.push_back(last);
+  return passages;
 }
 
 }  // namespace
 
 Result<HandleScript> scriptNamed(const std::string& name)
 {
-  HandleScript script;
-  if (name == "stream" || name == "lost" || name == "repeated") {
-    script.passages = {{.name = "stream", .duration = name == "stream" ? 5.5 : 1.2}};
-    if (name == "lost") script.flaw = Flaw::lostReport;
-    if (name == "repeated") script.flaw = Flaw::repeatedReport;
-    return script;
-  }
+  if (name == "stream") return HandleScript{{{.name = name, .duration = 5.3}}, Flaw::none};
+  if (name == "lost") return HandleScript{{{.name = name, .duration = 0.8}}, Flaw::lostReport};
+  if (name == "repeated")
+    return HandleScript{{{.name = name, .duration = 0.8}}, Flaw::repeatedReport};
+  if (name == "session") return HandleScript{session(), Flaw::none};
 
-  addContact(script.passages, "rest");
-  if (name == "contact") return script;
-  if (name == "flipped" || name == "doubled") {
-    script.flaw = name == "flipped" ? Flaw::flippedForce : Flaw::doubledForce;
-    return script;
-  }
-  if (name == "stall") {
-    Passage silence = pushing("silence", 0.1);
-    silence.wire = Wire::silent;
-    script.passages.push_back(silence);
-    script.passages.push_back(pushing("again", 0.3));
-    return script;
-  }
-  if (name == "unplug") {
-    script.passages.push_back({.name = "unplugged", .duration = 0.3, .wire = Wire::unplugged});
-    addContact(script.passages, "rest_again");
-    return script;
-  }
-  return Error{"There is no script '" + name +
-               "'; take stream, contact, stall, unplug, flipped, doubled, lost or repeated."};
+  HandleScript contact;
+  addContact(contact.passages, "rest");
+  if (name == "flipped")
+    contact.flaw = Flaw::flippedForce;
+  else if (name == "doubled")
+    contact.flaw = Flaw::doubledForce;
+  else
+    return Error{"There is no script '" + name +
+                 "'; take stream, lost, repeated, session, flipped or doubled."};
+  return contact;
 }
 
 }  // namespace perilymph::hidstack

@@ -36,7 +36,10 @@ struct HandleScript {
 /// The push of the hand into the wall [N].
 inline constexpr double pushAtRest = 0.2;
 
-/// stream, contact, stall, unplug, flipped, doubled, lost or repeated; a sentence for other names.
+/// Reports that never come while the handle is silent, of a thousand a second.
+inline constexpr int silentReports = 50;
+
+/// stream, lost, repeated, session, flipped or doubled; a sentence for other names.
 Result<HandleScript> scriptNamed(const std::string& name);
 
 }  // namespace perilymph::hidstack

@@ -68,19 +68,25 @@ Result<Done> follow(Wire wire, UhidDevice& device)
   return device.plug("Perilymph virtual handle", vendor, product, reportDescriptor());
 }
 
+/// Takes whatever the kernel has for the device.
+void listen(UhidDevice& device, VirtualHandle& handle)
+{
+  std::span<const std::uint8_t> bytes;
+  for (UhidEvent event = UhidEvent::other; event != UhidEvent::nothing;) {
+    event = device.take(bytes);
+    if (event != UhidEvent::output) continue;
+    if (const auto report = decodeOutput(bytes))
+      handle.take(*report, realtime::monotonicNanoseconds());
+  }
+}
+
 Result<Done> play(VirtualHandle& handle, Beat& beat)
 {
   UhidDevice device;
   while (true) {
     pollfd waits[2] = {{beat.file(), POLLIN, 0}, {device.file(), POLLIN, 0}};
     if (::poll(waits, device.isPlugged() ? 2 : 1, -1) < 0) continue;
-    std::span<const std::uint8_t> bytes;
-    for (UhidEvent event = UhidEvent::other; device.isPlugged() && event != UhidEvent::nothing;) {
-      event = device.take(bytes);
-      if (event != UhidEvent::output) continue;
-      if (const auto report = decodeOutput(bytes))
-        handle.take(*report, realtime::monotonicNanoseconds());
-    }
+    if (device.isPlugged() && (waits[1].revents & POLLIN) != 0) listen(device, handle);
     if ((waits[0].revents & POLLIN) == 0) continue;
     if (!handle.tick(beat.take())) return Done{};
     if (const auto followed = follow(handle.wire(), device); !followed) return followed;

@@ -96,6 +96,7 @@ TEST(Answers, AreTimedFromTheTickAndFromTheReport)
   EXPECT_NEAR(measure.fromTick.p999, 60e-6, rounding);
   EXPECT_NEAR(measure.fromReport.median, 50e-6, rounding);
   EXPECT_NEAR(measure.engine.most, 20e-6, rounding);
+  EXPECT_NEAR(measure.besides.most, 40e-6, rounding);
 }
 
 TEST(Answers, WithTheForceOfAnotherTickAreNotCaused)

@@ -68,7 +68,7 @@ TEST(VirtualHandle, CountsItsReports)
 
 TEST(VirtualHandle, WaitsUntilTheHostIsHeard)
 {
-  VirtualHandle handle = handleOf("contact");
+  VirtualHandle handle = handleOf("session");
   for (int i = 1; i <= 3000; ++i) handle.tick(i * millisecond);
   EXPECT_EQ(handle.ticks().back().passage, "greeting");
   handle.take(OutputReport{}, 3000 * millisecond + 1);
@@ -78,7 +78,7 @@ TEST(VirtualHandle, WaitsUntilTheHostIsHeard)
 
 TEST(VirtualHandle, SlidesTowardMinusZWhileTheHandPushes)
 {
-  VirtualHandle handle = handleOf("contact");
+  VirtualHandle handle = handleOf("session");
   std::int64_t now = 0;
   ASSERT_TRUE(goTo(handle, "slide", now));
   EXPECT_EQ(said(handle).place[2], 0);
@@ -92,7 +92,7 @@ TEST(VirtualHandle, SlidesTowardMinusZWhileTheHandPushes)
 
 TEST(VirtualHandle, IsHeldBackByAForceTowardTheUser)
 {
-  VirtualHandle handle = handleOf("contact");
+  VirtualHandle handle = handleOf("session");
   std::int64_t now = 0;
   ASSERT_TRUE(goTo(handle, "slide", now));
   OutputReport force;
@@ -131,7 +131,7 @@ TEST(VirtualHandle, LosesOneReportOrSendsOneTwice)
 
 TEST(VirtualHandle, IsBackAtItsStartAfterAnUnplug)
 {
-  VirtualHandle handle = handleOf("unplug");
+  VirtualHandle handle = handleOf("session");
   std::int64_t now = 0;
   ASSERT_TRUE(goTo(handle, "unplugged", now));
   EXPECT_EQ(handle.reportsDue(), 0);
@@ -147,7 +147,7 @@ TEST(HandleScript, OfAnotherNameIsRefusedWithTheNamesThereAre)
   const auto script = scriptNamed("dance");
   ASSERT_FALSE(script);
   EXPECT_NE(script.error().message.find("'dance'"), std::string::npos);
-  EXPECT_NE(script.error().message.find("unplug"), std::string::npos);
+  EXPECT_NE(script.error().message.find("doubled"), std::string::npos);
 }
 
 }  // namespace

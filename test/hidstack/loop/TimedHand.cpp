@@ -4,9 +4,10 @@
 
 namespace perilymph::hidstack {
 
-TimedHand::TimedHand(device::HapticDevice& hand, std::size_t most) : hand_(hand)
+TimedHand::TimedHand(device::HapticDevice& hand, std::size_t most) : hand_(hand), ticks_(most)
 {
-  ticks_.reserve(most);
+  // Every page was touched: noting a tick costs no page fault.
+  ticks_.clear();
 }
 
 device::DeviceSample TimedHand::read() noexcept

@@ -2,9 +2,11 @@
 
 // A hand with a stopwatch: notes when each sample was there and when each force was ready.
 
+#include <optional>
 #include <vector>
 
 #include "TickLog.h"
+#include "perilymph/device/HandHealth.h"
 #include "perilymph/device/HapticDevice.h"
 
 namespace perilymph::hidstack {
@@ -23,6 +25,8 @@ public:
   void close() noexcept override { hand_.close(); }
   device::DeviceSample read() noexcept override;
   void write(const device::Wrench& wrench_D) noexcept override;
+  device::Awaited await(Duration most) noexcept override { return hand_.await(most); }
+  std::optional<device::HandHealth> health() override { return hand_.health(); }
 
   const std::vector<LoopTick>& ticks() const { return ticks_; }
 

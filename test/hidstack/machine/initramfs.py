@@ -74,7 +74,7 @@ def stripped(file):
         return Path(thin.name if done.returncode == 0 else file).read_bytes()
 
 
-def build(init, busybox, programs, modules):
+def build(init, busybox, programs, data, modules):
     """@return the bytes of the archive."""
     archive = Cpio()
     for folder in ("bin", "dev", "log", "modules", "proc", "sys", "tmp"):
@@ -83,12 +83,14 @@ def build(init, busybox, programs, modules):
     archive.character_device("dev/console", 5, 1)
     archive.file("init", Path(init).read_bytes())
     archive.file("bin/busybox", Path(busybox).read_bytes())
-    for name in ("sh", "mount", "insmod", "reboot", "usleep"):
+    for name in ("sh", "mount", "insmod", "reboot"):
         archive.link(f"bin/{name}", "busybox")
     for program in programs:
         archive.file(f"bin/{Path(program).name}", stripped(program))
     for name, file in sorted(libraries_of(programs).items()):
         archive.file(name.lstrip("/"), file.read_bytes())
+    for file in data:
+        archive.file(f"data/{Path(file).name}", Path(file).read_bytes(), 0o644)
     for module in modules:
         archive.file(f"modules/{Path(module).name}", Path(module).read_bytes(), 0o644)
     return archive.bytes()

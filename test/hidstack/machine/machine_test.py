@@ -122,7 +122,7 @@ class Search(InFolder):
 
 class Machine(InFolder):
     def run_machine(self, path, *words):
-        return subprocess.run([sys.executable, str(HERE / "machine.py"), "--programs", str(self.folder),
+        return subprocess.run([sys.executable, "-B", str(HERE / "machine.py"), "--programs", str(self.folder),
                                "--cache", str(self.folder / "cache"),
                                "--results", str(self.folder / "results"), *words],
                               env={"PATH": str(path)}, capture_output=True, text=True, check=False)
@@ -134,8 +134,9 @@ class Machine(InFolder):
         self.assertTrue(text.startswith("skipped: "))
         self.assertIn("install qemu-system-x86", text)
 
-    def test_that_ends_early_is_a_failure_with_all_that_it_said(self):
-        self.program("qemu-system-x86_64", "echo 'measure stream.lost 0'; echo 'Kernel panic'")
+    def pretend(self, emulator):
+        """A run with this script for the emulator and files that are no kernel."""
+        self.program("qemu-system-x86_64", emulator)
         programs = self.program("busybox", "exit 0")
         place = self.folder / "cache"
         place.mkdir()
@@ -143,10 +144,23 @@ class Machine(InFolder):
             (place / name).write_text(name)
         for name in ("virtual_handle", "hid_insertion", "hid_measures"):
             (self.folder / name).write_bytes(Path(sys.executable).resolve().read_bytes())
-        done = self.run_machine(f"{programs}:{os.environ['PATH']}")
+        return self.run_machine(f"{programs}:{os.environ['PATH']}")
+
+    def test_that_ends_early_is_a_failure_with_all_that_it_said(self):
+        done = self.pretend("echo 'measure stream.lost 0'; echo 'Kernel panic'")
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertIn("Kernel panic", done.stderr)
         self.assertFalse((self.folder / "results").exists())
+
+    def test_that_is_stopped_for_its_hunger_is_a_failure_that_says_so(self):
+        done = self.pretend("echo 'measures end'; kill -XCPU $$")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("s of a processor", done.stderr)
+
+    def test_keeps_what_a_whole_run_said(self):
+        done = self.pretend("echo 'measure stream.lost 0'; echo 'measures end'")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("measure stream.lost 0\n", (self.folder / "results").read_text())
 
 
 if __name__ == "__main__":

@@ -59,7 +59,7 @@ AnswerMeasure answersIn(const std::vector<HandleTick>& handle, const std::vector
                         const std::vector<std::string>& passages, double quantum)
 {
   AnswerMeasure measure;
-  std::vector<double> fromTick, fromReport, engine;
+  std::vector<double> fromTick, fromReport, engine, besides;
   for (std::size_t i = 1; i + 1 < handle.size(); ++i) {
     const HandleTick& tick = handle[i];
     const bool isAsked =
@@ -78,11 +78,14 @@ AnswerMeasure answersIn(const std::vector<HandleTick>& handle, const std::vector
     const bool isSame = std::abs(cause->force / quantum - static_cast<double>(tick.force)) <= 1.0;
     if (!isSame) continue;
     ++measure.caused;
-    engine.push_back(seconds(cause->written - cause->read));
+    const std::int64_t computing = cause->written - cause->read;
+    engine.push_back(seconds(computing));
+    besides.push_back(seconds(tick.answered - tick.due - computing));
   }
   measure.fromTick = spreadOf(std::move(fromTick));
   measure.fromReport = spreadOf(std::move(fromReport));
   measure.engine = spreadOf(std::move(engine));
+  measure.besides = spreadOf(std::move(besides));
   return measure;
 }
 

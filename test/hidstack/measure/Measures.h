@@ -35,7 +35,8 @@ struct AnswerMeasure {
   std::int64_t caused = 0;    ///< Of these: with the force of the tick that read this report.
   Spread fromTick;            ///< Stroke to force [s].
   Spread fromReport;          ///< Report handed over to force [s].
-  Spread engine;              ///< Of the loop's ticks: sample to force [s].
+  Spread engine;              ///< Sample taken to force ready, in the loop [s].
+  Spread besides;             ///< Stroke to force less the engine's share [s].
 };
 /// Over the ticks of these passages, but for the first of each: what answers it may have been under
 /// way. `quantum` is that of the output report [N].

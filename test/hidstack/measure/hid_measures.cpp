@@ -71,6 +71,7 @@ Result<Done> measureInsertion(const std::string& scene, const std::string& handl
   printSpread(scene, "tick_to_force", answers.fromTick);
   printSpread(scene, "report_to_force", answers.fromReport);
   printSpread(scene, "engine", answers.engine);
+  printSpread(scene, "besides_engine", answers.besides);
   printRest(scene, "rest", *handle);
   printRest(scene, "rest_again", *handle);
   for (const char* passage : {"silence", "unplugged"})

@@ -34,8 +34,9 @@ struct Variation {
   double scale = 1.0;      // of the whole cochlea
   double stiffness = 1.0;  // of the array
   double travel = 16.5e-3;
-  std::optional<mechanics::Opening> opening = std::nullopt;
+  std::optional<mechanics::Opening> opening = mechanics::cochleostomy();
   bool hasRibs = true;
+  bool isStraight = false;  // without its curl
 };
 
 Curve insertAsPublished(const Variation& variation)
@@ -50,6 +51,8 @@ Curve insertAsPublished(const Variation& variation)
   for (auto& bending : parts.array.bending.value) bending = variation.stiffness * bending;
   parts.array.stylet.bending = variation.stiffness * parts.array.stylet.bending;
   parts.opening = variation.opening;
+  if (variation.isStraight)
+    for (auto& curvature : parts.array.restCurvature.value) curvature = Curvature{};
   if (!variation.hasRibs) parts.array.ribsFromTip.clear();
   parts.nodes = variation.nodes;
   parts.timeStep = milliseconds(variation.timeStep_ms);
@@ -102,7 +105,7 @@ Peak basalTurnPeak(const Curve& curve)
 
 TEST(PublishedInsertion, HasNoForceBeforeTheFirstContact)
 {
-  const Curve curve = insertAsPublished({});
+  const Curve curve = insertAsPublished({.isStraight = true});
   std::size_t touching = 0;
   while (touching < curve.wall.size() && curve.wall[touching] == 0.0) ++touching;
   // the straight array meets the outer wall on its way to the basal turn: 3 to 6 mm by the geometry
@@ -110,8 +113,12 @@ TEST(PublishedInsertion, HasNoForceBeforeTheFirstContact)
   const double firstTouch = curve.tick * static_cast<double>(touching);
   EXPECT_GT(firstTouch, 3e-3);
   EXPECT_LT(firstTouch, 6e-3);
-  // before it nothing but the perilymph's drag: 0.05 N.s/m2 x 25 mm x 2 mm/s = 2.5 uN
-  for (std::size_t i = 0; i < touching; ++i) ASSERT_LT(std::fabs(curve.force[i]), 5e-6) << i;
+  // the first tick sets the array in motion: 25 mm of silicone, at most 0.8 mm thick, are at most
+  // 14.5 mg, and 14.5 mg x 2 mm/s / 1 ms = 29 uN
+  EXPECT_LT(std::fabs(curve.force[0]), 29e-6);
+  // before it nothing but the perilymph's drag, 0.05 N.s/m2 x 25 mm x 2 mm/s = 2.5 uN, and the 2 uN
+  // that the solver may leave on each of the two nodes that the hand holds
+  for (std::size_t i = 1; i < touching; ++i) ASSERT_LT(std::fabs(curve.force[i]), 6.5e-6) << i;
 }
 
 TEST(PublishedInsertion, PeaksAtTheBasalTurnThenDips)
@@ -175,17 +182,17 @@ TEST(PublishedInsertion, RisesWhereTheFirstRibMeetsTheOpeningAndNowhereElse)
 {
   const auto run = [](bool hasRibs) {
     return insertAsPublished(
-        {.travel = 18.3e-3, .opening = mechanics::cochleostomy(), .hasRibs = hasRibs});
+        {.travel = 18.6e-3, .hasRibs = hasRibs});
   };
   const Curve with = run(true);
   const Curve without = run(false);
-  // the rib, 19.5 mm from the tip, begins to touch 0.3 mm before that; the tip started 2 mm inside
+  // the rib, 19.8 mm from the tip, begins to touch 0.3 mm before that; the tip started 2 mm inside
   double rise = 0.0;
   for (std::size_t i = 0; i < with.force.size(); ++i) {
     const double travel = with.tick * static_cast<double>(i + 1);
-    if (travel < 17.19e-3) {
+    if (travel < 17.49e-3) {
       ASSERT_EQ(with.force[i], without.force[i]) << travel;
-    } else if (travel > 17.85e-3) {
+    } else if (travel > 18.15e-3) {
       ASSERT_NEAR(with.force[i], without.force[i], 2e-3) << travel;
     } else {
       rise = std::max(rise, with.force[i] - without.force[i]);

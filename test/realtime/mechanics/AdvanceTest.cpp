@@ -113,5 +113,35 @@ TEST(Advance, LagsASpringHandByForceOverStiffness)
   EXPECT_LT((441.0 * lag - insertion.state.readings.handForce_W).norm(), 1e-5);
 }
 
+TEST(Advance, GoesOnFromACopyWithTheSameBits)
+{
+  // what a step keeps for the next one (factors, clearances) is part of the state's value
+  Insertion insertion;
+  insertion.pushTo(10e-3);
+  InsertionState copy = insertion.state;
+  for (int i = 0; i < 50; ++i) {
+    insertion.drive.handPosition_W += 0.02e-3 * insertion.model->startAxis_W;
+    advance(*insertion.model, insertion.state, insertion.drive);
+    advance(*insertion.model, copy, insertion.drive);
+    ASSERT_EQ(copy.fingerprint(), insertion.state.fingerprint());
+  }
+}
+
+TEST(Advance, HoldsTheBaseWhereTheHandIsAgainAfterASpring)
+{
+  Insertion insertion;
+  insertion.pushTo(12e-3);
+  insertion.drive.coupling = Coupling::spring;
+  insertion.drive.couplingStiffness = 441.0;
+  insertion.drive.couplingDamping = 3.0;
+  for (int i = 0; i < 100; ++i) advance(*insertion.model, insertion.state, insertion.drive);
+  insertion.drive.coupling = Coupling::rigid;
+  for (int i = 0; i < 10; ++i) {
+    advance(*insertion.model, insertion.state, insertion.drive);
+    ASSERT_EQ(insertion.state.base_W, insertion.drive.handPosition_W);
+    ASSERT_LE(insertion.state.readings.residual, 2e-6);
+  }
+}
+
 }  // namespace
 }  // namespace perilymph::mechanics

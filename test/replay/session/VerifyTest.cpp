@@ -64,6 +64,22 @@ TEST(Replay, FollowsWithdrawalsPatientsAndSprings)
   EXPECT_TRUE(verified(folder / "run.insertion").isIdentical);
 }
 
+TEST(Replay, FollowsThePublishedPointSet)
+{
+  const test::TemporaryFolder folder;
+  const Overrides overrides = {
+      {"model", "points"}, {"nodes", "12"}, {"stop_travel_mm", "8"}, {"withdraw", "true"}};
+  for (const char* coupling : {"rigid", "spring"}) {
+    Overrides coupled = overrides;
+    coupled.emplace_back("coupling", coupling);
+    const auto file = folder / (std::string(coupling) + ".insertion");
+    ASSERT_TRUE(test::shortRun(file, coupled)->runToEnd({}));
+    const Verification verification = verified(file);
+    EXPECT_TRUE(verification.isIdentical) << coupling;
+    EXPECT_GT(verification.ticksCompared, 8000u) << coupling;
+  }
+}
+
 TEST(Replay, FollowsCommandsGivenByTheClock)
 {
   const test::TemporaryFolder folder;

@@ -202,6 +202,37 @@ TEST_P(LumenOf, NeedsNoMoreThanThatAWallIsFar)
   EXPECT_FALSE(wall.isNear);
 }
 
+TEST_P(LumenOf, SeesNoWallWithinTheClearanceItGave)
+{
+  // wherever a point goes within the clearance, the wall must not come within reach
+  std::mt19937 random(13);
+  std::uniform_real_distribution<double> angles(0.0, scala->lastAngle().si());
+  std::uniform_real_distribution<double> directions(0.0, 2.0 * pi);
+  std::uniform_real_distribution<double> shares(0.0, 0.9);
+  std::normal_distribution<double> component(0.0, 1.0);
+  constexpr double reach = 0.2e-3;
+  int far = 0;
+  for (int i = 0; i < 400; ++i) {
+    const double angle = angles(random);
+    // every fourth in the lead-in or outside the opening
+    const bool isBefore = i % 4 == 0;
+    const Eigen::Vector3d point =
+        isBefore
+            ? Eigen::Vector3d(scala->center_W(0.0) + 3e-3 * shares(random) * scala->entry().out_W)
+            : inside(angle, directions(random), shares(random));
+    const LumenTrack track = isBefore ? LumenTrack{} : trackAt(angle);
+    const WallPoint wall = ask(*scala, point, track, reach);
+    if (wall.isNear || wall.clearance <= 0.0) continue;
+    ++far;
+    for (int k = 0; k < 20; ++k) {
+      const Eigen::Vector3d way(component(random), component(random), component(random));
+      const Eigen::Vector3d moved = point + 0.999 * wall.clearance * way.normalized();
+      EXPECT_FALSE(ask(*scala, moved, track, reach).isNear) << inDegrees(Angle::fromSi(angle));
+    }
+  }
+  EXPECT_GT(far, 100);
+}
+
 TEST_P(LumenOf, AnswersNonsenseWithNoWall)
 {
   const double bad = std::nan("");

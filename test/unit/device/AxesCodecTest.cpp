@@ -6,6 +6,7 @@
 #include "Descriptors.h"
 #include "perilymph/device/DeviceProfile.h"
 #include "perilymph/device/HandCodec.h"
+#include "perilymph/test/AllocationGuard.h"
 
 namespace perilymph::device {
 namespace {
@@ -230,6 +231,21 @@ TEST(Knob, TellsTheSameInOneReportAsInTwo)
   one.takes(bytes);
   EXPECT_EQ(one.hand.position_D, two.hand.position_D);
   EXPECT_EQ(one.hand.rotation_D, two.hand.rotation_D);
+}
+
+TEST(Knob, AllocatesNothingInATick)
+{
+  using perilymph::test::AllocationGuard;
+  if (!AllocationGuard::isAvailable()) GTEST_SKIP() << AllocationGuard::whyNot();
+  Rig rig(knobProfile(), test::knobDescriptor());
+  RawReport report;
+  report.size = 7;
+  const AllocationGuard guard;
+  for (std::uint8_t i = 0; i < 100; ++i) {
+    report.bytes = {static_cast<std::uint8_t>(1 + i % 2), i, 1, i, 0, i, 0};
+    rig.codec->decode(report, rig.hand);
+  }
+  EXPECT_EQ(guard.allocations(), 0u);
 }
 
 TEST(Knob, StopsAtTheEdgeOfItsWorkspace)

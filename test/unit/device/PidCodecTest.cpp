@@ -59,7 +59,7 @@ struct Rig {
 };
 
 constexpr const char* byAxes = "effects = \"axes\"";
-constexpr const char* byPolar = "effects = \"polar\"\ndirections_deg = [90, 0, 180]";
+constexpr const char* byPolar = "effects = \"polar\"\ndirections_deg = [270, 0, 0]";
 constexpr const char* byDirection = "effects = \"direction\"";
 
 // One step of a direction of 8 bits is 1.4 degrees; of a magnitude 1/10000.

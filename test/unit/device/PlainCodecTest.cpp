@@ -6,6 +6,7 @@
 #include "perilymph/device/DeviceProfile.h"
 #include "perilymph/device/HandCodec.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/test/AllocationGuard.h"
 
 namespace perilymph::device {
 namespace {
@@ -232,6 +233,21 @@ TEST(WoodenHaptics, IsToldItsCountsOnceItsButtonAsks)
   for (const std::size_t byte : {1u, 3u, 5u}) EXPECT_EQ(shortAt(reports.reports[0], byte), 0);
   codec->encode({{0.0, 3.0, 0.0}, {}}, reports);
   EXPECT_EQ(shortAt(reports.reports[0], 7), 0) << "only once";
+}
+
+TEST(WoodenHapticsTick, AllocatesNothing)
+{
+  if (!test::AllocationGuard::isAvailable()) GTEST_SKIP() << test::AllocationGuard::whyNot();
+  const auto codec = *makeCodec(woodenHaptics(), {});
+  const RawReport counts = shorts({10, 5000, 6000, 0, 0, 0, 1});
+  DeviceSample hand;
+  ReportList reports;
+  const test::AllocationGuard guard;
+  for (int i = 0; i < 100; ++i) {
+    codec->decode(counts, hand);
+    codec->encode({{0.1 * i, 1.0, -1.0}, {}}, reports);
+  }
+  EXPECT_EQ(guard.allocations(), 0u);
 }
 
 TEST(WoodenHapticsTraits, AreThoseOfItsMakers)

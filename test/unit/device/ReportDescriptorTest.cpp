@@ -123,6 +123,18 @@ TEST(ReportDescriptor, TakesAVariableWhereAnArrayWasMeant)
   EXPECT_EQ(disable->slot.bitOffset, 1u);
 }
 
+TEST(ReportDescriptor, TakesOneVariableOfSeveralUsagesForTheArrayItWasMeantToBe)
+{
+  // Wheels by Moza: one byte, declared as a variable, for enable, disable, stop all.
+  const ReportDescriptor descriptor =
+      read({0x05, 0x0f, 0x09, 0x96, 0xa1, 0x02, 0x09, 0x97, 0x09, 0x98, 0x09, 0x99,
+            0x15, 0x01, 0x25, 0x03, 0x75, 0x08, 0x95, 0x01, 0x91, 0x02, 0xc0});
+  const auto stopAll = descriptor.choice(ReportKind::output, {0x0f, 0x99}, {0x0f, 0x96});
+  ASSERT_TRUE(stopAll);
+  EXPECT_EQ(stopAll->value, 3);
+  EXPECT_EQ(stopAll->slot.bits, 8u);
+}
+
 TEST(ReportDescriptor, CountsTheBitsOfEachNumberedReportAlone)
 {
   const ReportDescriptor descriptor =

@@ -35,7 +35,9 @@ TEST_F(Contour, GoesInToItsSecondRib)
 {
   ASSERT_EQ(array.ribsFromTip.size(), 2u);
   EXPECT_DOUBLE_EQ(inMillimeters(array.insertable), 22.0);
-  EXPECT_EQ(array.ribsFromTip[1], array.insertable);
+  // the rib's flank meets a rim rounded by 0.1 mm there
+  const Length touches = array.ribsFromTip[1] - 0.5 * array.ribLength - millimeters(0.1);
+  EXPECT_NEAR(inMillimeters(touches), inMillimeters(array.insertable), 0.05);
 }
 
 TEST_F(Contour, Has22ContactsOver15MillimetersWith400To800MicrometersPitch)

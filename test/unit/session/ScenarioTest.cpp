@@ -171,9 +171,45 @@ TEST(Scenario, TakesEveryKeyOfTheContract)
   EXPECT_EQ(scenario->engine.stopTravel, 12e-3);
 }
 
-TEST(Scenario, RefusesWhatIsNotThereYetByName)
+TEST(ScenarioModel, IsARodUnlessPointsAreNamed)
 {
-  EXPECT_THAT(refusal({{"model", "points"}}), HasSubstr("not in this version"));
+  const auto rod = loadScenario("contour-published");
+  EXPECT_EQ(rod->model, mechanics::ModelKind::rod);
+  EXPECT_EQ(rod->nodes, 100);
+  EXPECT_THAT(refusal({{"model", "jelly"}}), AllOf(HasSubstr("jelly"), HasSubstr("points")));
+}
+
+TEST(ScenarioModel, OfPointsHasThePublishedTwelveUnlessToldOtherwise)
+{
+  // the file's 100 nodes are the rod's
+  const auto points = loadScenario("contour-published", {{"model", "points"}});
+  ASSERT_TRUE(points) << points.error().message;
+  EXPECT_EQ(points->model, mechanics::ModelKind::points);
+  EXPECT_EQ(points->nodes, 12);
+  EXPECT_EQ(loadScenario("contour-published", {{"model", "points"}, {"nodes", "5"}})->nodes, 5);
+  EXPECT_EQ(loadScenario("contour-published", {{"model", "rod"}})->nodes, 100);
+  EXPECT_EQ(parseScenario("model = 'points'\n", "points")->nodes, 12);
+  EXPECT_EQ(parseScenario("model = 'points'\nnodes = 9\n", "points", {{"model", "rod"}})->nodes,
+            100);
+  EXPECT_THAT(refusal({{"model", "points"}, {"nodes", "1"}}), HasSubstr("between 2 and 256"));
+}
+
+TEST(ScenarioModel, OfPointsReadAgainFromItsTextIsTheSameToTheLastBit)
+{
+  const auto first = loadScenario("contour-published", {{"model", "points"}, {"nodes", "10"}});
+  ASSERT_TRUE(first) << first.error().message;
+  const auto second = parseScenario(first->text, "elsewhere");
+  ASSERT_TRUE(second) << second.error().message;
+  EXPECT_EQ(first->text, second->text);
+  const auto fingerprint = [](const Scenario& scenario) {
+    return (*buildModel(scenario, *buildAnatomy(scenario)))->fingerprint;
+  };
+  EXPECT_EQ(fingerprint(*first), fingerprint(*second));
+  EXPECT_NE(fingerprint(*first), fingerprint(*loadScenario("contour-published")));
+}
+
+TEST(Scenario, RefusesAnAnatomyThatItDoesNotKnow)
+{
   EXPECT_THAT(refusal({{"anatomy", "banana"}}), AllOf(HasSubstr("banana"), HasSubstr("published")));
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "Clearance.h"
 #include "friction/Friction.h"
 #include "rod/Rod.h"
 
@@ -48,7 +49,7 @@ void addWallForces(const InsertionModel& model, InsertionState& state,
 {
   const auto n = static_cast<std::size_t>(model.nodes);
   const double onset = model.parts.wall.onset.si();
-  model.parts.lumen->nearestWall(position_W, room.reach, state.track, room.wall);
+  findWall(model, state, room);
 
   room.touches = 0;
   for (std::size_t i = 0; i < n; ++i) {
@@ -113,7 +114,7 @@ void addWallForces(const InsertionModel& model, InsertionState& state,
 void addWallStiffness(StepRoom& room) noexcept
 {
   for (std::size_t k = 0; k < room.touches; ++k)
-    room.system.diagonal[blockOf(room.touching[k])] += room.wallStiffness[k];
+    room.matrix.diagonal[blockOf(room.touching[k])] += room.wallStiffness[k];
 }
 
 }  // namespace perilymph::mechanics

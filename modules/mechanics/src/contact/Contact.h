@@ -38,7 +38,7 @@ SoftPush softPush(double penetration, double bone, double share, const ModelPart
 void addWallForces(const InsertionModel& model, InsertionState& state,
                    const std::vector<Eigen::Vector3d>& position_W, StepRoom& room) noexcept;
 
-/// Adds the wall's stiffness to room.system, as addWallForces() has left it.
+/// Adds the wall's stiffness to room.matrix, as addWallForces() has left it.
 void addWallStiffness(StepRoom& room) noexcept;
 
 }  // namespace perilymph::mechanics

@@ -295,12 +295,12 @@ void addRimStiffness(StepRoom& room) noexcept
                                both.yz, both.xz, both.yz, both.zz};
       const std::size_t row = blockOf(rim.first + i), column = blockOf(rim.first + j);
       if (row == column) {
-        room.system.diagonal[row] += both;
-        if (i != j) room.system.diagonal[row] += both;  // both nodes are the base's
+        room.matrix.diagonal[row] += both;
+        if (i != j) room.matrix.diagonal[row] += both;  // both nodes are the base's
       } else if (row == column + 1) {
-        room.system.beside[row] += full;
+        room.matrix.beside[row] += full;
       } else {
-        room.system.beyond[row] += full;
+        room.matrix.beyond[row] += full;
       }
     }
 }

@@ -42,7 +42,7 @@ RibProfile ribsAt(const InsertionModel& model, double fromTip) noexcept;
 void addRimForces(const InsertionModel& model, InsertionState& state,
                   const std::vector<Eigen::Vector3d>& position_W, StepRoom& room) noexcept;
 
-/// Adds the rim's stiffness to room.system, where addRimForces() has left it.
+/// Adds the rim's stiffness to room.matrix, where addRimForces() has left it.
 void addRimStiffness(StepRoom& room) noexcept;
 
 }  // namespace perilymph::mechanics

@@ -12,11 +12,7 @@ FrictionStep frictionStep(const Eigen::Vector3d& stretch_W, double normal, doubl
   const double length = stretch_W.norm();
   const double trial = stiffness * length;
 
-  double coefficient = law.starting;
-  if (isSliding) {
-    const double fast = slipSpeed / law.stribeck.si();
-    coefficient = law.dynamic + (law.starting - law.dynamic) / (1.0 + fast * fast);
-  }
+  const double coefficient = isSliding ? law.sliding(slipSpeed) : law.starting;
   const double most = coefficient * normal;
 
   FrictionStep step;

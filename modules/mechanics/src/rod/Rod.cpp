@@ -101,9 +101,9 @@ void addStretching(const InsertionModel& model, std::size_t i, double damping,
   const double along = model.stretching[i] / model.spacing * (1.0 + damping);
   const SymmetricBlock<double> block = stiffnessOf(edge, along, tension * edge.perLength);
   const std::size_t a = blockOf(i);
-  room.system.diagonal[a] += block;
-  room.system.diagonal[a + 1] += block;
-  room.system.beside[a + 1] -= asBlock(block);
+  room.matrix.diagonal[a] += block;
+  room.matrix.diagonal[a + 1] += block;
+  room.matrix.beside[a + 1] -= asBlock(block);
 }
 
 /// The bending at node i, to first order in the angle between its links: w changes by a P_t dx_next
@@ -130,17 +130,17 @@ void addBending(const InsertionModel& model, std::size_t i, double damping, Step
   hereLast += nextLast;
 
   const std::size_t next = blockOf(i + 1), here = blockOf(i), last = blockOf(i - 1);
-  room.system.diagonal[next] += nextNext;
-  room.system.diagonal[here] += hereHere;
-  room.system.diagonal[last] += lastLast;
-  room.system.beside[next] -= nextHere;
+  room.matrix.diagonal[next] += nextNext;
+  room.matrix.diagonal[here] += hereHere;
+  room.matrix.diagonal[last] += lastLast;
+  room.matrix.beside[next] -= nextHere;
   if (here == last) {
     // both belong to the base: what they do to each other is inside it
-    room.system.diagonal[here] -= withMirror(hereLast);
-    room.system.beside[next] += nextLast;
+    room.matrix.diagonal[here] -= withMirror(hereLast);
+    room.matrix.beside[next] += nextLast;
   } else {
-    room.system.beside[here] -= hereLast;
-    room.system.beyond[next] += nextLast;
+    room.matrix.beside[here] -= hereLast;
+    room.matrix.beyond[next] += nextLast;
   }
 }
 

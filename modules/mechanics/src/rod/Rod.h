@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 
-#include "perilymph/mechanics/BandSystem.h"
+#include "perilymph/mechanics/BandMatrix.h"
 #include "perilymph/mechanics/InsertionModel.h"
 #include "perilymph/mechanics/InsertionState.h"
 #include "perilymph/mechanics/StepRoom.h"
@@ -42,7 +42,7 @@ void setEdges(const std::vector<Eigen::Vector3d>& position_W, StepRoom& room) no
 void addRodForces(const InsertionModel& model, const std::vector<Eigen::Vector3d>& position_W,
                   StepRoom& room) noexcept;
 
-/// Adds the rod's stiffness to room.system, where addRodForces() has left it.
+/// Adds the rod's stiffness to room.matrix, where addRodForces() has left it.
 void addRodStiffness(const InsertionModel& model, Compression compression, StepRoom& room) noexcept;
 
 }  // namespace perilymph::mechanics

@@ -73,6 +73,16 @@ TEST(ExamplePlugin, AnswersNothingWhileItIsClosed)
   EXPECT_EQ((*device)->read().isValid, 0u);
 }
 
+TEST(ExamplePlugin, GivesItsOnlyHandleOnceAndAgainAfterwards)
+{
+  {
+    const auto device = loadPluginDevice(example());
+    ASSERT_TRUE(device);
+    EXPECT_THAT(refusal(example()), HasSubstr("finds no device"));
+  }
+  EXPECT_TRUE(loadPluginDevice(example()));
+}
+
 TEST(FaultyPlugin, IsRefusedWithASentence)
 {
   EXPECT_THAT(refusal(faulty("anotherVersion")), HasSubstr("speaks version 2"));

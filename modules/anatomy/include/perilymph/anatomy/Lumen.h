@@ -24,7 +24,10 @@ struct LumenTrack {
 
 /// The wall as one point sees it: the signed distance D and how it changes.
 struct WallPoint {
-  bool isNear = false;      ///< Within reach. If not, nothing below is set.
+  bool isNear = false;  ///< Within reach. If not, only the clearance below is set.
+  /// Not near: how far the point can move, whichever way, and still not be near [m]; 0 or less
+  /// where that is not known.
+  double clearance = 0.0;
   bool onMembrane = false;  ///< The nearest wall is the basilar membrane.
   double distance = 0.0;    ///< D, from the point to the wall [m]; negative outside.
   /// Gradient of D: unit, from the wall into the lumen. Shorter where two walls are equally near,

@@ -9,6 +9,12 @@
 
 namespace perilymph::anatomy {
 
+/// The shares of the corners a, b, c in the place of their triangle nearest to a point, by the
+/// region of the triangle's plane in which the point's projection lies (Ericson, Real-Time
+/// Collision Detection, section 5.1.5). Real-time safe.
+Eigen::Vector3d nearestShares(const Eigen::Vector3d& point, const Eigen::Vector3d& a,
+                              const Eigen::Vector3d& b, const Eigen::Vector3d& c) noexcept;
+
 /// The place on a surface nearest to a point.
 struct SurfaceFoot {
   int triangle = -1;                                 ///< -1 where nothing lies within reach.

@@ -24,8 +24,8 @@ struct ReferenceCurve {
   std::vector<ReferencePoint> points;
 };
 
-/// Reads a reference: keys `label, source` and tables `[[point]]` with `travel_mm, mean_N, sd_N,
-/// source`, in the order of travel.
+/// Reads the points of a reference (analysis/Reference.h says what its file holds); a file without
+/// points is refused.
 Result<ReferenceCurve> loadReference(const std::filesystem::path& file);
 
 /// The printed values of Todd and Naghdy's experiment that ship with the program.

@@ -86,7 +86,8 @@ struct AxesLayout {
   std::int64_t fullCounts = 0;       ///< Counts at full deflection; 0: as the descriptor says.
 };
 
-/// How a PID device is told a direction.
+/// How a PID device is told a direction: that from which a force comes, clockwise from away from
+/// the user. 0 pushes toward the user, a quarter turn to the left.
 struct PidLayout {
   enum class Effects : std::uint8_t {
     axes,       ///< One constant-force effect an axis, each with that axis enabled.
@@ -94,7 +95,8 @@ struct PidLayout {
     direction,  ///< One effect whose direction turns: a plane only.
   };
   Effects effects = Effects::axes;
-  std::array<double, 3> directions{};    ///< `polar`: of each axis's positive force [rad].
+  std::array<double, 3>
+      directions{};  ///< `polar`: where each axis's positive force comes from [rad].
   std::array<double, 3> signs{1, 1, 1};  ///< Of the magnitude along each axis: 1 or -1.
   double gain = 1.0;                     ///< Device gain, as a share of the most.
   bool resetFirst = true;                ///< Send "reset" before effects are created.

@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "perilymph/device/HapticDevice.h"
 #include "perilymph/foundation/RealTime.h"
@@ -32,7 +33,10 @@ struct EngineSettings {
   double forceScale = 1.0;      ///< Shown force over physical force.
   double motionScale = 1.0;     ///< Motion of the base over motion of the hand.
   double styletSpeed = 5e-3;    ///< Of the stylet when it is pulled [m/s].
-  double samplePeriod = 1e-3;   ///< Nominal, of the device [s].
+  /// Advance off stylet: depth of the stylet's tip past the opening from which it is held still
+  /// [m].
+  std::optional<double> styletHoldDepth;
+  double samplePeriod = 1e-3;  ///< Nominal, of the device [s].
   SafetyLimits safety;
 };
 
@@ -79,6 +83,7 @@ private:
   void judge(const Hand& hand, std::uint32_t& status) noexcept;
   HandCondition conditionOf(const Hand& hand) const noexcept;
   void moveMechanics(const Hand& hand) noexcept;
+  void moveStylet() noexcept;
   mechanics::Drive hold() const noexcept;
   double softened(double asked, double most) const noexcept;
   mechanics::Drive follow(const Hand& hand) noexcept;

@@ -1,7 +1,7 @@
 #pragma once
 
 // 3x3 blocks as plain numbers. T is a double, or a pair of doubles that are worked on at once
-// (BandSystem). Everything is written out: the compiler keeps a whole block in registers, and the
+// (BandFactors). Everything is written out: the compiler keeps a whole block in registers, and the
 // order of the sums, and with it the last bit, is ours.
 
 namespace perilymph::mechanics {

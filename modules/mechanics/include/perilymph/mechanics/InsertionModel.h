@@ -14,6 +14,7 @@
 #include "perilymph/mechanics/Friction.h"
 #include "perilymph/mechanics/Membrane.h"
 #include "perilymph/mechanics/Opening.h"
+#include "perilymph/mechanics/PointSet.h"
 
 namespace perilymph::mechanics {
 
@@ -30,6 +31,12 @@ struct WallLaw {
   Length onset = millimeters(0.01);
 };
 
+/// Which model of the array moves.
+enum class ModelKind {
+  rod,     ///< An elastic rod against the smooth wall.
+  points,  ///< The published point set against the haptic surface (PointSet.h).
+};
+
 /// What a model is built from.
 struct ModelParts {
   std::shared_ptr<const anatomy::Lumen> lumen;
@@ -41,11 +48,14 @@ struct ModelParts {
   std::optional<MembraneLaw> membrane;
   /// Without one the lumen's wall begins at the plane of the entry, and nothing holds the ribs.
   std::optional<Opening> opening;
-  int nodes = 100;                      ///< 8 to mostNodes.
+  int nodes = 100;                      ///< 8 to mostNodes; of points 2 to mostPoints.
   Duration timeStep = milliseconds(1);  ///< 0.1 to 10 ms.
   Length startInside = millimeters(2);  ///< Of the tip past the opening; negative: before it.
   Angle approachTilt = radians(0);      ///< Of the array's axis against E.z, toward E.y.
   Angle approachTurn = radians(0);      ///< The same, toward E.x.
+  ModelKind kind = ModelKind::rod;
+  /// What points touch; a rod does not need it.
+  std::shared_ptr<const anatomy::Surface> hapticSurface;
 };
 
 /// A cochlea, an array, material laws and solver settings: immutable, shared between threads.
@@ -77,8 +87,10 @@ struct InsertionModel {
   std::optional<MembranePlace> membrane;  ///< Where the wall is soft.
   double styletBending = 0.0;             ///< EI of the stylet [N.m^2]; 0 without one.
   double styletFromTip = 0.0;             ///< Of its tip when fully in [m].
-  double styletResidual = 0.0;    ///< Share of the rest curvature that it leaves where it is.
-  double baseMass = 0.0;          ///< Of carrier and tweezers [kg].
+  double styletResidual = 0.0;  ///< Share of the rest curvature that it leaves where it is.
+  double baseMass = 0.0;        ///< Of carrier and tweezers [kg].
+  /// Of a model of points; none of a rod. Shared by copies of the model, for it is large.
+  std::shared_ptr<const PointSetModel> points;
   std::uint64_t fingerprint = 0;  ///< Of everything above, for recordings.
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "perilymph/anatomy/Lumen.h"
+#include "perilymph/mechanics/BandFactors.h"
 #include "perilymph/mechanics/InsertionModel.h"
 #include "perilymph/mechanics/RimContact.h"
 #include "perilymph/mechanics/StepRoom.h"
@@ -70,10 +71,14 @@ struct InsertionState {
   std::vector<unsigned char> isSliding;           ///< Of each node.
   std::vector<double> slipSpeed;                  ///< Of each node along the wall [m/s].
   std::vector<anatomy::LumenTrack> track;         ///< Of each node: which turn it is in.
+  std::vector<double> clearance;                  ///< Of each node: it can move so far without
+                                                  ///< touching, whichever way [m].
   std::vector<double> normalForce;                ///< Of the wall on each node [N].
   std::vector<Eigen::Vector3d> wallForce_W;       ///< Normal and friction on each node [N].
   std::vector<double> membraneForce;              ///< Of the basilar membrane on each node [N].
   RimContact rim;
+  BandFactors factors;  ///< Of the last stiffness that was factored, this step or an earlier one.
+  PointSetState points;                           ///< Of a model of points; else empty.
   Readings readings;
 
   StepRoom room;  ///< Scratch; not part of the state's value.

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "perilymph/anatomy/Lumen.h"
-#include "perilymph/mechanics/BandSystem.h"
+#include "perilymph/mechanics/BandMatrix.h"
 #include "perilymph/mechanics/RimContact.h"
 
 namespace perilymph::mechanics {
@@ -22,12 +22,12 @@ struct RodEdge {
 
 struct StepRoom {
   explicit StepRoom(std::size_t nodes = 0)
-      : system(nodes > 0 ? nodes - 1 : 0),
-        right(system.blocks()),
+      : matrix(nodes > 0 ? nodes - 1 : 0),
+        right(matrix.blocks()),
         force_W(nodes),
         before_W(nodes),
         start_W(nodes),
-        trial_W(system.blocks()),
+        trial_W(matrix.blocks()),
         edge(nodes),
         bending(nodes),
         restBend(nodes),
@@ -35,6 +35,7 @@ struct StepRoom {
         lengthBefore(nodes),
         bendBefore_W(nodes, Eigen::Vector3d::Zero()),
         reach(nodes),
+        isAsked(nodes),
         wall(nodes),
         touching(nodes),
         wallStiffness(nodes),
@@ -44,7 +45,7 @@ struct StepRoom {
   {
   }
 
-  BandSystem system;
+  BandMatrix matrix;
   std::vector<Eigen::Vector3d> right;         ///< Unbalanced force on each block [N].
   std::vector<Eigen::Vector3d> force_W;       ///< On each node, rod and wall [N].
   std::vector<Eigen::Vector3d> before_W;      ///< Positions at the start of the step [m].
@@ -57,6 +58,7 @@ struct StepRoom {
   std::vector<double> lengthBefore;           ///< Of each edge at the start of the step [m].
   std::vector<Eigen::Vector3d> bendBefore_W;  ///< At each node at the start of the step.
   std::vector<double> reach;                  ///< Of the lumen query at each node [m].
+  std::vector<unsigned char> isAsked;         ///< Whether the lumen was asked for each node.
   std::vector<anatomy::WallPoint> wall;       ///< As each node sees it.
   std::size_t touches = 0;                    ///< How many nodes touch the wall.
   std::vector<std::size_t> touching;          ///< Which ones, from the base on.

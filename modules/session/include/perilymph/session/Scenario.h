@@ -29,9 +29,13 @@ struct Scenario {
   anatomy::Patient patient;  ///< From `patient` (a file or a shipped name), else published.
   std::string patientName;   ///< What `patient` said; empty without one.
   std::string arrayName = "contour";
-  electrode::ArrayDesign array;
-  std::string technique = "standard";  ///< "standard": the stylet stays in until full depth.
-  int nodes = 100;
+  electrode::ArrayDesign array;  ///< As run: calibrated, where a calibration is named.
+  std::string calibrationName;   ///< Fitted numbers of the array; empty without.
+  /// "standard": the stylet stays in until full depth; "aos": advance off stylet, the stylet is
+  /// held still from the array's hold depth on and the array pushed off it.
+  std::string technique = "standard";
+  mechanics::ModelKind model = mechanics::ModelKind::rod;  ///< "rod" or "points".
+  int nodes = 100;  ///< By default 12 where the model is of points, as published.
   Duration timeStep = milliseconds(1);
   long seed = 1;
   Speed speed = millimetersPerSecond(2);
@@ -43,6 +47,12 @@ struct Scenario {
   Angle approachTilt, approachTurn;
   mechanics::FrictionLaw friction;
   mechanics::WallLaw wall;
+  /// "none": nothing but the wall; "round-window"; "cochleostomy".
+  std::string openingName = "none";
+  std::optional<mechanics::Opening> opening;
+  /// "rigid": as hard as the bone around it; "soft": yields.
+  std::string membraneName = "rigid";
+  std::optional<mechanics::MembraneLaw> membrane;
   haptics::EngineSettings engine;  ///< Coupling, force scale.
   std::string arrayFingerprint;    ///< Of the array's file as read, 16 hexadecimal digits.
   /// Of the array's file when this text was written (`array_fingerprint`); empty in people's files.
@@ -50,7 +60,8 @@ struct Scenario {
   /// Every key as run and its value as TOML writes it (which JSON reads, too), in their order;
   /// the patient's are called "patient_numbers.st_length_mm" and so on.
   std::vector<std::pair<std::string, std::string>> values;
-  std::string text;  ///< The scenario as run, TOML: what a recording keeps.
+  std::vector<std::string> notes;  ///< What whoever runs it should know, in sentences.
+  std::string text;                ///< The scenario as run, TOML: what a recording keeps.
 };
 
 /// Values that replace a scenario's own: `--set key=value`, `--patient`, `--array`, `--nodes`.

@@ -1,0 +1,54 @@
+#include <cstdio>
+
+#include "Commands.h"
+#include "OutputFile.h"
+#include "OutputFolder.h"
+#include "perilymph/analysis/Comparison.h"
+
+namespace perilymph::cli {
+
+namespace {
+
+/// Two recordings of one name would be one column.
+void tellApart(std::vector<analysis::ComparedInsertion>& insertions)
+{
+  for (std::size_t i = 0; i < insertions.size(); ++i)
+    for (std::size_t j = i + 1; j < insertions.size(); ++j)
+      if (insertions[i].name == insertions[j].name)
+        insertions[j].name += " (" + std::to_string(j + 1) + ")";
+}
+
+void print(const std::vector<analysis::ComparedInsertion>& insertions)
+{
+  std::printf("%-24s %8s %8s %9s %9s %7s\n", "recording", "peak, N", "at, mm", "work, mJ",
+              "reversals", "time, s");
+  for (const analysis::ComparedInsertion& each : insertions)
+    std::printf("%-24s %8s %8s %9s %9d %7s\n", each.name.c_str(),
+                fixed(each.profile.peak.force, 4).c_str(),
+                fixed(inMillimeters(meters(each.profile.peak.travel)), 1).c_str(),
+                fixed(each.profile.work * 1e3, 4).c_str(), each.reversals,
+                fixed(each.profile.duration, 2).c_str());
+}
+
+}  // namespace
+
+Result<Done> compare(const CompareOptions& options)
+{
+  if (const auto done = checkFolder(options.out); !done) return done.error();
+  std::vector<analysis::ComparedInsertion> insertions;
+  for (const std::string& file : options.files) {
+    auto compared = analysis::readCompared(file);
+    if (!compared) return compared.error();
+    insertions.push_back(std::move(*compared));
+  }
+  tellApart(insertions);
+  FolderContent content;
+  content.texts = {{"comparison.csv", analysis::comparisonCsv(insertions)},
+                   {"curves.csv", analysis::curvesCsv(insertions)}};
+  content.figures = {{"curves", draw(analysis::comparisonFigure(insertions))}};
+  if (const auto done = writeFolder(options.out, content); !done) return done.error();
+  print(insertions);
+  return Done{};
+}
+
+}  // namespace perilymph::cli

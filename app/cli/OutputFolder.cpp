@@ -1,0 +1,93 @@
+#include "OutputFolder.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "Interruption.h"
+#include "perilymph/foundation/AtomicFile.h"
+#if PERILYMPH_HAS_TOOLKIT
+#include "perilymph/charts/FigurePicture.h"
+#endif
+
+namespace perilymph::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+Result<Done> writePicture(const fs::path& file, const analysis::Drawing& drawing)
+{
+#if PERILYMPH_HAS_TOOLKIT
+  return charts::writePicture(drawing, file);
+#else
+  static_cast<void>(file);
+  static_cast<void>(drawing);
+  return Done{};
+#endif
+}
+
+}  // namespace
+
+Result<Done> checkFolder(const std::string& folder)
+{
+  std::error_code ignored;
+  const fs::path place = fs::absolute(folder, ignored).lexically_normal();
+  if (fs::exists(place, ignored) && !fs::is_directory(place, ignored))
+    return Error{folder + " is a file. Give --out a folder's name."};
+  // The nearest folder that is there, and the first that will be made in it.
+  fs::path there = place, missing;
+  while (!fs::is_directory(there, ignored) && there.has_relative_path()) {
+    missing = there;
+    there = there.parent_path();
+  }
+  // Only trying tells for sure, so make it and take it away again.
+  std::error_code failure;
+  const bool canMake = missing.empty() || (fs::create_directory(missing, failure) && !failure);
+  if (canMake && !missing.empty()) fs::remove(missing, ignored);
+  if (!canMake || ::faccessat(AT_FDCWD, there.c_str(), W_OK, AT_EACCESS) != 0)
+    return Error{"Cannot write into " + folder + ": nothing may be written into " + there.string() +
+                 ". Choose another folder."};
+  return Done{};
+}
+
+Result<Done> writeFolder(const std::string& folder, const FolderContent& content)
+{
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure)
+    return Error{"Cannot make the folder " + folder + ": " + failure.message() +
+                 ". Choose another one."};
+  const fs::path place(folder);
+  std::vector<std::string> names;
+  for (const auto& [name, text] : content.texts) {
+    if (const auto done = writeWhole(place / name, text); !done) return done.error();
+    names.push_back(name);
+  }
+  for (const auto& [name, drawing] : content.figures) {
+    if (const auto done = writeWhole(place / (name + ".svg"), analysis::svg(drawing)); !done)
+      return done.error();
+    if (const auto done = writePicture(place / (name + ".png"), drawing); !done)
+      return done.error();
+    names.push_back(name + (PERILYMPH_HAS_TOOLKIT ? ".svg and .png" : ".svg"));
+  }
+  std::printf("wrote into %s:", folder.c_str());
+  for (const std::string& name : names) std::printf(" %s", name.c_str());
+  std::printf("\n");
+  if (!PERILYMPH_HAS_TOOLKIT && !content.figures.empty())
+    std::printf("This build was made without VTK: figures are SVG only.\n");
+  return Done{};
+}
+
+bool showProgress(const char* what, std::size_t done, std::size_t all)
+{
+  if (::isatty(STDERR_FILENO) != 0) {
+    std::fprintf(stderr, "\r%s %zu of %zu", what, done, all);
+    if (done == all) std::fprintf(stderr, "\r\x1b[K");
+    std::fflush(stderr);
+  }
+  return !isInterrupted();
+}
+
+}  // namespace perilymph::cli

@@ -1,0 +1,60 @@
+#pragma once
+
+// A validation beside the thread that draws, and what is known of it so far.
+
+#include <QObject>
+#include <QThreadPool>
+#include <QTimer>
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "perilymph/analysis/ValidationReport.h"
+
+namespace perilymph::gui {
+
+/// Everything a validation starts from: the shipped experiment and how it varied.
+struct ValidationBasis {
+  analysis::ValidationRequest request;
+  analysis::Reference simulator, difference;
+};
+Result<ValidationBasis> shippedValidation();
+
+/// Runs validations one at a time.
+class ValidationWork : public QObject {
+  Q_OBJECT
+public:
+  explicit ValidationWork(QObject* parent);
+  ~ValidationWork() override;
+
+  void start(analysis::ValidationRequest request);
+  /// Ends it early; finished() then comes without a result.
+  void cancel();
+  bool isRunning() const { return isRunning_; }
+
+Q_SIGNALS:
+  /// A few times a second while it runs.
+  /// @param sofar  Mean and spread over the insertions that have ended; empty before the second.
+  void progressed(int done, int all, const perilymph::analysis::ValidationResult& sofar);
+  void finished(const std::optional<perilymph::analysis::ValidationResult>& result,
+                const QString& trouble);
+
+private:
+  /// What the working threads leave for the UI thread.
+  struct Shared {
+    std::atomic<bool> isCanceled{false};
+    std::mutex mutex;
+    std::vector<std::vector<double>> curves;
+    std::size_t done = 0, all = 0;
+  };
+
+  void report();
+
+  std::shared_ptr<Shared> shared_;
+  QThreadPool thread_;  ///< One thread; it spawns those that insert.
+  QTimer timer_;
+  bool isRunning_ = false;
+};
+
+}  // namespace perilymph::gui

@@ -1,0 +1,71 @@
+#pragma once
+
+// A picture of lines, areas, disks and words for print, and as SVG: the same bytes each time.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace perilymph::analysis {
+
+/// A place on the page: points (1/72 inch) from its upper left corner.
+struct PagePoint {
+  double x = 0.0, y = 0.0;
+};
+
+struct Ink {
+  std::array<std::uint8_t, 3> rgb{0, 0, 0};
+  double opacity = 1.0;
+
+  friend bool operator==(const Ink&, const Ink&) = default;
+};
+
+/// A line through points.
+struct Stroke {
+  std::vector<PagePoint> points;
+  Ink ink;
+  double width = 1.0;
+  double dash = 0.0;  ///< Length of dashes and of the gaps between them; 0 for a solid line.
+};
+
+/// A filled polygon.
+struct Area {
+  std::vector<PagePoint> points;
+  Ink ink;
+};
+
+/// A filled circle, with an outline of another ink.
+struct Disk {
+  PagePoint center;
+  double radius = 3.0;
+  Ink fill, outline;
+};
+
+enum class Anchor { start, middle, end };
+enum class Direction { across, upward };
+
+/// Words on their base line.
+struct Words {
+  PagePoint at;
+  std::string text;
+  double size = 9.0;
+  Ink ink;
+  Anchor anchor = Anchor::start;
+  Direction direction = Direction::across;
+  bool isBold = false;
+};
+
+using Mark = std::variant<Area, Stroke, Disk, Words>;
+
+/// What is drawn, the first mark undermost, on white.
+struct Drawing {
+  double width = 480.0, height = 320.0;
+  std::vector<Mark> marks;
+};
+
+/// The drawing as an SVG file. No dates and no names of machines: the same drawing, the same bytes.
+std::string svg(const Drawing& drawing);
+
+}  // namespace perilymph::analysis

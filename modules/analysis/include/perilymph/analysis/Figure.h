@@ -1,0 +1,83 @@
+#pragma once
+
+// A figure for print: two axes, curves, bands and printed values, each told apart by more than its
+// color.
+
+#include <string>
+#include <vector>
+
+#include "perilymph/analysis/Drawing.h"
+
+namespace perilymph::analysis {
+
+/// An axis with even ticks.
+struct FigureAxis {
+  std::string title;  ///< With its unit.
+  double low = 0.0, high = 1.0, tick = 0.5;
+  int decimals = 1;
+};
+
+/// A line through known points.
+struct FigureCurve {
+  std::string label;  ///< For the legend; none if empty.
+  std::vector<double> x, y;
+  Ink ink;
+  double width = 1.5;
+  double dash = 0.0;
+};
+
+/// An area between two curves.
+struct FigureBand {
+  std::string label;
+  std::vector<double> x, low, high;
+  Ink ink;
+};
+
+enum class MarkerShape { disk, ring, square, diamond };
+
+/// Single values with an interval each; nothing is drawn between them.
+struct FigureValues {
+  std::string label;
+  std::vector<double> x, y, low, high;
+  Ink ink;
+  MarkerShape shape = MarkerShape::disk;
+};
+
+/// A level across the whole figure.
+struct FigureLevel {
+  std::string label;  ///< Written at the line.
+  double y = 0.0;
+  Ink ink;
+  double dash = 3.0;
+};
+
+struct Figure {
+  std::string title;
+  FigureAxis x, y;
+  std::vector<FigureBand> bands;
+  std::vector<FigureLevel> levels;
+  std::vector<FigureCurve> curves;
+  std::vector<FigureValues> values;
+  std::vector<std::string> notes;  ///< Lines below the figure.
+};
+
+namespace ink {
+inline constexpr Ink black{{0, 0, 0}, 1.0};
+inline constexpr Ink gray{{110, 110, 110}, 1.0};
+inline constexpr Ink paleGrid{{225, 225, 225}, 1.0};
+inline constexpr Ink blue{{0, 90, 160}, 1.0};
+inline constexpr Ink vermilion{{190, 70, 0}, 1.0};
+inline constexpr Ink green{{0, 120, 90}, 1.0};
+inline constexpr Ink purple{{130, 60, 140}, 1.0};
+/// An ink as a tint that lets the grid through.
+constexpr Ink tint(Ink full, double opacity) { return {full.rgb, opacity}; }
+}  // namespace ink
+
+/// The figure on its page. What lies outside the axes is cut off at them.
+Drawing draw(const Figure& figure);
+
+/// An axis from 0 or below that holds a range, with about six ticks of 1, 2 or 5 times a power of
+/// ten.
+FigureAxis axisOver(std::string title, double low, double high);
+
+}  // namespace perilymph::analysis

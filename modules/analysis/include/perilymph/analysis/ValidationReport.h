@@ -1,0 +1,43 @@
+#pragma once
+
+// What a validation leaves for people: verdicts, tables, numbers and three figures.
+
+#include <string>
+#include <vector>
+
+#include "perilymph/analysis/CalibrationFit.h"
+#include "perilymph/analysis/Figure.h"
+#include "perilymph/analysis/Validation.h"
+
+namespace perilymph::analysis {
+
+/// One thing that was wanted and what came out.
+struct Verdict {
+  std::string what;    ///< "force at 10.6 mm, peak"
+  std::string found;   ///< "0.0912 N"
+  std::string wanted;  ///< "0.0880 ± 0.0186 N"
+  bool isMet = false;
+};
+
+/// Every printed value and feature of the experiment, hits and misses alike.
+std::vector<Verdict> verdictsOf(const ValidationResult& result, const Reference& experiment);
+
+/// `travel_mm, mean_N, sd_N, sem_N, ci95_low_N, ci95_high_N`, every 0.1 mm.
+std::string profileCsv(const ValidationResult& result);
+
+/// The same columns for simulator minus experiment, at the printed values.
+std::string differenceCsv(const ValidationResult& result);
+
+/// All numbers: what was run, features, anchors, shares of the spread, verdicts.
+std::string summaryJson(const ValidationRequest& request, const ValidationResult& result);
+
+/// The experiment as its printed values, beside it the published simulator's.
+Figure experimentFigure(const Reference& experiment, const Reference& publishedSimulator);
+/// The simulation: mean, its confidence and its spread, beside it the experiment's printed values.
+Figure simulationFigure(const ValidationResult& result, const Reference& experiment);
+/// The same for a calibration: which printed values it used, and which it predicts.
+Figure calibrationFigure(const CalibrationResult& calibration, const Reference& experiment);
+/// Simulator minus experiment where the experiment is printed, beside it the published simulator's.
+Figure differenceFigure(const ValidationResult& result, const Reference& publishedDifference);
+
+}  // namespace perilymph::analysis

@@ -1,0 +1,94 @@
+#include "perilymph/analysis/CalibrationFit.h"
+
+#include <cmath>
+
+namespace perilymph::analysis {
+
+namespace {
+
+/// Of the experiment's mean: its deviation over the square root of its insertions.
+double standardError(const Reference& experiment, const PrintedForce& point)
+{
+  return point.deviation / std::sqrt(std::max(1.0, experiment.insertions));
+}
+
+double forceAt(const ValidationResult& result, double travel)
+{
+  const auto index = static_cast<std::size_t>(std::lround(travel / profileStep().si()));
+  return result.profile.at(index).force.mean;
+}
+
+}  // namespace
+
+Result<CalibrationResult> fitCalibration(const CalibrationRequest& request,
+                                         const CalibrationProgress& progress)
+{
+  const PrintedForce* peak = request.experiment.find("peak");
+  const PrintedForce* maximum = request.experiment.find("maximum");
+  if (!peak || !maximum || !(peak->deviation > 0.0) || !(maximum->deviation > 0.0))
+    return Error{"The reference '" + request.experiment.label +
+                 "' lacks a point with feature = \"peak\" or \"maximum\" and its deviation; a "
+                 "calibration fits these two."};
+
+  ValidationRequest trial;
+  trial.scenario = request.scenario;
+  trial.variability = request.variability;
+  trial.experiment = request.experiment;
+  trial.runs = request.runs;
+  trial.seed = request.seed;
+  trial.jobs = request.jobs;
+  trial.runsPerShare = 0;
+  auto anatomy = session::buildAnatomy(request.scenario);
+  if (!anatomy) return anatomy.error();
+  trial.anatomy = *anatomy;
+
+  CalibrationResult result;
+  // Residuals in standard errors of the experiment, so that the fit gives standard errors, too.
+  const auto residuals = [&](const TwoNumbers& at) -> Result<TwoNumbers> {
+    trial.scenario.array = session::calibrated(request.scenario.array, at.a, at.b);
+    auto run = validate(trial, [&](std::size_t, std::size_t) {
+      return !progress || progress(static_cast<std::size_t>(result.trials));
+    });
+    if (!run) return run.error();
+    ++result.trials;
+    result.fitted = std::move(*run);
+    return TwoNumbers{(forceAt(result.fitted, peak->travel) - peak->mean) /
+                          standardError(request.experiment, *peak),
+                      (forceAt(result.fitted, maximum->travel) - maximum->mean) /
+                          standardError(request.experiment, *maximum)};
+  };
+
+  session::Calibration& calibration = result.calibration;
+  calibration = session::uncalibrated(request.scenario.array);
+  session::FittedValue& scale = calibration.stiffnessScale;
+  session::FittedValue& curvature = calibration.residualCurvature;
+  const TwoBounds bounds{{scale.low, curvature.low}, {scale.high, curvature.high}, {0.05, 0.01}, 4};
+  const auto before = residuals({1.0, curvature.value});
+  if (!before) return before.error();
+  const auto cost = [](const TwoNumbers& r, double insertions) {
+    return (r.a * r.a + r.b * r.b) / std::max(1.0, insertions);
+  };
+  result.costBefore = cost(*before, request.experiment.insertions);
+
+  const auto fit = fitTwo(residuals, {1.0, curvature.value}, bounds);
+  if (!fit) return fit.error();
+  const auto there = residuals(fit->at);  // leaves the curve of the fit in the result
+  if (!there) return there.error();
+  result.cost = cost(*there, request.experiment.insertions);
+  scale.value = fit->at.a;
+  scale.deviation = fit->deviation.a;
+  curvature.value = fit->at.b;
+  curvature.deviation = fit->deviation.b;
+  for (const PrintedForce* point : {peak, maximum})
+    calibration.forces.push_back(
+        {point->travel, point->mean, forceAt(result.fitted, point->travel)});
+  calibration.label = request.scenario.array.name + ", fitted to " + request.experiment.label;
+  calibration.source =
+      "Fitted to the mean forces at the basal-turn peak and at the maximum, nothing "
+      "else, of: " +
+      request.experiment.source + ". " + std::to_string(request.runs) +
+      " insertions a trial, seed " + std::to_string(request.seed) + ".";
+  return result;
+}
+
+}  // namespace perilymph::analysis

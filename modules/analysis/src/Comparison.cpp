@@ -1,0 +1,145 @@
+#include "perilymph/analysis/Comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "Wording.h"
+#include "perilymph/session/Csv.h"
+#include "perilymph/session/RecordedInsertion.h"
+
+namespace perilymph::analysis {
+
+namespace {
+
+/// Text as a field of a CSV file.
+std::string field(const std::string& text)
+{
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
+  return quoted + "\"";
+}
+
+/// Which multiple of the step a point lies on.
+long stepOf(const CurvePoint& point) { return std::lround(point.travel / profileStep().si()); }
+
+}  // namespace
+
+void ReversalCounter::add(double travel)
+{
+  constexpr double trembling = 1e-4;  // [m]
+  if (!hasBegun_) {
+    hasBegun_ = true;
+    extreme_ = travel;
+    return;
+  }
+  const double way = travel - extreme_;
+  if (direction_ == 0) {
+    if (std::fabs(way) >= trembling) {
+      direction_ = way > 0.0 ? 1 : -1;
+      extreme_ = travel;
+    }
+  } else if (way * direction_ > 0.0) {
+    extreme_ = travel;
+  } else if (std::fabs(way) >= trembling) {
+    direction_ = -direction_;
+    extreme_ = travel;
+    ++reversals_;
+  }
+}
+
+Result<ComparedInsertion> readCompared(const std::filesystem::path& file)
+{
+  const auto recorded = session::RecordedInsertion::open(file);
+  if (!recorded) return recorded.error();
+  ComparedInsertion compared;
+  compared.name = file.stem().string();
+  compared.scenario = recorded->facts().scenarioName;
+  ForceProfiler profiler;
+  ReversalCounter reversals;
+  const auto read = recorded->forEach([&](const haptics::TickRecord& record) {
+    profiler.add(record);
+    reversals.add(record.output.travel);
+    return true;
+  });
+  if (!read) return read.error();
+  compared.profile = profiler.profile();
+  compared.reversals = reversals.reversals();
+  if (compared.profile.ticks == 0)
+    return Error{file.string() + " holds no tick. Record an insertion into another file."};
+  return compared;
+}
+
+std::string comparisonCsv(const std::vector<ComparedInsertion>& insertions)
+{
+  std::string csv =
+      "name,scenario,peak_N,peak_travel_mm,peak_depth_mm,work_mJ,reversals,duration_s,"
+      "final_depth_mm,final_angle_deg\n";
+  for (const ComparedInsertion& each : insertions) {
+    const ForceProfile& profile = each.profile;
+    csv += field(each.name) + "," + field(each.scenario);
+    for (const double value :
+         {profile.peak.force, inMillimeters(meters(profile.peak.travel)),
+          inMillimeters(meters(profile.peakDepth)), profile.work * 1e3,
+          static_cast<double>(each.reversals), profile.duration,
+          inMillimeters(meters(profile.finalDepth)), inDegrees(radians(profile.finalAngle))})
+      csv += "," + session::shortestDecimal(value);
+    csv += "\n";
+  }
+  return csv;
+}
+
+std::string curvesCsv(const std::vector<ComparedInsertion>& insertions)
+{
+  std::string csv = "travel_mm";
+  std::map<long, std::vector<double>> rows;
+  const double missing = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t i = 0; i < insertions.size(); ++i) {
+    csv += "," + field(insertions[i].name + "_N");
+    for (const CurvePoint& point : insertions[i].profile.curve) {
+      auto& row = rows[stepOf(point)];
+      row.resize(insertions.size(), missing);
+      row[i] = point.force;
+    }
+  }
+  csv += "\n";
+  for (const auto& [step, forces] : rows) {
+    csv += session::shortestDecimal(
+        roundedMillimeters(static_cast<double>(step) * profileStep().si()));
+    for (const double force : forces)
+      csv += "," + (std::isnan(force) ? std::string() : session::shortestDecimal(force));
+    csv += "\n";
+  }
+  return csv;
+}
+
+Figure comparisonFigure(const std::vector<ComparedInsertion>& insertions)
+{
+  // Told apart by ink and by dashes; from the fifth on also by longer dashes.
+  constexpr Ink inks[] = {ink::blue, ink::vermilion, ink::green, ink::purple};
+  Figure figure;
+  figure.title = "Recorded insertions: axial force over travel";
+  double farthest = 0.0, nearest = 0.0, highest = 0.0, lowest = 0.0;
+  for (std::size_t i = 0; i < insertions.size(); ++i) {
+    FigureCurve curve;
+    curve.label = insertions[i].name;
+    curve.ink = inks[i % 4];
+    curve.dash = 2.0 * static_cast<double>(i);
+    for (const CurvePoint& point : insertions[i].profile.curve) {
+      curve.x.push_back(inMillimeters(meters(point.travel)));
+      curve.y.push_back(point.force);
+      nearest = std::min(nearest, curve.x.back());
+      farthest = std::max(farthest, curve.x.back());
+      lowest = std::min(lowest, point.force);
+      highest = std::max(highest, point.force);
+    }
+    figure.curves.push_back(std::move(curve));
+  }
+  figure.x = axisOver("travel of the tip from its start, mm", nearest, farthest);
+  figure.y = axisOver("axial force on the hand, N", lowest, highest);
+  return figure;
+}
+
+}  // namespace perilymph::analysis

@@ -1,0 +1,43 @@
+#include "ExperimentHand.h"
+
+#include "perilymph/foundation/Math.h"
+
+namespace perilymph::analysis {
+
+ExperimentHand::ExperimentHand(const DrawnInsertion& drawn)
+    : speed_(drawn.speed),
+      timeStep_(drawn.scenario.timeStep.si()),
+      amplitude_(drawn.tremorAmplitude),
+      frequency_(drawn.tremorFrequency),
+      phase_(drawn.tremorPhase)
+{
+  sample_.isValid = 1;
+}
+
+device::DeviceTraits ExperimentHand::traits() const
+{
+  device::DeviceTraits traits;
+  traits.name = "Materials tester";
+  traits.nominalPeriod = timeStep_;
+  return traits;
+}
+
+device::DeviceSample ExperimentHand::read() noexcept
+{
+  // At rest in the report in which it takes hold; the base is anchored there.
+  if (sample_.buttons != 0) {
+    steps_ += 1.0;
+    const double time = steps_ * timeStep_;
+    sample_.position_D = {0.0, 0.0, -speed_ * time};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double turn = 2.0 * pi * frequency_ * time + phase_[axis];
+      sample_.position_D[axis] +=
+          amplitude_ * (sineCosine(turn).sine - sineCosine(phase_[axis]).sine);
+    }
+  }
+  sample_.buttons = device::graspButton;
+  ++sample_.sequence;
+  return sample_;
+}
+
+}  // namespace perilymph::analysis

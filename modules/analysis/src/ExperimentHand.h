@@ -1,0 +1,29 @@
+#pragma once
+
+// The machine that pushes the array in an experiment: constant speed and what trembling is left.
+
+#include "perilymph/analysis/Variability.h"
+#include "perilymph/device/HapticDevice.h"
+
+namespace perilymph::analysis {
+
+/// Moves along D's -z from its first report on, with a sine of its own along each axis of D. One
+/// read() is one time step.
+class ExperimentHand final : public device::HapticDevice {
+public:
+  explicit ExperimentHand(const DrawnInsertion& drawn);
+
+  device::DeviceTraits traits() const override;
+  Result<Done> open() override { return Done{}; }
+  void close() noexcept override {}
+  device::DeviceSample read() noexcept override;
+  void write(const device::Wrench&) noexcept override {}
+
+private:
+  double speed_, timeStep_, amplitude_, frequency_;
+  std::array<double, 3> phase_;
+  device::DeviceSample sample_;
+  double steps_ = 0.0;  // since it took hold
+};
+
+}  // namespace perilymph::analysis

@@ -1,0 +1,79 @@
+#include "InParallel.h"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "perilymph/foundation/RealTime.h"
+
+namespace perilymph::analysis {
+
+namespace {
+
+/// What the threads share.
+struct Board {
+  std::atomic<std::size_t> next{0};
+  std::atomic<bool> isAsked{false};  ///< To stop.
+  std::mutex lock;                   ///< For what follows.
+  std::condition_variable changed;
+  std::size_t done = 0;
+  std::size_t working = 0;
+  std::vector<std::optional<Error>> errors;
+};
+
+}  // namespace
+
+Result<Done> doInParallel(
+    std::size_t count, unsigned jobs,
+    const std::function<Result<Done>(std::size_t, const std::atomic<bool>& isAsked)>& work,
+    const PieceProgress& progress)
+{
+  if (jobs == 0) jobs = std::max(1u, std::thread::hardware_concurrency());
+  Board board;
+  board.errors.resize(count);
+  board.working = std::min<std::size_t>(jobs, count);
+
+  const auto worker = [&] {
+    registerThreadRole(ThreadRole::none);
+    for (std::size_t piece = board.next++; piece < count && !board.isAsked; piece = board.next++) {
+      const Result<Done> result = work(piece, board.isAsked);
+      const std::lock_guard guard(board.lock);
+      ++board.done;
+      // A piece that ends because it was asked to has no error of its own.
+      if (!result && !board.isAsked) {
+        board.errors[piece] = result.error();
+        board.isAsked = true;
+      }
+      board.changed.notify_one();
+    }
+    const std::lock_guard guard(board.lock);
+    --board.working;
+    board.changed.notify_one();
+  };
+  std::vector<std::jthread> threads;
+  for (std::size_t i = 0; i < std::min<std::size_t>(jobs, count); ++i) threads.emplace_back(worker);
+
+  bool wasStopped = false;
+  std::unique_lock guard(board.lock);
+  while (board.working > 0) {
+    // A tenth of a second, so that a wish to stop is heard although nothing is done.
+    board.changed.wait_for(guard, std::chrono::milliseconds(100));
+    const std::size_t done = board.done;
+    guard.unlock();
+    if (!wasStopped && progress && !progress(done)) wasStopped = board.isAsked = true;
+    guard.lock();
+  }
+  guard.unlock();
+  threads.clear();
+
+  if (wasStopped) return Error{"Stopped; nothing was kept."};
+  for (const auto& error : board.errors)
+    if (error) return *error;
+  return Done{};
+}
+
+}  // namespace perilymph::analysis

@@ -1,0 +1,62 @@
+#include "perilymph/analysis/MeasuredInsertion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ExperimentHand.h"
+#include "perilymph/analysis/RandomStream.h"
+#include "perilymph/session/Insertion.h"
+
+namespace perilymph::analysis {
+
+Result<MeasuredInsertion> measure(const DrawnInsertion& drawn,
+                                  std::shared_ptr<const anatomy::ScalaTympani> anatomy,
+                                  Duration samplePeriod, Length stop,
+                                  const std::atomic<bool>& isAsked)
+{
+  session::Scenario scenario = drawn.scenario;
+  scenario.stopTravel = stop;
+  scenario.engine.stopTravel = stop.si();
+  scenario.engine.samplePeriod = scenario.timeStep.si();
+  scenario.withdraws = false;
+  auto insertion = session::Insertion::prepare(scenario, std::make_unique<ExperimentHand>(drawn),
+                                               std::nullopt, std::move(anatomy));
+  if (!insertion) return insertion.error();
+
+  MeasuredInsertion measured;
+  const Eigen::Vector3d out_W = (*insertion)->anatomy().entry().out_W;
+  std::optional<Eigen::Vector3d> start_W;  // of the tweezers
+  RandomStream noise(drawn.seed, drawn.number, static_cast<std::uint64_t>(SpreadSource::noise));
+  const std::uint64_t ticksPerSample =
+      static_cast<std::uint64_t>(std::lround(samplePeriod / scenario.timeStep));
+  std::uint64_t moving = 0;
+  bool hasArrived = false;
+  const auto each = [&](const haptics::TickRecord& record) {
+    const haptics::TickOutput& now = record.output;
+    ++measured.ticks;
+    if (now.status & haptics::notSettled) ++measured.ticksNotSettled;
+    hasArrived = now.workflow == haptics::Workflow::finished;
+    if (now.workflow == haptics::Workflow::inserting && moving++ % ticksPerSample == 0) {
+      const Eigen::Vector3d base_W(now.proxy_W[0], now.proxy_W[1], now.proxy_W[2]);
+      if (!start_W) start_W = base_W;
+      measured.travel.push_back((*start_W - base_W).dot(out_W));
+      measured.depth.push_back(now.depth);
+      measured.force.push_back(now.axialForce + drawn.noiseDeviation * noise.normal());
+    }
+    return !isAsked;
+  };
+  // Twice the time that the way takes, and a second to begin.
+  const double ticks =
+      2.0 * stop.si() / (drawn.speed * scenario.timeStep.si()) + 1.0 / scenario.timeStep.si();
+  const auto ran = (*insertion)->runToEnd(each, static_cast<std::uint64_t>(ticks));
+  if (isAsked) return Error{"Stopped before insertion " + std::to_string(drawn.number + 1) + "."};
+  if (!ran) return ran.error();
+  if (!hasArrived)
+    return Error{"Insertion " + std::to_string(drawn.number + 1) + " of the study with seed " +
+                 std::to_string(drawn.seed) + " never arrived at " +
+                 std::to_string(inMillimeters(stop)) +
+                 " mm of travel. Lower the spread in its validation file."};
+  return measured;
+}
+
+}  // namespace perilymph::analysis

@@ -1,0 +1,227 @@
+#include "perilymph/analysis/Prediction.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "InParallel.h"
+#include "perilymph/device/ScriptedHand.h"
+#include "perilymph/foundation/Math.h"
+#include "perilymph/foundation/Resources.h"
+#include "perilymph/foundation/TomlReader.h"
+#include "perilymph/session/Csv.h"
+#include "perilymph/session/Insertion.h"
+
+namespace perilymph::analysis {
+
+namespace {
+
+/// A fifth of the ticks of a live insertion; forces move by less than 0.4 mN.
+constexpr Duration timeStep = milliseconds(5);
+
+/// Angle from the round window of the place at a distance from the tip, counted along the array
+/// from the opening on, so that turns add up; 0 before the round window.
+double angleAlong(const mechanics::InsertionModel& model, const mechanics::InsertionState& state,
+                  double fromTip)
+{
+  double angle = 0.0;
+  bool isInside = false;
+  Eigen::Vector3d before = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < state.position_W.size() && model.fromTip[i] >= fromTip; ++i) {
+    const Eigen::Vector3d& now = state.position_W[i];
+    if (isInside)
+      angle += arcTangent(before.x() * now.y() - before.y() * now.x(),
+                          before.x() * now.x() + before.y() * now.y());
+    // The round window's plane is that of the angle zero: y = 0 on the side of positive x.
+    if (!isInside && now.x() > 0.0 && now.y() > 0.0 &&
+        (now - model.entry.origin_W).dot(model.entry.out_W) < 0.0) {
+      isInside = true;
+      angle = arcTangent(now.y(), now.x());
+    }
+    before = now;
+  }
+  return angle;
+}
+
+/// The cochlea of a number: 0 is the mean one, the others are drawn.
+Result<session::Scenario> withCochlea(const session::Scenario& nominal, std::uint64_t seed,
+                                      std::size_t number)
+{
+  session::Scenario scenario = nominal;
+  scenario.anatomy = "mean";
+  if (number == 0) {
+    scenario.patient = {};
+    return scenario;
+  }
+  auto patient = anatomy::samplePatient(seed * 1'000'003u + number);
+  if (!patient) return patient.error();
+  scenario.patient = *patient;
+  return scenario;
+}
+
+PredictedInsertion insert(const session::Scenario& scenario,
+                          std::shared_ptr<const anatomy::ScalaTympani> anatomy,
+                          const std::atomic<bool>& isAsked)
+{
+  PredictedInsertion predicted;
+  auto insertion = session::Insertion::prepare(
+      scenario, std::make_unique<device::ScriptedHand>(scenario.speed.si(), scenario.timeStep.si()),
+      std::nullopt, std::move(anatomy));
+  if (!insertion) {
+    predicted.trouble = insertion.error().message;
+    return predicted;
+  }
+  haptics::TickOutput last;
+  double peak = 0.0;
+  const double ticks =
+      2.0 * scenario.stopTravel.si() / (scenario.speed.si() * scenario.timeStep.si()) + 1000.0;
+  const auto ran = (*insertion)
+                       ->runToEnd(
+                           [&](const haptics::TickRecord& record) {
+                             last = record.output;
+                             peak = std::max(peak, last.axialForce);
+                             return !isAsked;
+                           },
+                           static_cast<std::uint64_t>(ticks));
+  if (!ran) predicted.trouble = ran.error().message;
+  if (ran && last.workflow != haptics::Workflow::finished)
+    predicted.trouble = "It never arrived at its full depth.";
+  const auto& contacts = scenario.array.contactsFromTip;
+  predicted.apical =
+      radians(angleAlong((*insertion)->model(), (*insertion)->loop().engine().state(),
+                         contacts.empty() ? 0.0 : contacts.front().si()));
+  predicted.depth = meters(last.depth);
+  predicted.end = newtons(last.axialForce);
+  predicted.peak = newtons(peak);
+  return predicted;
+}
+
+ArraySummary summaryOf(const std::string& array, const std::vector<PredictedInsertion>& all,
+                       const std::vector<ClinicalAngle>& clinical)
+{
+  ArraySummary summary;
+  summary.array = array;
+  std::vector<double> angles, ends, peaks;
+  for (const PredictedInsertion& each : all) {
+    if (each.array != array || !each.trouble.empty()) continue;
+    if (each.patient == "mean") {
+      summary.mean = each;
+      continue;
+    }
+    angles.push_back(each.apical.si());
+    ends.push_back(each.end.si());
+    peaks.push_back(each.peak.si());
+  }
+  summary.patients = static_cast<int>(angles.size());
+  if (!angles.empty()) {
+    summary.median = radians(quantile(angles, 0.5));
+    summary.lowerQuartile = radians(quantile(angles, 0.25));
+    summary.upperQuartile = radians(quantile(angles, 0.75));
+    summary.medianEnd = newtons(quantile(ends, 0.5));
+    summary.medianPeak = newtons(quantile(peaks, 0.5));
+  }
+  for (const ClinicalAngle& angle : clinical)
+    if (angle.array == array) summary.clinical = angle;
+  if (summary.clinical) {
+    const Angle found = angles.empty() && summary.mean ? summary.mean->apical : summary.median;
+    summary.hitsAngle = (summary.mean || !angles.empty()) && found >= summary.clinical->low &&
+                        found <= summary.clinical->high;
+  }
+  return summary;
+}
+
+/// The array in the scenario, to be pushed in as deep as it may go.
+Result<session::Scenario> withArray(const PredictionRequest& request, const std::string& array)
+{
+  const auto file = findByName("array", "plugins/electrodes", array);
+  if (!file) return file.error();
+  const auto design = electrode::loadArray(*file);
+  if (!design) return design.error();
+  auto scenario = session::loadScenario(
+      request.scenario,
+      {{"array", file->string()},
+       {"start_inside_mm", session::shortestDecimal(inMillimeters(request.startInside))},
+       {"stop_travel_mm",
+        session::shortestDecimal(
+            std::floor(inMillimeters(design->insertable - request.startInside) * 1e3) / 1e3)},
+       {"dt_ms", session::shortestDecimal(timeStep.si() * 1e3)}});
+  if (!scenario) return Error{array + ": " + scenario.error().message};
+  return scenario;
+}
+
+}  // namespace
+
+Result<std::vector<ClinicalAngle>> clinicalAngles()
+{
+  auto reader = TomlReader::open(resource("resources/clinical/insertion-angles.toml"));
+  if (!reader) return reader.error();
+  std::vector<ClinicalAngle> angles;
+  reader->text("label");
+  for (TomlReader& table : reader->tables("angle")) {
+    ClinicalAngle angle;
+    angle.array = table.text("array");
+    angle.low = degrees(table.number("low_deg", {0.0, 1100.0}));
+    angle.median = degrees(table.number("median_deg", {inDegrees(angle.low), 1100.0}));
+    angle.high = degrees(table.number("high_deg", {inDegrees(angle.median), 1100.0}));
+    angle.source = table.text("source");
+    angles.push_back(angle);
+  }
+  if (const auto done = reader->finish(); !done) return done.error();
+  return angles;
+}
+
+double quantile(std::vector<double> values, double share)
+{
+  if (values.empty()) return 0.0;
+  std::sort(values.begin(), values.end());
+  const double place = share * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  if (below + 1 >= values.size()) return values.back();
+  return values[below] + (place - std::floor(place)) * (values[below + 1] - values[below]);
+}
+
+Result<PredictionResult> predict(const PredictionRequest& request,
+                                 const std::function<bool(std::size_t, std::size_t)>& progress)
+{
+  const auto clinical = clinicalAngles();
+  if (!clinical) return clinical.error();
+  std::vector<session::Scenario> scenarios;
+  for (const std::string& array : request.arrays) {
+    auto scenario = withArray(request, array);
+    if (!scenario) return scenario.error();
+    scenarios.push_back(std::move(*scenario));
+  }
+
+  // One piece a cochlea, so that it is built once for all arrays.
+  const std::size_t arrays = scenarios.size();
+  const std::size_t cochleae = static_cast<std::size_t>(request.patients) + 1;
+  std::vector<PredictedInsertion> insertions(arrays * cochleae);
+  const auto work = [&](std::size_t number, const std::atomic<bool>& isAsked) -> Result<Done> {
+    std::shared_ptr<const anatomy::ScalaTympani> anatomy;
+    for (std::size_t i = 0; i < arrays && !isAsked; ++i) {
+      const auto scenario = withCochlea(scenarios[i], request.seed, number);
+      if (!scenario) return scenario.error();
+      if (!anatomy) {
+        auto built = session::buildAnatomy(*scenario);
+        if (!built) return built.error();
+        anatomy = *built;
+      }
+      PredictedInsertion& place = insertions[i * cochleae + number];
+      place = insert(*scenario, anatomy, isAsked);
+      place.array = request.arrays[i];
+      place.patient = number == 0 ? "mean" : "sample " + std::to_string(number);
+    }
+    return Done{};
+  };
+  const auto done = doInParallel(cochleae, request.jobs, work, [&](std::size_t count) {
+    return !progress || progress(count * arrays, cochleae * arrays);
+  });
+  if (!done) return done.error();
+
+  PredictionResult result;
+  result.insertions = std::move(insertions);
+  for (const std::string& array : request.arrays)
+    result.arrays.push_back(summaryOf(array, result.insertions, *clinical));
+  return result;
+}
+
+}  // namespace perilymph::analysis

@@ -1,0 +1,87 @@
+#include <nlohmann/json.hpp>
+
+#include "perilymph/analysis/Prediction.h"
+#include "perilymph/foundation/Version.h"
+#include "perilymph/session/Csv.h"
+
+namespace perilymph::analysis {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+bool isWithin(Force force, const PrintedRange* range)
+{
+  return range && force.si() >= range->low && force.si() <= range->high;
+}
+
+Json json(const PrintedRange* range)
+{
+  if (!range) return nullptr;
+  return {{"low_N", range->low}, {"high_N", range->high}, {"source", range->source}};
+}
+
+Json json(const ArraySummary& array, const PrintedRange* end, const PrintedRange* peak)
+{
+  Json page;
+  page["array"] = array.array;
+  if (array.mean)
+    page["mean_cochlea"] = {{"apical_deg", inDegrees(array.mean->apical)},
+                            {"end_N", array.mean->end.si()},
+                            {"peak_N", array.mean->peak.si()}};
+  page["patients"] = array.patients;
+  if (array.patients > 0) {
+    page["median_deg"] = inDegrees(array.median);
+    page["lower_quartile_deg"] = inDegrees(array.lowerQuartile);
+    page["upper_quartile_deg"] = inDegrees(array.upperQuartile);
+    page["median_end_N"] = array.medianEnd.si();
+    page["median_peak_N"] = array.medianPeak.si();
+    page["end_within_in_vivo"] = isWithin(array.medianEnd, end);
+    page["peak_within_in_vivo"] = isWithin(array.medianPeak, peak);
+  }
+  if (array.clinical) {
+    page["clinical"] = {{"median_deg", inDegrees(array.clinical->median)},
+                        {"low_deg", inDegrees(array.clinical->low)},
+                        {"high_deg", inDegrees(array.clinical->high)},
+                        {"source", array.clinical->source}};
+    page["angle_within_clinical"] = array.hitsAngle;
+  }
+  return page;
+}
+
+}  // namespace
+
+std::string predictionCsv(const PredictionResult& result)
+{
+  std::string csv = "array,patient,apical_deg,depth_mm,end_N,peak_N,trouble\n";
+  for (const PredictedInsertion& each : result.insertions) {
+    csv += each.array + "," + each.patient;
+    for (const double value :
+         {inDegrees(each.apical), inMillimeters(each.depth), each.end.si(), each.peak.si()})
+      csv += "," + session::shortestDecimal(value);
+    std::string quoted;
+    for (const char letter : each.trouble)
+      quoted += letter == '"' ? "\"\"" : std::string(1, letter);
+    csv += each.trouble.empty() ? ",\n" : ",\"" + quoted + "\"\n";
+  }
+  return csv;
+}
+
+std::string predictionJson(const PredictionRequest& request, const PredictionResult& result,
+                           const Reference& inVivo)
+{
+  const PrintedRange* end = inVivo.findRange("end of insertion");
+  const PrintedRange* peak = inVivo.findRange("peak");
+  Json page;
+  page["version"] = version();
+  page["scenario"] = request.scenario;
+  page["seed"] = request.seed;
+  page["patients"] = request.patients;
+  page["in_vivo_end"] = json(end);
+  page["in_vivo_peak"] = json(peak);
+  page["arrays"] = Json::array();
+  for (const ArraySummary& array : result.arrays) page["arrays"].push_back(json(array, end, peak));
+  return page.dump(2) + "\n";
+}
+
+}  // namespace perilymph::analysis

@@ -1,0 +1,32 @@
+#include "perilymph/analysis/SampleStatistics.h"
+
+#include <cmath>
+
+namespace perilymph::analysis {
+
+SampleStatistics statisticsOf(std::span<const double> values)
+{
+  SampleStatistics result;
+  if (values.empty()) return result;
+  const double count = static_cast<double>(values.size());
+  for (const double value : values) result.mean += value;
+  result.mean /= count;
+  if (values.size() == 1) return result;
+  double squares = 0.0;
+  for (const double value : values) squares += (value - result.mean) * (value - result.mean);
+  result.deviation = std::sqrt(squares / (count - 1.0));
+  result.standardError = result.deviation / std::sqrt(count);
+  return result;
+}
+
+SampleStatistics differenceOf(const SampleStatistics& a, const SampleStatistics& b)
+{
+  SampleStatistics result;
+  result.mean = a.mean - b.mean;
+  result.deviation = std::sqrt(a.deviation * a.deviation + b.deviation * b.deviation);
+  result.standardError =
+      std::sqrt(a.standardError * a.standardError + b.standardError * b.standardError);
+  return result;
+}
+
+}  // namespace perilymph::analysis

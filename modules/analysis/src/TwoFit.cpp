@@ -1,0 +1,141 @@
+// Damped Gauss-Newton for two numbers between bounds.
+
+#include <algorithm>
+#include <cmath>
+
+#include "perilymph/analysis/CalibrationFit.h"
+
+namespace perilymph::analysis {
+
+namespace {
+
+constexpr int mostRounds = 10;
+constexpr double settled = 0.02;     // of a step: closer than any uncertainty
+constexpr double negligible = 1e-6;  // of the cost
+
+double costOf(const TwoNumbers& residual)
+{
+  return residual.a * residual.a + residual.b * residual.b;
+}
+
+/// Places spread evenly between the bounds, half a mesh off them.
+std::vector<TwoNumbers> rasterOf(const TwoBounds& bounds)
+{
+  std::vector<TwoNumbers> places;
+  if (bounds.raster < 2) return places;
+  for (int i = 0; i < bounds.raster; ++i)
+    for (int j = 0; j < bounds.raster; ++j) {
+      const double shareA = (i + 0.5) / bounds.raster;
+      const double shareB = (j + 0.5) / bounds.raster;
+      places.push_back({bounds.low.a + shareA * (bounds.high.a - bounds.low.a),
+                        bounds.low.b + shareB * (bounds.high.b - bounds.low.b)});
+    }
+  return places;
+}
+
+/// How the residuals change with each number, per step.
+struct Slopes {
+  TwoNumbers byA, byB;
+};
+
+TwoNumbers clamped(TwoNumbers at, const TwoBounds& bounds)
+{
+  return {std::clamp(at.a, bounds.low.a, bounds.high.a),
+          std::clamp(at.b, bounds.low.b, bounds.high.b)};
+}
+
+/// A number that stands at a bound and would be pushed on through it.
+bool isHeld(double at, double low, double high, double downhill)
+{
+  return (at <= low && downhill < 0.0) || (at >= high && downhill > 0.0);
+}
+
+/// Where to go, in steps; a held number stays.
+TwoNumbers direction(const TwoNumbers& at, const TwoNumbers& residual, const Slopes& slopes,
+                     const TwoBounds& bounds, double damping)
+{
+  const double downA = -(slopes.byA.a * residual.a + slopes.byA.b * residual.b);
+  const double downB = -(slopes.byB.a * residual.a + slopes.byB.b * residual.b);
+  const double aa = costOf(slopes.byA) * (1.0 + damping);
+  const double bb = costOf(slopes.byB) * (1.0 + damping);
+  const double ab = slopes.byA.a * slopes.byB.a + slopes.byA.b * slopes.byB.b;
+  const bool holdsA = isHeld(at.a, bounds.low.a, bounds.high.a, downA) || !(aa > 0.0);
+  const bool holdsB = isHeld(at.b, bounds.low.b, bounds.high.b, downB) || !(bb > 0.0);
+  const double determinant = aa * bb - ab * ab;
+  if (!holdsA && !holdsB && determinant > 0.0)
+    return {(downA * bb - ab * downB) / determinant, (downB * aa - ab * downA) / determinant};
+  if (!holdsA) return {downA / aa, 0.0};
+  if (!holdsB) return {0.0, downB / bb};
+  return {};
+}
+
+}  // namespace
+
+Result<TwoFit> fitTwo(const TwoResiduals& residuals, TwoNumbers start, const TwoBounds& bounds)
+{
+  TwoFit fit;
+  const auto tried = [&](const TwoNumbers& at) {
+    ++fit.trials;
+    return residuals(at);
+  };
+  fit.at = clamped(start, bounds);
+  auto first = tried(fit.at);
+  if (!first) return first.error();
+  fit.residual = *first;
+  for (const TwoNumbers& place : rasterOf(bounds)) {
+    const auto there = tried(place);
+    if (!there) return there.error();
+    if (costOf(*there) >= costOf(fit.residual)) continue;
+    fit.at = place;
+    fit.residual = *there;
+  }
+
+  Slopes slopes;
+  double damping = 1e-3;
+  for (int round = 0; round < mostRounds; ++round) {
+    // Differences are taken into the inside of the bounds.
+    const double signA = fit.at.a + bounds.step.a > bounds.high.a ? -1.0 : 1.0;
+    const double signB = fit.at.b + bounds.step.b > bounds.high.b ? -1.0 : 1.0;
+    const auto besideA = tried({fit.at.a + signA * bounds.step.a, fit.at.b});
+    if (!besideA) return besideA.error();
+    const auto besideB = tried({fit.at.a, fit.at.b + signB * bounds.step.b});
+    if (!besideB) return besideB.error();
+    slopes.byA = {signA * (besideA->a - fit.residual.a), signA * (besideA->b - fit.residual.b)};
+    slopes.byB = {signB * (besideB->a - fit.residual.a), signB * (besideB->b - fit.residual.b)};
+
+    bool hasImproved = false, isSettled = false;
+    for (int attempt = 0; attempt < 4 && !hasImproved; ++attempt) {
+      const TwoNumbers move = direction(fit.at, fit.residual, slopes, bounds, damping);
+      const TwoNumbers next =
+          clamped({fit.at.a + move.a * bounds.step.a, fit.at.b + move.b * bounds.step.b}, bounds);
+      if (next.a == fit.at.a && next.b == fit.at.b) break;
+      const auto there = tried(next);
+      if (!there) return there.error();
+      hasImproved = costOf(*there) < costOf(fit.residual);
+      damping = hasImproved ? std::max(1e-6, 0.1 * damping) : 10.0 * damping;
+      if (!hasImproved) continue;
+      isSettled = std::fabs(next.a - fit.at.a) < settled * bounds.step.a &&
+                  std::fabs(next.b - fit.at.b) < settled * bounds.step.b;
+      fit.at = next;
+      fit.residual = *there;
+    }
+    if (!hasImproved || isSettled || costOf(fit.residual) < negligible) break;
+  }
+
+  // The inverse of the normal matrix of what is free.
+  const double aa = costOf(slopes.byA), bb = costOf(slopes.byB);
+  const double ab = slopes.byA.a * slopes.byB.a + slopes.byA.b * slopes.byB.b;
+  const bool holdsA = fit.at.a <= bounds.low.a || fit.at.a >= bounds.high.a;
+  const bool holdsB = fit.at.b <= bounds.low.b || fit.at.b >= bounds.high.b;
+  const double determinant = aa * bb - ab * ab;
+  if (!holdsA && !holdsB && determinant > 0.0)
+    fit.deviation = {bounds.step.a * std::sqrt(bb / determinant),
+                     bounds.step.b * std::sqrt(aa / determinant)};
+  else if (!holdsA && aa > 0.0)
+    fit.deviation.a = bounds.step.a / std::sqrt(aa);
+  else if (!holdsB && bb > 0.0)
+    fit.deviation.b = bounds.step.b / std::sqrt(bb);
+  return fit;
+}
+
+}  // namespace perilymph::analysis

@@ -1,0 +1,151 @@
+// The three figures of the paper, with what is known today.
+
+#include <algorithm>
+
+#include "Wording.h"
+#include "perilymph/analysis/ValidationReport.h"
+
+namespace perilymph::analysis {
+
+namespace {
+
+constexpr double feltBySurgeons = 0.0204;  // median, Kratchman et al. 2016 [N]
+
+double mm(double travel) { return inMillimeters(meters(travel)); }
+
+FigureAxis travelAxis() { return {"travel of the tip from its start, mm", 0.0, 17.0, 2.0, 0}; }
+
+FigureAxis forceAxis(double highest)
+{
+  FigureAxis axis{"axial force, N", 0.0, 0.20, 0.05, 2};
+  while (axis.high < highest) axis.high += axis.tick;
+  return axis;
+}
+
+FigureValues printed(const Reference& reference, std::string label, const Ink& color,
+                     MarkerShape shape)
+{
+  FigureValues values;
+  values.label = std::move(label);
+  values.ink = color;
+  values.shape = shape;
+  for (const PrintedForce& point : reference.points) {
+    values.x.push_back(mm(point.travel));
+    values.y.push_back(point.mean);
+    values.low.push_back(point.mean - point.deviation);
+    values.high.push_back(point.mean + point.deviation);
+  }
+  return values;
+}
+
+}  // namespace
+
+Figure experimentFigure(const Reference& experiment, const Reference& publishedSimulator)
+{
+  Figure figure;
+  figure.title = "Published forces: the values that were printed";
+  figure.x = travelAxis();
+  figure.y = forceAxis(0.20);
+  figure.values.push_back(
+      printed(experiment, "experiment, printed mean ± 1 SD", ink::black, MarkerShape::disk));
+  figure.values.push_back(printed(publishedSimulator, "published simulator, printed mean ± 1 SD",
+                                  ink::green, MarkerShape::square));
+  figure.notes = {"Todd and Naghdy: Nucleus 24 Contour, synthetic scala tympani, soap, 2.0 mm/s.",
+                  "Nothing is known between printed values, so nothing is drawn there."};
+  return figure;
+}
+
+Figure simulationFigure(const ValidationResult& result, const Reference& experiment)
+{
+  Figure figure;
+  figure.title = "Simulated insertions and the published " + experiment.kind;
+  figure.x = travelAxis();
+  FigureBand spread{"± 1 SD between insertions", {}, {}, {}, ink::tint(ink::blue, 0.18)};
+  FigureBand confidence{"95 % confidence of the mean", {}, {}, {}, ink::tint(ink::blue, 0.45)};
+  FigureCurve mean{"mean of " + std::to_string(result.runs) + " simulated insertions",
+                   {},
+                   {},
+                   ink::blue,
+                   1.6,
+                   0.0};
+  double highest = 0.0;
+  for (const ProfilePoint& point : result.profile) {
+    for (auto* x : {&spread.x, &confidence.x, &mean.x}) x->push_back(mm(point.travel));
+    mean.y.push_back(point.force.mean);
+    spread.low.push_back(point.force.mean - point.force.deviation);
+    spread.high.push_back(point.force.mean + point.force.deviation);
+    confidence.low.push_back(point.force.low95());
+    confidence.high.push_back(point.force.high95());
+    highest = std::max(highest, spread.high.back());
+  }
+  figure.y = forceAxis(highest);
+  figure.bands = {spread, confidence};
+  figure.curves = {mean};
+  figure.levels = {{"felt by surgeons, median 20.4 mN", feltBySurgeons, ink::gray, 3.0}};
+  figure.values.push_back(printed(experiment, experiment.label, ink::black, MarkerShape::disk));
+  figure.notes = {"Seed " + std::to_string(result.seed) +
+                  "; least-squares spline through each insertion, resampled every 0.1 mm."};
+  return figure;
+}
+
+Figure calibrationFigure(const CalibrationResult& calibration, const Reference& experiment)
+{
+  Reference used = experiment, predicted = experiment;
+  used.points.clear();
+  predicted.points.clear();
+  for (const PrintedForce& point : experiment.points) {
+    bool isUsed = false;
+    for (const session::FittedForce& force : calibration.calibration.forces)
+      isUsed = isUsed || force.travel == point.travel;
+    (isUsed ? used : predicted).points.push_back(point);
+  }
+  Figure figure = simulationFigure(calibration.fitted, experiment);
+  figure.title = "Calibrated insertions: what was fitted and what is predicted";
+  figure.values = {printed(used, "experiment, printed mean ± 1 SD, used by the fit", ink::vermilion,
+                           MarkerShape::diamond),
+                   printed(predicted, "experiment, printed mean ± 1 SD, predicted", ink::black,
+                           MarkerShape::disk)};
+  const session::Calibration& fit = calibration.calibration;
+  figure.notes = {"Stiffness scale " + fixed(fit.stiffnessScale.value, 3) + " ± " +
+                  fixed(fit.stiffnessScale.deviation, 3) + ", residual curvature " +
+                  fixed(fit.residualCurvature.value, 3) + " ± " +
+                  fixed(fit.residualCurvature.deviation, 3) + " of the free one."};
+  return figure;
+}
+
+Figure differenceFigure(const ValidationResult& result, const Reference& publishedDifference)
+{
+  Figure figure;
+  figure.title = "Simulator minus experiment";
+  figure.x = travelAxis();
+  FigureValues ours;
+  ours.label = "this simulator, 95 % confidence";
+  ours.ink = ink::blue;
+  double lowest = -0.08, highest = 0.08;
+  for (const AnchorComparison& anchor : result.anchors) {
+    ours.x.push_back(mm(anchor.experiment.travel));
+    ours.y.push_back(anchor.difference.mean);
+    ours.low.push_back(anchor.difference.low95());
+    ours.high.push_back(anchor.difference.high95());
+    lowest = std::min(lowest, ours.low.back());
+    highest = std::max(highest, ours.high.back());
+  }
+  FigureValues theirs;
+  theirs.label = "published simulator, 95 % confidence where printed (sign corrected)";
+  theirs.ink = ink::green;
+  theirs.shape = MarkerShape::square;
+  for (const PrintedDifference& difference : publishedDifference.differences) {
+    theirs.x.push_back(mm(difference.travel));
+    theirs.y.push_back(difference.mean);
+    theirs.low.push_back(difference.low.value_or(difference.mean));
+    theirs.high.push_back(difference.high.value_or(difference.mean));
+  }
+  figure.y = axisOver("difference of mean axial force, N", lowest, highest);
+  figure.levels = {{"felt by surgeons, ± 20.4 mN", feltBySurgeons, ink::gray, 3.0},
+                   {"", -feltBySurgeons, ink::gray, 3.0}};
+  figure.values = {theirs, ours};
+  figure.notes = {"Only where the experiment is printed; its means rest on about 11 insertions."};
+  return figure;
+}
+
+}  // namespace perilymph::analysis

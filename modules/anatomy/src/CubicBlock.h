@@ -1,0 +1,72 @@
+#pragma once
+
+// 4 x 4 x 4 coefficients of a uniform tricubic B-spline, summed four neighbors at a time.
+
+#include <cstddef>
+#include <cstring>
+
+#include "CubicTable.h"
+
+namespace perilymph::anatomy {
+
+/// Four neighbors of the last axis, in two registers that every x86-64 processor has.
+struct FourNeighbors {
+  using Two [[gnu::vector_size(16)]] = double;
+
+  Two low{}, high{};
+
+  /// Adds weight times four values in a row.
+  void add(double weight, const FourNeighbors& other) noexcept
+  {
+    low += weight * other.low;
+    high += weight * other.high;
+  }
+  static FourNeighbors load(const float* first) noexcept
+  {
+    const double values[4] = {first[0], first[1], first[2], first[3]};
+    FourNeighbors four;
+    std::memcpy(&four.low, values, sizeof four.low);
+    std::memcpy(&four.high, values + 2, sizeof four.high);
+    return four;
+  }
+  double weighted(const double weights[4]) const noexcept
+  {
+    const Two sums = low * Two{weights[0], weights[1]} + high * Two{weights[2], weights[3]};
+    return sums[0] + sums[1];
+  }
+};
+
+/// Value and derivatives of the spline by the indices of its axes: a, p and q, the fastest last.
+struct CubicBlock {
+  double value, byA, byP, byQ, byPp, byPq, byQq;
+
+  /// @param corner  The first of the coefficients.
+  /// @param aStep   From one coefficient to the next along a.
+  /// @param pStep   The same along p.
+  CubicBlock(const float* corner, std::size_t aStep, std::size_t pStep, const CubicWeights& a,
+             const CubicWeights& p, const CubicWeights& q) noexcept
+  {
+    FourNeighbors sum, sumByA, sumByP, sumByPp;
+    for (std::size_t j = 0; j < 4; ++j) {
+      FourNeighbors here, slope;
+      for (std::size_t i = 0; i < 4; ++i) {
+        const FourNeighbors row = FourNeighbors::load(corner + i * aStep + j * pStep);
+        here.add(a.value[i], row);
+        slope.add(a.slope[i], row);
+      }
+      sum.add(p.value[j], here);
+      sumByP.add(p.slope[j], here);
+      sumByPp.add(p.bend[j], here);
+      sumByA.add(p.value[j], slope);
+    }
+    value = sum.weighted(q.value);
+    byA = sumByA.weighted(q.value);
+    byP = sumByP.weighted(q.value);
+    byQ = sum.weighted(q.slope);
+    byPp = sumByPp.weighted(q.value);
+    byPq = sumByP.weighted(q.slope);
+    byQq = sum.weighted(q.bend);
+  }
+};
+
+}  // namespace perilymph::anatomy

@@ -1,0 +1,15 @@
+#pragma once
+
+// A figure for print as a PNG file. Needs neither a display nor OpenGL.
+
+#include <filesystem>
+
+#include "perilymph/analysis/Drawing.h"
+#include "perilymph/foundation/Result.h"
+
+namespace perilymph::charts {
+
+/// Writes a drawing as PNG with 216 pixels an inch; the file appears whole or not at all.
+Result<Done> writePicture(const analysis::Drawing& drawing, const std::filesystem::path& file);
+
+}  // namespace perilymph::charts

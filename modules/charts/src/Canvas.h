@@ -1,0 +1,39 @@
+#pragma once
+
+// Pixels that polygons are painted on, smoothed at their edges.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "perilymph/analysis/Drawing.h"
+
+namespace perilymph::charts {
+
+/// A white page in RGB. Places are pixels from the upper left corner.
+class Canvas {
+public:
+  Canvas(int width, int height);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+  /// Adds a polygon to the stencil: even-odd inside each polygon, the union of all of them.
+  void outline(const std::vector<analysis::PagePoint>& polygon);
+  /// Paints what the stencil holds, and empties it.
+  void paint(const analysis::Ink& ink);
+  /// Paints one pixel in part.
+  void blend(int x, int y, const analysis::Ink& ink, double share);
+
+  const std::uint8_t* row(int y) const;
+
+private:
+  static constexpr int fine = 4;  // parts of a pixel in each direction
+
+  int width_, height_;
+  std::vector<std::uint8_t> pixels_;
+  std::vector<std::uint8_t> stencil_;  // fine parts, 1 inside
+  int firstRow_, lastRow_;             // fine rows in use
+};
+
+}  // namespace perilymph::charts

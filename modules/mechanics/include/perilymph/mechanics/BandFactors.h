@@ -1,0 +1,62 @@
+#pragma once
+
+// The factors of a band matrix, for any number of solutions.
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "perilymph/mechanics/BandMatrix.h"
+#include "perilymph/mechanics/Blocks.h"
+
+namespace perilymph {
+class Hash;
+}
+
+namespace perilymph::mechanics {
+
+/// Block LDL^T, O(blocks). The chain is eliminated from both its ends at once, and what is left in
+/// the middle (one to three blocks) last. The two ends do not depend on each other, so they run
+/// side by side in the two lanes of a register that every x86-64 processor has.
+class BandFactors {
+public:
+  explicit BandFactors(std::size_t blocks = 0);
+
+  /// Finds the factors of a matrix. False if it is not positive definite: then there are none.
+  /// Real-time safe.
+  bool factorize(const BandMatrix& matrix) noexcept;
+
+  bool exist() const noexcept { return exist_; }
+  void forget() noexcept { exist_ = false; }
+  /// Whether the first unknown was held when they were found.
+  bool firstIsHeld() const noexcept { return firstIsHeld_; }
+
+  /// Replaces `right` by the solution. Real-time safe.
+  void solve(std::vector<Eigen::Vector3d>& right) noexcept;
+
+  /// Adds all that solutions depend on.
+  void addTo(Hash& hash) const noexcept;
+
+private:
+  /// Two numbers side by side: of the chain from the base, and of the chain from the tip.
+  using Lanes [[gnu::vector_size(16)]] = double;
+
+  /// Column k of the factors, in the order of elimination.
+  template <class T>
+  struct Column {
+    SymmetricBlock<T> inverse;  ///< Of the pivot.
+    Block<T> beside;            ///< Block (k + 1, k).
+    Block<T> beyond;            ///< Block (k + 2, k).
+    Triple<T> solution;         ///< Room for solve().
+  };
+
+  std::size_t blocks_;
+  std::size_t steps_;  ///< Blocks eliminated from each end.
+  std::size_t left_;   ///< Blocks left in the middle, 1 to 3.
+  bool exist_ = false;
+  bool firstIsHeld_ = false;
+  std::vector<Column<Lanes>> ends_;
+  std::vector<Column<double>> middle_;
+};
+
+}  // namespace perilymph::mechanics

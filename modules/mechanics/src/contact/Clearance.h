@@ -1,0 +1,19 @@
+#pragma once
+
+// Which nodes can touch the wall at all.
+
+#include "perilymph/mechanics/InsertionModel.h"
+#include "perilymph/mechanics/InsertionState.h"
+
+namespace perilymph::mechanics {
+
+/// Asks the lumen for the wall at every node that can have come near it, into room.wall.
+///
+/// No node's distance to the wall changes by more than the node moves. A node that was seen far
+/// from it is not asked for again before it has moved as far as that; nothing is approximated.
+void findWall(const InsertionModel& model, InsertionState& state, StepRoom& room) noexcept;
+
+/// Brings state.clearance up to date at the end of a step.
+void keepClearance(InsertionState& state) noexcept;
+
+}  // namespace perilymph::mechanics

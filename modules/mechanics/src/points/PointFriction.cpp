@@ -1,0 +1,17 @@
+#include "perilymph/mechanics/PointFriction.h"
+
+namespace perilymph::mechanics {
+
+PointFriction pointFriction(const Eigen::Vector3d& stretch_W, double normal, double stiffness,
+                            bool wasSliding, const FrictionLaw& law) noexcept
+{
+  const double length = stretch_W.norm();
+  const double pull = stiffness * length;
+  const bool isSliding = wasSliding ? pull >= law.stopping * normal : pull > law.starting * normal;
+  Eigen::Vector3d spring_W = stretch_W;
+  const double most = law.dynamic * normal;
+  if (isSliding && pull > most) spring_W = (most / pull) * stretch_W;
+  return {-stiffness * spring_W, spring_W, isSliding};
+}
+
+}  // namespace perilymph::mechanics

@@ -1,0 +1,116 @@
+#include "perilymph/session/Calibration.h"
+
+#include <algorithm>
+
+#include "EffectiveText.h"
+#include "perilymph/foundation/TomlReader.h"
+
+namespace perilymph::session {
+
+namespace {
+
+// [N.m^2]; see uncalibrated().
+constexpr double styletLow = 0.82e-6, styletHigh = 4.2e-6;
+constexpr double carrierLow = 0.2e-6, carrierHigh = 3e-6;
+constexpr double mostCurvature = 0.25;
+
+using Bending = electrode::AlongArray<BendingStiffness>;
+
+void scale(Bending& bending, double factor)
+{
+  for (BendingStiffness& value : bending.value) value = factor * value;
+}
+
+FittedValue readValue(TomlReader& reader, const char* key)
+{
+  TomlReader table = reader.table(key);
+  FittedValue fitted;
+  fitted.low = table.number("low", {0.0, 100.0});
+  fitted.high = table.number("high", {fitted.low, 100.0});
+  fitted.value = table.number("value", {fitted.low, fitted.high});
+  fitted.deviation = table.number("sd", {0.0, 100.0});
+  return fitted;
+}
+
+std::string valueText(const char* key, const FittedValue& fitted)
+{
+  return std::string("\n[") + key + "]\nvalue = " + tomlNumber(fitted.value) +
+         "\nsd = " + tomlNumber(fitted.deviation) + "     # 0: a bound holds the value" +
+         "\nlow = " + tomlNumber(fitted.low) + "   # physical bounds" +
+         "\nhigh = " + tomlNumber(fitted.high) + "\n";
+}
+
+}  // namespace
+
+Calibration uncalibrated(const electrode::ArrayDesign& array)
+{
+  Calibration calibration;
+  calibration.array = array.name;
+  const auto [least, most] =
+      std::minmax_element(array.bending.value.begin(), array.bending.value.end());
+  FittedValue& scale = calibration.stiffnessScale;
+  // What the array's file says is possible by itself, so 1 always lies between the bounds.
+  scale.low = std::min(1.0, carrierLow / least->si());
+  scale.high = std::max(1.0, carrierHigh / most->si());
+  if (array.hasStylet && array.stylet.bending.si() > 0.0) {
+    scale.low = std::min(1.0, std::max(scale.low, styletLow / array.stylet.bending.si()));
+    scale.high = std::max(1.0, std::min(scale.high, styletHigh / array.stylet.bending.si()));
+    FittedValue& curvature = calibration.residualCurvature;
+    curvature.value = array.stylet.residualCurvature;
+    curvature.high = std::max(mostCurvature, curvature.value);
+  }
+  return calibration;
+}
+
+electrode::ArrayDesign calibrated(electrode::ArrayDesign array, double stiffnessScale,
+                                  double residualCurvature)
+{
+  scale(array.bending, stiffnessScale);
+  scale(array.bendingAcross, stiffnessScale);
+  if (array.twisting) scale(*array.twisting, stiffnessScale);
+  if (!array.hasStylet) return array;
+  array.stylet.bending = stiffnessScale * array.stylet.bending;
+  array.stylet.residualCurvature = residualCurvature;
+  return array;
+}
+
+Result<Calibration> loadCalibration(const std::filesystem::path& file)
+{
+  auto reader = TomlReader::open(file);
+  if (!reader) return reader.error();
+  Calibration calibration;
+  calibration.label = reader->text("label");
+  calibration.array = reader->text("array");
+  calibration.source = reader->text("source");
+  calibration.stiffnessScale = readValue(*reader, "stiffness_scale");
+  calibration.residualCurvature = readValue(*reader, "residual_curvature_share");
+  for (TomlReader& table : reader->tables("force")) {
+    FittedForce force;
+    force.travel = millimeters(table.number("travel_mm", {0.0, 60.0})).si();
+    force.wanted = table.number("wanted_N", {-5.0, 5.0});
+    force.found = table.number("found_N", {-5.0, 5.0});
+    calibration.forces.push_back(force);
+  }
+  if (const auto done = reader->finish(); !done) return done.error();
+  return calibration;
+}
+
+std::string calibrationText(const Calibration& calibration)
+{
+  std::string text =
+      "# Fitted numbers for an array, and where they come from. Written by perilymph-cli "
+      "calibrate.\n\n"
+      "label = " +
+      tomlText(calibration.label) + "\narray = " + tomlText(calibration.array) +
+      "\nsource = " + tomlText(calibration.source) + "\n";
+  text += valueText("stiffness_scale", calibration.stiffnessScale);
+  text += valueText("residual_curvature_share", calibration.residualCurvature);
+  for (const FittedForce& force : calibration.forces)
+    text += "\n[[force]]  # used by the fit\ntravel_mm = " +
+            tomlNumber(exactMillimeters(meters(force.travel))) +
+            "\nwanted_N = " + tomlNumber(force.wanted) + "\nfound_N = " + tomlNumber(force.found) +
+            "\n";
+  return text;
+}
+
+}  // namespace perilymph::session

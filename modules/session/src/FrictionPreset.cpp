@@ -1,0 +1,53 @@
+#include "FrictionPreset.h"
+
+#include <algorithm>
+
+#include "ScenarioFriction.h"
+#include "perilymph/foundation/Resources.h"
+#include "perilymph/foundation/TomlReader.h"
+
+namespace perilymph::session {
+
+namespace {
+
+/// A table that says where its values come from.
+TomlReader tableOf(TomlReader& file, const char* name)
+{
+  TomlReader table = file.table(name);
+  table.text("source");
+  table.choice("confidence", {"high", "medium", "low"});
+  return table;
+}
+
+}  // namespace
+
+Result<FrictionPreset> loadFriction(const std::string& nameOrFile)
+{
+  const auto file = findByName("friction", "resources/friction", nameOrFile);
+  if (!file) return file.error();
+  auto reader = TomlReader::open(*file);
+  if (!reader) return reader.error();
+
+  FrictionPreset preset;
+  reader->text("title");
+  TomlReader coefficients = tableOf(*reader, "coefficients");
+  preset.starting = coefficients.number("static", frictionRange);
+  if (reader->has("by_speed")) {
+    TomlReader table = tableOf(*reader, "by_speed");
+    preset.speed_mm_s = table.numbers("speed_mm_s", frictionSpeed_mm_s, 1);
+    preset.coefficient = table.numbers("coefficient", frictionRange, 1);
+    preset.dynamic = *std::min_element(preset.coefficient.begin(), preset.coefficient.end());
+  } else {
+    preset.dynamic = coefficients.number("dynamic", frictionRange);
+  }
+  TomlReader stopping = tableOf(*reader, "stopping");
+  preset.stopping = stopping.number("coefficient", frictionRange);
+  if (reader->has("stribeck")) {
+    TomlReader stribeck = tableOf(*reader, "stribeck");
+    preset.stribeck_mm_s = stribeck.number("speed_mm_s", stribeckRange_mm_s);
+  }
+  if (const auto done = reader->finish(); !done) return done.error();
+  return preset;
+}
+
+}  // namespace perilymph::session

@@ -1,0 +1,43 @@
+#include "ScenarioCalibration.h"
+
+#include "perilymph/foundation/Resources.h"
+#include "perilymph/session/Calibration.h"
+
+namespace perilymph::session {
+
+Result<AskedCalibration> readCalibration(TomlReader& reader, ScenarioKeys& keys, Scenario& scenario)
+{
+  AskedCalibration asked;
+  scenario.calibrationName = keys.text("calibration", "");
+  const bool needsFile = !scenario.calibrationName.empty() &&
+                         !(reader.has("stiffness_scale") && reader.has("residual_curvature_share"));
+  if (needsFile) {
+    const auto file = findByName("calibration", "resources/calibration", scenario.calibrationName);
+    if (!file) return file.error();
+    const auto calibration = loadCalibration(*file);
+    if (!calibration) return calibration.error();
+    asked.array = calibration->array;
+    asked.stiffnessScale = calibration->stiffnessScale.value;
+    asked.residualCurvature = calibration->residualCurvature.value;
+  }
+  // A wire or a carrier of half or double its diameter has a sixteenth or sixteen times the
+  // stiffness; a tenth and ten times are more than any uncertainty here.
+  asked.stiffnessScale = keys.number("stiffness_scale", {0.1, 10.0}, asked.stiffnessScale);
+  if (asked.residualCurvature || reader.has("residual_curvature_share"))
+    asked.residualCurvature =
+        keys.number("residual_curvature_share", {0.0, 1.0}, asked.residualCurvature.value_or(0.0));
+  return asked;
+}
+
+Result<Done> applyCalibration(const AskedCalibration& asked, Scenario& scenario)
+{
+  if (!asked.array.empty() && asked.array != scenario.array.name)
+    return Error{"The calibration " + scenario.calibrationName + " was fitted for the array " +
+                 asked.array + ", not for " + scenario.array.name +
+                 ". Set calibration to \"\" or name one of this array."};
+  const double residual = asked.residualCurvature.value_or(scenario.array.stylet.residualCurvature);
+  scenario.array = calibrated(std::move(scenario.array), asked.stiffnessScale, residual);
+  return Done{};
+}
+
+}  // namespace perilymph::session

@@ -1,0 +1,93 @@
+#include "ScenarioFriction.h"
+
+#include <stdexcept>
+
+#include "FrictionPreset.h"
+
+namespace perilymph::session {
+
+namespace {
+
+void refuseDisorder(TomlReader& reader, const mechanics::FrictionLaw& law)
+{
+  if (law.dynamic > law.starting)
+    reader.refuse("friction_dynamic", "friction_dynamic is " + tomlNumber(law.dynamic) +
+                                          "; it must not be above friction_static, which is " +
+                                          tomlNumber(law.starting) + ".");
+  if (law.stopping > law.dynamic)
+    reader.refuse("friction_stopping", "friction_stopping is " + tomlNumber(law.stopping) +
+                                           "; it must not be above friction_dynamic, which is " +
+                                           tomlNumber(law.dynamic) + ".");
+}
+
+mechanics::FrictionBySpeed bySpeed(TomlReader& reader, const std::vector<double>& speeds_mm_s,
+                                   const std::vector<double>& coefficients)
+{
+  if (speeds_mm_s.empty() && coefficients.empty()) return {};
+  std::vector<Speed> speeds;
+  for (const double speed : speeds_mm_s) speeds.push_back(millimetersPerSecond(speed));
+  try {
+    return {speeds, coefficients};
+  } catch (const std::invalid_argument& mistake) {
+    reader.refuse("friction_speed_mm_s", mistake.what());
+    return {};
+  }
+}
+
+}  // namespace
+
+void readFriction(TomlReader& reader, ScenarioKeys& keys,
+                  const std::function<bool(const std::string&)>& isOverridden,
+                  mechanics::FrictionLaw& law)
+{
+  const std::string name = keys.text("friction", "paper");
+  const bool isNamedAnew = isOverridden("friction");
+  const auto isGiven = [&](const char* key) {
+    return reader.has(key) && (!isNamedAnew || isOverridden(key));
+  };
+
+  // A text that has all the numbers needs no preset: a recording outlives the file.
+  FrictionPreset preset;
+  if (!isGiven("friction_static") || !isGiven("friction_dynamic") ||
+      !isGiven("friction_stopping")) {
+    const auto loaded = loadFriction(name);
+    if (loaded)
+      preset = *loaded;
+    else
+      reader.refuse("friction", loaded.error().message +
+                                    " Or give friction_static, friction_dynamic and "
+                                    "friction_stopping.");
+  }
+  // A coefficient given without its table means friction that follows the coefficients alone.
+  if (isGiven("friction_dynamic")) {
+    preset.speed_mm_s.clear();
+    preset.coefficient.clear();
+  }
+
+  const auto number = [&](const char* key, Range allowed, double usual) {
+    const double read = reader.number(key, allowed, usual);
+    const double value = isGiven(key) ? read : usual;
+    keys.note(key, tomlNumber(value));
+    return value;
+  };
+  const auto numbers = [&](const char* key, Range allowed, const std::vector<double>& usual) {
+    const std::vector<double> read =
+        reader.has(key) ? reader.numbers(key, allowed, 1) : std::vector<double>();
+    const std::vector<double>& values = isGiven(key) ? read : usual;
+    if (!values.empty()) keys.note(key, tomlNumbers(values));
+    return values;
+  };
+  const auto speeds_mm_s = numbers("friction_speed_mm_s", frictionSpeed_mm_s, preset.speed_mm_s);
+  const auto coefficients = numbers("friction_coefficient", frictionRange, preset.coefficient);
+  law.bySpeed = bySpeed(reader, speeds_mm_s, coefficients);
+  if (!law.bySpeed.isEmpty()) preset.dynamic = law.bySpeed.least();
+
+  law.starting = number("friction_static", frictionRange, preset.starting);
+  law.dynamic = number("friction_dynamic", frictionRange, preset.dynamic);
+  law.stopping = number("friction_stopping", frictionRange, preset.stopping);
+  law.stribeck = millimetersPerSecond(
+      number("friction_stribeck_mm_s", stribeckRange_mm_s, preset.stribeck_mm_s));
+  refuseDisorder(reader, law);
+}
+
+}  // namespace perilymph::session

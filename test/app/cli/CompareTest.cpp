@@ -1,0 +1,47 @@
+#include "Cli.h"
+
+namespace perilymph::test {
+namespace {
+
+TEST(Compare, SetsRecordingsSideBySide)
+{
+  const TemporaryFolder folder;
+  ASSERT_EQ(cli(shortSimulation({"--record", folder / "a.insertion"})).status, 0);
+  ASSERT_EQ(
+      cli(shortSimulation({"--set", "stop_travel_mm=0.8", "--record", folder / "b.insertion"}))
+          .status,
+      0);
+  const auto outcome =
+      cli({"compare", folder / "a.insertion", folder / "b.insertion", "--out", folder / "out"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto table = linesOf(folder / "out" / "comparison.csv");
+  ASSERT_EQ(table.size(), 3u);
+  EXPECT_EQ(table[0].substr(0, 28), "name,scenario,peak_N,peak_tr");
+  EXPECT_EQ(table[1].substr(0, 2), "a,");
+  const auto curves = linesOf(folder / "out" / "curves.csv");
+  EXPECT_EQ(curves[0], "travel_mm,a_N,b_N");
+  EXPECT_EQ(curves.size(), 10u);  // 0 to 0.8 mm; the shorter one leaves its column open
+  EXPECT_EQ(curves[9].substr(0, 5), "0.8,,");
+  EXPECT_TRUE(std::filesystem::exists(folder / "out" / "curves.svg"));
+}
+
+TEST(Compare, SaysWhatCannotBeRead)
+{
+  const TemporaryFolder folder;
+  expectRefusal(cli({"compare", folder / "no.insertion", "--out", folder / "out"}), "no.insertion");
+  expectWrongWords(cli({"compare", folder / "no.insertion"}), "--out");
+  expectWrongWords(cli({"compare", "--out", folder / "out"}), "files");
+  EXPECT_EQ(namesIn(folder.path()), std::vector<std::string>{});
+}
+
+TEST(Predict, SaysWhatIsWrongWithTheCall)
+{
+  const TemporaryFolder folder;
+  expectRefusal(cli({"predict", "--array", "spaghetti", "--out", folder / "out"}), "flex28");
+  expectWrongWords(cli({"predict", "--out", folder / "out"}), "--array");
+  expectWrongWords(cli({"predict", "--array", "flex28"}), "--out");
+  EXPECT_EQ(namesIn(folder.path()), std::vector<std::string>{});
+}
+
+}  // namespace
+}  // namespace perilymph::test

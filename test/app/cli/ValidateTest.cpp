@@ -1,0 +1,80 @@
+#include <chrono>
+#include <csignal>
+#include <nlohmann/json.hpp>
+
+#include "Cli.h"
+
+namespace perilymph::test {
+namespace {
+
+using testing::HasSubstr;
+
+/// A validation that is over soon.
+std::vector<std::string> shortValidation(const std::string& out, std::vector<std::string> more = {})
+{
+  std::vector<std::string> arguments = {"validate", "--runs", "2",     "--set", "nodes=20",
+                                        "--jobs",   "2",      "--out", out};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+TEST(Validate, WritesTablesNumbersAndThreeFigures)
+{
+  const TemporaryFolder folder;
+  const auto outcome = cli(shortValidation(folder / "deep" / "out"));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("force at 10.6 mm"));
+  EXPECT_THAT(outcome.out, HasSubstr("of the variance"));
+  for (const char* name : {"profile.csv", "difference.csv", "summary.json", "experiment.svg",
+                           "simulation.svg", "difference.svg"})
+    EXPECT_TRUE(std::filesystem::exists(folder / "deep" / "out" / name)) << name;
+
+  const auto profile = linesOf(folder / "deep" / "out" / "profile.csv");
+  EXPECT_EQ(profile.size(), 167u);
+  EXPECT_EQ(profile[0], "travel_mm,mean_N,sd_N,sem_N,ci95_low_N,ci95_high_N");
+  EXPECT_EQ(profile[1].substr(0, 2), "0,");
+  EXPECT_EQ(profile[166].substr(0, 5), "16.5,");
+  const auto difference = linesOf(folder / "deep" / "out" / "difference.csv");
+  EXPECT_EQ(difference.size(), 5u);  // where the experiment is known
+  EXPECT_EQ(difference[0], profile[0]);
+  const auto summary = nlohmann::json::parse(contentOf(folder / "deep" / "out" / "summary.json"));
+  EXPECT_EQ(summary["runs"], 2);
+  EXPECT_EQ(summary["seed"], 1);
+  EXPECT_EQ(summary["anchors"].size(), 4u);
+}
+
+TEST(Validate, SaysWhatIsWrongWithTheCall)
+{
+  const TemporaryFolder folder;
+  expectWrongWords(cli({"validate"}), "--out");
+  expectWrongWords(cli({"validate", "--runs", "1", "--out", folder / "a"}), "--runs");
+  expectWrongWords(cli({"validate", "--jobs", "0", "--out", folder / "a"}), "--jobs");
+  expectWrongWords(cli({"validate", "--seed", "-1", "--out", folder / "a"}), "--seed");
+  expectRefusal(cli(shortValidation(folder / "a", {"--variability", "nowhere"})),
+                "published-experiment");
+  expectRefusal(cli(shortValidation(folder / "a", {"--set", "nodes=3"})), "between 8 and 1024");
+  EXPECT_EQ(namesIn(folder.path()), std::vector<std::string>{});
+}
+
+TEST(Validate, SaysWhereItCannotWriteBeforeItRuns)
+{
+  const TemporaryFolder folder;
+  std::ofstream(folder / "file") << "there";
+  expectRefusal(cli(shortValidation(folder / "file")), "is a file");
+  expectRefusal(cli(shortValidation("/proc/validation")), "/proc");
+}
+
+TEST(InterruptedValidation, LeavesNothing)
+{
+  const TemporaryFolder folder;
+  ChildProcess child(cliCall({"validate", "--runs", "100000", "--out", folder / "out"}));
+  ASSERT_TRUE(child.waitForOutput("Repeating", std::chrono::minutes(1)));
+  child.send(SIGINT);
+  const auto outcome = child.wait(std::chrono::minutes(1));
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("Interrupted; nothing was written."));
+  EXPECT_EQ(namesIn(folder.path()), std::vector<std::string>{});
+}
+
+}  // namespace
+}  // namespace perilymph::test

@@ -1,0 +1,78 @@
+// The published experiment repeated in the window.
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QProgressBar>
+#include <QSpinBox>
+#include <QTest>
+
+#include "DrawingView.h"
+#include "ValidatePage.h"
+#include "WindowRig.h"
+
+namespace perilymph::test {
+namespace {
+
+class ValidationPage : public testing::Test {
+protected:
+  ValidationPage() { rig_.click("validatePageButton"); }
+
+  gui::ValidatePage& page() { return *rig_.window().findChild<gui::ValidatePage*>(); }
+  void setRuns(int runs) { rig_.window().findChild<QSpinBox*>("validationRuns")->setValue(runs); }
+  /// Words of a figure.
+  bool figureSays(const std::string& words)
+  {
+    for (const analysis::Mark& mark : rig_.window().findChild<gui::DrawingView*>()->drawing().marks)
+      if (const auto* said = std::get_if<analysis::Words>(&mark))
+        if (said->text.find(words) != std::string::npos) return true;
+    return false;
+  }
+  int verdicts(const char* word)
+  {
+    int count = 0;
+    for (const QLabel* label : page().findChildren<QLabel*>())
+      count += label->text().endsWith(QLatin1String(word)) ? 1 : 0;
+    return count;
+  }
+
+  WindowRig rig_;
+};
+
+TEST_F(ValidationPage, SaysWhatItDoesBeforeAnythingWasRun)
+{
+  EXPECT_EQ(rig_.window().page(), gui::Page::validate);
+  EXPECT_TRUE(rig_.button("validateButton").isEnabled());
+  EXPECT_FALSE(rig_.button("saveValidationButton").isEnabled());
+  EXPECT_FALSE(rig_.button("simulationFigure").isEnabled());
+  EXPECT_TRUE(figureSays("travel"));
+  EXPECT_EQ(verdicts("met") + verdicts("missed"), 0);
+}
+
+TEST_F(ValidationPage, EndsWithAVerdictForEachPrintedValue)
+{
+  setRuns(2);
+  rig_.click("validateButton");
+  ASSERT_TRUE(WindowRig::comes([&] { return page().result().has_value(); }));
+  EXPECT_EQ(page().result()->runs, 2);
+  EXPECT_GE(verdicts("met") + verdicts("missed"), 4);
+  EXPECT_TRUE(rig_.button("saveValidationButton").isEnabled());
+  rig_.click("differenceFigure");
+  EXPECT_TRUE(figureSays("experiment"));
+}
+
+TEST_F(ValidationPage, CanBeCanceledAndKeepsNothing)
+{
+  setRuns(1000);
+  rig_.click("validateButton");
+  auto* progress = rig_.window().findChild<QProgressBar*>();
+  ASSERT_TRUE(WindowRig::comes([&] { return progress->value() >= 1; }));
+  rig_.pressKey(Qt::Key_Escape);
+  ASSERT_TRUE(WindowRig::comes([&] { return !page().isRunning(); }));
+  EXPECT_FALSE(page().result());
+  EXPECT_TRUE(rig_.label("validationStatus").contains("Canceled"));
+  EXPECT_TRUE(rig_.button("validateButton").isEnabled());
+}
+
+}  // namespace
+}  // namespace perilymph::test

@@ -1,0 +1,112 @@
+// How long a tick of the published point set takes, and how many points it bears.
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "Percentiles.h"
+#include "perilymph/mechanics/advance.h"
+#include "perilymph/session/Scenario.h"
+
+namespace {
+
+using namespace perilymph;
+
+/// A step that leaves the published run by more than this is not of its order any more: seven times
+/// the greatest force published of the model, 0.1389 N (Todd and Naghdy, section III).
+constexpr double mostForce = 1.0;  // [N]
+
+/// The published experiment, its array a set of points.
+struct PublishedPoints {
+  explicit PublishedPoints(int points)
+  {
+    const auto found = session::loadScenario(
+        "contour-published", {{"model", "points"}, {"nodes", std::to_string(points)}});
+    if (!found) return;
+    scenario = *found;
+    static const auto scala = session::buildAnatomy(scenario);  // the same for every number
+    if (!scala) return;
+    const auto built = session::buildModel(scenario, *scala);
+    if (built) model = *built;
+  }
+  bool isReady() const { return model != nullptr; }
+  int ticks() const
+  {
+    return static_cast<int>(
+        std::ceil(scenario.stopTravel.si() / (scenario.speed.si() * model->timeStep)));
+  }
+  mechanics::Drive driveAt(int tick) const
+  {
+    mechanics::Drive drive;
+    drive.handAxis_W = model->startAxis_W;
+    drive.handCurl_W = model->startCurl_W;
+    const double travel = scenario.speed.si() * model->timeStep * tick;
+    drive.handPosition_W = model->startBase_W + travel * model->startAxis_W;
+    return drive;
+  }
+  session::Scenario scenario;
+  std::shared_ptr<const mechanics::InsertionModel> model;
+};
+
+/// The published run of so many points is stable: no point is ever stopped by its bounds of
+/// movement, and the force at the hand stays of the published order.
+bool isStable(int points)
+{
+  const PublishedPoints run(points);
+  if (!run.isReady()) return false;
+  mechanics::InsertionState state(*run.model);
+  for (int tick = 1; tick <= run.ticks(); ++tick) {
+    mechanics::advance(*run.model, state, run.driveAt(tick));
+    const bool isBounded = std::fabs(state.readings.axialForce) < mostForce;
+    if (!isBounded || state.points.atBounds > 0) return false;
+  }
+  return true;
+}
+
+void tickOfPoints(benchmark::State& benchmark)
+{
+  const PublishedPoints run(static_cast<int>(benchmark.range(0)));
+  if (!run.isReady()) return benchmark.SkipWithError("The published point set was not built.");
+  mechanics::InsertionState state(*run.model);
+  const int ticks = run.ticks();
+  // A batch is a whole insertion, from no contact to the last.
+  bench::Percentiles percentiles(static_cast<std::size_t>(benchmark.max_iterations + ticks));
+  while (benchmark.KeepRunningBatch(ticks)) {
+    state.reset(*run.model);
+    for (int tick = 1; tick <= ticks; ++tick) {
+      const mechanics::Drive drive = run.driveAt(tick);
+      percentiles.time([&] { mechanics::advance(*run.model, state, drive); });
+    }
+  }
+  percentiles.report(benchmark);
+}
+
+BENCHMARK(tickOfPoints)
+    ->Name("tick/points")
+    ->ArgName("nodes")
+    ->Arg(12)
+    ->Unit(benchmark::kMicrosecond);
+
+/// Counts up from two until a published run is not stable.
+void largestStableNumber(benchmark::State& benchmark)
+{
+  int largest = 0;
+  for (auto unused : benchmark) {
+    static_cast<void>(unused);
+    largest = 0;
+    for (int points = 2; points <= mechanics::mostPoints && isStable(points); ++points)
+      largest = points;
+  }
+  benchmark.counters["largest_stable"] = largest;
+  benchmark.counters["published"] = 12;
+}
+
+BENCHMARK(largestStableNumber)
+    ->Name("stability/points/at_1_kHz")
+    ->Iterations(1)
+    ->Unit(benchmark::kSecond);
+
+}  // namespace

@@ -1,0 +1,29 @@
+// With libFuzzer: puts the target's seeds into the corpus folder named on the command line, so that
+// the search starts from things as they should be.
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "FuzzTarget.h"
+
+// NOLINTNEXTLINE(readability-identifier-naming): the name is libFuzzer's
+extern "C" int LLVMFuzzerInitialize(int* count, char*** words);
+
+int LLVMFuzzerInitialize(int* count, char*** words)
+{
+  for (int i = 1; i < *count; ++i) {
+    const std::string word = (*words)[i];
+    if (word.empty() || word.front() == '-') continue;
+    const std::filesystem::path folder(word);
+    std::filesystem::create_directories(folder);
+    int number = 0;
+    for (const perilymph::fuzz::Bytes& seed : perilymph::fuzz::seeds()) {
+      std::ofstream file(folder / ("seed-" + std::to_string(number++)), std::ios::binary);
+      file.write(reinterpret_cast<const char*>(seed.data()),
+                 static_cast<std::streamsize>(seed.size()));
+    }
+    break;
+  }
+  return 0;
+}

@@ -1,0 +1,74 @@
+#include "insertion.h"
+
+#include <poll.h>
+
+#include "FlatWallScene.h"
+#include "TimedHand.h"
+#include "perilymph/haptics/HapticLoop.h"
+
+namespace perilymph::hidstack {
+
+namespace {
+
+using haptics::Command;
+
+constexpr std::size_t mostTicks = 30'000;  // half a minute at 1 kHz
+constexpr int glance_ms = 20;  // of whoever operates the insertion; a recorder drains as often
+// After the last unplug: long enough to see what the loop does then.
+constexpr int ticksAfterwards = 200;
+
+/// Whoever sits before the screen: arms the insertion, and starts anew after a fault once the
+/// device answers again.
+class Operator {
+public:
+  explicit Operator(haptics::HapticLoop& loop) : loop_(loop) { loop_.send({Command::Kind::arm}); }
+
+  void watch(const haptics::TickRecord& record)
+  {
+    ++ticksSinceUnplug_;
+    const bool isLost = (record.output.status & haptics::deviceLost) != 0;
+    if (isLost && !wasLost_) {
+      ++unplugs_;
+      ticksSinceUnplug_ = 0;
+    }
+    wasLost_ = isLost;
+    const bool isFault = record.output.workflow == haptics::Workflow::fault;
+    if (!isFault) hasAsked_ = false;
+    if (!isFault || isLost || hasAsked_) return;
+    hasAsked_ = loop_.send({Command::Kind::reset}) && loop_.send({Command::Kind::arm});
+  }
+
+  bool isDone(int unplugs) const
+  {
+    return unplugs_ >= unplugs && ticksSinceUnplug_ >= ticksAfterwards;
+  }
+
+private:
+  haptics::HapticLoop& loop_;
+  bool wasLost_ = false;
+  bool hasAsked_ = false;
+  int unplugs_ = 0;
+  int ticksSinceUnplug_ = 0;
+};
+
+}  // namespace
+
+Result<std::vector<LoopTick>> insertUntilUnplugged(device::HapticDevice& hand, int unplugs)
+{
+  TimedHand timed(hand, mostTicks);
+  haptics::HapticLoop loop(timed, flatWallEngine(timed.traits().nominalPeriod));
+  Operator user(loop);
+  loop.start();
+  haptics::TickRecord record;
+  for (std::size_t ticks = 0; !user.isDone(unplugs);) {
+    ::poll(nullptr, 0, glance_ms);
+    for (; loop.take(record); ++ticks) user.watch(record);
+    if (ticks > mostTicks)
+      return Error{"The device was not unplugged " + std::to_string(unplugs) + " times within " +
+                   std::to_string(ticks) + " ticks; see what the handle's script says."};
+  }
+  loop.stop();
+  return timed.ticks();
+}
+
+}  // namespace perilymph::hidstack

@@ -1,0 +1,50 @@
+#include "virtualDevice.h"
+
+#include <poll.h>
+
+#include <span>
+#include <utility>
+
+#include "perilymph/device/HidPort.h"
+#include "perilymph/device/ReportDescriptor.h"
+
+namespace perilymph::hidstack {
+
+namespace {
+
+constexpr int glance_ms = 5;
+
+}  // namespace
+
+Result<VirtualDevice> findVirtualDevice(const std::filesystem::path& profileFile, double most)
+{
+  const auto profile = device::loadProfile(profileFile);
+  if (!profile) return profile.error();
+  for (int waited_ms = 0; waited_ms <= static_cast<int>(1e3 * most); waited_ms += glance_ms) {
+    for (device::HidNode& node : device::findHidNodes()) {
+      if (node.access != device::NodeAccess::allowed) continue;
+      auto descriptor = device::ReportDescriptor::parse(node.descriptor);
+      if (!descriptor) return descriptor.error();
+      const std::span<const device::DeviceProfile> one(&*profile, 1);
+      if (device::matchingProfile(one, node.identity, *descriptor) == nullptr) continue;
+      auto codec = device::makeCodec(*profile, *descriptor);
+      if (!codec) return codec.error();
+      return VirtualDevice{std::move(node), device::traitsOf(*profile, *descriptor),
+                           std::move(*codec)};
+    }
+    ::poll(nullptr, 0, glance_ms);
+  }
+  return Error{"No device that fits " + profileFile.string() + " was plugged in within " +
+               std::to_string(most) + " s."};
+}
+
+Result<std::unique_ptr<device::HidHand>> virtualHand(const std::filesystem::path& profile,
+                                                     double most)
+{
+  auto found = findVirtualDevice(profile, most);
+  if (!found) return found.error();
+  return std::make_unique<device::HidHand>(std::move(found->traits), std::move(found->codec),
+                                           device::hidPort(std::move(found->node)));
+}
+
+}  // namespace perilymph::hidstack

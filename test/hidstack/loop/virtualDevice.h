@@ -1,0 +1,30 @@
+#pragma once
+
+// The virtual handle as the device layer finds it.
+
+#include <filesystem>
+#include <memory>
+
+#include "perilymph/device/DeviceProfile.h"
+#include "perilymph/device/HandCodec.h"
+#include "perilymph/device/HidHand.h"
+#include "perilymph/device/HidNodes.h"
+#include "perilymph/foundation/Result.h"
+
+namespace perilymph::hidstack {
+
+/// The handle's node on this system with the profile that fits it and a codec made from both.
+struct VirtualDevice {
+  device::HidNode node;
+  device::DeviceTraits traits;
+  std::unique_ptr<device::HandCodec> codec;
+};
+
+/// Looks until the handle is plugged in, at most so long [s]. The sentence says what is missing.
+Result<VirtualDevice> findVirtualDevice(const std::filesystem::path& profile, double most);
+
+/// The same as a hand, not opened.
+Result<std::unique_ptr<device::HidHand>> virtualHand(const std::filesystem::path& profile,
+                                                     double most);
+
+}  // namespace perilymph::hidstack

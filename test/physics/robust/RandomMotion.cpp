@@ -1,0 +1,42 @@
+// A hand without skill, for as many ticks as the build says, in every setting of the matrix.
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "Settings.h"
+#include "perilymph/test/Tolerance.h"
+
+namespace perilymph::test {
+namespace {
+
+class RandomMotion : public testing::TestWithParam<Setting> {};
+
+TEST_P(RandomMotion, BreaksNothing)
+{
+  const Setting& setting = GetParam();
+  const Findings found =
+      run(setting, setting.isWatchedLonger ? ROBUST_TICKS_OF_ONE : ROBUST_TICKS, 1);
+  std::cout << setting.name << ": " << inWords(found) << std::endl;
+
+  EXPECT_EQ(found.notFinite, 0);
+  EXPECT_LE(found.unexplained, tolerance(0.1e-6, "rounding"));
+  // Nothing comes out that did not go in; a joule's millionth for rounding and for what is left
+  // unbalanced.
+  constexpr double microjoule = 1e-6;
+  EXPECT_GE(found.leastEnergy, -microjoule);
+  if (setting.stylet == StyletUse::stays) {
+    EXPECT_GE(found.leastHandEnergy, -microjoule);
+  }
+  if (setting.settles) {
+    // A hundredth of the forces of an insertion; how often more than 2 uN is left, is printed.
+    EXPECT_LE(found.worstUnsettled, 1e-3);
+    EXPECT_LE(found.worstToggle, 1e-3);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(, RandomMotion, testing::ValuesIn(settings()),
+                         [](const auto& about) { return about.param.name; });
+
+}  // namespace
+}  // namespace perilymph::test

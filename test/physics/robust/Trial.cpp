@@ -1,0 +1,212 @@
+#include "Trial.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "Energy.h"
+#include "perilymph/anatomy/MeanScala.h"
+#include "perilymph/anatomy/Patient.h"
+#include "perilymph/foundation/Resources.h"
+#include "perilymph/mechanics/advance.h"
+
+namespace perilymph::test {
+namespace {
+
+constexpr long ticksOfOneInsertion = 20'000;
+
+std::shared_ptr<const anatomy::Lumen> lumenOf(const std::string& anatomy)
+{
+  if (anatomy == "mean") {
+    static const auto mean = anatomy::buildMean(millimeters(1));
+    if (!mean) throw std::runtime_error(mean.error().message);
+    return *mean;
+  }
+  static const auto published = anatomy::buildPublished({}, millimeters(1));
+  return published;
+}
+
+/// The rotation from one orthonormal pair to another, as a vector [rad]; small.
+Eigen::Vector3d rotation(const mechanics::Drive& from, const mechanics::Drive& to)
+{
+  const auto half = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) -> Eigen::Vector3d {
+    return 0.5 * a.cross(b);
+  };
+  const Eigen::Vector3d third = from.handAxis_W.cross(from.handCurl_W);
+  return half(from.handAxis_W, to.handAxis_W) + half(from.handCurl_W, to.handCurl_W) +
+         half(third, to.handAxis_W.cross(to.handCurl_W));
+}
+
+/// One insertion from its start.
+class Book {
+public:
+  Book(const Setting& setting, const mechanics::InsertionModel& model, std::uint64_t seed,
+       Findings& findings)
+      : setting_(setting),
+        model_(model),
+        state_(model),
+        hand_(model, setting.hand, setting.stylet, seed),
+        walls_(state_.position_W.size()),
+        wasTouching_(state_.position_W.size()),
+        wasSliding_(state_.position_W.size()),
+        findings_(findings)
+  {
+    last_.handPosition_W = model.startBase_W;
+    last_.handAxis_W = model.startAxis_W;
+    last_.handCurl_W = model.startCurl_W;
+    atStart_ = bendingEnergy(model, state_.position_W, model.startCurl_W, 0.0);
+  }
+
+  /// False once a number overflowed.
+  bool tick()
+  {
+    mechanics::Drive drive = hand_.next(state_);
+    drive.coupling = setting_.coupling;
+    drive.couplingStiffness = 441.0;
+    drive.couplingDamping = 1.0;
+    noteStylet(drive);
+    for (std::size_t i = 0; i < wasTouching_.size(); ++i) {
+      wasTouching_[i] = state_.normalForce[i] > 0.0;
+      wasSliding_[i] = state_.isSliding[i] != 0;
+    }
+    mechanics::advance(model_, state_, drive);
+    ++findings_.ticks;
+    if (!isFinite()) {
+      ++findings_.notFinite;
+      return false;
+    }
+    noteEnergy(drive);
+    notePenetration();
+    noteResidual();
+    last_ = drive;
+    return true;
+  }
+
+private:
+  bool isFinite() const
+  {
+    if (!state_.readings.isFinite || !state_.readings.handTorque_W.allFinite()) return false;
+    for (const Eigen::Vector3d& node : state_.position_W)
+      if (!node.allFinite()) return false;
+    return true;
+  }
+
+  /// What the hand on the stylet does: it changes the array's energy where the array is.
+  void noteStylet(const mechanics::Drive& drive)
+  {
+    if (drive.styletWithdrawal == last_.styletWithdrawal) return;
+    onStylet_ +=
+        bendingEnergy(model_, state_.position_W, last_.handCurl_W, drive.styletWithdrawal) -
+        bendingEnergy(model_, state_.position_W, last_.handCurl_W, last_.styletWithdrawal);
+  }
+
+  void noteEnergy(const mechanics::Drive& drive)
+  {
+    const mechanics::Readings& now = state_.readings;
+    byHand_ -= now.handForce_W.dot(drive.handPosition_W - last_.handPosition_W) +
+               now.handTorque_W.dot(rotation(last_, drive));
+    findings_.leastHandEnergy = std::min(findings_.leastHandEnergy, byHand_);
+    findings_.leastEnergy = std::min(findings_.leastEnergy, byHand_ + onStylet_ + atStart_);
+    findings_.greatestForce = std::max(findings_.greatestForce, now.handForce_W.norm());
+  }
+
+  void notePenetration()
+  {
+    auto tracks = state_.track;
+    const std::vector<double> reach(walls_.size(), 1e-3);
+    model_.parts.lumen->nearestWall(state_.position_W, reach, tracks, walls_);
+    const double onset = model_.parts.wall.onset.si();
+    for (std::size_t i = 0; i < walls_.size(); ++i) {
+      const double inside = (model_.entry.origin_W - state_.position_W[i]).dot(model_.entry.out_W);
+      // In the first stretch the wall is still setting in, or the rim has taken its place.
+      if (!walls_[i].isNear || inside < 2.0 * model_.spacing) continue;
+      const double penetration = model_.radius[i] - walls_[i].distance;
+      findings_.deepest = std::max(findings_.deepest, penetration);
+      if (setting_.hasSoftMembrane) continue;
+      const double explained = state_.normalForce[i] / model_.wallStiffness[i] + onset;
+      findings_.unexplained = std::max(findings_.unexplained, penetration - explained);
+    }
+  }
+
+  void noteResidual()
+  {
+    bool hasToggled = false;
+    for (std::size_t i = 0; i < wasTouching_.size(); ++i)
+      hasToggled = hasToggled || wasTouching_[i] != (state_.normalForce[i] > 0.0) ||
+                   wasSliding_[i] != (state_.isSliding[i] != 0);
+    const double left = state_.readings.residual;
+    findings_.iterations += state_.readings.iterations;
+    if (hasToggled) {
+      ++findings_.toggles;
+      findings_.worstToggle = std::max(findings_.worstToggle, left);
+      if (left > 1e-3) ++findings_.unsettledToggles;
+      return;
+    }
+    findings_.worstUnsettled = std::max(findings_.worstUnsettled, left);
+    if (left > 2e-6) ++findings_.unsettled;
+  }
+
+  const Setting& setting_;
+  const mechanics::InsertionModel& model_;
+  mechanics::InsertionState state_;
+  RandomHand hand_;
+  mechanics::Drive last_;
+  std::vector<anatomy::WallPoint> walls_;
+  std::vector<bool> wasTouching_, wasSliding_;
+  double atStart_ = 0.0, byHand_ = 0.0, onStylet_ = 0.0;  // [J]
+  Findings& findings_;
+};
+
+}  // namespace
+
+std::shared_ptr<const mechanics::InsertionModel> build(const Setting& setting)
+{
+  const auto file = findByName("array", "plugins/electrodes", setting.array);
+  if (!file) throw std::runtime_error(file.error().message);
+  const auto array = electrode::loadArray(*file);
+  if (!array) throw std::runtime_error(array.error().message);
+  mechanics::ModelParts parts;
+  parts.lumen = lumenOf(setting.anatomy);
+  parts.array = *array;
+  parts.friction = setting.friction;
+  parts.wall.perSamplePoint = newtonsPerMeter(setting.wall);
+  parts.wall.tangentialPerSamplePoint = newtonsPerMeter(setting.wall * 200.0 / 441.0);
+  if (setting.hasRim) parts.opening = mechanics::roundWindow();
+  if (setting.hasSoftMembrane) parts.membrane = mechanics::MembraneLaw{};
+  parts.nodes = setting.nodes;
+  parts.timeStep = seconds(setting.timeStep);
+  return mechanics::InsertionModel::build(std::move(parts));
+}
+
+Findings run(const Setting& setting, long ticks, std::uint64_t seed)
+{
+  const auto model = build(setting);
+  RandomNumbers seeds(seed);
+  Findings findings;
+  while (findings.ticks < ticks) {
+    Book book(setting, *model, static_cast<std::uint64_t>(seeds.within(0.0, 1e15)), findings);
+    for (long i = 0; i < ticksOfOneInsertion && findings.ticks < ticks; ++i)
+      if (!book.tick()) return findings;
+  }
+  findings.iterations /= static_cast<double>(std::max(1L, findings.ticks));
+  return findings;
+}
+
+std::string inWords(const Findings& f)
+{
+  char line[640];
+  std::snprintf(line, sizeof line,
+                "%ld ticks, %.2f iterations each; force up to %.3f N, penetration %.1f um, "
+                "unexplained %.3f um; least energy %.3f uJ, at the hand alone %.3f uJ; "
+                "unsettled %ld of %ld quiet ticks, worst %.3g mN; over 1 mN in %ld of %ld toggles, "
+                "worst %.3g mN; not finite %ld",
+                f.ticks, f.iterations, f.greatestForce, f.deepest * 1e6, f.unexplained * 1e6,
+                f.leastEnergy * 1e6, f.leastHandEnergy * 1e6, f.unsettled, f.ticks - f.toggles,
+                f.worstUnsettled * 1e3, f.unsettledToggles, f.toggles, f.worstToggle * 1e3,
+                f.notFinite);
+  return line;
+}
+
+}  // namespace perilymph::test

@@ -1,0 +1,64 @@
+#pragma once
+
+// A setting moved at random for many ticks, with books kept of what must never happen.
+
+#include <cstdint>
+#include <memory>
+#include <ostream>
+#include <string>
+
+#include "RandomHand.h"
+#include "perilymph/mechanics/InsertionModel.h"
+
+namespace perilymph::test {
+
+/// One row of the matrix.
+struct Setting {
+  std::string name;
+  std::string anatomy = "mean";  ///< "mean" or "published".
+  std::string array = "contour";
+  mechanics::FrictionLaw friction;
+  double wall = 441.0;  ///< Per sample point [N/m].
+  mechanics::Coupling coupling = mechanics::Coupling::rigid;
+  StyletUse stylet = StyletUse::stays;
+  bool hasRim = false;           ///< The round window around the array.
+  bool hasSoftMembrane = false;  ///< In the roof.
+  /// The solver never leaves more than 1 mN. In the other rows it does in some ticks; how much is
+  /// printed.
+  bool settles = false;
+  bool isWatchedLonger = false;  ///< In the quick tier: twenty thousand ticks.
+  double timeStep = 1e-3;        ///< [s]
+  int nodes = 60;
+  HandLimits hand;
+
+  /// For the name of a test.
+  friend void PrintTo(const Setting& setting, std::ostream* out) { *out << setting.name; }
+};
+
+std::shared_ptr<const mechanics::InsertionModel> build(const Setting& setting);
+
+/// What came of it. Energies in joule, forces in newton, lengths in meter.
+struct Findings {
+  long ticks = 0;
+  long notFinite = 0;            ///< Ticks after which a number had overflowed.
+  double deepest = 0.0;          ///< Greatest penetration of a node.
+  double unexplained = 0.0;      ///< Greatest penetration beyond what the node's force explains.
+  double leastEnergy = 0.0;      ///< Of hand, stylet and start together, at any time.
+  double leastHandEnergy = 0.0;  ///< Of the hand alone, at any time.
+  long unsettled = 0;            ///< Ticks with more than 2 uN left where no contact changed.
+  double worstUnsettled = 0.0;   ///< The most left in one of them.
+  long toggles = 0;              ///< Ticks in which a contact came, went, stuck or slid anew.
+  long unsettledToggles = 0;     ///< Of them those with more than 1 mN left.
+  double worstToggle = 0.0;      ///< The most left in one of them.
+  double greatestForce = 0.0;    ///< On the hand.
+  double iterations = 0.0;       ///< Of Newton's method, mean of a tick.
+};
+
+/// Runs insertions of 20,000 ticks, each from the start and with a hand of its own, until `ticks`
+/// are done. Stops at the first number that overflows.
+Findings run(const Setting& setting, long ticks, std::uint64_t seed);
+
+/// The findings as one line.
+std::string inWords(const Findings& findings);
+
+}  // namespace perilymph::test

@@ -1,0 +1,69 @@
+#include "perilymph/analysis/Comparison.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "perilymph/analysis/Prediction.h"
+
+namespace perilymph::analysis {
+namespace {
+
+int reversalsOf(const std::vector<double>& travels_mm)
+{
+  ReversalCounter counter;
+  for (const double travel_mm : travels_mm) counter.add(travel_mm * 1e-3);
+  return counter.reversals();
+}
+
+TEST(Reversals, AreTurnsOfTheMotion)
+{
+  EXPECT_EQ(reversalsOf({0, 1, 2, 3}), 0);
+  EXPECT_EQ(reversalsOf({0, 2, 1, 3}), 2);
+  EXPECT_EQ(reversalsOf({0, -1, 0}), 1);
+}
+
+TEST(Reversals, AreNotMadeByTrembling)
+{
+  // 49 um rms of a hand that holds still is below a tenth of a millimeter.
+  EXPECT_EQ(reversalsOf({0, 1.0, 0.95, 1.0, 0.94, 1.02, 2.0}), 0);
+  // A slow way back counts, however small its steps.
+  EXPECT_EQ(reversalsOf({0, 1.0, 0.97, 0.94, 0.91, 0.88}), 1);
+}
+
+ComparedInsertion insertion(const std::string& name, std::vector<CurvePoint> curve)
+{
+  ComparedInsertion compared;
+  compared.name = name;
+  compared.profile.curve = std::move(curve);
+  return compared;
+}
+
+TEST(CurvesOfRecordings, StandOnOneAxisAndLeaveGapsOpen)
+{
+  const std::string csv = curvesCsv(
+      {insertion("a", {{0.1e-3, 0.5}, {0.2e-3, 0.25}}), insertion("b, c", {{0.2e-3, 1}})});
+  EXPECT_EQ(csv, "travel_mm,a_N,\"b, c_N\"\n0.1,0.5,\n0.2,0.25,1\n");
+}
+
+TEST(Quantile, InterpolatesBetweenOrderedValues)
+{
+  EXPECT_DOUBLE_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 0.5), 2.5);
+  EXPECT_DOUBLE_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 0.25), 1.75);
+  EXPECT_DOUBLE_EQ(quantile({7.0}, 0.75), 7.0);
+}
+
+TEST(ClinicalAngles, HoldTheirMediansWithinTheirRanges)
+{
+  const auto angles = clinicalAngles();
+  ASSERT_TRUE(angles) << angles.error().message;
+  ASSERT_EQ(angles->size(), 5u);
+  for (const ClinicalAngle& angle : *angles) {
+    EXPECT_LE(angle.low, angle.median) << angle.array;
+    EXPECT_LE(angle.median, angle.high) << angle.array;
+  }
+  // FLEX28: median 575, interquartile range 465 to 584 degrees (O'Connell 2017)
+  EXPECT_NEAR(inDegrees(angles->at(1).median), 575.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace perilymph::analysis

@@ -1,0 +1,70 @@
+#include "perilymph/analysis/RandomStream.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "perilymph/analysis/SampleStatistics.h"
+
+namespace perilymph::analysis {
+namespace {
+
+constexpr int many = 100'000;
+
+TEST(RandomStream, IsUniformToWithinFourStandardErrors)
+{
+  RandomStream random(7, 0, 0);
+  std::vector<double> shares;
+  for (int i = 0; i < many; ++i) shares.push_back(random.share());
+  const SampleStatistics statistics = statisticsOf(shares);
+  EXPECT_NEAR(statistics.mean, 0.5, 4.0 * std::sqrt(1.0 / 12.0 / many));
+  EXPECT_NEAR(statistics.deviation, std::sqrt(1.0 / 12.0), 0.002);
+  for (const double share : shares) {
+    ASSERT_GT(share, 0.0);
+    ASSERT_LT(share, 1.0);
+  }
+}
+
+TEST(RandomStream, IsNormalToWithinFourStandardErrors)
+{
+  RandomStream random(7, 0, 0);
+  std::vector<double> deviates;
+  double beyondTwo = 0.0;
+  for (int i = 0; i < many; ++i) {
+    deviates.push_back(random.normal());
+    if (std::fabs(deviates.back()) > 2.0) beyondTwo += 1.0;
+  }
+  const SampleStatistics statistics = statisticsOf(deviates);
+  EXPECT_NEAR(statistics.mean, 0.0, 4.0 / std::sqrt(many));
+  EXPECT_NEAR(statistics.deviation, 1.0, 4.0 / std::sqrt(2.0 * many));
+  // 4.55 % of a normal distribution lie beyond two deviations.
+  EXPECT_NEAR(beyondTwo / many, 0.0455, 4.0 * std::sqrt(0.0455 * 0.9545 / many));
+}
+
+TEST(RandomStream, GivesEveryItemAndPurposeNumbersOfItsOwn)
+{
+  // Neighbors in seed, item and purpose are as independent as any: no correlation over many.
+  double products = 0.0;
+  for (std::uint64_t item = 0; item < many; ++item) {
+    RandomStream a(1, item, 0), b(1, item + 1, 0), c(1, item, 1), d(2, item, 0);
+    const double first = a.share() - 0.5;
+    products += first * (b.share() - 0.5) + first * (c.share() - 0.5) + first * (d.share() - 0.5);
+  }
+  // variance of one product 1/144, three of them an item
+  EXPECT_NEAR(products, 0.0, 4.0 * std::sqrt(3.0 * many / 144.0));
+}
+
+TEST(RandomStream, KeepsToItsLimits)
+{
+  RandomStream random(3, 1, 4);
+  for (int i = 0; i < 1000; ++i) {
+    const double value = random.normal(0.0, 1.0, -0.5, 0.25);
+    EXPECT_GE(value, -0.5);
+    EXPECT_LE(value, 0.25);
+  }
+  EXPECT_EQ(random.normal(0.0, 1e-9, 5.0, 6.0), 5.0);  // out of reach: the nearer limit
+}
+
+}  // namespace
+}  // namespace perilymph::analysis

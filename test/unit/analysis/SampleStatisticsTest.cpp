@@ -1,0 +1,44 @@
+#include "perilymph/analysis/SampleStatistics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace perilymph::analysis {
+namespace {
+
+TEST(SampleStatistics, OfTwoFourFourFourFiveFiveSevenNine)
+{
+  // Mean 5, sum of squared distances 32, n - 1 = 7.
+  const std::vector<double> values = {2, 4, 4, 4, 5, 5, 7, 9};
+  const SampleStatistics statistics = statisticsOf(values);
+  EXPECT_DOUBLE_EQ(statistics.mean, 5.0);
+  EXPECT_DOUBLE_EQ(statistics.deviation, std::sqrt(32.0 / 7.0));
+  EXPECT_DOUBLE_EQ(statistics.standardError, std::sqrt(32.0 / 7.0 / 8.0));
+}
+
+TEST(SampleStatistics, PutsTheConfidenceIntervalAt196StandardErrors)
+{
+  const SampleStatistics statistics{0.1, 0.02, 0.005};
+  EXPECT_DOUBLE_EQ(statistics.low95(), 0.1 - 1.96 * 0.005);
+  EXPECT_DOUBLE_EQ(statistics.high95(), 0.1 + 1.96 * 0.005);
+}
+
+TEST(SampleStatistics, OfOneValueHasNoSpread)
+{
+  const std::vector<double> one = {0.3};
+  EXPECT_EQ(statisticsOf(one).mean, 0.3);
+  EXPECT_EQ(statisticsOf(one).deviation, 0.0);
+}
+
+TEST(DifferenceOfMeans, AddsErrorsAsSquares)
+{
+  const SampleStatistics difference = differenceOf({0.5, 0.3, 0.03}, {0.2, 0.4, 0.04});
+  EXPECT_DOUBLE_EQ(difference.mean, 0.3);
+  EXPECT_DOUBLE_EQ(difference.deviation, 0.5);
+  EXPECT_DOUBLE_EQ(difference.standardError, 0.05);
+}
+
+}  // namespace
+}  // namespace perilymph::analysis

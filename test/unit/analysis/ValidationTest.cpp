@@ -1,0 +1,166 @@
+#include "perilymph/analysis/Validation.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <thread>
+
+#include "perilymph/analysis/ValidationReport.h"
+#include "perilymph/foundation/Resources.h"
+
+namespace perilymph::analysis {
+namespace {
+
+/// Few and coarse insertions, so that they are soon over.
+ValidationRequest smallRequest(int runs = 6)
+{
+  ValidationRequest request;
+  request.variability =
+      *loadVariability(resource("resources/validation/published-experiment.toml"));
+  request.variability.timeStep = milliseconds(10);
+  request.scenario = *session::loadScenario("contour-published", {{"nodes", "24"}});
+  request.experiment = *shippedReference("todd-naghdy-experiment");
+  request.runs = runs;
+  request.runsPerShare = 2;
+  request.jobs = 2;
+  return request;
+}
+
+TEST(Validation, GivesTheSameBytesWhateverTheJobs)
+{
+  ValidationRequest request = smallRequest(4);
+  request.jobs = 1;
+  const auto one = validate(request, {});
+  request.jobs = 3;
+  const auto three = validate(request, {});
+  ASSERT_TRUE(one && three);
+  EXPECT_EQ(profileCsv(*one), profileCsv(*three));
+  EXPECT_EQ(differenceCsv(*one), differenceCsv(*three));
+  EXPECT_EQ(summaryJson(request, *one), summaryJson(request, *three));
+  EXPECT_EQ(svg(draw(simulationFigure(*one, request.experiment))),
+            svg(draw(simulationFigure(*three, request.experiment))));
+}
+
+TEST(Validation, WithAnotherSeedIsAnotherStudyOfTheSameThing)
+{
+  ValidationRequest request = smallRequest(12);
+  const auto one = validate(request, {});
+  request.seed = 2;
+  const auto two = validate(request, {});
+  ASSERT_TRUE(one && two);
+  EXPECT_NE(profileCsv(*one), profileCsv(*two));
+  // Two means of the same thing differ by less than 1.96 standard errors of their difference at 95
+  // of 100 places; along one curve places hang together, so half of them is asked of few runs.
+  int near = 0;
+  for (std::size_t i = 0; i < one->profile.size(); ++i) {
+    const SampleStatistics difference = differenceOf(one->profile[i].force, two->profile[i].force);
+    if (std::fabs(difference.mean) <= 1.96 * difference.standardError) ++near;
+  }
+  EXPECT_GE(near, static_cast<int>(one->profile.size()) / 2);
+}
+
+TEST(Validation, RunsEveryTenthOfAMillimeterToTheEndOfThePublishedAxis)
+{
+  const auto result = validate(smallRequest(2), {});
+  ASSERT_TRUE(result) << result.error().message;
+  ASSERT_EQ(result->profile.size(), 166u);
+  for (std::size_t i = 0; i < 166; ++i)
+    EXPECT_NEAR(inMillimeters(meters(result->profile[i].travel)), 0.1 * static_cast<double>(i),
+                1e-9);
+  EXPECT_EQ(result->anchors.size(), 4u);
+}
+
+TEST(Validation, NamesAShareForEverySourceAndTheyAddUp)
+{
+  const auto result = validate(smallRequest(2), {});
+  ASSERT_TRUE(result);
+  std::set<SpreadSource> named;
+  double sum = 0.0;
+  for (const SpreadShare& share : result->shares) {
+    named.insert(share.source);
+    sum += share.share;
+  }
+  EXPECT_EQ(named.size(), allSpreadSources.size());
+  EXPECT_NEAR(sum, 1.0, 1e-12);
+}
+
+TEST(Validation, EndsWhenAskedTo)
+{
+  int calls = 0;
+  const auto result = validate(smallRequest(50), [&](std::size_t, std::size_t) {
+    ++calls;
+    return false;
+  });
+  ASSERT_FALSE(result);
+  EXPECT_EQ(calls, 1);
+  EXPECT_THAT(result.error().message, testing::HasSubstr("Stopped"));
+}
+
+TEST(Validation, TellsItsProgressInTheCallersThreadAndNeverBackward)
+{
+  const std::thread::id caller = std::this_thread::get_id();
+  std::size_t before = 0, last = 0, all = 0;
+  const auto result = validate(smallRequest(3), [&](std::size_t done, std::size_t count) {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    EXPECT_GE(done, before);
+    before = last = done;
+    all = count;
+    return true;
+  });
+  ASSERT_TRUE(result);
+  EXPECT_EQ(last, all);
+}
+
+TEST(Validation, OfOneInsertionIsRefused)
+{
+  const auto result = validate(smallRequest(1), {});
+  ASSERT_FALSE(result);
+  EXPECT_THAT(result.error().message, testing::HasSubstr("at least 2"));
+}
+
+/// A result whose mean curve is known.
+ValidationResult resultWith(double (*force)(double travel_mm), double deviation)
+{
+  ValidationResult result;
+  result.runs = 200;
+  for (int i = 0; i <= 165; ++i) {
+    SampleStatistics statistics{force(0.1 * i), deviation, deviation / std::sqrt(200.0)};
+    result.profile.push_back({millimeters(0.1 * i).si(), statistics});
+  }
+  return result;
+}
+
+TEST(ProfileTable, HasTheColumnsThatToolsRelyOn)
+{
+  const ValidationResult result = resultWith([](double x) { return 0.01 * x; }, 0.02);
+  const std::string csv = profileCsv(result);
+  EXPECT_EQ(csv.substr(0, csv.find('\n')), "travel_mm,mean_N,sd_N,sem_N,ci95_low_N,ci95_high_N");
+  EXPECT_THAT(csv, testing::HasSubstr("\n0.3,"));  // not 0.30000000000000004
+  EXPECT_THAT(csv, testing::HasSubstr("\n16.5,"));
+}
+
+TEST(Verdicts, StandForHitsAndMissesAlike)
+{
+  const auto experiment = shippedReference("todd-naghdy-experiment");
+  ASSERT_TRUE(experiment);
+  ValidationResult result;
+  AnchorComparison hit;
+  hit.experiment = experiment->points[0];
+  hit.simulator = {0.0880, 0.02, 0.001};
+  hit.isWithinDeviation = true;
+  AnchorComparison miss;
+  miss.experiment = experiment->points[2];
+  miss.simulator = {0.1009, 0.02, 0.001};
+  miss.difference.mean = -0.0500;
+  result.anchors = {hit, miss};
+  const auto verdicts = verdictsOf(result, *experiment);
+  EXPECT_TRUE(verdicts[0].isMet);
+  EXPECT_FALSE(verdicts[1].isMet);
+  EXPECT_EQ(verdicts[2].found, "0.0500 N");  // the largest difference
+  EXPECT_FALSE(verdicts[2].isMet);
+}
+
+}  // namespace
+}  // namespace perilymph::analysis

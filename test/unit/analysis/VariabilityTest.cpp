@@ -1,0 +1,124 @@
+#include "perilymph/analysis/Variability.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "perilymph/analysis/SampleStatistics.h"
+#include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/Resources.h"
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::analysis {
+namespace {
+
+using testing::HasSubstr;
+
+const char* shipped = "resources/validation/published-experiment.toml";
+
+class DrawnInsertions : public testing::Test {
+protected:
+  void SetUp() override
+  {
+    const auto loaded = loadVariability(resource(shipped));
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    variability = *loaded;
+    const auto scenario = session::loadScenario(variability.scenario);
+    ASSERT_TRUE(scenario) << scenario.error().message;
+    nominal = *scenario;
+  }
+
+  DrawnInsertion drawn(SpreadSources sources, std::uint64_t number)
+  {
+    return drawInsertion(nominal, variability, sources, 1, number);
+  }
+
+  Variability variability;
+  session::Scenario nominal;
+};
+
+TEST_F(DrawnInsertions, StartOneToThreeMillimetersInside)
+{
+  std::vector<double> starts_mm;
+  for (std::uint64_t number = 0; number < 400; ++number) {
+    const double start_mm = inMillimeters(drawn(SpreadSources::all(), number).scenario.startInside);
+    EXPECT_GE(start_mm, 1.0);
+    EXPECT_LE(start_mm, 3.0);
+    starts_mm.push_back(start_mm);
+  }
+  // uniform: mean 2, deviation 2 / sqrt(12)
+  const SampleStatistics statistics = statisticsOf(starts_mm);
+  EXPECT_NEAR(statistics.mean, 2.0, 4.0 * 2.0 / std::sqrt(12.0 * 400.0));
+  EXPECT_NEAR(statistics.deviation, 2.0 / std::sqrt(12.0), 0.06);
+}
+
+TEST_F(DrawnInsertions, KeepTheMeanOfTheFriction)
+{
+  std::vector<double> factors;
+  for (std::uint64_t number = 0; number < 2000; ++number) {
+    const mechanics::FrictionLaw law = drawn(SpreadSources::all(), number).scenario.friction;
+    factors.push_back(law.dynamic / nominal.friction.dynamic);
+    EXPECT_LE(law.dynamic, law.starting);
+    EXPECT_LE(law.stopping, law.dynamic);
+  }
+  const SampleStatistics statistics = statisticsOf(factors);
+  EXPECT_NEAR(statistics.mean, 1.0, 4.0 * variability.frictionDeviation / std::sqrt(2000.0));
+  EXPECT_NEAR(statistics.deviation, variability.frictionDeviation, 0.03);
+}
+
+TEST_F(DrawnInsertions, WithoutASourceKeepTheScenariosOwnValues)
+{
+  const DrawnInsertion same = drawn(SpreadSources::none(), 5);
+  EXPECT_EQ(same.scenario.startInside, nominal.startInside);
+  EXPECT_EQ(same.scenario.approachTilt, nominal.approachTilt);
+  EXPECT_EQ(same.scenario.approachTurn, nominal.approachTurn);
+  EXPECT_EQ(same.scenario.friction.dynamic, nominal.friction.dynamic);
+  EXPECT_EQ(same.scenario.array.stylet.residualCurvature, nominal.array.stylet.residualCurvature);
+  EXPECT_EQ(same.speed, nominal.speed.si());
+  EXPECT_EQ(same.tremorAmplitude, 0.0);
+  EXPECT_EQ(same.noiseDeviation, 0.0);
+}
+
+TEST_F(DrawnInsertions, DrawTheSameForOneSourceWhicheverOthersAct)
+{
+  const DrawnInsertion all = drawn(SpreadSources::all(), 17);
+  EXPECT_EQ(drawn(SpreadSources::only(SpreadSource::start), 17).scenario.startInside,
+            all.scenario.startInside);
+  EXPECT_EQ(drawn(SpreadSources::only(SpreadSource::friction), 17).scenario.friction.dynamic,
+            all.scenario.friction.dynamic);
+  EXPECT_EQ(drawn(SpreadSources::only(SpreadSource::motion), 17).tremorPhase, all.tremorPhase);
+}
+
+TEST_F(DrawnInsertions, KeepTheNoiseOfTheCellBelowTwoMillinewtons)
+{
+  EXPECT_LE(variability.noiseDeviation, millinewtons(2));
+}
+
+TEST_F(DrawnInsertions, SayForEverySourceWhereItComesFrom)
+{
+  ASSERT_EQ(variability.provenance.size(), 7u);
+  for (const auto& [table, source] : variability.provenance) EXPECT_GT(source.size(), 20u) << table;
+}
+
+TEST(VariabilityFile, IsRefusedWithTheLineOfTheMistake)
+{
+  const test::TemporaryFolder folder;
+  const auto original = readWhole(resource(shipped));
+  ASSERT_TRUE(original);
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string text = *original;
+    text.replace(text.find(from), from.size(), to);
+    std::ofstream(folder / "v.toml") << text;
+    const auto loaded = loadVariability(folder / "v.toml");
+    return loaded ? std::string("accepted") : loaded.error().message;
+  };
+  EXPECT_THAT(changed("sd_N = 0.001", "sd_N = 3.0"), HasSubstr("sd_N"));
+  EXPECT_THAT(changed("high_mm = 3.0", "high_mm = 0.5"), HasSubstr("below low_mm"));
+  EXPECT_THAT(changed("tremor_Hz = 8.1", "tremor_hertz = 8.1"), HasSubstr("tremor_Hz"));
+  EXPECT_THAT(changed("dt_ms = 5.0", "dt_ms = 7.0"), HasSubstr("without rest"));
+}
+
+}  // namespace
+}  // namespace perilymph::analysis

@@ -104,6 +104,11 @@ Result<Done> InsertionControl::build(Hand hand, std::optional<std::filesystem::p
     auto made = std::make_unique<device::ScriptedHand>(scenario_.speed.si(), timeStep);
     scripted = made.get();
     device = std::move(made);
+  } else if (hand == Hand::device) {
+    if (!found_) return Error{"No device was chosen. Press H and choose one."};
+    auto made = device::makeHidHand(*found_, device::systemRoots());
+    if (!made) return made.error();
+    device = *std::move(made);
   } else {
     auto made = std::make_unique<device::PointerHand>(timeStep);
     pointer = made.get();
@@ -249,13 +254,23 @@ void InsertionControl::moveHand(Motion motion)
 
 bool InsertionControl::isMoving() const noexcept
 {
+  if (hand_ == Hand::device) return now_.output.workflow == haptics::Workflow::inserting;
   return hand_ == Hand::pointer ? isHeld_ : wish_ != Wish::rest;
 }
 
 std::string InsertionControl::handName() const
 {
-  if (scripted_ != nullptr) return scripted_->traits().name;
-  return pointer_ != nullptr ? pointer_->traits().name : std::string();
+  return insertion_ ? insertion_->hand().traits().name : std::string();
+}
+
+std::optional<device::HandHealth> InsertionControl::handHealth()
+{
+  return insertion_ ? insertion_->hand().health() : std::nullopt;
+}
+
+std::string InsertionControl::couplingWords() const
+{
+  return insertion_ ? insertion_->couplingWords() : std::string();
 }
 
 std::optional<std::filesystem::path> InsertionControl::recording() const

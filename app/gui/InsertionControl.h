@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "perilymph/device/KnownHands.h"
 #include "perilymph/device/PointerHand.h"
 #include "perilymph/device/ScriptedHand.h"
 #include "perilymph/foundation/Result.h"
@@ -17,7 +18,7 @@
 namespace perilymph::gui {
 
 /// Who moves the array.
-enum class Hand { scripted, pointer };
+enum class Hand { scripted, pointer, device };
 
 /// Holds one insertion at a time, drives its hand and sends its commands. It computes nothing: it
 /// asks, and the haptic loop decides. UI thread only.
@@ -35,6 +36,9 @@ public:
   /// before is stopped and its recording closed, or removed if it never ran. An insertion whose
   /// recording cannot be opened runs without one, but for the first with a file asked for by name.
   Result<Done> prepare(Hand hand);
+
+  /// Which device the next prepare(Hand::device) opens.
+  void choose(device::FoundHand found) { found_ = std::move(found); }
 
   /// Lets the loop run and the scripted hand insert; arms the array for the pointer.
   Result<Done> begin();
@@ -67,6 +71,10 @@ public:
   bool isStyletPulled() const noexcept { return styletTarget_.has_value(); }
   const session::Scenario& scenario() const noexcept { return scenario_; }
   std::string handName() const;
+  /// How the hand's device is doing; nothing for a hand without hardware.
+  std::optional<device::HandHealth> handHealth();
+  /// A sentence where the device cannot render the coupling asked for; else empty.
+  std::string couplingWords() const;
   /// The file being written; none if it could not be.
   std::optional<std::filesystem::path> recording() const;
   /// A sentence while the insertion is not being kept; empty while all is well.
@@ -91,6 +99,7 @@ private:
   std::unique_ptr<session::Insertion> insertion_;
   device::ScriptedHand* scripted_ = nullptr;  ///< Owned by the insertion.
   device::PointerHand* pointer_ = nullptr;    ///< Owned by the insertion.
+  std::optional<device::FoundHand> found_;
   Hand hand_ = Hand::scripted;
   Wish wish_ = Wish::rest;
   bool isRunning_ = false;

@@ -30,6 +30,7 @@ KeyList::KeyList(QWidget* parent) : QFrame(parent)
       {{}, tr("Window")},
       {tr("Alt+Home"), tr("begin anew: the first screen")},
       {tr("Alt+1  Alt+2"), tr("insert, validate")},
+      {tr("H"), tr("devices: which there are, and how the hand is doing")},
       {tr("?"), tr("this list")},
   };
 

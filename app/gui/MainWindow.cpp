@@ -10,6 +10,7 @@
 
 #include "BottomBar.h"
 #include "ChartColumn.h"
+#include "DevicePage.h"
 #include "KeyList.h"
 #include "Numbers.h"
 #include "OperationView.h"
@@ -46,6 +47,7 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
       charts_(new ChartColumn(this)),
       bottom_(new BottomBar(this)),
       keys_(new KeyList(view_)),
+      devices_(new DevicePage(view_)),
       startPage_(new StartPage(this)),
       validation_(new ValidatePage(this)),
       anatomyWork_(this),
@@ -126,6 +128,9 @@ void MainWindow::connectZones()
           [this] { beginShipped("contour-published", Then::insert); });
   connect(top_, &TopBar::keysAsked, this, &MainWindow::toggleKeyList);
   connect(side_, &SidePanel::handChosen, this, &MainWindow::chooseHand);
+  connect(side_, &SidePanel::devicesAsked, this, &MainWindow::toggleDevices);
+  connect(devices_, &DevicePage::closeAsked, this, &MainWindow::toggleDevices);
+  connect(devices_, &DevicePage::deviceChosen, this, &MainWindow::useDevice);
   connect(side_, &SidePanel::holdChanged, this, &MainWindow::hold);
   connect(side_, &SidePanel::styletAsked, this, [this] { control_.pullStylet(); });
   connect(side_, &SidePanel::partShown, view_, &OperationView::setPartVisible);
@@ -255,6 +260,8 @@ void MainWindow::showState()
   bottom_->setWithdrawEnabled(hasMoved && workflow != Workflow::fault && now.output.travel > 0.0 &&
                               (isScripted || workflow == Workflow::finished));
   side_->setHandChangeable(!hasMoved || isThere);
+  devices_->setChangeable(!hasMoved || isThere);
+  showDevice();
   side_->setHoldEnabled(isRunning && workflow != Workflow::fault);
 
   const bool hasStylet = control_.scenario().array.hasStylet;
@@ -295,6 +302,9 @@ QString MainWindow::statusWords() const
   else
     words << tr("not started");
   if (control_.isRunning()) words << tr("late ticks: %1").arg(now.lateTicks);
+  if (!deviceWords_.isEmpty()) words << deviceWords_ << tr("%1 overruns").arg(now.overruns);
+  if (!control_.couplingWords().empty())
+    words << tr("coupling %1 N/m").arg(numberText(now.couplingStiffness, 0));
   words << tr("%1 fps").arg(meter_.framesPerSecond(FrameMeter::Clock::now()));
   words << tr("not a medical device");
   return words.join(QStringLiteral(" · "));
@@ -317,6 +327,17 @@ QString MainWindow::troubleWords() const
   return {};
 }
 
+QString MainWindow::deviceHint() const
+{
+  if (!control_.isRunning()) {
+    const QString press = tr("Press Start, then hold the device’s button and push.");
+    const std::string coupling = control_.couplingWords();
+    return coupling.empty() ? press : press + QLatin1Char('\n') + QString::fromStdString(coupling);
+  }
+  if (!control_.isMoving()) return tr("Hold the device’s button: the array follows the hand.");
+  return tr("Array held. Letting go of the button lets it rest.");
+}
+
 QString MainWindow::hintWords() const
 {
   const haptics::TickOutput& now = control_.now().output;
@@ -324,6 +345,7 @@ QString MainWindow::hintWords() const
   if (control_.isAtDepth()) return tr("Full depth. Withdraw or Reset.");
   if (now.workflow == Workflow::finished) return tr("The array is out. Reset to insert again.");
   if (control_.hand() == Hand::scripted) return {};
+  if (control_.hand() == Hand::device) return deviceHint();
   if (!control_.isRunning()) return tr("Press Start, then hold Space and turn the wheel.");
   if (!control_.isHeld()) return tr("Hold Space, then turn the wheel or press Down.");
   return tr("Array held. Wheel or Down advances, Up withdraws.");

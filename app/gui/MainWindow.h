@@ -23,6 +23,7 @@ namespace perilymph::gui {
 
 class BottomBar;
 class ChartColumn;
+class DevicePage;
 class KeyList;
 class OperationView;
 class SidePanel;
@@ -93,9 +94,13 @@ private:
   void hold(bool isHeld);
   bool steer(int key, bool isShift);
   void toggleKeyList();
+  void toggleDevices();
+  void useDevice(const device::FoundHand& found);
+  void showDevice();
   QString statusWords() const;
   QString troubleWords() const;
   QString hintWords() const;
+  QString deviceHint() const;
   bool isNewToTheEye(const haptics::Snapshot& now);
 
   InsertionControl control_;
@@ -105,6 +110,7 @@ private:
   ChartColumn* charts_;
   BottomBar* bottom_;
   KeyList* keys_;
+  DevicePage* devices_;
   StartPage* startPage_;
   ValidatePage* validation_;
   AnatomyWork anatomyWork_;
@@ -117,6 +123,7 @@ private:
   bool isFirstFrame_ = true;
   std::set<int> pressed_;  ///< Up and Down while they are held.
   QString trouble_;
+  QString deviceWords_;        ///< How the hand's device is doing; empty without one.
   haptics::Snapshot drawn_{};  ///< The picture the scene shows.
 };
 

@@ -5,6 +5,7 @@
 #include <QWheelEvent>
 #include <cmath>
 
+#include "DevicePage.h"
 #include "KeyList.h"
 #include "MainWindow.h"
 #include "OperationView.h"
@@ -58,10 +59,12 @@ void MainWindow::keyPressEvent(QKeyEvent* event)
   }
   if (key == Qt::Key_Escape) {
     if (keys_->isVisible()) return toggleKeyList();
+    if (devices_->isVisible()) return toggleDevices();
     return pause();
   }
   if (key == Qt::Key_Backspace) return withdraw();
   if (key == Qt::Key_Question) return toggleKeyList();
+  if (key == Qt::Key_H) return toggleDevices();
   if (key == Qt::Key_S) return control_.pullStylet();
   if (!steer(key, isShift)) QWidget::keyPressEvent(event);
 }
@@ -158,6 +161,7 @@ bool MainWindow::event(QEvent* event)
 void MainWindow::resizeEvent(QResizeEvent* event)
 {
   QWidget::resizeEvent(event);
+  if (devices_->isVisible()) devices_->move(view_->rect().center() - devices_->rect().center());
   if (keys_->isVisible()) keys_->move(view_->rect().center() - keys_->rect().center());
 }
 

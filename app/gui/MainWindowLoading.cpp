@@ -113,6 +113,11 @@ void MainWindow::prepare(Hand hand)
   trouble_.clear();
   pressed_.clear();
   const Result<Done> prepared = control_.prepare(hand);
+  if (!prepared && hand == Hand::device) {
+    // A device that cannot be opened leaves the script as the hand.
+    prepare(Hand::scripted);
+    return showTrouble(QString::fromStdString(prepared.error().message));
+  }
   if (!prepared) return showTrouble(QString::fromStdString(prepared.error().message));
   showPrepared();
 }
@@ -135,7 +140,7 @@ void MainWindow::showCochlea()
 
 void MainWindow::showPrepared()
 {
-  side_->setHand(control_.hand());
+  side_->setHand(control_.hand(), QString::fromStdString(control_.handName()));
   side_->setHeld(false);
   charts_->begin(control_.anatomy().entry());
   view_->showArray(control_.now());

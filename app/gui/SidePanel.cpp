@@ -175,7 +175,11 @@ void SidePanel::addHand(QVBoxLayout& column, const session::Scenario& scenario)
   pointer_->setToolTip(tr("The wheel or the up and down keys move the array while it is held."));
   scripted_->setChecked(true);
   column.addWidget(scripted_);
+  device_ = new Choice(tr("Haptic device…"), content_);
+  device_->setObjectName(QStringLiteral("deviceChoice"));
+  device_->setToolTip(tr("Which devices there are, and which one may be the hand (H)."));
   column.addWidget(pointer_);
+  column.addWidget(device_);
 
   hold_ = new QPushButton(tr("Hold the array (Space)"), content_);
   hold_->setObjectName(QStringLiteral("holdButton"));
@@ -198,13 +202,14 @@ void SidePanel::addHand(QVBoxLayout& column, const session::Scenario& scenario)
   connect(scripted_, &QAbstractButton::clicked, this,
           [this] { Q_EMIT handChosen(Hand::scripted); });
   connect(pointer_, &QAbstractButton::clicked, this, [this] { Q_EMIT handChosen(Hand::pointer); });
+  connect(device_, &QAbstractButton::clicked, this, &SidePanel::devicesAsked);
   connect(hold_, &QAbstractButton::pressed, this, [this] { Q_EMIT holdChanged(true); });
   connect(hold_, &QAbstractButton::released, this, [this] { Q_EMIT holdChanged(false); });
   connect(pullStylet_, &QAbstractButton::clicked, this, &SidePanel::styletAsked);
 
   addRow(column, tr("Force shown"),
          QStringLiteral("× %1").arg(numberText(scenario.engine.forceScale, 1)),
-         tr("Force at the hand's device over the physical force. Neither hand feels one yet."));
+         tr("Force at the hand's device over the physical force. Script and mouse feel none."));
 }
 
 void SidePanel::addShow(QVBoxLayout& column)
@@ -232,10 +237,12 @@ void SidePanel::addShow(QVBoxLayout& column)
   column.addWidget(experiment);
 }
 
-void SidePanel::setHand(Hand hand)
+void SidePanel::setHand(Hand hand, const QString& name)
 {
   scripted_->setChecked(hand == Hand::scripted);
   pointer_->setChecked(hand == Hand::pointer);
+  device_->setChecked(hand == Hand::device);
+  device_->setText(hand == Hand::device ? name : tr("Haptic device…"));
   hold_->setVisible(hand == Hand::pointer);
 }
 
@@ -243,6 +250,7 @@ void SidePanel::setHandChangeable(bool isChangeable)
 {
   scripted_->setEnabled(isChangeable);
   pointer_->setEnabled(isChangeable);
+  device_->setEnabled(isChangeable);
 }
 
 void SidePanel::setHoldEnabled(bool isEnabled) { hold_->setEnabled(isEnabled); }

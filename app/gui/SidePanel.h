@@ -26,7 +26,8 @@ public:
   /// What is inserted into whom from now on, with everything shown.
   void setScenario(const session::Scenario& scenario);
 
-  void setHand(Hand hand);
+  /// @param name  Of the hand.
+  void setHand(Hand hand, const QString& name);
   /// The hand can be changed before an insertion and after it, not during one.
   void setHandChangeable(bool isChangeable);
   void setHeld(bool isHeld);
@@ -35,6 +36,7 @@ public:
 
 Q_SIGNALS:
   void handChosen(perilymph::gui::Hand hand);
+  void devicesAsked();
   void holdChanged(bool isHeld);
   void styletAsked();
   void partShown(perilymph::visualization::Part part, bool isVisible);
@@ -53,6 +55,7 @@ private:
   QWidget* content_ = nullptr;
   Choice* scripted_ = nullptr;
   Choice* pointer_ = nullptr;
+  Choice* device_ = nullptr;
   QPushButton* hold_ = nullptr;
   QPushButton* pullStylet_ = nullptr;
   QLabel* stylet_ = nullptr;

@@ -58,7 +58,7 @@ QPushButton#keysButton:hover { color: %text%; border-color: %line%; }
 
 QFrame#banner { background: #2B2114; border: 1px solid %warning%; border-radius: 5px; }
 QFrame#banner QLabel { color: %text%; }
-QFrame#keys { background: %panel%; border: 1px solid %line%; border-radius: 6px; }
+QFrame#keys, QFrame#devices { background: %panel%; border: 1px solid %line%; border-radius: 6px; }
 QFrame#chartFrame { background: %ground%; border: 1px solid %line%; border-radius: 4px; }
 QToolTip { color: %text%; background: %ground%; border: 1px solid %line%; padding: 4px; }
 )";

@@ -1,0 +1,41 @@
+// The devices of the main window: which there are, and how the hand in use is doing.
+
+#include "DevicePage.h"
+#include "KeyList.h"
+#include "MainWindow.h"
+#include "OperationView.h"
+#include "SidePanel.h"
+
+namespace perilymph::gui {
+
+void MainWindow::toggleDevices()
+{
+  const bool isShown = !devices_->isVisible();
+  if (isShown) {
+    devices_->refresh();
+    showDevice();
+    devices_->adjustSize();
+    devices_->move(view_->rect().center() - devices_->rect().center());
+    devices_->raise();
+  }
+  devices_->setVisible(isShown);
+  // Asking for the page checks its choice; what is chosen is the hand in use.
+  side_->setHand(control_.hand(), QString::fromStdString(control_.handName()));
+}
+
+void MainWindow::useDevice(const device::FoundHand& found)
+{
+  control_.choose(found);
+  prepare(Hand::device);
+}
+
+void MainWindow::showDevice()
+{
+  const auto health = control_.handHealth();
+  deviceWords_ = deviceRateText(health);
+  if (!devices_->isVisible()) return;
+  devices_->showHand(QString::fromStdString(control_.handName()), health, control_.now(),
+                     QString::fromStdString(control_.couplingWords()));
+}
+
+}  // namespace perilymph::gui

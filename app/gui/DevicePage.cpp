@@ -111,6 +111,8 @@ void DevicePage::refresh()
     addText(*column, QString::fromStdString(mistake), true);
   addText(*column, tr("Hands that need no hardware: the script, and mouse and keyboard."), true);
   column_->addWidget(list_);
+  list_->show();  // the page may be on the screen already
+  column_->activate();
   adjustSize();
 }
 
@@ -182,6 +184,7 @@ void DevicePage::showHand(const QString& name, const std::optional<device::HandH
   }
   if (!coupling.isEmpty()) lines << coupling;
   live_->setText(lines.join(QLatin1Char('\n')));
+  live_->setVisible(!lines.isEmpty());
 }
 
 }  // namespace perilymph::gui

@@ -11,14 +11,13 @@ namespace perilymph::gui {
 void MainWindow::toggleDevices()
 {
   const bool isShown = !devices_->isVisible();
+  devices_->setVisible(isShown);
   if (isShown) {
-    devices_->refresh();
     showDevice();
-    devices_->adjustSize();
+    devices_->refresh();
     devices_->move(view_->rect().center() - devices_->rect().center());
     devices_->raise();
   }
-  devices_->setVisible(isShown);
   // Asking for the page checks its choice; what is chosen is the hand in use.
   side_->setHand(control_.hand(), QString::fromStdString(control_.handName()));
 }

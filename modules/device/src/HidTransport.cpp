@@ -1,6 +1,10 @@
 #include "perilymph/device/HidTransport.h"
 
+#include <fcntl.h>
 #include <hidapi/hidapi.h>
+#include <linux/hidraw.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +20,18 @@ std::mutex& openingMutex()
 {
   static std::mutex mutex;
   return mutex;
+}
+
+/// Whether a node can be opened and speaks HID. hidapi 0.13 must not be asked to open another: it
+/// then frees memory that it never set.
+bool isHidraw(const std::filesystem::path& node)
+{
+  const int file = ::open(node.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK);
+  if (file < 0) return false;
+  int size = 0;
+  const bool answers = ::ioctl(file, HIDIOCGRDESCSIZE, &size) >= 0;
+  ::close(file);
+  return answers;
 }
 
 int inWholeMilliseconds(Duration timeout) noexcept
@@ -106,7 +122,8 @@ Result<std::unique_ptr<Transport>> openHidTransport(const std::filesystem::path&
                                                     ReportNumbers numbers)
 {
   const std::lock_guard lock(openingMutex());
-  hid_device* handle = hid_init() == 0 ? hid_open_path(node.c_str()) : nullptr;
+  const bool canOpen = isHidraw(node) && hid_init() == 0;
+  hid_device* handle = canOpen ? hid_open_path(node.c_str()) : nullptr;
   if (handle == nullptr)
     return Error{"The HID device " + node.string() +
                  " cannot be opened. See 'perilymph-cli devices' for what it is and who may open "

@@ -39,7 +39,8 @@ void ReportCount::startOver() noexcept
   reports_ = 0;
 }
 
-ReportCount::Verdict ReportCount::judge(std::uint64_t counter, std::int64_t now) noexcept
+ReportCount::Verdict ReportCount::judge(std::uint64_t counter, std::int64_t now,
+                                        std::int64_t emptyAt) noexcept
 {
   lost_ = 0;
   if (!hasCounter_) {
@@ -57,7 +58,7 @@ ReportCount::Verdict ReportCount::judge(std::uint64_t counter, std::int64_t now)
     if (!wrapped && last_ - counter <= mostBack) return Verdict::old;
     if (!wrapped) {
       startOver();
-      return judge(counter, now);
+      return judge(counter, now, emptyAt);
     }
     steps = *wrapped;
   }
@@ -67,6 +68,7 @@ ReportCount::Verdict ReportCount::judge(std::uint64_t counter, std::int64_t now)
 
   const std::int64_t offset = now - reports_ * period_;
   leastOffset_ = std::min(leastOffset_ + (now - lastTime_) / 50, offset);
+  if (emptyAt != never) leastOffset_ = std::max(leastOffset_, offset - (now - emptyAt));
   lastTime_ = now;
   return offset - leastOffset_ > mostAge_ ? Verdict::old : Verdict::fresh;
 }

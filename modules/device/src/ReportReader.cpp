@@ -25,7 +25,7 @@ bool ReportReader::accept(const RawReport& report) noexcept
     return false;
   }
   const std::int64_t now = clock_();
-  const ReportCount::Verdict verdict = count_.judge(*counter, now);
+  const ReportCount::Verdict verdict = count_.judge(*counter, now, emptyAt_);
   figures_.lost += count_.lost();
   if (verdict == ReportCount::Verdict::duplicate) ++figures_.duplicates;
   if (verdict == ReportCount::Verdict::old) ++figures_.old;
@@ -74,6 +74,7 @@ Transfer ReportReader::drain(Transport& transport) noexcept
   while (taken < mostAtOnce) {
     const Transfer transfer = transport.read(report_, Duration{});
     isGone = transfer == Transfer::gone;
+    if (transfer == Transfer::nothing) emptyAt_ = clock_();
     if (transfer != Transfer::done) break;
     ++taken;
     accept(report_);
@@ -104,6 +105,7 @@ void ReportReader::startOver() noexcept
 {
   count_.startOver();
   lastFresh_ = 0;
+  emptyAt_ = ReportCount::never;
   isHolding_ = false;
 }
 

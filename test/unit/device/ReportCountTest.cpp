@@ -55,6 +55,25 @@ TEST(ReportCount, KnowsThatAReportWaited)
   EXPECT_EQ(count.judge(310, 311 * millisecond), Verdict::fresh);
 }
 
+TEST(ReportCount, BelievesADeviceThatPausedWithoutCounting)
+{
+  for (const std::int64_t pause : {20, 50, 200, 1000}) {
+    ReportCount count(1e-3);
+    std::int64_t now = 0;
+    std::uint64_t counter = 0;
+    for (int i = 0; i < 100; ++i) {
+      now += millisecond;
+      count.judge(++counter, now, now);
+    }
+    // the queue stayed empty all the while, so the next report has just come
+    now += pause * millisecond;
+    EXPECT_EQ(count.judge(++counter, now + millisecond, now), ReportCount::Verdict::fresh) << pause;
+    // and one that waits in the queue afterwards is found out as before
+    now += millisecond;
+    EXPECT_EQ(count.judge(++counter, now + 100 * millisecond, now), ReportCount::Verdict::old);
+  }
+}
+
 TEST(ReportCount, FollowsCountersOfAllWidthsOverTheirEnd)
 {
   for (const std::uint64_t end : {256ull, 65536ull, 4294967296ull}) {

@@ -3,6 +3,7 @@
 // What a device's own count of reports tells: lost, repeated, overtaken and old ones.
 
 #include <cstdint>
+#include <limits>
 
 #include "perilymph/foundation/RealTime.h"
 
@@ -13,7 +14,8 @@ namespace perilymph::device {
 /// The age of a report follows from the counter and the clock: the offset between a report's time
 /// of arrival and its count times the period is least for a report that never waited. By how much
 /// another one's is above that, it is old. The least offset is let grow by 2 % of the time passed,
-/// more than clocks of device and host can differ.
+/// more than clocks of device and host can differ. A device that paused without counting is no
+/// queue that waited: a report that came after the queue was seen empty is no older than that.
 class ReportCount {
 public:
   enum class Verdict : std::uint8_t { fresh, duplicate, old };
@@ -21,8 +23,13 @@ public:
   /// @param period  Between reports [s].
   explicit ReportCount(double period) noexcept;
 
-  /// Judges a report that arrived `now` [ns]. Real-time safe.
-  PERILYMPH_REALTIME Verdict judge(std::uint64_t counter, std::int64_t now) noexcept;
+  /// No empty queue was seen yet.
+  static constexpr std::int64_t never = std::numeric_limits<std::int64_t>::min();
+
+  /// Judges a report that was taken `now` [ns], from a queue that was last seen empty at `emptyAt`
+  /// [ns]. Real-time safe.
+  PERILYMPH_REALTIME Verdict judge(std::uint64_t counter, std::int64_t now,
+                                   std::int64_t emptyAt = never) noexcept;
 
   /// Reports missing just before the last fresh one.
   std::uint64_t lost() const noexcept { return lost_; }

@@ -54,6 +54,7 @@ private:
 
   HandCodec* codec_;
   Clock clock_;
+  std::int64_t emptyAt_ = ReportCount::never;  ///< When the queue was last seen empty [ns].
   ReportCount count_;
   RawReport report_;
   bool isHolding_ = false;  // report_ was awaited and not looked at yet

@@ -1,0 +1,68 @@
+// Which devices there are, in the window.
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+
+#include "DevicePage.h"
+#include "WindowRig.h"
+#include "perilymph/test/RecordedTree.h"
+
+namespace perilymph::test {
+namespace {
+
+/// A window on a machine whose devices are a recorded tree.
+class DevicesOfTheWindow : public testing::Test {
+protected:
+  DevicesOfTheWindow()
+  {
+    qputenv("PERILYMPH_SYSTEM_ROOT", QByteArray::fromStdString(tree_.root().string()));
+  }
+  ~DevicesOfTheWindow() override { qunsetenv("PERILYMPH_SYSTEM_ROOT"); }
+
+  void open() { rig_ = std::make_unique<WindowRig>(); }
+  gui::DevicePage& page() { return *rig_->window().findChild<gui::DevicePage*>(); }
+  bool pageSays(const char* words)
+  {
+    for (const QLabel* label : page().findChildren<QLabel*>())
+      if (label->text().contains(QLatin1String(words))) return true;
+    return false;
+  }
+
+  RecordedTree tree_;
+  std::unique_ptr<WindowRig> rig_;
+};
+
+TEST_F(DevicesOfTheWindow, NoneIsSaidWithTheHandsThatNeedNone)
+{
+  open();
+  rig_->pressKey(Qt::Key_H);
+  ASSERT_TRUE(page().isVisible());
+  EXPECT_TRUE(pageSays("No HID device"));
+  EXPECT_TRUE(pageSays("mouse and keyboard"));
+  rig_->pressKey(Qt::Key_H);
+  EXPECT_FALSE(page().isVisible());
+}
+
+TEST_F(DevicesOfTheWindow, AreNamedWithWhatTheyAre)
+{
+  tree_.add({"0003:ABCD:0002.0001", "Some joystick", "hidraw0", "00"});
+  tree_.add({"0003:1234:0006.0002", "WoodenHaptics", "hidraw1", "00"});
+  tree_.addNode("hidraw0");
+  tree_.addNode("hidraw1");
+  open();
+  rig_->pressKey(Qt::Key_H);
+  // by usage and by number
+  EXPECT_TRUE(pageSays("Joystick"));
+  EXPECT_TRUE(pageSays("abcd:0002"));
+  EXPECT_TRUE(pageSays("WoodenHaptics"));
+  EXPECT_TRUE(pageSays("force up to"));
+  EXPECT_TRUE(rig_->button("use-hidraw1").isEnabled());
+  for (const QLabel* label : page().findChildren<QLabel*>())
+    EXPECT_TRUE(label->wordWrap() || label->width() >= label->sizeHint().width())
+        << label->text().toStdString();
+  if (getenv("GRAB")) rig_->window().grab().save(getenv("GRAB"));
+}
+
+}  // namespace
+}  // namespace perilymph::test

@@ -36,16 +36,28 @@ std::string shortLength_mm(Length length)
 // The published number of sample points (Todd and Naghdy, section II.C).
 constexpr int publishedPoints = 12;
 
+/// The last override of a key; none if it keeps the file's value.
+const std::string* overrideOf(const Overrides& overrides, const char* key)
+{
+  const auto is = [key](const auto& entry) { return entry.first == key; };
+  const auto last = std::find_if(overrides.rbegin(), overrides.rend(), is);
+  return last == overrides.rend() ? nullptr : &last->second;
+}
+
+/// An array named anew does not take over the calibration that a file gives for its own.
+void forgetCalibrationOfOtherArray(TomlReader& reader, const Overrides& overrides)
+{
+  const std::string* array = overrideOf(overrides, "array");
+  if (array == nullptr || overrideOf(overrides, "calibration") != nullptr) return;
+  if (!reader.has("calibration") || *array == reader.text("array", "contour")) return;
+  reader.set("calibration", "");
+}
+
 /// A model named anew does not take over the number of nodes that a file gives for its own.
 void forgetNodesOfOtherModel(TomlReader& reader, const Overrides& overrides)
 {
-  const auto named = [&overrides](const char* wanted) {
-    const auto is = [wanted](const auto& entry) { return entry.first == wanted; };
-    const auto last = std::find_if(overrides.rbegin(), overrides.rend(), is);
-    return last == overrides.rend() ? nullptr : &last->second;
-  };
-  const std::string* model = named("model");
-  if (model == nullptr || named("nodes") != nullptr || !reader.has("nodes")) return;
+  const std::string* model = overrideOf(overrides, "model");
+  if (model == nullptr || overrideOf(overrides, "nodes") != nullptr || !reader.has("nodes")) return;
   if (*model == reader.text("model", "rod")) return;
   reader.set("nodes", std::to_string(*model == "points" ? publishedPoints : Scenario{}.nodes));
 }
@@ -267,6 +279,7 @@ Result<Scenario> readScenario(TomlReader& reader, const std::string& name, const
                               const Overrides& overrides)
 {
   forgetNodesOfOtherModel(reader, overrides);
+  forgetCalibrationOfOtherArray(reader, overrides);
   bool namesPatient = false;
   for (const auto& [key, value] : overrides) {
     namesPatient = namesPatient || key == "patient";

@@ -64,6 +64,21 @@ TEST(ScenarioCalibration, ScalesTheArrayAndStandsInTheScenariosText)
   EXPECT_EQ(again->array.stylet.residualCurvature, 0.1);
 }
 
+TEST(ScenarioCalibration, IsNotTakenOverByAnArrayNamedAnew)
+{
+  const auto named = loadScenario("contour-published", {{"array", "contour-advance"}});
+  const auto plain =
+      loadScenario("contour-published", {{"array", "contour-advance"}, {"calibration", ""}});
+  ASSERT_TRUE(named) << named.error().message;
+  ASSERT_TRUE(plain) << plain.error().message;
+  EXPECT_EQ(named->array.stylet.bending, plain->array.stylet.bending);
+  // the same array keeps it
+  const auto same = loadScenario("contour-published", {{"array", "contour"}});
+  const auto shipped = loadScenario("contour-published");
+  ASSERT_TRUE(same && shipped);
+  EXPECT_EQ(same->array.stylet.bending, shipped->array.stylet.bending);
+}
+
 TEST(ScenarioCalibration, OfAnotherArrayIsRefused)
 {
   const test::TemporaryFolder folder;

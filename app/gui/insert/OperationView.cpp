@@ -284,4 +284,10 @@ void OperationView::mouseMoveEvent(QMouseEvent* event)
 
 void OperationView::mouseReleaseEvent(QMouseEvent* event) { event->accept(); }
 
+void OperationView::mouseDoubleClickEvent(QMouseEvent* event)
+{
+  event->accept();
+  if (event->button() == Qt::LeftButton) Q_EMIT maximizeAsked();
+}
+
 }  // namespace perilymph::gui

@@ -53,12 +53,17 @@ public:
   /// Renders if something changed. True if it did.
   bool renderIfDirty();
 
+Q_SIGNALS:
+  /// A double click on the picture.
+  void maximizeAsked();
+
 protected:
   bool event(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
 
 private:
   void addReadOuts();

@@ -28,6 +28,7 @@ KeyList::KeyList(QWidget* parent) : QFrame(parent)
       {tr("Shift+drag; Shift+arrows"), tr("move the model")},
       {tr("Wheel, Ctrl+wheel, + −"), tr("magnify")},
       {{}, tr("Window")},
+      {tr("L;  Ctrl+1  2  4"), tr("one, two or four views; a double click enlarges one")},
       {tr("Alt+Home"), tr("begin anew: the first screen")},
       {tr("Alt+1  Alt+2"), tr("insert, validate")},
       {tr("H"), tr("devices: which there are, and how the hand is doing")},

@@ -9,8 +9,9 @@
 #include <cstring>
 
 #include "BottomBar.h"
-#include "ChartColumn.h"
 #include "DevicePage.h"
+#include "ForceCharts.h"
+#include "InsertionViews.h"
 #include "KeyList.h"
 #include "Numbers.h"
 #include "OperationView.h"
@@ -43,8 +44,9 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
     : control_(std::move(scenario), std::move(record)),
       top_(new TopBar(this)),
       side_(new SidePanel(this)),
-      view_(new OperationView(this)),
-      charts_(new ChartColumn(this)),
+      views_(new InsertionViews(this)),
+      view_(views_->operation()),
+      charts_(views_->charts()),
       bottom_(new BottomBar(this)),
       keys_(new KeyList(view_)),
       devices_(new DevicePage(view_)),
@@ -78,14 +80,10 @@ QWidget* MainWindow::insertPage()
   auto* middle = new QHBoxLayout;
   middle->setSpacing(0);
   QFrame* leftLine = line(this);
-  QFrame* rightLine = line(this);
   leftLine->setFixedWidth(1);
-  rightLine->setFixedWidth(1);
   middle->addWidget(side_);
   middle->addWidget(leftLine);
-  middle->addWidget(view_, 1);
-  middle->addWidget(rightLine);
-  middle->addWidget(charts_);
+  middle->addWidget(views_, 1);
 
   QFrame* bottomLine = line(this);
   bottomLine->setFixedHeight(1);
@@ -134,7 +132,7 @@ void MainWindow::connectZones()
   connect(side_, &SidePanel::holdChanged, this, &MainWindow::hold);
   connect(side_, &SidePanel::styletAsked, this, [this] { control_.pullStylet(); });
   connect(side_, &SidePanel::partShown, view_, &OperationView::setPartVisible);
-  connect(side_, &SidePanel::experimentShown, charts_, &ChartColumn::setExperimentVisible);
+  connect(side_, &SidePanel::experimentShown, charts_, &ForceCharts::setExperimentVisible);
   connect(bottom_, &BottomBar::startAsked, this, &MainWindow::start);
   connect(bottom_, &BottomBar::pauseAsked, this, &MainWindow::pause);
   connect(bottom_, &BottomBar::withdrawAsked, this, &MainWindow::withdraw);
@@ -238,6 +236,7 @@ void MainWindow::showSlowly()
 {
   const haptics::TickOutput& now = control_.now().output;
   view_->showNumbers(now, control_.scenario().stopTravel);
+  views_->showSlowly(control_.now());
   bottom_->setProgress(now.travel / control_.scenario().stopTravel.si(), now.time);
   showState();
 }

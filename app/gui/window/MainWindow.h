@@ -22,8 +22,9 @@ class QStackedWidget;
 namespace perilymph::gui {
 
 class BottomBar;
-class ChartColumn;
 class DevicePage;
+class ForceCharts;
+class InsertionViews;
 class KeyList;
 class OperationView;
 class SidePanel;
@@ -61,6 +62,7 @@ public:
 
   const InsertionControl& control() const { return control_; }
   OperationView& view() { return *view_; }
+  InsertionViews& views() { return *views_; }
   const FrameMeter& meter() const { return meter_; }
   /// Frames are timed anew from now on.
   void restartMeter() { meter_ = {}; }
@@ -106,8 +108,9 @@ private:
   InsertionControl control_;
   TopBar* top_;
   SidePanel* side_;
+  InsertionViews* views_;
   OperationView* view_;
-  ChartColumn* charts_;
+  ForceCharts* charts_;
   BottomBar* bottom_;
   KeyList* keys_;
   DevicePage* devices_;

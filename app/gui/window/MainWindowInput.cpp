@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "DevicePage.h"
+#include "InsertionViews.h"
 #include "KeyList.h"
 #include "MainWindow.h"
 #include "OperationView.h"
@@ -40,6 +41,9 @@ void MainWindow::keyPressEvent(QKeyEvent* event)
   if (page_ == Page::validate && key == Qt::Key_Escape) return validation_->cancel();
   if (page_ != Page::insert) return QWidget::keyPressEvent(event);
   if (isControl && key == Qt::Key_R) return reset();
+  if (isControl && key == Qt::Key_1) return views_->setArrangement(PaneLayout::one);
+  if (isControl && key == Qt::Key_2) return views_->setArrangement(PaneLayout::two);
+  if (isControl && key == Qt::Key_4) return views_->setArrangement(PaneLayout::four);
   if (isControl) return QWidget::keyPressEvent(event);
   if (key == Qt::Key_Space) {
     if (event->isAutoRepeat()) return;
@@ -65,6 +69,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event)
   if (key == Qt::Key_Backspace) return withdraw();
   if (key == Qt::Key_Question) return toggleKeyList();
   if (key == Qt::Key_H) return toggleDevices();
+  if (key == Qt::Key_L) return views_->nextArrangement();
   if (key == Qt::Key_S) return control_.pullStylet();
   if (!steer(key, isShift)) QWidget::keyPressEvent(event);
 }

@@ -3,7 +3,8 @@
 #include <QStackedWidget>
 
 #include "BottomBar.h"
-#include "ChartColumn.h"
+#include "ForceCharts.h"
+#include "InsertionViews.h"
 #include "MainWindow.h"
 #include "OperationView.h"
 #include "SidePanel.h"
@@ -99,6 +100,7 @@ void MainWindow::load(session::Scenario scenario, Then then)
       scenario,
       [this, scenario, then](const Result<std::shared_ptr<const anatomy::ScalaTympani>>& built) {
         if (!built) return showTrouble(QString::fromStdString(built.error().message));
+        views_->forgetScene();
         control_.use(scenario, *built);
         showScenario();
         prepare(Hand::scripted);
@@ -132,9 +134,7 @@ void MainWindow::showScenario()
 
 void MainWindow::showCochlea()
 {
-  const session::Scenario& scenario = control_.scenario();
-  view_->setScene(std::make_unique<visualization::InsertionScene>(
-      control_.anatomy(), scenario.array, scenario.patient.side));
+  views_->setScene(control_.anatomy(), control_.scenario());
   view_->showArray(control_.now());
 }
 

@@ -13,7 +13,8 @@ namespace perilymph::charts {
 namespace {
 
 constexpr AxisRange usualTravel_mm{0.0, 17.0, 4.0};
-constexpr AxisRange usualForce_N{0.0, 0.20, 0.05};
+/// A little below zero: a free array hangs on its tweezers with some millinewtons of either sign.
+constexpr AxisRange usualForce_N{-0.01, 0.20, 0.05};
 /// Median force that surgeons detect: 20.4 mN, Kratchman et al. 2016.
 constexpr double feltBySurgeons_N = 0.020;
 
@@ -67,7 +68,6 @@ void ForceDepthChart::Content::setRanges()
 
   // A device that trembles at the start is no reason to move the axis.
   if (left_mm > -0.5) left_mm = 0.0;
-  if (low_N > -0.002) low_N = 0.0;
   travel_mm = grown(usualTravel_mm, left_mm, right_mm);
   force_N = grown(usualForce_N, low_N, high_N);
   frame.setXRange(travel_mm);

@@ -74,7 +74,7 @@ void ForceTimeChart::Content::setLine(std::size_t component)
 ForceTimeChart::ForceTimeChart() : content_(std::make_unique<Content>())
 {
   ChartOverlay& overlay = content_->frame.overlay();
-  overlay.legendAtRight = true;
+  overlay.legendPlace = ChartOverlay::LegendPlace::above;
   overlay.legend = {{Swatch::line, style::accent, "axial"},
                     {Swatch::line, style::orange, "lateral"},
                     {Swatch::line, style::blue, "vertical"}};

@@ -14,6 +14,7 @@ int main(int argc, char** argv)
   ::testing::InitGoogleTest(&argc, argv);
   const perilymph::test::TemporaryFolder data;  // sessions of the tests are not the user's
   setenv("XDG_DATA_HOME", data.path().c_str(), 1);
+  setenv("XDG_CONFIG_HOME", data.path().c_str(), 1);
   setenv("XDG_RUNTIME_DIR", data.path().c_str(), 1);
   if (const auto display = perilymph::gui::probeDisplay(); !display) {
     std::fprintf(stderr, "%s\n", display.error().message.c_str());

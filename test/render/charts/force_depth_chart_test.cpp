@@ -75,8 +75,18 @@ TEST(ForceDepthChart, ShowsSeventeenMillimetersAndTwoHundredMillinewtonsWhenEmpt
   screen.picture();
   EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::BOTTOM).GetMinimum(), 0.0);
   EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::BOTTOM).GetMaximum(), 17.0);
-  EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::LEFT).GetMinimum(), 0.0);
+  EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::LEFT).GetMinimum(), -0.01);
   EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::LEFT).GetMaximum(), 0.20);
+}
+
+TEST(ForceDepthChart, HasNoGapWhereAFreeArrayPullsALittle)
+{
+  ChartOnScreen screen;
+  for (int i = 0; i <= 1600; ++i)
+    screen.chart.append(millimeters(0.01 * i), millinewtons(i > 300 && i < 900 ? -0.4 : 0.0));
+  const test::DrawnPicture picture = screen.picture();
+  for (const double travel_mm : {2.0, 4.0, 6.0, 8.0, 10.0})
+    EXPECT_TRUE(nearColor(picture, screen.x(travel_mm), screen.y(0.0), accent)) << travel_mm;
 }
 
 TEST(ForceDepthChart, KeepsItsRangesWhileTheCurveFits)

@@ -22,11 +22,13 @@ class QStackedWidget;
 namespace perilymph::gui {
 
 class BottomBar;
+class ComparePage;
 class DevicePage;
 class ForceCharts;
 class InsertionViews;
 class KeyList;
 class OperationView;
+class SessionsPage;
 class SidePanel;
 class StartPage;
 class ValidatePage;
@@ -116,6 +118,8 @@ private:
   DevicePage* devices_;
   StartPage* startPage_;
   ValidatePage* validation_;
+  ComparePage* comparison_;
+  SessionsPage* sessions_;
   AnatomyWork anatomyWork_;
   QStackedWidget* pages_;
   Page page_ = Page::insert;

@@ -7,6 +7,7 @@
 #include "Application.h"
 #include "Display.h"
 #include "Errands.h"
+#include "InsertionViews.h"
 #include "MainWindow.h"
 #include "Options.h"
 #include "perilymph/foundation/RealTime.h"
@@ -38,6 +39,9 @@ int run(int argc, char** argv, const gui::Options& options)
       options.scenario || options.isDemo || options.measuresFrames || options.record;
   if (!isTold) window.showPage(gui::Page::start);
   gui::arrangeErrands(window, options);
+  window.views().drawBy(gui::openGlRenderer(),
+                        options.quality ? gui::qualityNamed(*options.quality) : std::nullopt);
+  window.views().refuseQuadBuffered(gui::quadBufferedTrouble());
   window.show();
 
   // Once the loop of events runs, so that the window is on the screen before the cochlea is built.

@@ -1,8 +1,12 @@
 #include "FlatViews.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "Numbers.h"
 #include "Pane.h"
 #include "PlotView.h"
+#include "perilymph/charts/ContactDistances.h"
 
 namespace perilymph::gui {
 
@@ -28,6 +32,13 @@ FlatViews::FlatViews(QWidget* parent) : QObject(parent)
         return scene_ ? scene_->section.draw(scene_->array, width, height) : analysis::Drawing{};
       },
       parent);
+  distancesView_ = new PlotView(
+      [this](double width, double height) {
+        return scene_ ? charts::drawContactDistances(charts::contactDistances(scene_->array), width,
+                                                     height)
+                      : analysis::Drawing{};
+      },
+      parent);
   unrolledPane_ = new Pane(tr("Unrolled scala tympani"), tr("angle from round window; width, mm"),
                            unrolledView_, parent);
   unrolledPane_->setObjectName(QStringLiteral("unrolledPane"));
@@ -36,10 +47,16 @@ FlatViews::FlatViews(QWidget* parent) : QObject(parent)
          "millimeter of array; rings: forces of floor and roof."));
   sectionPane_ = new Pane(tr("Section at the tip"), QString(), sectionView_, parent);
   sectionPane_->setObjectName(QStringLiteral("sectionPane"));
-  sectionPane_->setTip(
-      tr("The half-plane through the modiolar axis at the tip, to scale; its angle counts from the "
-         "round window. The arrow is the wall’s "
-         "normal force on the last millimeter of array."));
+  sectionPane_->setTip(tr(
+      "The half-plane through the modiolar axis at the tip, to scale; its angle counts from the "
+      "round window. The arrow is the wall’s "
+      "normal force on the last millimeter of array. Where the wall yields, the array reaches past "
+      "its line."));
+  distancesPane_ = new Pane(tr("Contacts"), tr("to modiolus, mm"), distancesView_, parent);
+  distancesPane_->setObjectName(QStringLiteral("distancesPane"));
+  distancesPane_->setTip(tr(
+      "From the center line of the array at each contact, 1 at the tip, to the inner wall on the "
+      "way to the modiolar axis."));
 }
 
 FlatViews::~FlatViews() = default;
@@ -53,10 +70,12 @@ void FlatViews::forgetScene() { scene_.reset(); }
 
 void FlatViews::show(const haptics::Snapshot& now)
 {
-  if (!scene_ || (!unrolledView_->isVisible() && !sectionView_->isVisible())) return;
+  PlotView* const views[] = {unrolledView_, sectionView_, distancesView_};
+  const bool isSeen = std::any_of(std::begin(views), std::end(views),
+                                  [](PlotView* view) { return view->isVisible(); });
+  if (!scene_ || !isSeen) return;
   scene_->array.follow(now);
-  unrolledView_->refresh();
-  sectionView_->refresh();
+  for (PlotView* view : views) view->refresh();
   sectionPane_->setNote(
       tr("at %1°").arg(numberText(charts::TipSection::angle_deg(scene_->array), 0)));
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// The scala rolled out and its section at the tip, with the array in them.
+// The scala rolled out, its section at the tip, and how near the contacts are to the modiolus.
 
 #include <QObject>
 #include <memory>
@@ -16,7 +16,7 @@ namespace perilymph::gui {
 class Pane;
 class PlotView;
 
-/// Two panes that show where the array lies. UI thread only.
+/// Three panes that show where the array lies. UI thread only.
 class FlatViews : public QObject {
   Q_OBJECT
 public:
@@ -33,14 +33,17 @@ public:
 
   Pane* unrolled() const { return unrolledPane_; }
   Pane* section() const { return sectionPane_; }
+  Pane* distances() const { return distancesPane_; }
 
 private:
   struct Scene;
   std::unique_ptr<Scene> scene_;
   PlotView* unrolledView_;
   PlotView* sectionView_;
+  PlotView* distancesView_;
   Pane* unrolledPane_;
   Pane* sectionPane_;
+  Pane* distancesPane_;
 };
 
 }  // namespace perilymph::gui

@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include "PaneArea.h"
+#include "QualityPilot.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/haptics/Snapshot.h"
 #include "perilymph/session/Scenario.h"
@@ -14,6 +15,7 @@ namespace perilymph::gui {
 
 class FlatViews;
 class ForceCharts;
+class FrameMeter;
 class OperationView;
 
 /// The parts of the insertion page between the panel and the bar at the bottom. Which of them are
@@ -35,15 +37,43 @@ public:
   /// What follows the array fifteen times a second.
   void showSlowly(const haptics::Snapshot& now);
 
+  void lookFrom(visualization::CameraPreset preset);
+  void setStereo(visualization::Stereo stereo);
+  /// One kind after the other, round and round.
+  void nextStereo();
+
+  /// Lets the machine's speed choose how much is drawn, from what OpenGL calls itself and from the
+  /// first second of frames; or keeps to a choice. Without one to that of the settings.
+  void drawBy(const std::string& renderer, std::optional<QualityChoice> asked);
+  visualization::Quality quality() const { return pilot_.quality(); }
+  /// Looks at the frames so far.
+  void weigh(const FrameMeter& meter);
+  /// Quad-buffered stereo is not to be had, and why.
+  void refuseQuadBuffered(const QString& reason);
+
+Q_SIGNALS:
+  /// Another tier draws from now on.
+  void qualityChanged();
+
 protected:
   QSize minimumSizeHint() const override;
 
 private:
   void connectParts();
+  void chooseQuality(QualityChoice choice);
+  void redraw();
 
   OperationView* operation_;
   ForceCharts* charts_;
   FlatViews* flat_;
+  ViewMenu* menu_;
+  QualityPilot pilot_;
+  bool measures_ = false;
+  // what the scene is made of, to make it anew in another tier
+  const anatomy::ScalaTympani* scala_ = nullptr;
+  electrode::ArrayDesign array_;
+  anatomy::Side side_ = anatomy::Side::right;
+  haptics::Snapshot shown_{};
 };
 
 }  // namespace perilymph::gui

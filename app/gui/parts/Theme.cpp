@@ -56,6 +56,18 @@ QProgressBar::chunk { background: %accent%; border-radius: 3px; }
 QPushButton#keysButton { background: transparent; border-color: transparent; color: %quietText%; }
 QPushButton#keysButton:hover { color: %text%; border-color: %line%; }
 
+QToolButton#viewButton {
+  background: rgba(18, 22, 26, 185); border: 1px solid %line%; border-radius: 4px;
+  padding: 2px 8px; color: %text%;
+}
+QToolButton#viewButton:hover { border-color: %accent%; }
+QToolButton#viewButton::menu-indicator { image: none; }
+QMenu { background: %panel%; border: 1px solid %line%; padding: 6px 0; }
+QMenu::item { padding: 5px 24px 5px 32px; }
+QMenu::item:selected { background: %raised%; }
+QMenu::item:disabled { color: %quietText%; }
+QMenu::separator { height: 1px; background: %line%; margin: 6px 0; }
+
 QFrame#banner { background: #2B2114; border: 1px solid %warning%; border-radius: 5px; }
 QFrame#banner QLabel { color: %text%; }
 QFrame#keys, QFrame#devices { background: %panel%; border: 1px solid %line%; border-radius: 6px; }

@@ -15,8 +15,9 @@ struct Options {
   bool isDemo = false;                          ///< Starts inserting by itself.
   std::optional<std::filesystem::path> record;  ///< Where to keep the insertion.
   std::optional<std::filesystem::path> screenshot;
-  double after_s = 2.0;         ///< From the first frame to the screenshot.
-  bool measuresFrames = false;  ///< Prints frame times of a demonstration and exits.
+  double after_s = 2.0;                ///< From the first frame to the screenshot.
+  std::optional<std::string> quality;  ///< auto, fast, balanced or full; else what was kept.
+  bool measuresFrames = false;         ///< Prints frame times of a demonstration and exits.
 };
 
 /// The program ends here, with this status: help and version were printed, or the words were wrong.

@@ -24,6 +24,7 @@ KeyList::KeyList(QWidget* parent) : QFrame(parent)
       {{}, tr("Picture")},
       {tr("1  2  3  4"), tr("surgeon’s view, down the opening, overview, section")},
       {tr("F"), tr("follow the tip")},
+      {tr("G"), tr("stereo: off, anaglyph, side by side, interlaced")},
       {tr("Drag; A D W X"), tr("turn the model")},
       {tr("Shift+drag; Shift+arrows"), tr("move the model")},
       {tr("Wheel, Ctrl+wheel, + −"), tr("magnify")},

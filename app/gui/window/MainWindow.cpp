@@ -29,7 +29,6 @@ namespace {
 
 using haptics::Workflow;
 
-constexpr int frameInterval_ms = 16;   // 60 Hz cap
 constexpr int slowInterval_ms = 66;    // charts and numbers: 15 Hz
 constexpr double longestStep_s = 0.1;  // after a stall, keys do not catch up
 
@@ -72,7 +71,10 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
   bottom_->setMain(BottomBar::Main::start, false);
 
   timer_.setTimerType(Qt::PreciseTimer);
-  timer_.setInterval(frameInterval_ms);
+  timer_.setInterval(visualization::traitsOf(views_->quality()).frameInterval_ms);
+  connect(views_, &InsertionViews::qualityChanged, this, [this] {
+    timer_.setInterval(visualization::traitsOf(views_->quality()).frameInterval_ms);
+  });
   connect(&timer_, &QTimer::timeout, this, &MainWindow::onFrame);
 }
 
@@ -243,6 +245,7 @@ void MainWindow::showSlowly()
   const haptics::TickOutput& now = control_.now().output;
   view_->showNumbers(now, control_.scenario().stopTravel);
   views_->showSlowly(control_.now());
+  views_->weigh(meter_);
   bottom_->setProgress(now.travel / control_.scenario().stopTravel.si(), now.time);
   showState();
 }

@@ -71,6 +71,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event)
   if (key == Qt::Key_Backspace) return withdraw();
   if (key == Qt::Key_Question) return toggleKeyList();
   if (key == Qt::Key_H) return toggleDevices();
+  if (key == Qt::Key_G) return views_->nextStereo();
   if (key == Qt::Key_L) return views_->nextArrangement();
   if (key == Qt::Key_S) return control_.pullStylet();
   if (!steer(key, isShift)) QWidget::keyPressEvent(event);

@@ -98,7 +98,7 @@ double drawForce(PlotSheet& sheet, const Frame& frame, const ArrayInScala& now)
 void drawScaleBar(PlotSheet& sheet, const Frame& frame)
 {
   constexpr double bar_mm = 0.5;
-  const double right = sheet.right() - 10.0, y = sheet.bottom() - 13.0;
+  const double right = sheet.right() - 10.0, y = sheet.top() + 13.0;
   const double left = right - bar_mm * frame.px_mm;
   for (const double end : {left, right})
     sheet.add(Stroke{{{end, y - 4.0}, {end, y + 4.0}}, ink::text, 1.4, 0.0});

@@ -24,9 +24,11 @@ namespace perilymph::gui {
 
 class BottomBar;
 class ChartColumn;
+class ComparePage;
 class DevicePage;
 class KeyList;
 class OperationView;
+class SessionsPage;
 class SetupHistory;
 class SidePanel;
 class StartPage;
@@ -125,6 +127,8 @@ private:
   DevicePage* devices_;
   StartPage* startPage_;
   ValidatePage* validation_;
+  ComparePage* comparison_;
+  SessionsPage* sessions_;
   AnatomyWork anatomyWork_;
   QStackedWidget* pages_;
   Page page_ = Page::insert;

@@ -42,10 +42,14 @@ void MainWindow::keyPressEvent(QKeyEvent* event)
   }
   if (page_ == Page::validate && key == Qt::Key_Escape) return validation_->cancel();
   if (page_ != Page::insert) return QWidget::keyPressEvent(event);
+  // Return and Esc leave the panel: keys mean the insertion again.
+  const bool isLeaving = key == Qt::Key_Escape || key == Qt::Key_Return || key == Qt::Key_Enter;
+  if (isLeaving && side_->isAncestorOf(focusWidget())) return setFocus();
   if (isControl && key == Qt::Key_R) return reset();
   if (isControl && key == Qt::Key_1) return views_->setArrangement(PaneLayout::one);
   if (isControl && key == Qt::Key_2) return views_->setArrangement(PaneLayout::two);
   if (isControl && key == Qt::Key_4) return views_->setArrangement(PaneLayout::four);
+  if (isControl && key == Qt::Key_Z) return isShift ? redo() : undo();
   if (isControl) return QWidget::keyPressEvent(event);
   if (key == Qt::Key_Space) {
     if (event->isAutoRepeat()) return;
@@ -73,6 +77,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event)
   if (key == Qt::Key_H) return toggleDevices();
   if (key == Qt::Key_G) return views_->nextStereo();
   if (key == Qt::Key_L) return views_->nextArrangement();
+  if (key == Qt::Key_B) return side_->setCollapsed(!side_->isCollapsed());
   if (key == Qt::Key_S) return control_.pullStylet();
   if (!steer(key, isShift)) QWidget::keyPressEvent(event);
 }

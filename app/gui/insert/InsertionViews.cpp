@@ -130,7 +130,11 @@ void InsertionViews::chooseQuality(QualityChoice choice)
 
 void InsertionViews::weigh(const FrameMeter& meter)
 {
-  if (measures_ && pilot_.weigh(meter.frames(), meter.span_s(), meter.quantile_ms(0.5))) redraw();
+  const bool isEnough =
+      meter.frames() >= QualityPilot::leastFrames && meter.span_s() >= QualityPilot::firstSecond_s;
+  if (!measures_ || !isEnough) return;
+  measures_ = false;  // once: sorting an hour of frames would cost frames itself
+  if (pilot_.weigh(meter.frames(), meter.span_s(), meter.quantile_ms(0.5))) redraw();
 }
 
 void InsertionViews::redraw()

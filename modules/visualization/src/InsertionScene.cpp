@@ -13,7 +13,6 @@
 #include <vtkRenderWindow.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "ArrayParts.h"
 #include "ArrayPath.h"
@@ -174,6 +173,13 @@ void InsertionScene::Content::placeCamera()
 
 void InsertionScene::Content::prepare()
 {
+  // The camera learns of two eyes only when it is rendered, and a pass of one's own never does so.
+  vtkCamera& eyes = *renderer->GetActiveCamera();
+  if (eyes.GetStereo() != renderer->GetRenderWindow()->GetStereoRender()) {
+    eyes.Render(renderer);
+    eyes.Modified();
+  }
+
   const int height = std::max(1, renderer->GetSize()[1]);
   const Eigen::Matrix3d axes = camera.pose().axes.toRotationMatrix();
   const double pixel_mm = fieldHeight_mm / camera.pose().magnification / height;
@@ -186,11 +192,7 @@ void InsertionScene::Content::prepare()
 
   if (viewChanged) {
     scalaParts.lookFrom(view);
-    const double behind_mm = 0.9 * cameraDistance_mm;
-    // each eye sees it shifted
-    const double shift_mm =
-        stereo == Stereo::off ? 0.0 : behind_mm * std::tan(0.5 * degrees(eyeAngle_deg).si());
-    backdrop.place(view, focus - behind_mm * view.back, pixel_mm * width + 2.0 * shift_mm,
+    backdrop.place(view, focus - 0.9 * cameraDistance_mm * view.back, pixel_mm * width,
                    pixel_mm * height);
   }
   if (!path.isEmpty()) {
@@ -244,7 +246,8 @@ void InsertionScene::Content::applyStereo()
       window->SetStereoTypeToCrystalEyes();
       break;
   }
-  preparedWidth = 0;  // the backdrop has another width
+  // so far behind, its shades would lie apart for the two eyes
+  backdrop.actor().SetVisibility(stereo == Stereo::off);
 }
 
 void InsertionScene::setStereo(Stereo stereo)

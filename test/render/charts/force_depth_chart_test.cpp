@@ -153,6 +153,24 @@ TEST(ForceDepthChart, DoesNotGrowSlowerWithTimeSpentAtOnePlace)
   EXPECT_LT(screen.points(), before + 200);
 }
 
+TEST(ForceDepthChart, DrawsNoMoreAfterAnHourOfTicksThanAfterTheFirstInsertion)
+{
+  ChartOnScreen screen;
+  const auto insertAndWithdraw = [&] {
+    constexpr int ticks = 8000;
+    for (int i = 0; i < 2 * ticks; ++i) {
+      const double travel_mm = 16.0 * (i < ticks ? i : 2 * ticks - i) / ticks;
+      screen.chart.append(millimeters(travel_mm), newtons(0.006 * travel_mm + 1e-3 * (i % 3)));
+    }
+  };
+  insertAndWithdraw();
+  screen.picture();
+  const vtkIdType before = screen.points();
+  for (int i = 1; i < 225; ++i) insertAndWithdraw();  // 3.6 million ticks
+  screen.picture();
+  EXPECT_LE(screen.points(), before + 4);  // where the passes turn
+}
+
 TEST(ForceDepthChart, LeavesOutWhatIsNotFinite)
 {
   ChartOnScreen screen;

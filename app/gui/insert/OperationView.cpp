@@ -95,7 +95,7 @@ void OperationView::addReadOuts()
   angle_->setObjectName(QStringLiteral("angleReadOut"));
   force_->setObjectName(QStringLiteral("forceReadOut"));
   speed_->setObjectName(QStringLiteral("speedReadOut"));
-  angle_->setCaption(tr("angle from round window"));
+  angle_->setCaption(tr("from round window"));
   force_->setCaption(tr("force on the hand"));
 
   banner_->setObjectName(QStringLiteral("banner"));

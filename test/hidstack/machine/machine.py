@@ -15,7 +15,8 @@ import initramfs
 import kernel
 
 SKIPPED = 77
-PROGRAMS = ("virtual_handle", "hid_insertion", "hid_measures")
+PROGRAMS = ("test/bin/virtual_handle", "test/bin/hid_insertion", "test/bin/hid_measures",
+            "bin/perilymph-device-guard")
 # A run takes 20 s of a processor. Only a hang takes this much; an idle machine in virtual time hangs
 # busily. By the clock a run takes as long as others let it, so that bound is wide.
 MOST_PROCESSOR_SECONDS = 75

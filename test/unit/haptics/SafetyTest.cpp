@@ -136,6 +136,38 @@ HandCondition faulty()
 }
 INSTANTIATE_TEST_SUITE_P(Reasons, SafetyOff, testing::Values(released(), stale(), faulty()));
 
+TEST_P(SafetyOff, IsGoneAsSoonAsTheDevicesOwnGuardWouldAct)
+{
+  // That waits for three periods, and at least 3 ms (HidHand.h), at 1 kHz and at 10 kHz.
+  for (const double step : {1e-3, 1e-4}) {
+    Safety safety({}, step);
+    const Eigen::Vector3d wanted_D(0.0, 0.0, 10.0);
+    std::uint32_t status = allWell;
+    for (int i = 0; i < 20000; ++i) safety.show(wanted_D, holding(), status);
+    const int ticks = static_cast<int>(std::lround(3e-3 / step));
+    for (int i = 0; i + 1 < ticks; ++i) safety.show(wanted_D, GetParam(), status);
+    EXPECT_NEAR(safety.show(wanted_D, GetParam(), status).norm(), 0.0, rounding) << step << " s";
+  }
+}
+
+TEST_P(SafetyOff, StillGivesNoStep)
+{
+  Safety safety = shownFor({0.0, 0.0, 3.3});
+  std::uint32_t status = allWell;
+  EXPECT_NEAR(safety.show(Eigen::Vector3d::Zero(), GetParam(), status).norm(), 2.2,
+              rounding);  // a third in a third
+}
+
+TEST(Safety, TakesItsTimeToSwitchOffWhereItIsToldNone)
+{
+  SafetyLimits limits;
+  limits.offTime = 0.0;
+  Safety safety = shownFor({0.0, 0.0, 3.3}, limits);
+  std::uint32_t status = allWell;
+  EXPECT_NEAR(safety.show(Eigen::Vector3d::Zero(), released(), status).norm(), 3.2,
+              rounding);  // 100 N/s for 1 ms
+}
+
 TEST(Safety, SaysThatTheHandIsStale)
 {
   Safety safety = shownFor({0.1, 0.0, 0.0});

@@ -54,13 +54,13 @@ void nearestWall(benchmark::State& state)
       return;
     }
   percentiles.report(state);
+  const benchmark::IterationCount points = state.iterations() * state.range(0);
+  state.SetItemsProcessed(points);
+  using benchmark::Counter;
+  state.counters["per_query_s"] =
+      Counter(static_cast<double>(points), Counter::kIsRate | Counter::kInvert);
 }
 
-BENCHMARK(nearestWall)
-    ->Name("lumen")
-    ->ArgName("batch")
-    ->Arg(100)
-
-    ->Unit(benchmark::kMicrosecond);
+BENCHMARK(nearestWall)->Name("lumen")->ArgName("batch")->Arg(100)->Unit(benchmark::kMicrosecond);
 
 }  // namespace

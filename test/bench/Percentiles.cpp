@@ -14,10 +14,13 @@ void Percentiles::report(benchmark::State& state)
     const double rank = std::ceil(share * static_cast<double>(seconds_.size()));
     return 1e6 * seconds_[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
   };
-  state.counters["p50_us"] = microseconds(0.5);
-  state.counters["p99_us"] = microseconds(0.99);
-  state.counters["p999_us"] = microseconds(0.999);
-  state.counters["max_us"] = microseconds(1.0);
+  const auto add = [&](const char* name, double share) {
+    state.counters[name] = benchmark::Counter(microseconds(share), benchmark::Counter::kAvgThreads);
+  };
+  add("p50_us", 0.5);
+  add("p99_us", 0.99);
+  add("p999_us", 0.999);
+  add("max_us", 1.0);
 }
 
 }  // namespace perilymph::bench

@@ -9,7 +9,7 @@ namespace perilymph::bench {
 
 /// Times each iteration of a benchmark apart, and adds median, 99th, 99.9th percentile and maximum
 /// to its row as p50_us, p99_us, p999_us, max_us: in a loop of a thousand ticks a second the mean
-/// says little.
+/// says little. In rows of several threads each has its own, and the row shows their mean.
 class Percentiles {
 public:
   /// @param most  Iterations to make room for, so that adding one does not allocate.

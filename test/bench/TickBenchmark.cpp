@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "BuiltOnce.h"
 #include "Percentiles.h"
 #include "perilymph/device/ScriptedHand.h"
 #include "perilymph/haptics/HapticLoop.h"
@@ -58,27 +59,40 @@ private:
   haptics::TickRecord last_;
 };
 
+/// The published experiment and its model, which all threads of a row share.
+struct Experiment {
+  session::Scenario scenario;
+  std::shared_ptr<const mechanics::InsertionModel> model;
+};
+
+Result<Experiment> build(std::int64_t nodes)
+{
+  const auto scenario = session::loadScenario(scenarioName, {{"nodes", std::to_string(nodes)}});
+  if (!scenario) return scenario.error();
+  const auto scala = session::buildAnatomy(*scenario);
+  if (!scala) return Error{"The anatomy could not be built."};
+  const auto model = session::buildModel(*scenario, *scala);
+  if (!model) return model.error();
+  return Experiment{*scenario, *model};
+}
+
 void tickOfWholeInsertion(benchmark::State& state)
 {
-  const auto scenario =
-      session::loadScenario(scenarioName, {{"nodes", std::to_string(state.range(0))}});
-  if (!scenario) return state.SkipWithError(scenario.error().message.c_str());
-  const auto scala = session::buildAnatomy(*scenario);
-  if (!scala) return state.SkipWithError("The anatomy could not be built.");
-  const auto model = session::buildModel(*scenario, *scala);
-  if (!model) return state.SkipWithError(model.error().message.c_str());
+  static bench::BuiltOnce<std::int64_t, Result<Experiment>> experiments;
+  const Result<Experiment>& experiment = experiments.of(state.range(0), build);
+  if (!experiment) return state.SkipWithError(experiment.error().message.c_str());
 
   // A batch is a whole insertion and one iteration is a tick: rows of different length compare.
   bench::Percentiles percentiles(static_cast<std::size_t>(state.max_iterations) + ticksOfInsertion);
   while (state.KeepRunningBatch(ticksOfInsertion)) {
     state.PauseTiming();
-    Run run(*scenario, *model);
+    Run run(experiment->scenario, experiment->model);
     state.ResumeTiming();
     for (int i = 0; i < ticksOfInsertion; ++i) {
       percentiles.time([&run] { run.tick(); });
       run.takeRecords();
     }
-    if (!run.wentIn(*scenario)) {
+    if (!run.wentIn(experiment->scenario)) {
       state.SkipWithError("The array did not go in: no tick of this run tells anything.");
       return;
     }
@@ -86,12 +100,13 @@ void tickOfWholeInsertion(benchmark::State& state)
   percentiles.report(state);
 }
 
-BENCHMARK(tickOfWholeInsertion)
-    ->Name("tick/rod")
-    ->ArgName("nodes")
-    ->Arg(100)
-    ->Arg(200)
-    ->Arg(1000)
-    ->Unit(benchmark::kMicrosecond);
+void sizes(benchmark::internal::Benchmark* row)
+{
+  row->ArgName("nodes")->Arg(100)->Arg(200)->Arg(1000)->Unit(benchmark::kMicrosecond);
+}
+
+BENCHMARK(tickOfWholeInsertion)->Name("tick/rod")->Apply(sizes);
+// Two insertions at once in one model, each in its own thread and with its own state.
+BENCHMARK(tickOfWholeInsertion)->Name("tick/rod")->Apply(sizes)->Threads(2);
 
 }  // namespace

@@ -53,10 +53,12 @@ fs::path resourceRoot()
 {
   const std::string chosen = environment("PERILYMPH_RESOURCES");
   if (!chosen.empty()) return chosen;
-  std::error_code ignored;
-  if (fs::is_directory(fs::path(PERILYMPH_INSTALLED_DIR) / "resources", ignored))
-    return PERILYMPH_INSTALLED_DIR;
-  return PERILYMPH_SOURCE_DIR;
+  // Beside the program, wherever the whole was installed or unpacked.
+  std::error_code failure;
+  const fs::path program = fs::read_symlink("/proc/self/exe", failure);
+  const fs::path installed = (program.parent_path() / PERILYMPH_DATA_FROM_PROGRAMS).lexically_normal();
+  if (!failure && fs::is_directory(installed / "resources", failure)) return installed;
+  return PERILYMPH_RESOURCE_ROOT;
 }
 
 fs::path resource(std::string_view relative) { return resourceRoot() / fs::path(relative); }

@@ -1,0 +1,100 @@
+# What is installed where, and the Debian packages made of it: `packaging/deb` builds them.
+#   perilymph      both programs and what they need
+#   perilymph-dev  the header of device plug-ins and its CMake package
+include(CMakePackageConfigHelpers)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
+set(share "${CMAKE_INSTALL_DATADIR}")
+
+# Data of the programs. Pictures of the documents are not.
+install(DIRECTORY resources DESTINATION "${share}/perilymph" COMPONENT program
+  PATTERN "*.md" EXCLUDE PATTERN OFL.txt EXCLUDE PATTERN pictures EXCLUDE PATTERN icons EXCLUDE PATTERN guide EXCLUDE)
+install(DIRECTORY plugins DESTINATION "${share}/perilymph" COMPONENT program FILES_MATCHING PATTERN "*.toml"
+  PATTERN example EXCLUDE)
+# Who sits at the machine may open the haptic devices that are known by number.
+install(FILES packaging/udev/70-perilymph.rules DESTINATION lib/udev/rules.d COMPONENT program)
+
+# The desktop's menu.
+install(FILES packaging/desktop/org.perilymph.perilymph.desktop DESTINATION "${share}/applications" COMPONENT program)
+install(FILES packaging/desktop/org.perilymph.perilymph.metainfo.xml DESTINATION "${share}/metainfo" COMPONENT program)
+foreach(size IN ITEMS 48 64 128 256)
+  install(FILES resources/icons/perilymph-${size}.png RENAME perilymph.png COMPONENT program
+    DESTINATION "${share}/icons/hicolor/${size}x${size}/apps")
+endforeach()
+install(FILES resources/icons/perilymph.svg DESTINATION "${share}/icons/hicolor/scalable/apps" COMPONENT program)
+
+# Manual pages and what a shell completes.
+install(FILES packaging/completions/perilymph packaging/completions/perilymph-cli COMPONENT program
+  DESTINATION "${share}/bash-completion/completions")
+find_program(PERILYMPH_GZIP gzip REQUIRED)
+# compressed(<file> <name> <folder> <component>): installs the file as <name>.gz, the same bytes every time.
+function(compressed file name folder component)
+  set(packed "${CMAKE_BINARY_DIR}/packaging/${component}/${name}.gz")
+  get_filename_component(place "${packed}" DIRECTORY)
+  file(MAKE_DIRECTORY "${place}")
+  add_custom_command(OUTPUT "${packed}" DEPENDS "${CMAKE_SOURCE_DIR}/${file}"
+    COMMAND "${PERILYMPH_GZIP}" -9nc "${CMAKE_SOURCE_DIR}/${file}" > "${packed}" VERBATIM)
+  add_custom_target(compress_${component}_${name} ALL DEPENDS "${packed}")
+  install(FILES "${packed}" DESTINATION "${folder}" COMPONENT ${component})
+endfunction()
+foreach(page IN ITEMS perilymph.1 perilymph-cli.1)
+  compressed(packaging/man/${page} ${page} "${CMAKE_INSTALL_MANDIR}/man1" program)
+endforeach()
+compressed(packaging/debian/changelog changelog "${share}/doc/perilymph" program)
+
+# The documents, in the order of the tree, so that their links hold.
+install(FILES LICENSE DESTINATION "${share}/doc/perilymph" COMPONENT program)
+file(GLOB documents RELATIVE "${CMAKE_SOURCE_DIR}" CONFIGURE_DEPENDS README.md packaging/*.md plugins/*.md modules/README.md
+  modules/*/README.md app/*/README.md resources/fonts/README.md)
+foreach(document IN LISTS documents)
+  get_filename_component(place "${document}" DIRECTORY)
+  install(FILES "${document}" DESTINATION "${share}/doc/perilymph/${place}" COMPONENT program)
+endforeach()
+install(DIRECTORY resources/pictures resources/guide DESTINATION "${share}/doc/perilymph/resources" COMPONENT program)
+
+# What a device plug-in is built with.
+set(sdk "${CMAKE_INSTALL_DATADIR}/cmake/Perilymph")
+install(FILES modules/device/include/perilymph/device/PluginApi.h COMPONENT sdk
+  DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/perilymph/device")
+configure_package_config_file(packaging/sdk/PerilymphConfig.cmake.in "${CMAKE_BINARY_DIR}/packaging/PerilymphConfig.cmake"
+  INSTALL_DESTINATION "${sdk}" PATH_VARS CMAKE_INSTALL_INCLUDEDIR)
+write_basic_package_version_file("${CMAKE_BINARY_DIR}/packaging/PerilymphConfigVersion.cmake"
+  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+install(FILES "${CMAKE_BINARY_DIR}/packaging/PerilymphConfig.cmake"
+  "${CMAKE_BINARY_DIR}/packaging/PerilymphConfigVersion.cmake" DESTINATION "${sdk}" COMPONENT sdk)
+install(DIRECTORY plugins/devices/example DESTINATION "${share}/doc/perilymph-dev/examples" COMPONENT sdk)
+compressed(packaging/debian/changelog changelog "${share}/doc/perilymph-dev" sdk)
+install(FILES packaging/debian/copyright DESTINATION "${share}/doc/perilymph" COMPONENT program)
+install(FILES packaging/debian/lintian-overrides RENAME perilymph DESTINATION "${share}/lintian/overrides" COMPONENT program)
+install(FILES packaging/debian/copyright DESTINATION "${share}/doc/perilymph-dev" COMPONENT sdk)
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME perilymph)
+set(CPACK_PACKAGE_CONTACT "The Perilymph authors <maintainers@perilymph.example>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+  OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_COMPONENTS_ALL program sdk)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME perilymph)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "fonts-inter, fonts-dejavu-core, libgl1-mesa-dri")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_CONTROL_EXTRA
+  "${CMAKE_SOURCE_DIR}/packaging/debian/postinst" "${CMAKE_SOURCE_DIR}/packaging/debian/postrm")
+set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "Perilymph builds the scala tympani from three measures of a patient, computes
+how an electrode array bends, touches the wall and slides along it a thousand
+times a second, and gives the force back to the hand, the screen and a
+recording. The published experiment it is measured against comes with it.
+.
+For research and training. It is not a medical device.")
+set(CPACK_DEBIAN_SDK_PACKAGE_NAME perilymph-dev)
+set(CPACK_DEBIAN_SDK_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_SDK_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_SDK_PACKAGE_SUGGESTS "perilymph, cmake")
+set(CPACK_DEBIAN_SDK_DESCRIPTION "The C header of Perilymph's device plug-ins, a CMake package that finds it, and
+an example: a shared library built with these lets the workstation use a haptic
+device of a kind it does not know.")
+include(CPack)

@@ -1,0 +1,104 @@
+#!/usr/bin/env python3
+"""The Debian packages: what is in them, that Debian's checkers accept them, and that they work unpacked."""
+
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+BUILD = Path(sys.argv.pop(1)).resolve()
+
+
+def run(*words, **keys):
+    return subprocess.run([str(word) for word in words], capture_output=True, text=True, timeout=300, **keys)
+
+
+class DebianPackages(unittest.TestCase):
+    """Made from the build under test, so that they are tested whenever it is."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory()
+        cls.folder = Path(cls.scratch.name)
+        made = run("cpack", "-G", "DEB", "--config", BUILD / "CPackConfig.cmake", "-B", cls.folder, cwd=BUILD)
+        if made.returncode != 0:
+            raise AssertionError(made.stdout + made.stderr)
+        cls.program = next(cls.folder.glob("perilymph_*.deb"))
+        cls.sdk = next(cls.folder.glob("perilymph-dev_*.deb"))
+        cls.unpacked = cls.folder / "unpacked"
+        for package in (cls.program, cls.sdk):
+            run("dpkg-deb", "-x", package, cls.unpacked, check=True)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.scratch.cleanup()
+
+    def field(self, package, name):
+        return run("dpkg-deb", "-f", package, name, check=True).stdout.strip()
+
+    def test_lintian_accepts_them(self):
+        checked = run("lintian", "--fail-on", "error,warning", "--allow-root", "--no-cfg", self.program, self.sdk)
+        self.assertEqual((checked.returncode, checked.stdout), (0, ""), checked.stderr)
+
+    def test_what_the_programs_link_is_what_the_package_depends_on(self):
+        depends = self.field(self.program, "Depends")
+        for name in ("libc6", "libvtk9.1", "libqt5widgets5", "libhidapi-hidraw0", "libsqlite3-0", "fonts-inter"):
+            self.assertIn(name, depends)
+        self.assertNotIn("-dev", depends)
+
+    def test_the_desktop_entry_and_its_description_are_accepted(self):
+        share = self.unpacked / "usr/share"
+        entry = run("desktop-file-validate", share / "applications/org.perilymph.perilymph.desktop")
+        self.assertEqual((entry.returncode, entry.stdout), (0, ""))
+        described = run("appstreamcli", "validate", "--no-net",
+                        share / "metainfo/org.perilymph.perilymph.metainfo.xml")
+        self.assertEqual(described.returncode, 0, described.stdout)
+
+    def test_unpacked_anywhere_it_runs_from_its_own_data(self):
+        env = {key: value for key, value in os.environ.items() if key != "PERILYMPH_RESOURCES"}
+        cli = self.unpacked / "usr/bin/perilymph-cli"
+        out = self.folder / "out.json"
+        done = run(cli, "simulate", "--scenario", "mean-flex28", "--nodes", "50", "--json", out, env=env, cwd="/")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        # A scenario that only the package has proves where it looked.
+        own = self.unpacked / "usr/share/perilymph/resources/scenarios"
+        (own / "only-here.toml").write_text((own / "mean-flex28.toml").read_text())
+        named = run(cli, "simulate", "--scenario", "only-here", "--nodes", "50", "--json", out, env=env, cwd="/")
+        self.assertEqual((named.returncode, named.stderr), (0, ""))
+        (own / "only-here.toml").unlink()
+
+    def test_every_data_file_of_the_tree_is_in_it(self):
+        share = self.unpacked / "usr/share/perilymph"
+        for folder in ("plugins/electrodes", "plugins/devices", "resources"):
+            for file in (ROOT / folder).rglob("*.toml"):
+                self.assertTrue((share / file.relative_to(ROOT)).is_file(), file)
+
+    def test_links_between_the_installed_documents_lead_somewhere(self):
+        documents = self.unpacked / "usr/share/doc/perilymph"
+        for file in documents.rglob("*.md"):
+            for target in re.findall(r"\]\(([^)\s#]+)[^)]*\)", file.read_text()):
+                if not re.match(r"[a-z]+:", target):
+                    self.assertTrue((file.parent / target).exists(), f"{file.name} links to {target}")
+
+    def test_the_udev_rule_gives_the_device_to_who_sits_there_and_to_nobody_else(self):
+        rule = (self.unpacked / "usr/lib/udev/rules.d/70-perilymph.rules").read_text()
+        self.assertIn('TAG+="uaccess"', rule)
+        self.assertNotIn("MODE", rule)
+
+    def test_the_example_plug_in_builds_outside_the_tree(self):
+        example = self.unpacked / "usr/share/doc/perilymph-dev/examples/example"
+        build = self.folder / "example"
+        made = run("cmake", "-S", example, "-B", build, f"-DCMAKE_PREFIX_PATH={self.unpacked}/usr")
+        self.assertEqual(made.returncode, 0, made.stderr)
+        built = run("cmake", "--build", build)
+        self.assertEqual(built.returncode, 0, built.stdout + built.stderr)
+        symbols = run("nm", "-D", "--defined-only", build / "example.so", check=True).stdout
+        self.assertIn(" perilymph_device_v1", symbols)
+
+
+if __name__ == "__main__":
+    unittest.main()

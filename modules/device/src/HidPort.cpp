@@ -71,7 +71,8 @@ private:
   bool isTape() const noexcept
   {
     std::error_code ignored;
-    return std::filesystem::is_regular_file(node_.path, ignored);
+    return std::filesystem::is_regular_file(node_.path, ignored) &&
+           std::filesystem::file_size(node_.path, ignored) > 0;
   }
 
   HidNode node_;

@@ -159,6 +159,7 @@ TEST(RecordedPort, KeepsWhatWasReadAndWrittenWithItsTimes)
     EXPECT_EQ((*writing)->write(report), Transfer::done);
     hid.refuseWrites(true);
     EXPECT_EQ((*writing)->write(report), Transfer::failed);
+    virtualNow = 9 * millisecond;
     hid.unplug();
     EXPECT_EQ((*reading)->read(report, {}), Transfer::gone);
   }

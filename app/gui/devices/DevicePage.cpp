@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <QVariant>
+#include <algorithm>
 
 #include "Numbers.h"
 #include "Theme.h"
@@ -119,8 +120,16 @@ void DevicePage::refresh()
   addText(*column, tr("Hands that need no hardware: the script, and mouse and keyboard."), true);
   column_->addWidget(list_);
   list_->show();  // the page may be on the screen already
+  fit();
+}
+
+void DevicePage::fit()
+{
   column_->activate();
-  adjustSize();
+  const QPoint middle = geometry().center();
+  // Sentences wrap: how high the page is follows from how wide it is.
+  resize(width(), column_->totalHeightForWidth(width()));
+  if (isVisible()) move(x(), std::max(0, middle.y() - height() / 2));
 }
 
 void DevicePage::addDevice(const device::FoundHand& found)
@@ -191,8 +200,11 @@ void DevicePage::showHand(const QString& name, const std::optional<device::HandH
     lines << tr("It needs no hardware and feels no force.");
   }
   if (!coupling.isEmpty()) lines << coupling;
-  live_->setText(lines.join(QLatin1Char('\n')));
-  live_->setVisible(!lines.isEmpty());
+  const QString words = lines.join(QLatin1Char('\n'));
+  if (words == live_->text()) return;
+  live_->setText(words);
+  live_->setVisible(!words.isEmpty());
+  fit();
 }
 
 }  // namespace perilymph::gui

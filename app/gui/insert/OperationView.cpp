@@ -105,6 +105,8 @@ void OperationView::addReadOuts()
   bannerLayout->addWidget(bannerText_);
   banner_->setVisible(false);
   hint_->setVisible(false);
+  hint_->setWordWrap(true);
+  hint_->setAlignment(Qt::AlignCenter);
 
   auto* numbers = new QHBoxLayout;
   numbers->setSpacing(0);
@@ -116,9 +118,9 @@ void OperationView::addReadOuts()
 
   auto* foot = new QHBoxLayout;
   foot->addWidget(magnification_);
-  foot->addStretch();
-  foot->addWidget(hint_);
-  foot->addStretch();
+  foot->addStretch(1);
+  foot->addWidget(hint_, 8);
+  foot->addStretch(1);
   foot->addWidget(viewName_);
 
   auto* column = new QVBoxLayout(this);

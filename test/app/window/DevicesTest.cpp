@@ -93,6 +93,11 @@ TEST_F(DevicesOfTheWindow, ThatCannotRenderTheCouplingAreSaidToBeSoftened)
   EXPECT_TRUE(pageSays("The hand: WoodenHaptics"));
   EXPECT_GT(rig_->now().couplingStiffness, 0.0);
   EXPECT_LE(rig_->now().couplingStiffness, 375.0);
+  for (const QLabel* label : page().findChildren<QLabel*>())
+    EXPECT_GE(label->height(), label->wordWrap() ? label->heightForWidth(label->width()) : 0)
+        << label->text().toStdString();
+  const auto* status = rig_->window().findChild<QLabel*>(QStringLiteral("statusLabel"));
+  EXPECT_GE(status->height(), status->heightForWidth(status->width()));
   if (getenv("GRAB_COUPLING")) rig_->window().grab().save(getenv("GRAB_COUPLING"));
 }
 

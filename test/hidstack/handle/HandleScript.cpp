@@ -68,9 +68,10 @@ Result<HandleScript> scriptNamed(const std::string& name)
     return contact;
   }
   addContact(contact.passages, "rest");
-  if (name == "flipped")
+  if (name == "flipped") {
     contact.flaw = Flaw::flippedForce;
-  else if (name == "doubled")
+    contact.passages[3].duration = 0.4;  // to the end stop
+  } else if (name == "doubled")
     contact.flaw = Flaw::doubledForce;
   else
     return Error{"There is no script '" + name +

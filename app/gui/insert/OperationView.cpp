@@ -105,8 +105,6 @@ void OperationView::addReadOuts()
   bannerLayout->addWidget(bannerText_);
   banner_->setVisible(false);
   hint_->setVisible(false);
-  hint_->setWordWrap(true);
-  hint_->setAlignment(Qt::AlignCenter);
 
   auto* numbers = new QHBoxLayout;
   numbers->setSpacing(0);
@@ -118,9 +116,9 @@ void OperationView::addReadOuts()
 
   auto* foot = new QHBoxLayout;
   foot->addWidget(magnification_);
-  foot->addStretch(1);
-  foot->addWidget(hint_, 8);
-  foot->addStretch(1);
+  foot->addStretch();
+  foot->addWidget(hint_);
+  foot->addStretch();
   foot->addWidget(viewName_);
 
   auto* column = new QVBoxLayout(this);

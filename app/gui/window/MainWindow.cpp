@@ -349,8 +349,10 @@ QString MainWindow::deviceHint() const
 {
   if (!control_.isRunning()) {
     const QString press = tr("Press Start, then hold the device’s button and push.");
-    const std::string coupling = control_.couplingWords();
-    return coupling.empty() ? press : press + QLatin1Char('\n') + QString::fromStdString(coupling);
+    if (control_.couplingWords().empty()) return press;
+    return press + QLatin1Char('\n') +
+           tr("Coupling %1 N/m, softer than asked: Devices (H).")
+               .arg(numberText(control_.now().couplingStiffness, 0));
   }
   if (!control_.isMoving()) return tr("Hold the device’s button: the array follows the hand.");
   return tr("Array held. Letting go of the button lets it rest.");

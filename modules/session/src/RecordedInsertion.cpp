@@ -109,6 +109,8 @@ std::optional<RecordingFacts> factsFrom(const std::map<std::string, std::string>
   facts.samplePeriod = *samplePeriod;
   facts.mostForce = *mostForce;
   // Recordings from before hands felt forces do not have these.
+  // Recorded before there was one: a force that was switched off went as slowly as any other.
+  facts.offTime = numberIn<double>(entries, MetaKey::offTime).value_or(0.0);
   facts.reach = numberIn<double>(entries, MetaKey::reach).value_or(facts.reach);
   facts.feelsForce = numberIn<int>(entries, MetaKey::feelsForce).value_or(0) != 0;
   facts.mostStiffness =

@@ -234,6 +234,7 @@ Result<Done> Recording::Content::begin(const RecordingFacts& facts)
       keep(MetaKey::timeStep, shortestDecimal(facts.timeStep)) &&
       keep(MetaKey::samplePeriod, shortestDecimal(facts.samplePeriod)) &&
       keep(MetaKey::mostForce, shortestDecimal(facts.mostForce)) &&
+      keep(MetaKey::offTime, shortestDecimal(facts.offTime)) &&
       keep(MetaKey::reach, shortestDecimal(facts.reach)) &&
       keep(MetaKey::feelsForce, facts.feelsForce ? "1" : "0") &&
       keep(MetaKey::mostStiffness, shortestDecimal(facts.mostStiffness)) &&

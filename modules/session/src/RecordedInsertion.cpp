@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 
+#include "Companions.h"
 #include "Database.h"
 #include "RecordingFormat.h"
 #include "TickBlob.h"
@@ -153,6 +154,11 @@ Result<Done> RecordedInsertion::Content::readFacts()
                  "; this program reads up to " + std::to_string(newestRecordingVersion) +
                  ". Open it with a newer version."};
 
+  // Tables by these names that compute what they hold could compute for ever.
+  if (database.number("SELECT COUNT(*) FROM sqlite_master WHERE type = 'table' AND rootpage > 0 "
+                      "AND name IN ('meta', 'tick', 'event')") != 3)
+    return damaged(database.isDamaged() ? database.trouble() : "its tables are not there");
+
   auto rows = database.prepare("SELECT key, value FROM meta");
   if (!rows) return damaged(rows.error().message);
   std::map<std::string, std::string> entries;
@@ -191,19 +197,25 @@ Result<RecordedInsertion> RecordedInsertion::open(const fs::path& file)
   if (!mayAccess(file, R_OK))
     return Error{file.string() + " may not be read. Check its permissions."};
 
-  const fs::path log = file.string() + "-wal";
-  const bool hasLog = fs::exists(log, problem) && fs::file_size(log, problem) > 0;
-  const FileHeader header = readHeader(file);
+  // Where a link points, there lies what belongs to the recording.
+  const fs::path place = fs::canonical(file, problem);
+  if (problem) return Error{file.string() + " cannot be found: " + problem.message() + "."};
+  if (!fs::is_regular_file(place, problem)) return content.notOurs();
+  const FileHeader header = readHeader(place);
   if (!header.isDatabase) return content.notOurs();
-  if (!header.isWhole && !hasLog) return content.damaged("it is cut short");
+  const auto companions = companionsOf(place);
+  if (!companions) return companions.error();
+  if (!header.isWhole && !companions->hasLog) return content.damaged("it is cut short");
 
-  const bool isWritable = mayWrite(file);
-  if (hasLog && !isWritable)
+  const bool isWritable = mayWrite(place);
+  if (companions->hasLog && !isWritable)
     content.note = file.string() +
                    " was not closed and lies where nothing may be written, so the ticks in its "
                    "-wal file are not read. Copy both files to a folder you may write to.";
+  // With nothing to recover nothing is written, not even a lock.
+  const bool recovers = isWritable && companions->areToRead;
   auto database =
-      Database::open(file, isWritable ? Database::Access::readWrite : Database::Access::immutable);
+      Database::open(place, recovers ? Database::Access::readWrite : Database::Access::immutable);
   if (!database) return content.damaged(database.error().message);
   content.database = std::move(*database);
   if (const auto done = content.readFacts(); !done) return done.error();

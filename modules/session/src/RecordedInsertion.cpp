@@ -157,8 +157,17 @@ struct RecordedInsertion::Content {
     return Error{file.string() + " is not a recording of Perilymph. Choose an .insertion file."};
   }
 
+  Result<Done> read(const fs::path& place, Database::Access access);
   Result<Done> readFacts();
 };
+
+Result<Done> RecordedInsertion::Content::read(const fs::path& place, Database::Access access)
+{
+  auto opened = Database::open(place, access);
+  if (!opened) return damaged(opened.error().message);
+  database = std::move(*opened);
+  return readFacts();
+}
 
 Result<Done> RecordedInsertion::Content::readFacts()
 {
@@ -232,11 +241,15 @@ Result<RecordedInsertion> RecordedInsertion::open(const fs::path& file)
                    "-wal file are not read. Copy both files to a folder you may write to.";
   // With nothing to recover nothing is written, not even a lock.
   const bool recovers = isWritable && companions->areToRead;
-  auto database =
-      Database::open(place, recovers ? Database::Access::readWrite : Database::Access::immutable);
-  if (!database) return content.damaged(database.error().message);
-  content.database = std::move(*database);
-  if (const auto done = content.readFacts(); !done) return done.error();
+  const auto read =
+      content.read(place, recovers ? Database::Access::readWrite : Database::Access::immutable);
+  if (read) return opened;
+  // Where a full disk has no room for recovering, what was folded into the file is there still.
+  if (!recovers || !header.isWhole || !content.read(place, Database::Access::immutable))
+    return read.error();
+  content.note = file.string() +
+                 " was not closed and cannot be recovered here, so the ticks in its -wal file are "
+                 "not read. Make room on the disk, or copy both files to another one.";
   return opened;
 }
 

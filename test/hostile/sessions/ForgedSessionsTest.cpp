@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sqlite3.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cmath>
@@ -168,6 +169,19 @@ TEST_F(ForgedSession, WhoseScenarioNamesForeignFilesIsReplayedByNone)
     EXPECT_THAT(verified.error().message, testing::Not(HasSubstr("nobody may lose"))) << key;
     expectTreasure();
     EXPECT_THAT(namesIn(sent), testing::ElementsAre("some.insertion")) << key;
+  }
+}
+
+TEST_F(ForgedSession, WhoseScenarioNamesAPipeIsNotWaitedFor)
+{
+  const fs::path pipe = sent / "pipe.toml";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string key : {"patient", "array", "friction", "calibration"}) {
+    runSql("UPDATE meta SET value = '" + key + " = \"" + pipe.string() +
+           "\"' WHERE key = 'scenario'");
+    const auto verified = verify(file);
+    ASSERT_FALSE(verified) << key;
+    EXPECT_THAT(verified.error().message, HasSubstr("is a pipe or a device")) << key;
   }
 }
 

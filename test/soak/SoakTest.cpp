@@ -170,7 +170,9 @@ TEST_F(Soak, EndsAsItBegan)
   EXPECT_GE(ticksRun, wanted);
   ASSERT_GE(sessions, 2u);
   // Sanitizers keep what was freed for a while.
-  if (test::AllocationGuard::isAvailable()) EXPECT_LE(growth_KiB, mostGrowth_KiB);
+  if (test::AllocationGuard::isAvailable()) {
+    EXPECT_LE(growth_KiB, mostGrowth_KiB);
+  }
 
   const auto verified = verify(kept.back());
   ASSERT_TRUE(verified) << verified.error().message;

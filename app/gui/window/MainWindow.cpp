@@ -146,6 +146,7 @@ void MainWindow::connectZones()
   connect(bottom_, &BottomBar::withdrawAsked, this, &MainWindow::withdraw);
   connect(bottom_, &BottomBar::resetAsked, this, &MainWindow::reset);
   connect(view_, &QOpenGLWidget::frameSwapped, this, &MainWindow::onPresented);
+  connectSessions();
 }
 
 void MainWindow::start()

@@ -82,6 +82,8 @@ private:
   void layOut();
   QWidget* insertPage();
   void connectZones();
+  void connectSessions();
+  void showSessions();
   void onFrame();
   void onPresented();
   void showSlowly();

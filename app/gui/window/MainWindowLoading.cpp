@@ -51,6 +51,7 @@ void MainWindow::showPage(Page page)
   } else {
     setFocus();
   }
+  if (page == Page::sessions) showSessions();
 }
 
 Result<Done> MainWindow::open()

@@ -75,6 +75,11 @@ void ChartColumn::setExperimentVisible(bool isVisible)
   overTravel_.setVisible(charts::ChartLayer::reference, isVisible);
 }
 
+void ChartColumn::setGhost(std::vector<std::pair<Length, Force>> curve, const QString& name)
+{
+  overTravel_.setGhost(std::move(curve), tr("ghost: %1").arg(name).toStdString());
+}
+
 void ChartColumn::begin(const anatomy::Entry& entry)
 {
   entry_ = entry;

@@ -25,6 +25,8 @@ public:
   /// The published values drawn behind the curve; says why there are none otherwise.
   void setExperiment(const Result<charts::ReferenceCurve>& experiment);
   void setExperimentVisible(bool isVisible);
+  /// Another insertion behind this one, until the next call; an empty curve removes it.
+  void setGhost(std::vector<std::pair<Length, Force>> curve, const QString& name);
 
   /// A new insertion: empties the curves. Forces are split along the axes of `entry`.
   void begin(const anatomy::Entry& entry);

@@ -77,6 +77,11 @@ struct MarkPainter {
 
 }  // namespace
 
+void paintDrawing(QPainter& painter, const analysis::Drawing& drawing)
+{
+  for (const analysis::Mark& mark : drawing.marks) std::visit(MarkPainter{painter}, mark);
+}
+
 DrawingView::DrawingView(QWidget* parent) : QWidget(parent)
 {
   setObjectName(QStringLiteral("drawingView"));
@@ -101,7 +106,7 @@ void DrawingView::paintEvent(QPaintEvent*)
   QPainterPath sheet;
   sheet.addRoundedRect(QRectF(0.0, 0.0, drawing_.width, drawing_.height), 4.0 / scale, 4.0 / scale);
   painter.fillPath(sheet, Qt::white);
-  for (const analysis::Mark& mark : drawing_.marks) std::visit(MarkPainter{painter}, mark);
+  paintDrawing(painter, drawing_);
 }
 
 }  // namespace perilymph::gui

@@ -6,7 +6,12 @@
 
 #include "perilymph/analysis/Drawing.h"
 
+class QPainter;
+
 namespace perilymph::gui {
+
+/// Paints the marks of a drawing in page points, on whatever ground there is.
+void paintDrawing(QPainter& painter, const analysis::Drawing& drawing);
 
 /// Paints a drawing as large as the widget allows, on its white sheet.
 class DrawingView : public QWidget {

@@ -193,8 +193,10 @@ QPushButton* SessionsPage::addVerb(const QString& words, const char* name, const
   return button;
 }
 
-void SessionsPage::refresh(const std::optional<std::filesystem::path>& beingRecorded)
+void SessionsPage::refresh(const std::optional<std::filesystem::path>& beingRecorded,
+                           bool isRunning)
 {
+  isRunning_ = isRunning;
   beingRecorded_ = beingRecorded;
   reread();
 }
@@ -214,14 +216,15 @@ void SessionsPage::say(const QString& sentence, bool isTrouble)
   status_->style()->polish(status_);
 }
 
-void SessionsPage::showList(const std::vector<session::SessionSummary>& sessions)
+void SessionsPage::showList(std::vector<session::SessionSummary> sessions)
 {
+  if (!isRunning_) std::erase_if(sessions, [](const auto& one) { return one.isBeingRecorded; });
   // the same recordings stay chosen
   std::vector<std::filesystem::path> before;
   for (const session::SessionSummary& each : chosen()) before.push_back(each.file);
   progress_->setVisible(false);
   say({});
-  table_->setSessions(sessions);
+  table_->setSessions(std::move(sessions));
   for (int row = 0; row < table_->rowCount(); ++row)
     if (std::find(before.begin(), before.end(), table_->session(row).file) != before.end())
       list_->selectionModel()->select(sorted_->mapFromSource(table_->index(row, 0)),

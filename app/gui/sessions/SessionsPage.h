@@ -31,7 +31,8 @@ public:
 
   /// Reads the folder again.
   /// @param beingRecorded  The file that this window writes, if any.
-  void refresh(const std::optional<std::filesystem::path>& beingRecorded);
+  /// @param isRunning      Whether its insertion has begun; else the file may vanish again.
+  void refresh(const std::optional<std::filesystem::path>& beingRecorded, bool isRunning);
   bool isBusy() const { return work_.isBusy(); }
   /// Ends the reading early.
   void cancel();
@@ -54,7 +55,7 @@ private:
   QWidget* addList();
   QWidget* addVerbs();
   QPushButton* addVerb(const QString& text, const char* name, const QString& tip);
-  void showList(const std::vector<session::SessionSummary>& sessions);
+  void showList(std::vector<session::SessionSummary> sessions);
   void showChoice();
   void askForOne(void (SessionsPage::*request)(const std::filesystem::path&));
   void rename(const std::filesystem::path& file, const QString& name);
@@ -66,6 +67,7 @@ private:
   SessionTable* table_;
   QSortFilterProxyModel* sorted_;
   std::optional<std::filesystem::path> beingRecorded_;
+  bool isRunning_ = false;
   /// Where the last ones thrown away are, and where they were.
   std::vector<std::pair<std::filesystem::path, std::filesystem::path>> trashed_;
 

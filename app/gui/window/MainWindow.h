@@ -11,6 +11,7 @@
 #include <set>
 
 #include "AnatomyWork.h"
+#include "Background.h"
 #include "FrameMeter.h"
 #include "InsertionControl.h"
 #include "TopBar.h"
@@ -27,6 +28,8 @@ class ComparePage;
 class DevicePage;
 class KeyList;
 class OperationView;
+class Replay;
+class ReplayBar;
 class SessionsPage;
 class SidePanel;
 class StartPage;
@@ -58,6 +61,9 @@ public:
   void showPage(Page page);
   Page page() const { return page_; }
 
+  /// Writes a report of a recording as PDF, beside this thread; the page Sessions says how it went.
+  void saveReport(const std::filesystem::path& file, const std::filesystem::path& pdf);
+
   /// Says in place what went wrong; stays until the next reset.
   void showTrouble(const QString& sentence);
 
@@ -84,6 +90,15 @@ private:
   void connectZones();
   void connectSessions();
   void showSessions();
+  void useGhost(const std::filesystem::path& file);
+  void askForReport(const std::filesystem::path& file);
+  void connectReplay();
+  void openReplay(const std::filesystem::path& file);
+  void beginReplay();
+  void closeReplay();
+  bool frameOfReplay(double elapsed_s);
+  void showReplay();
+  bool keyOfReplay(QKeyEvent* event);
   void onFrame();
   void onPresented();
   void showSlowly();
@@ -119,6 +134,11 @@ private:
   ValidatePage* validation_;
   ComparePage* comparison_;
   SessionsPage* sessions_;
+  ReplayBar* replayBar_;
+  Replay* replay_;
+  std::size_t charted_ = 0;  ///< Samples of the replay that are in the charts.
+  QStackedWidget* bars_;
+  Background reading_;
   AnatomyWork anatomyWork_;
   QStackedWidget* pages_;
   Page page_ = Page::insert;

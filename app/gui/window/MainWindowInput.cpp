@@ -5,6 +5,7 @@
 #include <QWheelEvent>
 #include <cmath>
 
+#include "ComparePage.h"
 #include "DevicePage.h"
 #include "KeyList.h"
 #include "MainWindow.h"
@@ -40,7 +41,9 @@ void MainWindow::keyPressEvent(QKeyEvent* event)
     return QWidget::keyPressEvent(event);
   }
   if (page_ == Page::validate && key == Qt::Key_Escape) return validation_->cancel();
+  if (page_ == Page::compare && key == Qt::Key_Escape) return comparison_->cancel();
   if (page_ != Page::insert) return QWidget::keyPressEvent(event);
+  if (keyOfReplay(event)) return;
   if (isControl && key == Qt::Key_R) return reset();
   if (isControl) return QWidget::keyPressEvent(event);
   if (key == Qt::Key_Space) {

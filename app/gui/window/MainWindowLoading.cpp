@@ -6,6 +6,7 @@
 #include "ChartColumn.h"
 #include "MainWindow.h"
 #include "OperationView.h"
+#include "Replay.h"
 #include "SidePanel.h"
 #include "StartPage.h"
 #include "TopBar.h"
@@ -45,7 +46,10 @@ void MainWindow::showPage(Page page)
   page_ = page;
   pages_->setCurrentIndex(static_cast<int>(page));
   // on the first screen it is nobody's turn yet
-  top_->setPatient(page == Page::start ? QString() : patientText(control_.scenario()));
+  const bool isReplay = page == Page::insert && replay_->isOpen();
+  top_->setPatient(page == Page::start ? QString()
+                                       : patientText(isReplay ? replay_->playback().scenario()
+                                                              : control_.scenario()));
   if (page == Page::start) {
     startPage_->showCards();
   } else {
@@ -95,6 +99,7 @@ void MainWindow::beginShipped(const std::string& name, Then then)
 void MainWindow::load(session::Scenario scenario, Then then)
 {
   pause();
+  closeReplay();
   showPage(Page::insert);
   anatomyWork_.build(
       scenario,

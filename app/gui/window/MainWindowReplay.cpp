@@ -53,13 +53,16 @@ void MainWindow::openReplay(const std::filesystem::path& file)
 void MainWindow::beginReplay()
 {
   // Nothing may move but the picture: the insertion ends, and no device stays open.
+  anatomyWork_.forget();
+  isStartAsked_ = false;
+  handBefore_ = control_.hand();
   prepare(Hand::scripted);
   showPage(Page::insert);
   const session::Playback& playback = replay_->playback();
   const session::Scenario& scenario = playback.scenario();
   bars_->setCurrentWidget(replayBar_);
-  side_->setScenario(scenario);
-  side_->setEnabled(false);
+  side_->hide();  // it tells of the insertion to come, not of this one
+  top_->setModified(false, {});
   top_->setDevice(Light::off, tr("replay"), tr("A recording is shown. No device is moved."));
   view_->setScene(std::make_unique<visualization::InsertionScene>(
       *playback.anatomy(), scenario.array, scenario.patient.side));
@@ -76,10 +79,11 @@ void MainWindow::closeReplay()
   if (!replay_->isOpen()) return;
   replay_->close();
   bars_->setCurrentIndex(0);
-  side_->setEnabled(true);
+  side_->show();
   showScenario();
+  prepare(handBefore_);
   showCochlea();
-  showPrepared();
+  useSetup();  // a change that was being built when the replay began
 }
 
 bool MainWindow::frameOfReplay(double elapsed_s)
@@ -146,6 +150,7 @@ bool MainWindow::keyOfReplay(QKeyEvent* event)
     case Qt::Key_H:
       return !isShift;
     case Qt::Key_R:
+    case Qt::Key_Z:
       return (event->modifiers() & Qt::ControlModifier) != 0;
     default:
       return false;

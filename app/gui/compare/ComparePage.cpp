@@ -23,7 +23,7 @@ namespace perilymph::gui {
 
 namespace {
 
-enum Column { run, cursor, peak, peakDepth, work, reversals, duration, angle, score, columns };
+enum Column { run, atCursor, peak, peakDepth, work, reversals, duration, angle, score, columns };
 
 constexpr int rowHeight_px = 32;
 constexpr int swatchWidth_px = 36;
@@ -200,7 +200,7 @@ void ComparePage::fillTable()
         {duration, tr("%1 s").arg(numberText(profile.duration, 1))},
         {angle, tr("%1°").arg(numberText(inDegrees(radians(profile.finalAngle)), 0))},
         {score, scored ? tr("%1 of 100").arg(numberText(scored->total, 0)) : tr("none")},
-        {cursor, QString()}};
+        {atCursor, QString()}};
     for (const auto& [column, words] : cells) {
       auto* item = new QTableWidgetItem(words);
       item->setTextAlignment(int(column == run ? Qt::AlignLeft : Qt::AlignRight) |
@@ -226,11 +226,11 @@ void ComparePage::showCursor()
   const double travel = millimeters(plot_->cursor_mm()).si();
   for (int row = 0; row < int(runs_.size()) && row < table_->rowCount(); ++row) {
     const auto force = analysis::forceAt(runs_[std::size_t(row)].profile.curve, travel);
-    table_->item(row, cursor)
+    table_->item(row, atCursor)
         ->setText(force ? tr("%1 mN").arg(numberText(inMillinewtons(newtons(*force)), 1))
                         : tr("–"));
   }
-  if (auto* header = table_->horizontalHeaderItem(cursor))
+  if (auto* header = table_->horizontalHeaderItem(atCursor))
     header->setText(tr("At %1 mm").arg(numberText(plot_->cursor_mm(), 1)));
 }
 

@@ -9,7 +9,6 @@
 #include <QUrl>
 
 #include "DrawingView.h"
-#include "Theme.h"
 #include "perilymph/foundation/AtomicFile.h"
 
 namespace perilymph::gui {
@@ -35,6 +34,15 @@ QImage curveOf(const ReportContent& content)
   return image;
 }
 
+/// Inter draws some signs between capitals and digits as forms without a code: a text taken out of
+/// the PDF would lack them ("SHA 256"). DejaVu Sans has none of these.
+QFont reportTypeface(int size_px)
+{
+  QFont chosen(QStringLiteral("DejaVu Sans"));
+  chosen.setPixelSize(size_px);
+  return chosen;
+}
+
 void paintPages(QPdfWriter& writer, QTextDocument& document)
 {
   QPainter painter(&writer);
@@ -47,8 +55,7 @@ void paintPages(QPdfWriter& writer, QTextDocument& document)
     painter.translate(0, -i * page.height());
     document.drawContents(&painter, page.translated(0, i * page.height()));
     painter.restore();
-    QFont foot = typeface(14);
-    painter.setFont(foot);
+    painter.setFont(reportTypeface(13));
     painter.setPen(QColor(90, 90, 90));
     const QRectF place(0, page.height(), page.width(), footHeight);
     painter.drawText(place, Qt::AlignLeft | Qt::AlignBottom,
@@ -65,7 +72,7 @@ void paintPages(QPdfWriter& writer, QTextDocument& document)
 Result<Done> writeReport(const ReportContent& content, const std::filesystem::path& file)
 {
   QTextDocument document;
-  document.setDefaultFont(typeface(17));
+  document.setDefaultFont(reportTypeface(16));
   document.setDefaultStyleSheet(QStringLiteral(
       "h1 { font-size: 34px; font-weight: 500; } h2 { font-size: 21px; font-weight: 600; }"
       "td { padding: 3px 14px 3px 0; } .quiet { color: #5A5A5A; } .small { font-size: 14px; }"));

@@ -11,7 +11,8 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr int pageWidth_px = 980;  // of the text on A4 at 144 dots an inch
+// Of pictures, in 1/96 inch: the text of an A4 page is 657 wide.
+constexpr int curveWidth_px = 480, pictureWidth_px = 320;
 
 QString tr(const char* words) { return QCoreApplication::translate("Report", words); }
 
@@ -49,7 +50,7 @@ QString whoAndWhat(const ReportContent& content)
        row(tr("Array"), tr("%1 (%2)").arg(from(scenario.array.name), from(scenario.array.maker))),
        row(tr("Recorded"),
            tr("%1 (UTC), by %2").arg(from(content.facts.startedUtc), from(content.facts.device))),
-       row(tr("Scenario"), from(scenario.name))});
+       row(tr("Scenario"), from(content.facts.scenarioName))});
 }
 
 QString numbers(const ReportContent& content)
@@ -167,10 +168,9 @@ QString reportText(const ReportContent& content)
                   tr("Perilymph, for research and training use. Not a medical device; no patient "
                      "may be treated by what it shows.")) +
          whoAndWhat(content) + heading("In numbers") + numbers(content) +
-         heading("Force over travel") +
-         image.arg(QStringLiteral("curve")).arg(pageWidth_px * 3 / 4) +
+         heading("Force over travel") + image.arg(QStringLiteral("curve")).arg(curveWidth_px) +
          heading("The array at its deepest place") +
-         image.arg(QStringLiteral("picture")).arg(pageWidth_px / 2) +
+         image.arg(QStringLiteral("picture")).arg(pictureWidth_px) +
          QStringLiteral("<p class=\"quiet small\">%1</p>")
              .arg(tr("Along the modiolus, to scale; the tip %1 mm past the opening.")
                       .arg(numberText(content.depth_mm, 1))) +

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 constexpr double step = pi / 45.0;            // between sections of the outline [rad]
-constexpr double entryDirection = 0.68 * pi;  // of the opening: to the upper left
+constexpr double entryDirection = 0.68 * pi;  // of a right ear's opening: to the upper left
 
 /// From the cochlear frame W [m] to a plane that looks at the apex [mm], y downward.
 class Plane {
@@ -22,7 +22,9 @@ public:
       : mirror_(side == anatomy::Side::left ? -1.0 : 1.0)
   {
     const Eigen::Vector3d out_W = scala.entry().out_W;
-    const double turn = entryDirection - std::atan2(mirror_ * out_W.y(), out_W.x());
+    // as in the window: a left ear is a right one in a mirror that stands upright
+    const double wanted = side == anatomy::Side::left ? pi - entryDirection : entryDirection;
+    const double turn = wanted - std::atan2(mirror_ * out_W.y(), out_W.x());
     cosine_ = std::cos(turn);
     sine_ = std::sin(turn);
   }

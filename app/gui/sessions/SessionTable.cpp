@@ -2,6 +2,7 @@
 
 #include <QColor>
 #include <QDateTime>
+#include <QIcon>
 
 #include "Numbers.h"
 #include "Theme.h"
@@ -16,6 +17,14 @@ namespace {
 QString nameOf(const SessionSummary& session)
 {
   return QString::fromStdString(session.file.stem().string());
+}
+
+/// The same picture in a chosen row: Qt would tint it.
+QIcon plainIcon(const QPixmap& pixmap)
+{
+  QIcon icon(pixmap);
+  icon.addPixmap(pixmap, QIcon::Selected);
+  return icon;
 }
 
 bool hasNumbers(const SessionSummary& session) { return session.highlights.ticks > 0; }
@@ -112,7 +121,7 @@ QVariant SessionTable::data(const QModelIndex& index, int role) const
     case Qt::EditRole:
       return text(shown, index.column());
     case Qt::DecorationRole:
-      return index.column() == picture ? QVariant(thumbnails_->find(shown)) : QVariant();
+      return index.column() == picture ? QVariant(plainIcon(thumbnails_->find(shown))) : QVariant();
     case Qt::ToolTipRole:
       return shown.trouble.empty() ? QString::fromStdString(shown.file.string())
                                    : QString::fromStdString(shown.trouble);

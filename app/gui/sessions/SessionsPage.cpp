@@ -67,7 +67,12 @@ SessionsPage::SessionsPage(QWidget* parent)
     progress_->setVisible(false);
     say(sentence, true);
   });
-  connect(table_, &SessionTable::renameAsked, this, &SessionsPage::rename, Qt::QueuedConnection);
+  // After the editor has closed: the rows it stands on are made anew.
+  connect(table_, &SessionTable::renameAsked, this,
+          [this](const std::filesystem::path& file, const QString& name) {
+            QMetaObject::invokeMethod(
+                this, [this, file, name] { rename(file, name); }, Qt::QueuedConnection);
+          });
   setFocusProxy(list_);
   showList({});
 }

@@ -8,8 +8,8 @@
 #include <QTableView>
 #include <QTableWidget>
 #include <QTest>
-#include <fstream>
-#include <sstream>
+#include <algorithm>
+#include <system_error>
 
 #include "ComparePage.h"
 #include "ComparisonPlot.h"

@@ -61,6 +61,8 @@ void MainWindow::showPage(Page page)
   top_->setPatient(page == Page::start ? QString()
                                        : patientText(isReplay ? replay_->playback().scenario()
                                                               : control_.scenario()));
+  top_->setModified(page != Page::start && !isReplay && setup_->isModified(),
+                    tr("Not the preset’s values: %1.").arg(setup_->changedWords()));
   if (page == Page::start) {
     startPage_->showCards();
   } else {
@@ -152,7 +154,7 @@ void MainWindow::showScenario()
   const session::Scenario& scenario = control_.scenario();
   setWindowTitle(tr("Perilymph · %1").arg(QString::fromStdString(scenario.name)));
   if (page_ != Page::start) top_->setPatient(patientText(scenario));
-  top_->setModified(setup_->isModified(),
+  top_->setModified(page_ != Page::start && setup_->isModified(),
                     tr("Not the preset’s values: %1.").arg(setup_->changedWords()));
 }
 

@@ -92,6 +92,14 @@ QFrame#banner { background: #2B2114; border: 1px solid %warning%; border-radius:
 QFrame#banner QLabel { color: %text%; }
 QFrame#keys, QFrame#devices { background: %panel%; border: 1px solid %line%; border-radius: 6px; }
 QFrame#chartFrame { background: %ground%; border: 1px solid %line%; border-radius: 4px; }
+QTableView {
+  background: %ground%; border: 1px solid %line%; border-radius: 4px; outline: none;
+  selection-background-color: %raised%; selection-color: %text%;
+}
+QTableView::item { border-bottom: 1px solid %line%; padding: 0 8px; }
+QTableView::item:selected { background: %raised%; }
+QHeaderView, QHeaderView::section { background: %ground%; color: %quietText%; border: none; }
+QHeaderView::section { border-bottom: 1px solid %line%; padding: 6px 8px; }
 QToolTip { color: %text%; background: %ground%; border: 1px solid %line%; padding: 4px; }
 )";
 

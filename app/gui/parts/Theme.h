@@ -16,6 +16,7 @@ inline const QColor lineColor{0x2A, 0x32, 0x3A};
 inline const QColor textColor{0xE8, 0xEC, 0xEF};
 inline const QColor quietTextColor{0x93, 0xA1, 0xAC};
 inline const QColor accentColor{0x45, 0xC4, 0xB0};   ///< This insertion, and the primary action.
+inline const QColor ghostColor{0x56, 0xB4, 0xE9};    ///< Other insertions: ghost, comparison.
 inline const QColor warningColor{0xE6, 0x9F, 0x00};  ///< Never without a word.
 inline const QColor alarmColor{0xD5, 0x5E, 0x00};    ///< Never without a word.
 

@@ -16,6 +16,8 @@
 #include "KeyList.h"
 #include "Numbers.h"
 #include "OperationView.h"
+#include "Replay.h"
+#include "ReplayBar.h"
 #include "SessionsPage.h"
 #include "SetupHistory.h"
 #include "SidePanel.h"
@@ -57,6 +59,10 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
       validation_(new ValidatePage(this)),
       comparison_(new ComparePage(this)),
       sessions_(new SessionsPage(this)),
+      replayBar_(new ReplayBar(this)),
+      replay_(new Replay(this)),
+      bars_(new QStackedWidget(this)),
+      reading_(this),
       anatomyWork_(this),
       pages_(new QStackedWidget(this))
 {
@@ -102,7 +108,10 @@ QWidget* MainWindow::insertPage()
   column->setSpacing(0);
   column->addLayout(middle, 1);
   column->addWidget(bottomLine);
-  column->addWidget(bottom_);
+  bars_->addWidget(bottom_);
+  bars_->addWidget(replayBar_);
+  bars_->setFixedHeight(barHeight);
+  column->addWidget(bars_);
   return page;
 }
 
@@ -150,6 +159,7 @@ void MainWindow::connectZones()
   connect(bottom_, &BottomBar::withdrawAsked, this, &MainWindow::withdraw);
   connect(bottom_, &BottomBar::resetAsked, this, &MainWindow::reset);
   connect(view_, &QOpenGLWidget::frameSwapped, this, &MainWindow::onPresented);
+  connectSessions();
 }
 
 void MainWindow::start()
@@ -221,7 +231,7 @@ void MainWindow::onFrame()
   if (direction != 0)
     control_.advanceBy(Length::fromSi(direction * control_.scenario().speed.si() * elapsed_s));
 
-  if (control_.update()) {
+  if (!frameOfReplay(elapsed_s) && control_.update()) {
     const haptics::Snapshot& now = control_.now();
     if (isNewToTheEye(now)) view_->showArray(now);
     if (now.output.workflow != Workflow::idle && now.output.workflow != Workflow::armed)
@@ -253,6 +263,7 @@ void MainWindow::onPresented()
 
 void MainWindow::showSlowly()
 {
+  if (replay_->isOpen()) return showReplay();
   const haptics::TickOutput& now = control_.now().output;
   view_->showNumbers(now, control_.scenario().stopTravel);
   views_->showSlowly(control_.now());

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "AnatomyWork.h"
+#include "Background.h"
 #include "FrameMeter.h"
 #include "InsertionControl.h"
 #include "Setup.h"
@@ -29,6 +30,8 @@ class ForceCharts;
 class InsertionViews;
 class KeyList;
 class OperationView;
+class Replay;
+class ReplayBar;
 class SessionsPage;
 class SetupHistory;
 class SidePanel;
@@ -63,6 +66,9 @@ public:
   void showPage(Page page);
   Page page() const { return page_; }
 
+  /// Writes a report of a recording as PDF, beside this thread; the page Sessions says how it went.
+  void saveReport(const std::filesystem::path& file, const std::filesystem::path& pdf);
+
   /// Says in place what went wrong; stays until the next reset.
   void showTrouble(const QString& sentence);
 
@@ -89,6 +95,17 @@ private:
   void layOut();
   QWidget* insertPage();
   void connectZones();
+  void connectSessions();
+  void showSessions();
+  void useGhost(const std::filesystem::path& file);
+  void askForReport(const std::filesystem::path& file);
+  void connectReplay();
+  void openReplay(const std::filesystem::path& file);
+  void beginReplay();
+  void closeReplay();
+  bool frameOfReplay(double elapsed_s);
+  void showReplay();
+  bool keyOfReplay(QKeyEvent* event);
   void onFrame();
   void onPresented();
   void showSlowly();
@@ -132,6 +149,12 @@ private:
   ValidatePage* validation_;
   ComparePage* comparison_;
   SessionsPage* sessions_;
+  ReplayBar* replayBar_;
+  Replay* replay_;
+  Hand handBefore_ = Hand::scripted;  ///< Of the insertion before the replay.
+  std::size_t charted_ = 0;           ///< Samples of the replay that are in the charts.
+  QStackedWidget* bars_;
+  Background reading_;
   AnatomyWork anatomyWork_;
   QStackedWidget* pages_;
   Page page_ = Page::insert;

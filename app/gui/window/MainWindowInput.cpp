@@ -5,6 +5,7 @@
 #include <QWheelEvent>
 #include <cmath>
 
+#include "ComparePage.h"
 #include "DevicePage.h"
 #include "InsertionViews.h"
 #include "KeyList.h"
@@ -41,7 +42,9 @@ void MainWindow::keyPressEvent(QKeyEvent* event)
     return QWidget::keyPressEvent(event);
   }
   if (page_ == Page::validate && key == Qt::Key_Escape) return validation_->cancel();
+  if (page_ == Page::compare && key == Qt::Key_Escape) return comparison_->cancel();
   if (page_ != Page::insert) return QWidget::keyPressEvent(event);
+  if (keyOfReplay(event)) return;
   // Return and Esc leave the panel: keys mean the insertion again.
   const bool isLeaving = key == Qt::Key_Escape || key == Qt::Key_Return || key == Qt::Key_Enter;
   if (isLeaving && side_->isAncestorOf(focusWidget())) return setFocus();

@@ -7,6 +7,7 @@
 #include "InsertionViews.h"
 #include "MainWindow.h"
 #include "OperationView.h"
+#include "Replay.h"
 #include "SetupHistory.h"
 #include "SidePanel.h"
 #include "StartPage.h"
@@ -57,14 +58,18 @@ void MainWindow::showPage(Page page)
   page_ = page;
   pages_->setCurrentIndex(static_cast<int>(page));
   // on the first screen it is nobody's turn yet
-  top_->setPatient(page == Page::start ? QString() : patientText(control_.scenario()));
-  top_->setModified(page != Page::start && setup_->isModified(),
+  const bool isReplay = page == Page::insert && replay_->isOpen();
+  top_->setPatient(page == Page::start ? QString()
+                                       : patientText(isReplay ? replay_->playback().scenario()
+                                                              : control_.scenario()));
+  top_->setModified(page != Page::start && !isReplay && setup_->isModified(),
                     tr("Not the preset’s values: %1.").arg(setup_->changedWords()));
   if (page == Page::start) {
     startPage_->showCards();
   } else {
     setFocus();
   }
+  if (page == Page::sessions) showSessions();
 }
 
 Result<Done> MainWindow::open()
@@ -115,6 +120,7 @@ void MainWindow::load(session::Scenario scenario, Then then)
 void MainWindow::load(Setup setup, Origin::Kind kind, Then then)
 {
   pause();
+  closeReplay();
   showPage(Page::insert);
   anatomyWork_.build(
       setup.scenario,

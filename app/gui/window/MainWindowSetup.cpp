@@ -3,6 +3,7 @@
 #include "InsertionViews.h"
 #include "MainWindow.h"
 #include "OperationView.h"
+#include "Replay.h"
 #include "SetupHistory.h"
 #include "SidePanel.h"
 
@@ -58,7 +59,7 @@ bool MainWindow::isChangeable() const
   const bool isThere = workflow == Workflow::finished || workflow == Workflow::fault;
   const bool hasMoved =
       control_.isRunning() && workflow != Workflow::idle && workflow != Workflow::armed;
-  return (!hasMoved || isThere) && !control_.isMoving() && !isStartAsked_;
+  return (!hasMoved || isThere) && !control_.isMoving() && !isStartAsked_ && !replay_->isOpen();
 }
 
 void MainWindow::undo()

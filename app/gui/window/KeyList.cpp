@@ -31,6 +31,9 @@ KeyList::KeyList(QWidget* parent) : QFrame(parent)
       {tr("Alt+Home"), tr("begin anew: the first screen")},
       {tr("Alt+1 to Alt+4"), tr("insert, compare, validate, sessions")},
       {tr("H"), tr("devices: which there are, and how the hand is doing")},
+      {tr("Ctrl+Z  Ctrl+Shift+Z"), tr("undo and redo a change of the setup")},
+      {tr("Tab, Return, Esc"), tr("to the next field of the panel, out of it")},
+      {tr("B"), tr("hide or show the panel")},
       {tr("?"), tr("this list")},
   };
 

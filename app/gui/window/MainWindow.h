@@ -13,6 +13,7 @@
 #include "AnatomyWork.h"
 #include "FrameMeter.h"
 #include "InsertionControl.h"
+#include "Setup.h"
 #include "TopBar.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/session/Scenario.h"
@@ -28,6 +29,7 @@ class DevicePage;
 class KeyList;
 class OperationView;
 class SessionsPage;
+class SetupHistory;
 class SidePanel;
 class StartPage;
 class ValidatePage;
@@ -47,6 +49,8 @@ public:
   /// Begins anew with another scenario, its array at its start and its cochlea built meanwhile.
   enum class Then { rest, insert };
   void load(session::Scenario scenario, Then then);
+  /// The same where it is known what the patient's numbers come from.
+  void load(Setup setup, Origin::Kind kind, Then then);
 
   void start();
   void pause();
@@ -62,6 +66,7 @@ public:
   void showTrouble(const QString& sentence);
 
   const InsertionControl& control() const { return control_; }
+  const SetupHistory& setup() const { return *setup_; }
   OperationView& view() { return *view_; }
   const FrameMeter& meter() const { return meter_; }
   /// Frames are timed anew from now on.
@@ -88,6 +93,12 @@ private:
   void showState();
   void chooseHand(Hand hand);
   void prepare(Hand hand);
+  void connectSetup();
+  void useSetup();
+  void use(const session::Scenario& scenario, std::shared_ptr<const anatomy::ScalaTympani> anatomy);
+  bool isChangeable() const;
+  void undo();
+  void redo();
   void showScenario();
   void showCochlea();
   void showPrepared();
@@ -106,6 +117,7 @@ private:
   bool isNewToTheEye(const haptics::Snapshot& now);
 
   InsertionControl control_;
+  SetupHistory* setup_;
   TopBar* top_;
   SidePanel* side_;
   OperationView* view_;
@@ -125,7 +137,8 @@ private:
   QElapsedTimer sinceFrame_, sinceSlow_;
   FrameMeter meter_;
   bool isFirstFrame_ = true;
-  std::set<int> pressed_;  ///< Up and Down while they are held.
+  bool isStartAsked_ = false;  ///< Begin once the cochlea is built.
+  std::set<int> pressed_;      ///< Up and Down while they are held.
   QString trouble_;
   QString deviceWords_;        ///< How the hand's device is doing; empty without one.
   haptics::Snapshot drawn_{};  ///< The picture the scene shows.

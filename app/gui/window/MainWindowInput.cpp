@@ -41,7 +41,11 @@ void MainWindow::keyPressEvent(QKeyEvent* event)
   }
   if (page_ == Page::validate && key == Qt::Key_Escape) return validation_->cancel();
   if (page_ != Page::insert) return QWidget::keyPressEvent(event);
+  // Return and Esc leave the panel: keys mean the insertion again.
+  const bool isLeaving = key == Qt::Key_Escape || key == Qt::Key_Return || key == Qt::Key_Enter;
+  if (isLeaving && side_->isAncestorOf(focusWidget())) return setFocus();
   if (isControl && key == Qt::Key_R) return reset();
+  if (isControl && key == Qt::Key_Z) return isShift ? redo() : undo();
   if (isControl) return QWidget::keyPressEvent(event);
   if (key == Qt::Key_Space) {
     if (event->isAutoRepeat()) return;
@@ -67,6 +71,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event)
   if (key == Qt::Key_Backspace) return withdraw();
   if (key == Qt::Key_Question) return toggleKeyList();
   if (key == Qt::Key_H) return toggleDevices();
+  if (key == Qt::Key_B) return side_->setCollapsed(!side_->isCollapsed());
   if (key == Qt::Key_S) return control_.pullStylet();
   if (!steer(key, isShift)) QWidget::keyPressEvent(event);
 }

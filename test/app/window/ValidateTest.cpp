@@ -65,7 +65,7 @@ TEST_F(ValidationPage, CanBeCanceledAndKeepsNothing)
 {
   setRuns(1000);
   rig_.click("validateButton");
-  auto* progress = rig_.window().findChild<QProgressBar*>();
+  auto* progress = page().findChild<QProgressBar*>();
   ASSERT_TRUE(WindowRig::comes([&] { return progress->value() >= 1; }));
   rig_.pressKey(Qt::Key_Escape);
   ASSERT_TRUE(WindowRig::comes([&] { return !page().isRunning(); }));

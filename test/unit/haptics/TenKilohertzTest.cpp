@@ -100,6 +100,10 @@ protected:
     return record;
   }
 
+  /// Virtual time runs on while the writer, a real thread, waits for a processor: a force that took
+  /// 5 ms of it looks as if the device did not take it.
+  bool wasStarved() const { return hand->health()->blockedWrites > 0; }
+
   FakeHid hid;
   std::uint16_t counter = 0;
   int inward_10um = 0;
@@ -121,6 +125,7 @@ TEST_F(TenKilohertz, PushesWithTheSpringsForceAtTheWall)
 {
   start();
   const TickRecord record = goIntoTheWall();
+  if (wasStarved()) GTEST_SKIP() << "This machine gave the writer's thread no time.";
   ASSERT_EQ(record.output.workflow, Workflow::inserting);
   const double force = stiffness * (1e-3 - freeWay);  // K x, by hand: 0.2205 N
   EXPECT_NEAR(record.output.wrench_D.force_D[2], force, 0.01 * force);
@@ -143,6 +148,7 @@ TEST_F(TenKilohertz, IsStaleAfterThreeMillisecondsNotAfterThreePeriods)
 {
   start();
   const TickRecord before = goIntoTheWall();
+  if (wasStarved()) GTEST_SKIP() << "This machine gave the writer's thread no time.";
   ASSERT_GT(before.output.wrench_D.force_D[2], 0.2);
   // Silence: the loop goes on, the device does not.
   int ticksUntilStale = 0;

@@ -7,6 +7,7 @@
 #include "Application.h"
 #include "Display.h"
 #include "Errands.h"
+#include "KioskWindow.h"
 #include "MainWindow.h"
 #include "Options.h"
 #include "perilymph/foundation/RealTime.h"
@@ -21,6 +22,31 @@ int refuse(const std::string& sentence)
   return 1;
 }
 
+/// Opens a window once the loop of events runs, so that it is on the screen before the cochlea is
+/// built.
+template <class Window>
+int openAndRun(Window& window)
+{
+  QTimer::singleShot(0, &window, [&window] {
+    const auto opened = window.open();
+    if (opened) return;
+    std::cerr << opened.error().message << '\n';
+    QCoreApplication::exit(1);
+  });
+  return gui::Application::exec();
+}
+
+int runKiosk(gui::Application& application, session::Scenario scenario, const gui::Options& options)
+{
+  gui::KioskWindow window(std::move(scenario), gui::kioskBoardFile());
+  application.onException([](const QString&) {});  // visitors are not told; standard error is
+  QObject::connect(&window, &gui::KioskWindow::ended, &application,
+                   [] { QCoreApplication::quit(); });
+  gui::arrangeErrands(window, options);
+  window.showFullScreen();
+  return openAndRun(window);
+}
+
 int run(int argc, char** argv, const gui::Options& options)
 {
   auto scenario = session::loadScenario(options.scenario.value_or("contour-published"));
@@ -32,6 +58,7 @@ int run(int argc, char** argv, const gui::Options& options)
   gui::Application application(argc, argv);
   if (const auto openGl = gui::probeOpenGl(); !openGl) return refuse(openGl.error().message);
 
+  if (options.isKiosk) return runKiosk(application, *std::move(scenario), options);
   gui::MainWindow window(*std::move(scenario), options.record);
   application.onException([&window](const QString& sentence) { window.showTrouble(sentence); });
   const bool isTold =
@@ -39,15 +66,7 @@ int run(int argc, char** argv, const gui::Options& options)
   if (!isTold) window.showPage(gui::Page::start);
   gui::arrangeErrands(window, options);
   window.show();
-
-  // Once the loop of events runs, so that the window is on the screen before the cochlea is built.
-  QTimer::singleShot(0, &window, [&window] {
-    const auto opened = window.open();
-    if (opened) return;
-    std::cerr << opened.error().message << '\n';
-    QCoreApplication::exit(1);
-  });
-  return gui::Application::exec();
+  return openAndRun(window);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ namespace perilymph::gui {
 /// What the workstation was asked to do.
 struct Options {
   std::optional<std::string> scenario;          ///< A shipped name or a file.
+  bool isKiosk = false;                         ///< The booth in place of the workstation.
   bool isDemo = false;                          ///< Starts inserting by itself.
   std::optional<std::filesystem::path> record;  ///< Where to keep the insertion.
   std::optional<std::filesystem::path> screenshot;

@@ -7,7 +7,7 @@ set(share "${CMAKE_INSTALL_DATADIR}")
 
 # Data of the programs. Pictures of the documents are not.
 install(DIRECTORY resources DESTINATION "${share}/perilymph" COMPONENT program
-  PATTERN "*.md" EXCLUDE PATTERN OFL.txt EXCLUDE PATTERN pictures EXCLUDE PATTERN icons EXCLUDE)
+  PATTERN "*.md" EXCLUDE PATTERN OFL.txt EXCLUDE PATTERN pictures EXCLUDE PATTERN icons EXCLUDE PATTERN guide EXCLUDE)
 install(DIRECTORY plugins DESTINATION "${share}/perilymph" COMPONENT program FILES_MATCHING PATTERN "*.toml"
   PATTERN example EXCLUDE)
 # Who sits at the machine may open the haptic devices that are known by number.
@@ -40,6 +40,16 @@ foreach(page IN ITEMS perilymph.1 perilymph-cli.1)
   compressed(packaging/man/${page} ${page} "${CMAKE_INSTALL_MANDIR}/man1" program)
 endforeach()
 compressed(packaging/debian/changelog changelog "${share}/doc/perilymph" program)
+
+# The documents, in the order of the tree, so that their links hold.
+install(FILES LICENSE DESTINATION "${share}/doc/perilymph" COMPONENT program)
+file(GLOB documents RELATIVE "${CMAKE_SOURCE_DIR}" CONFIGURE_DEPENDS README.md packaging/*.md plugins/*.md modules/README.md
+  modules/*/README.md app/*/README.md resources/fonts/README.md)
+foreach(document IN LISTS documents)
+  get_filename_component(place "${document}" DIRECTORY)
+  install(FILES "${document}" DESTINATION "${share}/doc/perilymph/${place}" COMPONENT program)
+endforeach()
+install(DIRECTORY resources/pictures resources/guide DESTINATION "${share}/doc/perilymph/resources" COMPONENT program)
 
 # What a device plug-in is built with.
 set(sdk "${CMAKE_INSTALL_DATADIR}/cmake/Perilymph")

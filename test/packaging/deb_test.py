@@ -2,6 +2,7 @@
 """The Debian packages: what is in them, that Debian's checkers accept them, and that they work unpacked."""
 
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -75,6 +76,13 @@ class DebianPackages(unittest.TestCase):
         for folder in ("plugins/electrodes", "plugins/devices", "resources"):
             for file in (ROOT / folder).rglob("*.toml"):
                 self.assertTrue((share / file.relative_to(ROOT)).is_file(), file)
+
+    def test_links_between_the_installed_documents_lead_somewhere(self):
+        documents = self.unpacked / "usr/share/doc/perilymph"
+        for file in documents.rglob("*.md"):
+            for target in re.findall(r"\]\(([^)\s#]+)[^)]*\)", file.read_text()):
+                if not re.match(r"[a-z]+:", target):
+                    self.assertTrue((file.parent / target).exists(), f"{file.name} links to {target}")
 
     def test_the_udev_rule_gives_the_device_to_who_sits_there_and_to_nobody_else(self):
         rule = (self.unpacked / "usr/lib/udev/rules.d/70-perilymph.rules").read_text()

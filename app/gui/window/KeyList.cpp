@@ -29,7 +29,7 @@ KeyList::KeyList(QWidget* parent) : QFrame(parent)
       {tr("Wheel, Ctrl+wheel, + −"), tr("magnify")},
       {{}, tr("Window")},
       {tr("Alt+Home"), tr("begin anew: the first screen")},
-      {tr("Alt+1  Alt+2"), tr("insert, validate")},
+      {tr("Alt+1 to Alt+4"), tr("insert, compare, validate, sessions")},
       {tr("H"), tr("devices: which there are, and how the hand is doing")},
       {tr("?"), tr("this list")},
   };

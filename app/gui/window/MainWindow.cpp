@@ -10,10 +10,12 @@
 
 #include "BottomBar.h"
 #include "ChartColumn.h"
+#include "ComparePage.h"
 #include "DevicePage.h"
 #include "KeyList.h"
 #include "Numbers.h"
 #include "OperationView.h"
+#include "SessionsPage.h"
 #include "SidePanel.h"
 #include "StartPage.h"
 #include "Theme.h"
@@ -50,6 +52,8 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
       devices_(new DevicePage(view_)),
       startPage_(new StartPage(this)),
       validation_(new ValidatePage(this)),
+      comparison_(new ComparePage(this)),
+      sessions_(new SessionsPage(this)),
       anatomyWork_(this),
       pages_(new QStackedWidget(this))
 {
@@ -103,7 +107,9 @@ void MainWindow::layOut()
   // in the order of Page
   pages_->addWidget(startPage_);
   pages_->addWidget(insertPage());
+  pages_->addWidget(comparison_);
   pages_->addWidget(validation_);
+  pages_->addWidget(sessions_);
 
   QFrame* topLine = line(this);
   topLine->setFixedHeight(1);

@@ -23,9 +23,11 @@ namespace perilymph::gui {
 
 class BottomBar;
 class ChartColumn;
+class ComparePage;
 class DevicePage;
 class KeyList;
 class OperationView;
+class SessionsPage;
 class SidePanel;
 class StartPage;
 class ValidatePage;
@@ -113,6 +115,8 @@ private:
   DevicePage* devices_;
   StartPage* startPage_;
   ValidatePage* validation_;
+  ComparePage* comparison_;
+  SessionsPage* sessions_;
   AnatomyWork anatomyWork_;
   QStackedWidget* pages_;
   Page page_ = Page::insert;

@@ -34,7 +34,9 @@ void MainWindow::keyPressEvent(QKeyEvent* event)
   if ((event->modifiers() & Qt::AltModifier) != 0) {
     if (key == Qt::Key_Home) return showPage(Page::start);
     if (key == Qt::Key_1) return showPage(Page::insert);
-    if (key == Qt::Key_2) return showPage(Page::validate);
+    if (key == Qt::Key_2) return showPage(Page::compare);
+    if (key == Qt::Key_3) return showPage(Page::validate);
+    if (key == Qt::Key_4) return showPage(Page::sessions);
     return QWidget::keyPressEvent(event);
   }
   if (page_ == Page::validate && key == Qt::Key_Escape) return validation_->cancel();

@@ -101,7 +101,9 @@ TopBar::TopBar(QWidget* parent)
   auto* pages = new QHBoxLayout;
   pages->setSpacing(spacing);
   pages->addWidget(addPage(Page::insert, tr("Insert"), "insertPageButton"));
+  pages->addWidget(addPage(Page::compare, tr("Compare"), "comparePageButton"));
   pages->addWidget(addPage(Page::validate, tr("Validate"), "validatePageButton"));
+  pages->addWidget(addPage(Page::sessions, tr("Sessions"), "sessionsPageButton"));
   left->addLayout(pages);
   left->addStretch();
   auto* right = new QHBoxLayout;

@@ -12,7 +12,7 @@ class QPushButton;
 namespace perilymph::gui {
 
 /// The pages of the window, in the order of their buttons.
-enum class Page { start, insert, validate };
+enum class Page { start, insert, compare, validate, sessions };
 
 /// How the device's light shines. Every state has its word beside the color.
 enum class Light { off, steady, warning, alarm };

@@ -57,6 +57,8 @@ std::int64_t Statement::integer(int column) const
   return sqlite3_column_int64(statement_.get(), column);
 }
 
+double Statement::real(int column) const { return sqlite3_column_double(statement_.get(), column); }
+
 std::span<const unsigned char> Statement::blob(int column) const
 {
   const void* bytes = sqlite3_column_blob(statement_.get(), column);

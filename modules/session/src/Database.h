@@ -31,6 +31,7 @@ public:
 
   std::string text(int column) const;
   std::int64_t integer(int column) const;
+  double real(int column) const;
   /// Valid until the next step.
   std::span<const unsigned char> blob(int column) const;
 

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "Database.h"
+#include "HighlightKeys.h"
 #include "RecordingFormat.h"
 #include "TickBlob.h"
 
@@ -119,6 +120,21 @@ std::optional<RecordingFacts> factsFrom(const std::map<std::string, std::string>
   return facts;
 }
 
+/// Nothing in recordings from before they were noted.
+std::optional<Highlights> notedHighlights(const std::map<std::string, std::string>& entries)
+{
+  Highlights noted;
+  const auto ticks = numberIn<std::uint64_t>(entries, MetaKey::ticks);
+  if (!ticks) return std::nullopt;
+  noted.ticks = *ticks;
+  for (const auto& [key, field] : highlightKeys) {
+    const auto number = numberIn<double>(entries, key);
+    if (!number) return std::nullopt;
+    noted.*field = *number;
+  }
+  return noted;
+}
+
 }  // namespace
 
 struct RecordedInsertion::Content {
@@ -127,6 +143,7 @@ struct RecordedInsertion::Content {
   RecordingFacts facts;
   bool wasClosed = false;
   std::uint64_t lostRecords = 0;
+  std::optional<Highlights> highlights;  ///< As noted in the file.
   std::string note;
 
   Error damaged(const std::string& reason) const
@@ -164,6 +181,7 @@ Result<Done> RecordedInsertion::Content::readFacts()
   if (!read) return damaged("facts about it are missing");
   facts = *read;
   wasClosed = entries[MetaKey::closed] == "1";
+  if (wasClosed) highlights = notedHighlights(entries);
   lostRecords = numberIn<std::uint64_t>(entries, MetaKey::lostRecords).value_or(0);
   // One that was not closed has not summed up its losses yet.
   const auto gaps =
@@ -223,11 +241,25 @@ bool RecordedInsertion::wasClosed() const noexcept { return content_->wasClosed;
 
 const std::string& RecordedInsertion::note() const noexcept { return content_->note; }
 
-Result<Done> RecordedInsertion::forEach(
-    const std::function<bool(const haptics::TickRecord&)>& each) const
+Result<Highlights> RecordedInsertion::highlights() const
 {
-  auto rows = content_->database.prepare("SELECT tick, record FROM tick ORDER BY tick");
+  if (content_->highlights) return *content_->highlights;
+  Highlights found;
+  const auto read = forEach([&found](const haptics::TickRecord& record) {
+    found.add(record);
+    return true;
+  });
+  if (!read) return read.error();
+  return found;
+}
+
+Result<Done> RecordedInsertion::forEach(const std::function<bool(const haptics::TickRecord&)>& each,
+                                        std::uint64_t firstTick) const
+{
+  auto rows =
+      content_->database.prepare("SELECT tick, record FROM tick WHERE tick >= ? ORDER BY tick");
   if (!rows) return content_->damaged(rows.error().message);
+  rows->bind(0, static_cast<std::int64_t>(firstTick));
   Statement::Step step = rows->step();
   for (; step == Statement::Step::row; step = rows->step()) {
     const auto record = readTick(rows->blob(1));

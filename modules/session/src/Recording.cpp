@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "Database.h"
+#include "HighlightKeys.h"
 #include "RecordingFormat.h"
 #include "TickBlob.h"
 #include "perilymph/session/Csv.h"
@@ -131,6 +132,7 @@ struct Recording::Content {
   haptics::Workflow workflow = haptics::Workflow::idle;
   std::uint32_t status = haptics::allWell;
   std::uint64_t gaps = 0;
+  Highlights highlights;
 
   Result<Done> trouble(const std::string& what) const
   {
@@ -160,6 +162,7 @@ struct Recording::Content {
 
   bool addEvents(const haptics::TickRecord& record);
   bool addTick(const haptics::TickRecord& record);
+  bool keepHighlights();
   Result<Done> begin(const RecordingFacts& facts);
 };
 
@@ -195,6 +198,14 @@ bool Recording::Content::addTick(const haptics::TickRecord& record)
   writeTick(record, blob);
   insertTick->bind(parameter, std::span<const unsigned char>(blob));
   return insertTick->step() == Statement::Step::done && addEvents(record);
+}
+
+bool Recording::Content::keepHighlights()
+{
+  if (!keep(MetaKey::ticks, std::to_string(highlights.ticks))) return false;
+  return std::all_of(highlightKeys.begin(), highlightKeys.end(), [this](const auto& entry) {
+    return keep(entry.first, shortestDecimal(highlights.*entry.second));
+  });
 }
 
 Result<Done> Recording::Content::begin(const RecordingFacts& facts)
@@ -291,7 +302,10 @@ Result<Done> Recording::append(std::span<const haptics::TickRecord> records)
   content.insertEvent->reset();
   if (isWritten) {
     const auto done = content.database.run("COMMIT");
-    if (done) return Done{};
+    if (done) {
+      for (const haptics::TickRecord& record : records) content.highlights.add(record);
+      return Done{};
+    }
     reason = done.error().message;
   }
   static_cast<void>(content.database.run("ROLLBACK"));
@@ -306,7 +320,7 @@ Result<Done> Recording::close(std::uint64_t lostRecords, const std::string& devi
   const bool isKept =
       content.keep(MetaKey::lostRecords, std::to_string(std::max(lostRecords, content.gaps))) &&
       (deviceReport.empty() || content.keep(MetaKey::deviceReport, deviceReport)) &&
-      content.keep(MetaKey::closed, "1");
+      content.keepHighlights() && content.keep(MetaKey::closed, "1");
   const std::string reason = isKept ? "" : content.database.trouble();
   content.insertTick.reset();
   content.insertEvent.reset();

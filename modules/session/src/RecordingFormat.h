@@ -29,6 +29,7 @@ struct MetaKey {
   static constexpr const char* buildId = "build_id";
   static constexpr const char* startedUtc = "started_utc";
   static constexpr const char* lostRecords = "lost_records";
+  static constexpr const char* ticks = "ticks";
   static constexpr const char* closed = "closed";
 };
 

@@ -5,11 +5,10 @@
 #include <type_traits>
 
 #include "MakeEngine.h"
+#include "ReplayPass.h"
 #include "TickFields.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/session/Csv.h"
-#include "perilymph/session/RecordedInsertion.h"
-#include "perilymph/session/Scenario.h"
 
 namespace perilymph::session {
 
@@ -67,20 +66,53 @@ private:
   std::vector<FieldValue> recorded_, computed_;
 };
 
-void noteWhatChanged(const RecordingFacts& facts, const Scenario& scenario,
-                     std::uint64_t fingerprint, std::vector<std::string>& notes)
+}  // namespace
+
+std::vector<std::string> whatChanged(const RecordedInsertion& recorded, const Scenario& scenario,
+                                     std::uint64_t modelFingerprint)
 {
+  const RecordingFacts& facts = recorded.facts();
+  std::vector<std::string> notes;
+  if (!recorded.note().empty()) notes.push_back(recorded.note());
+  if (!recorded.wasClosed())
+    notes.push_back("The recording was not closed; it ends where the program did.");
   if (facts.buildId != buildId())
     notes.push_back("Recorded by build " + facts.buildId + ", replayed by build " + buildId() +
                     ".");
   if (scenario.expectedArrayFingerprint != scenario.arrayFingerprint)
     notes.push_back("The file of the array '" + scenario.arrayName +
                     "' has changed since the recording.");
-  if (fingerprint != facts.modelFingerprint)
+  if (modelFingerprint != facts.modelFingerprint)
     notes.push_back("The model built from the recorded scenario is not the one recorded.");
+  return notes;
 }
 
-}  // namespace
+Result<Done> replayThrough(const RecordedInsertion& recorded, haptics::InsertionEngine& engine,
+                           Verification& verification, const std::function<bool()>& after)
+{
+  Comparison comparison;
+  std::optional<std::uint64_t> last;
+  const auto read = recorded.forEach([&](const haptics::TickRecord& record) {
+    if (last && record.tick != *last + 1) {
+      verification.notes.push_back(std::to_string(record.tick - *last - 1) + " ticks before tick " +
+                                   std::to_string(record.tick) +
+                                   " were lost; nothing after them can be compared.");
+      return false;
+    }
+    last = record.tick;
+    const haptics::TickOutput computed = engine.tick(record.sample, record.commands);
+    if (!verification.difference) {
+      ++verification.ticksCompared;
+      verification.difference = comparison.difference(record, computed);
+    }
+    return after();
+  });
+  if (!read) return read.error();
+  verification.isIdentical = !verification.difference && verification.ticksCompared > 0;
+  if (verification.ticksCompared == 0)
+    verification.notes.push_back("The recording holds no ticks.");
+  return Done{};
+}
 
 Result<Verification> verify(const std::filesystem::path& file)
 {
@@ -94,32 +126,13 @@ Result<Verification> verify(const std::filesystem::path& file)
   const auto model = buildModel(*scenario, *anatomy);
   if (!model) return model.error();
 
-  Verification result;
-  if (!recorded->note().empty()) result.notes.push_back(recorded->note());
-  if (!recorded->wasClosed())
-    result.notes.push_back("The recording was not closed; it ends where the program did.");
-  noteWhatChanged(facts, *scenario, (*model)->fingerprint, result.notes);
-
   auto engine = makeEngine(*scenario, *model, facts);
   if (!engine) return engine.error();
-  Comparison comparison;
-  std::optional<std::uint64_t> last;
-  const auto read = recorded->forEach([&](const haptics::TickRecord& record) {
-    if (last && record.tick != *last + 1) {
-      result.notes.push_back(std::to_string(record.tick - *last - 1) + " ticks before tick " +
-                             std::to_string(record.tick) +
-                             " were lost; nothing after them can be compared.");
-      return false;
-    }
-    last = record.tick;
-    const haptics::TickOutput computed = (*engine)->tick(record.sample, record.commands);
-    ++result.ticksCompared;
-    result.difference = comparison.difference(record, computed);
-    return !result.difference.has_value();
-  });
-  if (!read) return read.error();
-  result.isIdentical = !result.difference && result.ticksCompared > 0;
-  if (result.ticksCompared == 0) result.notes.push_back("The recording holds no ticks.");
+  Verification result;
+  result.notes = whatChanged(*recorded, *scenario, (*model)->fingerprint);
+  const auto done =
+      replayThrough(*recorded, **engine, result, [&result] { return !result.difference; });
+  if (!done) return done.error();
   return result;
 }
 

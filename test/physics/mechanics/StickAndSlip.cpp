@@ -64,26 +64,6 @@ TEST(TipOnFlatWall, NeverExceedsCoulombsForce)
   }
 }
 
-TEST(TipOnFlatWall, LosesTwiceTheFrictionForceTimesTheStrokeInACycle)
-{
-  Stylus stylus(0.2);
-  constexpr double stroke = 1e-3;
-  const auto sweep = [&](double direction) {
-    double work = 0.0;
-    for (int i = 0; i < 1000; ++i) {
-      const double before = stylus.rod.state().base_W.x();
-      stylus.rod.move({direction * stroke / 1000, 0.0, 0.0}, 1e-3);
-      work += -stylus.rod.readings().handForce_W.x() * (stylus.rod.state().base_W.x() - before);
-    }
-    return work;
-  };
-  sweep(1.0);  // into the steady loop
-  const double lost = sweep(-1.0) + sweep(1.0);
-  const double expected = 2.0 * 0.2 * stylus.normal() * stroke;
-  // the spring takes mu N / k of each stroke to turn over
-  EXPECT_NEAR(lost, expected, test::tolerance(0.05, "turning over") * expected);
-}
-
 TEST(TipOnFlatWall, SticksUntilTheStartingForce)
 {
   Stylus stylus(0.2);

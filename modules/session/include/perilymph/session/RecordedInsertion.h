@@ -10,6 +10,7 @@
 
 #include "perilymph/foundation/Result.h"
 #include "perilymph/haptics/Snapshot.h"
+#include "perilymph/session/Highlights.h"
 #include "perilymph/session/Recording.h"
 
 namespace perilymph::session {
@@ -30,8 +31,13 @@ public:
   bool wasClosed() const noexcept;           ///< False after a crash, or while it is being written.
   const std::string& note() const noexcept;  ///< A sentence about what could not be read, or empty.
 
-  /// Shows every tick in its order; `each` stops by giving false.
-  Result<Done> forEach(const std::function<bool(const haptics::TickRecord&)>& each) const;
+  /// What the insertion was like in a few numbers: as noted when the recording was closed, else
+  /// found among the ticks.
+  Result<Highlights> highlights() const;
+
+  /// Shows every tick in its order, from one on; `each` stops by giving false.
+  Result<Done> forEach(const std::function<bool(const haptics::TickRecord&)>& each,
+                       std::uint64_t firstTick = 0) const;
 
 private:
   RecordedInsertion();

@@ -1,0 +1,36 @@
+#include "EmptyPage.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+#include <QVariant>
+
+#include "Theme.h"
+
+namespace perilymph::gui {
+
+EmptyPage::EmptyPage(const QString& title, const QString& sentence, QWidget* parent)
+    : QWidget(parent), title_(new QLabel(title, this)), sentence_(new QLabel(sentence, this))
+{
+  constexpr int width_px = 480;
+  title_->setFont(typeface(22));
+  title_->setAlignment(Qt::AlignCenter);
+  sentence_->setFont(typeface(13));
+  sentence_->setProperty("quiet", true);
+  sentence_->setAlignment(Qt::AlignCenter);
+  sentence_->setWordWrap(true);
+  sentence_->setFixedWidth(width_px);
+  auto* column = new QVBoxLayout(this);
+  column->setSpacing(2 * spacing);
+  column->addStretch(2);
+  column->addWidget(title_);
+  column->addWidget(sentence_, 0, Qt::AlignHCenter);
+  column->addStretch(3);
+}
+
+void EmptyPage::say(const QString& title, const QString& sentence)
+{
+  title_->setText(title);
+  sentence_->setText(sentence);
+}
+
+}  // namespace perilymph::gui

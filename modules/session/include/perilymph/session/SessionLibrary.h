@@ -1,0 +1,59 @@
+#pragma once
+
+// The recordings of a folder as a list: each read once, then known by its path, size and time.
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "perilymph/foundation/Result.h"
+#include "perilymph/session/Highlights.h"
+
+namespace perilymph::session {
+
+/// One recording in a list.
+struct SessionSummary {
+  std::filesystem::path file;
+  std::uint64_t bytes = 0;
+  std::int64_t modified_ns = 0;  ///< Of the file system's clock.
+  std::string startedUtc;        ///< "2010-05-17T09:30:00Z".
+  std::string scenario, patient, side, array, device, version;
+  Highlights highlights;
+  bool wasClosed = true;
+  bool isBeingRecorded = false;
+  std::string trouble;  ///< One sentence where it cannot be read, or not whole; else empty.
+};
+
+/// Everything a list shows of one recording. Never fails: what cannot be read says so in `trouble`.
+SessionSummary summarize(const std::filesystem::path& file);
+
+/// Told how many recordings of how many are listed; false stops.
+using LibraryProgress = std::function<bool(std::size_t done, std::size_t all)>;
+
+/// The folder of a library's caches: index and pictures. Whatever is in it may be deleted.
+std::filesystem::path libraryCache(const std::filesystem::path& folder);
+
+/// Lists the recordings of a folder, newest first. A recording that has not changed since it was
+/// last listed is not opened again: its summary is kept in an index beside the recordings, which is
+/// made anew whenever it is missing or damaged. Where none can be written, the list only takes
+/// longer.
+///
+/// @param beingRecorded  A file this program is writing: it is listed, but left alone. May be
+/// empty.
+Result<std::vector<SessionSummary>> listSessions(const std::filesystem::path& folder,
+                                                 const std::filesystem::path& beingRecorded = {},
+                                                 const LibraryProgress& progress = {});
+
+/// Gives a recording another name in its folder (without ending).
+Result<std::filesystem::path> renameSession(const std::filesystem::path& file,
+                                            const std::string& name);
+/// Moves a recording into the folder's own trash, where it stays until somebody empties it.
+/// @return Where it is now.
+Result<std::filesystem::path> trashSession(const std::filesystem::path& file);
+/// Puts a recording back to where it was.
+Result<Done> restoreSession(const std::filesystem::path& trashed,
+                            const std::filesystem::path& place);
+
+}  // namespace perilymph::session

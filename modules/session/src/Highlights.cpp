@@ -1,0 +1,22 @@
+#include "perilymph/session/Highlights.h"
+
+#include <algorithm>
+
+namespace perilymph::session {
+
+void Highlights::add(const haptics::TickRecord& record) noexcept
+{
+  const haptics::TickOutput& now = record.output;
+  ++ticks;
+  if (!(now.time > 0.0)) return;
+  const bool isFirst = duration == 0.0;
+  duration = std::max(duration, now.time);
+  deepest = std::max(deepest, now.depth);
+  deepestAngle = std::max(deepestAngle, now.angularDepth);
+  if (!isFirst && !(now.axialForce > peakForce)) return;
+  peakForce = now.axialForce;
+  peakTravel = now.travel;
+  peakDepth = now.depth;
+}
+
+}  // namespace perilymph::session

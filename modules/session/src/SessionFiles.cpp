@@ -1,0 +1,69 @@
+// Recordings renamed, thrown away and put back: with the log that belongs to an unclosed one.
+
+#include <system_error>
+
+#include "perilymph/session/SessionLibrary.h"
+
+namespace perilymph::session {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* ending = ".insertion";
+
+Result<Done> moveTo(const fs::path& from, const fs::path& to)
+{
+  std::error_code failure;
+  if (fs::exists(to, failure))
+    return Error{to.filename().string() + " exists already in " + to.parent_path().string() +
+                 ". Choose another name."};
+  // The log first: without the recording it means nothing, the recording without it loses ticks.
+  for (const char* tail : {"-wal", "-shm", ""}) {
+    const fs::path part = from.string() + tail;
+    if (*tail != '\0' && !fs::exists(part, failure)) continue;
+    fs::rename(part, to.string() + tail, failure);
+    if (failure)
+      return Error{from.string() + " cannot be moved to " + to.string() + ": " + failure.message() +
+                   ". Check that you may write into both folders."};
+  }
+  return Done{};
+}
+
+}  // namespace
+
+Result<fs::path> renameSession(const fs::path& file, const std::string& name)
+{
+  constexpr std::size_t longest = 120;
+  if (name.empty() || name.size() > longest || name.front() == '.' ||
+      name.find_first_of("/\\\n\r\t") != std::string::npos || name.find('\0') != std::string::npos)
+    return Error{"'" + name +
+                 "' cannot be a name of a recording. It has 1 to 120 letters, no slash, and does "
+                 "not begin with a point."};
+  const fs::path renamed = file.parent_path() / (name + ending);
+  if (renamed == file) return file;
+  if (const auto done = moveTo(file, renamed); !done) return done.error();
+  return renamed;
+}
+
+Result<fs::path> trashSession(const fs::path& file)
+{
+  const fs::path trash = file.parent_path() / ".trash";
+  std::error_code failure;
+  fs::create_directories(trash, failure);
+  if (failure)
+    return Error{"The folder " + trash.string() + " cannot be made: " + failure.message() +
+                 ". Nothing was deleted."};
+  fs::path place = trash / file.filename();
+  for (int number = 2; fs::exists(place, failure); ++number)
+    place = trash / (file.stem().string() + "-" + std::to_string(number) + ending);
+  if (const auto done = moveTo(file, place); !done) return done.error();
+  return place;
+}
+
+Result<Done> restoreSession(const fs::path& trashed, const fs::path& place)
+{
+  return moveTo(trashed, place);
+}
+
+}  // namespace perilymph::session

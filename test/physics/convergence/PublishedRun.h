@@ -1,0 +1,33 @@
+#pragma once
+
+// The published run as it ships, at resolutions of the reader's choice.
+
+#include <vector>
+
+namespace perilymph::test {
+
+/// What must not matter.
+struct Resolution {
+  int nodes = 100;
+  double timeStep_ms = 1.0;
+};
+
+/// Travel between two samples [m]: one tick of the longest time step at 2 mm/s.
+inline constexpr double sampleTravel = 0.02e-3;
+
+/// Axial force [N] of the scenario `contour-published`, every `sampleTravel` from the first to the
+/// last of 16.5 mm, whatever the time step.
+/// @throws std::runtime_error with a sentence if the scenario cannot be built.
+std::vector<double> forceOverTravel(const Resolution& resolution);
+
+/// How far runs are apart at the same travel.
+struct Spread {
+  double most = 0.0;    ///< Highest minus lowest force, the greatest of all depths [N].
+  double travel = 0.0;  ///< Where that is [m].
+  double peak = 0.0;    ///< The greatest force of the last run [N].
+};
+
+/// The spread of runs, the finest last.
+Spread spreadOf(const std::vector<std::vector<double>>& runs);
+
+}  // namespace perilymph::test

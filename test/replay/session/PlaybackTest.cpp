@@ -1,0 +1,145 @@
+// A recording looked at tick by tick: the picture is that of the insertion, wherever one jumps.
+
+#include <gmock/gmock.h>
+#include <sqlite3.h>
+
+#include <cstring>
+#include <map>
+
+#include "ShortRun.h"
+#include "perilymph/session/Playback.h"
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::session {
+namespace {
+
+using testing::HasSubstr;
+
+/// The shape of the array as its bits.
+std::string shapeOf(const haptics::Snapshot& picture)
+{
+  return {reinterpret_cast<const char*>(picture.node_W.data()),
+          picture.nodes * sizeof picture.node_W[0]};
+}
+
+void runSql(const std::filesystem::path& file, const std::string& sql)
+{
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open(file.c_str(), &database), SQLITE_OK);
+  ASSERT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sql;
+  sqlite3_close(database);
+}
+
+class APlayback : public testing::Test {
+protected:
+  void SetUp() override
+  {
+    auto insertion = test::shortRun(file_);
+    ASSERT_TRUE(insertion->runToEnd([&](const haptics::TickRecord& record) {
+      haptics::Snapshot picture{};
+      insertion->loop().engine().fill(picture);
+      live_[record.tick] = shapeOf(picture);
+      return true;
+    }));
+    insertion.reset();
+  }
+
+  std::unique_ptr<Playback> open()
+  {
+    auto opened = Playback::open(file_);
+    EXPECT_TRUE(opened) << opened.error().message;
+    return *std::move(opened);
+  }
+
+  test::TemporaryFolder folder_;
+  std::filesystem::path file_ = folder_ / "run.insertion";
+  std::map<std::uint64_t, std::string> live_;  ///< Shapes by tick, as they were.
+};
+
+TEST_F(APlayback, ShowsTheShapesOfTheInsertionInWhateverOrder)
+{
+  const auto playback = open();
+  ASSERT_EQ(playback->ticks(), live_.size());
+  haptics::Snapshot picture{};
+  for (const std::uint64_t place : {0u, 1u, 2u, 250u, 100u, 99u, 101u, 400u, 3u}) {
+    ASSERT_TRUE(playback->show(place, picture));
+    ASSERT_TRUE(live_.count(picture.tick)) << picture.tick;
+    EXPECT_EQ(shapeOf(picture), live_[picture.tick]) << "place " << place;
+  }
+}
+
+TEST_F(APlayback, ShowsTheSameOnceEverythingIsComputed)
+{
+  const auto playback = open();
+  const auto verification = playback->compute();
+  ASSERT_TRUE(verification);
+  EXPECT_TRUE(verification->isIdentical);
+  EXPECT_EQ(verification->ticksCompared, live_.size());
+  EXPECT_EQ(playback->computedTicks(), live_.size());
+  haptics::Snapshot picture{};
+  for (const std::uint64_t place : {400u, 399u, 300u, 10u, 401u}) {
+    ASSERT_TRUE(playback->show(place, picture));
+    EXPECT_EQ(shapeOf(picture), live_[picture.tick]) << "place " << place;
+  }
+}
+
+TEST_F(APlayback, BehindTheEndShowsTheLastTick)
+{
+  const auto playback = open();
+  haptics::Snapshot picture{};
+  ASSERT_TRUE(playback->show(1'000'000'000, picture));
+  EXPECT_EQ(picture.tick, live_.rbegin()->first);
+  EXPECT_EQ(shapeOf(picture), live_.rbegin()->second);
+}
+
+TEST_F(APlayback, NamesTheFirstTickThatDiffersAndGoesOn)
+{
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open(file_.c_str(), &database), SQLITE_OK);
+  sqlite3_blob* blob = nullptr;
+  ASSERT_EQ(sqlite3_blob_open(database, "main", "tick", "record", 200, 1, &blob), SQLITE_OK);
+  const unsigned char byte = 1;  // the residual, last in the record, is 0 nowhere near
+  ASSERT_EQ(sqlite3_blob_write(blob, &byte, 1, sqlite3_blob_bytes(blob) - 3), SQLITE_OK);
+  sqlite3_blob_close(blob);
+  sqlite3_close(database);
+
+  const auto playback = open();
+  const auto verification = playback->compute();
+  ASSERT_TRUE(verification);
+  ASSERT_TRUE(verification->difference);
+  EXPECT_EQ(verification->difference->tick, 200u);
+  EXPECT_EQ(playback->computedTicks(), live_.size());
+}
+
+TEST_F(APlayback, EndsWhereTicksWereLost)
+{
+  runSql(file_, "DELETE FROM tick WHERE tick BETWEEN 150 AND 159");
+  const auto playback = open();
+  EXPECT_EQ(playback->ticks(), 150u - live_.begin()->first);
+  const auto verification = playback->compute();
+  ASSERT_TRUE(verification);
+  EXPECT_THAT(verification->notes, testing::Contains(HasSubstr("10 ticks before tick 160")));
+}
+
+TEST_F(APlayback, StopsComputingWhenAsked)
+{
+  const auto playback = open();
+  const auto stopped =
+      playback->compute([](std::uint64_t done, std::uint64_t) { return done < 20; });
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(playback->computedTicks(), 20u);
+  haptics::Snapshot picture{};
+  ASSERT_TRUE(playback->show(300, picture));
+  EXPECT_EQ(shapeOf(picture), live_[picture.tick]);
+}
+
+TEST_F(APlayback, OfNoTicksIsRefusedWithASentence)
+{
+  runSql(file_, "DELETE FROM tick");
+  const auto refused = Playback::open(file_);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, HasSubstr("nothing to replay"));
+}
+
+}  // namespace
+}  // namespace perilymph::session

@@ -1,0 +1,215 @@
+// The library: recordings found, listed without being read again, renamed, thrown away, put back.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include <fstream>
+
+#include "OddRecords.h"
+#include "perilymph/session/RecordedInsertion.h"
+#include "perilymph/session/SessionLibrary.h"
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::session {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+void runSql(const fs::path& file, const std::string& sql)
+{
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open(file.c_str(), &database), SQLITE_OK);
+  ASSERT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sql;
+  sqlite3_close(database);
+}
+
+/// Ticks on a straight way in at 2 mm/s; the force rises to 0.1 N at 3 mm and falls again.
+std::vector<haptics::TickRecord> hillOfForce()
+{
+  std::vector<haptics::TickRecord> records(3001);
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    records[i].tick = i;
+    haptics::TickOutput& now = records[i].output;
+    now.time = 1e-3 * static_cast<double>(i);
+    now.travel = 2e-3 * now.time;
+    now.depth = now.travel + 2e-3;
+    now.angularDepth = now.time;
+    now.axialForce = 0.1 - 20.0 * std::abs(now.travel - 3e-3);
+  }
+  return records;
+}
+
+fs::path record(const fs::path& file, const std::string& startedUtc,
+                const std::vector<haptics::TickRecord>& ticks)
+{
+  RecordingFacts facts = test::someFacts();
+  facts.startedUtc = startedUtc;
+  facts.scenarioText =
+      "anatomy = \"published\"\narray = \"contour\"\nside = \"left\"\n\n[patient_numbers]\n"
+      "label = \"014\"\nst_length_mm = 35.58\nrw_width_mm = 1.94\nrw_height_mm = 1.85\n";
+  auto recording = Recording::create(file, facts);
+  EXPECT_TRUE(recording);
+  EXPECT_TRUE((*recording)->append(ticks));
+  EXPECT_TRUE((*recording)->close());
+  return file;
+}
+
+class Library : public testing::Test {
+protected:
+  std::vector<SessionSummary> list()
+  {
+    auto listed = listSessions(folder_.path());
+    EXPECT_TRUE(listed) << listed.error().message;
+    return listed ? *listed : std::vector<SessionSummary>{};
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(Library, NobodyHasRecordedIntoIsEmpty)
+{
+  const auto listed = listSessions(folder_ / "none");
+  ASSERT_TRUE(listed);
+  EXPECT_THAT(*listed, IsEmpty());
+}
+
+TEST_F(Library, ListsWhoWhatAndHowHardNewestFirst)
+{
+  record(folder_ / "a.insertion", "2010-05-17T09:30:00Z", hillOfForce());
+  record(folder_ / "b.insertion", "2010-05-18T09:30:00Z", hillOfForce());
+  const auto sessions = list();
+  ASSERT_EQ(sessions.size(), 2u);
+  EXPECT_EQ(sessions[0].file.filename(), "b.insertion");
+  const SessionSummary& one = sessions[1];
+  EXPECT_EQ(one.patient, "014");
+  EXPECT_EQ(one.side, "left");
+  EXPECT_EQ(one.array, "Nucleus 24 Contour");
+  EXPECT_THAT(one.trouble, IsEmpty());
+  // the hill's own numbers: its top at 3 mm, 3 s of way
+  EXPECT_DOUBLE_EQ(one.highlights.peakForce, 0.1);
+  EXPECT_NEAR(one.highlights.peakTravel, 3e-3, 1e-9);
+  EXPECT_NEAR(one.highlights.peakDepth, 5e-3, 1e-9);
+  EXPECT_DOUBLE_EQ(one.highlights.duration, 3.0);
+  EXPECT_NEAR(one.highlights.deepest, 8e-3, 1e-9);
+  EXPECT_DOUBLE_EQ(one.highlights.deepestAngle, 3.0);
+}
+
+TEST_F(Library, ReadsNoTickOfAClosedRecording)
+{
+  runSql(record(folder_ / "a.insertion", "2010-05-17T09:30:00Z", hillOfForce()), "DROP TABLE tick");
+  EXPECT_DOUBLE_EQ(list().at(0).highlights.peakForce, 0.1);
+}
+
+TEST_F(Library, FindsTheNumbersOfOlderRecordingsAmongTheirTicks)
+{
+  const fs::path file = record(folder_ / "a.insertion", "2010-05-17T09:30:00Z", hillOfForce());
+  const Highlights noted = list().at(0).highlights;
+  runSql(file, "DELETE FROM meta WHERE key LIKE 'peak%'");
+  EXPECT_EQ(list().at(0).highlights, noted);
+}
+
+TEST_F(Library, DoesNotOpenWhatHasNotChanged)
+{
+  const fs::path file = record(folder_ / "a.insertion", "2010-05-17T09:30:00Z", hillOfForce());
+  list();
+  runSql(libraryCache(folder_.path()) / "index.sqlite", "UPDATE session SET patient = 'index'");
+  EXPECT_EQ(list().at(0).patient, "index");
+  runSql(file, "UPDATE meta SET value = 'elsewhere' WHERE key = 'scenario_name'");
+  fs::last_write_time(file, fs::last_write_time(file) + std::chrono::seconds(1));
+  EXPECT_EQ(list().at(0).patient, "014");
+}
+
+TEST_F(Library, MakesADamagedIndexAnew)
+{
+  record(folder_ / "a.insertion", "2010-05-17T09:30:00Z", hillOfForce());
+  list();
+  std::ofstream(libraryCache(folder_.path()) / "index.sqlite") << std::string(5000, 'x');
+  EXPECT_EQ(list().at(0).patient, "014");
+  runSql(libraryCache(folder_.path()) / "index.sqlite", "UPDATE session SET patient = 'index'");
+  EXPECT_EQ(list().at(0).patient, "index");
+}
+
+TEST_F(Library, ListsWhatCannotBeReadWithASentence)
+{
+  std::ofstream(folder_ / "letter.insertion") << "Dear colleague,";
+  const fs::path cut = record(folder_ / "cut.insertion", "2010-05-17T09:30:00Z", hillOfForce());
+  fs::resize_file(cut, fs::file_size(cut) / 2);
+  const auto sessions = list();
+  ASSERT_EQ(sessions.size(), 2u);
+  for (const SessionSummary& one : sessions)
+    EXPECT_THAT(one.trouble, testing::EndsWith(".")) << one.file;
+  EXPECT_THAT(sessions[0].trouble + sessions[1].trouble, HasSubstr("cut short"));
+}
+
+TEST_F(Library, ListsAnInsertionThatNeverRan)
+{
+  record(folder_ / "a.insertion", "2010-05-17T09:30:00Z", {});
+  EXPECT_THAT(list().at(0).trouble, HasSubstr("never ran"));
+}
+
+TEST_F(Library, LeavesTheFileAloneThatIsBeingRecorded)
+{
+  std::ofstream(folder_ / "now.insertion") << "half a page";
+  const auto sessions = listSessions(folder_.path(), folder_ / "now.insertion");
+  ASSERT_TRUE(sessions);
+  EXPECT_TRUE(sessions->at(0).isBeingRecorded);
+  EXPECT_THAT(sessions->at(0).trouble, IsEmpty());
+}
+
+TEST_F(Library, StopsWhenAskedAndSaysHowFarItCame)
+{
+  record(folder_ / "a.insertion", "2010-05-17T09:30:00Z", hillOfForce());
+  const auto stopped =
+      listSessions(folder_.path(), {}, [](std::size_t, std::size_t) { return false; });
+  ASSERT_FALSE(stopped);
+  EXPECT_THAT(stopped.error().message, HasSubstr("0 of 1"));
+}
+
+TEST_F(Library, BringsBackWhatWasThrownAway)
+{
+  const fs::path file = record(folder_ / "a.insertion", "2010-05-17T09:30:00Z", hillOfForce());
+  const auto trashed = trashSession(file);
+  ASSERT_TRUE(trashed) << trashed.error().message;
+  EXPECT_THAT(list(), IsEmpty());
+  ASSERT_TRUE(restoreSession(*trashed, file));
+  EXPECT_EQ(list().size(), 1u);
+  EXPECT_TRUE(RecordedInsertion::open(file));
+}
+
+TEST_F(Library, ThrowsAwayTwoOfOneName)
+{
+  const fs::path file = folder_ / "a.insertion";
+  for (int i = 0; i < 2; ++i)
+    EXPECT_TRUE(trashSession(record(file, "2010-05-17T09:30:00Z", hillOfForce())));
+  EXPECT_TRUE(fs::exists(folder_ / ".trash/a.insertion"));
+  EXPECT_TRUE(fs::exists(folder_ / ".trash/a-2.insertion"));
+}
+
+TEST_F(Library, RenamesButNeverOverAnotherRecording)
+{
+  const fs::path file = record(folder_ / "a.insertion", "2010-05-17T09:30:00Z", hillOfForce());
+  record(folder_ / "b.insertion", "2010-05-17T09:30:00Z", hillOfForce());
+  const auto taken = renameSession(file, "b");
+  ASSERT_FALSE(taken);
+  EXPECT_THAT(taken.error().message, HasSubstr("exists already"));
+  const auto renamed = renameSession(file, "first try");
+  ASSERT_TRUE(renamed);
+  EXPECT_TRUE(fs::exists(folder_ / "first try.insertion"));
+  EXPECT_FALSE(fs::exists(file));
+}
+
+TEST_F(Library, RefusesNamesThatAreNone)
+{
+  const fs::path file = record(folder_ / "a.insertion", "2010-05-17T09:30:00Z", hillOfForce());
+  for (const char* name : {"", "../a", ".hidden", "two\nlines"}) {
+    const auto renamed = renameSession(file, name);
+    ASSERT_FALSE(renamed) << name;
+    EXPECT_THAT(renamed.error().message, HasSubstr("cannot be a name")) << name;
+  }
+}
+
+}  // namespace
+}  // namespace perilymph::session

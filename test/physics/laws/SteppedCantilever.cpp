@@ -1,0 +1,95 @@
+// A cantilever whose stiffness steps where the stylet ends: its tip yields as the two pieces do.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "perilymph/mechanics/advance.h"
+#include "perilymph/test/Tolerance.h"
+
+namespace perilymph {
+namespace {
+
+constexpr double length = 20e-3;    // [m]
+constexpr double radius = 0.25e-3;  // [m]
+constexpr double carrier = 2e-5;    // EI [N.m^2]
+constexpr double stylet = 10e-5;    // EI that it adds [N.m^2]
+constexpr double bare = 8e-3;       // [m] in front of the stylet when it is fully in
+constexpr int nodes = 41;
+constexpr double spacing = length / (nodes - 1);
+
+/// A frictionless wall at y = -gap that faces +y and that only the tip can touch.
+class SideWall final : public anatomy::Lumen {
+public:
+  static constexpr double gap = 1e-3;  // [m]
+  anatomy::Entry entry() const noexcept override { return {}; }
+  anatomy::LumenTrack startTrack() const noexcept override { return {}; }
+  void nearestWall(std::span<const Eigen::Vector3d> points_W, std::span<const double> reach,
+                   std::span<anatomy::LumenTrack>,
+                   std::span<anatomy::WallPoint> walls) const noexcept override
+  {
+    for (anatomy::WallPoint& wall : walls) wall = {};
+    walls.back().distance = points_W.back().y() + gap;
+    walls.back().isNear = walls.back().distance <= reach.back();
+    walls.back().normal_W = Eigen::Vector3d::UnitY();
+  }
+};
+
+electrode::ArrayDesign steppedArray()
+{
+  electrode::ArrayDesign array;
+  array.name = "stepped rod";
+  array.length = array.insertable = meters(length);
+  array.diameter = {{meters(0)}, {meters(2 * radius)}};
+  array.bending = {{meters(0)}, {newtonSquareMeters(carrier)}};
+  array.restCurvature = {{meters(0)}, {Curvature::fromSi(0.0)}};
+  array.hasStylet = true;
+  array.stylet.fromTip = meters(bare);
+  array.stylet.bending = newtonSquareMeters(stylet);
+  return array;
+}
+
+/// Deflection over force of the tip [m/N], the stylet withdrawn by a length [m].
+double compliance(double withdrawal)
+{
+  mechanics::ModelParts parts;
+  parts.lumen = std::make_shared<SideWall>();
+  parts.array = steppedArray();
+  parts.nodes = nodes;
+  parts.startInside = meters(0.5 * length);
+  parts.friction = {0.0, 0.0, 0.0, millimetersPerSecond(0.1)};
+  parts.wall = {newtonsPerMeter(1e5), newtonsPerMeter(1e5), millimeters(0.002)};
+  const auto model = mechanics::InsertionModel::build(parts);
+  mechanics::InsertionState state(*model);
+  mechanics::Drive drive;
+  drive.handPosition_W = model->startBase_W;
+  drive.handAxis_W = model->startAxis_W;
+  drive.handCurl_W = model->startCurl_W;
+  drive.styletWithdrawal = withdrawal;
+  constexpr double aside = SideWall::gap - radius + 0.2e-3;
+  constexpr int steps = 500;
+  for (int i = 1; i <= 3 * steps; ++i) {
+    const double share = std::min(1.0, static_cast<double>(i) / steps);
+    drive.handPosition_W.y() = model->startBase_W.y() - share * aside;
+    mechanics::advance(*model, state, drive);
+  }
+  return (state.position_W.back().y() - state.base_W.y()) / state.normalForce.back();
+}
+
+TEST(SteppedCantilever, YieldsAsItsTwoPiecesWhereverBetweenNodesTheStyletEnds)
+{
+  for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    const double withdrawal = part * spacing;
+    const double soft = bare + withdrawal;
+    // the tweezers hold the whole first link, so it bends from that link's middle on
+    const double bent = length - 0.5 * spacing;
+    const double expected = std::pow(soft, 3) / (3.0 * carrier) +
+                            (std::pow(bent, 3) - std::pow(soft, 3)) / (3.0 * (carrier + stylet));
+    EXPECT_NEAR(compliance(withdrawal), expected,
+                test::tolerance(0.025, "mean stiffness at the node where it ends") * expected)
+        << part;
+  }
+}
+
+}  // namespace
+}  // namespace perilymph

@@ -3,6 +3,7 @@
 #include <QFontMetrics>
 #include <QPainter>
 #include <QPainterPath>
+#include <algorithm>
 
 #include "Theme.h"
 
@@ -27,6 +28,13 @@ QRectF markPlace(const QWidget& widget)
 
 void drawText(QPainter& painter, const QAbstractButton& button)
 {
+  if (button.hasFocus()) {
+    painter.setPen(QPen(textColor, 1.4));
+    painter.setBrush(Qt::NoBrush);
+    const double right = std::min(rowSize(button).width() + 2, button.width()) - 1.0;
+    painter.drawRoundedRect(
+        QRectF(textLeft_px - 6.0, 1.0, right - textLeft_px + 5.0, button.height() - 2.0), 4, 4);
+  }
   painter.setPen(button.isEnabled() ? textColor : quietTextColor);
   painter.drawText(button.rect().adjusted(textLeft_px, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft,
                    button.text());
@@ -37,7 +45,7 @@ void drawText(QPainter& painter, const QAbstractButton& button)
 CheckBox::CheckBox(const QString& text, QWidget* parent) : QCheckBox(text, parent)
 {
   setFont(typeface(13));
-  setFocusPolicy(Qt::NoFocus);
+  setFocusPolicy(Qt::TabFocus);
 }
 
 QSize CheckBox::sizeHint() const { return rowSize(*this); }
@@ -64,7 +72,7 @@ void CheckBox::paintEvent(QPaintEvent*)
 Choice::Choice(const QString& text, QWidget* parent) : QRadioButton(text, parent)
 {
   setFont(typeface(13));
-  setFocusPolicy(Qt::NoFocus);
+  setFocusPolicy(Qt::TabFocus);
 }
 
 QSize Choice::sizeHint() const { return rowSize(*this); }

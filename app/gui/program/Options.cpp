@@ -56,6 +56,10 @@ std::variant<Options, Exit> parseOptions(int argc, const char* const* argv)
   app.add_flag("--measure-frames", options.measuresFrames,
                "Run the demonstration, print how long its frames took, then exit")
       ->excludes(screenshotOption);
+  app.add_option("--language", options.language,
+                 "The window's words and numbers, for this call; else as chosen in its settings")
+      ->type_name("en|de|system")
+      ->check(CLI::IsMember({"en", "de", "system"}));
   app.add_flag("--kiosk", options.isKiosk,
                "Fill the screen with a demonstration for visitors; Ctrl+Alt+Q ends it")
       ->excludes(demoOption)

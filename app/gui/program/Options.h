@@ -16,8 +16,9 @@ struct Options {
   bool isDemo = false;                          ///< Starts inserting by itself.
   std::optional<std::filesystem::path> record;  ///< Where to keep the insertion.
   std::optional<std::filesystem::path> screenshot;
-  double after_s = 2.0;         ///< From the first frame to the screenshot.
-  bool measuresFrames = false;  ///< Prints frame times of a demonstration and exits.
+  std::optional<std::string> language;  ///< "en", "de" or "system", for this call alone.
+  double after_s = 2.0;                 ///< From the first frame to the screenshot.
+  bool measuresFrames = false;          ///< Prints frame times of a demonstration and exits.
 };
 
 /// The program ends here, with this status: help and version were printed, or the words were wrong.

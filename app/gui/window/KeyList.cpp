@@ -2,56 +2,53 @@
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QVBoxLayout>
 #include <QVariant>
 
+#include "KeyActions.h"
 #include "Theme.h"
 
 namespace perilymph::gui {
 
-KeyList::KeyList(QWidget* parent) : QFrame(parent)
+namespace {
+
+void addHeading(QGridLayout& grid, const QString& text, QWidget* parent)
+{
+  auto* heading = new QLabel(text, parent);
+  heading->setFont(typeface(13, QFont::DemiBold));
+  grid.addWidget(heading, grid.rowCount(), 0, 1, 2);
+}
+
+void addRow(QGridLayout& grid, const QString& keys, const QString& meaning, QWidget* parent)
+{
+  auto* keysLabel = new QLabel(keys, parent);
+  keysLabel->setFont(typeface(13, QFont::Medium));
+  auto* meaningLabel = new QLabel(meaning, parent);
+  meaningLabel->setFont(typeface(13));
+  meaningLabel->setProperty("quiet", true);
+  const int row = grid.rowCount();
+  grid.addWidget(keysLabel, row, 0);
+  grid.addWidget(meaningLabel, row, 1);
+}
+
+}  // namespace
+
+KeyList::KeyList(const KeyActions& actions, QWidget* parent) : QFrame(parent)
 {
   setObjectName(QStringLiteral("keys"));
-  const struct {
-    QString keys, meaning;  // no keys: a heading
-  } rows[] = {
-      {{}, tr("Insertion")},
-      {tr("Space"), tr("start or pause; hold the array with mouse and keyboard")},
-      {tr("Wheel, Up, Down"), tr("advance or withdraw the array while it is held")},
-      {tr("Backspace"), tr("withdraw")},
-      {tr("Ctrl+R"), tr("reset: a fresh insertion and recording")},
-      {tr("S"), tr("pull the stylet")},
-      {tr("Esc"), tr("let go of the array")},
-      {{}, tr("Picture")},
-      {tr("1  2  3  4"), tr("surgeon’s view, down the opening, overview, section")},
-      {tr("F"), tr("follow the tip")},
-      {tr("Drag; A D W X"), tr("turn the model")},
-      {tr("Shift+drag; Shift+arrows"), tr("move the model")},
-      {tr("Wheel, Ctrl+wheel, + −"), tr("magnify")},
-      {{}, tr("Window")},
-      {tr("Alt+Home"), tr("begin anew: the first screen")},
-      {tr("Alt+1 to Alt+4"), tr("insert, compare, validate, sessions")},
-      {tr("H"), tr("devices: which there are, and how the hand is doing")},
-      {tr("?"), tr("this list")},
-  };
-
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(3 * spacing, 2 * spacing, 3 * spacing, 2 * spacing);
   grid->setHorizontalSpacing(3 * spacing);
   grid->setVerticalSpacing(6);
-  int line = 0;
-  for (const auto& row : rows) {
-    auto* meaning = new QLabel(row.meaning, this);
-    if (row.keys.isEmpty()) {
-      meaning->setFont(typeface(13, QFont::DemiBold));
-      grid->addWidget(meaning, line++, 0, 1, 2);
-      continue;
-    }
-    auto* keys = new QLabel(row.keys, this);
-    keys->setFont(typeface(13, QFont::Medium));
-    meaning->setFont(typeface(13));
-    meaning->setProperty("quiet", true);
-    grid->addWidget(keys, line, 0);
-    grid->addWidget(meaning, line++, 1);
+  const std::pair<KeySection, QString> sections[] = {{KeySection::insertion, tr("Insertion")},
+                                                     {KeySection::picture, tr("Picture")},
+                                                     {KeySection::window, tr("Window")}};
+  for (const auto& [section, title] : sections) {
+    addHeading(*grid, title, this);
+    for (const KeyAction& action : actions.actions())
+      if (action.section == section) addRow(*grid, keysText(action), action.meaning, this);
+    for (const Gesture& gesture : actions.gestures())
+      if (gesture.section == section) addRow(*grid, gesture.what, gesture.meaning, this);
   }
   hide();
 }

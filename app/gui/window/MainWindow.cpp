@@ -1,5 +1,7 @@
 #include "MainWindow.h"
 
+#include <spdlog/spdlog.h>
+
 #include <QEvent>
 #include <QFrame>
 #include <QHBoxLayout>
@@ -13,9 +15,11 @@
 #include "ComparePage.h"
 #include "DevicePage.h"
 #include "KeyList.h"
+#include "Notice.h"
 #include "Numbers.h"
 #include "OperationView.h"
 #include "SessionsPage.h"
+#include "SettingsSheet.h"
 #include "SidePanel.h"
 #include "StartPage.h"
 #include "Theme.h"
@@ -48,7 +52,8 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
       view_(new OperationView(this)),
       charts_(new ChartColumn(this)),
       bottom_(new BottomBar(this)),
-      keys_(new KeyList(view_)),
+      settings_(new SettingsSheet(this)),
+      notice_(new Notice(this)),
       devices_(new DevicePage(view_)),
       startPage_(new StartPage(this)),
       validation_(new ValidatePage(this)),
@@ -65,6 +70,8 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
   setFocusPolicy(Qt::StrongFocus);
   layOut();
   connectZones();
+  addKeys();
+  keys_ = new KeyList(keyActions_, this);
   showScenario();
   top_->setDevice(Light::off, tr("preparing"), {});
   bottom_->setMain(BottomBar::Main::start, false);
@@ -133,6 +140,9 @@ void MainWindow::connectZones()
   connect(startPage_, &StartPage::demonstrationAsked, this,
           [this] { beginShipped("contour-published", Then::insert); });
   connect(top_, &TopBar::keysAsked, this, &MainWindow::toggleKeyList);
+  connect(top_, &TopBar::settingsAsked, this, &MainWindow::toggleSettings);
+  connect(settings_, &SettingsSheet::closeAsked, this, &MainWindow::toggleSettings);
+  connect(settings_, &SettingsSheet::chosen, this, &MainWindow::anewAsked);
   connect(side_, &SidePanel::handChosen, this, &MainWindow::chooseHand);
   connect(side_, &SidePanel::devicesAsked, this, &MainWindow::toggleDevices);
   connect(devices_, &DevicePage::closeAsked, this, &MainWindow::toggleDevices);
@@ -185,6 +195,7 @@ void MainWindow::hold(bool isHeld)
 
 void MainWindow::showTrouble(const QString& sentence)
 {
+  spdlog::warn("{}", sentence.toStdString());
   trouble_ = sentence;
   view_->setBanner(troubleWords());
 }
@@ -267,6 +278,7 @@ void MainWindow::showState()
                               (isScripted || workflow == Workflow::finished));
   side_->setHandChangeable(!hasMoved || isThere);
   devices_->setChangeable(!hasMoved || isThere);
+  settings_->setChangeable(!hasMoved || isThere);
   showDevice();
   side_->setHoldEnabled(isRunning && workflow != Workflow::fault);
 

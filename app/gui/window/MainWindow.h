@@ -13,6 +13,7 @@
 #include "AnatomyWork.h"
 #include "FrameMeter.h"
 #include "InsertionControl.h"
+#include "KeyActions.h"
 #include "TopBar.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/session/Scenario.h"
@@ -26,8 +27,10 @@ class ChartColumn;
 class ComparePage;
 class DevicePage;
 class KeyList;
+class Notice;
 class OperationView;
 class SessionsPage;
+class SettingsSheet;
 class SidePanel;
 class StartPage;
 class ValidatePage;
@@ -58,6 +61,9 @@ public:
   void showPage(Page page);
   Page page() const { return page_; }
 
+  /// Says something over the foot of the window.
+  Notice& notice() { return *notice_; }
+
   /// Says in place what went wrong; stays until the next reset.
   void showTrouble(const QString& sentence);
 
@@ -70,6 +76,10 @@ public:
 Q_SIGNALS:
   /// The first frame with the cochlea in it is on the display.
   void firstFrameShown();
+  /// Another insertion is being recorded: control().recording().
+  void recordingChanged();
+  /// A window made anew would show what was chosen in the settings.
+  void anewAsked();
 
 protected:
   bool event(QEvent* event) override;
@@ -94,7 +104,17 @@ private:
   void begin(const anatomy::Patient& patient);
   void beginShipped(const std::string& name, Then then);
   void hold(bool isHeld);
-  bool steer(int key, bool isShift);
+  /// What a key does on the insertion page alone, or on every page.
+  std::function<bool(int)> onInsertion(std::function<void(int)> act);
+  std::function<bool(int)> onAnyPage(std::function<void(int)> act);
+  void addKeys();
+  void addInsertionKeys();
+  void addPictureKeys();
+  void addWindowKeys();
+  void pressSpace();
+  void leave();
+  void takePicture();
+  void toggleSettings();
   void toggleKeyList();
   void toggleDevices();
   void useDevice(const device::FoundHand& found);
@@ -111,7 +131,10 @@ private:
   OperationView* view_;
   ChartColumn* charts_;
   BottomBar* bottom_;
-  KeyList* keys_;
+  KeyActions keyActions_;
+  KeyList* keys_ = nullptr;
+  SettingsSheet* settings_;
+  Notice* notice_;
   DevicePage* devices_;
   StartPage* startPage_;
   ValidatePage* validation_;

@@ -1,0 +1,1229 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE" sourcelanguage="en_US">
+<context>
+    <name>KioskTurn</name>
+    <message>
+        <source>below the peaks measured in patients</source>
+        <translation>unter den an Patienten gemessenen Spitzen</translation>
+    </message>
+    <message>
+        <source>above the peaks measured in patients</source>
+        <translation>über den an Patienten gemessenen Spitzen</translation>
+    </message>
+    <message>
+        <source>among the peaks measured in patients</source>
+        <translation>unter den an Patienten gemessenen Spitzen gelegen</translation>
+    </message>
+    <message>
+        <source>Measured in patients: peaks of %1 to %2 mN (Rau et al. 2024). A comparison, not a judgment of safety.</source>
+        <translation>An Patienten gemessen: Spitzen von %1 bis %2 mN (Rau et al. 2024). Ein Vergleich, kein Urteil über Sicherheit.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::Application</name>
+    <message>
+        <source>The window could not do that: %1</source>
+        <translation>Das Fenster konnte das nicht: %1</translation>
+    </message>
+    <message>
+        <source>The window could not do that, and does not know why.</source>
+        <translation>Das Fenster konnte das nicht und weiß nicht, warum.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::BoardView</name>
+    <message>
+        <source>Today’s gentlest</source>
+        <translation>Heute am sanftesten</translation>
+    </message>
+    <message>
+        <source>lowest peak force at full depth</source>
+        <translation>kleinste Spitzenkraft bei voller Tiefe</translation>
+    </message>
+    <message>
+        <source>Nobody has been to full depth yet. Be the first.</source>
+        <translation>Noch war niemand bei voller Tiefe. Seien Sie die Ersten.</translation>
+    </message>
+    <message>
+        <source>%1 mN</source>
+        <translation>%1 mN</translation>
+    </message>
+    <message>
+        <source>you, just now</source>
+        <translation>Sie, gerade eben</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::BottomBar</name>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Withdraw</source>
+        <translation>Zurückziehen</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Start or pause the insertion (Space)</source>
+        <translation>Einführung starten oder anhalten (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Pull the array out again (Backspace)</source>
+        <translation>Den Träger wieder herausziehen (Rücktaste)</translation>
+    </message>
+    <message>
+        <source>Begin anew with a recording of its own (Ctrl+R)</source>
+        <translation>Neu beginnen, mit eigener Aufzeichnung (Strg+R)</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::ChartColumn</name>
+    <message>
+        <source>Force over travel</source>
+        <translation>Kraft über Weg</translation>
+    </message>
+    <message>
+        <source>axial, N</source>
+        <translation>axial, N</translation>
+    </message>
+    <message>
+        <source>Force components</source>
+        <translation>Kraftkomponenten</translation>
+    </message>
+    <message>
+        <source>last 5 s, mN</source>
+        <translation>letzte 5 s, mN</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::ComparePage</name>
+    <message>
+        <source>Insertions side by side</source>
+        <translation>Einführungen nebeneinander</translation>
+    </message>
+    <message>
+        <source>Choose two or more on the page Sessions and press Compare: their forces over travel stand here on common axes, with the printed forces of the published experiment.</source>
+        <translation>Wählen Sie auf der Seite Sitzungen zwei oder mehr und drücken Sie Vergleichen: Hier stehen dann ihre Kräfte über dem Weg auf gemeinsamen Achsen, mit den gedruckten Kräften des veröffentlichten Versuchs.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::DevicePage</name>
+    <message>
+        <source>force up to %1 N</source>
+        <translation>Kraft bis %1 N</translation>
+    </message>
+    <message>
+        <source>no force</source>
+        <translation>keine Kraft</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · a report every %3 ms</source>
+        <translation>%1 · %2 · ein Bericht alle %3 ms</translation>
+    </message>
+    <message>
+        <source>device gone</source>
+        <translation>Gerät weg</translation>
+    </message>
+    <message>
+        <source>device %1/s, jitter %2 ms</source>
+        <translation>Gerät %1/s, Schwankung %2 ms</translation>
+    </message>
+    <message>
+        <source>, %1 ms there and back</source>
+        <translation>, %1 ms hin und zurück</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Geräte</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Neu suchen</translation>
+    </message>
+    <message>
+        <source>Close (H)</source>
+        <translation>Schließen (H)</translation>
+    </message>
+    <message>
+        <source>No HID device is plugged in.</source>
+        <translation>Kein HID-Gerät ist angeschlossen.</translation>
+    </message>
+    <message>
+        <source>Hands that need no hardware: the script, and mouse and keyboard.</source>
+        <translation>Hände ohne Gerät: das Skript sowie Maus und Tastatur.</translation>
+    </message>
+    <message>
+        <source>Use as hand</source>
+        <translation>Als Hand nehmen</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · %3</source>
+        <translation>%1 · %2 · %3</translation>
+    </message>
+    <message>
+        <source>The hand: %1</source>
+        <translation>Die Hand: %1</translation>
+    </message>
+    <message>
+        <source>Loop: %1 ticks a second, %2 late, %3 overruns, 99 % below %4 ms.</source>
+        <translation>Schleife: %1 Takte je Sekunde, %2 verspätet, %3 zu lang, 99 % unter %4 ms.</translation>
+    </message>
+    <message>
+        <source>Reports: %1 a second; median %2 ms apart, 99 % below %3 ms, longest %4 ms.</source>
+        <translation>Berichte: %1 je Sekunde; Median %2 ms Abstand, 99 % unter %3 ms, längster %4 ms.</translation>
+    </message>
+    <message>
+        <source>%1 lost, %2 repeated, %3 old, %4 not understood.</source>
+        <translation>%1 verloren, %2 wiederholt, %3 veraltet, %4 nicht verstanden.</translation>
+    </message>
+    <message>
+        <source>A force is taken in %1 ms, 99 % below %2 ms; there and back %3 ms.</source>
+        <translation>Eine Kraft wird in %1 ms angenommen, 99 % unter %2 ms; hin und zurück %3 ms.</translation>
+    </message>
+    <message>
+        <source>It needs no hardware and feels no force.</source>
+        <translation>Sie braucht kein Gerät und fühlt keine Kraft.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::KeyList</name>
+    <message>
+        <source>Insertion</source>
+        <translation>Einführung</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::KioskWindow</name>
+    <message>
+        <source>A cochlear implant gives hearing back by an electrode array in the inner ear. A surgeon pushes it in by hand, through an opening of a millimeter or two.</source>
+        <translation>Ein Cochlea-Implantat gibt Gehör zurück, durch einen Elektrodenträger im Innenohr. Von Hand wird er eingeführt, durch eine Öffnung von ein bis zwei Millimetern.</translation>
+    </message>
+    <message>
+        <source>The cochlea winds up like a snail’s shell. The array has to follow it without pressing on the delicate membrane along its way.</source>
+        <translation>Die Cochlea windet sich wie ein Schneckenhaus. Der Träger muss ihr folgen, ohne auf die zarte Membran an seinem Weg zu drücken.</translation>
+    </message>
+    <message>
+        <source>What the hand feels are thousandths of a newton. Here the force is computed a thousand times a second, and can be practiced.</source>
+        <translation>Was die Hand fühlt, sind Tausendstel eines Newtons. Hier wird die Kraft tausendmal in der Sekunde berechnet und lässt sich üben.</translation>
+    </message>
+    <message>
+        <source>Inserting a cochlear implant</source>
+        <translation>Ein Cochlea-Implantat einführen</translation>
+    </message>
+    <message>
+        <source>This cannot be tried now</source>
+        <translation>Das geht gerade nicht</translation>
+    </message>
+    <message>
+        <source>The staff of the booth can help.</source>
+        <translation>Fragen Sie bitte am Stand.</translation>
+    </message>
+    <message>
+        <source>Use the screen</source>
+        <translation>Am Bildschirm</translation>
+    </message>
+    <message>
+        <source>Use the handle</source>
+        <translation>Mit dem Griff</translation>
+    </message>
+    <message>
+        <source>Your turn</source>
+        <translation>Sie sind dran</translation>
+    </message>
+    <message>
+        <source>Hold the handle’s button and push gently. Keep the force low until the array is in.</source>
+        <translation>Halten Sie den Knopf des Griffs und schieben Sie sanft. Die Kraft soll klein bleiben, bis der Träger liegt.</translation>
+    </message>
+    <message>
+        <source>Hold the green plate and the array moves in, the farther right the faster. Keep the force low until it is at full depth.</source>
+        <translation>Halten Sie die grüne Fläche, und der Träger gleitet hinein, weiter rechts schneller. Die Kraft soll klein bleiben bis zur vollen Tiefe.</translation>
+    </message>
+    <message>
+        <source>The array had to be stopped</source>
+        <translation>Der Träger musste angehalten werden</translation>
+    </message>
+    <message>
+        <source>The motion left what can be computed. The force is off. Try again.</source>
+        <translation>Die Bewegung verließ das Berechenbare. Die Kraft ist aus. Versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Full depth · peak force %1 mN · place %2 today</source>
+        <translation>Volle Tiefe · Spitzenkraft %1 mN · heute Platz %2</translation>
+    </message>
+    <message>
+        <source>Full depth · peak force %1 mN</source>
+        <translation>Volle Tiefe · Spitzenkraft %1 mN</translation>
+    </message>
+    <message>
+        <source>%1, in %2 s; turned back: %3.</source>
+        <translation>%1, in %2 s; umgekehrt: %3.</translation>
+    </message>
+    <message>
+        <source>Perilymph</source>
+        <translation>Perilymph</translation>
+    </message>
+    <message>
+        <source>Touch anywhere to try it yourself</source>
+        <translation>Berühren und selbst versuchen</translation>
+    </message>
+    <message>
+        <source>Hold to pull back</source>
+        <translation>Halten: zurück</translation>
+    </message>
+    <message>
+        <source>Start over</source>
+        <translation>Von vorn</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>A simulation for research and training; not a medical device.</source>
+        <translation>Eine Simulation für Forschung und Übung; kein Medizinprodukt.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::MainWindow</name>
+    <message>
+        <source>The program ended unexpectedly. The insertion of then, to a depth of %1 mm, is kept in the library: %2.</source>
+        <translation>Das Programm endete unerwartet. Die damalige Einführung, bis %1 mm Tiefe, liegt bei den Sitzungen: %2.</translation>
+    </message>
+    <message>
+        <source>Show sessions</source>
+        <translation>Sitzungen zeigen</translation>
+    </message>
+    <message>
+        <source>preparing</source>
+        <translation>wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>no stylet</source>
+        <translation>kein Stilett</translation>
+    </message>
+    <message>
+        <source>stylet %1 mm out</source>
+        <translation>Stilett %1 mm heraus</translation>
+    </message>
+    <message>
+        <source>Standard, stylet in</source>
+        <translation>Standard, Stilett drin</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>bereit</translation>
+    </message>
+    <message>
+        <source>fault · no force</source>
+        <translation>Fehler · keine Kraft</translation>
+    </message>
+    <message>
+        <source>%1 Hz · %2 late</source>
+        <translation>%1 Hz · %2 verspätet</translation>
+    </message>
+    <message>
+        <source>%1. Ticks a second as measured, and ticks that began more than one period late.</source>
+        <translation>%1. Takte je Sekunde, gemessen, und Takte, die über eine Periode zu spät begannen.</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>NOT recording</source>
+        <translation>KEINE Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>recording, %1 ticks lost</source>
+        <translation>Aufzeichnung, %1 Takte verloren</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>not started</source>
+        <translation>nicht gestartet</translation>
+    </message>
+    <message>
+        <source>late ticks: %1</source>
+        <translation>verspätete Takte: %1</translation>
+    </message>
+    <message>
+        <source>%1 overruns</source>
+        <translation>%1 zu lang</translation>
+    </message>
+    <message>
+        <source>coupling %1 N/m</source>
+        <translation>Kopplung %1 N/m</translation>
+    </message>
+    <message>
+        <source>%1 fps</source>
+        <translation>%1 Bilder/s</translation>
+    </message>
+    <message>
+        <source>not a medical device</source>
+        <translation>kein Medizinprodukt</translation>
+    </message>
+    <message>
+        <source>The hand stopped answering.</source>
+        <translation>Die Hand antwortet nicht mehr.</translation>
+    </message>
+    <message>
+        <source>The computed motion left every bound.</source>
+        <translation>Die berechnete Bewegung verließ jede Grenze.</translation>
+    </message>
+    <message>
+        <source>The insertion was stopped.</source>
+        <translation>Die Einführung wurde angehalten.</translation>
+    </message>
+    <message>
+        <source> The force is off and the array rests. Press Reset to begin anew.</source>
+        <translation> Die Kraft ist aus, und der Träger ruht. Mit „Neu“ beginnt es von vorn.</translation>
+    </message>
+    <message>
+        <source>This insertion is not being recorded: %1</source>
+        <translation>Diese Einführung wird nicht aufgezeichnet: %1</translation>
+    </message>
+    <message>
+        <source>Press Start, then hold the device’s button and push.</source>
+        <translation>Start drücken, dann den Knopf des Geräts halten und schieben.</translation>
+    </message>
+    <message>
+        <source>Hold the device’s button: the array follows the hand.</source>
+        <translation>Knopf des Geräts halten: Der Träger folgt der Hand.</translation>
+    </message>
+    <message>
+        <source>Array held. Letting go of the button lets it rest.</source>
+        <translation>Träger gehalten. Loslassen lässt ihn ruhen.</translation>
+    </message>
+    <message>
+        <source>Building the cochlea…</source>
+        <translation>Die Cochlea wird gebaut …</translation>
+    </message>
+    <message>
+        <source>Full depth. Withdraw or Reset.</source>
+        <translation>Volle Tiefe. Zurückziehen oder Neu.</translation>
+    </message>
+    <message>
+        <source>The array is out. Reset to insert again.</source>
+        <translation>Der Träger ist draußen. Neu, um wieder einzuführen.</translation>
+    </message>
+    <message>
+        <source>Press Start, then hold Space and turn the wheel.</source>
+        <translation>Start drücken, dann Leertaste halten und am Rad drehen.</translation>
+    </message>
+    <message>
+        <source>Hold Space, then turn the wheel or press Down.</source>
+        <translation>Leertaste halten, dann am Rad drehen oder Ab drücken.</translation>
+    </message>
+    <message>
+        <source>Array held. Wheel or Down advances, Up withdraws.</source>
+        <translation>Träger gehalten. Rad oder Ab schiebt vor, Auf zieht zurück.</translation>
+    </message>
+    <message>
+        <source>start or pause; hold the array with mouse and keyboard</source>
+        <translation>starten oder anhalten; Träger halten mit Maus und Tastatur</translation>
+    </message>
+    <message>
+        <source>advance or withdraw the array while it is held</source>
+        <translation>Träger vor oder zurück, solange er gehalten wird</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Mausrad</translation>
+    </message>
+    <message>
+        <source>the same</source>
+        <translation>dasselbe</translation>
+    </message>
+    <message>
+        <source>withdraw</source>
+        <translation>zurückziehen</translation>
+    </message>
+    <message>
+        <source>reset: a fresh insertion and recording</source>
+        <translation>neu: eine frische Einführung und Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>pull the stylet</source>
+        <translation>Stilett ziehen</translation>
+    </message>
+    <message>
+        <source>surgeon’s view, down the opening, overview, section</source>
+        <translation>Sicht des Operateurs, in die Öffnung, Übersicht, Schnitt</translation>
+    </message>
+    <message>
+        <source>follow the tip</source>
+        <translation>der Spitze folgen</translation>
+    </message>
+    <message>
+        <source>turn the model</source>
+        <translation>Modell drehen</translation>
+    </message>
+    <message>
+        <source>move the model</source>
+        <translation>Modell verschieben</translation>
+    </message>
+    <message>
+        <source>magnify</source>
+        <translation>vergrößern</translation>
+    </message>
+    <message>
+        <source>Drag; Shift+drag</source>
+        <translation>Ziehen; Umschalt+Ziehen</translation>
+    </message>
+    <message>
+        <source>turn the model; move it</source>
+        <translation>Modell drehen; verschieben</translation>
+    </message>
+    <message>
+        <source>Wheel, Ctrl+wheel</source>
+        <translation>Rad, Strg+Rad</translation>
+    </message>
+    <message>
+        <source>begin anew: the first screen</source>
+        <translation>von vorn: die erste Seite</translation>
+    </message>
+    <message>
+        <source>insert, compare, validate, sessions</source>
+        <translation>Einführen, Vergleichen, Prüfen, Sitzungen</translation>
+    </message>
+    <message>
+        <source>devices: which there are, and how the hand is doing</source>
+        <translation>Geräte: welche es gibt und wie es der Hand geht</translation>
+    </message>
+    <message>
+        <source>settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>full screen, and back</source>
+        <translation>ganzer Bildschirm und zurück</translation>
+    </message>
+    <message>
+        <source>keep a picture of the window</source>
+        <translation>ein Bild des Fensters behalten</translation>
+    </message>
+    <message>
+        <source>this list</source>
+        <translation>diese Liste</translation>
+    </message>
+    <message>
+        <source>leave what lies on the page; let go of the array</source>
+        <translation>verlassen, was auf der Seite liegt; Träger loslassen</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>to the next button or field</source>
+        <translation>zum nächsten Knopf oder Feld</translation>
+    </message>
+    <message>
+        <source>The picture is kept: %1</source>
+        <translation>Das Bild liegt hier: %1</translation>
+    </message>
+    <message>
+        <source>Patient %1 · %2 ear</source>
+        <translation>Patient %1 · %2es Ohr</translation>
+    </message>
+    <message>
+        <source>%1 anatomy · %2 ear</source>
+        <translation>Anatomie %1 · %2es Ohr</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>link</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>recht</translation>
+    </message>
+    <message>
+        <source>Perilymph · %1</source>
+        <translation>Perilymph · %1</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::Notice</name>
+    <message>
+        <source>Dismiss</source>
+        <translation>Verbergen</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::OperationView</name>
+    <message>
+        <source>Surgeon’s view</source>
+        <translation>Sicht des Operateurs</translation>
+    </message>
+    <message>
+        <source>Down the opening</source>
+        <translation>In die Öffnung</translation>
+    </message>
+    <message>
+        <source>Overview</source>
+        <translation>Übersicht</translation>
+    </message>
+    <message>
+        <source>Following the tip</source>
+        <translation>Der Spitze nach</translation>
+    </message>
+    <message>
+        <source>Across the basal turn</source>
+        <translation>Quer zur Basalwindung</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>mN</source>
+        <translation>mN</translation>
+    </message>
+    <message>
+        <source>mm/s</source>
+        <translation>mm/s</translation>
+    </message>
+    <message>
+        <source>angle from round window</source>
+        <translation>Winkel ab rundem Fenster</translation>
+    </message>
+    <message>
+        <source>force on the hand · felt above 20 mN</source>
+        <translation>Kraft an der Hand · fühlbar ab 20 mN</translation>
+    </message>
+    <message>
+        <source>travel · depth %1 mm</source>
+        <translation>Weg · Tiefe %1 mm</translation>
+    </message>
+    <message>
+        <source>Microscope × %1</source>
+        <translation>Mikroskop × %1</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::PatientForm</name>
+    <message>
+        <source>138 cochleae, Pietsch et al. 2017, Sci Rep.</source>
+        <translation>138 Cochleae, Pietsch et al. 2017, Sci Rep.</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>Three lengths</source>
+        <translation>Drei Längen</translation>
+    </message>
+    <message>
+        <source>A, B and H</source>
+        <translation>A, B und H</translation>
+    </message>
+    <message>
+        <source>Show this cochlea</source>
+        <translation>Diese Cochlea zeigen</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>a code, not a name</source>
+        <translation>ein Kürzel, kein Name</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>A patient’s numbers</source>
+        <translation>Die Maße eines Patienten</translation>
+    </message>
+    <message>
+        <source>PATIENT</source>
+        <translation>PATIENT</translation>
+    </message>
+    <message>
+        <source>EAR</source>
+        <translation>OHR</translation>
+    </message>
+    <message>
+        <source>MEASURED IN CT</source>
+        <translation>IM CT GEMESSEN</translation>
+    </message>
+    <message>
+        <source>Scala length, organ of Corti</source>
+        <translation>Skalenlänge, Corti-Organ</translation>
+    </message>
+    <message>
+        <source>Organ of Corti 33.13 ± 2.11 mm, n = 9 (Stakhovskaya et al. 2007). The published model has 35.58 mm.</source>
+        <translation>Corti-Organ 33,13 ± 2,11 mm, n = 9 (Stakhovskaya et al. 2007). Das veröffentlichte Modell hat 35,58 mm.</translation>
+    </message>
+    <message>
+        <source>Sections vary by 9 to 15 % (Avci et al. 2014) about a mean of %1 mm (Froehlich et al. 2024, n = 15).</source>
+        <translation>Schnitte schwanken um 9 bis 15 % (Avci et al. 2014) um ein Mittel von %1 mm (Froehlich et al. 2024, n = 15).</translation>
+    </message>
+    <message>
+        <source>Section width at round window</source>
+        <translation>Schnittbreite am runden Fenster</translation>
+    </message>
+    <message>
+        <source>Section height at round window</source>
+        <translation>Schnitthöhe am runden Fenster</translation>
+    </message>
+    <message>
+        <source>Length A, through the round window</source>
+        <translation>Länge A, durch das runde Fenster</translation>
+    </message>
+    <message>
+        <source>Width B, across A</source>
+        <translation>Breite B, quer zu A</translation>
+    </message>
+    <message>
+        <source>Height H</source>
+        <translation>Höhe H</translation>
+    </message>
+    <message>
+        <source>Definitions of H differ, so only limits are given.</source>
+        <translation>H wird verschieden definiert, daher nur Grenzen.</translation>
+    </message>
+    <message>
+        <source>unnamed</source>
+        <translation>unbenannt</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::PhaseLine</name>
+    <message>
+        <source>Opening</source>
+        <translation>Öffnung</translation>
+    </message>
+    <message>
+        <source>Outer wall</source>
+        <translation>Außenwand</translation>
+    </message>
+    <message>
+        <source>Basal turn</source>
+        <translation>Basalwindung</translation>
+    </message>
+    <message>
+        <source>Full depth</source>
+        <translation>Volle Tiefe</translation>
+    </message>
+    <message>
+        <source>Outside</source>
+        <translation>Draußen</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::PopulationField</name>
+    <message>
+        <source>not given</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>a number is needed, %1 to %2 mm</source>
+        <translation>eine Zahl ist nötig, %1 bis %2 mm</translation>
+    </message>
+    <message>
+        <source>must be a number between %1 and %2 mm</source>
+        <translation>muss eine Zahl zwischen %1 und %2 mm sein</translation>
+    </message>
+    <message>
+        <source>left out: taken from A and B</source>
+        <translation>ausgelassen: aus A und B genommen</translation>
+    </message>
+    <message>
+        <source>%1%2 SD of population · CT error ± %3 mm</source>
+        <translation>%1%2 SD der Bevölkerung · CT-Fehler ± %3 mm</translation>
+    </message>
+    <message>
+        <source>allowed %1 to %2 mm · CT error ± %3 mm</source>
+        <translation>erlaubt %1 bis %2 mm · CT-Fehler ± %3 mm</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::PushPad</name>
+    <message>
+        <source>Hold here to insert</source>
+        <translation>Hier halten zum Einführen</translation>
+    </message>
+    <message>
+        <source>Let go to pause</source>
+        <translation>Loslassen hält an</translation>
+    </message>
+    <message>
+        <source>slow</source>
+        <translation>langsam</translation>
+    </message>
+    <message>
+        <source>fast</source>
+        <translation>schnell</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::SessionsPage</name>
+    <message>
+        <source>No insertion has been recorded yet</source>
+        <translation>Noch ist keine Einführung aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Every insertion is kept by itself. Here it can be found again, replayed, compared and written as a report.</source>
+        <translation>Jede Einführung wird von selbst behalten. Hier lässt sie sich wiederfinden, abspielen, vergleichen und als Bericht schreiben.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::SettingsSheet</name>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Colors</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation>dunkel</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>hell</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>as the system</source>
+        <translation>wie das System</translation>
+    </message>
+    <message>
+        <source>What the program notes about itself: %1</source>
+        <translation>Was das Programm über sich notiert: %1</translation>
+    </message>
+    <message>
+        <source>A choice opens the window anew.</source>
+        <translation>Eine Wahl öffnet das Fenster neu.</translation>
+    </message>
+    <message>
+        <source>While the array is in the cochlea nothing can be chosen here. Reset first.</source>
+        <translation>Solange der Träger in der Cochlea ist, lässt sich hier nichts wählen. Erst „Neu“ drücken.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::SidePanel</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>no stylet</source>
+        <translation>kein Stilett</translation>
+    </message>
+    <message>
+        <source>Standard, stylet in</source>
+        <translation>Standard, Stilett drin</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>Length A</source>
+        <translation>Länge A</translation>
+    </message>
+    <message>
+        <source>From the round window through the modiolus to the far lateral wall.</source>
+        <translation>Vom runden Fenster durch den Modiolus zur fernen Außenwand.</translation>
+    </message>
+    <message>
+        <source>Width B</source>
+        <translation>Breite B</translation>
+    </message>
+    <message>
+        <source>Across A, from lateral wall to lateral wall.</source>
+        <translation>Quer zu A, von Außenwand zu Außenwand.</translation>
+    </message>
+    <message>
+        <source>Height H</source>
+        <translation>Höhe H</translation>
+    </message>
+    <message>
+        <source>From base to apex along the modiolus.</source>
+        <translation>Von der Basis zur Spitze entlang des Modiolus.</translation>
+    </message>
+    <message>
+        <source>Scala length</source>
+        <translation>Skalenlänge</translation>
+    </message>
+    <message>
+        <source>Length of the scala tympani along the path of the organ of Corti.</source>
+        <translation>Länge der Scala tympani entlang des Corti-Organs.</translation>
+    </message>
+    <message>
+        <source>Width at window</source>
+        <translation>Breite am Fenster</translation>
+    </message>
+    <message>
+        <source>Width of the scala tympani's section at the round window.</source>
+        <translation>Breite des Schnitts der Scala tympani am runden Fenster.</translation>
+    </message>
+    <message>
+        <source>Height at window</source>
+        <translation>Höhe am Fenster</translation>
+    </message>
+    <message>
+        <source>Height of the scala tympani's section at the round window.</source>
+        <translation>Höhe des Schnitts der Scala tympani am runden Fenster.</translation>
+    </message>
+    <message>
+        <source>Sections</source>
+        <translation>Schnitte</translation>
+    </message>
+    <message>
+        <source>mean of 15, CC BY 4.0</source>
+        <translation>Mittel von 15, CC BY 4.0</translation>
+    </message>
+    <message>
+        <source>Adapted from Froehlich, Schurzig, Rau, Lenarz (2024), PLOS ONE, doi 10.1371/journal.pone.0295121, CC BY 4.0.</source>
+        <translation>Nach Froehlich, Schurzig, Rau, Lenarz (2024), PLOS ONE, doi 10.1371/journal.pone.0295121, CC BY 4.0.</translation>
+    </message>
+    <message>
+        <source>Ear</source>
+        <translation>Ohr</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>Träger</translation>
+    </message>
+    <message>
+        <source>Technique</source>
+        <translation>Technik</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>%1 mm/s</source>
+        <translation>%1 mm/s</translation>
+    </message>
+    <message>
+        <source>Of the scripted hand.</source>
+        <translation>Der Hand des Skripts.</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>Coefficients of dry friction between array and wall: starting / dynamic.</source>
+        <translation>Beiwerte trockener Reibung zwischen Träger und Wand: Haften / Gleiten.</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Rod · %1 nodes</source>
+        <translation>Stab · %1 Knoten</translation>
+    </message>
+    <message>
+        <source>The array as an elastic rod, every %1 ms.</source>
+        <translation>Der Träger als elastischer Stab, alle %1 ms.</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>Hand</translation>
+    </message>
+    <message>
+        <source>Scripted insertion</source>
+        <translation>Nach Skript</translation>
+    </message>
+    <message>
+        <source>Constant speed in, constant speed out.</source>
+        <translation>Mit festem Tempo hinein und heraus.</translation>
+    </message>
+    <message>
+        <source>Mouse and keyboard</source>
+        <translation>Maus und Tastatur</translation>
+    </message>
+    <message>
+        <source>The wheel or the up and down keys move the array while it is held.</source>
+        <translation>Rad oder Auf und Ab bewegen den Träger, solange er gehalten wird.</translation>
+    </message>
+    <message>
+        <source>Haptic device…</source>
+        <translation>Haptisches Gerät …</translation>
+    </message>
+    <message>
+        <source>Which devices there are, and which one may be the hand (H).</source>
+        <translation>Welche Geräte es gibt und welches die Hand sein kann (H).</translation>
+    </message>
+    <message>
+        <source>Hold the array (Space)</source>
+        <translation>Träger halten (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Pull stylet (S)</source>
+        <translation>Stilett ziehen (S)</translation>
+    </message>
+    <message>
+        <source>The array follows the wheel only while this is pressed or Space is down.</source>
+        <translation>Der Träger folgt dem Rad nur, solange dies oder die Leertaste gedrückt ist.</translation>
+    </message>
+    <message>
+        <source>Force shown</source>
+        <translation>Kraft gezeigt</translation>
+    </message>
+    <message>
+        <source>Force at the hand's device over the physical force. Script and mouse feel none.</source>
+        <translation>Kraft am Gerät über der physikalischen Kraft. Skript und Maus fühlen keine.</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Wall force</source>
+        <translation>Wandkraft</translation>
+    </message>
+    <message>
+        <source>Contact arrows</source>
+        <translation>Kontaktpfeile</translation>
+    </message>
+    <message>
+        <source>Basilar membrane</source>
+        <translation>Basilarmembran</translation>
+    </message>
+    <message>
+        <source>Stylet and tweezers</source>
+        <translation>Stilett und Pinzette</translation>
+    </message>
+    <message>
+        <source>Published experiment</source>
+        <translation>Veröffentlichter Versuch</translation>
+    </message>
+    <message>
+        <source>Array held</source>
+        <translation>Träger gehalten</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::StartPage</name>
+    <message>
+        <source>Insert an electrode array</source>
+        <translation>Einen Elektrodenträger einführen</translation>
+    </message>
+    <message>
+        <source>Into whose cochlea?</source>
+        <translation>In wessen Cochlea?</translation>
+    </message>
+    <message>
+        <source>Use a patient’s numbers</source>
+        <translation>Maße eines Patienten</translation>
+    </message>
+    <message>
+        <source>Three lengths from CT, or A, B and H, make this patient’s scala tympani. Each is compared with the population.</source>
+        <translation>Drei Längen aus dem CT, oder A, B und H, ergeben die Scala tympani dieses Patienten. Jede wird mit der Bevölkerung verglichen.</translation>
+    </message>
+    <message>
+        <source>Mean cochlea</source>
+        <translation>Mittlere Cochlea</translation>
+    </message>
+    <message>
+        <source>The average of fifteen human cochleae. Insert by script or with mouse and keyboard, and see the force over depth.</source>
+        <translation>Das Mittel von fünfzehn menschlichen Cochleae. Einführen nach Skript oder mit Maus und Tastatur, und die Kraft über der Tiefe sehen.</translation>
+    </message>
+    <message>
+        <source>Watch a demo insertion</source>
+        <translation>Eine Vorführung ansehen</translation>
+    </message>
+    <message>
+        <source>A Contour array goes into the published cochlea by itself, beside the forces that were measured in the experiment.</source>
+        <translation>Ein Contour-Träger geht von selbst in die veröffentlichte Cochlea, neben den Kräften, die im Versuch gemessen wurden.</translation>
+    </message>
+    <message>
+        <source>Keys 1, 2 and 3 do the same. For research and training; not a medical device.</source>
+        <translation>Die Tasten 1, 2 und 3 tun dasselbe. Für Forschung und Übung; kein Medizinprodukt.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::TopBar</name>
+    <message>
+        <source>Perilymph</source>
+        <translation>Perilymph</translation>
+    </message>
+    <message>
+        <source>Begin anew (Alt+Home)</source>
+        <translation>Von vorn beginnen (Alt+Pos1)</translation>
+    </message>
+    <message>
+        <source>Keys and mouse (F1)</source>
+        <translation>Tasten und Maus (F1)</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>Settings (Ctrl+,)</source>
+        <translation>Einstellungen (Strg+,)</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>Einführen</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Validate</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>Sitzungen</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::ValidatePage</name>
+    <message>
+        <source>Insertion %1 of %2</source>
+        <translation>Einführung %1 von %2</translation>
+    </message>
+    <message>
+        <source>The published experiment, repeated</source>
+        <translation>Der veröffentlichte Versuch, wiederholt</translation>
+    </message>
+    <message>
+        <source>Many insertions that differ as real ones do: where the tip starts, how the array is aligned, how curved it is, how slippery the wall. Their mean is held against the forces that were printed. Two forces were used to calibrate the array; the others are predictions.</source>
+        <translation>Viele Einführungen, die sich unterscheiden wie wirkliche: wo die Spitze beginnt, wie der Träger ausgerichtet ist, wie gekrümmt er ist, wie glatt die Wand. Ihr Mittel wird mit den gedruckten Kräften verglichen. Zwei Kräfte dienten dem Abgleich des Trägers; die anderen sind Vorhersagen.</translation>
+    </message>
+    <message>
+        <source>Insertions</source>
+        <translation>Einführungen</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Sichern …</translation>
+    </message>
+    <message>
+        <source>Curves as CSV, numbers as JSON, figures as SVG, into a folder.</source>
+        <translation>Kurven als CSV, Zahlen als JSON, Bilder als SVG, in einen Ordner.</translation>
+    </message>
+    <message>
+        <source>insertions</source>
+        <translation>Einführungen</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>Experiment</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>Building the cochlea…</source>
+        <translation>Die Cochlea wird gebaut …</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translation>Hält an …</translation>
+    </message>
+    <message>
+        <source>%1 insertions, seed %2. Spread over travel %3 mN.</source>
+        <translation>%1 Einführungen, Startzahl %2. Streuung über den Weg %3 mN.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Repeat it</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>✓ met</source>
+        <translation>✓ erfüllt</translation>
+    </message>
+    <message>
+        <source>✗ missed</source>
+        <translation>✗ verfehlt</translation>
+    </message>
+    <message>
+        <source>Folder for curves, numbers and figures</source>
+        <translation>Ordner für Kurven, Zahlen und Bilder</translation>
+    </message>
+    <message>
+        <source>Six files are in %1.</source>
+        <translation>Sechs Dateien liegen in %1.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::ValidationWork</name>
+    <message>
+        <source>Canceled. Nothing was kept.</source>
+        <translation>Abgebrochen. Nichts wurde behalten.</translation>
+    </message>
+</context>
+</TS>

@@ -26,4 +26,10 @@ void AnatomyWork::build(const session::Scenario& scenario, Answer answer)
   });
 }
 
+void AnatomyWork::forget()
+{
+  ++request_;
+  isBusy_ = false;
+}
+
 }  // namespace perilymph::gui

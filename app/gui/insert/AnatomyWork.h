@@ -24,6 +24,8 @@ public:
 
   /// Calls `answer` in the UI thread once the scenario's cochlea is built or cannot be.
   void build(const session::Scenario& scenario, Answer answer);
+  /// Nothing that was asked for is answered any more.
+  void forget();
   bool isBusy() const { return isBusy_; }
 
 private:

@@ -59,12 +59,17 @@ void InsertionControl::use(session::Scenario scenario,
                            std::shared_ptr<const anatomy::ScalaTympani> anatomy)
 {
   scenario_ = std::move(scenario);
-  anatomy_ = std::move(anatomy);
+  if (anatomy) anatomy_ = std::move(anatomy);
 }
 
 Result<Done> InsertionControl::prepare(Hand hand)
 {
+  // A file asked for by name waits for the first insertion that runs.
+  const bool waits = record_ && insertion_ && prepared_ == 1 && !isRunning_;
+  const auto waiting = waits ? recording() : std::nullopt;
   discard();
+  std::error_code none;
+  if (waiting && std::filesystem::remove(*waiting, none)) --prepared_;
   ++prepared_;
   if (keepsNothing_) return build(hand, std::nullopt);
   const std::filesystem::path file = nextRecording();

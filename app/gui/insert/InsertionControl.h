@@ -29,7 +29,8 @@ public:
   InsertionControl(session::Scenario scenario, std::optional<std::filesystem::path> record);
   ~InsertionControl();
 
-  /// From the next prepare() on, insertions are of another scenario, in its cochlea.
+  /// From the next prepare() on, insertions are of another scenario, in its cochlea; without one,
+  /// in the same as before.
   void use(session::Scenario scenario, std::shared_ptr<const anatomy::ScalaTympani> anatomy);
 
   /// Prepares a fresh insertion with the array at its start and a recording of its own. The one
@@ -65,6 +66,7 @@ public:
 
   /// The cochlea; after a prepare() that succeeded.
   const anatomy::ScalaTympani& anatomy() const noexcept { return insertion_->anatomy(); }
+  bool hasAnatomy() const noexcept { return anatomy_ != nullptr; }
   Hand hand() const noexcept { return hand_; }
   bool isRunning() const noexcept { return isRunning_; }
   /// The array is at the stop travel or beyond.

@@ -1,221 +1,102 @@
 #include "SidePanel.h"
 
-#include <QFrame>
-#include <QHBoxLayout>
-#include <QLabel>
+#include <QApplication>
 #include <QPushButton>
-#include <QStyle>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 #include <QVariant>
+#include <QWheelEvent>
 
+#include "ArraySection.h"
+#include "HandSection.h"
 #include "Marks.h"
-#include "Numbers.h"
+#include "PatientSection.h"
+#include "ScenarioHead.h"
+#include "SetupHistory.h"
 #include "Theme.h"
 
 namespace perilymph::gui {
 
 namespace {
 
-constexpr int rowHeight_px = 24;
-
-QString millimetersText(Length length)
-{
-  return SidePanel::tr("%1 mm").arg(numberText(inMillimeters(length), 2));
-}
-
-QLabel* quiet(QLabel* label)
-{
-  label->setProperty("quiet", true);
-  return label;
-}
-
-QString frictionText(const mechanics::FrictionLaw& law)
-{
-  return QStringLiteral("%1 / %2").arg(numberText(law.starting, 4), numberText(law.dynamic, 4));
-}
-
-QString techniqueText(const session::Scenario& scenario)
-{
-  if (!scenario.array.hasStylet) return SidePanel::tr("no stylet");
-  return scenario.technique == "standard" ? SidePanel::tr("Standard, stylet in")
-                                          : QString::fromStdString(scenario.technique);
-}
+constexpr int stripWidth_px = 28;
+constexpr int scrollBar_px = 8;
 
 }  // namespace
 
-SidePanel::SidePanel(QWidget* parent) : QWidget(parent)
+SidePanel::SidePanel(QWidget* parent)
+    : QWidget(parent),
+      scroll_(new QScrollArea(this)),
+      expand_(new QPushButton(QStringLiteral("▸"), this))
 {
-  setFixedWidth(sidePanelWidth);
+  setObjectName(QStringLiteral("sidePanel"));
+  auto* content = new QWidget(scroll_);
+  // in the order of Tab
+  head_ = new ScenarioHead(content);
+  patient_ = new PatientSection(content);
+  array_ = new ArraySection(content);
+  hand_ = new HandSection(content);
+  auto* rows = new QVBoxLayout(content);
+  rows->setContentsMargins(2 * spacing, spacing, 2 * spacing - scrollBar_px, spacing);
+  rows->setSpacing(spacing);
+  rows->addWidget(head_);
+  rows->addWidget(patient_);
+  rows->addWidget(array_);
+  rows->addWidget(hand_);
+  rows->addWidget(showSection(content));
+  rows->addStretch();
+
+  scroll_->setObjectName(QStringLiteral("panelScroll"));
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setFocusPolicy(Qt::NoFocus);
+  scroll_->setWidgetResizable(true);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
+  scroll_->verticalScrollBar()->setFixedWidth(scrollBar_px);
+  scroll_->setWidget(content);
+  scroll_->viewport()->installEventFilter(this);
+
+  expand_->setObjectName(QStringLiteral("expandButton"));
+  expand_->setProperty("small", true);
+  expand_->setFixedSize(22, 22);
+  expand_->setFocusPolicy(Qt::NoFocus);
+  expand_->setToolTip(tr("Show the panel (B)"));
+  expand_->setAccessibleName(tr("Show the panel"));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(scroll_);
+  column->addWidget(expand_, 0, Qt::AlignHCenter | Qt::AlignTop);
+  setCollapsed(false);
+  connectSections();
 }
 
-void SidePanel::setScenario(const session::Scenario& scenario)
+void SidePanel::connectSections()
 {
-  delete content_;
-  content_ = new QWidget(this);
-  layout()->addWidget(content_);
-  auto* column = new QVBoxLayout(content_);
-  column->setContentsMargins(2 * spacing, 2 * spacing, 2 * spacing, spacing);
-  column->setSpacing(2);
-  addPatient(*column, scenario);
-  addLine(*column);
-  addArray(*column, scenario);
-  addLine(*column);
-  addHand(*column, scenario);
-  addLine(*column);
-  addShow(*column);
-  column->addStretch();
+  connect(head_, &ScenarioHead::undoAsked, this, &SidePanel::undoAsked);
+  connect(head_, &ScenarioHead::redoAsked, this, &SidePanel::redoAsked);
+  connect(head_, &ScenarioHead::restoreAsked, this, &SidePanel::restoreAsked);
+  connect(head_, &ScenarioHead::collapseAsked, this, [this] { setCollapsed(true); });
+  connect(expand_, &QPushButton::clicked, this, [this] { setCollapsed(false); });
+  connect(patient_, &PatientSection::changeAsked, this, &SidePanel::changeAsked);
+  connect(array_, &ArraySection::changeAsked, this, &SidePanel::changeAsked);
+  connect(hand_, &HandSection::changeAsked, this, &SidePanel::changeAsked);
+  connect(hand_, &HandSection::handChosen, this, &SidePanel::handChosen);
+  connect(hand_, &HandSection::devicesAsked, this, &SidePanel::devicesAsked);
+  connect(hand_, &HandSection::holdChanged, this, &SidePanel::holdChanged);
+  connect(hand_, &HandSection::styletAsked, this, &SidePanel::styletAsked);
+  // a field that is reached by Tab is scrolled to
+  connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
+    if (now != nullptr && scroll_->widget()->isAncestorOf(now))
+      scroll_->ensureWidgetVisible(now, 0, 3 * spacing);
+  });
 }
 
-void SidePanel::addTitle(QVBoxLayout& column, const QString& title, const QString& note)
-{
-  auto* row = new QHBoxLayout;
-  auto* label = quiet(new QLabel(title.toUpper(), this));
-  label->setFont(typeface(11, QFont::DemiBold));
-  row->addWidget(label);
-  row->addStretch();
-  if (!note.isEmpty()) {
-    auto* noteLabel = new QLabel(note, content_);
-    noteLabel->setFont(typeface(11));
-    noteLabel->setStyleSheet(QStringLiteral("color: %1;").arg(accentColor.name()));
-    row->addWidget(noteLabel);
-  }
-  column.addLayout(row);
-  column.addSpacing(4);
-}
-
-QLabel* SidePanel::addRow(QVBoxLayout& column, const QString& name, const QString& value,
-                          const QString& tip)
-{
-  auto* row = new QHBoxLayout;
-  row->setSpacing(spacing);
-  auto* nameLabel = new QLabel(name, content_);
-  nameLabel->setFont(typeface(13));
-  nameLabel->setFixedHeight(rowHeight_px);
-  auto* valueLabel = new QLabel(value, content_);
-  valueLabel->setFont(typeface(13));
-  valueLabel->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  nameLabel->setToolTip(tip);
-  valueLabel->setToolTip(tip);
-  row->addWidget(nameLabel);
-  row->addWidget(valueLabel, 1);
-  column.addLayout(row);
-  return valueLabel;
-}
-
-void SidePanel::addLine(QVBoxLayout& column)
-{
-  auto* line = new QFrame(content_);
-  line->setObjectName(QStringLiteral("line"));
-  line->setFixedHeight(1);
-  column.addSpacing(spacing);
-  column.addWidget(line);
-  column.addSpacing(spacing + 2);
-}
-
-void SidePanel::addPatient(QVBoxLayout& column, const session::Scenario& scenario)
-{
-  const anatomy::Patient& patient = scenario.patient;
-  const bool isPublished = scenario.anatomy == "published";
-  addTitle(column, tr("Patient"),
-           isPublished || patient.basalTurn ? QString::fromStdString(patient.label)
-                                            : QString::fromStdString(scenario.anatomy));
-  if (patient.basalTurn) {
-    addRow(column, tr("Length A"), millimetersText(patient.basalTurn->a),
-           tr("From the round window through the modiolus to the far lateral wall."));
-    addRow(column, tr("Width B"), millimetersText(patient.basalTurn->b),
-           tr("Across A, from lateral wall to lateral wall."));
-    if (patient.basalTurn->h)
-      addRow(column, tr("Height H"), millimetersText(*patient.basalTurn->h),
-             tr("From base to apex along the modiolus."));
-  } else if (isPublished) {
-    addRow(column, tr("Scala length"), millimetersText(patient.scalaTympaniLength),
-           tr("Length of the scala tympani along the path of the organ of Corti."));
-    addRow(column, tr("Width at window"), millimetersText(patient.roundWindowWidth),
-           tr("Width of the scala tympani's section at the round window."));
-    addRow(column, tr("Height at window"), millimetersText(patient.roundWindowHeight),
-           tr("Height of the scala tympani's section at the round window."));
-  }
-  // sections measured by others are shown with their names
-  if (!isPublished)
-    addRow(column, tr("Sections"), tr("mean of 15, CC BY 4.0"),
-           tr("Adapted from Froehlich, Schurzig, Rau, Lenarz (2024), PLOS ONE, "
-              "doi 10.1371/journal.pone.0295121, CC BY 4.0."));
-  addRow(column, tr("Ear"), patient.side == anatomy::Side::left ? tr("left") : tr("right"));
-}
-
-void SidePanel::addArray(QVBoxLayout& column, const session::Scenario& scenario)
-{
-  addTitle(column, tr("Array"));
-  auto* name = new QLabel(QString::fromStdString(scenario.array.name), content_);
-  name->setFont(typeface(13, QFont::Medium));
-  name->setFixedHeight(rowHeight_px);
-  name->setToolTip(QString::fromStdString(scenario.array.note));
-  column.addWidget(name);
-  stylet_ = addRow(column, tr("Technique"), techniqueText(scenario));
-  addRow(column, tr("Speed"),
-         tr("%1 mm/s").arg(numberText(inMillimetersPerSecond(scenario.speed), 1)),
-         tr("Of the scripted hand."));
-  addRow(column, tr("Friction"), frictionText(scenario.friction),
-         tr("Coefficients of dry friction between array and wall: starting / dynamic."));
-  addRow(column, tr("Model"), tr("Rod · %1 nodes").arg(scenario.nodes),
-         tr("The array as an elastic rod, every %1 ms.")
-             .arg(numberText(inMilliseconds(scenario.timeStep), 1)));
-}
-
-void SidePanel::addHand(QVBoxLayout& column, const session::Scenario& scenario)
-{
-  addTitle(column, tr("Hand"));
-  scripted_ = new Choice(tr("Scripted insertion"), content_);
-  scripted_->setObjectName(QStringLiteral("scriptedChoice"));
-  scripted_->setToolTip(tr("Constant speed in, constant speed out."));
-  pointer_ = new Choice(tr("Mouse and keyboard"), content_);
-  pointer_->setObjectName(QStringLiteral("pointerChoice"));
-  pointer_->setToolTip(tr("The wheel or the up and down keys move the array while it is held."));
-  scripted_->setChecked(true);
-  column.addWidget(scripted_);
-  device_ = new Choice(tr("Haptic device…"), content_);
-  device_->setObjectName(QStringLiteral("deviceChoice"));
-  device_->setToolTip(tr("Which devices there are, and which one may be the hand (H)."));
-  column.addWidget(pointer_);
-  column.addWidget(device_);
-
-  hold_ = new QPushButton(tr("Hold the array (Space)"), content_);
-  hold_->setObjectName(QStringLiteral("holdButton"));
-  pullStylet_ = new QPushButton(tr("Pull stylet (S)"), content_);
-  pullStylet_->setObjectName(QStringLiteral("styletButton"));
-  for (QPushButton* button : {hold_, pullStylet_}) {
-    button->setFont(typeface(13));
-    button->setFixedHeight(28);
-    button->setFocusPolicy(Qt::NoFocus);
-    button->setEnabled(false);
-  }
-  hold_->setToolTip(tr("The array follows the wheel only while this is pressed or Space is down."));
-  column.addSpacing(4);
-  column.addWidget(hold_);
-  column.addSpacing(4);
-  column.addWidget(pullStylet_);
-  pullStylet_->setVisible(scenario.array.hasStylet);
-  hold_->setVisible(false);
-
-  connect(scripted_, &QAbstractButton::clicked, this,
-          [this] { Q_EMIT handChosen(Hand::scripted); });
-  connect(pointer_, &QAbstractButton::clicked, this, [this] { Q_EMIT handChosen(Hand::pointer); });
-  connect(device_, &QAbstractButton::clicked, this, &SidePanel::devicesAsked);
-  connect(hold_, &QAbstractButton::pressed, this, [this] { Q_EMIT holdChanged(true); });
-  connect(hold_, &QAbstractButton::released, this, [this] { Q_EMIT holdChanged(false); });
-  connect(pullStylet_, &QAbstractButton::clicked, this, &SidePanel::styletAsked);
-
-  addRow(column, tr("Force shown"),
-         QStringLiteral("× %1").arg(numberText(scenario.engine.forceScale, 1)),
-         tr("Force at the hand's device over the physical force. Script and mouse feel none."));
-}
-
-void SidePanel::addShow(QVBoxLayout& column)
+Section* SidePanel::showSection(QWidget* parent)
 {
   using visualization::Part;
-  addTitle(column, tr("Show"));
+  auto* section = new Section(tr("Show"), "showFold", parent);
+  section->rows().setSpacing(0);
   const std::pair<Part, QString> parts[] = {
       {Part::wallForce, tr("Wall force")},
       {Part::contactArrows, tr("Contact arrows")},
@@ -223,51 +104,89 @@ void SidePanel::addShow(QVBoxLayout& column)
       {Part::styletAndTweezers, tr("Stylet and tweezers")},
   };
   for (const auto& [part, name] : parts) {
-    auto* box = new CheckBox(name, content_);
+    auto* box = new CheckBox(name, section->body());
     box->setChecked(true);
     box->setObjectName(QStringLiteral("show%1").arg(static_cast<int>(part)));
+    box->setFocusPolicy(Qt::TabFocus);
     connect(box, &QAbstractButton::toggled, this,
             [this, shown = part](bool isOn) { Q_EMIT partShown(shown, isOn); });
-    column.addWidget(box);
+    section->rows().addWidget(box);
+    parts_.emplace_back(part, box);
   }
-  auto* experiment = new CheckBox(tr("Published experiment"), content_);
+  auto* experiment = new CheckBox(tr("Published experiment"), section->body());
   experiment->setChecked(true);
   experiment->setObjectName(QStringLiteral("showExperiment"));
+  experiment->setFocusPolicy(Qt::TabFocus);
   connect(experiment, &QAbstractButton::toggled, this, &SidePanel::experimentShown);
-  column.addWidget(experiment);
+  section->rows().addWidget(experiment);
+  return section;
 }
 
-void SidePanel::setHand(Hand hand, const QString& name)
+void SidePanel::announceParts()
 {
-  scripted_->setChecked(hand == Hand::scripted);
-  pointer_->setChecked(hand == Hand::pointer);
-  device_->setChecked(hand == Hand::device);
-  device_->setText(hand == Hand::device ? name : tr("Haptic device…"));
-  hold_->setVisible(hand == Hand::pointer);
+  for (const auto& [part, box] : parts_) Q_EMIT partShown(part, box->isChecked());
 }
 
-void SidePanel::setHandChangeable(bool isChangeable)
+void SidePanel::showSetup(const SetupHistory& history)
 {
-  scripted_->setEnabled(isChangeable);
-  pointer_->setEnabled(isChangeable);
-  device_->setEnabled(isChangeable);
+  head_->show(history);
+  patient_->show(history.now());
+  array_->show(history.now());
+  hand_->show(history.now());
 }
 
-void SidePanel::setHoldEnabled(bool isEnabled) { hold_->setEnabled(isEnabled); }
+QString SidePanel::commit()
+{
+  QString trouble = patient_->commit();
+  if (trouble.isEmpty()) trouble = array_->commit();
+  if (trouble.isEmpty()) trouble = hand_->commit();
+  return trouble;
+}
+
+void SidePanel::setChangeable(bool isChangeable)
+{
+  if (isChangeable == isChangeable_) return;
+  isChangeable_ = isChangeable;
+  // A field that is greyed keeps no keys to itself.
+  QWidget* focused = window()->focusWidget();
+  if (!isChangeable && focused != nullptr && isAncestorOf(focused)) window()->setFocus();
+  head_->setChangeable(isChangeable);
+  patient_->body()->setEnabled(isChangeable);
+  array_->body()->setEnabled(isChangeable);
+  hand_->setChangeable(isChangeable);
+}
+
+void SidePanel::setHand(Hand hand, const QString& name) { hand_->setHand(hand, name); }
 
 void SidePanel::setHeld(bool isHeld)
 {
-  if (hold_->property("held").toBool() == isHeld) return;
-  hold_->setProperty("held", isHeld);
-  hold_->setText(isHeld ? tr("Array held") : tr("Hold the array (Space)"));
-  hold_->style()->unpolish(hold_);
-  hold_->style()->polish(hold_);
+  isHeld_ = isHeld;
+  hand_->setHeld(isHeld);
 }
 
-void SidePanel::setStylet(const QString& words, bool canPull)
+void SidePanel::setHoldEnabled(bool isEnabled) { hand_->setHoldEnabled(isEnabled); }
+
+void SidePanel::setStylet(const QString& words, bool canPull) { hand_->setStylet(words, canPull); }
+
+void SidePanel::setCollapsed(bool isCollapsed)
 {
-  stylet_->setText(words);
-  pullStylet_->setEnabled(canPull);
+  QWidget* focused = window()->focusWidget();
+  if (isCollapsed && focused != nullptr && isAncestorOf(focused)) window()->setFocus();
+  scroll_->setVisible(!isCollapsed);
+  expand_->setVisible(isCollapsed);
+  setFixedWidth(isCollapsed ? stripWidth_px : sidePanelWidth);
 }
+
+bool SidePanel::isCollapsed() const { return scroll_->isHidden(); }
+
+bool SidePanel::eventFilter(QObject* watched, QEvent* event)
+{
+  // A wheel that moves the array scrolls nothing, wherever the mouse is.
+  if (event->type() != QEvent::Wheel || !isHeld_) return QWidget::eventFilter(watched, event);
+  event->ignore();
+  return true;
+}
+
+void SidePanel::wheelEvent(QWheelEvent* event) { event->setAccepted(!isHeld_); }
 
 }  // namespace perilymph::gui

@@ -6,35 +6,51 @@
 #include <vector>
 
 #include "InsertionControl.h"
+#include "Setup.h"
 #include "perilymph/visualization/InsertionScene.h"
 
-class QLabel;
 class QPushButton;
-class QVBoxLayout;
+class QScrollArea;
 
 namespace perilymph::gui {
 
+class ArraySection;
 class CheckBox;
-class Choice;
+class HandSection;
+class PatientSection;
+class ScenarioHead;
+class Section;
+class SetupHistory;
 
-/// Shows a scenario, and asks for another hand or other parts of the picture.
+/// Shows a setup and asks for changes of it, for another hand or other parts of the picture.
+/// Changes are possible before an insertion and after it, not during one.
 class SidePanel : public QWidget {
   Q_OBJECT
 public:
   explicit SidePanel(QWidget* parent);
 
-  /// What is inserted into whom from now on, with everything shown.
-  void setScenario(const session::Scenario& scenario);
+  void showSetup(const SetupHistory& history);
+  /// Sends off what is typed and not yet sent. A sentence where something typed cannot be.
+  QString commit();
+  void setChangeable(bool isChangeable);
 
   /// @param name  Of the hand.
   void setHand(Hand hand, const QString& name);
-  /// The hand can be changed before an insertion and after it, not during one.
-  void setHandChangeable(bool isChangeable);
   void setHeld(bool isHeld);
   void setHoldEnabled(bool isEnabled);
   void setStylet(const QString& words, bool canPull);
 
+  /// A narrow strip, or the whole panel.
+  void setCollapsed(bool isCollapsed);
+  bool isCollapsed() const;
+  /// Says again which parts of the picture are shown: for a picture that is new.
+  void announceParts();
+
 Q_SIGNALS:
+  void changeAsked(const perilymph::gui::Change& change);
+  void undoAsked();
+  void redoAsked();
+  void restoreAsked();
   void handChosen(perilymph::gui::Hand hand);
   void devicesAsked();
   void holdChanged(bool isHeld);
@@ -42,23 +58,23 @@ Q_SIGNALS:
   void partShown(perilymph::visualization::Part part, bool isVisible);
   void experimentShown(bool isVisible);
 
-private:
-  void addTitle(QVBoxLayout& column, const QString& title, const QString& note = {});
-  QLabel* addRow(QVBoxLayout& column, const QString& name, const QString& value,
-                 const QString& tip = {});
-  void addLine(QVBoxLayout& column);
-  void addPatient(QVBoxLayout& column, const session::Scenario& scenario);
-  void addArray(QVBoxLayout& column, const session::Scenario& scenario);
-  void addHand(QVBoxLayout& column, const session::Scenario& scenario);
-  void addShow(QVBoxLayout& column);
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
 
-  QWidget* content_ = nullptr;
-  Choice* scripted_ = nullptr;
-  Choice* pointer_ = nullptr;
-  Choice* device_ = nullptr;
-  QPushButton* hold_ = nullptr;
-  QPushButton* pullStylet_ = nullptr;
-  QLabel* stylet_ = nullptr;
+private:
+  void connectSections();
+  Section* showSection(QWidget* parent);
+
+  QScrollArea* scroll_;
+  QPushButton* expand_;
+  ScenarioHead* head_;
+  PatientSection* patient_;
+  ArraySection* array_;
+  HandSection* hand_;
+  std::vector<std::pair<visualization::Part, CheckBox*>> parts_;
+  bool isChangeable_ = true;
+  bool isHeld_ = false;
 };
 
 }  // namespace perilymph::gui

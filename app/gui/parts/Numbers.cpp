@@ -14,4 +14,14 @@ QString numberText(double value, int decimals)
   return locale.toString(rounded == 0.0 ? 0.0 : rounded, 'f', decimals);
 }
 
+std::optional<double> typedNumber(const QString& text)
+{
+  bool isNumber = false;
+  const QString trimmed = text.trimmed();
+  double number = QLocale().toDouble(trimmed, &isNumber);
+  if (!isNumber) number = QLocale::c().toDouble(trimmed, &isNumber);
+  if (!isNumber || !std::isfinite(number)) return std::nullopt;
+  return number;
+}
+
 }  // namespace perilymph::gui

@@ -71,6 +71,9 @@ QLabel[onPicture="true"] {
   color: %quietText%; background: %plate%; border-radius: 4px; padding: 2px 6px;
 }
 QLabel[trouble="true"] { color: %warning%; }
+QLabel[badge="true"] {
+  color: %onWarning%; background: %warning%; border-radius: 4px; padding: 1px 6px;
+}
 QFrame#line { background: %line%; border: none; }
 
 QPushButton {
@@ -98,6 +101,23 @@ QPushButton[primary="true"]:disabled { color: %quietText%; background: %line%; b
 QPushButton#startPageButton {
   background: transparent; border-color: transparent; color: %accent%; padding: 0;
 }
+QPushButton[fold="true"] {
+  background: transparent; border-color: transparent; color: %quietText%; padding: 0;
+  text-align: left;
+}
+QPushButton[fold="true"]:hover { color: %text%; }
+QPushButton[small="true"] { padding: 0 6px; }
+QPushButton[small="true"]:focus { border-color: %accent%; }
+QComboBox QAbstractItemView {
+  background: %ground%; color: %text%; border: 1px solid %line%;
+  selection-background-color: %raised%; selection-color: %text%; outline: none;
+}
+QScrollBar:vertical { background: transparent; width: 8px; margin: 0; }
+QScrollBar::handle:vertical { background: %raised%; border-radius: 3px; min-height: 32px; }
+QScrollBar::handle:vertical:hover { background: %pressed%; }
+QScrollBar::add-line:vertical, QScrollBar::sub-line:vertical { height: 0; }
+QScrollBar::add-page:vertical, QScrollBar::sub-page:vertical { background: transparent; }
+QLineEdit:disabled { color: %quietText%; background: %panel%; }
 QLineEdit {
   background: %ground%; border: 1px solid %line%; border-radius: 4px; padding: 0 8px;
   selection-background-color: %accent%; selection-color: %onAccent%;

@@ -11,6 +11,7 @@
 
 #include "Marks.h"
 #include "PopulationField.h"
+#include "Populations.h"
 #include "Theme.h"
 #include "perilymph/anatomy/Population.h"
 
@@ -19,12 +20,6 @@ namespace perilymph::gui {
 namespace {
 
 constexpr int formWidth_px = 420;
-
-Population populationOf(const anatomy::Spread& spread)
-{
-  return {spread.low, spread.high, spread.mean, spread.deviation,
-          PatientForm::tr("138 cochleae, Pietsch et al. 2017, Sci Rep.")};
-}
 
 QLabel* heading(const QString& text, QWidget* parent)
 {
@@ -132,25 +127,13 @@ PatientForm::PatientForm(QWidget* parent)
 
 QWidget* PatientForm::addLengths()
 {
-  const anatomy::PatientLimits limits = anatomy::patientLimits();
   auto* page = new QWidget(numbers_);
-  length_ = new PopulationField(
-      tr("Scala length, organ of Corti"), "stLength",
-      {limits.lengthLow, limits.lengthHigh, millimeters(33.13), millimeters(2.11),
-       tr("Organ of Corti 33.13 ± 2.11 mm, n = 9 (Stakhovskaya et al. 2007). The published model "
-          "has 35.58 mm.")},
-      false, page);
-  const QString section =
-      tr("Sections vary by 9 to 15 % (Avci et al. 2014) about a mean of %1 mm (Froehlich et al. "
-         "2024, n = 15).");
+  length_ = new PopulationField(tr("Scala length, organ of Corti"), "stLength",
+                                scalaLengthPopulation(), false, page);
   width_ = new PopulationField(tr("Section width at round window"), "rwWidth",
-                               {limits.widthLow, limits.widthHigh, millimeters(1.94),
-                                millimeters(0.23), section.arg(QStringLiteral("1.94"))},
-                               false, page);
+                               windowWidthPopulation(), false, page);
   height_ = new PopulationField(tr("Section height at round window"), "rwHeight",
-                                {limits.heightLow, limits.heightHigh, millimeters(1.85),
-                                 millimeters(0.22), section.arg(QStringLiteral("1.85"))},
-                                false, page);
+                                windowHeightPopulation(), false, page);
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(spacing);
@@ -164,15 +147,10 @@ QWidget* PatientForm::addLengths()
 QWidget* PatientForm::addBasalTurn()
 {
   auto* page = new QWidget(numbers_);
-  a_ = new PopulationField(tr("Length A, through the round window"), "aValue",
-                           populationOf(anatomy::spreadOfA()), false, page);
-  b_ = new PopulationField(tr("Width B, across A"), "bValue", populationOf(anatomy::spreadOfB()),
+  a_ = new PopulationField(tr("Length A, through the round window"), "aValue", lengthAPopulation(),
                            false, page);
-  const anatomy::Spread h = anatomy::limitsOfH();
-  h_ = new PopulationField(tr("Height H"), "hValue",
-                           {h.low, h.high, std::nullopt, std::nullopt,
-                            tr("Definitions of H differ, so only limits are given.")},
-                           true, page);
+  b_ = new PopulationField(tr("Width B, across A"), "bValue", widthBPopulation(), false, page);
+  h_ = new PopulationField(tr("Height H"), "hValue", heightHPopulation(), true, page);
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(spacing);

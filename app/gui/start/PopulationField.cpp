@@ -1,9 +1,8 @@
 #include "PopulationField.h"
 
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
-#include <QLocale>
 #include <QPainter>
 #include <QStyle>
 #include <QVariant>
@@ -12,6 +11,7 @@
 
 #include "Numbers.h"
 #include "Theme.h"
+#include "ValueEdit.h"
 #include "perilymph/analysis/ErrorBand.h"
 
 namespace perilymph::gui {
@@ -20,27 +20,20 @@ namespace {
 
 constexpr int lineHeight_px = 14;  // of the population line below the field
 constexpr int fieldWidth_px = 84;
-
-/// A number as people type it: with their own decimal sign or with a point.
-std::optional<double> typedNumber(const QString& text)
-{
-  bool isNumber = false;
-  const QString trimmed = text.trimmed();
-  double number = QLocale().toDouble(trimmed, &isNumber);
-  if (!isNumber) number = QLocale::c().toDouble(trimmed, &isNumber);
-  if (!isNumber || !std::isfinite(number)) return std::nullopt;
-  return number;
-}
+constexpr int narrowFieldWidth_px = 68;
 
 }  // namespace
 
 PopulationField::PopulationField(const QString& title, const char* name,
-                                 const Population& population, bool mayBeEmpty, QWidget* parent)
+                                 const Population& population, bool mayBeEmpty, QWidget* parent,
+                                 Room room)
     : QWidget(parent),
       population_(population),
       mayBeEmpty_(mayBeEmpty),
-      field_(new QLineEdit(this)),
-      place_(new QLabel(this))
+      room_(room),
+      field_(new ValueEdit(this)),
+      place_(new QLabel(this)),
+      provenance_(new QLabel(this))
 {
   auto* titleLabel = new QLabel(title, this);
   titleLabel->setFont(typeface(13));
@@ -49,7 +42,10 @@ PopulationField::PopulationField(const QString& title, const char* name,
   field_->setAccessibleName(title);
   field_->setFont(typeface(13, QFont::Medium));
   field_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  field_->setFixedSize(fieldWidth_px, 28);
+  if (room == Room::wide)
+    field_->setFixedSize(fieldWidth_px, 28);
+  else
+    field_->setFixedSize(narrowFieldWidth_px, 26);
   if (mayBeEmpty) field_->setPlaceholderText(tr("not given"));
   auto* unit = new QLabel(tr("mm"), this);
   unit->setFont(typeface(11));
@@ -57,6 +53,10 @@ PopulationField::PopulationField(const QString& title, const char* name,
   place_->setFont(typeface(11));
   place_->setProperty("quiet", true);
   place_->setToolTip(population.source);
+  provenance_->setFont(typeface(11));
+  provenance_->setProperty("quiet", true);
+  provenance_->setToolTip(tr("Where the number comes from."));
+  provenance_->hide();
   setToolTip(population.source);
 
   auto* grid = new QGridLayout(this);
@@ -67,14 +67,49 @@ PopulationField::PopulationField(const QString& title, const char* name,
   grid->addWidget(field_, 0, 1);
   grid->addWidget(unit, 0, 2);
   grid->setRowMinimumHeight(1, lineHeight_px);
-  grid->addWidget(place_, 2, 0, 1, 3);
+  auto* words = new QHBoxLayout;
+  words->setSpacing(4);
+  words->addWidget(place_, 1);
+  words->addWidget(provenance_);
+  grid->addLayout(words, 2, 0, 1, 3);
   grid->setColumnStretch(0, 1);
 
   connect(field_, &QLineEdit::textChanged, this, [this] {
     showPlace();
     Q_EMIT changed();
   });
+  connect(field_, &QLineEdit::editingFinished, this, [this] { commit(); });
   showPlace();
+}
+
+void PopulationField::setHeld(std::optional<Length> value, const QString& provenance)
+{
+  int decimals = 2;
+  const auto reads = [&] {
+    return !value ||
+           millimeters(typedNumber(numberText(inMillimeters(*value), decimals)).value_or(0.0)) ==
+               *value;
+  };
+  while (decimals < 4 && !reads()) ++decimals;
+  field_->setHeld(value ? numberText(inMillimeters(*value), decimals) : QString());
+  provenance_->setText(provenance);
+  provenance_->setVisible(!provenance.isEmpty());
+}
+
+bool PopulationField::isPending() const { return field_->isPending(); }
+
+void PopulationField::takeBack() { field_->takeBack(); }
+
+bool PopulationField::commit()
+{
+  if (!isPending()) return true;
+  if (!isAcceptable()) return false;
+  if (!field_->held().isEmpty() && typedNumber(field_->text()) == typedNumber(field_->held())) {
+    takeBack();
+    return true;
+  }
+  Q_EMIT given(value());
+  return true;
 }
 
 void PopulationField::setValue(std::optional<Length> value)
@@ -96,27 +131,37 @@ bool PopulationField::isAcceptable() const
   return typed && *typed >= population_.low && *typed <= population_.high;
 }
 
-void PopulationField::showPlace()
+QString PopulationField::trouble() const
 {
+  if (isAcceptable()) return {};
   const QString low = numberText(inMillimeters(population_.low), 1);
   const QString high = numberText(inMillimeters(population_.high), 1);
+  if (room_ == Room::narrow) return tr("must be %1 to %2 mm").arg(low, high);
+  return field_->text().trimmed().isEmpty()
+             ? tr("a number is needed, %1 to %2 mm").arg(low, high)
+             : tr("must be a number between %1 and %2 mm").arg(low, high);
+}
+
+QString PopulationField::placeOf(Length value) const
+{
+  const bool isNarrow = room_ == Room::narrow;
   const QString error = numberText(inMillimeters(analysis::measuringError), 1);
-  const auto typed = value();
-  QString words;
-  if (!isAcceptable())
-    words = field_->text().trimmed().isEmpty()
-                ? tr("a number is needed, %1 to %2 mm").arg(low, high)
-                : tr("must be a number between %1 and %2 mm").arg(low, high);
-  else if (!typed)
-    words = tr("left out: taken from A and B");
-  else if (population_.mean && population_.deviation) {
-    const double off = (*typed - *population_.mean) / *population_.deviation;
-    words = tr("%1%2 SD of population · CT error ± %3 mm")
-                .arg(off < -0.05 ? QStringLiteral("−") : QStringLiteral("+"),
-                     numberText(std::fabs(off), 1), error);
-  } else {
-    words = tr("allowed %1 to %2 mm · CT error ± %3 mm").arg(low, high, error);
+  if (population_.mean && population_.deviation) {
+    const double off = (value - *population_.mean) / *population_.deviation;
+    return (isNarrow ? tr("%1%2 SD · CT ± %3 mm") : tr("%1%2 SD of population · CT error ± %3 mm"))
+        .arg(off < -0.05 ? QStringLiteral("−") : QStringLiteral("+"), numberText(std::fabs(off), 1),
+             error);
   }
+  return (isNarrow ? tr("%1 to %2 mm · CT ± %3 mm") : tr("allowed %1 to %2 mm · CT error ± %3 mm"))
+      .arg(numberText(inMillimeters(population_.low), 1),
+           numberText(inMillimeters(population_.high), 1), error);
+}
+
+void PopulationField::showPlace()
+{
+  const auto typed = value();
+  QString words = trouble();
+  if (words.isEmpty()) words = typed ? placeOf(*typed) : tr("left out: taken from A and B");
   place_->setText(words);
   const bool isWrong = !isAcceptable();
   if (place_->property("trouble").toBool() != isWrong) {

@@ -9,9 +9,10 @@
 #include "perilymph/foundation/Units.h"
 
 class QLabel;
-class QLineEdit;
 
 namespace perilymph::gui {
+
+class ValueEdit;
 
 /// What is known of a length over the population.
 struct Population {
@@ -25,31 +26,48 @@ struct Population {
 class PopulationField : public QWidget {
   Q_OBJECT
 public:
+  /// How much room there is: a form's, or a narrow panel's.
+  enum class Room { wide, narrow };
+
   /// @param name        Of the object: what tests and style sheets find it by.
   /// @param mayBeEmpty  The number may be left out.
   PopulationField(const QString& title, const char* name, const Population& population,
-                  bool mayBeEmpty, QWidget* parent);
+                  bool mayBeEmpty, QWidget* parent, Room room = Room::wide);
 
   void setValue(std::optional<Length> value);
+  /// The value that holds until another one is given(), and a word for where it comes from.
+  void setHeld(std::optional<Length> value, const QString& provenance);
   /// None if the field is empty or holds no number.
   std::optional<Length> value() const;
   /// True if what is typed is a number within the limits, or is rightly left out.
   bool isAcceptable() const;
+  /// Why what is typed cannot be; empty where it can.
+  QString trouble() const;
+
+  /// Sends off what was typed since setHeld(). False where it is not acceptable.
+  bool commit();
+  bool isPending() const;
+  void takeBack();
 
 Q_SIGNALS:
   void changed();
+  /// A person gave another value than the one that held; none where it may be left out.
+  void given(std::optional<perilymph::Length> value);
 
 protected:
   void paintEvent(QPaintEvent*) override;
 
 private:
   void showPlace();
+  QString placeOf(Length value) const;
   double shareOf(Length value) const;
 
   Population population_;
   bool mayBeEmpty_;
-  QLineEdit* field_;
+  Room room_;
+  ValueEdit* field_;
   QLabel* place_;
+  QLabel* provenance_;
 };
 
 }  // namespace perilymph::gui

@@ -20,6 +20,7 @@
 #include "OperationView.h"
 #include "SessionsPage.h"
 #include "SettingsSheet.h"
+#include "SetupHistory.h"
 #include "SidePanel.h"
 #include "StartPage.h"
 #include "Theme.h"
@@ -47,6 +48,7 @@ QFrame* line(QWidget* parent)
 
 MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem::path> record)
     : control_(std::move(scenario), std::move(record)),
+      setup_(new SetupHistory(this)),
       top_(new TopBar(this)),
       side_(new SidePanel(this)),
       view_(new OperationView(this)),
@@ -72,6 +74,8 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
   connectZones();
   addKeys();
   keys_ = new KeyList(keyActions_, this);
+  connectSetup();
+  setup_->begin({control_.scenario(), {}}, Origin::Kind::preset);
   showScenario();
   top_->setDevice(Light::off, tr("preparing"), {});
   bottom_->setMain(BottomBar::Main::start, false);
@@ -160,6 +164,12 @@ void MainWindow::connectZones()
 
 void MainWindow::start()
 {
+  // What is typed counts, and is built first.
+  const QString wrong = isChangeable() ? side_->commit() : QString();
+  if (!wrong.isEmpty()) return showTrouble(wrong);
+  setup_->seal();
+  isStartAsked_ = anatomyWork_.isBusy();
+  if (isStartAsked_) return;
   const Result<Done> begun = control_.begin();
   if (!begun) showTrouble(QString::fromStdString(begun.error().message));
   showState();
@@ -168,6 +178,7 @@ void MainWindow::start()
 void MainWindow::pause()
 {
   pressed_.clear();
+  isStartAsked_ = false;
   control_.pause();
   side_->setHeld(false);
   showState();
@@ -276,7 +287,7 @@ void MainWindow::showState()
     bottom_->setMain(BottomBar::Main::start, !isRunning && !isBusy);
   bottom_->setWithdrawEnabled(hasMoved && workflow != Workflow::fault && now.output.travel > 0.0 &&
                               (isScripted || workflow == Workflow::finished));
-  side_->setHandChangeable(!hasMoved || isThere);
+  side_->setChangeable(isChangeable());
   devices_->setChangeable(!hasMoved || isThere);
   settings_->setChangeable(!hasMoved || isThere);
   showDevice();
@@ -284,10 +295,9 @@ void MainWindow::showState()
 
   const bool hasStylet = control_.scenario().array.hasStylet;
   const double withdrawn_mm = inMillimeters(Length::fromSi(now.output.styletWithdrawal));
-  const QString stylet = !hasStylet ? tr("no stylet")
-                         : withdrawn_mm > 0.0
-                             ? tr("stylet %1 mm out").arg(numberText(withdrawn_mm, 1))
-                             : tr("Standard, stylet in");
+  const QString stylet = !hasStylet           ? tr("no stylet")
+                         : withdrawn_mm > 0.0 ? tr("%1 mm out").arg(numberText(withdrawn_mm, 1))
+                                              : tr("in");
   side_->setStylet(stylet, hasStylet && hasMoved && !control_.isStyletPulled());
 
   if (!isRunning)

@@ -14,6 +14,7 @@
 #include "FrameMeter.h"
 #include "InsertionControl.h"
 #include "KeyActions.h"
+#include "Setup.h"
 #include "TopBar.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/session/Scenario.h"
@@ -31,6 +32,7 @@ class Notice;
 class OperationView;
 class SessionsPage;
 class SettingsSheet;
+class SetupHistory;
 class SidePanel;
 class StartPage;
 class ValidatePage;
@@ -50,6 +52,8 @@ public:
   /// Begins anew with another scenario, its array at its start and its cochlea built meanwhile.
   enum class Then { rest, insert };
   void load(session::Scenario scenario, Then then);
+  /// The same where it is known what the patient's numbers come from.
+  void load(Setup setup, Origin::Kind kind, Then then);
 
   void start();
   void pause();
@@ -68,6 +72,7 @@ public:
   void showTrouble(const QString& sentence);
 
   const InsertionControl& control() const { return control_; }
+  const SetupHistory& setup() const { return *setup_; }
   OperationView& view() { return *view_; }
   const FrameMeter& meter() const { return meter_; }
   /// Frames are timed anew from now on.
@@ -98,6 +103,12 @@ private:
   void showState();
   void chooseHand(Hand hand);
   void prepare(Hand hand);
+  void connectSetup();
+  void useSetup();
+  void use(const session::Scenario& scenario, std::shared_ptr<const anatomy::ScalaTympani> anatomy);
+  bool isChangeable() const;
+  void undo();
+  void redo();
   void showScenario();
   void showCochlea();
   void showPrepared();
@@ -113,6 +124,7 @@ private:
   void addWindowKeys();
   void pressSpace();
   void leave();
+  bool leavePanel();
   void takePicture();
   void toggleSettings();
   void toggleKeyList();
@@ -126,6 +138,7 @@ private:
   bool isNewToTheEye(const haptics::Snapshot& now);
 
   InsertionControl control_;
+  SetupHistory* setup_;
   TopBar* top_;
   SidePanel* side_;
   OperationView* view_;
@@ -148,7 +161,8 @@ private:
   QElapsedTimer sinceFrame_, sinceSlow_;
   FrameMeter meter_;
   bool isFirstFrame_ = true;
-  std::set<int> pressed_;  ///< Up and Down while they are held.
+  bool isStartAsked_ = false;  ///< Begin once the cochlea is built.
+  std::set<int> pressed_;      ///< Up and Down while they are held.
   QString trouble_;
   QString deviceWords_;        ///< How the hand's device is doing; empty without one.
   haptics::Snapshot drawn_{};  ///< The picture the scene shows.

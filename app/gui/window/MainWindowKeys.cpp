@@ -12,6 +12,7 @@
 #include "Notice.h"
 #include "OperationView.h"
 #include "SettingsSheet.h"
+#include "SidePanel.h"
 #include "ValidatePage.h"
 #include "perilymph/foundation/AtomicFile.h"
 
@@ -71,6 +72,10 @@ void MainWindow::addInsertionKeys()
                    {Qt::CTRL + Qt::Key_R},
                    tr("reset: a fresh insertion and recording"),
                    onInsertion([this](int) { reset(); })});
+  keyActions_.add({section,
+                   {Qt::CTRL + Qt::Key_Z, Qt::CTRL + Qt::SHIFT + Qt::Key_Z},
+                   tr("undo and redo a change of the setup"),
+                   onInsertion([this](int which) { which == 0 ? undo() : redo(); })});
   keyActions_.add({section, {Qt::Key_S}, tr("pull the stylet"), onInsertion([this](int) {
                      control_.pullStylet();
                    })});
@@ -136,6 +141,13 @@ void MainWindow::addWindowKeys()
                    {Qt::Key_H},
                    tr("devices: which there are, and how the hand is doing"),
                    onInsertion([this](int) { toggleDevices(); })});
+  keyActions_.add({section, {Qt::Key_B}, tr("hide or show the panel"), onInsertion([this](int) {
+                     side_->setCollapsed(!side_->isCollapsed());
+                   })});
+  keyActions_.add(
+      {section, {Qt::Key_Return, Qt::Key_Enter}, tr("out of the panel’s fields"), [this](int) {
+         return leavePanel();
+       }});
   keyActions_.add({section, {Qt::CTRL + Qt::Key_Comma}, tr("settings"), onAnyPage([this](int) {
                      toggleSettings();
                    })});
@@ -168,8 +180,16 @@ void MainWindow::pressSpace()
   }
 }
 
+bool MainWindow::leavePanel()
+{
+  if (page_ != Page::insert || !side_->isAncestorOf(focusWidget())) return false;
+  setFocus();
+  return true;
+}
+
 void MainWindow::leave()
 {
+  if (leavePanel()) return;
   if (keys_->isVisible()) return toggleKeyList();
   if (settings_->isVisible()) return toggleSettings();
   if (devices_->isVisible()) return toggleDevices();

@@ -6,9 +6,11 @@
 #include "ChartColumn.h"
 #include "MainWindow.h"
 #include "OperationView.h"
+#include "SetupHistory.h"
 #include "SidePanel.h"
 #include "StartPage.h"
 #include "TopBar.h"
+#include "perilymph/anatomy/Population.h"
 #include "perilymph/foundation/Resources.h"
 
 namespace perilymph::gui {
@@ -24,15 +26,24 @@ QString patientText(const session::Scenario& scenario)
            isLeft ? MainWindow::tr("left") : MainWindow::tr("right"));
 }
 
-/// A file's name from a patient's: letters and digits stay, everything else becomes a dash.
-std::string fileNameOf(const std::string& label)
+/// The numbers of a patient that were not left as they are by default: measured, as the form says.
+std::map<Field, Provenance> measuredInCt(const anatomy::Patient& patient)
 {
-  std::string name;
-  for (const char c : label) {
-    const bool isPlain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-    name += isPlain ? c : '-';
+  const anatomy::Patient usual;
+  std::map<Field, Provenance> provenance;
+  const auto note = [&provenance](Field field, bool isGiven) {
+    if (isGiven) provenance[field] = Provenance::ct;
+  };
+  if (const auto& turn = patient.basalTurn) {
+    note(Field::lengthA, turn->a != anatomy::spreadOfA().mean);
+    note(Field::widthB, turn->b != anatomy::spreadOfB().mean);
+    note(Field::heightH, turn->h.has_value());
+    return provenance;
   }
-  return name + ".toml";
+  note(Field::scalaLength, patient.scalaTympaniLength != usual.scalaTympaniLength);
+  note(Field::windowWidth, patient.roundWindowWidth != usual.roundWindowWidth);
+  note(Field::windowHeight, patient.roundWindowHeight != usual.roundWindowHeight);
+  return provenance;
 }
 
 }  // namespace
@@ -78,10 +89,12 @@ void MainWindow::begin(const anatomy::Patient& patient)
   std::error_code ignored;  // what cannot be made is said when the file is written
   std::filesystem::create_directories(file.parent_path(), ignored);
   if (const auto saved = anatomy::savePatient(patient, file); !saved) return fail(saved.error());
-  auto scenario = session::loadScenario(patient.basalTurn ? "mean-contour" : "contour-published",
-                                        {{"patient", file.string()}});
-  if (!scenario) return fail(scenario.error());
-  load(*std::move(scenario), Then::rest);
+  const auto preset = session::loadScenario(
+      patient.basalTurn ? "mean-contour" : "contour-published", {{"patient", file.string()}});
+  if (!preset) return fail(preset.error());
+  auto own = asOwn(*preset);
+  if (!own) return fail(own.error());
+  load({*std::move(own), measuredInCt(patient)}, Origin::Kind::own, Then::rest);
 }
 
 void MainWindow::beginShipped(const std::string& name, Then then)
@@ -93,13 +106,19 @@ void MainWindow::beginShipped(const std::string& name, Then then)
 
 void MainWindow::load(session::Scenario scenario, Then then)
 {
+  load({std::move(scenario), {}}, Origin::Kind::preset, then);
+}
+
+void MainWindow::load(Setup setup, Origin::Kind kind, Then then)
+{
   pause();
   showPage(Page::insert);
   anatomyWork_.build(
-      scenario,
-      [this, scenario, then](const Result<std::shared_ptr<const anatomy::ScalaTympani>>& built) {
+      setup.scenario,
+      [this, setup, kind, then](const Result<std::shared_ptr<const anatomy::ScalaTympani>>& built) {
         if (!built) return showTrouble(QString::fromStdString(built.error().message));
-        control_.use(scenario, *built);
+        control_.use(setup.scenario, *built);
+        setup_->begin(setup, kind);
         showScenario();
         prepare(Hand::scripted);
         showCochlea();
@@ -126,8 +145,9 @@ void MainWindow::showScenario()
 {
   const session::Scenario& scenario = control_.scenario();
   setWindowTitle(tr("Perilymph · %1").arg(QString::fromStdString(scenario.name)));
-  top_->setPatient(patientText(scenario));
-  side_->setScenario(scenario);
+  if (page_ != Page::start) top_->setPatient(patientText(scenario));
+  top_->setModified(setup_->isModified(),
+                    tr("Not the preset’s values: %1.").arg(setup_->changedWords()));
 }
 
 void MainWindow::showCochlea()
@@ -135,6 +155,7 @@ void MainWindow::showCochlea()
   const session::Scenario& scenario = control_.scenario();
   view_->setScene(std::make_unique<visualization::InsertionScene>(
       control_.anatomy(), scenario.array, scenario.patient.side));
+  side_->announceParts();
   view_->showArray(control_.now());
 }
 

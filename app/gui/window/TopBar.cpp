@@ -72,7 +72,10 @@ void DeviceLight::paintEvent(QPaintEvent*)
 }
 
 TopBar::TopBar(QWidget* parent)
-    : QWidget(parent), patient_(new QLabel(this)), device_(new DeviceLight(this))
+    : QWidget(parent),
+      patient_(new QLabel(this)),
+      modified_(new QLabel(tr("MODIFIED"), this)),
+      device_(new DeviceLight(this))
 {
   setFixedHeight(barHeight);
   auto* name = new QPushButton(tr("Perilymph"), this);
@@ -85,6 +88,11 @@ TopBar::TopBar(QWidget* parent)
   patient_->setFont(typeface(13, QFont::Medium));
   patient_->setAlignment(Qt::AlignCenter);
   patient_->setObjectName(QStringLiteral("patientLabel"));
+
+  modified_->setObjectName(QStringLiteral("modifiedLabel"));
+  modified_->setProperty("badge", true);
+  modified_->setFont(typeface(11, QFont::DemiBold));
+  modified_->hide();
 
   auto* keys = new QPushButton(QStringLiteral("?"), this);
   keys->setObjectName(QStringLiteral("keysButton"));
@@ -125,7 +133,11 @@ TopBar::TopBar(QWidget* parent)
   auto* columns = new QGridLayout(this);
   columns->setContentsMargins(2 * spacing, 0, 2 * spacing, 0);
   columns->addLayout(left, 0, 0);
-  columns->addWidget(patient_, 0, 1);
+  auto* middle = new QHBoxLayout;
+  middle->setSpacing(spacing);
+  middle->addWidget(patient_);
+  middle->addWidget(modified_);
+  columns->addLayout(middle, 0, 1);
   columns->addLayout(right, 0, 2);
   columns->setColumnStretch(0, 1);
   columns->setColumnStretch(2, 1);
@@ -152,6 +164,12 @@ void TopBar::setPage(Page page)
 }
 
 void TopBar::setPatient(const QString& patient) { patient_->setText(patient); }
+
+void TopBar::setModified(bool isModified, const QString& tip)
+{
+  modified_->setVisible(isModified);
+  modified_->setToolTip(tip);
+}
 
 void TopBar::setDevice(Light light, const QString& words, const QString& tip)
 {

@@ -44,6 +44,8 @@ public:
   /// Marks the page that is shown.
   void setPage(Page page);
   void setPatient(const QString& patient);
+  /// A word beside the patient, while a preset is no longer what it says.
+  void setModified(bool isModified, const QString& tip);
   void setDevice(Light light, const QString& words, const QString& tip);
 
 Q_SIGNALS:
@@ -56,6 +58,7 @@ private:
 
   std::vector<std::pair<Page, QPushButton*>> pages_;
   QLabel* patient_;
+  QLabel* modified_;
   DeviceLight* device_;
 };
 

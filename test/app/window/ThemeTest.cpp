@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 
@@ -68,6 +69,23 @@ TEST_P(EveryLook, NamesEveryColorOfItsStyleSheet)
 {
   gui::setShownLook(GetParam());
   EXPECT_FALSE(gui::windowStyle().contains(QLatin1Char('%')));
+}
+
+TEST_P(EveryLook, HasNoOtherColorsInItsStyleSheet)
+{
+  gui::setShownLook(GetParam());
+  const gui::Theme& theme = gui::themeOf(GetParam());
+  QStringList own;
+  for (const QColor& color : {theme.ground, theme.panel, theme.raised, theme.pressed, theme.line,
+                              theme.text, theme.quietText, theme.accent, theme.accentHover,
+                              theme.onAccent, theme.warning, theme.onWarning, theme.banner})
+    own << color.name();
+  auto found =
+      QRegularExpression(QStringLiteral("#[0-9A-Fa-f]{6}\\b")).globalMatch(gui::windowStyle());
+  while (found.hasNext()) {
+    const QString color = found.next().captured().toLower();
+    EXPECT_TRUE(own.contains(color)) << color.toStdString() << " is of no look";
+  }
 }
 
 TEST_P(EveryLook, IsThatOfPicturesAndChartsToo)

@@ -1,11 +1,15 @@
 #include "WindowRig.h"
 
 #include <QtTest/qtestspontaneevent.h>
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QLabel>
+#include <QLineEdit>
 #include <QTest>
 #include <QWheelEvent>
 #include <stdexcept>
+
+#include "Selector.h"
 
 namespace perilymph::test {
 
@@ -46,6 +50,30 @@ WindowRig::WindowRig(const session::Overrides& overrides,
 void WindowRig::click(const char* name)
 {
   QTest::mouseClick(&part<QAbstractButton>(*window_, name), Qt::LeftButton);
+}
+
+void WindowRig::choose(const char* selector, const char* value)
+{
+  auto& list = part<gui::Selector>(*window_, selector);
+  const int wanted = list.findData(QLatin1String(value));
+  if (wanted < 0) throw std::runtime_error(std::string("There is no choice ") + value + ".");
+  list.setFocus();
+  QTest::keyClick(&list, Qt::Key_Space);
+  if (!comes([&] { return list.view()->isVisible(); })) throw std::runtime_error("No list opened.");
+  QTest::keyClick(list.view(), Qt::Key_Home);
+  for (int i = 0; i < list.count() && list.view()->currentIndex().row() != wanted; ++i)
+    QTest::keyClick(list.view(), Qt::Key_Down);
+  QTest::keyClick(list.view(), Qt::Key_Return);
+  comes([&] { return !list.view()->isVisible(); });
+}
+
+void WindowRig::type(const char* field, const char* text)
+{
+  auto& line = part<QLineEdit>(*window_, field);
+  line.setFocus();
+  line.selectAll();
+  QTest::keyClicks(&line, QLatin1String(text));
+  QTest::keyClick(&line, Qt::Key_Return);
 }
 
 QAbstractButton& WindowRig::button(const char* name)

@@ -26,6 +26,10 @@ public:
 
   /// Clicks a button, a choice or a check box by its object's name.
   void click(const char* name);
+  /// Opens a list by its object's name and chooses a value in it, with the keyboard.
+  void choose(const char* selector, const char* value);
+  /// Types a text into a field in place of its own; Return sends it off.
+  void type(const char* field, const char* text);
   QAbstractButton& button(const char* name);
   QString label(const char* name);
   QString readOut(const char* name);

@@ -1,0 +1,215 @@
+#include "ArraySection.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+#include <QVariant>
+
+#include "NumberField.h"
+#include "Numbers.h"
+#include "Selector.h"
+#include "Theme.h"
+#include "perilymph/mechanics/InsertionState.h"
+#include "perilymph/mechanics/PointSet.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+std::string tomlFloat(double value)
+{
+  QString text = QString::number(value, 'g', 12);
+  if (!text.contains(QLatin1Char('.')) && !text.contains(QLatin1Char('e')))
+    text += QStringLiteral(".0");
+  return text.toStdString();
+}
+
+QLabel* quietLine(QWidget* parent, const char* name)
+{
+  auto* label = new QLabel(parent);
+  label->setObjectName(QLatin1String(name));
+  label->setFont(typeface(11));
+  label->setProperty("quiet", true);
+  return label;
+}
+
+}  // namespace
+
+ArraySection::ArraySection(QWidget* parent)
+    : Section(tr("Array"), "arrayFold", parent),
+      arrays_(catalogArrays()),
+      frictions_(catalogFrictions())
+{
+  addArrays();
+  addMotion();
+  addContact();
+  addModel();
+}
+
+void ArraySection::addArrays()
+{
+  array_ = new Selector("arraySelector", tr("Array"), body());
+  QString maker;
+  for (const CatalogArray& array : arrays_) {
+    if (array.maker != maker) array_->addHeading(array.maker);
+    maker = array.maker;
+    array_->addChoice(array.title + QStringLiteral(" · ") + array.summary, array.name, array.note);
+  }
+  connect(array_, &Selector::chosen, this, [this](const QString& name) {
+    QString title = name;
+    for (const CatalogArray& array : arrays_)
+      if (array.name == name) title = array.title;
+    Q_EMIT changeAsked(
+        {Field::array, {{"array", tomlQuoted(name)}}, tr("array %1").arg(title), {}});
+  });
+  rows().addWidget(array_);
+  summary_ = quietLine(body(), "arraySummary");
+  rows().addWidget(summary_);
+
+  technique_ = new Selector("techniqueSelector", tr("Technique"), body());
+  technique_->addChoice(tr("Standard"), QStringLiteral("standard"),
+                        tr("A stylet stays in until full depth."));
+  technique_->addChoice(tr("Advance off stylet"), QStringLiteral("aos"),
+                        tr("The stylet is held still at its depth and the array pushed off it."));
+  connect(technique_, &Selector::chosen, this, [this](const QString& technique) {
+    Q_EMIT changeAsked({Field::technique,
+                        {{"technique", tomlQuoted(technique)}},
+                        tr("technique: %1").arg(technique_->currentText()),
+                        {}});
+  });
+  rows().addWidget(namedRow(tr("Technique"), technique_, body()));
+}
+
+void ArraySection::addMotion()
+{
+  speed_ = new NumberField({tr("Speed"), "panelSpeed", tr("mm/s"), 1, tr("Of the scripted hand.")},
+                           body());
+  // as a scenario allows: robots move at 0.1 to 1 mm/s, a slip of the hand reaches 200
+  speed_->setRange({0.01, 200.0});
+  stop_ = new NumberField({tr("Full depth at"), "panelStop", tr("mm"), 1,
+                           tr("Travel at which the insertion is complete.")},
+                          body());
+  askNumber(speed_, Field::speed, "speed_mm_s", tr("speed %1 mm/s"));
+  askNumber(stop_, Field::stopTravel, "stop_travel_mm", tr("full depth at %1 mm"));
+  rows().addWidget(speed_);
+  rows().addWidget(stop_);
+}
+
+void ArraySection::addContact()
+{
+  friction_ = new Selector("frictionSelector", tr("Friction"), body());
+  for (const CatalogFriction& friction : frictions_)
+    friction_->addChoice(friction.title, friction.name, friction.source);
+  connect(friction_, &Selector::chosen, this, [this](const QString& name) {
+    Q_EMIT changeAsked(
+        {Field::friction, {{"friction", tomlQuoted(name)}}, tr("friction: %1").arg(name), {}});
+  });
+  rows().addWidget(namedRow(tr("Friction"), friction_, body()));
+  coefficients_ = quietLine(body(), "frictionCoefficients");
+  coefficients_->setToolTip(
+      tr("Coefficients of dry friction between array and wall: starting, dynamic."));
+  coefficients_->setAlignment(Qt::AlignRight);
+  rows().addWidget(coefficients_);
+
+  opening_ = new Selector("openingSelector", tr("Opening"), body());
+  opening_->addChoice(tr("Cochleostomy"), QStringLiteral("cochleostomy"),
+                      tr("A drilled round opening; ribs meet its edge."));
+  opening_->addChoice(tr("Round window"), QStringLiteral("round-window"),
+                      tr("1.37 by 1.91 mm, the mean of 20 (Benha Med J 2018;35:246)."));
+  opening_->addChoice(tr("No rim"), QStringLiteral("none"), tr("Nothing but the wall."));
+  connect(opening_, &Selector::chosen, this, [this](const QString& opening) {
+    Q_EMIT changeAsked({Field::opening,
+                        {{"opening", tomlQuoted(opening)}},
+                        tr("opening: %1").arg(opening_->currentText()),
+                        {}});
+  });
+  rows().addWidget(namedRow(tr("Opening"), opening_, body()));
+}
+
+void ArraySection::addModel()
+{
+  model_ = new Selector("modelSelector", tr("Model"), body());
+  model_->addChoice(tr("Elastic rod"), QStringLiteral("rod"),
+                    tr("The array as an elastic rod of nodes."));
+  model_->addChoice(tr("Point set"), QStringLiteral("points"),
+                    tr("The published model: a few spheres on springs, limits and all."));
+  connect(model_, &Selector::chosen, this, [this](const QString& model) {
+    Q_EMIT changeAsked({Field::model,
+                        {{"model", tomlQuoted(model)}},
+                        tr("model: %1").arg(model_->currentText()),
+                        {}});
+  });
+  rows().addWidget(namedRow(tr("Model"), model_, body()));
+  nodes_ = new NumberField(
+      {tr("Nodes"), "panelNodes", QString(), 0, tr("Of the rod, or points of the set.")}, body());
+  connect(nodes_, &NumberField::given, this, [this](double value) {
+    const QString count = numberText(value, 0);
+    Q_EMIT changeAsked({Field::nodes,
+                        {{"nodes", QString::number(qRound(value)).toStdString()}},
+                        tr("%1 nodes").arg(count),
+                        {}});
+  });
+  rows().addWidget(nodes_);
+}
+
+void ArraySection::askNumber(NumberField* field, Field what, const char* key, const QString& words)
+{
+  connect(field, &NumberField::given, this, [this, what, key, words](double value) {
+    Q_EMIT changeAsked({what, {{key, tomlFloat(value)}}, words.arg(numberText(value, 1)), {}});
+  });
+}
+
+void ArraySection::show(const Setup& setup)
+{
+  const session::Scenario& scenario = setup.scenario;
+  const electrode::ArrayDesign& array = scenario.array;
+  array_->show(QString::fromStdString(scenario.arrayName), QString::fromStdString(array.name));
+  array_->setShown(QString::fromStdString(array.name));
+  summary_->setText(summaryOf(array));
+  summary_->setToolTip(QString::fromStdString(array.note).simplified());
+  setNote(scenario.calibrationName.empty() ? QString() : tr("calibrated"),
+          tr("Stiffness and curvature fitted to printed forces: %1.")
+              .arg(QString::fromStdString(scenario.calibrationName)));
+
+  const bool canHold = array.hasStylet && array.stylet.holdDepth.has_value();
+  technique_->setPossible(QStringLiteral("aos"), canHold,
+                          array.hasStylet ? tr("no depth is known to hold the stylet at")
+                                          : tr("this array has no stylet"));
+  technique_->show(QString::fromStdString(scenario.technique), {});
+  speed_->setValue(inMillimetersPerSecond(scenario.speed));
+  stop_->setRange({0.1, inMillimeters(array.insertable - scenario.startInside)});
+  stop_->setValue(inMillimeters(scenario.stopTravel));
+  showFriction(scenario);
+  opening_->show(QString::fromStdString(scenario.openingName), {});
+
+  const bool isRod = scenario.model == mechanics::ModelKind::rod;
+  model_->show(isRod ? QStringLiteral("rod") : QStringLiteral("points"), {});
+  // as a scenario allows
+  nodes_->setRange(isRod ? Range{8.0, double(mechanics::mostNodes)}
+                         : Range{2.0, double(mechanics::mostPoints)});
+  nodes_->setValue(scenario.nodes);
+}
+
+void ArraySection::showFriction(const session::Scenario& scenario)
+{
+  std::string name = "paper";
+  for (const auto& [key, value] : scenario.values)
+    if (key == "friction") name = value.substr(1, value.size() - 2);
+  friction_->show(QString::fromStdString(name), QString::fromStdString(name));
+  const mechanics::FrictionLaw& law = scenario.friction;
+  coefficients_->setText((law.bySpeed.isEmpty() ? tr("starting %1 · dynamic %2")
+                                                : tr("starting %1 · dynamic from %2, by speed"))
+                             .arg(numberText(law.starting, 4), numberText(law.dynamic, 4)));
+}
+
+QString ArraySection::commit()
+{
+  const std::pair<NumberField*, QString> fields[] = {
+      {speed_, tr("Speed")}, {stop_, tr("Full depth")}, {nodes_, tr("Nodes")}};
+  for (const auto& [field, title] : fields) {
+    if (field->commit()) continue;
+    return tr("%1 %2. Correct it, or press Esc in its field.").arg(title, field->trouble());
+  }
+  return {};
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,95 @@
+#include "NumberField.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QVariant>
+
+#include "Numbers.h"
+#include "Theme.h"
+#include "ValueEdit.h"
+
+namespace perilymph::gui {
+
+NumberField::NumberField(const Form& form, QWidget* parent)
+    : QWidget(parent), form_(form), edit_(new ValueEdit(this)), trouble_(new QLabel(this))
+{
+  auto* title = new QLabel(form.title, this);
+  title->setFont(typeface(13));
+  edit_->setObjectName(QLatin1String(form.name));
+  edit_->setAccessibleName(form.title + QLatin1Char(' ') + form.unit);
+  edit_->setFont(typeface(13));
+  edit_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  edit_->setFixedSize(68, 26);
+  auto* unit = new QLabel(form.unit, this);
+  unit->setFont(typeface(11));
+  unit->setProperty("quiet", true);
+  unit->setMinimumWidth(32);
+  trouble_->setFont(typeface(11));
+  trouble_->setProperty("trouble", true);
+  trouble_->hide();
+
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(spacing);
+  grid->setVerticalSpacing(0);
+  grid->addWidget(title, 0, 0);
+  grid->addWidget(edit_, 0, 1);
+  grid->addWidget(unit, 0, 2);
+  grid->addWidget(trouble_, 1, 0, 1, 3);
+  grid->setColumnStretch(0, 1);
+
+  connect(edit_, &QLineEdit::textChanged, this, [this] { showTrouble(); });
+  connect(edit_, &QLineEdit::editingFinished, this, [this] { commit(); });
+}
+
+void NumberField::setRange(Range allowed)
+{
+  allowed_ = allowed;
+  edit_->setToolTip(tr("%1 to %2 %3. %4")
+                        .arg(numberText(allowed.low, form_.decimals),
+                             numberText(allowed.high, form_.decimals), form_.unit, form_.tip));
+  showTrouble();
+}
+
+void NumberField::setValue(double value)
+{
+  // a second decimal where the first does not say it
+  int decimals = form_.decimals;
+  while (decimals < 2 && typedNumber(numberText(value, decimals)) != value) ++decimals;
+  edit_->setHeld(numberText(value, decimals));
+}
+
+QString NumberField::trouble() const
+{
+  const auto typed = typedNumber(edit_->text());
+  if (typed && *typed >= allowed_.low && *typed <= allowed_.high) return {};
+  return tr("must be %1 to %2 %3")
+      .arg(numberText(allowed_.low, form_.decimals), numberText(allowed_.high, form_.decimals),
+           form_.unit);
+}
+
+void NumberField::showTrouble()
+{
+  const QString words = trouble();
+  trouble_->setText(words);
+  trouble_->setVisible(!words.isEmpty());
+}
+
+bool NumberField::isPending() const { return edit_->isPending(); }
+
+void NumberField::takeBack() { edit_->takeBack(); }
+
+bool NumberField::commit()
+{
+  if (!isPending()) return true;
+  const auto typed = typedNumber(edit_->text());
+  if (!typed || !trouble().isEmpty()) return false;
+  if (typed == typedNumber(edit_->held())) {
+    takeBack();
+    return true;
+  }
+  Q_EMIT given(*typed);
+  return true;
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,243 @@
+#include "PatientSection.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+#include <QVariant>
+#include <algorithm>
+#include <utility>
+
+#include "Numbers.h"
+#include "Populations.h"
+#include "Selector.h"
+#include "Theme.h"
+#include "ValueEdit.h"
+#include "perilymph/anatomy/Population.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr int earWidth_px = 92;
+
+constexpr auto byLengths = "lengths";
+constexpr auto byBasalTurn = "basalTurn";
+constexpr auto asMeasured = "mean";
+constexpr auto clark = "clark";
+
+QString kindOf(const session::Scenario& scenario)
+{
+  if (scenario.anatomy == "clark") return QLatin1String(clark);
+  if (scenario.anatomy == "published") return QLatin1String(byLengths);
+  return QLatin1String(scenario.patient.basalTurn ? byBasalTurn : asMeasured);
+}
+
+std::string keyOf(const char* name) { return std::string("patient_numbers.") + name; }
+
+std::string tomlMillimeters(Length length)
+{
+  QString text = QString::number(inMillimeters(length), 'g', 9);
+  if (!text.contains(QLatin1Char('.'))) text += QStringLiteral(".0");
+  return text.toStdString();
+}
+
+QString provenanceWord(Provenance provenance)
+{
+  switch (provenance) {
+    case Provenance::typed:
+      return PatientSection::tr("typed");
+    case Provenance::ct:
+      return PatientSection::tr("from CT");
+    case Provenance::standard:
+      break;
+  }
+  return PatientSection::tr("default");
+}
+
+std::optional<Length> numberOf(const anatomy::Patient& patient, Field field)
+{
+  switch (field) {
+    case Field::scalaLength:
+      return patient.scalaTympaniLength;
+    case Field::windowWidth:
+      return patient.roundWindowWidth;
+    case Field::windowHeight:
+      return patient.roundWindowHeight;
+    case Field::lengthA:
+      return patient.basalTurn ? std::optional(patient.basalTurn->a) : std::nullopt;
+    case Field::widthB:
+      return patient.basalTurn ? std::optional(patient.basalTurn->b) : std::nullopt;
+    case Field::heightH:
+      return patient.basalTurn ? patient.basalTurn->h : std::nullopt;
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+PatientSection::PatientSection(QWidget* parent)
+    : Section(tr("Patient"), "patientFold", parent),
+      label_(new ValueEdit(body())),
+      ear_(new Selector("earSelector", tr("Ear"), body())),
+      kind_(new Selector("anatomySelector", tr("Cochlea"), body()))
+{
+  label_->setObjectName(QStringLiteral("panelPatientName"));
+  label_->setAccessibleName(tr("Patient"));
+  label_->setFont(typeface(13));
+  label_->setFixedHeight(26);
+  label_->setMaxLength(60);
+  label_->setToolTip(tr("A code, not a name."));
+  connect(label_, &QLineEdit::editingFinished, this, [this] { askLabel(); });
+  ear_->addChoice(tr("right ear"), QStringLiteral("right"));
+  ear_->addChoice(tr("left ear"), QStringLiteral("left"),
+                  tr("A left ear is the mirror image of a right one; its forces are the same."));
+  connect(ear_, &Selector::chosen, this, [this](const QString& side) {
+    Q_EMIT changeAsked({Field::side, {{"side", tomlQuoted(side)}}, ear_->currentText(), {}});
+  });
+  ear_->setFixedWidth(earWidth_px);
+  auto* who = new QWidget(body());
+  auto* row = new QHBoxLayout(who);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(spacing);
+  label_->setParent(who);
+  ear_->setParent(who);
+  row->addWidget(label_, 1);
+  row->addWidget(ear_);
+  rows().addWidget(who);
+
+  kind_->addChoice(tr("Three lengths"), QLatin1String(byLengths),
+                   tr("The published scala tympani, scaled by three lengths from CT."));
+  kind_->addChoice(tr("A, B and H"), QLatin1String(byBasalTurn),
+                   tr("The mean of fifteen human scalae, scaled by the diameters of the basal "
+                      "turn. Adapted from Froehlich et al. 2024, CC BY 4.0."));
+  kind_->addChoice(tr("Mean of 15"), QLatin1String(asMeasured),
+                   tr("The mean of fifteen human scalae as measured. Adapted from Froehlich, "
+                      "Schurzig, Rau, Lenarz (2024), PLOS ONE, doi 10.1371/journal.pone.0295121, "
+                      "CC BY 4.0."));
+  kind_->addChoice(tr("Clark’s spiral"), QLatin1String(clark),
+                   tr("A spiral of constant section, for comparison with older models."));
+  connect(kind_, &Selector::chosen, this, [this](const QString& kind) { askKind(kind); });
+  rows().addWidget(namedRow(tr("Cochlea"), kind_, body()));
+
+  using Room = PopulationField::Room;
+  const auto field = [this](const QString& title, const char* name, const Population& population,
+                            bool mayBeEmpty) {
+    return new PopulationField(title, name, population, mayBeEmpty, body(), Room::narrow);
+  };
+  lengths_ = addPage({
+      {Field::scalaLength, "st_length_mm", tr("Scala length"),
+       field(tr("Scala length"), "panelScalaLength", scalaLengthPopulation(), false), nullptr},
+      {Field::windowWidth, "rw_width_mm", tr("Width at window"),
+       field(tr("Width at window"), "panelWindowWidth", windowWidthPopulation(), false), nullptr},
+      {Field::windowHeight, "rw_height_mm", tr("Height at window"),
+       field(tr("Height at window"), "panelWindowHeight", windowHeightPopulation(), false),
+       nullptr},
+  });
+  basalTurn_ = addPage({
+      {Field::lengthA, "a_mm", tr("Length A"),
+       field(tr("Length A"), "panelA", lengthAPopulation(), false), nullptr},
+      {Field::widthB, "b_mm", tr("Width B"),
+       field(tr("Width B"), "panelB", widthBPopulation(), false), nullptr},
+      {Field::heightH, "h_mm", tr("Height H"),
+       field(tr("Height H"), "panelH", heightHPopulation(), true), nullptr},
+  });
+
+  const anatomy::Patient average;
+  lastLengths_ = {{keyOf("st_length_mm"), tomlMillimeters(average.scalaTympaniLength)},
+                  {keyOf("rw_width_mm"), tomlMillimeters(average.roundWindowWidth)},
+                  {keyOf("rw_height_mm"), tomlMillimeters(average.roundWindowHeight)}};
+  lastBasalTurn_ = {{keyOf("a_mm"), tomlMillimeters(anatomy::spreadOfA().mean)},
+                    {keyOf("b_mm"), tomlMillimeters(anatomy::spreadOfB().mean)}};
+}
+
+QWidget* PatientSection::addPage(std::vector<Number> numbers)
+{
+  auto* page = new QWidget(body());
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 2, 0, 0);
+  column->setSpacing(4);
+  for (Number& number : numbers) {
+    number.page = page;
+    column->addWidget(number.shown);
+    connect(number.shown, &PopulationField::given, this,
+            [this, number](std::optional<Length> value) { askNumber(number, value); });
+    numbers_.push_back(number);
+  }
+  rows().addWidget(page);
+  return page;
+}
+
+void PatientSection::show(const Setup& setup)
+{
+  const session::Scenario& scenario = setup.scenario;
+  label_->setHeld(QString::fromStdString(scenario.patient.label));
+  ear_->show(scenario.patient.side == anatomy::Side::left ? QStringLiteral("left")
+                                                          : QStringLiteral("right"),
+             {});
+  heldKind_ = kindOf(scenario);
+  kind_->show(heldKind_, {});
+  lengths_->setVisible(heldKind_ == QLatin1String(byLengths));
+  basalTurn_->setVisible(heldKind_ == QLatin1String(byBasalTurn));
+  for (const Number& number : numbers_) {
+    if (number.page->isHidden()) continue;
+    const auto value = numberOf(scenario.patient, number.field);
+    number.shown->setHeld(value, value ? provenanceWord(setup.provenanceOf(number.field)) : "");
+    session::Overrides& last = number.page == lengths_ ? lastLengths_ : lastBasalTurn_;
+    const std::string key = keyOf(number.key);
+    last.erase(std::remove_if(last.begin(), last.end(),
+                              [&key](const auto& entry) { return entry.first == key; }),
+               last.end());
+    if (value) last.emplace_back(key, tomlMillimeters(*value));
+  }
+}
+
+QString PatientSection::commit()
+{
+  for (const Number& number : numbers_) {
+    if (number.page->isHidden() || number.shown->commit()) continue;
+    return tr("%1 %2. Correct it, or press Esc in its field.")
+        .arg(number.title, number.shown->trouble());
+  }
+  askLabel();
+  return {};
+}
+
+void PatientSection::askNumber(const Number& number, std::optional<Length> value)
+{
+  const QString words = value
+                            ? tr("%1 %2 mm").arg(number.title, numberText(inMillimeters(*value), 2))
+                            : tr("%1 left out").arg(number.title);
+  Q_EMIT changeAsked({number.field,
+                      {{keyOf(number.key), value ? tomlMillimeters(*value) : std::string()}},
+                      words,
+                      Provenance::typed});
+}
+
+void PatientSection::askKind(const QString& kind)
+{
+  if (kind == heldKind_) return;
+  Change change{Field::anatomy, {}, tr("cochlea: %1").arg(kind_->currentText()), {}};
+  const bool isPublished = kind == QLatin1String(byLengths);
+  const bool isClark = kind == QLatin1String(clark);
+  if (isPublished) change.values = lastLengths_;
+  if (kind == QLatin1String(byBasalTurn)) change.values = lastBasalTurn_;
+  change.values.emplace_back("anatomy", isPublished ? "\"published\""
+                                        : isClark   ? "\"clark\""
+                                                    : "\"mean\"");
+  change.values.emplace_back("patient", "\"\"");
+  Q_EMIT changeAsked(change);
+}
+
+void PatientSection::askLabel()
+{
+  if (!label_->isPending()) return;
+  const QString label = label_->text().trimmed();
+  if (label.isEmpty()) return label_->takeBack();
+  Q_EMIT changeAsked({Field::patientLabel,
+                      {{keyOf("label"), tomlQuoted(label)}},
+                      tr("patient %1").arg(label),
+                      {}});
+}
+
+}  // namespace perilymph::gui

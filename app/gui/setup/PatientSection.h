@@ -1,0 +1,53 @@
+#pragma once
+
+// The patient in the panel: who, which ear, which model of a cochlea, and its numbers.
+
+#include <vector>
+
+#include "PopulationField.h"
+#include "Section.h"
+#include "Setup.h"
+
+namespace perilymph::gui {
+
+class Selector;
+class ValueEdit;
+
+/// Shows the patient of a setup and asks for changes of it.
+class PatientSection : public Section {
+  Q_OBJECT
+public:
+  explicit PatientSection(QWidget* parent);
+
+  void show(const Setup& setup);
+  /// Sends off what is typed. A sentence where something typed cannot be.
+  QString commit();
+
+Q_SIGNALS:
+  void changeAsked(const perilymph::gui::Change& change);
+
+private:
+  struct Number {
+    Field field;
+    const char* key;  ///< Of `patient_numbers`.
+    QString title;
+    PopulationField* shown;
+    QWidget* page;
+  };
+
+  QWidget* addPage(std::vector<Number> numbers);
+  void askNumber(const Number& number, std::optional<Length> value);
+  void askKind(const QString& kind);
+  void askLabel();
+
+  ValueEdit* label_;
+  Selector* ear_;
+  Selector* kind_;
+  QWidget* lengths_;
+  QWidget* basalTurn_;
+  std::vector<Number> numbers_;
+  session::Overrides lastLengths_, lastBasalTurn_;  ///< As TOML, for coming back to a kind.
+  QString heldKind_;
+};
+
+}  // namespace perilymph::gui

@@ -1,0 +1,155 @@
+#include "ScenarioHead.h"
+
+#include <QFontMetrics>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <QVariant>
+
+#include "SetupHistory.h"
+#include "Theme.h"
+#include "perilymph/analysis/Reference.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr int undoWidth_px = 148;
+constexpr int redoWidth_px = 64;
+constexpr auto publishedPreset = "contour-published";
+
+QString elided(const QString& text, const QFont& font, int width_px)
+{
+  return QFontMetrics(font).elidedText(text, Qt::ElideRight, width_px);
+}
+
+/// Where a preset's values come from.
+QString citationOf(const session::Scenario& preset)
+{
+  if (preset.name != publishedPreset) return {};
+  const auto reference = analysis::shippedReference("todd-naghdy-experiment");
+  return reference ? QString::fromStdString(reference->source) : QString();
+}
+
+}  // namespace
+
+ScenarioHead::ScenarioHead(QWidget* parent)
+    : QWidget(parent),
+      badge_(new QLabel(tr("MODIFIED"), this)),
+      title_(new QLabel(this)),
+      locked_(new QLabel(tr("Locked during an insertion"), this)),
+      restore_(addButton(tr("Back to the published values"), "restoreButton")),
+      undo_(addButton(tr("Undo"), "undoButton")),
+      redo_(addButton(tr("Redo"), "redoButton"))
+{
+  auto* heading = new QLabel(tr("SCENARIO"), this);
+  heading->setFont(typeface(11, QFont::DemiBold));
+  heading->setProperty("quiet", true);
+  badge_->setObjectName(QStringLiteral("modifiedBadge"));
+  badge_->setProperty("badge", true);
+  badge_->setFont(typeface(11, QFont::DemiBold));
+  auto* collapse = addButton(QStringLiteral("◂"), "collapseButton");
+  collapse->setFixedSize(22, 20);
+  collapse->setToolTip(tr("Hide the panel (B)"));
+  collapse->setAccessibleName(tr("Hide the panel"));
+  collapse->setFocusPolicy(Qt::NoFocus);
+
+  title_->setObjectName(QStringLiteral("scenarioTitle"));
+  title_->setFont(typeface(13, QFont::Medium));
+  title_->setWordWrap(true);
+  locked_->setObjectName(QStringLiteral("lockedLabel"));
+  locked_->setFont(typeface(11));
+  locked_->setProperty("quiet", true);
+  locked_->setFixedHeight(22);
+  locked_->setToolTip(tr("Changes are possible before an insertion and after it. Press Reset."));
+  locked_->hide();
+  undo_->setFixedWidth(undoWidth_px);
+  redo_->setFixedWidth(redoWidth_px);
+
+  auto* top = new QHBoxLayout;
+  top->setSpacing(spacing);
+  top->addWidget(heading);
+  top->addStretch();
+  top->addWidget(badge_);
+  top->addWidget(collapse);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(4);
+  buttons->addWidget(undo_);
+  buttons->addWidget(redo_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  column->addLayout(top);
+  column->addWidget(title_);
+  column->addWidget(restore_);
+  column->addLayout(buttons);
+  column->addWidget(locked_);
+
+  connect(collapse, &QPushButton::clicked, this, &ScenarioHead::collapseAsked);
+  connect(restore_, &QPushButton::clicked, this, &ScenarioHead::restoreAsked);
+  connect(undo_, &QPushButton::clicked, this, &ScenarioHead::undoAsked);
+  connect(redo_, &QPushButton::clicked, this, &ScenarioHead::redoAsked);
+}
+
+QPushButton* ScenarioHead::addButton(const QString& text, const char* name)
+{
+  auto* button = new QPushButton(text, this);
+  button->setObjectName(QLatin1String(name));
+  button->setProperty("small", true);
+  button->setFont(typeface(11));
+  button->setFixedHeight(22);
+  button->setFocusPolicy(Qt::TabFocus);
+  return button;
+}
+
+void ScenarioHead::show(const SetupHistory& history)
+{
+  const Origin& origin = history.origin();
+  const bool isPreset = origin.kind == Origin::Kind::preset;
+  const session::Scenario& claimed = isPreset ? origin.setup.scenario : history.now().scenario;
+  const QString title = QString::fromStdString(claimed.title);
+  title_->setText(title.isEmpty() ? QString::fromStdString(claimed.name) : title);
+  const QString citation = isPreset ? citationOf(claimed) : QString();
+  title_->setToolTip(citation);
+
+  const bool isModified = history.isModified();
+  badge_->setVisible(isModified);
+  badge_->setToolTip(tr("Not the preset’s values: %1.").arg(history.changedWords()));
+  restore_->setVisible(isModified);
+  const bool isPublished = claimed.name == publishedPreset;
+  restore_->setText(isPublished ? tr("Back to the published values")
+                                : tr("Back to the preset’s values"));
+  restore_->setToolTip(tr("Changed: %1. %2").arg(history.changedWords(), citation).trimmed());
+
+  const QUndoStack& stack = history.stack();
+  canUndo_ = stack.canUndo();
+  canRedo_ = stack.canRedo();
+  const QString undo = canUndo_ ? tr("Undo %1").arg(stack.undoText()) : tr("Undo");
+  const QString redo = canRedo_ ? tr("Redo %1").arg(stack.redoText()) : tr("Redo");
+  undo_->setText(elided(undo, undo_->font(), undoWidth_px - 18));
+  undo_->setToolTip(tr("%1 (Ctrl+Z)").arg(undo));
+  undo_->setAccessibleName(undo);
+  redo_->setText(elided(tr("Redo"), redo_->font(), redoWidth_px - 18));
+  redo_->setToolTip(tr("%1 (Ctrl+Shift+Z)").arg(redo));
+  redo_->setAccessibleName(redo);
+  enableButtons();
+}
+
+void ScenarioHead::setChangeable(bool isChangeable)
+{
+  isChangeable_ = isChangeable;
+  locked_->setVisible(!isChangeable);
+  undo_->setVisible(isChangeable);
+  redo_->setVisible(isChangeable);
+  enableButtons();
+}
+
+void ScenarioHead::enableButtons()
+{
+  undo_->setEnabled(isChangeable_ && canUndo_);
+  redo_->setEnabled(isChangeable_ && canRedo_);
+  restore_->setEnabled(isChangeable_);
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,126 @@
+#include "Selector.h"
+
+#include <QAbstractItemView>
+#include <QFontMetrics>
+#include <QPainter>
+#include <QPainterPath>
+#include <QStandardItemModel>
+#include <QWheelEvent>
+#include <algorithm>
+
+#include "Theme.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr int height_px = 26;
+constexpr int arrowRoom_px = 24;
+constexpr int textRole = Qt::UserRole + 1;  // without a reason
+
+QStandardItem* itemOf(const QComboBox& box, int index)
+{
+  const auto* items = qobject_cast<const QStandardItemModel*>(box.model());
+  return items == nullptr ? nullptr : items->item(index);
+}
+
+}  // namespace
+
+Selector::Selector(const char* name, const QString& accessibleName, QWidget* parent)
+    : QComboBox(parent)
+{
+  setObjectName(QLatin1String(name));
+  setAccessibleName(accessibleName);
+  setFont(typeface(13));
+  view()->setFont(typeface(13));
+  setFixedHeight(height_px);
+  setFocusPolicy(Qt::TabFocus);
+  setMaxVisibleItems(26);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  connect(this, QOverload<int>::of(&QComboBox::activated), this,
+          [this](int index) { Q_EMIT chosen(itemData(index).toString()); });
+}
+
+void Selector::addHeading(const QString& text)
+{
+  addItem(text);
+  if (QStandardItem* item = itemOf(*this, count() - 1)) {
+    item->setEnabled(false);
+    item->setFont(typeface(11, QFont::DemiBold));
+  }
+}
+
+void Selector::addChoice(const QString& text, const QString& value, const QString& tip)
+{
+  addItem(text, value);
+  setItemData(count() - 1, text, textRole);
+  setItemData(count() - 1, tip, Qt::ToolTipRole);
+}
+
+void Selector::setPossible(const QString& value, bool isPossible, const QString& reason)
+{
+  const int index = findData(value);
+  QStandardItem* item = itemOf(*this, index);
+  if (item == nullptr) return;
+  item->setEnabled(isPossible);
+  const QString text = itemData(index, textRole).toString();
+  setItemText(index, isPossible ? text : text + QStringLiteral(" – ") + reason);
+}
+
+bool Selector::isPossible(const QString& value) const
+{
+  const QStandardItem* item = itemOf(*this, findData(value));
+  return item != nullptr && item->isEnabled();
+}
+
+void Selector::show(const QString& value, const QString& textIfMissing)
+{
+  if (findData(value) < 0) addChoice(textIfMissing, value);
+  setCurrentIndex(findData(value));
+  shown_.clear();
+  setToolTip(itemData(currentIndex(), Qt::ToolTipRole).toString());
+  update();
+}
+
+QSize Selector::sizeHint() const { return {120, height_px}; }
+
+QSize Selector::minimumSizeHint() const { return {60, height_px}; }
+
+void Selector::showPopup()
+{
+  int widest = width();
+  for (int i = 0; i < count(); ++i) {
+    const QFontMetrics metrics(view()->font());
+    widest = std::max(widest, metrics.horizontalAdvance(itemText(i)) + 40);
+  }
+  view()->setMinimumWidth(widest);
+  QComboBox::showPopup();
+}
+
+void Selector::paintEvent(QPaintEvent*)
+{
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const bool isChosen = isEnabled() && (hasFocus() || underMouse());
+  painter.setPen(QPen(isChosen ? accentColor : lineColor, 1.0));
+  painter.setBrush(isEnabled() ? groundColor : panelColor);
+  painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
+
+  painter.setPen(isEnabled() ? textColor : quietTextColor);
+  painter.setFont(font());
+  const QRect place = rect().adjusted(8, 0, -arrowRoom_px, 0);
+  const QString text = shown_.isEmpty() ? itemData(currentIndex(), textRole).toString() : shown_;
+  painter.drawText(place, Qt::AlignVCenter | Qt::AlignLeft,
+                   QFontMetrics(font()).elidedText(text, Qt::ElideRight, place.width()));
+  if (!isEnabled()) return;
+  QPainterPath arrow;
+  const QPointF middle(width() - 13.0, height() / 2.0 + 1.0);
+  arrow.moveTo(middle + QPointF(-4, -3));
+  arrow.lineTo(middle + QPointF(4, -3));
+  arrow.lineTo(middle + QPointF(0, 2.5));
+  painter.fillPath(arrow, quietTextColor);
+}
+
+void Selector::wheelEvent(QWheelEvent* event) { event->ignore(); }
+
+}  // namespace perilymph::gui

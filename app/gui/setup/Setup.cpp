@@ -1,0 +1,318 @@
+#include "Setup.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <utility>
+
+#include "perilymph/foundation/Resources.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+using Values = session::Overrides;
+
+constexpr auto numbers = "patient_numbers.";
+constexpr auto label = "patient_numbers.label";
+
+bool startsWith(const std::string& key, const std::string& head)
+{
+  return key.compare(0, head.size(), head) == 0;
+}
+
+void drop(Values& values, const std::function<bool(const std::string&)>& isMeant)
+{
+  values.erase(std::remove_if(values.begin(), values.end(),
+                              [&](const auto& entry) { return isMeant(entry.first); }),
+               values.end());
+}
+
+void set(Values& values, const std::string& key, const std::string& value)
+{
+  const auto found = std::find_if(values.begin(), values.end(),
+                                  [&](const auto& entry) { return entry.first == key; });
+  if (found == values.end())
+    values.emplace_back(key, value);
+  else
+    found->second = value;
+}
+
+std::string valueOf(const Values& values, const std::string& key)
+{
+  const auto found = std::find_if(values.begin(), values.end(),
+                                  [&](const auto& entry) { return entry.first == key; });
+  return found == values.end() ? std::string() : found->second;
+}
+
+/// Takes some keys' values over from another scenario; those that it lacks vanish.
+void takeOver(Values& values, const Values& from,
+              const std::function<bool(const std::string&)>& isMeant)
+{
+  drop(values, isMeant);
+  for (const auto& entry : from)
+    if (isMeant(entry.first)) values.push_back(entry);
+}
+
+bool isCalibration(const std::string& key)
+{
+  return key == "calibration" || key == "stiffness_scale" || key == "residual_curvature_share";
+}
+
+bool isFrictionNumber(const std::string& key) { return startsWith(key, "friction_"); }
+
+bool isPatientNumber(const std::string& key) { return startsWith(key, numbers) && key != label; }
+
+/// Every number in the order in which it is read does not matter: sorted, they can be compared.
+Values sorted(Values values)
+{
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+Values only(Values values, const std::function<bool(const std::string&)>& isMeant)
+{
+  drop(values, [&](const std::string& key) { return !isMeant(key); });
+  return sorted(std::move(values));
+}
+
+std::string millimetersText(Length length)
+{
+  QString text = QString::number(inMillimeters(length), 'g', 9);
+  if (!text.contains(QLatin1Char('.'))) text += QStringLiteral(".0");
+  return text.toStdString();
+}
+
+/// The greatest stop travel of an array, to a micrometer, so that start and stop together do not
+/// round beyond what may go in.
+Length deepestStop(const electrode::ArrayDesign& array, Length startInside)
+{
+  const double nominal_um = inMillimeters(array.insertable - startInside) * 1e3;
+  Length stop = millimeters(std::round(nominal_um) / 1e3);
+  while (startInside + stop > array.insertable) stop = stop - millimeters(1e-3);
+  return stop;
+}
+
+Result<Done> followArray(Values& values, const Setup& now, const Origin& origin)
+{
+  const session::Scenario& first = origin.setup.scenario;
+  drop(values, [](const std::string& key) { return key == "array_fingerprint"; });
+  const std::string quoted = valueOf(values, "array");
+  const std::string name = quoted.size() > 1 ? quoted.substr(1, quoted.size() - 2) : quoted;
+  if (name == first.arrayName) {
+    takeOver(values, first.values, isCalibration);
+  } else {
+    drop(values, isCalibration);
+    set(values, "calibration", "\"\"");
+  }
+  const auto file = findByName("array", "plugins/electrodes", name);
+  if (!file) return file.error();
+  const auto array = electrode::loadArray(*file);
+  if (!array) return array.error();
+  if (!array->hasStylet || !array->stylet.holdDepth) set(values, "technique", "\"standard\"");
+
+  // A stop that nobody chose follows the array; a chosen one only gives way.
+  const auto limitOf = [&first](const electrode::ArrayDesign& design) {
+    return std::min(first.stopTravel, deepestStop(design, first.startInside));
+  };
+  const bool isChosen = now.scenario.stopTravel != limitOf(now.scenario.array);
+  const Length deepest = deepestStop(*array, now.scenario.startInside);
+  const Length stop = isChosen ? std::min(now.scenario.stopTravel, deepest) : limitOf(*array);
+  if (stop == first.stopTravel)
+    takeOver(values, first.values, [](const std::string& key) { return key == "stop_travel_mm"; });
+  else
+    set(values, "stop_travel_mm", millimetersText(stop));
+  return Done{};
+}
+
+Result<Done> follow(Values& values, const Setup& now, const Origin& origin, Field field)
+{
+  const Values& first = origin.setup.scenario.values;
+  switch (field) {
+    case Field::array:
+      return followArray(values, now, origin);
+    case Field::stopTravel: {
+      const Length deepest = deepestStop(now.scenario.array, now.scenario.startInside);
+      const double asked_mm = std::strtod(valueOf(values, "stop_travel_mm").c_str(), nullptr);
+      const double beyond_mm = asked_mm - inMillimeters(deepest);
+      if (beyond_mm > 0.0 && beyond_mm < 0.01)
+        set(values, "stop_travel_mm", millimetersText(deepest));
+      break;
+    }
+    case Field::friction:
+      drop(values, isFrictionNumber);
+      if (valueOf(values, "friction") == valueOf(first, "friction"))
+        takeOver(values, first, isFrictionNumber);
+      break;
+    case Field::model: {
+      const auto isNodes = [](const std::string& key) { return key == "nodes"; };
+      drop(values, isNodes);
+      if (valueOf(values, "model") == valueOf(first, "model")) takeOver(values, first, isNodes);
+      break;
+    }
+    default:
+      break;
+  }
+  return Done{};
+}
+
+/// Numbers that are nobody's any more lose the name; the origin's numbers have the origin's name.
+void followPatient(Values& values, const Origin& origin, Field field)
+{
+  const Values& first = origin.setup.scenario.values;
+  const bool isSame = only(values, isPatientNumber) == only(first, isPatientNumber);
+  const std::string firstLabel = valueOf(first, label);
+  if (isSame && valueOf(values, label) == "\"unnamed\"" && field != Field::patientLabel) {
+    set(values, label, firstLabel);
+    set(values, "patient", valueOf(first, "patient"));
+  } else if (!isSame) {
+    set(values, "patient", "\"\"");
+    if (origin.kind == Origin::Kind::preset && valueOf(values, label) == firstLabel)
+      set(values, label, "\"unnamed\"");
+  }
+}
+
+Result<session::Scenario> read(const Values& values, const std::string& name)
+{
+  std::string text;
+  for (const auto& [key, value] : values) text += key + " = " + value + '\n';
+  return session::parseScenario(text, name);
+}
+
+std::string joined(const std::vector<std::string>& words)
+{
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+}  // namespace
+
+std::string tomlQuoted(const QString& text)
+{
+  std::string quoted = "\"";
+  for (const QChar& character : text) {
+    if (character < QLatin1Char(' ') || character == QChar(0x7F)) continue;
+    if (character == QLatin1Char('"') || character == QLatin1Char('\\')) quoted += '\\';
+    quoted += QString(character).toStdString();
+  }
+  return quoted + '"';
+}
+
+Result<Setup> changed(const Setup& now, const Origin& origin, const Change& change)
+{
+  const session::Scenario& first = origin.setup.scenario;
+  Values values = now.scenario.values;
+  Setup made;
+  made.provenance = now.provenance;
+  if (change.field == Field::anatomy) {
+    drop(values, isPatientNumber);
+    made.provenance.clear();
+  }
+  for (const auto& [key, value] : change.values) {
+    // an empty value takes a number away
+    if (value.empty())
+      drop(values, [named = key](const std::string& own) { return own == named; });
+    else
+      set(values, key, value);
+  }
+  if (change.field >= Field::scalaLength && change.field <= Field::heightH)
+    made.provenance[change.field] = change.provenance;
+  if (const auto done = follow(values, now, origin, change.field); !done) return done.error();
+  followPatient(values, origin, change.field);
+
+  const bool isPreset = origin.kind == Origin::Kind::preset;
+  const std::string file = first.name + (isPreset ? "-modified.toml" : ".toml");
+  auto plain = read(values, file);
+  if (!plain) return plain.error();
+  const std::vector<std::string> words = differingWords(first, *plain);
+  if (words.empty()) {
+    made.scenario = first;
+    made.provenance = origin.setup.provenance;
+    return made;
+  }
+  if (isPreset) {
+    const std::string claimed = first.title.empty() ? first.name : first.title;
+    set(values, "title",
+        tomlQuoted(QString::fromStdString("Modified (" + joined(words) + "): " + claimed)));
+    auto titled = read(values, file);
+    if (!titled) return titled.error();
+    made.scenario = *std::move(titled);
+    return made;
+  }
+  auto own = asOwn(*plain);
+  if (!own) return own.error();
+  made.scenario = *std::move(own);
+  return made;
+}
+
+std::vector<std::string> differingKeys(const session::Scenario& one, const session::Scenario& other)
+{
+  const auto isCompared = [](const std::string& key) { return key != "title"; };
+  const Values left = only(one.values, isCompared), right = only(other.values, isCompared);
+  Values differing;
+  std::set_symmetric_difference(left.begin(), left.end(), right.begin(), right.end(),
+                                std::back_inserter(differing));
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : differing)
+    if (keys.empty() || keys.back() != key) keys.push_back(key);
+  return keys;
+}
+
+std::vector<std::string> differingWords(const session::Scenario& one,
+                                        const session::Scenario& other)
+{
+  const std::vector<std::string> keys = differingKeys(one, other);
+  const auto differs = [&keys](const std::function<bool(const std::string&)>& isMeant) {
+    return std::any_of(keys.begin(), keys.end(), isMeant);
+  };
+  const auto named = [](const char* name) {
+    return [name](const std::string& key) { return key == name; };
+  };
+  const std::pair<const char*, std::function<bool(const std::string&)>> groups[] = {
+      {"patient", [](const std::string& key) { return startsWith(key, "patient"); }},
+      {"ear", named("side")},
+      {"anatomy", named("anatomy")},
+      {"array", [](const std::string& key) { return startsWith(key, "array"); }},
+      {"calibration", isCalibration},
+      {"technique", named("technique")},
+      {"speed", named("speed_mm_s")},
+      {"full depth", named("stop_travel_mm")},
+      {"friction", [](const std::string& key) { return startsWith(key, "friction"); }},
+      {"opening", named("opening")},
+      {"model", named("model")},
+      {"nodes", named("nodes")},
+      {"force scale", named("force_scale")},
+  };
+  std::vector<std::string> words;
+  for (const auto& [word, isMeant] : groups)
+    if (differs(isMeant)) words.emplace_back(word);
+  const auto isGrouped = [&groups](const std::string& key) {
+    return std::any_of(std::begin(groups), std::end(groups),
+                       [&key](const auto& group) { return group.second(key); });
+  };
+  for (const std::string& key : keys)
+    if (!isGrouped(key)) words.push_back(key);
+  return words;
+}
+
+std::string fileNameOf(const std::string& name)
+{
+  std::string file;
+  for (const char c : name) {
+    const bool isPlain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    file += isPlain ? c : '-';
+  }
+  return file + ".toml";
+}
+
+Result<session::Scenario> asOwn(const session::Scenario& scenario)
+{
+  Values values = scenario.values;
+  set(values, "title",
+      tomlQuoted(QString::fromStdString(scenario.patient.label + ": " + scenario.array.name)));
+  return read(values, fileNameOf(scenario.patient.label));
+}
+
+}  // namespace perilymph::gui

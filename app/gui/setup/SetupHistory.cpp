@@ -1,0 +1,104 @@
+#include "SetupHistory.h"
+
+#include <QStringList>
+#include <utility>
+
+namespace perilymph::gui {
+
+/// One change: the setup before it and after it.
+class SetupCommand : public QUndoCommand {
+public:
+  SetupCommand(SetupHistory& history, Setup before, Setup after, Field field, int epoch,
+               const QString& words)
+      : QUndoCommand(words),
+        history_(history),
+        before_(std::move(before)),
+        after_(std::move(after)),
+        field_(field),
+        epoch_(epoch)
+  {
+  }
+
+  void redo() override { history_.now_ = after_; }
+  void undo() override { history_.now_ = before_; }
+  int id() const override { return static_cast<int>(field_); }
+
+  bool mergeWith(const QUndoCommand* other) override
+  {
+    const auto* later = dynamic_cast<const SetupCommand*>(other);
+    if (later == nullptr || later->field_ != field_ || later->epoch_ != epoch_) return false;
+    after_ = later->after_;
+    setText(later->text());
+    // there and back again is no change
+    setObsolete(after_.scenario.text == before_.scenario.text);
+    return true;
+  }
+
+private:
+  SetupHistory& history_;
+  Setup before_, after_;
+  Field field_;
+  int epoch_;
+};
+
+SetupHistory::SetupHistory(QObject* parent) : QObject(parent) {}
+
+void SetupHistory::begin(Setup setup, Origin::Kind kind)
+{
+  stack_.clear();
+  now_ = setup;
+  origin_ = {std::move(setup), kind};
+  Q_EMIT setupChanged();
+}
+
+bool SetupHistory::isModified() const
+{
+  return origin_.kind == Origin::Kind::preset &&
+         !differingKeys(origin_.setup.scenario, now_.scenario).empty();
+}
+
+QString SetupHistory::changedWords() const
+{
+  QStringList words;
+  for (const std::string& word : differingWords(origin_.setup.scenario, now_.scenario))
+    words << QString::fromStdString(word);
+  return words.join(QStringLiteral(", "));
+}
+
+void SetupHistory::change(const Change& change)
+{
+  auto made = changed(now_, origin_, change);
+  if (!made) {
+    Q_EMIT setupChanged();  // the fields show again what holds
+    Q_EMIT refused(QString::fromStdString(made.error().message));
+    return;
+  }
+  if (made->scenario.text == now_.scenario.text) return;
+  push(*std::move(made), change.field, change.words);
+}
+
+void SetupHistory::restore()
+{
+  if (now_.scenario.text == origin_.setup.scenario.text) return;
+  push(origin_.setup, Field::preset, tr("back to the preset’s values"));
+}
+
+void SetupHistory::push(Setup after, Field field, const QString& words)
+{
+  stack_.push(new SetupCommand(*this, now_, std::move(after), field, epoch_, words));
+  Q_EMIT setupChanged();
+}
+
+void SetupHistory::undo()
+{
+  stack_.undo();
+  Q_EMIT setupChanged();
+}
+
+void SetupHistory::redo()
+{
+  stack_.redo();
+  Q_EMIT setupChanged();
+}
+
+}  // namespace perilymph::gui

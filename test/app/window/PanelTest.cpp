@@ -1,0 +1,250 @@
+// The panel at the left: what is typed and chosen is what is inserted, and every change can be
+// undone.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QLineEdit>
+#include <QTest>
+
+#include "Selector.h"
+#include "SetupHistory.h"
+#include "SidePanel.h"
+#include "WindowRig.h"
+#include "perilymph/session/RecordedInsertion.h"
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+class Panel : public testing::Test {
+protected:
+  const session::Scenario& scenario() { return rig_.window().control().scenario(); }
+  /// The window is about what the panel shows, and nothing is being built.
+  bool settles()
+  {
+    return WindowRig::comes([&] {
+      return scenario().text == rig_.window().setup().now().scenario.text &&
+             rig_.button("startButton").isEnabled();
+    });
+  }
+  QString field(const char* name)
+  {
+    return rig_.window().findChild<QLineEdit*>(QLatin1String(name))->text();
+  }
+  QWidget& part(const char* name)
+  {
+    return *rig_.window().findChild<QWidget*>(QLatin1String(name));
+  }
+
+  WindowRig rig_;
+};
+
+TEST_F(Panel, ThreeNumbersAndAnArrayMakeTheInsertion)
+{
+  rig_.type("panelScalaLength", "33.1");
+  rig_.type("panelWindowWidth", "2.1");
+  rig_.type("panelWindowHeight", "1.8");
+  rig_.choose("arraySelector", "slim-straight");
+  rig_.type("panelSpeed", "5.0");
+  ASSERT_TRUE(settles());
+  EXPECT_EQ(scenario().patient.scalaTympaniLength, millimeters(33.1));
+  EXPECT_EQ(scenario().patient.roundWindowWidth, millimeters(2.1));
+  EXPECT_EQ(scenario().patient.roundWindowHeight, millimeters(1.8));
+  EXPECT_EQ(scenario().arrayName, "slim-straight");
+  EXPECT_EQ(scenario().speed, millimetersPerSecond(5));
+  rig_.click("startButton");
+  EXPECT_TRUE(WindowRig::comes([&] { return rig_.travel_mm() > 0.5; }));
+}
+
+TEST_F(Panel, AnotherCochleaIsAnotherPicture)
+{
+  const QImage before = rig_.picture();
+  rig_.type("panelScalaLength", "28");
+  ASSERT_TRUE(settles());
+  EXPECT_NE(rig_.picture(), before);
+}
+
+TEST_F(Panel, ChangesAreUndoneAndDoneAgainInTheirOrder)
+{
+  rig_.choose("arraySelector", "flex28");
+  rig_.type("panelSpeed", "1.5");
+  rig_.window().setFocus();
+  rig_.pressKey(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(scenario().speed, millimetersPerSecond(2));
+  EXPECT_EQ(scenario().arrayName, "flex28");
+  rig_.pressKey(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(scenario().arrayName, "contour");
+  EXPECT_EQ(scenario().name, "contour-published");
+  rig_.pressKey(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  rig_.pressKey(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(scenario().arrayName, "flex28");
+  EXPECT_EQ(scenario().speed, millimetersPerSecond(1.5));
+  EXPECT_EQ(field("panelSpeed"), "1.5");
+}
+
+TEST_F(Panel, EditsOfOneFieldAreUndoneTogetherAndNamed)
+{
+  rig_.type("panelSpeed", "1.5");
+  rig_.type("panelSpeed", "1.0");
+  EXPECT_EQ(rig_.window().setup().stack().count(), 1);
+  EXPECT_TRUE(rig_.button("undoButton").toolTip().contains("speed 1.0 mm/s"));
+  rig_.click("undoButton");
+  EXPECT_EQ(scenario().speed, millimetersPerSecond(2));
+  EXPECT_FALSE(rig_.button("undoButton").isEnabled());
+}
+
+TEST_F(Panel, AnInsertionBetweenTwoEditsPartsThem)
+{
+  rig_.type("panelSpeed", "4.0");
+  rig_.click("startButton");
+  ASSERT_TRUE(WindowRig::comes([&] { return rig_.travel_mm() > 0.2; }));
+  rig_.click("resetButton");
+  rig_.type("panelSpeed", "1.0");
+  EXPECT_EQ(rig_.window().setup().stack().count(), 2);
+}
+
+TEST_F(Panel, UndoInAFieldGoesToTheWindowOnceNothingIsTyped)
+{
+  rig_.choose("frictionSelector", "tissue");
+  auto& speed = static_cast<QLineEdit&>(part("panelSpeed"));
+  speed.setFocus();
+  QTest::keyClicks(&speed, "7");
+  QTest::keyClick(&speed, Qt::Key_Escape);
+  QTest::keyClick(&speed, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(scenario().friction.starting, 0.0605);
+}
+
+TEST_F(Panel, AnyChangeOfThePublishedScenarioIsMarkedAndTheWayBackIsOneClick)
+{
+  EXPECT_FALSE(part("modifiedLabel").isVisible());
+  EXPECT_FALSE(part("restoreButton").isVisible());
+  rig_.choose("modelSelector", "points");
+  EXPECT_TRUE(part("modifiedLabel").isVisible());
+  EXPECT_TRUE(part("modifiedBadge").isVisible());
+  EXPECT_TRUE(part("modifiedLabel").toolTip().contains("model"));
+  EXPECT_EQ(rig_.button("restoreButton").text(), "Back to the published values");
+  EXPECT_TRUE(part("scenarioTitle").toolTip().contains("Todd and Naghdy"));
+  rig_.click("restoreButton");
+  EXPECT_FALSE(part("modifiedLabel").isVisible());
+  EXPECT_EQ(scenario().name, "contour-published");
+  // the way back is a change like any other
+  rig_.click("undoButton");
+  EXPECT_EQ(scenario().model, mechanics::ModelKind::points);
+}
+
+TEST_F(Panel, WhatAnArrayCannotIsGreyedWithTheReason)
+{
+  auto& technique = static_cast<gui::Selector&>(part("techniqueSelector"));
+  EXPECT_TRUE(technique.isPossible("aos"));
+  rig_.choose("arraySelector", "flex28");
+  EXPECT_FALSE(technique.isPossible("aos"));
+  EXPECT_TRUE(technique.itemText(technique.findData("aos")).contains("no stylet"));
+}
+
+TEST_F(Panel, NothingCanBeChangedDuringAnInsertionButAfterIt)
+{
+  rig_.click("startButton");
+  ASSERT_TRUE(WindowRig::comes([&] { return rig_.travel_mm() > 0.3; }));
+  ASSERT_TRUE(WindowRig::comes([&] { return part("lockedLabel").isVisible(); }));
+  for (const char* name : {"panelScalaLength", "panelSpeed", "arraySelector", "scriptedChoice"})
+    EXPECT_FALSE(part(name).isEnabled()) << name;
+  rig_.pressKey(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_GT(rig_.travel_mm(), 0.0);
+  rig_.click("resetButton");
+  EXPECT_TRUE(part("panelSpeed").isEnabled());
+}
+
+TEST_F(Panel, WhatIsTypedCountsWhenStartIsPressed)
+{
+  auto& length = static_cast<QLineEdit&>(part("panelScalaLength"));
+  length.setFocus();
+  length.selectAll();
+  QTest::keyClicks(&length, "31.5");
+  rig_.click("startButton");
+  ASSERT_TRUE(WindowRig::comes([&] { return rig_.travel_mm() > 0.2; }));
+  EXPECT_EQ(scenario().patient.scalaTympaniLength, millimeters(31.5));
+}
+
+TEST_F(Panel, AnImpossibleNumberIsNotInserted)
+{
+  auto& length = static_cast<QLineEdit&>(part("panelScalaLength"));
+  length.setFocus();
+  length.selectAll();
+  QTest::keyClicks(&length, "99");
+  rig_.click("startButton");
+  EXPECT_FALSE(rig_.window().control().isRunning());
+  EXPECT_TRUE(rig_.label("bannerText").contains("25.0 to 45.0 mm"));
+  QTest::keyClick(&length, Qt::Key_Escape);
+  EXPECT_EQ(field("panelScalaLength"), "35.58");
+}
+
+TEST_F(Panel, TabGoesThroughTheFieldsAndReturnGivesTheKeysBack)
+{
+  rig_.window().activateWindow();
+  rig_.window().setFocus();
+  QStringList visited;
+  for (int i = 0; i < 60; ++i) {
+    QTest::keyClick(rig_.window().focusWidget(), Qt::Key_Tab);
+    visited << rig_.window().focusWidget()->objectName();
+  }
+  int last = -1;
+  for (const char* name :
+       {"panelPatientName", "earSelector", "anatomySelector", "panelScalaLength",
+        "panelWindowWidth", "panelWindowHeight", "arraySelector", "techniqueSelector", "panelSpeed",
+        "panelStop", "frictionSelector", "openingSelector", "modelSelector", "panelNodes",
+        "scriptedChoice", "panelForceScale", "show0"}) {
+    const int place = visited.indexOf(QLatin1String(name));
+    EXPECT_GT(place, last) << name << " in " << visited.join(' ').toStdString();
+    last = place;
+  }
+  part("panelSpeed").setFocus();
+  QTest::keyClick(&part("panelSpeed"), Qt::Key_Return);
+  rig_.pressKey(Qt::Key_2);
+  EXPECT_TRUE(WindowRig::comes([&] {
+    return rig_.window().view().scene()->preset() == visualization::CameraPreset::microscope;
+  }));
+}
+
+TEST_F(Panel, FoldsAwayAndComesBack)
+{
+  auto* panel = rig_.window().findChild<gui::SidePanel*>();
+  const int wide = rig_.window().view().width();
+  rig_.pressKey(Qt::Key_B);
+  EXPECT_TRUE(panel->isCollapsed());
+  EXPECT_TRUE(WindowRig::comes([&] { return rig_.window().view().width() > wide; }));
+  rig_.click("expandButton");
+  EXPECT_FALSE(panel->isCollapsed());
+}
+
+TEST_F(Panel, WhatIsHiddenInThePictureStaysHiddenWithAnotherArray)
+{
+  rig_.click("show2");  // basilar membrane
+  rig_.choose("arraySelector", "flex28");
+  const QImage hidden = rig_.picture();
+  rig_.click("show2");
+  EXPECT_NE(rig_.picture(), hidden);
+}
+
+TEST(PanelRecording, ToldByNameIsKeptThereWithTheChangesMadeBefore)
+{
+  const TemporaryFolder folder;
+  const auto file = folder / "kept.insertion";
+  {
+    WindowRig rig({}, file);
+    rig.type("panelSpeed", "5.0");
+    rig.click("startButton");
+    ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.5; }));
+  }
+  const auto kept = session::RecordedInsertion::open(file);
+  ASSERT_TRUE(kept) << kept.error().message;
+  EXPECT_THAT(kept->facts().scenarioText, HasSubstr("speed_mm_s = 5.0"));
+  EXPECT_THAT(kept->facts().scenarioText, HasSubstr("Modified (speed)"));
+  EXPECT_EQ(kept->facts().scenarioName, "contour-published-modified");
+}
+
+}  // namespace
+}  // namespace perilymph::test

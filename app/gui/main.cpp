@@ -18,6 +18,7 @@
 #include "RunMark.h"
 #include "Settings.h"
 #include "SettingsSheet.h"
+#include "SetupHistory.h"
 #include "Theme.h"
 #include "perilymph/foundation/RealTime.h"
 #include "perilymph/foundation/Version.h"
@@ -65,6 +66,7 @@ struct Beginning {
   gui::Page page = gui::Page::start;
   gui::Options options;  ///< Errands are for the first window only.
   std::vector<std::filesystem::path> interrupted;
+  std::optional<std::pair<gui::Origin, gui::Setup>> setup;  ///< Of the window before.
 };
 
 /// How a window ended: with a status, or wishing to be made anew.
@@ -76,9 +78,11 @@ struct WindowEnd {
 WindowEnd runWindow(gui::Application& application, const Beginning& beginning)
 {
   const gui::Options& options = beginning.options;
+  QGuiApplication::setQuitOnLastWindowClosed(true);
   gui::RunMark mark(gui::stateFolder());
   gui::MainWindow window(beginning.scenario, options.record);
   application.onException([&window](const QString& sentence) { window.showTrouble(sentence); });
+  if (beginning.setup) window.resume(beginning.setup->first, beginning.setup->second);
   window.showPage(beginning.page);
   gui::arrangeErrands(window, options);
   gui::offerInterrupted(window, beginning.interrupted);
@@ -93,8 +97,14 @@ WindowEnd runWindow(gui::Application& application, const Beginning& beginning)
   window.show();
   const int status = openAndRun(window);
   if (isPlain) gui::Settings().setValue(geometry, window.saveGeometry());
+  application.onException({});
   if (status != openAnew) return {status, std::nullopt};
-  return {0, Beginning{window.control().scenario(), window.page(), {}, {}}};
+  QGuiApplication::setQuitOnLastWindowClosed(false);  // its going is not the end
+  return {0, Beginning{window.control().scenario(),
+                       window.page(),
+                       {},
+                       {},
+                       std::pair{window.setup().origin(), window.setup().now()}}};
 }
 
 /// What a person chose before, or for this call alone.

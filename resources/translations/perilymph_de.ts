@@ -21,6 +21,45 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui</name>
+    <message>
+        <source>precurved</source>
+        <translation>vorgekrümmt</translation>
+    </message>
+    <message>
+        <source>straight</source>
+        <translation>gerade</translation>
+    </message>
+    <message>
+        <source>, stylet</source>
+        <translation>, Stilett</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 contacts</source>
+        <translation>%1 Kontakte</translation>
+    </message>
+    <message>
+        <source>138 cochleae, Pietsch et al. 2017, Sci Rep.</source>
+        <translation>138 Cochleae, Pietsch et al. 2017, Sci Rep.</translation>
+    </message>
+    <message>
+        <source>Sections vary by 9 to 15 % (Avci et al. 2014) about a mean of %1 mm (Froehlich et al. 2024, n = 15).</source>
+        <translation>Schnitte schwanken um 9 bis 15 % (Avci et al. 2014) um ein Mittel von %1 mm (Froehlich et al. 2024, n = 15).</translation>
+    </message>
+    <message>
+        <source>Organ of Corti 33.13 ± 2.11 mm, n = 9 (Stakhovskaya et al. 2007). The published model has 35.58 mm.</source>
+        <translation>Corti-Organ 33,13 ± 2,11 mm, n = 9 (Stakhovskaya et al. 2007). Das veröffentlichte Modell hat 35,58 mm.</translation>
+    </message>
+    <message>
+        <source>Definitions of H differ, so only limits are given.</source>
+        <translation>H wird verschieden definiert, daher nur Grenzen.</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::Application</name>
     <message>
         <source>The window could not do that: %1</source>
@@ -29,6 +68,185 @@
     <message>
         <source>The window could not do that, and does not know why.</source>
         <translation>Das Fenster konnte das nicht und weiß nicht, warum.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::ArraySection</name>
+    <message>
+        <source>Array</source>
+        <translation>Träger</translation>
+    </message>
+    <message>
+        <source>array %1</source>
+        <translation>Träger %1</translation>
+    </message>
+    <message>
+        <source>Technique</source>
+        <translation>Technik</translation>
+    </message>
+    <message>
+        <source>Standard</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>A stylet stays in until full depth.</source>
+        <translation>Ein Stilett bleibt bis zur vollen Tiefe drin.</translation>
+    </message>
+    <message>
+        <source>Advance off stylet</source>
+        <translation>Vom Stilett schieben</translation>
+    </message>
+    <message>
+        <source>The stylet is held still at its depth and the array pushed off it.</source>
+        <translation>Das Stilett wird in seiner Tiefe gehalten und der Träger davon geschoben.</translation>
+    </message>
+    <message>
+        <source>technique: %1</source>
+        <translation>Technik: %1</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>mm/s</source>
+        <translation>mm/s</translation>
+    </message>
+    <message>
+        <source>Of the scripted hand.</source>
+        <translation>Der Hand des Skripts.</translation>
+    </message>
+    <message>
+        <source>Full depth at</source>
+        <translation>Volle Tiefe bei</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Travel at which the insertion is complete.</source>
+        <translation>Weg, bei dem die Einführung vollendet ist.</translation>
+    </message>
+    <message>
+        <source>speed %1 mm/s</source>
+        <translation>Tempo %1 mm/s</translation>
+    </message>
+    <message>
+        <source>full depth at %1 mm</source>
+        <translation>volle Tiefe bei %1 mm</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>friction: %1</source>
+        <translation>Reibung: %1</translation>
+    </message>
+    <message>
+        <source>Coefficients of dry friction between array and wall: starting, dynamic.</source>
+        <translation>Beiwerte trockener Reibung zwischen Träger und Wand: Haften, Gleiten.</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>Öffnung</translation>
+    </message>
+    <message>
+        <source>Cochleostomy</source>
+        <translation>Cochleostomie</translation>
+    </message>
+    <message>
+        <source>A drilled round opening; ribs meet its edge.</source>
+        <translation>Eine gebohrte runde Öffnung; Rippen treffen auf ihren Rand.</translation>
+    </message>
+    <message>
+        <source>Round window</source>
+        <translation>Rundes Fenster</translation>
+    </message>
+    <message>
+        <source>1.37 by 1.91 mm, the mean of 20 (Benha Med J 2018;35:246).</source>
+        <translation>1,37 mal 1,91 mm, das Mittel von 20 (Benha Med J 2018;35:246).</translation>
+    </message>
+    <message>
+        <source>No rim</source>
+        <translation>Kein Rand</translation>
+    </message>
+    <message>
+        <source>Nothing but the wall.</source>
+        <translation>Nichts als die Wand.</translation>
+    </message>
+    <message>
+        <source>opening: %1</source>
+        <translation>Öffnung: %1</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Elastic rod</source>
+        <translation>Elastischer Stab</translation>
+    </message>
+    <message>
+        <source>The array as an elastic rod of nodes.</source>
+        <translation>Der Träger als elastischer Stab aus Knoten.</translation>
+    </message>
+    <message>
+        <source>Point set</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>The published model: a few spheres on springs, limits and all.</source>
+        <translation>Das veröffentlichte Modell: einige Kugeln an Federn, mit allen Grenzen.</translation>
+    </message>
+    <message>
+        <source>model: %1</source>
+        <translation>Modell: %1</translation>
+    </message>
+    <message>
+        <source>Nodes</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>Of the rod, or points of the set.</source>
+        <translation>Des Stabs, oder Punkte.</translation>
+    </message>
+    <message>
+        <source>%1 nodes</source>
+        <translation>%1 Knoten</translation>
+    </message>
+    <message>
+        <source>calibrated</source>
+        <translation>abgeglichen</translation>
+    </message>
+    <message>
+        <source>Stiffness and curvature fitted to printed forces: %1.</source>
+        <translation>Steifigkeit und Krümmung an gedruckte Kräfte angepasst: %1.</translation>
+    </message>
+    <message>
+        <source>no depth is known to hold the stylet at</source>
+        <translation>keine Tiefe bekannt, das Stilett zu halten</translation>
+    </message>
+    <message>
+        <source>this array has no stylet</source>
+        <translation>dieser Träger hat kein Stilett</translation>
+    </message>
+    <message>
+        <source>starting %1 · dynamic %2</source>
+        <translation>Haften %1 · Gleiten %2</translation>
+    </message>
+    <message>
+        <source>starting %1 · dynamic from %2, by speed</source>
+        <translation>Haften %1 · Gleiten ab %2, je Tempo</translation>
+    </message>
+    <message>
+        <source>Full depth</source>
+        <translation>Volle Tiefe</translation>
+    </message>
+    <message>
+        <source>%1 %2. Correct it, or press Esc in its field.</source>
+        <translation>%1 %2. Berichtigen, oder Esc im Feld drücken.</translation>
     </message>
 </context>
 <context>
@@ -199,6 +417,77 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::HandSection</name>
+    <message>
+        <source>Hand</source>
+        <translation>Hand</translation>
+    </message>
+    <message>
+        <source>Scripted insertion</source>
+        <translation>Nach Skript</translation>
+    </message>
+    <message>
+        <source>Mouse and keyboard</source>
+        <translation>Maus und Tastatur</translation>
+    </message>
+    <message>
+        <source>Haptic device…</source>
+        <translation>Haptisches Gerät …</translation>
+    </message>
+    <message>
+        <source>Hold the array (Space)</source>
+        <translation>Träger halten (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Pull stylet (S)</source>
+        <translation>Stilett ziehen (S)</translation>
+    </message>
+    <message>
+        <source>Force shown</source>
+        <translation>Kraft gezeigt</translation>
+    </message>
+    <message>
+        <source>times</source>
+        <translation>mal</translation>
+    </message>
+    <message>
+        <source>Force at the hand’s device over the physical force. Script and mouse feel none.</source>
+        <translation>Kraft am Gerät über der physikalischen Kraft. Skript und Maus fühlen keine.</translation>
+    </message>
+    <message>
+        <source>Constant speed in, constant speed out.</source>
+        <translation>Mit festem Tempo hinein und heraus.</translation>
+    </message>
+    <message>
+        <source>The wheel or the up and down keys move the array while it is held.</source>
+        <translation>Rad oder Auf und Ab bewegen den Träger, solange er gehalten wird.</translation>
+    </message>
+    <message>
+        <source>Which devices there are, and which one may be the hand (H).</source>
+        <translation>Welche Geräte es gibt und welches die Hand sein kann (H).</translation>
+    </message>
+    <message>
+        <source>force shown %1 times</source>
+        <translation>Kraft %1-mal gezeigt</translation>
+    </message>
+    <message>
+        <source>The array follows the wheel only while this is pressed or Space is down.</source>
+        <translation>Der Träger folgt dem Rad nur, solange dies oder die Leertaste gedrückt ist.</translation>
+    </message>
+    <message>
+        <source>Stylet</source>
+        <translation>Stilett</translation>
+    </message>
+    <message>
+        <source>Force shown %1. Correct it, or press Esc in its field.</source>
+        <translation>Kraft gezeigt %1. Berichtigen, oder Esc im Feld drücken.</translation>
+    </message>
+    <message>
+        <source>Array held</source>
+        <translation>Träger gehalten</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::KeyList</name>
     <message>
         <source>Insertion</source>
@@ -325,14 +614,6 @@
     <message>
         <source>no stylet</source>
         <translation>kein Stilett</translation>
-    </message>
-    <message>
-        <source>stylet %1 mm out</source>
-        <translation>Stilett %1 mm heraus</translation>
-    </message>
-    <message>
-        <source>Standard, stylet in</source>
-        <translation>Standard, Stilett drin</translation>
     </message>
     <message>
         <source>ready</source>
@@ -570,12 +851,47 @@
         <source>Perilymph · %1</source>
         <translation>Perilymph · %1</translation>
     </message>
+    <message>
+        <source>%1 mm out</source>
+        <translation>%1 mm heraus</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>drin</translation>
+    </message>
+    <message>
+        <source>undo and redo a change of the setup</source>
+        <translation>eine Änderung des Aufbaus zurücknehmen und wiederholen</translation>
+    </message>
+    <message>
+        <source>hide or show the panel</source>
+        <translation>das Feld links verbergen oder zeigen</translation>
+    </message>
+    <message>
+        <source>out of the panel’s fields</source>
+        <translation>aus den Feldern links heraus</translation>
+    </message>
+    <message>
+        <source>Not the preset’s values: %1.</source>
+        <translation>Nicht die Werte der Vorlage: %1.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::Notice</name>
     <message>
         <source>Dismiss</source>
         <translation>Verbergen</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::NumberField</name>
+    <message>
+        <source>%1 to %2 %3. %4</source>
+        <translation>%1 bis %2 %3. %4</translation>
+    </message>
+    <message>
+        <source>must be %1 to %2 %3</source>
+        <translation>muss %1 bis %2 %3 sein</translation>
     </message>
 </context>
 <context>
@@ -632,10 +948,6 @@
 <context>
     <name>perilymph::gui::PatientForm</name>
     <message>
-        <source>138 cochleae, Pietsch et al. 2017, Sci Rep.</source>
-        <translation>138 Cochleae, Pietsch et al. 2017, Sci Rep.</translation>
-    </message>
-    <message>
         <source>right</source>
         <translation>rechts</translation>
     </message>
@@ -688,14 +1000,6 @@
         <translation>Skalenlänge, Corti-Organ</translation>
     </message>
     <message>
-        <source>Organ of Corti 33.13 ± 2.11 mm, n = 9 (Stakhovskaya et al. 2007). The published model has 35.58 mm.</source>
-        <translation>Corti-Organ 33,13 ± 2,11 mm, n = 9 (Stakhovskaya et al. 2007). Das veröffentlichte Modell hat 35,58 mm.</translation>
-    </message>
-    <message>
-        <source>Sections vary by 9 to 15 % (Avci et al. 2014) about a mean of %1 mm (Froehlich et al. 2024, n = 15).</source>
-        <translation>Schnitte schwanken um 9 bis 15 % (Avci et al. 2014) um ein Mittel von %1 mm (Froehlich et al. 2024, n = 15).</translation>
-    </message>
-    <message>
         <source>Section width at round window</source>
         <translation>Schnittbreite am runden Fenster</translation>
     </message>
@@ -716,12 +1020,127 @@
         <translation>Höhe H</translation>
     </message>
     <message>
-        <source>Definitions of H differ, so only limits are given.</source>
-        <translation>H wird verschieden definiert, daher nur Grenzen.</translation>
-    </message>
-    <message>
         <source>unnamed</source>
         <translation>unbenannt</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::PatientSection</name>
+    <message>
+        <source>typed</source>
+        <translation>getippt</translation>
+    </message>
+    <message>
+        <source>from CT</source>
+        <translation>aus CT</translation>
+    </message>
+    <message>
+        <source>default</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>Ear</source>
+        <translation>Ohr</translation>
+    </message>
+    <message>
+        <source>Cochlea</source>
+        <translation>Cochlea</translation>
+    </message>
+    <message>
+        <source>A code, not a name.</source>
+        <translation>Ein Kürzel, kein Name.</translation>
+    </message>
+    <message>
+        <source>right ear</source>
+        <translation>rechtes Ohr</translation>
+    </message>
+    <message>
+        <source>left ear</source>
+        <translation>linkes Ohr</translation>
+    </message>
+    <message>
+        <source>A left ear is the mirror image of a right one; its forces are the same.</source>
+        <translation>Ein linkes Ohr ist das Spiegelbild eines rechten; seine Kräfte sind gleich.</translation>
+    </message>
+    <message>
+        <source>Three lengths</source>
+        <translation>Drei Längen</translation>
+    </message>
+    <message>
+        <source>The published scala tympani, scaled by three lengths from CT.</source>
+        <translation>Die veröffentlichte Scala tympani, nach drei Längen aus dem CT.</translation>
+    </message>
+    <message>
+        <source>A, B and H</source>
+        <translation>A, B und H</translation>
+    </message>
+    <message>
+        <source>The mean of fifteen human scalae, scaled by the diameters of the basal turn. Adapted from Froehlich et al. 2024, CC BY 4.0.</source>
+        <translation>Das Mittel von fünfzehn menschlichen Skalen, nach den Durchmessern der Basalwindung. Nach Froehlich et al. 2024, CC BY 4.0.</translation>
+    </message>
+    <message>
+        <source>Mean of 15</source>
+        <translation>Mittel von 15</translation>
+    </message>
+    <message>
+        <source>The mean of fifteen human scalae as measured. Adapted from Froehlich, Schurzig, Rau, Lenarz (2024), PLOS ONE, doi 10.1371/journal.pone.0295121, CC BY 4.0.</source>
+        <translation>Das Mittel von fünfzehn menschlichen Skalen, wie gemessen. Nach Froehlich, Schurzig, Rau, Lenarz (2024), PLOS ONE, doi 10.1371/journal.pone.0295121, CC BY 4.0.</translation>
+    </message>
+    <message>
+        <source>Clark’s spiral</source>
+        <translation>Clarks Spirale</translation>
+    </message>
+    <message>
+        <source>A spiral of constant section, for comparison with older models.</source>
+        <translation>Eine Spirale mit festem Schnitt, zum Vergleich mit älteren Modellen.</translation>
+    </message>
+    <message>
+        <source>Scala length</source>
+        <translation>Skalenlänge</translation>
+    </message>
+    <message>
+        <source>Width at window</source>
+        <translation>Breite am Fenster</translation>
+    </message>
+    <message>
+        <source>Height at window</source>
+        <translation>Höhe am Fenster</translation>
+    </message>
+    <message>
+        <source>Length A</source>
+        <translation>Länge A</translation>
+    </message>
+    <message>
+        <source>Width B</source>
+        <translation>Breite B</translation>
+    </message>
+    <message>
+        <source>Height H</source>
+        <translation>Höhe H</translation>
+    </message>
+    <message>
+        <source>%1 %2. Correct it, or press Esc in its field.</source>
+        <translation>%1 %2. Berichtigen, oder Esc im Feld drücken.</translation>
+    </message>
+    <message>
+        <source>%1 %2 mm</source>
+        <translation>%1 %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 left out</source>
+        <translation>%1 ausgelassen</translation>
+    </message>
+    <message>
+        <source>cochlea: %1</source>
+        <translation>Cochlea: %1</translation>
+    </message>
+    <message>
+        <source>patient %1</source>
+        <translation>Patient %1</translation>
     </message>
 </context>
 <context>
@@ -777,6 +1196,22 @@
         <source>allowed %1 to %2 mm · CT error ± %3 mm</source>
         <translation>erlaubt %1 bis %2 mm · CT-Fehler ± %3 mm</translation>
     </message>
+    <message>
+        <source>Where the number comes from.</source>
+        <translation>Woher die Zahl kommt.</translation>
+    </message>
+    <message>
+        <source>must be %1 to %2 mm</source>
+        <translation>muss %1 bis %2 mm sein</translation>
+    </message>
+    <message>
+        <source>%1%2 SD · CT ± %3 mm</source>
+        <translation>%1%2 SD · CT ± %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm · CT ± %3 mm</source>
+        <translation>%1 bis %2 mm · CT ± %3 mm</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::PushPad</name>
@@ -795,6 +1230,80 @@
     <message>
         <source>fast</source>
         <translation>schnell</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::ScenarioHead</name>
+    <message>
+        <source>MODIFIED</source>
+        <translation>GEÄNDERT</translation>
+    </message>
+    <message>
+        <source>Locked during an insertion</source>
+        <translation>Gesperrt beim Einführen</translation>
+    </message>
+    <message>
+        <source>Back to the published values</source>
+        <translation>Zu den veröffentlichten Werten</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Vor</translation>
+    </message>
+    <message>
+        <source>SCENARIO</source>
+        <translation>SZENARIO</translation>
+    </message>
+    <message>
+        <source>Hide the panel (B)</source>
+        <translation>Feld verbergen (B)</translation>
+    </message>
+    <message>
+        <source>Hide the panel</source>
+        <translation>Feld verbergen</translation>
+    </message>
+    <message>
+        <source>Changes are possible before an insertion and after it. Press Reset.</source>
+        <translation>Änderungen gehen vor einer Einführung und danach. „Neu“ drücken.</translation>
+    </message>
+    <message>
+        <source>Not the preset’s values: %1.</source>
+        <translation>Nicht die Werte der Vorlage: %1.</translation>
+    </message>
+    <message>
+        <source>Back to the preset’s values</source>
+        <translation>Zu den Werten der Vorlage</translation>
+    </message>
+    <message>
+        <source>Changed: %1. %2</source>
+        <translation>Geändert: %1. %2</translation>
+    </message>
+    <message>
+        <source>Undo %1</source>
+        <translation>Zurücknehmen: %1</translation>
+    </message>
+    <message>
+        <source>Redo %1</source>
+        <translation>Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>%1 (Ctrl+Z)</source>
+        <translation>%1 (Strg+Z)</translation>
+    </message>
+    <message>
+        <source>%1 (Ctrl+Shift+Z)</source>
+        <translation>%1 (Strg+Umschalt+Z)</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::Section</name>
+    <message>
+        <source>Fold or unfold</source>
+        <translation>Auf- oder zuklappen</translation>
     </message>
 </context>
 <context>
@@ -852,183 +1361,14 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::SetupHistory</name>
+    <message>
+        <source>back to the preset’s values</source>
+        <translation>zu den Werten der Vorlage</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::SidePanel</name>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>no stylet</source>
-        <translation>kein Stilett</translation>
-    </message>
-    <message>
-        <source>Standard, stylet in</source>
-        <translation>Standard, Stilett drin</translation>
-    </message>
-    <message>
-        <source>Patient</source>
-        <translation>Patient</translation>
-    </message>
-    <message>
-        <source>Length A</source>
-        <translation>Länge A</translation>
-    </message>
-    <message>
-        <source>From the round window through the modiolus to the far lateral wall.</source>
-        <translation>Vom runden Fenster durch den Modiolus zur fernen Außenwand.</translation>
-    </message>
-    <message>
-        <source>Width B</source>
-        <translation>Breite B</translation>
-    </message>
-    <message>
-        <source>Across A, from lateral wall to lateral wall.</source>
-        <translation>Quer zu A, von Außenwand zu Außenwand.</translation>
-    </message>
-    <message>
-        <source>Height H</source>
-        <translation>Höhe H</translation>
-    </message>
-    <message>
-        <source>From base to apex along the modiolus.</source>
-        <translation>Von der Basis zur Spitze entlang des Modiolus.</translation>
-    </message>
-    <message>
-        <source>Scala length</source>
-        <translation>Skalenlänge</translation>
-    </message>
-    <message>
-        <source>Length of the scala tympani along the path of the organ of Corti.</source>
-        <translation>Länge der Scala tympani entlang des Corti-Organs.</translation>
-    </message>
-    <message>
-        <source>Width at window</source>
-        <translation>Breite am Fenster</translation>
-    </message>
-    <message>
-        <source>Width of the scala tympani's section at the round window.</source>
-        <translation>Breite des Schnitts der Scala tympani am runden Fenster.</translation>
-    </message>
-    <message>
-        <source>Height at window</source>
-        <translation>Höhe am Fenster</translation>
-    </message>
-    <message>
-        <source>Height of the scala tympani's section at the round window.</source>
-        <translation>Höhe des Schnitts der Scala tympani am runden Fenster.</translation>
-    </message>
-    <message>
-        <source>Sections</source>
-        <translation>Schnitte</translation>
-    </message>
-    <message>
-        <source>mean of 15, CC BY 4.0</source>
-        <translation>Mittel von 15, CC BY 4.0</translation>
-    </message>
-    <message>
-        <source>Adapted from Froehlich, Schurzig, Rau, Lenarz (2024), PLOS ONE, doi 10.1371/journal.pone.0295121, CC BY 4.0.</source>
-        <translation>Nach Froehlich, Schurzig, Rau, Lenarz (2024), PLOS ONE, doi 10.1371/journal.pone.0295121, CC BY 4.0.</translation>
-    </message>
-    <message>
-        <source>Ear</source>
-        <translation>Ohr</translation>
-    </message>
-    <message>
-        <source>left</source>
-        <translation>links</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>rechts</translation>
-    </message>
-    <message>
-        <source>Array</source>
-        <translation>Träger</translation>
-    </message>
-    <message>
-        <source>Technique</source>
-        <translation>Technik</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Tempo</translation>
-    </message>
-    <message>
-        <source>%1 mm/s</source>
-        <translation>%1 mm/s</translation>
-    </message>
-    <message>
-        <source>Of the scripted hand.</source>
-        <translation>Der Hand des Skripts.</translation>
-    </message>
-    <message>
-        <source>Friction</source>
-        <translation>Reibung</translation>
-    </message>
-    <message>
-        <source>Coefficients of dry friction between array and wall: starting / dynamic.</source>
-        <translation>Beiwerte trockener Reibung zwischen Träger und Wand: Haften / Gleiten.</translation>
-    </message>
-    <message>
-        <source>Model</source>
-        <translation>Modell</translation>
-    </message>
-    <message>
-        <source>Rod · %1 nodes</source>
-        <translation>Stab · %1 Knoten</translation>
-    </message>
-    <message>
-        <source>The array as an elastic rod, every %1 ms.</source>
-        <translation>Der Träger als elastischer Stab, alle %1 ms.</translation>
-    </message>
-    <message>
-        <source>Hand</source>
-        <translation>Hand</translation>
-    </message>
-    <message>
-        <source>Scripted insertion</source>
-        <translation>Nach Skript</translation>
-    </message>
-    <message>
-        <source>Constant speed in, constant speed out.</source>
-        <translation>Mit festem Tempo hinein und heraus.</translation>
-    </message>
-    <message>
-        <source>Mouse and keyboard</source>
-        <translation>Maus und Tastatur</translation>
-    </message>
-    <message>
-        <source>The wheel or the up and down keys move the array while it is held.</source>
-        <translation>Rad oder Auf und Ab bewegen den Träger, solange er gehalten wird.</translation>
-    </message>
-    <message>
-        <source>Haptic device…</source>
-        <translation>Haptisches Gerät …</translation>
-    </message>
-    <message>
-        <source>Which devices there are, and which one may be the hand (H).</source>
-        <translation>Welche Geräte es gibt und welches die Hand sein kann (H).</translation>
-    </message>
-    <message>
-        <source>Hold the array (Space)</source>
-        <translation>Träger halten (Leertaste)</translation>
-    </message>
-    <message>
-        <source>Pull stylet (S)</source>
-        <translation>Stilett ziehen (S)</translation>
-    </message>
-    <message>
-        <source>The array follows the wheel only while this is pressed or Space is down.</source>
-        <translation>Der Träger folgt dem Rad nur, solange dies oder die Leertaste gedrückt ist.</translation>
-    </message>
-    <message>
-        <source>Force shown</source>
-        <translation>Kraft gezeigt</translation>
-    </message>
-    <message>
-        <source>Force at the hand's device over the physical force. Script and mouse feel none.</source>
-        <translation>Kraft am Gerät über der physikalischen Kraft. Skript und Maus fühlen keine.</translation>
-    </message>
     <message>
         <source>Show</source>
         <translation>Zeigen</translation>
@@ -1054,8 +1394,12 @@
         <translation>Veröffentlichter Versuch</translation>
     </message>
     <message>
-        <source>Array held</source>
-        <translation>Träger gehalten</translation>
+        <source>Show the panel (B)</source>
+        <translation>Feld zeigen (B)</translation>
+    </message>
+    <message>
+        <source>Show the panel</source>
+        <translation>Feld zeigen</translation>
     </message>
 </context>
 <context>
@@ -1138,6 +1482,10 @@
     <message>
         <source>Sessions</source>
         <translation>Sitzungen</translation>
+    </message>
+    <message>
+        <source>MODIFIED</source>
+        <translation>GEÄNDERT</translation>
     </message>
 </context>
 <context>

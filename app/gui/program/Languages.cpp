@@ -5,11 +5,8 @@
 #include <QLocale>
 #include <QTranslator>
 
-namespace {
-
-void initializeTranslations() { Q_INIT_RESOURCE(translations); }
-
-}  // namespace
+// Outside of every namespace, where Qt looks for the resource.
+static void initializeTranslations() { Q_INIT_RESOURCE(translations); }
 
 namespace perilymph::gui {
 

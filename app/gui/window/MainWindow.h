@@ -55,6 +55,9 @@ public:
   /// The same where it is known what the patient's numbers come from.
   void load(Setup setup, Origin::Kind kind, Then then);
 
+  /// Goes on with the setup of a window before this one, whose scenario is this one's.
+  void resume(const Origin& origin, const Setup& now);
+
   void start();
   void pause();
   void withdraw();

@@ -14,6 +14,7 @@
 #include "KeyList.h"
 #include "Notice.h"
 #include "SettingsSheet.h"
+#include "SetupHistory.h"
 #include "TopBar.h"
 #include "WindowRig.h"
 
@@ -157,6 +158,20 @@ TEST(WindowHabits, TheFocusIsSeen)
   button->setFocus(Qt::TabFocusReason);
   ASSERT_TRUE(WindowRig::comes([&] { return button->hasFocus(); }));
   EXPECT_NE(button->grab().toImage(), before);
+}
+
+TEST(WindowHabits, AWindowMadeAnewStillShowsThatItsPresetWasModified)
+{
+  auto preset = session::loadScenario("contour-published");
+  ASSERT_TRUE(preset);
+  gui::SetupHistory before(nullptr);
+  before.begin({*preset, {}}, gui::Origin::Kind::preset);
+  before.change({gui::Field::speed, {{"speed_mm_s", "1.0"}}, "speed", gui::Provenance::typed});
+  ASSERT_TRUE(before.isModified());
+  gui::MainWindow window(before.now().scenario, std::nullopt);
+  window.resume(before.origin(), before.now());
+  EXPECT_TRUE(window.setup().isModified());
+  EXPECT_EQ(window.control().scenario().text, before.now().scenario.text);
 }
 
 TEST(WindowHabits, TheSettingsSheetOpensAndAChoiceIsKept)

@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "ForceWords.h"
 #include "Numbers.h"
 #include "PhaseLine.h"
 #include "ReadOut.h"
@@ -65,6 +66,7 @@ OperationView::OperationView(QWidget* parent)
       travel_(new ReadOut({46, QStringLiteral("00.0"), tr("mm"), Qt::AlignLeft}, this)),
       angle_(new ReadOut({46, QStringLiteral("000"), QStringLiteral("°"), Qt::AlignLeft}, this)),
       force_(new ReadOut({46, QStringLiteral("-000"), tr("mN"), Qt::AlignRight}, this)),
+      forceWords_(new ForceWords(this)),
       speed_(new ReadOut({20, QStringLiteral("-00.0"), tr("mm/s"), Qt::AlignRight}, this)),
       banner_(new QFrame(this)),
       bannerText_(new QLabel(banner_)),
@@ -93,8 +95,8 @@ void OperationView::addReadOuts()
   angle_->setObjectName(QStringLiteral("angleReadOut"));
   force_->setObjectName(QStringLiteral("forceReadOut"));
   speed_->setObjectName(QStringLiteral("speedReadOut"));
-  angle_->setCaption(tr("angle from round window"));
-  force_->setCaption(tr("force on the hand · felt above 20 mN"));
+  angle_->setCaption(tr("from round window"));
+  force_->setCaption(tr("force on the hand"));
 
   banner_->setObjectName(QStringLiteral("banner"));
   bannerText_->setObjectName(QStringLiteral("bannerText"));
@@ -125,6 +127,7 @@ void OperationView::addReadOuts()
   column->setContentsMargins(2 * spacing, spacing, 2 * spacing, spacing);
   column->setSpacing(spacing);
   column->addLayout(numbers);
+  column->addWidget(forceWords_, 0, Qt::AlignRight);
   column->addWidget(speed_, 0, Qt::AlignRight);
   column->addWidget(banner_);
   column->addStretch();
@@ -158,6 +161,7 @@ void OperationView::showNumbers(const haptics::TickOutput& now, Length stopTrave
       tr("travel · depth %1 mm").arg(numberText(inMillimeters(Length::fromSi(now.depth)), 1)));
   angle_->setNumber(numberText(inDegrees(Angle::fromSi(now.angularDepth)), 0));
   force_->setNumber(numberText(inMillinewtons(Force::fromSi(now.axialForce)), 0));
+  forceWords_->show(Force::fromSi(now.axialForce), Force::fromSi(now.membraneForce));
   speed_->setNumber(numberText(inMillimetersPerSecond(Speed::fromSi(now.speed)), 1));
   phase_->setPhase(analysis::phaseOf(now, stopTravel));
 }

@@ -15,6 +15,7 @@ class QLabel;
 
 namespace perilymph::gui {
 
+class ForceWords;
 class PhaseLine;
 class ReadOut;
 
@@ -71,6 +72,7 @@ private:
   ReadOut* travel_;
   ReadOut* angle_;
   ReadOut* force_;
+  ForceWords* forceWords_;
   ReadOut* speed_;
   QFrame* banner_;
   QLabel* bannerText_;

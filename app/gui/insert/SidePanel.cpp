@@ -54,6 +54,7 @@ SidePanel::SidePanel(QWidget* parent)
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
   scroll_->verticalScrollBar()->setFixedWidth(scrollBar_px);
+  content->setMaximumWidth(sidePanelWidth - scrollBar_px);
   scroll_->setWidget(content);
   scroll_->viewport()->installEventFilter(this);
 

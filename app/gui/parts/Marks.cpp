@@ -38,6 +38,11 @@ void drawText(QPainter& painter, const QAbstractButton& button)
   painter.setPen(button.isEnabled() ? textColor : quietTextColor);
   painter.drawText(button.rect().adjusted(textLeft_px, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft,
                    button.text());
+  if (!button.hasFocus()) return;
+  // where the keys go: a line below the words
+  const int width = QFontMetrics(button.font()).horizontalAdvance(button.text());
+  painter.setPen(QPen(accentColor, 1.5));
+  painter.drawLine(textLeft_px, button.height() - 3, textLeft_px + width, button.height() - 3);
 }
 
 }  // namespace

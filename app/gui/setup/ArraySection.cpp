@@ -196,9 +196,12 @@ void ArraySection::showFriction(const session::Scenario& scenario)
     if (key == "friction") name = value.substr(1, value.size() - 2);
   friction_->show(QString::fromStdString(name), QString::fromStdString(name));
   const mechanics::FrictionLaw& law = scenario.friction;
-  coefficients_->setText((law.bySpeed.isEmpty() ? tr("starting %1 · dynamic %2")
-                                                : tr("starting %1 · dynamic from %2, by speed"))
-                             .arg(numberText(law.starting, 4), numberText(law.dynamic, 4)));
+  const QString starting = numberText(law.starting, 4);
+  coefficients_->setText(
+      law.bySpeed.isEmpty()
+          ? tr("starting %1 · dynamic %2").arg(starting, numberText(law.dynamic, 4))
+          : tr("%1 to %2 by speed")
+                .arg(numberText(law.bySpeed.least(), 2), numberText(law.bySpeed.greatest(), 2)));
 }
 
 QString ArraySection::commit()

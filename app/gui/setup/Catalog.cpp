@@ -21,8 +21,7 @@ QString summaryOf(const electrode::ArrayDesign& array)
   const auto& curvature = array.restCurvature.value;
   const bool isCurved = std::any_of(curvature.begin(), curvature.end(),
                                     [](Curvature value) { return value.si() != 0.0; });
-  QString shape = isCurved ? tr("precurved") : tr("straight");
-  if (array.hasStylet) shape += tr(", stylet");
+  const QString shape = isCurved ? tr("precurved") : tr("straight");
   const QStringList words{tr("%1 mm").arg(numberText(inMillimeters(array.insertable), 1)), shape,
                           tr("%1 contacts").arg(array.contactsFromTip.size())};
   return words.join(QStringLiteral(" · "));

@@ -22,7 +22,7 @@ struct CatalogArray {
 /// left out.
 std::vector<CatalogArray> catalogArrays();
 
-/// "22.0 mm · precurved, stylet · 22 contacts": how deep it may go, what it is, what it carries.
+/// "22.0 mm · precurved · 22 contacts": how deep it may go, what it is, what it carries.
 QString summaryOf(const electrode::ArrayDesign& array);
 
 /// One friction of the catalog.

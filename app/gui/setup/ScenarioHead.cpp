@@ -48,6 +48,7 @@ ScenarioHead::ScenarioHead(QWidget* parent)
   heading->setProperty("quiet", true);
   badge_->setObjectName(QStringLiteral("modifiedBadge"));
   badge_->setProperty("badge", true);
+  badge_->setFixedHeight(20);
   badge_->setFont(typeface(11, QFont::DemiBold));
   auto* collapse = addButton(QStringLiteral("◂"), "collapseButton");
   collapse->setFixedSize(22, 20);

@@ -47,6 +47,7 @@ void Selector::addHeading(const QString& text)
   if (QStandardItem* item = itemOf(*this, count() - 1)) {
     item->setEnabled(false);
     item->setFont(typeface(11, QFont::DemiBold));
+    item->setForeground(quietTextColor);
   }
 }
 
@@ -63,6 +64,7 @@ void Selector::setPossible(const QString& value, bool isPossible, const QString&
   QStandardItem* item = itemOf(*this, index);
   if (item == nullptr) return;
   item->setEnabled(isPossible);
+  item->setForeground(isPossible ? textColor : quietTextColor);
   const QString text = itemData(index, textRole).toString();
   setItemText(index, isPossible ? text : text + QStringLiteral(" – ") + reason);
 }

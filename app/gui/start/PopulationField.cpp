@@ -46,7 +46,7 @@ PopulationField::PopulationField(const QString& title, const char* name,
     field_->setFixedSize(fieldWidth_px, 28);
   else
     field_->setFixedSize(narrowFieldWidth_px, 26);
-  if (mayBeEmpty) field_->setPlaceholderText(tr("not given"));
+  if (mayBeEmpty) field_->setPlaceholderText(room == Room::wide ? tr("not given") : tr("none"));
   auto* unit = new QLabel(tr("mm"), this);
   unit->setFont(typeface(11));
   unit->setProperty("quiet", true);

@@ -8,6 +8,7 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 #include <QVariant>
+#include <algorithm>
 
 #include "PatientForm.h"
 #include "Theme.h"
@@ -18,6 +19,7 @@ namespace perilymph::gui {
 namespace {
 
 constexpr QSize cardSize{344, 372};
+constexpr int leastCardWidth_px = 296;
 constexpr int pictureHeight_px = 232;
 constexpr double pictureZoom = 1.9;  // the cochlea fills the middle half of its picture
 
@@ -56,7 +58,7 @@ void StartCard::paintEvent(QPaintEvent*)
   painter.fillPath(edge, isDown() ? groundColor : panelColor);
   painter.save();
   painter.setClipPath(edge);
-  painter.drawPixmap(0, 0, picture_);
+  painter.drawPixmap((width() - cardSize.width()) / 2, 0, picture_);
   painter.restore();
   painter.setPen(QPen(isChosen ? accentColor : lineColor, isChosen ? 2.0 : 1.0));
   painter.drawPath(edge);
@@ -148,6 +150,14 @@ QWidget* StartPage::cards()
   column->addWidget(foot, 0, Qt::AlignHCenter);
   column->addStretch(4);
   return page;
+}
+
+void StartPage::resizeEvent(QResizeEvent* event)
+{
+  QWidget::resizeEvent(event);
+  const int room = (width() - 10 * spacing) / 3;  // two gaps and a little at the sides
+  const int wide = std::clamp(room, leastCardWidth_px, cardSize.width());
+  for (StartCard* card : {patient_, mean_, demonstration_}) card->setFixedWidth(wide);
 }
 
 void StartPage::showCards()

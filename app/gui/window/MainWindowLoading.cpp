@@ -57,6 +57,8 @@ void MainWindow::showPage(Page page)
   pages_->setCurrentIndex(static_cast<int>(page));
   // on the first screen it is nobody's turn yet
   top_->setPatient(page == Page::start ? QString() : patientText(control_.scenario()));
+  top_->setModified(page != Page::start && setup_->isModified(),
+                    tr("Not the preset’s values: %1.").arg(setup_->changedWords()));
   if (page == Page::start) {
     startPage_->showCards();
   } else {
@@ -146,7 +148,7 @@ void MainWindow::showScenario()
   const session::Scenario& scenario = control_.scenario();
   setWindowTitle(tr("Perilymph · %1").arg(QString::fromStdString(scenario.name)));
   if (page_ != Page::start) top_->setPatient(patientText(scenario));
-  top_->setModified(setup_->isModified(),
+  top_->setModified(page_ != Page::start && setup_->isModified(),
                     tr("Not the preset’s values: %1.").arg(setup_->changedWords()));
 }
 

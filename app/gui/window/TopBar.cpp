@@ -92,6 +92,7 @@ TopBar::TopBar(QWidget* parent)
   modified_->setObjectName(QStringLiteral("modifiedLabel"));
   modified_->setProperty("badge", true);
   modified_->setFont(typeface(11, QFont::DemiBold));
+  modified_->setFixedHeight(20);
   modified_->hide();
 
   auto* keys = new QPushButton(QStringLiteral("?"), this);

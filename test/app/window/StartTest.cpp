@@ -89,6 +89,36 @@ TEST_F(FirstScreen, AAndBMakeAMeanCochleaOfThatSize)
   EXPECT_FALSE(scenario().patient.basalTurn->h);
 }
 
+TEST_F(FirstScreen, ASurgeonInsertsAnotherArrayIntoThePatientsCochleaAndTakesItBack)
+{
+  rig_->click("patientCard");
+  type("patientName", "P 014");
+  type("stLength", "34.2");
+  type("rwWidth", "2.05");
+  type("rwHeight", "1.7");
+  rig_->click("usePatientButton");
+  ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient.label == "P 014"; }));
+  // measured, as the form says, and no preset's
+  int measured = 0;
+  for (const QLabel* label : rig_->window().findChildren<QLabel*>())
+    measured += label->isVisible() && label->text() == "from CT" ? 1 : 0;
+  EXPECT_EQ(measured, 3);
+  rig_->choose("arraySelector", "slim-straight");
+  rig_->type("panelSpeed", "8");
+  EXPECT_FALSE(rig_->window().findChild<QLabel*>("modifiedLabel")->isVisible());
+  EXPECT_TRUE(rig_->label("scenarioTitle").contains("P 014: Nucleus Slim Straight"));
+
+  rig_->click("startButton");
+  ASSERT_TRUE(WindowRig::comes([&] { return rig_->now().output.axialForce > 2e-3; }));
+  EXPECT_TRUE(WindowRig::comes([&] { return rig_->readOut("forceReadOut").toDouble() >= 2.0; }));
+  rig_->click("resetButton");
+  rig_->pressKey(Qt::Key_Z, Qt::ControlModifier);
+  rig_->pressKey(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(scenario().arrayName, "contour");
+  EXPECT_EQ(scenario().patient.scalaTympaniLength, millimeters(34.2));
+  EXPECT_TRUE(rig_->label("scenarioTitle").contains("P 014: Nucleus 24 Contour"));
+}
+
 TEST_F(FirstScreen, AnImpossibleNumberCannotBeSentOffAndSaysWhatIsAllowed)
 {
   rig_->click("patientCard");

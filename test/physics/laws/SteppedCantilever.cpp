@@ -86,7 +86,7 @@ TEST(SteppedCantilever, YieldsAsItsTwoPiecesWhereverBetweenNodesTheStyletEnds)
     const double expected = std::pow(soft, 3) / (3.0 * carrier) +
                             (std::pow(bent, 3) - std::pow(soft, 3)) / (3.0 * (carrier + stylet));
     EXPECT_NEAR(compliance(withdrawal), expected,
-                test::tolerance(0.025, "mean stiffness at the node where it ends") * expected)
+                test::tolerance(0.002, "half a step of the place where it ends") * expected)
         << part;
   }
 }

@@ -20,7 +20,8 @@ double bendingEnergy(const mechanics::InsertionModel& model,
     double covered = 0.0;
     if (model.styletBending > 0.0)
       covered = std::clamp((model.fromTip[i] - styletTip) / h + 0.5, 0.0, 1.0);
-    const double bending = model.bendingCarrier[i] + covered * model.styletBending;
+    const double bending = 1.0 / ((1.0 - covered) / model.bendingCarrier[i] +
+                                  covered / (model.bendingCarrier[i] + model.styletBending));
     const double rest = model.restCurvature[i] * (1.0 - covered * (1.0 - model.styletResidual));
     const Eigen::Vector3d bend = 2.0 / (1.0 + before.dot(after)) * (after - before);
     energy += bending / (2.0 * h) * (bend - 0.5 * h * rest * (curl + next)).squaredNorm();

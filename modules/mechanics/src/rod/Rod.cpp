@@ -153,7 +153,12 @@ void setStiffness(const InsertionModel& model, double styletWithdrawal, StepRoom
     double covered = 0.0;
     if (model.styletBending > 0.0)
       covered = std::clamp((model.fromTip[i] - styletTip) / model.spacing + 0.5, 0.0, 1.0);
-    room.bending[i] = model.bendingCarrier[i] + covered * model.styletBending;
+    // Where the stylet ends, a piece without it and a piece with it yield one after the other.
+    const double carrier = model.bendingCarrier[i];
+    const double both = carrier + model.styletBending;
+    room.bending[i] = covered == 0.0   ? carrier
+                      : covered == 1.0 ? both
+                                       : carrier * both / (both - covered * model.styletBending);
     room.restBend[i] =
         model.spacing * model.restCurvature[i] * (1.0 - covered * (1.0 - model.styletResidual));
   }

@@ -1,0 +1,56 @@
+#pragma once
+
+// What a force means, in words beside the number: thresholds that others measured, with sources.
+// Nothing is ever called safe.
+
+#include <QWidget>
+#include <optional>
+
+#include "perilymph/analysis/Reference.h"
+#include "perilymph/foundation/Units.h"
+
+namespace perilymph::gui {
+
+/// What is known about forces, as printed.
+struct ForceThresholds {
+  /// Median force that ten otologic surgeons feel: Kratchman 2016, Audiol Neurotol 21:244.
+  Force felt = millinewtons(20.4);
+  std::optional<analysis::PrintedRange> peaks;    ///< On the hand, in patients.
+  std::optional<analysis::PrintedRange> rupture;  ///< Of the partition, normal to it.
+
+  /// With the shipped references; a missing one leaves its threshold out.
+  static ForceThresholds shipped();
+};
+
+/// A sentence's worth of meaning, and whether it stands out.
+struct ForceMeaning {
+  QString words;
+  bool isBeyond = false;
+};
+
+/// Of the force on the hand.
+ForceMeaning meaningOnHand(Force force, const ForceThresholds& known);
+/// Of the sum of the forces normal to the partition.
+ForceMeaning meaningOnPartition(Force force, const ForceThresholds& known);
+
+/// Both on two lines, on a plate so that the picture may pass behind them. What stands out has a
+/// mark before it besides its color.
+class ForceWords : public QWidget {
+  Q_OBJECT
+public:
+  explicit ForceWords(QWidget* parent);
+
+  void show(Force onHand, Force onPartition);
+  const QString& handWords() const { return hand_.words; }
+  const QString& partitionWords() const { return partition_.words; }
+  QSize sizeHint() const override;
+
+protected:
+  void paintEvent(QPaintEvent*) override;
+
+private:
+  ForceThresholds known_;
+  ForceMeaning hand_, partition_;
+};
+
+}  // namespace perilymph::gui

@@ -31,10 +31,6 @@
         <translation>gerade</translation>
     </message>
     <message>
-        <source>, stylet</source>
-        <translation>, Stilett</translation>
-    </message>
-    <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
     </message>
@@ -237,16 +233,16 @@
         <translation>Haften %1 · Gleiten %2</translation>
     </message>
     <message>
-        <source>starting %1 · dynamic from %2, by speed</source>
-        <translation>Haften %1 · Gleiten ab %2, je Tempo</translation>
-    </message>
-    <message>
         <source>Full depth</source>
         <translation>Volle Tiefe</translation>
     </message>
     <message>
         <source>%1 %2. Correct it, or press Esc in its field.</source>
         <translation>%1 %2. Berichtigen, oder Esc im Feld drücken.</translation>
+    </message>
+    <message>
+        <source>%1 to %2 by speed</source>
+        <translation>%1 bis %2, je Tempo</translation>
     </message>
 </context>
 <context>
@@ -414,6 +410,45 @@
     <message>
         <source>It needs no hardware and feels no force.</source>
         <translation>Sie braucht kein Gerät und fühlt keine Kraft.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::ForceWords</name>
+    <message>
+        <source>below the %1 mN that surgeons feel</source>
+        <translation>unter den %1 mN, die Operateure fühlen</translation>
+    </message>
+    <message>
+        <source>felt by surgeons, above %1 mN</source>
+        <translation>fühlbar für Operateure, über %1 mN</translation>
+    </message>
+    <message>
+        <source>felt; like peaks in patients, %1 to %2 mN</source>
+        <translation>fühlbar; wie Spitzen an Patienten, %1 bis %2 mN</translation>
+    </message>
+    <message>
+        <source>felt; above the peaks in patients, %1 mN</source>
+        <translation>fühlbar; über den Spitzen an Patienten, %1 mN</translation>
+    </message>
+    <message>
+        <source>on the partition %1 mN</source>
+        <translation>auf die Trennwand %1 mN</translation>
+    </message>
+    <message>
+        <source>on the partition %1 mN; it ruptures at %2 to %3 mN</source>
+        <translation>auf die Trennwand %1 mN; sie reißt bei %2 bis %3 mN</translation>
+    </message>
+    <message>
+        <source>on the partition %1 mN: it ruptures at %2 to %3 mN</source>
+        <translation>auf die Trennwand %1 mN: Sie reißt bei %2 bis %3 mN</translation>
+    </message>
+    <message>
+        <source>Felt: median of ten otologic surgeons, 20.4 mN (Kratchman 2016, Audiol Neurotol 21:244).</source>
+        <translation>Fühlbar: Median von zehn Ohrchirurgen, 20,4 mN (Kratchman 2016, Audiol Neurotol 21:244).</translation>
+    </message>
+    <message>
+        <source>The force on the partition is the sum of what the whole array presses normal to it; a rupture was measured under one point. No force is known to do no harm: trauma may occur below these forces (Mirsalehi 2017).</source>
+        <translation>Die Kraft auf die Trennwand ist die Summe dessen, was der ganze Träger normal auf sie drückt; ein Riss wurde unter einem Punkt gemessen. Von keiner Kraft ist bekannt, dass sie nicht schadet: Verletzungen kommen auch unter diesen Kräften vor (Mirsalehi 2017).</translation>
     </message>
 </context>
 <context>
@@ -929,20 +964,20 @@
         <translation>mm/s</translation>
     </message>
     <message>
-        <source>angle from round window</source>
-        <translation>Winkel ab rundem Fenster</translation>
-    </message>
-    <message>
-        <source>force on the hand · felt above 20 mN</source>
-        <translation>Kraft an der Hand · fühlbar ab 20 mN</translation>
-    </message>
-    <message>
         <source>travel · depth %1 mm</source>
         <translation>Weg · Tiefe %1 mm</translation>
     </message>
     <message>
         <source>Microscope × %1</source>
         <translation>Mikroskop × %1</translation>
+    </message>
+    <message>
+        <source>from round window</source>
+        <translation>ab rundem Fenster</translation>
+    </message>
+    <message>
+        <source>force on the hand</source>
+        <translation>Kraft an der Hand</translation>
     </message>
 </context>
 <context>
@@ -1211,6 +1246,10 @@
     <message>
         <source>%1 to %2 mm · CT ± %3 mm</source>
         <translation>%1 bis %2 mm · CT ± %3 mm</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
     </message>
 </context>
 <context>

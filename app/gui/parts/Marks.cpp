@@ -3,7 +3,6 @@
 #include <QFontMetrics>
 #include <QPainter>
 #include <QPainterPath>
-#include <algorithm>
 
 #include "Theme.h"
 
@@ -28,13 +27,6 @@ QRectF markPlace(const QWidget& widget)
 
 void drawText(QPainter& painter, const QAbstractButton& button)
 {
-  if (button.hasFocus()) {
-    painter.setPen(QPen(textColor, 1.4));
-    painter.setBrush(Qt::NoBrush);
-    const double right = std::min(rowSize(button).width() + 2, button.width()) - 1.0;
-    painter.drawRoundedRect(
-        QRectF(textLeft_px - 6.0, 1.0, right - textLeft_px + 5.0, button.height() - 2.0), 4, 4);
-  }
   painter.setPen(button.isEnabled() ? textColor : quietTextColor);
   painter.drawText(button.rect().adjusted(textLeft_px, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft,
                    button.text());

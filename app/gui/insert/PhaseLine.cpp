@@ -65,7 +65,7 @@ void PhaseLine::paintEvent(QPaintEvent*)
   painter.drawRoundedRect(rect(), 6, 6);
 
   const double step = double(width() - 2 * sideMargin_px) / double(stations.size() - 1);
-  const QColor ahead = lineColor.lighter(180);
+  const QColor ahead = aheadColor;
   for (std::size_t i = 0; i < stations.size(); ++i) {
     const QPointF place(sideMargin_px + double(i) * step, stationY_px);
     const bool isReached = phase_ >= stations[i];

@@ -18,6 +18,7 @@ struct Theme {
   QColor raised;   ///< Buttons.
   QColor pressed;  ///< What the mouse may drag.
   QColor line;
+  QColor ahead;  ///< Of a way, what is not yet behind; 3:1 on the ground.
   QColor text, quietText;
   QColor accent;       ///< This insertion, and the primary action.
   QColor accentHover;  ///< The same under the mouse.
@@ -41,6 +42,7 @@ inline const QColor& groundColor = shownTheme().ground;
 inline const QColor& panelColor = shownTheme().panel;
 inline const QColor& raisedColor = shownTheme().raised;
 inline const QColor& lineColor = shownTheme().line;
+inline const QColor& aheadColor = shownTheme().ahead;
 inline const QColor& textColor = shownTheme().text;
 inline const QColor& quietTextColor = shownTheme().quietText;
 inline const QColor& accentColor = shownTheme().accent;

@@ -12,6 +12,12 @@ class QKeyEvent;
 
 namespace perilymph::gui {
 
+/// A key that is pressed while others are held.
+inline QKeySequence with(Qt::KeyboardModifiers held, Qt::Key key)
+{
+  return QKeySequence(int(held) | int(key));
+}
+
 /// What the sheet puts under one heading.
 enum class KeySection { insertion, picture, window };
 

@@ -69,11 +69,12 @@ void MainWindow::addInsertionKeys()
   keyActions_.add(
       {section, {Qt::Key_Backspace}, tr("withdraw"), onInsertion([this](int) { withdraw(); })});
   keyActions_.add({section,
-                   {Qt::CTRL + Qt::Key_R},
+                   {with(Qt::ControlModifier, Qt::Key_R)},
                    tr("reset: a fresh insertion and recording"),
                    onInsertion([this](int) { reset(); })});
   keyActions_.add({section,
-                   {Qt::CTRL + Qt::Key_Z, Qt::CTRL + Qt::SHIFT + Qt::Key_Z},
+                   {with(Qt::ControlModifier, Qt::Key_Z),
+                    with(Qt::ControlModifier | Qt::ShiftModifier, Qt::Key_Z)},
                    tr("undo and redo a change of the setup"),
                    onInsertion([this](int which) { which == 0 ? undo() : redo(); })});
   keyActions_.add({section, {Qt::Key_S}, tr("pull the stylet"), onInsertion([this](int) {
@@ -106,8 +107,8 @@ void MainWindow::addPictureKeys()
   static constexpr std::array<std::pair<double, double>, 4> moves{
       {{-moveShare, 0.0}, {moveShare, 0.0}, {0.0, moveShare}, {0.0, -moveShare}}};
   keyActions_.add({section,
-                   {Qt::SHIFT + Qt::Key_Left, Qt::SHIFT + Qt::Key_Right, Qt::SHIFT + Qt::Key_Up,
-                    Qt::SHIFT + Qt::Key_Down},
+                   {with(Qt::ShiftModifier, Qt::Key_Left), with(Qt::ShiftModifier, Qt::Key_Right),
+                    with(Qt::ShiftModifier, Qt::Key_Up), with(Qt::ShiftModifier, Qt::Key_Down)},
                    tr("move the model"),
                    onInsertion([this](int which) {
                      const auto [right, up] = moves[std::size_t(which)];
@@ -128,15 +129,15 @@ void MainWindow::addWindowKeys()
 {
   const auto section = KeySection::window;
   keyActions_.add({section,
-                   {Qt::ALT + Qt::Key_Home},
+                   {with(Qt::AltModifier, Qt::Key_Home)},
                    tr("begin anew: the first screen"),
                    onAnyPage([this](int) { showPage(Page::start); })});
   static constexpr std::array pages{Page::insert, Page::compare, Page::validate, Page::sessions};
-  keyActions_.add(
-      {section,
-       {Qt::ALT + Qt::Key_1, Qt::ALT + Qt::Key_2, Qt::ALT + Qt::Key_3, Qt::ALT + Qt::Key_4},
-       tr("insert, compare, validate, sessions"),
-       onAnyPage([this](int which) { showPage(pages[std::size_t(which)]); })});
+  keyActions_.add({section,
+                   {with(Qt::AltModifier, Qt::Key_1), with(Qt::AltModifier, Qt::Key_2),
+                    with(Qt::AltModifier, Qt::Key_3), with(Qt::AltModifier, Qt::Key_4)},
+                   tr("insert, compare, validate, sessions"),
+                   onAnyPage([this](int which) { showPage(pages[std::size_t(which)]); })});
   keyActions_.add({section,
                    {Qt::Key_H},
                    tr("devices: which there are, and how the hand is doing"),
@@ -148,14 +149,15 @@ void MainWindow::addWindowKeys()
       {section, {Qt::Key_Return, Qt::Key_Enter}, tr("out of the panel’s fields"), [this](int) {
          return leavePanel();
        }});
-  keyActions_.add({section, {Qt::CTRL + Qt::Key_Comma}, tr("settings"), onAnyPage([this](int) {
-                     toggleSettings();
-                   })});
+  keyActions_.add(
+      {section, {with(Qt::ControlModifier, Qt::Key_Comma)}, tr("settings"), onAnyPage([this](int) {
+         toggleSettings();
+       })});
   keyActions_.add({section, {Qt::Key_F11}, tr("full screen, and back"), onAnyPage([this](int) {
                      setWindowState(windowState() ^ Qt::WindowFullScreen);
                    })});
   keyActions_.add({section,
-                   {Qt::CTRL + Qt::SHIFT + Qt::Key_S},
+                   {with(Qt::ControlModifier | Qt::ShiftModifier, Qt::Key_S)},
                    tr("keep a picture of the window"),
                    onAnyPage([this](int) { takePicture(); })});
   keyActions_.add({section, {Qt::Key_F1, Qt::Key_Question}, tr("this list"), onAnyPage([this](int) {

@@ -27,7 +27,10 @@ TEST(KeyActions, WhatIsOnTheSheetIsWhatKeysDo)
 {
   gui::KeyActions actions;
   int asked = -1;
-  actions.add({gui::KeySection::window, {Qt::Key_F9, Qt::CTRL + Qt::Key_K}, "knit", [&](int which) {
+  actions.add({gui::KeySection::window,
+               {Qt::Key_F9, gui::with(Qt::ControlModifier, Qt::Key_K)},
+               "knit",
+               [&](int which) {
                  asked = which;
                  return true;
                }});

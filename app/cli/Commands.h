@@ -88,6 +88,8 @@ Result<Done> render(const RenderOptions& options);
 struct DevicesOptions {
   std::string json;
   std::optional<int> test;  ///< The number of the node to try out, as in /dev/hidraw3.
+  std::string capture;      ///< Where the test keeps every report.
+  std::string replay;       ///< A tape to be read instead of a device.
 };
 Result<Done> devices(const DevicesOptions& options);
 

@@ -9,15 +9,6 @@ namespace perilymph::cli {
 
 namespace {
 
-/// Two recordings of one name would be one column.
-void tellApart(std::vector<analysis::ComparedInsertion>& insertions)
-{
-  for (std::size_t i = 0; i < insertions.size(); ++i)
-    for (std::size_t j = i + 1; j < insertions.size(); ++j)
-      if (insertions[i].name == insertions[j].name)
-        insertions[j].name += " (" + std::to_string(j + 1) + ")";
-}
-
 void print(const std::vector<analysis::ComparedInsertion>& insertions)
 {
   std::printf("%-24s %8s %8s %9s %9s %7s\n", "recording", "peak, N", "at, mm", "work, mJ",
@@ -41,7 +32,7 @@ Result<Done> compare(const CompareOptions& options)
     if (!compared) return compared.error();
     insertions.push_back(std::move(*compared));
   }
-  tellApart(insertions);
+  analysis::tellApart(insertions);
   FolderContent content;
   content.texts = {{"comparison.csv", analysis::comparisonCsv(insertions)},
                    {"curves.csv", analysis::curvesCsv(insertions)}};

@@ -81,9 +81,9 @@ int showForces(device::HapticDevice& hand, Beat& beat)
 
 }  // namespace
 
-Result<TrialOutcome> tryDevice(const device::FoundHand& found)
+Result<TrialOutcome> tryDevice(const device::FoundHand& found, const std::filesystem::path& tape)
 {
-  auto made = device::makeHidHand(found, device::systemRoots());
+  auto made = device::makeHidHand(found, device::systemRoots(), tape);
   if (!made) return made.error();
   device::HidHand& hand = **made;
   if (const auto opened = hand.open(); !opened) return opened.error();

@@ -2,6 +2,8 @@
 
 // A device tried out: how it reports, how fast it takes a force, and the force itself.
 
+#include <filesystem>
+
 #include "perilymph/device/HandHealth.h"
 #include "perilymph/device/KnownHands.h"
 
@@ -17,6 +19,8 @@ struct TrialOutcome {
 
 /// Opens the device, listens for three seconds, then shows at most 0.5 N on each axis while the
 /// button is held. Says on standard output what to do; ends by itself, or with Ctrl-C.
-Result<TrialOutcome> tryDevice(const device::FoundHand& found);
+///
+/// @param tape  Where to keep every report; nowhere if empty.
+Result<TrialOutcome> tryDevice(const device::FoundHand& found, const std::filesystem::path& tape);
 
 }  // namespace perilymph::cli

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "Commands.h"
+#include "DeviceReplay.h"
 #include "DeviceTrial.h"
 #include "OutputFile.h"
 #include "perilymph/device/KnownHands.h"
@@ -104,6 +105,11 @@ Json described(const TrialOutcome& trial)
           {"write_p99_s", health.writing.timeP99},
           {"write_max_s", health.writing.timeMost},
           {"delay_s", health.delay},
+          {"round_trip_s", health.roundTrip},
+          {"round_trip_measured", health.isRoundTripMeasured},
+          {"guarded", health.isGuarded},
+          {"guard_obstacle", health.guardObstacle},
+          {"writer_real_time", health.writing.hasRealTimePriority},
           {"stiffest_coupling_N_m", trial.stiffness},
           {"force_axes", trial.axes},
           {"force_axes_shown", trial.axesFelt},
@@ -129,8 +135,14 @@ void print(const TrialOutcome& trial)
   std::printf("%-18s median %s ms, 99 %% below %s ms, longest %s ms\n", "to take a force",
               ms(writing.timeMedian).c_str(), ms(writing.timeP99).c_str(),
               ms(writing.timeMost).c_str());
-  std::printf("%-18s there and back %s ms; stiffest coupling %s N/m\n", "delay",
-              ms(trial.health.delay).c_str(), fixed(trial.stiffness, 0).c_str());
+  if (!writing.hasRealTimePriority)
+    std::printf("%-18s without real-time priority: see modules/realtime/README.md\n", "");
+  std::printf("%-18s there and back %s%s ms; stiffest coupling %s N/m\n", "delay",
+              trial.health.isRoundTripMeasured ? "" : "at most ",
+              ms(trial.health.roundTrip).c_str(), fixed(trial.stiffness, 0).c_str());
+  std::printf("%-18s %s\n", "if this dies",
+              trial.health.isGuarded ? "another process takes the force away"
+                                     : trial.health.guardObstacle.c_str());
   std::printf("%-18s shown on %d of %d axes%s\n", "force", trial.axesFelt, trial.axes,
               trial.axesFelt < trial.axes ? "; the button was not held" : "");
 }
@@ -148,6 +160,8 @@ Result<FoundHand> deviceOfNumber(const device::DeviceSurvey& survey, int number)
 Result<Done> devices(const DevicesOptions& options)
 {
   if (const auto done = checkPlace(options.json); !done) return done.error();
+  if (const auto done = checkPlace(options.capture); !done) return done.error();
+  if (!options.replay.empty()) return replayDevice(options.replay, options.json);
   const device::DeviceSurvey survey = device::surveyDevices(device::systemRoots());
   Json json;
   json["version"] = version();
@@ -159,7 +173,7 @@ Result<Done> devices(const DevicesOptions& options)
   if (options.test) {
     const auto found = deviceOfNumber(survey, *options.test);
     if (!found) return found.error();
-    const auto trial = tryDevice(*found);
+    const auto trial = tryDevice(*found, options.capture);
     if (!trial) return trial.error();
     json["test"] = described(*trial);
     print(*trial);

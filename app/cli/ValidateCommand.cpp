@@ -14,24 +14,6 @@ namespace {
 using analysis::ValidationRequest;
 using analysis::ValidationResult;
 
-/// The published references that the figures and verdicts need.
-struct References {
-  analysis::Reference experiment, simulator, difference;
-};
-
-Result<References> loadReferences()
-{
-  References references;
-  for (auto [name, place] : {std::pair{"todd-naghdy-experiment", &references.experiment},
-                             std::pair{"todd-naghdy-simulator", &references.simulator},
-                             std::pair{"todd-naghdy-difference", &references.difference}}) {
-    auto loaded = analysis::shippedReference(name);
-    if (!loaded) return loaded.error();
-    *place = std::move(*loaded);
-  }
-  return references;
-}
-
 void print(const ValidationRequest& request, const ValidationResult& result)
 {
   std::printf("%d insertions of %s, seed %llu, %llu ticks\n", result.runs,
@@ -61,7 +43,7 @@ Result<Done> validate(const ValidateOptions& options)
   if (!variability) return variability.error();
   auto scenario = session::loadScenario(variability->scenario, options.overrides);
   if (!scenario) return scenario.error();
-  auto references = loadReferences();
+  const auto references = analysis::validationReferences();
   if (!references) return references.error();
 
   ValidationRequest request;
@@ -83,15 +65,8 @@ Result<Done> validate(const ValidateOptions& options)
   if (isInterrupted()) return Error{"Interrupted; nothing was written."};
   if (!result) return result.error();
 
-  FolderContent content;
-  content.texts = {{"profile.csv", analysis::profileCsv(*result)},
-                   {"difference.csv", analysis::differenceCsv(*result)},
-                   {"summary.json", analysis::summaryJson(request, *result)}};
-  content.figures = {
-      {"experiment",
-       draw(analysis::experimentFigure(references->experiment, references->simulator))},
-      {"simulation", draw(analysis::simulationFigure(*result, request.experiment))},
-      {"difference", draw(analysis::differenceFigure(*result, references->difference))}};
+  auto [texts, figures] = analysis::validationFiles(request, *result, *references);
+  const FolderContent content{std::move(texts), std::move(figures)};
   if (const auto done = writeFolder(options.out, content); !done) return done.error();
   print(request, *result);
   return Done{};

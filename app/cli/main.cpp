@@ -54,7 +54,8 @@ void addSimulate(CLI::App& app, SimulateOptions& options)
                  "A patient's file or shipped name");
   overrideOption(command, "--array", "array", options.overrides, "An electrode array");
   overrideOption(command, "--model", "model", options.overrides, "rod or points");
-  overrideOption(command, "--nodes", "nodes", options.overrides, "Nodes of the rod, or sample points");
+  overrideOption(command, "--nodes", "nodes", options.overrides,
+                 "Nodes of the rod, or sample points");
   overrideOption(command, "--seed", "seed", options.overrides, "Of whatever is drawn at random");
   setOption(command, options.overrides);
   CLI::Option* csv = command.add_option("--csv", options.csv, "Writes a row a tick");
@@ -189,11 +190,18 @@ void addDevices(CLI::App& app, DevicesOptions& options)
   CLI::App& command = *app.add_subcommand(
       "devices", "Lists HID devices, whether one can be the hand, and tries one");
   command.add_option("--json", options.json, "Writes the list, and what the test measured");
+  CLI::Option* test =
+      command
+          .add_option(
+              "--test", options.test,
+              "Measures reports, then shows small forces: the number of the node, 3 for hidraw3")
+          ->check(CLI::Range(0, 4095));
+  command.add_option("--capture", options.capture, "Keeps every report of the test, with its time")
+      ->needs(test);
   command
-      .add_option(
-          "--test", options.test,
-          "Measures reports, then shows small forces: the number of the node, 3 for hidraw3")
-      ->check(CLI::Range(0, 4095));
+      .add_option("--replay", options.replay,
+                  "Reads a captured file (or hid-recorder's) as the device it is of")
+      ->excludes(test);
 }
 
 /// What is wrong with the words of a call.

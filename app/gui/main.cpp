@@ -9,6 +9,7 @@
 #include "Application.h"
 #include "Display.h"
 #include "Errands.h"
+#include "InsertionViews.h"
 #include "Interrupted.h"
 #include "KioskWindow.h"
 #include "Languages.h"
@@ -85,6 +86,9 @@ WindowEnd runWindow(gui::Application& application, const Beginning& beginning)
   if (beginning.setup) window.resume(beginning.setup->first, beginning.setup->second);
   window.showPage(beginning.page);
   gui::arrangeErrands(window, options);
+  window.views().drawBy(gui::openGlRenderer(),
+                        options.quality ? gui::qualityNamed(*options.quality) : std::nullopt);
+  window.views().refuseQuadBuffered(gui::quadBufferedTrouble());
   gui::offerInterrupted(window, beginning.interrupted);
   QObject::connect(&window, &gui::MainWindow::recordingChanged, &window,
                    [&window, &mark] { mark.setRecording(window.control().recording()); });
@@ -100,9 +104,11 @@ WindowEnd runWindow(gui::Application& application, const Beginning& beginning)
   application.onException({});
   if (status != openAnew) return {status, std::nullopt};
   QGuiApplication::setQuitOnLastWindowClosed(false);  // its going is not the end
+  gui::Options kept;
+  kept.quality = options.quality;
   return {0, Beginning{window.control().scenario(),
                        window.page(),
-                       {},
+                       kept,
                        {},
                        std::pair{window.setup().origin(), window.setup().now()}}};
 }
@@ -136,9 +142,9 @@ int run(int argc, char** argv, const gui::Options& options)
   if (options.isKiosk) return runKiosk(application, *std::move(scenario), options);
   const bool isTold =
       options.scenario || options.isDemo || options.measuresFrames || options.record;
-  WindowEnd end =
-      runWindow(application, {*std::move(scenario), isTold ? gui::Page::insert : gui::Page::start,
-                              options, gui::RunMark::takeInterrupted(gui::stateFolder())});
+  WindowEnd end = runWindow(
+      application, {*std::move(scenario), isTold ? gui::Page::insert : gui::Page::start, options,
+                    gui::RunMark::takeInterrupted(gui::stateFolder()), std::nullopt});
   while (end.next) {
     applyChoices(application, end.next->options);
     end = runWindow(application, Beginning(*std::move(end.next)));

@@ -2,6 +2,17 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en_US">
 <context>
+    <name>Display</name>
+    <message>
+        <source>this display has no buffers for two eyes</source>
+        <translation>dieser Bildschirm hat keine Puffer für zwei Augen</translation>
+    </message>
+    <message>
+        <source>this window draws into a buffer of its own, for one eye</source>
+        <translation>dieses Fenster zeichnet in einen eigenen Puffer, für ein Auge</translation>
+    </message>
+</context>
+<context>
     <name>KioskTurn</name>
     <message>
         <source>below the peaks measured in patients</source>
@@ -18,6 +29,21 @@
     <message>
         <source>Measured in patients: peaks of %1 to %2 mN (Rau et al. 2024). A comparison, not a judgment of safety.</source>
         <translation>An Patienten gemessen: Spitzen von %1 bis %2 mN (Rau et al. 2024). Ein Vergleich, kein Urteil über Sicherheit.</translation>
+    </message>
+</context>
+<context>
+    <name>Report</name>
+    <message>
+        <source>For research and training use. Not a medical device.</source>
+        <translation>Für Forschung und Übung. Kein Medizinprodukt.</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Seite %1 von %2</translation>
+    </message>
+    <message>
+        <source>Report of an insertion</source>
+        <translation>Bericht einer Einführung</translation>
     </message>
 </context>
 <context>
@@ -53,6 +79,346 @@
     <message>
         <source>Definitions of H differ, so only limits are given.</source>
         <translation>H wird verschieden definiert, daher nur Grenzen.</translation>
+    </message>
+    <message>
+        <source>%1 mN</source>
+        <translation>%1 mN</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>%1, %2 ear</source>
+        <translation>%1, %2es Ohr</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>link</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>recht</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>Träger</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>Aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>%1 (UTC), by %2</source>
+        <translation>%1 (UTC), von %2</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Szenario</translation>
+    </message>
+    <message>
+        <source>greatest of %1 recorded ticks</source>
+        <translation>größte von %1 aufgezeichneten Takten</translation>
+    </message>
+    <message>
+        <source>Peak force on the hand</source>
+        <translation>Spitzenkraft an der Hand</translation>
+    </message>
+    <message>
+        <source>%1 at %2 of travel, %3 deep</source>
+        <translation>%1 bei %2 Weg, %3 tief</translation>
+    </message>
+    <message>
+        <source>axial, %1</source>
+        <translation>axial, %1</translation>
+    </message>
+    <message>
+        <source>Greatest wall force</source>
+        <translation>Größte Wandkraft</translation>
+    </message>
+    <message>
+        <source>normal to the wall, of one node; %1</source>
+        <translation>normal zur Wand, eines Knotens; %1</translation>
+    </message>
+    <message>
+        <source>Greatest force on the basilar membrane</source>
+        <translation>Größte Kraft auf die Basilarmembran</translation>
+    </message>
+    <message>
+        <source>Work of the hand</source>
+        <translation>Arbeit der Hand</translation>
+    </message>
+    <message>
+        <source>%1 mJ</source>
+        <translation>%1 mJ</translation>
+    </message>
+    <message>
+        <source>force over the way of the base, trapezoids over ticks</source>
+        <translation>Kraft über den Weg der Basis, Trapeze über Takte</translation>
+    </message>
+    <message>
+        <source>Deepest</source>
+        <translation>Größte Tiefe</translation>
+    </message>
+    <message>
+        <source>length of array past the opening</source>
+        <translation>Länge des Trägers hinter der Öffnung</translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation>Am Ende</translation>
+    </message>
+    <message>
+        <source>%1, %2°</source>
+        <translation>%1, %2°</translation>
+    </message>
+    <message>
+        <source>depth; angle of the tip from the round window</source>
+        <translation>Tiefe; Winkel der Spitze ab rundem Fenster</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>since the array began to move, pauses included</source>
+        <translation>seit der Träger sich bewegt, mit Pausen</translation>
+    </message>
+    <message>
+        <source>Reversals</source>
+        <translation>Umkehrungen</translation>
+    </message>
+    <message>
+        <source>a way back of 0.1 mm or more</source>
+        <translation>ein Rückweg von 0,1 mm oder mehr</translation>
+    </message>
+    <message>
+        <source>Peak at the basal turn</source>
+        <translation>Spitze an der Basalwindung</translation>
+    </message>
+    <message>
+        <source>%1 at %2 of travel</source>
+        <translation>%1 bei %2 Weg</translation>
+    </message>
+    <message>
+        <source>of the curve smoothed over 0.5 mm</source>
+        <translation>der über 0,5 mm geglätteten Kurve</translation>
+    </message>
+    <message>
+        <source>Ticks not settled</source>
+        <translation>Nicht gelöste Takte</translation>
+    </message>
+    <message>
+        <source>the solver left more than its tolerance</source>
+        <translation>der Löser ließ mehr als seine Toleranz</translation>
+    </message>
+    <message>
+        <source>%1 %: %2</source>
+        <translation>%1 %: %2</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>%1 of 100, the mean of four criteria. It knows no trauma.</source>
+        <translation>%1 von 100, das Mittel von vier Kriterien. Es weiß nichts von Verletzung.</translation>
+    </message>
+    <message>
+        <source>The array, and where its values come from:</source>
+        <translation>Der Träger, und woher seine Werte kommen:</translation>
+    </message>
+    <message>
+        <source>Forces are computed by a model, not measured in an ear.</source>
+        <translation>Kräfte sind von einem Modell berechnet, nicht in einem Ohr gemessen.</translation>
+    </message>
+    <message>
+        <source>The array is a model after published data, no labeling of the product.</source>
+        <translation>Der Träger ist ein Modell nach veröffentlichten Daten, keine Angabe zum Produkt.</translation>
+    </message>
+    <message>
+        <source>No number here says whether an insertion is harmless; thresholds of trauma differ between ears and are not known for the force on the hand.</source>
+        <translation>Keine Zahl hier sagt, ob eine Einführung schadet; Schwellen der Verletzung sind von Ohr zu Ohr verschieden und für die Kraft an der Hand nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>The published experiment is drawn as its printed values; nothing is known between them.</source>
+        <translation>Der veröffentlichte Versuch ist mit seinen gedruckten Werten gezeichnet; dazwischen ist nichts bekannt.</translation>
+    </message>
+    <message>
+        <source>%1 ticks were lost while recording.</source>
+        <translation>%1 Takte gingen beim Aufzeichnen verloren.</translation>
+    </message>
+    <message>
+        <source>%1 ticks computed again, every bit the same</source>
+        <translation>%1 Takte neu berechnet, jedes Bit gleich</translation>
+    </message>
+    <message>
+        <source>differs from tick %1 on, in %2</source>
+        <translation>weicht ab Takt %1 ab, in %2</translation>
+    </message>
+    <message>
+        <source>could not be compared</source>
+        <translation>ließ sich nicht vergleichen</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>%1 bytes</source>
+        <translation>%1 Bytes</translation>
+    </message>
+    <message>
+        <source>SHA-256</source>
+        <translation>SHA-256</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Recorded by</source>
+        <translation>Aufgezeichnet von</translation>
+    </message>
+    <message>
+        <source>Report by</source>
+        <translation>Bericht von</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>fingerprint of cochlea, array and laws</source>
+        <translation>Fingerabdruck von Cochlea, Träger und Gesetzen</translation>
+    </message>
+    <message>
+        <source>Array's file</source>
+        <translation>Datei des Trägers</translation>
+    </message>
+    <message>
+        <source>fingerprint</source>
+        <translation>Fingerabdruck</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startzahl</translation>
+    </message>
+    <message>
+        <source>Report of an insertion</source>
+        <translation>Bericht einer Einführung</translation>
+    </message>
+    <message>
+        <source>Perilymph, for research and training use. Not a medical device; no patient may be treated by what it shows.</source>
+        <translation>Perilymph, für Forschung und Übung. Kein Medizinprodukt; kein Patient darf nach dem behandelt werden, was es zeigt.</translation>
+    </message>
+    <message>
+        <source>Along the modiolus, to scale; the tip %1 mm past the opening.</source>
+        <translation>Entlang des Modiolus, maßstäblich; die Spitze %1 mm hinter der Öffnung.</translation>
+    </message>
+    <message>
+        <source>How it was done</source>
+        <translation>Wie sie ausgeführt wurde</translation>
+    </message>
+    <message>
+        <source>What it was computed from</source>
+        <translation>Woraus sie berechnet wurde</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>How to know it again</source>
+        <translation>Woran sie wiederzuerkennen ist</translation>
+    </message>
+    <message>
+        <source>In numbers</source>
+        <translation>In Zahlen</translation>
+    </message>
+    <message>
+        <source>Force over travel</source>
+        <translation>Kraft über Weg</translation>
+    </message>
+    <message>
+        <source>The array at its deepest place</source>
+        <translation>Der Träger an seiner tiefsten Stelle</translation>
+    </message>
+    <message>
+        <source>travel, mm</source>
+        <translation>Weg, mm</translation>
+    </message>
+    <message>
+        <source>axial force, N</source>
+        <translation>Axialkraft, N</translation>
+    </message>
+    <message>
+        <source>force, mN</source>
+        <translation>Kraft, mN</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>this insertion</source>
+        <translation>diese Einführung</translation>
+    </message>
+    <message>
+        <source>felt by surgeons 20 mN</source>
+        <translation>für Operateure spürbar 20 mN</translation>
+    </message>
+    <message>
+        <source>axial</source>
+        <translation>axial</translation>
+    </message>
+    <message>
+        <source>lateral</source>
+        <translation>lateral</translation>
+    </message>
+    <message>
+        <source>vertical</source>
+        <translation>vertikal</translation>
+    </message>
+    <message>
+        <source>outer wall</source>
+        <translation>Außenwand</translation>
+    </message>
+    <message>
+        <source>modiolus</source>
+        <translation>Modiolus</translation>
+    </message>
+    <message>
+        <source>basilar membrane</source>
+        <translation>Basilarmembran</translation>
+    </message>
+    <message>
+        <source>wall force, 50 mN per mm</source>
+        <translation>Wandkraft, 50 mN je mm</translation>
+    </message>
+    <message>
+        <source>wall force %1 mN</source>
+        <translation>Wandkraft %1 mN</translation>
+    </message>
+    <message>
+        <source>the tip is outside</source>
+        <translation>die Spitze ist außerhalb</translation>
+    </message>
+    <message>
+        <source>no contact is inside yet</source>
+        <translation>noch kein Kontakt ist innen</translation>
+    </message>
+    <message>
+        <source>mean %1 mm, %2 inside</source>
+        <translation>Mittel %1 mm, %2 innen</translation>
     </message>
 </context>
 <context>
@@ -304,25 +670,6 @@
     </message>
 </context>
 <context>
-    <name>perilymph::gui::ChartColumn</name>
-    <message>
-        <source>Force over travel</source>
-        <translation>Kraft über Weg</translation>
-    </message>
-    <message>
-        <source>axial, N</source>
-        <translation>axial, N</translation>
-    </message>
-    <message>
-        <source>Force components</source>
-        <translation>Kraftkomponenten</translation>
-    </message>
-    <message>
-        <source>last 5 s, mN</source>
-        <translation>letzte 5 s, mN</translation>
-    </message>
-</context>
-<context>
     <name>perilymph::gui::ComparePage</name>
     <message>
         <source>Insertions side by side</source>
@@ -331,6 +678,156 @@
     <message>
         <source>Choose two or more on the page Sessions and press Compare: their forces over travel stand here on common axes, with the printed forces of the published experiment.</source>
         <translation>Wählen Sie auf der Seite Sitzungen zwei oder mehr und drücken Sie Vergleichen: Hier stehen dann ihre Kräfte über dem Weg auf gemeinsamen Achsen, mit den gedruckten Kräften des veröffentlichten Versuchs.</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Ausgeben …</translation>
+    </message>
+    <message>
+        <source>Table and curves as CSV, the figure as SVG and PNG, into a folder.</source>
+        <translation>Tabelle und Kurven als CSV, das Bild als SVG und PNG, in einen Ordner.</translation>
+    </message>
+    <message>
+        <source>○  published experiment, printed values ± SD</source>
+        <translation>○  veröffentlichter Versuch, gedruckte Werte ± SD</translation>
+    </message>
+    <message>
+        <source>Force over travel</source>
+        <translation>Kraft über Weg</translation>
+    </message>
+    <message>
+        <source>The insertions in numbers</source>
+        <translation>Die Einführungen in Zahlen</translation>
+    </message>
+    <message>
+        <source>Insertion</source>
+        <translation>Einführung</translation>
+    </message>
+    <message>
+        <source>At the cursor</source>
+        <translation>Am Zeiger</translation>
+    </message>
+    <message>
+        <source>Peak force</source>
+        <translation>Spitzenkraft</translation>
+    </message>
+    <message>
+        <source>at depth</source>
+        <translation>bei Tiefe</translation>
+    </message>
+    <message>
+        <source>Work of the hand</source>
+        <translation>Arbeit der Hand</translation>
+    </message>
+    <message>
+        <source>Reversals</source>
+        <translation>Umkehrungen</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Final angle</source>
+        <translation>Winkel am Ende</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Wertung</translation>
+    </message>
+    <message numerus="yes">
+        <source>Reading %n recording(s)…</source>
+        <translation>
+            <numerusform>Eine Aufzeichnung wird gelesen …</numerusform>
+            <numerusform>%n Aufzeichnungen werden gelesen …</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Esc ends it.</source>
+        <translation>Esc beendet es.</translation>
+    </message>
+    <message>
+        <source>They cannot be compared</source>
+        <translation>Sie lassen sich nicht vergleichen</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>Choose two or more on the page Sessions and press Compare.</source>
+        <translation>Wählen Sie auf der Seite Sitzungen zwei oder mehr und drücken Sie Vergleichen.</translation>
+    </message>
+    <message>
+        <source>%1 mN</source>
+        <translation>%1 mN</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mJ</source>
+        <translation>%1 mJ</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1 of 100</source>
+        <translation>%1 von 100</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>At %1 mm</source>
+        <translation>Bei %1 mm</translation>
+    </message>
+    <message>
+        <source>Score of %1. How it was done, not what it did to the ear: it knows no trauma.</source>
+        <translation>Wertung von %1. Wie es getan wurde, nicht was es im Ohr tat: Sie weiß nichts von Verletzung.</translation>
+    </message>
+    <message>
+        <source>%1 %2 %: %3. Band: %4. Source: %5.</source>
+        <translation>%1 %2 %: %3. Band: %4. Quelle: %5.</translation>
+    </message>
+    <message>
+        <source>Folder for table, curves and figure</source>
+        <translation>Ordner für Tabelle, Kurven und Bild</translation>
+    </message>
+    <message>
+        <source>Four files are in %1.</source>
+        <translation>Vier Dateien liegen in %1.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::ComparisonPlot</name>
+    <message>
+        <source>Axial force over travel</source>
+        <translation>Axialkraft über Weg</translation>
+    </message>
+    <message>
+        <source>travel of the tip from its start, mm</source>
+        <translation>Weg der Spitze ab Beginn, mm</translation>
+    </message>
+    <message>
+        <source>axial force on the hand, N</source>
+        <translation>Axialkraft an der Hand, N</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
     </message>
 </context>
 <context>
@@ -354,10 +851,6 @@
     <message>
         <source>device %1/s, jitter %2 ms</source>
         <translation>Gerät %1/s, Schwankung %2 ms</translation>
-    </message>
-    <message>
-        <source>, %1 ms there and back</source>
-        <translation>, %1 ms hin und zurück</translation>
     </message>
     <message>
         <source>Devices</source>
@@ -404,12 +897,78 @@
         <translation>%1 verloren, %2 wiederholt, %3 veraltet, %4 nicht verstanden.</translation>
     </message>
     <message>
-        <source>A force is taken in %1 ms, 99 % below %2 ms; there and back %3 ms.</source>
-        <translation>Eine Kraft wird in %1 ms angenommen, 99 % unter %2 ms; hin und zurück %3 ms.</translation>
-    </message>
-    <message>
         <source>It needs no hardware and feels no force.</source>
         <translation>Sie braucht kein Gerät und fühlt keine Kraft.</translation>
+    </message>
+    <message>
+        <source>%1 ms there and back</source>
+        <translation>%1 ms hin und zurück</translation>
+    </message>
+    <message>
+        <source>at most %1 ms there and back</source>
+        <translation>höchstens %1 ms hin und zurück</translation>
+    </message>
+    <message>
+        <source>A force is taken in %1 ms, 99 % below %2 ms; %3.</source>
+        <translation>Eine Kraft wird in %1 ms abgenommen, 99 % unter %2 ms; %3.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::FlatViews</name>
+    <message>
+        <source>Unrolled scala tympani</source>
+        <translation>Abgerollte Scala tympani</translation>
+    </message>
+    <message>
+        <source>angle from round window; width, mm</source>
+        <translation>Winkel ab rundem Fenster; Breite, mm</translation>
+    </message>
+    <message>
+        <source>The scala seen along the modiolus and rolled out. Bars: normal force of the wall on each millimeter of array; rings: forces of floor and roof.</source>
+        <translation>Die Skala entlang des Modiolus gesehen und abgerollt. Balken: Normalkraft der Wand je Millimeter Träger; Ringe: Kräfte von Boden und Dach.</translation>
+    </message>
+    <message>
+        <source>Section at the tip</source>
+        <translation>Schnitt an der Spitze</translation>
+    </message>
+    <message>
+        <source>The half-plane through the modiolar axis at the tip, to scale; its angle counts from the round window. The arrow is the wall’s normal force on the last millimeter of array. Where the wall yields, the array reaches past its line.</source>
+        <translation>Die Halbebene durch die Modiolusachse an der Spitze, maßstäblich; ihr Winkel zählt ab dem runden Fenster. Der Pfeil ist die Normalkraft der Wand auf den letzten Millimeter Träger. Wo die Wand nachgibt, reicht der Träger über ihre Linie.</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Kontakte</translation>
+    </message>
+    <message>
+        <source>to modiolus, mm</source>
+        <translation>zum Modiolus, mm</translation>
+    </message>
+    <message>
+        <source>From the center line of the array at each contact, 1 at the tip, to the inner wall on the way to the modiolar axis.</source>
+        <translation>Von der Mittellinie des Trägers an jedem Kontakt, 1 an der Spitze, zur Innenwand auf dem Weg zur Modiolusachse.</translation>
+    </message>
+    <message>
+        <source>at %1°</source>
+        <translation>bei %1°</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::ForceCharts</name>
+    <message>
+        <source>Force over travel</source>
+        <translation>Kraft über Weg</translation>
+    </message>
+    <message>
+        <source>axial, N</source>
+        <translation>axial, N</translation>
+    </message>
+    <message>
+        <source>Force components</source>
+        <translation>Kraftkomponenten</translation>
+    </message>
+    <message>
+        <source>last 5 s, mN</source>
+        <translation>letzte 5 s, mN</translation>
     </message>
 </context>
 <context>
@@ -523,6 +1082,13 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::InsertionViews</name>
+    <message>
+        <source>not on this display</source>
+        <translation>nicht auf diesem Bildschirm</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::KeyList</name>
     <message>
         <source>Insertion</source>
@@ -535,6 +1101,10 @@
     <message>
         <source>Window</source>
         <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>Abspielen</translation>
     </message>
 </context>
 <context>
@@ -910,6 +1480,106 @@
         <source>Not the preset’s values: %1.</source>
         <translation>Nicht die Werte der Vorlage: %1.</translation>
     </message>
+    <message>
+        <source>Coupling %1 N/m, softer than asked: Devices (H).</source>
+        <translation>Kopplung %1 N/m, weicher als gewünscht: Geräte (H).</translation>
+    </message>
+    <message>
+        <source>stereo: off, anaglyph, side by side, interlaced</source>
+        <translation>Stereo: aus, Anaglyphe, nebeneinander, zeilenweise</translation>
+    </message>
+    <message>
+        <source>Space; Esc</source>
+        <translation>Leertaste; Esc</translation>
+    </message>
+    <message>
+        <source>play or pause; back to the insertion</source>
+        <translation>abspielen oder anhalten; zurück zur Einführung</translation>
+    </message>
+    <message>
+        <source>Left, Right; with Shift</source>
+        <translation>Links, Rechts; mit Umschalt</translation>
+    </message>
+    <message>
+        <source>step by 1 tick; by 100</source>
+        <translation>um 1 Takt; um 100</translation>
+    </message>
+    <message>
+        <source>Home, End</source>
+        <translation>Pos1, Ende</translation>
+    </message>
+    <message>
+        <source>to the beginning, to the end</source>
+        <translation>zum Anfang, zum Ende</translation>
+    </message>
+    <message>
+        <source>,  .</source>
+        <translation>,  .</translation>
+    </message>
+    <message>
+        <source>slower, faster</source>
+        <translation>langsamer, schneller</translation>
+    </message>
+    <message>
+        <source>one, two or four views in turn</source>
+        <translation>eine, zwei oder vier Ansichten im Wechsel</translation>
+    </message>
+    <message>
+        <source>one, two, four views</source>
+        <translation>eine, zwei, vier Ansichten</translation>
+    </message>
+    <message>
+        <source>Double click</source>
+        <translation>Doppelklick</translation>
+    </message>
+    <message>
+        <source>enlarge a view, and back</source>
+        <translation>eine Ansicht vergrößern und zurück</translation>
+    </message>
+    <message>
+        <source>Opening %1…</source>
+        <translation>%1 wird geöffnet …</translation>
+    </message>
+    <message>
+        <source>replay</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>A recording is shown. No device is moved.</source>
+        <translation>Eine Aufzeichnung wird gezeigt. Kein Gerät wird bewegt.</translation>
+    </message>
+    <message>
+        <source>Perilymph · replay of %1</source>
+        <translation>Perilymph · %1 wird abgespielt</translation>
+    </message>
+    <message>
+        <source>Space plays. Left and Right step by one tick.</source>
+        <translation>Leertaste spielt ab. Links und Rechts gehen um einen Takt.</translation>
+    </message>
+    <message>
+        <source>Reading %1…</source>
+        <translation>%1 wird gelesen …</translation>
+    </message>
+    <message>
+        <source>%1 stands behind the next insertions as their ghost.</source>
+        <translation>%1 steht als Geist hinter den nächsten Einführungen.</translation>
+    </message>
+    <message>
+        <source>Report as PDF</source>
+        <translation>Bericht als PDF</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Replaying %1 for its report…</source>
+        <translation>%1 wird für den Bericht abgespielt …</translation>
+    </message>
+    <message>
+        <source>The report is %1.</source>
+        <translation>Der Bericht ist %1.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::Notice</name>
@@ -978,6 +1648,26 @@
     <message>
         <source>force on the hand</source>
         <translation>Kraft an der Hand</translation>
+    </message>
+    <message>
+        <source>anaglyph</source>
+        <translation>Anaglyphe</translation>
+    </message>
+    <message>
+        <source>side by side</source>
+        <translation>nebeneinander</translation>
+    </message>
+    <message>
+        <source>interlaced</source>
+        <translation>zeilenweise</translation>
+    </message>
+    <message>
+        <source>quad-buffered</source>
+        <translation>vierfach gepuffert</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
     </message>
 </context>
 <context>
@@ -1272,6 +1962,108 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::Replay</name>
+    <message>
+        <source>comparing bits…</source>
+        <translation>Bits werden verglichen …</translation>
+    </message>
+    <message>
+        <source>differs from tick %1 on (%2)</source>
+        <translation>weicht ab Takt %1 ab (%2)</translation>
+    </message>
+    <message>
+        <source>replays bit for bit up to tick %1</source>
+        <translation>gleich bis aufs Bit bis Takt %1</translation>
+    </message>
+    <message>
+        <source>replays bit for bit</source>
+        <translation>gleich bis aufs Bit</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::ReplayBar</name>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Play or pause (Space)</source>
+        <translation>Abspielen oder anhalten (Leertaste)</translation>
+    </message>
+    <message>
+        <source>◂</source>
+        <translation>◂</translation>
+    </message>
+    <message>
+        <source>One tick back (Left)</source>
+        <translation>Ein Takt zurück (Links)</translation>
+    </message>
+    <message>
+        <source>▸</source>
+        <translation>▸</translation>
+    </message>
+    <message>
+        <source>One tick on (Right)</source>
+        <translation>Ein Takt weiter (Rechts)</translation>
+    </message>
+    <message>
+        <source>−</source>
+        <translation>−</translation>
+    </message>
+    <message>
+        <source>Slower (comma)</source>
+        <translation>Langsamer (Komma)</translation>
+    </message>
+    <message>
+        <source>+</source>
+        <translation>+</translation>
+    </message>
+    <message>
+        <source>Faster (point)</source>
+        <translation>Schneller (Punkt)</translation>
+    </message>
+    <message>
+        <source>Close replay</source>
+        <translation>Abspielen beenden</translation>
+    </message>
+    <message>
+        <source>Back to the insertion (Esc)</source>
+        <translation>Zurück zur Einführung (Esc)</translation>
+    </message>
+    <message>
+        <source>One tick back</source>
+        <translation>Ein Takt zurück</translation>
+    </message>
+    <message>
+        <source>One tick on</source>
+        <translation>Ein Takt weiter</translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>Langsamer</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>Schneller</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>%1 of %2 s · tick %3</source>
+        <translation>%1 von %2 s · Takt %3</translation>
+    </message>
+    <message>
+        <source>replay · %1 · not a medical device</source>
+        <translation>Abspielen · %1 · kein Medizinprodukt</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::ScenarioHead</name>
     <message>
         <source>MODIFIED</source>
@@ -1339,10 +2131,80 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::Scrubber</name>
+    <message>
+        <source>Place in the replay</source>
+        <translation>Stelle im Ablauf</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::Section</name>
     <message>
         <source>Fold or unfold</source>
         <translation>Auf- oder zuklappen</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::SessionTable</name>
+    <message>
+        <source>recording now</source>
+        <translation>wird aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>unreadable</source>
+        <translation>unlesbar</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>link</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>recht</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1 mN at %2 mm</source>
+        <translation>%1 mN bei %2 mm</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>Aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Patient, ear</source>
+        <translation>Patient, Ohr</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>Träger</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Deepest angle</source>
+        <translation>Größter Winkel</translation>
+    </message>
+    <message>
+        <source>Peak force at depth</source>
+        <translation>Spitzenkraft bei Tiefe</translation>
     </message>
 </context>
 <context>
@@ -1354,6 +2216,112 @@
     <message>
         <source>Every insertion is kept by itself. Here it can be found again, replayed, compared and written as a report.</source>
         <translation>Jede Einführung wird von selbst behalten. Hier lässt sie sich wiederfinden, abspielen, vergleichen und als Bericht schreiben.</translation>
+    </message>
+    <message>
+        <source>Reading recording %1 of %2. Esc ends it.</source>
+        <translation>Aufzeichnung %1 von %2 wird gelesen. Esc beendet es.</translation>
+    </message>
+    <message>
+        <source>Find by patient, array, date, name</source>
+        <translation>Suche nach Patient, Träger, Datum, Name</translation>
+    </message>
+    <message>
+        <source>Find recordings</source>
+        <translation>Aufzeichnungen suchen</translation>
+    </message>
+    <message>
+        <source>Recorded insertions</source>
+        <translation>Aufgezeichnete Einführungen</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Look at it again, tick by tick (Enter)</source>
+        <translation>Noch einmal ansehen, Takt für Takt (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Two or more over one axis</source>
+        <translation>Zwei oder mehr über einer Achse</translation>
+    </message>
+    <message>
+        <source>Use as ghost</source>
+        <translation>Als Geist nehmen</translation>
+    </message>
+    <message>
+        <source>Draw its curve behind the next insertions</source>
+        <translation>Ihre Kurve hinter die nächsten Einführungen zeichnen</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Bericht …</translation>
+    </message>
+    <message>
+        <source>Write a report as PDF</source>
+        <translation>Einen Bericht als PDF schreiben</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Give it another name (F2)</source>
+        <translation>Anders nennen (F2)</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Move it to the trash (Delete)</source>
+        <translation>In den Papierkorb (Entf)</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Bring it back (Ctrl+Z)</source>
+        <translation>Zurückholen (Strg+Z)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n in the library</source>
+        <translation>
+            <numerusform>eine in der Sammlung</numerusform>
+            <numerusform>%n in der Sammlung</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Nothing found</source>
+        <translation>Nichts gefunden</translation>
+    </message>
+    <message>
+        <source>No recording has “%1” in its patient, array, date or name.</source>
+        <translation>Keine Aufzeichnung hat „%1“ in Patient, Träger, Datum oder Namen.</translation>
+    </message>
+    <message>
+        <source>This insertion is being recorded. Reset ends its recording.</source>
+        <translation>Diese Einführung wird aufgezeichnet. „Neu“ beendet die Aufzeichnung.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n moved to the trash.</source>
+        <translation>
+            <numerusform>Eine ist im Papierkorb.</numerusform>
+            <numerusform>%n sind im Papierkorb.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose several with Ctrl or Shift to compare them.</source>
+        <translation>Mehrere mit Strg oder Umschalt wählen, um sie zu vergleichen.</translation>
     </message>
 </context>
 <context>
@@ -1611,6 +2579,141 @@
     <message>
         <source>Canceled. Nothing was kept.</source>
         <translation>Abgebrochen. Nichts wurde behalten.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::ViewMenu</name>
+    <message>
+        <source>View ▾</source>
+        <translation>Ansicht ▾</translation>
+    </message>
+    <message>
+        <source>Where to look from, how many views, stereo, and how much is drawn</source>
+        <translation>Von wo man sieht, wie viele Ansichten, Stereo, und wie viel gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>LOOK FROM</source>
+        <translation>BLICK VON</translation>
+    </message>
+    <message>
+        <source>Surgeon’s view, turned 110°</source>
+        <translation>Sicht des Operateurs, um 110° gedreht</translation>
+    </message>
+    <message>
+        <source>1</source>
+        <translation>1</translation>
+    </message>
+    <message>
+        <source>Down the opening</source>
+        <translation>In die Öffnung</translation>
+    </message>
+    <message>
+        <source>2</source>
+        <translation>2</translation>
+    </message>
+    <message>
+        <source>Overview</source>
+        <translation>Übersicht</translation>
+    </message>
+    <message>
+        <source>3</source>
+        <translation>3</translation>
+    </message>
+    <message>
+        <source>Across the basal turn</source>
+        <translation>Quer zur Basalwindung</translation>
+    </message>
+    <message>
+        <source>4</source>
+        <translation>4</translation>
+    </message>
+    <message>
+        <source>Follow the tip</source>
+        <translation>Der Spitze folgen</translation>
+    </message>
+    <message>
+        <source>F</source>
+        <translation>F</translation>
+    </message>
+    <message>
+        <source>VIEWS</source>
+        <translation>ANSICHTEN</translation>
+    </message>
+    <message>
+        <source>One</source>
+        <translation>Eine</translation>
+    </message>
+    <message>
+        <source>Ctrl+1</source>
+        <translation>Strg+1</translation>
+    </message>
+    <message>
+        <source>Two: picture and charts</source>
+        <translation>Zwei: Bild und Kurven</translation>
+    </message>
+    <message>
+        <source>Ctrl+2</source>
+        <translation>Strg+2</translation>
+    </message>
+    <message>
+        <source>Four</source>
+        <translation>Vier</translation>
+    </message>
+    <message>
+        <source>Ctrl+4</source>
+        <translation>Strg+4</translation>
+    </message>
+    <message>
+        <source>STEREO (G)</source>
+        <translation>STEREO (G)</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>Anaglyph, red and cyan</source>
+        <translation>Anaglyphe, rot und cyan</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Nebeneinander</translation>
+    </message>
+    <message>
+        <source>Interlaced</source>
+        <translation>Zeilenweise</translation>
+    </message>
+    <message>
+        <source>Quad-buffered</source>
+        <translation>Vierfach gepuffert</translation>
+    </message>
+    <message>
+        <source>DRAWING</source>
+        <translation>ZEICHNEN</translation>
+    </message>
+    <message>
+        <source>By the machine’s speed</source>
+        <translation>Nach dem Tempo des Rechners</translation>
+    </message>
+    <message>
+        <source>Fast</source>
+        <translation>Schnell</translation>
+    </message>
+    <message>
+        <source>Balanced</source>
+        <translation>Ausgewogen</translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation>Voll</translation>
+    </message>
+    <message>
+        <source>Quad-buffered: %1</source>
+        <translation>Vierfach gepuffert: %1</translation>
     </message>
 </context>
 </TS>

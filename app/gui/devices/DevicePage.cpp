@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <QVariant>
+#include <algorithm>
 
 #include "Numbers.h"
 #include "Theme.h"
@@ -16,6 +17,14 @@ namespace {
 constexpr int pageWidth_px = 580;
 
 QString milliseconds(double time) { return numberText(time * 1e3, 2); }
+
+/// "0.06 ms there and back"; where no report answers a force, the most it can be.
+QString roundTripText(const device::HandHealth& health)
+{
+  const QString time = milliseconds(health.roundTrip);
+  return health.isRoundTripMeasured ? DevicePage::tr("%1 ms there and back").arg(time)
+                                    : DevicePage::tr("at most %1 ms there and back").arg(time);
+}
 
 QString abilityText(const device::FoundHand& found)
 {
@@ -38,8 +47,7 @@ QString deviceRateText(const std::optional<device::HandHealth>& health)
   QString text = DevicePage::tr("device %1/s, jitter %2 ms")
                      .arg(numberText(reading.rate, 0),
                           milliseconds(reading.intervalP99 - reading.intervalMedian));
-  if (health->delay > 0.0)
-    text += DevicePage::tr(", %1 ms there and back").arg(milliseconds(health->delay));
+  if (health->roundTrip > 0.0) text += roundTripText(*health).prepend(QStringLiteral(", "));
   return text;
 }
 
@@ -112,8 +120,16 @@ void DevicePage::refresh()
   addText(*column, tr("Hands that need no hardware: the script, and mouse and keyboard."), true);
   column_->addWidget(list_);
   list_->show();  // the page may be on the screen already
+  fit();
+}
+
+void DevicePage::fit()
+{
   column_->activate();
-  adjustSize();
+  const QPoint middle = geometry().center();
+  // Sentences wrap: how high the page is follows from how wide it is.
+  resize(width(), column_->totalHeightForWidth(width()));
+  if (isVisible()) move(x(), std::max(0, middle.y() - height() / 2));
 }
 
 void DevicePage::addDevice(const device::FoundHand& found)
@@ -175,16 +191,20 @@ void DevicePage::showHand(const QString& name, const std::optional<device::HandH
                  .arg(reading.old)
                  .arg(reading.foreign);
     if (health->writing.accepted > 0)
-      lines << tr("A force is taken in %1 ms, 99 % below %2 ms; there and back %3 ms.")
+      lines << tr("A force is taken in %1 ms, 99 % below %2 ms; %3.")
                    .arg(milliseconds(health->writing.timeMedian),
-                        milliseconds(health->writing.timeP99), milliseconds(health->delay));
+                        milliseconds(health->writing.timeP99), roundTripText(*health));
+    if (!health->guardObstacle.empty()) lines << QString::fromStdString(health->guardObstacle);
     if (!health->trouble.empty()) lines << QString::fromStdString(health->trouble);
   } else {
     lines << tr("It needs no hardware and feels no force.");
   }
   if (!coupling.isEmpty()) lines << coupling;
-  live_->setText(lines.join(QLatin1Char('\n')));
-  live_->setVisible(!lines.isEmpty());
+  const QString words = lines.join(QLatin1Char('\n'));
+  if (words == live_->text()) return;
+  live_->setText(words);
+  live_->setVisible(!words.isEmpty());
+  fit();
 }
 
 }  // namespace perilymph::gui

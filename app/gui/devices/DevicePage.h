@@ -35,6 +35,7 @@ Q_SIGNALS:
   void closeAsked();
 
 private:
+  void fit();
   void addDevice(const device::FoundHand& found);
   QLabel* addText(QVBoxLayout& column, const QString& text, bool isQuiet);
 

@@ -49,6 +49,24 @@ QString nameOf(CameraPreset preset)
   return {};
 }
 
+QString nameOf(visualization::Stereo stereo)
+{
+  using visualization::Stereo;
+  switch (stereo) {
+    case Stereo::off:
+      return {};
+    case Stereo::anaglyph:
+      return OperationView::tr("anaglyph");
+    case Stereo::sideBySide:
+      return OperationView::tr("side by side");
+    case Stereo::interlaced:
+      return OperationView::tr("interlaced");
+    case Stereo::quadBuffered:
+      return OperationView::tr("quad-buffered");
+  }
+  return {};
+}
+
 QLabel* quietLabel(QWidget* parent, const char* name)
 {
   auto* label = new QLabel(parent);
@@ -116,12 +134,12 @@ void OperationView::addReadOuts()
   numbers->addStretch();
   numbers->addWidget(force_, 0, Qt::AlignTop);
 
-  auto* foot = new QHBoxLayout;
-  foot->addWidget(magnification_);
-  foot->addStretch();
-  foot->addWidget(hint_);
-  foot->addStretch();
-  foot->addWidget(viewName_);
+  foot_ = new QHBoxLayout;
+  foot_->addWidget(magnification_);
+  foot_->addStretch();
+  foot_->addWidget(hint_);
+  foot_->addStretch();
+  foot_->addWidget(viewName_);
 
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(2 * spacing, spacing, 2 * spacing, spacing);
@@ -131,18 +149,50 @@ void OperationView::addReadOuts()
   column->addWidget(speed_, 0, Qt::AlignRight);
   column->addWidget(banner_);
   column->addStretch();
-  column->addLayout(foot);
+  column->addLayout(foot_);
   column->addWidget(phase_);
 }
 
+void OperationView::addToFoot(QWidget* control) { foot_->addWidget(control); }
+
 void OperationView::setScene(std::unique_ptr<visualization::InsertionScene> scene)
+{
+  take(std::move(scene));
+  scene_->lookFrom(CameraPreset::surgeon);
+  describeView();
+}
+
+void OperationView::replaceScene(std::unique_ptr<visualization::InsertionScene> scene)
+{
+  if (!scene_) return setScene(std::move(scene));
+  using visualization::Part;
+  for (const Part part :
+       {Part::wallForce, Part::contactArrows, Part::membrane, Part::styletAndTweezers, Part::scala})
+    scene->setVisible(part, scene_->isVisible(part));
+  const CameraPreset preset = scene_->preset();
+  const double magnification = scene_->magnification();
+  take(std::move(scene));
+  scene_->lookFrom(preset);
+  scene_->setMagnification(magnification);
+  describeView();
+}
+
+void OperationView::take(std::unique_ptr<visualization::InsertionScene> scene)
 {
   if (scene_) renderWindow()->RemoveRenderer(&scene_->renderer());
   scene_ = std::move(scene);
   scene_->setScale(devicePixelRatioF());
   scene_->setScaleBarMargin(footHeight_px);
   scene_->attachTo(*renderWindow());
-  scene_->lookFrom(CameraPreset::surgeon);
+  scene_->setStereo(stereo_);
+  isDirty_ = true;
+}
+
+void OperationView::setStereo(visualization::Stereo stereo)
+{
+  stereo_ = stereo;
+  if (!scene_) return;
+  scene_->setStereo(stereo);
   describeView();
   isDirty_ = true;
 }
@@ -213,7 +263,10 @@ void OperationView::stepCamera(double seconds)
 void OperationView::describeView()
 {
   magnification_->setText(tr("Microscope × %1").arg(numberText(scene_->magnification(), 1)));
-  viewName_->setText(nameOf(scene_->preset()));
+  const QString eyes = nameOf(stereo_);
+  const QString name = nameOf(scene_->preset());
+  viewName_->setText(eyes.isEmpty() ? name : tr("%1 · %2").arg(name, eyes));
+  Q_EMIT presetChanged(scene_->preset());
 }
 
 double OperationView::pictureHeight_mm() const
@@ -287,5 +340,11 @@ void OperationView::mouseMoveEvent(QMouseEvent* event)
 }
 
 void OperationView::mouseReleaseEvent(QMouseEvent* event) { event->accept(); }
+
+void OperationView::mouseDoubleClickEvent(QMouseEvent* event)
+{
+  event->accept();
+  if (event->button() == Qt::LeftButton) Q_EMIT maximizeAsked();
+}
 
 }  // namespace perilymph::gui

@@ -11,6 +11,7 @@
 #include "perilymph/visualization/InsertionScene.h"
 
 class QFrame;
+class QHBoxLayout;
 class QLabel;
 
 namespace perilymph::gui {
@@ -28,6 +29,8 @@ public:
 
   /// The cochlea and the array to be shown from now on.
   void setScene(std::unique_ptr<visualization::InsertionScene> scene);
+  /// The same cochlea and array drawn otherwise: what is seen from where stays.
+  void replaceScene(std::unique_ptr<visualization::InsertionScene> scene);
   /// The scene; none before the first setScene().
   visualization::InsertionScene* scene() { return scene_.get(); }
 
@@ -39,6 +42,8 @@ public:
   void setPartVisible(visualization::Part part, bool isVisible);
 
   void glideTo(visualization::CameraPreset preset);
+  void setStereo(visualization::Stereo stereo);
+  visualization::Stereo stereo() const { return stereo_; }
   void turnModel(double azimuth_deg, double elevation_deg, double roll_deg);
   /// Moves the model by a share of the picture's height.
   void moveModel(double right, double up);
@@ -51,8 +56,16 @@ public:
   /// One quiet line at the foot of the picture.
   void setHint(const QString& hint);
 
+  /// Sets a control into the foot of the picture, at its right.
+  void addToFoot(QWidget* control);
+
   /// Renders if something changed. True if it did.
   bool renderIfDirty();
+
+Q_SIGNALS:
+  /// A double click on the picture.
+  void maximizeAsked();
+  void presetChanged(perilymph::visualization::CameraPreset preset);
 
 protected:
   bool event(QEvent* event) override;
@@ -60,13 +73,16 @@ protected:
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
 
 private:
   void addReadOuts();
+  void take(std::unique_ptr<visualization::InsertionScene> scene);
   void describeView();
   double pictureHeight_mm() const;
 
   std::unique_ptr<visualization::InsertionScene> scene_;
+  visualization::Stereo stereo_ = visualization::Stereo::off;
   bool isDirty_ = true;
   QPoint mouse_;
   ReadOut* travel_;
@@ -79,6 +95,7 @@ private:
   QLabel* hint_;
   QLabel* magnification_;
   QLabel* viewName_;
+  QHBoxLayout* foot_ = nullptr;
   PhaseLine* phase_;
 };
 

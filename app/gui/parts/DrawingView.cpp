@@ -4,76 +4,13 @@
 #include <QPainterPath>
 #include <algorithm>
 
-#include "Theme.h"
+#include "DrawingPainter.h"
 
 namespace perilymph::gui {
 
 namespace {
 
 constexpr int dotsPerInch = 72;  // of a page point
-
-QColor colorOf(const analysis::Ink& ink)
-{
-  QColor color(ink.rgb[0], ink.rgb[1], ink.rgb[2]);
-  color.setAlphaF(ink.opacity);
-  return color;
-}
-
-QPolygonF polygonOf(const std::vector<analysis::PagePoint>& points)
-{
-  QPolygonF polygon;
-  for (const analysis::PagePoint& point : points) polygon << QPointF(point.x, point.y);
-  return polygon;
-}
-
-/// Draws one mark in page points.
-struct MarkPainter {
-  QPainter& painter;
-
-  void operator()(const analysis::Area& area) const
-  {
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(colorOf(area.ink));
-    painter.drawPolygon(polygonOf(area.points));
-  }
-
-  void operator()(const analysis::Stroke& stroke) const
-  {
-    QPen pen(colorOf(stroke.ink), stroke.width, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
-    if (stroke.dash > 0.0)
-      pen.setDashPattern({stroke.dash / stroke.width, stroke.dash / stroke.width});
-    painter.setPen(pen);
-    painter.setBrush(Qt::NoBrush);
-    painter.drawPolyline(polygonOf(stroke.points));
-  }
-
-  void operator()(const analysis::Disk& disk) const
-  {
-    painter.setPen(QPen(colorOf(disk.outline), 1.0));
-    painter.setBrush(colorOf(disk.fill));
-    painter.drawEllipse(QPointF(disk.center.x, disk.center.y), disk.radius, disk.radius);
-  }
-
-  void operator()(const analysis::Words& words) const
-  {
-    // A font is scaled with the page: set large and drawn small, its letters keep their places.
-    constexpr double fine = 16.0;
-    QFont font = typeface(int(words.size * fine), words.isBold ? QFont::DemiBold : QFont::Normal);
-    const QString text = QString::fromStdString(words.text);
-    painter.save();
-    painter.translate(words.at.x, words.at.y);
-    if (words.direction == analysis::Direction::upward) painter.rotate(-90.0);
-    painter.scale(1.0 / fine, 1.0 / fine);
-    painter.setFont(font);
-    painter.setPen(colorOf(words.ink));
-    const double width = QFontMetricsF(font).horizontalAdvance(text);
-    const double left = words.anchor == analysis::Anchor::start    ? 0.0
-                        : words.anchor == analysis::Anchor::middle ? -0.5 * width
-                                                                   : -width;
-    painter.drawText(QPointF(left, 0.0), text);
-    painter.restore();
-  }
-};
 
 }  // namespace
 
@@ -101,7 +38,7 @@ void DrawingView::paintEvent(QPaintEvent*)
   QPainterPath sheet;
   sheet.addRoundedRect(QRectF(0.0, 0.0, drawing_.width, drawing_.height), 4.0 / scale, 4.0 / scale);
   painter.fillPath(sheet, Qt::white);
-  for (const analysis::Mark& mark : drawing_.marks) std::visit(MarkPainter{painter}, mark);
+  paintMarks(painter, drawing_, Lettering::scaled);
 }
 
 }  // namespace perilymph::gui

@@ -6,6 +6,8 @@
 
 #include "perilymph/analysis/Drawing.h"
 
+class QPainter;
+
 namespace perilymph::gui {
 
 /// Paints a drawing as large as the widget allows, on its white sheet.

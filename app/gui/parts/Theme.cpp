@@ -23,6 +23,7 @@ const Theme& darkTheme()
       .accent = {0x45, 0xC4, 0xB0},
       .accentHover = {0x5A, 0xD3, 0xC0},
       .onAccent = {0x0B, 0x14, 0x12},
+      .ghost = {0x56, 0xB4, 0xE9},
       .warning = {0xE6, 0x9F, 0x00},
       .onWarning = {0x14, 0x11, 0x0A},
       .alarm = {0xD5, 0x5E, 0x00},
@@ -45,6 +46,7 @@ const Theme& lightTheme()
       .accent = {0x08, 0x6B, 0x5D},
       .accentHover = {0x0A, 0x5C, 0x50},
       .onAccent = {0xFF, 0xFF, 0xFF},
+      .ghost = {0x00, 0x62, 0x9B},
       .warning = {0x7A, 0x4C, 0x00},
       .onWarning = {0xFF, 0xFF, 0xFF},
       .alarm = {0xA9, 0x3A, 0x00},
@@ -134,10 +136,29 @@ QProgressBar::chunk { background: %accent%; border-radius: 3px; }
 QPushButton#keysButton { background: transparent; border-color: transparent; color: %quietText%; }
 QPushButton#keysButton:hover { color: %text%; border-color: %line%; }
 
+QToolButton#viewButton {
+  background: %plate%; border: 1px solid %line%; border-radius: 4px; padding: 2px 8px; color: %text%;
+}
+QToolButton#viewButton:hover, QToolButton#viewButton:focus { border-color: %accent%; }
+QToolButton#viewButton::menu-indicator { image: none; }
+QMenu { background: %panel%; border: 1px solid %line%; padding: 6px 0; }
+QMenu::item { padding: 5px 24px 5px 32px; }
+QMenu::item:selected { background: %raised%; }
+QMenu::item:disabled { color: %quietText%; }
+QMenu::separator { height: 1px; background: %line%; margin: 6px 0; }
+
 QFrame#banner { background: %banner%; border: 1px solid %warning%; border-radius: 5px; }
 QFrame#banner QLabel { color: %text%; }
 QFrame#keys, QFrame#devices { background: %panel%; border: 1px solid %line%; border-radius: 6px; }
 QFrame#chartFrame { background: %ground%; border: 1px solid %line%; border-radius: 4px; }
+QTableView {
+  background: %ground%; border: 1px solid %line%; border-radius: 4px; outline: none;
+  selection-background-color: %raised%; selection-color: %text%;
+}
+QTableView::item { border-bottom: 1px solid %line%; padding: 0 8px; }
+QTableView::item:selected { background: %raised%; }
+QHeaderView, QHeaderView::section { background: %ground%; color: %quietText%; border: none; }
+QHeaderView::section { border-bottom: 1px solid %line%; padding: 6px 8px; }
 QToolTip { color: %text%; background: %ground%; border: 1px solid %line%; padding: 4px; }
 
 QFrame#notice, QFrame#settings { background: %panel%; border: 1px solid %accent%; border-radius: 6px; }

@@ -23,6 +23,7 @@ struct Theme {
   QColor accent;       ///< This insertion, and the primary action.
   QColor accentHover;  ///< The same under the mouse.
   QColor onAccent;     ///< Text on both.
+  QColor ghost;        ///< Other insertions: ghost, comparison.
   QColor warning;      ///< Never without a word.
   QColor onWarning;    ///< Text on it.
   QColor alarm;        ///< A light's, never without a word.
@@ -46,6 +47,7 @@ inline const QColor& aheadColor = shownTheme().ahead;
 inline const QColor& textColor = shownTheme().text;
 inline const QColor& quietTextColor = shownTheme().quietText;
 inline const QColor& accentColor = shownTheme().accent;
+inline const QColor& ghostColor = shownTheme().ghost;
 inline const QColor& warningColor = shownTheme().warning;
 inline const QColor& alarmColor = shownTheme().alarm;
 

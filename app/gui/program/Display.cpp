@@ -1,7 +1,9 @@
 #include "Display.h"
 
+#include <QCoreApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <QSurfaceFormat>
 #include <cstdlib>
 #include <string>
@@ -74,6 +76,33 @@ Result<Done> probeOpenGl()
     return Error{"This display offers OpenGL " + std::to_string(got.majorVersion()) + "." +
                  std::to_string(got.minorVersion()) + "." + advice};
   return Done{};
+}
+
+std::string openGlRenderer()
+{
+  QOpenGLContext context;
+  context.setFormat(QSurfaceFormat::defaultFormat());
+  QOffscreenSurface surface;
+  if (!context.create()) return {};
+  surface.setFormat(context.format());
+  surface.create();
+  if (!context.makeCurrent(&surface)) return {};
+  const auto* name = context.functions()->glGetString(GL_RENDERER);
+  const std::string renderer = name != nullptr ? reinterpret_cast<const char*>(name) : "";
+  context.doneCurrent();
+  return renderer;
+}
+
+QString quadBufferedTrouble()
+{
+  QSurfaceFormat wanted = QSurfaceFormat::defaultFormat();
+  wanted.setStereo(true);
+  QOpenGLContext context;
+  context.setFormat(wanted);
+  if (!context.create() || !context.format().stereo())
+    return QCoreApplication::translate("Display", "this display has no buffers for two eyes");
+  return QCoreApplication::translate("Display",
+                                     "this window draws into a buffer of its own, for one eye");
 }
 
 }  // namespace perilymph::gui

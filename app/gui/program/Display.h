@@ -2,6 +2,9 @@
 
 // Can a picture be shown here at all? Asked before anything that would abort if it cannot.
 
+#include <QString>
+#include <string>
+
 #include "perilymph/foundation/Result.h"
 
 namespace perilymph::gui {
@@ -12,5 +15,11 @@ Result<Done> probeDisplay();
 /// Whether OpenGL 3.2 can be had. After QApplication, before the first VTK widget, which aborts
 /// without it.
 Result<Done> probeOpenGl();
+
+/// What OpenGL calls itself here; empty if it cannot be had. After QApplication.
+std::string openGlRenderer();
+
+/// Why pictures for two eyes cannot go through two buffers of the display. After QApplication.
+QString quadBufferedTrouble();
 
 }  // namespace perilymph::gui

@@ -48,13 +48,16 @@ double FrameMeter::quantile_ms(double share) const
   return sorted[std::min(index, sorted.size() - 1)];
 }
 
+double FrameMeter::span_s() const
+{
+  if (presented_.size() < 2) return 0.0;
+  return std::chrono::duration<double>(presented_.back() - presented_.front()).count();
+}
+
 std::string FrameMeter::report() const
 {
-  double perSecond = 0.0;
-  if (presented_.size() > 1) {
-    const std::chrono::duration<double> span = presented_.back() - presented_.front();
-    if (span.count() > 0.0) perSecond = static_cast<double>(presented_.size() - 1) / span.count();
-  }
+  const double span = span_s();
+  const double perSecond = span > 0.0 ? static_cast<double>(presented_.size() - 1) / span : 0.0;
   char text[160];
   std::snprintf(text, sizeof text,
                 "frame time median %.1f ms, p95 %.1f ms, %.1f frames/s over %zu frames",

@@ -5,6 +5,8 @@
 #include <QLocale>
 #include <QTranslator>
 
+#include "ChartWords.h"
+
 // Outside of every namespace, where Qt looks for the resource.
 static void initializeTranslations() { Q_INIT_RESOURCE(translations); }
 
@@ -19,7 +21,8 @@ void useLanguage(QCoreApplication& application, const QString& word)
 
   const QLocale locale = word == QLatin1String("system") ? QLocale::system() : QLocale(word);
   QLocale::setDefault(locale);
-  if (locale.language() == QLocale::English || locale.language() == QLocale::C) return;
+  if (locale.language() == QLocale::English || locale.language() == QLocale::C)
+    return translateCharts();
   const auto add = [&](const QString& name, const QString& folder) {
     auto* translator = new QTranslator(&application);
     if (translator->load(locale, name, QStringLiteral("_"), folder))
@@ -34,6 +37,7 @@ void useLanguage(QCoreApplication& application, const QString& word)
   add(QStringLiteral("qtbase"), QLibraryInfo::path(QLibraryInfo::TranslationsPath));
 #endif
   add(QStringLiteral("perilymph"), QStringLiteral(":/translations"));
+  translateCharts();
 }
 
 }  // namespace perilymph::gui

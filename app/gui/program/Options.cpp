@@ -53,6 +53,8 @@ std::variant<Options, Exit> parseOptions(int argc, const char* const* argv)
       ->needs(screenshotOption)
       ->check(checkDelay)
       ->capture_default_str();
+  app.add_option("--quality", options.quality, "How much is drawn; auto: by the machine's speed")
+      ->check(CLI::IsMember({"auto", "fast", "balanced", "full"}));
   app.add_flag("--measure-frames", options.measuresFrames,
                "Run the demonstration, print how long its frames took, then exit")
       ->excludes(screenshotOption);

@@ -17,6 +17,7 @@ struct Options {
   std::optional<std::filesystem::path> record;  ///< Where to keep the insertion.
   std::optional<std::filesystem::path> screenshot;
   std::optional<std::string> language;  ///< "en", "de" or "system", for this call alone.
+  std::optional<std::string> quality;   ///< auto, fast, balanced or full; else what was kept.
   double after_s = 2.0;                 ///< From the first frame to the screenshot.
   bool measuresFrames = false;          ///< Prints frame times of a demonstration and exits.
 };

@@ -36,8 +36,7 @@ QLabel* text(const QString& words, int size_px, QWidget* parent, bool isQuiet = 
 
 }  // namespace
 
-ValidatePage::ValidatePage(QWidget* parent)
-    : QWidget(parent), basis_(shippedValidation()), work_(this)
+ValidatePage::ValidatePage(QWidget* parent) : QWidget(parent), basis_(shippedBasis()), work_(this)
 {
   setObjectName(QStringLiteral("validatePage"));
   auto* row = new QHBoxLayout(this);
@@ -220,10 +219,11 @@ void ValidatePage::showFigure()
                                 : experiment_)
       ->setChecked(true);
   const analysis::Reference& experiment = basis_->request.experiment;
-  drawing_->show(analysis::draw(
-      shown == Shown::simulation   ? analysis::simulationFigure(sofar_, experiment)
-      : shown == Shown::difference ? analysis::differenceFigure(*result_, basis_->difference)
-                                   : analysis::experimentFigure(experiment, basis_->simulator)));
+  drawing_->show(
+      analysis::draw(shown == Shown::simulation ? analysis::simulationFigure(sofar_, experiment)
+                     : shown == Shown::difference
+                         ? analysis::differenceFigure(*result_, basis_->references.difference)
+                         : analysis::experimentFigure(experiment, basis_->references.simulator)));
 }
 
 void ValidatePage::showState()
@@ -270,17 +270,17 @@ void ValidatePage::save()
       QFileDialog::getExistingDirectory(this, tr("Folder for curves, numbers and figures"));
   if (chosen.isEmpty()) return;
   const std::filesystem::path folder = chosen.toStdString();
-  const analysis::Reference& experiment = basis_->request.experiment;
-  const std::pair<const char*, std::string> files[] = {
-      {"profile.csv", analysis::profileCsv(*result_)},
-      {"difference.csv", analysis::differenceCsv(*result_)},
-      {"summary.json", analysis::summaryJson(basis_->request, *result_)},
-      {"experiment.svg", svg(draw(analysis::experimentFigure(experiment, basis_->simulator)))},
-      {"simulation.svg", svg(draw(analysis::simulationFigure(*result_, experiment)))},
-      {"difference.svg", svg(draw(analysis::differenceFigure(*result_, basis_->difference)))}};
-  for (const auto& [name, content] : files)
-    if (const auto written = writeWhole(folder / name, content); !written)
-      return status_->setText(QString::fromStdString(written.error().message));
+  const analysis::ValidationFiles files =
+      analysis::validationFiles(basis_->request, *result_, basis_->references);
+  const auto keep = [&](const std::string& name, const std::string& content) {
+    const auto written = writeWhole(folder / name, content);
+    if (!written) status_->setText(QString::fromStdString(written.error().message));
+    return bool(written);
+  };
+  for (const auto& [name, content] : files.texts)
+    if (!keep(name, content)) return;
+  for (const auto& [name, figure] : files.figures)
+    if (!keep(name + ".svg", analysis::svg(figure))) return;
   status_->setText(tr("Six files are in %1.").arg(chosen));
 }
 

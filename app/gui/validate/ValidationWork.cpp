@@ -1,7 +1,6 @@
 #include "ValidationWork.h"
 
 #include "perilymph/foundation/RealTime.h"
-#include "perilymph/foundation/Resources.h"
 
 namespace perilymph::gui {
 
@@ -25,25 +24,13 @@ analysis::ValidationResult partOf(const std::vector<std::vector<double>>& curves
 
 }  // namespace
 
-Result<ValidationBasis> shippedValidation()
+Result<ValidationBasis> shippedBasis()
 {
-  ValidationBasis basis;
-  const auto file = findByName("variability", "resources/validation", "published-experiment");
-  if (!file) return file.error();
-  auto variability = analysis::loadVariability(*file);
-  if (!variability) return variability.error();
-  auto scenario = session::loadScenario(variability->scenario);
-  if (!scenario) return scenario.error();
-  basis.request.variability = std::move(*variability);
-  basis.request.scenario = std::move(*scenario);
-  for (auto [name, place] : {std::pair{"todd-naghdy-experiment", &basis.request.experiment},
-                             std::pair{"todd-naghdy-simulator", &basis.simulator},
-                             std::pair{"todd-naghdy-difference", &basis.difference}}) {
-    auto loaded = analysis::shippedReference(name);
-    if (!loaded) return loaded.error();
-    *place = std::move(*loaded);
-  }
-  return basis;
+  auto references = analysis::validationReferences();
+  if (!references) return references.error();
+  auto request = analysis::shippedValidation(*references);
+  if (!request) return request.error();
+  return ValidationBasis{*std::move(request), *std::move(references)};
 }
 
 ValidationWork::ValidationWork(QObject* parent) : QObject(parent)

@@ -17,9 +17,9 @@ namespace perilymph::gui {
 /// Everything a validation starts from: the shipped experiment and how it varied.
 struct ValidationBasis {
   analysis::ValidationRequest request;
-  analysis::Reference simulator, difference;
+  analysis::ValidationReferences references;
 };
-Result<ValidationBasis> shippedValidation();
+Result<ValidationBasis> shippedBasis();
 
 /// Runs validations one at a time.
 class ValidationWork : public QObject {

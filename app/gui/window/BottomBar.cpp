@@ -69,6 +69,7 @@ BottomBar::BottomBar(QWidget* parent)
   status_->setProperty("quiet", true);
   status_->setObjectName(QStringLiteral("statusLabel"));
   status_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  status_->setWordWrap(true);  // a device has more to say than one line holds
   status_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 
   auto* row = new QHBoxLayout(this);

@@ -19,7 +19,7 @@ inline QKeySequence with(Qt::KeyboardModifiers held, Qt::Key key)
 }
 
 /// What the sheet puts under one heading.
-enum class KeySection { insertion, picture, window };
+enum class KeySection { insertion, picture, replay, window };
 
 /// Something keys ask for.
 struct KeyAction {
@@ -32,7 +32,7 @@ struct KeyAction {
   bool repeats = false;  ///< Also while the key is held down.
 };
 
-/// What the mouse does: on the sheet only.
+/// What the mouse does, or a key that is not asked of the table: on the sheet only.
 struct Gesture {
   KeySection section;
   QString what, meaning;

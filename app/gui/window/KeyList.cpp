@@ -1,9 +1,12 @@
 #include "KeyList.h"
 
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
 #include <QVariant>
+#include <utility>
+#include <vector>
 
 #include "KeyActions.h"
 #include "Theme.h"
@@ -36,19 +39,27 @@ void addRow(QGridLayout& grid, const QString& keys, const QString& meaning, QWid
 KeyList::KeyList(const KeyActions& actions, QWidget* parent) : QFrame(parent)
 {
   setObjectName(QStringLiteral("keys"));
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(3 * spacing, 2 * spacing, 3 * spacing, 2 * spacing);
-  grid->setHorizontalSpacing(3 * spacing);
-  grid->setVerticalSpacing(6);
-  const std::pair<KeySection, QString> sections[] = {{KeySection::insertion, tr("Insertion")},
-                                                     {KeySection::picture, tr("Picture")},
-                                                     {KeySection::window, tr("Window")}};
-  for (const auto& [section, title] : sections) {
-    addHeading(*grid, title, this);
-    for (const KeyAction& action : actions.actions())
-      if (action.section == section) addRow(*grid, keysText(action), action.meaning, this);
-    for (const Gesture& gesture : actions.gestures())
-      if (gesture.section == section) addRow(*grid, gesture.what, gesture.meaning, this);
+  auto* columns = new QHBoxLayout(this);
+  columns->setContentsMargins(3 * spacing, 2 * spacing, 3 * spacing, 2 * spacing);
+  columns->setSpacing(4 * spacing);
+  const std::vector<std::pair<KeySection, QString>> halves[] = {
+      {{KeySection::insertion, tr("Insertion")}, {KeySection::picture, tr("Picture")}},
+      {{KeySection::replay, tr("Replay")}, {KeySection::window, tr("Window")}}};
+  for (const auto& half : halves) {
+    auto* column = new QVBoxLayout;
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(3 * spacing);
+    grid->setVerticalSpacing(6);
+    column->addLayout(grid);
+    column->addStretch(1);
+    columns->addLayout(column);
+    for (const auto& [section, title] : half) {
+      addHeading(*grid, title, this);
+      for (const KeyAction& action : actions.actions())
+        if (action.section == section) addRow(*grid, keysText(action), action.meaning, this);
+      for (const Gesture& gesture : actions.gestures())
+        if (gesture.section == section) addRow(*grid, gesture.what, gesture.meaning, this);
+    }
   }
   hide();
 }

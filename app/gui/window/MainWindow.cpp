@@ -11,13 +11,16 @@
 #include <cstring>
 
 #include "BottomBar.h"
-#include "ChartColumn.h"
 #include "ComparePage.h"
 #include "DevicePage.h"
+#include "ForceCharts.h"
+#include "InsertionViews.h"
 #include "KeyList.h"
 #include "Notice.h"
 #include "Numbers.h"
 #include "OperationView.h"
+#include "Replay.h"
+#include "ReplayBar.h"
 #include "SessionsPage.h"
 #include "SettingsSheet.h"
 #include "SetupHistory.h"
@@ -33,7 +36,6 @@ namespace {
 
 using haptics::Workflow;
 
-constexpr int frameInterval_ms = 16;   // 60 Hz cap
 constexpr int slowInterval_ms = 66;    // charts and numbers: 15 Hz
 constexpr double longestStep_s = 0.1;  // after a stall, keys do not catch up
 
@@ -51,8 +53,9 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
       setup_(new SetupHistory(this)),
       top_(new TopBar(this)),
       side_(new SidePanel(this)),
-      view_(new OperationView(this)),
-      charts_(new ChartColumn(this)),
+      views_(new InsertionViews(this)),
+      view_(views_->operation()),
+      charts_(views_->charts()),
       bottom_(new BottomBar(this)),
       settings_(new SettingsSheet(this)),
       notice_(new Notice(this)),
@@ -61,6 +64,10 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
       validation_(new ValidatePage(this)),
       comparison_(new ComparePage(this)),
       sessions_(new SessionsPage(this)),
+      replayBar_(new ReplayBar(this)),
+      replay_(new Replay(this)),
+      bars_(new QStackedWidget(this)),
+      reading_(this),
       anatomyWork_(this),
       pages_(new QStackedWidget(this))
 {
@@ -81,7 +88,10 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
   bottom_->setMain(BottomBar::Main::start, false);
 
   timer_.setTimerType(Qt::PreciseTimer);
-  timer_.setInterval(frameInterval_ms);
+  timer_.setInterval(visualization::traitsOf(views_->quality()).frameInterval_ms);
+  connect(views_, &InsertionViews::qualityChanged, this, [this] {
+    timer_.setInterval(visualization::traitsOf(views_->quality()).frameInterval_ms);
+  });
   connect(&timer_, &QTimer::timeout, this, &MainWindow::onFrame);
 }
 
@@ -93,14 +103,10 @@ QWidget* MainWindow::insertPage()
   auto* middle = new QHBoxLayout;
   middle->setSpacing(0);
   QFrame* leftLine = line(this);
-  QFrame* rightLine = line(this);
   leftLine->setFixedWidth(1);
-  rightLine->setFixedWidth(1);
   middle->addWidget(side_);
   middle->addWidget(leftLine);
-  middle->addWidget(view_, 1);
-  middle->addWidget(rightLine);
-  middle->addWidget(charts_);
+  middle->addWidget(views_, 1);
 
   QFrame* bottomLine = line(this);
   bottomLine->setFixedHeight(1);
@@ -109,7 +115,10 @@ QWidget* MainWindow::insertPage()
   column->setSpacing(0);
   column->addLayout(middle, 1);
   column->addWidget(bottomLine);
-  column->addWidget(bottom_);
+  bars_->addWidget(bottom_);
+  bars_->addWidget(replayBar_);
+  bars_->setFixedHeight(barHeight);
+  column->addWidget(bars_);
   return page;
 }
 
@@ -154,12 +163,13 @@ void MainWindow::connectZones()
   connect(side_, &SidePanel::holdChanged, this, &MainWindow::hold);
   connect(side_, &SidePanel::styletAsked, this, [this] { control_.pullStylet(); });
   connect(side_, &SidePanel::partShown, view_, &OperationView::setPartVisible);
-  connect(side_, &SidePanel::experimentShown, charts_, &ChartColumn::setExperimentVisible);
+  connect(side_, &SidePanel::experimentShown, charts_, &ForceCharts::setExperimentVisible);
   connect(bottom_, &BottomBar::startAsked, this, &MainWindow::start);
   connect(bottom_, &BottomBar::pauseAsked, this, &MainWindow::pause);
   connect(bottom_, &BottomBar::withdrawAsked, this, &MainWindow::withdraw);
   connect(bottom_, &BottomBar::resetAsked, this, &MainWindow::reset);
   connect(view_, &QOpenGLWidget::frameSwapped, this, &MainWindow::onPresented);
+  connectSessions();
 }
 
 void MainWindow::start()
@@ -232,7 +242,7 @@ void MainWindow::onFrame()
   if (direction != 0)
     control_.advanceBy(Length::fromSi(direction * control_.scenario().speed.si() * elapsed_s));
 
-  if (control_.update()) {
+  if (!frameOfReplay(elapsed_s) && control_.update()) {
     const haptics::Snapshot& now = control_.now();
     if (isNewToTheEye(now)) view_->showArray(now);
     if (now.output.workflow != Workflow::idle && now.output.workflow != Workflow::armed)
@@ -264,8 +274,11 @@ void MainWindow::onPresented()
 
 void MainWindow::showSlowly()
 {
+  if (replay_->isOpen()) return showReplay();
   const haptics::TickOutput& now = control_.now().output;
   view_->showNumbers(now, control_.scenario().stopTravel);
+  views_->showSlowly(control_.now());
+  views_->weigh(meter_);
   bottom_->setProgress(now.travel / control_.scenario().stopTravel.si(), now.time);
   showState();
 }
@@ -359,8 +372,10 @@ QString MainWindow::deviceHint() const
 {
   if (!control_.isRunning()) {
     const QString press = tr("Press Start, then hold the device’s button and push.");
-    const std::string coupling = control_.couplingWords();
-    return coupling.empty() ? press : press + QLatin1Char('\n') + QString::fromStdString(coupling);
+    if (control_.couplingWords().empty()) return press;
+    return press + QLatin1Char('\n') +
+           tr("Coupling %1 N/m, softer than asked: Devices (H).")
+               .arg(numberText(control_.now().couplingStiffness, 0));
   }
   if (!control_.isMoving()) return tr("Hold the device’s button: the array follows the hand.");
   return tr("Array held. Letting go of the button lets it rest.");

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "AnatomyWork.h"
+#include "Background.h"
 #include "FrameMeter.h"
 #include "InsertionControl.h"
 #include "KeyActions.h"
@@ -24,12 +25,15 @@ class QStackedWidget;
 namespace perilymph::gui {
 
 class BottomBar;
-class ChartColumn;
 class ComparePage;
 class DevicePage;
+class ForceCharts;
+class InsertionViews;
 class KeyList;
 class Notice;
 class OperationView;
+class Replay;
+class ReplayBar;
 class SessionsPage;
 class SettingsSheet;
 class SetupHistory;
@@ -71,12 +75,16 @@ public:
   /// Says something over the foot of the window.
   Notice& notice() { return *notice_; }
 
+  /// Writes a report of a recording as PDF, beside this thread; the page Sessions says how it went.
+  void saveReport(const std::filesystem::path& file, const std::filesystem::path& pdf);
+
   /// Says in place what went wrong; stays until the next reset.
   void showTrouble(const QString& sentence);
 
   const InsertionControl& control() const { return control_; }
   const SetupHistory& setup() const { return *setup_; }
   OperationView& view() { return *view_; }
+  InsertionViews& views() { return *views_; }
   const FrameMeter& meter() const { return meter_; }
   /// Frames are timed anew from now on.
   void restartMeter() { meter_ = {}; }
@@ -100,6 +108,17 @@ private:
   void layOut();
   QWidget* insertPage();
   void connectZones();
+  void connectSessions();
+  void showSessions();
+  void useGhost(const std::filesystem::path& file);
+  void askForReport(const std::filesystem::path& file);
+  void connectReplay();
+  void openReplay(const std::filesystem::path& file);
+  void beginReplay();
+  void closeReplay();
+  bool frameOfReplay(double elapsed_s);
+  void showReplay();
+  bool keyOfReplay(QKeyEvent* event);
   void onFrame();
   void onPresented();
   void showSlowly();
@@ -124,6 +143,7 @@ private:
   void addKeys();
   void addInsertionKeys();
   void addPictureKeys();
+  void addReplayKeys();
   void addWindowKeys();
   void pressSpace();
   void leave();
@@ -144,8 +164,9 @@ private:
   SetupHistory* setup_;
   TopBar* top_;
   SidePanel* side_;
+  InsertionViews* views_;
   OperationView* view_;
-  ChartColumn* charts_;
+  ForceCharts* charts_;
   BottomBar* bottom_;
   KeyActions keyActions_;
   KeyList* keys_ = nullptr;
@@ -156,6 +177,12 @@ private:
   ValidatePage* validation_;
   ComparePage* comparison_;
   SessionsPage* sessions_;
+  ReplayBar* replayBar_;
+  Replay* replay_;
+  Hand handBefore_ = Hand::scripted;  ///< Of the insertion before the replay.
+  std::size_t charted_ = 0;           ///< Samples of the replay that are in the charts.
+  QStackedWidget* bars_;
+  Background reading_;
   AnatomyWork anatomyWork_;
   QStackedWidget* pages_;
   Page page_ = Page::insert;

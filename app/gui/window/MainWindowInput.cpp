@@ -5,7 +5,9 @@
 #include <QWheelEvent>
 #include <cmath>
 
+#include "ComparePage.h"
 #include "DevicePage.h"
+#include "InsertionViews.h"
 #include "KeyList.h"
 #include "MainWindow.h"
 #include "OperationView.h"
@@ -24,6 +26,7 @@ constexpr Length perNotch = millimeters(0.25);  // of the wheel, while the array
 
 void MainWindow::keyPressEvent(QKeyEvent* event)
 {
+  if (page_ == Page::insert && keyOfReplay(event)) return;
   if (!keyActions_.take(*event)) QWidget::keyPressEvent(event);
 }
 

@@ -6,7 +6,9 @@
 #include <QStandardPaths>
 #include <array>
 
+#include "ComparePage.h"
 #include "DevicePage.h"
+#include "InsertionViews.h"
 #include "KeyList.h"
 #include "MainWindow.h"
 #include "Notice.h"
@@ -49,6 +51,7 @@ void MainWindow::addKeys()
 {
   addInsertionKeys();
   addPictureKeys();
+  addReplayKeys();
   addWindowKeys();
 }
 
@@ -94,6 +97,10 @@ void MainWindow::addPictureKeys()
   keyActions_.add({section, {Qt::Key_F}, tr("follow the tip"), onInsertion([this](int) {
                      view_->glideTo(CameraPreset::followTip);
                    })});
+  keyActions_.add({section,
+                   {Qt::Key_G},
+                   tr("stereo: off, anaglyph, side by side, interlaced"),
+                   onInsertion([this](int) { views_->nextStereo(); })});
   static constexpr std::array<std::pair<double, double>, 4> turns{
       {{-turn_deg, 0.0}, {turn_deg, 0.0}, {0.0, -turn_deg}, {0.0, turn_deg}}};
   keyActions_.add({section,
@@ -125,9 +132,31 @@ void MainWindow::addPictureKeys()
   keyActions_.add(Gesture{section, tr("Wheel, Ctrl+wheel"), tr("magnify")});
 }
 
+void MainWindow::addReplayKeys()
+{
+  // They act before all others while a recording is open: keyOfReplay().
+  const auto section = KeySection::replay;
+  keyActions_.add(Gesture{section, tr("Space; Esc"), tr("play or pause; back to the insertion")});
+  keyActions_.add(Gesture{section, tr("Left, Right; with Shift"), tr("step by 1 tick; by 100")});
+  keyActions_.add(Gesture{section, tr("Home, End"), tr("to the beginning, to the end")});
+  keyActions_.add(Gesture{section, tr(",  ."), tr("slower, faster")});
+}
+
 void MainWindow::addWindowKeys()
 {
   const auto section = KeySection::window;
+  keyActions_.add(
+      {section, {Qt::Key_L}, tr("one, two or four views in turn"), onInsertion([this](int) {
+         views_->nextArrangement();
+       })});
+  static constexpr std::array layouts{PaneLayout::one, PaneLayout::two, PaneLayout::four};
+  keyActions_.add(
+      {section,
+       {with(Qt::ControlModifier, Qt::Key_1), with(Qt::ControlModifier, Qt::Key_2),
+        with(Qt::ControlModifier, Qt::Key_4)},
+       tr("one, two, four views"),
+       onInsertion([this](int which) { views_->setArrangement(layouts[std::size_t(which)]); })});
+  keyActions_.add(Gesture{section, tr("Double click"), tr("enlarge a view, and back")});
   keyActions_.add({section,
                    {with(Qt::AltModifier, Qt::Key_Home)},
                    tr("begin anew: the first screen"),
@@ -198,6 +227,7 @@ void MainWindow::leave()
   if (page_ == Page::insert && (control_.isMoving() || control_.isHeld())) return pause();
   if (notice_->isVisible()) return notice_->hide();
   if (page_ == Page::validate) validation_->cancel();
+  if (page_ == Page::compare) comparison_->cancel();
   if (!hasFocus() && page_ != Page::start) return setFocus();
   if (isFullScreen()) setWindowState(windowState() & ~Qt::WindowFullScreen);
 }

@@ -3,9 +3,11 @@
 #include <QStackedWidget>
 
 #include "BottomBar.h"
-#include "ChartColumn.h"
+#include "ForceCharts.h"
+#include "InsertionViews.h"
 #include "MainWindow.h"
 #include "OperationView.h"
+#include "Replay.h"
 #include "SetupHistory.h"
 #include "SidePanel.h"
 #include "StartPage.h"
@@ -56,14 +58,18 @@ void MainWindow::showPage(Page page)
   page_ = page;
   pages_->setCurrentIndex(static_cast<int>(page));
   // on the first screen it is nobody's turn yet
-  top_->setPatient(page == Page::start ? QString() : patientText(control_.scenario()));
-  top_->setModified(page != Page::start && setup_->isModified(),
+  const bool isReplay = page == Page::insert && replay_->isOpen();
+  top_->setPatient(page == Page::start ? QString()
+                                       : patientText(isReplay ? replay_->playback().scenario()
+                                                              : control_.scenario()));
+  top_->setModified(page != Page::start && !isReplay && setup_->isModified(),
                     tr("Not the preset’s values: %1.").arg(setup_->changedWords()));
   if (page == Page::start) {
     startPage_->showCards();
   } else {
     setFocus();
   }
+  if (page == Page::sessions) showSessions();
 }
 
 Result<Done> MainWindow::open()
@@ -114,11 +120,13 @@ void MainWindow::load(session::Scenario scenario, Then then)
 void MainWindow::load(Setup setup, Origin::Kind kind, Then then)
 {
   pause();
+  closeReplay();
   showPage(Page::insert);
   anatomyWork_.build(
       setup.scenario,
       [this, setup, kind, then](const Result<std::shared_ptr<const anatomy::ScalaTympani>>& built) {
         if (!built) return showTrouble(QString::fromStdString(built.error().message));
+        views_->forgetScene();
         control_.use(setup.scenario, *built);
         setup_->begin(setup, kind);
         showScenario();
@@ -154,9 +162,7 @@ void MainWindow::showScenario()
 
 void MainWindow::showCochlea()
 {
-  const session::Scenario& scenario = control_.scenario();
-  view_->setScene(std::make_unique<visualization::InsertionScene>(
-      control_.anatomy(), scenario.array, scenario.patient.side));
+  views_->setScene(control_.anatomy(), control_.scenario());
   side_->announceParts();
   view_->showArray(control_.now());
 }

@@ -1,7 +1,9 @@
 // Changes of the setup: from the panel to the cochlea, the array and the picture, and back again.
 
+#include "InsertionViews.h"
 #include "MainWindow.h"
 #include "OperationView.h"
+#include "Replay.h"
 #include "SetupHistory.h"
 #include "SidePanel.h"
 
@@ -63,7 +65,7 @@ bool MainWindow::isChangeable() const
   const bool isThere = workflow == Workflow::finished || workflow == Workflow::fault;
   const bool hasMoved =
       control_.isRunning() && workflow != Workflow::idle && workflow != Workflow::armed;
-  return (!hasMoved || isThere) && !control_.isMoving() && !isStartAsked_;
+  return (!hasMoved || isThere) && !control_.isMoving() && !isStartAsked_ && !replay_->isOpen();
 }
 
 void MainWindow::undo()
@@ -103,6 +105,7 @@ void MainWindow::use(const session::Scenario& scenario,
                      std::shared_ptr<const anatomy::ScalaTympani> anatomy)
 {
   const bool isSameToTheEye = lookAlike(scenario, control_.scenario());
+  if (!isSameToTheEye) views_->forgetScene();
   control_.use(scenario, std::move(anatomy));
   showScenario();
   prepare(control_.hand());

@@ -27,30 +27,8 @@ long stepOf(const CurvePoint& point) { return std::lround(point.travel / profile
 
 }  // namespace
 
-void ReversalCounter::add(double travel)
-{
-  constexpr double trembling = 1e-4;  // [m]
-  if (!hasBegun_) {
-    hasBegun_ = true;
-    extreme_ = travel;
-    return;
-  }
-  const double way = travel - extreme_;
-  if (direction_ == 0) {
-    if (std::fabs(way) >= trembling) {
-      direction_ = way > 0.0 ? 1 : -1;
-      extreme_ = travel;
-    }
-  } else if (way * direction_ > 0.0) {
-    extreme_ = travel;
-  } else if (std::fabs(way) >= trembling) {
-    direction_ = -direction_;
-    extreme_ = travel;
-    ++reversals_;
-  }
-}
-
-Result<ComparedInsertion> readCompared(const std::filesystem::path& file)
+Result<ComparedInsertion> readCompared(const std::filesystem::path& file,
+                                       const std::function<bool()>& goesOn)
 {
   const auto recorded = session::RecordedInsertion::open(file);
   if (!recorded) return recorded.error();
@@ -59,14 +37,20 @@ Result<ComparedInsertion> readCompared(const std::filesystem::path& file)
   compared.scenario = recorded->facts().scenarioName;
   ForceProfiler profiler;
   ReversalCounter reversals;
+  MotionCounter motion;
+  bool isStopped = false;
   const auto read = recorded->forEach([&](const haptics::TickRecord& record) {
     profiler.add(record);
     reversals.add(record.output.travel);
-    return true;
+    motion.add(record.output);
+    isStopped = goesOn && record.tick % 1000 == 0 && !goesOn();
+    return !isStopped;
   });
   if (!read) return read.error();
+  if (isStopped) return Error{"Stopped while reading " + file.string() + "."};
   compared.profile = profiler.profile();
   compared.reversals = reversals.reversals();
+  compared.motion = motion.motion();
   if (compared.profile.ticks == 0)
     return Error{file.string() + " holds no tick. Record an insertion into another file."};
   return compared;
@@ -115,7 +99,8 @@ std::string curvesCsv(const std::vector<ComparedInsertion>& insertions)
   return csv;
 }
 
-Figure comparisonFigure(const std::vector<ComparedInsertion>& insertions)
+Figure comparisonFigure(const std::vector<ComparedInsertion>& insertions,
+                        const Reference* published)
 {
   // Told apart by ink and by dashes; from the fifth on also by longer dashes.
   constexpr Ink inks[] = {ink::blue, ink::vermilion, ink::green, ink::purple};
@@ -137,9 +122,45 @@ Figure comparisonFigure(const std::vector<ComparedInsertion>& insertions)
     }
     figure.curves.push_back(std::move(curve));
   }
+  if (published != nullptr) {
+    FigureValues printed;
+    printed.label = published->label;
+    printed.ink = ink::black;
+    printed.shape = MarkerShape::ring;
+    for (const PrintedForce& point : published->points) {
+      printed.x.push_back(inMillimeters(meters(point.travel)));
+      printed.y.push_back(point.mean);
+      printed.low.push_back(point.mean - point.deviation);
+      printed.high.push_back(point.mean + point.deviation);
+      farthest = std::max(farthest, printed.x.back());
+      highest = std::max(highest, printed.high.back());
+    }
+    figure.values.push_back(std::move(printed));
+  }
   figure.x = axisOver("travel of the tip from its start, mm", nearest, farthest);
   figure.y = axisOver("axial force on the hand, N", lowest, highest);
   return figure;
+}
+
+std::optional<double> forceAt(const std::vector<CurvePoint>& curve, double travel)
+{
+  if (curve.empty() || travel < curve.front().travel || travel > curve.back().travel)
+    return std::nullopt;
+  const auto after =
+      std::lower_bound(curve.begin(), curve.end(), travel,
+                       [](const CurvePoint& point, double place) { return point.travel < place; });
+  if (after == curve.begin() || after->travel == travel) return after->force;
+  const CurvePoint& before = *std::prev(after);
+  const double share = (travel - before.travel) / (after->travel - before.travel);
+  return before.force + share * (after->force - before.force);
+}
+
+void tellApart(std::vector<ComparedInsertion>& insertions)
+{
+  for (std::size_t i = 0; i < insertions.size(); ++i)
+    for (std::size_t j = i + 1; j < insertions.size(); ++j)
+      if (insertions[i].name == insertions[j].name)
+        insertions[j].name += " (" + std::to_string(j + 1) + ")";
 }
 
 }  // namespace perilymph::analysis

@@ -49,6 +49,8 @@ void fillWith(vtkContext2D& painter, const vtkColor4ub& color)
   painter.GetBrush()->SetTexture(nullptr);
 }
 
+constexpr float swatchWidth = 20.0f;  // of a legend, at pixel ratio 1
+
 /// A disc with a soft rim, drawn as three shells: software rendering does not smooth edges.
 void disc(vtkContext2D& painter, float x, float y, float radius, const vtkColor4ub& color)
 {
@@ -150,31 +152,37 @@ void ChartOverlay::paintNow(vtkContext2D& painter, const Area& area) const
   if (now) disc(painter, area.x(now->x), area.y(now->y), 4.0f * scale_, now->color);
 }
 
+void ChartOverlay::paintSwatch(vtkContext2D& painter, const LegendEntry& entry, float x,
+                               float y) const
+{
+  fillWith(painter, entry.color);
+  if (entry.swatch == Swatch::line) {
+    bar(painter, x, y - scale_, swatchWidth * scale_, 2.0f * scale_);
+    return;
+  }
+  const float middle = x + 0.5f * swatchWidth * scale_;
+  bar(painter, middle - 0.5f * scale_, y - 6.0f * scale_, scale_, 12.0f * scale_);
+  disc(painter, middle, y, 3.5f * scale_, entry.color);
+  disc(painter, middle, y, 2.0f * scale_, style::ground);
+}
+
 void ChartOverlay::paintLegend(vtkContext2D& painter, const Area& area) const
 {
-  const float lineHeight = 17.0f * scale_;
-  const float swatchWidth = 20.0f * scale_;
-  float y = area.top - 18.0f * scale_;
+  const bool isAbove = legendPlace == LegendPlace::above;
+  float x = area.left + (isAbove ? 0.0f : 12.0f * scale_);
+  float y = isAbove ? area.top + 11.0f * scale_ : area.top - 18.0f * scale_;
   for (const LegendEntry& entry : legend) {
-    if (legendAtRight) {
-      setText(painter, entry.color, VTK_TEXT_RIGHT);
-      painter.DrawString(area.right - 6.0f * scale_, y, entry.text);
-      y -= lineHeight;
+    paintSwatch(painter, entry, x, y);
+    setText(painter, style::text, VTK_TEXT_LEFT);
+    const float words = x + (swatchWidth + 7.0f) * scale_;
+    painter.DrawString(words, y, entry.text);
+    if (!isAbove) {
+      y -= 17.0f * scale_;
       continue;
     }
-    const float x = area.left + 12.0f * scale_;
-    fillWith(painter, entry.color);
-    if (entry.swatch == Swatch::line) {
-      bar(painter, x, y - scale_, swatchWidth, 2.0f * scale_);
-    } else {
-      const float middle = x + 0.5f * swatchWidth;
-      bar(painter, middle - 0.5f * scale_, y - 6.0f * scale_, scale_, 12.0f * scale_);
-      disc(painter, middle, y, 3.5f * scale_, entry.color);
-      disc(painter, middle, y, 2.0f * scale_, style::ground);
-    }
-    setText(painter, style::text, VTK_TEXT_LEFT);
-    painter.DrawString(x + swatchWidth + 7.0f * scale_, y, entry.text);
-    y -= lineHeight;
+    float bounds[4];  // left, bottom, width, height
+    painter.ComputeStringBounds(entry.text, bounds);
+    x = words + bounds[2] + 16.0f * scale_;
   }
 }
 

@@ -55,7 +55,7 @@ public:
   std::vector<ReferencePoint> bars;
   std::optional<Threshold> threshold;
   std::optional<Dot> now;
-  bool legendAtRight = false;  ///< Else at the left.
+  enum class LegendPlace { inside, above } legendPlace = LegendPlace::inside;
 
   bool Paint(vtkContext2D* painter) override;
 
@@ -70,6 +70,7 @@ private:
   void paintBars(vtkContext2D& painter, const Area& area) const;
   void paintNow(vtkContext2D& painter, const Area& area) const;
   void paintLegend(vtkContext2D& painter, const Area& area) const;
+  void paintSwatch(vtkContext2D& painter, const LegendEntry& entry, float x, float y) const;
   void setText(vtkContext2D& painter, const vtkColor4ub& color, int justification) const;
 
   vtkChartXY* chart_ = nullptr;  // the frame owns both

@@ -1,5 +1,7 @@
 #include "ChartStyle.h"
 
+#include "SheetInk.h"
+
 namespace perilymph::charts {
 
 namespace style {
@@ -37,6 +39,10 @@ const Colors& shown() { return current(); }
 
 }  // namespace style
 
-void setLook(Look look) { style::current() = look == Look::light ? style::light() : style::dark(); }
+void setLook(Look look)
+{
+  style::current() = look == Look::light ? style::light() : style::dark();
+  ink::show(look);
+}
 
 }  // namespace perilymph::charts

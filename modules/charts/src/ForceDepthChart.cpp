@@ -8,12 +8,14 @@
 #include "ChartFrame.h"
 #include "ChartStyle.h"
 #include "TravelColumns.h"
+#include "perilymph/charts/Wording.h"
 
 namespace perilymph::charts {
 namespace {
 
 constexpr AxisRange usualTravel_mm{0.0, 17.0, 4.0};
-constexpr AxisRange usualForce_N{0.0, 0.20, 0.05};
+/// A little below zero: a free array hangs on its tweezers with some millinewtons of either sign.
+constexpr AxisRange usualForce_N{-0.01, 0.20, 0.05};
 /// Median force that surgeons detect: 20.4 mN, Kratchman et al. 2016.
 constexpr double feltBySurgeons_N = 0.020;
 
@@ -26,7 +28,7 @@ vtkColor4ub faded(vtkColor4ub color, unsigned char alpha)
 }  // namespace
 
 struct ForceDepthChart::Content {
-  ChartFrame frame{"travel, mm", "axial force, N"};
+  ChartFrame frame{wording().travel, wording().axialForce};
   ChartLine ghostLine{frame.chart(), style::blue, style::thinWidth};
   ChartLine outLine{frame.chart(), faded(style::accent, 150), style::thinWidth};
   ChartLine inLine{frame.chart(), style::accent, style::lineWidth};
@@ -67,7 +69,6 @@ void ForceDepthChart::Content::setRanges()
 
   // A device that trembles at the start is no reason to move the axis.
   if (left_mm > -0.5) left_mm = 0.0;
-  if (low_N > -0.002) low_N = 0.0;
   travel_mm = grown(usualTravel_mm, left_mm, right_mm);
   force_N = grown(usualForce_N, low_N, high_N);
   frame.setXRange(travel_mm);
@@ -78,7 +79,7 @@ void ForceDepthChart::Content::setMarks()
 {
   ChartOverlay& overlay = frame.overlay();
   overlay.legend.clear();
-  overlay.legend.push_back({Swatch::line, style::accent, "this insertion"});
+  overlay.legend.push_back({Swatch::line, style::accent, wording().thisInsertion});
   if (hasGhost && showsGhost) overlay.legend.push_back({Swatch::line, style::blue, ghostLabel});
   if (!reference.empty() && showsReference)
     overlay.legend.push_back({Swatch::bar, style::text, referenceLabel});
@@ -86,7 +87,7 @@ void ForceDepthChart::Content::setMarks()
   overlay.bars = showsReference ? reference : std::vector<ReferencePoint>();
   overlay.threshold.reset();
   if (showsThreshold)
-    overlay.threshold = Threshold{feltBySurgeons_N, "felt by surgeons 20 mN", style::orange};
+    overlay.threshold = Threshold{feltBySurgeons_N, wording().feltBySurgeons, style::orange};
   overlay.now.reset();
   if (!columns.isEmpty())
     overlay.now = Dot{columns.lastTravel_mm(), columns.lastForce_N(), style::accent};

@@ -74,6 +74,13 @@ inline std::span<std::uint8_t> body(RawReport& report) noexcept
   return std::span(report.bytes).first(std::min(report.size, longestReport)).subspan(1);
 }
 
+/// The same report, to be kept.
+inline FixedReport fixed(const RawReport& report)
+{
+  const auto bytes = report.view();
+  return {ReportKind::output, {bytes.begin(), bytes.end()}};
+}
+
 /// Sends output or feature reports in a row; the sentence says which was not taken.
 Result<Done> sendAll(Transport& transport, std::span<const FixedReport> reports,
                      const std::string& device);

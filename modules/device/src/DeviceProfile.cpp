@@ -91,6 +91,8 @@ DeviceTraits readCapability(TomlReader& table, CodecKind kind)
     traits.mostForce = table.number("most_force_N", {0.01, 50.0});
     traits.mostStiffness = table.number("most_stiffness_N_m", {0.0, 1e5}, 0.0);
     traits.mostDamping = table.number("most_damping_N_s_m", {0.0, 1000.0}, 0.0);
+    traits.handleDamping = table.number("handle_damping_N_s_m", {0.01, 100.0}, 0.0);
+    traits.handleMass = table.number("handle_mass_kg", {1e-3, 10.0}, 0.0);
     traits.watchdog = 1e-3 * table.number("watchdog_ms", {0.0, 10000.0}, 0.0);
     if (reporting == "on_change")
       table.refuse("reporting",

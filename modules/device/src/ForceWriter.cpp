@@ -5,6 +5,7 @@
 
 #include "perilymph/foundation/Units.h"
 #include "perilymph/realtime/Pacer.h"
+#include "perilymph/realtime/RealTimePriority.h"
 
 namespace perilymph::device {
 
@@ -63,6 +64,9 @@ const WritingFigures& ForceWriter::latestFigures() noexcept
 
 void ForceWriter::run() noexcept
 {
+  // Refused, it takes its turn among all others: a force may then be late, and the figures say so.
+  figures_.hasRealTimePriority = realtime::requestRealTimePriority(realtime::Rank::write) ==
+                                 realtime::RealTimePriority::granted;
   Transport* transport = nullptr;
   bool isUsable = false;
   while (!channels_.isStopping) {

@@ -1,11 +1,13 @@
 #include "perilymph/device/HidHand.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <mutex>
 #include <thread>
 #include <utility>
 
+#include "DeviceGuard.h"
 #include "ForceWriter.h"
 #include "ListenFirst.h"
 #include "perilymph/realtime/Pacer.h"
@@ -18,6 +20,8 @@ constexpr std::int64_t betweenFigures = 100'000'000;  // [ns]
 constexpr std::int64_t betweenLooks = 20'000'000;     // of the supervisor [ns]
 // A device that took no force for this long is blocked, unless its periods are longer.
 constexpr double blockedTime = 5e-3;  // [s]
+// More than the writer's own patience with a silent haptic thread: the guard is the last resort.
+constexpr double patienceOfGuard = 50e-3;  // [s]
 
 std::int64_t nanoseconds(double seconds) noexcept { return std::llround(seconds * 1e9); }
 
@@ -63,6 +67,8 @@ struct HidHand::Content {
   DeviceTraits traits;  ///< With what was measured on opening.
   bool isOpen = false;
   bool isPeriodMeasured = false;
+  double roundTrip = 0.0;  // [s]
+  bool isRoundTripMeasured = false;
   std::int64_t staleTime = 0;     // [ns]
   std::int64_t blockedAfter = 0;  // [ns]
 
@@ -79,8 +85,10 @@ struct HidHand::Content {
   // The supervisor's.
   bool isReadingLent = false, isWritingLent = false;
   std::atomic<std::uint64_t> reconnections{0};
+  std::atomic<bool> isGuarded{false};
   mutable std::mutex troubleMutex;  // between supervisor and UI thread
   std::string trouble;
+  std::string guardObstacle;
 };
 
 HidHand::HidHand(DeviceTraits traits, std::unique_ptr<HandCodec> codec,
@@ -130,7 +138,16 @@ Result<Done> HidHand::Content::openHandles(Handles& handles)
   handles.writing = *std::move(forWriting);
   const auto begun = codec->begin(*handles.writing);
   if (!begun) codec->end(*handles.writing);
-  return begun;
+  if (!begun || !traits.rendersForce) return begun;
+
+  // Without a guard the hand works all the same; the doctor and the session say so.
+  GuardedHandle watched = guarded(std::move(handles.writing), port->fileForGuard(),
+                                  codec->farewell(), Duration::fromSi(patienceOfGuard));
+  handles.writing = std::move(watched.handle);
+  isGuarded = watched.obstacle.empty();
+  const std::lock_guard lock(troubleMutex);
+  guardObstacle = std::move(watched.obstacle);
+  return Done{};
 }
 
 void HidHand::Content::listen(const Handles& handles)
@@ -139,8 +156,12 @@ void HidHand::Content::listen(const Handles& handles)
       listenFirst(*handles.reading, handles.writing.get(), profile, *writer, clock);
   isPeriodMeasured = heard.period > 0.0;
   if (isPeriodMeasured) traits.nominalPeriod = heard.period;
-  // A report takes as long to come as a force to go.
-  traits.transportDelay = std::max(profile.transportDelay, 2.0 * heard.writeTime);
+  // Where nothing answers, a report takes as long to come as a force to go.
+  isRoundTripMeasured = heard.answerTime > 0.0;
+  const double way = isRoundTripMeasured ? heard.answerTime : 2.0 * heard.writeTime;
+  traits.transportDelay = std::max(profile.transportDelay, way);
+  const double longest = std::max(heard.writeTime, profile.transportDelay) + traits.nominalPeriod;
+  roundTrip = !needsWriter() ? 0.0 : isRoundTripMeasured ? heard.answerTime : longest;
   reader = ReportReader(*codec, traits.nominalPeriod, clock);
 }
 
@@ -301,9 +322,13 @@ std::optional<HandHealth> HidHand::health()
   health.period = hand.traits.nominalPeriod;
   health.isPeriodMeasured = hand.isPeriodMeasured;
   health.delay = hand.traits.transportDelay;
+  health.roundTrip = hand.roundTrip;
+  health.isRoundTripMeasured = hand.isRoundTripMeasured;
   health.reconnections = hand.reconnections;
   health.blockedWrites = hand.channels->blockedWrites;
+  health.isGuarded = hand.isGuarded;
   const std::lock_guard lock(hand.troubleMutex);
+  health.guardObstacle = hand.guardObstacle;
   health.trouble = hand.trouble;
   if (health.isConnected && health.reading.silence > 0.1)
     health.trouble = hand.profile.name + " has sent nothing for " +

@@ -1,9 +1,12 @@
 #include "perilymph/device/HidPort.h"
 
+#include <fcntl.h>
+
 #include <utility>
 
 #include "PlugWatch.h"
 #include "perilymph/device/HidTransport.h"
+#include "perilymph/device/TapePorts.h"
 
 namespace perilymph::device {
 
@@ -39,7 +42,20 @@ public:
                    "in again: " +
                    udevRule(node_.identity.vendor, node_.identity.product)};
     node_.path = found->path;
-    return openHidTransport(node_.path, numbers_);
+    if (!isTape()) return openHidTransport(node_.path, numbers_);
+
+    if (!played_) {
+      auto tape = loadTape(node_.path);
+      if (!tape) return tape.error();
+      played_ = playingPort(*std::move(tape));
+    }
+    return played_->open();
+  }
+
+  int fileForGuard() noexcept override
+  {
+    if (isTape()) return -1;
+    return ::open(node_.path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
   }
 
   void awaitChange(Duration most) noexcept override { watch_.await(most); }
@@ -51,10 +67,19 @@ private:
     return name + " " + identityText(node_.identity);
   }
 
+  /// A tree that was recorded elsewhere may hold a tape where the system has a node.
+  bool isTape() const noexcept
+  {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(node_.path, ignored) &&
+           std::filesystem::file_size(node_.path, ignored) > 0;
+  }
+
   HidNode node_;
   SystemRoots roots_;
   ReportNumbers numbers_;
   PlugWatch watch_;
+  std::unique_ptr<HidPort> played_;
 };
 
 }  // namespace

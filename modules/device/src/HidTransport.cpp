@@ -8,8 +8,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <mutex>
 #include <utility>
+
+#include "perilymph/realtime/Pacer.h"
 
 namespace perilymph::device {
 
@@ -40,6 +43,9 @@ int inWholeMilliseconds(Duration timeout) noexcept
   return static_cast<int>(std::max(milliseconds, 0.0));
 }
 
+// hidapi waits in whole milliseconds, too long for a device of 10 kHz.
+constexpr double shortestWait = 0.9e-3;  // [s]
+
 class HidTransport final : public Transport {
 public:
   HidTransport(hid_device* handle, ReportNumbers numbers) noexcept
@@ -57,7 +63,9 @@ public:
   Transfer read(RawReport& report, Duration timeout) noexcept override
   {
     if (isGone_) return Transfer::gone;
-    int count = take(report, inWholeMilliseconds(timeout));
+    int count = timeout.si() > 0.0 && timeout.si() < shortestWait
+                    ? takeSoon(report, timeout)
+                    : take(report, inWholeMilliseconds(timeout));
     // A signal ends the wait just as a pulled plug does; only the plug does it twice.
     if (count < 0) count = take(report, 0);
     if (count < 0) {
@@ -98,6 +106,20 @@ private:
     if (count <= 0) return count;
     if (front == 1) report.bytes[0] = 0;
     report.size = static_cast<std::size_t>(count) + front;
+    return count;
+  }
+
+  /// Within less than hidapi can wait for: looks again and again.
+  int takeSoon(RawReport& report, Duration timeout) noexcept
+  {
+    constexpr timespec betweenLooks{0, 20'000};
+    const std::int64_t end =
+        realtime::monotonicNanoseconds() + static_cast<std::int64_t>(timeout.si() * 1e9);
+    int count = take(report, 0);
+    while (count == 0 && realtime::monotonicNanoseconds() < end) {
+      ::clock_nanosleep(CLOCK_MONOTONIC, 0, &betweenLooks, nullptr);
+      count = take(report, 0);
+    }
     return count;
   }
 

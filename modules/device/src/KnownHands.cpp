@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "perilymph/device/HandCodec.h"
+#include "perilymph/device/TapePorts.h"
 
 namespace perilymph::device {
 
@@ -120,13 +121,25 @@ Result<FoundHand> findHand(const DeviceSurvey& survey, const std::string& nameOr
                                : "There are: " + usable + ".")};
 }
 
-Result<std::unique_ptr<HidHand>> makeHidHand(const FoundHand& found, const SystemRoots& roots)
+Result<std::unique_ptr<HidHand>> makeHidHand(const FoundHand& found, const SystemRoots& roots,
+                                             const std::filesystem::path& tape)
 {
   if (!found.isUsable()) return Error{found.name() + " cannot be the hand. " + found.obstacle};
   auto codec = makeCodec(*found.profile, found.descriptor);
   if (!codec) return codec.error();
+  auto port = hidPort(found.node, roots);
+  if (!tape.empty()) {
+    ReportTape head;
+    head.name = found.node.name;
+    head.bus = found.node.bus;
+    head.identity = found.node.identity;
+    head.descriptor = found.node.descriptor;
+    auto recording = recordingPort(std::move(port), tape, head);
+    if (!recording) return recording.error();
+    port = *std::move(recording);
+  }
   return std::make_unique<HidHand>(traitsOf(*found.profile, found.descriptor), *std::move(codec),
-                                   hidPort(found.node, roots));
+                                   std::move(port));
 }
 
 }  // namespace perilymph::device

@@ -14,6 +14,41 @@ constexpr int writesToTime = 16;
 // A period measured on a busy machine is not believed against the profile's beyond this.
 constexpr double mostRatio = 2.0;
 
+/// What waited since a handle was opened has no time of its own.
+void discardWaiting(Transport& reading) noexcept
+{
+  RawReport report;
+  for (int i = 0; i < 2 * ReportReader::queueLength; ++i)
+    if (reading.read(report, Duration{}) != Transfer::done) break;
+}
+
+/// The report that answers a force: the next one, or the one it is asked for.
+bool awaitAnswer(Transport& reading, Transport& writing, const DeviceTraits& profile) noexcept
+{
+  RawReport report;
+  if (profile.reporting == Reporting::onWrite)
+    return reading.read(report, Duration::fromSi(0.02)) == Transfer::done;
+  report.bytes[0] = profile.polledReport;
+  report.size = longestReport;
+  return writing.getFeature(report) == Transfer::done;
+}
+
+/// The median; 0 if the device does not answer.
+double timeToAnswer(Transport& reading, Transport& writing, const DeviceTraits& profile,
+                    ForceWriter& writer, Clock clock)
+{
+  realtime::TimeHistogram times;
+  const std::int64_t end = clock() + mostTime / 2;
+  for (int i = 0; i < writesToTime && clock() < end; ++i) {
+    discardWaiting(reading);
+    const std::int64_t began = clock();
+    if (writer.send(writing, Wrench{}) != Transfer::done) break;
+    if (!awaitAnswer(reading, writing, profile)) break;
+    times.add(clock() - began);
+  }
+  return times.quantile(0.5);
+}
+
 }  // namespace
 
 FirstImpression listenFirst(Transport& reading, Transport* writing, const DeviceTraits& profile,
@@ -26,13 +61,14 @@ FirstImpression listenFirst(Transport& reading, Transport* writing, const Device
       if (writer.send(*writing, Wrench{}) != Transfer::done) break;
     heard.writeTime = writer.figures().timeMedian;
   }
+  const bool answers =
+      profile.reporting == Reporting::onWrite || profile.reporting == Reporting::polled;
+  if (answers && writing != nullptr)
+    heard.answerTime = timeToAnswer(reading, *writing, profile, writer, clock);
   if (profile.reporting != Reporting::periodic) return heard;
 
-  // What waited since the handle was opened has no time of its own.
+  discardWaiting(reading);
   RawReport report;
-  for (int i = 0; i < 2 * ReportReader::queueLength; ++i)
-    if (reading.read(report, Duration{}) != Transfer::done) break;
-
   std::int64_t first = 0, last = 0;
   int intervals = -1;
   for (int i = 0; i < mostReads && intervals < enoughReports; ++i) {

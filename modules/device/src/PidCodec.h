@@ -25,6 +25,7 @@ public:
   /// them; the actuators are enabled last.
   Result<Done> begin(Transport& transport) override;
   void end(Transport& transport) noexcept override;
+  Farewell farewell() const override;
 
 private:
   struct Effect {

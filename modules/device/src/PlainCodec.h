@@ -18,6 +18,7 @@ public:
   void encode(const Wrench& wrench_D, ReportList& reports) noexcept override;
   Result<Done> begin(Transport& transport) override;
   void end(Transport& transport) noexcept override;
+  Farewell farewell() const override;
 
 private:
   Vector3 position_B(const Vector3& counts) noexcept;

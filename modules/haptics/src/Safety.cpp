@@ -60,6 +60,8 @@ Safety::Safety(const SafetyLimits& limits, double timeStep)
   checked(limits.mostForce, 20.0, "The greatest force shown", "N");
   checked(limits.mostSlew, 1e4, "The greatest change of the force shown", "N/s");
   checked(limits.rampTime, 10.0, "The time over which the force fades in", "s");
+  if (limits.offTime != 0.0)
+    checked(limits.offTime, 10.0, "The time in which the force is switched off", "s");
   if (limits.reach != 0.0) checked(limits.reach, 10.0, "The reach of the device", "m");
   checked(timeStep, 0.1, "The time step of the safety chain", "s");
 }
@@ -113,7 +115,10 @@ Eigen::Vector3d Safety::show(const Eigen::Vector3d& wanted_D, const HandConditio
 
   // no step
   const Eigen::Vector3d step_D = force_D - shown_D_;
-  const Eigen::Vector3d allowed_D = shortened(step_D, limits_.mostSlew * timeStep_);
+  const double slew = isOff && limits_.offTime > 0.0
+                          ? std::max(limits_.mostSlew, limits_.mostForce / limits_.offTime)
+                          : limits_.mostSlew;
+  const Eigen::Vector3d allowed_D = shortened(step_D, slew * timeStep_);
   if (allowed_D != step_D) {
     status |= forceSlewed;
     force_D = shown_D_ + allowed_D;

@@ -5,10 +5,10 @@
 
 namespace perilymph::realtime {
 
-RealTimePriority requestRealTimePriority() noexcept
+RealTimePriority requestRealTimePriority(Rank rank) noexcept
 {
   // Interrupt threads of a preemptible kernel run at 50; the USB one must come before us.
-  constexpr int priority = 45;
+  const int priority = rank == Rank::tick ? 45 : 44;
   sched_param wanted{};
   wanted.sched_priority = priority;
   const bool granted = pthread_setschedparam(pthread_self(), SCHED_FIFO, &wanted) == 0;

@@ -66,6 +66,23 @@ std::span<const unsigned char> Statement::blob(int column) const
           static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column))};
 }
 
+namespace {
+
+/// A file may come from anybody: what its schema says is never run, and no value is so long that
+/// memory ends. (SQLite's advice for files from others, "Defense Against The Dark Arts".)
+void distrust(sqlite3* database)
+{
+  constexpr int mostBytes = 64 << 20;
+  sqlite3_limit(database, SQLITE_LIMIT_LENGTH, mostBytes);
+  int ignored = 0;
+  sqlite3_db_config(database, SQLITE_DBCONFIG_DEFENSIVE, 1, &ignored);
+  for (const int off : {SQLITE_DBCONFIG_TRUSTED_SCHEMA, SQLITE_DBCONFIG_ENABLE_TRIGGER,
+                        SQLITE_DBCONFIG_ENABLE_VIEW, SQLITE_DBCONFIG_ENABLE_LOAD_EXTENSION})
+    sqlite3_db_config(database, off, 0, &ignored);
+}
+
+}  // namespace
+
 void Database::Close::operator()(sqlite3* database) const noexcept { sqlite3_close_v2(database); }
 
 Result<Database> Database::open(const std::filesystem::path& file, Access access)
@@ -86,6 +103,7 @@ Result<Database> Database::open(const std::filesystem::path& file, Access access
   Database database;
   database.database_.reset(opened);
   if (outcome != SQLITE_OK) return Error{opened ? sqlite3_errmsg(opened) : "out of memory"};
+  distrust(opened);
   // Another program that looks into a running recording holds it for moments only.
   sqlite3_busy_timeout(opened, 2000);
   return database;

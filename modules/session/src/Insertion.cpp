@@ -95,6 +95,7 @@ Result<std::unique_ptr<Insertion>> Insertion::prepare(
   facts.samplePeriod = traits.nominalPeriod;
   const haptics::SafetyLimits safety = haptics::limitsFor(scenario.engine.safety, traits);
   facts.mostForce = safety.mostForce;
+  facts.offTime = safety.offTime;
   facts.reach = safety.reach;
   const haptics::CouplingLimit limit = haptics::couplingLimit(traits, facts.timeStep);
   facts.feelsForce = traits.rendersForce;

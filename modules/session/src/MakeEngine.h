@@ -20,6 +20,7 @@ inline Result<std::unique_ptr<haptics::InsertionEngine>> makeEngine(
   haptics::EngineSettings settings = scenario.engine;
   settings.samplePeriod = facts.samplePeriod;
   settings.safety.mostForce = std::min(settings.safety.mostForce, facts.mostForce);
+  settings.safety.offTime = facts.offTime;
   settings.safety.reach = facts.reach;
   if (facts.feelsForce) settings.coupling = mechanics::Coupling::spring;
   settings.mostStiffness = facts.mostStiffness;

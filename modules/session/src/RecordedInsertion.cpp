@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 
+#include "Companions.h"
 #include "Database.h"
 #include "HighlightKeys.h"
 #include "RecordingFormat.h"
@@ -109,6 +110,8 @@ std::optional<RecordingFacts> factsFrom(const std::map<std::string, std::string>
   facts.samplePeriod = *samplePeriod;
   facts.mostForce = *mostForce;
   // Recordings from before hands felt forces do not have these.
+  // Recorded before there was one: a force that was switched off went as slowly as any other.
+  facts.offTime = numberIn<double>(entries, MetaKey::offTime).value_or(0.0);
   facts.reach = numberIn<double>(entries, MetaKey::reach).value_or(facts.reach);
   facts.feelsForce = numberIn<int>(entries, MetaKey::feelsForce).value_or(0) != 0;
   facts.mostStiffness =
@@ -156,8 +159,17 @@ struct RecordedInsertion::Content {
     return Error{file.string() + " is not a recording of Perilymph. Choose an .insertion file."};
   }
 
+  Result<Done> read(const fs::path& place, Database::Access access);
   Result<Done> readFacts();
 };
+
+Result<Done> RecordedInsertion::Content::read(const fs::path& place, Database::Access access)
+{
+  auto opened = Database::open(place, access);
+  if (!opened) return damaged(opened.error().message);
+  database = std::move(*opened);
+  return readFacts();
+}
 
 Result<Done> RecordedInsertion::Content::readFacts()
 {
@@ -169,6 +181,11 @@ Result<Done> RecordedInsertion::Content::readFacts()
     return Error{file.string() + " was recorded with format " + std::to_string(version) +
                  "; this program reads up to " + std::to_string(newestRecordingVersion) +
                  ". Open it with a newer version."};
+
+  // Tables by these names that compute what they hold could compute for ever.
+  if (database.number("SELECT COUNT(*) FROM sqlite_master WHERE type = 'table' AND rootpage > 0 "
+                      "AND name IN ('meta', 'tick', 'event')") != 3)
+    return damaged(database.isDamaged() ? database.trouble() : "its tables are not there");
 
   auto rows = database.prepare("SELECT key, value FROM meta");
   if (!rows) return damaged(rows.error().message);
@@ -209,22 +226,32 @@ Result<RecordedInsertion> RecordedInsertion::open(const fs::path& file)
   if (!mayAccess(file, R_OK))
     return Error{file.string() + " may not be read. Check its permissions."};
 
-  const fs::path log = file.string() + "-wal";
-  const bool hasLog = fs::exists(log, problem) && fs::file_size(log, problem) > 0;
-  const FileHeader header = readHeader(file);
+  // Where a link points, there lies what belongs to the recording.
+  const fs::path place = fs::canonical(file, problem);
+  if (problem) return Error{file.string() + " cannot be found: " + problem.message() + "."};
+  if (!fs::is_regular_file(place, problem)) return content.notOurs();
+  const FileHeader header = readHeader(place);
   if (!header.isDatabase) return content.notOurs();
-  if (!header.isWhole && !hasLog) return content.damaged("it is cut short");
+  const auto companions = companionsOf(place);
+  if (!companions) return companions.error();
+  if (!header.isWhole && !companions->hasLog) return content.damaged("it is cut short");
 
-  const bool isWritable = mayWrite(file);
-  if (hasLog && !isWritable)
+  const bool isWritable = mayWrite(place);
+  if (companions->hasLog && !isWritable)
     content.note = file.string() +
                    " was not closed and lies where nothing may be written, so the ticks in its "
                    "-wal file are not read. Copy both files to a folder you may write to.";
-  auto database =
-      Database::open(file, isWritable ? Database::Access::readWrite : Database::Access::immutable);
-  if (!database) return content.damaged(database.error().message);
-  content.database = std::move(*database);
-  if (const auto done = content.readFacts(); !done) return done.error();
+  // With nothing to recover nothing is written, not even a lock.
+  const bool recovers = isWritable && companions->areToRead;
+  const auto read =
+      content.read(place, recovers ? Database::Access::readWrite : Database::Access::immutable);
+  if (read) return opened;
+  // Where a full disk has no room for recovering, what was folded into the file is there still.
+  if (!recovers || !header.isWhole || !content.read(place, Database::Access::immutable))
+    return read.error();
+  content.note = file.string() +
+                 " was not closed and cannot be recovered here, so the ticks in its -wal file are "
+                 "not read. Make room on the disk, or copy both files to another one.";
   return opened;
 }
 

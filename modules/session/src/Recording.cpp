@@ -126,6 +126,7 @@ struct Recording::Content {
   std::optional<Statement> insertTick, insertEvent, setMeta;
   std::vector<unsigned char> blob;
   bool isClosed = false;
+  bool isCut = false;  ///< A drain could not be kept.
 
   // What the last tick was like: events are changes.
   std::optional<std::uint64_t> lastTick;
@@ -234,6 +235,7 @@ Result<Done> Recording::Content::begin(const RecordingFacts& facts)
       keep(MetaKey::timeStep, shortestDecimal(facts.timeStep)) &&
       keep(MetaKey::samplePeriod, shortestDecimal(facts.samplePeriod)) &&
       keep(MetaKey::mostForce, shortestDecimal(facts.mostForce)) &&
+      keep(MetaKey::offTime, shortestDecimal(facts.offTime)) &&
       keep(MetaKey::reach, shortestDecimal(facts.reach)) &&
       keep(MetaKey::feelsForce, facts.feelsForce ? "1" : "0") &&
       keep(MetaKey::mostStiffness, shortestDecimal(facts.mostStiffness)) &&
@@ -293,8 +295,10 @@ Result<Done> Recording::append(std::span<const haptics::TickRecord> records)
   if (records.empty()) return Done{};
   Content& content = *content_;
   if (content.isClosed) return content.trouble("it is closed");
-  if (const auto done = content.database.run("BEGIN"); !done)
+  if (const auto done = content.database.run("BEGIN"); !done) {
+    content.isCut = true;
     return content.trouble(done.error().message);
+  }
   const bool isWritten = std::all_of(records.begin(), records.end(),
                                      [&](const auto& record) { return content.addTick(record); });
   std::string reason = isWritten ? "" : content.database.trouble();
@@ -309,6 +313,7 @@ Result<Done> Recording::append(std::span<const haptics::TickRecord> records)
     reason = done.error().message;
   }
   static_cast<void>(content.database.run("ROLLBACK"));
+  content.isCut = true;
   return content.trouble(reason);
 }
 
@@ -317,10 +322,12 @@ Result<Done> Recording::close(std::uint64_t lostRecords, const std::string& devi
   Content& content = *content_;
   if (content.isClosed) return Done{};
   content.isClosed = true;
+  // One that was cut off never says that it was closed, even where there is room for the word.
   const bool isKept =
-      content.keep(MetaKey::lostRecords, std::to_string(std::max(lostRecords, content.gaps))) &&
-      (deviceReport.empty() || content.keep(MetaKey::deviceReport, deviceReport)) &&
-      content.keepHighlights() && content.keep(MetaKey::closed, "1");
+      content.isCut ||
+      (content.keep(MetaKey::lostRecords, std::to_string(std::max(lostRecords, content.gaps))) &&
+       (deviceReport.empty() || content.keep(MetaKey::deviceReport, deviceReport)) &&
+       content.keepHighlights() && content.keep(MetaKey::closed, "1"));
   const std::string reason = isKept ? "" : content.database.trouble();
   content.insertTick.reset();
   content.insertEvent.reset();

@@ -17,6 +17,7 @@ struct MetaKey {
   static constexpr const char* timeStep = "dt_s";
   static constexpr const char* samplePeriod = "sample_period_s";
   static constexpr const char* mostForce = "most_force_N";
+  static constexpr const char* offTime = "off_time_s";
   static constexpr const char* reach = "reach_m";
   static constexpr const char* feelsForce = "feels_force";
   static constexpr const char* mostStiffness = "most_stiffness_N_m";

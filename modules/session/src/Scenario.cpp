@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "EffectiveText.h"
+#include "NamedFile.h"
 #include "ScenarioCalibration.h"
 #include "ScenarioFriction.h"
 #include "perilymph/foundation/AtomicFile.h"
@@ -163,7 +164,7 @@ Result<fs::path> findPatient(const std::string& patient, const fs::path& folder)
     for (const fs::path& place : {folder / patient, folder / (patient + ".toml")})
       if (fs::is_regular_file(place, ignored)) return place;
   }
-  return findByName("patient", "resources/patients", patient);
+  return namedFile("patient", "resources/patients", patient);
 }
 
 /// The patient that an effective text carries: three lengths, or A, B and perhaps H, or a label
@@ -242,7 +243,7 @@ void readSide(TomlReader& reader, ScenarioKeys& keys, anatomy::Patient& patient)
 
 Result<Done> readArray(const std::string& name, Scenario& scenario)
 {
-  const auto file = findByName("array", "plugins/electrodes", name);
+  const auto file = namedFile("array", "plugins/electrodes", name);
   if (!file) return file.error();
   const auto content = readWhole(*file);
   if (!content) return content.error();

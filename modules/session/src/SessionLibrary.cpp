@@ -41,7 +41,9 @@ void describeScenario(SessionSummary& summary, const std::string& text)
   summary.array = keys->text("array", "contour");
   const std::string anatomy = keys->text("anatomy", "published");
   auto patient = keys->table("patient_numbers");
-  summary.patient = patient.text("label", anatomy);
+  // an anatomy that is nobody's has no patient
+  const bool isPatient = anatomy == "published" || patient.has("a_mm");
+  summary.patient = isPatient ? patient.text("label", anatomy) : anatomy + " anatomy";
   const auto scenario = parseScenario(text, summary.file.string());
   if (scenario)
     summary.array = scenario->array.name;

@@ -17,6 +17,7 @@ void ContactField::clear()
 {
   for (ContactStation& station : stations_) {
     station.force_mN_mm = 0.0;
+    station.friction_mN_mm = 0.0;
     station.inward.setZero();
   }
   isTouching_ = false;
@@ -36,12 +37,15 @@ void ContactField::follow(const haptics::Snapshot& now, const PictureSpace& spac
     // it is the normal's direction. At the tip, which may meet the wall head on, all of it counts.
     const std::array<float, 3>& whole = now.wallForce_W[i];
     Eigen::Vector3d inward = space.direction({whole[0], whole[1], whole[2]});
+    double friction = 0.0;
     if (i + 1 < nodes) {
       const Eigen::Vector3d along = path.at(fromTip_mm).along;
-      inward -= inward.dot(along) * along;
+      friction = inward.dot(along);
+      inward -= friction * along;
     }
     const double length = inward.norm();
-    if (length > 0.0 && std::isfinite(length)) spread(fromTip_mm, force_mN, inward / length);
+    if (length > 0.0 && std::isfinite(length))
+      spread(fromTip_mm, force_mN, 1e3 * friction, inward / length);
   }
   if (!isTouching_) return;
 
@@ -54,7 +58,8 @@ void ContactField::follow(const haptics::Snapshot& now, const PictureSpace& spac
   }
 }
 
-void ContactField::spread(double fromTip_mm, double force_mN, const Eigen::Vector3d& inward)
+void ContactField::spread(double fromTip_mm, double force_mN, double friction_mN,
+                          const Eigen::Vector3d& inward)
 {
   const int last = static_cast<int>(stations_.size()) - 1;
   const int from = std::max(0, static_cast<int>(std::ceil((fromTip_mm - reach_mm) / spacing_mm)));
@@ -69,6 +74,7 @@ void ContactField::spread(double fromTip_mm, double force_mN, const Eigen::Vecto
     ContactStation& station = stations_[static_cast<std::size_t>(i)];
     const double weight = bell(station.fromTip_mm - fromTip_mm, reach_mm) / sum;
     station.force_mN_mm += force_mN * weight / spacing_mm;
+    station.friction_mN_mm += friction_mN * weight / spacing_mm;
     station.inward += force_mN * weight * inward;
   }
   isTouching_ = true;

@@ -15,7 +15,8 @@ namespace perilymph::visualization {
 /// The wall's force on a short stretch of array.
 struct ContactStation {
   double fromTip_mm = 0.0;
-  double force_mN_mm = 0.0;                          ///< Normal force per length of array.
+  double force_mN_mm = 0.0;     ///< Normal force per length of array.
+  double friction_mN_mm = 0.0;  ///< Along the array per length of it, positive toward the tip.
   Eigen::Vector3d wall = Eigen::Vector3d::Zero();    ///< Where the array touches.
   Eigen::Vector3d inward = Eigen::Vector3d::Zero();  ///< Unit, from the wall into the lumen.
 };
@@ -38,7 +39,8 @@ public:
   bool isTouching() const { return isTouching_; }
 
 private:
-  void spread(double fromTip_mm, double force_mN, const Eigen::Vector3d& inward);
+  void spread(double fromTip_mm, double force_mN, double friction_mN,
+              const Eigen::Vector3d& inward);
 
   std::vector<ContactStation> stations_;
   bool isTouching_ = false;

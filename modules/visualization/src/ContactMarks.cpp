@@ -4,6 +4,7 @@
 #include <vtkRenderer.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "ForceColors.h"
 
@@ -12,6 +13,7 @@ namespace {
 
 constexpr double glowRadius_mm = 0.24;
 constexpr double leastShown_mN = 2.0;  ///< Below this an arrow is only a speck.
+constexpr double leastFriction_mN = 0.4;
 constexpr double longestArrow_mm = 2.0;
 constexpr double arrowLift_mm = 2.5;  ///< Over array and outline.
 
@@ -26,7 +28,8 @@ void ContactMarks::setVisible(bool glow, bool arrows)
   arrows_.actor().SetVisibility(arrows);
 }
 
-void ContactMarks::build(const ContactField& field, const ArrayParts& array, const ViewFrame& view)
+void ContactMarks::build(const ContactField& field, const ArrayParts& array, const ArrayPath& path,
+                         const ViewFrame& view)
 {
   buildGlow(field, view);
 
@@ -34,19 +37,31 @@ void ContactMarks::build(const ContactField& field, const ArrayParts& array, con
   arrowCount_ = 0;
   Eigen::Vector3d force_mN = Eigen::Vector3d::Zero();
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // of places, weighted by force
-  double total_mN = 0.0;
+  double total_mN = 0.0, friction_mN = 0.0;
   double end_mm = arrowEvery_mm;
   for (const ContactStation& station : field.stations()) {
     if (station.fromTip_mm >= end_mm || &station == &field.stations().back()) {
-      if (force_mN.norm() > leastShown_mN) addArrow(moment / total_mN, force_mN, view);
+      if (force_mN.norm() > leastShown_mN) {
+        addArrow(moment / total_mN, arrow_mm_mN * force_mN, palette::arrow, view);
+        ++arrowCount_;
+      }
+      if (std::abs(friction_mN) > leastFriction_mN) {
+        // beside the array, where the wall rubs
+        const double middle_mm = end_mm - 0.5 * arrowEvery_mm;
+        const PathPoint middle = path.at(middle_mm);
+        const Eigen::Vector3d wall = -array.radius_mm(middle_mm) * force_mN.normalized();
+        addArrow(middle.place + wall, frictionArrow_mm_mN * friction_mN * middle.along,
+                 palette::frictionArrow, view);
+      }
       force_mN.setZero();
       moment.setZero();
-      total_mN = 0.0;
+      total_mN = friction_mN = 0.0;
       end_mm += arrowEvery_mm;
     }
     if (station.force_mN_mm <= 0.0) continue;
     const double share_mN = station.force_mN_mm * ContactField::spacing_mm;
     force_mN += share_mN * station.inward;
+    friction_mN += station.friction_mN_mm * ContactField::spacing_mm;
     // arrows start where the force leaves the array, on the side away from the wall
     const double across_mm = 2.0 * array.radius_mm(station.fromTip_mm);
     moment += share_mN * (station.wall + across_mm * station.inward);
@@ -68,22 +83,21 @@ void ContactMarks::buildGlow(const ContactField& field, const ViewFrame& view)
   glow_.build(view, 0.05);
 }
 
-void ContactMarks::addArrow(const Eigen::Vector3d& from, const Eigen::Vector3d& force_mN,
-                            const ViewFrame& view)
+void ContactMarks::addArrow(const Eigen::Vector3d& from, const Eigen::Vector3d& arrow_mm,
+                            const Rgba& color, const ViewFrame& view)
 {
-  const double length_mm = std::min(longestArrow_mm, arrow_mm_mN * force_mN.norm());
-  const Eigen::Vector3d direction = force_mN.normalized();
+  const double length_mm = std::min(longestArrow_mm, arrow_mm.norm());
+  const Eigen::Vector3d direction = arrow_mm.normalized();
   const double head_mm = std::min(0.6 * length_mm, 10.0 * view.pixel_mm);
   const Eigen::Vector3d neck = from + (length_mm - head_mm) * direction;
   const Eigen::Vector3d tip = from + length_mm * direction;
   const double shaft = 0.9 * view.pixel_mm;
   arrows_.begin(LineEdge::firm);
-  arrows_.add({from, palette::arrow, shaft});
-  arrows_.add({neck, palette::arrow, shaft});
+  arrows_.add({from, color, shaft});
+  arrows_.add({neck, color, shaft});
   arrows_.begin(LineEdge::firm);
-  arrows_.add({neck, palette::arrow, 0.45 * head_mm});
-  arrows_.add({tip, palette::arrow, 0.1 * view.pixel_mm});
-  ++arrowCount_;
+  arrows_.add({neck, color, 0.45 * head_mm});
+  arrows_.add({tip, color, 0.1 * view.pixel_mm});
 }
 
 }  // namespace perilymph::visualization

@@ -15,6 +15,8 @@ class ContactMarks {
 public:
   /// Length of an arrow for one millinewton.
   static constexpr double arrow_mm_mN = 0.025;
+  /// The same for friction, which is some 20 times smaller.
+  static constexpr double frictionArrow_mm_mN = 0.25;
   /// One arrow stands for the force on this length of array.
   static constexpr double arrowEvery_mm = 1.0;
 
@@ -22,13 +24,14 @@ public:
   void addArrows(vtkRenderer& renderer);
   void setVisible(bool glow, bool arrows);
 
-  void build(const ContactField& field, const ArrayParts& array, const ViewFrame& view);
-  /// Arrows in the last picture built.
+  void build(const ContactField& field, const ArrayParts& array, const ArrayPath& path,
+             const ViewFrame& view);
+  /// Arrows of normal force in the last picture built.
   int arrows() const { return arrowCount_; }
 
 private:
   void buildGlow(const ContactField& field, const ViewFrame& view);
-  void addArrow(const Eigen::Vector3d& from, const Eigen::Vector3d& force_mN,
+  void addArrow(const Eigen::Vector3d& from, const Eigen::Vector3d& arrow_mm, const Rgba& color,
                 const ViewFrame& view);
 
   SoftDots glow_;

@@ -47,7 +47,8 @@ struct InsertionScene::Content {
           anatomy::Side side, Quality quality);
   ~Content() { renderer->RemoveObserver(prepareObserver); }
 
-  void addActors(Quality quality);
+  void addActors(const QualityTraits& traits);
+  void applyStereo();
   void applyVisibility();
   void placeCamera();
   void prepare();  ///< Before each picture: what depends on the view.
@@ -77,13 +78,15 @@ struct InsertionScene::Content {
   Eigen::Vector3d preparedFocus = Eigen::Vector3d::Zero();
   int preparedWidth = 0;
   bool arrayMoved = true;
+  Stereo stereo = Stereo::off;
+  vtkRenderWindow* window = nullptr;  // the renderer's; it outlives what the scene asks of it
 };
 
 InsertionScene::Content::Content(const anatomy::ScalaTympani& scala,
                                  const electrode::ArrayDesign& array, anatomy::Side side,
                                  Quality quality)
     : space(side),
-      scalaParts(scala, space),
+      scalaParts(scala, space, traitsOf(quality)),
       arrayParts(array),
       path(arrayParts.design().length),
       field(arrayParts.design().length)
@@ -96,7 +99,7 @@ InsertionScene::Content::Content(const anatomy::ScalaTympani& scala,
              space.direction(entry.outward_W),
              space.mirrors()};
   isVisible.fill(true);
-  addActors(quality);
+  addActors(traitsOf(quality));
   applyVisibility();
 
   prepareCommand->SetClientData(this);
@@ -106,7 +109,7 @@ InsertionScene::Content::Content(const anatomy::ScalaTympani& scala,
   prepareObserver = renderer->AddObserver(vtkCommand::StartEvent, prepareCommand);
 }
 
-void InsertionScene::Content::addActors(Quality quality)
+void InsertionScene::Content::addActors(const QualityTraits& traits)
 {
   renderer->SetBackground(palette::ground[0] / 255.0, palette::ground[1] / 255.0,
                           palette::ground[2] / 255.0);
@@ -118,7 +121,7 @@ void InsertionScene::Content::addActors(Quality quality)
   // Solid things first; then what is translucent, from the far side to the near one.
   arrayParts.addSolid(*renderer);
   scalaParts.addFarWall(*renderer);
-  arrayParts.addShadow(*renderer);
+  if (traits.hasShadow) arrayParts.addShadow(*renderer);
   scalaParts.addMembrane(*renderer);
   marks.addGlow(*renderer);
   scalaParts.addNearWall(*renderer);
@@ -129,13 +132,13 @@ void InsertionScene::Content::addActors(Quality quality)
   overlay->GetScene()->AddItem(bars);
   renderer->AddActor(overlay);
 
-  if (quality == Quality::software) {
+  if (traits.peels == 0) {
     renderer->SetPass(steps);  // translucent actors blend in the order above, in one pass
   } else {
     renderer->UseDepthPeelingOn();
-    renderer->SetMaximumNumberOfPeels(8);
-    renderer->UseFXAAOn();
+    renderer->SetMaximumNumberOfPeels(traits.peels);
   }
+  renderer->SetUseFXAA(traits.isSmoothed);
 }
 
 void InsertionScene::Content::applyVisibility()
@@ -145,6 +148,7 @@ void InsertionScene::Content::applyVisibility()
   arrayParts.setVisible(!path.isEmpty(), shows(Part::styletAndTweezers));
   marks.setVisible(shows(Part::wallForce), shows(Part::contactArrows));
   bars->showsForce = shows(Part::wallForce) && !path.isEmpty();
+  bars->showsArrows = bars->showsForce && shows(Part::contactArrows);
   bars->Modified();
 }
 
@@ -169,6 +173,13 @@ void InsertionScene::Content::placeCamera()
 
 void InsertionScene::Content::prepare()
 {
+  // The camera learns of two eyes only when it is rendered, and a pass of one's own never does so.
+  vtkCamera& eyes = *renderer->GetActiveCamera();
+  if (eyes.GetStereo() != renderer->GetRenderWindow()->GetStereoRender()) {
+    eyes.Render(renderer);
+    eyes.Modified();
+  }
+
   const int height = std::max(1, renderer->GetSize()[1]);
   const Eigen::Matrix3d axes = camera.pose().axes.toRotationMatrix();
   const double pixel_mm = fieldHeight_mm / camera.pose().magnification / height;
@@ -186,7 +197,7 @@ void InsertionScene::Content::prepare()
   }
   if (!path.isEmpty()) {
     arrayParts.lookFrom(view);
-    marks.build(field, arrayParts, view);
+    marks.build(field, arrayParts, path, view);
   }
   bars->pixel_mm = pixel_mm;
   bars->pixelRatio = pixelRatio;
@@ -210,6 +221,46 @@ void InsertionScene::attachTo(vtkRenderWindow& window)
 {
   window.SetMultiSamples(0);
   window.AddRenderer(content_->renderer);
+  content_->window = &window;
+  content_->applyStereo();
+}
+
+void InsertionScene::Content::applyStereo()
+{
+  if (window == nullptr) return;
+  renderer->GetActiveCamera()->SetEyeAngle(eyeAngle_deg);
+  window->SetStereoRender(stereo != Stereo::off);
+  switch (stereo) {
+    case Stereo::off:
+      break;
+    case Stereo::anaglyph:
+      window->SetStereoTypeToAnaglyph();
+      break;
+    case Stereo::sideBySide:
+      window->SetStereoTypeToSplitViewportHorizontal();
+      break;
+    case Stereo::interlaced:
+      window->SetStereoTypeToInterlaced();
+      break;
+    case Stereo::quadBuffered:
+      window->SetStereoTypeToCrystalEyes();
+      break;
+  }
+  // so far behind, its shades would lie apart for the two eyes
+  backdrop.actor().SetVisibility(stereo == Stereo::off);
+}
+
+void InsertionScene::setStereo(Stereo stereo)
+{
+  content_->stereo = stereo;
+  content_->applyStereo();
+}
+
+Stereo InsertionScene::stereo() const noexcept { return content_->stereo; }
+
+bool InsertionScene::isVisible(Part part) const
+{
+  return content_->isVisible[static_cast<std::size_t>(part)];
 }
 
 vtkRenderer& InsertionScene::renderer() { return *content_->renderer; }

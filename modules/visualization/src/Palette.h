@@ -12,8 +12,8 @@ using Rgba = std::array<unsigned char, 4>;
 namespace palette {
 
 struct Colors {
-  Rgba bone, membrane, silicone, platinum, platinumRim, rib, steel, outline, arrow, forceLow,
-      forceHigh, ground, groundLight, text, quietText;
+  Rgba bone, membrane, silicone, platinum, platinumRim, rib, steel, outline, arrow, frictionArrow,
+      forceLow, forceHigh, ground, groundLight, text, quietText;
 };
 
 /// Of the look that is shown. The object stays where it is when the look changes.
@@ -28,6 +28,7 @@ inline const Rgba& rib = shown().rib;
 inline const Rgba& steel = shown().steel;
 inline const Rgba& outline = shown().outline;
 inline const Rgba& arrow = shown().arrow;
+inline const Rgba& frictionArrow = shown().frictionArrow;
 inline const Rgba& forceLow = shown().forceLow;
 inline const Rgba& forceHigh = shown().forceHigh;
 inline const Rgba& ground = shown().ground;

@@ -13,7 +13,6 @@
 namespace perilymph::visualization {
 namespace {
 
-constexpr int mostTriangles = 12000;    ///< More cost frames in software and show no more.
 constexpr double patchReach_mm = 0.45;  ///< Of a contact's color on the wall.
 constexpr double shortestEdge_mm = 1.0;
 constexpr double edgeOpacity = 0.9;
@@ -73,7 +72,9 @@ void addAll(SoftLines& lines, const std::vector<Polyline>& all, const Rgba& colo
 
 }  // namespace
 
-ScalaParts::ScalaParts(const anatomy::ScalaTympani& scala, const PictureSpace& space)
+ScalaParts::ScalaParts(const anatomy::ScalaTympani& scala, const PictureSpace& space,
+                       const QualityTraits& traits)
+    : traits_(traits)
 {
   plan(scala, space);
   planMembrane(scala, space);
@@ -82,7 +83,7 @@ ScalaParts::ScalaParts(const anatomy::ScalaTympani& scala, const PictureSpace& s
 
 void ScalaParts::plan(const anatomy::ScalaTympani& scala, const PictureSpace& space)
 {
-  const anatomy::Surface surface = anatomy::wallSurface(scala, mostTriangles);
+  const anatomy::Surface surface = anatomy::wallSurface(scala, traits_.wallTriangles);
   const std::vector<Triangle> triangles = mirroredIf(space.mirrors(), surface.triangles);
   places_ = placesOf(surface, space);
   const std::vector<Eigen::Vector3d> normals = pointNormals(places_, triangles);
@@ -174,7 +175,7 @@ void ScalaParts::lookFrom(const ViewFrame& view)
 {
   if (view.back != litFrom_.back || view.up != litFrom_.up) {
     light(view);
-    silhouettes_ = silhouette_->lines(view.back, shortestEdge_mm);
+    if (traits_.hasSilhouettes) silhouettes_ = silhouette_->lines(view.back, shortestEdge_mm);
     litFrom_ = view;
   }
   edges_.clear();

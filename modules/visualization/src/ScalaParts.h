@@ -13,6 +13,7 @@
 #include "Silhouette.h"
 #include "SoftLines.h"
 #include "perilymph/anatomy/ScalaTympani.h"
+#include "perilymph/visualization/Quality.h"
 
 class vtkRenderer;
 
@@ -21,7 +22,8 @@ namespace perilymph::visualization {
 /// Wall, edges and membrane. The wall is drawn twice, far side first, so that no sorting is needed.
 class ScalaParts {
 public:
-  ScalaParts(const anatomy::ScalaTympani& scala, const PictureSpace& space);
+  ScalaParts(const anatomy::ScalaTympani& scala, const PictureSpace& space,
+             const QualityTraits& traits);
 
   void addFarWall(vtkRenderer& renderer);
   void addMembrane(vtkRenderer& renderer);
@@ -44,6 +46,7 @@ private:
   void sortIntoBins();
   long bin(int x, int y, int z) const;
 
+  QualityTraits traits_;
   Mesh wall_{Mesh::Coloring::perPoint};
   Mesh membrane_{Mesh::Coloring::uniform};
   vtkSmartPointer<vtkActor> nearWall_;

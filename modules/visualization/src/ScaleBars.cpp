@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "ForceColors.h"
 #include "Palette.h"
@@ -107,6 +108,21 @@ void ScaleBars::paintForce(vtkContext2D& painter)
   painter.DrawString(left + 0.5f * width, below, rounded(0.5 * mostWallForce_mN_mm));
   setText(painter, VTK_TEXT_RIGHT);
   painter.DrawString(left + width, below, rounded(mostWallForce_mN_mm) + "+");
+  if (showsArrows) paintArrows(painter, left, above + 36.0f * scale);
+}
+
+void ScaleBars::paintArrows(vtkContext2D& painter, float left, float y)
+{
+  const float scale = static_cast<float>(pixelRatio);
+  const std::pair<Rgba, const char*> kinds[] = {{palette::arrow, "normal force, 0.5 mm for 20 mN"},
+                                                {palette::frictionArrow, "friction, × 10"}};
+  setText(painter, VTK_TEXT_LEFT);
+  for (const auto& [color, words] : kinds) {
+    fillWith(painter, color);
+    painter.DrawRect(left, y - scale, 16.0f * scale, 2.0f * scale);
+    painter.DrawString(left + 23.0f * scale, y, words);
+    y -= 17.0f * scale;
+  }
 }
 
 }  // namespace perilymph::visualization

@@ -15,6 +15,7 @@ public:
   vtkTypeMacro(ScaleBars, vtkContextItem)
 
       bool showsForce = true;
+  bool showsArrows = true;
   double pixelRatio = 1.0;
   int bottom_px = 34;       ///< From the lower edge, at pixel ratio 1.
   double pixel_mm = 0.025;  ///< Of the picture.
@@ -31,6 +32,7 @@ protected:
 private:
   void paintLength(vtkContext2D& painter);
   void paintForce(vtkContext2D& painter);
+  void paintArrows(vtkContext2D& painter, float left, float y);
   void setText(vtkContext2D& painter, int justification);
 };
 

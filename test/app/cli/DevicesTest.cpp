@@ -1,3 +1,5 @@
+#include <fstream>
+
 #include "Cli.h"
 
 #include "perilymph/test/RecordedTree.h"
@@ -50,6 +52,69 @@ TEST(Devices, CannotTryWhatIsNotThere)
 TEST(Devices, TakeANumberForTheTest)
 {
   EXPECT_EQ(devicesIn(RecordedTree(), {"--test", "mouse"}).status, 2);
+}
+
+// A stick of two axes and a button, HID 1.11 appendix: 8-bit places from 0 to 255.
+constexpr const char* joystickTape =
+    "D: 0\n"
+    "R: 38 05 01 09 04 a1 01 09 30 09 31 15 00 26 ff 00 75 08 95 02 81 02 05 09 19 01 29 08 15 00 "
+    "25 "
+    "01 75 01 95 08 81 02 c0\n"
+    "N: Some joystick\nI: 3 abcd 0002\n"
+    "E: 000000.000000 3 80 80 00\n"
+    "E: 000000.010000 3 ff 80 01\n"
+    "E: 000000.020000 3 80 00 00\n";
+
+std::string joystickDescriptor()
+{
+  return std::string(
+      "\x05\x01\x09\x04\xa1\x01\x09\x30\x09\x31\x15\x00\x26\xff\x00\x75\x08\x95\x02\x81\x02"
+      "\x05\x09\x19\x01\x29\x08\x15\x00\x25\x01\x75\x01\x95\x08\x81\x02\xc0",
+      38);
+}
+
+TEST(CapturedDevice, IsReadAgainAsTheDeviceItIsOf)
+{
+  const TemporaryFolder folder;
+  std::ofstream(folder / "stick.hid") << joystickTape;
+  const auto json = folder / "stick.json";
+  const auto outcome = run(
+      cliCall({"devices", "--replay", (folder / "stick.hid").string(), "--json", json.string()}));
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("abcd:0002  Some joystick"));
+  EXPECT_THAT(outcome.out, HasSubstr("3 fresh, 0 lost"));
+  EXPECT_THAT(contentOf(json), HasSubstr("\"rate_per_s\": 100.0"));
+  EXPECT_THAT(contentOf(json), HasSubstr("\"buttons\": 1"));
+}
+
+TEST(CapturedDevice, ThatIsDamagedIsAnsweredWithItsLine)
+{
+  const TemporaryFolder folder;
+  std::ofstream(folder / "stick.hid") << joystickTape << "E: 000000.030000 3 80 0\nE: noon 1 00\n";
+  const auto outcome = run(cliCall({"devices", "--replay", (folder / "stick.hid").string()}));
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("stick.hid, line 8"));
+}
+
+TEST(CapturedDevice, IsCapturedFromATestAndReadAgain)
+{
+  // A tape stands for the device: what is captured of it is a tape of the same reports.
+  RecordedTree tree;
+  tree.add({"0003:ABCD:0002.0001", "Some joystick", "hidraw1", "00", joystickDescriptor()});
+  tree.addTape("hidraw1", joystickTape);
+  const TemporaryFolder folder;
+  const auto capture = folder / "again.hid";
+  const auto tested = devicesIn(tree, {"--test", "1", "--capture", capture.string()});
+  EXPECT_EQ(tested.status, 0) << tested.err;
+  EXPECT_THAT(contentOf(capture), HasSubstr("I: 0003 abcd 0002"));
+  const auto outcome = run(cliCall({"devices", "--replay", capture.string()}));
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("3 fresh, 0 lost"));
+}
+
+TEST(CapturedDevice, IsOfATest)
+{
+  EXPECT_EQ(devicesIn(RecordedTree(), {"--capture", "tape.hid"}).status, 2);
 }
 
 }  // namespace

@@ -64,5 +64,43 @@ TEST_F(DevicesOfTheWindow, AreNamedWithWhatTheyAre)
   if (getenv("GRAB")) rig_->window().grab().save(getenv("GRAB"));
 }
 
+/// A second of a WoodenHaptics that stands still: encoder counts at rest, as its profile lays them.
+std::string restingWoodenHaptics()
+{
+  std::string tape = "D: 0\nN: WoodenHaptics\nI: 3 1234 0006\n";
+  for (int i = 0; i < 1000; ++i) {
+    char line[96];
+    std::snprintf(line, sizeof line,
+                  "E: 000000.%03d000 14 00 00 00 00 70 17 00 00 00 00 00 00 00 00\n", i);
+    tape += line;
+  }
+  return tape;
+}
+
+TEST_F(DevicesOfTheWindow, ThatCannotRenderTheCouplingAreSaidToBeSoftened)
+{
+  tree_.add({"0003:1234:0006.0002", "WoodenHaptics", "hidraw1", "00"});
+  tree_.addTape("hidraw1", restingWoodenHaptics());
+  open();
+  rig_->pressKey(Qt::Key_H);
+  rig_->click("use-hidraw1");
+  const auto isSoftened = [this] {
+    return rig_->label("statusLabel").contains(QLatin1String("coupling"));
+  };
+  ASSERT_TRUE(WindowRig::comes([&] { return isSoftened(); }));
+  // 0.75 b / (T/2 + half a period + delay) is at most 0.75 x 0.5 / 1 ms = 375 N/m of 441.
+  EXPECT_TRUE(pageSays("of the 441 N/m asked for"));
+  EXPECT_TRUE(pageSays("The hand: WoodenHaptics"));
+  EXPECT_TRUE(rig_->label("hintLabel").contains(QLatin1String("softer than asked")));
+  EXPECT_GT(rig_->now().couplingStiffness, 0.0);
+  EXPECT_LE(rig_->now().couplingStiffness, 375.0);
+  for (const QLabel* label : page().findChildren<QLabel*>())
+    EXPECT_GE(label->height(), label->wordWrap() ? label->heightForWidth(label->width()) : 0)
+        << label->text().toStdString();
+  const auto* status = rig_->window().findChild<QLabel*>(QStringLiteral("statusLabel"));
+  EXPECT_GE(status->height(), status->heightForWidth(status->width()));
+  if (getenv("GRAB_COUPLING")) rig_->window().grab().save(getenv("GRAB_COUPLING"));
+}
+
 }  // namespace
 }  // namespace perilymph::test

@@ -63,6 +63,7 @@ TEST_P(EveryLook, WritesSoThatItCanBeRead)
   EXPECT_GE(contrast(theme.onAccent, theme.accentHover), ofText);
   EXPECT_GE(contrast(theme.onWarning, theme.warning), ofText);
   EXPECT_GE(contrast(theme.alarm, theme.panel), ofMarks);
+  EXPECT_GE(contrast(theme.ghost, theme.ground), ofMarks);
   EXPECT_GE(contrast(theme.ahead, theme.ground), ofMarks);
   EXPECT_GE(contrast(theme.ahead, theme.panel), ofMarks);
 }

@@ -21,7 +21,7 @@ void addContact(std::vector<Passage>& passages, const std::string& restName)
   passages.push_back(sliding);
 }
 
-/// A whole session: at rest, unplugged, at rest again, silent, and back.
+/// A whole session: at rest, unplugged, at rest again, silent, back, paused, and back.
 std::vector<Passage> session()
 {
   std::vector<Passage> passages;
@@ -37,6 +37,14 @@ std::vector<Passage> session()
   last.duration = 0.2;
   last.wire = Wire::reporting;
   passages.push_back(last);
+  last.name = "pause";
+  last.duration = 0.05;
+  last.wire = Wire::paused;
+  passages.push_back(last);
+  last.name = "after_pause";
+  last.duration = 0.2;
+  last.wire = Wire::reporting;
+  passages.push_back(last);
   return passages;
 }
 
@@ -49,16 +57,25 @@ Result<HandleScript> scriptNamed(const std::string& name)
   if (name == "repeated")
     return HandleScript{{{.name = name, .duration = 0.8}}, Flaw::repeatedReport};
   if (name == "session") return HandleScript{session(), Flaw::none};
+  if (name == "answer")
+    return HandleScript{{{.name = name, .duration = 0.8, .wire = Wire::answering}}, Flaw::none};
 
   HandleScript contact;
+  if (name == "killed") {
+    addContact(contact.passages, "rest");
+    contact.passages[3].duration = 0.3;  // it need not come to rest, only push
+    contact.passages[4].duration = 0.6;
+    return contact;
+  }
   addContact(contact.passages, "rest");
-  if (name == "flipped")
+  if (name == "flipped") {
     contact.flaw = Flaw::flippedForce;
-  else if (name == "doubled")
+    contact.passages[3].duration = 0.4;  // to the end stop
+  } else if (name == "doubled")
     contact.flaw = Flaw::doubledForce;
   else
     return Error{"There is no script '" + name +
-                 "'; take stream, lost, repeated, session, flipped or doubled."};
+                 "'; take stream, lost, repeated, session, killed, answer, flipped or doubled."};
   return contact;
 }
 

@@ -9,8 +9,14 @@
 
 namespace perilymph::hidstack {
 
-/// Whether the handle's cable carries anything.
-enum class Wire { reporting, silent, unplugged };
+/// What the handle's cable carries.
+enum class Wire {
+  reporting,  ///< A report a tick.
+  silent,     ///< Nothing, though the device counts on.
+  paused,     ///< Nothing, and the device does not count.
+  answering,  ///< A report for each that comes in.
+  unplugged,
+};
 
 /// Whether somebody keeps the handle where it is.
 enum class Grip { held, free };
@@ -39,7 +45,7 @@ inline constexpr double pushAtRest = 0.2;
 /// Reports that never come while the handle is silent, of a thousand a second.
 inline constexpr int silentReports = 50;
 
-/// stream, lost, repeated, session, flipped or doubled; a sentence for other names.
+/// stream, lost, repeated, session, killed, answer, flipped or doubled; a sentence for other names.
 Result<HandleScript> scriptNamed(const std::string& name);
 
 }  // namespace perilymph::hidstack

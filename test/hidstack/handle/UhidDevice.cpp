@@ -76,28 +76,40 @@ UhidEvent UhidDevice::take(std::span<const std::uint8_t>& report) noexcept
     case UHID_OUTPUT:
       report = {incoming.u.output.data, incoming.u.output.size};
       return UhidEvent::output;
-    case UHID_GET_REPORT:
     case UHID_SET_REPORT:
-      refuse();
-      return UhidEvent::other;
+      report = {incoming.u.set_report.data, incoming.u.set_report.size};
+      return UhidEvent::featureSet;
+    case UHID_GET_REPORT:
+      report = {&incoming.u.get_report.rnum, 1};
+      return UhidEvent::featureAsked;
     default:
       return UhidEvent::other;
   }
 }
 
-void UhidDevice::refuse() noexcept
+void UhidDevice::refuse() noexcept { reply(EIO, {}); }
+
+void UhidDevice::accept() noexcept { reply(0, {}); }
+
+void UhidDevice::answer(std::span<const std::uint8_t> report) noexcept { reply(0, report); }
+
+void UhidDevice::reply(int error, std::span<const std::uint8_t> report) noexcept
 {
   const uhid_event& asked = room_->incoming;
   uhid_event& outgoing = room_->outgoing;
   outgoing = {};
+  const auto code = static_cast<__u16>(error);
   if (asked.type == UHID_GET_REPORT) {
+    uhid_get_report_reply_req& answer = outgoing.u.get_report_reply;
     outgoing.type = UHID_GET_REPORT_REPLY;
-    outgoing.u.get_report_reply.id = asked.u.get_report.id;
-    outgoing.u.get_report_reply.err = EIO;
+    answer.id = asked.u.get_report.id;
+    answer.err = code;
+    answer.size = static_cast<__u16>(std::min(report.size(), sizeof answer.data));
+    if (answer.size > 0) std::memcpy(answer.data, report.data(), answer.size);
   } else {
     outgoing.type = UHID_SET_REPORT_REPLY;
     outgoing.u.set_report_reply.id = asked.u.set_report.id;
-    outgoing.u.set_report_reply.err = EIO;
+    outgoing.u.set_report_reply.err = code;
   }
   // Who asked gives up after five seconds without an answer, so a lost one hurts nobody.
   [[maybe_unused]] const auto written = ::write(file_, &outgoing, sizeof outgoing);

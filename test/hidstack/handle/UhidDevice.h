@@ -13,9 +13,11 @@ namespace perilymph::hidstack {
 
 /// What the kernel tells the device.
 enum class UhidEvent : std::uint8_t {
-  nothing,  ///< Nothing waits.
-  output,   ///< An output report came: `report` holds it.
-  other,    ///< Started, opened, closed, asked for a feature: nothing to do.
+  nothing,       ///< Nothing waits.
+  output,        ///< An output report came: `report` holds it.
+  featureSet,    ///< A feature report came: `report` holds it; wants accept() or refuse().
+  featureAsked,  ///< One is asked for: `report` holds its number; wants answer() or refuse().
+  other,         ///< Started, opened, closed: nothing to do.
 };
 
 /// Plugged in while it lives; unplugged when it is destroyed.
@@ -37,11 +39,16 @@ public:
   int file() const noexcept { return file_; }
   /// Sends an input report; false while the kernel is not ready for it.
   bool send(std::span<const std::uint8_t> report) noexcept;
-  /// Takes one event; answers what wants an answer.
+  /// Takes one event.
   UhidEvent take(std::span<const std::uint8_t>& report) noexcept;
+  /// About the feature report of the last event. Whoever set it or asked for it waits meanwhile,
+  /// for five seconds at most.
+  void refuse() noexcept;
+  void accept() noexcept;
+  void answer(std::span<const std::uint8_t> report) noexcept;
 
 private:
-  void refuse() noexcept;
+  void reply(int error, std::span<const std::uint8_t> report) noexcept;
 
   struct Room;  ///< One event each way; they are large.
   std::unique_ptr<Room> room_;

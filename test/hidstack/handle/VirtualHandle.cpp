@@ -53,7 +53,9 @@ bool VirtualHandle::tick(std::int64_t due)
 
   HandleTick tick;
   tick.due = due;
-  tick.sequence = ++sequence_;  // a report that is not sent was made all the same
+  // A report that is not sent was made all the same, but by a device that pauses.
+  if (wire() != Wire::paused && wire() != Wire::answering) ++sequence_;
+  tick.sequence = sequence_;
   tick.position = slider_.position();
   tick.passage = passage().name;
   ticks_.push_back(tick);
@@ -78,6 +80,12 @@ std::array<std::uint8_t, inputSize> VirtualHandle::report() const
   report.place[2] = static_cast<std::int32_t>(-std::llround(slider_.position() / placeQuantum));
   report.buttons = passage().isButtonPressed ? graspBit : 0;
   return encode(report);
+}
+
+std::array<std::uint8_t, inputSize> VirtualHandle::answer()
+{
+  ++sequence_;
+  return report();
 }
 
 void VirtualHandle::noteSent(std::int64_t now) { ticks_.back().sent = now; }

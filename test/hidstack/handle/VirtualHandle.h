@@ -25,6 +25,8 @@ public:
   /// The reports to send in this tick: one, or as the script's flaw wants none or two.
   int reportsDue() const;
   std::array<std::uint8_t, inputSize> report() const;
+  /// The next report, for a device that answers.
+  std::array<std::uint8_t, inputSize> answer();
   /// The report went out.
   void noteSent(std::int64_t now);
   /// An output report came in.

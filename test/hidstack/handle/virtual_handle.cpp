@@ -74,9 +74,11 @@ void listen(UhidDevice& device, VirtualHandle& handle)
   std::span<const std::uint8_t> bytes;
   for (UhidEvent event = UhidEvent::other; event != UhidEvent::nothing;) {
     event = device.take(bytes);
+    if (event == UhidEvent::featureSet || event == UhidEvent::featureAsked) device.refuse();
     if (event != UhidEvent::output) continue;
     if (const auto report = decodeOutput(bytes))
       handle.take(*report, realtime::monotonicNanoseconds());
+    if (handle.wire() == Wire::answering) device.send(handle.answer());
   }
 }
 

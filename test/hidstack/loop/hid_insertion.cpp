@@ -1,8 +1,10 @@
 // The host's side of the wire:
 //   hid_insertion stream PROFILE LOG REPORTS   takes so many reports
-//   hid_insertion insert PROFILE LOG UNPLUGS   inserts until the device was unplugged so many
-//   times;
-//                                              the log's name is the scene's
+//   hid_insertion insert PROFILE LOG UNPLUGS   inserts until the device was unplugged so often
+//   hid_insertion die PROFILE LOG TICKS        the same, but kills itself after so many ticks
+//   hid_insertion push PROFILE LOG TICKS       pushes to the right with a third of the most force
+//   hid_insertion refused PROFILE LOG 1        expects that the device cannot be opened
+// The log's name is the scene's.
 
 #include <cstdlib>
 #include <filesystem>
@@ -54,6 +56,10 @@ void print(const std::string& scene, const device::HandHealth& health)
   measure("old", health.reading.old);
   measure("period_ms", health.period * 1e3);
   measure("delay_ms", health.delay * 1e3);
+  measure("round_trip_ms", health.roundTrip * 1e3);
+  measure("round_trip_measured", health.isRoundTripMeasured ? 1 : 0);
+  measure("guarded", health.isGuarded ? 1 : 0);
+  measure("writer_real_time", health.writing.hasRealTimePriority ? 1 : 0);
   measure("reconnections", health.reconnections);
   measure("blocked_writes", health.blockedWrites);
 }
@@ -69,14 +75,56 @@ Result<Done> insert(const std::string& profile, const std::filesystem::path& log
   return write(log, *ticks);
 }
 
+/// As `insert`, until this process is killed at once.
+Result<Done> die(const std::string& profile, int ticks)
+{
+  const auto hand = virtualHand(profile, patience);
+  if (!hand) return hand.error();
+  if (const auto opened = (*hand)->open(); !opened) return opened;
+  return insertUntilKilled(**hand, static_cast<std::size_t>(ticks));
+}
+
+/// Without an engine: what a codec does to a device, from opening it to closing it.
+Result<Done> push(const std::string& profile, const std::filesystem::path& log, int ticks)
+{
+  const auto hand = virtualHand(profile, patience);
+  if (!hand) return hand.error();
+  if (const auto opened = (*hand)->open(); !opened) return opened;
+  const double force = (*hand)->traits().mostForce / 3.0;
+  for (int i = 0; i < ticks; ++i) {
+    (*hand)->await(milliseconds(10));
+    (*hand)->read();
+    (*hand)->write({{force, 0.0, 0.0}, {}});
+  }
+  if (const auto health = (*hand)->health()) print(log.stem(), *health);
+  (*hand)->close();
+  return Done{};
+}
+
+Result<Done> beRefused(const std::string& profile, const std::filesystem::path& log)
+{
+  const auto hand = virtualHand(profile, patience);
+  if (!hand) return hand.error();
+  const std::int64_t began = realtime::monotonicNanoseconds();
+  if ((*hand)->open()) return Error{"The device was opened, though it answers nothing."};
+  const std::int64_t took = realtime::monotonicNanoseconds() - began;
+  std::cout << "measure " << log.stem().string() << ".opening_s "
+            << static_cast<double>(took) * 1e-9 << '\n';
+  return Done{};
+}
+
 Result<Done> run(const std::string& what, const std::string& profile, const std::string& log,
                  int number)
 {
   if (what == "stream" && number > 0)
     return takeStream(profile, log, static_cast<std::size_t>(number));
   if (what == "insert" && number > 0) return insert(profile, log, number);
-  return Error{"hid_insertion knows stream and insert with a number above 0; '" + what + "' with " +
-               std::to_string(number) + " was given."};
+  if (what == "die" && number > 0) return die(profile, number);
+  if (what == "push" && number > 0) return push(profile, log, number);
+  if (what == "refused") return beRefused(profile, log);
+  return Error{
+      "hid_insertion knows stream, insert, die, push and refused with a number above 0; '" + what +
+      "' with " + std::to_string(number) + " was given."};
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <poll.h>
 
+#include <csignal>
+
 #include "FlatWallScene.h"
 #include "TimedHand.h"
 #include "perilymph/haptics/HapticLoop.h"
@@ -69,6 +71,20 @@ Result<std::vector<LoopTick>> insertUntilUnplugged(device::HapticDevice& hand, i
   }
   loop.stop();
   return timed.ticks();
+}
+
+Result<Done> insertUntilKilled(device::HapticDevice& hand, std::size_t ticks)
+{
+  haptics::HapticLoop loop(hand, flatWallEngine(hand.traits().nominalPeriod));
+  Operator user(loop);
+  loop.start();
+  haptics::TickRecord record;
+  for (std::size_t done = 0; done < ticks;) {
+    ::poll(nullptr, 0, glance_ms);
+    for (; loop.take(record); ++done) user.watch(record);
+  }
+  std::raise(SIGKILL);
+  return Done{};
 }
 
 }  // namespace perilymph::hidstack

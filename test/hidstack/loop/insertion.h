@@ -16,4 +16,7 @@ namespace perilymph::hidstack {
 /// @param hand  Open.
 Result<std::vector<LoopTick>> insertUntilUnplugged(device::HapticDevice& hand, int unplugs);
 
+/// Runs it for so many ticks, then kills this process in the middle of it.
+Result<Done> insertUntilKilled(device::HapticDevice& hand, std::size_t ticks);
+
 }  // namespace perilymph::hidstack

@@ -10,6 +10,7 @@ from unittest import mock
 
 import initramfs
 import kernel
+import machine
 
 HERE = Path(__file__).parent
 BUSYBOX = "/usr/bin/busybox"
@@ -142,7 +143,8 @@ class Machine(InFolder):
         place.mkdir()
         for name in ("vmlinuz", *(f"{module}.ko" for module in kernel.MODULES)):
             (place / name).write_text(name)
-        for name in ("virtual_handle", "hid_insertion", "hid_measures"):
+        for name in machine.PROGRAMS:
+            (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
             (self.folder / name).write_bytes(Path(sys.executable).resolve().read_bytes())
         return self.run_machine(f"{programs}:{os.environ['PATH']}")
 

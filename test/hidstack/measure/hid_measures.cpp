@@ -1,5 +1,6 @@
 // Prints what the logs of one scene say: hid_measures SCENE HANDLE.log LOOP.log
 
+#include <cstdlib>
 #include <iomanip>
 #include <iostream>
 #include <string>
@@ -74,8 +75,30 @@ Result<Done> measureInsertion(const std::string& scene, const std::string& handl
   printSpread(scene, "besides_engine", answers.besides);
   printRest(scene, "rest", *handle);
   printRest(scene, "rest_again", *handle);
-  for (const char* passage : {"silence", "unplugged"})
+  for (const char* passage : {"silence", "unplugged", "pause"})
     if (restIn(*handle, passage)) printSilence(scene, passage, *handle, *loop);
+  return Done{};
+}
+
+/// From the last force of a host that died to the first of zero.
+Result<Done> measureDeath(const std::string& scene, const std::string& handleLog)
+{
+  const auto handle = readHandleLog(handleLog);
+  if (!handle) return handle.error();
+  std::int64_t lastForce = 0, zero = 0;  // [ns]; 0: none came
+  double force = 0.0;
+  for (const HandleTick& tick : *handle) {
+    if (tick.outputs == 0) continue;
+    if (tick.force != 0) {
+      lastForce = tick.answered;
+      force = static_cast<double>(std::abs(tick.force)) * forceQuantum;
+      zero = 0;
+    } else if (lastForce != 0 && zero == 0) {
+      zero = tick.answered;
+    }
+  }
+  print(scene, "force_before_N", force);
+  if (zero != 0) print(scene, "zero_heard_ms", static_cast<double>(zero - lastForce) * 1e-6);
   return Done{};
 }
 
@@ -89,8 +112,9 @@ int main(int count, char** words)
   }
   const std::string scene = words[1];
   const bool isStream = scene == "stream" || scene == "lost" || scene == "repeated";
-  const auto done =
-      isStream ? measureStream(scene, words[3]) : measureInsertion(scene, words[2], words[3]);
+  const auto done = scene == "killed" ? measureDeath(scene, words[2])
+                    : isStream        ? measureStream(scene, words[3])
+                                      : measureInsertion(scene, words[2], words[3]);
   if (done) return 0;
   std::cerr << done.error().message << '\n';
   return 1;

@@ -75,8 +75,18 @@ TEST(ForceDepthChart, ShowsSeventeenMillimetersAndTwoHundredMillinewtonsWhenEmpt
   screen.picture();
   EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::BOTTOM).GetMinimum(), 0.0);
   EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::BOTTOM).GetMaximum(), 17.0);
-  EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::LEFT).GetMinimum(), 0.0);
+  EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::LEFT).GetMinimum(), -0.01);
   EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::LEFT).GetMaximum(), 0.20);
+}
+
+TEST(ForceDepthChart, HasNoGapWhereAFreeArrayPullsALittle)
+{
+  ChartOnScreen screen;
+  for (int i = 0; i <= 1600; ++i)
+    screen.chart.append(millimeters(0.01 * i), millinewtons(i > 300 && i < 900 ? -0.4 : 0.0));
+  const test::DrawnPicture picture = screen.picture();
+  for (const double travel_mm : {2.0, 4.0, 6.0, 8.0, 10.0})
+    EXPECT_TRUE(nearColor(picture, screen.x(travel_mm), screen.y(0.0), accent)) << travel_mm;
 }
 
 TEST(ForceDepthChart, KeepsItsRangesWhileTheCurveFits)
@@ -141,6 +151,24 @@ TEST(ForceDepthChart, DoesNotGrowSlowerWithTimeSpentAtOnePlace)
                         newtons(0.05 + 1e-4 * (i % 7)));
   screen.picture();
   EXPECT_LT(screen.points(), before + 200);
+}
+
+TEST(ForceDepthChart, DrawsNoMoreAfterAnHourOfTicksThanAfterTheFirstInsertion)
+{
+  ChartOnScreen screen;
+  const auto insertAndWithdraw = [&] {
+    constexpr int ticks = 8000;
+    for (int i = 0; i < 2 * ticks; ++i) {
+      const double travel_mm = 16.0 * (i < ticks ? i : 2 * ticks - i) / ticks;
+      screen.chart.append(millimeters(travel_mm), newtons(0.006 * travel_mm + 1e-3 * (i % 3)));
+    }
+  };
+  insertAndWithdraw();
+  screen.picture();
+  const vtkIdType before = screen.points();
+  for (int i = 1; i < 225; ++i) insertAndWithdraw();  // 3.6 million ticks
+  screen.picture();
+  EXPECT_LE(screen.points(), before + 4);  // where the passes turn
 }
 
 TEST(ForceDepthChart, LeavesOutWhatIsNotFinite)

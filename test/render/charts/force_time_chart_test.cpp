@@ -60,5 +60,24 @@ TEST(ForceTimeChart, GrowsWithTheForceAndShrinksWhenItIsGone)
   EXPECT_DOUBLE_EQ(axis.GetMaximum(), 60.0);
 }
 
+TEST(ForceTimeChart, ItsLegendLiesAboveThePlotNotOnTheCurves)
+{
+  ForceTimeChart chart;
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(true);
+  window->SetSize(400, 170);
+  chart.attachTo(*window);
+  const test::DrawnPicture picture = test::draw(*window);
+  const int top = static_cast<int>(chart.chart().GetAxis(vtkAxis::LEFT)->GetPoint2()[1]);
+  const int left = static_cast<int>(chart.chart().GetAxis(vtkAxis::LEFT)->GetPoint2()[0]);
+  const auto isBright = [&](const test::Pixel& p) { return p[0] > 0xA0 || p[1] > 0xA0; };
+  EXPECT_EQ(test::countPixels(picture, [&](const test::Pixel& p, int x,
+                                           int y) { return x > left && y < top && isBright(p); }),
+            0);
+  EXPECT_GT(test::countPixels(picture, [&](const test::Pixel& p, int x,
+                                           int y) { return x > left && y > top && isBright(p); }),
+            100);
+}
+
 }  // namespace
 }  // namespace perilymph::charts

@@ -65,5 +65,27 @@ TEST(ClinicalAngles, HoldTheirMediansWithinTheirRanges)
   EXPECT_NEAR(inDegrees(angles->at(1).median), 575.0, 1e-9);
 }
 
+TEST(ACurve, IsStraightBetweenItsPointsAndEndsWithThem)
+{
+  const std::vector<CurvePoint> curve = {{1e-3, 0.1}, {2e-3, 0.3}};
+  EXPECT_DOUBLE_EQ(*forceAt(curve, 1e-3), 0.1);
+  EXPECT_DOUBLE_EQ(*forceAt(curve, 1.25e-3), 0.15);
+  EXPECT_DOUBLE_EQ(*forceAt(curve, 2e-3), 0.3);
+  EXPECT_FALSE(forceAt(curve, 0.99e-3));
+  EXPECT_FALSE(forceAt(curve, 2.01e-3));
+  EXPECT_FALSE(forceAt({}, 1e-3));
+}
+
+TEST(InsertionsOfOneName, AreToldApart)
+{
+  std::vector<ComparedInsertion> insertions(3);
+  insertions[0].name = insertions[2].name = "a";
+  insertions[1].name = "b";
+  tellApart(insertions);
+  EXPECT_EQ(insertions[0].name, "a");
+  EXPECT_EQ(insertions[1].name, "b");
+  EXPECT_EQ(insertions[2].name, "a (3)");
+}
+
 }  // namespace
 }  // namespace perilymph::analysis

@@ -6,6 +6,8 @@
 #include <set>
 
 #include "Descriptors.h"
+#include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/Resources.h"
 
 namespace perilymph::device {
 namespace {
@@ -187,6 +189,31 @@ TEST(ForceProfile, MayNotSteerBySpeed)
   text = with(text, "motion = \"place\"", "motion = \"rate\"");
   text = with(text, "travel_mm = 15.0", "speed_mm_s = 5.0\n[pid]\neffects = \"axes\"");
   EXPECT_THAT(mistake(text), HasSubstr("the force belongs to a place"));
+}
+
+/// The shipped stick, whose profile renders force, with one more line on what it can do.
+std::string stickThatSays(const std::string& line)
+{
+  const auto file = findByName("device profile", "plugins/devices", "pid");
+  EXPECT_TRUE(file);
+  return with(*readWhole(*file), "most_force_N = 3.0\n", "most_force_N = 3.0\n" + line + "\n");
+}
+
+TEST(DeviceProfile, SaysWhatIsKnownOfTheHandle)
+{
+  const auto profile =
+      parseProfile(stickThatSays("handle_damping_N_s_m = 1.5\nhandle_mass_kg = 0.2"), "test.toml");
+  ASSERT_TRUE(profile) << profile.error().message;
+  EXPECT_EQ(profile->traits.handleDamping, 1.5);
+  EXPECT_EQ(profile->traits.handleMass, 0.2);
+}
+
+TEST(DeviceProfile, RefusesAHandleThatNobodyCanHold)
+{
+  EXPECT_THAT(mistake(stickThatSays("handle_mass_kg = 200.0")), HasSubstr("handle_mass_kg"));
+  EXPECT_THAT(mistake(stickThatSays("handle_damping_N_s_m = -1.0")),
+              HasSubstr("handle_damping_N_s_m"));
+  EXPECT_THAT(mistake(stickThatSays("handle_mass = 0.2")), HasSubstr("handle_mass"));
 }
 
 }  // namespace

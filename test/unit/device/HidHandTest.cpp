@@ -288,6 +288,47 @@ TEST_F(HidHandOnAFake, AllocatesNothingInReadAndWrite)
   EXPECT_EQ(guard.allocations(), 0u);
 }
 
+TEST_F(HidHandOnAFake, CallsTheWayThereAndAPeriodTheMostThatAForceTakesToShow)
+{
+  open();
+  const HandHealth health = *hand.health();
+  EXPECT_FALSE(health.isRoundTripMeasured);
+  EXPECT_NEAR(health.roundTrip, 1e-3, 1e-9);  // the fake takes a force in no time
+}
+
+TEST(HidHandThatAnswers, MeasuresTheTimeFromAForceToItsAnswer)
+{
+  virtualNow = 1000 * millisecond;
+  FakeHid hid;
+  std::size_t answered = 0;
+  std::uint16_t counter = 0;
+  // It answers each report 300 us after it was sent, and is silent else.
+  hid.whenWaiting([&](Duration timeout) {
+    const std::size_t taken = hid.written().size();
+    virtualNow += taken > answered ? 300'000 : std::int64_t(timeout.si() * 1e9);
+    if (taken <= answered) return;
+    answered = taken;
+    FakeReport report;
+    report.counter = ++counter;
+    hid.send(report);
+  });
+  DeviceTraits traits = test::fakeTraits();
+  traits.reporting = Reporting::onWrite;
+  HidHand hand(traits, std::make_unique<test::FakeCodec>(), hid.port(), virtualClock);
+  ASSERT_TRUE(hand.open());
+  const HandHealth health = *hand.health();
+  EXPECT_TRUE(health.isRoundTripMeasured);
+  EXPECT_NEAR(health.roundTrip, 300e-6, 0.032 * 300e-6);  // a bin of the histogram
+  EXPECT_EQ(hand.traits().transportDelay, health.roundTrip);
+}
+
+TEST_F(HidHandOnAFake, IsSaidToBeUnguardedWhereNobodyElseCanReachTheDevice)
+{
+  open();
+  EXPECT_FALSE(hand.health()->isGuarded);
+  EXPECT_NE(hand.health()->guardObstacle.find("watchdog"), std::string::npos);
+}
+
 TEST(HidHandWithoutForce, IsNeverWritten)
 {
   virtualNow = 1000 * millisecond;

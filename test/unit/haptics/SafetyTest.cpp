@@ -70,6 +70,7 @@ TEST(Safety, TakesAForceThatIsNoNumberAsNone)
 TEST(Safety, NeverStepsByMoreThanTheSlewLimit)
 {
   const double mostStep = SafetyLimits{}.mostSlew * timeStep;
+  const double offStep = SafetyLimits{}.mostForce / SafetyLimits{}.offTime * timeStep;
   Safety safety(SafetyLimits{}, timeStep);
   Eigen::Vector3d before_D = Eigen::Vector3d::Zero();
   for (int i = 0; i < 5000; ++i) {
@@ -83,7 +84,8 @@ TEST(Safety, NeverStepsByMoreThanTheSlewLimit)
     hand.moved_D = Eigen::Vector3d(1e-5 * sign, 0.0, 2e-5);
     std::uint32_t status = allWell;
     const Eigen::Vector3d now_D = safety.show({sign * 10.0, 3.0, -sign}, hand, status);
-    ASSERT_LE((now_D - before_D).norm(), mostStep * (1.0 + rounding)) << i;
+    const bool isOff = !hand.isHeld || hand.isStale || hand.hasFault;
+    ASSERT_LE((now_D - before_D).norm(), (isOff ? offStep : mostStep) * (1.0 + rounding)) << i;
     ASSERT_LE(now_D.norm(), 3.3 * (1.0 + rounding)) << i;
     before_D = now_D;
   }
@@ -135,6 +137,38 @@ HandCondition faulty()
   return hand;
 }
 INSTANTIATE_TEST_SUITE_P(Reasons, SafetyOff, testing::Values(released(), stale(), faulty()));
+
+TEST_P(SafetyOff, IsGoneAsSoonAsTheDevicesOwnGuardWouldAct)
+{
+  // That waits for three periods, and at least 3 ms (HidHand.h), at 1 kHz and at 10 kHz.
+  for (const double step : {1e-3, 1e-4}) {
+    Safety safety({}, step);
+    const Eigen::Vector3d wanted_D(0.0, 0.0, 10.0);
+    std::uint32_t status = allWell;
+    for (int i = 0; i < 20000; ++i) safety.show(wanted_D, holding(), status);
+    const int ticks = static_cast<int>(std::lround(3e-3 / step));
+    for (int i = 0; i + 1 < ticks; ++i) safety.show(wanted_D, GetParam(), status);
+    EXPECT_NEAR(safety.show(wanted_D, GetParam(), status).norm(), 0.0, rounding) << step << " s";
+  }
+}
+
+TEST_P(SafetyOff, StillGivesNoStep)
+{
+  Safety safety = shownFor({0.0, 0.0, 3.3});
+  std::uint32_t status = allWell;
+  EXPECT_NEAR(safety.show(Eigen::Vector3d::Zero(), GetParam(), status).norm(), 2.2,
+              rounding);  // a third in a third
+}
+
+TEST(Safety, TakesItsTimeToSwitchOffWhereItIsToldNone)
+{
+  SafetyLimits limits;
+  limits.offTime = 0.0;
+  Safety safety = shownFor({0.0, 0.0, 3.3}, limits);
+  std::uint32_t status = allWell;
+  EXPECT_NEAR(safety.show(Eigen::Vector3d::Zero(), released(), status).norm(), 3.2,
+              rounding);  // 100 N/s for 1 ms
+}
 
 TEST(Safety, SaysThatTheHandIsStale)
 {

@@ -3,6 +3,7 @@
 // What a validation leaves for people: verdicts, tables, numbers and three figures.
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "perilymph/analysis/CalibrationFit.h"
@@ -21,6 +22,25 @@ struct Verdict {
 
 /// Every printed value and feature of the experiment, hits and misses alike.
 std::vector<Verdict> verdictsOf(const ValidationResult& result, const Reference& experiment);
+
+/// What others printed about the experiment: what verdicts and figures are held against.
+struct ValidationReferences {
+  Reference experiment, simulator, difference;
+};
+/// The shipped ones.
+Result<ValidationReferences> validationReferences();
+
+/// What a validation starts from by default: the shipped experiment and how it varied. The number
+/// of insertions, the seed and the jobs stay as the request has them.
+Result<ValidationRequest> shippedValidation(const ValidationReferences& references);
+
+/// Everything a validation writes: names with ending and text, names without ending and figures.
+struct ValidationFiles {
+  std::vector<std::pair<std::string, std::string>> texts;
+  std::vector<std::pair<std::string, Drawing>> figures;
+};
+ValidationFiles validationFiles(const ValidationRequest& request, const ValidationResult& result,
+                                const ValidationReferences& references);
 
 /// `travel_mm, mean_N, sd_N, sem_N, ci95_low_N, ci95_high_N`, every 0.1 mm.
 std::string profileCsv(const ValidationResult& result);

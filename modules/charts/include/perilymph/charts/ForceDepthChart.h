@@ -18,8 +18,9 @@ namespace perilymph::charts {
 /// What of the chart can be switched off.
 enum class ChartLayer { ghost, reference, threshold };
 
-/// A chart of axial force [N] over travel [mm]. Its ranges stand still (0 to 17 mm, 0 to 0.20 N)
-/// and grow in steps when a curve leaves them, also below zero: a withdrawn array pulls.
+/// A chart of axial force [N] over travel [mm]. Its ranges stand still (0 to 17 mm,
+/// -0.01 to 0.20 N) and grow in steps when a curve leaves them, also downward: a withdrawn array
+/// pulls.
 class ForceDepthChart {
 public:
   ForceDepthChart();

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "perilymph/device/FixedReport.h"
 #include "perilymph/device/HapticDevice.h"
 #include "perilymph/device/LinkageKinematics.h"
 #include "perilymph/device/ReportDescriptor.h"
@@ -100,12 +101,6 @@ struct PidLayout {
   std::array<double, 3> signs{1, 1, 1};  ///< Of the magnitude along each axis: 1 or -1.
   double gain = 1.0;                     ///< Device gain, as a share of the most.
   bool resetFirst = true;                ///< Send "reset" before effects are created.
-};
-
-/// A report to be sent as it is.
-struct FixedReport {
-  ReportKind kind = ReportKind::output;  ///< Output or feature.
-  std::vector<std::uint8_t> bytes;       ///< The report's number first, 0 if it has none.
 };
 
 struct DeviceProfile {

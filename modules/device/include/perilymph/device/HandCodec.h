@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
+#include "perilymph/device/FixedReport.h"
 #include "perilymph/device/HapticDevice.h"
 #include "perilymph/device/Transport.h"
 #include "perilymph/foundation/Result.h"
@@ -19,6 +21,12 @@ struct ReportList {
   static constexpr std::size_t most = 4;
   std::array<RawReport, most> reports{};
   std::size_t count = 0;
+};
+
+/// What takes a force away when nobody is left who could compute one.
+struct Farewell {
+  std::vector<FixedReport> noForce;    ///< Every actuator at zero; the device goes on.
+  std::vector<FixedReport> switchOff;  ///< Effects stopped, actuators off: nothing follows.
 };
 
 /// A codec is built from a device profile and, where the device describes itself, from its report
@@ -42,6 +50,9 @@ public:
   virtual Result<Done> begin(Transport& transport) = 0;
   /// Stops every effect and disables the actuators, as far as the device still listens. Blocks.
   virtual void end(Transport& transport) noexcept = 0;
+  /// The reports of end(), for somebody else to send; after begin(). Empty for a device that shows
+  /// no force.
+  virtual Farewell farewell() const { return {}; }
 };
 
 struct DeviceProfile;

@@ -23,11 +23,12 @@ struct ReadingFigures {
 
 /// What the writing side counted since the device was opened.
 struct WritingFigures {
-  std::uint64_t accepted = 0;  ///< Forces the device took.
-  std::uint64_t refused = 0;   ///< Forces it did not take.
-  double timeMedian = 0.0;     ///< For one force, all its reports [s].
-  double timeP99 = 0.0;        ///< [s]
-  double timeMost = 0.0;       ///< [s]
+  std::uint64_t accepted = 0;        ///< Forces the device took.
+  std::uint64_t refused = 0;         ///< Forces it did not take.
+  double timeMedian = 0.0;           ///< For one force, all its reports [s].
+  double timeP99 = 0.0;              ///< [s]
+  double timeMost = 0.0;             ///< [s]
+  bool hasRealTimePriority = false;  ///< The writer goes before ordinary threads.
 };
 
 struct HandHealth {
@@ -37,10 +38,16 @@ struct HandHealth {
   WritingFigures writing;
   double period = 0.0;            ///< Between reports, measured on opening [s]; else the profile's.
   bool isPeriodMeasured = false;  ///< On opening.
-  double delay = 0.0;             ///< From a force to the report that shows it [s].
-  std::uint64_t reconnections = 0;  ///< Times it came back.
-  std::uint64_t blockedWrites = 0;  ///< Times it took no force for too long.
-  std::string trouble;              ///< A sentence; empty while all is well.
+  double delay = 0.0;             ///< On the way to the device and back, without waiting [s].
+  /// From a force to the report that shows it [s]: measured where the device answers, else the most
+  /// it can be, the way there and a period of reports.
+  double roundTrip = 0.0;
+  bool isRoundTripMeasured = false;  ///< On opening.
+  std::uint64_t reconnections = 0;   ///< Times it came back.
+  std::uint64_t blockedWrites = 0;   ///< Times it took no force for too long.
+  bool isGuarded = false;            ///< Another process takes the force away if this one dies.
+  std::string guardObstacle;         ///< A sentence: why a device that shows force is not guarded.
+  std::string trouble;               ///< A sentence; empty while all is well.
 };
 
 }  // namespace perilymph::device

@@ -36,7 +36,8 @@ struct SystemRoots {
 };
 
 /// The system's own; with PERILYMPH_SYSTEM_ROOT in the environment the folders `sys` and `dev` in
-/// that one: a tree recorded elsewhere.
+/// that one: a tree recorded elsewhere. A file there in place of a node is a ReportTape, and is
+/// played.
 SystemRoots systemRoots();
 
 /// Every hidraw node, in the order of their numbers. Nodes that vanish while they are looked at are

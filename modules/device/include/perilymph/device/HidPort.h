@@ -17,6 +17,10 @@ public:
   /// A new handle on the device, wherever it is now. Blocks for a moment.
   virtual Result<std::unique_ptr<Transport>> open() = 0;
 
+  /// A descriptor of the device open() found, that only writes: for another process that shall
+  /// outlive this one. The caller closes it. -1 where there is none.
+  virtual int fileForGuard() noexcept { return -1; }
+
   /// Waits until something was plugged in or out, at most so long; it may also return early.
   virtual void awaitChange(Duration most) noexcept = 0;
 };

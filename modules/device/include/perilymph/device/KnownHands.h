@@ -37,11 +37,14 @@ DeviceSurvey surveyDevices(const SystemRoots& roots = {});
 /// The same with profiles of the caller's.
 DeviceSurvey surveyDevices(const std::vector<DeviceProfile>& profiles, const SystemRoots& roots);
 
-/// The usable device of that name, node ("hidraw3" or its path) or numbers ("256f:c635"). A sentence
-/// with those there are if none fits.
+/// The usable device of that name, node ("hidraw3" or its path) or numbers ("256f:c635"). A
+/// sentence with those there are if none fits.
 Result<FoundHand> findHand(const DeviceSurvey& survey, const std::string& nameOrNode);
 
 /// The hand of a usable device; not yet open.
-Result<std::unique_ptr<HidHand>> makeHidHand(const FoundHand& found, const SystemRoots& roots = {});
+///
+/// @param tape  Where to keep all its reports (ReportTape); nowhere without.
+Result<std::unique_ptr<HidHand>> makeHidHand(const FoundHand& found, const SystemRoots& roots = {},
+                                             const std::filesystem::path& tape = {});
 
 }  // namespace perilymph::device

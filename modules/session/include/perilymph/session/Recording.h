@@ -29,6 +29,7 @@ struct RecordingFacts {
   double timeStep = 1e-3;      ///< [s]
   double samplePeriod = 1e-3;  ///< EngineSettings::samplePeriod [s].
   double mostForce = 3.3;      ///< SafetyLimits::mostForce [N].
+  double offTime = 3e-3;       ///< SafetyLimits::offTime [s].
   double reach = 0.0;          ///< SafetyLimits::reach [m].
   bool feelsForce = false;     ///< The hand feels forces: the coupling is a spring.
   /// EngineSettings of the same names [N/m], [N.s/m].

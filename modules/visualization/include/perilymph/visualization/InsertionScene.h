@@ -8,6 +8,7 @@
 #include "perilymph/anatomy/ScalaTympani.h"
 #include "perilymph/electrode/ArrayDesign.h"
 #include "perilymph/haptics/Snapshot.h"
+#include "perilymph/visualization/Quality.h"
 
 class vtkRenderer;
 class vtkRenderWindow;
@@ -26,11 +27,18 @@ enum class CameraPreset {
   section      ///< Across the basal turn: the lumen from its side.
 };
 
-/// How much the machine can draw in a frame.
-enum class Quality {
-  software,  ///< A CPU draws: ordered translucency, edges smoothed by geometry.
-  gpu        ///< Depth peeling and smoothed edges everywhere.
+/// How the two eyes get their pictures.
+enum class Stereo {
+  off,
+  anaglyph,     ///< Red for the left eye, cyan for the right one.
+  sideBySide,   ///< Left and right half, each half as wide.
+  interlaced,   ///< Line by line.
+  quadBuffered  ///< Two buffers of the display; only where its window has them.
 };
+
+/// Angle between the eyes: 24 mm between the beams of an operating microscope at its working
+/// distance of 250 mm.
+inline constexpr double eyeAngle_deg = 5.5;
 
 /// The scala tympani, the array in it and the forces between them. Millimeters inside VTK; a left
 /// ear is mirrored here, y to -y.
@@ -53,6 +61,11 @@ public:
   void show(const haptics::Snapshot& now);
 
   void setVisible(Part part, bool visible);
+  bool isVisible(Part part) const;
+  /// Depth by two eyes. The plane of the focus stays where it is in both pictures; what lies a
+  /// height h toward the viewer is 2 h tan(eyeAngle_deg / 2) further left in the right eye's.
+  void setStereo(Stereo stereo);
+  Stereo stereo() const noexcept;
   /// Sizes of type and lines for a screen's pixel ratio; 1 by default.
   void setScale(double pixelRatio);
   /// Where the scale bars stand above the lower edge, at pixel ratio 1; 34 by default. A window

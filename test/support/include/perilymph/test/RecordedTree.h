@@ -41,6 +41,8 @@ public:
                                               sys() / "class/hidraw" / device.node);
   }
   void addNode(const std::string& node) { write(dev() / node, ""); }
+  /// A node whose device says what is on a tape.
+  void addTape(const std::string& node, const std::string& tape) { write(dev() / node, tape); }
 
   device::SystemRoots roots() const { return {sys(), dev()}; }
   const std::filesystem::path root() const { return folder_.path(); }

@@ -1,0 +1,177 @@
+#include "InsertionViews.h"
+
+#include "FlatViews.h"
+#include "ForceCharts.h"
+#include "FrameMeter.h"
+#include "OperationView.h"
+#include "Pane.h"
+#include "Settings.h"
+#include "Theme.h"
+#include "ViewMenu.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr auto layoutKey = "insert/layout";
+constexpr auto qualityKey = "insert/quality";
+
+PaneLayout keptLayout()
+{
+  const QString word = Settings().value(QLatin1String(layoutKey)).toString();
+  return word == QLatin1String("one")    ? PaneLayout::one
+         : word == QLatin1String("four") ? PaneLayout::four
+                                         : PaneLayout::two;
+}
+
+void keepLayout(PaneLayout layout)
+{
+  Settings().setValue(QLatin1String(layoutKey),
+                      QLatin1String(layout == PaneLayout::one    ? "one"
+                                    : layout == PaneLayout::four ? "four"
+                                                                 : "two"));
+}
+
+QualityChoice keptQuality()
+{
+  return qualityNamed(Settings().value(QLatin1String(qualityKey)).toString().toStdString())
+      .value_or(std::nullopt);
+}
+
+void keepQuality(QualityChoice choice)
+{
+  Settings().setValue(QLatin1String(qualityKey), QString::fromStdString(nameOf(choice)));
+}
+
+}  // namespace
+
+InsertionViews::InsertionViews(QWidget* parent)
+    : PaneArea(parent),
+      operation_(new OperationView(this)),
+      charts_(new ForceCharts(this)),
+      flat_(new FlatViews(this)),
+      menu_(new ViewMenu(operation_))
+{
+  add(PaneRole::picture, operation_);
+  add(PaneRole::travel, charts_->overTravel());
+  add(PaneRole::components, charts_->components());
+  add(PaneRole::unrolled, flat_->unrolled());
+  add(PaneRole::section, flat_->section());
+  add(PaneRole::distances, flat_->distances());
+  operation_->addToFoot(menu_);
+  setArrangement(keptLayout());
+  connectParts();
+}
+
+InsertionViews::~InsertionViews() = default;
+
+void InsertionViews::connectParts()
+{
+  const std::pair<PaneRole, Pane*> panes[] = {{PaneRole::travel, charts_->overTravel()},
+                                              {PaneRole::components, charts_->components()},
+                                              {PaneRole::unrolled, flat_->unrolled()},
+                                              {PaneRole::section, flat_->section()},
+                                              {PaneRole::distances, flat_->distances()}};
+  for (const auto& [role, pane] : panes)
+    connect(pane, &Pane::maximizeAsked, this, [this, asked = role] { toggleMaximized(asked); });
+  connect(operation_, &OperationView::maximizeAsked, this,
+          [this] { toggleMaximized(PaneRole::picture); });
+  connect(this, &PaneArea::arrangementChanged, this, [this](PaneLayout layout) {
+    keepLayout(layout);
+    menu_->setArrangement(layout);
+  });
+  connect(operation_, &OperationView::presetChanged, menu_, &ViewMenu::setPreset);
+  connect(menu_, &ViewMenu::presetChosen, this, &InsertionViews::lookFrom);
+  connect(menu_, &ViewMenu::arrangementChosen, this, &PaneArea::setArrangement);
+  connect(menu_, &ViewMenu::stereoChosen, this, &InsertionViews::setStereo);
+  connect(menu_, &ViewMenu::qualityChosen, this, &InsertionViews::chooseQuality);
+  menu_->setArrangement(arrangement());
+  menu_->setStereo(visualization::Stereo::off);
+  menu_->setQuality(std::nullopt);
+  refuseQuadBuffered(tr("not on this display"));
+}
+
+void InsertionViews::lookFrom(visualization::CameraPreset preset) { operation_->glideTo(preset); }
+
+void InsertionViews::setStereo(visualization::Stereo stereo)
+{
+  operation_->setStereo(stereo);
+  menu_->setStereo(stereo);
+}
+
+void InsertionViews::nextStereo()
+{
+  using visualization::Stereo;
+  const auto next = static_cast<Stereo>(static_cast<int>(operation_->stereo()) + 1);
+  setStereo(next == Stereo::quadBuffered ? Stereo::off : next);
+}
+
+void InsertionViews::refuseQuadBuffered(const QString& reason)
+{
+  menu_->refuseQuadBuffered(reason);
+}
+
+void InsertionViews::drawBy(const std::string& renderer, std::optional<QualityChoice> asked)
+{
+  pilot_ = QualityPilot(renderer);
+  measures_ = true;
+  pilot_.choose(asked ? *asked : keptQuality());
+  menu_->setQuality(pilot_.choice());
+  redraw();
+}
+
+void InsertionViews::chooseQuality(QualityChoice choice)
+{
+  pilot_.choose(choice);
+  keepQuality(choice);
+  menu_->setQuality(choice);
+  redraw();
+}
+
+void InsertionViews::weigh(const FrameMeter& meter)
+{
+  const bool isEnough =
+      meter.frames() >= QualityPilot::leastFrames && meter.span_s() >= QualityPilot::firstSecond_s;
+  if (!measures_ || !isEnough) return;
+  measures_ = false;  // once: sorting an hour of frames would cost frames itself
+  if (pilot_.weigh(meter.frames(), meter.span_s(), meter.quantile_ms(0.5))) redraw();
+}
+
+void InsertionViews::redraw()
+{
+  if (scala_ != nullptr) {
+    operation_->replaceScene(
+        std::make_unique<visualization::InsertionScene>(*scala_, array_, side_, pilot_.quality()));
+    operation_->showArray(shown_);
+  }
+  Q_EMIT qualityChanged();
+}
+
+void InsertionViews::setScene(const anatomy::ScalaTympani& scala, const session::Scenario& scenario)
+{
+  scala_ = &scala;
+  array_ = scenario.array;
+  side_ = scenario.patient.side;
+  operation_->setScene(
+      std::make_unique<visualization::InsertionScene>(scala, array_, side_, pilot_.quality()));
+  flat_->setScene(scala, array_);
+}
+
+void InsertionViews::forgetScene()
+{
+  scala_ = nullptr;
+  flat_->forgetScene();
+}
+
+void InsertionViews::showSlowly(const haptics::Snapshot& now)
+{
+  shown_ = now;
+  flat_->show(now);
+}
+
+QSize InsertionViews::minimumSizeHint() const
+{
+  return {operation_->minimumSizeHint().width() + chartColumnWidth + 1, 400};
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,83 @@
+#include "DrawingPainter.h"
+
+#include <cmath>
+
+#include "Theme.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+QColor colorOf(const analysis::Ink& ink)
+{
+  QColor color(ink.rgb[0], ink.rgb[1], ink.rgb[2]);
+  color.setAlphaF(ink.opacity);
+  return color;
+}
+
+QPolygonF polygonOf(const std::vector<analysis::PagePoint>& points)
+{
+  QPolygonF polygon;
+  for (const analysis::PagePoint& point : points) polygon << QPointF(point.x, point.y);
+  return polygon;
+}
+
+/// Draws one mark in page points.
+struct MarkPainter {
+  QPainter& painter;
+  Lettering lettering;
+
+  void operator()(const analysis::Area& area) const
+  {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colorOf(area.ink));
+    painter.drawPolygon(polygonOf(area.points));
+  }
+
+  void operator()(const analysis::Stroke& stroke) const
+  {
+    QPen pen(colorOf(stroke.ink), stroke.width, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
+    if (stroke.dash > 0.0)
+      pen.setDashPattern({stroke.dash / stroke.width, stroke.dash / stroke.width});
+    painter.setPen(pen);
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPolyline(polygonOf(stroke.points));
+  }
+
+  void operator()(const analysis::Disk& disk) const
+  {
+    painter.setPen(QPen(colorOf(disk.outline), 1.0));
+    painter.setBrush(colorOf(disk.fill));
+    painter.drawEllipse(QPointF(disk.center.x, disk.center.y), disk.radius, disk.radius);
+  }
+
+  void operator()(const analysis::Words& words) const
+  {
+    const double fine = lettering == Lettering::scaled ? 16.0 : 1.0;
+    const QFont font = typeface(int(std::lround(words.size * fine)),
+                                words.isBold ? QFont::DemiBold : QFont::Normal);
+    const QString text = QString::fromStdString(words.text);
+    painter.save();
+    painter.translate(words.at.x, words.at.y);
+    if (words.direction == analysis::Direction::upward) painter.rotate(-90.0);
+    if (fine != 1.0) painter.scale(1.0 / fine, 1.0 / fine);
+    painter.setFont(font);
+    painter.setPen(colorOf(words.ink));
+    const double width = QFontMetricsF(font).horizontalAdvance(text);
+    const double left = words.anchor == analysis::Anchor::start    ? 0.0
+                        : words.anchor == analysis::Anchor::middle ? -0.5 * width
+                                                                   : -width;
+    painter.drawText(QPointF(left, 0.0), text);
+    painter.restore();
+  }
+};
+
+}  // namespace
+
+void paintMarks(QPainter& painter, const analysis::Drawing& drawing, Lettering lettering)
+{
+  for (const analysis::Mark& mark : drawing.marks)
+    std::visit(MarkPainter{painter, lettering}, mark);
+}
+
+}  // namespace perilymph::gui

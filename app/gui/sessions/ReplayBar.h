@@ -1,0 +1,59 @@
+#pragma once
+
+// The bar at the bottom while a recording is replayed: play, step, speed, and where one is.
+
+#include <QWidget>
+
+class QLabel;
+class QPushButton;
+
+namespace perilymph::gui {
+
+class Replay;
+
+/// A line to drag along: how far the replay is, and how far it is ready.
+class Scrubber : public QWidget {
+  Q_OBJECT
+public:
+  explicit Scrubber(QWidget* parent);
+  void setShares(double here, double ready);
+  double share() const { return here_; }
+  QSize sizeHint() const override { return {240, 28}; }
+
+Q_SIGNALS:
+  void draggedTo(double share);
+
+protected:
+  void paintEvent(QPaintEvent*) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+
+private:
+  double here_ = 0.0, ready_ = 0.0;
+};
+
+class ReplayBar : public QWidget {
+  Q_OBJECT
+public:
+  explicit ReplayBar(QWidget* parent);
+
+  /// Says where a replay is.
+  void showPlace(const Replay& replay);
+
+Q_SIGNALS:
+  void playAsked();
+  void stepAsked(int ticks);
+  void slowerAsked();
+  void fasterAsked();
+  void draggedTo(double share);
+  void closeAsked();
+
+private:
+  QPushButton* addButton(const QString& text, const char* name, int width, const QString& tip);
+
+  QPushButton *play_, *back_, *forth_, *slower_, *faster_, *close_;
+  QLabel *speed_, *time_, *status_;
+  Scrubber* scrubber_;
+};
+
+}  // namespace perilymph::gui

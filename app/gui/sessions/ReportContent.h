@@ -1,0 +1,38 @@
+#pragma once
+
+// All that a report says about one recorded insertion, read and computed beside the UI thread.
+
+#include <QImage>
+#include <QString>
+#include <atomic>
+#include <filesystem>
+#include <optional>
+
+#include "perilymph/analysis/Score.h"
+#include "perilymph/session/Recording.h"
+#include "perilymph/session/Replay.h"
+#include "perilymph/session/Scenario.h"
+
+namespace perilymph::gui {
+
+struct ReportContent {
+  std::filesystem::path file;
+  std::uint64_t bytes = 0;
+  QString sha256;  ///< Of the recording, in hexadecimal digits.
+  session::RecordingFacts facts;
+  std::uint64_t lostRecords = 0;
+  bool wasClosed = true;
+  session::Scenario scenario;
+  analysis::ComparedInsertion insertion;
+  std::optional<analysis::InsertionScore> score;
+  session::Verification verification;
+  std::optional<analysis::Reference> published;
+  QImage picture;         ///< At the deepest place.
+  double depth_mm = 0.0;  ///< Of the tip in the picture.
+};
+
+/// Replays the recording, which takes about a tenth of the time it took.
+Result<ReportContent> gatherReport(const std::filesystem::path& file,
+                                   const std::atomic<bool>& isCanceled);
+
+}  // namespace perilymph::gui

@@ -1,0 +1,191 @@
+#include "SessionTable.h"
+
+#include <QColor>
+#include <QDateTime>
+#include <QIcon>
+
+#include "Numbers.h"
+#include "Theme.h"
+#include "perilymph/foundation/Units.h"
+
+namespace perilymph::gui {
+
+using session::SessionSummary;
+
+namespace {
+
+QString nameOf(const SessionSummary& session)
+{
+  return QString::fromStdString(session.file.stem().string());
+}
+
+/// The same picture in a chosen row: Qt would tint it.
+QIcon plainIcon(const QPixmap& pixmap)
+{
+  QIcon icon(pixmap);
+  icon.addPixmap(pixmap, QIcon::Selected);
+  return icon;
+}
+
+bool hasNumbers(const SessionSummary& session) { return session.highlights.ticks > 0; }
+
+}  // namespace
+
+QString recordedText(const SessionSummary& session)
+{
+  const auto utc = QDateTime::fromString(QString::fromStdString(session.startedUtc), Qt::ISODate);
+  return utc.isValid() ? utc.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm")) : QString();
+}
+
+SessionTable::SessionTable(QObject* parent)
+    : QAbstractTableModel(parent), thumbnails_(new Thumbnails(this))
+{
+  connect(thumbnails_, &Thumbnails::painted, this, [this] {
+    if (!sessions_.empty())
+      Q_EMIT dataChanged(index(0, picture), index(rowCount() - 1, picture), {Qt::DecorationRole});
+  });
+}
+
+void SessionTable::setSessions(std::vector<SessionSummary> sessions)
+{
+  beginResetModel();
+  sessions_ = std::move(sessions);
+  endResetModel();
+}
+
+int SessionTable::rowCount(const QModelIndex& parent) const
+{
+  return parent.isValid() ? 0 : int(sessions_.size());
+}
+
+int SessionTable::columnCount(const QModelIndex& parent) const
+{
+  return parent.isValid() ? 0 : columns;
+}
+
+QString SessionTable::text(const SessionSummary& session, int column) const
+{
+  const session::Highlights& found = session.highlights;
+  switch (column) {
+    case recorded:
+      return session.isBeingRecorded ? tr("recording now") : recordedText(session);
+    case name:
+      return nameOf(session);
+    case patient:
+      if (session.patient.empty()) return session.trouble.empty() ? QString() : tr("unreadable");
+      return tr("%1 · %2").arg(QString::fromStdString(session.patient),
+                               session.side == "left" ? tr("left") : tr("right"));
+    case array:
+      return QString::fromStdString(session.array);
+    case duration:
+      return hasNumbers(session) ? tr("%1 s").arg(numberText(found.duration, 1)) : QString();
+    case angle:
+      return hasNumbers(session)
+                 ? tr("%1°").arg(numberText(inDegrees(radians(found.deepestAngle)), 0))
+                 : QString();
+    case peak:
+      return hasNumbers(session) ? tr("%1 mN at %2 mm")
+                                       .arg(numberText(inMillinewtons(newtons(found.peakForce)), 0),
+                                            numberText(inMillimeters(meters(found.peakDepth)), 1))
+                                 : QString();
+    default:
+      return {};
+  }
+}
+
+QVariant SessionTable::sortValue(const SessionSummary& session, int column) const
+{
+  switch (column) {
+    case duration:
+      return session.highlights.duration;
+    case angle:
+      return session.highlights.deepestAngle;
+    case peak:
+      return session.highlights.peakForce;
+    case picture:
+    case recorded:
+      // what is being recorded is the newest
+      return session.isBeingRecorded ? QStringLiteral("~")
+                                     : QString::fromStdString(session.startedUtc);
+    default:
+      return text(session, column).toLower();
+  }
+}
+
+QVariant SessionTable::data(const QModelIndex& index, int role) const
+{
+  if (!index.isValid()) return {};
+  const SessionSummary& shown = session(index.row());
+  switch (role) {
+    case Qt::DisplayRole:
+    case Qt::EditRole:
+      return text(shown, index.column());
+    case Qt::DecorationRole:
+      return index.column() == picture ? QVariant(plainIcon(thumbnails_->find(shown))) : QVariant();
+    case Qt::ToolTipRole:
+      return shown.trouble.empty() ? QString::fromStdString(shown.file.string())
+                                   : QString::fromStdString(shown.trouble);
+    case Qt::TextAlignmentRole:
+      return index.column() >= duration ? int(Qt::AlignRight | Qt::AlignVCenter)
+                                        : int(Qt::AlignLeft | Qt::AlignVCenter);
+    case Qt::ForegroundRole:
+      if (!shown.trouble.empty()) return warningColor;
+      return index.column() == name ? quietTextColor : textColor;
+    case sortRole:
+      return sortValue(shown, index.column());
+    case searchRole: {
+      QStringList words;
+      for (int column = recorded; column <= array; ++column) words << text(shown, column);
+      words << QString::fromStdString(shown.scenario) << QString::fromStdString(shown.device);
+      return words.join(QLatin1Char(' '));
+    }
+    default:
+      return {};
+  }
+}
+
+QVariant SessionTable::headerData(int section, Qt::Orientation orientation, int role) const
+{
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::TextAlignmentRole)
+    return section >= duration ? int(Qt::AlignRight | Qt::AlignVCenter)
+                               : int(Qt::AlignLeft | Qt::AlignVCenter);
+  if (role != Qt::DisplayRole) return {};
+  switch (section) {
+    case recorded:
+      return tr("Recorded");
+    case name:
+      return tr("Name");
+    case patient:
+      return tr("Patient, ear");
+    case array:
+      return tr("Array");
+    case duration:
+      return tr("Duration");
+    case angle:
+      return tr("Deepest angle");
+    case peak:
+      return tr("Peak force at depth");
+    default:
+      return {};
+  }
+}
+
+Qt::ItemFlags SessionTable::flags(const QModelIndex& index) const
+{
+  Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+  if (index.isValid() && index.column() == name && !session(index.row()).isBeingRecorded)
+    flags |= Qt::ItemIsEditable;
+  return flags;
+}
+
+bool SessionTable::setData(const QModelIndex& index, const QVariant& value, int role)
+{
+  if (role != Qt::EditRole || index.column() != name) return false;
+  const QString asked = value.toString().trimmed();
+  if (asked == nameOf(session(index.row()))) return false;
+  Q_EMIT renameAsked(session(index.row()).file, asked);
+  return true;
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,85 @@
+#include "perilymph/analysis/Score.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace perilymph::analysis {
+
+namespace {
+
+// What hands do that are asked to go slower than hands can: at 15 mm/min (Kesler 2017).
+constexpr double reversalsOfTooSlowHands = 18.6;
+constexpr double shareStillOfTooSlowHands = 0.157;
+
+std::string fixed(double value, int decimals)
+{
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return text;
+}
+
+std::string percent(double share) { return fixed(100.0 * share, 0) + " %"; }
+
+/// 1 at the best value, 0 at the worst, evenly in between.
+double between(double value, double best, double worst)
+{
+  return std::clamp((worst - value) / (worst - best), 0.0, 1.0);
+}
+
+}  // namespace
+
+std::string InsertionScore::sentence() const
+{
+  std::string text = fixed(total, 0) + " of 100:";
+  for (std::size_t i = 0; i < criteria.size(); ++i)
+    text += (i == 0 ? " " : ", ") + criteria[i].name + " " + percent(criteria[i].share);
+  return text;
+}
+
+InsertionScore scoreOf(const ComparedInsertion& insertion, const PrintedRange& peakBand)
+{
+  const Motion& motion = insertion.motion;
+  const double inBand = motion.wayIn > 0.0 ? motion.wayInBand / motion.wayIn : 0.0;
+  const double still = motion.time > 0.0 ? motion.timeStill / motion.time : 0.0;
+  const double peak = insertion.profile.peak.force;
+  const double low_mN = inMillinewtons(newtons(peakBand.low));
+  const double high_mN = inMillinewtons(newtons(peakBand.high));
+
+  InsertionScore score;
+  score.criteria = {
+      {"speed", percent(inBand) + " of the way in at 0.1 to 2.0 mm/s",
+       "all of the way within 0.1 to 2.0 mm/s; none at 0 %",
+       "robots go at 0.1 to 1.0 mm/s (iotaSOFT), hands in cadaver heads at 0.66 ± 0.31 mm/s; "
+       "phantoms were measured at 0.1 to 2.0 mm/s (Froehlich 2024)",
+       inBand},
+      {"reversals", std::to_string(motion.reversals) + " on the way to the deepest place",
+       "0 give all points; 18.6 none",
+       "Kesler 2017: 18.6 reversals of hands that were asked to go at 15 mm/min",
+       between(motion.reversals, 0.0, reversalsOfTooSlowHands)},
+      {"peak force", fixed(inMillinewtons(newtons(peak)), 1) + " mN",
+       "up to " + fixed(low_mN, 1) + " mN all points; from " + fixed(high_mN, 1) + " mN on none",
+       peakBand.source, between(peak, peakBand.low, peakBand.high)},
+      {"smoothness", percent(still) + " of the time standing still (below 0.1 mm/s)",
+       "0 % gives all points; 15.7 % none",
+       "Kesler 2017: hands that were asked to go at 15 mm/min stood still 15.7 % of the time",
+       between(still, 0.0, shareStillOfTooSlowHands)}};
+  double sum = 0.0;
+  for (const ScoreCriterion& criterion : score.criteria) sum += criterion.share;
+  score.total = 100.0 * sum / static_cast<double>(score.criteria.size());
+  return score;
+}
+
+Result<InsertionScore> scoreOf(const ComparedInsertion& insertion)
+{
+  const auto inVivo = shippedReference("in-vivo");
+  if (!inVivo) return inVivo.error();
+  const PrintedRange* peak = inVivo->findRange("peak");
+  if (peak == nullptr)
+    return Error{
+        "The reference 'in-vivo' has no range of the quantity 'peak', so no insertion can "
+        "be scored. Put the shipped file back."};
+  return scoreOf(insertion, *peak);
+}
+
+}  // namespace perilymph::analysis

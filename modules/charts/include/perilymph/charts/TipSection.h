@@ -1,0 +1,32 @@
+#pragma once
+
+// The section through the scala tympani where the tip is, with the array in it.
+
+#include "perilymph/analysis/Drawing.h"
+#include "perilymph/charts/ArrayInScala.h"
+
+namespace perilymph::charts {
+
+/// The half-plane through the modiolar axis at the tip: modiolus at the left, apex up, to scale.
+/// The array is cut where its rounded tip ends and it has its full width. The arrow is the sum of
+/// the wall's normal forces on the last millimeter of array, as long as arrow_px_mN says.
+class TipSection {
+public:
+  static constexpr double forceReach_mm = 1.0;
+  static constexpr double arrow_px_mN = 1.0;
+  static constexpr double longestArrow_px = 60.0;
+
+  explicit TipSection(const anatomy::ScalaTympani& scala);
+
+  /// The view in so many pixels. Before the tip is in, the section at the round window.
+  analysis::Drawing draw(const ArrayInScala& now, double width, double height) const;
+
+  /// The angle of the section drawn for an array.
+  static double angle_deg(const ArrayInScala& now);
+
+private:
+  const anatomy::ScalaTympani& scala_;
+  double halfWidth_mm_ = 0.0, halfHeight_mm_ = 0.0;  ///< That hold every section.
+};
+
+}  // namespace perilymph::charts

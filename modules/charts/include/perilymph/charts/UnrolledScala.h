@@ -1,0 +1,40 @@
+#pragma once
+
+// The scala tympani rolled out: angle along, width across, with the array and its contacts in it.
+
+#include <vector>
+
+#include "perilymph/analysis/Drawing.h"
+#include "perilymph/charts/ArrayInScala.h"
+
+namespace perilymph::charts {
+
+/// The scala seen along the modiolus and rolled out: angle from the round window [degrees] to the
+/// right, radial distance from the section's center [mm] upward, outer wall at the top. The two
+/// scales differ. The lumen is drawn as wide as its widest place, so an array on the floor may
+/// touch where it seems free.
+///
+/// The normal force of the wall on each millimeter of array stands as a bar on the wall that
+/// presses; forces of floor and roof stand as rings on the array.
+class UnrolledScala {
+public:
+  /// Length of a bar for so much force per length.
+  static constexpr double bar_px = 18.0, bar_mN_mm = 50.0;
+
+  explicit UnrolledScala(const anatomy::ScalaTympani& scala);
+
+  /// The view in so many pixels. The range, 0 to 540 degrees, grows by quarter turns with the tip.
+  analysis::Drawing draw(const ArrayInScala& now, double width, double height) const;
+
+private:
+  struct Width {
+    double angle_deg, inner_mm, outer_mm;
+  };
+  Width widthAt(double angle_deg) const;
+
+  double lastAngle_deg_, leadIn_deg_;
+  double inner_mm_ = 0.0, outer_mm_ = 0.0;  ///< Of the widest place.
+  std::vector<Width> widths_;               ///< At equal angles, from the opening on.
+};
+
+}  // namespace perilymph::charts

@@ -1,0 +1,58 @@
+#pragma once
+
+// A sheet with two axes that flat views are drawn on.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "AxisRange.h"
+#include "SheetInk.h"
+#include "perilymph/analysis/Drawing.h"
+
+namespace perilymph::charts {
+
+/// Pixels around the plot.
+struct SheetMargins {
+  double left = 40.0, right = 8.0, top = 8.0, bottom = 22.0;
+};
+
+/// The plot of a drawing, in pixels from its upper left corner; y grows upward in values.
+class PlotSheet {
+public:
+  /// Fills the sheet and the plot's ground. A size without room for a plot gives a plot of 1 pixel.
+  PlotSheet(double width, double height, const SheetMargins& margins, const AxisRange& x,
+            const AxisRange& y);
+
+  double x(double value) const;
+  double y(double value) const;
+  analysis::PagePoint at(double xValue, double yValue) const { return {x(xValue), y(yValue)}; }
+  double left() const { return left_; }
+  double right() const { return right_; }
+  double top() const { return top_; }
+  double bottom() const { return bottom_; }
+
+  /// Grid lines and numbers at the ticks; `unit` stands behind each number.
+  void addXTicks(int every, const std::string& unit);
+  void addYTicks(int decimals);
+
+  template <class Mark>
+  void add(Mark mark)
+  {
+    drawing_.marks.emplace_back(std::in_place_type<Mark>, std::move(mark));
+  }
+  /// Words of the size of labels.
+  void write(analysis::PagePoint at, std::string text, const analysis::Ink& ink,
+             analysis::Anchor anchor = analysis::Anchor::start);
+  analysis::Drawing take() { return std::move(drawing_); }
+
+private:
+  double left_, right_, top_, bottom_;
+  AxisRange x_, y_;
+  analysis::Drawing drawing_;
+};
+
+/// A number with so many decimals; never "-0".
+std::string written(double value, int decimals);
+
+}  // namespace perilymph::charts

@@ -1,0 +1,178 @@
+#include "perilymph/charts/TipSection.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "PlotSheet.h"
+#include "perilymph/charts/Wording.h"
+#include "perilymph/foundation/Units.h"
+
+namespace perilymph::charts {
+
+using analysis::Anchor;
+using analysis::Area;
+using analysis::PagePoint;
+using analysis::Stroke;
+
+namespace {
+
+constexpr int directions = 120;
+constexpr double side_px = 14.0;
+constexpr double top_px = 30.0, bottom_px = 58.0;  ///< For names, scale and force.
+constexpr double longestCut = 3.0;                 ///< Of a slanting array's section, in radii.
+
+/// From the section's center to the wall [mm], across and up.
+std::vector<Eigen::Vector2d> outline_mm(const anatomy::ScalaTympani& scala, double angle)
+{
+  const Eigen::Vector3d center_W = scala.center_W(angle);
+  std::vector<Eigen::Vector2d> outline;
+  for (int k = 0; k < directions; ++k) {
+    const Eigen::Vector3d wall_W = scala.wall_W(angle, 2.0 * pi * k / directions);
+    outline.push_back({1e3 * (wall_W.head<2>().norm() - center_W.head<2>().norm()),
+                       1e3 * (wall_W.z() - center_W.z())});
+  }
+  return outline;
+}
+
+Length cutBehindTip(const ArrayInScala& now) { return now.array().tipRadius(); }
+
+/// Places of the section on the sheet, to scale.
+struct Frame {
+  double x, y, px_mm;  // of the section's center
+  PagePoint at(const Eigen::Vector2d& place_mm) const
+  {
+    return {x + px_mm * place_mm.x(), y - px_mm * place_mm.y()};
+  }
+};
+
+void drawArray(PlotSheet& sheet, const Frame& frame, const ArrayInScala& now)
+{
+  const NodePlace cut = now.at(inMillimeters(cutBehindTip(now)));
+  const double radius_mm = 0.5 * inMillimeters(now.array().sectionAt(cutBehindTip(now)).within);
+  // a slanting tube leaves an ellipse in the plane
+  const Eigen::Vector2d lean = cut.along.head<2>();
+  const double stretch =
+      std::min(longestCut, 1.0 / std::max(std::abs(cut.along.z()), 1.0 / longestCut));
+  const Eigen::Vector2d longAxis =
+      lean.norm() > 1e-6 ? Eigen::Vector2d(lean.normalized()) : Eigen::Vector2d::UnitX();
+  const Eigen::Vector2d shortAxis(-longAxis.y(), longAxis.x());
+  std::vector<PagePoint> ring;
+  for (int k = 0; k <= directions; ++k) {
+    const double turn = 2.0 * pi * k / directions;
+    ring.push_back(
+        frame.at(Eigen::Vector2d(cut.across_mm, cut.up_mm) +
+                 radius_mm * (stretch * std::cos(turn) * longAxis + std::sin(turn) * shortAxis)));
+  }
+  sheet.add(Area{ring, ink::silicone});
+  sheet.add(Stroke{ring, ink::platinum, 1.5, 0.0});
+}
+
+/// @return The size of the force [mN].
+double drawForce(PlotSheet& sheet, const Frame& frame, const ArrayInScala& now)
+{
+  Eigen::Vector2d force_mN = Eigen::Vector2d::Zero();
+  for (const NodePlace& node : now.nodes())
+    if (node.fromTip_mm <= TipSection::forceReach_mm)
+      force_mN += Eigen::Vector2d(node.pushAcross_mN, node.pushUp_mN);
+  const double size_mN = force_mN.norm();
+  const double length = std::min(TipSection::longestArrow_px, TipSection::arrow_px_mN * size_mN);
+  if (length < 3.0) return size_mN;
+
+  // from the array's edge at the wall, through the array, the way the wall pushes
+  const NodePlace cut = now.at(inMillimeters(cutBehindTip(now)));
+  const double radius_mm = 0.5 * inMillimeters(now.array().sectionAt(cutBehindTip(now)).within);
+  const Eigen::Vector2d way = force_mN / size_mN;
+  const PagePoint from = frame.at(Eigen::Vector2d(cut.across_mm, cut.up_mm) - radius_mm * way);
+  const double head = std::min(9.0, 0.6 * length);
+  const auto along = [&](double px, double aside) {
+    return PagePoint{from.x + px * way.x() + aside * way.y(),
+                     from.y - px * way.y() + aside * way.x()};
+  };
+  sheet.add(Stroke{{along(0.0, 0.0), along(length - head, 0.0)}, ink::ground, 5.0, 0.0});
+  sheet.add(Stroke{{along(0.0, 0.0), along(length - head, 0.0)}, ink::orange, 2.5, 0.0});
+  sheet.add(Area{
+      {along(length, 0.0), along(length - head, 0.5 * head), along(length - head, -0.5 * head)},
+      ink::orange});
+  return size_mN;
+}
+
+void drawScaleBar(PlotSheet& sheet, const Frame& frame)
+{
+  constexpr double bar_mm = 0.5;
+  const double right = sheet.right() - 10.0, y = sheet.top() + 13.0;
+  const double left = right - bar_mm * frame.px_mm;
+  for (const double end : {left, right})
+    sheet.add(Stroke{{{end, y - 4.0}, {end, y + 4.0}}, ink::text, 1.4, 0.0});
+  sheet.add(Stroke{{{left, y}, {right, y}}, ink::text, 1.4, 0.0});
+  sheet.write({left - 8.0, y + 4.0}, withDecimalSign("0.5 mm"), ink::quiet, Anchor::end);
+}
+
+}  // namespace
+
+TipSection::TipSection(const anatomy::ScalaTympani& scala) : scala_(scala)
+{
+  const double last = scala.lastAngle().si();
+  for (double angle = 0.0; angle <= last; angle += degrees(10).si())
+    for (const Eigen::Vector2d& place_mm : outline_mm(scala, angle)) {
+      halfWidth_mm_ = std::max(halfWidth_mm_, std::abs(place_mm.x()));
+      halfHeight_mm_ = std::max(halfHeight_mm_, std::abs(place_mm.y()));
+    }
+}
+
+double TipSection::angle_deg(const ArrayInScala& now)
+{
+  if (now.nodes().empty()) return 0.0;
+  return std::max(0.0, now.at(inMillimeters(cutBehindTip(now))).angle_deg);
+}
+
+analysis::Drawing TipSection::draw(const ArrayInScala& now, double width, double height) const
+{
+  PlotSheet sheet(width, height, {0.0, 0.0, 0.0, 0.0}, {0.0, 1.0, 1.0}, {0.0, 1.0, 1.0});
+  const double angle = degrees(angle_deg(now)).si();
+  const double room_x = std::max(20.0, width - 2.0 * side_px);
+  const double room_y = std::max(20.0, height - top_px - bottom_px);
+  const Frame frame{0.5 * width, top_px + 0.5 * room_y,
+                    std::min(0.5 * room_x / halfWidth_mm_, 0.5 * room_y / halfHeight_mm_)};
+
+  std::vector<PagePoint> wall;
+  double inner_mm = 0.0, outer_mm = 0.0;
+  for (const Eigen::Vector2d& place_mm : outline_mm(scala_, angle)) {
+    wall.push_back(frame.at(place_mm));
+    inner_mm = std::min(inner_mm, place_mm.x());
+    outer_mm = std::max(outer_mm, place_mm.x());
+  }
+  sheet.add(Area{wall, ink::lumen});
+  wall.push_back(wall.front());
+  sheet.add(Stroke{wall, ink::bone, 2.0, 0.0});
+
+  const Eigen::Vector3d center_W = scala_.center_W(angle);
+  const auto membraneAt = [&](double across) {
+    const Eigen::Vector3d place_W = scala_.membrane_W(angle, across);
+    return Eigen::Vector2d(1e3 * (place_W.head<2>().norm() - center_W.head<2>().norm()),
+                           1e3 * (place_W.z() - center_W.z()));
+  };
+  const PagePoint membrane[] = {frame.at(membraneAt(0.0)), frame.at(membraneAt(1.0))};
+  sheet.add(Stroke{{membrane[0], membrane[1]}, ink::membrane, 4.0, 0.0});
+  const double above = std::min({membrane[0].y, membrane[1].y, frame.at({0.0, 0.0}).y}) - 8.0;
+  sheet.write({0.5 * (membrane[0].x + membrane[1].x), above}, wording().basilarMembrane,
+              ink::membrane, Anchor::middle);
+  const double names = frame.at({0.0, -halfHeight_mm_}).y + 16.0;
+  sheet.write({std::max(8.0, frame.at({inner_mm, 0.0}).x), names}, "← " + wording().modiolus,
+              ink::quiet);
+  sheet.write({std::min(width - 8.0, frame.at({outer_mm, 0.0}).x), names},
+              wording().outerWall + " →", ink::quiet, Anchor::end);
+
+  double force_mN = 0.0;
+  if (now.isInside()) {
+    drawArray(sheet, frame, now);
+    force_mN = drawForce(sheet, frame, now);
+  }
+  sheet.write(
+      {10.0, height - 10.0},
+      now.isInside() ? filled(wording().wallForce, {written(force_mN, 0)}) : wording().tipIsOutside,
+      now.isInside() && force_mN >= 1.0 ? ink::orange : ink::quiet);
+  drawScaleBar(sheet, frame);
+  return sheet.take();
+}
+
+}  // namespace perilymph::charts

@@ -1,0 +1,182 @@
+#include "perilymph/charts/UnrolledScala.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "PlotSheet.h"
+#include "perilymph/charts/Wording.h"
+#include "perilymph/foundation/Units.h"
+
+namespace perilymph::charts {
+
+using analysis::Anchor;
+using analysis::Area;
+using analysis::Disk;
+using analysis::PagePoint;
+using analysis::Stroke;
+
+namespace {
+
+constexpr double step_deg = 5.0;
+constexpr int directions = 72;
+constexpr double outside_deg = 20.0;  ///< Shown before the round window.
+constexpr double usualEnd_deg = 540.0, tick_deg = 90.0;
+constexpr double ahead_deg = 30.0;                          ///< Kept free before the tip.
+constexpr double outerRoom_mm = 0.95, innerRoom_mm = 0.65;  ///< Beyond the walls, for the bars.
+constexpr double leastShown_mN = 1.0;
+
+/// Forces on one millimeter of array.
+struct Stretch {
+  int fromTip_mm = 0;  ///< Its end nearer to the tip.
+  double normal_mN = 0.0, across_mN = 0.0, up_mN = 0.0;
+  double from_deg = 0.0, to_deg = 0.0;
+};
+
+std::vector<Stretch> stretches(const ArrayInScala& now)
+{
+  std::vector<Stretch> all;
+  int before = -1;
+  for (const NodePlace& node : now.nodes()) {
+    const int number = static_cast<int>(node.fromTip_mm);
+    if (number != before) all.push_back({number, 0.0, 0.0, 0.0, node.angle_deg, node.angle_deg});
+    before = number;
+    Stretch& here = all.back();
+    here.normal_mN += node.normal_mN;
+    here.across_mN += node.pushAcross_mN;
+    here.up_mN += node.pushUp_mN;
+    here.to_deg = node.angle_deg;
+  }
+  return all;
+}
+
+void drawContacts(PlotSheet& sheet, const ArrayInScala& now)
+{
+  const electrode::ArrayDesign& array = now.array();
+  const double half_mm = 0.5 * inMillimeters(array.contactLength);
+  for (const Length contact : array.contactsFromTip) {
+    const double place_mm = inMillimeters(contact);
+    const NodePlace back = now.at(place_mm + half_mm);
+    const NodePlace front = now.at(place_mm - half_mm);
+    if (back.angle_deg < -outside_deg) continue;
+    const double radius_mm = 0.5 * inMillimeters(array.sectionAt(contact).within);
+    // on the side that looks at the modiolus
+    sheet.add(
+        Area{{sheet.at(back.angle_deg, back.across_mm - radius_mm),
+              sheet.at(front.angle_deg, front.across_mm - radius_mm),
+              sheet.at(front.angle_deg, front.across_mm), sheet.at(back.angle_deg, back.across_mm)},
+             ink::platinum});
+  }
+}
+
+void drawArray(PlotSheet& sheet, const ArrayInScala& now)
+{
+  std::vector<PagePoint> upper, lower;
+  for (const NodePlace& node : now.nodes()) {
+    if (node.angle_deg < -outside_deg) continue;
+    const Length place = millimeters(node.fromTip_mm);
+    const double radius_mm = 0.5 * inMillimeters(now.array().sectionAt(place).within);
+    upper.push_back(sheet.at(node.angle_deg, node.across_mm + radius_mm));
+    lower.push_back(sheet.at(node.angle_deg, node.across_mm - radius_mm));
+  }
+  if (upper.size() < 2) return;
+  upper.insert(upper.end(), lower.rbegin(), lower.rend());
+  sheet.add(Area{upper, ink::silicone});
+  drawContacts(sheet, now);
+  upper.push_back(upper.front());
+  sheet.add(Stroke{upper, ink::ground, 1.0, 0.0});
+}
+
+}  // namespace
+
+UnrolledScala::UnrolledScala(const anatomy::ScalaTympani& scala)
+    : lastAngle_deg_(inDegrees(scala.lastAngle())),
+      leadIn_deg_(inDegrees(radians(scala.leadIn().si() / scala.center_W(0.0).head<2>().norm())))
+{
+  for (double angle_deg = 0.0; angle_deg <= lastAngle_deg_; angle_deg += step_deg) {
+    const double angle = degrees(angle_deg).si();
+    const double center = scala.center_W(angle).head<2>().norm();
+    Width width{angle_deg, 0.0, 0.0};
+    for (int k = 0; k < directions; ++k) {
+      const Eigen::Vector3d wall_W = scala.wall_W(angle, 2.0 * pi * k / directions);
+      const double across_mm = 1e3 * (wall_W.head<2>().norm() - center);
+      width.inner_mm = std::min(width.inner_mm, across_mm);
+      width.outer_mm = std::max(width.outer_mm, across_mm);
+    }
+    widths_.push_back(width);
+    inner_mm_ = std::min(inner_mm_, width.inner_mm);
+    outer_mm_ = std::max(outer_mm_, width.outer_mm);
+  }
+}
+
+UnrolledScala::Width UnrolledScala::widthAt(double angle_deg) const
+{
+  const double index = std::clamp(angle_deg / step_deg, 0.0, double(widths_.size() - 1));
+  const std::size_t i = std::min(widths_.size() - 2, static_cast<std::size_t>(index));
+  const double share = index - static_cast<double>(i);
+  const Width& a = widths_[i];
+  const Width& b = widths_[i + 1];
+  return {angle_deg, a.inner_mm + share * (b.inner_mm - a.inner_mm),
+          a.outer_mm + share * (b.outer_mm - a.outer_mm)};
+}
+
+analysis::Drawing UnrolledScala::draw(const ArrayInScala& now, double width, double height) const
+{
+  const double tip_deg = now.nodes().empty() ? 0.0 : now.nodes().back().angle_deg;
+  AxisRange angle_deg = grown({-outside_deg, usualEnd_deg, tick_deg}, 0.0, tip_deg + ahead_deg, 99);
+  angle_deg.high = std::min(angle_deg.high, lastAngle_deg_);
+  const AxisRange across_mm{inner_mm_ - innerRoom_mm, outer_mm_ + outerRoom_mm, 1.0};
+  PlotSheet sheet(width, height, {40.0, 8.0, 4.0, 22.0}, angle_deg, across_mm);
+  sheet.addXTicks(2, "°");
+  sheet.addYTicks(0);
+
+  // the lumen, from the opening on
+  std::vector<PagePoint> outer{sheet.at(-leadIn_deg_, widths_.front().outer_mm)};
+  std::vector<PagePoint> inner{sheet.at(-leadIn_deg_, widths_.front().inner_mm)};
+  for (const Width& here : widths_) {
+    if (here.angle_deg > angle_deg.high) break;
+    outer.push_back(sheet.at(here.angle_deg, here.outer_mm));
+    inner.push_back(sheet.at(here.angle_deg, here.inner_mm));
+  }
+  std::vector<PagePoint> lumen = outer;
+  lumen.insert(lumen.end(), inner.rbegin(), inner.rend());
+  sheet.add(Area{lumen, ink::lumen});
+  sheet.add(Stroke{outer, ink::bone, 1.5, 0.0});
+  sheet.add(Stroke{inner, ink::bone, 1.5, 0.0});
+  sheet.add(Stroke{{outer.front(), inner.front()}, ink::faded(ink::bone, 0.5), 1.0, 4.0});
+
+  drawArray(sheet, now);
+  const double length_px = bar_px / bar_mN_mm;
+  for (const Stretch& here : stretches(now)) {
+    if (here.normal_mN < leastShown_mN || here.from_deg < -leadIn_deg_) continue;
+    const double middle_deg = 0.5 * (here.from_deg + here.to_deg);
+    const double bar = std::min(length_px * here.normal_mN, 1.6 * bar_px);
+    if (std::abs(here.up_mN) > std::abs(here.across_mN)) {
+      const NodePlace node = now.at(here.fromTip_mm + 0.5);
+      sheet.add(Disk{sheet.at(node.angle_deg, node.across_mm), 1.5 + 0.2 * bar,
+                     ink::faded(ink::orange, 0.35), ink::orange});
+      continue;
+    }
+    const Width at = widthAt(middle_deg);
+    const bool isOuter = here.across_mN < 0.0;
+    const double wall = sheet.y(isOuter ? at.outer_mm : at.inner_mm);
+    const double end = isOuter ? wall - 1.5 - bar : wall + 1.5 + bar;
+    const double left = sheet.x(here.from_deg), right = std::max(sheet.x(here.to_deg), left + 2.0);
+    sheet.add(Area{{{left, wall}, {right, wall}, {right, end}, {left, end}}, ink::orange});
+  }
+
+  // what the bars mean, at the end of the scala, where it is narrow
+  const double x = sheet.right() - 6.0;
+  sheet.write({x, sheet.top() + 14.0}, wording().outerWall, ink::quiet, Anchor::end);
+  sheet.write({x, sheet.bottom() - 6.0}, wording().modiolus, ink::quiet, Anchor::end);
+  const double legend = sheet.left() + 8.0;
+  const double foot = sheet.bottom() - 4.0;
+  sheet.add(Area{{{legend, foot},
+                  {legend + 5.0, foot},
+                  {legend + 5.0, foot - bar_px},
+                  {legend, foot - bar_px}},
+                 ink::orange});
+  sheet.write({legend + 11.0, foot - 4.0}, wording().wallForceScale, ink::quiet);
+  return sheet.take();
+}
+
+}  // namespace perilymph::charts

@@ -1,0 +1,28 @@
+#pragma once
+
+// What a tape tells when its reports are read as a hand.
+
+#include <array>
+#include <cstdint>
+
+#include "perilymph/device/HandCodec.h"
+#include "perilymph/device/HandHealth.h"
+#include "perilymph/device/ReportTape.h"
+
+namespace perilymph::device {
+
+struct TapeReading {
+  ReadingFigures reading;  ///< Rate and intervals over the whole tape.
+  WritingFigures writing;
+  double duration = 0.0;            ///< From the first entry to the last [s].
+  std::array<double, 3> least_D{};  ///< Of every coordinate [m].
+  std::array<double, 3> most_D{};   ///< [m]
+  std::uint32_t buttons = 0;        ///< All that were pressed at any time.
+};
+
+/// Reads every input report with the codec, at the time it came.
+///
+/// @param period  Between reports [s], as the profile says.
+TapeReading readTape(const ReportTape& tape, HandCodec& codec, double period);
+
+}  // namespace perilymph::device

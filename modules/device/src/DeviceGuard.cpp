@@ -1,0 +1,257 @@
+#include "DeviceGuard.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <new>
+#include <utility>
+#include <vector>
+
+#include "guard/GuardScript.h"
+
+namespace perilymph::device {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* programName = "perilymph-device-guard";
+constexpr int patienceForEnd_ms = 200;  // of a guard that was told goodbye
+constexpr int firstFreeFile = 10;       // above the places where the guard looks for its files
+
+/// A file descriptor with an owner.
+class OwnedFile {
+public:
+  explicit OwnedFile(int file = -1) noexcept : file_(file) {}
+  OwnedFile(OwnedFile&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
+  OwnedFile& operator=(OwnedFile&& other) noexcept
+  {
+    std::swap(file_, other.file_);
+    return *this;
+  }
+  ~OwnedFile()
+  {
+    if (file_ >= 0) ::close(file_);
+  }
+  int get() const noexcept { return file_; }
+
+private:
+  int file_;
+};
+
+/// Beside this program, where packages put it, or beside the programs of the build tree.
+fs::path guardProgram()
+{
+  std::error_code failure;
+  const fs::path folder = fs::read_symlink("/proc/self/exe", failure).parent_path();
+  for (const char* place : {".", "../libexec/perilymph", "../../bin"}) {
+    fs::path program = (folder / place / programName).lexically_normal();
+    if (::access(program.c_str(), X_OK) == 0) return program;
+  }
+  return {};
+}
+
+/// Starts the guard with its files. 0 if the system does not.
+pid_t start(const fs::path& program, int wire, int device, int pulse)
+{
+  posix_spawn_file_actions_t actions;
+  posix_spawnattr_t attributes;
+  if (::posix_spawn_file_actions_init(&actions) != 0) return 0;
+  ::posix_spawnattr_init(&attributes);
+  // A session of its own: what a terminal sends to a program's group does not reach it.
+  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID);
+  ::posix_spawn_file_actions_adddup2(&actions, wire, guard::wire);
+  ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  ::posix_spawn_file_actions_adddup2(&actions, device, guard::device);
+  ::posix_spawn_file_actions_adddup2(&actions, pulse, guard::pulse);
+  char name[] = "perilymph-device-guard";
+  char* words[] = {name, nullptr};
+  pid_t id = 0;
+  const int failure = ::posix_spawn(&id, program.c_str(), &actions, &attributes, words, environ);
+  ::posix_spawnattr_destroy(&attributes);
+  ::posix_spawn_file_actions_destroy(&actions);
+  return failure == 0 ? id : 0;
+}
+
+/// A process that was started, and the wire to it.
+class Guard {
+public:
+  Guard(pid_t id, OwnedFile wire, guard::Pulse* pulse) noexcept
+      : id_(id), wire_(std::move(wire)), pulse_(pulse)
+  {
+  }
+  Guard(const Guard&) = delete;
+  Guard& operator=(const Guard&) = delete;
+  ~Guard()
+  {
+    // A guard that is gone leaves a broken pipe: writing to it must not end the program.
+    sigset_t broken, before;
+    ::sigemptyset(&broken);
+    ::sigaddset(&broken, SIGPIPE);
+    ::pthread_sigmask(SIG_BLOCK, &broken, &before);
+    if (::write(wire_.get(), &guard::goodbye, 1) < 0 && errno == EPIPE) {
+      const timespec now{};
+      ::sigtimedwait(&broken, nullptr, &now);
+    }
+    ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    wire_ = OwnedFile();
+    bury();
+    ::munmap(pulse_, sizeof *pulse_);
+  }
+
+  guard::Pulse& pulse() noexcept { return *pulse_; }
+
+private:
+  /// It goes at once, unless the device holds it up in a write.
+  void bury() noexcept
+  {
+    const OwnedFile life(static_cast<int>(::syscall(SYS_pidfd_open, id_, 0)));
+    pollfd end{life.get(), POLLIN, 0};
+    if (life.get() >= 0 && ::poll(&end, 1, patienceForEnd_ms) <= 0) ::kill(id_, SIGKILL);
+    // One that a write holds up still goes when the write comes back; nobody waits for it.
+    ::waitpid(id_, nullptr, life.get() >= 0 ? WNOHANG : 0);
+  }
+
+  pid_t id_;
+  OwnedFile wire_;
+  guard::Pulse* pulse_;
+};
+
+/// Counts what the device takes into the guard's pulse.
+class WatchedTransport final : public Transport {
+public:
+  WatchedTransport(std::unique_ptr<Transport> handle, std::unique_ptr<Guard> guard,
+                   const std::vector<FixedReport>& noForce)
+      : handle_(std::move(handle)), guard_(std::move(guard)), noForce_(noForce)
+  {
+  }
+
+  Transfer read(RawReport& report, Duration timeout) noexcept override
+  {
+    return handle_->read(report, timeout);
+  }
+  Transfer write(const RawReport& report) noexcept override
+  {
+    // Said before, because the process may end while the device takes it.
+    if (!isNoForce(report)) {
+      calm_ = 0;
+      guard_->pulse().isPushing = 1;
+    }
+    const Transfer transfer = handle_->write(report);
+    if (transfer != Transfer::done) return transfer;
+    if (isNoForce(report) && ++calm_ >= noForce_.size()) guard_->pulse().isPushing = 0;
+    ++guard_->pulse().forces;
+    return transfer;
+  }
+  Transfer setFeature(const RawReport& report) noexcept override
+  {
+    return handle_->setFeature(report);
+  }
+  Transfer getFeature(RawReport& report) noexcept override { return handle_->getFeature(report); }
+
+private:
+  bool isNoForce(const RawReport& report) const noexcept
+  {
+    const auto bytes = report.view();
+    return std::any_of(noForce_.begin(), noForce_.end(), [&](const FixedReport& none) {
+      return std::equal(bytes.begin(), bytes.end(), none.bytes.begin(), none.bytes.end());
+    });
+  }
+
+  // The guard is told goodbye when the handle is closed.
+  std::unique_ptr<Transport> handle_;
+  std::unique_ptr<Guard> guard_;
+  std::vector<FixedReport> noForce_;
+  std::size_t calm_ = 0;  // reports of no force in a row
+};
+
+Result<std::unique_ptr<Guard>> post(int device, const guard::Script& script)
+{
+  const auto refused = [](const std::string& what) {
+    return Error{what +
+                 " If this program dies, only the device's own watchdog takes the force away."};
+  };
+  const fs::path program = guardProgram();
+  if (program.empty())
+    return refused("The program " + std::string(programName) +
+                   ", which takes the force away when this one cannot, is not installed.");
+
+  int ends[2] = {-1, -1};
+  if (::pipe2(ends, O_CLOEXEC) != 0)
+    return refused(std::string("No guard for the device: ") + std::strerror(errno) + ".");
+  const OwnedFile wireEnd(::fcntl(ends[0], F_DUPFD_CLOEXEC, firstFreeFile));
+  ::close(ends[0]);
+  OwnedFile wire(ends[1]);
+  const OwnedFile memory(::memfd_create("perilymph pulse", MFD_CLOEXEC));
+  const OwnedFile memoryEnd(::fcntl(memory.get(), F_DUPFD_CLOEXEC, firstFreeFile));
+  const OwnedFile deviceEnd(::fcntl(device, F_DUPFD_CLOEXEC, firstFreeFile));
+  void* place = MAP_FAILED;
+  if (wireEnd.get() >= 0 && memoryEnd.get() >= 0 && deviceEnd.get() >= 0 &&
+      ::ftruncate(memory.get(), sizeof(guard::Pulse)) == 0)
+    place =
+        ::mmap(nullptr, sizeof(guard::Pulse), PROT_READ | PROT_WRITE, MAP_SHARED, memory.get(), 0);
+  if (place == MAP_FAILED)
+    return refused(std::string("No guard for the device: ") + std::strerror(errno) + ".");
+  auto* const pulse = new (place) guard::Pulse;
+
+  // The script lies in the pipe before anybody reads it: a death from here on is noticed.
+  const auto bytes = script.bytes();
+  const bool isWritten =
+      ::write(wire.get(), bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size());
+  const pid_t id = isWritten ? start(program, wireEnd.get(), deviceEnd.get(), memoryEnd.get()) : 0;
+  if (id == 0) {
+    ::munmap(place, sizeof(guard::Pulse));
+    return refused(program.string() + " could not be started.");
+  }
+  return std::make_unique<Guard>(id, std::move(wire), pulse);
+}
+
+}  // namespace
+
+GuardedHandle guarded(std::unique_ptr<Transport> handle, int file, const Farewell& farewell,
+                      Duration patience)
+{
+  const OwnedFile device(file);
+  GuardedHandle result;
+  result.handle = std::move(handle);
+  if (device.get() < 0 || farewell.noForce.empty()) {
+    result.obstacle =
+        "This device cannot be guarded: only its own watchdog takes the force away if "
+        "this program dies.";
+    return result;
+  }
+  const double patience_ms = std::clamp(std::ceil(patience.si() * 1e3), 0.0, 255.0);
+  guard::Script script(static_cast<std::uint8_t>(patience_ms));
+  bool fits = true;
+  for (const FixedReport& report : farewell.noForce)
+    fits = fits && script.addNoForce({report.kind == ReportKind::feature, report.bytes});
+  for (const FixedReport& report : farewell.switchOff)
+    fits = fits && script.addSwitchOff({report.kind == ReportKind::feature, report.bytes});
+  if (!fits) {
+    result.obstacle = "The device cannot be guarded: its last reports are more than " +
+                      std::to_string(guard::Script::most) + " bytes.";
+    return result;
+  }
+  auto posted = post(device.get(), script);
+  if (!posted) {
+    result.obstacle = posted.error().message;
+    return result;
+  }
+  result.handle = std::make_unique<WatchedTransport>(std::move(result.handle), *std::move(posted),
+                                                     farewell.noForce);
+  return result;
+}
+
+}  // namespace perilymph::device

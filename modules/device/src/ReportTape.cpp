@@ -1,0 +1,268 @@
+#include "perilymph/device/ReportTape.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+namespace perilymph::device {
+
+namespace {
+
+constexpr std::array<std::pair<char, TapeEvent>, 6> letters = {{{'E', TapeEvent::input},
+                                                                {'W', TapeEvent::written},
+                                                                {'F', TapeEvent::refused},
+                                                                {'S', TapeEvent::featureSet},
+                                                                {'G', TapeEvent::featureGot},
+                                                                {'U', TapeEvent::gone}}};
+constexpr std::uintmax_t mostBytes = std::uintmax_t{256} << 20;
+constexpr const char* lostMark = "# lost ";
+
+/// Words of a line, one after the other.
+class Words {
+public:
+  explicit Words(std::string_view line) : rest_(line) {}
+
+  std::string_view next()
+  {
+    const std::size_t from = std::min(rest_.find_first_not_of(" \t"), rest_.size());
+    const std::size_t end = std::min(rest_.find_first_of(" \t", from), rest_.size());
+    const std::string_view word = rest_.substr(from, end - from);
+    rest_.remove_prefix(end);
+    return word;
+  }
+  std::string_view rest()
+  {
+    rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t"), rest_.size()));
+    return rest_;
+  }
+  bool isOver() { return rest().empty(); }
+
+  std::optional<std::uint64_t> number(int base, std::uint64_t most)
+  {
+    const std::string_view word = next();
+    std::uint64_t value = 0;
+    const auto read = std::from_chars(word.data(), word.data() + word.size(), value, base);
+    const bool isWhole = !word.empty() && read.ec == std::errc() &&
+                         read.ptr == word.data() + word.size() && value <= most;
+    return isWhole ? std::optional(value) : std::nullopt;
+  }
+  /// Seconds with at most nine decimals, as nanoseconds.
+  std::optional<std::int64_t> time()
+  {
+    const std::string_view word = next();
+    const std::size_t dot = std::min(word.find('.'), word.size());
+    std::string decimals(word.substr(std::min(dot + 1, word.size())));
+    if (decimals.size() > 9) return std::nullopt;
+    decimals.resize(9, '0');
+    Words whole(word.substr(0, dot)), part(decimals);
+    const auto seconds = whole.number(10, 1'000'000'000);
+    const auto nanoseconds = part.number(10, 999'999'999);
+    if (!seconds || !nanoseconds) return std::nullopt;
+    return static_cast<std::int64_t>(*seconds * 1'000'000'000 + *nanoseconds);
+  }
+  /// Their number, then bytes.
+  std::optional<std::vector<std::uint8_t>> bytes(std::size_t most)
+  {
+    const auto size = number(10, most);
+    if (!size) return std::nullopt;
+    std::vector<std::uint8_t> bytes;
+    for (std::uint64_t i = 0; i < *size; ++i) {
+      const auto byte = number(16, 0xff);
+      if (!byte) return std::nullopt;
+      bytes.push_back(static_cast<std::uint8_t>(*byte));
+    }
+    return bytes;
+  }
+
+private:
+  std::string_view rest_;
+};
+
+class TapeReader {
+public:
+  explicit TapeReader(std::string name) : name_(std::move(name)) {}
+
+  Result<ReportTape> read(std::string_view text)
+  {
+    while (!text.empty()) {
+      const std::size_t end = text.find('\n');
+      // A tape that was cut off ends within a line.
+      if (end == std::string_view::npos && !tape_.entries.empty()) break;
+      std::string_view line = text.substr(0, end);
+      text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+      ++lineNumber_;
+      if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+      const std::string wrong = take(line);
+      if (!wrong.empty())
+        return Error{name_ + ", line " + std::to_string(lineNumber_) + ": " + wrong +
+                     " A tape is written by 'perilymph-cli devices --capture' or hid-recorder."};
+    }
+    if (lineNumber_ == 0 || (tape_.entries.empty() && tape_.descriptor.empty()))
+      return Error{name_ +
+                   " holds no report of a device. A tape is written by 'perilymph-cli "
+                   "devices --capture' or hid-recorder."};
+    finish();
+    return std::move(tape_);
+  }
+
+private:
+  /// Gives what is wrong with the line; nothing if all is well.
+  std::string take(std::string_view line)
+  {
+    if (line.starts_with(lostMark)) {
+      Words words(line.substr(std::string_view(lostMark).size()));
+      tape_.lost += words.number(10, ~std::uint64_t{0}).value_or(0);
+    }
+    if (line.empty() || line.front() == '#') return {};
+    if (line.size() < 2 || line[1] != ':')
+      return "'" + std::string(line.substr(0, 20)) + "' is no line of a tape.";
+    Words words(line.substr(2));
+    const char letter = line.front();
+    if (letter == 'D') return takeDevice(words);
+    if (letter == 'N') tape_.name = words.rest();
+    if (letter == 'I') return takeIdentity(words);
+    if (letter == 'R') return takeDescriptor(words);
+    for (const auto& [known, event] : letters)
+      if (known == letter) return takeEntry(event, words);
+    return {};  // a newer hid-recorder knows more letters
+  }
+
+  static std::string takeDevice(Words& words)
+  {
+    const auto number = words.number(10, 1000);
+    if (number && *number == 0) return {};
+    return "a tape is of one device, number 0.";
+  }
+
+  std::string takeIdentity(Words& words)
+  {
+    const auto bus = words.number(16, 0xffff);
+    const auto vendor = words.number(16, 0xffff);
+    const auto product = words.number(16, 0xffff);
+    if (!bus || !vendor || !product)
+      return "the identity must be bus, vendor and product, hexadecimal.";
+    tape_.bus = static_cast<std::uint32_t>(*bus);
+    tape_.identity.vendor = static_cast<std::uint16_t>(*vendor);
+    tape_.identity.product = static_cast<std::uint16_t>(*product);
+    return {};
+  }
+
+  std::string takeDescriptor(Words& words)
+  {
+    auto bytes = words.bytes(4096);
+    if (!bytes || !words.isOver())
+      return "the descriptor must be its size (at most 4096) and as many hexadecimal bytes.";
+    tape_.descriptor = *std::move(bytes);
+    return {};
+  }
+
+  std::string takeEntry(TapeEvent event, Words& words)
+  {
+    TapeEntry entry;
+    entry.event = event;
+    const auto time = words.time();
+    if (!time) return "the time must be seconds, with at most nine decimals.";
+    entry.time = *time;
+    if (event != TapeEvent::input && event != TapeEvent::gone) {
+      const auto took = words.time();
+      if (!took) return "how long it took must be seconds, with at most nine decimals.";
+      entry.took = *took;
+    }
+    if (event != TapeEvent::gone) {
+      auto bytes = words.bytes(longestReport - 1);
+      if (!bytes || bytes->empty())
+        return "a report must be its size (1 to " + std::to_string(longestReport - 1) +
+               ") and as many hexadecimal bytes.";
+      entry.bytes = *std::move(bytes);
+    }
+    if (!words.isOver()) return "there is more on the line than its size says.";
+    tape_.entries.push_back(std::move(entry));
+    return {};
+  }
+
+  void finish()
+  {
+    const auto descriptor = ReportDescriptor::parse(tape_.descriptor);
+    const bool isNumbered = descriptor && descriptor->isNumbered();
+    for (TapeEntry& entry : tape_.entries)
+      if (!isNumbered && entry.event != TapeEvent::gone) entry.bytes.insert(entry.bytes.begin(), 0);
+    std::stable_sort(
+        tape_.entries.begin(), tape_.entries.end(),
+        [](const TapeEntry& one, const TapeEntry& other) { return one.time < other.time; });
+  }
+
+  std::string name_;
+  std::size_t lineNumber_ = 0;
+  ReportTape tape_;
+};
+
+std::string seconds(std::int64_t nanoseconds)
+{
+  char text[40];
+  const auto time = static_cast<unsigned long long>(std::max<std::int64_t>(nanoseconds, 0));
+  std::snprintf(text, sizeof text, "%06llu.%09llu", time / 1'000'000'000, time % 1'000'000'000);
+  return text;
+}
+
+std::string hexadecimal(std::span<const std::uint8_t> bytes)
+{
+  std::string text = std::to_string(bytes.size());
+  char byte[8];
+  for (const std::uint8_t value : bytes) {
+    std::snprintf(byte, sizeof byte, " %02x", value);
+    text += byte;
+  }
+  return text;
+}
+
+}  // namespace
+
+Result<ReportTape> parseTape(std::string_view text, const std::string& name)
+{
+  return TapeReader(name).read(text);
+}
+
+Result<ReportTape> loadTape(const std::filesystem::path& file)
+{
+  std::error_code failure;
+  const std::uintmax_t size = std::filesystem::file_size(file, failure);
+  std::ifstream stream(file, std::ios::binary);
+  if (failure || !stream)
+    return Error{"The tape " + file.string() + " cannot be read. Check the path."};
+  if (size > mostBytes)
+    return Error{"The tape " + file.string() + " has " + std::to_string(size >> 20) +
+                 " MiB; at most " + std::to_string(mostBytes >> 20) + " MiB are read. Cut it."};
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return parseTape(text.str(), file.string());
+}
+
+std::string tapeHead(const ReportTape& tape)
+{
+  char identity[64];
+  std::snprintf(identity, sizeof identity, "%04x %04x %04x", tape.bus, tape.identity.vendor,
+                tape.identity.product);
+  return "# Reports of a device. D, R, N, I and E as hid-recorder writes them; then seconds, how\n"
+         "# long it took, size and bytes of what was W written, F refused, S set or G got as a\n"
+         "# feature; U unplugged.\nD: 0\nR: " +
+         hexadecimal(tape.descriptor) + "\nN: " + tape.name + "\nI: " + identity + "\n";
+}
+
+std::string tapeLine(TapeEvent event, std::int64_t time, std::int64_t took, const RawReport& report)
+{
+  std::string line;
+  for (const auto& [letter, known] : letters)
+    if (known == event) line = letter;
+  line += ": " + seconds(time);
+  if (event == TapeEvent::gone) return line + "\n";
+  if (event != TapeEvent::input) line += " " + seconds(took);
+  auto bytes = report.view();
+  if (!bytes.empty() && bytes[0] == 0) bytes = bytes.subspan(1);  // not on the wire
+  return line + " " + hexadecimal(bytes) + "\n";
+}
+
+}  // namespace perilymph::device

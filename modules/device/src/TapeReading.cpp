@@ -1,0 +1,75 @@
+#include "perilymph/device/TapeReading.h"
+
+#include <algorithm>
+
+#include "perilymph/device/ReportReader.h"
+#include "perilymph/realtime/TimeHistogram.h"
+
+namespace perilymph::device {
+
+namespace {
+
+// The time on the tape that this thread reads.
+thread_local std::int64_t timeOnTape = 0;  // [ns]
+std::int64_t tapeClock() noexcept { return timeOnTape; }
+
+RawReport reportOf(const TapeEntry& entry) noexcept
+{
+  RawReport report;
+  report.size = std::min(entry.bytes.size(), longestReport);
+  std::copy_n(entry.bytes.begin(), report.size, report.bytes.begin());
+  return report;
+}
+
+/// Widens the room the hand was in.
+void note(const DeviceSample& hand, bool isFirst, TapeReading& result) noexcept
+{
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double coordinate = hand.position_D[i];
+    result.least_D[i] = isFirst ? coordinate : std::min(result.least_D[i], coordinate);
+    result.most_D[i] = isFirst ? coordinate : std::max(result.most_D[i], coordinate);
+  }
+  result.buttons |= hand.buttons;
+}
+
+}  // namespace
+
+TapeReading readTape(const ReportTape& tape, HandCodec& codec, double period)
+{
+  TapeReading result;
+  ReportReader reader(codec, period, tapeClock);
+  realtime::TimeHistogram intervals, writes;
+  std::int64_t first = 0, last = 0;
+  std::uint64_t fresh = 0;
+  for (const TapeEntry& entry : tape.entries) {
+    // Never 0, which is before any report.
+    timeOnTape = entry.time + 1;
+    if (entry.event == TapeEvent::refused) ++result.writing.refused;
+    if (entry.event == TapeEvent::gone) reader.startOver();
+    if (entry.event == TapeEvent::written) {
+      ++result.writing.accepted;
+      writes.add(entry.took);
+    }
+    if (entry.event != TapeEvent::input || !reader.accept(reportOf(entry))) continue;
+    if (fresh > 0) intervals.add(entry.time - last);
+    if (fresh == 0) first = entry.time;
+    last = entry.time;
+    note(reader.newest(), ++fresh == 1, result);
+  }
+  result.reading = reader.figures();
+  if (last > first)
+    result.reading.rate =
+        static_cast<double>(fresh - 1) / (static_cast<double>(last - first) * 1e-9);
+  result.reading.intervalMedian = intervals.quantile(0.5);
+  result.reading.intervalP99 = intervals.quantile(0.99);
+  result.reading.intervalMost = intervals.longest();
+  result.writing.timeMedian = writes.quantile(0.5);
+  result.writing.timeP99 = writes.quantile(0.99);
+  result.writing.timeMost = writes.longest();
+  if (!tape.entries.empty())
+    result.duration =
+        static_cast<double>(tape.entries.back().time - tape.entries.front().time) * 1e-9;
+  return result;
+}
+
+}  // namespace perilymph::device

@@ -1,0 +1,165 @@
+// The clinician's path: two insertions recorded, chosen in the library, compared along a cursor,
+// exported, written as a report.
+
+#include <gtest/gtest.h>
+
+#include <QImage>
+#include <QLabel>
+#include <QTableView>
+#include <QTableWidget>
+#include <QTest>
+#include <algorithm>
+#include <system_error>
+
+#include "ComparePage.h"
+#include "ComparisonPlot.h"
+#include "SessionsPage.h"
+#include "WindowRig.h"
+#include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/Resources.h"
+#include "perilymph/foundation/Version.h"
+#include "perilymph/test/ChildProcess.h"
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Clinician : public testing::Test {
+protected:
+  Clinician()
+  {
+    before_ = std::getenv("XDG_DATA_HOME");
+    setenv("XDG_DATA_HOME", data_.path().c_str(), 1);
+    rig_ = std::make_unique<WindowRig>(
+        session::Overrides{{"stop_travel_mm", "2.0"}, {"speed_mm_s", "2.0"}});
+  }
+  ~Clinician() override { setenv("XDG_DATA_HOME", before_.c_str(), 1); }
+
+  /// Inserts to full depth with the button, and puts the array back.
+  void insertOnce()
+  {
+    rig_->click("insertPageButton");
+    rig_->click("startButton");
+    ASSERT_TRUE(WindowRig::comes(
+        [&] { return rig_->now().output.workflow == haptics::Workflow::finished; }));
+    rig_->click("resetButton");
+  }
+  void openLibrary(int rows)
+  {
+    rig_->click("sessionsPageButton");
+    ASSERT_TRUE(WindowRig::comes([&] { return list().model()->rowCount() == rows; }));
+  }
+  void compareBoth()
+  {
+    insertOnce();
+    insertOnce();
+    openLibrary(2);
+    list().selectAll();
+    rig_->click("compareButton");
+    ASSERT_TRUE(WindowRig::comes([&] { return page().runs().size() == 2; }));
+  }
+
+  QTableView& list() { return *rig_->window().findChild<QTableView*>("sessionList"); }
+  QTableWidget& table() { return *rig_->window().findChild<QTableWidget*>("comparisonTable"); }
+  gui::ComparePage& page() { return *rig_->window().findChild<gui::ComparePage*>(); }
+  gui::ComparisonPlot& plot() { return *rig_->window().findChild<gui::ComparisonPlot*>(); }
+  QString cell(int row, const char* header)
+  {
+    for (int column = 0; column < table().columnCount(); ++column)
+      if (table().horizontalHeaderItem(column)->text().startsWith(QLatin1String(header)))
+        return table().item(row, column)->text();
+    return QStringLiteral("no column ") + QLatin1String(header);
+  }
+
+  TemporaryFolder data_;
+  std::string before_;
+  std::unique_ptr<WindowRig> rig_;
+};
+
+TEST_F(Clinician, SeesTheForceOfEachRunAtTheCursor)
+{
+  compareBoth();
+  EXPECT_EQ(rig_->window().page(), gui::Page::compare);
+  QTest::mouseClick(&plot(), Qt::LeftButton, Qt::NoModifier, QPoint(plot().width() / 12, 100));
+  const double before_mm = plot().cursor_mm();
+  QTest::keyClick(&plot(), Qt::Key_Right);
+  EXPECT_NEAR(plot().cursor_mm(), before_mm + 0.1, 1e-9);
+  for (int row = 0; row < 2; ++row) {
+    const auto force =
+        analysis::forceAt(page().runs()[std::size_t(row)].profile.curve, plot().cursor_mm() * 1e-3);
+    ASSERT_TRUE(force);
+    EXPECT_NEAR(cell(row, "At ").section(QLatin1Char(' '), 0, 0).toDouble(), *force * 1e3, 0.051);
+  }
+}
+
+TEST_F(Clinician, ReadsPeakWorkAndReasonsInNumbersWithUnits)
+{
+  compareBoth();
+  for (int row = 0; row < 2; ++row) {
+    EXPECT_TRUE(cell(row, "Peak force").endsWith(" mN"));
+    EXPECT_TRUE(cell(row, "at depth").endsWith(" mm"));
+    EXPECT_TRUE(cell(row, "Work").endsWith(" mJ"));
+    EXPECT_TRUE(cell(row, "Time").endsWith(" s"));
+    EXPECT_EQ(cell(row, "Reversals"), "0");
+    EXPECT_TRUE(cell(row, "Score").endsWith("of 100"));
+  }
+  const QString reasons = rig_->label("scoreReasons");
+  for (const char* word : {"speed", "reversals", "peak force", "smoothness", "Kesler", "Rau"})
+    EXPECT_TRUE(reasons.contains(QLatin1String(word))) << word;
+}
+
+TEST_F(Clinician, TakesTableCurvesAndFigureAway)
+{
+  compareBoth();
+  const TemporaryFolder folder;
+  const auto written = page().writeInto(folder.path());
+  ASSERT_TRUE(written) << written.error().message;
+  const auto rows = readWhole(folder / "comparison.csv");
+  ASSERT_TRUE(rows);
+  EXPECT_EQ(std::count(rows->begin(), rows->end(), '\n'), 3);  // a head and two insertions
+  const auto curves = readWhole(folder / "curves.svg");
+  ASSERT_TRUE(curves);
+  EXPECT_NE(curves->find("printed"), std::string::npos);  // of the published experiment
+  EXPECT_FALSE(QImage(QString::fromStdString((folder / "curves.png").string())).isNull());
+}
+
+TEST_F(Clinician, PutsAGhostBehindTheNextInsertion)
+{
+  insertOnce();
+  openLibrary(1);
+  rig_->click("ghostButton");
+  EXPECT_TRUE(WindowRig::comes([&] { return rig_->label("sessionStatus").contains("ghost"); }));
+}
+
+TEST_F(Clinician, WritesAReportThatCanBeReadAgain)
+{
+  insertOnce();
+  openLibrary(1);
+  const fs::path pdf = data_ / "report.pdf";
+  for (const auto& entry : fs::directory_iterator(sessionFolder()))
+    if (entry.path().extension() == ".insertion" &&
+        entry.path() != rig_->window().control().recording())
+      rig_->window().saveReport(entry.path(), pdf);
+  ASSERT_TRUE(WindowRig::comes([&] { return fs::exists(pdf); }));
+  ProgramOutcome read;
+  try {
+    read = run({.program = "pdftotext",
+                .arguments = {"-layout", pdf.string(), "-"},
+                .environment = {},
+                .folder = {}});
+  } catch (const std::system_error&) {
+    GTEST_SKIP() << "pdftotext is not installed. Install the package poppler-utils.";
+  }
+  ASSERT_EQ(read.status, 0) << read.err;
+  for (const std::string& words :
+       {std::string("For research and training use"), std::string("Not a medical device"),
+        std::string("Peak force on the hand"), std::string("every bit the same"),
+        std::string("SHA-256"), buildId(), std::string("Nucleus 24 Contour"),
+        std::string("speed_mm_s"), std::string("Kesler 2017"), std::string("Limits")})
+    EXPECT_NE(read.out.find(words), std::string::npos) << words;
+}
+
+}  // namespace
+}  // namespace perilymph::test

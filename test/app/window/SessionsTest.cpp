@@ -1,0 +1,232 @@
+// The library of recordings and their replay, in the real window.
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QTableView>
+#include <QTest>
+#include <cstring>
+#include <fstream>
+
+#include "Replay.h"
+#include "ReplayBar.h"
+#include "SessionsPage.h"
+#include "WindowRig.h"
+#include "perilymph/device/ScriptedHand.h"
+#include "perilymph/foundation/Resources.h"
+#include "perilymph/session/Insertion.h"
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A recording of a short insertion, made without a window.
+fs::path record(const std::string& name, const session::Overrides& more = {})
+{
+  session::Overrides overrides = {{"nodes", "40"}, {"stop_travel_mm", "1.0"}};
+  overrides.insert(overrides.end(), more.begin(), more.end());
+  const auto scenario = session::loadScenario("contour-published", overrides);
+  EXPECT_TRUE(scenario);
+  fs::create_directories(sessionFolder());
+  const fs::path file = sessionFolder() / (name + ".insertion");
+  auto insertion = session::Insertion::prepare(
+      *scenario,
+      std::make_unique<device::ScriptedHand>(scenario->speed.si(), scenario->timeStep.si()), file);
+  EXPECT_TRUE(insertion) << insertion.error().message;
+  EXPECT_TRUE((*insertion)->runToEnd(nullptr));
+  return file;
+}
+
+/// A window whose library is empty at first.
+class Sessions : public testing::Test {
+protected:
+  Sessions()
+  {
+    before_ = std::getenv("XDG_DATA_HOME");
+    setenv("XDG_DATA_HOME", data_.path().c_str(), 1);
+  }
+  ~Sessions() override { setenv("XDG_DATA_HOME", before_.c_str(), 1); }
+
+  void openLibrary()
+  {
+    rig_ = std::make_unique<WindowRig>();
+    rig_->click("sessionsPageButton");
+    ASSERT_TRUE(WindowRig::comes([&] { return !page().isBusy(); }));
+  }
+  gui::SessionsPage& page() { return *rig_->window().findChild<gui::SessionsPage*>(); }
+  QTableView& list() { return *rig_->window().findChild<QTableView*>("sessionList"); }
+  int rows() { return list().model()->rowCount(); }
+  void choose(int row, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
+  {
+    const QRect place = list().visualRect(list().model()->index(row, 2));
+    QTest::mouseClick(list().viewport(), Qt::LeftButton, modifiers, place.center());
+  }
+  bool replayBarIsShown() { return rig_->window().findChild<gui::ReplayBar*>()->isVisible(); }
+  std::uint64_t replayedTick()
+  {
+    return rig_->label("replayTime").section(QLatin1Char(' '), -1).toULongLong();
+  }
+
+  TemporaryFolder data_;
+  std::string before_;
+  std::unique_ptr<WindowRig> rig_;
+};
+
+TEST_F(Sessions, SayWhatTheyAreForWhereNothingWasRecorded)
+{
+  openLibrary();
+  EXPECT_EQ(rows(), 0);
+  EXPECT_FALSE(list().isVisible());
+  EXPECT_FALSE(rig_->button("replayButton").isEnabled());
+}
+
+TEST_F(Sessions, HoldTheInsertionThatRanInThisWindow)
+{
+  openLibrary();
+  rig_->click("insertPageButton");
+  rig_->click("startButton");
+  ASSERT_TRUE(WindowRig::comes([&] { return rig_->travel_mm() > 0.5; }));
+  rig_->click("resetButton");
+  rig_->click("sessionsPageButton");
+  EXPECT_TRUE(WindowRig::comes([&] { return rows() == 1; }));
+}
+
+TEST_F(Sessions, AreFoundByTyping)
+{
+  record("first");
+  record("second", {{"side", "left"}});
+  openLibrary();
+  ASSERT_EQ(rows(), 2);
+  QTest::keyClicks(rig_->window().findChild<QLineEdit*>("sessionSearch"), "left");
+  EXPECT_EQ(rows(), 1);
+  EXPECT_TRUE(rig_->label("sessionCount").contains("1 of 2"));
+}
+
+TEST_F(Sessions, ThatCannotBeReadAreListedWithASentence)
+{
+  fs::create_directories(sessionFolder());
+  std::ofstream(sessionFolder() / "letter.insertion") << "Dear colleague,";
+  openLibrary();
+  ASSERT_EQ(rows(), 1);
+  choose(0);
+  EXPECT_TRUE(rig_->label("sessionStatus").contains("is not a recording"))
+      << rig_->label("sessionStatus").toStdString();
+  EXPECT_FALSE(rig_->button("replayButton").isEnabled());
+}
+
+TEST_F(Sessions, ThatWereThrownAwayComeBack)
+{
+  const fs::path file = record("first");
+  openLibrary();
+  choose(0);
+  QTest::keyClick(&list(), Qt::Key_Delete);
+  ASSERT_TRUE(WindowRig::comes([&] { return rows() == 0; }));
+  EXPECT_FALSE(fs::exists(file));
+  rig_->click("undoDeleteButton");
+  EXPECT_TRUE(WindowRig::comes([&] { return rows() == 1; }));
+  EXPECT_TRUE(fs::exists(file));
+}
+
+TEST_F(Sessions, TakeAnotherName)
+{
+  record("first");
+  openLibrary();
+  choose(0);
+  rig_->click("renameButton");
+  auto* editor = list().findChild<QLineEdit*>();
+  ASSERT_NE(editor, nullptr);
+  editor->selectAll();
+  QTest::keyClicks(editor, "tuesday");
+  QTest::keyClick(editor, Qt::Key_Return);
+  EXPECT_TRUE(WindowRig::comes([&] { return fs::exists(sessionFolder() / "tuesday.insertion"); }));
+}
+
+class AReplay : public Sessions {
+protected:
+  void openReplay()
+  {
+    file_ = record("first");
+    openLibrary();
+    choose(0);
+    rig_->click("replayButton");
+    ASSERT_TRUE(WindowRig::comes([&] { return replayBarIsShown(); }));
+  }
+
+  gui::Replay& replay() { return *rig_->window().findChild<gui::Replay*>(); }
+
+  fs::path file_;
+};
+
+TEST_F(AReplay, PlaysToItsEndAndSaysThatItsBitsAgree)
+{
+  openReplay();
+  EXPECT_EQ(rig_->window().page(), gui::Page::insert);
+  ASSERT_TRUE(WindowRig::comes([&] { return rig_->label("replayStatus").contains("bit for bit"); }))
+      << rig_->label("replayStatus").toStdString();
+  EXPECT_TRUE(WindowRig::comes([&] { return rig_->readOut("travelReadOut") == "1.0"; }))
+      << rig_->readOut("travelReadOut").toStdString();
+  EXPECT_TRUE(WindowRig::comes([&] { return rig_->button("replayPlayButton").text() == "Play"; }));
+}
+
+TEST_F(AReplay, MovesNoHandAndRunsNoLoop)
+{
+  openReplay();
+  ASSERT_TRUE(WindowRig::comes([&] { return rig_->readOut("travelReadOut") == "1.0"; }));
+  EXPECT_FALSE(rig_->window().control().isRunning());
+  EXPECT_EQ(rig_->window().control().hand(), gui::Hand::scripted);
+  EXPECT_EQ(rig_->now().tick, 0u);
+}
+
+TEST_F(AReplay, StepsByOneTickWithTheArrowKeys)
+{
+  openReplay();
+  ASSERT_TRUE(WindowRig::comes([&] { return replay().place() > 100; }));
+  rig_->pressKey(Qt::Key_Space);
+  EXPECT_FALSE(replay().isPlaying());
+  const std::uint64_t there = replay().place();
+  rig_->pressKey(Qt::Key_Right);
+  EXPECT_EQ(replay().place(), there + 1);
+  rig_->pressKey(Qt::Key_Left);
+  rig_->pressKey(Qt::Key_Left);
+  EXPECT_EQ(replay().place(), there - 1);
+  EXPECT_TRUE(WindowRig::comes(
+      [&] { return replay().now().tick > 0 && replayedTick() == replay().now().tick; }));
+}
+
+TEST_F(AReplay, GoesWhereTheScrubberIsClicked)
+{
+  openReplay();
+  ASSERT_TRUE(WindowRig::comes([&] { return replay().isChecked(); }));
+  replay().pause();
+  auto* scrubber = rig_->window().findChild<gui::Scrubber*>();
+  QTest::mouseClick(scrubber, Qt::LeftButton, Qt::NoModifier, scrubber->rect().center());
+  const double ticks = double(replay().playback().ticks());
+  const double pixel = ticks / scrubber->width();
+  EXPECT_NEAR(double(replay().place()), 0.5 * ticks, 2.0 * pixel);
+  EXPECT_TRUE(WindowRig::comes([&] { return std::abs(scrubber->share() - 0.5) < 0.05; }));
+}
+
+TEST_F(AReplay, GoesSlowerAndFasterInSteps)
+{
+  openReplay();
+  ASSERT_TRUE(WindowRig::comes([&] { return rig_->label("replaySpeed") == "1 ×"; }));
+  for (int i = 0; i < 5; ++i) rig_->click("replaySlowerButton");
+  EXPECT_TRUE(WindowRig::comes([&] { return rig_->label("replaySpeed") == "0.1 ×"; }));
+  for (int i = 0; i < 9; ++i) rig_->click("replayFasterButton");
+  EXPECT_TRUE(WindowRig::comes([&] { return rig_->label("replaySpeed") == "4 ×"; }));
+}
+
+TEST_F(AReplay, GivesTheInsertionItsPlaceBack)
+{
+  openReplay();
+  rig_->pressKey(Qt::Key_Escape);
+  EXPECT_TRUE(WindowRig::comes([&] { return !replayBarIsShown(); }));
+  rig_->click("startButton");
+  EXPECT_TRUE(WindowRig::comes([&] { return rig_->travel_mm() > 0.3; }));
+}
+
+}  // namespace
+}  // namespace perilymph::test

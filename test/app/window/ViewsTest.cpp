@@ -1,0 +1,201 @@
+// How the parts of the insertion page share it, stereo, and how much is drawn.
+
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QTest>
+
+#include "InsertionViews.h"
+#include "Pane.h"
+#include "Settings.h"
+#include "WindowRig.h"
+
+namespace perilymph::test {
+namespace {
+
+using gui::Pane;
+using gui::PaneLayout;
+using gui::QualityPilot;
+using visualization::Quality;
+using visualization::Stereo;
+
+/// Settings of one test are not the next one's.
+struct Views : ::testing::Test {
+  Views() { gui::Settings().clear(); }
+  ~Views() override { gui::Settings().clear(); }
+};
+
+QWidget& pane(WindowRig& rig, const char* name)
+{
+  auto* found = rig.window().findChild<Pane*>(QLatin1String(name));
+  if (found == nullptr) throw std::runtime_error(std::string("The window has no ") + name + ".");
+  return *found;
+}
+
+QAction& entry(WindowRig& rig, const char* name)
+{
+  auto* found = rig.window().findChild<QAction*>(QLatin1String(name));
+  if (found == nullptr) throw std::runtime_error(std::string("The menu has no ") + name + ".");
+  return *found;
+}
+
+TEST_F(Views, TwoAreSeenAtFirstThenFourThenOneWithL)
+{
+  WindowRig rig;
+  EXPECT_TRUE(pane(rig, "travelPane").isVisible());
+  EXPECT_FALSE(pane(rig, "sectionPane").isVisible());
+  rig.pressKey(Qt::Key_L);
+  for (const char* name :
+       {"travelPane", "componentsPane", "unrolledPane", "sectionPane", "distancesPane"})
+    EXPECT_TRUE(pane(rig, name).isVisible()) << name;
+  rig.pressKey(Qt::Key_L);
+  EXPECT_TRUE(rig.window().view().isVisible());
+  EXPECT_FALSE(pane(rig, "travelPane").isVisible());
+  rig.pressKey(Qt::Key_L);
+  EXPECT_EQ(rig.window().views().arrangement(), PaneLayout::two);
+}
+
+TEST_F(Views, NoneLiesOnAnother)
+{
+  WindowRig rig;
+  for (const Qt::Key key : {Qt::Key_2, Qt::Key_4}) {
+    rig.pressKey(key, Qt::ControlModifier);
+    QList<QWidget*> seen{&rig.window().view()};
+    for (Pane* one : rig.window().findChildren<Pane*>())
+      if (one->isVisible()) seen << one;
+    for (const QWidget* one : seen)
+      for (const QWidget* other : seen)
+        EXPECT_TRUE(one == other || !one->geometry().intersects(other->geometry()))
+            << one->objectName().toStdString() << " lies on " << other->objectName().toStdString();
+  }
+}
+
+TEST_F(Views, ADoubleClickEnlargesOneAndAnotherBringsTheOthersBack)
+{
+  WindowRig rig;
+  QWidget& unrolled = pane(rig, "unrolledPane");
+  const QRect before = unrolled.geometry();
+  QTest::mouseDClick(&unrolled, Qt::LeftButton, Qt::NoModifier, unrolled.rect().center());
+  EXPECT_EQ(unrolled.geometry(), rig.window().views().rect());
+  EXPECT_FALSE(rig.window().view().isVisible());
+  QTest::mouseDClick(&unrolled, Qt::LeftButton, Qt::NoModifier, unrolled.rect().center());
+  EXPECT_EQ(unrolled.geometry(), before);
+  EXPECT_TRUE(rig.window().view().isVisible());
+}
+
+TEST_F(Views, ADoubleClickOnThePictureEnlargesIt)
+{
+  WindowRig rig;
+  gui::OperationView& view = rig.window().view();
+  QTest::mouseDClick(&view, Qt::LeftButton, Qt::NoModifier, view.rect().center());
+  EXPECT_EQ(view.geometry(), rig.window().views().rect());
+}
+
+TEST_F(Views, TheirNumberIsKeptForTheNextWindow)
+{
+  {
+    WindowRig rig;
+    rig.pressKey(Qt::Key_4, Qt::ControlModifier);
+  }
+  WindowRig next;
+  EXPECT_EQ(next.window().views().arrangement(), PaneLayout::four);
+}
+
+TEST_F(Views, ASettingThatNobodyKnowsIsLeftAside)
+{
+  gui::Settings().setValue("insert/layout", "seventeen");
+  WindowRig rig;
+  EXPECT_EQ(rig.window().views().arrangement(), PaneLayout::two);
+}
+
+TEST_F(Views, GGoesThroughTheKindsOfStereoAndSaysWhich)
+{
+  WindowRig rig;
+  const QImage mono = rig.picture();
+  const QString name = rig.label("viewLabel");
+  for (const Stereo stereo : {Stereo::anaglyph, Stereo::sideBySide, Stereo::interlaced}) {
+    rig.pressKey(Qt::Key_G);
+    EXPECT_EQ(rig.window().view().stereo(), stereo);
+    EXPECT_NE(rig.label("viewLabel"), name);
+    EXPECT_NE(rig.picture(), mono);
+  }
+  rig.pressKey(Qt::Key_G);
+  EXPECT_EQ(rig.picture(), mono);
+  EXPECT_EQ(rig.label("viewLabel"), name);
+}
+
+TEST_F(Views, QuadBufferedStereoIsGreyWithItsReason)
+{
+  WindowRig rig;
+  const QAction& quad = entry(rig, "stereoQuadBuffered");
+  EXPECT_FALSE(quad.isEnabled());
+  EXPECT_GT(quad.toolTip().size(), 10);
+  EXPECT_TRUE(quad.text().contains(quad.toolTip()));
+}
+
+TEST_F(Views, TheMenuChoosesWhatTheKeysChoose)
+{
+  WindowRig rig;
+  entry(rig, "layoutFour").trigger();
+  EXPECT_EQ(rig.window().views().arrangement(), PaneLayout::four);
+  entry(rig, "stereoAnaglyph").trigger();
+  EXPECT_EQ(rig.window().view().stereo(), Stereo::anaglyph);
+  entry(rig, "viewOverview").trigger();
+  EXPECT_EQ(rig.window().view().scene()->preset(), visualization::CameraPreset::overview);
+}
+
+TEST_F(Views, AnotherTierDrawsTheSameFromTheSamePlace)
+{
+  WindowRig rig;
+  rig.click("show2");  // without the membrane
+  entry(rig, "viewOverview").trigger();
+  entry(rig, "qualityFast").trigger();
+  EXPECT_EQ(rig.window().views().quality(), Quality::fast);
+  EXPECT_EQ(rig.window().view().scene()->preset(), visualization::CameraPreset::overview);
+  EXPECT_FALSE(rig.window().view().scene()->isVisible(visualization::Part::membrane));
+}
+
+TEST(QualityOfAMachine, IsKnownByTheRenderersName)
+{
+  EXPECT_EQ(QualityPilot("llvmpipe (LLVM 15.0.6, 256 bits)").quality(), Quality::software);
+  EXPECT_EQ(QualityPilot("Mesa Intel(R) UHD Graphics 620 (KBL GT2)").quality(), Quality::gpu);
+}
+
+TEST(QualityOfAMachine, StepsDownOnceWhenItsFirstSecondIsSlow)
+{
+  QualityPilot pilot("llvmpipe");
+  EXPECT_FALSE(pilot.weigh(4, 2.0, 200.0));   // too few to tell
+  EXPECT_FALSE(pilot.weigh(40, 0.5, 200.0));  // too early
+  EXPECT_TRUE(pilot.weigh(40, 2.0, 200.0));
+  EXPECT_EQ(pilot.quality(), Quality::fast);
+  EXPECT_FALSE(pilot.weigh(80, 4.0, 200.0));
+}
+
+TEST(QualityOfAMachine, StaysWhenItsFirstSecondIsQuick)
+{
+  QualityPilot pilot("llvmpipe");
+  EXPECT_FALSE(pilot.weigh(40, 2.0, 30.0));
+  EXPECT_FALSE(pilot.weigh(80, 4.0, 200.0));  // a busy moment later is no reason
+  EXPECT_EQ(pilot.quality(), Quality::software);
+}
+
+TEST(QualityOfAMachine, GivesWayToAChoice)
+{
+  QualityPilot pilot("llvmpipe");
+  pilot.choose(Quality::gpu);
+  EXPECT_FALSE(pilot.weigh(40, 2.0, 500.0));
+  EXPECT_EQ(pilot.quality(), Quality::gpu);
+}
+
+TEST(QualityOfAMachine, ItsWordsAreThoseOfTheCall)
+{
+  for (const char* word : {"auto", "fast", "balanced", "full"}) {
+    const auto choice = gui::qualityNamed(word);
+    ASSERT_TRUE(choice) << word;
+    EXPECT_EQ(gui::nameOf(*choice), word);
+  }
+  EXPECT_FALSE(gui::qualityNamed("best"));
+}
+
+}  // namespace
+}  // namespace perilymph::test

@@ -1,0 +1,70 @@
+#pragma once
+
+// An input for code that reads a file: a file of its own in a folder of its own.
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <span>
+#include <string>
+#include <system_error>
+
+#include "FuzzTarget.h"
+
+namespace perilymph::fuzz {
+
+class InputFile {
+public:
+  /// @param name  Of the file, with the ending that the code under test looks at.
+  explicit InputFile(const std::string& name)
+  {
+    // Memory, where the system offers it: the disk is not what is tested.
+    std::error_code none;
+    const std::filesystem::path memory = "/dev/shm";
+    const bool hasMemory =
+        std::filesystem::is_directory(memory, none) && ::access(memory.c_str(), W_OK) == 0;
+    const auto parent = hasMemory ? memory : std::filesystem::temp_directory_path();
+    std::string pattern = (parent / "perilymph-fuzz-XXXXXX").string();
+    if (::mkdtemp(pattern.data()) == nullptr)
+      throw std::system_error(errno, std::generic_category(), pattern);
+    folder_ = pattern;
+    file_ = folder_ / name;
+  }
+  ~InputFile()
+  {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+
+  /// The file with this content, and nothing beside it.
+  const std::filesystem::path& holding(std::span<const std::uint8_t> content)
+  {
+    for (const auto& entry : std::filesystem::directory_iterator(folder_))
+      if (entry.path() != file_) std::filesystem::remove_all(entry.path());
+    std::ofstream stream(file_, std::ios::binary | std::ios::trunc);
+    stream.write(reinterpret_cast<const char*>(content.data()),
+                 static_cast<std::streamsize>(content.size()));
+    return file_;
+  }
+
+  /// Files beside the input: what reading it left behind.
+  int strangers() const
+  {
+    int count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_))
+      count += entry.path() != file_ ? 1 : 0;
+    return count;
+  }
+
+  const std::filesystem::path& folder() const { return folder_; }
+
+private:
+  std::filesystem::path folder_, file_;
+};
+
+}  // namespace perilymph::fuzz

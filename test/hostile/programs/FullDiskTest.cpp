@@ -1,0 +1,107 @@
+// A disk that is full: before anything is written, and in the middle of it.
+
+#include <sys/mount.h>
+#include <unistd.h>
+
+#include "Cli.h"
+
+namespace perilymph::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+/// perilymph-cli with files that may not grow beyond so many KiB: what a full disk says, in time.
+ProgramOutcome cliWithSmallFiles(int most_KiB, const std::vector<std::string>& arguments)
+{
+  ProgramCall call = cliCall(arguments);
+  std::vector<std::string> words = {"-c", "trap '' XFSZ; ulimit -f \"$1\"; shift; exec \"$@\"",
+                                    "bash", std::to_string(most_KiB), call.program};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return run({"bash", words, {}, {}});
+}
+
+/// One sentence on standard error that names the file, no more.
+void expectSentence(const ProgramOutcome& outcome, const std::string& file)
+{
+  EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
+  EXPECT_EQ(outcome.signal, 0);
+  EXPECT_THAT(outcome.err, HasSubstr(file));
+  EXPECT_LE(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 2) << outcome.err;
+}
+
+TEST(FullDisk, LeavesNoHalfTableBehind)
+{
+  const TemporaryFolder folder;
+  const std::string csv = folder / "run.csv";
+  expectSentence(cliWithSmallFiles(16, shortSimulation({"--csv", csv})), "run.csv");
+  EXPECT_THAT(namesIn(folder.path()), testing::IsEmpty());
+}
+
+TEST(FullDisk, LeavesAnOlderFileAsItWas)
+{
+  const TemporaryFolder folder;
+  const std::string csv = folder / "run.csv";
+  std::ofstream(csv) << "older\n";
+  expectSentence(cliWithSmallFiles(16, shortSimulation({"--csv", csv})), "run.csv");
+  EXPECT_EQ(contentOf(csv), "older\n");
+  EXPECT_THAT(namesIn(folder.path()), testing::ElementsAre("run.csv"));
+}
+
+TEST(FullDisk, EndsARecordingThatStaysReadable)
+{
+  const TemporaryFolder folder;
+  const std::string file = folder / "run.insertion";
+  expectSentence(cliWithSmallFiles(200, shortSimulation({"--record", file})), "run.insertion");
+  const ProgramOutcome read = cli({"replay", file, "--verify"});
+  EXPECT_EQ(read.status, 0) << read.err;
+  EXPECT_THAT(read.out, HasSubstr("not closed"));
+}
+
+TEST(FullDisk, RefusesARecordingThatCannotEvenBegin)
+{
+  const TemporaryFolder folder;
+  const std::string file = folder / "run.insertion";
+  expectSentence(cliWithSmallFiles(4, shortSimulation({"--record", file})), "run.insertion");
+  EXPECT_THAT(namesIn(folder.path()), testing::IsEmpty());
+}
+
+TEST(FullDisk, IsSaidOfAStreamThatTakesNothing)
+{
+  expectSentence(cli(shortSimulation({"--json", "/dev/full"})), "/dev/full");
+  expectSentence(cli({"anatomy", "--preset", "published", "--json", "/dev/full"}), "/dev/full");
+}
+
+TEST(FullDisk, OfASmallFileSystemIsSaidAndNothingElseBreaks)
+{
+  if (::geteuid() != 0) GTEST_SKIP() << "Only root may mount a file system of its own.";
+  // A mount of this process's own would be seen by other tests: in a name space of its own.
+  const ProgramOutcome mount =
+      run({"unshare", {"-m", "mount", "-t", "tmpfs", "-o", "size=300k", "none", "/mnt"}, {}, {}});
+  if (mount.status != 0) GTEST_SKIP() << "No file system may be mounted here: " << mount.err;
+
+  const std::string program = cliCall({}).program;
+  const std::string words =
+      "mount -t tmpfs -o size=300k none /mnt && cd /mnt && "
+      "{ '" +
+      program +
+      "' simulate --scenario contour-published --nodes 30 "
+      "--set stop_travel_mm=2 --record run.insertion; echo status $?; "
+      "'" +
+      program +
+      "' simulate --scenario contour-published --nodes 30 "
+      "--set stop_travel_mm=2 --csv run.csv; echo status $?; ls -a; "
+      "'" +
+      program + "' replay run.insertion; echo status $?; }";
+  const ProgramOutcome outcome = run({"unshare", {"-m", "sh", "-c", words}, {}, {}});
+  EXPECT_EQ(outcome.signal, 0);
+  EXPECT_THAT(outcome.out, HasSubstr("status 1")) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("run.insertion can no longer be recorded"));
+  EXPECT_THAT(outcome.err, HasSubstr("run.csv"));
+  EXPECT_THAT(outcome.out, testing::Not(HasSubstr(".part")));
+  // What was recorded before the disk was full can be read, on the full disk.
+  EXPECT_THAT(outcome.out, testing::EndsWith("status 0\n")) << outcome.err;
+}
+
+}  // namespace
+}  // namespace perilymph::test

@@ -1,0 +1,53 @@
+// The programs speak to nobody: they need no network, and hold no call that could open one.
+
+#include "Cli.h"
+
+namespace perilymph::test {
+namespace {
+
+/// Names that a program asks of its libraries.
+std::vector<std::string> importsOf(const std::string& program)
+{
+  const ProgramOutcome outcome = run({"nm", {"-D", "--undefined-only", program}, {}, {}});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  std::vector<std::string> names;
+  std::istringstream lines(outcome.out);
+  for (std::string kind, name; lines >> kind >> name;)
+    names.push_back(name.substr(0, name.find('@')));
+  return names;
+}
+
+TEST(ProgramsAndTheNetwork, HaveNoCallThatOpensAConnection)
+{
+  for (const char* name : {"perilymph-cli", "perilymph"}) {
+    const std::string program = std::string(PERILYMPH_PROGRAMS) + "/" + name;
+    if (!std::filesystem::exists(program)) continue;  // this build has no window
+    const auto imports = importsOf(program);
+    EXPECT_THAT(imports, testing::Contains("malloc")) << name;  // the list is a list
+    for (const char* call : {"socket", "connect", "bind", "listen", "accept", "sendto", "recvfrom",
+                             "getaddrinfo", "gethostbyname", "res_query"})
+      EXPECT_THAT(imports, testing::Not(testing::Contains(std::string(call)))) << name;
+  }
+}
+
+TEST(ProgramsAndTheNetwork, DoTheirWorkWithoutOne)
+{
+  if (run({"unshare", {"-n", "true"}, {}, {}}).status != 0)
+    GTEST_SKIP() << "Nobody but root may take the network away here.";
+  const TemporaryFolder folder;
+  const std::string program = cliCall({}).program;
+  const std::string file = folder / "run.insertion";
+  const std::vector<std::vector<std::string>> calls = {
+      shortSimulation({"--record", file}),
+      {"replay", file, "--verify"},
+      {"anatomy", "--preset", "mean", "--json", folder / "mean.json"},
+      {"devices"}};
+  for (std::vector<std::string> words : calls) {
+    words.insert(words.begin(), {"-n", program});
+    const ProgramOutcome outcome = run({"unshare", words, {}, {}});
+    EXPECT_EQ(outcome.status, 0) << words[2] << ": " << outcome.err;
+  }
+}
+
+}  // namespace
+}  // namespace perilymph::test

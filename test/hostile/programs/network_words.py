@@ -1,0 +1,38 @@
+"""No source of the programs includes what speaks to a network, and no build file links it."""
+
+import re
+import sys
+from pathlib import Path
+
+HEADERS = re.compile(
+    r'#\s*include\s*[<"](sys/socket\.h|sys/un\.h|netinet/|arpa/|net/|netdb\.h|curl/|boost/asio|asio|'
+    r'QtNetwork|QNetwork|QTcp|QUdp|QSsl|QLocalServer|QLocalSocket|QWebSocket|QDesktopServices|'
+    r'vtkSocket|vtkClientSocket|vtkServerSocket|vtkWeb|spdlog/sinks/(tcp|udp))')
+LIBRARIES = re.compile(r"Qt\S*::(Network|WebSockets|WebEngine)|VTK::Web|CURL::|libcurl|OpenSSL::")
+CODE = {".h", ".hpp", ".c", ".cc", ".cpp", ".cxx"}
+
+
+def findings(root):
+    for part in ("modules", "app", "plugins"):
+        for file in sorted((root / part).rglob("*")):
+            pattern = (HEADERS if file.suffix in CODE else
+                       LIBRARIES if file.name == "CMakeLists.txt" or file.suffix == ".cmake" else None)
+            if pattern is None:
+                continue
+            for number, line in enumerate(file.read_text(errors="replace").splitlines(), 1):
+                if pattern.search(line):
+                    yield f"{file.relative_to(root)}:{number}: {line.strip()}"
+
+
+def main(root):
+    # The pattern itself finds what it is for.
+    assert HEADERS.search("#include <sys/socket.h>") and LIBRARIES.search("Qt5::Network")
+    found = list(findings(root))
+    for line in found:
+        print(line)
+    if found:
+        sys.exit("The programs speak to no network; take the lines above out.")
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]))

@@ -1,0 +1,228 @@
+// Recordings made to do harm by being opened.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "MakeEngine.h"
+#include "OddRecords.h"
+#include "perilymph/session/RecordedInsertion.h"
+#include "perilymph/session/Replay.h"
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::session {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class ForgedSession : public testing::Test {
+protected:
+  ForgedSession()
+  {
+    fs::create_directory(sent);
+    fs::create_directory(home);
+    std::ofstream(treasure) << "what nobody may lose\n";
+    auto recording = Recording::create(file, test::someFacts());
+    EXPECT_TRUE(recording);
+    EXPECT_TRUE((*recording)->append(test::quietRecords(0, 20)));
+    EXPECT_TRUE((*recording)->close());
+  }
+
+  void runSql(const std::string& sql) const
+  {
+    sqlite3* database = nullptr;
+    ASSERT_EQ(sqlite3_open(file.c_str(), &database), SQLITE_OK);
+    ASSERT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sql;
+    sqlite3_close(database);
+  }
+
+  std::string refusal() const
+  {
+    const auto opened = RecordedInsertion::open(file);
+    return opened ? "opened" : opened.error().message;
+  }
+
+  static std::string contentOf(const fs::path& place)
+  {
+    std::ifstream stream(place, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+
+  static std::vector<std::string> namesIn(const fs::path& place)
+  {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(place))
+      names.push_back(entry.path().filename());
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+
+  void expectTreasure() const
+  {
+    EXPECT_EQ(contentOf(treasure), "what nobody may lose\n");
+    EXPECT_THAT(namesIn(home), testing::ElementsAre("treasure.txt"));
+  }
+
+  /// A rollback journal that says the treasure is the journal of several databases (SQLite's file
+  /// format, section 3: a header padded to a sector, no pages, the name with its length and sum).
+  void forgeJournal() const
+  {
+    std::string journal("\xd9\xd5\x05\xf9\x20\xa1\x63\xd7", 8);
+    const auto put = [&journal](std::uint32_t number) {
+      for (int shift = 24; shift >= 0; shift -= 8) journal += static_cast<char>(number >> shift);
+    };
+    put(0);  // pages kept
+    put(1);  // salt
+    put(static_cast<std::uint32_t>(fs::file_size(file) / 4096));
+    put(512);   // of a sector
+    put(4096);  // of a page
+    journal.resize(512, '\0');
+    const std::string name = treasure.string();
+    put(0x40000000 / 4096 + 1);  // where no page may be
+    journal += name;
+    put(static_cast<std::uint32_t>(name.size()));
+    std::uint32_t sum = 0;
+    for (const char letter : name) sum += static_cast<std::uint32_t>(letter);
+    put(sum);
+    journal += std::string("\xd9\xd5\x05\xf9\x20\xa1\x63\xd7", 8);
+    std::ofstream(file.string() + "-journal", std::ios::binary) << journal;
+  }
+
+  const test::TemporaryFolder folder;
+  const fs::path sent = folder / "sent", home = folder / "home";
+  const fs::path file = sent / "some.insertion", treasure = home / "treasure.txt";
+};
+
+TEST_F(ForgedSession, WithAJournalThatNamesAFileDoesNotDeleteThatFile)
+{
+  forgeJournal();
+  EXPECT_THAT(refusal(), HasSubstr("some.insertion-journal names a further file"));
+  expectTreasure();
+}
+
+TEST_F(ForgedSession, WithThatJournalWouldMakeSqliteDeleteTheFile)
+{
+  forgeJournal();
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open(file.c_str(), &database), SQLITE_OK);
+  sqlite3_exec(database, "SELECT * FROM meta", nullptr, nullptr, nullptr);
+  sqlite3_close(database);
+  EXPECT_FALSE(fs::exists(treasure)) << "the journal of this test is no danger: forge a better one";
+}
+
+TEST_F(ForgedSession, WithCompanionsThatAreLinksIsNotOpened)
+{
+  for (const char* ending : {"-wal", "-journal", "-shm"}) {
+    const fs::path companion = file.string() + ending;
+    fs::create_symlink(treasure, companion);
+    EXPECT_THAT(refusal(), HasSubstr("is not a file but a link")) << ending;
+    fs::remove(companion);
+    expectTreasure();
+  }
+}
+
+TEST_F(ForgedSession, WhoseTablesComputeWithoutEndIsRefused)
+{
+  runSql(
+      "ALTER TABLE tick RENAME TO other; CREATE VIEW tick AS "
+      "WITH RECURSIVE n(x) AS (SELECT 0 UNION ALL SELECT x + 1 FROM n) "
+      "SELECT x AS tick, zeroblob(10) AS record FROM n");
+  EXPECT_THAT(refusal(), HasSubstr("damaged (its tables are not there)"));
+}
+
+TEST_F(ForgedSession, WhoseFactsComputeWithoutEndIsRefused)
+{
+  runSql(
+      "ALTER TABLE meta RENAME TO other; CREATE VIEW meta AS "
+      "WITH RECURSIVE n(x) AS (SELECT 0 UNION ALL SELECT x + 1 FROM n) "
+      "SELECT x AS key, x AS value FROM n");
+  EXPECT_THAT(refusal(), HasSubstr("damaged"));
+}
+
+TEST_F(ForgedSession, IsReadWithoutAByteWrittenAnywhere)
+{
+  const std::string before = contentOf(file);
+  const auto opened = RecordedInsertion::open(file);
+  ASSERT_TRUE(opened) << opened.error().message;
+  EXPECT_TRUE(opened->forEach([](const haptics::TickRecord&) { return true; }));
+  EXPECT_THAT(namesIn(sent), testing::ElementsAre("some.insertion"));
+  EXPECT_EQ(contentOf(file), before);
+}
+
+TEST_F(ForgedSession, WhoseScenarioNamesForeignFilesIsReplayedByNone)
+{
+  for (const std::string key : {"patient", "array", "friction", "calibration"}) {
+    runSql("UPDATE meta SET value = '" + key + " = \"" + treasure.string() +
+           "\"' WHERE key = 'scenario'");
+    const auto verified = verify(file);
+    ASSERT_FALSE(verified) << key;
+    EXPECT_THAT(verified.error().message, testing::Not(HasSubstr("nobody may lose"))) << key;
+    expectTreasure();
+    EXPECT_THAT(namesIn(sent), testing::ElementsAre("some.insertion")) << key;
+  }
+}
+
+TEST_F(ForgedSession, WhoseScenarioNamesAPipeIsNotWaitedFor)
+{
+  const fs::path pipe = sent / "pipe.toml";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string key : {"patient", "array", "friction", "calibration"}) {
+    runSql("UPDATE meta SET value = '" + key + " = \"" + pipe.string() +
+           "\"' WHERE key = 'scenario'");
+    const auto verified = verify(file);
+    ASSERT_FALSE(verified) << key;
+    EXPECT_THAT(verified.error().message, HasSubstr("is a pipe or a device")) << key;
+  }
+}
+
+TEST_F(ForgedSession, WithFactsThatNoDeviceHasIsRefusedOrRunsWithinTheLimits)
+{
+  const auto scenario = loadScenario("contour-published", {{"nodes", "20"}});
+  ASSERT_TRUE(scenario) << scenario.error().message;
+  const auto anatomy = buildAnatomy(*scenario);
+  ASSERT_TRUE(anatomy);
+  const auto model = buildModel(*scenario, *anatomy);
+  ASSERT_TRUE(model);
+  const double mostForce = scenario->engine.safety.mostForce;
+
+  for (const char* key : {"dt_s", "sample_period_s", "most_force_N", "reach_m",
+                          "most_stiffness_N_m", "most_damping_N_s_m", "device_delay_s"})
+    for (const char* value : {"nan", "inf", "-inf", "-1", "0", "1e308", "", "x"}) {
+      SCOPED_TRACE(std::string(key) + " = '" + value + "'");
+      runSql(std::string("UPDATE meta SET value = '") + value + "' WHERE key = '" + key + "'");
+      const auto opened = RecordedInsertion::open(file);
+      if (!opened) continue;
+      const auto engine = makeEngine(*scenario, *model, opened->facts());
+      if (!engine) {
+        EXPECT_THAT(engine.error().message, HasSubstr("cannot be run"));
+        continue;
+      }
+      EXPECT_TRUE(opened->forEach([&](const haptics::TickRecord& record) {
+        const auto& force_D = (*engine)->tick(record.sample, record.commands).wrench_D.force_D;
+        EXPECT_LE(std::hypot(force_D[0], force_D[1], force_D[2]), mostForce);  // NaN is not
+        return true;
+      }));
+    }
+}
+
+TEST_F(ForgedSession, ReachedThroughALinkIsRecoveredWhereItLies)
+{
+  const fs::path link = home / "link.insertion";
+  fs::create_symlink(file, link);
+  const auto opened = RecordedInsertion::open(link);
+  ASSERT_TRUE(opened) << opened.error().message;
+  EXPECT_EQ(opened->ticks(), 20u);
+}
+
+}  // namespace
+}  // namespace perilymph::session

@@ -1,0 +1,29 @@
+#include "PacedHand.h"
+
+namespace perilymph::test {
+
+device::DeviceTraits PacedHand::traits() const
+{
+  device::DeviceTraits traits;
+  traits.name = "Paced hand";
+  return traits;
+}
+
+device::DeviceSample PacedHand::read() noexcept
+{
+  const bool holds = way_ == Way::in || way_ == Way::out;
+  // A hand that takes hold is at rest in that report and moves from the next one on.
+  if (way_ == Way::in && hadHold_) ++place_;
+  if (way_ == Way::out && hadHold_) --place_;
+  if (way_ == Way::home && place_ != 0) place_ += place_ > 0 ? -1 : 1;
+  hadHold_ = holds;
+
+  device::DeviceSample sample;
+  sample.sequence = ++sequence_;
+  sample.position_D[2] = -step_ * static_cast<double>(place_);
+  sample.buttons = holds ? device::graspButton : 0u;
+  sample.isValid = 1;
+  return sample;
+}
+
+}  // namespace perilymph::test

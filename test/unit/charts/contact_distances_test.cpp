@@ -1,0 +1,61 @@
+#include "perilymph/charts/ContactDistances.h"
+
+#include <gtest/gtest.h>
+
+#include "RingScala.h"
+
+namespace perilymph::charts {
+namespace {
+
+constexpr double smoothing_mm = 0.01;  // of the wall between directions
+
+std::vector<ContactDistance> distances(const haptics::Snapshot& now)
+{
+  ArrayInScala array(*test::ringScala(), test::plainArray());
+  array.follow(now);
+  return contactDistances(array);
+}
+
+TEST(ContactDistances, IsTheChordOfTheRoundSectionAtTheContactsHeight)
+{
+  const double across_mm = 0.4, up_mm = 0.5;
+  const auto contacts = distances(test::laidTo(300.0, across_mm, up_mm));
+  ASSERT_EQ(contacts.size(), 2u);
+  const double toWall_mm = across_mm + std::sqrt(test::lumen_mm * test::lumen_mm - up_mm * up_mm);
+  for (const ContactDistance& contact : contacts) {
+    EXPECT_TRUE(contact.isInside);
+    EXPECT_NEAR(contact.toInnerWall_mm, toWall_mm, smoothing_mm);
+  }
+}
+
+TEST(ContactDistances, KnowsTheContactsAngles)
+{
+  // 20 mm of array over 300 degrees: the contact 2 mm from the tip is 30 degrees behind it
+  EXPECT_NEAR(distances(test::laidTo(300.0, 0.0)).front().angle_deg, 270.0, 0.1);
+}
+
+TEST(ContactDistances, SaysNothingOfAContactBeyondTheWall)
+{
+  EXPECT_LT(distances(test::laidTo(300.0, 0.0, 1.3)).front().toInnerWall_mm, 0.0);
+}
+
+TEST(ContactDistances, HasNoneWithoutAnArray)
+{
+  haptics::Snapshot none{};
+  for (const ContactDistance& contact : distances(none)) EXPECT_FALSE(contact.isInside);
+}
+
+TEST(ContactDistances, TheirMeanIsWrittenOverThem)
+{
+  const std::vector<ContactDistance> contacts{
+      {true, 90.0, 0.5}, {true, 80.0, 1.0}, {false, 0.0, -1.0}};
+  const analysis::Drawing drawing = drawContactDistances(contacts, 200.0, 180.0);
+  bool isSaid = false;
+  for (const analysis::Mark& mark : drawing.marks)
+    if (const auto* words = std::get_if<analysis::Words>(&mark))
+      isSaid = isSaid || words->text == "mean 0.75 mm, 2 inside";
+  EXPECT_TRUE(isSaid);
+}
+
+}  // namespace
+}  // namespace perilymph::charts

@@ -1,0 +1,238 @@
+// The flat views are drawings: what they say is read from their axes and scale bars.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "RingScala.h"
+#include "perilymph/charts/TipSection.h"
+#include "perilymph/charts/UnrolledScala.h"
+
+namespace perilymph::charts {
+namespace {
+
+using analysis::Area;
+using analysis::Drawing;
+using analysis::Ink;
+using analysis::Stroke;
+using analysis::Words;
+
+constexpr Ink silicone{{0xDC, 0xE4, 0xE9}, 1.0};
+constexpr Ink orange{{0xE6, 0x9F, 0x00}, 1.0};
+constexpr double pixel = 1.0;
+
+template <class Kind>
+std::vector<Kind> all(const Drawing& drawing, const Ink& ink)
+{
+  std::vector<Kind> found;
+  for (const analysis::Mark& mark : drawing.marks)
+    if (const auto* one = std::get_if<Kind>(&mark); one != nullptr && one->ink == ink)
+      found.push_back(*one);
+  return found;
+}
+
+std::optional<Words> words(const Drawing& drawing, const std::string& text)
+{
+  for (const analysis::Mark& mark : drawing.marks)
+    if (const auto* one = std::get_if<Words>(&mark); one != nullptr && one->text == text)
+      return *one;
+  return std::nullopt;
+}
+
+struct Box {
+  double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
+  double width() const { return right - left; }
+  double height() const { return bottom - top; }
+};
+
+Box boxOf(const std::vector<analysis::PagePoint>& points)
+{
+  Box box;
+  for (const analysis::PagePoint& point : points) {
+    box.left = std::min(box.left, point.x);
+    box.right = std::max(box.right, point.x);
+    box.top = std::min(box.top, point.y);
+    box.bottom = std::max(box.bottom, point.y);
+  }
+  return box;
+}
+
+Drawing unrolled(const haptics::Snapshot& now, double width = 600.0, double height = 260.0)
+{
+  ArrayInScala array(*test::ringScala(), test::plainArray());
+  array.follow(now);
+  return UnrolledScala(*test::ringScala()).draw(array, width, height);
+}
+
+/// Reads a place off the axes that are drawn.
+struct Axes {
+  explicit Axes(const Drawing& drawing)
+      : x0(words(drawing, "0°")->at.x),
+        x180(words(drawing, "180°")->at.x),
+        y0(words(drawing, "0")->at.y),
+        y1(words(drawing, "1")->at.y)
+  {
+  }
+  double angle_deg(double x) const { return 180.0 * (x - x0) / (x180 - x0); }
+  double across_mm(double y) const { return (y + words_px - y0) / (y1 - y0); }
+  double x0, x180, y0, y1;
+  static constexpr double words_px = 4.0;  // of the numbers' base line below their tick
+};
+
+TEST(UnrolledScala, ShowsTheArrayUpToItsTipBesideTheTrueNumbers)
+{
+  const Drawing drawing = unrolled(test::laidTo(300.0, 0.4));
+  const Axes axes(drawing);
+  const auto silicones = all<Area>(drawing, silicone);
+  ASSERT_EQ(silicones.size(), 1u);
+  const Box box = boxOf(silicones.front().points);
+  EXPECT_NEAR(axes.angle_deg(box.right), 300.0, 1.0);
+  EXPECT_NEAR(axes.across_mm(box.top), 0.4 + 0.5 * test::diameter_mm, 0.02);
+  EXPECT_NEAR(axes.across_mm(box.bottom), 0.4 - 0.5 * test::diameter_mm, 0.02);
+}
+
+TEST(UnrolledScala, GrowsByQuarterTurnsWithTheTip)
+{
+  EXPECT_TRUE(words(unrolled(test::laidTo(500.0, 0.0)), "540°"));
+  const Drawing deep = unrolled(test::laidTo(600.0, 0.0));
+  EXPECT_TRUE(words(deep, "540°"));
+  // 720 degrees: the next quarter turn after 630, which the tip has nearly reached
+  const Drawing deeper = unrolled(test::laidTo(610.0, 0.0));
+  EXPECT_TRUE(words(deeper, "720°"));
+}
+
+TEST(UnrolledScala, AForceOfTheOuterWallStandsBeyondTheOuterWall)
+{
+  haptics::Snapshot now = test::laidTo(300.0, 0.7);
+  test::push(now, 50, -25.0);
+  const Drawing drawing = unrolled(now);
+  const Axes axes(drawing);
+  const auto bars = all<Area>(drawing, orange);
+  ASSERT_EQ(bars.size(), 2u);  // and the legend's
+  const Box bar = boxOf(bars.front().points);
+  EXPECT_NEAR(axes.angle_deg(0.5 * (bar.left + bar.right)), 150.0, 10.0);
+  EXPECT_NEAR(axes.across_mm(bar.bottom), test::lumen_mm, 0.03);
+}
+
+TEST(UnrolledScala, AForceOfTheInnerWallStandsBeyondTheInnerWall)
+{
+  haptics::Snapshot now = test::laidTo(300.0, -0.7);
+  test::push(now, 50, 25.0);
+  const Drawing drawing = unrolled(now);
+  const Axes axes(drawing);
+  const Box bar = boxOf(all<Area>(drawing, orange).front().points);
+  EXPECT_NEAR(axes.across_mm(bar.top), -test::lumen_mm, 0.03);
+}
+
+TEST(UnrolledScala, ABarIsAsLongAsItsLegendSays)
+{
+  haptics::Snapshot now = test::laidTo(300.0, 0.7);
+  test::push(now, 50, -25.0);
+  const auto bars = all<Area>(unrolled(now), orange);
+  const double half =
+      boxOf(bars.front().points).height() - 1.5;  // it begins beside the wall's line
+  EXPECT_NEAR(2.0 * half, boxOf(bars.back().points).height(), pixel);
+}
+
+TEST(UnrolledScala, DrawsTheScalaAloneWhenTheSnapshotIsNotFinite)
+{
+  haptics::Snapshot now = test::laidTo(300.0, 0.4);
+  now.node_W[3][0] = std::numeric_limits<float>::infinity();
+  const Drawing drawing = unrolled(now);
+  EXPECT_TRUE(all<Area>(drawing, silicone).empty());
+  EXPECT_TRUE(words(drawing, "360°"));
+}
+
+TEST(UnrolledScala, FitsIntoAnyPane)
+{
+  for (const double size : {1.0, 40.0, 3000.0}) {
+    const Drawing drawing = unrolled(test::laidTo(300.0, 0.4), size, size);
+    EXPECT_DOUBLE_EQ(drawing.width, size);
+    EXPECT_FALSE(drawing.marks.empty());
+  }
+}
+
+Drawing section(const haptics::Snapshot& now, double width = 240.0, double height = 240.0)
+{
+  ArrayInScala array(*test::ringScala(), test::plainArray());
+  array.follow(now);
+  return TipSection(*test::ringScala()).draw(array, width, height);
+}
+
+/// The scale bar is the longest level line in the color of text.
+double pixelsPerMillimeter(const Drawing& drawing)
+{
+  double longest = 0.0;
+  for (const Stroke& stroke : all<Stroke>(drawing, Ink{{0xE8, 0xEC, 0xEF}, 1.0}))
+    longest = std::max(longest, boxOf(stroke.points).width());
+  return longest / 0.5;
+}
+
+Box outline(const Drawing& drawing)
+{
+  return boxOf(all<Stroke>(drawing, Ink{{0xE9, 0xDC, 0xC0}, 1.0}).front().points);
+}
+
+TEST(TipSection, DrawsScalaAndArrayToOneScale)
+{
+  const Drawing drawing = section(test::laidTo(300.0, 0.4));
+  const double px_mm = pixelsPerMillimeter(drawing);
+  EXPECT_NEAR(outline(drawing).width() / px_mm, 2.0 * test::lumen_mm, 0.03);
+  EXPECT_NEAR(outline(drawing).height() / px_mm, 2.0 * test::lumen_mm, 0.03);
+  // the array rises by 3 mm a turn of 21 mm: cut aslant, its section is higher by 1 %
+  const Box array = boxOf(all<Area>(drawing, silicone).front().points);
+  EXPECT_NEAR(array.width() / px_mm, test::diameter_mm, 0.02);
+  EXPECT_NEAR(array.height() / px_mm, test::diameter_mm, 0.02);
+}
+
+TEST(TipSection, PutsTheArrayWhereItIsWithTheModiolusAtTheLeft)
+{
+  const Drawing drawing = section(test::laidTo(300.0, 0.4, -0.3));
+  const double px_mm = pixelsPerMillimeter(drawing);
+  const Box lumen = outline(drawing);
+  const Box array = boxOf(all<Area>(drawing, silicone).front().points);
+  const double right_px = 0.5 * (array.left + array.right - lumen.left - lumen.right);
+  const double down_px = 0.5 * (array.top + array.bottom - lumen.top - lumen.bottom);
+  EXPECT_NEAR(right_px / px_mm, 0.4, 0.02);
+  EXPECT_NEAR(down_px / px_mm, 0.3, 0.02);
+}
+
+TEST(TipSection, SaysHowHardTheWallPushesTheLastMillimeter)
+{
+  haptics::Snapshot now = test::laidTo(300.0, 0.7);
+  test::push(now, 97, -20.0);  // 0.6 mm from the tip
+  test::push(now, 99, -15.0);
+  test::push(now, 60, -90.0);  // far behind
+  const Drawing drawing = section(now);
+  EXPECT_TRUE(words(drawing, "wall force 35 mN"));
+}
+
+TEST(TipSection, ItsArrowPointsAwayFromTheWallThatPushes)
+{
+  haptics::Snapshot now = test::laidTo(300.0, 0.7);
+  test::push(now, 99, -40.0);
+  const Drawing drawing = section(now);
+  const Box array = boxOf(all<Area>(drawing, silicone).front().points);
+  const Box arrow = boxOf(all<Stroke>(drawing, orange).front().points);
+  EXPECT_NEAR(arrow.right, array.right, 2.0 * pixel);
+  EXPECT_LT(arrow.left, 0.5 * (array.left + array.right));
+}
+
+TEST(TipSection, SaysThatTheTipIsOutside)
+{
+  const anatomy::Entry entry = test::ringScala()->entry();
+  haptics::Snapshot now{};
+  now.nodes = 2;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Eigen::Vector3d place_W = entry.origin_W + (i == 0 ? 21e-3 : 1e-3) * entry.out_W;
+    for (int k = 0; k < 3; ++k) now.node_W[i][std::size_t(k)] = static_cast<float>(place_W[k]);
+  }
+  const Drawing drawing = section(now);
+  EXPECT_TRUE(words(drawing, "the tip is outside"));
+  EXPECT_TRUE(all<Area>(drawing, silicone).empty());
+}
+
+}  // namespace
+}  // namespace perilymph::charts

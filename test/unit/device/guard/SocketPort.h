@@ -1,0 +1,20 @@
+#pragma once
+
+// A device at the other end of a socket: each handle on it is a connection, each report a message,
+// so that a process that dies lets go of it as it would of a hidraw node.
+
+#include <string>
+
+#include "perilymph/device/HidPort.h"
+
+namespace perilymph::test {
+
+/// Each connection begins with a message of one letter: 'r' reports, 'g' guards.
+std::unique_ptr<device::HidPort> socketPort(std::string name);
+
+/// A connection to an abstract socket of the system; -1 if nobody listens.
+int connectTo(const std::string& name, char letter) noexcept;
+/// A listening one; -1 if there is none to be had.
+int listenAs(const std::string& name) noexcept;
+
+}  // namespace perilymph::test

@@ -1,0 +1,177 @@
+// A device of 10 kHz against an engine of 10 kHz, in virtual time: the whole way from report to
+// report, with the device layer's own threads.
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+#include "perilymph/anatomy/PlainLumens.h"
+#include "perilymph/device/HidHand.h"
+#include "perilymph/haptics/CouplingLimit.h"
+#include "perilymph/haptics/HapticLoop.h"
+#include "perilymph/test/FakeHid.h"
+#include "perilymph/test/PlainModels.h"
+
+namespace perilymph::haptics {
+namespace {
+
+using test::FakeHid;
+using test::FakeReport;
+
+constexpr double period = 1e-4;              // [s]
+constexpr std::int64_t period_ns = 100'000;  // [ns]
+constexpr double stiffness = 441.0;          // of the coupling [N/m]
+constexpr double freeWay = 0.5e-3;           // of the tip before the wall [m]
+constexpr int ticksASecond = 10'000;
+
+std::atomic<std::int64_t> virtualNow{0};
+std::int64_t virtualClock() noexcept { return virtualNow; }
+
+/// A rod so short and stiff that it gives way by less than a thousandth of the coupling.
+std::shared_ptr<const mechanics::InsertionModel> stiffRodBeforeAWall()
+{
+  mechanics::ModelParts parts;
+  parts.lumen = std::make_shared<anatomy::FlatWall>(2e-3 + 0.25e-3 + freeWay);
+  parts.array = test::plainArray();
+  parts.array.length = millimeters(12);
+  parts.array.insertable = millimeters(10);
+  parts.array.bending = {{millimeters(0)}, {newtonSquareMeters(1e-4)}};
+  parts.friction = {};
+  parts.friction.starting = parts.friction.dynamic = parts.friction.stopping = 0.0;
+  parts.wall.perSamplePoint = newtonsPerMeter(1e6);
+  parts.wall.onset = millimeters(0.001);
+  parts.nodes = 8;
+  parts.timeStep = Duration::fromSi(period);
+  parts.startInside = millimeters(2);
+  return mechanics::InsertionModel::build(std::move(parts));
+}
+
+class TenKilohertz : public testing::Test {
+protected:
+  TenKilohertz()
+  {
+    virtualNow = 1'000'000'000;
+    hid.whenWaiting([this](Duration) { report(); });
+    device::DeviceTraits traits = test::fakeTraits();
+    traits.nominalPeriod = period;
+    hand = std::make_unique<device::HidHand>(traits, std::make_unique<test::FakeCodec>(),
+                                             hid.port(), virtualClock);
+  }
+
+  void report()
+  {
+    virtualNow += period_ns;
+    FakeReport report;
+    report.counter = ++counter;
+    report.place_10um[2] = static_cast<std::int16_t>(-inward_10um);
+    report.buttons = device::graspButton;
+    hid.send(report);
+  }
+  void start()
+  {
+    ASSERT_TRUE(hand->open());
+    EngineSettings settings;
+    settings.coupling = mechanics::Coupling::spring;
+    settings.couplingStiffness = stiffness;
+    settings.samplePeriod = hand->traits().nominalPeriod;
+    loop = std::make_unique<HapticLoop>(
+        *hand, std::make_unique<InsertionEngine>(stiffRodBeforeAWall(), settings));
+    loop->send({Command::Kind::arm});
+  }
+  TickRecord tick()
+  {
+    loop->runOnce();
+    TickRecord record;
+    EXPECT_TRUE(loop->take(record));
+    return record;
+  }
+  /// After a second the hand goes to 1 mm in steps of 10 um, 5 mm/s, and stays there: half of that
+  /// is behind the wall.
+  TickRecord goIntoTheWall()
+  {
+    TickRecord record;
+    for (int i = 0; i < 2 * ticksASecond; ++i) {
+      if (i > ticksASecond && i % 20 == 0 && inward_10um < 100) ++inward_10um;
+      report();
+      record = tick();
+    }
+    return record;
+  }
+
+  FakeHid hid;
+  std::uint16_t counter = 0;
+  int inward_10um = 0;
+  std::unique_ptr<device::HidHand> hand;
+  std::unique_ptr<HapticLoop> loop;
+};
+
+TEST_F(TenKilohertz, IsMeasuredOnOpeningAndBeginsTheTicks)
+{
+  start();
+  EXPECT_NEAR(hand->traits().nominalPeriod, period, 1e-9);
+  EXPECT_TRUE(followsReports(hand->traits(), period));
+  EXPECT_EQ(hand->await(Duration::fromSi(period)), device::Awaited::cannot);  // before a read
+  hand->read();
+  EXPECT_EQ(hand->await(Duration::fromSi(period)), device::Awaited::fresh);
+}
+
+TEST_F(TenKilohertz, PushesWithTheSpringsForceAtTheWall)
+{
+  start();
+  const TickRecord record = goIntoTheWall();
+  ASSERT_EQ(record.output.workflow, Workflow::inserting);
+  const double force = stiffness * (1e-3 - freeWay);  // K x, by hand: 0.2205 N
+  EXPECT_NEAR(record.output.wrench_D.force_D[2], force, 0.01 * force);
+  EXPECT_EQ(hand->health()->reading.lost, 0u);
+}
+
+TEST_F(TenKilohertz, ShowsTheDeviceTheForceItComputed)
+{
+  start();
+  const TickRecord record = goIntoTheWall();
+  const double shown = std::round(record.output.wrench_D.force_D[2] * 1e3) * 1e-3;  // in mN
+  while (std::abs(hid.forces().back()[2] - shown) > 0.5e-3) {
+    report();
+    tick();
+    std::this_thread::yield();
+  }
+}
+
+TEST_F(TenKilohertz, IsStaleAfterThreeMillisecondsNotAfterThreePeriods)
+{
+  start();
+  const TickRecord before = goIntoTheWall();
+  ASSERT_GT(before.output.wrench_D.force_D[2], 0.2);
+  // Silence: the loop goes on, the device does not.
+  int ticksUntilStale = 0;
+  TickRecord record;
+  do {
+    virtualNow += period_ns;
+    record = tick();
+    ++ticksUntilStale;
+  } while ((record.output.status & staleSample) == 0 && ticksUntilStale < 1000);
+  EXPECT_NEAR(ticksUntilStale * period, 3e-3, 1.5 * period);
+  // Off within the 3 ms that SafetyLimits says; 0.22 N of 3.3 N sooner.
+  for (int i = 0; i < 30; ++i) {
+    virtualNow += period_ns;
+    record = tick();
+  }
+  EXPECT_EQ(record.output.wrench_D.force_D[2], 0.0);
+}
+
+TEST(CouplingLimitAtTenKilohertz, IsTenTimesThatOfOneKilohertzWithoutADelay)
+{
+  device::DeviceTraits traits = test::fakeTraits();
+  traits.handleDamping = 0.5;
+  const double slow = couplingLimit(traits, 1e-3).stiffness;
+  traits.nominalPeriod = period;
+  EXPECT_NEAR(couplingLimit(traits, period).stiffness, 10.0 * slow, 1e-6);
+  // 0.75 b / (T/2 + td) with td = 0.3 ms
+  traits.transportDelay = 0.3e-3;
+  EXPECT_NEAR(couplingLimit(traits, period).stiffness, 0.75 * 0.5 / 0.35e-3, 1e-6);
+}
+
+}  // namespace
+}  // namespace perilymph::haptics

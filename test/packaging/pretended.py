@@ -27,6 +27,7 @@ class PretendedSystem(unittest.TestCase):
         shutil.copytree(SOURCE / "packaging", self.root / "packaging")
         shutil.copy(SOURCE / "test/run", self.root / "test/run")
         shutil.copy(SOURCE / "CMakePresets.json", self.root)
+        self.pretend("campaign", "", self.root / "test/fuzz")
         for name in REAL:
             found = shutil.which(name, path="/usr/bin:/bin")
             if found:

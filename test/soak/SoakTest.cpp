@@ -85,6 +85,8 @@ protected:
     auto& hand = dynamic_cast<PacedHand&>(insertion.hand());
     std::uint64_t ticks = 0;
     const auto count = [&ticks](const haptics::TickRecord&) { return ++ticks > 0; };
+    // A loop that is idle is armed by every call; after this one it is not.
+    if (!insertion.runToEnd(count, 1)) return false;
     haptics::Command reset;
     reset.kind = haptics::Command::Kind::reset;
     if (!insertion.send(reset)) return false;

@@ -83,7 +83,7 @@ void PhaseLine::paintEvent(QPaintEvent*)
     painter.setFont(typeface(12, isHere ? QFont::DemiBold : QFont::Normal));
     painter.setPen(isHere ? textColor : quietTextColor);
     const QRectF name(place.x() - sideMargin_px, stationY_px + 10, 2 * sideMargin_px, 20);
-    painter.drawText(name, Qt::AlignCenter, nameOf(stations[i]));
+    painter.drawText(name, Qt::AlignCenter | Qt::TextDontClip, nameOf(stations[i]));
   }
 }
 

@@ -228,7 +228,8 @@ void MainWindow::leave()
   if (notice_->isVisible()) return notice_->hide();
   if (page_ == Page::validate) validation_->cancel();
   if (page_ == Page::compare) comparison_->cancel();
-  if (!hasFocus() && page_ != Page::start) return setFocus();
+  const bool isElsewhere = focusWidget() != nullptr && focusWidget() != this;
+  if (isElsewhere && page_ != Page::start) return setFocus();
   if (isFullScreen()) setWindowState(windowState() & ~Qt::WindowFullScreen);
 }
 

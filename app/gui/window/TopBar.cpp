@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QPushButton>
 #include <QVariant>
+#include <algorithm>
 
 #include "Theme.h"
 
@@ -151,7 +152,7 @@ QPushButton* TopBar::addPage(Page page, const QString& text, const char* name)
   button->setProperty("page", true);
   button->setFont(typeface(13, QFont::Medium));
   button->setFixedHeight(28);
-  button->setMinimumWidth(84);
+  button->setMinimumWidth(std::max(84, button->sizeHint().width()));
   button->setCheckable(true);
   button->setFocusPolicy(Qt::TabFocus);
   connect(button, &QPushButton::clicked, this, [this, page] { Q_EMIT pageChosen(page); });

@@ -1,5 +1,6 @@
 #include "perilymph/imaging/SurfaceReader.h"
 
+#include <vtkCellArray.h>
 #include <vtkCommand.h>
 #include <vtkExecutive.h>
 #include <vtkSTLReader.h>
@@ -51,6 +52,24 @@ bool beginsRight(const std::string& content, const std::string& ending)
   return content.size() == 84 + 50 * static_cast<std::size_t>(count);
 }
 
+/// Whether the cells name only points that there are; VTK's filters trust them.
+bool cornersExist(vtkPolyData& data)
+{
+  const vtkIdType points = data.GetNumberOfPoints();
+  for (vtkCellArray* const cells :
+       {data.GetVerts(), data.GetLines(), data.GetPolys(), data.GetStrips()}) {
+    if (!cells) continue;
+    if (!cells->IsValid()) return false;
+    vtkIdType count = 0;
+    const vtkIdType* corners = nullptr;
+    for (cells->InitTraversal(); cells->GetNextCell(count, corners) != 0;)
+      if (std::any_of(corners, corners + count,
+                      [points](vtkIdType corner) { return corner < 0 || corner >= points; }))
+        return false;
+  }
+  return true;
+}
+
 /// What a reader of VTK makes of a file; nothing where it complains.
 template <class Reader>
 vtkSmartPointer<vtkPolyData> readWith(const std::filesystem::path& file)
@@ -65,6 +84,8 @@ vtkSmartPointer<vtkPolyData> readWith(const std::filesystem::path& file)
   }
   if constexpr (std::is_base_of_v<vtkXMLReader, Reader>) reader->SetParserErrorObserver(complaints);
   reader->SetFileName(file.c_str());
+  reader->Update();
+  if (complaints->isAny || !cornersExist(*reader->GetOutput())) return nullptr;
   triangles->SetInputConnection(reader->GetOutputPort());
   triangles->PassLinesOff();
   triangles->PassVertsOff();

@@ -5,6 +5,7 @@
 
 #include "contact/Contact.h"
 #include "contact/Rim.h"
+#include "rod/Material.h"
 
 namespace perilymph::mechanics {
 namespace {
@@ -32,7 +33,7 @@ Balance leftOver(const std::vector<Eigen::Vector3d>& right) noexcept
 
 Base baseOf(const InsertionModel& model, const InsertionState& state, const Drive& drive) noexcept
 {
-  const double dt = model.timeStep;
+  const double dt = state.room.timeStep;
   Base base{};
   base.isHeld = drive.coupling == Coupling::rigid;
   base.inertia = model.baseMass / (dt * dt);
@@ -46,11 +47,22 @@ Base baseOf(const InsertionModel& model, const InsertionState& state, const Driv
   return base;
 }
 
+void setHold(const InsertionModel& model, InsertionState& state) noexcept
+{
+  StepRoom& room = state.room;
+  const double perTime = 1.0 / room.timeStep;
+  for (std::size_t i = 2; i < state.position_W.size(); ++i) {
+    const double inertia = model.mass[i] * perTime;
+    room.hold[i] = (inertia + model.drag[i]) * perTime;
+    // inertia takes it on as fast as it was; drag would leave it where it is
+    room.goal_W[i] = room.before_W[i] + (inertia / room.hold[i]) * state.velocity_W[i];
+  }
+}
+
 Balance balance(const InsertionModel& model, InsertionState& state, const Base& base) noexcept
 {
   StepRoom& room = state.room;
   const auto n = static_cast<std::size_t>(model.nodes);
-  const double perTime = 1.0 / model.timeStep;
   for (std::size_t i = 0; i < n; ++i) room.force_W[i].setZero();
   addRodForces(model, state.position_W, room);
   addWallForces(model, state, state.position_W, room);
@@ -64,12 +76,8 @@ Balance balance(const InsertionModel& model, InsertionState& state, const Base& 
                     base.grip * (at - base.gripped_W);
   }
   // every other node has its own, and the perilymph's drag
-  for (std::size_t i = 2; i < n; ++i) {
-    const Eigen::Vector3d velocity = perTime * (state.position_W[i] - room.before_W[i]);
-    const double inertia = model.mass[i] * perTime;
-    room.right[i - 1] =
-        room.force_W[i] - inertia * (velocity - state.velocity_W[i]) - model.drag[i] * velocity;
-  }
+  for (std::size_t i = 2; i < n; ++i)
+    room.right[i - 1] = room.force_W[i] - room.hold[i] * (state.position_W[i] - room.goal_W[i]);
   return leftOver(room.right);
 }
 
@@ -77,14 +85,12 @@ void setStiffnessOfBalance(const InsertionModel& model, const Base& base, Compre
                            StepRoom& room) noexcept
 {
   const auto n = static_cast<std::size_t>(model.nodes);
-  const double perTime = 1.0 / model.timeStep;
   room.matrix.clear();
   addRodStiffness(model, compression, room);
+  if (model.twists) addMaterialStiffness(model, room);
   addWallStiffness(room);
   addRimStiffness(room);
-  for (std::size_t i = 2; i < n; ++i)
-    room.matrix.diagonal[blockOf(i)] +=
-        uniform((model.mass[i] * perTime + model.drag[i]) * perTime);
+  for (std::size_t i = 2; i < n; ++i) room.matrix.diagonal[blockOf(i)] += uniform(room.hold[i]);
   if (base.isHeld)
     room.matrix.holdFirst();
   else

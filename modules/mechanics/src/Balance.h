@@ -21,6 +21,9 @@ struct Base {
 
 Base baseOf(const InsertionModel& model, const InsertionState& state, const Drive& drive) noexcept;
 
+/// How inertia and drag hold each node in this step, and where: into the room.
+void setHold(const InsertionModel& model, InsertionState& state) noexcept;
+
 /// What is left unbalanced.
 struct Balance {
   double worst;    ///< Greatest unbalanced force on a block, along one axis [N].

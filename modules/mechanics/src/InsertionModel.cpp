@@ -20,6 +20,9 @@ constexpr double carrierAndTweezers = 0.0178943;  // [kg]
 constexpr double siliconeDensity = 1150.0;  // [kg/m^3]
 constexpr double dragPerLength = 0.05;      // [N.s/m^2]
 
+// Bone is 2,000 to 10,000 N/m; ten times that is held in plain scenes (choice, low).
+constexpr Stiffness stiffestWall = newtonsPerMeter(1e5);
+
 void require(bool holds, const std::string& sentence)
 {
   if (!holds) throw std::invalid_argument(sentence);
@@ -61,8 +64,12 @@ void check(const ModelParts& parts)
           "The array starts " + std::to_string(inMillimeters(parts.startInside)) +
               " mm inside, but only " + std::to_string(inMillimeters(parts.array.length)) +
               " mm of it are free of the tweezers.");
-  require(parts.wall.perSamplePoint.si() > 0.0 && parts.wall.tangentialPerSamplePoint.si() > 0.0,
-          "The wall's stiffness must be above 0 N/m.");
+  for (const Stiffness wall : {parts.wall.perSamplePoint, parts.wall.tangentialPerSamplePoint})
+    require(
+        wall.si() > 0.0 && wall <= stiffestWall,
+        "The wall's stiffness is " + std::to_string(wall.si()) +
+            " N/m under a sample point; it must be above 0 and at most 100000 N/m, ten times that "
+            "of bone: single steps would not find their balance.");
   if (parts.membrane)
     require(parts.membrane->perSamplePoint.si() > 0.0 &&
                 parts.membrane->perSamplePoint <= parts.wall.perSamplePoint &&
@@ -94,7 +101,8 @@ std::uint64_t fingerprintOf(const InsertionModel& model)
   hash.add(model.spacing);
   for (const auto* values :
        {&model.fromTip, &model.radius, &model.mass, &model.drag, &model.stretching,
-        &model.bendingCarrier, &model.restCurvature, &model.wallStiffness, &model.wallTangential})
+        &model.bendingCarrier, &model.bendingMore, &model.twisting, &model.halfWithin,
+        &model.halfAcross, &model.restCurvature, &model.wallStiffness, &model.wallTangential})
     addAll(*values);
   for (const double value :
        {model.styletBending, model.styletFromTip, model.styletResidual, model.baseMass,
@@ -154,15 +162,24 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
   for (int i = 0; i < m.nodes; ++i) {
     const double fromTip = length - i * m.spacing;
     const Length place = Length::fromSi(std::max(fromTip, 0.0));
-    const double radius = 0.5 * array.diameter.at(place).si();
-    const double bending = array.bending.at(place).si();
+    const electrode::Section section = array.sectionAt(place);
+    const double within = 0.5 * section.within.si(), across = 0.5 * section.across.si();
+    const double bendingWithin = array.bending.at(place).si();
+    const double bendingAcross = array.bendingAcrossAt(place).si();
     const bool isTip = i == m.nodes - 1;
     const double ownLength = isTip ? 0.5 * m.spacing : m.spacing;
     m.fromTip.push_back(place.si());
-    m.radius.push_back(radius);
-    m.mass.push_back(siliconeDensity * pi * radius * radius * ownLength);
+    m.radius.push_back(std::max(within, across));
+    m.halfWithin.push_back(within);
+    m.halfAcross.push_back(across);
+    m.mass.push_back(siliconeDensity * pi * within * across * ownLength);
     m.drag.push_back(dragPerLength * ownLength);
-    m.bendingCarrier.push_back(bending);
+    m.bendingCarrier.push_back(std::min(bendingWithin, bendingAcross));
+    m.bendingMore.push_back(std::fabs(bendingWithin - bendingAcross));
+    m.stifferAcross.push_back(bendingAcross > bendingWithin ? 1 : 0);
+    m.twisting.push_back(array.twistingAt(place).si());
+    m.isOval = m.isOval || within != across || bendingWithin != bendingAcross;
+    m.twists = m.twists || m.isOval || array.restCurvature.at(place).si() != 0.0;
     m.restCurvature.push_back(array.restCurvature.at(place).si());
     // the rounded tip is a sample point of its own, however short its stretch of array
     const double pressedLength = isTip ? samplePointSpacing : ownLength;
@@ -172,11 +189,12 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
                                samplePointSpacing);
   }
   for (int i = 0; i + 1 < m.nodes; ++i) {
-    // EA of a round section of the same material as its EI: 4 EI / r^2
+    // EA of a section of the same material as its EI: 4 EI / r^2, r the half it bends over
     const auto k = static_cast<std::size_t>(i);
-    const double radius = 0.5 * (m.radius[k] + m.radius[k + 1]);
-    m.stretching.push_back(4.0 * 0.5 * (m.bendingCarrier[k] + m.bendingCarrier[k + 1]) /
-                           (radius * radius));
+    const double half = 0.5 * (m.halfWithin[k] + m.halfWithin[k + 1]);
+    const double bending = 0.5 * (array.bending.at(Length::fromSi(m.fromTip[k])).si() +
+                                  array.bending.at(Length::fromSi(m.fromTip[k + 1])).si());
+    m.stretching.push_back(4.0 * bending / (half * half));
   }
   if (array.hasStylet) {
     m.styletBending = array.stylet.bending.si();

@@ -16,6 +16,7 @@ void addVector(Hash& hash, const Eigen::Vector3d& vector)
 InsertionState::InsertionState(const InsertionModel& model)
     : position_W(static_cast<std::size_t>(model.nodes)),
       velocity_W(position_W.size()),
+      curl_W(position_W.size()),
       frictionSpring_W(position_W.size()),
       isSliding(position_W.size()),
       slipSpeed(position_W.size()),
@@ -23,6 +24,8 @@ InsertionState::InsertionState(const InsertionModel& model)
       clearance(position_W.size()),
       normalForce(position_W.size()),
       wallForce_W(position_W.size()),
+      wallNormal_W(position_W.size()),
+      wallTorque(position_W.size()),
       membraneForce(position_W.size()),
       factors(position_W.size() - 1),
       room(position_W.size())
@@ -43,12 +46,15 @@ void InsertionState::reset(const InsertionModel& model) noexcept
   for (std::size_t i = 0; i < position_W.size(); ++i) {
     position_W[i] = base_W + (static_cast<double>(i) * model.spacing) * model.startAxis_W;
     velocity_W[i].setZero();
+    curl_W[i] = model.startCurl_W;
     frictionSpring_W[i].setZero();
     isSliding[i] = 0;
     slipSpeed[i] = 0.0;
     track[i] = model.parts.lumen->startTrack();
     normalForce[i] = 0.0;
     wallForce_W[i].setZero();
+    wallNormal_W[i].setZero();
+    wallTorque[i] = {};
     membraneForce[i] = 0.0;
     clearance[i] = 0.0;
     // nodes farther from the wall than this do not touch it
@@ -71,6 +77,7 @@ std::uint64_t InsertionState::fingerprint() const noexcept
   for (std::size_t i = 0; i < position_W.size(); ++i) {
     addVector(hash, position_W[i]);
     addVector(hash, velocity_W[i]);
+    addVector(hash, curl_W[i]);
     addVector(hash, frictionSpring_W[i]);
     hash.add(isSliding[i]);
     hash.add(slipSpeed[i]);
@@ -78,11 +85,15 @@ std::uint64_t InsertionState::fingerprint() const noexcept
     hash.add(track[i].angle);
     hash.add(clearance[i]);
     hash.add(normalForce[i]);
+    addVector(hash, wallNormal_W[i]);
+    hash.add(wallTorque[i].torque);
   }
   factors.addTo(hash);
   addVector(hash, rim.spring_W);
   hash.add(rim.isSliding);
   hash.add(rim.slipSpeed);
+  hash.add(rim.normalForce);
+  addVector(hash, rim.normal_W);
   if (!points.place_W.empty()) points.addTo(hash);
   return hash.value();
 }

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "contact/Contact.h"
+#include "perilymph/mechanics/advance.h"
 
 namespace perilymph::mechanics {
 namespace {
 
-constexpr int mostIterations = 16;
 constexpr int mostHalvings = 3;
 constexpr double forceTolerance = 2e-6;  // [N]
 // What the nodes still would move: forces alone do not show it, for a rod bends under very little.
@@ -15,16 +18,46 @@ constexpr double motionTolerance = 0.2e-9;  // [m]
 constexpr double atRest = 1e-9;  // [N]
 // A step so short that goes on for nothing: contact toggles.
 constexpr double stuck = 1e-9;          // [m]
-constexpr double longestStep = 0.2e-3;  // [m] of one node in one Newton step
+constexpr double leastGain = 0.9;       // of the squares of all forces
+constexpr double longestStep = 0.5e-3;  // [m] of one node in one Newton step
+// Friction is bounded by an older pressure, renewed while it may be wrong by more than this [N].
+constexpr double mostLag = 0.1e-3;
+constexpr int mostPasses = 2;
+// A step that takes more iterations than this is left with the pressure it started from.
+constexpr int soonSettled = 6;
+// Oval sections are looked at anew until steps are as short as this.
+constexpr double nearStep = 20e-6;  // [m]
 // A Newton step with good factors leaves less than this share of the unbalanced forces.
 constexpr double goodShare = 0.1;
+// A step is too long where forces then pull back with more than this share of what drove it.
+constexpr double leftPull = 0.3;
 
-/// Moves every node by a share of the Newton step that starts at room.start_W.
+/// One over the root of 1 + q.
+double perRoot(double q) noexcept
+{
+  // left out is less than a rounding
+  if (q < 1e-4) return 1.0 - q * (0.5 - q * (0.375 - q * 0.3125));
+  return 1.0 / std::sqrt(1.0 + q);
+}
+
+/// Moves every node by a share of the Newton step that starts at room.start_W. Where the step turns
+/// an edge, the edge turns on an arc: it gets just as long as the step says along it. On a straight
+/// way it would grow by the square of the turn, against the rod's stiffest resistance.
 void moveBy(InsertionState& state, double share) noexcept
 {
   const StepRoom& room = state.room;
-  for (std::size_t i = 0; i < state.position_W.size(); ++i)
-    state.position_W[i] = room.start_W[i] + share * room.trial_W[blockOf(i)];
+  state.position_W[0] = room.start_W[0] + share * room.trial_W[0];
+  state.position_W[1] = room.start_W[1] + share * room.trial_W[0];
+  for (std::size_t i = 1; i + 1 < state.position_W.size(); ++i) {
+    const Eigen::Vector3d edge = room.start_W[i + 1] - room.start_W[i];
+    const Eigen::Vector3d change = share * (room.trial_W[i] - room.trial_W[i - 1]);
+    const double perSquare = 1.0 / edge.squaredNorm();
+    const double along = edge.dot(change) * perSquare;
+    const double across = std::max(change.squaredNorm() * perSquare - along * along, 0.0);
+    const double stretched = std::max(1.0 + along, 0.1);
+    const double shrink = perRoot(across / (stretched * stretched));
+    state.position_W[i + 1] = state.position_W[i] + shrink * (edge + change);
+  }
 }
 
 /// Factors of the stiffness at the last balance. False only if there are none.
@@ -51,15 +84,24 @@ double findStep(InsertionState& state) noexcept
   return std::sqrt(longest);
 }
 
+/// How strongly the unbalanced forces pull along the step [J].
+double pullAlong(const StepRoom& room) noexcept
+{
+  double sum[3] = {0.0, 0.0, 0.0};
+  for (std::size_t i = 0; i < room.right.size(); ++i)
+    for (int k = 0; k < 3; ++k) sum[k] += room.right[i][k] * room.trial_W[i][k];
+  return sum[0] + sum[1] + sum[2];
+}
+
 /// Whether a step has left only a good share of the unbalanced forces.
 bool wasGood(const Balance& before, const Balance& after) noexcept
 {
   return after.squares < goodShare * goodShare * before.squares;
 }
 
-}  // namespace
-
-Settled settle(const InsertionModel& model, InsertionState& state, const Base& base) noexcept
+/// Newton's method from state.position_W, where the forces are `now`.
+Settled iterate(const InsertionModel& model, InsertionState& state, const Base& base,
+                Settled settled) noexcept
 {
   // Factors of an earlier step serve as long as their steps are good: the rod hardly changes from
   // one tick to the next. Where a contact toggles they are found anew.
@@ -67,16 +109,18 @@ Settled settle(const InsertionModel& model, InsertionState& state, const Base& b
   if (factors.firstIsHeld() != base.isHeld) factors.forget();
   bool areOwn = false;  // found in this step of time
 
-  Balance now = balance(model, state, base);
-  int iterations = 0;
+  auto& [now, iterations] = settled;
   for (; iterations < mostIterations && now.worst > atRest; ++iterations) {
     if (!factors.exist()) {
       if (!factorize(model, base, state)) break;
       areOwn = true;
     }
     const double longest = findStep(state);
+    if (model.isOval && longest > nearStep && iterations < mostIterations / 4)
+      for (SectionReach& section : state.room.section) section.isKnown = false;
     if (now.worst <= forceTolerance && longest < motionTolerance) break;
 
+    const double pull = pullAlong(state.room);
     state.room.start_W = state.position_W;
     double share = longest > longestStep ? longestStep / longest : 1.0;
     moveBy(state, share);
@@ -93,7 +137,25 @@ Settled settle(const InsertionModel& model, InsertionState& state, const Base& b
       moveBy(state, share);
       next = balance(model, state, base);
     }
-    const bool goesOn = share * longest >= stuck || next.worst <= forceTolerance;
+    // forces are those of an energy: if they now pull back along the step, its least is in between
+    if (!wasGood(now, next)) {
+      const double back = pullAlong(state.room);
+      if (back < -leftPull * pull) {
+        const double whole = share;
+        share *= pull / (pull - back);
+        moveBy(state, share);
+        const Balance between = balance(model, state, base);
+        if (between.squares < next.squares) {
+          next = between;
+        } else {
+          share = whole;
+          moveBy(state, share);
+          next = balance(model, state, base);
+        }
+      }
+    }
+    const bool goesOn = share * longest >= stuck || next.worst <= forceTolerance ||
+                        next.squares < leastGain * now.squares;
     if (!wasGood(now, next)) factors.forget();
     now = next;
     if (areOwn && !goesOn) {
@@ -101,7 +163,26 @@ Settled settle(const InsertionModel& model, InsertionState& state, const Base& b
       break;
     }
   }
-  return {now, iterations};
+  return settled;
+}
+
+}  // namespace
+
+Settled settle(const InsertionModel& model, InsertionState& state, const Base& base) noexcept
+{
+  Settled settled{balance(model, state, base), 0};
+  double lag = std::numeric_limits<double>::infinity();
+  for (int pass = 0;; ++pass) {
+    settled = iterate(model, state, base, settled);
+    if (pass == mostPasses || settled.iterations > soonSettled) break;
+    const double before = lag;
+    lag = frictionLag(model, state);
+    // where friction and pressure drive each other up, each step takes the pressure it started from
+    if (lag <= mostLag || !(lag < 0.5 * before) || settled.left.worst > forceTolerance) break;
+    renewFriction(state);
+    settled.left = balance(model, state, base);
+  }
+  return settled;
 }
 
 }  // namespace perilymph::mechanics

@@ -4,37 +4,35 @@
 #include <algorithm>
 #include <cmath>
 
-#include "Newton.h"
-#include "contact/Clearance.h"
-#include "contact/Contact.h"
+#include "Step.h"
 #include "points/advancePoints.h"
 #include "rod/Rod.h"
 
 namespace perilymph::mechanics {
 namespace {
 
-/// First guess: while the hand goes on as it did, every node goes on as it did, faster or slower by
-/// the same share; else every node slides along the array by as much as the base advances.
-void predict(const InsertionModel& model, InsertionState& state, const Drive& drive,
-             const Base& base) noexcept
+// Faster than a hand pulls a stylet by itself (choice, low).
+constexpr double fastestStylet = 0.1;  // [m/s]
+// What a step may leave unbalanced where contact toggles: a hundredth of an insertion's forces.
+constexpr double mostLeft = 1e-3;  // [N]
+
+/// Of the array on the hand.
+struct Wrench {
+  Eigen::Vector3d force_W = Eigen::Vector3d::Zero();   ///< [N]
+  Eigen::Vector3d torque_W = Eigen::Vector3d::Zero();  ///< [N.m]
+};
+
+/// The hand holds nodes 0 and 1; in spring coupling it holds them through the spring.
+Wrench wrenchOf(const InsertionModel& model, const InsertionState& state, const Drive& drive,
+                const Base& base) noexcept
 {
-  const auto n = static_cast<std::size_t>(model.nodes);
-  StepRoom& room = state.room;
-  Eigen::Vector3d to_W = drive.handPosition_W;
-  if (!base.isHeld)
-    to_W = (base.inertia * base.free_W + base.grip * base.gripped_W) / (base.inertia + base.grip);
-  const double forward = (to_W - room.before_W[0]).dot(drive.handAxis_W);
-  const double lastForward = model.timeStep * state.baseVelocity_W.dot(drive.handAxis_W);
-  const double share = forward / lastForward;
-  const bool goesOn = share > 0.25 && share < 4.0;
-  for (std::size_t i = 2; i < n; ++i) {
-    const Eigen::Vector3d motion =
-        goesOn ? Eigen::Vector3d(share * model.timeStep * state.velocity_W[i])
-               : Eigen::Vector3d(forward * room.edge[i - 1].tangent_W);
-    state.position_W[i] = room.before_W[i] + motion;
-  }
-  state.position_W[0] = to_W;
-  state.position_W[1] = to_W + model.spacing * drive.handAxis_W;
+  const StepRoom& room = state.room;
+  Wrench wrench;
+  wrench.force_W = base.isHeld ? Eigen::Vector3d(room.force_W[0] + room.force_W[1])
+                               : Eigen::Vector3d(base.grip * (state.base_W - base.gripped_W));
+  wrench.torque_W = (model.spacing * drive.handAxis_W).cross(room.force_W[1]) +
+                    (model.twists ? room.twistTorque : 0.0) * drive.handAxis_W;
+  return wrench;
 }
 
 /// Length of array past the plane of the opening.
@@ -57,18 +55,14 @@ double depthOf(const InsertionModel& model, const InsertionState& state) noexcep
 }
 
 /// What the rest of the program wants to know of the step.
-void read(const InsertionModel& model, InsertionState& state, const Drive& drive, const Base& base,
+void read(const InsertionModel& model, InsertionState& state, const Wrench& wrench,
           const Settled& settled) noexcept
 {
-  const StepRoom& room = state.room;
   Readings& r = state.readings;
   r.iterations = settled.iterations;
   r.residual = settled.left.worst;
-  // the hand holds nodes 0 and 1; in spring coupling it holds them through the spring
-  const Eigen::Vector3d onBase_W = room.force_W[0] + room.force_W[1];
-  r.handForce_W =
-      base.isHeld ? onBase_W : Eigen::Vector3d(base.grip * (state.base_W - base.gripped_W));
-  r.handTorque_W = (model.spacing * drive.handAxis_W).cross(room.force_W[1]);
+  r.handForce_W = wrench.force_W;
+  r.handTorque_W = wrench.torque_W;
   r.axialForce = r.handForce_W.dot(model.entry.out_W);
   r.speed = -state.baseVelocity_W.dot(model.entry.out_W);
   r.depth = depthOf(model, state);
@@ -90,39 +84,81 @@ void read(const InsertionModel& model, InsertionState& state, const Drive& drive
   r.isFinite = std::isfinite(sum);
 }
 
+/// Where the hand was when the step began.
+Drive handBefore(const InsertionModel& model, const InsertionState& state,
+                 const Drive& drive) noexcept
+{
+  Drive before = drive;
+  before.handPosition_W = state.base_W;
+  if (drive.coupling == Coupling::spring)
+    before.handPosition_W = drive.handPosition_W - model.timeStep * drive.handVelocity_W;
+  before.handAxis_W = (state.position_W[1] - state.position_W[0]) / model.spacing;
+  before.handCurl_W = state.curl_W[0];
+  return before;
+}
+
+/// The hand on its way, after a share of it.
+Drive between(const Drive& from, const Drive& to, double share) noexcept
+{
+  const auto mix = [share](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return Eigen::Vector3d((1.0 - share) * a + share * b);
+  };
+  Drive there = to;
+  there.handPosition_W = mix(from.handPosition_W, to.handPosition_W);
+  there.handAxis_W = mix(from.handAxis_W, to.handAxis_W).normalized();
+  const Eigen::Vector3d curl_W = mix(from.handCurl_W, to.handCurl_W);
+  there.handCurl_W = (curl_W - curl_W.dot(there.handAxis_W) * there.handAxis_W).normalized();
+  return there;
+}
+
+/// The step in parts of equal time, with the hand on its way.
+///
+/// @return The mean wrench: the hand's work in the parts is that of the mean over the step.
+Wrench advanceInParts(const InsertionModel& model, InsertionState& state, const Drive& drive,
+                      Settled& settled) noexcept
+{
+  const Drive before = handBefore(model, state, drive);
+  Wrench mean;
+  for (int k = 1; k <= mostParts; ++k) {
+    const Drive there = between(before, drive, static_cast<double>(k) / mostParts);
+    const Step step = tryStep(model, state, there, model.timeStep / mostParts);
+    keepStep(state);
+    const Wrench wrench = wrenchOf(model, state, there, step.base);
+    mean.force_W += wrench.force_W / mostParts;
+    mean.torque_W += wrench.torque_W / mostParts;
+    settled.iterations += step.settled.iterations;
+    settled.left = step.settled.left;
+  }
+  state.factors.forget();
+  return mean;
+}
+
 }  // namespace
 
 void advance(const InsertionModel& model, InsertionState& state, const Drive& drive) noexcept
 {
   if (model.points) return advancePoints(model, state, drive);
-  StepRoom& room = state.room;
-  const std::size_t n = state.position_W.size();
 
-  // what this step starts from
-  for (std::size_t i = 0; i < n; ++i) room.before_W[i] = state.position_W[i];
-  state.styletWithdrawal = drive.styletWithdrawal;
-  setStiffness(model, drive.styletWithdrawal, room);
-  setRestShape(model, state, drive.handCurl_W, room);
-  const Base base = baseOf(model, state, drive);
+  // a stylet pulled at once, or a curled array let go at once, is released over some time
+  const double pulled = fastestStylet * model.timeStep;
+  state.styletWithdrawal +=
+      std::clamp(drive.styletWithdrawal - state.styletWithdrawal, -pulled, pulled);
+  const double released =
+      std::min(static_cast<double>(state.tick + 1) * model.timeStep / releaseTime, 1.0);
+  setStiffness(model, state.styletWithdrawal, released, state.room);
 
-  // predict the rod, then correct it against the wall
-  predict(model, state, drive, base);
-  const Settled settled = settle(model, state, base);
-
-  // what the next step starts from
-  const double perTime = 1.0 / model.timeStep;
-  state.baseVelocity_W = perTime * (state.position_W[0] - room.before_W[0]);
-  state.base_W = state.position_W[0];
-  for (std::size_t i = 0; i < n; ++i) {
-    state.velocity_W[i] = perTime * (state.position_W[i] - room.before_W[i]);
-    state.frictionSpring_W[i] = room.frictionSpring_W[i];
-    state.isSliding[i] = room.isSliding[i];
-    state.slipSpeed[i] = perTime * room.slip[i];
+  const Step step = tryStep(model, state, drive, model.timeStep);
+  Settled settled = step.settled;
+  Wrench wrench;
+  if (settled.left.worst <= mostLeft) {
+    keepStep(state);
+    wrench = wrenchOf(model, state, drive, step.base);
+  } else {
+    undoStep(state);
+    wrench = advanceInParts(model, state, drive, settled);
   }
-  keepClearance(state);
-  state.rim = room.rim;
   ++state.tick;
-  read(model, state, drive, base, settled);
+  read(model, state, wrench, settled);
 }
 
 }  // namespace perilymph::mechanics

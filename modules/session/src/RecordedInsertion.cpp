@@ -182,10 +182,10 @@ Result<Done> RecordedInsertion::Content::readFacts()
                  "; this program reads up to " + std::to_string(newestRecordingVersion) +
                  ". Open it with a newer version."};
 
-  // Tables by these names that compute what they hold could compute for ever.
-  if (database.number("SELECT COUNT(*) FROM sqlite_master WHERE type = 'table' AND rootpage > 0 "
-                      "AND name IN ('meta', 'tick', 'event')") != 3)
-    return damaged(database.isDamaged() ? database.trouble() : "its tables are not there");
+  // Something by these names that computes what it holds could compute for ever.
+  if (database.number("SELECT COUNT(*) FROM sqlite_master WHERE lower(name) IN "
+                      "('meta', 'tick', 'event') AND NOT (type = 'table' AND rootpage > 0)") != 0)
+    return damaged("its tables are none");
 
   auto rows = database.prepare("SELECT key, value FROM meta");
   if (!rows) return damaged(rows.error().message);

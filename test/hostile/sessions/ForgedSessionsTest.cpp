@@ -137,7 +137,7 @@ TEST_F(ForgedSession, WhoseTablesComputeWithoutEndIsRefused)
       "ALTER TABLE tick RENAME TO other; CREATE VIEW tick AS "
       "WITH RECURSIVE n(x) AS (SELECT 0 UNION ALL SELECT x + 1 FROM n) "
       "SELECT x AS tick, zeroblob(10) AS record FROM n");
-  EXPECT_THAT(refusal(), HasSubstr("damaged (its tables are not there)"));
+  EXPECT_THAT(refusal(), HasSubstr("damaged (its tables are none)"));
 }
 
 TEST_F(ForgedSession, WhoseFactsComputeWithoutEndIsRefused)

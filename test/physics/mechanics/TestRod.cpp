@@ -14,6 +14,17 @@ electrode::ArrayDesign uniformArray(const RodSpec& spec)
   array.diameter = {{meters(0)}, {meters(2 * spec.radius)}};
   array.bending = {{meters(0)}, {newtonSquareMeters(spec.bending)}};
   array.restCurvature = {{meters(0)}, {Curvature::fromSi(spec.restCurvature)}};
+  if (spec.curledFromTip > 0.0)
+    array.restCurvature = {
+        {meters(0), meters(spec.curledFromTip), meters(spec.curledFromTip + 1e-6)},
+        {Curvature::fromSi(spec.restCurvature), Curvature::fromSi(spec.restCurvature),
+         Curvature::fromSi(0.0)}};
+  if (spec.bendingAcross > 0.0)
+    array.bendingAcross = {{meters(0)}, {newtonSquareMeters(spec.bendingAcross)}};
+  if (spec.thickness > 0.0) array.thickness = {{meters(0)}, {meters(spec.thickness)}};
+  if (spec.twisting > 0.0)
+    array.twisting =
+        electrode::AlongArray<BendingStiffness>{{meters(0)}, {newtonSquareMeters(spec.twisting)}};
   array.ribsFromTip = spec.ribsFromTip;
   array.ribHeight = meters(spec.ribHeight);
   array.ribLength = meters(spec.ribLength);

@@ -17,6 +17,10 @@ struct RodSpec {
   double radius = 0.25e-3;     ///< [m]
   double bending = 1e-6;       ///< EI [N.m^2]
   double restCurvature = 0.0;  ///< [1/m]
+  double curledFromTip = 0.0;  ///< Length over which it is so [m]; 0: all of it.
+  double bendingAcross = 0.0;  ///< Across the plane of curl [N.m^2]; 0: the same.
+  double thickness = 0.0;      ///< Within the plane of curl [m]; 0: round.
+  double twisting = 0.0;       ///< GJ [N.m^2]; 0: as its sections have it.
   double friction = 0.0;       ///< Coulomb, the same at rest and sliding.
   double wallStiffness = 1e5;  ///< Per sample point [N/m]: hard against everything tested.
   double startInside = 0.0;    ///< [m]

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <iostream>
 
 #include "Settings.h"
@@ -25,14 +26,13 @@ TEST_P(RandomMotion, BreaksNothing)
   // unbalanced.
   constexpr double microjoule = 1e-6;
   EXPECT_GE(found.leastEnergy, -microjoule);
-  if (setting.stylet == StyletUse::stays) {
+  if (found.startsRelaxed) {
     EXPECT_GE(found.leastHandEnergy, -microjoule);
   }
-  if (setting.settles) {
-    // A hundredth of the forces of an insertion; how often more than 2 uN is left, is printed.
-    EXPECT_LE(found.worstUnsettled, 1e-3);
-    EXPECT_LE(found.worstToggle, 1e-3);
-  }
+  // A hundredth of the forces of an insertion is the most that a step leaves unbalanced. Where the
+  // array snaps in rough bone, or out through the rim and back in, single steps leave more.
+  const long most = setting.settles ? 0 : std::max(2L, found.ticks / 500);
+  EXPECT_LE(found.unbalanced, most);
 }
 
 INSTANTIATE_TEST_SUITE_P(, RandomMotion, testing::ValuesIn(settings()),

@@ -56,7 +56,7 @@ public:
     last_.handPosition_W = model.startBase_W;
     last_.handAxis_W = model.startAxis_W;
     last_.handCurl_W = model.startCurl_W;
-    atStart_ = bendingEnergy(model, state_.position_W, model.startCurl_W, 0.0);
+    before_ = poseNow();
   }
 
   /// False once a number overflowed.
@@ -66,7 +66,7 @@ public:
     drive.coupling = setting_.coupling;
     drive.couplingStiffness = 441.0;
     drive.couplingDamping = 1.0;
-    noteStylet(drive);
+    before_ = poseNow();
     for (std::size_t i = 0; i < wasTouching_.size(); ++i) {
       wasTouching_[i] = state_.normalForce[i] > 0.0;
       wasSliding_[i] = state_.isSliding[i] != 0;
@@ -77,6 +77,7 @@ public:
       ++findings_.notFinite;
       return false;
     }
+    noteReleased();
     noteEnergy(drive);
     notePenetration();
     noteResidual();
@@ -93,13 +94,24 @@ private:
     return true;
   }
 
-  /// What the hand on the stylet does: it changes the array's energy where the array is.
-  void noteStylet(const mechanics::Drive& drive)
+  ArrayPose poseNow() const
   {
-    if (drive.styletWithdrawal == last_.styletWithdrawal) return;
-    onStylet_ +=
-        bendingEnergy(model_, state_.position_W, last_.handCurl_W, drive.styletWithdrawal) -
-        bendingEnergy(model_, state_.position_W, last_.handCurl_W, last_.styletWithdrawal);
+    const double time = static_cast<double>(state_.tick) * model_.timeStep;
+    return {state_.position_W, state_.curl_W, state_.styletWithdrawal,
+            std::min(time / mechanics::releaseTime, 1.0)};
+  }
+
+  /// What the hand on the stylet does, and what was stored in an array that starts straight against
+  /// its curl: both change the array's energy where the array is.
+  void noteReleased()
+  {
+    const ArrayPose now = poseNow();
+    if (now.styletWithdrawal == before_.styletWithdrawal && now.released == before_.released)
+      return;
+    ArrayPose changed = before_;
+    changed.styletWithdrawal = now.styletWithdrawal;
+    changed.released = now.released;
+    released_ += elasticEnergy(model_, changed) - elasticEnergy(model_, before_);
   }
 
   void noteEnergy(const mechanics::Drive& drive)
@@ -108,7 +120,7 @@ private:
     byHand_ -= now.handForce_W.dot(drive.handPosition_W - last_.handPosition_W) +
                now.handTorque_W.dot(rotation(last_, drive));
     findings_.leastHandEnergy = std::min(findings_.leastHandEnergy, byHand_);
-    findings_.leastEnergy = std::min(findings_.leastEnergy, byHand_ + onStylet_ + atStart_);
+    findings_.leastEnergy = std::min(findings_.leastEnergy, byHand_ + released_);
     findings_.greatestForce = std::max(findings_.greatestForce, now.handForce_W.norm());
   }
 
@@ -122,7 +134,9 @@ private:
       const double inside = (model_.entry.origin_W - state_.position_W[i]).dot(model_.entry.out_W);
       // In the first stretch the wall is still setting in, or the rim has taken its place.
       if (!walls_[i].isNear || inside < 2.0 * model_.spacing) continue;
-      const double penetration = model_.radius[i] - walls_[i].distance;
+      // An oval section counts as it was turned when it came near, somewhere in the step.
+      const double half = std::min(model_.halfWithin[i], model_.halfAcross[i]);
+      const double penetration = half - walls_[i].distance;
       findings_.deepest = std::max(findings_.deepest, penetration);
       if (setting_.hasSoftMembrane) continue;
       const double explained = state_.normalForce[i] / model_.wallStiffness[i] + onset;
@@ -138,6 +152,7 @@ private:
                    wasSliding_[i] != (state_.isSliding[i] != 0);
     const double left = state_.readings.residual;
     findings_.iterations += state_.readings.iterations;
+    if (left > 1e-3) ++findings_.unbalanced;
     if (hasToggled) {
       ++findings_.toggles;
       findings_.worstToggle = std::max(findings_.worstToggle, left);
@@ -155,7 +170,8 @@ private:
   mechanics::Drive last_;
   std::vector<anatomy::WallPoint> walls_;
   std::vector<bool> wasTouching_, wasSliding_;
-  double atStart_ = 0.0, byHand_ = 0.0, onStylet_ = 0.0;  // [J]
+  ArrayPose before_;
+  double byHand_ = 0.0, released_ = 0.0;  // [J]
   Findings& findings_;
 };
 
@@ -185,6 +201,8 @@ Findings run(const Setting& setting, long ticks, std::uint64_t seed)
   const auto model = build(setting);
   RandomNumbers seeds(seed);
   Findings findings;
+  findings.startsRelaxed = std::all_of(model->restCurvature.begin(), model->restCurvature.end(),
+                                       [](double curvature) { return curvature == 0.0; });
   while (findings.ticks < ticks) {
     Book book(setting, *model, static_cast<std::uint64_t>(seeds.within(0.0, 1e15)), findings);
     for (long i = 0; i < ticksOfOneInsertion && findings.ticks < ticks; ++i)

@@ -23,9 +23,8 @@ struct Setting {
   StyletUse stylet = StyletUse::stays;
   bool hasRim = false;           ///< The round window around the array.
   bool hasSoftMembrane = false;  ///< In the roof.
-  /// The solver never leaves more than 1 mN. In the other rows it does in some ticks; how much is
-  /// printed.
-  bool settles = false;
+  /// No step leaves more than 1 mN unbalanced. In the other rows single ones do.
+  bool settles = true;
   bool isWatchedLonger = false;  ///< In the quick tier: twenty thousand ticks.
   double timeStep = 1e-3;        ///< [s]
   int nodes = 60;
@@ -43,6 +42,7 @@ struct Findings {
   long notFinite = 0;            ///< Ticks after which a number had overflowed.
   double deepest = 0.0;          ///< Greatest penetration of a node.
   double unexplained = 0.0;      ///< Greatest penetration beyond what the node's force explains.
+  bool startsRelaxed = false;    ///< A straight array.
   double leastEnergy = 0.0;      ///< Of hand, stylet and start together, at any time.
   double leastHandEnergy = 0.0;  ///< Of the hand alone, at any time.
   long unsettled = 0;            ///< Ticks with more than 2 uN left where no contact changed.
@@ -50,6 +50,7 @@ struct Findings {
   long toggles = 0;              ///< Ticks in which a contact came, went, stuck or slid anew.
   long unsettledToggles = 0;     ///< Of them those with more than 1 mN left.
   double worstToggle = 0.0;      ///< The most left in one of them.
+  long unbalanced = 0;           ///< Ticks of either kind with more than 1 mN left.
   double greatestForce = 0.0;    ///< On the hand.
   double iterations = 0.0;       ///< Of Newton's method, mean of a tick.
 };

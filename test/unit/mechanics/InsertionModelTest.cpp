@@ -103,8 +103,10 @@ TEST(InsertionModel, RefusesWhatCannotBe)
               HasSubstr("0.1 to 10 ms"));
   EXPECT_THAT(refused([](ModelParts& p) { p.startInside = millimeters(30); }), HasSubstr("30.0"));
   EXPECT_THAT(refused([](ModelParts& p) { p.friction.dynamic = 0.5; }), HasSubstr("Friction"));
-  EXPECT_THAT(refused([](ModelParts& p) { p.wall.perSamplePoint = newtonsPerMeter(0); }),
-              HasSubstr("above 0 N/m"));
+  for (const double stiffness : {0.0, -441.0, 2e5})
+    EXPECT_THAT(
+        refused([stiffness](ModelParts& p) { p.wall.perSamplePoint = newtonsPerMeter(stiffness); }),
+        HasSubstr("must be above 0 and at most 100000 N/m"));
   EXPECT_THAT(refused([](ModelParts& p) {
                 p.membrane = MembraneLaw{};
                 p.membrane->perSamplePoint = newtonsPerMeter(500);

@@ -7,10 +7,34 @@
 namespace perilymph::mechanics {
 namespace {
 
+// Over this the wall is as curved as where it was asked, and less far where it presses harder:
+// where it is convex, its normal is off by the way over its radius of some 0.5 mm, its force by 1
+// uN.
+constexpr double farthestSeen = 0.2e-6;  // [m]
+constexpr double mostSeen = 5e-10;       // force times way [N.m]
+
 double squaredMotion(const InsertionState& state, std::size_t i) noexcept
 {
   const Eigen::Vector3d moved = state.position_W[i] - state.room.before_W[i];
   return moved[0] * moved[0] + moved[1] * moved[1] + moved[2] * moved[2];
+}
+
+/// Whether the wall as it was seen in this step serves at a place, too: if the node may touch it
+/// and has hardly moved, brought up to date by its curvature; if not, as long as it may not.
+bool isStillSeen(const Eigen::Vector3d& at_W, double force, StepRoom& room, std::size_t i) noexcept
+{
+  anatomy::WallPoint& wall = room.wall[i];
+  const Eigen::Vector3d moved = at_W - room.seenFrom_W[i];
+  const double squared = moved.squaredNorm();
+  if (!wall.isNear) return squared < wall.clearance * wall.clearance && wall.clearance > 0.0;
+  if (!(squared < farthestSeen * farthestSeen)) return false;
+  room.walked[i] += std::sqrt(squared);
+  if (!(room.walked[i] < farthestSeen && room.walked[i] * force < mostSeen)) return false;
+  const Eigen::Vector3d turned = wall.turning_W * moved;
+  wall.distance += wall.normal_W.dot(moved) - 0.5 * turned.dot(moved);
+  wall.normal_W -= turned;
+  room.seenFrom_W[i] = at_W;
+  return true;
 }
 
 }  // namespace
@@ -20,10 +44,22 @@ void findWall(const InsertionModel& model, InsertionState& state, StepRoom& room
   const std::size_t n = state.position_W.size();
   for (std::size_t i = 0; i < n; ++i) {
     const double most = state.clearance[i];
-    room.isAsked[i] = squaredMotion(state, i) < most * most ? 0 : 1;
+    room.isAsked[i] = 0;
+    if (squaredMotion(state, i) < most * most && i + 1 < n) {
+      room.wall[i].isNear = false;
+      room.isKnown[i] = 0;
+      continue;
+    }
+    const bool isTip = i + 1 == n;  // always asked: its angle is a reading
+    if (!isTip && room.isKnown[i] != 0 &&
+        isStillSeen(state.position_W[i], state.normalForce[i], room, i))
+      continue;
+    room.isAsked[i] = 1;
+    room.isKnown[i] = 1;
+    room.walked[i] = 0.0;
+    room.seenFrom_W[i] = state.position_W[i];
     room.wall[i].isNear = false;
   }
-  room.isAsked[n - 1] = 1;  // the tip always: its angle is a reading
 
   // neighbors in one question
   for (std::size_t first = 0; first < n;) {
@@ -43,10 +79,12 @@ void keepClearance(InsertionState& state) noexcept
   const StepRoom& room = state.room;
   for (std::size_t i = 0; i < state.clearance.size(); ++i) {
     double& left = state.clearance[i];
-    if (room.isAsked[i] == 0)
+    if (room.isKnown[i] == 0) {
       left -= std::sqrt(squaredMotion(state, i));
-    else
-      left = room.wall[i].isNear ? 0.0 : std::max(room.wall[i].clearance, 0.0);
+      continue;
+    }
+    const double since = (state.position_W[i] - room.seenFrom_W[i]).norm();
+    left = room.wall[i].isNear ? 0.0 : std::max(room.wall[i].clearance - since, 0.0);
   }
 }
 

@@ -1,5 +1,7 @@
 #include "Contact.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +10,111 @@
 #include "rod/Rod.h"
 
 namespace perilymph::mechanics {
+namespace {
+
+/// How far an oval section reaches toward a wall: its support function along the wall's normal.
+SectionReach reachToward(const InsertionModel& model, const InsertionState& state, std::size_t i,
+                         const Eigen::Vector3d& normal_W) noexcept
+{
+  const double within = model.halfWithin[i], across = model.halfAcross[i];
+  SectionReach reach{true, std::max(within, across), 0.0};
+  const std::size_t edge = i > 0 ? i - 1 : 0;
+  const Eigen::Vector3d& d = state.curl_W[edge];
+  const Eigen::Vector3d& t = state.room.edge[edge].tangent_W;
+  const double x = normal_W.dot(d);
+  const double y = normal_W.dot(t.cross(d));
+  const double size = x * x + y * y;
+  if (within == across || !(size > 1e-12)) return reach;
+  reach.length = std::sqrt((within * within * x * x + across * across * y * y) / size);
+  reach.rate = (within * within - across * across) * x * y / (size * reach.length);
+  return reach;
+}
+
+SymmetricBlock<double> asBlock(const Eigen::Matrix3d& m) noexcept
+{
+  return {m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)};
+}
+
+/// The push of the wall on a node near it, and its stiffness. False where it does not reach it.
+bool press(const InsertionModel& model, InsertionState& state, const Eigen::Vector3d& at_W,
+           std::size_t i, StepRoom& room) noexcept
+{
+  const anatomy::WallPoint& wall = room.wall[i];
+  double half = model.radius[i];
+  const Eigen::Vector3d& gradient_W = wall.normal_W;
+  if (model.isOval) {
+    SectionReach& reach = room.section[i];
+    if (!reach.isKnown) reach = reachToward(model, state, i, wall.normal_W);
+    half = reach.length;
+  }
+  const double penetration = half - wall.distance;
+  if (penetration <= 0.0) return false;
+  const double onset = model.parts.wall.onset.si();
+
+  // Right behind the opening the wall sets in over one node spacing, so that a node passing the
+  // edge does not meet it all at once.
+  const double inside = (model.entry.origin_W - at_W).dot(model.entry.out_W);
+  const double share = std::clamp(inside / model.spacing, 0.0, 1.0);
+  NormalForce push = normalForce(penetration, share * model.wallStiffness[i], onset);
+  Eigen::Vector3d& force_W = state.wallForce_W[i];
+  state.membraneForce[i] = wall.onMembrane ? push.force : 0.0;
+  if (model.membrane) {
+    const MembraneShare membrane =
+        model.membrane->shareAt(at_W, model.radius[i], state.track[i], wall.normal_W);
+    const SoftPush soft =
+        softPush(penetration, share * model.wallStiffness[i], membrane.share, model.parts);
+    push = soft.normal;
+    state.membraneForce[i] = soft.onMembrane;
+    force_W -= soft.byShare * membrane.gradient_W;
+  }
+  force_W += push.force * gradient_W;
+  if (model.isOval) {
+    // A section turns by the same energy; how fast its reach turns back is at most its own excess.
+    const double rate = room.section[i].rate;
+    state.wallTorque[i] = {-push.force * rate,
+                           push.slope * rate * rate +
+                               push.force * std::fabs(model.halfWithin[i] - model.halfAcross[i])};
+  }
+
+  // on a concave wall a node that moves along it also meets the normal turning back
+  const double slope = push.slope, force = push.force;
+  const Eigen::Vector3d& g = gradient_W;
+  const Eigen::Matrix3d& k = wall.turning_W;
+  room.wallStiffness[room.touches] = {
+      slope * g[0] * g[0] + force * k(0, 0), slope * g[0] * g[1] + force * k(0, 1),
+      slope * g[0] * g[2] + force * k(0, 2), slope * g[1] * g[1] + force * k(1, 1),
+      slope * g[1] * g[2] + force * k(1, 2), slope * g[2] * g[2] + force * k(2, 2)};
+  state.normalForce[i] = push.force;
+  const double steep = wall.normal_W.norm();
+  state.wallNormal_W[i] =
+      steep > 1e-6 ? Eigen::Vector3d(wall.normal_W / steep) : Eigen::Vector3d::Zero();
+  return true;
+}
+
+/// Friction on a node that was pressed to the wall at the end of the last step. It knows the whole
+/// pressure, also where two walls' pushes cancel.
+void rub(const InsertionModel& model, InsertionState& state, const Eigen::Vector3d& at_W,
+         std::size_t i, bool isPressed, StepRoom& room) noexcept
+{
+  const Eigen::Vector3d& normal_W = room.normalBefore_W[i];
+  const Eigen::Vector3d moved = at_W - room.before_W[i];
+  const Eigen::Vector3d slip = moved - normal_W * normal_W.dot(moved);
+  const Eigen::Vector3d& spring = state.frictionSpring_W[i];
+  const FrictionStep friction =
+      frictionStep(slip + spring - normal_W * normal_W.dot(spring), room.pressedBefore[i],
+                   model.wallTangential[i], state.isSliding[i] != 0, state.slipSpeed[i], normal_W,
+                   model.parts.friction);
+  state.wallForce_W[i] += friction.force_W;
+  SymmetricBlock<double>& stiffness = room.wallStiffness[room.touches];
+  if (!isPressed) stiffness = {};
+  stiffness += asBlock(friction.stiffness);
+  if (!isPressed) return;  // what has left the wall remembers nothing
+  room.frictionSpring_W[i] = friction.spring_W;
+  room.isSliding[i] = friction.isSliding ? 1 : 0;
+  room.slip[i] = slip.norm();
+}
+
+}  // namespace
 
 NormalForce normalForce(double penetration, double stiffness, double onset) noexcept
 {
@@ -48,7 +155,6 @@ void addWallForces(const InsertionModel& model, InsertionState& state,
                    const std::vector<Eigen::Vector3d>& position_W, StepRoom& room) noexcept
 {
   const auto n = static_cast<std::size_t>(model.nodes);
-  const double onset = model.parts.wall.onset.si();
   findWall(model, state, room);
 
   room.touches = 0;
@@ -56,58 +162,37 @@ void addWallForces(const InsertionModel& model, InsertionState& state,
     state.normalForce[i] = 0.0;
     state.wallForce_W[i].setZero();
     state.membraneForce[i] = 0.0;
+    if (model.isOval) state.wallTorque[i] = {};
     room.frictionSpring_W[i].setZero();
     room.isSliding[i] = 0;
     room.slip[i] = 0.0;
-    const anatomy::WallPoint& wall = room.wall[i];
-    if (!wall.isNear) continue;
-    const double penetration = model.radius[i] - wall.distance;
-    if (penetration <= 0.0) continue;
-
-    // Right behind the opening the wall sets in over one node spacing, so that a node passing the
-    // edge does not meet it all at once.
-    const double inside = (model.entry.origin_W - position_W[i]).dot(model.entry.out_W);
-    const double share = std::clamp(inside / model.spacing, 0.0, 1.0);
-    NormalForce push = normalForce(penetration, share * model.wallStiffness[i], onset);
-    double onMembrane = wall.onMembrane ? push.force : 0.0;
-    if (model.membrane) {
-      const MembraneShare membrane =
-          model.membrane->shareAt(position_W[i], model.radius[i], state.track[i], wall.normal_W);
-      const SoftPush soft =
-          softPush(penetration, share * model.wallStiffness[i], membrane.share, model.parts);
-      push = soft.normal;
-      onMembrane = soft.onMembrane;
-      state.wallForce_W[i] -= soft.byShare * membrane.gradient_W;
-    }
-    // on a concave wall a node that moves along it also meets the normal turning back
-    const Eigen::Vector3d& gradient_W = wall.normal_W;
-    Eigen::Matrix3d stiffness =
-        push.slope * gradient_W * gradient_W.transpose() + push.force * wall.turning_W;
-
-    // friction knows the whole pressure, also where two walls' pushes cancel
-    const double steep = gradient_W.norm();
-    const Eigen::Vector3d normal_W =
-        steep > 1e-6 ? Eigen::Vector3d(gradient_W / steep) : Eigen::Vector3d::Zero();
-    const Eigen::Vector3d moved = position_W[i] - room.before_W[i];
-    const Eigen::Vector3d slip = moved - normal_W * normal_W.dot(moved);
-    const Eigen::Vector3d& spring = state.frictionSpring_W[i];
-    const FrictionStep friction =
-        frictionStep(slip + spring - normal_W * normal_W.dot(spring), push.force,
-                     share * model.wallTangential[i], state.isSliding[i] != 0, state.slipSpeed[i],
-                     normal_W, model.parts.friction);
-    stiffness += friction.stiffness;
-
-    state.normalForce[i] = push.force;
-    state.wallForce_W[i] += push.force * gradient_W + friction.force_W;
-    state.membraneForce[i] = onMembrane;
-    room.frictionSpring_W[i] = friction.spring_W;
-    room.isSliding[i] = friction.isSliding ? 1 : 0;
-    room.slip[i] = slip.norm();
+    const bool isPressed = room.wall[i].isNear && press(model, state, position_W[i], i, room);
+    const bool isRubbed = room.pressedBefore[i] > 0.0;
+    if (isRubbed) rub(model, state, position_W[i], i, isPressed, room);
+    if (!isPressed && !isRubbed) continue;
     room.force_W[i] += state.wallForce_W[i];
     room.touching[room.touches] = i;
-    room.wallStiffness[room.touches] = {stiffness(0, 0), stiffness(0, 1), stiffness(0, 2),
-                                        stiffness(1, 1), stiffness(1, 2), stiffness(2, 2)};
     ++room.touches;
+  }
+}
+
+double frictionLag(const InsertionModel& model, const InsertionState& state) noexcept
+{
+  const StepRoom& room = state.room;
+  double sum = std::fabs(room.rim.normalForce - room.rimPressedBefore);
+  for (std::size_t i = 0; i < state.normalForce.size(); ++i)
+    sum += std::fabs(state.normalForce[i] - room.pressedBefore[i]);
+  return model.parts.friction.starting * sum;
+}
+
+void renewFriction(InsertionState& state) noexcept
+{
+  StepRoom& room = state.room;
+  room.rimPressedBefore = room.rim.normalForce;
+  room.rimNormalBefore_W = room.rim.normal_W;
+  for (std::size_t i = 0; i < state.normalForce.size(); ++i) {
+    room.pressedBefore[i] = state.normalForce[i];
+    room.normalBefore_W[i] = state.wallNormal_W[i];
   }
 }
 

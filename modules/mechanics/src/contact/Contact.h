@@ -38,6 +38,13 @@ SoftPush softPush(double penetration, double bone, double share, const ModelPart
 void addWallForces(const InsertionModel& model, InsertionState& state,
                    const std::vector<Eigen::Vector3d>& position_W, StepRoom& room) noexcept;
 
+/// By how much friction may be wrong for being bounded by an older pressure than that of the last
+/// forces: the sum over all contacts [N].
+double frictionLag(const InsertionModel& model, const InsertionState& state) noexcept;
+
+/// Bounds friction by the pressure of the last forces.
+void renewFriction(InsertionState& state) noexcept;
+
 /// Adds the wall's stiffness to room.matrix, as addWallForces() has left it.
 void addWallStiffness(StepRoom& room) noexcept;
 

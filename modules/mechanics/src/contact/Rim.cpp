@@ -51,27 +51,17 @@ void fill(Crossing& crossing, const InsertionModel& model, const std::vector<Eig
   crossing.radiusRate -= model.spacing * rib.slope;
 }
 
-/// The crossing nearest to the tip, if the tip is inside.
+/// The crossing nearest to the tweezers.
 Crossing crossingOf(const InsertionModel& model, const std::vector<Eigen::Vector3d>& x) noexcept
 {
   Crossing crossing;
   const std::size_t tip = x.size() - 1;
-  double after = heightOf(model, x[tip]);
-  if (!(after < 0.0)) return crossing;
-  double here = heightOf(model, x[tip - 1]);
-  if (here + after >= 0.0) {
-    // in the straight half edge behind the tip
-    const double share = here / (here - after);
-    crossing.first = tip - 1;
-    crossing.count = 2;
-    crossing.weight[0] = 1.0 - share;
-    crossing.weight[1] = share;
-    fill(crossing, model, x, {-1.0, 1.0, 0.0});
-    return crossing;
-  }
-  for (std::size_t i = tip - 1; i > 0; --i) {
-    const double before = heightOf(model, x[i - 1]);
-    if (before + here >= 0.0) {
+  double before = heightOf(model, x[0]);
+  double here = heightOf(model, x[1]);
+  if (before + here < 0.0) return crossing;
+  for (std::size_t i = 1; i < tip; ++i) {
+    const double after = heightOf(model, x[i + 1]);
+    if (here + after < 0.0) {
       // between the middles of the edges before and after node i: A l^2 + B l + C = 0
       const double A = 0.5 * (before - 2.0 * here + after);
       const double B = here - before;
@@ -86,9 +76,17 @@ Crossing crossingOf(const InsertionModel& model, const std::vector<Eigen::Vector
       fill(crossing, model, x, {l - 1.0, 1.0 - 2.0 * l, l});
       return crossing;
     }
-    after = here;
-    here = before;
+    before = here;
+    here = after;
   }
+  if (!(here < 0.0)) return crossing;
+  // in the straight half edge behind the tip
+  const double share = before / (before - here);
+  crossing.first = tip - 1;
+  crossing.count = 2;
+  crossing.weight[0] = 1.0 - share;
+  crossing.weight[1] = share;
+  fill(crossing, model, x, {-1.0, 1.0, 0.0});
   return crossing;
 }
 
@@ -104,12 +102,16 @@ void press(const InsertionModel& model, InsertionState& state, const Crossing& c
   }
   const double normal =
       near.law.force * near.gradient_W.norm() + opposite.law.force * opposite.gradient_W.norm();
-  const Eigen::Vector3d slip = moved - normal_W * normal_W.dot(moved);
+  // friction by the pressure that the last step left, as along the wall
+  const Eigen::Vector3d& across_W = room.rimNormalBefore_W;
+  const Eigen::Vector3d slip = moved - across_W * across_W.dot(moved);
   const Eigen::Vector3d& spring = state.rim.spring_W;
-  const FrictionStep friction =
-      frictionStep(slip + spring - normal_W * normal_W.dot(spring), normal,
-                   model.parts.wall.tangentialPerSamplePoint.si(), state.rim.isSliding,
-                   state.rim.slipSpeed, normal_W, model.parts.friction);
+  FrictionStep friction{Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero(), Eigen::Vector3d::Zero(),
+                        false};
+  if (room.rimPressedBefore > 0.0)
+    friction = frictionStep(slip + spring - across_W * across_W.dot(spring), room.rimPressedBefore,
+                            model.parts.wall.tangentialPerSamplePoint.si(), state.rim.isSliding,
+                            state.rim.slipSpeed, across_W, model.parts.friction);
 
   const Eigen::Vector3d force_W = -near.law.force * near.gradient_W -
                                   opposite.law.force * opposite.gradient_W + friction.force_W;
@@ -126,9 +128,12 @@ void press(const InsertionModel& model, InsertionState& state, const Crossing& c
   left.stiffness = {stiffness(0, 0), stiffness(0, 1), stiffness(0, 2),
                     stiffness(1, 1), stiffness(1, 2), stiffness(2, 2)};
 
-  room.rim.spring_W = friction.spring_W;
-  room.rim.isSliding = friction.isSliding;
-  room.rim.slipSpeed = slip.norm() / model.timeStep;
+  if (normal > 0.0) {
+    room.rim.spring_W = friction.spring_W;
+    room.rim.isSliding = friction.isSliding;
+    room.rim.slipSpeed = slip.norm() / room.timeStep;
+    room.rim.normal_W = normal_W;
+  }
   room.rim.normalForce = normal;
   room.rim.force_W = force_W;
 }
@@ -226,13 +231,12 @@ void addRimForces(const InsertionModel& model, InsertionState& state,
   room.rim = RimContact{};
   room.rimStiffness = RimStiffness{};
   if (!model.parts.opening) return;
-  const double tip = heightOf(model, x.back());
-  if (!(tip < 0.0)) {
-    pressTip(model, state, x, tip, room);
+  const Crossing crossing = crossingOf(model, x);
+  if (crossing.count == 0) {
+    const double tip = heightOf(model, x.back());
+    if (!(tip < 0.0)) pressTip(model, state, x, tip, room);
     return;
   }
-  const Crossing crossing = crossingOf(model, x);
-  if (crossing.count == 0) return;
 
   const Opening& opening = *model.parts.opening;
   const Eigen::Vector3d& n_W = model.entry.out_W;
@@ -243,7 +247,7 @@ void addRimForces(const InsertionModel& model, InsertionState& state,
       nearestOnEllipse(out.dot(model.entry.outward_W), out.dot(model.entry.vertical_W),
                        0.5 * opening.width.si(), 0.5 * opening.height.si());
   const double overlap = crossing.radius - foot.distance;
-  if (overlap <= 0.0) return;
+  if (overlap <= 0.0 && !(room.rimPressedBefore > 0.0)) return;
 
   const double stiffness = model.parts.wall.perSamplePoint.si();
   const double onset = model.parts.wall.onset.si();

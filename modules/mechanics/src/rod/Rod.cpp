@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rod/Material.h"
+
 namespace perilymph::mechanics {
 namespace {
 
@@ -146,7 +148,8 @@ void addBending(const InsertionModel& model, std::size_t i, double damping, Step
 
 }  // namespace
 
-void setStiffness(const InsertionModel& model, double styletWithdrawal, StepRoom& room) noexcept
+void setStiffness(const InsertionModel& model, double styletWithdrawal, double released,
+                  StepRoom& room) noexcept
 {
   const double styletTip = model.styletFromTip + styletWithdrawal;
   for (std::size_t i = 0; i < room.bending.size(); ++i) {
@@ -159,8 +162,8 @@ void setStiffness(const InsertionModel& model, double styletWithdrawal, StepRoom
     room.bending[i] = covered == 0.0   ? carrier
                       : covered == 1.0 ? both
                                        : carrier * both / (both - covered * model.styletBending);
-    room.restBend[i] =
-        model.spacing * model.restCurvature[i] * (1.0 - covered * (1.0 - model.styletResidual));
+    room.restBend[i] = released * model.spacing * model.restCurvature[i] *
+                       (1.0 - covered * (1.0 - model.styletResidual));
   }
 }
 
@@ -176,10 +179,13 @@ void setRestShape(const InsertionModel& model, const InsertionState& state, cons
     const Joint joint(room.edge[i - 1], room.edge[i]);
     const Vector3d& p = joint.last.tangent_W;
     const Vector3d& t = joint.next.tangent_W;
+    room.bendBefore_W[i] = joint.bend_W();
+    room.perSum[i] = joint.c;
+    // an array that twists carries its own directions
+    if (model.twists) continue;
     // the least rotation that takes p to t
     const Vector3d next = d - (d.dot(t) * joint.c) * (p + t);
     room.restBend_W[i] = (0.5 * room.restBend[i]) * (d + next);
-    room.bendBefore_W[i] = joint.bend_W();
     d = next;
   }
 }
@@ -200,7 +206,7 @@ void addRodForces(const InsertionModel& model, const std::vector<Vector3d>& posi
 {
   const auto n = static_cast<std::size_t>(model.nodes);
   const double h = model.spacing;
-  const double damping = dampingTime / model.timeStep;
+  const double damping = dampingTime / room.timeStep;
   setEdges(position_W, room);
 
   // the first edge is in the tweezers: it neither stretches nor bends
@@ -212,9 +218,17 @@ void addRodForces(const InsertionModel& model, const std::vector<Vector3d>& posi
 
     const Joint joint(room.edge[i - 1], edge);
     const Vector3d w = joint.bend_W();
-    const Vector3d stress =
+    Vector3d stress =
         (room.bending[i] / h) * ((w - room.restBend_W[i]) + damping * (w - room.bendBefore_W[i]));
-    const JointForces bending = forcesOf(joint, w, stress);
+    if (model.bendingMore[i] > 0.0) stress += ovalStress(model, room, i, w);
+    JointForces bending = forcesOf(joint, w, stress);
+    if (model.twists) {
+      const Vector3d& b = room.twistRate_W[i];
+      const double twist = room.twist[i] + b.dot(position_W[i + 1] - position_W[i - 1]);
+      const Vector3d force_W = (model.twisting[i] / h * twist) * b;
+      bending.onNext_W += force_W;
+      bending.onLast_W -= force_W;
+    }
 
     room.force_W[i - 1] -= bending.onLast_W;
     room.force_W[i] += pull_W + bending.onNext_W + bending.onLast_W;
@@ -225,7 +239,7 @@ void addRodForces(const InsertionModel& model, const std::vector<Vector3d>& posi
 void addRodStiffness(const InsertionModel& model, Compression compression, StepRoom& room) noexcept
 {
   const auto n = static_cast<std::size_t>(model.nodes);
-  const double damping = dampingTime / model.timeStep;
+  const double damping = dampingTime / room.timeStep;
   for (std::size_t i = 1; i + 1 < n; ++i) {
     addStretching(model, i, damping, compression, room);
     addBending(model, i, damping, room);

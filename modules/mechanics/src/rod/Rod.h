@@ -26,8 +26,9 @@ enum class Compression { included, leftOut };
 /// Stiffness EI and rest bend of each node for a place of the stylet.
 ///
 /// The stylet adds its own EI where it is, and holds the carrier straight but for a share of its
-/// free curvature.
-void setStiffness(const InsertionModel& model, double styletWithdrawal, StepRoom& room) noexcept;
+/// free curvature. `released` is the share of its rest curvature that the array has taken on.
+void setStiffness(const InsertionModel& model, double styletWithdrawal, double released,
+                  StepRoom& room) noexcept;
 
 /// Rest bends h kappa d as vectors: the curl's direction d is carried along the rod from the base
 /// without turning about it (an array that does not twist). Also remembers lengths and bends before

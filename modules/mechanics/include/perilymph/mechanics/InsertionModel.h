@@ -21,6 +21,9 @@ namespace perilymph::mechanics {
 /// Most nodes a model may have: what snapshots and recordings are sized for.
 inline constexpr int mostNodes = 1024;
 
+/// Over this time a curled array, which starts straight, takes on its rest shape (choice, low).
+inline constexpr double releaseTime = 0.2;  // [s]
+
 /// The wall's compliance.
 struct WallLaw {
   /// Of the wall under one sample point of the published simulator [N/m].
@@ -73,20 +76,27 @@ struct InsertionModel {
   Eigen::Vector3d startAxis_W;      ///< Unit: which way the array leaves them.
   Eigen::Vector3d startCurl_W;      ///< Unit, across the axis: to where a precurved array curls.
   int nodes = 0;
-  double timeStep = 0.0;                  ///< [s]
-  double spacing = 0.0;                   ///< Between nodes [m].
-  std::vector<double> fromTip;            ///< Of each node along the array [m].
-  std::vector<double> radius;             ///< Of the array at each node [m].
-  std::vector<double> mass;               ///< Of each node [kg].
-  std::vector<double> drag;               ///< Of the perilymph on each node [N.s/m].
-  std::vector<double> stretching;         ///< EA of each edge [N].
-  std::vector<double> bendingCarrier;     ///< EI of the carrier at each node [N.m^2].
-  std::vector<double> restCurvature;      ///< Of the carrier alone at each node [1/m].
-  std::vector<double> wallStiffness;      ///< At each node [N/m].
-  std::vector<double> wallTangential;     ///< At each node [N/m].
-  std::optional<MembranePlace> membrane;  ///< Where the wall is soft.
-  double styletBending = 0.0;             ///< EI of the stylet [N.m^2]; 0 without one.
-  double styletFromTip = 0.0;             ///< Of its tip when fully in [m].
+  double timeStep = 0.0;               ///< [s]
+  double spacing = 0.0;                ///< Between nodes [m].
+  std::vector<double> fromTip;         ///< Of each node along the array [m].
+  std::vector<double> radius;          ///< Of the array at each node, the greater [m].
+  std::vector<double> mass;            ///< Of each node [kg].
+  std::vector<double> drag;            ///< Of the perilymph on each node [N.s/m].
+  std::vector<double> stretching;      ///< EA of each edge [N].
+  std::vector<double> bendingCarrier;  ///< EI of the carrier at each node, the lesser [N.m^2].
+  std::vector<double> bendingMore;     ///< By which the greater EI exceeds it [N.m^2].
+  std::vector<unsigned char> stifferAcross;  ///< Whether that is across the plane of curl.
+  std::vector<double> twisting;              ///< GJ at each node [N.m^2].
+  std::vector<double> halfWithin;            ///< Half an oval section, toward the curl [m].
+  std::vector<double> halfAcross;            ///< Half an oval section, across it [m].
+  bool isOval = false;                       ///< Sections, or their stiffness, are not round.
+  bool twists = false;                       ///< Curled or oval: turning it about its axis counts.
+  std::vector<double> restCurvature;         ///< Of the carrier alone at each node [1/m].
+  std::vector<double> wallStiffness;         ///< At each node [N/m].
+  std::vector<double> wallTangential;        ///< At each node [N/m].
+  std::optional<MembranePlace> membrane;     ///< Where the wall is soft.
+  double styletBending = 0.0;                ///< EI of the stylet [N.m^2]; 0 without one.
+  double styletFromTip = 0.0;                ///< Of its tip when fully in [m].
   double styletResidual = 0.0;  ///< Share of the rest curvature that it leaves where it is.
   double baseMass = 0.0;        ///< Of carrier and tweezers [kg].
   /// Of a model of points; none of a rod. Shared by copies of the model, for it is large.

@@ -50,6 +50,12 @@ struct Readings {
   bool isFinite = true;         ///< False: a number overflowed; nothing else can be trusted.
 };
 
+/// What the wall does to an oval section at a node: it turns its thin side toward itself.
+struct WallTorque {
+  double torque = 0.0;     ///< About the edge before the node [N.m].
+  double stiffness = 0.0;  ///< Of it, at most [N.m].
+};
+
 /// The state, sized once from the model. Copies compare equal and hash equal.
 struct InsertionState {
   /// The array straight at its start, at rest.
@@ -62,11 +68,13 @@ struct InsertionState {
   std::uint64_t fingerprint() const noexcept;
 
   std::uint64_t tick = 0;
-  Eigen::Vector3d base_W;                         ///< Where the tweezers are [m].
-  Eigen::Vector3d baseVelocity_W;                 ///< [m/s]
-  double styletWithdrawal = 0.0;                  ///< [m]
-  std::vector<Eigen::Vector3d> position_W;        ///< Of each node [m].
-  std::vector<Eigen::Vector3d> velocity_W;        ///< Of each node [m/s].
+  Eigen::Vector3d base_W;                   ///< Where the tweezers are [m].
+  Eigen::Vector3d baseVelocity_W;           ///< [m/s]
+  double styletWithdrawal = 0.0;            ///< [m]
+  std::vector<Eigen::Vector3d> position_W;  ///< Of each node [m].
+  std::vector<Eigen::Vector3d> velocity_W;  ///< Of each node [m/s].
+  /// Unit, of each edge (the last one twice): to where the material curls.
+  std::vector<Eigen::Vector3d> curl_W;
   std::vector<Eigen::Vector3d> frictionSpring_W;  ///< Of each node: how far it is held back [m].
   std::vector<unsigned char> isSliding;           ///< Of each node.
   std::vector<double> slipSpeed;                  ///< Of each node along the wall [m/s].
@@ -75,10 +83,12 @@ struct InsertionState {
                                                   ///< touching, whichever way [m].
   std::vector<double> normalForce;                ///< Of the wall on each node [N].
   std::vector<Eigen::Vector3d> wallForce_W;       ///< Normal and friction on each node [N].
+  std::vector<Eigen::Vector3d> wallNormal_W;      ///< Unit, off the wall, where a node touches it.
+  std::vector<WallTorque> wallTorque;             ///< On each node's section, if it is oval.
   std::vector<double> membraneForce;              ///< Of the basilar membrane on each node [N].
   RimContact rim;
-  BandFactors factors;  ///< Of the last stiffness that was factored, this step or an earlier one.
-  PointSetState points;                           ///< Of a model of points; else empty.
+  BandFactors factors;   ///< Of the last stiffness that was factored, this step or an earlier one.
+  PointSetState points;  ///< Of a model of points; else empty.
   Readings readings;
 
   StepRoom room;  ///< Scratch; not part of the state's value.

@@ -12,9 +12,10 @@ namespace perilymph::mechanics {
 struct RimContact {
   Eigen::Vector3d spring_W = Eigen::Vector3d::Zero();  ///< How far friction holds it back [m].
   bool isSliding = false;
-  double slipSpeed = 0.0;                             ///< Of the array along the rim [m/s].
-  double normalForce = 0.0;                           ///< All normal parts together [N].
-  Eigen::Vector3d force_W = Eigen::Vector3d::Zero();  ///< Of the rim on the array [N].
+  Eigen::Vector3d normal_W = Eigen::Vector3d::Zero();  ///< Unit, that friction lies across.
+  double slipSpeed = 0.0;                              ///< Of the array along the rim [m/s].
+  double normalForce = 0.0;                            ///< All normal parts together [N].
+  Eigen::Vector3d force_W = Eigen::Vector3d::Zero();   ///< Of the rim on the array [N].
 };
 
 /// The derivative of the rim's force, shared out between the nodes that carry it.

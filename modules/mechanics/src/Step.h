@@ -1,0 +1,27 @@
+#pragma once
+
+// One step of time, or a part of one: tried, and then kept or undone.
+
+#include "Newton.h"
+
+namespace perilymph::mechanics {
+
+/// A step that has been tried.
+struct Step {
+  Base base;
+  Settled settled;
+};
+
+/// Predicts the rod and settles it against the wall, a time [s] on. Needs the stiffness of the rod
+/// in the room. The state's positions, tracks and curls are those of the end of the step, the rest
+/// still that of its start.
+Step tryStep(const InsertionModel& model, InsertionState& state, const Drive& drive,
+             double timeStep) noexcept;
+
+/// Makes the end of the step that was tried the start of the next.
+void keepStep(InsertionState& state) noexcept;
+
+/// Back to where the step that was tried started.
+void undoStep(InsertionState& state) noexcept;
+
+}  // namespace perilymph::mechanics

@@ -1,0 +1,280 @@
+#include "Material.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "perilymph/foundation/Math.h"
+#include "rod/Rod.h"
+
+namespace perilymph::mechanics {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double mostTurn = 0.2;  // [rad] of an edge in a step
+
+/// The angle whose sine and cosine these are. A series where it is small, as between two edges.
+double angleOf(double sine, double cosine) noexcept
+{
+  const double x = sine * sine;
+  // left out is less than 3e-10 of the angle
+  if (cosine > 0.0 && x < 0.01)
+    return sine * (1.0 + x * (1.0 / 6.0 + x * (3.0 / 40.0 + x * (5.0 / 112.0))));
+  return arcTangent(sine, cosine);
+}
+
+/// What is left of d across t, of unit length.
+Vector3d across(const Vector3d& d, const Vector3d& t) noexcept
+{
+  const Vector3d rest = d - d.dot(t) * t;
+  const double size = rest.squaredNorm();
+  // from step to step next to nothing is along t, and the root's first terms do
+  const double scale =
+      std::fabs(size - 1.0) < 1e-5 ? 1.5 - 0.5 * size : 1.0 / std::sqrt(std::max(size, 1e-12));
+  return scale * rest;
+}
+
+/// The two edges that meet at a node: their tangents, their curls, and what is across both.
+struct TurningJoint {
+  const Vector3d& p;
+  const Vector3d& t;
+  const Vector3d& d;
+  const Vector3d& e;
+  const Vector3d& dAcross;  ///< p x d
+  const Vector3d& eAcross;  ///< t x e
+
+  TurningJoint(const InsertionState& state, const StepRoom& room, std::size_t i) noexcept
+      : p(room.edge[i - 1].tangent_W),
+        t(room.edge[i].tangent_W),
+        d(state.curl_W[i - 1]),
+        e(state.curl_W[i]),
+        dAcross(room.curlAcross_W[i - 1]),
+        eAcross(room.curlAcross_W[i])
+  {
+  }
+};
+
+/// The angle from d, turned along with p into t by the least rotation, to e.
+double twistOf(const TurningJoint& joint, double perSum) noexcept
+{
+  const double back = joint.d.dot(joint.t) * perSum;
+  const double sine = back * joint.p.dot(joint.eAcross) - joint.d.dot(joint.eAcross);
+  const double cosine = joint.d.dot(joint.e) - back * joint.p.dot(joint.e);
+  return angleOf(sine, cosine);
+}
+
+/// The direction in which an oval section resists more: that of the curl, or across it.
+Vector3d stifferWay(const InsertionModel& model, const TurningJoint& joint, std::size_t i) noexcept
+{
+  if (model.stifferAcross[i] == 0) return 0.5 * (joint.d + joint.e);
+  return 0.5 * (joint.p.cross(joint.d) + joint.t.cross(joint.e));
+}
+
+/// Energy of the joint at node i by the turning of its two edges.
+struct TurnEnergy {
+  double last = 0.0, next = 0.0;          ///< First derivatives [N.m].
+  double both = 0.0;                      ///< Second derivative by a turn of both, a quarter of it.
+  double lastStep = 0.0, nextStep = 0.0;  ///< Second derivatives: products of these two.
+};
+
+/// Of the bending 1/2 (EI/h) |w - h kappa (d + e)/2|^2.
+TurnEnergy bendingByTurn(const InsertionModel& model, const StepRoom& room,
+                         const TurningJoint& joint, std::size_t i) noexcept
+{
+  const double rest = room.restBend[i];
+  const double moment = rest * room.bending[i] / model.spacing;
+  const double c = room.perSum[i];
+  const auto& [p, t, d, e, dAcross, eAcross] = joint;
+  TurnEnergy energy;
+  energy.last = -moment * (c * t.dot(dAcross) - 0.25 * rest * e.dot(dAcross));
+  energy.next = moment * (c * p.dot(eAcross) + 0.25 * rest * d.dot(eAcross));
+  energy.both = 0.25 * std::max(moment * c * (t.dot(d) - p.dot(e)), 0.0);
+  return energy;
+}
+
+/// Adds the same of what makes an oval section stiffer in one direction.
+void addOval(const InsertionModel& model, const StepRoom& room, const TurningJoint& joint,
+             std::size_t i, TurnEnergy& energy) noexcept
+{
+  const double more = model.bendingMore[i] / model.spacing;
+  const double rest = room.restBend[i];
+  const auto& [p, t, d, e, dAcross, eAcross] = joint;
+  const Vector3d s = (2.0 * room.perSum[i]) * (t - p) - (0.5 * rest) * (d + e);
+  const double along = s.dot(stifferWay(model, joint, i));
+  const bool isAcross = model.stifferAcross[i] != 0;
+  const double lastRate = 0.5 * (isAcross ? -s.dot(d) - rest : s.dot(dAcross));
+  const double nextRate = 0.5 * (isAcross ? -s.dot(e) - rest : s.dot(eAcross));
+  energy.last += more * along * lastRate;
+  energy.next += more * along * nextRate;
+  const double root = std::sqrt(more);
+  energy.lastStep = root * lastRate;
+  energy.nextStep = root * nextRate;
+}
+
+TurnEnergy energyByTurn(const InsertionModel& model, const StepRoom& room,
+                        const TurningJoint& joint, std::size_t i) noexcept
+{
+  TurnEnergy energy = bendingByTurn(model, room, joint, i);
+  if (model.bendingMore[i] > 0.0) addOval(model, room, joint, i, energy);
+  return energy;
+}
+
+/// Adds k b b^T for a twist that grows by b with the motion of the node after i against that
+/// before.
+void addTwist(BandMatrix& matrix, std::size_t i, const Vector3d& b, double k) noexcept
+{
+  const Vector3d l = k * b;
+  const SymmetricBlock<double> block{l[0] * b[0], l[0] * b[1], l[0] * b[2],
+                                     l[1] * b[1], l[1] * b[2], l[2] * b[2]};
+  const std::size_t row = blockOf(i + 1), column = blockOf(i - 1);
+  matrix.diagonal[row] += block;
+  matrix.diagonal[column] += block;
+  std::vector<Block<double>>& between = row == column + 1 ? matrix.beside : matrix.beyond;
+  between[row] -=
+      {block.xx, block.xy, block.xz, block.xy, block.yy, block.yz, block.xz, block.yz, block.zz};
+}
+
+/// Adds k g g^T for the gradients of a joint by its three nodes.
+void addRankOne(BandMatrix& matrix, std::size_t i, const std::array<Vector3d, 3>& g,
+                double k) noexcept
+{
+  for (std::size_t a = 0; a < 3; ++a)
+    for (std::size_t b = 0; b <= a; ++b) {
+      const Vector3d l = k * g[a];
+      const Vector3d& r = g[b];
+      const Block<double> block{l[0] * r[0], l[0] * r[1], l[0] * r[2], l[1] * r[0], l[1] * r[1],
+                                l[1] * r[2], l[2] * r[0], l[2] * r[1], l[2] * r[2]};
+      const std::size_t row = blockOf(i - 1 + a), column = blockOf(i - 1 + b);
+      if (row == column) {
+        matrix.diagonal[row] += {block.xx, 0.5 * (block.xy + block.yx), 0.5 * (block.xz + block.zx),
+                                 block.yy, 0.5 * (block.yz + block.zy), block.zz};
+        // two nodes of the base: what the one does to the other counts both ways
+        if (a != b)
+          matrix.diagonal[row] +=
+              {block.xx, 0.5 * (block.xy + block.yx), 0.5 * (block.xz + block.zx),
+               block.yy, 0.5 * (block.yz + block.zy), block.zz};
+      } else if (row == column + 1) {
+        matrix.beside[row] += block;
+      } else {
+        matrix.beyond[row] += block;
+      }
+    }
+}
+
+/// Where each edge's own curl is once it has followed its edge, and what is across it.
+void followEdges(const Vector3d& handCurl_W, InsertionState& state, StepRoom& room) noexcept
+{
+  const std::size_t edges = state.curl_W.size() - 1;
+  state.curl_W[0] = handCurl_W;
+  for (std::size_t j = 0; j < edges; ++j) {
+    const Vector3d& t = room.edge[j].tangent_W;
+    state.curl_W[j] = across(state.curl_W[j], t);
+    room.curlAcross_W[j] = t.cross(state.curl_W[j]);
+  }
+}
+
+/// Torque on each edge and its stiffness; those between neighbors in `turnBeside`.
+void findTorques(const InsertionModel& model, const InsertionState& state, StepRoom& room) noexcept
+{
+  const auto edges = static_cast<std::size_t>(model.nodes - 1);
+  const double perSpacing = 1.0 / model.spacing;
+  room.turn[0] = room.turnStiffness[0] = 0.0;
+  for (std::size_t i = 1; i < edges; ++i) {
+    const TurningJoint joint(state, room, i);
+    room.twist[i] = twistOf(joint, room.perSum[i]);
+    const double stiffness = model.twisting[i] * perSpacing;
+    const double moment = stiffness * room.twist[i];
+    const TurnEnergy energy = energyByTurn(model, room, joint, i);
+    room.turn[i - 1] += moment - energy.last;
+    room.turnStiffness[i - 1] += stiffness + energy.both + energy.lastStep * energy.lastStep;
+    room.turn[i] = -moment - energy.next;
+    room.turnStiffness[i] = stiffness + energy.both + energy.nextStep * energy.nextStep;
+    room.turnBeside[i] = -stiffness + energy.both + energy.lastStep * energy.nextStep;
+  }
+  if (!model.isOval) return;
+  for (std::size_t i = 1; i <= edges; ++i) {
+    room.turn[i - 1] += state.wallTorque[i].torque;
+    room.turnStiffness[i - 1] += state.wallTorque[i].stiffness;
+  }
+}
+
+/// Turns every edge but the first, which is in the hand: tridiagonal elimination from the tip.
+void turnEdges(InsertionState& state, StepRoom& room) noexcept
+{
+  const std::size_t edges = state.curl_W.size() - 1;
+  for (std::size_t j = edges - 1; j > 1; --j) {
+    const double perStiffness = 1.0 / room.turnStiffness[j];
+    const double factor = room.turnBeside[j] * perStiffness;
+    room.turnStiffness[j - 1] -= factor * room.turnBeside[j];
+    room.turn[j - 1] -= factor * room.turn[j];
+    room.turn[j] *= perStiffness;
+    room.turnBeside[j] = factor;
+  }
+  room.turn[1] /= room.turnStiffness[1];
+  double last = 0.0;
+  for (std::size_t j = 1; j < edges; ++j) {
+    const double turn = std::clamp(room.turn[j] - room.turnBeside[j] * last, -mostTurn, mostTurn);
+    const double x = turn * turn;
+    const double sine = turn * (1.0 - x * (1.0 / 6.0 - x * (1.0 / 120.0)));
+    const double cosine = 1.0 - x * (0.5 - x * (1.0 / 24.0 - x * (1.0 / 720.0)));
+    state.curl_W[j] = cosine * state.curl_W[j] + sine * room.curlAcross_W[j];
+    room.twist[j] += turn - last;
+    last = turn;
+  }
+  state.curl_W[edges] = state.curl_W[edges - 1];
+}
+
+}  // namespace
+
+void turnMaterial(const InsertionModel& model, InsertionState& state, const Vector3d& curl_W,
+                  StepRoom& room) noexcept
+{
+  const auto edges = static_cast<std::size_t>(model.nodes - 1);
+  const double perSpacing = 1.0 / model.spacing;
+  followEdges(curl_W, state, room);
+  findTorques(model, state, room);
+  turnEdges(state, room);
+  for (std::size_t i = 1; i < edges; ++i) {
+    room.restBend_W[i] = (0.5 * room.restBend[i]) * (state.curl_W[i - 1] + state.curl_W[i]);
+    room.twistRate_W[i] =
+        (perSpacing * room.perSum[i]) * room.edge[i - 1].tangent_W.cross(room.edge[i].tangent_W);
+    if (model.bendingMore[i] > 0.0)
+      room.stiffer_W[i] = stifferWay(model, TurningJoint(state, room, i), i);
+  }
+  room.curlAcross_W[1] = room.edge[1].tangent_W.cross(state.curl_W[1]);
+  room.twistTorque = model.twisting[1] * perSpacing * room.twist[1] -
+                     energyByTurn(model, room, TurningJoint(state, room, 1), 1).last;
+  if (model.isOval) room.twistTorque += state.wallTorque[1].torque;
+}
+
+Vector3d ovalStress(const InsertionModel& model, const StepRoom& room, std::size_t i,
+                    const Vector3d& bend_W) noexcept
+{
+  const double damping = dampingTime / room.timeStep;
+  const Vector3d& way = room.stiffer_W[i];
+  const double along =
+      way.dot(bend_W - room.restBend_W[i]) + damping * way.dot(bend_W - room.bendBefore_W[i]);
+  return (model.bendingMore[i] / model.spacing * along) * way;
+}
+
+void addMaterialStiffness(const InsertionModel& model, StepRoom& room) noexcept
+{
+  const auto n = static_cast<std::size_t>(model.nodes);
+  const double damping = dampingTime / room.timeStep;
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    addTwist(room.matrix, i, room.twistRate_W[i], model.twisting[i] / model.spacing);
+    if (!(model.bendingMore[i] > 0.0)) continue;
+    const RodEdge& last = room.edge[i - 1];
+    const RodEdge& next = room.edge[i];
+    const Vector3d& way = room.stiffer_W[i];
+    const double c = 2.0 / std::max(1.0 + last.tangent_W.dot(next.tangent_W), 1e-3);
+    const Vector3d byNext = c * next.perLength * (way - way.dot(next.tangent_W) * next.tangent_W);
+    const Vector3d byLast = c * last.perLength * (way - way.dot(last.tangent_W) * last.tangent_W);
+    addRankOne(room.matrix, i, {byLast, -byLast - byNext, byNext},
+               model.bendingMore[i] / model.spacing * (1.0 + damping));
+  }
+}
+
+}  // namespace perilymph::mechanics

@@ -1,0 +1,38 @@
+#pragma once
+
+// What the rod remembers of how it was made: to where it curls at every edge, how it resists being
+// twisted, and in which direction an oval section is stiffer. Nothing of this is needed for an
+// array that is straight and round.
+
+#include "perilymph/mechanics/InsertionModel.h"
+#include "perilymph/mechanics/InsertionState.h"
+
+namespace perilymph::mechanics {
+
+/// Carries the material's directions to where the edges are now, turns that of the first edge with
+/// the hand, and lets the others follow: one Newton step toward the least energy
+///
+///     sum of 1/2 (GJ/h) m_i^2 + bending + what oval sections press into the wall,
+///
+/// where m_i is the angle by which edge i is twisted against the edge before it. Needs room.edge,
+/// room.perSum and room.restBend; leaves the rest bends, the twist and the torque on the hand in
+/// the room.
+///
+/// Positions move in between, by the same energies at these directions: both halves of the step can
+/// only take energy out. As they move, the twist at node i follows to first order,
+///
+///     m_i(x) = m_i + b_i . (x_{i+1} - x_{i-1}),   b_i = p x t / (h (1 + p.t)),
+///
+/// with the tangents p and t of the edges before and after the node at the start of the step.
+void turnMaterial(const InsertionModel& model, InsertionState& state, const Eigen::Vector3d& curl_W,
+                  StepRoom& room) noexcept;
+
+/// The rest of the bending moment at node i where an oval section is stiffer in one direction
+/// [N.m].
+Eigen::Vector3d ovalStress(const InsertionModel& model, const StepRoom& room, std::size_t i,
+                           const Eigen::Vector3d& bend_W) noexcept;
+
+/// Adds to room.matrix the stiffness of the twist and of oval sections.
+void addMaterialStiffness(const InsertionModel& model, StepRoom& room) noexcept;
+
+}  // namespace perilymph::mechanics

@@ -1,5 +1,7 @@
 // The workstation: words of the call, what the machine can draw, then the window.
 
+#include <spdlog/spdlog.h>
+
 #include <QTimer>
 #include <exception>
 #include <iostream>
@@ -8,18 +10,118 @@
 #include "Display.h"
 #include "Errands.h"
 #include "InsertionViews.h"
+#include "Interrupted.h"
+#include "KioskWindow.h"
+#include "Languages.h"
+#include "Logbook.h"
 #include "MainWindow.h"
 #include "Options.h"
+#include "RunMark.h"
+#include "Settings.h"
+#include "SettingsSheet.h"
+#include "SetupHistory.h"
+#include "Theme.h"
 #include "perilymph/foundation/RealTime.h"
+#include "perilymph/foundation/Version.h"
 
 namespace {
 
 using namespace perilymph;
 
+constexpr int openAnew = 1000;  // no exit status: the window closes to be made anew
+
 int refuse(const std::string& sentence)
 {
   std::cerr << sentence << '\n';
   return 1;
+}
+
+/// Opens a window once the loop of events runs, so that it is on the screen before the cochlea is
+/// built.
+template <class Window>
+int openAndRun(Window& window)
+{
+  QTimer::singleShot(0, &window, [&window] {
+    const auto opened = window.open();
+    if (opened) return;
+    std::cerr << opened.error().message << '\n';
+    QCoreApplication::exit(1);
+  });
+  return gui::Application::exec();
+}
+
+int runKiosk(gui::Application& application, session::Scenario scenario, const gui::Options& options)
+{
+  gui::KioskWindow window(std::move(scenario), gui::kioskBoardFile());
+  application.onException([](const QString&) {});  // visitors are not told; standard error is
+  QObject::connect(&window, &gui::KioskWindow::ended, &application,
+                   [] { QCoreApplication::quit(); });
+  gui::arrangeErrands(window, options);
+  window.showFullScreen();
+  return openAndRun(window);
+}
+
+/// What a window begins with.
+struct Beginning {
+  session::Scenario scenario;
+  gui::Page page = gui::Page::start;
+  gui::Options options;  ///< Errands are for the first window only.
+  std::vector<std::filesystem::path> interrupted;
+  std::optional<std::pair<gui::Origin, gui::Setup>> setup;  ///< Of the window before.
+};
+
+/// How a window ended: with a status, or wishing to be made anew.
+struct WindowEnd {
+  int status = 0;
+  std::optional<Beginning> next;
+};
+
+WindowEnd runWindow(gui::Application& application, const Beginning& beginning)
+{
+  const gui::Options& options = beginning.options;
+  QGuiApplication::setQuitOnLastWindowClosed(true);
+  gui::RunMark mark(gui::stateFolder());
+  gui::MainWindow window(beginning.scenario, options.record);
+  application.onException([&window](const QString& sentence) { window.showTrouble(sentence); });
+  if (beginning.setup) window.resume(beginning.setup->first, beginning.setup->second);
+  window.showPage(beginning.page);
+  gui::arrangeErrands(window, options);
+  window.views().drawBy(gui::openGlRenderer(),
+                        options.quality ? gui::qualityNamed(*options.quality) : std::nullopt);
+  window.views().refuseQuadBuffered(gui::quadBufferedTrouble());
+  gui::offerInterrupted(window, beginning.interrupted);
+  QObject::connect(&window, &gui::MainWindow::recordingChanged, &window,
+                   [&window, &mark] { mark.setRecording(window.control().recording()); });
+  QObject::connect(&window, &gui::MainWindow::anewAsked, &window,
+                   [] { QCoreApplication::exit(openAnew); });
+  // a picture or a measurement is of the usual size, whatever the last person did
+  const bool isPlain = !options.screenshot && !options.measuresFrames;
+  const QString geometry = QStringLiteral("window/geometry");
+  if (isPlain) window.restoreGeometry(gui::Settings().value(geometry).toByteArray());
+  window.show();
+  const int status = openAndRun(window);
+  if (isPlain) gui::Settings().setValue(geometry, window.saveGeometry());
+  application.onException({});
+  if (status != openAnew) return {status, std::nullopt};
+  QGuiApplication::setQuitOnLastWindowClosed(false);  // its going is not the end
+  gui::Options kept;
+  kept.quality = options.quality;
+  return {0, Beginning{window.control().scenario(),
+                       window.page(),
+                       kept,
+                       {},
+                       std::pair{window.setup().origin(), window.setup().now()}}};
+}
+
+/// What a person chose before, or for this call alone.
+void applyChoices(gui::Application& application, const gui::Options& options)
+{
+  const gui::Settings settings;
+  const QString look = settings.word(QStringLiteral("look"), gui::lookWords());
+  gui::setShownLook(look == QLatin1String("light") ? gui::Look::light : gui::Look::dark);
+  gui::useLanguage(application, options.language ? QString::fromStdString(*options.language)
+                                                 : settings.word(QStringLiteral("language"),
+                                                                 gui::languageWords()));
 }
 
 int run(int argc, char** argv, const gui::Options& options)
@@ -32,26 +134,23 @@ int run(int argc, char** argv, const gui::Options& options)
   gui::prepareQt();
   gui::Application application(argc, argv);
   if (const auto openGl = gui::probeOpenGl(); !openGl) return refuse(openGl.error().message);
+  if (const auto log = gui::startLog(gui::stateFolder()); !log)
+    std::cerr << log.error().message << '\n';  // the window works without one
+  spdlog::info("perilymph {} begins.", buildId());
 
-  gui::MainWindow window(*std::move(scenario), options.record);
-  application.onException([&window](const QString& sentence) { window.showTrouble(sentence); });
+  applyChoices(application, options);
+  if (options.isKiosk) return runKiosk(application, *std::move(scenario), options);
   const bool isTold =
       options.scenario || options.isDemo || options.measuresFrames || options.record;
-  if (!isTold) window.showPage(gui::Page::start);
-  gui::arrangeErrands(window, options);
-  window.views().drawBy(gui::openGlRenderer(),
-                        options.quality ? gui::qualityNamed(*options.quality) : std::nullopt);
-  window.views().refuseQuadBuffered(gui::quadBufferedTrouble());
-  window.show();
-
-  // Once the loop of events runs, so that the window is on the screen before the cochlea is built.
-  QTimer::singleShot(0, &window, [&window] {
-    const auto opened = window.open();
-    if (opened) return;
-    std::cerr << opened.error().message << '\n';
-    QCoreApplication::exit(1);
-  });
-  return gui::Application::exec();
+  WindowEnd end = runWindow(
+      application, {*std::move(scenario), isTold ? gui::Page::insert : gui::Page::start, options,
+                    gui::RunMark::takeInterrupted(gui::stateFolder()), std::nullopt});
+  while (end.next) {
+    applyChoices(application, end.next->options);
+    end = runWindow(application, Beginning(*std::move(end.next)));
+  }
+  spdlog::info("perilymph ends with status {}.", end.status);
+  return end.status;
 }
 
 }  // namespace

@@ -24,8 +24,9 @@ double millimetersOf(double travel) { return inMillimeters(meters(travel)); }
 
 QPen penOfRun(std::size_t run)
 {
-  const std::array<QColor, 4> colors = {accentColor, ghostColor, warningColor,
-                                        QColor(0xE3, 0x8F, 0xC0)};
+  const bool isLight = shownLook() == Look::light;
+  const QColor pink = isLight ? QColor(0x9B, 0x2F, 0x72) : QColor(0xE3, 0x8F, 0xC0);
+  const std::array<QColor, 4> colors = {accentColor, ghostColor, warningColor, pink};
   QPen pen(colors[run % colors.size()], 2.0, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
   const std::array<QVector<qreal>, 4> dashes = {QVector<qreal>{}, QVector<qreal>{5, 2},
                                                 QVector<qreal>{2, 2}, QVector<qreal>{7, 2, 1.5, 2}};

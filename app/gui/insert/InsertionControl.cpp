@@ -71,6 +71,7 @@ Result<Done> InsertionControl::prepare(Hand hand)
   std::error_code none;
   if (waiting && std::filesystem::remove(*waiting, none)) --prepared_;
   ++prepared_;
+  if (keepsNothing_) return build(hand, std::nullopt);
   const std::filesystem::path file = nextRecording();
   std::error_code ignored;  // what cannot be made is said when the file is opened
   if (!record_) std::filesystem::create_directories(file.parent_path(), ignored);

@@ -38,6 +38,9 @@ public:
   /// recording cannot be opened runs without one, but for the first with a file asked for by name.
   Result<Done> prepare(Hand hand);
 
+  /// From the next prepare() on, nothing is recorded.
+  void keepNothing() { keepsNothing_ = true; }
+
   /// Which device the next prepare(Hand::device) opens.
   void choose(device::FoundHand found) { found_ = std::move(found); }
 
@@ -97,6 +100,7 @@ private:
   std::shared_ptr<const anatomy::ScalaTympani> anatomy_;  ///< Once it is built.
   std::optional<std::filesystem::path> record_;
   int prepared_ = 0;
+  bool keepsNothing_ = false;
 
   std::unique_ptr<session::Insertion> insertion_;
   device::ScriptedHand* scripted_ = nullptr;  ///< Owned by the insertion.

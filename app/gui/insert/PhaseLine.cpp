@@ -65,7 +65,7 @@ void PhaseLine::paintEvent(QPaintEvent*)
   painter.drawRoundedRect(rect(), 6, 6);
 
   const double step = double(width() - 2 * sideMargin_px) / double(stations.size() - 1);
-  const QColor ahead = lineColor.lighter(180);
+  const QColor ahead = aheadColor;
   for (std::size_t i = 0; i < stations.size(); ++i) {
     const QPointF place(sideMargin_px + double(i) * step, stationY_px);
     const bool isReached = phase_ >= stations[i];
@@ -83,7 +83,7 @@ void PhaseLine::paintEvent(QPaintEvent*)
     painter.setFont(typeface(12, isHere ? QFont::DemiBold : QFont::Normal));
     painter.setPen(isHere ? textColor : quietTextColor);
     const QRectF name(place.x() - sideMargin_px, stationY_px + 10, 2 * sideMargin_px, 20);
-    painter.drawText(name, Qt::AlignCenter, nameOf(stations[i]));
+    painter.drawText(name, Qt::AlignCenter | Qt::TextDontClip, nameOf(stations[i]));
   }
 }
 

@@ -42,7 +42,7 @@ void drawText(QPainter& painter, const QAbstractButton& button)
 CheckBox::CheckBox(const QString& text, QWidget* parent) : QCheckBox(text, parent)
 {
   setFont(typeface(13));
-  setFocusPolicy(Qt::NoFocus);
+  setFocusPolicy(Qt::TabFocus);
 }
 
 QSize CheckBox::sizeHint() const { return rowSize(*this); }
@@ -69,7 +69,7 @@ void CheckBox::paintEvent(QPaintEvent*)
 Choice::Choice(const QString& text, QWidget* parent) : QRadioButton(text, parent)
 {
   setFont(typeface(13));
-  setFocusPolicy(Qt::NoFocus);
+  setFocusPolicy(Qt::TabFocus);
 }
 
 QSize Choice::sizeHint() const { return rowSize(*this); }

@@ -2,9 +2,69 @@
 
 #include <QStringList>
 
+#include "perilymph/charts/Look.h"
+#include "perilymph/visualization/Look.h"
+
 namespace perilymph::gui {
 
 namespace {
+
+const Theme& darkTheme()
+{
+  static const Theme theme{
+      .ground = {0x12, 0x16, 0x1A},
+      .panel = {0x1A, 0x20, 0x26},
+      .raised = {0x26, 0x31, 0x3A},
+      .pressed = {0x3A, 0x48, 0x54},
+      .line = {0x2A, 0x32, 0x3A},
+      .ahead = {0x6A, 0x7A, 0x88},
+      .text = {0xE8, 0xEC, 0xEF},
+      .quietText = {0x93, 0xA1, 0xAC},
+      .accent = {0x45, 0xC4, 0xB0},
+      .accentHover = {0x5A, 0xD3, 0xC0},
+      .onAccent = {0x0B, 0x14, 0x12},
+      .ghost = {0x56, 0xB4, 0xE9},
+      .warning = {0xE6, 0x9F, 0x00},
+      .onWarning = {0x14, 0x11, 0x0A},
+      .alarm = {0xD5, 0x5E, 0x00},
+      .banner = {0x2B, 0x21, 0x14},
+  };
+  return theme;
+}
+
+const Theme& lightTheme()
+{
+  static const Theme theme{
+      .ground = {0xFF, 0xFF, 0xFF},
+      .panel = {0xF1, 0xF4, 0xF6},
+      .raised = {0xDF, 0xE6, 0xEA},
+      .pressed = {0xAE, 0xBB, 0xC4},
+      .line = {0xC9, 0xD3, 0xDA},
+      .ahead = {0x76, 0x84, 0x8F},
+      .text = {0x14, 0x1B, 0x21},
+      .quietText = {0x4A, 0x56, 0x61},
+      .accent = {0x08, 0x6B, 0x5D},
+      .accentHover = {0x0A, 0x5C, 0x50},
+      .onAccent = {0xFF, 0xFF, 0xFF},
+      .ghost = {0x00, 0x62, 0x9B},
+      .warning = {0x7A, 0x4C, 0x00},
+      .onWarning = {0xFF, 0xFF, 0xFF},
+      .alarm = {0xA9, 0x3A, 0x00},
+      .banner = {0xFF, 0xF1, 0xD6},
+  };
+  return theme;
+}
+
+struct Shown {
+  Look look = Look::dark;
+  Theme theme;
+};
+
+Shown& shown()
+{
+  static Shown one{Look::dark, darkTheme()};
+  return one;
+}
 
 // Names of colors stand between percent signs and are filled in below.
 constexpr auto sheet = R"(
@@ -12,11 +72,11 @@ QWidget { color: %text%; background: %panel%; }
 QLabel { background: transparent; }
 QLabel[quiet="true"] { color: %quietText%; }
 QLabel[onPicture="true"] {
-  color: %quietText%; background: rgba(18, 22, 26, 185); border-radius: 4px; padding: 2px 6px;
+  color: %quietText%; background: %plate%; border-radius: 4px; padding: 2px 6px;
 }
 QLabel[trouble="true"] { color: %warning%; }
 QLabel[badge="true"] {
-  color: #14110A; background: %warning%; border-radius: 4px; padding: 1px 6px;
+  color: %onWarning%; background: %warning%; border-radius: 4px; padding: 1px 6px;
 }
 QFrame#line { background: %line%; border: none; }
 
@@ -25,23 +85,23 @@ QPushButton {
 }
 QPushButton:hover { border-color: %accent%; }
 QPushButton:pressed { background: %line%; }
-QPushButton:disabled { color: #6C7A85; background: %line%; border-color: %line%; }
-QPushButton#startButton { background: %accent%; color: #0B1412; border-color: %accent%; }
-QPushButton#startButton:hover { background: #5AD3C0; }
-QPushButton#startButton:disabled { color: #6C7A85; background: %line%; border-color: %line%; }
+QPushButton:disabled { color: %quietText%; background: %line%; border-color: %line%; }
+QPushButton#startButton { background: %accent%; color: %onAccent%; border-color: %accent%; }
+QPushButton#startButton:hover { background: %accentHover%; }
+QPushButton#startButton:disabled { color: %quietText%; background: %line%; border-color: %line%; }
 QPushButton[page="true"] {
-  background: transparent; border-color: transparent; color: %quietText%; padding: 0;
+  background: transparent; border-color: transparent; color: %quietText%; padding: 0 8px;
 }
 QPushButton[page="true"]:hover { color: %text%; border-color: %line%; }
 QPushButton[page="true"]:checked { background: %raised%; border-color: %raised%; color: %text%; }
 QPushButton#holdButton:pressed, QPushButton#holdButton[held="true"] {
-  background: %accent%; color: #0B1412; border-color: %accent%;
+  background: %accent%; color: %onAccent%; border-color: %accent%;
 }
 QPushButton[primary="true"] {
-  background: %accent%; color: #0B1412; border-color: %accent%; padding: 0 16px;
+  background: %accent%; color: %onAccent%; border-color: %accent%; padding: 0 16px;
 }
-QPushButton[primary="true"]:hover { background: #5AD3C0; }
-QPushButton[primary="true"]:disabled { color: #6C7A85; background: %line%; border-color: %line%; }
+QPushButton[primary="true"]:hover { background: %accentHover%; }
+QPushButton[primary="true"]:disabled { color: %quietText%; background: %line%; border-color: %line%; }
 QPushButton#startPageButton {
   background: transparent; border-color: transparent; color: %accent%; padding: 0;
 }
@@ -58,13 +118,13 @@ QComboBox QAbstractItemView {
 }
 QScrollBar:vertical { background: transparent; width: 8px; margin: 0; }
 QScrollBar::handle:vertical { background: %raised%; border-radius: 3px; min-height: 32px; }
-QScrollBar::handle:vertical:hover { background: #3A4854; }
+QScrollBar::handle:vertical:hover { background: %pressed%; }
 QScrollBar::add-line:vertical, QScrollBar::sub-line:vertical { height: 0; }
 QScrollBar::add-page:vertical, QScrollBar::sub-page:vertical { background: transparent; }
 QLineEdit:disabled { color: %quietText%; background: %panel%; }
 QLineEdit {
   background: %ground%; border: 1px solid %line%; border-radius: 4px; padding: 0 8px;
-  selection-background-color: %accent%; selection-color: #0B1412;
+  selection-background-color: %accent%; selection-color: %onAccent%;
 }
 QLineEdit:focus { border-color: %accent%; }
 QSpinBox {
@@ -77,10 +137,9 @@ QPushButton#keysButton { background: transparent; border-color: transparent; col
 QPushButton#keysButton:hover { color: %text%; border-color: %line%; }
 
 QToolButton#viewButton {
-  background: rgba(18, 22, 26, 185); border: 1px solid %line%; border-radius: 4px;
-  padding: 2px 8px; color: %text%;
+  background: %plate%; border: 1px solid %line%; border-radius: 4px; padding: 2px 8px; color: %text%;
 }
-QToolButton#viewButton:hover { border-color: %accent%; }
+QToolButton#viewButton:hover, QToolButton#viewButton:focus { border-color: %accent%; }
 QToolButton#viewButton::menu-indicator { image: none; }
 QMenu { background: %panel%; border: 1px solid %line%; padding: 6px 0; }
 QMenu::item { padding: 5px 24px 5px 32px; }
@@ -88,7 +147,7 @@ QMenu::item:selected { background: %raised%; }
 QMenu::item:disabled { color: %quietText%; }
 QMenu::separator { height: 1px; background: %line%; margin: 6px 0; }
 
-QFrame#banner { background: #2B2114; border: 1px solid %warning%; border-radius: 5px; }
+QFrame#banner { background: %banner%; border: 1px solid %warning%; border-radius: 5px; }
 QFrame#banner QLabel { color: %text%; }
 QFrame#keys, QFrame#devices { background: %panel%; border: 1px solid %line%; border-radius: 6px; }
 QFrame#chartFrame { background: %ground%; border: 1px solid %line%; border-radius: 4px; }
@@ -101,6 +160,15 @@ QTableView::item:selected { background: %raised%; }
 QHeaderView, QHeaderView::section { background: %ground%; color: %quietText%; border: none; }
 QHeaderView::section { border-bottom: 1px solid %line%; padding: 6px 8px; }
 QToolTip { color: %text%; background: %ground%; border: 1px solid %line%; padding: 4px; }
+
+QFrame#notice, QFrame#settings { background: %panel%; border: 1px solid %accent%; border-radius: 6px; }
+QPushButton:focus, QPushButton[page="true"]:focus, QPushButton#startButton:focus,
+QPushButton[primary="true"]:focus, QPushButton#startPageButton:focus, QPushButton#keysButton:focus,
+QPushButton#settingsButton:focus {
+  border: 2px solid %text%;
+}
+QPushButton#settingsButton { background: transparent; border-color: transparent; color: %quietText%; }
+QPushButton#settingsButton:hover { color: %text%; border-color: %line%; }
 )";
 
 }  // namespace
@@ -114,15 +182,45 @@ QFont typeface(int size_px, QFont::Weight weight)
   return chosen;
 }
 
+const Theme& themeOf(Look look) { return look == Look::light ? lightTheme() : darkTheme(); }
+
+Look shownLook() { return shown().look; }
+const Theme& shownTheme() { return shown().theme; }
+
+void setShownLook(Look look)
+{
+  shown() = {look, themeOf(look)};
+  charts::setLook(look == Look::light ? charts::Look::light : charts::Look::dark);
+  visualization::setLook(look == Look::light ? visualization::Look::light
+                                             : visualization::Look::dark);
+}
+
 QString windowStyle()
 {
   QString filled = QString::fromLatin1(sheet);
+  const Theme& theme = shownTheme();
   const std::pair<const char*, QColor> names[] = {
-      {"%ground%", groundColor}, {"%panel%", panelColor},     {"%raised%", raisedColor},
-      {"%line%", lineColor},     {"%text%", textColor},       {"%quietText%", quietTextColor},
-      {"%accent%", accentColor}, {"%warning%", warningColor},
+      {"%ground%", theme.ground},
+      {"%panel%", theme.panel},
+      {"%raised%", theme.raised},
+      {"%pressed%", theme.pressed},
+      {"%line%", theme.line},
+      {"%text%", theme.text},
+      {"%quietText%", theme.quietText},
+      {"%accent%", theme.accent},
+      {"%accentHover%", theme.accentHover},
+      {"%onAccent%", theme.onAccent},
+      {"%warning%", theme.warning},
+      {"%onWarning%", theme.onWarning},
+      {"%banner%", theme.banner},
   };
   for (const auto& [name, value] : names) filled.replace(QLatin1String(name), value.name());
+  const QColor& ground = theme.ground;
+  filled.replace(QLatin1String("%plate%"), QStringLiteral("rgba(%1, %2, %3, %4)")
+                                               .arg(ground.red())
+                                               .arg(ground.green())
+                                               .arg(ground.blue())
+                                               .arg(plateAlpha));
   return filled;
 }
 

@@ -8,17 +8,48 @@
 
 namespace perilymph::gui {
 
-/// The dark theme. Text on every ground has a contrast of 4.5:1 or more.
-inline const QColor groundColor{0x12, 0x16, 0x1A};
-inline const QColor panelColor{0x1A, 0x20, 0x26};
-inline const QColor raisedColor{0x26, 0x31, 0x3A};  ///< Buttons.
-inline const QColor lineColor{0x2A, 0x32, 0x3A};
-inline const QColor textColor{0xE8, 0xEC, 0xEF};
-inline const QColor quietTextColor{0x93, 0xA1, 0xAC};
-inline const QColor accentColor{0x45, 0xC4, 0xB0};   ///< This insertion, and the primary action.
-inline const QColor ghostColor{0x56, 0xB4, 0xE9};    ///< Other insertions: ghost, comparison.
-inline const QColor warningColor{0xE6, 0x9F, 0x00};  ///< Never without a word.
-inline const QColor alarmColor{0xD5, 0x5E, 0x00};    ///< Never without a word.
+/// The two looks of the window.
+enum class Look { dark, light };
+
+/// The colors of a look. Text on every ground it lies on has a contrast of 4.5:1 or more.
+struct Theme {
+  QColor ground;   ///< Pictures and fields.
+  QColor panel;    ///< Everything around them.
+  QColor raised;   ///< Buttons.
+  QColor pressed;  ///< What the mouse may drag.
+  QColor line;
+  QColor ahead;  ///< Of a way, what is not yet behind; 3:1 on the ground.
+  QColor text, quietText;
+  QColor accent;       ///< This insertion, and the primary action.
+  QColor accentHover;  ///< The same under the mouse.
+  QColor onAccent;     ///< Text on both.
+  QColor ghost;        ///< Other insertions: ghost, comparison.
+  QColor warning;      ///< Never without a word.
+  QColor onWarning;    ///< Text on it.
+  QColor alarm;        ///< A light's, never without a word.
+  QColor banner;       ///< Behind what went wrong.
+};
+
+const Theme& themeOf(Look look);
+
+/// The look of this program's windows, charts and pictures. One for all of them; it is chosen
+/// before a window is made.
+Look shownLook();
+void setShownLook(Look look);
+/// Its colors. The object stays where it is when the look changes.
+const Theme& shownTheme();
+
+inline const QColor& groundColor = shownTheme().ground;
+inline const QColor& panelColor = shownTheme().panel;
+inline const QColor& raisedColor = shownTheme().raised;
+inline const QColor& lineColor = shownTheme().line;
+inline const QColor& aheadColor = shownTheme().ahead;
+inline const QColor& textColor = shownTheme().text;
+inline const QColor& quietTextColor = shownTheme().quietText;
+inline const QColor& accentColor = shownTheme().accent;
+inline const QColor& ghostColor = shownTheme().ghost;
+inline const QColor& warningColor = shownTheme().warning;
+inline const QColor& alarmColor = shownTheme().alarm;
 
 inline constexpr int sidePanelWidth = 248;
 inline constexpr int chartColumnWidth = 431;

@@ -8,6 +8,7 @@
 namespace perilymph::gui {
 
 class Application : public QApplication {
+  Q_OBJECT
 public:
   Application(int& argc, char** argv);
 

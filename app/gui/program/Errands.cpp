@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <iostream>
 
+#include "KioskWindow.h"
 #include "MainWindow.h"
 #include "ProgramAge.h"
 #include "perilymph/foundation/AtomicFile.h"
@@ -23,7 +24,7 @@ void fail(const std::string& sentence)
   QCoreApplication::exit(1);
 }
 
-void takeScreenshot(MainWindow& window, const std::filesystem::path& file)
+void takeScreenshot(QWidget& window, const std::filesystem::path& file)
 {
   const QPixmap picture = window.grab();
   const Result<Done> written = writeWhole(file, [&](const std::filesystem::path& place) {
@@ -31,6 +32,13 @@ void takeScreenshot(MainWindow& window, const std::filesystem::path& file)
   });
   if (!written) return fail(written.error().message);
   QCoreApplication::exit(0);
+}
+
+void takeScreenshotLater(QWidget& window, const Options& options)
+{
+  if (!options.screenshot) return;
+  QTimer::singleShot(int(options.after_s * 1e3), &window,
+                     [&window, file = *options.screenshot] { takeScreenshot(window, file); });
 }
 
 /// Ends the application with the frame times once the demonstration has ended.
@@ -64,10 +72,14 @@ void arrangeErrands(MainWindow& window, const Options& options)
       window.restartMeter();
       reportFramesAtEnd(window);
     }
-    if (options.screenshot)
-      QTimer::singleShot(int(options.after_s * 1e3), &window,
-                         [&window, file = *options.screenshot] { takeScreenshot(window, file); });
+    takeScreenshotLater(window, options);
   });
+}
+
+void arrangeErrands(KioskWindow& window, const Options& options)
+{
+  QObject::connect(&window, &KioskWindow::firstFrameShown, &window,
+                   [&window, options] { takeScreenshotLater(window, options); });
 }
 
 }  // namespace perilymph::gui

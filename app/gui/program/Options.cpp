@@ -38,7 +38,7 @@ std::variant<Options, Exit> parseOptions(int argc, const char* const* argv)
                  "What to insert where: a shipped name or a TOML file; without it, the first "
                  "screen asks")
       ->type_name("FILE|NAME");
-  app.add_flag("--demo", options.isDemo, "Start inserting at once");
+  auto* demoOption = app.add_flag("--demo", options.isDemo, "Start inserting at once");
   auto* recordOption =
       app.add_option("--record", record,
                      "Where to keep the insertion; without it, among the sessions in the data home")
@@ -58,6 +58,15 @@ std::variant<Options, Exit> parseOptions(int argc, const char* const* argv)
   app.add_flag("--measure-frames", options.measuresFrames,
                "Run the demonstration, print how long its frames took, then exit")
       ->excludes(screenshotOption);
+  app.add_option("--language", options.language,
+                 "The window's words and numbers, for this call; else as chosen in its settings")
+      ->type_name("en|de|system")
+      ->check(CLI::IsMember({"en", "de", "system"}));
+  app.add_flag("--kiosk", options.isKiosk,
+               "Fill the screen with a demonstration for visitors; Ctrl+Alt+Q ends it")
+      ->excludes(demoOption)
+      ->excludes(recordOption)
+      ->excludes("--measure-frames");
 
   try {
     app.parse(argc, argv);

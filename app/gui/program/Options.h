@@ -12,12 +12,14 @@ namespace perilymph::gui {
 /// What the workstation was asked to do.
 struct Options {
   std::optional<std::string> scenario;          ///< A shipped name or a file.
+  bool isKiosk = false;                         ///< The booth in place of the workstation.
   bool isDemo = false;                          ///< Starts inserting by itself.
   std::optional<std::filesystem::path> record;  ///< Where to keep the insertion.
   std::optional<std::filesystem::path> screenshot;
-  double after_s = 2.0;                ///< From the first frame to the screenshot.
-  std::optional<std::string> quality;  ///< auto, fast, balanced or full; else what was kept.
-  bool measuresFrames = false;         ///< Prints frame times of a demonstration and exits.
+  std::optional<std::string> language;  ///< "en", "de" or "system", for this call alone.
+  std::optional<std::string> quality;   ///< auto, fast, balanced or full; else what was kept.
+  double after_s = 2.0;                 ///< From the first frame to the screenshot.
+  bool measuresFrames = false;          ///< Prints frame times of a demonstration and exits.
 };
 
 /// The program ends here, with this status: help and version were printed, or the words were wrong.

@@ -14,7 +14,8 @@ namespace {
 // Of pictures, in 1/96 inch: the text of an A4 page is 657 wide.
 constexpr int curveWidth_px = 480, pictureWidth_px = 320;
 
-QString tr(const char* words) { return QCoreApplication::translate("Report", words); }
+// lupdate looks for words of free functions under the name of their namespace.
+QString tr(const char* words) { return QCoreApplication::translate("perilymph::gui", words); }
 
 QString from(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); }
 
@@ -96,7 +97,7 @@ QString howItWasDone(const ReportContent& content)
     rows << row(from(each.name),
                 tr("%1 %: %2").arg(numberText(100.0 * each.share, 0), from(each.found)),
                 tr("%1. %2").arg(from(each.band), from(each.source)));
-  return heading("How it was done") +
+  return heading(QT_TRANSLATE_NOOP("perilymph::gui", "How it was done")) +
          QStringLiteral("<p>%1</p>")
              .arg(tr("%1 of 100, the mean of four criteria. It knows no trauma.")
                       .arg(numberText(content.score->total, 0))) +
@@ -111,7 +112,7 @@ QString whatItWasComputedFrom(const ReportContent& content)
   QStringList sources;
   for (const auto& [part, provenance] : content.scenario.array.provenance)
     sources << row(from(part), from(provenance.source));
-  return heading("What it was computed from") + table(rows) +
+  return heading(QT_TRANSLATE_NOOP("perilymph::gui", "What it was computed from")) + table(rows) +
          QStringLiteral("<p>%1</p>").arg(tr("The array, and where its values come from:")) +
          table(sources);
 }
@@ -130,7 +131,7 @@ QString limits(const ReportContent& content)
   for (const std::string& note : content.scenario.notes) sentences << from(note);
   if (content.lostRecords > 0)
     sentences << tr("%1 ticks were lost while recording.").arg(content.lostRecords);
-  return heading("Limits") +
+  return heading(QT_TRANSLATE_NOOP("perilymph::gui", "Limits")) +
          QStringLiteral("<ul><li>%1</li></ul>").arg(sentences.join(QStringLiteral("</li><li>")));
 }
 
@@ -144,7 +145,7 @@ QString marks(const ReportContent& content)
                                       .arg(verification.difference->tick)
                                       .arg(from(verification.difference->field))
                                 : tr("could not be compared");
-  return heading("How to know it again") +
+  return heading(QT_TRANSLATE_NOOP("perilymph::gui", "How to know it again")) +
          table({row(tr("Recording"), from(content.file.filename().string()),
                     tr("%1 bytes").arg(content.bytes)),
                 row(tr("SHA-256"), content.sha256, {}), row(tr("Replay"), replay, {}),
@@ -167,9 +168,10 @@ QString reportText(const ReportContent& content)
              .arg(tr("Report of an insertion"),
                   tr("Perilymph, for research and training use. Not a medical device; no patient "
                      "may be treated by what it shows.")) +
-         whoAndWhat(content) + heading("In numbers") + numbers(content) +
-         heading("Force over travel") + image.arg(QStringLiteral("curve")).arg(curveWidth_px) +
-         heading("The array at its deepest place") +
+         whoAndWhat(content) + heading(QT_TRANSLATE_NOOP("perilymph::gui", "In numbers")) +
+         numbers(content) + heading(QT_TRANSLATE_NOOP("perilymph::gui", "Force over travel")) +
+         image.arg(QStringLiteral("curve")).arg(curveWidth_px) +
+         heading(QT_TRANSLATE_NOOP("perilymph::gui", "The array at its deepest place")) +
          image.arg(QStringLiteral("picture")).arg(pictureWidth_px) +
          QStringLiteral("<p class=\"quiet small\">%1</p>")
              .arg(tr("Along the modiolus, to scale; the tip %1 mm past the opening.")

@@ -12,7 +12,8 @@ namespace perilymph::gui {
 
 namespace {
 
-QString tr(const char* words) { return QCoreApplication::translate("Catalog", words); }
+// lupdate looks for words of free functions under the name of their namespace.
+QString tr(const char* words) { return QCoreApplication::translate("perilymph::gui", words); }
 
 }  // namespace
 

@@ -51,6 +51,14 @@ void SetupHistory::begin(Setup setup, Origin::Kind kind)
   Q_EMIT setupChanged();
 }
 
+void SetupHistory::resume(const Origin& origin, Setup now)
+{
+  stack_.clear();
+  origin_ = origin;
+  now_ = std::move(now);
+  Q_EMIT setupChanged();
+}
+
 bool SetupHistory::isModified() const
 {
   return origin_.kind == Origin::Kind::preset &&

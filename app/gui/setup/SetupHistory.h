@@ -18,6 +18,9 @@ public:
   /// Begins anew; nothing is left to be undone.
   void begin(Setup setup, Origin::Kind kind);
 
+  /// Goes on where another history was; nothing is left to be undone.
+  void resume(const Origin& origin, Setup now);
+
   const Setup& now() const { return now_; }
   const Origin& origin() const { return origin_; }
   /// It is a preset's, but no longer as the preset says.

@@ -9,7 +9,8 @@ namespace perilymph::gui {
 
 namespace {
 
-QString tr(const char* words) { return QCoreApplication::translate("Populations", words); }
+// lupdate looks for words of free functions under the name of their namespace.
+QString tr(const char* words) { return QCoreApplication::translate("perilymph::gui", words); }
 
 Population populationOf(const anatomy::Spread& spread)
 {

@@ -66,7 +66,9 @@ QWidget* ValidatePage::addColumn()
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(spacing);
-  column->addWidget(text(tr("The published experiment, repeated"), 22, page));
+  auto* title = text(tr("The published experiment, repeated"), 22, page);
+  title->setWordWrap(true);
+  column->addWidget(title);
   auto* what = text(tr("Many insertions that differ as real ones do: where the tip starts, how the "
                        "array is aligned, how curved it is, how slippery the wall. Their mean is "
                        "held against the forces that were printed. Two forces were used to "

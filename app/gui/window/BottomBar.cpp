@@ -36,7 +36,7 @@ void ProgressLine::paintEvent(QPaintEvent*)
   const double middle = height() / 2.0;
   const double left = radius, right = width() - radius;
   const double here = left + share_ * (right - left);
-  painter.setPen(QPen(lineColor.lighter(130), 4.0, Qt::SolidLine, Qt::RoundCap));
+  painter.setPen(QPen(aheadColor, 4.0, Qt::SolidLine, Qt::RoundCap));
   painter.drawLine(QPointF(left, middle), QPointF(right, middle));
   painter.setPen(QPen(accentColor, 4.0, Qt::SolidLine, Qt::RoundCap));
   if (share_ > 0.0) painter.drawLine(QPointF(left, middle), QPointF(here, middle));
@@ -94,8 +94,9 @@ QPushButton* BottomBar::addButton(const QString& text, const char* name, int wid
   auto* button = new QPushButton(text, this);
   button->setObjectName(QLatin1String(name));
   button->setFont(typeface(13, QFont::Medium));
-  button->setFixedSize(width, 28);
-  button->setFocusPolicy(Qt::NoFocus);
+  button->setFixedHeight(28);
+  button->setMinimumWidth(width);
+  button->setFocusPolicy(Qt::TabFocus);
   return button;
 }
 

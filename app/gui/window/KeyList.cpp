@@ -1,66 +1,65 @@
 #include "KeyList.h"
 
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QVBoxLayout>
 #include <QVariant>
+#include <utility>
+#include <vector>
 
+#include "KeyActions.h"
 #include "Theme.h"
 
 namespace perilymph::gui {
 
-KeyList::KeyList(QWidget* parent) : QFrame(parent)
+namespace {
+
+void addHeading(QGridLayout& grid, const QString& text, QWidget* parent)
+{
+  auto* heading = new QLabel(text, parent);
+  heading->setFont(typeface(13, QFont::DemiBold));
+  grid.addWidget(heading, grid.rowCount(), 0, 1, 2);
+}
+
+void addRow(QGridLayout& grid, const QString& keys, const QString& meaning, QWidget* parent)
+{
+  auto* keysLabel = new QLabel(keys, parent);
+  keysLabel->setFont(typeface(13, QFont::Medium));
+  auto* meaningLabel = new QLabel(meaning, parent);
+  meaningLabel->setFont(typeface(13));
+  meaningLabel->setProperty("quiet", true);
+  const int row = grid.rowCount();
+  grid.addWidget(keysLabel, row, 0);
+  grid.addWidget(meaningLabel, row, 1);
+}
+
+}  // namespace
+
+KeyList::KeyList(const KeyActions& actions, QWidget* parent) : QFrame(parent)
 {
   setObjectName(QStringLiteral("keys"));
-  const struct {
-    QString keys, meaning;  // no keys: a heading
-  } rows[] = {
-      {{}, tr("Insertion")},
-      {tr("Space"), tr("start or pause; hold the array with mouse and keyboard")},
-      {tr("Wheel, Up, Down"), tr("advance or withdraw the array while it is held")},
-      {tr("Backspace"), tr("withdraw")},
-      {tr("Ctrl+R"), tr("reset: a fresh insertion and recording")},
-      {tr("S"), tr("pull the stylet")},
-      {tr("Esc"), tr("let go of the array")},
-      {{}, tr("Picture")},
-      {tr("1  2  3  4"), tr("surgeon’s view, down the opening, overview, section")},
-      {tr("F"), tr("follow the tip")},
-      {tr("G"), tr("stereo: off, anaglyph, side by side, interlaced")},
-      {tr("Drag; A D W X"), tr("turn the model")},
-      {tr("Shift+drag; Shift+arrows"), tr("move the model")},
-      {tr("Wheel, Ctrl+wheel, + −"), tr("magnify")},
-      {{}, tr("Replay")},
-      {tr("Space; Esc"), tr("play or pause; back to the insertion")},
-      {tr("Left, Right; with Shift"), tr("step by 1 tick; by 100")},
-      {tr(",  ."), tr("slower, faster")},
-      {{}, tr("Window")},
-      {tr("L;  Ctrl+1  2  4"), tr("one, two or four views; a double click enlarges one")},
-      {tr("Alt+Home"), tr("begin anew: the first screen")},
-      {tr("Alt+1 to Alt+4"), tr("insert, compare, validate, sessions")},
-      {tr("H"), tr("devices: which there are, and how the hand is doing")},
-      {tr("Ctrl+Z  Ctrl+Shift+Z"), tr("undo and redo a change of the setup")},
-      {tr("Tab, Return, Esc"), tr("to the next field of the panel, out of it")},
-      {tr("B"), tr("hide or show the panel")},
-      {tr("?"), tr("this list")},
-  };
-
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(3 * spacing, 2 * spacing, 3 * spacing, 2 * spacing);
-  grid->setHorizontalSpacing(3 * spacing);
-  grid->setVerticalSpacing(6);
-  int line = 0;
-  for (const auto& row : rows) {
-    auto* meaning = new QLabel(row.meaning, this);
-    if (row.keys.isEmpty()) {
-      meaning->setFont(typeface(13, QFont::DemiBold));
-      grid->addWidget(meaning, line++, 0, 1, 2);
-      continue;
+  auto* columns = new QHBoxLayout(this);
+  columns->setContentsMargins(3 * spacing, 2 * spacing, 3 * spacing, 2 * spacing);
+  columns->setSpacing(4 * spacing);
+  const std::vector<std::pair<KeySection, QString>> halves[] = {
+      {{KeySection::insertion, tr("Insertion")}, {KeySection::picture, tr("Picture")}},
+      {{KeySection::replay, tr("Replay")}, {KeySection::window, tr("Window")}}};
+  for (const auto& half : halves) {
+    auto* column = new QVBoxLayout;
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(3 * spacing);
+    grid->setVerticalSpacing(6);
+    column->addLayout(grid);
+    column->addStretch(1);
+    columns->addLayout(column);
+    for (const auto& [section, title] : half) {
+      addHeading(*grid, title, this);
+      for (const KeyAction& action : actions.actions())
+        if (action.section == section) addRow(*grid, keysText(action), action.meaning, this);
+      for (const Gesture& gesture : actions.gestures())
+        if (gesture.section == section) addRow(*grid, gesture.what, gesture.meaning, this);
     }
-    auto* keys = new QLabel(row.keys, this);
-    keys->setFont(typeface(13, QFont::Medium));
-    meaning->setFont(typeface(13));
-    meaning->setProperty("quiet", true);
-    grid->addWidget(keys, line, 0);
-    grid->addWidget(meaning, line++, 1);
   }
   hide();
 }

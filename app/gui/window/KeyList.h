@@ -1,16 +1,18 @@
 #pragma once
 
-// The list of keys, shown over the picture when asked for.
+// The sheet of keys, shown over the page when asked for.
 
 #include <QFrame>
 
 namespace perilymph::gui {
 
-/// A quiet sheet that names every key and what the mouse does.
+class KeyActions;
+
+/// A quiet sheet that names what keys and mouse do, made from the actions themselves.
 class KeyList : public QFrame {
   Q_OBJECT
 public:
-  explicit KeyList(QWidget* parent);
+  KeyList(const KeyActions& actions, QWidget* parent);
 };
 
 }  // namespace perilymph::gui

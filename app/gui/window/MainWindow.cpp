@@ -1,5 +1,7 @@
 #include "MainWindow.h"
 
+#include <spdlog/spdlog.h>
+
 #include <QEvent>
 #include <QFrame>
 #include <QHBoxLayout>
@@ -14,11 +16,13 @@
 #include "ForceCharts.h"
 #include "InsertionViews.h"
 #include "KeyList.h"
+#include "Notice.h"
 #include "Numbers.h"
 #include "OperationView.h"
 #include "Replay.h"
 #include "ReplayBar.h"
 #include "SessionsPage.h"
+#include "SettingsSheet.h"
 #include "SetupHistory.h"
 #include "SidePanel.h"
 #include "StartPage.h"
@@ -53,7 +57,8 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
       view_(views_->operation()),
       charts_(views_->charts()),
       bottom_(new BottomBar(this)),
-      keys_(new KeyList(view_)),
+      settings_(new SettingsSheet(this)),
+      notice_(new Notice(this)),
       devices_(new DevicePage(view_)),
       startPage_(new StartPage(this)),
       validation_(new ValidatePage(this)),
@@ -74,6 +79,8 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
   setFocusPolicy(Qt::StrongFocus);
   layOut();
   connectZones();
+  addKeys();
+  keys_ = new KeyList(keyActions_, this);
   connectSetup();
   setup_->begin({control_.scenario(), {}}, Origin::Kind::preset);
   showScenario();
@@ -146,6 +153,9 @@ void MainWindow::connectZones()
   connect(startPage_, &StartPage::demonstrationAsked, this,
           [this] { beginShipped("contour-published", Then::insert); });
   connect(top_, &TopBar::keysAsked, this, &MainWindow::toggleKeyList);
+  connect(top_, &TopBar::settingsAsked, this, &MainWindow::toggleSettings);
+  connect(settings_, &SettingsSheet::closeAsked, this, &MainWindow::toggleSettings);
+  connect(settings_, &SettingsSheet::chosen, this, &MainWindow::anewAsked);
   connect(side_, &SidePanel::handChosen, this, &MainWindow::chooseHand);
   connect(side_, &SidePanel::devicesAsked, this, &MainWindow::toggleDevices);
   connect(devices_, &DevicePage::closeAsked, this, &MainWindow::toggleDevices);
@@ -206,6 +216,7 @@ void MainWindow::hold(bool isHeld)
 
 void MainWindow::showTrouble(const QString& sentence)
 {
+  spdlog::warn("{}", sentence.toStdString());
   trouble_ = sentence;
   view_->setBanner(troubleWords());
 }
@@ -291,6 +302,7 @@ void MainWindow::showState()
                               (isScripted || workflow == Workflow::finished));
   side_->setChangeable(isChangeable());
   devices_->setChangeable(!hasMoved || isThere);
+  settings_->setChangeable(!hasMoved || isThere);
   showDevice();
   side_->setHoldEnabled(isRunning && workflow != Workflow::fault);
 

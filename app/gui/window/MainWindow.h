@@ -14,6 +14,7 @@
 #include "Background.h"
 #include "FrameMeter.h"
 #include "InsertionControl.h"
+#include "KeyActions.h"
 #include "Setup.h"
 #include "TopBar.h"
 #include "perilymph/foundation/Result.h"
@@ -29,10 +30,12 @@ class DevicePage;
 class ForceCharts;
 class InsertionViews;
 class KeyList;
+class Notice;
 class OperationView;
 class Replay;
 class ReplayBar;
 class SessionsPage;
+class SettingsSheet;
 class SetupHistory;
 class SidePanel;
 class StartPage;
@@ -56,6 +59,9 @@ public:
   /// The same where it is known what the patient's numbers come from.
   void load(Setup setup, Origin::Kind kind, Then then);
 
+  /// Goes on with the setup of a window before this one, whose scenario is this one's.
+  void resume(const Origin& origin, const Setup& now);
+
   void start();
   void pause();
   void withdraw();
@@ -65,6 +71,9 @@ public:
   /// Shows another page. An insertion that moves is paused: nobody would see where it goes.
   void showPage(Page page);
   Page page() const { return page_; }
+
+  /// Says something over the foot of the window.
+  Notice& notice() { return *notice_; }
 
   /// Writes a report of a recording as PDF, beside this thread; the page Sessions says how it went.
   void saveReport(const std::filesystem::path& file, const std::filesystem::path& pdf);
@@ -83,6 +92,10 @@ public:
 Q_SIGNALS:
   /// The first frame with the cochlea in it is on the display.
   void firstFrameShown();
+  /// Another insertion is being recorded: control().recording().
+  void recordingChanged();
+  /// A window made anew would show what was chosen in the settings.
+  void anewAsked();
 
 protected:
   bool event(QEvent* event) override;
@@ -124,7 +137,19 @@ private:
   void begin(const anatomy::Patient& patient);
   void beginShipped(const std::string& name, Then then);
   void hold(bool isHeld);
-  bool steer(int key, bool isShift);
+  /// What a key does on the insertion page alone, or on every page.
+  std::function<bool(int)> onInsertion(std::function<void(int)> act);
+  std::function<bool(int)> onAnyPage(std::function<void(int)> act);
+  void addKeys();
+  void addInsertionKeys();
+  void addPictureKeys();
+  void addReplayKeys();
+  void addWindowKeys();
+  void pressSpace();
+  void leave();
+  bool leavePanel();
+  void takePicture();
+  void toggleSettings();
   void toggleKeyList();
   void toggleDevices();
   void useDevice(const device::FoundHand& found);
@@ -143,7 +168,10 @@ private:
   OperationView* view_;
   ForceCharts* charts_;
   BottomBar* bottom_;
-  KeyList* keys_;
+  KeyActions keyActions_;
+  KeyList* keys_ = nullptr;
+  SettingsSheet* settings_;
+  Notice* notice_;
   DevicePage* devices_;
   StartPage* startPage_;
   ValidatePage* validation_;

@@ -175,6 +175,7 @@ void MainWindow::showPrepared()
   view_->showArray(control_.now());
   drawn_ = control_.now();
   showSlowly();
+  Q_EMIT recordingChanged();
 }
 
 }  // namespace perilymph::gui

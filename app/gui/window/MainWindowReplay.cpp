@@ -5,11 +5,13 @@
 
 #include "ForceCharts.h"
 #include "InsertionViews.h"
+#include "KeyList.h"
 #include "MainWindow.h"
 #include "OperationView.h"
 #include "Replay.h"
 #include "ReplayBar.h"
 #include "SessionsPage.h"
+#include "SettingsSheet.h"
 #include "SidePanel.h"
 #include "TopBar.h"
 
@@ -118,7 +120,9 @@ void MainWindow::showReplay()
 
 bool MainWindow::keyOfReplay(QKeyEvent* event)
 {
-  if (!replay_->isOpen()) return false;
+  if (!replay_->isOpen() || (event->modifiers() & Qt::AltModifier) != 0) return false;
+  if ((event->modifiers() & Qt::ControlModifier) != 0)  // neither reset nor undo meanwhile
+    return event->key() == Qt::Key_R || event->key() == Qt::Key_Z;
   const bool isShift = (event->modifiers() & Qt::ShiftModifier) != 0;
   switch (event->key()) {
     case Qt::Key_Space:
@@ -143,6 +147,7 @@ bool MainWindow::keyOfReplay(QKeyEvent* event)
       replay_->faster();
       return true;
     case Qt::Key_Escape:
+      if (keys_->isVisible() || settings_->isVisible()) return false;
       closeReplay();
       return true;
     // What would move an array.
@@ -152,9 +157,6 @@ bool MainWindow::keyOfReplay(QKeyEvent* event)
     case Qt::Key_S:
     case Qt::Key_H:
       return !isShift;
-    case Qt::Key_R:
-    case Qt::Key_Z:
-      return (event->modifiers() & Qt::ControlModifier) != 0;
     default:
       return false;
   }

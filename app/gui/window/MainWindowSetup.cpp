@@ -53,6 +53,12 @@ void MainWindow::connectSetup()
   connect(side_, &SidePanel::redoAsked, this, &MainWindow::redo);
 }
 
+void MainWindow::resume(const Origin& origin, const Setup& now)
+{
+  setup_->resume(origin, now);
+  showScenario();
+}
+
 bool MainWindow::isChangeable() const
 {
   const Workflow workflow = control_.now().output.workflow;

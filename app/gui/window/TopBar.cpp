@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QPushButton>
 #include <QVariant>
+#include <algorithm>
 
 #include "Theme.h"
 
@@ -81,7 +82,7 @@ TopBar::TopBar(QWidget* parent)
   auto* name = new QPushButton(tr("Perilymph"), this);
   name->setObjectName(QStringLiteral("startPageButton"));
   name->setFont(typeface(15, QFont::DemiBold));
-  name->setFocusPolicy(Qt::NoFocus);
+  name->setFocusPolicy(Qt::TabFocus);
   name->setToolTip(tr("Begin anew (Alt+Home)"));
   connect(name, &QPushButton::clicked, this, [this] { Q_EMIT pageChosen(Page::start); });
 
@@ -99,10 +100,18 @@ TopBar::TopBar(QWidget* parent)
   keys->setObjectName(QStringLiteral("keysButton"));
   keys->setFont(typeface(15));
   keys->setFixedSize(32, 28);
-  keys->setFocusPolicy(Qt::NoFocus);
-  keys->setToolTip(tr("Keys and mouse"));
+  keys->setFocusPolicy(Qt::TabFocus);
+  keys->setToolTip(tr("Keys and mouse (F1)"));
   keys->setAccessibleName(tr("Keys and mouse"));
   connect(keys, &QPushButton::clicked, this, &TopBar::keysAsked);
+  auto* settings = new QPushButton(QStringLiteral("☰"), this);
+  settings->setObjectName(QStringLiteral("settingsButton"));
+  settings->setFont(typeface(15));
+  settings->setFixedSize(32, 28);
+  settings->setFocusPolicy(Qt::TabFocus);
+  settings->setToolTip(tr("Settings (Ctrl+,)"));
+  settings->setAccessibleName(tr("Settings"));
+  connect(settings, &QPushButton::clicked, this, &TopBar::settingsAsked);
 
   auto* left = new QHBoxLayout;
   left->setSpacing(3 * spacing);
@@ -120,6 +129,7 @@ TopBar::TopBar(QWidget* parent)
   right->addStretch();
   right->addWidget(device_);
   right->addWidget(keys);
+  right->addWidget(settings);
 
   // Both sides take the same share, so that the patient stands in the middle of the window.
   auto* columns = new QGridLayout(this);
@@ -141,9 +151,10 @@ QPushButton* TopBar::addPage(Page page, const QString& text, const char* name)
   button->setObjectName(QLatin1String(name));
   button->setProperty("page", true);
   button->setFont(typeface(13, QFont::Medium));
-  button->setFixedSize(84, 28);
+  button->setFixedHeight(28);
+  button->setMinimumWidth(std::max(84, button->sizeHint().width()));
   button->setCheckable(true);
-  button->setFocusPolicy(Qt::NoFocus);
+  button->setFocusPolicy(Qt::TabFocus);
   connect(button, &QPushButton::clicked, this, [this, page] { Q_EMIT pageChosen(page); });
   pages_.emplace_back(page, button);
   return button;

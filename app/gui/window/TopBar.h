@@ -51,6 +51,7 @@ public:
 Q_SIGNALS:
   void pageChosen(perilymph::gui::Page page);
   void keysAsked();
+  void settingsAsked();
 
 private:
   QPushButton* addPage(Page page, const QString& text, const char* name);

@@ -21,6 +21,7 @@
 
 #include "ChartStyle.h"
 #include "perilymph/charts/Typeface.h"
+#include "perilymph/charts/Wording.h"
 
 namespace perilymph::charts {
 namespace {
@@ -35,7 +36,7 @@ std::string written(double value, int decimals)
   if (std::abs(value) < 1e-12) value = 0.0;  // no "-0.00"
   char text[32];
   std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
+  return withDecimalSign(text);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "PlotSheet.h"
+#include "perilymph/charts/Wording.h"
 #include "perilymph/foundation/Units.h"
 
 namespace perilymph::charts {
@@ -81,7 +82,7 @@ analysis::Drawing drawContactDistances(const std::vector<ContactDistance>& conta
     sheet.add(Disk{head, 2.5, ink::silicone, ink::silicone});
   }
   if (inside == 0) {
-    sheet.write({sheet.left(), 14.0}, "no contact is inside yet", ink::quiet);
+    sheet.write({sheet.left(), 14.0}, wording().noContactInside, ink::quiet);
     return sheet.take();
   }
   const double mean_mm = sum_mm / inside;
@@ -90,7 +91,7 @@ analysis::Drawing drawContactDistances(const std::vector<ContactDistance>& conta
                    1.0,
                    4.0});
   sheet.write({sheet.left(), 14.0},
-              "mean " + written(mean_mm, 2) + " mm, " + std::to_string(inside) + " inside",
+              filled(wording().meanAndInside, {written(mean_mm, 2), std::to_string(inside)}),
               ink::accent);
   return sheet.take();
 }

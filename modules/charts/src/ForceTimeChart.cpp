@@ -9,6 +9,7 @@
 
 #include "ChartFrame.h"
 #include "ChartStyle.h"
+#include "perilymph/charts/Wording.h"
 
 namespace perilymph::charts {
 namespace {
@@ -28,7 +29,7 @@ struct Slot {
 }  // namespace
 
 struct ForceTimeChart::Content {
-  ChartFrame frame{"", "force, mN"};
+  ChartFrame frame{"", wording().force};
   std::array<ChartLine, components> lines{ChartLine{frame.chart(), style::accent, style::thinWidth},
                                           ChartLine{frame.chart(), style::orange, style::thinWidth},
                                           ChartLine{frame.chart(), style::blue, style::thinWidth}};
@@ -51,7 +52,7 @@ void ForceTimeChart::Content::setRange()
     high = std::max(high, *std::max_element(slot.high.begin(), slot.high.end()));
   }
   frame.setYRange(grown(usualForce_mN, low, high, 5), 0);
-  frame.setXLabels({-inSeconds(span), 0.0, inSeconds(span)}, {"−5 s", "now"});
+  frame.setXLabels({-inSeconds(span), 0.0, inSeconds(span)}, {"−5 s", wording().now});
 }
 
 void ForceTimeChart::Content::setLine(std::size_t component)
@@ -75,9 +76,9 @@ ForceTimeChart::ForceTimeChart() : content_(std::make_unique<Content>())
 {
   ChartOverlay& overlay = content_->frame.overlay();
   overlay.legendPlace = ChartOverlay::LegendPlace::above;
-  overlay.legend = {{Swatch::line, style::accent, "axial"},
-                    {Swatch::line, style::orange, "lateral"},
-                    {Swatch::line, style::blue, "vertical"}};
+  overlay.legend = {{Swatch::line, style::accent, wording().axial},
+                    {Swatch::line, style::orange, wording().lateral},
+                    {Swatch::line, style::blue, wording().vertical}};
   update();
 }
 

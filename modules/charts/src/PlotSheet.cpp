@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "ChartStyle.h"
+#include "perilymph/charts/Wording.h"
 
 namespace perilymph::charts {
 
@@ -81,8 +82,8 @@ std::string written(double value, int decimals)
 {
   char text[64];
   std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  const std::string result = text;
-  const bool isZero = result.find_first_not_of("-0.") == std::string::npos;
+  const std::string result = withDecimalSign(text);
+  const bool isZero = result.find_first_not_of("-0.,") == std::string::npos;
   std::string shown = isZero && result.front() == '-' ? result.substr(1) : result;
   if (!shown.empty() && shown.front() == '-') shown = "\u2212" + shown.substr(1);
   return shown;

@@ -1,37 +1,16 @@
 #pragma once
 
-// A dark sheet with two axes that flat views are drawn on.
+// A sheet with two axes that flat views are drawn on.
 
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "AxisRange.h"
+#include "SheetInk.h"
 #include "perilymph/analysis/Drawing.h"
 
 namespace perilymph::charts {
-
-namespace ink {
-inline constexpr analysis::Ink panel{{0x1A, 0x20, 0x26}, 1.0};
-inline constexpr analysis::Ink ground{{0x12, 0x16, 0x1A}, 1.0};
-inline constexpr analysis::Ink grid{{0x2A, 0x32, 0x3A}, 1.0};
-inline constexpr analysis::Ink zero{{0x55, 0x61, 0x6B}, 1.0};
-inline constexpr analysis::Ink text{{0xE8, 0xEC, 0xEF}, 1.0};
-inline constexpr analysis::Ink quiet{{0x93, 0xA1, 0xAC}, 1.0};
-inline constexpr analysis::Ink accent{{0x45, 0xC4, 0xB0}, 1.0};
-inline constexpr analysis::Ink orange{{0xE6, 0x9F, 0x00}, 1.0};
-inline constexpr analysis::Ink bone{{0xE9, 0xDC, 0xC0}, 1.0};
-inline constexpr analysis::Ink lumen{{0xE9, 0xDC, 0xC0}, 0.13};
-inline constexpr analysis::Ink membrane{{0xC7, 0x80, 0x8B}, 1.0};
-inline constexpr analysis::Ink silicone{{0xDC, 0xE4, 0xE9}, 1.0};
-inline constexpr analysis::Ink platinum{{0x5E, 0x6C, 0x77}, 1.0};
-
-constexpr analysis::Ink faded(analysis::Ink ink, double opacity)
-{
-  ink.opacity = opacity;
-  return ink;
-}
-}  // namespace ink
 
 /// Pixels around the plot.
 struct SheetMargins {

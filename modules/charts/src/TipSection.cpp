@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "PlotSheet.h"
+#include "perilymph/charts/Wording.h"
 #include "perilymph/foundation/Units.h"
 
 namespace perilymph::charts {
@@ -103,7 +104,7 @@ void drawScaleBar(PlotSheet& sheet, const Frame& frame)
   for (const double end : {left, right})
     sheet.add(Stroke{{{end, y - 4.0}, {end, y + 4.0}}, ink::text, 1.4, 0.0});
   sheet.add(Stroke{{{left, y}, {right, y}}, ink::text, 1.4, 0.0});
-  sheet.write({left - 8.0, y + 4.0}, "0.5 mm", ink::quiet, Anchor::end);
+  sheet.write({left - 8.0, y + 4.0}, withDecimalSign("0.5 mm"), ink::quiet, Anchor::end);
 }
 
 }  // namespace
@@ -153,21 +154,23 @@ analysis::Drawing TipSection::draw(const ArrayInScala& now, double width, double
   const PagePoint membrane[] = {frame.at(membraneAt(0.0)), frame.at(membraneAt(1.0))};
   sheet.add(Stroke{{membrane[0], membrane[1]}, ink::membrane, 4.0, 0.0});
   const double above = std::min({membrane[0].y, membrane[1].y, frame.at({0.0, 0.0}).y}) - 8.0;
-  sheet.write({0.5 * (membrane[0].x + membrane[1].x), above}, "basilar membrane", ink::membrane,
-              Anchor::middle);
+  sheet.write({0.5 * (membrane[0].x + membrane[1].x), above}, wording().basilarMembrane,
+              ink::membrane, Anchor::middle);
   const double names = frame.at({0.0, -halfHeight_mm_}).y + 16.0;
-  sheet.write({std::max(8.0, frame.at({inner_mm, 0.0}).x), names}, "← modiolus", ink::quiet);
-  sheet.write({std::min(width - 8.0, frame.at({outer_mm, 0.0}).x), names}, "outer wall →",
-              ink::quiet, Anchor::end);
+  sheet.write({std::max(8.0, frame.at({inner_mm, 0.0}).x), names}, "← " + wording().modiolus,
+              ink::quiet);
+  sheet.write({std::min(width - 8.0, frame.at({outer_mm, 0.0}).x), names},
+              wording().outerWall + " →", ink::quiet, Anchor::end);
 
   double force_mN = 0.0;
   if (now.isInside()) {
     drawArray(sheet, frame, now);
     force_mN = drawForce(sheet, frame, now);
   }
-  sheet.write({10.0, height - 10.0},
-              now.isInside() ? "wall force " + written(force_mN, 0) + " mN" : "the tip is outside",
-              now.isInside() && force_mN >= 1.0 ? ink::orange : ink::quiet);
+  sheet.write(
+      {10.0, height - 10.0},
+      now.isInside() ? filled(wording().wallForce, {written(force_mN, 0)}) : wording().tipIsOutside,
+      now.isInside() && force_mN >= 1.0 ? ink::orange : ink::quiet);
   drawScaleBar(sheet, frame);
   return sheet.take();
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "PlotSheet.h"
+#include "perilymph/charts/Wording.h"
 #include "perilymph/foundation/Units.h"
 
 namespace perilymph::charts {
@@ -165,8 +166,8 @@ analysis::Drawing UnrolledScala::draw(const ArrayInScala& now, double width, dou
 
   // what the bars mean, at the end of the scala, where it is narrow
   const double x = sheet.right() - 6.0;
-  sheet.write({x, sheet.top() + 14.0}, "outer wall", ink::quiet, Anchor::end);
-  sheet.write({x, sheet.bottom() - 6.0}, "modiolus", ink::quiet, Anchor::end);
+  sheet.write({x, sheet.top() + 14.0}, wording().outerWall, ink::quiet, Anchor::end);
+  sheet.write({x, sheet.bottom() - 6.0}, wording().modiolus, ink::quiet, Anchor::end);
   const double legend = sheet.left() + 8.0;
   const double foot = sheet.bottom() - 4.0;
   sheet.add(Area{{{legend, foot},
@@ -174,7 +175,7 @@ analysis::Drawing UnrolledScala::draw(const ArrayInScala& now, double width, dou
                   {legend + 5.0, foot - bar_px},
                   {legend, foot - bar_px}},
                  ink::orange});
-  sheet.write({legend + 11.0, foot - 4.0}, "wall force, 50 mN per mm", ink::quiet);
+  sheet.write({legend + 11.0, foot - 4.0}, wording().wallForceScale, ink::quiet);
   return sheet.take();
 }
 

@@ -11,22 +11,30 @@ using Rgba = std::array<unsigned char, 4>;
 
 namespace palette {
 
-inline constexpr Rgba bone{0xE9, 0xDC, 0xC0, 255};
-inline constexpr Rgba membrane{0xC7, 0x80, 0x8B, 255};
-inline constexpr Rgba silicone{0xDC, 0xE4, 0xE9, 255};
-inline constexpr Rgba platinum{0x7C, 0x8A, 0x94, 255};
-inline constexpr Rgba platinumRim{0xF4, 0xF7, 0xF9, 255};
-inline constexpr Rgba rib{0xB9, 0xC4, 0xCB, 255};
-inline constexpr Rgba steel{0x9A, 0xA7, 0xB0, 255};
-inline constexpr Rgba outline{0x0B, 0x0F, 0x12, 255};
-inline constexpr Rgba arrow{0xE6, 0x9F, 0x00, 255};
-inline constexpr Rgba frictionArrow{0x56, 0xB4, 0xE9, 255};
-inline constexpr Rgba forceLow{0xF5, 0xC2, 0x4B, 255};
-inline constexpr Rgba forceHigh{0xD5, 0x44, 0x2E, 255};
-inline constexpr Rgba ground{0x12, 0x16, 0x1A, 255};
-inline constexpr Rgba groundLight{0x25, 0x31, 0x38, 255};
-inline constexpr Rgba text{0xE8, 0xEC, 0xEF, 255};
-inline constexpr Rgba quietText{0x93, 0xA1, 0xAC, 255};
+struct Colors {
+  Rgba bone, membrane, silicone, platinum, platinumRim, rib, steel, outline, arrow, frictionArrow,
+      forceLow, forceHigh, ground, groundLight, text, quietText;
+};
+
+/// Of the look that is shown. The object stays where it is when the look changes.
+const Colors& shown();
+
+inline const Rgba& bone = shown().bone;
+inline const Rgba& membrane = shown().membrane;
+inline const Rgba& silicone = shown().silicone;
+inline const Rgba& platinum = shown().platinum;
+inline const Rgba& platinumRim = shown().platinumRim;
+inline const Rgba& rib = shown().rib;
+inline const Rgba& steel = shown().steel;
+inline const Rgba& outline = shown().outline;
+inline const Rgba& arrow = shown().arrow;
+inline const Rgba& frictionArrow = shown().frictionArrow;
+inline const Rgba& forceLow = shown().forceLow;
+inline const Rgba& forceHigh = shown().forceHigh;
+inline const Rgba& ground = shown().ground;
+inline const Rgba& groundLight = shown().groundLight;
+inline const Rgba& text = shown().text;
+inline const Rgba& quietText = shown().quietText;
 
 }  // namespace palette
 

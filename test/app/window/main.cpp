@@ -4,6 +4,8 @@
 
 #include <QTest>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 
 #include "Application.h"
 #include "Display.h"
@@ -14,7 +16,11 @@ int main(int argc, char** argv)
   ::testing::InitGoogleTest(&argc, argv);
   const perilymph::test::TemporaryFolder data;  // sessions of the tests are not the user's
   setenv("XDG_DATA_HOME", data.path().c_str(), 1);
-  setenv("XDG_CONFIG_HOME", data.path().c_str(), 1);
+  setenv("XDG_CONFIG_HOME", (data.path() / "config").c_str(), 1);
+  setenv("XDG_STATE_HOME", (data.path() / "state").c_str(), 1);
+  std::filesystem::create_directories(data.path() / "config");
+  std::ofstream(data.path() / "config" / "user-dirs.dirs")
+      << "XDG_PICTURES_DIR=\"" << (data.path() / "pictures").string() << "\"\n";
   setenv("XDG_RUNTIME_DIR", data.path().c_str(), 1);
   if (const auto display = perilymph::gui::probeDisplay(); !display) {
     std::fprintf(stderr, "%s\n", display.error().message.c_str());

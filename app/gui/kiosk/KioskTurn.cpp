@@ -1,0 +1,59 @@
+#include "KioskTurn.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+#include "Numbers.h"
+#include "perilymph/foundation/Units.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+/// A hand that trembles has not turned back.
+constexpr double reversalTravel_m = 0.3e-3;
+
+QString translated(const char* words) { return QCoreApplication::translate("KioskTurn", words); }
+
+}  // namespace
+
+void KioskTurn::follow(const haptics::TickOutput& now)
+{
+  if (now.workflow == haptics::Workflow::idle || now.workflow == haptics::Workflow::armed) return;
+  peakForce_ = std::max(peakForce_, now.axialForce);
+  deepestTravel_ = std::max(deepestTravel_, now.travel);
+  duration_ = now.time;
+  turning_ = isAdvancing_ ? std::max(turning_, now.travel) : std::min(turning_, now.travel);
+  if (isAdvancing_ && now.travel < turning_ - reversalTravel_m) {
+    ++reversals_;
+    isAdvancing_ = false;
+    turning_ = now.travel;
+  } else if (!isAdvancing_ && now.travel > turning_ + reversalTravel_m) {
+    isAdvancing_ = true;
+    turning_ = now.travel;
+  }
+}
+
+QString peakWords(double peak_N, const Result<analysis::Reference>& inVivo)
+{
+  const analysis::PrintedRange* range = inVivo ? inVivo->findRange("peak") : nullptr;
+  if (range == nullptr) return {};
+  if (peak_N < range->low)
+    return translated(QT_TRANSLATE_NOOP("KioskTurn", "below the peaks measured in patients"));
+  if (peak_N > range->high)
+    return translated(QT_TRANSLATE_NOOP("KioskTurn", "above the peaks measured in patients"));
+  return translated(QT_TRANSLATE_NOOP("KioskTurn", "among the peaks measured in patients"));
+}
+
+QString peakSource(const Result<analysis::Reference>& inVivo)
+{
+  const analysis::PrintedRange* range = inVivo ? inVivo->findRange("peak") : nullptr;
+  if (range == nullptr) return {};
+  return translated(QT_TRANSLATE_NOOP("KioskTurn",
+                                      "Measured in patients: peaks of %1 to %2 mN (Rau et al. "
+                                      "2024). A comparison, not a judgment of safety."))
+      .arg(numberText(inMillinewtons(newtons(range->low)), 0),
+           numberText(inMillinewtons(newtons(range->high)), 0));
+}
+
+}  // namespace perilymph::gui

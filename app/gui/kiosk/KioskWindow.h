@@ -1,0 +1,119 @@
+#pragma once
+
+// The workstation at a booth: it shows itself until somebody touches it, lets them insert, and
+// goes back to showing itself when they have left.
+
+#include <QElapsedTimer>
+#include <QTimer>
+#include <QWidget>
+#include <filesystem>
+#include <optional>
+
+#include "InsertionControl.h"
+#include "KioskBoard.h"
+#include "KioskClock.h"
+#include "KioskTurn.h"
+#include "perilymph/session/Scenario.h"
+
+class QLabel;
+class QPushButton;
+class QStackedWidget;
+
+namespace perilymph::gui {
+
+class BoardView;
+class OperationView;
+class PushPad;
+
+/// What the booth is doing.
+enum class KioskStage {
+  attract,  ///< An insertion that repeats, until a touch.
+  turn,     ///< A visitor inserts.
+  result    ///< The visitor is at full depth, or the insertion could not go on.
+};
+
+/// One full-screen window without menus, files or settings. Only Ctrl+Alt+Q ends it. It keeps no
+/// recordings: a booth runs for days.
+class KioskWindow : public QWidget {
+  Q_OBJECT
+public:
+  static constexpr double patience_s = 60.0;  ///< Untouched for so long, it shows itself again.
+
+  KioskWindow(session::Scenario scenario, std::filesystem::path board, KioskClock clock = {});
+  ~KioskWindow() override;
+
+  /// Builds the cochlea and begins to show itself.
+  Result<Done> open();
+
+  KioskStage stage() const { return stage_; }
+  const InsertionControl& control() const { return control_; }
+  const KioskTurn& turn() const { return turn_; }
+  /// Turns of the timer so far.
+  std::uint64_t frames() const { return frames_; }
+
+Q_SIGNALS:
+  /// The first frame with the cochlea in it is on the display.
+  void firstFrameShown();
+  /// The keys that end the booth were pressed.
+  void ended();
+
+protected:
+  bool eventFilter(QObject* target, QEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
+
+private:
+  QWidget* addInvitation();
+  QWidget* addTurnFoot();
+  QWidget* addResultFoot();
+  QPushButton* addButton(const QString& text, const char* name, QWidget* parent);
+  void layOut();
+
+  bool takeKey(QKeyEvent* event);
+  void beginAttract();
+  void beginTurn(Hand hand);
+  void endTurn();
+  bool prepare(Hand hand);
+  void chooseHandle();
+  void setStage(KioskStage stage);
+  void say(const QString& title, const QString& sentence);
+  void showBoard(std::optional<int> chosen);
+
+  void onFrame();
+  void onPresented();
+  void stepAttract();
+  void stepTurn(double elapsed_s);
+  void showPicture();
+  void letGo();
+  bool isTouched() const;
+  double now_s() const { return clock_.seconds(); }
+
+  InsertionControl control_;
+  KioskClock clock_;
+  KioskBoard board_;
+  Result<analysis::Reference> inVivo_;
+  KioskTurn turn_;
+  KioskStage stage_ = KioskStage::attract;
+
+  QLabel* title_;
+  QLabel* sentence_;
+  OperationView* view_;
+  BoardView* boardView_;
+  QStackedWidget* foot_;
+  PushPad* pad_ = nullptr;
+  QPushButton* pull_ = nullptr;
+  QPushButton* handle_ = nullptr;
+
+  QTimer timer_;
+  QElapsedTimer sinceFrame_, sinceSlow_;
+  double touchedAt_s_ = 0.0;
+  double stageAt_s_ = 0.0;             ///< When this stage, or this round of attract, began.
+  std::optional<double> restingAt_s_;  ///< Attract: since when the insertion is over.
+  int station_ = -1;                   ///< Of the attract tour.
+  int pushedByKey_ = 0;                ///< 1 in, -1 out, 0 not at all.
+  std::pair<double, double> drawn_{};  ///< Travel and force of the picture.
+  std::uint64_t frames_ = 0;
+  bool isFirstFrame_ = true;
+};
+
+}  // namespace perilymph::gui

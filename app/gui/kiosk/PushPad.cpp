@@ -1,0 +1,103 @@
+#include "PushPad.h"
+
+#include <QEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+
+#include "Theme.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr int height_px = 96;
+constexpr int side_px = 24;
+
+}  // namespace
+
+PushPad::PushPad(QWidget* parent) : QWidget(parent)
+{
+  setObjectName(QStringLiteral("pushPad"));
+  setAccessibleName(tr("Hold here to insert"));
+  setFixedHeight(height_px);
+  setMinimumWidth(4 * height_px);
+  setCursor(Qt::PointingHandCursor);
+}
+
+Speed PushPad::speed() const
+{
+  if (!place_) return Speed::fromSi(0.0);
+  return Speed::fromSi(slowest.si() + *place_ * (fastest.si() - slowest.si()));
+}
+
+void PushPad::hold(int x)
+{
+  const bool wasHeld = isHeld();
+  place_ = std::clamp(double(x - side_px) / std::max(1, width() - 2 * side_px), 0.0, 1.0);
+  update();
+  if (!wasHeld) Q_EMIT heldChanged(true);
+}
+
+void PushPad::release()
+{
+  if (!isHeld()) return;
+  place_.reset();
+  update();
+  Q_EMIT heldChanged(false);
+}
+
+void PushPad::mousePressEvent(QMouseEvent* event)
+{
+  if (event->button() == Qt::LeftButton) hold(event->pos().x());
+}
+
+void PushPad::mouseMoveEvent(QMouseEvent* event)
+{
+  if (isHeld()) hold(event->pos().x());
+}
+
+void PushPad::mouseReleaseEvent(QMouseEvent* event)
+{
+  if (event->button() == Qt::LeftButton) release();
+}
+
+void PushPad::changeEvent(QEvent* event)
+{
+  if (event->type() == QEvent::EnabledChange && !isEnabled()) release();
+  QWidget::changeEvent(event);
+}
+
+void PushPad::paintEvent(QPaintEvent*)
+{
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  QPainterPath plate;
+  plate.addRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 10, 10);
+  painter.fillPath(plate, raisedColor);
+  if (place_) {
+    painter.save();
+    painter.setClipPath(plate);
+    QColor filled = accentColor;
+    filled.setAlpha(90);
+    const double end = side_px + *place_ * (width() - 2 * side_px);
+    painter.fillRect(QRectF(0, 0, end, height()), filled);
+    painter.restore();
+  }
+  painter.setPen(QPen(accentColor, isHeld() ? 3.0 : 2.0));
+  painter.drawPath(plate);
+
+  const QColor ink = isEnabled() ? textColor : quietTextColor;
+  painter.setPen(ink);
+  painter.setFont(typeface(26, QFont::DemiBold));
+  const QRect words = rect().adjusted(side_px, 8, -side_px, -36);
+  painter.drawText(words, Qt::AlignCenter,
+                   isHeld() ? tr("Let go to pause") : tr("Hold here to insert"));
+  painter.setFont(typeface(16));
+  const QRect foot = rect().adjusted(side_px, 54, -side_px, -8);
+  painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter, tr("slow"));
+  painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter, tr("fast"));
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,45 @@
+#include "ChartWords.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QString>
+
+#include "perilymph/charts/Wording.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+// lupdate looks for words of free functions under the name of their namespace.
+std::string tr(const char* words)
+{
+  return QCoreApplication::translate("perilymph::gui", words).toStdString();
+}
+
+}  // namespace
+
+void translateCharts()
+{
+  charts::setWording({
+      .travel = tr("travel, mm"),
+      .axialForce = tr("axial force, N"),
+      .force = tr("force, mN"),
+      .now = tr("now"),
+      .thisInsertion = tr("this insertion"),
+      .feltBySurgeons = tr("felt by surgeons 20 mN"),
+      .axial = tr("axial"),
+      .lateral = tr("lateral"),
+      .vertical = tr("vertical"),
+      .outerWall = tr("outer wall"),
+      .modiolus = tr("modiolus"),
+      .basilarMembrane = tr("basilar membrane"),
+      .wallForceScale = tr("wall force, 50 mN per mm"),
+      .wallForce = tr("wall force %1 mN"),
+      .tipIsOutside = tr("the tip is outside"),
+      .noContactInside = tr("no contact is inside yet"),
+      .meanAndInside = tr("mean %1 mm, %2 inside"),
+      .decimalSign = QString(QLocale().decimalPoint()).toStdString().front(),
+  });
+}
+
+}  // namespace perilymph::gui

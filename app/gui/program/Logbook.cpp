@@ -1,0 +1,70 @@
+#include "Logbook.h"
+
+#include <spdlog/sinks/rotating_file_sink.h>
+#include <spdlog/spdlog.h>
+
+#include <QDir>
+#include <QString>
+#include <cstdlib>
+#include <memory>
+#include <system_error>
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr std::size_t mostBytes = 1 << 20;
+constexpr std::size_t olderFiles = 3;
+
+QtMessageHandler before = nullptr;  // Qt's own; set once, before any thread
+
+void log(QtMsgType type, const QMessageLogContext& context, const QString& message)
+{
+  switch (type) {
+    case QtDebugMsg:
+      break;
+    case QtInfoMsg:
+      spdlog::info("{}", message.toStdString());
+      break;
+    case QtWarningMsg:
+      spdlog::warn("{}", message.toStdString());
+      break;
+    case QtCriticalMsg:
+    case QtFatalMsg:
+      spdlog::error("{}", message.toStdString());
+      break;
+  }
+  if (before != nullptr) before(type, context, message);
+}
+
+}  // namespace
+
+std::filesystem::path stateFolder()
+{
+  // The XDG rules: a relative path counts as none.
+  const char* given = std::getenv("XDG_STATE_HOME");
+  const std::filesystem::path state = given != nullptr ? given : "";
+  if (state.is_absolute()) return state / "perilymph";
+  return std::filesystem::path(QDir::homePath().toStdString()) / ".local" / "state" / "perilymph";
+}
+
+Result<Done> startLog(const std::filesystem::path& folder)
+{
+  std::error_code ignored;  // what cannot be made is said when the file is opened
+  std::filesystem::create_directories(folder, ignored);
+  const std::filesystem::path file = folder / "perilymph.log";
+  try {
+    auto sink = std::make_shared<spdlog::sinks::rotating_file_sink_mt>(file.string(), mostBytes,
+                                                                       olderFiles);
+    auto logger = std::make_shared<spdlog::logger>("perilymph", std::move(sink));
+    logger->flush_on(spdlog::level::info);
+    spdlog::set_default_logger(std::move(logger));
+  } catch (const spdlog::spdlog_ex& thrown) {
+    return Error{"The log " + file.string() + " cannot be written: " + thrown.what() +
+                 ". Make its folder writable, or set XDG_STATE_HOME."};
+  }
+  if (before == nullptr) before = qInstallMessageHandler(log);
+  return Done{};
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,89 @@
+#include "RunMark.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <string>
+#include <system_error>
+#include <tuple>
+
+#include "perilymph/foundation/AtomicFile.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr auto prefix = "running-";
+
+fs::path markOf(const fs::path& folder, long process)
+{
+  return folder / (prefix + std::to_string(process));
+}
+
+/// The process a mark stands for; 0 if it is none.
+long processOf(const fs::path& mark)
+{
+  const std::string name = mark.filename().string();
+  if (name.rfind(prefix, 0) != 0) return 0;
+  char* end = nullptr;
+  const long process = std::strtol(name.c_str() + std::string(prefix).size(), &end, 10);
+  return end != nullptr && *end == '\0' && process > 0 ? process : 0;
+}
+
+/// Whether a process lives and is this program; another one may have got its number since.
+bool isThisProgram(long process)
+{
+  if (::kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH) return false;
+  std::error_code unknown;
+  const fs::path theirs = fs::read_symlink("/proc/" + std::to_string(process) + "/exe", unknown);
+  if (unknown) return true;  // somebody else's process: nothing can be said
+  const fs::path ours = fs::read_symlink("/proc/self/exe", unknown);
+  return !unknown && theirs.filename() == ours.filename();
+}
+
+}  // namespace
+
+RunMark::RunMark(fs::path folder) : file_(markOf(folder, ::getpid()))
+{
+  std::error_code ignored;
+  fs::create_directories(folder, ignored);
+  setRecording(std::nullopt);
+}
+
+RunMark::~RunMark()
+{
+  std::error_code ignored;
+  fs::remove(file_, ignored);
+}
+
+void RunMark::setRecording(const std::optional<fs::path>& recording)
+{
+  // a mark that cannot be written costs the offer after a crash, nothing else
+  std::ignore = writeWhole(file_, (recording ? recording->string() : std::string()) + "\n");
+}
+
+std::vector<fs::path> RunMark::takeInterrupted(const fs::path& folder)
+{
+  std::vector<fs::path> recordings;
+  std::vector<fs::path> stale;
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+    const long process = processOf(entry.path());
+    if (process != 0 && !isThisProgram(process)) stale.push_back(entry.path());
+  }
+  for (const fs::path& mark : stale) {
+    const Result<std::string> text = readWhole(mark);
+    fs::remove(mark, ignored);
+    if (!text) continue;
+    const fs::path recording = text->substr(0, text->find('\n'));
+    if (!recording.empty() && fs::is_regular_file(recording, ignored))
+      recordings.push_back(recording);
+  }
+  return recordings;
+}
+
+}  // namespace perilymph::gui

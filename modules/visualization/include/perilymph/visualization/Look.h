@@ -1,0 +1,13 @@
+#pragma once
+
+// Dark or light: the colors of all pictures of a program.
+
+namespace perilymph::visualization {
+
+enum class Look { dark, light };
+
+/// Scenes made from now on have these colors; dark if nobody asks. Not while one is drawn in
+/// another thread.
+void setLook(Look look);
+
+}  // namespace perilymph::visualization

@@ -1,0 +1,66 @@
+#include "Palette.h"
+
+#include "perilymph/visualization/Look.h"
+
+namespace perilymph::visualization {
+
+namespace palette {
+namespace {
+
+const Colors dark{
+    .bone = {0xE9, 0xDC, 0xC0, 255},
+    .membrane = {0xC7, 0x80, 0x8B, 255},
+    .silicone = {0xDC, 0xE4, 0xE9, 255},
+    .platinum = {0x7C, 0x8A, 0x94, 255},
+    .platinumRim = {0xF4, 0xF7, 0xF9, 255},
+    .rib = {0xB9, 0xC4, 0xCB, 255},
+    .steel = {0x9A, 0xA7, 0xB0, 255},
+    .outline = {0x0B, 0x0F, 0x12, 255},
+    .arrow = {0xE6, 0x9F, 0x00, 255},
+    .frictionArrow = {0x56, 0xB4, 0xE9, 255},
+    .forceLow = {0xF5, 0xC2, 0x4B, 255},
+    .forceHigh = {0xD5, 0x44, 0x2E, 255},
+    .ground = {0x12, 0x16, 0x1A, 255},
+    .groundLight = {0x25, 0x31, 0x38, 255},
+    .text = {0xE8, 0xEC, 0xEF, 255},
+    .quietText = {0x93, 0xA1, 0xAC, 255},
+};
+
+// darker bone and membrane, so that their edges stand out from a light ground
+const Colors light{
+    .bone = {0x8A, 0x77, 0x4F, 255},
+    .membrane = {0xA8, 0x47, 0x5A, 255},
+    .silicone = {0xC3, 0xCE, 0xD6, 255},
+    .platinum = {0x56, 0x63, 0x6D, 255},
+    .platinumRim = {0xFF, 0xFF, 0xFF, 255},
+    .rib = {0x84, 0x96, 0xA1, 255},
+    .steel = {0x66, 0x73, 0x7C, 255},
+    .outline = {0x0B, 0x0F, 0x12, 255},
+    .arrow = {0x8F, 0x55, 0x00, 255},
+    .frictionArrow = {0x00, 0x62, 0x9B, 255},
+    .forceLow = {0xF5, 0xC2, 0x4B, 255},
+    .forceHigh = {0xD5, 0x44, 0x2E, 255},
+    .ground = {0xE6, 0xEC, 0xEF, 255},
+    .groundLight = {0xFF, 0xFF, 0xFF, 255},
+    .text = {0x14, 0x1B, 0x21, 255},
+    .quietText = {0x4A, 0x56, 0x61, 255},
+};
+
+Colors& current()
+{
+  static Colors colors = dark;
+  return colors;
+}
+
+}  // namespace
+
+const Colors& shown() { return current(); }
+
+}  // namespace palette
+
+void setLook(Look look)
+{
+  palette::current() = look == Look::light ? palette::light : palette::dark;
+}
+
+}  // namespace perilymph::visualization

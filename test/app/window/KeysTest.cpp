@@ -1,0 +1,197 @@
+// The window's habits: the sheet of keys, full screen, a picture, leaving, and the keyboard alone.
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QDir>
+#include <QLabel>
+#include <QPushButton>
+#include <QStandardPaths>
+#include <QTest>
+
+#include "BottomBar.h"
+#include "KeyActions.h"
+#include "KeyList.h"
+#include "Notice.h"
+#include "SettingsSheet.h"
+#include "SetupHistory.h"
+#include "TopBar.h"
+#include "WindowRig.h"
+
+namespace perilymph::test {
+namespace {
+
+using haptics::Workflow;
+
+TEST(KeyActions, WhatIsOnTheSheetIsWhatKeysDo)
+{
+  gui::KeyActions actions;
+  int asked = -1;
+  actions.add({gui::KeySection::window,
+               {Qt::Key_F9, gui::with(Qt::ControlModifier, Qt::Key_K)},
+               "knit",
+               [&](int which) {
+                 asked = which;
+                 return true;
+               }});
+  const gui::KeyList sheet(actions, nullptr);
+  QStringList said;
+  for (const QLabel* label : sheet.findChildren<QLabel*>()) said << label->text();
+  EXPECT_TRUE(said.contains("knit"));
+  EXPECT_TRUE(said.contains("F9  Ctrl+K"));
+  EXPECT_TRUE(actions.take(QKeyEvent(QEvent::KeyPress, Qt::Key_K, Qt::ControlModifier)));
+  EXPECT_EQ(asked, 1);
+  EXPECT_FALSE(actions.take(QKeyEvent(QEvent::KeyPress, Qt::Key_K, Qt::NoModifier)));
+}
+
+TEST(KeyActions, AKeyHeldDownRepeatsOnlyWhereThatIsMeant)
+{
+  gui::KeyActions actions;
+  int once = 0, often = 0;
+  actions.add({gui::KeySection::window, {Qt::Key_A}, "once", [&](int) { return ++once > 0; }});
+  actions.add(
+      {gui::KeySection::window, {Qt::Key_B}, "often", [&](int) { return ++often > 0; }, true});
+  for (const bool isRepeat : {false, true, true})
+    for (const Qt::Key key : {Qt::Key_A, Qt::Key_B})
+      actions.take(QKeyEvent(QEvent::KeyPress, key, Qt::NoModifier, QString(), isRepeat));
+  EXPECT_EQ(once, 1);
+  EXPECT_EQ(often, 3);
+}
+
+TEST(KeyActions, AQuestionMarkIsOneWithShiftAndWithout)
+{
+  gui::KeyActions actions;
+  int asked = 0;
+  actions.add({gui::KeySection::window, {Qt::Key_Question}, "what", [&](int) { return ++asked; }});
+  actions.take(QKeyEvent(QEvent::KeyPress, Qt::Key_Question, Qt::ShiftModifier));
+  actions.take(QKeyEvent(QEvent::KeyPress, Qt::Key_Question, Qt::NoModifier));
+  EXPECT_EQ(asked, 2);
+}
+
+TEST(WindowHabits, F1ShowsTheSheetOnEveryPageAndEscapeLeavesIt)
+{
+  WindowRig rig;
+  auto* sheet = rig.window().findChild<gui::KeyList*>();
+  for (const gui::Page page :
+       {gui::Page::start, gui::Page::insert, gui::Page::validate, gui::Page::sessions}) {
+    rig.window().showPage(page);
+    rig.pressKey(Qt::Key_F1);
+    EXPECT_TRUE(sheet->isVisible());
+    EXPECT_TRUE(rig.window().rect().contains(sheet->geometry()));
+    rig.pressKey(Qt::Key_Escape);
+    EXPECT_FALSE(sheet->isVisible());
+    EXPECT_EQ(rig.window().page(), page);
+  }
+}
+
+TEST(WindowHabits, F11FillsTheScreenAndGoesBack)
+{
+  WindowRig rig;
+  rig.pressKey(Qt::Key_F11);
+  EXPECT_TRUE(rig.window().isFullScreen());
+  rig.pressKey(Qt::Key_F11);
+  EXPECT_FALSE(rig.window().isFullScreen());
+  rig.pressKey(Qt::Key_F11);
+  rig.pressKey(Qt::Key_Escape);
+  EXPECT_FALSE(rig.window().isFullScreen());
+}
+
+TEST(WindowHabits, CtrlShiftSKeepsAPictureAndSaysWhere)
+{
+  WindowRig rig;
+  rig.pressKey(Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
+  const QString said = rig.window().notice().sentence();
+  EXPECT_TRUE(rig.window().notice().isVisible());
+  const QDir folder(QStandardPaths::writableLocation(QStandardPaths::PicturesLocation));
+  const QStringList files = folder.entryList({"perilymph-*.png"});
+  ASSERT_EQ(files.size(), 1);
+  EXPECT_TRUE(said.contains(folder.filePath(files[0]))) << said.toStdString();
+  const QImage picture(folder.filePath(files[0]));
+  EXPECT_EQ(picture.size(), rig.window().size() * rig.window().devicePixelRatioF());
+}
+
+TEST(WindowHabits, EscapePausesAnArrayThatMoves)
+{
+  WindowRig rig;
+  rig.pressKey(Qt::Key_Space);
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.2; }));
+  rig.pressKey(Qt::Key_Escape);
+  EXPECT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::paused; }));
+}
+
+TEST(WindowHabits, KeysAloneGoFromTheFirstScreenThroughAnInsertionAndBack)
+{
+  WindowRig rig;
+  rig.window().showPage(gui::Page::start);
+  const auto press = [](Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    QWidget* focus = QApplication::focusWidget();
+    ASSERT_NE(focus, nullptr);
+    QTest::keyClick(focus, key, modifiers);
+  };
+  rig.window().activateWindow();
+  ASSERT_TRUE(WindowRig::comes([] { return QApplication::focusWidget() != nullptr; }));
+  press(Qt::Key_3);
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.3; }));
+  press(Qt::Key_Space);
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::paused; }));
+  const double paused_mm = rig.travel_mm();
+  press(Qt::Key_Backspace);
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() < 0.5 * paused_mm; }));
+  press(Qt::Key_3, Qt::AltModifier);
+  EXPECT_EQ(rig.window().page(), gui::Page::validate);
+  press(Qt::Key_Home, Qt::AltModifier);
+  EXPECT_EQ(rig.window().page(), gui::Page::start);
+}
+
+TEST(WindowHabits, TabReachesEveryButtonOfTheBars)
+{
+  WindowRig rig;
+  for (const auto* bar : {rig.window().findChild<QWidget*>("startPageButton")->parentWidget(),
+                          rig.window().findChild<QWidget*>("startButton")->parentWidget()})
+    for (const QPushButton* button : bar->findChildren<QPushButton*>())
+      EXPECT_NE(button->focusPolicy() & Qt::TabFocus, 0) << button->objectName().toStdString();
+}
+
+TEST(WindowHabits, TheFocusIsSeen)
+{
+  WindowRig rig;
+  auto* button = rig.window().findChild<QPushButton*>("resetButton");
+  const QImage before = button->grab().toImage();
+  rig.window().activateWindow();
+  button->setFocus(Qt::TabFocusReason);
+  ASSERT_TRUE(WindowRig::comes([&] { return button->hasFocus(); }));
+  EXPECT_NE(button->grab().toImage(), before);
+}
+
+TEST(WindowHabits, AWindowMadeAnewStillShowsThatItsPresetWasModified)
+{
+  auto preset = session::loadScenario("contour-published");
+  ASSERT_TRUE(preset);
+  gui::SetupHistory before(nullptr);
+  before.begin({*preset, {}}, gui::Origin::Kind::preset);
+  before.change({gui::Field::speed, {{"speed_mm_s", "1.0"}}, "speed", gui::Provenance::typed});
+  ASSERT_TRUE(before.isModified());
+  gui::MainWindow window(before.now().scenario, std::nullopt);
+  window.resume(before.origin(), before.now());
+  EXPECT_TRUE(window.setup().isModified());
+  EXPECT_EQ(window.control().scenario().text, before.now().scenario.text);
+}
+
+TEST(WindowHabits, TheSettingsSheetOpensAndAChoiceIsKept)
+{
+  WindowRig rig;
+  int anew = 0;
+  QObject::connect(&rig.window(), &gui::MainWindow::anewAsked, &rig.window(), [&] { ++anew; });
+  rig.pressKey(Qt::Key_Comma, Qt::ControlModifier);
+  auto* sheet = rig.window().findChild<gui::SettingsSheet*>();
+  ASSERT_TRUE(sheet->isVisible());
+  rig.click("look-light");
+  EXPECT_EQ(anew, 1);
+  rig.click("look-dark");
+  EXPECT_EQ(anew, 2);
+  rig.pressKey(Qt::Key_Escape);
+  EXPECT_FALSE(sheet->isVisible());
+}
+
+}  // namespace
+}  // namespace perilymph::test

@@ -1,0 +1,288 @@
+// The booth: it shows itself, a visitor inserts with a finger, and it is left alone again.
+
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QLabel>
+#include <QTest>
+#include <fstream>
+
+#include "KioskWindow.h"
+#include "PushPad.h"
+#include "WindowRig.h"
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::test {
+namespace {
+
+using gui::KioskStage;
+
+const QDate aDay(2026, 11, 20);
+
+/// A booth whose afternoon passes when the test says so.
+class Booth : public testing::Test {
+protected:
+  void open(const session::Overrides& overrides = {})
+  {
+    auto scenario = session::loadScenario("contour-published", overrides);
+    ASSERT_TRUE(scenario) << scenario.error().message;
+    gui::KioskClock clock;
+    clock.seconds = [this] { return seconds_; };
+    clock.today = [] { return QDateTime(aDay, QTime(14, 3, 21)); };
+    window_ = std::make_unique<gui::KioskWindow>(*scenario, boardFile(), clock);
+    window_->show();
+    const auto opened = window_->open();
+    ASSERT_TRUE(opened) << opened.error().message;
+    ASSERT_TRUE(WindowRig::comes([&] { return travel_mm() > 0.0; }));
+  }
+
+  std::filesystem::path boardFile() const { return folder_.path() / "booth" / "board.txt"; }
+  double travel_mm() const
+  {
+    return inMillimeters(Length::fromSi(window_->control().now().output.travel));
+  }
+  /// Lets the window see what the clock says now.
+  bool framesPass()
+  {
+    const std::uint64_t end = window_->frames() + 3;
+    return WindowRig::comes([&] { return window_->frames() >= end; });
+  }
+  bool comes(KioskStage stage)
+  {
+    return WindowRig::comes([&] { return window_->stage() == stage; });
+  }
+  gui::PushPad& pad() { return *window_->findChild<gui::PushPad*>(); }
+  QString words(const char* name)
+  {
+    return window_->findChild<QLabel*>(QLatin1String(name))->text();
+  }
+  void click(const char* name)
+  {
+    QTest::mouseClick(window_->findChild<QAbstractButton*>(QLatin1String(name)), Qt::LeftButton);
+  }
+  /// A finger on the pad, near its fast end.
+  void pressPad()
+  {
+    QTest::mousePress(&pad(), Qt::LeftButton, {}, QPoint(pad().width() - 40, pad().height() / 2));
+  }
+  void releasePad() { QTest::mouseRelease(&pad(), Qt::LeftButton); }
+
+  TemporaryFolder folder_;
+  double seconds_ = 1000.0;
+  std::unique_ptr<gui::KioskWindow> window_;
+};
+
+TEST_F(Booth, ShowsAnInsertionUntilSomebodyTouches)
+{
+  open();
+  EXPECT_EQ(window_->stage(), KioskStage::attract);
+  EXPECT_TRUE(WindowRig::comes([&] { return travel_mm() > 0.5; }));
+  click("inviteButton");
+  EXPECT_EQ(window_->stage(), KioskStage::turn);
+  EXPECT_EQ(window_->control().hand(), gui::Hand::pointer);
+  EXPECT_EQ(travel_mm(), 0.0);
+}
+
+TEST_F(Booth, RepeatsTheInsertionWhenItIsOver)
+{
+  open({{"stop_travel_mm", "1.0"}});
+  ASSERT_TRUE(WindowRig::comes([&] { return window_->control().isAtDepth(); }));
+  seconds_ += 1.0;
+  ASSERT_TRUE(framesPass());
+  seconds_ += 30.0;
+  EXPECT_TRUE(WindowRig::comes([&] { return travel_mm() < 0.5; }));
+  EXPECT_TRUE(WindowRig::comes([&] { return travel_mm() > 0.5; }));
+}
+
+TEST_F(Booth, AVisitorInsertsByHoldingAFingerAndSeesTheirPlace)
+{
+  open({{"stop_travel_mm", "2.0"}});
+  click("inviteButton");
+  ASSERT_TRUE(comes(KioskStage::turn));
+  pressPad();
+  ASSERT_TRUE(comes(KioskStage::result));
+  EXPECT_TRUE(words("kioskTitle").contains("place 1")) << words("kioskTitle").toStdString();
+  EXPECT_TRUE(words("kioskTitle").contains("mN"));
+  gui::KioskBoard kept(boardFile());
+  ASSERT_EQ(kept.entriesOf(aDay).size(), 1u);
+  EXPECT_NEAR(kept.entriesOf(aDay)[0].peak_mN, 1e3 * window_->turn().peakForce(), 0.01);
+}
+
+TEST_F(Booth, TheArrayRestsWhenTheFingerIsLifted)
+{
+  open();
+  click("inviteButton");
+  pressPad();
+  ASSERT_TRUE(WindowRig::comes([&] { return travel_mm() > 0.5; }));
+  releasePad();
+  ASSERT_TRUE(WindowRig::comes(
+      [&] { return window_->control().now().output.workflow == haptics::Workflow::paused; }));
+  const double rested_mm = travel_mm();
+  const std::uint64_t tick = window_->control().now().tick;
+  ASSERT_TRUE(WindowRig::comes([&] { return window_->control().now().tick > tick + 500; }));
+  EXPECT_NEAR(travel_mm(), rested_mm, 0.01);
+}
+
+TEST_F(Booth, TheFartherRightTheFingerTheFasterTheArray)
+{
+  open();
+  click("inviteButton");
+  QTest::mousePress(&pad(), Qt::LeftButton, {}, QPoint(2, 10));
+  EXPECT_EQ(pad().speed(), gui::PushPad::slowest);
+  QTest::mouseRelease(&pad(), Qt::LeftButton);
+  EXPECT_EQ(pad().speed().si(), 0.0);
+  QTest::mousePress(&pad(), Qt::LeftButton, {}, QPoint(pad().width() - 2, 10));
+  EXPECT_EQ(pad().speed(), gui::PushPad::fastest);
+}
+
+TEST_F(Booth, AfterAMinuteUntouchedItShowsItselfAgain)
+{
+  open();
+  click("inviteButton");
+  ASSERT_EQ(window_->stage(), KioskStage::turn);
+  seconds_ += 59.0;
+  ASSERT_TRUE(framesPass());
+  EXPECT_EQ(window_->stage(), KioskStage::turn);
+  seconds_ += 2.0;
+  EXPECT_TRUE(comes(KioskStage::attract));
+}
+
+TEST_F(Booth, AFingerThatStaysIsNotForgotten)
+{
+  open();
+  click("inviteButton");
+  QTest::mousePress(&pad(), Qt::LeftButton, {}, QPoint(2, 10));
+  for (int i = 0; i < 3; ++i) {
+    seconds_ += 40.0;
+    ASSERT_TRUE(framesPass());
+    EXPECT_EQ(window_->stage(), KioskStage::turn);
+  }
+}
+
+TEST_F(Booth, TheKeyboardAloneIsEnough)
+{
+  open({{"stop_travel_mm", "1.0"}});
+  QTest::keyClick(window_.get(), Qt::Key_Space);
+  ASSERT_TRUE(comes(KioskStage::turn));
+  QTest::keyPress(window_.get(), Qt::Key_Space);
+  ASSERT_TRUE(comes(KioskStage::result));
+  QTest::keyRelease(window_.get(), Qt::Key_Space);
+  QTest::keyClick(window_.get(), Qt::Key_Escape);
+  EXPECT_TRUE(comes(KioskStage::attract));
+}
+
+TEST_F(Booth, OnlyItsOwnKeysEndIt)
+{
+  open();
+  int ends = 0;
+  QObject::connect(window_.get(), &gui::KioskWindow::ended, window_.get(), [&ends] { ++ends; });
+  for (const Qt::Key key : {Qt::Key_Escape, Qt::Key_F4, Qt::Key_Q, Qt::Key_F11, Qt::Key_F1})
+    QTest::keyClick(window_.get(), key, Qt::AltModifier);
+  QTest::keyClick(window_.get(), Qt::Key_Escape);
+  EXPECT_FALSE(window_->close());
+  EXPECT_TRUE(window_->isVisible());
+  EXPECT_EQ(ends, 0);
+  QTest::keyClick(window_.get(), Qt::Key_Q, Qt::ControlModifier | Qt::AltModifier);
+  EXPECT_EQ(ends, 1);
+}
+
+TEST_F(Booth, KeepsNoRecordings)
+{
+  open();
+  EXPECT_FALSE(window_->control().recording());
+  click("inviteButton");
+  EXPECT_FALSE(window_->control().recording());
+  EXPECT_EQ(window_->control().recordingTrouble(), "");
+}
+
+TEST_F(Booth, EveryTargetIsAsHighAsAFingerNeeds)
+{
+  constexpr int least_px = 64;
+  open();
+  for (const char* name : {"inviteButton", "pullButton", "handleButton", "startOverButton",
+                           "doneButton", "againButton"})
+    EXPECT_GE(window_->findChild<QAbstractButton*>(QLatin1String(name))->height(), least_px)
+        << name;
+  EXPECT_GE(pad().height(), least_px);
+}
+
+gui::KioskEntry entry(int minute, double peak_mN) { return {QTime(14, minute), peak_mN, 9.0, 0}; }
+
+TEST(KioskBoard, RanksTheLowestPeakFirstAndTheEarlierOfEquals)
+{
+  const TemporaryFolder folder;
+  gui::KioskBoard board(folder.path() / "board");
+  EXPECT_EQ(board.enter(aDay, entry(1, 80.0)), 1);
+  EXPECT_EQ(board.enter(aDay, entry(2, 70.0)), 1);
+  EXPECT_EQ(board.enter(aDay, entry(3, 80.0)), 3);
+}
+
+TEST(KioskBoard, IsBounded)
+{
+  const TemporaryFolder folder;
+  gui::KioskBoard board(folder.path() / "board");
+  for (int i = 0; i < 30; ++i) board.enter(aDay, entry(i, 50.0 + i));
+  EXPECT_EQ(board.entriesOf(aDay).size(), gui::KioskBoard::most);
+  EXPECT_FALSE(board.enter(aDay, entry(50, 200.0)));
+  gui::KioskBoard again(folder.path() / "board");
+  EXPECT_EQ(again.entriesOf(aDay).size(), gui::KioskBoard::most);
+}
+
+TEST(KioskBoard, BeginsAnewEveryDay)
+{
+  const TemporaryFolder folder;
+  gui::KioskBoard board(folder.path() / "board");
+  board.enter(aDay, entry(1, 80.0));
+  EXPECT_TRUE(board.entriesOf(aDay.addDays(1)).empty());
+}
+
+TEST(KioskBoard, ADamagedFileCostsItsDamagedLinesOnly)
+{
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "board";
+  std::ofstream(file) << "perilymph booth 1\n2026-11-20\n14:00:00 80.5 9.0 1\nnonsense\n"
+                         "14:01:00 nan 9.0 1\n14:02:00 -3 9.0 1\n99:00:00 70 9.0 1\n";
+  gui::KioskBoard board(file);
+  ASSERT_EQ(board.entriesOf(aDay).size(), 1u);
+  EXPECT_EQ(board.entriesOf(aDay)[0].peak_mN, 80.5);
+}
+
+TEST(KioskBoard, ThatCannotBeKeptSaysSo)
+{
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "taken") << "a file where a folder is needed";
+  gui::KioskBoard board(folder.path() / "taken" / "board");
+  EXPECT_EQ(board.enter(aDay, entry(1, 80.0)), 1);
+  EXPECT_FALSE(board.trouble().empty());
+}
+
+haptics::TickOutput moment(double travel_mm, double force_mN)
+{
+  haptics::TickOutput now;
+  now.workflow = haptics::Workflow::inserting;
+  now.travel = 1e-3 * travel_mm;
+  now.axialForce = 1e-3 * force_mN;
+  return now;
+}
+
+TEST(KioskTurn, CountsTurningBackButNotTrembling)
+{
+  gui::KioskTurn turn;
+  for (const double travel_mm : {0.0, 1.0, 2.0, 1.9, 2.1, 2.0, 3.0, 2.0, 1.0, 1.1, 1.0, 4.0, 3.0})
+    turn.follow(moment(travel_mm, 10.0));
+  EXPECT_EQ(turn.reversals(), 2);  // at 3 mm and at 4 mm
+  EXPECT_NEAR(turn.deepestTravel(), 4e-3, 1e-12);
+}
+
+TEST(KioskTurn, ComparesThePeakWithWhatWasMeasuredInPatients)
+{
+  const auto inVivo = analysis::shippedReference("in-vivo");
+  ASSERT_TRUE(inVivo);
+  // peaks of 44.8 to 102.4 mN: Rau et al. 2024
+  EXPECT_TRUE(gui::peakWords(0.0447, inVivo).startsWith("below"));
+  EXPECT_TRUE(gui::peakWords(0.0449, inVivo).startsWith("among"));
+  EXPECT_TRUE(gui::peakWords(0.1025, inVivo).startsWith("above"));
+}
+
+}  // namespace
+}  // namespace perilymph::test

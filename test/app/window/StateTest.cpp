@@ -1,0 +1,212 @@
+// What outlives the program: its settings, its log, and what a crash leaves.
+
+#include <gtest/gtest.h>
+#include <spdlog/spdlog.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <QLineEdit>
+#include <QLocale>
+#include <QTest>
+#include <fstream>
+
+#include "Interrupted.h"
+#include "Logbook.h"
+#include "Notice.h"
+#include "Numbers.h"
+#include "RunMark.h"
+#include "Settings.h"
+#include "WindowRig.h"
+#include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/Resources.h"
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::test {
+namespace {
+
+class KeptSettings : public testing::Test {
+protected:
+  ~KeptSettings() override { gui::Settings().clear(); }
+
+  static void write(const char* text)
+  {
+    const QString file = gui::Settings().fileName();
+    std::ofstream(file.toStdString()) << text;
+    QSettings(file, QSettings::IniFormat).sync();
+  }
+};
+
+TEST_F(KeptSettings, SayTheirFormat)
+{
+  EXPECT_EQ(gui::Settings().value("format").toInt(), gui::Settings::format);
+}
+
+TEST_F(KeptSettings, AreThereForTheNextStart)
+{
+  gui::Settings().setValue("look", "light");
+  EXPECT_EQ(gui::Settings().word("look", {"dark", "light"}), "light");
+}
+
+TEST_F(KeptSettings, OfAnUnknownFormatAreForgotten)
+{
+  {
+    gui::Settings settings;
+    settings.setValue("look", "light");
+    settings.setValue("format", 99);
+  }
+  EXPECT_EQ(gui::Settings().word("look", {"dark", "light"}), "dark");
+  EXPECT_EQ(gui::Settings().value("format").toInt(), gui::Settings::format);
+}
+
+TEST_F(KeptSettings, AWordThatIsNotAllowedCountsAsNotSet)
+{
+  gui::Settings().setValue("look", "plaid");
+  EXPECT_EQ(gui::Settings().word("look", {"dark", "light"}), "dark");
+}
+
+TEST_F(KeptSettings, ThatAreDamagedAreForgotten)
+{
+  write("\x01\x02[[[=\nnonsense");
+  EXPECT_EQ(gui::Settings().word("look", {"dark", "light"}), "dark");
+}
+
+TEST(Log, LiesInTheStateHome)
+{
+  EXPECT_EQ(gui::stateFolder(),
+            std::filesystem::path(qgetenv("XDG_STATE_HOME").toStdString()) / "perilymph");
+}
+
+TEST(Log, HoldsWhatWasSaid)
+{
+  const TemporaryFolder folder;
+  const auto before = spdlog::default_logger();
+  ASSERT_TRUE(gui::startLog(folder.path()));
+  spdlog::warn("The tip is at {} mm.", 12.5);
+  qWarning("Qt has a word to say.");
+  spdlog::set_default_logger(before);
+  const auto text = readWhole(folder.path() / "perilymph.log");
+  ASSERT_TRUE(text);
+  EXPECT_NE(text->find("The tip is at 12.5 mm."), std::string::npos);
+  EXPECT_NE(text->find("Qt has a word to say."), std::string::npos);
+}
+
+TEST(Log, IsBounded)
+{
+  const TemporaryFolder folder;
+  const auto before = spdlog::default_logger();
+  ASSERT_TRUE(gui::startLog(folder.path()));
+  const std::string line(1000, 'x');
+  for (int i = 0; i < 8000; ++i) spdlog::warn("{}", line);  // 8 MB
+  spdlog::set_default_logger(before);
+  std::uintmax_t bytes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+    bytes += entry.file_size();
+  EXPECT_LE(bytes, 5u << 20);
+}
+
+TEST(Log, ThatCannotBeWrittenIsSaid)
+{
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "taken") << "a file where a folder is needed";
+  const auto log = gui::startLog(folder.path() / "taken" / "below");
+  ASSERT_FALSE(log);
+  EXPECT_NE(log.error().message.find("XDG_STATE_HOME"), std::string::npos);
+}
+
+/// A process that has ended: its number belongs to nobody.
+long endedProcess()
+{
+  const pid_t child = ::fork();
+  if (child == 0) ::_exit(0);
+  ::waitpid(child, nullptr, 0);
+  return child;
+}
+
+TEST(RunMark, OfAProgramThatIsGoneNamesItsRecordingOnce)
+{
+  const TemporaryFolder folder;
+  const auto recording = folder.path() / "one.insertion";
+  std::ofstream(recording) << "kept";
+  std::ofstream(folder.path() / ("running-" + std::to_string(endedProcess())))
+      << recording.string() << '\n';
+  EXPECT_EQ(gui::RunMark::takeInterrupted(folder.path()), std::vector{recording});
+  EXPECT_TRUE(gui::RunMark::takeInterrupted(folder.path()).empty());
+}
+
+TEST(RunMark, OfAProgramThatRunsIsLeftAlone)
+{
+  const TemporaryFolder folder;
+  const auto recording = folder.path() / "one.insertion";
+  std::ofstream(recording) << "kept";
+  gui::RunMark mark(folder.path());
+  mark.setRecording(recording);
+  EXPECT_TRUE(gui::RunMark::takeInterrupted(folder.path()).empty());
+}
+
+TEST(RunMark, IsGoneAfterAGoodEnd)
+{
+  const TemporaryFolder folder;
+  {
+    const gui::RunMark mark(folder.path());
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(RunMark, OfARecordingThatIsGoneSaysNothing)
+{
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / ("running-" + std::to_string(endedProcess())))
+      << (folder.path() / "gone.insertion").string() << '\n';
+  EXPECT_TRUE(gui::RunMark::takeInterrupted(folder.path()).empty());
+}
+
+/// A window of a person who writes 9,1.
+class CommaLocale : public testing::Test {
+protected:
+  CommaLocale() { QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany)); }
+  ~CommaLocale() override { QLocale::setDefault(QLocale::c()); }
+};
+
+TEST_F(CommaLocale, NumbersAreShownWithAComma)
+{
+  EXPECT_EQ(gui::numberText(9.1, 1), "9,1");
+  WindowRig rig;
+  EXPECT_TRUE(rig.readOut("travelReadOut").contains(QLatin1Char(',')));
+}
+
+class TypedNumber : public CommaLocale, public testing::WithParamInterface<const char*> {};
+
+TEST_P(TypedNumber, WithACommaOrAPointIsTheSameAndTheFileHasAPoint)
+{
+  const TemporaryFolder data;
+  const QByteArray before = qgetenv("XDG_DATA_HOME");
+  qputenv("XDG_DATA_HOME", QByteArray::fromStdString(data.path().string()));
+  {
+    WindowRig rig;
+    rig.window().showPage(gui::Page::start);
+    rig.click("patientCard");
+    rig.click("byBasalTurn");
+    const auto type = [&rig](const char* field, const char* text) {
+      auto* line = rig.window().findChild<QLineEdit*>(QLatin1String(field));
+      line->clear();
+      QTest::keyClicks(line, QLatin1String(text));
+    };
+    type("patientName", "comma");
+    type("aValue", GetParam());
+    type("bValue", "6,5");
+    rig.click("usePatientButton");
+    ASSERT_TRUE(WindowRig::comes(
+        [&] { return rig.window().control().scenario().patient.basalTurn.has_value(); }));
+    EXPECT_EQ(rig.window().control().scenario().patient.basalTurn->a, millimeters(9.1));
+    const auto text = readWhole(patientFolder() / "comma.toml");
+    ASSERT_TRUE(text) << text.error().message;
+    EXPECT_NE(text->find("a_mm = 9.1"), std::string::npos) << *text;
+    EXPECT_EQ(text->find("9,1"), std::string::npos);
+  }
+  qputenv("XDG_DATA_HOME", before);
+}
+
+INSTANTIATE_TEST_SUITE_P(OfAPerson, TypedNumber, testing::Values("9,1", "9.1", "9.10"));
+
+}  // namespace
+}  // namespace perilymph::test

@@ -1,0 +1,110 @@
+// Both looks of the window: what is written can be read.
+
+#include <gtest/gtest.h>
+
+#include <QRegularExpression>
+#include <algorithm>
+#include <cmath>
+
+#include "Theme.h"
+#include "WindowRig.h"
+
+namespace perilymph::test {
+namespace {
+
+// Relative luminance and contrast as WCAG 2.1 defines them.
+double linear(double channel)
+{
+  return channel <= 0.03928 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
+}
+
+double luminance(const QColor& color)
+{
+  return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) +
+         0.0722 * linear(color.blueF());
+}
+
+double contrast(const QColor& a, const QColor& b)
+{
+  const double high = std::max(luminance(a), luminance(b));
+  const double low = std::min(luminance(a), luminance(b));
+  return (high + 0.05) / (low + 0.05);
+}
+
+constexpr double ofText = 4.5;
+constexpr double ofMarks = 3.0;  // WCAG 2.1, 1.4.11: what is not text
+
+TEST(Contrast, OfBlackOnWhiteIsTwentyOne)
+{
+  EXPECT_NEAR(contrast(Qt::black, Qt::white), 21.0, 1e-9);
+}
+
+class EveryLook : public testing::TestWithParam<gui::Look> {
+protected:
+  ~EveryLook() override { gui::setShownLook(gui::Look::dark); }
+};
+
+TEST_P(EveryLook, WritesSoThatItCanBeRead)
+{
+  const gui::Theme& theme = gui::themeOf(GetParam());
+  const std::pair<const char*, QColor> inks[] = {
+      {"text", theme.text}, {"quiet text", theme.quietText}, {"warning", theme.warning}};
+  const std::pair<const char*, QColor> grounds[] = {{"ground", theme.ground},
+                                                    {"panel", theme.panel},
+                                                    {"raised", theme.raised},
+                                                    {"line", theme.line},
+                                                    {"banner", theme.banner}};
+  for (const auto& [ink, color] : inks)
+    for (const auto& [ground, below] : grounds)
+      EXPECT_GE(contrast(color, below), ofText) << ink << " on " << ground;
+  for (const QColor& below : {theme.ground, theme.panel, theme.raised})
+    EXPECT_GE(contrast(theme.accent, below), ofText) << "accent";
+  EXPECT_GE(contrast(theme.onAccent, theme.accent), ofText);
+  EXPECT_GE(contrast(theme.onAccent, theme.accentHover), ofText);
+  EXPECT_GE(contrast(theme.onWarning, theme.warning), ofText);
+  EXPECT_GE(contrast(theme.alarm, theme.panel), ofMarks);
+  EXPECT_GE(contrast(theme.ghost, theme.ground), ofMarks);
+  EXPECT_GE(contrast(theme.ahead, theme.ground), ofMarks);
+  EXPECT_GE(contrast(theme.ahead, theme.panel), ofMarks);
+}
+
+TEST_P(EveryLook, NamesEveryColorOfItsStyleSheet)
+{
+  gui::setShownLook(GetParam());
+  EXPECT_FALSE(gui::windowStyle().contains(QLatin1Char('%')));
+}
+
+TEST_P(EveryLook, HasNoOtherColorsInItsStyleSheet)
+{
+  gui::setShownLook(GetParam());
+  const gui::Theme& theme = gui::themeOf(GetParam());
+  QStringList own;
+  for (const QColor& color : {theme.ground, theme.panel, theme.raised, theme.pressed, theme.line,
+                              theme.text, theme.quietText, theme.accent, theme.accentHover,
+                              theme.onAccent, theme.warning, theme.onWarning, theme.banner})
+    own << color.name();
+  auto found =
+      QRegularExpression(QStringLiteral("#[0-9A-Fa-f]{6}\\b")).globalMatch(gui::windowStyle());
+  while (found.hasNext()) {
+    const QString color = found.next().captured().toLower();
+    EXPECT_TRUE(own.contains(color)) << color.toStdString() << " is of no look";
+  }
+}
+
+TEST_P(EveryLook, IsThatOfPicturesAndChartsToo)
+{
+  gui::setShownLook(GetParam());
+  WindowRig rig;
+  const QImage window = rig.window().grab().toImage();
+  const bool isLight = GetParam() == gui::Look::light;
+  // corners of the picture and of the chart column
+  EXPECT_EQ(qGray(rig.picture().pixel(3, 3)) > 128, isLight);
+  EXPECT_EQ(qGray(window.pixel(window.width() - 4, window.height() / 2)) > 128, isLight);
+  EXPECT_EQ(qGray(window.pixel(4, window.height() / 2)) > 128, isLight);
+}
+
+INSTANTIATE_TEST_SUITE_P(OfTheWindow, EveryLook,
+                         testing::Values(gui::Look::dark, gui::Look::light));
+
+}  // namespace
+}  // namespace perilymph::test

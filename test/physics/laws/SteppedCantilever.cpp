@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "../mechanics/SideWall.h"
 #include "perilymph/mechanics/advance.h"
 #include "perilymph/test/Tolerance.h"
 
@@ -18,22 +19,7 @@ constexpr double bare = 8e-3;       // [m] in front of the stylet when it is ful
 constexpr int nodes = 41;
 constexpr double spacing = length / (nodes - 1);
 
-/// A frictionless wall at y = -gap that faces +y and that only the tip can touch.
-class SideWall final : public anatomy::Lumen {
-public:
-  static constexpr double gap = 1e-3;  // [m]
-  anatomy::Entry entry() const noexcept override { return {}; }
-  anatomy::LumenTrack startTrack() const noexcept override { return {}; }
-  void nearestWall(std::span<const Eigen::Vector3d> points_W, std::span<const double> reach,
-                   std::span<anatomy::LumenTrack>,
-                   std::span<anatomy::WallPoint> walls) const noexcept override
-  {
-    for (anatomy::WallPoint& wall : walls) wall = {};
-    walls.back().distance = points_W.back().y() + gap;
-    walls.back().isNear = walls.back().distance <= reach.back();
-    walls.back().normal_W = Eigen::Vector3d::UnitY();
-  }
-};
+constexpr double gap = 1e-3;  // between the wall and the straight rod's center line [m]
 
 electrode::ArrayDesign steppedArray()
 {
@@ -53,7 +39,7 @@ electrode::ArrayDesign steppedArray()
 double compliance(double withdrawal)
 {
   mechanics::ModelParts parts;
-  parts.lumen = std::make_shared<SideWall>();
+  parts.lumen = std::make_shared<test::SideWall>(gap);
   parts.array = steppedArray();
   parts.nodes = nodes;
   parts.startInside = meters(0.5 * length);
@@ -66,7 +52,7 @@ double compliance(double withdrawal)
   drive.handAxis_W = model->startAxis_W;
   drive.handCurl_W = model->startCurl_W;
   drive.styletWithdrawal = withdrawal;
-  constexpr double aside = SideWall::gap - radius + 0.2e-3;
+  constexpr double aside = gap - radius + 0.2e-3;
   constexpr int steps = 500;
   for (int i = 1; i <= 3 * steps; ++i) {
     const double share = std::min(1.0, static_cast<double>(i) / steps);

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "SideWall.h"
 #include "TestRod.h"
 #include "perilymph/anatomy/PlainLumens.h"
 #include "perilymph/test/Tolerance.h"
@@ -17,26 +18,6 @@ using test::TestRod;
 
 // The rod's dampers relax within a few milliseconds; this is long after.
 constexpr double settling = 0.5;  // [s]
-
-/// A frictionless wall at y = -gap that faces +y and that only the tip can touch.
-class SideWall final : public anatomy::Lumen {
-public:
-  explicit SideWall(double gap) : gap_(gap) {}
-  anatomy::Entry entry() const noexcept override { return {}; }
-  anatomy::LumenTrack startTrack() const noexcept override { return {}; }
-  void nearestWall(std::span<const Eigen::Vector3d> points_W, std::span<const double> reach,
-                   std::span<anatomy::LumenTrack>,
-                   std::span<anatomy::WallPoint> walls) const noexcept override
-  {
-    for (anatomy::WallPoint& wall : walls) wall = {};
-    walls.back().distance = points_W.back().y() + gap_;
-    walls.back().isNear = walls.back().distance <= reach.back();
-    walls.back().normal_W = Eigen::Vector3d::UnitY();
-  }
-
-private:
-  double gap_;
-};
 
 /// Force across a cantilever of length L whose tip is held `deflection` away by a force that keeps
 /// its direction (Euler's elastica, integrated by shooting with fourth-order Runge-Kutta).
@@ -91,7 +72,7 @@ std::pair<double, double> pressSideways(const RodSpec& spec, double motion)
   constexpr double gap = 1e-3;
   RodSpec inside = spec;
   inside.startInside = 0.5 * spec.length;  // where there is wall
-  TestRod rod(std::make_shared<SideWall>(gap), inside);
+  TestRod rod(std::make_shared<test::SideWall>(gap), inside);
   rod.move({0.0, -(gap - spec.radius + motion), 0.0}, 2e-3, settling);
   const double deflection = rod.state().position_W.back().y() - rod.state().base_W.y();
   return {rod.state().normalForce.back(), deflection};

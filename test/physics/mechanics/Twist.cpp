@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "SideWall.h"
 #include "TestRod.h"
 #include "perilymph/anatomy/PlainLumens.h"
 #include "perilymph/test/Tolerance.h"
@@ -148,26 +149,6 @@ TEST(TwistedRod, FeelsTheSameInAMirroredScene)
             test::tolerance(4e-8, "solver"));
 }
 
-/// A wall at y = -gap that only the tip can touch.
-class TipWall final : public anatomy::Lumen {
-public:
-  explicit TipWall(double gap) : gap_(gap) {}
-  anatomy::Entry entry() const noexcept override { return {}; }
-  anatomy::LumenTrack startTrack() const noexcept override { return {}; }
-  void nearestWall(std::span<const Eigen::Vector3d> points_W, std::span<const double> reach,
-                   std::span<anatomy::LumenTrack>,
-                   std::span<anatomy::WallPoint> walls) const noexcept override
-  {
-    for (anatomy::WallPoint& wall : walls) wall = {};
-    walls.back().distance = points_W.back().y() + gap_;
-    walls.back().isNear = walls.back().distance <= reach.back();
-    walls.back().normal_W = Eigen::Vector3d::UnitY();
-  }
-
-private:
-  double gap_;
-};
-
 TEST(OvalRod, BendsByTheStiffnessOfTheDirectionItIsBentIn)
 {
   for (const bool bendsWithinCurl : {true, false}) {
@@ -175,7 +156,7 @@ TEST(OvalRod, BendsByTheStiffnessOfTheDirectionItIsBentIn)
     spec.bending = 1e-4;
     spec.bendingAcross = 4e-4;
     spec.startInside = 10e-3;
-    TestRod rod(std::make_shared<TipWall>(1e-3), spec);
+    TestRod rod(std::make_shared<test::SideWall>(1e-3), spec);
     const Eigen::Vector3d curl =
         bendsWithinCurl ? Eigen::Vector3d(0, 1, 0) : Eigen::Vector3d(1, 0, 0);
     rod.drive().handCurl_W = curl;
@@ -199,7 +180,7 @@ TEST(OvalRod, TouchesWithTheSideThatIsTurnedToTheWall)
     spec.bending = spec.bendingAcross = 1e-3;
     spec.thickness = 0.3e-3;  // within the plane of curl; 0.5 mm across it
     spec.startInside = 10e-3;
-    TestRod rod(std::make_shared<TipWall>(1e-3), spec);
+    TestRod rod(std::make_shared<test::SideWall>(1e-3), spec);
     const Eigen::Vector3d curl = isFlatOnIt ? Eigen::Vector3d(0, 1, 0) : Eigen::Vector3d(1, 0, 0);
     rod.drive().handCurl_W = curl;
     rod.changeable().startCurl_W = curl;

@@ -6,6 +6,7 @@
 #include "PlotSheet.h"
 #include "perilymph/charts/Wording.h"
 #include "perilymph/foundation/Units.h"
+#include "perilymph/mechanics/Outcome.h"
 
 namespace perilymph::charts {
 
@@ -15,31 +16,7 @@ using analysis::Stroke;
 
 namespace {
 
-constexpr int directions = 144;
 constexpr AxisRange usualDistance_mm{0.0, 1.5, 0.5};
-
-/// Distance from a place of a section to its wall, straight toward the axis [mm]; -1 without one.
-double towardAxis_mm(const anatomy::ScalaTympani& scala, const NodePlace& place)
-{
-  const double angle = degrees(std::max(0.0, place.angle_deg)).si();
-  const Eigen::Vector3d center_W = scala.center_W(angle);
-  const double center_mm = 1e3 * center_W.head<2>().norm();
-  double nearest_mm = -1.0;
-  Eigen::Vector2d before = Eigen::Vector2d::Zero();
-  for (int k = 0; k <= directions; ++k) {
-    const Eigen::Vector3d wall_W = scala.wall_W(angle, 2.0 * pi * k / directions);
-    const Eigen::Vector2d wall(1e3 * wall_W.head<2>().norm() - center_mm,
-                               1e3 * (wall_W.z() - center_W.z()));
-    // a piece of wall that crosses the height of the place
-    if (k > 0 && (before.y() < place.up_mm) != (wall.y() < place.up_mm)) {
-      const double share = (place.up_mm - before.y()) / (wall.y() - before.y());
-      const double away_mm = place.across_mm - (before.x() + share * (wall.x() - before.x()));
-      if (away_mm >= 0.0 && (nearest_mm < 0.0 || away_mm < nearest_mm)) nearest_mm = away_mm;
-    }
-    before = wall;
-  }
-  return nearest_mm;
-}
 
 }  // namespace
 
@@ -47,10 +24,12 @@ std::vector<ContactDistance> contactDistances(const ArrayInScala& now)
 {
   std::vector<ContactDistance> contacts(now.array().contactsFromTip.size());
   if (now.nodes().empty()) return contacts;
+  const auto outcome =
+      mechanics::outcomeOf(now.scala(), now.array(), {now.nodes_W(), {}, Eigen::Vector3d::UnitX()});
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const NodePlace place = now.at(inMillimeters(now.array().contactsFromTip[i]));
-    if (!place.isInside) continue;
-    contacts[i] = {true, place.angle_deg, towardAxis_mm(now.scala(), place)};
+    const mechanics::ContactOutcome& contact = outcome[i];
+    if (!contact.isInside) continue;
+    contacts[i] = {true, inDegrees(radians(contact.angle)), 1e3 * contact.toInnerWall};
   }
   return contacts;
 }

@@ -8,17 +8,20 @@
 
 namespace perilymph::mechanics {
 
-/// Of Newton's method in one step: of the whole, and if that leaves too much, of each of its parts.
+/// Of Newton's method in one step.
 inline constexpr int mostIterations = 32;
+/// In which a step is taken that does not settle as a whole.
 inline constexpr int mostParts = 8;
-/// Of the slower descent that follows where Newton's method leaves too much.
+/// Of the descent that follows where Newton's method leaves too much; of each part, too.
 inline constexpr int mostDescents = 200;
 
 /// Moves the state one time step on, by backward Euler: predict the rod, find contacts, solve
 /// normal force and friction, read off the reaction at the base (into state.readings).
 ///
-/// Where more than 1 mN is left unbalanced, as where an array snaps, the step is taken in parts of
-/// equal time, with the hand on its way; the readings then hold the mean wrench on the hand.
+/// Where Newton's method leaves more than 2 uN unbalanced, a descent in energy goes on; where it
+/// leaves more than 1 mN, as where an array snaps, the descent starts anew from where the array
+/// was. If that, too, leaves more, the step is taken in parts of equal time, with the hand on its
+/// way; the readings then hold the mean wrench on the hand.
 ///
 /// Pure: no clock, no file, no randomness, bounded iterations. The same model, state and drive give
 /// the same bits on every x86-64 machine. Real-time safe.

@@ -44,7 +44,7 @@ std::variant<Options, Exit> parseOptions(int argc, const char* const* argv)
                      "Where to keep the insertion; without it, among the sessions in the data home")
           ->type_name("FILE");
   auto* pluginOption =
-      app.add_option("--plugin", plugin,
+      app.add_option("--device-plugin", plugin,
                      "A device plug-in, which becomes the hand; it runs with your rights")
           ->type_name("FILE.so")
           ->excludes(demoOption);

@@ -4,6 +4,7 @@
 #include <ctime>
 #include <utility>
 
+#include "perilymph/device/PluginDevice.h"
 #include "perilymph/foundation/Resources.h"
 
 namespace perilymph::gui {
@@ -100,6 +101,17 @@ void InsertionControl::discard()
   if (unused) std::filesystem::remove(*unused, ignored);
 }
 
+Result<std::unique_ptr<device::HapticDevice>> InsertionControl::chosenDevice() const
+{
+  if (const auto* plugin = std::get_if<std::filesystem::path>(&chosen_))
+    return device::loadPluginDevice(*plugin);
+  const auto* found = std::get_if<device::FoundHand>(&chosen_);
+  if (found == nullptr) return Error{"No device was chosen. Press H and choose one."};
+  auto made = device::makeHidHand(*found, device::systemRoots());
+  if (!made) return made.error();
+  return std::unique_ptr<device::HapticDevice>(*std::move(made));
+}
+
 Result<Done> InsertionControl::build(Hand hand, std::optional<std::filesystem::path> file)
 {
   std::unique_ptr<device::HapticDevice> device;
@@ -111,8 +123,7 @@ Result<Done> InsertionControl::build(Hand hand, std::optional<std::filesystem::p
     scripted = made.get();
     device = std::move(made);
   } else if (hand == Hand::device) {
-    if (!found_) return Error{"No device was chosen. Press H and choose one."};
-    auto made = device::makeHidHand(*found_, device::systemRoots());
+    auto made = chosenDevice();
     if (!made) return made.error();
     device = *std::move(made);
   } else {

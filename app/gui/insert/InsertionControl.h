@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 
 #include "perilymph/device/KnownHands.h"
 #include "perilymph/device/PointerHand.h"
@@ -42,7 +43,9 @@ public:
   void keepNothing() { keepsNothing_ = true; }
 
   /// Which device the next prepare(Hand::device) opens.
-  void choose(device::FoundHand found) { found_ = std::move(found); }
+  void choose(device::FoundHand found) { chosen_ = std::move(found); }
+  /// The same for the device of a plug-in, a shared library.
+  void choose(std::filesystem::path plugin) { chosen_ = std::move(plugin); }
 
   /// Lets the loop run and the scripted hand insert; arms the array for the pointer.
   Result<Done> begin();
@@ -90,6 +93,7 @@ private:
 
   std::filesystem::path nextRecording();
   void discard();
+  Result<std::unique_ptr<device::HapticDevice>> chosenDevice() const;
   Result<Done> build(Hand hand, std::optional<std::filesystem::path> file);
   bool ask(haptics::Command::Kind kind, double value = 0.0);
   void pursue();
@@ -105,7 +109,7 @@ private:
   std::unique_ptr<session::Insertion> insertion_;
   device::ScriptedHand* scripted_ = nullptr;  ///< Owned by the insertion.
   device::PointerHand* pointer_ = nullptr;    ///< Owned by the insertion.
-  std::optional<device::FoundHand> found_;
+  std::variant<std::monostate, device::FoundHand, std::filesystem::path> chosen_;
   Hand hand_ = Hand::scripted;
   Wish wish_ = Wish::rest;
   bool isRunning_ = false;

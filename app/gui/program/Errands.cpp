@@ -63,6 +63,7 @@ void arrangeErrands(MainWindow& window, const Options& options)
 {
   const bool isDemo = options.isDemo || options.measuresFrames;
   QObject::connect(&window, &MainWindow::firstFrameShown, &window, [&window, options, isDemo] {
+    if (options.plugin) window.usePlugin(*options.plugin);
     if (isDemo) {
       std::printf("first frame after %.1f s\n", programAge_s());
       std::fflush(stdout);

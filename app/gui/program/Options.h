@@ -15,6 +15,7 @@ struct Options {
   bool isKiosk = false;                         ///< The booth in place of the workstation.
   bool isDemo = false;                          ///< Starts inserting by itself.
   std::optional<std::filesystem::path> record;  ///< Where to keep the insertion.
+  std::optional<std::filesystem::path> plugin;  ///< A device plug-in: the hand.
   std::optional<std::filesystem::path> screenshot;
   std::optional<std::string> language;  ///< "en", "de" or "system", for this call alone.
   std::optional<std::string> quality;   ///< auto, fast, balanced or full; else what was kept.

@@ -62,6 +62,10 @@ public:
   /// Goes on with the setup of a window before this one, whose scenario is this one's.
   void resume(const Origin& origin, const Setup& now);
 
+  /// The device of a plug-in, a shared library, becomes the hand; where it cannot, the script
+  /// stays, and the window says why.
+  void usePlugin(const std::filesystem::path& library);
+
   void start();
   void pause();
   void withdraw();

@@ -29,9 +29,15 @@ public:
   InsertionControl(session::Scenario scenario, std::optional<std::filesystem::path> record);
   ~InsertionControl();
 
-  /// From the next prepare() on, insertions are of another scenario, in its cochlea; without one,
-  /// in the same as before.
-  void use(session::Scenario scenario, std::shared_ptr<const anatomy::ScalaTympani> anatomy);
+  /// What an insertion runs in, built beforehand: that takes a tenth of a second and more.
+  struct Parts {
+    std::shared_ptr<const anatomy::ScalaTympani> anatomy;
+    std::shared_ptr<const mechanics::InsertionModel> model;
+  };
+
+  /// From the next prepare() on, insertions are of another scenario, made of these parts; without
+  /// any, of the same as before.
+  void use(session::Scenario scenario, const std::optional<Parts>& parts);
 
   /// Prepares a fresh insertion with the array at its start and a recording of its own. The one
   /// before is stopped and its recording closed, or removed if it never ran. An insertion whose
@@ -66,7 +72,7 @@ public:
 
   /// The cochlea; after a prepare() that succeeded.
   const anatomy::ScalaTympani& anatomy() const noexcept { return insertion_->anatomy(); }
-  bool hasAnatomy() const noexcept { return anatomy_ != nullptr; }
+  std::shared_ptr<const anatomy::ScalaTympani> sharedAnatomy() const noexcept { return anatomy_; }
   Hand hand() const noexcept { return hand_; }
   bool isRunning() const noexcept { return isRunning_; }
   /// The array is at the stop travel or beyond.
@@ -97,7 +103,8 @@ private:
   void moveHand(device::ScriptedHand::Motion motion);
 
   session::Scenario scenario_;
-  std::shared_ptr<const anatomy::ScalaTympani> anatomy_;  ///< Once it is built.
+  std::shared_ptr<const anatomy::ScalaTympani> anatomy_;    ///< Once it is built.
+  std::shared_ptr<const mechanics::InsertionModel> model_;  ///< Once it is built.
   std::optional<std::filesystem::path> record_;
   int prepared_ = 0;
   bool keepsNothing_ = false;

@@ -161,7 +161,7 @@ QHeaderView, QHeaderView::section { background: %ground%; color: %quietText%; bo
 QHeaderView::section { border-bottom: 1px solid %line%; padding: 6px 8px; }
 QToolTip { color: %text%; background: %ground%; border: 1px solid %line%; padding: 4px; }
 
-QFrame#notice, QFrame#settings { background: %panel%; border: 1px solid %accent%; border-radius: 6px; }
+QFrame#notice, QFrame#buildingNote, QFrame#settings { background: %panel%; border: 1px solid %accent%; border-radius: 6px; }
 QPushButton:focus, QPushButton[page="true"]:focus, QPushButton#startButton:focus,
 QPushButton[primary="true"]:focus, QPushButton#startPageButton:focus, QPushButton#keysButton:focus,
 QPushButton#settingsButton:focus {

@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "BottomBar.h"
+#include "BuildingNote.h"
 #include "ComparePage.h"
 #include "DevicePage.h"
 #include "ForceCharts.h"
@@ -68,7 +69,8 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
       replay_(new Replay(this)),
       bars_(new QStackedWidget(this)),
       reading_(this),
-      anatomyWork_(this),
+      modelWork_(this),
+      building_(new BuildingNote(view_)),
       pages_(new QStackedWidget(this))
 {
   setObjectName(QStringLiteral("mainWindow"));
@@ -178,8 +180,8 @@ void MainWindow::start()
   const QString wrong = isChangeable() ? side_->commit() : QString();
   if (!wrong.isEmpty()) return showTrouble(wrong);
   setup_->seal();
-  isStartAsked_ = anatomyWork_.isBusy();
-  if (isStartAsked_) return;
+  isStartAsked_ = modelWork_.isBusy();
+  if (isStartAsked_) return showState();
   const Result<Done> begun = control_.begin();
   if (!begun) showTrouble(QString::fromStdString(begun.error().message));
   showState();
@@ -290,14 +292,18 @@ void MainWindow::showState()
   const bool isRunning = control_.isRunning();
   const bool isScripted = control_.hand() == Hand::scripted;
   const bool hasMoved = isRunning && workflow != Workflow::idle && workflow != Workflow::armed;
-  const bool isBusy = anatomyWork_.isBusy();
+  const bool isBusy = modelWork_.isBusy();
   const bool isThere = workflow == Workflow::finished || workflow == Workflow::fault;
+
+  building_->show(modelWork_.busyFor_ms());
 
   if (isScripted)
     bottom_->setMain(control_.isMoving() ? BottomBar::Main::pause : BottomBar::Main::start,
                      !isThere && !isBusy);
   else
     bottom_->setMain(BottomBar::Main::start, !isRunning && !isBusy);
+  bottom_->setWait(isBusy ? tr("The cochlea is being built; then the insertion can start.")
+                          : QString());
   bottom_->setWithdrawEnabled(hasMoved && workflow != Workflow::fault && now.output.travel > 0.0 &&
                               (isScripted || workflow == Workflow::finished));
   side_->setChangeable(isChangeable());
@@ -384,7 +390,9 @@ QString MainWindow::deviceHint() const
 QString MainWindow::hintWords() const
 {
   const haptics::TickOutput& now = control_.now().output;
-  if (anatomyWork_.isBusy()) return tr("Building the cochlea…");
+  if (modelWork_.isBusy())
+    return isStartAsked_ ? tr("Building the cochlea; then the insertion starts…")
+                         : tr("Building the cochlea…");
   if (control_.isAtDepth()) return tr("Full depth. Withdraw or Reset.");
   if (now.workflow == Workflow::finished) return tr("The array is out. Reset to insert again.");
   if (control_.hand() == Hand::scripted) return {};

@@ -220,6 +220,7 @@ bool MainWindow::leavePanel()
 
 void MainWindow::leave()
 {
+  if (modelWork_.isBusy()) return cancelBuilding();
   if (leavePanel()) return;
   if (keys_->isVisible()) return toggleKeyList();
   if (settings_->isVisible()) return toggleSettings();

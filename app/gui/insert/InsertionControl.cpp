@@ -276,6 +276,14 @@ std::optional<device::HandHealth> InsertionControl::handHealth()
   return insertion_ ? insertion_->hand().health() : std::nullopt;
 }
 
+haptics::LoopStatistics InsertionControl::halt()
+{
+  if (!insertion_) return {};
+  wish_ = Wish::rest;
+  insertion_->stop();
+  return insertion_->loop().statistics();
+}
+
 std::string InsertionControl::couplingWords() const
 {
   return insertion_ ? insertion_->couplingWords() : std::string();

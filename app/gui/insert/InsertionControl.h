@@ -84,6 +84,8 @@ public:
   std::string handName() const;
   /// How the hand's device is doing; nothing for a hand without hardware.
   std::optional<device::HandHealth> handHealth();
+  /// Stops the loop where it is and says how it kept its time. Ends the insertion.
+  haptics::LoopStatistics halt();
   /// A sentence where the device cannot render the coupling asked for; else empty.
   std::string couplingWords() const;
   /// The file being written; none if it could not be.

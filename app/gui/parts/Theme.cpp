@@ -149,7 +149,8 @@ QMenu::separator { height: 1px; background: %line%; margin: 6px 0; }
 
 QFrame#banner { background: %banner%; border: 1px solid %warning%; border-radius: 5px; }
 QFrame#banner QLabel { color: %text%; }
-QFrame#keys, QFrame#devices { background: %panel%; border: 1px solid %line%; border-radius: 6px; }
+QFrame#keys, QFrame#devices, QFrame#guide { background: %panel%; border: 1px solid %line%; border-radius: 6px; }
+QTextBrowser { background: %panel%; border: none; selection-background-color: %accent%; selection-color: %onAccent%; }
 QFrame#chartFrame { background: %ground%; border: 1px solid %line%; border-radius: 4px; }
 QTableView {
   background: %ground%; border: 1px solid %line%; border-radius: 4px; outline: none;

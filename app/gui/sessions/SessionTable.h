@@ -36,15 +36,16 @@ Q_SIGNALS:
   void renameAsked(const std::filesystem::path& file, const QString& name);
 
 private:
-  QString text(const Row& row, int column) const;
-  QVariant sortValue(const Row& row, int column) const;
-  void showPicture(const std::filesystem::path& file);
-
   struct Row {
     session::SessionSummary session;
     QString recorded;  ///< In the user's time, made once: sorting and searching ask for it often.
     QString searched;  ///< All that can be searched.
   };
+
+  QString text(const Row& row, int column) const;
+  QVariant sortValue(const Row& row, int column) const;
+  void showPicture(const std::filesystem::path& file);
+
   std::vector<Row> rows_;
   Thumbnails* thumbnails_;
 };

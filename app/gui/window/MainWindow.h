@@ -29,6 +29,7 @@ class BuildingNote;
 class ComparePage;
 class DevicePage;
 class ForceCharts;
+class GuideSheet;
 class InsertionViews;
 class KeyList;
 class Notice;
@@ -87,6 +88,8 @@ public:
   OperationView& view() { return *view_; }
   InsertionViews& views() { return *views_; }
   const FrameMeter& meter() const { return meter_; }
+  /// Stops the insertion for good and says how its loop kept time.
+  haptics::LoopStatistics halt() { return control_.halt(); }
   /// Frames are timed anew from now on.
   void restartMeter() { meter_ = {}; }
 
@@ -155,6 +158,7 @@ private:
   void takePicture();
   void toggleSettings();
   void toggleKeyList();
+  void toggleGuide();
   void toggleDevices();
   void useDevice(const device::FoundHand& found);
   void showDevice();
@@ -174,6 +178,7 @@ private:
   BottomBar* bottom_;
   KeyActions keyActions_;
   KeyList* keys_ = nullptr;
+  GuideSheet* guide_;
   SettingsSheet* settings_;
   Notice* notice_;
   DevicePage* devices_;

@@ -32,6 +32,8 @@ constexpr double turnPerHeight_deg = 180.0;
 // What the view writes below the scale bars: two labels and the phase line.
 constexpr int footHeight_px = 100;
 
+constexpr int mostHintWidth_px = 320;
+
 QString nameOf(CameraPreset preset)
 {
   switch (preset) {
@@ -125,6 +127,9 @@ void OperationView::addReadOuts()
   bannerLayout->addWidget(bannerText_);
   banner_->setVisible(false);
   hint_->setVisible(false);
+  hint_->setWordWrap(true);  // some sentences are longer than the room between their neighbors
+  hint_->setAlignment(Qt::AlignCenter);
+  hint_->setMaximumWidth(mostHintWidth_px);
 
   auto* numbers = new QHBoxLayout;
   numbers->setSpacing(0);
@@ -137,7 +142,7 @@ void OperationView::addReadOuts()
   foot_ = new QHBoxLayout;
   foot_->addWidget(magnification_);
   foot_->addStretch();
-  foot_->addWidget(hint_);
+  foot_->addWidget(hint_, 1);
   foot_->addStretch();
   foot_->addWidget(viewName_);
 

@@ -13,6 +13,10 @@ namespace perilymph::mechanics {
 /// from it is not asked for again before it has moved as far as that; nothing is approximated.
 void findWall(const InsertionModel& model, InsertionState& state, StepRoom& room) noexcept;
 
+/// Which nodes stand over bone at the start of a step, more than their radius beside the opening:
+/// they cannot come in, and meet the plane of the opening where they try.
+void findBone(const InsertionModel& model, InsertionState& state) noexcept;
+
 /// Brings state.clearance up to date at the end of a step.
 void keepClearance(InsertionState& state) noexcept;
 

@@ -7,10 +7,6 @@
         <source>this display has no buffers for two eyes</source>
         <translation>dieser Bildschirm hat keine Puffer für zwei Augen</translation>
     </message>
-    <message>
-        <source>this window draws into a buffer of its own, for one eye</source>
-        <translation>dieses Fenster zeichnet in einen eigenen Puffer, für ein Auge</translation>
-    </message>
 </context>
 <context>
     <name>KioskTurn</name>
@@ -419,6 +415,26 @@
     <message>
         <source>mean %1 mm, %2 inside</source>
         <translation>Mittel %1 mm, %2 innen</translation>
+    </message>
+    <message>
+        <source>wall force, mN per mm</source>
+        <translation>Wandkraft, mN je mm</translation>
+    </message>
+    <message>
+        <source>normal force, %1 mm for %2 mN</source>
+        <translation>Normalkraft, %1 mm für %2 mN</translation>
+    </message>
+    <message>
+        <source>friction, × %1</source>
+        <translation>Reibung, × %1</translation>
+    </message>
+    <message>
+        <source>published experiment, printed values ± SD</source>
+        <translation>veröffentlichter Versuch, gedruckte Werte ± SD</translation>
+    </message>
+    <message>
+        <source>angle from round window, °; width, mm</source>
+        <translation>Winkel ab rundem Fenster, °; Breite, mm</translation>
     </message>
 </context>
 <context>
@@ -2519,6 +2535,13 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::StereoWindow</name>
+    <message>
+        <source>Perilymph, for two eyes</source>
+        <translation>Perilymph, für zwei Augen</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::TopBar</name>
     <message>
         <source>Perilymph</source>
@@ -2784,6 +2807,14 @@
     <message>
         <source>Quad-buffered: %1</source>
         <translation>Vierfach gepuffert: %1</translation>
+    </message>
+    <message>
+        <source>Quad-buffered, in a window of its own</source>
+        <translation>Vierfach gepuffert, in eigenem Fenster</translation>
+    </message>
+    <message>
+        <source>The picture for two eyes through the display’s two buffers, without words on it; Esc closes it.</source>
+        <translation>Das Bild für zwei Augen über die zwei Puffer der Anzeige, ohne Schrift darauf; Esc schließt es.</translation>
     </message>
 </context>
 </TS>

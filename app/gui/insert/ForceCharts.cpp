@@ -7,6 +7,7 @@
 
 #include <QEvent>
 
+#include "ChartWords.h"
 #include "Pane.h"
 
 namespace perilymph::gui {
@@ -52,7 +53,7 @@ bool ForceCharts::eventFilter(QObject* watched, QEvent* event)
 void ForceCharts::setExperiment(const Result<charts::ReferenceCurve>& experiment)
 {
   if (!experiment) return travelPane_->setTip(QString::fromStdString(experiment.error().message));
-  overTravel_.setReference(experiment->points, experiment->label);
+  overTravel_.setReference(experiment->points, referenceName(experiment->label).toStdString());
   travelPane_->setTip(QString::fromStdString(experiment->source));
 }
 

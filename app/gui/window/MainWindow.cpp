@@ -77,7 +77,7 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
   setObjectName(QStringLiteral("mainWindow"));
   setFont(typeface(13));
   setStyleSheet(windowStyle());
-  setMinimumSize(1260, 720);
+  setMinimumSize(1024, 640);
   resize(1280, 800);
   setFocusPolicy(Qt::StrongFocus);
   layOut();

@@ -118,7 +118,7 @@ TEST_F(DevicesOfTheWindow, OfAFileThatIsNoPlugInLeaveTheScriptAndSayWhy)
   open();
   rig_->window().usePlugin(tree_.root() / "none.so");
   EXPECT_EQ(rig_->window().control().hand(), gui::Hand::scripted);
-  EXPECT_TRUE(rig_->label("statusLabel").contains(QLatin1String("none.so")));
+  EXPECT_TRUE(rig_->label("bannerText").contains(QLatin1String("none.so")));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <QAbstractButton>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QCursor>
 #include <QFile>
 #include <QHeaderView>
@@ -13,7 +14,6 @@
 #include <QPixmap>
 #include <QRegularExpression>
 #include <QTableView>
-#include <QTest>
 
 #include "Pane.h"
 #include "ReadOut.h"
@@ -87,9 +87,9 @@ void Walk::step(int number, QWidget& window)
 
   const QString folder = qEnvironmentVariable("PERILYMPH_GUIDE_PICTURES");
   if (folder.isEmpty()) return;
-  // a frame with the newest numbers, and no mouse over anything
+  // no mouse over anything
   QCursor::setPos(window.mapToGlobal(QPoint(0, window.height() - 1)));
-  QTest::qWait(200);
+  QCoreApplication::processEvents();
   const QString place =
       QStringLiteral("%1/%2-%3.png").arg(folder, QString::fromStdString(page_)).arg(number);
   EXPECT_TRUE(smallened(window.grab().toImage()).save(place, "PNG", 0)) << place.toStdString();

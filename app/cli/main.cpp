@@ -176,7 +176,7 @@ void addRender(CLI::App& app, RenderOptions& options)
   preset->excludes(scenario)->excludes(patient);
   command.add_option("--array", options.array, "An electrode array")->needs(scenario);
   command.add_option("--at-mm", options.at_mm, "Travel to draw the array at")->needs(scenario);
-  command.add_option("--view", options.view, "surgeon, microscope, overview or section")
+  command.add_option("--view", options.view, "surgeon, microscope, overview, section or unrolled")
       ->check(CLI::IsMember({"surgeon", "microscope", "overview", "section", "unrolled"}));
   command.add_option("--out", options.out, "The picture, .png")->required();
   command.callback([&options] {
@@ -202,6 +202,12 @@ void addDevices(CLI::App& app, DevicesOptions& options)
       .add_option("--replay", options.replay,
                   "Reads a captured file (or hid-recorder's) as the device it is of")
       ->excludes(test);
+  command
+      .add_option("--plugin", options.plugin,
+                  "Loads a device plug-in (FILE.so) and tries it as --test does; it runs with your "
+                  "rights")
+      ->excludes(test)
+      ->excludes("--replay");
 }
 
 /// What is wrong with the words of a call.

@@ -17,6 +17,8 @@ using analysis::Stroke;
 namespace {
 
 constexpr AxisRange usualDistance_mm{0.0, 1.5, 0.5};
+constexpr double leftMargin_px = 30.0;
+constexpr double line_px = 14.0;
 
 }  // namespace
 
@@ -47,7 +49,14 @@ analysis::Drawing drawContactDistances(const std::vector<ContactDistance>& conta
   }
   const double count = std::max(1.0, static_cast<double>(contacts.size()));
   const AxisRange numbers{0.0, count + 1.0, count > 12.0 ? 5.0 : 2.0};
-  PlotSheet sheet(width, height, {30.0, 4.0, 22.0, 22.0}, numbers,
+  const std::string mean =
+      inside > 0
+          ? filled(wording().meanAndInside, {written(sum_mm / inside, 2), std::to_string(inside)})
+          : wording().noContactInside;
+  const bool hasRoom = widthOfLabel(mean) <= width - leftMargin_px;
+  const std::vector<std::string> words = linesOfLabel(mean, width);
+  const double above = line_px * static_cast<double>(words.size()) + 8.0;
+  PlotSheet sheet(width, height, {leftMargin_px, 4.0, above, 22.0}, numbers,
                   grown(usualDistance_mm, 0.0, most_mm));
   sheet.addYTicks(1);
   sheet.addXTicks(1, "");
@@ -60,18 +69,13 @@ analysis::Drawing drawContactDistances(const std::vector<ContactDistance>& conta
     sheet.add(Stroke{{sheet.at(number, 0.0), head}, ink::faded(ink::silicone, 0.5), 1.5, 0.0});
     sheet.add(Disk{head, 2.5, ink::silicone, ink::silicone});
   }
-  if (inside == 0) {
-    sheet.write({sheet.left(), 14.0}, wording().noContactInside, ink::quiet);
-    return sheet.take();
+  if (inside > 0) {
+    const double y = sheet.y(sum_mm / inside);
+    sheet.add(Stroke{{{sheet.left(), y}, {sheet.right(), y}}, ink::accent, 1.0, 4.0});
   }
-  const double mean_mm = sum_mm / inside;
-  sheet.add(Stroke{{{sheet.left(), sheet.y(mean_mm)}, {sheet.right(), sheet.y(mean_mm)}},
-                   ink::accent,
-                   1.0,
-                   4.0});
-  sheet.write({sheet.left(), 14.0},
-              filled(wording().meanAndInside, {written(mean_mm, 2), std::to_string(inside)}),
-              ink::accent);
+  for (std::size_t i = 0; i < words.size(); ++i)
+    sheet.write({hasRoom ? sheet.left() : 0.0, line_px * static_cast<double>(i + 1)}, words[i],
+                inside > 0 ? ink::accent : ink::quiet);
   return sheet.take();
 }
 

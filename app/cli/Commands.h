@@ -89,6 +89,7 @@ struct DevicesOptions {
   std::string json;
   std::optional<int> test;  ///< The number of the node to try out, as in /dev/hidraw3.
   std::string capture;      ///< Where the test keeps every report.
+  std::string plugin;       ///< A shared library with a device of a new kind, to try out.
   std::string replay;       ///< A tape to be read instead of a device.
 };
 Result<Done> devices(const DevicesOptions& options);

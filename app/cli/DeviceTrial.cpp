@@ -6,6 +6,7 @@
 
 #include "Interruption.h"
 #include "OutputFile.h"
+#include "perilymph/device/PluginDevice.h"
 #include "perilymph/haptics/CouplingLimit.h"
 #include "perilymph/haptics/ForceTrial.h"
 #include "perilymph/realtime/Pacer.h"
@@ -48,13 +49,17 @@ private:
 
 int ticks(double time) { return static_cast<int>(std::lround(time / timeStep)); }
 
-void listen(device::HapticDevice& hand, Beat& beat)
+void listen(device::HapticDevice& hand, Beat& beat, TrialOutcome& outcome)
 {
   std::printf("Listening for %s s. Move the device.\n", fixed(listeningTime, 0).c_str());
   std::fflush(stdout);
+  std::uint64_t last = 0;
   for (int i = 0; i < ticks(listeningTime) && !isInterrupted(); ++i) {
     beat.wait();
-    hand.read();
+    const device::DeviceSample sample = hand.read();
+    ++outcome.samples;
+    if (sample.isValid != 0 && sample.sequence != last) ++outcome.fresh;
+    last = sample.sequence;
     hand.write({});
   }
 }
@@ -79,13 +84,8 @@ int showForces(device::HapticDevice& hand, Beat& beat)
   return trial.axis();
 }
 
-}  // namespace
-
-Result<TrialOutcome> tryDevice(const device::FoundHand& found, const std::filesystem::path& tape)
+Result<TrialOutcome> tryHand(device::HapticDevice& hand)
 {
-  auto made = device::makeHidHand(found, device::systemRoots(), tape);
-  if (!made) return made.error();
-  device::HidHand& hand = **made;
   if (const auto opened = hand.open(); !opened) return opened.error();
   watchForInterruption();
   // Without the priority the figures are worse, and true.
@@ -97,12 +97,28 @@ Result<TrialOutcome> tryDevice(const device::FoundHand& found, const std::filesy
   if (outcome.axes > 0)
     outcome.stiffness = haptics::couplingLimit(outcome.traits, timeStep).stiffness;
   Beat beat(hand);
-  listen(hand, beat);
+  listen(hand, beat, outcome);
   if (outcome.axes > 0) outcome.axesFelt = showForces(hand, beat);
-  outcome.health = hand.health().value_or(device::HandHealth{});
+  outcome.health = hand.health();
   hand.close();
   if (isInterrupted()) return Error{"Interrupted; the force is off."};
   return outcome;
+}
+
+}  // namespace
+
+Result<TrialOutcome> tryDevice(const device::FoundHand& found, const std::filesystem::path& tape)
+{
+  auto made = device::makeHidHand(found, device::systemRoots(), tape);
+  if (!made) return made.error();
+  return tryHand(**made);
+}
+
+Result<TrialOutcome> tryPlugin(const std::filesystem::path& library)
+{
+  auto loaded = device::loadPluginDevice(library);
+  if (!loaded) return loaded.error();
+  return tryHand(**loaded);
 }
 
 }  // namespace perilymph::cli

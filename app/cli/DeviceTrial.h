@@ -3,6 +3,7 @@
 // A device tried out: how it reports, how fast it takes a force, and the force itself.
 
 #include <filesystem>
+#include <optional>
 
 #include "perilymph/device/HandHealth.h"
 #include "perilymph/device/KnownHands.h"
@@ -10,11 +11,13 @@
 namespace perilymph::cli {
 
 struct TrialOutcome {
-  device::HandHealth health;
-  device::DeviceTraits traits;  ///< With what was measured.
-  double stiffness = 0.0;       ///< Stiffest coupling it renders at 1 kHz [N/m]; 0 without force.
-  int axesFelt = 0;             ///< Axes on which the force was shown.
-  int axes = 0;                 ///< Axes that show a force.
+  std::optional<device::HandHealth> health;  ///< None of a plug-in: it measures nothing itself.
+  device::DeviceTraits traits;               ///< With what was measured.
+  double stiffness = 0.0;  ///< Stiffest coupling it renders at 1 kHz [N/m]; 0 without force.
+  int axesFelt = 0;        ///< Axes on which the force was shown.
+  int axes = 0;            ///< Axes that show a force.
+  int samples = 0;         ///< Read while listening.
+  int fresh = 0;           ///< Of them, those that were new and valid.
 };
 
 /// Opens the device, listens for three seconds, then shows at most 0.5 N on each axis while the
@@ -22,5 +25,8 @@ struct TrialOutcome {
 ///
 /// @param tape  Where to keep every report; nowhere if empty.
 Result<TrialOutcome> tryDevice(const device::FoundHand& found, const std::filesystem::path& tape);
+
+/// The same with the device of a plug-in, which is a shared library.
+Result<TrialOutcome> tryPlugin(const std::filesystem::path& library);
 
 }  // namespace perilymph::cli

@@ -87,9 +87,24 @@ Json described(const FoundHand& found)
   return json;
 }
 
+/// What a plug-in's device did: less is known of it, for it measures nothing itself.
+Json describedPlugin(const TrialOutcome& trial)
+{
+  return {{"name", trial.traits.name},
+          {"renders_force", trial.traits.rendersForce},
+          {"most_force_N", trial.traits.mostForce},
+          {"nominal_period_s", trial.traits.nominalPeriod},
+          {"samples", trial.samples},
+          {"fresh", trial.fresh},
+          {"stiffest_coupling_N_m", trial.stiffness},
+          {"force_axes", trial.axes},
+          {"force_axes_shown", trial.axesFelt}};
+}
+
 Json described(const TrialOutcome& trial)
 {
-  const device::HandHealth& health = trial.health;
+  if (!trial.health) return describedPlugin(trial);
+  const device::HandHealth& health = *trial.health;
   return {{"period_s", health.period},
           {"period_measured", health.isPeriodMeasured},
           {"rate_per_s", health.reading.rate},
@@ -116,9 +131,27 @@ Json described(const TrialOutcome& trial)
           {"trouble", health.trouble}};
 }
 
+void printForce(const TrialOutcome& trial)
+{
+  std::printf("%-18s shown on %d of %d axes%s\n", "force", trial.axesFelt, trial.axes,
+              trial.axesFelt < trial.axes ? "; the button was not held" : "");
+}
+
+void printPlugin(const TrialOutcome& trial)
+{
+  std::printf("%s: %s\n", trial.traits.name.c_str(), ability(trial.traits).c_str());
+  std::printf("%-18s %d of %d were fresh and valid\n", "samples", trial.fresh, trial.samples);
+  if (trial.axes == 0) return;
+  std::printf("%-18s stiffest coupling %s N/m\n", "by its traits",
+              fixed(trial.stiffness, 0).c_str());
+  printForce(trial);
+}
+
 void print(const TrialOutcome& trial)
 {
-  const device::ReadingFigures& reading = trial.health.reading;
+  if (!trial.health) return printPlugin(trial);
+  const device::HandHealth& health = *trial.health;
+  const device::ReadingFigures& reading = health.reading;
   const auto ms = [](double time) { return fixed(time * 1e3, 3); };
   std::printf("%-18s %s a second; between two: median %s ms, 99 %% below %s ms, longest %s ms\n",
               "reports", fixed(reading.rate, 1).c_str(), ms(reading.intervalMedian).c_str(),
@@ -129,22 +162,21 @@ void print(const TrialOutcome& trial)
               static_cast<unsigned long long>(reading.duplicates),
               static_cast<unsigned long long>(reading.old),
               static_cast<unsigned long long>(reading.foreign));
-  if (!trial.health.trouble.empty()) std::printf("%-18s %s\n", "", trial.health.trouble.c_str());
+  if (!health.trouble.empty()) std::printf("%-18s %s\n", "", health.trouble.c_str());
   if (trial.axes == 0) return;
-  const device::WritingFigures& writing = trial.health.writing;
+  const device::WritingFigures& writing = health.writing;
   std::printf("%-18s median %s ms, 99 %% below %s ms, longest %s ms\n", "to take a force",
               ms(writing.timeMedian).c_str(), ms(writing.timeP99).c_str(),
               ms(writing.timeMost).c_str());
   if (!writing.hasRealTimePriority)
     std::printf("%-18s without real-time priority: see modules/realtime/README.md\n", "");
   std::printf("%-18s there and back %s%s ms; stiffest coupling %s N/m\n", "delay",
-              trial.health.isRoundTripMeasured ? "" : "at most ",
-              ms(trial.health.roundTrip).c_str(), fixed(trial.stiffness, 0).c_str());
-  std::printf("%-18s %s\n", "if this dies",
-              trial.health.isGuarded ? "another process takes the force away"
-                                     : trial.health.guardObstacle.c_str());
-  std::printf("%-18s shown on %d of %d axes%s\n", "force", trial.axesFelt, trial.axes,
-              trial.axesFelt < trial.axes ? "; the button was not held" : "");
+              health.isRoundTripMeasured ? "" : "at most ", ms(health.roundTrip).c_str(),
+              fixed(trial.stiffness, 0).c_str());
+  std::printf(
+      "%-18s %s\n", "if this dies",
+      health.isGuarded ? "another process takes the force away" : health.guardObstacle.c_str());
+  printForce(trial);
 }
 
 Result<FoundHand> deviceOfNumber(const device::DeviceSurvey& survey, int number)
@@ -155,6 +187,17 @@ Result<FoundHand> deviceOfNumber(const device::DeviceSurvey& survey, int number)
   return Error{"There is no " + node + ". 'perilymph-cli devices' shows those there are."};
 }
 
+/// A plug-in by itself: no HID device has to do with it.
+Result<Done> tryOut(const std::string& plugin, const std::string& file)
+{
+  const auto trial = tryPlugin(plugin);
+  if (!trial) return trial.error();
+  print(*trial);
+  if (file.empty()) return Done{};
+  const Json json = {{"version", version()}, {"plugin", plugin}, {"test", described(*trial)}};
+  return writeWhole(file, json.dump(2) + "\n");
+}
+
 }  // namespace
 
 Result<Done> devices(const DevicesOptions& options)
@@ -162,6 +205,7 @@ Result<Done> devices(const DevicesOptions& options)
   if (const auto done = checkPlace(options.json); !done) return done.error();
   if (const auto done = checkPlace(options.capture); !done) return done.error();
   if (!options.replay.empty()) return replayDevice(options.replay, options.json);
+  if (!options.plugin.empty()) return tryOut(options.plugin, options.json);
   const device::DeviceSurvey survey = device::surveyDevices(device::systemRoots());
   Json json;
   json["version"] = version();

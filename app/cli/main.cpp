@@ -202,6 +202,12 @@ void addDevices(CLI::App& app, DevicesOptions& options)
       .add_option("--replay", options.replay,
                   "Reads a captured file (or hid-recorder's) as the device it is of")
       ->excludes(test);
+  command
+      .add_option("--plugin", options.plugin,
+                  "Loads a device plug-in (FILE.so) and tries it as --test does; it runs with your "
+                  "rights")
+      ->excludes(test)
+      ->excludes("--replay");
 }
 
 /// What is wrong with the words of a call.

@@ -106,6 +106,7 @@ WindowEnd runWindow(gui::Application& application, const Beginning& beginning)
   QGuiApplication::setQuitOnLastWindowClosed(false);  // its going is not the end
   gui::Options kept;
   kept.quality = options.quality;
+  kept.plugin = options.plugin;
   return {0, Beginning{window.control().scenario(),
                        window.page(),
                        kept,
@@ -140,8 +141,8 @@ int run(int argc, char** argv, const gui::Options& options)
 
   applyChoices(application, options);
   if (options.isKiosk) return runKiosk(application, *std::move(scenario), options);
-  const bool isTold =
-      options.scenario || options.isDemo || options.measuresFrames || options.record;
+  const bool isTold = options.scenario || options.isDemo || options.measuresFrames ||
+                      options.record || options.plugin;
   WindowEnd end = runWindow(
       application, {*std::move(scenario), isTold ? gui::Page::insert : gui::Page::start, options,
                     gui::RunMark::takeInterrupted(gui::stateFolder()), std::nullopt});

@@ -686,6 +686,21 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::BuildingNote</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Go back to the cochlea and the array that are shown (Esc)</source>
+        <translation>Zurück zur Cochlea und zum Träger, die zu sehen sind (Esc)</translation>
+    </message>
+    <message>
+        <source>Building the cochlea… %1 s</source>
+        <translation>Die Cochlea wird gebaut … %1 s</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::ComparePage</name>
     <message>
         <source>Insertions side by side</source>
@@ -1042,6 +1057,29 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::GuideSheet</name>
+    <message>
+        <source>User guide</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Schließen (Esc)</translation>
+    </message>
+    <message>
+        <source>The guide is not installed. It stands in the folder resources/guide of the source.</source>
+        <translation>Das Handbuch ist nicht installiert. Es steht im Ordner resources/guide der Quellen.</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::HandSection</name>
     <message>
         <source>Hand</source>
@@ -1136,6 +1174,14 @@
     <message>
         <source>Replay</source>
         <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>User guide</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Three walks through the workstation, step by step (Shift+F1)</source>
+        <translation>Drei Rundgänge durch den Arbeitsplatz, Schritt für Schritt (Umschalt+F1)</translation>
     </message>
 </context>
 <context>
@@ -1610,6 +1656,18 @@
     <message>
         <source>The report is %1.</source>
         <translation>Der Bericht ist %1.</translation>
+    </message>
+    <message>
+        <source>The cochlea is being built; then the insertion can start.</source>
+        <translation>Die Cochlea wird gebaut; danach kann die Einführung beginnen.</translation>
+    </message>
+    <message>
+        <source>Building the cochlea; then the insertion starts…</source>
+        <translation>Die Cochlea wird gebaut; danach beginnt die Einführung …</translation>
+    </message>
+    <message>
+        <source>user guide</source>
+        <translation>Handbuch</translation>
     </message>
 </context>
 <context>
@@ -2353,6 +2411,18 @@
     <message>
         <source>Choose several with Ctrl or Shift to compare them.</source>
         <translation>Mehrere mit Strg oder Umschalt wählen, um sie zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>List what was read so far (Esc)</source>
+        <translation>Auflisten, was bisher gelesen wurde (Esc)</translation>
+    </message>
+    <message>
+        <source>Ended early: %1 of %2 recordings are listed. Open this page again to read on.</source>
+        <translation>Vorzeitig beendet: %1 von %2 Aufzeichnungen sind aufgelistet. Diese Seite erneut öffnen, um weiterzulesen.</translation>
     </message>
 </context>
 <context>

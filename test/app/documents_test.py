@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 """Every command that a document shows is one that works, as it stands there."""
 
+import json
 import os
 import re
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -11,6 +13,10 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAMS = Path(sys.argv.pop(1)).resolve()
+# The package perilymph-dev, as this build would install it.
+SDK = tempfile.TemporaryDirectory()
+subprocess.run(["cmake", "--install", PROGRAMS.parent, "--component", "sdk", "--prefix", SDK.name],
+               check=True, capture_output=True)
 WITH_DISPLAY = ROOT / "test/support/with-display"
 # Statistics of 200 insertions take a minute; that the call works shows in three.
 FEWER = [(re.compile(r"--runs \d+"), "--runs 3")]
@@ -25,8 +31,53 @@ def documents():
     yield page, "".join(f"    {line}\n" for line in examples.splitlines())
 
 
+# Where the package puts things, and where they are in the tree.
+PLACES = [("/usr/share/doc/perilymph-dev/examples", ROOT / "plugins/devices"), ("/usr/share/perilymph", ROOT)]
+# Commands that a walk through a guide types, and that are run as they stand.
+RUN = ("perilymph-cli ", "perilymph ", "cp ", "sed ", "cmake -S ", "cmake --build build")
+# Commands that take long or change the machine: what they name must exist.
+CHECKED = ("cmake --preset ", "cmake --build --preset ", "ctest --preset ", "test/", "packaging/", "sudo apt install ")
+
+
 def commands(text):
-    return [match.strip() for match in re.findall(r"^    (perilymph-cli [^\n]*)$", text, re.MULTILINE)]
+    return [match.strip() for match in re.findall(r"^    ((?:%s)[^\n]*)$" % "|".join(RUN + CHECKED), text, re.MULTILINE)]
+
+
+def presets():
+    return {preset["name"] for kind in ("configurePresets", "testPresets")
+            for preset in json.loads((ROOT / "CMakePresets.json").read_text())[kind]}
+
+
+GUIDE = ROOT / "resources/guide"
+
+
+class PicturesOfTheGuide(unittest.TestCase):
+    def test_every_link_leads_to_a_file_and_every_picture_is_shown(self):
+        shown = set()
+        for page in sorted(GUIDE.glob("*.md")):
+            for target in re.findall(r"\]\(([^)#]+)\)", page.read_text()):
+                if "://" in target:
+                    continue
+                self.assertTrue((GUIDE / target).exists(), f"{page.name} points to {target}, which is not there.")
+                shown.add((GUIDE / target).resolve())
+        pictures = {file.resolve() for file in (GUIDE / "pictures").glob("*.png")}
+        self.assertTrue(pictures)
+        self.assertEqual(pictures - shown, set(), "No page shows these pictures.")
+
+    def test_they_are_small_enough_to_be_carried_along(self):
+        files = sorted((GUIDE / "pictures").glob("*.png"))
+        self.assertLess(sum(file.stat().st_size for file in files), 2_500_000)
+        for file in files:
+            width, height = (int.from_bytes(file.read_bytes()[at:at + 4], "big") for at in (16, 20))
+            self.assertLessEqual((width, height), (1280, 800), file.name)
+
+    def test_every_step_of_a_walk_has_its_picture(self):
+        for walk in ("surgeon", "clinician", "visitor"):
+            text = (GUIDE / f"{walk}.md").read_text()
+            steps = re.findall(r"^## (\d+)\. ", text, re.MULTILINE)
+            self.assertEqual(steps, [str(i + 1) for i in range(len(steps))])
+            for step in steps:
+                self.assertIn(f"(pictures/{walk}-{step}.png)", text)
 
 
 class CommandsOfTheDocuments(unittest.TestCase):
@@ -38,16 +89,45 @@ class CommandsOfTheDocuments(unittest.TestCase):
                 if file.suffix == ".1":
                     self.run_line("perilymph-cli simulate --scenario contour-published --record session.insertion", folder)
                 for line in commands(text):
-                    for pattern, fewer in FEWER:
-                        line = pattern.sub(fewer, line)
                     with self.subTest(document=file.name, command=line):
-                        self.run_line(line, folder)
+                        self.check_line(line) if line.startswith(CHECKED) else self.run_line(line, folder)
                         seen += 1
-        self.assertGreater(seen, 8)
+        self.assertGreater(seen, 20)
+
+    def test_every_indented_command_of_a_guide_is_known_here(self):
+        for file in sorted((ROOT / "resources/guide").glob("*.md")):
+            text = file.read_text()
+            indented = [line.strip() for line in re.findall(r"^    (?! )([a-z./-]+ [^\n]*)$", text, re.MULTILINE)]
+            commandlike = [line for line in indented if re.match(r"(perilymph|cmake|ctest|ninja|cp|sed|sudo|test/|packaging/)", line)]
+            self.assertEqual(sorted(commandlike), sorted(commands(text)), file.name)
+
+    def test_scripts_that_tables_and_sentences_name_are_there(self):
+        for file, text in documents():
+            for script in re.findall(r"`((?:test|packaging)/[^\s`]+)[^`]*`", text):
+                with self.subTest(document=file.name, script=script):
+                    self.assertTrue((ROOT / script).exists())
+
+    def check_line(self, line):
+        words = line.split()
+        if "--preset" in words:
+            self.assertIn(words[words.index("--preset") + 1], presets())
+        elif words[0] != "sudo":
+            self.assertTrue(os.access(ROOT / words[0], os.X_OK), words[0])
+        if words[0] == "ctest" and "-L" in words:
+            self.assertTrue((ROOT / "test" / words[words.index("-L") + 1]).is_dir(), line)
 
     def run_line(self, line, folder):
-        env = {**os.environ, "PATH": f"{PROGRAMS}:{os.environ['PATH']}"}
-        words = [str(WITH_DISPLAY), *line.split()] if " render " in line else line.split()
+        for pattern, fewer in FEWER:
+            line = pattern.sub(fewer, line)
+        for installed, place in PLACES:
+            line = line.replace(installed, str(place))
+        words = shlex.split(line)
+        if words[0] == "perilymph":  # until its first picture
+            words += ["--screenshot", "window.png", "--after", "1"]
+        if words[0] == "perilymph" or " render " in line:
+            words.insert(0, str(WITH_DISPLAY))
+        env = {**os.environ, "PATH": f"{PROGRAMS}:{os.environ['PATH']}", "CMAKE_PREFIX_PATH": SDK.name,
+               "XDG_DATA_HOME": folder, "XDG_CONFIG_HOME": folder, "XDG_STATE_HOME": folder}
         done = subprocess.run(words, cwd=folder, env=env, capture_output=True, text=True, timeout=240)
         self.assertEqual(done.returncode, 0, f"{line}\n{done.stdout[-500:]}{done.stderr[-500:]}")
 

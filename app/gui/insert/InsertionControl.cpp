@@ -4,6 +4,7 @@
 #include <ctime>
 #include <utility>
 
+#include "perilymph/device/PluginDevice.h"
 #include "perilymph/foundation/Resources.h"
 
 namespace perilymph::gui {
@@ -55,11 +56,12 @@ std::filesystem::path InsertionControl::nextRecording()
   return numbered(file, number);
 }
 
-void InsertionControl::use(session::Scenario scenario,
-                           std::shared_ptr<const anatomy::ScalaTympani> anatomy)
+void InsertionControl::use(session::Scenario scenario, const std::optional<Parts>& parts)
 {
   scenario_ = std::move(scenario);
-  if (anatomy) anatomy_ = std::move(anatomy);
+  if (!parts) return;
+  anatomy_ = parts->anatomy;
+  model_ = parts->model;
 }
 
 Result<Done> InsertionControl::prepare(Hand hand)
@@ -100,6 +102,17 @@ void InsertionControl::discard()
   if (unused) std::filesystem::remove(*unused, ignored);
 }
 
+Result<std::unique_ptr<device::HapticDevice>> InsertionControl::chosenDevice() const
+{
+  if (const auto* plugin = std::get_if<std::filesystem::path>(&chosen_))
+    return device::loadPluginDevice(*plugin);
+  const auto* found = std::get_if<device::FoundHand>(&chosen_);
+  if (found == nullptr) return Error{"No device was chosen. Press H and choose one."};
+  auto made = device::makeHidHand(*found, device::systemRoots());
+  if (!made) return made.error();
+  return std::unique_ptr<device::HapticDevice>(*std::move(made));
+}
+
 Result<Done> InsertionControl::build(Hand hand, std::optional<std::filesystem::path> file)
 {
   std::unique_ptr<device::HapticDevice> device;
@@ -111,8 +124,7 @@ Result<Done> InsertionControl::build(Hand hand, std::optional<std::filesystem::p
     scripted = made.get();
     device = std::move(made);
   } else if (hand == Hand::device) {
-    if (!found_) return Error{"No device was chosen. Press H and choose one."};
-    auto made = device::makeHidHand(*found_, device::systemRoots());
+    auto made = chosenDevice();
     if (!made) return made.error();
     device = *std::move(made);
   } else {
@@ -122,11 +134,12 @@ Result<Done> InsertionControl::build(Hand hand, std::optional<std::filesystem::p
   }
 
   auto prepared =
-      session::Insertion::prepare(scenario_, std::move(device), std::move(file), anatomy_);
+      session::Insertion::prepare(scenario_, std::move(device), std::move(file), anatomy_, model_);
   if (!prepared) return prepared.error();
 
   insertion_ = *std::move(prepared);
   anatomy_ = insertion_->sharedAnatomy();
+  model_ = insertion_->sharedModel();
   scripted_ = scripted;
   pointer_ = pointer;
   hand_ = hand;
@@ -272,6 +285,14 @@ std::string InsertionControl::handName() const
 std::optional<device::HandHealth> InsertionControl::handHealth()
 {
   return insertion_ ? insertion_->hand().health() : std::nullopt;
+}
+
+haptics::LoopStatistics InsertionControl::halt()
+{
+  if (!insertion_) return {};
+  wish_ = Wish::rest;
+  insertion_->stop();
+  return insertion_->loop().statistics();
 }
 
 std::string InsertionControl::couplingWords() const

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 
 #include "perilymph/device/KnownHands.h"
 #include "perilymph/device/PointerHand.h"
@@ -29,9 +30,15 @@ public:
   InsertionControl(session::Scenario scenario, std::optional<std::filesystem::path> record);
   ~InsertionControl();
 
-  /// From the next prepare() on, insertions are of another scenario, in its cochlea; without one,
-  /// in the same as before.
-  void use(session::Scenario scenario, std::shared_ptr<const anatomy::ScalaTympani> anatomy);
+  /// What an insertion runs in, built beforehand: that takes a tenth of a second and more.
+  struct Parts {
+    std::shared_ptr<const anatomy::ScalaTympani> anatomy;
+    std::shared_ptr<const mechanics::InsertionModel> model;
+  };
+
+  /// From the next prepare() on, insertions are of another scenario, made of these parts; without
+  /// any, of the same as before.
+  void use(session::Scenario scenario, const std::optional<Parts>& parts);
 
   /// Prepares a fresh insertion with the array at its start and a recording of its own. The one
   /// before is stopped and its recording closed, or removed if it never ran. An insertion whose
@@ -42,7 +49,9 @@ public:
   void keepNothing() { keepsNothing_ = true; }
 
   /// Which device the next prepare(Hand::device) opens.
-  void choose(device::FoundHand found) { found_ = std::move(found); }
+  void choose(device::FoundHand found) { chosen_ = std::move(found); }
+  /// The same for the device of a plug-in, a shared library.
+  void choose(std::filesystem::path plugin) { chosen_ = std::move(plugin); }
 
   /// Lets the loop run and the scripted hand insert; arms the array for the pointer.
   Result<Done> begin();
@@ -66,7 +75,7 @@ public:
 
   /// The cochlea; after a prepare() that succeeded.
   const anatomy::ScalaTympani& anatomy() const noexcept { return insertion_->anatomy(); }
-  bool hasAnatomy() const noexcept { return anatomy_ != nullptr; }
+  std::shared_ptr<const anatomy::ScalaTympani> sharedAnatomy() const noexcept { return anatomy_; }
   Hand hand() const noexcept { return hand_; }
   bool isRunning() const noexcept { return isRunning_; }
   /// The array is at the stop travel or beyond.
@@ -78,6 +87,8 @@ public:
   std::string handName() const;
   /// How the hand's device is doing; nothing for a hand without hardware.
   std::optional<device::HandHealth> handHealth();
+  /// Stops the loop where it is and says how it kept its time. Ends the insertion.
+  haptics::LoopStatistics halt();
   /// A sentence where the device cannot render the coupling asked for; else empty.
   std::string couplingWords() const;
   /// The file being written; none if it could not be.
@@ -90,6 +101,7 @@ private:
 
   std::filesystem::path nextRecording();
   void discard();
+  Result<std::unique_ptr<device::HapticDevice>> chosenDevice() const;
   Result<Done> build(Hand hand, std::optional<std::filesystem::path> file);
   bool ask(haptics::Command::Kind kind, double value = 0.0);
   void pursue();
@@ -97,7 +109,8 @@ private:
   void moveHand(device::ScriptedHand::Motion motion);
 
   session::Scenario scenario_;
-  std::shared_ptr<const anatomy::ScalaTympani> anatomy_;  ///< Once it is built.
+  std::shared_ptr<const anatomy::ScalaTympani> anatomy_;    ///< Once it is built.
+  std::shared_ptr<const mechanics::InsertionModel> model_;  ///< Once it is built.
   std::optional<std::filesystem::path> record_;
   int prepared_ = 0;
   bool keepsNothing_ = false;
@@ -105,7 +118,7 @@ private:
   std::unique_ptr<session::Insertion> insertion_;
   device::ScriptedHand* scripted_ = nullptr;  ///< Owned by the insertion.
   device::PointerHand* pointer_ = nullptr;    ///< Owned by the insertion.
-  std::optional<device::FoundHand> found_;
+  std::variant<std::monostate, device::FoundHand, std::filesystem::path> chosen_;
   Hand hand_ = Hand::scripted;
   Wish wish_ = Wish::rest;
   bool isRunning_ = false;

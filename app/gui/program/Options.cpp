@@ -33,7 +33,7 @@ std::variant<Options, Exit> parseOptions(int argc, const char* const* argv)
                "perilymph");
   app.set_version_flag("--version", "perilymph " + buildId());
 
-  std::string record, screenshot;
+  std::string record, plugin, screenshot;
   app.add_option("--scenario", options.scenario,
                  "What to insert where: a shipped name or a TOML file; without it, the first "
                  "screen asks")
@@ -43,6 +43,11 @@ std::variant<Options, Exit> parseOptions(int argc, const char* const* argv)
       app.add_option("--record", record,
                      "Where to keep the insertion; without it, among the sessions in the data home")
           ->type_name("FILE");
+  auto* pluginOption =
+      app.add_option("--device-plugin", plugin,
+                     "A device plug-in, which becomes the hand; it runs with your rights")
+          ->type_name("FILE.so")
+          ->excludes(demoOption);
   auto* screenshotOption =
       app.add_option("--screenshot", screenshot, "Write a picture of the window, then exit")
           ->type_name("FILE.png")
@@ -55,9 +60,18 @@ std::variant<Options, Exit> parseOptions(int argc, const char* const* argv)
       ->capture_default_str();
   app.add_option("--quality", options.quality, "How much is drawn; auto: by the machine's speed")
       ->check(CLI::IsMember({"auto", "fast", "balanced", "full"}));
-  app.add_flag("--measure-frames", options.measuresFrames,
-               "Run the demonstration, print how long its frames took, then exit")
-      ->excludes(screenshotOption);
+  auto* measureOption =
+      app.add_flag("--measure-frames", options.measuresFrames,
+                   "Run the demonstration, print how long its frames took, then exit")
+          ->excludes(screenshotOption)
+          ->excludes(pluginOption);
+  app.add_option(
+         "--ticks", options.measuredTicks,
+         "Measure on, in and out, until so many ticks were recorded (3600000: an hour), and "
+         "set the last insertion beside the first")
+      ->type_name("N")
+      ->needs(measureOption)
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1000000000}));
   app.add_option("--language", options.language,
                  "The window's words and numbers, for this call; else as chosen in its settings")
       ->type_name("en|de|system")
@@ -66,6 +80,7 @@ std::variant<Options, Exit> parseOptions(int argc, const char* const* argv)
                "Fill the screen with a demonstration for visitors; Ctrl+Alt+Q ends it")
       ->excludes(demoOption)
       ->excludes(recordOption)
+      ->excludes(pluginOption)
       ->excludes("--measure-frames");
 
   try {
@@ -78,6 +93,7 @@ std::variant<Options, Exit> parseOptions(int argc, const char* const* argv)
     return Exit{2};
   }
   if (recordOption->count() > 0) options.record = record;
+  if (pluginOption->count() > 0) options.plugin = plugin;
   if (screenshotOption->count() > 0) options.screenshot = screenshot;
   return options;
 }

@@ -28,6 +28,12 @@ void MainWindow::useDevice(const device::FoundHand& found)
   prepare(Hand::device);
 }
 
+void MainWindow::usePlugin(const std::filesystem::path& library)
+{
+  control_.choose(library);
+  prepare(Hand::device);
+}
+
 void MainWindow::showDevice()
 {
   const auto health = control_.handHealth();

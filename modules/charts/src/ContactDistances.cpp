@@ -6,6 +6,7 @@
 #include "PlotSheet.h"
 #include "perilymph/charts/Wording.h"
 #include "perilymph/foundation/Units.h"
+#include "perilymph/mechanics/Outcome.h"
 
 namespace perilymph::charts {
 
@@ -15,37 +16,9 @@ using analysis::Stroke;
 
 namespace {
 
-constexpr int directions = 144;
 constexpr AxisRange usualDistance_mm{0.0, 1.5, 0.5};
 constexpr double leftMargin_px = 30.0;
 constexpr double line_px = 14.0;
-
-/// Distance from a place of a section to its wall, straight toward the axis [mm]; -1 without one.
-double towardAxis_mm(const anatomy::ScalaTympani& scala, const NodePlace& place)
-{
-  const double angle = degrees(std::max(0.0, place.angle_deg)).si();
-  const Eigen::Vector3d center_W = scala.center_W(angle);
-  const double center_mm = 1e3 * center_W.head<2>().norm();
-  double inner_mm = center_mm;  // the crossing nearest to the axis
-  bool isCrossed = false;
-  Eigen::Vector2d before = Eigen::Vector2d::Zero();
-  for (int k = 0; k <= directions; ++k) {
-    const Eigen::Vector3d wall_W = scala.wall_W(angle, 2.0 * pi * k / directions);
-    const Eigen::Vector2d wall(1e3 * wall_W.head<2>().norm() - center_mm,
-                               1e3 * (wall_W.z() - center_W.z()));
-    // a piece of wall that crosses the height of the place
-    if (k > 0 && (before.y() < place.up_mm) != (wall.y() < place.up_mm)) {
-      const double share = (place.up_mm - before.y()) / (wall.y() - before.y());
-      const double crossing_mm = before.x() + share * (wall.x() - before.x());
-      inner_mm = isCrossed ? std::min(inner_mm, crossing_mm) : crossing_mm;
-      isCrossed = true;
-    }
-    before = wall;
-  }
-  // an array that is pressed may reach past the outer wall: the inner one is still where it is
-  const double away_mm = place.across_mm - inner_mm;
-  return isCrossed && away_mm >= 0.0 ? away_mm : -1.0;
-}
 
 }  // namespace
 
@@ -53,10 +26,12 @@ std::vector<ContactDistance> contactDistances(const ArrayInScala& now)
 {
   std::vector<ContactDistance> contacts(now.array().contactsFromTip.size());
   if (now.nodes().empty()) return contacts;
+  const auto outcome =
+      mechanics::outcomeOf(now.scala(), now.array(), {now.nodes_W(), {}, Eigen::Vector3d::UnitX()});
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const NodePlace place = now.at(inMillimeters(now.array().contactsFromTip[i]));
-    if (!place.isInside) continue;
-    contacts[i] = {true, place.angle_deg, towardAxis_mm(now.scala(), place)};
+    const mechanics::ContactOutcome& contact = outcome[i];
+    if (!contact.isInside) continue;
+    contacts[i] = {true, inDegrees(radians(contact.angle)), 1e3 * contact.toInnerWall};
   }
   return contacts;
 }

@@ -11,11 +11,10 @@ namespace perilymph::haptics {
 
 namespace {
 
-/// A vector's length, without overflow for any finite vector.
+/// The length of a vector that is not zero, without overflow for any finite one.
 double length(const Eigen::Vector3d& vector) noexcept
 {
   const double largest = std::max({std::abs(vector[0]), std::abs(vector[1]), std::abs(vector[2])});
-  if (largest == 0.0) return 0.0;
   const Eigen::Vector3d scaled = vector / largest;
   return largest * std::sqrt(scaled[0] * scaled[0] + scaled[1] * scaled[1] + scaled[2] * scaled[2]);
 }

@@ -40,11 +40,19 @@ std::string contentOf(const std::filesystem::path& file)
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+/// Whether VTK will read it as words, too: one byte of another kind, and it takes it for binary.
+bool isPlainText(const std::string& content)
+{
+  return std::all_of(content.begin(), content.end(),
+                     [](char c) { return static_cast<signed char>(c) > 0; });
+}
+
 /// Whether a file begins as its ending says; VTK's readers trust it.
 bool beginsRight(const std::string& content, const std::string& ending)
 {
   if (ending == ".vtp") return content.find("<VTKFile") != std::string::npos;
-  if (content.rfind("solid", 0) == 0 && content.find("facet") != std::string::npos) return true;
+  const bool isText = content.rfind("solid", 0) == 0 && content.find("facet") != std::string::npos;
+  if (isText && isPlainText(content)) return true;
   if (content.size() < 84) return false;
   std::uint32_t count = 0;
   for (std::size_t k = 4; k-- > 0;)

@@ -54,6 +54,33 @@ TEST(Devices, TakeANumberForTheTest)
   EXPECT_EQ(devicesIn(RecordedTree(), {"--test", "mouse"}).status, 2);
 }
 
+TEST(DevicePlugin, IsLoadedListenedToAndPushes)
+{
+  const TemporaryFolder folder;
+  const auto file = folder / "trial.json";
+  const auto outcome =
+      cli({"devices", "--plugin", PERILYMPH_EXAMPLE_PLUGIN, "--json", file.string()});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              HasSubstr("Example handle: 1 shifts and 0 turns sensed, force on 1 axes"));
+  // one sample a read, and an invisible hand that never lets go of the button
+  EXPECT_THAT(outcome.out, HasSubstr("3000 of 3000 were fresh and valid"));
+  EXPECT_THAT(outcome.out, HasSubstr("shown on 1 of 1 axes"));
+  EXPECT_THAT(contentOf(file), HasSubstr("\"force_axes_shown\": 1"));
+}
+
+TEST(DevicePlugin, ThatIsNoneIsRefusedInASentence)
+{
+  const TemporaryFolder folder;
+  std::ofstream(folder / "text.so") << "no library";
+  for (const char* name : {"none.so", "text.so"}) {
+    const auto outcome = cli({"devices", "--plugin", (folder / name).string()});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, HasSubstr(name));
+    EXPECT_EQ(outcome.out, "");
+  }
+}
+
 // A stick of two axes and a button, HID 1.11 appendix: 8-bit places from 0 to 255.
 constexpr const char* joystickTape =
     "D: 0\n"

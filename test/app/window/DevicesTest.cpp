@@ -102,5 +102,24 @@ TEST_F(DevicesOfTheWindow, ThatCannotRenderTheCouplingAreSaidToBeSoftened)
   if (getenv("GRAB_COUPLING")) rig_->window().grab().save(getenv("GRAB_COUPLING"));
 }
 
+TEST_F(DevicesOfTheWindow, OfAPlugInBecomesTheHandAndMovesTheArray)
+{
+  open();
+  rig_->window().usePlugin(PERILYMPH_EXAMPLE_PLUGIN);
+  EXPECT_EQ(rig_->window().control().handName(), "Example handle");
+  EXPECT_TRUE(rig_->button("deviceChoice").text().contains("Example handle"));
+  // An invisible hand pushes it inward with 0.2 N and never lets go.
+  rig_->click("startButton");
+  EXPECT_TRUE(WindowRig::comes([&] { return rig_->travel_mm() > 1.0; }));
+}
+
+TEST_F(DevicesOfTheWindow, OfAFileThatIsNoPlugInLeaveTheScriptAndSayWhy)
+{
+  open();
+  rig_->window().usePlugin(tree_.root() / "none.so");
+  EXPECT_EQ(rig_->window().control().hand(), gui::Hand::scripted);
+  EXPECT_TRUE(rig_->label("bannerText").contains(QLatin1String("none.so")));
+}
+
 }  // namespace
 }  // namespace perilymph::test

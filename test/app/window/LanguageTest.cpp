@@ -15,7 +15,10 @@
 #include "ChartWords.h"
 #include "InsertionViews.h"
 #include "Languages.h"
+#include "Numbers.h"
+#include "Pane.h"
 #include "Selector.h"
+#include "SidePanel.h"
 #include "WindowRig.h"
 #include "perilymph/analysis/Reference.h"
 #include "perilymph/charts/Wording.h"
@@ -201,6 +204,40 @@ TEST(German, IsSpokenWhenAskedFor)
   EXPECT_EQ(visualization::wording().wallForce, visualization::Wording().wallForce);
   WindowRig rig;
   EXPECT_EQ(rig.button("resetButton").text(), "Reset");
+  QLocale::setDefault(QLocale::c());
+}
+
+// 34,125 and 34.125 are the same length, typed by two people; neither is 34125 of them.
+TEST(ALengthTyped, MeansTheSameWithCommaAndPointInEveryLocale)
+{
+  for (const char* language : {"en", "de", "de_CH", "fr"}) {
+    QLocale::setDefault(QLocale(QLatin1String(language)));
+    for (const char* typed : {"34,125", "34.125", " 34.125 "})
+      EXPECT_EQ(gui::typedNumber(QLatin1String(typed)), 34.125) << language << ": " << typed;
+    for (const char* typed : {"34.125,0", "3,4,1", "1.234.567", "34 125", "34'125", "", "nan"})
+      EXPECT_FALSE(gui::typedNumber(QLatin1String(typed))) << language << ": " << typed;
+    EXPECT_EQ(gui::typedNumber(gui::numberText(1234.5, 1)), 1234.5) << language;
+  }
+  QLocale::setDefault(QLocale::c());
+}
+
+TEST(ALengthTyped, IsThePatientsInAGermanWindow)
+{
+  QLocale::setDefault(QLocale(QLocale::German));
+  {
+    WindowRig rig;
+    for (const char* typed : {"34,125", "34.125"}) {
+      rig.type("panelScalaLength", "30");
+      rig.type("panelScalaLength", typed);
+      EXPECT_TRUE(WindowRig::comes([&] {
+        return rig.window().control().scenario().patient.scalaTympaniLength == millimeters(34.125);
+      })) << typed;
+    }
+    // what could be meant either way as thousands of nodes gets a sentence
+    rig.type("panelNodes", "1.000");
+    rig.click("startButton");
+    EXPECT_TRUE(rig.label("bannerText").contains("1024"));
+  }
   QLocale::setDefault(QLocale::c());
 }
 

@@ -8,6 +8,7 @@
 #include "FuzzTarget.h"
 #include "perilymph/device/DeviceProfile.h"
 #include "perilymph/device/HandCodec.h"
+#include "perilymph/test/DeviceProfiles.h"
 
 namespace perilymph::fuzz {
 
@@ -58,16 +59,8 @@ double anyNumber(InputReader& input)
   return number;
 }
 
-constexpr const char* vectorProfile = R"(
-name = "Vector"
-maker = "nobody"
-kind = "vector"
-source = "none"
-confidence = "low"
-[[match]]
-vendor_id = 1
-[capability]
-nominal_period_ms = 1.0
+/// Its numbers begin at odd bits and are as long as they may be.
+const std::string vectorProfile = test::profileHead("vector") + R"(nominal_period_ms = 1.0
 most_force_N = 2.0
 [mount]
 grasp_button = 32

@@ -5,28 +5,11 @@
 #include "Descriptors.h"
 #include "FuzzTarget.h"
 #include "perilymph/device/TapeReading.h"
+#include "perilymph/test/DeviceProfiles.h"
 
 namespace perilymph::fuzz {
 
 namespace {
-
-constexpr const char* stick = R"(
-name = "Stick"
-maker = "any"
-kind = "joystick"
-source = "a test"
-confidence = "high"
-[[match]]
-usage_page = 1
-usage = 4
-[capability]
-nominal_period_ms = 10.0
-[axes]
-motion = "place"
-x = "x"
-z = "y"
-travel_mm = 15.0
-)";
 
 Bytes seedOf(const std::vector<std::uint8_t>& descriptor)
 {
@@ -62,7 +45,7 @@ std::vector<Bytes> seeds()
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   using namespace perilymph;
-  static const auto profile = *device::parseProfile(fuzz::stick, "stick");
+  static const auto profile = *device::parseProfile(test::stickProfile(), "stick");
   static const auto codec = *device::makeCodec(
       profile, *device::ReportDescriptor::parse(device::test::joystickDescriptor()));
   const std::string_view text(reinterpret_cast<const char*>(data), size);

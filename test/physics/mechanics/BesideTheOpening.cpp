@@ -64,6 +64,20 @@ TEST(ArrayBesideTheOpening, GivesBackTheWorkOfPressingItOnTheBone)
   EXPECT_LE(work, test::tolerance(0.1 * pressed, "damping")) << "and none is kept";
 }
 
+TEST(ArrayBesideTheOpening, IsNotDrawnBackOnceItHasSlidOffTheEdge)
+{
+  // Pressed a little way in at the very edge, then drawn out over the bone: a plane without
+  // friction has no force along it, however deep in bone the tube's wall would see the tip.
+  TestRod rod(tube(), above());
+  const Eigen::Vector3d& out = rod.model().entry.out_W;
+  const Eigen::Vector3d& aside = rod.model().entry.outward_W;
+  rod.move(1.1e-3 * aside, 5e-3);
+  rod.move(-0.55e-3 * out, 1e-3);
+  rod.move(0.9e-3 * aside, 5e-3, 0.2);
+  EXPECT_NEAR(rod.readings().handForce_W.dot(aside), 0.0,
+              test::tolerance(1e-5, "what is left of the motion"));
+}
+
 TEST(ArrayBesideTheOpening, FindsTheOpeningOnceItIsAboveIt)
 {
   TestRod rod(tube(), above());

@@ -41,10 +41,13 @@ struct FakeHid::State {
   int generation = 0;  // of plugging in
   bool holdsWrites = false;
   bool refusesWrites = false;
+  bool refusesActuators = false;
+  int mostHandles = 1000;
   bool isActuated = false;
   int waitingWrites = 0;
   int opened = 0;
   std::function<void(Duration)> passTime;
+  std::function<Transfer(RawReport&)> answer;
   std::vector<std::weak_ptr<Queue>> queues;
   std::vector<RawReport> written;
 };
@@ -95,14 +98,18 @@ public:
   {
     const std::lock_guard lock(state_->mutex);
     if (isGone()) return Transfer::gone;
+    if (state_->refusesActuators) return Transfer::failed;
     state_->isActuated = report.bytes[1] != 0;
     return Transfer::done;
   }
 
-  Transfer getFeature(RawReport&) noexcept override
+  Transfer getFeature(RawReport& report) noexcept override
   {
-    const std::lock_guard lock(state_->mutex);
-    return isGone() ? Transfer::gone : Transfer::failed;
+    std::unique_lock lock(state_->mutex);
+    if (isGone()) return Transfer::gone;
+    const auto answer = state_->answer;
+    lock.unlock();
+    return answer ? answer(report) : Transfer::failed;
   }
 
 private:
@@ -121,6 +128,7 @@ public:
   {
     const std::lock_guard lock(state_->mutex);
     if (!state_->isPlugged) return Error{"The fake device is not plugged in."};
+    if (state_->opened >= state_->mostHandles) return Error{"The fake device is held by another."};
     auto queue = std::make_shared<Queue>();
     state_->queues.push_back(queue);
     ++state_->opened;
@@ -194,6 +202,24 @@ void FakeHid::refuseWrites(bool isRefused)
 {
   const std::lock_guard lock(state_->mutex);
   state_->refusesWrites = isRefused;
+}
+
+void FakeHid::refuseActuators(bool isRefused)
+{
+  const std::lock_guard lock(state_->mutex);
+  state_->refusesActuators = isRefused;
+}
+
+void FakeHid::openAtMost(int handles)
+{
+  const std::lock_guard lock(state_->mutex);
+  state_->mostHandles = handles;
+}
+
+void FakeHid::whenAsked(std::function<Transfer(RawReport&)> answer)
+{
+  const std::lock_guard lock(state_->mutex);
+  state_->answer = std::move(answer);
 }
 
 void FakeHid::whenWaiting(std::function<void(Duration)> passTime)

@@ -8,6 +8,7 @@
 #include "Descriptors.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/test/DeviceProfiles.h"
 
 namespace perilymph::device {
 namespace {
@@ -15,21 +16,7 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const std::string good = R"(name = "Test"
-maker = "nobody"
-kind = "joystick"
-source = "test"
-confidence = "high"
-[[match]]
-usage_page = 1
-usage = 4
-[capability]
-nominal_period_ms = 10.0
-[axes]
-motion = "place"
-x = "x"
-travel_mm = 15.0
-)";
+const std::string good = perilymph::test::stickProfile();
 
 std::string with(std::string text, const std::string& old, const std::string& now)
 {
@@ -141,15 +128,7 @@ TEST(FaultyProfile, CannotTurnTheHandInsideOut)
   EXPECT_THAT(mistake(mount + "[0.5,0,0, 0,1,0, 0,0,1]"), HasSubstr("no rotation"));
 }
 
-const std::string vector = R"(name = "Test"
-maker = "nobody"
-kind = "vector"
-source = "test"
-confidence = "high"
-[[match]]
-vendor_id = 1
-[capability]
-nominal_period_ms = 1.0
+const std::string vector = perilymph::test::profileHead("vector") + R"(nominal_period_ms = 1.0
 most_force_N = 1.0
 [input]
 report = 1

@@ -6,6 +6,7 @@
 #include "perilymph/device/DeviceProfile.h"
 #include "perilymph/device/HandCodec.h"
 #include "perilymph/test/AllocationGuard.h"
+#include "perilymph/test/DeviceProfiles.h"
 
 namespace perilymph::device {
 namespace {
@@ -17,17 +18,9 @@ ReportDescriptor stick() { return *ReportDescriptor::parse(test::pidDescriptor()
 
 DeviceProfile profileWith(const std::string& pid)
 {
-  const auto profile = parseProfile(R"(
-name = "Test stick"
-maker = "nobody"
-kind = "pid"
-source = "test"
-confidence = "high"
-[[match]]
-contains_page = 0x0f
-contains_usage = 0x21
-[capability]
-most_force_N = 4.0
+  const auto profile = parseProfile(
+      perilymph::test::profileHead("pid", "contains_page = 0x0f\ncontains_usage = 0x21") +
+          R"(most_force_N = 4.0
 nominal_period_ms = 1.0
 [axes]
 motion = "place"
@@ -36,7 +29,7 @@ z = "y"
 travel_mm = 40.0
 [pid]
 )" + pid,
-                                    "stick.toml");
+      "stick.toml");
   EXPECT_TRUE(profile) << (profile ? "" : profile.error().message);
   return *profile;
 }

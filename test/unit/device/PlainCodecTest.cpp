@@ -7,6 +7,7 @@
 #include "perilymph/device/HandCodec.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/test/AllocationGuard.h"
+#include "perilymph/test/DeviceProfiles.h"
 
 namespace perilymph::device {
 namespace {
@@ -16,16 +17,7 @@ using testing::HasSubstr;
 /// Report 2 of 8 bytes: a counter of 16 bits, x, y, z. Report 5 of 7 bytes: one byte, then forces.
 DeviceProfile vectorProfile(const std::string& more = "")
 {
-  const auto profile = parseProfile(R"(
-name = "Test vector"
-maker = "nobody"
-kind = "vector"
-source = "test"
-confidence = "high"
-[[match]]
-vendor_id = 1
-[capability]
-nominal_period_ms = 1.0
+  const auto profile = parseProfile(test::profileHead("vector") + R"(nominal_period_ms = 1.0
 most_force_N = 2.0
 [input]
 report = 2

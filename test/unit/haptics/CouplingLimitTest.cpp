@@ -46,6 +46,29 @@ TEST(CouplingLimit, CountsTheWaitForATickThatReportsDoNotBegin)
   EXPECT_NEAR(couplingLimit(forceDevice(0.0), 1e-4).stiffness, 681.82, 0.01);
 }
 
+TEST(CouplingLimit, CountsHalfAPeriodForEveryDeviceThatTicksDoNotFollow)
+{
+  // 0.75 b / (T/2 + P/2), whether the device is faster, slower, or speaks only when moved
+  device::DeviceTraits traits = forceDevice(0.0);
+  for (const double period : {0.5e-3, 2e-3}) {
+    traits.nominalPeriod = period;
+    EXPECT_NEAR(couplingLimit(traits, 1e-3).stiffness, 0.375 / (0.5e-3 + 0.5 * period), 1e-9);
+  }
+  traits.nominalPeriod = 1e-3;
+  traits.reporting = device::Reporting::onWrite;
+  EXPECT_NEAR(couplingLimit(traits, 1e-3).stiffness, 375.0, 1e-9);
+}
+
+TEST(CouplingLimit, TakesAHandleOfWhichNothingIsKnownForLightAndFree)
+{
+  device::DeviceTraits unknown = forceDevice(1e-3);
+  unknown.handleDamping = 0.0;
+  unknown.handleMass = 0.0;
+  const CouplingLimit limit = couplingLimit(unknown, 1e-3);
+  EXPECT_EQ(limit.stiffness, couplingLimit(forceDevice(1e-3), 1e-3).stiffness);
+  EXPECT_EQ(limit.damping, couplingLimit(forceDevice(1e-3), 1e-3).damping);
+}
+
 // Measured with a handle of 90 g and 0.5 N.s/m at a wall, without damping by the host: peak to peak
 // at 441 N/m 0.012 mm through a wire of 30 us or of 0.15 ms a report, 0.55 mm through one of 0.98
 // ms, 21.8 mm where a force takes three such reports; there 100 N/m still gave 3.9 mm.
@@ -67,6 +90,9 @@ TEST(CouplingLimit, HoldsTheMakersBounds)
   traits.mostDamping = 1.5;
   EXPECT_EQ(couplingLimit(traits, 1e-3).stiffness, 400.0);
   EXPECT_EQ(couplingLimit(traits, 1e-3).damping, 1.5);
+  // a maker who promises more than the delay allows changes nothing
+  traits.mostStiffness = 5000.0;
+  EXPECT_NEAR(couplingLimit(traits, 1e-3).stiffness, 750.0, 1e-9);
 }
 
 TEST(CouplingLimit, SaysInWordsWhatIsAskedGivenAndWhy)

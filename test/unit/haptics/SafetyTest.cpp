@@ -67,6 +67,17 @@ TEST(Safety, TakesAForceThatIsNoNumberAsNone)
   }
 }
 
+TEST(Safety, TakesAForceOfWhichOneComponentIsNoNumberAsNone)
+{
+  for (int axis = 0; axis < 3; ++axis) {
+    Safety safety = shownFor({0.05, 0.0, 0.0});
+    Eigen::Vector3d wanted_D(0.1, 0.1, 0.1);
+    wanted_D[axis] = std::nan("");
+    std::uint32_t status = allWell;
+    EXPECT_EQ(safety.show(wanted_D, holding(), status), Eigen::Vector3d::Zero()) << axis;
+  }
+}
+
 TEST(Safety, NeverStepsByMoreThanTheSlewLimit)
 {
   const double mostStep = SafetyLimits{}.mostSlew * timeStep;
@@ -200,6 +211,33 @@ TEST(Safety, TakesTheLowerOfItsOwnAndTheDevicesGreatestForce)
   device.rendersForce = false;
   device.mostForce = 0.0;
   EXPECT_EQ(limitsFor({}, device).mostForce, 3.3);
+}
+
+TEST(Safety, KeepsItsOwnLimitsForADeviceThatTellsNone)
+{
+  device::DeviceTraits device;
+  device.rendersForce = true;
+  device.mostForce = 0.0;
+  device.workspaceRadius = 0.0;
+  SafetyLimits own;
+  own.reach = 0.2;
+  EXPECT_EQ(limitsFor(own, device).mostForce, own.mostForce);
+  EXPECT_EQ(limitsFor(own, device).reach, 0.2);
+  device.workspaceRadius = 0.08;
+  EXPECT_EQ(limitsFor(own, device).reach, 0.08);
+}
+
+TEST(Safety, MayBeToldToShowLessButNeverMore)
+{
+  const Eigen::Vector3d wanted_D(0.0, 5.0, 0.0);
+  for (const auto& [told, shown] :
+       {std::pair{1.0, 1.0}, {20.0, 3.3}, {0.0, 3.3}, {-1.0, 3.3}, {std::nan(""), 3.3}}) {
+    Safety safety({}, timeStep);
+    safety.lowerMostForce(told);
+    std::uint32_t status = allWell;
+    for (int i = 0; i < 1000; ++i) safety.show(wanted_D, holding(), status);
+    EXPECT_NEAR(safety.show(wanted_D, holding(), status).y(), shown, rounding) << told;
+  }
 }
 
 TEST(Safety, RefusesLimitsThatLimitNothing)

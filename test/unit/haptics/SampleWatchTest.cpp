@@ -93,6 +93,8 @@ TEST(SampleWatch, DoesNotBelieveNumbersNoHandCanMake)
   for (const std::array<double, 4>& bad : {std::array<double, 4>{0, 0, 0, 0},
                                            {std::nan(""), 0, 0, 1},
                                            {infinity, 0, 0, 0},
+                                           {0.3, 0.3, 0, 0},  // too short to be a rotation
+                                           {2, 2, 0, 0},      // too long
                                            {9, 9, 9, 9}}) {
     device::DeviceSample sample = samples.next(0.02);
     sample.rotation_D = bad;

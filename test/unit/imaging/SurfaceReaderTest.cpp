@@ -82,6 +82,17 @@ TEST_F(ReadSurface, RefusesCornersThatAreNotThere)
   }
 }
 
+TEST_F(ReadSurface, RefusesAnStlThatBeginsWithWordsAndGoesOnWithACount)
+{
+  // One byte beyond ASCII, and VTK takes it for binary: 1000 triangles, of which one is there.
+  std::string content = "solid facet \xff";
+  content.resize(80, ' ');
+  content += std::string("\xe8\x03\0\0", 4) + std::string(50, '\0');
+  const auto surface = read("words.stl", content);
+  ASSERT_FALSE(surface);
+  EXPECT_THAT(surface.error().message, testing::HasSubstr("not a whole .stl file"));
+}
+
 TEST_F(ReadSurface, NamesTheEndingsItReads)
 {
   const auto surface = read("a.obj", "v 0 0 0\n");

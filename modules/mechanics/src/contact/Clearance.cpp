@@ -104,22 +104,24 @@ void findBone(const InsertionModel& model, InsertionState& state) noexcept
   for (std::size_t i = 0; i < state.position_W.size(); ++i) {
     const Eigen::Vector3d from_W = state.position_W[i] - model.entry.origin_W;
     const double height = from_W.dot(model.entry.out_W);
-    // what is inside stays what it was when it passed the plane
-    if (height <= 0.0) continue;
-    state.isBeside[i] = 0;
-    if (height > farthestOutside) continue;
-    const double squared = from_W.squaredNorm() - height * height;
     const double radius = model.radius[i];
+    if (height > 0.0) state.isBeside[i] = 0;
+    // what is farther inside stays what it was when it passed the plane
+    if (state.isBeside[i] != 0 || height < -radius || height > farthestOutside) continue;
+    const bool isInside = height <= 0.0;
+    if (isInside && !(state.normalForce[i] > 0.0)) continue;
+    const double squared = from_W.squaredNorm() - height * height;
     if (squared < 4.0 * radius * radius) continue;
-    // the wall as the node would see it right behind the plane
+    // the wall as the node would see it, right behind the plane if it is still outside
     const Eigen::Vector3d behind_W =
-        state.position_W[i] - (height + justBehind) * model.entry.out_W;
+        state.position_W[i] - (std::max(height, 0.0) + justBehind) * model.entry.out_W;
     const anatomy::LumenTrack start = model.parts.lumen->startTrack();
-    anatomy::LumenTrack track = start;
+    anatomy::LumenTrack track = isInside ? state.track[i] : start;
     anatomy::WallPoint wall;
     model.parts.lumen->nearestWall({&behind_W, 1}, {&radius, 1}, {&track, 1}, {&wall, 1});
-    // the plane passes other turns of the duct, too
-    const bool isElsewhere = std::fabs(track.angle - start.angle) > farthestTurn;
+    // the plane passes other turns of the duct, too; before the first there is none
+    const double turned = track.angle - start.angle;
+    const bool isElsewhere = turned < -farthestTurn || (!isInside && turned > farthestTurn);
     if (isElsewhere || (wall.isNear && wall.distance < -radius)) state.isBeside[i] = 1;
   }
 }

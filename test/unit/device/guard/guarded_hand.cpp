@@ -7,13 +7,37 @@
 #include <cstdlib>
 #include <string>
 
-#include "GuardedProfile.h"
 #include "SocketPort.h"
 #include "perilymph/device/HidHand.h"
+#include "perilymph/test/DeviceProfiles.h"
 
 namespace {
 
 using namespace perilymph;
+
+/// A device of bare numbers that wants to be told when it is left.
+const std::string guarded = test::profileHead("vector") + R"(most_force_N = 3.0
+nominal_period_ms = 1.0
+reporting = "periodic"
+[mount]
+[input]
+report = 1
+bytes = 8
+bits = 16
+first_bits = [16, 32, 48]
+quantum_mm = [0.01, 0.01, 0.01]
+counter_bit = 0
+counter_bits = 16
+[output]
+report = 2
+bytes = 6
+bits = 16
+first_bits = [0, 16, 32]
+quantum_N = [0.001, 0.001, 0.001]
+[[on_close]]
+kind = "output"
+bytes = [9, 77]
+)";
 
 std::atomic<bool> isAsked{false};
 void ask(int) { isAsked = true; }
@@ -24,7 +48,7 @@ int main(int count, char** words)
 {
   if (count != 3) return 2;
   const std::string fault = words[2];
-  const auto profile = device::parseProfile(test::guardedProfile, "guarded");
+  const auto profile = device::parseProfile(guarded, "guarded");
   if (!profile) return std::fprintf(stderr, "%s\n", profile.error().message.c_str()), 1;
   auto codec = device::makeCodec(*profile, {});
   if (!codec) return std::fprintf(stderr, "%s\n", codec.error().message.c_str()), 1;

@@ -39,6 +39,12 @@ public:
   void plugIn();
   void holdWrites(bool isHeld);       ///< NAK: a write does not return until it is let go.
   void refuseWrites(bool isRefused);  ///< A write fails; the device is still there.
+  /// It stays off: the feature that turns actuators on or off fails.
+  void refuseActuators(bool isRefused);
+  /// No more handles than that can be opened, as where another program holds the device.
+  void openAtMost(int handles);
+  /// Called, with no lock, by whoever asks for a feature report; without it that fails.
+  void whenAsked(std::function<device::Transfer(device::RawReport&)> answer);
   /// Called, with no lock, by a read that would wait: time passes, perhaps a report comes.
   void whenWaiting(std::function<void(Duration)> passTime);
 

@@ -1,0 +1,84 @@
+// A library after years of use: ten thousand recordings in one folder.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "OddRecords.h"
+#include "perilymph/session/SessionLibrary.h"
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::session {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int days = 100, recordingsOfADay = 100;
+constexpr std::size_t all = days * recordingsOfADay;
+
+/// One day after the other; a month has 28.
+std::string startOf(int day)
+{
+  const auto two = [](int number) { return std::to_string(100 + number).substr(1); };
+  return "2010-" + two(1 + day / 28) + "-" + two(1 + day % 28) + "T09:30:00Z";
+}
+
+class TenThousandSessions : public testing::Test {
+protected:
+  /// One recording of each day is made, the others of it are copies.
+  void SetUp() override
+  {
+    for (int day = 0; day < days; ++day) {
+      RecordingFacts facts = test::someFacts();
+      facts.startedUtc = startOf(day);
+      const fs::path first = folder / (std::to_string(day) + "-0.insertion");
+      auto recording = Recording::create(first, facts);
+      ASSERT_TRUE(recording) << recording.error().message;
+      ASSERT_TRUE((*recording)->append(test::quietRecords(0, 20)));
+      ASSERT_TRUE((*recording)->close());
+      for (int copy = 1; copy < recordingsOfADay; ++copy)
+        fs::copy_file(first,
+                      folder / (std::to_string(day) + "-" + std::to_string(copy) + ".insertion"));
+    }
+  }
+
+  const test::TemporaryFolder folder;
+};
+
+TEST_F(TenThousandSessions, AreAllListedNewestFirstAndReadOnce)
+{
+  std::size_t told = 0;
+  const auto listed = listSessions(folder.path(), {}, [&told](std::size_t, std::size_t of) {
+    EXPECT_EQ(of, all);
+    return ++told > 0;
+  });
+  ASSERT_TRUE(listed) << listed.error().message;
+  ASSERT_EQ(listed->size(), all);
+  EXPECT_EQ(told, all);
+  EXPECT_TRUE(std::is_sorted(
+      listed->begin(), listed->end(),
+      [](const auto& one, const auto& other) { return one.startedUtc > other.startedUtc; }));
+  for (const SessionSummary& session : *listed) {
+    ASSERT_EQ(session.trouble, "") << session.file;
+    ASSERT_EQ(session.highlights.ticks, 20u) << session.file;
+  }
+
+  // Whoever opened one again would find no recording in it.
+  for (const SessionSummary& session : *listed) {
+    const auto time = fs::last_write_time(session.file);
+    std::ofstream(session.file, std::ios::binary | std::ios::in) << std::string(100, 'x');
+    fs::last_write_time(session.file, time);
+  }
+  const auto again = listSessions(folder.path());
+  ASSERT_TRUE(again) << again.error().message;
+  ASSERT_EQ(again->size(), all);
+  EXPECT_THAT(*again, testing::Each(testing::Field(&SessionSummary::trouble, "")));
+}
+
+}  // namespace
+}  // namespace perilymph::session

@@ -1,0 +1,315 @@
+// What goes wrong with a HID device before and while it is the hand, and hands that have to be
+// asked. As in HidHandTest.cpp, time stands still unless a test lets it pass.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <memory>
+#include <thread>
+
+#include "perilymph/device/HidHand.h"
+#include "perilymph/test/FakeHid.h"
+
+namespace perilymph::device {
+namespace {
+
+using test::FakeHid;
+using test::FakeReport;
+using testing::HasSubstr;
+
+constexpr std::int64_t millisecond = 1'000'000;  // [ns]
+
+std::atomic<std::int64_t> now{0};
+std::int64_t clockOfTheTest() noexcept { return now; }
+
+template <class Claim>
+void waitUntil(Claim holds)
+{
+  while (!holds()) std::this_thread::yield();
+}
+
+constexpr Wrench pushing(double newtons) { return Wrench{{newtons, 0.0, 0.0}, {}}; }
+
+class TroubledHidHand : public testing::Test {
+protected:
+  TroubledHidHand() { now = 1000 * millisecond; }
+
+  HidHand& handOf(const DeviceTraits& traits)
+  {
+    hand_ = std::make_unique<HidHand>(traits, std::make_unique<test::FakeCodec>(), hid.port(),
+                                      clockOfTheTest);
+    return *hand_;
+  }
+  /// The device reports once whenever somebody waits for it, so much later.
+  void reportEvery(std::int64_t time)
+  {
+    hid.whenWaiting([this, time](Duration) {
+      now += time;
+      hid.send(next());
+    });
+  }
+  FakeReport next()
+  {
+    FakeReport report;
+    report.counter = ++counter_;
+    report.place_10um[0] = static_cast<std::int16_t>(counter_);
+    return report;
+  }
+  bool hasShownAForce() const
+  {
+    for (const auto& force : hid.forces())
+      if (force[0] != 0.0) return true;
+    return false;
+  }
+
+  FakeHid hid;
+
+private:
+  std::uint16_t counter_ = 0;
+  std::unique_ptr<HidHand> hand_;
+};
+
+TEST_F(TroubledHidHand, SaysThatTheDeviceIsSilentOnceATenthOfASecondPassed)
+{
+  reportEvery(millisecond);
+  HidHand& hand = handOf(test::fakeTraits());
+  ASSERT_TRUE(hand.open());
+  hand.read();
+  hid.send(next());
+  hand.read();
+  EXPECT_EQ(hand.health()->trouble, "");
+  now += 250 * millisecond;
+  hand.read();
+  EXPECT_THAT(hand.health()->trouble, HasSubstr("has sent nothing for 0.25 s. The force is off."));
+}
+
+TEST_F(TroubledHidHand, HasNoHealthAndCannotBeWaitedForWhileItIsClosed)
+{
+  HidHand& hand = handOf(test::fakeTraits());
+  EXPECT_FALSE(hand.health());
+  EXPECT_EQ(hand.await(Duration::fromSi(1e-3)), Awaited::cannot);
+  reportEvery(millisecond);
+  ASSERT_TRUE(hand.open());
+  // nobody has taken up the handle yet
+  EXPECT_EQ(hand.await(Duration::fromSi(1e-3)), Awaited::cannot);
+}
+
+TEST_F(TroubledHidHand, ThatReportsOnlyChangesIsNoClock)
+{
+  DeviceTraits traits = test::fakeTraits();
+  traits.rendersForce = false;
+  traits.reporting = Reporting::onChange;
+  HidHand& hand = handOf(traits);
+  ASSERT_TRUE(hand.open());
+  hand.read();
+  EXPECT_EQ(hand.await(Duration::fromSi(1e-3)), Awaited::cannot);
+}
+
+TEST_F(TroubledHidHand, IsNotOpenedToBeReadWhereItCannotBeWritten)
+{
+  hid.openAtMost(1);
+  const auto opened = handOf(test::fakeTraits()).open();
+  ASSERT_FALSE(opened);
+  EXPECT_EQ(opened.error().message, "The fake device is held by another.");
+}
+
+TEST_F(TroubledHidHand, IsNotOpenedWhereItsActuatorsStayOff)
+{
+  hid.refuseActuators(true);
+  HidHand& hand = handOf(test::fakeTraits());
+  const auto opened = hand.open();
+  ASSERT_FALSE(opened);
+  EXPECT_THAT(opened.error().message, HasSubstr("does not turn its actuators on"));
+  EXPECT_EQ(hand.read().isValid, 0u);
+}
+
+TEST_F(TroubledHidHand, WithoutAReportWhileItIsOpenedKeepsTheProfilesPeriod)
+{
+  hid.whenWaiting([](Duration time) { now += std::int64_t(time.si() * 1e9); });
+  HidHand& hand = handOf(test::fakeTraits());
+  ASSERT_TRUE(hand.open());
+  EXPECT_FALSE(hand.health()->isPeriodMeasured);
+  EXPECT_EQ(hand.traits().nominalPeriod, 1e-3);
+}
+
+TEST_F(TroubledHidHand, WhosePeriodIsFarFromTheProfilesIsNotBelieved)
+{
+  for (const std::int64_t period : {3 * millisecond, 3 * millisecond / 10, std::int64_t{0}}) {
+    reportEvery(period);
+    HidHand& hand = handOf(test::fakeTraits());
+    ASSERT_TRUE(hand.open());
+    EXPECT_FALSE(hand.health()->isPeriodMeasured) << period;
+    EXPECT_EQ(hand.traits().nominalPeriod, 1e-3) << period;
+    hand.close();
+  }
+}
+
+TEST_F(TroubledHidHand, PulledOutWhileItIsOpenedIsInvalid)
+{
+  hid.whenWaiting([this](Duration) { hid.unplug(); });
+  HidHand& hand = handOf(test::fakeTraits());
+  ASSERT_TRUE(hand.open());
+  EXPECT_EQ(hand.read().isValid, 0u);
+}
+
+TEST_F(TroubledHidHand, ThatTakesNoReportWhileItIsOpenedHasNoWayMeasured)
+{
+  hid.refuseWrites(true);
+  reportEvery(millisecond);
+  DeviceTraits traits = test::fakeTraits();
+  for (const Reporting reporting : {Reporting::periodic, Reporting::onWrite}) {
+    traits.reporting = reporting;
+    HidHand& hand = handOf(traits);
+    ASSERT_TRUE(hand.open());
+    EXPECT_FALSE(hand.health()->isRoundTripMeasured);
+    EXPECT_EQ(hand.traits().transportDelay, 0.0);
+    hand.close();
+  }
+}
+
+TEST_F(TroubledHidHand, ThatAnswersWithoutAForceOfItsOwnIsWrittenToAllTheSame)
+{
+  reportEvery(millisecond);
+  DeviceTraits traits = test::fakeTraits();
+  traits.rendersForce = false;
+  traits.reporting = Reporting::onWrite;
+  HidHand& hand = handOf(traits);
+  ASSERT_TRUE(hand.open());
+  const std::size_t before = hid.written().size();
+  waitUntil([&] {
+    hand.read();
+    hand.write(pushing(1.0));
+    return hid.written().size() > before;
+  });
+  EXPECT_FALSE(hasShownAForce());
+}
+
+TEST_F(TroubledHidHand, IsFreshUntilItIsRead)
+{
+  reportEvery(millisecond);
+  HidHand& hand = handOf(test::fakeTraits());
+  ASSERT_TRUE(hand.open());
+  hand.read();
+  EXPECT_EQ(hand.await(Duration::fromSi(2e-3)), Awaited::fresh);
+  const std::int64_t then = now;
+  EXPECT_EQ(hand.await(Duration::fromSi(2e-3)), Awaited::fresh);
+  EXPECT_EQ(now, then);  // without waiting
+}
+
+TEST_F(TroubledHidHand, IsToldZeroAgainUntilItTakesIt)
+{
+  reportEvery(millisecond);
+  HidHand& hand = handOf(test::fakeTraits());
+  ASSERT_TRUE(hand.open());
+  hand.read();
+  hid.send(next());
+  hand.read();
+  hand.write(pushing(0.5));
+  waitUntil([this] { return hasShownAForce(); });
+  // The loop falls silent, and the device refuses the zero that follows from it.
+  hid.refuseWrites(true);
+  now += 100 * millisecond;
+  waitUntil([&hand] {
+    now += millisecond;
+    hand.read();
+    return hand.health()->isBlocked;
+  });
+  hid.refuseWrites(false);
+  waitUntil([this] { return hid.forces().back()[0] == 0.0; });
+}
+
+TEST_F(TroubledHidHand, ThatShouldAnswerButDoesNotHasNoWayMeasured)
+{
+  DeviceTraits traits = test::fakeTraits();
+  hid.whenWaiting([](Duration time) { now += std::int64_t(time.si() * 1e9); });
+  for (const Reporting reporting : {Reporting::onWrite, Reporting::polled}) {
+    traits.reporting = reporting;
+    HidHand& hand = handOf(traits);
+    ASSERT_TRUE(hand.open());
+    EXPECT_FALSE(hand.health()->isRoundTripMeasured);
+    hand.close();
+  }
+}
+
+/// A device that says nothing by itself: it is asked for feature report 4.
+class PolledHidHand : public TroubledHidHand {
+protected:
+  PolledHidHand()
+  {
+    traits.reporting = Reporting::polled;
+    traits.polledReport = 4;
+    hid.whenAsked([this](RawReport& report) {
+      EXPECT_EQ(report.bytes[0], 4);
+      now += answerTime;
+      if (!answers) return Transfer::failed;
+      report = next().raw();
+      return Transfer::done;
+    });
+  }
+
+  DeviceTraits traits = test::fakeTraits();
+  std::atomic<bool> answers{true};
+  std::int64_t answerTime = 200'000;  // [ns]
+};
+
+TEST_F(PolledHidHand, TellsItsPlaceAndHowLongAnAnswerTakes)
+{
+  HidHand& hand = handOf(traits);
+  ASSERT_TRUE(hand.open());
+  EXPECT_TRUE(hand.health()->isRoundTripMeasured);
+  EXPECT_NEAR(hand.health()->roundTrip, 200e-6, 0.032 * 200e-6);  // a bin of the histogram
+  waitUntil([&hand] { return hand.read().sequence > 2; });
+  const DeviceSample before = hand.read();
+  EXPECT_EQ(before.isValid, 1u);
+  waitUntil([&hand, &before] { return hand.read().sequence > before.sequence; });
+  EXPECT_GT(hand.read().position_D[0], before.position_D[0]);
+}
+
+TEST_F(PolledHidHand, ThatIsSlowIsMeasuredAllTheSame)
+{
+  answerTime = 20 * millisecond;
+  HidHand& hand = handOf(traits);
+  ASSERT_TRUE(hand.open());
+  EXPECT_NEAR(hand.health()->roundTrip, 20e-3, 0.032 * 20e-3);
+}
+
+TEST_F(PolledHidHand, FeelsAForceWhileItAnswersAndNoneAfterwards)
+{
+  HidHand& hand = handOf(traits);
+  ASSERT_TRUE(hand.open());
+  waitUntil([&] {
+    hand.read();
+    hand.write(pushing(0.25));
+    return hasShownAForce();
+  });
+  answers = false;
+  waitUntil([&] {
+    hand.read();
+    hand.write(pushing(0.25));
+    return hid.forces().back()[0] == 0.0;
+  });
+}
+
+TEST_F(PolledHidHand, PulledOutWhileItIsAskedIsInvalid)
+{
+  HidHand& hand = handOf(traits);
+  ASSERT_TRUE(hand.open());
+  waitUntil([&hand] { return hand.read().isValid == 1; });
+  hid.unplug();
+  waitUntil([&hand] { return hand.read().isValid == 0; });
+}
+
+TEST_F(PolledHidHand, WithoutAForceIsAskedAllTheSame)
+{
+  traits.rendersForce = false;
+  HidHand& hand = handOf(traits);
+  ASSERT_TRUE(hand.open());
+  waitUntil([&hand] { return hand.read().sequence > 2; });
+  hand.write(pushing(1.0));
+  hand.close();
+  EXPECT_FALSE(hasShownAForce());
+}
+
+}  // namespace
+}  // namespace perilymph::device

@@ -1003,6 +1003,21 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::ForceSound</name>
+    <message>
+        <source>no sound output was found</source>
+        <translation>keine Tonausgabe gefunden</translation>
+    </message>
+    <message>
+        <source>the sound output does not take 16 bit at 44.1 kHz</source>
+        <translation>die Tonausgabe nimmt keine 16 Bit bei 44,1 kHz</translation>
+    </message>
+    <message>
+        <source>this build was made without sound</source>
+        <translation>ohne Ton gebaut</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::ForceWords</name>
     <message>
         <source>below the %1 mN that surgeons feel</source>
@@ -2815,6 +2830,26 @@
     <message>
         <source>The picture for two eyes through the display’s two buffers, without words on it; Esc closes it.</source>
         <translation>Das Bild für zwei Augen über die zwei Puffer der Anzeige, ohne Schrift darauf; Esc schließt es.</translation>
+    </message>
+    <message>
+        <source>SOUND</source>
+        <translation>TON</translation>
+    </message>
+    <message>
+        <source>looking for a sound output</source>
+        <translation>Tonausgabe wird gesucht</translation>
+    </message>
+    <message>
+        <source>Hear the force: an octave for each 100 mN</source>
+        <translation>Die Kraft hören: eine Oktave je 100 mN</translation>
+    </message>
+    <message>
+        <source>Hear the force: %1</source>
+        <translation>Die Kraft hören: %1</translation>
+    </message>
+    <message>
+        <source>A tone while the force on the hand is 5 mN or more: 220 Hz at no force, an octave higher for each 100 mN.</source>
+        <translation>Ein Ton, solange die Kraft an der Hand mindestens 5 mN ist: 220 Hz ohne Kraft, je 100 mN eine Oktave höher.</translation>
     </message>
 </context>
 </TS>

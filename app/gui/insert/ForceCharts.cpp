@@ -34,6 +34,7 @@ QVTKOpenGLNativeWidget* ForceCharts::chartView(QWidget* parent)
   view->setFocusPolicy(Qt::NoFocus);
   view->setAttribute(Qt::WA_TransparentForMouseEvents);
   view->setAttribute(Qt::WA_AcceptTouchEvents, false);
+  view->setEnableHiDPI(false);  // charts scale their words themselves; VTK would do so once more
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   window->SetMultiSamples(0);
   view->setRenderWindow(window);

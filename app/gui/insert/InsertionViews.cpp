@@ -2,6 +2,7 @@
 
 #include "FlatViews.h"
 #include "ForceCharts.h"
+#include "ForceSound.h"
 #include "FrameMeter.h"
 #include "OperationView.h"
 #include "Pane.h"
@@ -51,7 +52,8 @@ InsertionViews::InsertionViews(QWidget* parent)
       operation_(new OperationView(this)),
       charts_(new ForceCharts(this)),
       flat_(new FlatViews(this)),
-      menu_(new ViewMenu(operation_))
+      menu_(new ViewMenu(operation_)),
+      sound_(new ForceSound(this))
 {
   add(PaneRole::picture, operation_);
   add(PaneRole::travel, charts_->overTravel());
@@ -86,6 +88,9 @@ void InsertionViews::connectParts()
   connect(menu_, &ViewMenu::arrangementChosen, this, &PaneArea::setArrangement);
   connect(menu_, &ViewMenu::stereoChosen, this, &InsertionViews::setStereo);
   connect(menu_, &ViewMenu::qualityChosen, this, &InsertionViews::chooseQuality);
+  connect(menu_, &ViewMenu::opened, sound_, &ForceSound::ask);
+  connect(menu_, &ViewMenu::soundChosen, sound_, &ForceSound::setOn);
+  connect(sound_, &ForceSound::known, menu_, &ViewMenu::offerSound);
   menu_->setArrangement(arrangement());
   menu_->setStereo(visualization::Stereo::off);
   menu_->setQuality(std::nullopt);
@@ -208,6 +213,8 @@ void InsertionViews::showSlowly(const haptics::Snapshot& now)
 {
   shown_ = now;
   flat_->show(now);
+  if (now.output.workflow == haptics::Workflow::inserting)
+    sound_->show(Force::fromSi(now.output.axialForce));
 }
 
 QSize InsertionViews::minimumSizeHint() const

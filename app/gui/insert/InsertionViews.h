@@ -14,6 +14,7 @@
 namespace perilymph::gui {
 
 class FlatViews;
+class ForceSound;
 class ForceCharts;
 class FrameMeter;
 class OperationView;
@@ -74,6 +75,7 @@ private:
   ForceCharts* charts_;
   FlatViews* flat_;
   ViewMenu* menu_;
+  ForceSound* sound_;
   QualityPilot pilot_;
   bool hasQuadBuffers_ = false;
   std::unique_ptr<StereoWindow> twin_;

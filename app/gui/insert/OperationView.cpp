@@ -6,13 +6,12 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 
-#include <QEvent>
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMouseEvent>
 #include <QVBoxLayout>
-#include <cmath>
+#include <QVariant>
+#include <algorithm>
 
 #include "ForceWords.h"
 #include "Numbers.h"
@@ -27,9 +26,6 @@ namespace perilymph::gui {
 namespace {
 
 using visualization::CameraPreset;
-
-// A drag over the whole height of the picture turns the model half around.
-constexpr double turnPerHeight_deg = 180.0;
 
 // What the view writes below the scale bars: two labels and the phase line.
 constexpr int footHeight_px = 100;
@@ -63,6 +59,7 @@ OperationView::OperationView(QWidget* parent)
   setObjectName(QStringLiteral("operationView"));
   setFocusPolicy(Qt::NoFocus);
   setAttribute(Qt::WA_AcceptTouchEvents, false);  // VTK 9.1 would see each touch twice
+  setEnableHiDPI(false);  // the scene scales its words itself; VTK would do so once more
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   window->SetMultiSamples(0);
   setRenderWindow(window);
@@ -293,7 +290,7 @@ void OperationView::placeHint()
   int lift = 0;
   if (words <= beside.width()) {
     const int left = std::clamp((width() - words) / 2, beside.left(), beside.right() - words + 1);
-    const int height = hint_->sizeHint().height();
+    const int height = magnification_->sizeHint().height();
     hint_->setGeometry(left, beside.center().y() - height / 2, words, height);
   } else if (isSeen) {
     viewName_->setVisible(true);
@@ -322,51 +319,6 @@ void OperationView::resizeEvent(QResizeEvent* event)
   QVTKOpenGLNativeWidget::resizeEvent(event);
   placeHint();
   isDirty_ = true;
-}
-
-bool OperationView::event(QEvent* event)
-{
-  switch (event->type()) {
-    case QEvent::MouseButtonPress:
-    case QEvent::MouseButtonRelease:
-    case QEvent::MouseButtonDblClick:
-    case QEvent::MouseMove:
-    case QEvent::Wheel:
-      return QOpenGLWidget::event(event);  // past VTK, which would take them
-    default:
-      return QVTKOpenGLNativeWidget::event(event);
-  }
-}
-
-void OperationView::mousePressEvent(QMouseEvent* event)
-{
-  mouse_ = event->pos();
-  event->accept();
-}
-
-void OperationView::mouseMoveEvent(QMouseEvent* event)
-{
-  const QPoint moved = event->pos() - mouse_;
-  mouse_ = event->pos();
-  const double right = double(moved.x()) / height();
-  const double down = double(moved.y()) / height();
-  const bool isShift = (event->modifiers() & Qt::ShiftModifier) != 0;
-  if ((event->buttons() & Qt::MiddleButton) != 0 ||
-      ((event->buttons() & Qt::LeftButton) != 0 && isShift))
-    moveModel(right, -down);
-  else if ((event->buttons() & Qt::LeftButton) != 0)
-    turnModel(right * turnPerHeight_deg, down * turnPerHeight_deg, 0.0);
-  else if ((event->buttons() & Qt::RightButton) != 0)
-    zoom(std::exp(-2.0 * down));
-  event->accept();
-}
-
-void OperationView::mouseReleaseEvent(QMouseEvent* event) { event->accept(); }
-
-void OperationView::mouseDoubleClickEvent(QMouseEvent* event)
-{
-  event->accept();
-  if (event->button() == Qt::LeftButton) Q_EMIT maximizeAsked();
 }
 
 }  // namespace perilymph::gui

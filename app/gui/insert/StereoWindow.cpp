@@ -23,6 +23,7 @@ StereoWindow::StereoWindow(QObject* parent) : QObject(parent)
   window_->setFormat(format);
   window_->setTitle(tr("Perilymph, for two eyes"));
   window_->resize(960, 720);
+  window_->setEnableHiDPI(false);  // the scene scales its words itself
   if (window_->interactor() != nullptr) window_->interactor()->SetInteractorStyle(nullptr);
   window_->installEventFilter(this);
 }

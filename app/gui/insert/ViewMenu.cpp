@@ -105,7 +105,33 @@ ViewMenu::ViewMenu(QWidget* parent) : QToolButton(parent)
     connect(qualities_.back(), &QAction::triggered, this,
             [this, quality = one.quality] { Q_EMIT qualityChosen(quality); });
   }
+  addSound(*menu);
+  connect(menu, &QMenu::aboutToShow, this, &ViewMenu::opened);
   setMenu(menu);
+}
+
+void ViewMenu::addSound(QMenu& menu)
+{
+  menu.addSeparator();
+  section(menu, tr("SOUND"));
+  sound_ = menu.addAction(QString());
+  sound_->setObjectName(QStringLiteral("soundOfForce"));
+  sound_->setCheckable(true);
+  connect(sound_, &QAction::triggered, this, &ViewMenu::soundChosen);
+  offerSound(tr("looking for a sound output"));
+}
+
+void ViewMenu::offerSound(const QString& trouble)
+{
+  sound_->setEnabled(trouble.isEmpty());
+  if (!trouble.isEmpty()) sound_->setChecked(false);
+  sound_->setText(trouble.isEmpty() ? tr("Hear the force: an octave for each 100 mN")
+                                    : tr("Hear the force: %1").arg(trouble));
+  sound_->setToolTip(
+      trouble.isEmpty()
+          ? tr("A tone while the force on the hand is 5 mN or more: 220 Hz at no force, an octave "
+               "higher for each 100 mN.")
+          : trouble);
 }
 
 QAction* ViewMenu::addChoice(QMenu& menu, QActionGroup& group, const QString& text,

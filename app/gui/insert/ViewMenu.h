@@ -31,8 +31,13 @@ public:
   void setQuality(QualityChoice quality);
   /// Quad-buffered stereo cannot be chosen here because of this; with no trouble it can.
   void offerQuadBuffered(const QString& trouble);
+  /// The force cannot be heard here because of this; with no trouble it can.
+  void offerSound(const QString& trouble);
 
 Q_SIGNALS:
+  /// The menu opens: now is the time to ask what is there.
+  void opened();
+  void soundChosen(bool isOn);
   void presetChosen(perilymph::visualization::CameraPreset preset);
   void arrangementChosen(perilymph::gui::PaneLayout layout);
   void stereoChosen(perilymph::visualization::Stereo stereo);
@@ -43,6 +48,9 @@ private:
   QAction* addChoice(QMenu& menu, QActionGroup& group, const QString& text, const QString& key,
                      const char* name);
 
+  void addSound(QMenu& menu);
+
+  QAction* sound_ = nullptr;
   std::vector<QAction*> presets_, layouts_, stereos_, qualities_;
 };
 

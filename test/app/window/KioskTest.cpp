@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "KioskWindow.h"
+#include "Picture.h"
 #include "PushPad.h"
 #include "WindowRig.h"
 #include "perilymph/test/TemporaryFolder.h"
@@ -204,6 +205,33 @@ TEST_F(Booth, EveryTargetIsAsHighAsAFingerNeeds)
     EXPECT_GE(window_->findChild<QAbstractButton*>(QLatin1String(name))->height(), least_px)
         << name;
   EXPECT_GE(pad().height(), least_px);
+}
+
+/// As tests of pictures hold one, its lowest row first.
+DrawnPicture drawn(const QImage& image)
+{
+  const QImage rgb = image.convertToFormat(QImage::Format_RGB888);
+  DrawnPicture picture{rgb.width(), rgb.height(), {}};
+  for (int y = rgb.height() - 1; y >= 0; --y)
+    picture.rgb.insert(picture.rgb.end(), rgb.constScanLine(y),
+                       rgb.constScanLine(y) + 3 * rgb.width());
+  return picture;
+}
+
+TEST_F(Booth, InvitesAsAccepted)
+{
+  // at rest: an array on its way would be somewhere else each time
+  open({{"stop_travel_mm", "2.0"}, {"speed_mm_s", "10.0"}});
+  ASSERT_TRUE(WindowRig::comes([&] { return window_->control().isAtDepth(); }));
+  QImage before, now;
+  ASSERT_TRUE(WindowRig::comes([&] {
+    before = now;
+    if (!framesPass()) return false;
+    now = window_->grab().toImage();
+    return now == before;
+  }));
+  ASSERT_EQ(now.size(), QSize(1280, 800));
+  EXPECT_EQ(comparedWithAccepted(drawn(now), "kiosk"), "");
 }
 
 gui::KioskEntry entry(int minute, double peak_mN) { return {QTime(14, minute), peak_mN, 9.0, 0}; }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <QVTKOpenGLNativeWidget.h>
+
 #include <QLabel>
 
 #include "ForceWords.h"
@@ -53,6 +55,15 @@ TEST(WindowLook, TheCaptionOfTheForceSaysWhatItIs)
   WindowRig rig;
   EXPECT_EQ(rig.window().findChild<gui::ReadOut*>("forceReadOut")->caption(), "force on the hand");
   EXPECT_TRUE(rig.window().findChild<gui::ForceWords*>()->handWords().contains("20 mN"));
+}
+
+TEST(WindowLook, WordsOfPictureAndChartsAreScaledOnceOnAScreenOfManyPixels)
+{
+  WindowRig rig;
+  const auto views = rig.window().findChildren<QVTKOpenGLNativeWidget*>();
+  EXPECT_EQ(views.size(), 3);
+  // scenes and charts are told the ratio of pixels; VTK's own scaling comes on top of it
+  for (const QVTKOpenGLNativeWidget* view : views) EXPECT_FALSE(view->enableHiDPI());
 }
 
 TEST(WindowLook, SaysWhatItIsNot)

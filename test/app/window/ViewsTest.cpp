@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QMenu>
 #include <QTest>
 
 #include "Display.h"
@@ -10,6 +11,7 @@
 #include "Pane.h"
 #include "Settings.h"
 #include "StereoWindow.h"
+#include "ViewMenu.h"
 #include "WindowRig.h"
 
 namespace perilymph::test {
@@ -168,6 +170,30 @@ TEST_F(Views, StereoIsOffOnceItsWindowIsClosed)
   rig.window().views().stereoWindow()->close();
   EXPECT_TRUE(WindowRig::comes([&] { return rig.window().view().stereo() == Stereo::off; }));
   EXPECT_EQ(rig.window().views().stereoWindow(), nullptr);
+}
+
+TEST_F(Views, TheForceIsSilentUntilAskedForAndGreyWithItsReasonWhereNothingCanSound)
+{
+  WindowRig rig;
+  auto& menu = *rig.window().findChild<gui::ViewMenu*>();
+  QAction& sound = entry(rig, "soundOfForce");
+  EXPECT_FALSE(sound.isChecked());
+  menu.offerSound("no speaker");
+  EXPECT_FALSE(sound.isEnabled());
+  EXPECT_TRUE(sound.text().contains("no speaker"));
+  menu.offerSound({});
+  EXPECT_TRUE(sound.isEnabled());
+  EXPECT_FALSE(sound.isChecked());
+  EXPECT_TRUE(sound.toolTip().contains("220 Hz"));
+}
+
+TEST_F(Views, OpeningTheMenuFindsOutWhetherTheForceCanBeHeardHere)
+{
+  WindowRig rig;
+  const QAction& sound = entry(rig, "soundOfForce");
+  const QString looking = sound.text();
+  Q_EMIT rig.window().findChild<gui::ViewMenu*>()->menu()->aboutToShow();
+  EXPECT_TRUE(WindowRig::comes([&] { return sound.text() != looking; }));
 }
 
 TEST_F(Views, TheMenuChoosesWhatTheKeysChoose)

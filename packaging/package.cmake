@@ -49,7 +49,8 @@ foreach(document IN LISTS documents)
   get_filename_component(place "${document}" DIRECTORY)
   install(FILES "${document}" DESTINATION "${share}/doc/perilymph/${place}" COMPONENT program)
 endforeach()
-install(DIRECTORY resources/pictures resources/guide DESTINATION "${share}/doc/perilymph/resources" COMPONENT program)
+install(DIRECTORY resources/pictures resources/guide DESTINATION "${share}/doc/perilymph/resources" COMPONENT program
+  PATTERN make-pictures EXCLUDE)
 
 # What a device plug-in is built with.
 set(sdk "${CMAKE_INSTALL_DATADIR}/cmake/Perilymph")

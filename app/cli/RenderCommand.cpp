@@ -8,6 +8,8 @@
 
 #include "Interruption.h"
 #include "OutputFile.h"
+#include "perilymph/charts/FigurePicture.h"
+#include "perilymph/charts/UnrolledScala.h"
 #include "perilymph/device/ScriptedHand.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/session/Insertion.h"
@@ -19,8 +21,11 @@ namespace {
 
 using visualization::CameraPreset;
 
+constexpr auto unrolledView = "unrolled";
+
 Result<CameraPreset> presetOf(const std::string& view)
 {
+  if (view == unrolledView) return CameraPreset::surgeon;  // not asked: the view is flat
   constexpr std::array<std::pair<const char*, CameraPreset>, 4> views = {
       {{"surgeon", CameraPreset::surgeon},
        {"microscope", CameraPreset::microscope},
@@ -29,12 +34,25 @@ Result<CameraPreset> presetOf(const std::string& view)
   for (const auto& [name, preset] : views)
     if (view == name) return preset;
   return Error{"--view " + view +
-               " is not in this version; use surgeon, microscope, overview or section."};
+               " is not known; use surgeon, microscope, overview, section or unrolled."};
 }
 
-Result<Done> draw(visualization::PictureRequest request)
+/// The scala rolled out: no display is needed for it.
+Result<Done> drawUnrolled(const visualization::PictureRequest& request)
 {
-  const auto done = visualization::renderPicture(request);
+  constexpr double width = 480.0, height = 320.0;  // at three pixels a point 1440 x 960
+  if (request.file.extension() != ".png")
+    return Error{"The picture " + request.file.string() + " must end in .png."};
+  charts::ArrayInScala array(*request.scala, request.array.value_or(electrode::ArrayDesign{}));
+  if (request.now != nullptr) array.follow(*request.now);
+  return charts::writePicture(charts::UnrolledScala(*request.scala).drawPage(array, width, height),
+                              request.file);
+}
+
+Result<Done> draw(const RenderOptions& options, visualization::PictureRequest request)
+{
+  const auto done =
+      options.view == unrolledView ? drawUnrolled(request) : visualization::renderPicture(request);
   if (done) std::printf("Wrote %s\n", request.file.c_str());
   return done;
 }
@@ -60,7 +78,7 @@ Result<Done> drawAnatomy(const RenderOptions& options, visualization::PictureReq
   if (!scala) return scala.error();
   request.scala = *scala;
   request.side = scenario.patient.side;
-  return draw(std::move(request));
+  return draw(options, std::move(request));
 }
 
 /// The array in its cochlea, pushed in to a travel in virtual time.
@@ -91,7 +109,7 @@ Result<Done> drawInsertion(const RenderOptions& options, visualization::PictureR
   request.side = scenario->patient.side;
   request.array = scenario->array;
   request.now = &(*insertion)->latest();
-  return draw(std::move(request));
+  return draw(options, std::move(request));
 }
 
 }  // namespace

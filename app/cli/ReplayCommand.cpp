@@ -5,6 +5,7 @@
 #include "Commands.h"
 #include "Interruption.h"
 #include "OutputFile.h"
+#include "Printable.h"
 #include "perilymph/analysis/ForceProfile.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/session/Csv.h"
@@ -44,8 +45,9 @@ Result<Done> printContent(const session::RecordedInsertion& recorded)
   if (!read) return read.error();
   const session::RecordingFacts& facts = recorded.facts();
   const analysis::ForceProfile profile = profiler.profile();
-  std::printf("%s, recorded %s by %s (%s)\n", facts.scenarioName.c_str(), facts.startedUtc.c_str(),
-              facts.buildId.c_str(), facts.device.c_str());
+  std::printf("%s, recorded %s by %s (%s)\n", printable(facts.scenarioName).c_str(),
+              printable(facts.startedUtc).c_str(), printable(facts.buildId).c_str(),
+              printable(facts.device).c_str());
   std::printf("%-18s %llu, lost %llu, %s\n", "ticks",
               static_cast<unsigned long long>(profile.ticks),
               static_cast<unsigned long long>(recorded.lostRecords()),
@@ -62,7 +64,7 @@ Result<Done> verifyBits(const std::string& file)
 {
   const auto verification = session::verify(file);
   if (!verification) return verification.error();
-  for (const std::string& note : verification->notes) std::printf("%s\n", note.c_str());
+  for (const std::string& note : verification->notes) std::printf("%s\n", printable(note).c_str());
   if (verification->isIdentical) {
     std::printf("%llu ticks replayed, every bit the same.\n",
                 static_cast<unsigned long long>(verification->ticksCompared));
@@ -87,7 +89,7 @@ Result<Done> replay(const ReplayOptions& options)
   const auto recorded = session::RecordedInsertion::open(options.file);
   if (!recorded) return recorded.error();
   watchForInterruption();
-  if (!recorded->note().empty()) std::fprintf(stderr, "%s\n", recorded->note().c_str());
+  if (!recorded->note().empty()) std::fprintf(stderr, "%s\n", printable(recorded->note()).c_str());
   if (!options.csv.empty())
     if (const auto done = writeRows(*recorded, options.csv); !done) return done.error();
   if (options.verifies) return verifyBits(options.file);

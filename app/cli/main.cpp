@@ -176,7 +176,7 @@ void addRender(CLI::App& app, RenderOptions& options)
   preset->excludes(scenario)->excludes(patient);
   command.add_option("--array", options.array, "An electrode array")->needs(scenario);
   command.add_option("--at-mm", options.at_mm, "Travel to draw the array at")->needs(scenario);
-  command.add_option("--view", options.view, "surgeon, microscope, overview or section")
+  command.add_option("--view", options.view, "surgeon, microscope, overview, section or unrolled")
       ->check(CLI::IsMember({"surgeon", "microscope", "overview", "section", "unrolled"}));
   command.add_option("--out", options.out, "The picture, .png")->required();
   command.callback([&options] {

@@ -88,7 +88,7 @@ WindowEnd runWindow(gui::Application& application, const Beginning& beginning)
   gui::arrangeErrands(window, options);
   window.views().drawBy(gui::openGlRenderer(),
                         options.quality ? gui::qualityNamed(*options.quality) : std::nullopt);
-  window.views().refuseQuadBuffered(gui::quadBufferedTrouble());
+  window.views().offerQuadBuffered(gui::quadBufferedTrouble(gui::hasStereoBuffers()));
   gui::offerInterrupted(window, beginning.interrupted);
   QObject::connect(&window, &gui::MainWindow::recordingChanged, &window,
                    [&window, &mark] { mark.setRecording(window.control().recording()); });

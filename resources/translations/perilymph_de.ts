@@ -7,10 +7,6 @@
         <source>this display has no buffers for two eyes</source>
         <translation>dieser Bildschirm hat keine Puffer für zwei Augen</translation>
     </message>
-    <message>
-        <source>this window draws into a buffer of its own, for one eye</source>
-        <translation>dieses Fenster zeichnet in einen eigenen Puffer, für ein Auge</translation>
-    </message>
 </context>
 <context>
     <name>KioskTurn</name>
@@ -301,7 +297,7 @@
         <translation>Fingerabdruck von Cochlea, Träger und Gesetzen</translation>
     </message>
     <message>
-        <source>Array's file</source>
+        <source>Array&apos;s file</source>
         <translation>Datei des Trägers</translation>
     </message>
     <message>
@@ -419,6 +415,26 @@
     <message>
         <source>mean %1 mm, %2 inside</source>
         <translation>Mittel %1 mm, %2 innen</translation>
+    </message>
+    <message>
+        <source>wall force, mN per mm</source>
+        <translation>Wandkraft, mN je mm</translation>
+    </message>
+    <message>
+        <source>normal force, %1 mm for %2 mN</source>
+        <translation>Normalkraft, %1 mm für %2 mN</translation>
+    </message>
+    <message>
+        <source>friction, × %1</source>
+        <translation>Reibung, × %1</translation>
+    </message>
+    <message>
+        <source>published experiment, printed values ± SD</source>
+        <translation>veröffentlichter Versuch, gedruckte Werte ± SD</translation>
+    </message>
+    <message>
+        <source>angle from round window, °; width, mm</source>
+        <translation>Winkel ab rundem Fenster, °; Breite, mm</translation>
     </message>
 </context>
 <context>
@@ -667,6 +683,21 @@
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::BuildingNote</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Go back to the cochlea and the array that are shown (Esc)</source>
+        <translation>Zurück zur Cochlea und zum Träger, die zu sehen sind (Esc)</translation>
+    </message>
+    <message>
+        <source>Building the cochlea… %1 s</source>
+        <translation>Die Cochlea wird gebaut … %1 s</translation>
     </message>
 </context>
 <context>
@@ -1011,6 +1042,29 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::GuideSheet</name>
+    <message>
+        <source>User guide</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Schließen (Esc)</translation>
+    </message>
+    <message>
+        <source>The guide is not installed. It stands in the folder resources/guide of the source.</source>
+        <translation>Das Handbuch ist nicht installiert. Es steht im Ordner resources/guide der Quellen.</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::HandSection</name>
     <message>
         <source>Hand</source>
@@ -1105,6 +1159,14 @@
     <message>
         <source>Replay</source>
         <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>User guide</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Three walks through the workstation, step by step (Shift+F1)</source>
+        <translation>Drei Rundgänge durch den Arbeitsplatz, Schritt für Schritt (Umschalt+F1)</translation>
     </message>
 </context>
 <context>
@@ -1579,6 +1641,18 @@
     <message>
         <source>The report is %1.</source>
         <translation>Der Bericht ist %1.</translation>
+    </message>
+    <message>
+        <source>The cochlea is being built; then the insertion can start.</source>
+        <translation>Die Cochlea wird gebaut; danach kann die Einführung beginnen.</translation>
+    </message>
+    <message>
+        <source>Building the cochlea; then the insertion starts…</source>
+        <translation>Die Cochlea wird gebaut; danach beginnt die Einführung …</translation>
+    </message>
+    <message>
+        <source>user guide</source>
+        <translation>Handbuch</translation>
     </message>
 </context>
 <context>
@@ -2323,6 +2397,18 @@
         <source>Choose several with Ctrl or Shift to compare them.</source>
         <translation>Mehrere mit Strg oder Umschalt wählen, um sie zu vergleichen.</translation>
     </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>List what was read so far (Esc)</source>
+        <translation>Auflisten, was bisher gelesen wurde (Esc)</translation>
+    </message>
+    <message>
+        <source>Ended early: %1 of %2 recordings are listed. Open this page again to read on.</source>
+        <translation>Vorzeitig beendet: %1 von %2 Aufzeichnungen sind aufgelistet. Diese Seite erneut öffnen, um weiterzulesen.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::SettingsSheet</name>
@@ -2446,6 +2532,13 @@
     <message>
         <source>Keys 1, 2 and 3 do the same. For research and training; not a medical device.</source>
         <translation>Die Tasten 1, 2 und 3 tun dasselbe. Für Forschung und Übung; kein Medizinprodukt.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::StereoWindow</name>
+    <message>
+        <source>Perilymph, for two eyes</source>
+        <translation>Perilymph, für zwei Augen</translation>
     </message>
 </context>
 <context>
@@ -2714,6 +2807,14 @@
     <message>
         <source>Quad-buffered: %1</source>
         <translation>Vierfach gepuffert: %1</translation>
+    </message>
+    <message>
+        <source>Quad-buffered, in a window of its own</source>
+        <translation>Vierfach gepuffert, in eigenem Fenster</translation>
+    </message>
+    <message>
+        <source>The picture for two eyes through the display’s two buffers, without words on it; Esc closes it.</source>
+        <translation>Das Bild für zwei Augen über die zwei Puffer der Anzeige, ohne Schrift darauf; Esc schließt es.</translation>
     </message>
 </context>
 </TS>

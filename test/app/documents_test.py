@@ -48,6 +48,38 @@ def presets():
             for preset in json.loads((ROOT / "CMakePresets.json").read_text())[kind]}
 
 
+GUIDE = ROOT / "resources/guide"
+
+
+class PicturesOfTheGuide(unittest.TestCase):
+    def test_every_link_leads_to_a_file_and_every_picture_is_shown(self):
+        shown = set()
+        for page in sorted(GUIDE.glob("*.md")):
+            for target in re.findall(r"\]\(([^)#]+)\)", page.read_text()):
+                if "://" in target:
+                    continue
+                self.assertTrue((GUIDE / target).exists(), f"{page.name} points to {target}, which is not there.")
+                shown.add((GUIDE / target).resolve())
+        pictures = {file.resolve() for file in (GUIDE / "pictures").glob("*.png")}
+        self.assertTrue(pictures)
+        self.assertEqual(pictures - shown, set(), "No page shows these pictures.")
+
+    def test_they_are_small_enough_to_be_carried_along(self):
+        files = sorted((GUIDE / "pictures").glob("*.png"))
+        self.assertLess(sum(file.stat().st_size for file in files), 2_500_000)
+        for file in files:
+            width, height = (int.from_bytes(file.read_bytes()[at:at + 4], "big") for at in (16, 20))
+            self.assertLessEqual((width, height), (1280, 800), file.name)
+
+    def test_every_step_of_a_walk_has_its_picture(self):
+        for walk in ("surgeon", "clinician", "visitor"):
+            text = (GUIDE / f"{walk}.md").read_text()
+            steps = re.findall(r"^## (\d+)\. ", text, re.MULTILINE)
+            self.assertEqual(steps, [str(i + 1) for i in range(len(steps))])
+            for step in steps:
+                self.assertIn(f"(pictures/{walk}-{step}.png)", text)
+
+
 class CommandsOfTheDocuments(unittest.TestCase):
     def test_each_works_in_its_document_s_order(self):
         seen = 0

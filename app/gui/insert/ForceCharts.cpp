@@ -7,6 +7,7 @@
 
 #include <QEvent>
 
+#include "ChartWords.h"
 #include "Pane.h"
 
 namespace perilymph::gui {
@@ -52,7 +53,7 @@ bool ForceCharts::eventFilter(QObject* watched, QEvent* event)
 void ForceCharts::setExperiment(const Result<charts::ReferenceCurve>& experiment)
 {
   if (!experiment) return travelPane_->setTip(QString::fromStdString(experiment.error().message));
-  overTravel_.setReference(experiment->points, experiment->label);
+  overTravel_.setReference(experiment->points, referenceName(experiment->label).toStdString());
   travelPane_->setTip(QString::fromStdString(experiment->source));
 }
 
@@ -90,6 +91,8 @@ bool ForceCharts::renderIfDirty()
   const auto render = [](QVTKOpenGLNativeWidget& view, auto& chart, bool& isDirty) {
     if (!view.isVisible() || !view.isValid()) return false;
     if (!chart.update() && !isDirty) return false;
+    // A chart of a new size learns how wide its labels are when it is drawn, and then has room.
+    if (isDirty) view.renderWindow()->Render();
     isDirty = false;
     view.renderWindow()->Render();
     return true;

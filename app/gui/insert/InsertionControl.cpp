@@ -56,11 +56,12 @@ std::filesystem::path InsertionControl::nextRecording()
   return numbered(file, number);
 }
 
-void InsertionControl::use(session::Scenario scenario,
-                           std::shared_ptr<const anatomy::ScalaTympani> anatomy)
+void InsertionControl::use(session::Scenario scenario, const std::optional<Parts>& parts)
 {
   scenario_ = std::move(scenario);
-  if (anatomy) anatomy_ = std::move(anatomy);
+  if (!parts) return;
+  anatomy_ = parts->anatomy;
+  model_ = parts->model;
 }
 
 Result<Done> InsertionControl::prepare(Hand hand)
@@ -133,11 +134,12 @@ Result<Done> InsertionControl::build(Hand hand, std::optional<std::filesystem::p
   }
 
   auto prepared =
-      session::Insertion::prepare(scenario_, std::move(device), std::move(file), anatomy_);
+      session::Insertion::prepare(scenario_, std::move(device), std::move(file), anatomy_, model_);
   if (!prepared) return prepared.error();
 
   insertion_ = *std::move(prepared);
   anatomy_ = insertion_->sharedAnatomy();
+  model_ = insertion_->sharedModel();
   scripted_ = scripted;
   pointer_ = pointer;
   hand_ = hand;
@@ -283,6 +285,14 @@ std::string InsertionControl::handName() const
 std::optional<device::HandHealth> InsertionControl::handHealth()
 {
   return insertion_ ? insertion_->hand().health() : std::nullopt;
+}
+
+haptics::LoopStatistics InsertionControl::halt()
+{
+  if (!insertion_) return {};
+  wish_ = Wish::rest;
+  insertion_->stop();
+  return insertion_->loop().statistics();
 }
 
 std::string InsertionControl::couplingWords() const

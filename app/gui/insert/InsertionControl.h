@@ -30,9 +30,15 @@ public:
   InsertionControl(session::Scenario scenario, std::optional<std::filesystem::path> record);
   ~InsertionControl();
 
-  /// From the next prepare() on, insertions are of another scenario, in its cochlea; without one,
-  /// in the same as before.
-  void use(session::Scenario scenario, std::shared_ptr<const anatomy::ScalaTympani> anatomy);
+  /// What an insertion runs in, built beforehand: that takes a tenth of a second and more.
+  struct Parts {
+    std::shared_ptr<const anatomy::ScalaTympani> anatomy;
+    std::shared_ptr<const mechanics::InsertionModel> model;
+  };
+
+  /// From the next prepare() on, insertions are of another scenario, made of these parts; without
+  /// any, of the same as before.
+  void use(session::Scenario scenario, const std::optional<Parts>& parts);
 
   /// Prepares a fresh insertion with the array at its start and a recording of its own. The one
   /// before is stopped and its recording closed, or removed if it never ran. An insertion whose
@@ -69,7 +75,7 @@ public:
 
   /// The cochlea; after a prepare() that succeeded.
   const anatomy::ScalaTympani& anatomy() const noexcept { return insertion_->anatomy(); }
-  bool hasAnatomy() const noexcept { return anatomy_ != nullptr; }
+  std::shared_ptr<const anatomy::ScalaTympani> sharedAnatomy() const noexcept { return anatomy_; }
   Hand hand() const noexcept { return hand_; }
   bool isRunning() const noexcept { return isRunning_; }
   /// The array is at the stop travel or beyond.
@@ -81,6 +87,8 @@ public:
   std::string handName() const;
   /// How the hand's device is doing; nothing for a hand without hardware.
   std::optional<device::HandHealth> handHealth();
+  /// Stops the loop where it is and says how it kept its time. Ends the insertion.
+  haptics::LoopStatistics halt();
   /// A sentence where the device cannot render the coupling asked for; else empty.
   std::string couplingWords() const;
   /// The file being written; none if it could not be.
@@ -101,7 +109,8 @@ private:
   void moveHand(device::ScriptedHand::Motion motion);
 
   session::Scenario scenario_;
-  std::shared_ptr<const anatomy::ScalaTympani> anatomy_;  ///< Once it is built.
+  std::shared_ptr<const anatomy::ScalaTympani> anatomy_;    ///< Once it is built.
+  std::shared_ptr<const mechanics::InsertionModel> model_;  ///< Once it is built.
   std::optional<std::filesystem::path> record_;
   int prepared_ = 0;
   bool keepsNothing_ = false;

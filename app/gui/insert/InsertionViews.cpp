@@ -6,6 +6,7 @@
 #include "OperationView.h"
 #include "Pane.h"
 #include "Settings.h"
+#include "StereoWindow.h"
 #include "Theme.h"
 #include "ViewMenu.h"
 
@@ -88,27 +89,66 @@ void InsertionViews::connectParts()
   menu_->setArrangement(arrangement());
   menu_->setStereo(visualization::Stereo::off);
   menu_->setQuality(std::nullopt);
-  refuseQuadBuffered(tr("not on this display"));
+  offerQuadBuffered(tr("not on this display"));
 }
 
 void InsertionViews::lookFrom(visualization::CameraPreset preset) { operation_->glideTo(preset); }
 
 void InsertionViews::setStereo(visualization::Stereo stereo)
 {
+  using visualization::Stereo;
+  if (stereo == Stereo::quadBuffered && !hasQuadBuffers_) stereo = Stereo::off;
   operation_->setStereo(stereo);
   menu_->setStereo(stereo);
+  if (stereo == Stereo::quadBuffered)
+    openTwin();
+  else
+    closeTwin();
 }
 
 void InsertionViews::nextStereo()
 {
   using visualization::Stereo;
-  const auto next = static_cast<Stereo>(static_cast<int>(operation_->stereo()) + 1);
-  setStereo(next == Stereo::quadBuffered ? Stereo::off : next);
+  const Stereo last = hasQuadBuffers_ ? Stereo::quadBuffered : Stereo::interlaced;
+  const Stereo now = operation_->stereo();
+  setStereo(now == last ? Stereo::off : static_cast<Stereo>(static_cast<int>(now) + 1));
 }
 
-void InsertionViews::refuseQuadBuffered(const QString& reason)
+void InsertionViews::offerQuadBuffered(const QString& trouble)
 {
-  menu_->refuseQuadBuffered(reason);
+  hasQuadBuffers_ = trouble.isEmpty();
+  menu_->offerQuadBuffered(trouble);
+}
+
+std::unique_ptr<visualization::InsertionScene> InsertionViews::madeScene() const
+{
+  return std::make_unique<visualization::InsertionScene>(*scala_, array_, side_, pilot_.quality());
+}
+
+void InsertionViews::openTwin()
+{
+  if (scala_ == nullptr || operation_->scene() == nullptr) return;
+  if (!twin_) {
+    twin_ = std::make_unique<StereoWindow>(nullptr);
+    // not at once: it is its own event that tells
+    connect(
+        twin_.get(), &StereoWindow::closed, this, [this] { setStereo(visualization::Stereo::off); },
+        Qt::QueuedConnection);
+  }
+  auto scene = madeScene();
+  using visualization::Part;
+  for (const Part part :
+       {Part::wallForce, Part::contactArrows, Part::membrane, Part::styletAndTweezers, Part::scala})
+    scene->setVisible(part, operation_->scene()->isVisible(part));
+  scene->show(shown_);
+  twin_->setScene(std::move(scene));
+  operation_->setTwin(twin_.get());
+}
+
+void InsertionViews::closeTwin()
+{
+  operation_->setTwin(nullptr);
+  twin_.reset();
 }
 
 void InsertionViews::drawBy(const std::string& renderer, std::optional<QualityChoice> asked)
@@ -140,9 +180,9 @@ void InsertionViews::weigh(const FrameMeter& meter)
 void InsertionViews::redraw()
 {
   if (scala_ != nullptr) {
-    operation_->replaceScene(
-        std::make_unique<visualization::InsertionScene>(*scala_, array_, side_, pilot_.quality()));
+    operation_->replaceScene(madeScene());
     operation_->showArray(shown_);
+    if (twin_) openTwin();
   }
   Q_EMIT qualityChanged();
 }
@@ -152,14 +192,15 @@ void InsertionViews::setScene(const anatomy::ScalaTympani& scala, const session:
   scala_ = &scala;
   array_ = scenario.array;
   side_ = scenario.patient.side;
-  operation_->setScene(
-      std::make_unique<visualization::InsertionScene>(scala, array_, side_, pilot_.quality()));
+  operation_->setScene(madeScene());
   flat_->setScene(scala, array_);
+  if (twin_) openTwin();
 }
 
 void InsertionViews::forgetScene()
 {
   scala_ = nullptr;
+  shown_ = {};
   flat_->forgetScene();
 }
 
@@ -171,7 +212,7 @@ void InsertionViews::showSlowly(const haptics::Snapshot& now)
 
 QSize InsertionViews::minimumSizeHint() const
 {
-  return {operation_->minimumSizeHint().width() + chartColumnWidth + 1, 400};
+  return {operation_->minimumSizeHint().width() + leastChartColumnWidth + 1, 400};
 }
 
 }  // namespace perilymph::gui

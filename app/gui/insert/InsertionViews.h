@@ -17,6 +17,7 @@ class FlatViews;
 class ForceCharts;
 class FrameMeter;
 class OperationView;
+class StereoWindow;
 
 /// The parts of the insertion page between the panel and the bar at the bottom. Which of them are
 /// seen is kept in the settings.
@@ -48,8 +49,11 @@ public:
   visualization::Quality quality() const { return pilot_.quality(); }
   /// Looks at the frames so far.
   void weigh(const FrameMeter& meter);
-  /// Quad-buffered stereo is not to be had, and why.
-  void refuseQuadBuffered(const QString& reason);
+  /// Whether quad-buffered stereo can be chosen.
+  /// @param trouble  Why it is not to be had; empty where it is.
+  void offerQuadBuffered(const QString& trouble);
+  /// The window it is shown in; none while it is not.
+  const StereoWindow* stereoWindow() const { return twin_.get(); }
 
 Q_SIGNALS:
   /// Another tier draws from now on.
@@ -62,12 +66,17 @@ private:
   void connectParts();
   void chooseQuality(QualityChoice choice);
   void redraw();
+  std::unique_ptr<visualization::InsertionScene> madeScene() const;
+  void openTwin();
+  void closeTwin();
 
   OperationView* operation_;
   ForceCharts* charts_;
   FlatViews* flat_;
   ViewMenu* menu_;
   QualityPilot pilot_;
+  bool hasQuadBuffers_ = false;
+  std::unique_ptr<StereoWindow> twin_;
   bool measures_ = false;
   // what the scene is made of, to make it anew in another tier
   const anatomy::ScalaTympani* scala_ = nullptr;

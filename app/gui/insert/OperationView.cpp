@@ -18,7 +18,9 @@
 #include "Numbers.h"
 #include "PhaseLine.h"
 #include "ReadOut.h"
+#include "StereoWindow.h"
 #include "Theme.h"
+#include "ViewNames.h"
 
 namespace perilymph::gui {
 
@@ -31,41 +33,6 @@ constexpr double turnPerHeight_deg = 180.0;
 
 // What the view writes below the scale bars: two labels and the phase line.
 constexpr int footHeight_px = 100;
-
-QString nameOf(CameraPreset preset)
-{
-  switch (preset) {
-    case CameraPreset::surgeon:
-      return OperationView::tr("Surgeon’s view");
-    case CameraPreset::microscope:
-      return OperationView::tr("Down the opening");
-    case CameraPreset::overview:
-      return OperationView::tr("Overview");
-    case CameraPreset::followTip:
-      return OperationView::tr("Following the tip");
-    case CameraPreset::section:
-      return OperationView::tr("Across the basal turn");
-  }
-  return {};
-}
-
-QString nameOf(visualization::Stereo stereo)
-{
-  using visualization::Stereo;
-  switch (stereo) {
-    case Stereo::off:
-      return {};
-    case Stereo::anaglyph:
-      return OperationView::tr("anaglyph");
-    case Stereo::sideBySide:
-      return OperationView::tr("side by side");
-    case Stereo::interlaced:
-      return OperationView::tr("interlaced");
-    case Stereo::quadBuffered:
-      return OperationView::tr("quad-buffered");
-  }
-  return {};
-}
 
 QLabel* quietLabel(QWidget* parent, const char* name)
 {
@@ -125,6 +92,8 @@ void OperationView::addReadOuts()
   bannerLayout->addWidget(bannerText_);
   banner_->setVisible(false);
   hint_->setVisible(false);
+  hint_->setWordWrap(true);
+  hint_->setAlignment(Qt::AlignCenter);
 
   auto* numbers = new QHBoxLayout;
   numbers->setSpacing(0);
@@ -136,8 +105,6 @@ void OperationView::addReadOuts()
 
   foot_ = new QHBoxLayout;
   foot_->addWidget(magnification_);
-  foot_->addStretch();
-  foot_->addWidget(hint_);
   foot_->addStretch();
   foot_->addWidget(viewName_);
 
@@ -182,18 +149,30 @@ void OperationView::take(std::unique_ptr<visualization::InsertionScene> scene)
   if (scene_) renderWindow()->RemoveRenderer(&scene_->renderer());
   scene_ = std::move(scene);
   scene_->setScale(devicePixelRatioF());
-  scene_->setScaleBarMargin(footHeight_px);
+  scene_->setScaleBarMargin(footHeight_px + hintLift_);
   scene_->attachTo(*renderWindow());
-  scene_->setStereo(stereo_);
+  showStereo();
   isDirty_ = true;
+}
+
+void OperationView::showStereo()
+{
+  using visualization::Stereo;
+  scene_->setStereo(stereo_ == Stereo::quadBuffered ? Stereo::off : stereo_);
 }
 
 void OperationView::setStereo(visualization::Stereo stereo)
 {
   stereo_ = stereo;
   if (!scene_) return;
-  scene_->setStereo(stereo);
+  showStereo();
   describeView();
+  isDirty_ = true;
+}
+
+void OperationView::setTwin(StereoWindow* twin)
+{
+  twin_ = twin;
   isDirty_ = true;
 }
 
@@ -201,6 +180,7 @@ void OperationView::showArray(const haptics::Snapshot& now)
 {
   if (!scene_) return;
   scene_->show(now);
+  if (twin_ != nullptr) twin_->scene().show(now);
   isDirty_ = true;
 }
 
@@ -220,6 +200,7 @@ void OperationView::setPartVisible(visualization::Part part, bool isVisible)
 {
   if (!scene_) return;
   scene_->setVisible(part, isVisible);
+  if (twin_ != nullptr) twin_->scene().setVisible(part, isVisible);
   isDirty_ = true;
 }
 
@@ -266,6 +247,7 @@ void OperationView::describeView()
   const QString eyes = nameOf(stereo_);
   const QString name = nameOf(scene_->preset());
   viewName_->setText(eyes.isEmpty() ? name : tr("%1 · %2").arg(name, eyes));
+  placeHint();
   Q_EMIT presetChanged(scene_->preset());
 }
 
@@ -285,7 +267,45 @@ void OperationView::setHint(const QString& hint)
 {
   if (hint_->text() == hint) return;
   hint_->setText(hint);
-  hint_->setVisible(!hint.isEmpty());
+  placeHint();
+}
+
+void OperationView::placeHint()
+{
+  const bool isSeen = !hint_->text().isEmpty();
+  constexpr int padding = 2 * 6;  // the style's
+  const int words = QFontMetrics(hint_->font()).horizontalAdvance(hint_->text()) + padding + 1;
+  const auto roomBeside = [this] {
+    layout()->activate();
+    const int left = magnification_->geometry().right() + spacing;
+    const QWidget* next =
+        viewName_->isHidden() ? foot_->itemAt(foot_->count() - 1)->widget() : viewName_;
+    return QRect(left, foot_->geometry().top(), next->x() - spacing - left,
+                 foot_->geometry().height());
+  };
+  hint_->setVisible(isSeen);
+  viewName_->setVisible(true);
+  QRect beside = roomBeside();
+  if (isSeen && words > beside.width()) {  // what to do matters more than where one looks from
+    viewName_->setVisible(false);
+    beside = roomBeside();
+  }
+  int lift = 0;
+  if (words <= beside.width()) {
+    const int left = std::clamp((width() - words) / 2, beside.left(), beside.right() - words + 1);
+    const int height = hint_->sizeHint().height();
+    hint_->setGeometry(left, beside.center().y() - height / 2, words, height);
+  } else if (isSeen) {
+    viewName_->setVisible(true);
+    const int most = std::min(words, foot_->geometry().width());
+    const int height = hint_->heightForWidth(most);
+    hint_->setGeometry((width() - most) / 2, beside.top() - height - spacing, most, height);
+    lift = height + spacing;
+  }
+  if (!scene_ || lift == hintLift_) return;
+  hintLift_ = lift;
+  scene_->setScaleBarMargin(footHeight_px + hintLift_);
+  isDirty_ = true;
 }
 
 bool OperationView::renderIfDirty()
@@ -293,12 +313,14 @@ bool OperationView::renderIfDirty()
   if (!isDirty_ || !scene_ || !isValid()) return false;
   isDirty_ = false;
   renderWindow()->Render();
+  if (twin_ != nullptr) twin_->renderAs(*scene_);
   return true;
 }
 
 void OperationView::resizeEvent(QResizeEvent* event)
 {
   QVTKOpenGLNativeWidget::resizeEvent(event);
+  placeHint();
   isDirty_ = true;
 }
 

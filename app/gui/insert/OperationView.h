@@ -19,6 +19,7 @@ namespace perilymph::gui {
 class ForceWords;
 class PhaseLine;
 class ReadOut;
+class StereoWindow;
 
 /// Shows the scene and its read-outs; the mouse turns, moves and zooms the model.
 class OperationView : public QVTKOpenGLNativeWidget {
@@ -42,7 +43,10 @@ public:
   void setPartVisible(visualization::Part part, bool isVisible);
 
   void glideTo(visualization::CameraPreset preset);
+  /// Quad-buffered stereo is shown by another window: here is what one eye sees.
   void setStereo(visualization::Stereo stereo);
+  /// A window that shows the same from the same place, or none. It must outlive its being shown.
+  void setTwin(StereoWindow* twin);
   visualization::Stereo stereo() const { return stereo_; }
   void turnModel(double azimuth_deg, double elevation_deg, double roll_deg);
   /// Moves the model by a share of the picture's height.
@@ -79,11 +83,15 @@ private:
   void addReadOuts();
   void take(std::unique_ptr<visualization::InsertionScene> scene);
   void describeView();
+  void showStereo();
+  void placeHint();
   double pictureHeight_mm() const;
 
   std::unique_ptr<visualization::InsertionScene> scene_;
   visualization::Stereo stereo_ = visualization::Stereo::off;
+  StereoWindow* twin_ = nullptr;
   bool isDirty_ = true;
+  int hintLift_ = 0;  ///< Of the scale bars over a hint that lies under them.
   QPoint mouse_;
   ReadOut* travel_;
   ReadOut* angle_;

@@ -4,11 +4,13 @@
 
 #include <QWidget>
 
+class QBoxLayout;
 class QLabel;
 
 namespace perilymph::gui {
 
-/// A title, a quiet note at its right, and below them what it names. A double click asks for the
+/// A title, a quiet note at its right or, where both have no room, under it, and below them what
+/// they name. A double click asks for the
 /// whole page.
 class Pane : public QWidget {
   Q_OBJECT
@@ -25,10 +27,14 @@ Q_SIGNALS:
 
 protected:
   void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
 private:
+  void placeNote();
+
   QLabel* title_;
   QLabel* note_;
+  QBoxLayout* head_;
 };
 
 }  // namespace perilymph::gui

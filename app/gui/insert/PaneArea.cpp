@@ -72,10 +72,9 @@ std::vector<std::pair<PaneRole, QRect>> PaneArea::places() const
   if (maximized_) return {{*maximized_, rect()}};
   if (layout_ == PaneLayout::one) return {{PaneRole::picture, rect()}};
 
-  const int columnWidth = std::max(chartColumnWidth, int(columnShare * width()));
-  const int leftWidth = std::max(1, width() - columnWidth - gap_px);
+  const int leftWidth = std::max(1, width() - columnWidth() - gap_px);
   const QRect left(0, 0, leftWidth, height());
-  const QRect right(leftWidth + gap_px, 0, columnWidth, height());
+  const QRect right(leftWidth + gap_px, 0, columnWidth(), height());
   if (layout_ == PaneLayout::two) {
     const std::vector<QRect> column =
         rows(right.adjusted(0, topMargin_px, 0, 0), {0.46, 0.27, 0.27});
@@ -98,6 +97,16 @@ std::vector<std::pair<PaneRole, QRect>> PaneArea::places() const
       {PaneRole::unrolled, lowerLeft},
       {PaneRole::section, QRect(lowerRight.topLeft(), QSize(sectionWidth, lowerRight.height()))},
       {PaneRole::distances, lowerRight.adjusted(sectionWidth + gap_px, 0, 0, 0)}};
+}
+
+int PaneArea::columnWidth() const
+{
+  // In a narrow area the column gives way to the numbers on the picture.
+  int picture = 0;
+  for (const Part& part : parts_)
+    if (part.role == PaneRole::picture) picture = part.widget->minimumSizeHint().width();
+  const int wished = std::max(chartColumnWidth, int(columnShare * width()));
+  return std::clamp(width() - picture - gap_px, leastChartColumnWidth, wished);
 }
 
 void PaneArea::arrange()

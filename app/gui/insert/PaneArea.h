@@ -48,6 +48,7 @@ private:
   };
   std::vector<std::pair<PaneRole, QRect>> places() const;
   void arrange();
+  int columnWidth() const;
 
   std::vector<Part> parts_;
   PaneLayout layout_ = PaneLayout::two;

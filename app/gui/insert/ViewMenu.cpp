@@ -140,12 +140,16 @@ void ViewMenu::setQuality(QualityChoice quality)
   check(qualities_, quality ? 1 + static_cast<std::size_t>(*quality) : 0);
 }
 
-void ViewMenu::refuseQuadBuffered(const QString& reason)
+void ViewMenu::offerQuadBuffered(const QString& trouble)
 {
   QAction* action = stereos_.back();
-  action->setEnabled(false);
-  action->setText(tr("Quad-buffered: %1").arg(reason));
-  action->setToolTip(reason);
+  action->setEnabled(trouble.isEmpty());
+  action->setText(trouble.isEmpty() ? tr("Quad-buffered, in a window of its own")
+                                    : tr("Quad-buffered: %1").arg(trouble));
+  action->setToolTip(trouble.isEmpty()
+                         ? tr("The picture for two eyes through the display’s two buffers, without "
+                              "words on it; Esc closes it.")
+                         : trouble);
 }
 
 }  // namespace perilymph::gui

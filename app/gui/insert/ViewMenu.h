@@ -29,8 +29,8 @@ public:
   void setArrangement(PaneLayout layout);
   void setStereo(visualization::Stereo stereo);
   void setQuality(QualityChoice quality);
-  /// Quad-buffered stereo cannot be chosen here, because of this.
-  void refuseQuadBuffered(const QString& reason);
+  /// Quad-buffered stereo cannot be chosen here because of this; with no trouble it can.
+  void offerQuadBuffered(const QString& trouble);
 
 Q_SIGNALS:
   void presetChosen(perilymph::visualization::CameraPreset preset);

@@ -8,10 +8,15 @@
 
 namespace perilymph::gui {
 
+namespace {
+
+constexpr int width_px = 480;
+
+}  // namespace
+
 EmptyPage::EmptyPage(const QString& title, const QString& sentence, QWidget* parent)
     : QWidget(parent), title_(new QLabel(title, this)), sentence_(new QLabel(sentence, this))
 {
-  constexpr int width_px = 480;
   title_->setFont(typeface(22));
   title_->setAlignment(Qt::AlignCenter);
   sentence_->setFont(typeface(13));
@@ -25,12 +30,14 @@ EmptyPage::EmptyPage(const QString& title, const QString& sentence, QWidget* par
   column->addWidget(title_);
   column->addWidget(sentence_, 0, Qt::AlignHCenter);
   column->addStretch(3);
+  say(title, sentence);
 }
 
 void EmptyPage::say(const QString& title, const QString& sentence)
 {
   title_->setText(title);
   sentence_->setText(sentence);
+  sentence_->setMinimumHeight(sentence_->heightForWidth(width_px));  // of all its lines
 }
 
 }  // namespace perilymph::gui

@@ -3,6 +3,7 @@
 #include <QFontMetrics>
 #include <QPainter>
 #include <QPainterPath>
+#include <algorithm>
 
 #include "Theme.h"
 
@@ -20,6 +21,22 @@ QSize rowSize(const QAbstractButton& button)
   return {textLeft_px + text + 4, rowHeight_px};
 }
 
+QSize leastSize(const QAbstractButton& button)
+{
+  int widest = 0;
+  for (const QString& word : button.text().split(QLatin1Char(' ')))
+    widest = std::max(widest, QFontMetrics(button.font()).horizontalAdvance(word));
+  return {textLeft_px + widest + 4, rowHeight_px};
+}
+
+int heightOf(const QAbstractButton& button, int width)
+{
+  const QFontMetrics metrics(button.font());
+  const QRect room(0, 0, std::max(1, width - textLeft_px), 1000);
+  const int words = metrics.boundingRect(room, Qt::TextWordWrap, button.text()).height();
+  return std::max(rowHeight_px, words + rowHeight_px - metrics.height());
+}
+
 QRectF markPlace(const QWidget& widget)
 {
   return {0.5, (widget.height() - mark_px) / 2.0, mark_px, mark_px};
@@ -28,11 +45,12 @@ QRectF markPlace(const QWidget& widget)
 void drawText(QPainter& painter, const QAbstractButton& button)
 {
   painter.setPen(button.isEnabled() ? textColor : quietTextColor);
-  painter.drawText(button.rect().adjusted(textLeft_px, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft,
-                   button.text());
+  painter.drawText(button.rect().adjusted(textLeft_px, 0, 0, 0),
+                   Qt::AlignVCenter | Qt::AlignLeft | Qt::TextWordWrap, button.text());
   if (!button.hasFocus()) return;
   // where the keys go: a line below the words
-  const int width = QFontMetrics(button.font()).horizontalAdvance(button.text());
+  const int width = std::min(QFontMetrics(button.font()).horizontalAdvance(button.text()),
+                             button.width() - textLeft_px);
   painter.setPen(QPen(accentColor, 1.5));
   painter.drawLine(textLeft_px, button.height() - 3, textLeft_px + width, button.height() - 3);
 }
@@ -43,9 +61,12 @@ CheckBox::CheckBox(const QString& text, QWidget* parent) : QCheckBox(text, paren
 {
   setFont(typeface(13));
   setFocusPolicy(Qt::TabFocus);
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Minimum);  // higher where words are wrapped
 }
 
 QSize CheckBox::sizeHint() const { return rowSize(*this); }
+QSize CheckBox::minimumSizeHint() const { return leastSize(*this); }
+int CheckBox::heightForWidth(int width) const { return heightOf(*this, width); }
 
 void CheckBox::paintEvent(QPaintEvent*)
 {
@@ -70,9 +91,12 @@ Choice::Choice(const QString& text, QWidget* parent) : QRadioButton(text, parent
 {
   setFont(typeface(13));
   setFocusPolicy(Qt::TabFocus);
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Minimum);  // higher where words are wrapped
 }
 
 QSize Choice::sizeHint() const { return rowSize(*this); }
+QSize Choice::minimumSizeHint() const { return leastSize(*this); }
+int Choice::heightForWidth(int width) const { return heightOf(*this, width); }
 
 void Choice::paintEvent(QPaintEvent*)
 {

@@ -1,6 +1,7 @@
 #pragma once
 
 // Check boxes and choices in the window's own drawing: a mark, not only a color, tells the state.
+// Words without room for one line stand in several.
 
 #include <QCheckBox>
 #include <QRadioButton>
@@ -13,6 +14,9 @@ class CheckBox : public QCheckBox {
 public:
   explicit CheckBox(const QString& text, QWidget* parent = nullptr);
   QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+  bool hasHeightForWidth() const override { return true; }
+  int heightForWidth(int width) const override;
 
 protected:
   void paintEvent(QPaintEvent*) override;
@@ -25,6 +29,9 @@ class Choice : public QRadioButton {
 public:
   explicit Choice(const QString& text, QWidget* parent = nullptr);
   QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+  bool hasHeightForWidth() const override { return true; }
+  int heightForWidth(int width) const override;
 
 protected:
   void paintEvent(QPaintEvent*) override;

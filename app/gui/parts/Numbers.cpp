@@ -16,10 +16,18 @@ QString numberText(double value, int decimals)
 
 std::optional<double> typedNumber(const QString& text)
 {
+  // Locales differ in which of the two is the decimal sign and which parts thousands; read in the
+  // locale's way, 34.125 mm would be thirty-four thousand of them in German.
+  QString plain = text.trimmed();
+  plain.replace(QLatin1Char(','), QLatin1Char('.'));
+  if (plain.count(QLatin1Char('.')) > 1) return std::nullopt;
   bool isNumber = false;
-  const QString trimmed = text.trimmed();
-  double number = QLocale().toDouble(trimmed, &isNumber);
-  if (!isNumber) number = QLocale::c().toDouble(trimmed, &isNumber);
+  double number = QLocale::c().toDouble(plain, &isNumber);
+  if (!isNumber) {
+    QLocale locale;  // other digits
+    locale.setNumberOptions(QLocale::RejectGroupSeparator);
+    number = locale.toDouble(text.trimmed(), &isNumber);
+  }
   if (!isNumber || !std::isfinite(number)) return std::nullopt;
   return number;
 }

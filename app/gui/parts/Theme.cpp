@@ -149,7 +149,8 @@ QMenu::separator { height: 1px; background: %line%; margin: 6px 0; }
 
 QFrame#banner { background: %banner%; border: 1px solid %warning%; border-radius: 5px; }
 QFrame#banner QLabel { color: %text%; }
-QFrame#keys, QFrame#devices { background: %panel%; border: 1px solid %line%; border-radius: 6px; }
+QFrame#keys, QFrame#devices, QFrame#guide { background: %panel%; border: 1px solid %line%; border-radius: 6px; }
+QTextBrowser { background: %panel%; border: none; selection-background-color: %accent%; selection-color: %onAccent%; }
 QFrame#chartFrame { background: %ground%; border: 1px solid %line%; border-radius: 4px; }
 QTableView {
   background: %ground%; border: 1px solid %line%; border-radius: 4px; outline: none;
@@ -161,7 +162,7 @@ QHeaderView, QHeaderView::section { background: %ground%; color: %quietText%; bo
 QHeaderView::section { border-bottom: 1px solid %line%; padding: 6px 8px; }
 QToolTip { color: %text%; background: %ground%; border: 1px solid %line%; padding: 4px; }
 
-QFrame#notice, QFrame#settings { background: %panel%; border: 1px solid %accent%; border-radius: 6px; }
+QFrame#notice, QFrame#buildingNote, QFrame#settings { background: %panel%; border: 1px solid %accent%; border-radius: 6px; }
 QPushButton:focus, QPushButton[page="true"]:focus, QPushButton#startButton:focus,
 QPushButton[primary="true"]:focus, QPushButton#startPageButton:focus, QPushButton#keysButton:focus,
 QPushButton#settingsButton:focus {

@@ -5,6 +5,7 @@
 #include <QString>
 
 #include "perilymph/charts/Wording.h"
+#include "perilymph/visualization/Wording.h"
 
 namespace perilymph::gui {
 
@@ -35,11 +36,28 @@ void translateCharts()
       .basilarMembrane = tr("basilar membrane"),
       .wallForceScale = tr("wall force, 50 mN per mm"),
       .wallForce = tr("wall force %1 mN"),
+      .unrolledAxes = tr("angle from round window, °; width, mm"),
       .tipIsOutside = tr("the tip is outside"),
       .noContactInside = tr("no contact is inside yet"),
       .meanAndInside = tr("mean %1 mm, %2 inside"),
       .decimalSign = QString(QLocale().decimalPoint()).toStdString().front(),
   });
+  visualization::setWording({
+      .wallForce = tr("wall force, mN per mm"),
+      .normalForce = tr("normal force, %1 mm for %2 mN"),
+      .friction = tr("friction, × %1"),
+  });
+}
+
+QString referenceName(const std::string& label)
+{
+  // what the shipped references are called in their files
+  static const char* const shipped[] = {
+      QT_TRANSLATE_NOOP("perilymph::gui", "published experiment, printed values ± SD"),
+  };
+  for (const char* one : shipped)
+    if (label == one) return QCoreApplication::translate("perilymph::gui", one);
+  return QString::fromStdString(label);
 }
 
 }  // namespace perilymph::gui

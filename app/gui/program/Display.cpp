@@ -93,16 +93,20 @@ std::string openGlRenderer()
   return renderer;
 }
 
-QString quadBufferedTrouble()
+bool hasStereoBuffers()
 {
+  // Qt asks GLX for a configuration with GLX_STEREO, and says what it got.
   QSurfaceFormat wanted = QSurfaceFormat::defaultFormat();
   wanted.setStereo(true);
   QOpenGLContext context;
   context.setFormat(wanted);
-  if (!context.create() || !context.format().stereo())
-    return QCoreApplication::translate("Display", "this display has no buffers for two eyes");
-  return QCoreApplication::translate("Display",
-                                     "this window draws into a buffer of its own, for one eye");
+  return context.create() && context.format().stereo();
+}
+
+QString quadBufferedTrouble(bool hasBuffers)
+{
+  if (hasBuffers) return {};
+  return QCoreApplication::translate("Display", "this display has no buffers for two eyes");
 }
 
 }  // namespace perilymph::gui

@@ -19,7 +19,10 @@ Result<Done> probeOpenGl();
 /// What OpenGL calls itself here; empty if it cannot be had. After QApplication.
 std::string openGlRenderer();
 
-/// Why pictures for two eyes cannot go through two buffers of the display. After QApplication.
-QString quadBufferedTrouble();
+/// Whether the display has surfaces with a buffer for each eye. After QApplication.
+bool hasStereoBuffers();
+
+/// Why pictures for two eyes cannot go through two buffers of the display; empty where they can.
+QString quadBufferedTrouble(bool hasBuffers);
 
 }  // namespace perilymph::gui

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <iostream>
 
+#include "FrameMeasurement.h"
 #include "KioskWindow.h"
 #include "MainWindow.h"
 #include "ProgramAge.h"
@@ -14,8 +15,6 @@
 namespace perilymph::gui {
 
 namespace {
-
-constexpr int pollInterval_ms = 100;
 
 /// Ends the application with a sentence.
 void fail(const std::string& sentence)
@@ -41,22 +40,6 @@ void takeScreenshotLater(QWidget& window, const Options& options)
                      [&window, file = *options.screenshot] { takeScreenshot(window, file); });
 }
 
-/// Ends the application with the frame times once the demonstration has ended.
-void reportFramesAtEnd(MainWindow& window)
-{
-  auto* poll = new QTimer(&window);
-  QObject::connect(poll, &QTimer::timeout, &window, [&window] {
-    const haptics::Workflow workflow = window.control().now().output.workflow;
-    if (workflow == haptics::Workflow::fault)
-      return fail("The demonstration ended with a fault; its frames were not measured to the end.");
-    if (workflow != haptics::Workflow::finished) return;
-    std::printf("%s\n", window.meter().report().c_str());
-    std::fflush(stdout);
-    QCoreApplication::exit(0);
-  });
-  poll->start(pollInterval_ms);
-}
-
 }  // namespace
 
 void arrangeErrands(MainWindow& window, const Options& options)
@@ -67,12 +50,9 @@ void arrangeErrands(MainWindow& window, const Options& options)
     if (isDemo) {
       std::printf("first frame after %.1f s\n", programAge_s());
       std::fflush(stdout);
-      window.start();
+      if (!options.measuresFrames) window.start();
     }
-    if (options.measuresFrames) {
-      window.restartMeter();
-      reportFramesAtEnd(window);
-    }
+    if (options.measuresFrames) measureFrames(window, options.measuredTicks);
     takeScreenshotLater(window, options);
   });
 }

@@ -60,10 +60,18 @@ std::variant<Options, Exit> parseOptions(int argc, const char* const* argv)
       ->capture_default_str();
   app.add_option("--quality", options.quality, "How much is drawn; auto: by the machine's speed")
       ->check(CLI::IsMember({"auto", "fast", "balanced", "full"}));
-  app.add_flag("--measure-frames", options.measuresFrames,
-               "Run the demonstration, print how long its frames took, then exit")
-      ->excludes(screenshotOption)
-      ->excludes(pluginOption);
+  auto* measureOption =
+      app.add_flag("--measure-frames", options.measuresFrames,
+                   "Run the demonstration, print how long its frames took, then exit")
+          ->excludes(screenshotOption)
+          ->excludes(pluginOption);
+  app.add_option(
+         "--ticks", options.measuredTicks,
+         "Measure on, in and out, until so many ticks were recorded (3600000: an hour), and "
+         "set the last insertion beside the first")
+      ->type_name("N")
+      ->needs(measureOption)
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1000000000}));
   app.add_option("--language", options.language,
                  "The window's words and numbers, for this call; else as chosen in its settings")
       ->type_name("en|de|system")

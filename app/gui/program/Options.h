@@ -2,6 +2,7 @@
 
 // The words of the call.
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -21,6 +22,8 @@ struct Options {
   std::optional<std::string> quality;   ///< auto, fast, balanced or full; else what was kept.
   double after_s = 2.0;                 ///< From the first frame to the screenshot.
   bool measuresFrames = false;          ///< Prints frame times of a demonstration and exits.
+  /// With measuresFrames: goes in and out until so many ticks were recorded.
+  std::optional<std::uint64_t> measuredTicks;
 };
 
 /// The program ends here, with this status: help and version were printed, or the words were wrong.

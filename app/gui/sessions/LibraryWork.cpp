@@ -2,62 +2,53 @@
 
 #include <QElapsedTimer>
 
-#include "perilymph/foundation/RealTime.h"
-
 namespace perilymph::gui {
 
 namespace {
 
 constexpr int reportInterval_ms = 100;
 
+/// What a folder holds.
+struct Library {
+  Result<std::vector<session::SessionSummary>> sessions;
+  int all = 0;
+};
+
 }  // namespace
-
-LibraryWork::LibraryWork(QObject* parent) : QObject(parent) { thread_.setMaxThreadCount(1); }
-
-LibraryWork::~LibraryWork()
-{
-  cancel();
-  thread_.waitForDone();
-}
 
 void LibraryWork::cancel()
 {
-  if (isCanceled_) *isCanceled_ = true;
+  if (isEnded_) *isEnded_ = true;
 }
 
 void LibraryWork::list(const std::filesystem::path& folder,
                        const std::filesystem::path& beingRecorded)
 {
-  cancel();
-  isCanceled_ = std::make_shared<std::atomic<bool>>(false);
-  isBusy_ = true;
-  const int request = ++request_;
-  thread_.start([this, folder, beingRecorded, request, isCanceled = isCanceled_] {
-    registerThreadRole(ThreadRole::worker);
+  isEnded_ = std::make_shared<std::atomic<bool>>(false);
+  const auto work = [this, folder, beingRecorded,
+                     isEnded = isEnded_](const std::atomic<bool>& isCanceled) {
     QElapsedTimer sinceReport;
     sinceReport.start();
+    int most = 0;
     auto sessions =
         session::listSessions(folder, beingRecorded, [&](std::size_t done, std::size_t all) {
+          most = int(all);
           if (sinceReport.elapsed() >= reportInterval_ms) {
             sinceReport.restart();
             QMetaObject::invokeMethod(
                 this,
-                [this, request, done, all] {
-                  if (request == request_) Q_EMIT progressed(int(done), int(all));
+                [this, isEnded, done, all] {
+                  if (isEnded == isEnded_ && isBusy()) Q_EMIT progressed(int(done), int(all));
                 },
                 Qt::QueuedConnection);
           }
-          return !*isCanceled;
+          return !isCanceled && !*isEnded;
         });
-    QMetaObject::invokeMethod(
-        this,
-        [this, request, sessions = std::move(sessions)] {
-          if (request != request_) return;
-          isBusy_ = false;
-          if (sessions) return listed(*sessions);
-          failed(QString::fromStdString(sessions.error().message));
-        },
-        Qt::QueuedConnection);
+    return Library{std::move(sessions), most};
+  };
+  background_.run(work, [this](const Library& library) {
+    if (library.sessions) return listed(*library.sessions, library.all);
+    failed(QString::fromStdString(library.sessions.error().message));
   });
 }
 

@@ -3,12 +3,12 @@
 // Listing recordings takes a moment where there are thousands: not in the thread that draws.
 
 #include <QObject>
-#include <QThreadPool>
 #include <atomic>
 #include <filesystem>
 #include <memory>
 #include <vector>
 
+#include "Background.h"
 #include "perilymph/session/SessionLibrary.h"
 
 namespace perilymph::gui {
@@ -17,24 +17,23 @@ namespace perilymph::gui {
 class LibraryWork : public QObject {
   Q_OBJECT
 public:
-  explicit LibraryWork(QObject* parent);
-  ~LibraryWork() override;
+  explicit LibraryWork(QObject* parent) : QObject(parent), background_(this) {}
 
   void list(const std::filesystem::path& folder, const std::filesystem::path& beingRecorded);
+  /// Ends the reading early: what was read is listed.
   void cancel();
-  bool isBusy() const { return isBusy_; }
+  bool isBusy() const { return background_.isBusy(); }
 
 Q_SIGNALS:
   /// Some times a second while it reads.
   void progressed(int done, int all);
-  void listed(const std::vector<perilymph::session::SessionSummary>& sessions);
+  /// @param all  How many there are; more than were listed if it was canceled.
+  void listed(const std::vector<perilymph::session::SessionSummary>& sessions, int all);
   void failed(const QString& sentence);
 
 private:
-  QThreadPool thread_;  ///< One thread.
-  std::shared_ptr<std::atomic<bool>> isCanceled_;
-  int request_ = 0;
-  bool isBusy_ = false;
+  Background background_;
+  std::shared_ptr<std::atomic<bool>> isEnded_;  ///< Of the request that is being answered.
 };
 
 }  // namespace perilymph::gui

@@ -3,6 +3,7 @@
 #include <QColor>
 #include <QDateTime>
 #include <QIcon>
+#include <algorithm>
 
 #include "Numbers.h"
 #include "Theme.h"
@@ -40,22 +41,40 @@ QString recordedText(const SessionSummary& session)
 SessionTable::SessionTable(QObject* parent)
     : QAbstractTableModel(parent), thumbnails_(new Thumbnails(this))
 {
-  connect(thumbnails_, &Thumbnails::painted, this, [this] {
-    if (!sessions_.empty())
-      Q_EMIT dataChanged(index(0, picture), index(rowCount() - 1, picture), {Qt::DecorationRole});
-  });
+  connect(thumbnails_, &Thumbnails::painted, this, &SessionTable::showPicture);
 }
 
 void SessionTable::setSessions(std::vector<SessionSummary> sessions)
 {
   beginResetModel();
-  sessions_ = std::move(sessions);
+  rows_.clear();
+  rows_.reserve(sessions.size());
+  for (SessionSummary& each : sessions) {
+    Row row;
+    row.session = std::move(each);
+    row.recorded = row.session.isBeingRecorded ? tr("recording now") : recordedText(row.session);
+    QStringList words;
+    for (int column = recorded; column <= array; ++column) words << text(row, column);
+    words << QString::fromStdString(row.session.scenario)
+          << QString::fromStdString(row.session.device);
+    row.searched = words.join(QLatin1Char(' '));
+    rows_.push_back(std::move(row));
+  }
   endResetModel();
+}
+
+void SessionTable::showPicture(const std::filesystem::path& file)
+{
+  const auto found = std::find_if(rows_.begin(), rows_.end(),
+                                  [&file](const Row& row) { return row.session.file == file; });
+  if (found == rows_.end()) return;
+  const QModelIndex cell = index(int(found - rows_.begin()), picture);
+  Q_EMIT dataChanged(cell, cell, {Qt::DecorationRole});
 }
 
 int SessionTable::rowCount(const QModelIndex& parent) const
 {
-  return parent.isValid() ? 0 : int(sessions_.size());
+  return parent.isValid() ? 0 : int(rows_.size());
 }
 
 int SessionTable::columnCount(const QModelIndex& parent) const
@@ -63,12 +82,13 @@ int SessionTable::columnCount(const QModelIndex& parent) const
   return parent.isValid() ? 0 : columns;
 }
 
-QString SessionTable::text(const SessionSummary& session, int column) const
+QString SessionTable::text(const Row& row, int column) const
 {
+  const SessionSummary& session = row.session;
   const session::Highlights& found = session.highlights;
   switch (column) {
     case recorded:
-      return session.isBeingRecorded ? tr("recording now") : recordedText(session);
+      return row.recorded;
     case name:
       return nameOf(session);
     case patient:
@@ -93,8 +113,9 @@ QString SessionTable::text(const SessionSummary& session, int column) const
   }
 }
 
-QVariant SessionTable::sortValue(const SessionSummary& session, int column) const
+QVariant SessionTable::sortValue(const Row& row, int column) const
 {
+  const SessionSummary& session = row.session;
   switch (column) {
     case duration:
       return session.highlights.duration;
@@ -108,18 +129,19 @@ QVariant SessionTable::sortValue(const SessionSummary& session, int column) cons
       return session.isBeingRecorded ? QStringLiteral("~")
                                      : QString::fromStdString(session.startedUtc);
     default:
-      return text(session, column).toLower();
+      return text(row, column).toLower();
   }
 }
 
 QVariant SessionTable::data(const QModelIndex& index, int role) const
 {
   if (!index.isValid()) return {};
-  const SessionSummary& shown = session(index.row());
+  const Row& row = rows_[std::size_t(index.row())];
+  const SessionSummary& shown = row.session;
   switch (role) {
     case Qt::DisplayRole:
     case Qt::EditRole:
-      return text(shown, index.column());
+      return text(row, index.column());
     case Qt::DecorationRole:
       return index.column() == picture ? QVariant(plainIcon(thumbnails_->find(shown))) : QVariant();
     case Qt::ToolTipRole:
@@ -132,13 +154,9 @@ QVariant SessionTable::data(const QModelIndex& index, int role) const
       if (!shown.trouble.empty()) return warningColor;
       return index.column() == name ? quietTextColor : textColor;
     case sortRole:
-      return sortValue(shown, index.column());
-    case searchRole: {
-      QStringList words;
-      for (int column = recorded; column <= array; ++column) words << text(shown, column);
-      words << QString::fromStdString(shown.scenario) << QString::fromStdString(shown.device);
-      return words.join(QLatin1Char(' '));
-    }
+      return sortValue(row, index.column());
+    case searchRole:
+      return row.searched;
     default:
       return {};
   }

@@ -22,7 +22,7 @@ public:
   explicit SessionTable(QObject* parent);
 
   void setSessions(std::vector<session::SessionSummary> sessions);
-  const session::SessionSummary& session(int row) const { return sessions_[std::size_t(row)]; }
+  const session::SessionSummary& session(int row) const { return rows_[std::size_t(row)].session; }
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
@@ -36,10 +36,17 @@ Q_SIGNALS:
   void renameAsked(const std::filesystem::path& file, const QString& name);
 
 private:
-  QString text(const session::SessionSummary& session, int column) const;
-  QVariant sortValue(const session::SessionSummary& session, int column) const;
+  struct Row {
+    session::SessionSummary session;
+    QString recorded;  ///< In the user's time, made once: sorting and searching ask for it often.
+    QString searched;  ///< All that can be searched.
+  };
 
-  std::vector<session::SessionSummary> sessions_;
+  QString text(const Row& row, int column) const;
+  QVariant sortValue(const Row& row, int column) const;
+  void showPicture(const std::filesystem::path& file);
+
+  std::vector<Row> rows_;
   Thumbnails* thumbnails_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QItemSelection>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -14,6 +15,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
+#include <set>
 
 #include "EmptyPage.h"
 #include "SessionTable.h"
@@ -61,10 +63,12 @@ SessionsPage::SessionsPage(QWidget* parent)
     progress_->setRange(0, all);
     progress_->setValue(done);
     say(tr("Reading recording %1 of %2. Esc ends it.").arg(done).arg(all));
+    end_->setVisible(true);
   });
   connect(&work_, &LibraryWork::listed, this, &SessionsPage::showList);
   connect(&work_, &LibraryWork::failed, this, [this](const QString& sentence) {
     progress_->setVisible(false);
+    end_->setVisible(false);
     say(sentence, true);
   });
   // After the editor has closed: the rows it stands on are made anew.
@@ -74,7 +78,7 @@ SessionsPage::SessionsPage(QWidget* parent)
                 this, [this, file, name] { rename(file, name); }, Qt::QueuedConnection);
           });
   setFocusProxy(list_);
-  showList({});
+  showList({}, 0);
 }
 
 QWidget* SessionsPage::addTop()
@@ -95,6 +99,9 @@ QWidget* SessionsPage::addTop()
   progress_->setTextVisible(false);
   progress_->setFixedSize(160, 6);
   progress_->setVisible(false);
+  end_ = addVerb(tr("Cancel"), "cancelReadingButton", tr("List what was read so far (Esc)"));
+  end_->setVisible(false);
+  connect(end_, &QPushButton::clicked, this, &SessionsPage::cancel);
   auto* row = new QHBoxLayout(top);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(2 * spacing);
@@ -102,6 +109,7 @@ QWidget* SessionsPage::addTop()
   row->addWidget(count_, 0, Qt::AlignBottom);
   row->addStretch();
   row->addWidget(progress_);
+  row->addWidget(end_);
   row->addWidget(search_);
   return top;
 }
@@ -221,22 +229,31 @@ void SessionsPage::say(const QString& sentence, bool isTrouble)
   status_->style()->polish(status_);
 }
 
-void SessionsPage::showList(std::vector<session::SessionSummary> sessions)
+void SessionsPage::showList(std::vector<session::SessionSummary> sessions, int all)
 {
+  const int read = int(sessions.size());
   if (!isRunning_) std::erase_if(sessions, [](const auto& one) { return one.isBeingRecorded; });
   // the same recordings stay chosen
-  std::vector<std::filesystem::path> before;
-  for (const session::SessionSummary& each : chosen()) before.push_back(each.file);
+  std::set<std::filesystem::path> before;
+  for (const session::SessionSummary& each : chosen()) before.insert(each.file);
   progress_->setVisible(false);
+  end_->setVisible(false);
   say({});
   table_->setSessions(std::move(sessions));
-  for (int row = 0; row < table_->rowCount(); ++row)
-    if (std::find(before.begin(), before.end(), table_->session(row).file) != before.end())
-      list_->selectionModel()->select(sorted_->mapFromSource(table_->index(row, 0)),
-                                      QItemSelectionModel::Select | QItemSelectionModel::Rows);
+  QItemSelection again;
+  for (int row = 0; row < table_->rowCount() && !before.empty(); ++row) {
+    if (before.count(table_->session(row).file) == 0) continue;
+    const QModelIndex here = sorted_->mapFromSource(table_->index(row, 0));
+    if (here.isValid()) again.select(here, here);
+  }
+  list_->selectionModel()->select(again, QItemSelectionModel::Select | QItemSelectionModel::Rows);
   if (list_->selectionModel()->selectedRows().isEmpty() && sorted_->rowCount() > 0)
     list_->setCurrentIndex(sorted_->index(0, SessionTable::recorded));
   showChoice();
+  if (read < all)
+    say(tr("Ended early: %1 of %2 recordings are listed. Open this page again to read on.")
+            .arg(read)
+            .arg(all));
 }
 
 std::vector<session::SessionSummary> SessionsPage::chosen() const

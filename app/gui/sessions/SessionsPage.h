@@ -55,7 +55,7 @@ private:
   QWidget* addList();
   QWidget* addVerbs();
   QPushButton* addVerb(const QString& text, const char* name, const QString& tip);
-  void showList(std::vector<session::SessionSummary> sessions);
+  void showList(std::vector<session::SessionSummary> sessions, int all);
   void showChoice();
   void askForOne(void (SessionsPage::*request)(const std::filesystem::path&));
   void rename(const std::filesystem::path& file, const QString& name);
@@ -78,7 +78,7 @@ private:
   QProgressBar* progress_ = nullptr;
   QLabel *count_ = nullptr, *status_ = nullptr;
   QPushButton *replay_ = nullptr, *compare_ = nullptr, *ghost_ = nullptr, *report_ = nullptr,
-              *rename_ = nullptr, *delete_ = nullptr, *undo_ = nullptr;
+              *rename_ = nullptr, *delete_ = nullptr, *undo_ = nullptr, *end_ = nullptr;
 };
 
 }  // namespace perilymph::gui

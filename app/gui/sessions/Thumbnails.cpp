@@ -5,7 +5,6 @@
 
 #include "SessionPicture.h"
 #include "perilymph/foundation/AtomicFile.h"
-#include "perilymph/foundation/RealTime.h"
 #include "perilymph/session/Playback.h"
 
 namespace perilymph::gui {
@@ -55,18 +54,6 @@ QImage pictureOf(const std::filesystem::path& file)
 
 }  // namespace
 
-Thumbnails::Thumbnails(QObject* parent)
-    : QObject(parent), isEnding_(std::make_shared<std::atomic<bool>>(false))
-{
-  thread_.setMaxThreadCount(1);
-}
-
-Thumbnails::~Thumbnails()
-{
-  *isEnding_ = true;
-  thread_.waitForDone();
-}
-
 QPixmap Thumbnails::find(const session::SessionSummary& summary)
 {
   const QString key = keyOf(summary);
@@ -76,39 +63,55 @@ QPixmap Thumbnails::find(const session::SessionSummary& summary)
   blank.setDevicePixelRatio(fineness);
   blank.fill(Qt::transparent);
   const bool canBePainted =
-      !summary.isBeingRecorded && summary.highlights.ticks > 0 && !asked_.contains(key);
-  if (!canBePainted) return blank;
+      !summary.isBeingRecorded && summary.highlights.ticks > 0 && !impossible_.contains(key);
+  if (!canBePainted || key == painting_) return blank;
+  const auto wish = std::find_if(wishes_.begin(), wishes_.end(),
+                                 [&key](const Wish& each) { return each.key == key; });
+  if (wish != wishes_.end()) {
+    std::rotate(wish, wish + 1, wishes_.end());
+    return blank;
+  }
   QPixmap kept(QString::fromStdString(fileOf(summary, key).string()));
   if (!kept.isNull()) {
     kept.setDevicePixelRatio(fineness);
     return *known_.insert(key, kept);
   }
-  asked_.insert(key);
-  paint(summary, key);
+  wishes_.push_back({summary, key});
+  if (wishes_.size() > mostWishes) wishes_.erase(wishes_.begin());
+  if (painting_.isEmpty()) paintNext();
   return blank;
 }
 
-void Thumbnails::paint(const session::SessionSummary& summary, const QString& key)
+void Thumbnails::paintNext()
 {
-  thread_.start([this, summary, key, isEnding = isEnding_] {
-    if (*isEnding) return;
-    registerThreadRole(ThreadRole::worker);
-    const QImage image = pictureOf(summary.file);
-    if (image.isNull()) return;
-    // What cannot be kept is painted again next time.
-    static_cast<void>(writeWhole(fileOf(summary, key), [&](const std::filesystem::path& place) {
-      return image.save(QString::fromStdString(place.string()), "PNG");
-    }));
-    QMetaObject::invokeMethod(
-        this,
-        [this, key, image] {
+  painting_.clear();
+  if (wishes_.empty()) return;
+  const Wish wish = std::move(wishes_.back());
+  wishes_.pop_back();
+  painting_ = wish.key;
+  background_.run(
+      [wish](const std::atomic<bool>& isCanceled) {
+        if (isCanceled) return QImage();
+        QImage image = pictureOf(wish.summary.file);
+        // What cannot be kept is painted again next time.
+        if (!image.isNull())
+          static_cast<void>(
+              writeWhole(fileOf(wish.summary, wish.key), [&](const std::filesystem::path& place) {
+                return image.save(QString::fromStdString(place.string()), "PNG");
+              }));
+        return image;
+      },
+      [this, wish](const QImage& image) {
+        if (image.isNull()) {
+          impossible_.insert(wish.key);
+        } else {
           QPixmap pixmap = QPixmap::fromImage(image);
           pixmap.setDevicePixelRatio(fineness);
-          known_.insert(key, pixmap);
-          Q_EMIT painted();
-        },
-        Qt::QueuedConnection);
-  });
+          known_.insert(wish.key, pixmap);
+        }
+        paintNext();
+        Q_EMIT painted(wish.summary.file);
+      });
 }
 
 }  // namespace perilymph::gui

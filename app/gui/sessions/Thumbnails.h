@@ -6,36 +6,44 @@
 #include <QObject>
 #include <QPixmap>
 #include <QSet>
-#include <QThreadPool>
-#include <atomic>
-#include <memory>
+#include <vector>
 
+#include "Background.h"
 #include "perilymph/session/SessionLibrary.h"
 
 namespace perilymph::gui {
 
-/// Answers at once with what it has; what it has not it paints meanwhile and says so.
+/// Answers at once with what it has; what it has not it paints meanwhile and says so. Whoever
+/// scrolls by wants what is seen now: the last ones asked for are painted first, and those that
+/// many others were asked for since are forgotten until they are asked for again.
 class Thumbnails : public QObject {
   Q_OBJECT
 public:
   static constexpr QSize size{72, 52};
 
-  explicit Thumbnails(QObject* parent);
-  ~Thumbnails() override;
+  /// More than this many wishes are no longer seen: of one screen's height of rows.
+  static constexpr std::size_t mostWishes = 40;
+
+  explicit Thumbnails(QObject* parent) : QObject(parent), background_(this) {}
 
   /// The picture, or a blank one while it is being painted or cannot be.
   QPixmap find(const session::SessionSummary& summary);
 
 Q_SIGNALS:
-  void painted();
+  void painted(const std::filesystem::path& file);
 
 private:
-  void paint(const session::SessionSummary& summary, const QString& key);
+  struct Wish {
+    session::SessionSummary summary;
+    QString key;
+  };
+  void paintNext();
 
   QHash<QString, QPixmap> known_;
-  QSet<QString> asked_;
-  QThreadPool thread_;  ///< One thread.
-  std::shared_ptr<std::atomic<bool>> isEnding_;
+  QSet<QString> impossible_;
+  std::vector<Wish> wishes_;  ///< The last one is painted first.
+  QString painting_;          ///< What the thread is busy with.
+  Background background_;
 };
 
 }  // namespace perilymph::gui

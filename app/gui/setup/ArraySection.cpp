@@ -29,6 +29,7 @@ QLabel* quietLine(QWidget* parent, const char* name)
   label->setObjectName(QLatin1String(name));
   label->setFont(typeface(11));
   label->setProperty("quiet", true);
+  label->setWordWrap(true);
   return label;
 }
 

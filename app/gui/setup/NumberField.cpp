@@ -15,6 +15,7 @@ NumberField::NumberField(const Form& form, QWidget* parent)
 {
   auto* title = new QLabel(form.title, this);
   title->setFont(typeface(13));
+  title->setWordWrap(true);
   edit_->setObjectName(QLatin1String(form.name));
   edit_->setAccessibleName(form.title + QLatin1Char(' ') + form.unit);
   edit_->setFont(typeface(13));
@@ -26,6 +27,7 @@ NumberField::NumberField(const Form& form, QWidget* parent)
   unit->setMinimumWidth(32);
   trouble_->setFont(typeface(11));
   trouble_->setProperty("trouble", true);
+  trouble_->setWordWrap(true);
   trouble_->hide();
 
   auto* grid = new QGridLayout(this);

@@ -95,7 +95,7 @@ PatientSection::PatientSection(QWidget* parent)
   connect(ear_, &Selector::chosen, this, [this](const QString& side) {
     Q_EMIT changeAsked({Field::side, {{"side", tomlQuoted(side)}}, ear_->currentText(), {}});
   });
-  ear_->setFixedWidth(earWidth_px);
+  ear_->setFixedWidth(std::max(earWidth_px, ear_->widest_px()));
   auto* who = new QWidget(body());
   auto* row = new QHBoxLayout(who);
   row->setContentsMargins(0, 0, 0, 0);

@@ -15,6 +15,7 @@ namespace perilymph::gui {
 namespace {
 
 constexpr int height_px = 26;
+constexpr int textMargin_px = 8;
 constexpr int arrowRoom_px = 24;
 constexpr int textRole = Qt::UserRole + 1;  // without a reason
 
@@ -84,6 +85,24 @@ void Selector::show(const QString& value, const QString& textIfMissing)
   update();
 }
 
+int Selector::widest_px() const
+{
+  int words = 0;
+  for (int i = 0; i < count(); ++i)
+    words = std::max(words, QFontMetrics(font()).horizontalAdvance(itemText(i)));
+  return words + textMargin_px + arrowRoom_px + 1;
+}
+
+QString Selector::words() const
+{
+  return shown_.isEmpty() ? itemData(currentIndex(), textRole).toString() : shown_;
+}
+
+bool Selector::isWhole() const
+{
+  return QFontMetrics(font()).horizontalAdvance(words()) <= width() - textMargin_px - arrowRoom_px;
+}
+
 QSize Selector::sizeHint() const { return {120, height_px}; }
 
 QSize Selector::minimumSizeHint() const { return {60, height_px}; }
@@ -110,10 +129,9 @@ void Selector::paintEvent(QPaintEvent*)
 
   painter.setPen(isEnabled() ? textColor : quietTextColor);
   painter.setFont(font());
-  const QRect place = rect().adjusted(8, 0, -arrowRoom_px, 0);
-  const QString text = shown_.isEmpty() ? itemData(currentIndex(), textRole).toString() : shown_;
+  const QRect place = rect().adjusted(textMargin_px, 0, -arrowRoom_px, 0);
   painter.drawText(place, Qt::AlignVCenter | Qt::AlignLeft,
-                   QFontMetrics(font()).elidedText(text, Qt::ElideRight, place.width()));
+                   QFontMetrics(font()).elidedText(words(), Qt::ElideRight, place.width()));
   if (!isEnabled()) return;
   QPainterPath arrow;
   const QPointF middle(width() - 13.0, height() / 2.0 + 1.0);

@@ -26,6 +26,10 @@ public:
   /// What the closed list says instead of the choice's whole text.
   void setShown(const QString& text) { shown_ = text; }
   QString value() const { return currentData().toString(); }
+  /// As wide as it must be for its longest choice.
+  int widest_px() const;
+  /// Whether what it says now is not cut.
+  bool isWhole() const;
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -40,6 +44,8 @@ protected:
   void wheelEvent(QWheelEvent* event) override;
 
 private:
+  QString words() const;
+
   QString shown_;
 };
 

@@ -1,6 +1,7 @@
 #include "SetupHistory.h"
 
 #include <QStringList>
+#include <algorithm>
 #include <utility>
 
 namespace perilymph::gui {
@@ -22,6 +23,8 @@ public:
   void redo() override { history_.now_ = after_; }
   void undo() override { history_.now_ = before_; }
   int id() const override { return static_cast<int>(field_); }
+  const Setup& before() const { return before_; }
+  const Setup& after() const { return after_; }
 
   bool mergeWith(const QUndoCommand* other) override
   {
@@ -106,6 +109,19 @@ void SetupHistory::undo()
 void SetupHistory::redo()
 {
   stack_.redo();
+  Q_EMIT setupChanged();
+}
+
+void SetupHistory::goTo(const std::string& scenarioText)
+{
+  if (now_.scenario.text == scenarioText) return;
+  int place = -1;
+  for (int i = 0; i < stack_.count(); ++i) {
+    const auto& each = static_cast<const SetupCommand&>(*stack_.command(i));
+    if (i == 0 && each.before().scenario.text == scenarioText) place = 0;
+    if (each.after().scenario.text == scenarioText) place = i + 1;
+  }
+  stack_.setIndex(std::max(place, 0));
   Q_EMIT setupChanged();
 }
 

@@ -37,6 +37,8 @@ public:
 
   void undo();
   void redo();
+  /// Goes to where the scenario was this one, backwards or forwards; where none was, to the origin.
+  void goTo(const std::string& scenarioText);
   const QUndoStack& stack() const { return stack_; }
 
 Q_SIGNALS:

@@ -38,6 +38,7 @@ PopulationField::PopulationField(const QString& title, const char* name,
   auto* titleLabel = new QLabel(title, this);
   titleLabel->setFont(typeface(13));
   titleLabel->setBuddy(field_);
+  titleLabel->setWordWrap(true);
   field_->setObjectName(QLatin1String(name));
   field_->setAccessibleName(title);
   field_->setFont(typeface(13, QFont::Medium));
@@ -53,6 +54,7 @@ PopulationField::PopulationField(const QString& title, const char* name,
   place_->setFont(typeface(11));
   place_->setProperty("quiet", true);
   place_->setToolTip(population.source);
+  place_->setWordWrap(true);
   provenance_->setFont(typeface(11));
   provenance_->setProperty("quiet", true);
   provenance_->setToolTip(tr("Where the number comes from."));

@@ -56,7 +56,7 @@ BottomBar::BottomBar(QWidget* parent)
 {
   setFixedHeight(barHeight);
   start_->setFont(typeface(13, QFont::DemiBold));
-  start_->setToolTip(tr("Start or pause the insertion (Space)"));
+  setWait({});
   withdraw_->setToolTip(tr("Pull the array out again (Backspace)"));
   reset_->setToolTip(tr("Begin anew with a recording of its own (Ctrl+R)"));
   withdraw_->setEnabled(false);
@@ -105,6 +105,11 @@ void BottomBar::setMain(Main action, bool isEnabled)
   main_ = action;
   start_->setText(action == Main::start ? tr("Start") : tr("Pause"));
   start_->setEnabled(isEnabled);
+}
+
+void BottomBar::setWait(const QString& reason)
+{
+  start_->setToolTip(reason.isEmpty() ? tr("Start or pause the insertion (Space)") : reason);
 }
 
 void BottomBar::setWithdrawEnabled(bool isEnabled) { withdraw_->setEnabled(isEnabled); }

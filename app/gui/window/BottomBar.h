@@ -35,6 +35,8 @@ public:
   /// What the first button does now.
   enum class Main { start, pause };
   void setMain(Main action, bool isEnabled);
+  /// Why the main button has to wait; empty where it has not.
+  void setWait(const QString& reason);
   void setWithdrawEnabled(bool isEnabled);
   void setProgress(double share, double time_s);
   /// @param isTrouble  Stands out, because the recording or the haptic loop is in trouble.

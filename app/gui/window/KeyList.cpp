@@ -3,6 +3,7 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QVBoxLayout>
 #include <QVariant>
 #include <utility>
@@ -39,6 +40,13 @@ void addRow(QGridLayout& grid, const QString& keys, const QString& meaning, QWid
 KeyList::KeyList(const KeyActions& actions, QWidget* parent) : QFrame(parent)
 {
   setObjectName(QStringLiteral("keys"));
+  auto* guide = new QPushButton(tr("User guide"), this);
+  guide->setObjectName(QStringLiteral("guideButton"));
+  guide->setFont(typeface(13, QFont::Medium));
+  guide->setFixedHeight(28);
+  guide->setFocusPolicy(Qt::TabFocus);
+  guide->setToolTip(tr("Three walks through the workstation, step by step (Shift+F1)"));
+  connect(guide, &QPushButton::clicked, this, &KeyList::guideAsked);
   auto* columns = new QHBoxLayout(this);
   columns->setContentsMargins(3 * spacing, 2 * spacing, 3 * spacing, 2 * spacing);
   columns->setSpacing(4 * spacing);
@@ -60,6 +68,7 @@ KeyList::KeyList(const KeyActions& actions, QWidget* parent) : QFrame(parent)
       for (const Gesture& gesture : actions.gestures())
         if (gesture.section == section) addRow(*grid, gesture.what, gesture.meaning, this);
     }
+    if (&half == std::end(halves) - 1) column->addWidget(guide, 0, Qt::AlignRight);
   }
   hide();
 }

@@ -13,6 +13,9 @@ class KeyList : public QFrame {
   Q_OBJECT
 public:
   KeyList(const KeyActions& actions, QWidget* parent);
+
+Q_SIGNALS:
+  void guideAsked();
 };
 
 }  // namespace perilymph::gui

@@ -11,13 +11,14 @@
 #include <cstring>
 
 #include "BottomBar.h"
+#include "BuildingNote.h"
 #include "ComparePage.h"
 #include "DevicePage.h"
 #include "ForceCharts.h"
+#include "GuideSheet.h"
 #include "InsertionViews.h"
 #include "KeyList.h"
 #include "Notice.h"
-#include "Numbers.h"
 #include "OperationView.h"
 #include "Replay.h"
 #include "ReplayBar.h"
@@ -57,6 +58,7 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
       view_(views_->operation()),
       charts_(views_->charts()),
       bottom_(new BottomBar(this)),
+      guide_(new GuideSheet(this)),
       settings_(new SettingsSheet(this)),
       notice_(new Notice(this)),
       devices_(new DevicePage(view_)),
@@ -68,19 +70,21 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
       replay_(new Replay(this)),
       bars_(new QStackedWidget(this)),
       reading_(this),
-      anatomyWork_(this),
+      modelWork_(this),
+      building_(new BuildingNote(view_)),
       pages_(new QStackedWidget(this))
 {
   setObjectName(QStringLiteral("mainWindow"));
   setFont(typeface(13));
   setStyleSheet(windowStyle());
-  setMinimumSize(1260, 720);
+  setMinimumSize(1024, 640);
   resize(1280, 800);
   setFocusPolicy(Qt::StrongFocus);
   layOut();
   connectZones();
   addKeys();
   keys_ = new KeyList(keyActions_, this);
+  connect(keys_, &KeyList::guideAsked, this, &MainWindow::toggleGuide);
   connectSetup();
   setup_->begin({control_.scenario(), {}}, Origin::Kind::preset);
   showScenario();
@@ -154,6 +158,7 @@ void MainWindow::connectZones()
           [this] { beginShipped("contour-published", Then::insert); });
   connect(top_, &TopBar::keysAsked, this, &MainWindow::toggleKeyList);
   connect(top_, &TopBar::settingsAsked, this, &MainWindow::toggleSettings);
+  connect(guide_, &GuideSheet::closeAsked, this, &MainWindow::toggleGuide);
   connect(settings_, &SettingsSheet::closeAsked, this, &MainWindow::toggleSettings);
   connect(settings_, &SettingsSheet::chosen, this, &MainWindow::anewAsked);
   connect(side_, &SidePanel::handChosen, this, &MainWindow::chooseHand);
@@ -178,8 +183,8 @@ void MainWindow::start()
   const QString wrong = isChangeable() ? side_->commit() : QString();
   if (!wrong.isEmpty()) return showTrouble(wrong);
   setup_->seal();
-  isStartAsked_ = anatomyWork_.isBusy();
-  if (isStartAsked_) return;
+  isStartAsked_ = modelWork_.isBusy();
+  if (isStartAsked_) return showState();
   const Result<Done> begun = control_.begin();
   if (!begun) showTrouble(QString::fromStdString(begun.error().message));
   showState();
@@ -281,117 +286,6 @@ void MainWindow::showSlowly()
   views_->weigh(meter_);
   bottom_->setProgress(now.travel / control_.scenario().stopTravel.si(), now.time);
   showState();
-}
-
-void MainWindow::showState()
-{
-  const haptics::Snapshot& now = control_.now();
-  const Workflow workflow = now.output.workflow;
-  const bool isRunning = control_.isRunning();
-  const bool isScripted = control_.hand() == Hand::scripted;
-  const bool hasMoved = isRunning && workflow != Workflow::idle && workflow != Workflow::armed;
-  const bool isBusy = anatomyWork_.isBusy();
-  const bool isThere = workflow == Workflow::finished || workflow == Workflow::fault;
-
-  if (isScripted)
-    bottom_->setMain(control_.isMoving() ? BottomBar::Main::pause : BottomBar::Main::start,
-                     !isThere && !isBusy);
-  else
-    bottom_->setMain(BottomBar::Main::start, !isRunning && !isBusy);
-  bottom_->setWithdrawEnabled(hasMoved && workflow != Workflow::fault && now.output.travel > 0.0 &&
-                              (isScripted || workflow == Workflow::finished));
-  side_->setChangeable(isChangeable());
-  devices_->setChangeable(!hasMoved || isThere);
-  settings_->setChangeable(!hasMoved || isThere);
-  showDevice();
-  side_->setHoldEnabled(isRunning && workflow != Workflow::fault);
-
-  const bool hasStylet = control_.scenario().array.hasStylet;
-  const double withdrawn_mm = inMillimeters(Length::fromSi(now.output.styletWithdrawal));
-  const QString stylet = !hasStylet           ? tr("no stylet")
-                         : withdrawn_mm > 0.0 ? tr("%1 mm out").arg(numberText(withdrawn_mm, 1))
-                                              : tr("in");
-  side_->setStylet(stylet, hasStylet && hasMoved && !control_.isStyletPulled());
-
-  if (!isRunning)
-    top_->setDevice(Light::off, tr("ready"), QString::fromStdString(control_.handName()));
-  else if (workflow == Workflow::fault)
-    top_->setDevice(Light::alarm, tr("fault · no force"), troubleWords());
-  else if (now.measuredRate > 0.0)
-    top_->setDevice(Light::steady,
-                    tr("%1 Hz · %2 late").arg(numberText(now.measuredRate, 0)).arg(now.lateTicks),
-                    tr("%1. Ticks a second as measured, and ticks that began more than one period "
-                       "late.")
-                        .arg(QString::fromStdString(control_.handName())));
-  else
-    top_->setDevice(Light::steady, tr("running"), QString::fromStdString(control_.handName()));
-
-  bottom_->setStatus(statusWords(), !control_.recordingTrouble().empty());
-  view_->setBanner(troubleWords());
-  view_->setHint(hintWords());
-}
-
-QString MainWindow::statusWords() const
-{
-  const haptics::Snapshot& now = control_.now();
-  QStringList words;
-  if (!control_.recordingTrouble().empty())
-    words << tr("NOT recording");
-  else if (control_.isRunning())
-    words << (now.lostRecords > 0 ? tr("recording, %1 ticks lost").arg(now.lostRecords)
-                                  : tr("recording"));
-  else
-    words << tr("not started");
-  if (control_.isRunning()) words << tr("late ticks: %1").arg(now.lateTicks);
-  if (!deviceWords_.isEmpty()) words << deviceWords_ << tr("%1 overruns").arg(now.overruns);
-  if (!control_.couplingWords().empty())
-    words << tr("coupling %1 N/m").arg(numberText(now.couplingStiffness, 0));
-  words << tr("%1 fps").arg(meter_.framesPerSecond(FrameMeter::Clock::now()));
-  words << tr("not a medical device");
-  return words.join(QStringLiteral(" · "));
-}
-
-QString MainWindow::troubleWords() const
-{
-  const haptics::TickOutput& now = control_.now().output;
-  if (now.workflow == Workflow::fault) {
-    const QString what = (now.status & haptics::deviceLost) != 0 ? tr("The hand stopped answering.")
-                         : (now.status & haptics::notFinite) != 0
-                             ? tr("The computed motion left every bound.")
-                             : tr("The insertion was stopped.");
-    return what + tr(" The force is off and the array rests. Press Reset to begin anew.");
-  }
-  if (!trouble_.isEmpty()) return trouble_;
-  const std::string recording = control_.recordingTrouble();
-  if (!recording.empty())
-    return tr("This insertion is not being recorded: %1").arg(QString::fromStdString(recording));
-  return {};
-}
-
-QString MainWindow::deviceHint() const
-{
-  if (!control_.isRunning()) {
-    const QString press = tr("Press Start, then hold the device’s button and push.");
-    if (control_.couplingWords().empty()) return press;
-    return press + QLatin1Char('\n') +
-           tr("Coupling %1 N/m, softer than asked: Devices (H).")
-               .arg(numberText(control_.now().couplingStiffness, 0));
-  }
-  if (!control_.isMoving()) return tr("Hold the device’s button: the array follows the hand.");
-  return tr("Array held. Letting go of the button lets it rest.");
-}
-
-QString MainWindow::hintWords() const
-{
-  const haptics::TickOutput& now = control_.now().output;
-  if (anatomyWork_.isBusy()) return tr("Building the cochlea…");
-  if (control_.isAtDepth()) return tr("Full depth. Withdraw or Reset.");
-  if (now.workflow == Workflow::finished) return tr("The array is out. Reset to insert again.");
-  if (control_.hand() == Hand::scripted) return {};
-  if (control_.hand() == Hand::device) return deviceHint();
-  if (!control_.isRunning()) return tr("Press Start, then hold Space and turn the wheel.");
-  if (!control_.isHeld()) return tr("Hold Space, then turn the wheel or press Down.");
-  return tr("Array held. Wheel or Down advances, Up withdraws.");
 }
 
 }  // namespace perilymph::gui

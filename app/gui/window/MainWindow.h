@@ -10,11 +10,11 @@
 #include <optional>
 #include <set>
 
-#include "AnatomyWork.h"
 #include "Background.h"
 #include "FrameMeter.h"
 #include "InsertionControl.h"
 #include "KeyActions.h"
+#include "ModelWork.h"
 #include "Setup.h"
 #include "TopBar.h"
 #include "perilymph/foundation/Result.h"
@@ -25,9 +25,11 @@ class QStackedWidget;
 namespace perilymph::gui {
 
 class BottomBar;
+class BuildingNote;
 class ComparePage;
 class DevicePage;
 class ForceCharts;
+class GuideSheet;
 class InsertionViews;
 class KeyList;
 class Notice;
@@ -90,6 +92,8 @@ public:
   OperationView& view() { return *view_; }
   InsertionViews& views() { return *views_; }
   const FrameMeter& meter() const { return meter_; }
+  /// Stops the insertion for good and says how its loop kept time.
+  haptics::LoopStatistics halt() { return control_.halt(); }
   /// Frames are timed anew from now on.
   void restartMeter() { meter_ = {}; }
 
@@ -131,7 +135,10 @@ private:
   void prepare(Hand hand);
   void connectSetup();
   void useSetup();
-  void use(const session::Scenario& scenario, std::shared_ptr<const anatomy::ScalaTympani> anatomy);
+  void build(const session::Scenario& scenario,
+             std::function<void(const InsertionControl::Parts&)> use);
+  void cancelBuilding();
+  void use(const session::Scenario& scenario, const std::optional<InsertionControl::Parts>& parts);
   bool isChangeable() const;
   void undo();
   void redo();
@@ -155,6 +162,7 @@ private:
   void takePicture();
   void toggleSettings();
   void toggleKeyList();
+  void toggleGuide();
   void toggleDevices();
   void useDevice(const device::FoundHand& found);
   void showDevice();
@@ -174,6 +182,7 @@ private:
   BottomBar* bottom_;
   KeyActions keyActions_;
   KeyList* keys_ = nullptr;
+  GuideSheet* guide_;
   SettingsSheet* settings_;
   Notice* notice_;
   DevicePage* devices_;
@@ -187,7 +196,8 @@ private:
   std::size_t charted_ = 0;           ///< Samples of the replay that are in the charts.
   QStackedWidget* bars_;
   Background reading_;
-  AnatomyWork anatomyWork_;
+  ModelWork modelWork_;
+  BuildingNote* building_;
   QStackedWidget* pages_;
   Page page_ = Page::insert;
 
@@ -195,7 +205,7 @@ private:
   QElapsedTimer sinceFrame_, sinceSlow_;
   FrameMeter meter_;
   bool isFirstFrame_ = true;
-  bool isStartAsked_ = false;  ///< Begin once the cochlea is built.
+  bool isStartAsked_ = false;  ///< Begin once the model is built.
   std::set<int> pressed_;      ///< Up and Down while they are held.
   QString trouble_;
   QString deviceWords_;        ///< How the hand's device is doing; empty without one.

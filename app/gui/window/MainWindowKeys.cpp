@@ -8,6 +8,7 @@
 
 #include "ComparePage.h"
 #include "DevicePage.h"
+#include "GuideSheet.h"
 #include "InsertionViews.h"
 #include "KeyList.h"
 #include "MainWindow.h"
@@ -192,6 +193,10 @@ void MainWindow::addWindowKeys()
   keyActions_.add({section, {Qt::Key_F1, Qt::Key_Question}, tr("this list"), onAnyPage([this](int) {
                      toggleKeyList();
                    })});
+  keyActions_.add(
+      {section, {with(Qt::ShiftModifier, Qt::Key_F1)}, tr("user guide"), onAnyPage([this](int) {
+         toggleGuide();
+       })});
   keyActions_.add({section,
                    {Qt::Key_Escape},
                    tr("leave what lies on the page; let go of the array"),
@@ -220,6 +225,8 @@ bool MainWindow::leavePanel()
 
 void MainWindow::leave()
 {
+  if (modelWork_.isBusy()) return cancelBuilding();
+  if (guide_->isVisible()) return toggleGuide();
   if (leavePanel()) return;
   if (keys_->isVisible()) return toggleKeyList();
   if (settings_->isVisible()) return toggleSettings();
@@ -248,6 +255,14 @@ void MainWindow::toggleKeyList()
   keys_->move(rect().center() - keys_->rect().center());
   keys_->setVisible(!keys_->isVisible());
   keys_->raise();
+}
+
+void MainWindow::toggleGuide()
+{
+  keys_->hide();
+  if (guide_->isHidden()) return guide_->open();
+  guide_->hide();
+  setFocus();
 }
 
 void MainWindow::takePicture()

@@ -122,19 +122,15 @@ void MainWindow::load(Setup setup, Origin::Kind kind, Then then)
   pause();
   closeReplay();
   showPage(Page::insert);
-  anatomyWork_.build(
-      setup.scenario,
-      [this, setup, kind, then](const Result<std::shared_ptr<const anatomy::ScalaTympani>>& built) {
-        if (!built) return showTrouble(QString::fromStdString(built.error().message));
-        views_->forgetScene();
-        control_.use(setup.scenario, *built);
-        setup_->begin(setup, kind);
-        showScenario();
-        prepare(Hand::scripted);
-        showCochlea();
-        if (then == Then::insert) start();
-      });
-  showState();
+  build(setup.scenario, [this, setup, kind, then](const InsertionControl::Parts& parts) {
+    views_->forgetScene();
+    control_.use(setup.scenario, parts);
+    setup_->begin(setup, kind);
+    showScenario();
+    prepare(Hand::scripted);
+    showCochlea();
+    if (then == Then::insert) start();
+  });
 }
 
 void MainWindow::prepare(Hand hand)

@@ -57,7 +57,7 @@ void MainWindow::openReplay(const std::filesystem::path& file)
 void MainWindow::beginReplay()
 {
   // Nothing may move but the picture: the insertion ends, and no device stays open.
-  anatomyWork_.forget();
+  modelWork_.forget();
   isStartAsked_ = false;
   handBefore_ = control_.hand();
   prepare(Hand::scripted);

@@ -2,8 +2,8 @@
 
 #include <QFileDialog>
 
-#include "ForceCharts.h"
 #include "ComparePage.h"
+#include "ForceCharts.h"
 #include "MainWindow.h"
 #include "Report.h"
 #include "SessionsPage.h"

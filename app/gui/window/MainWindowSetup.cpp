@@ -1,5 +1,6 @@
 // Changes of the setup: from the panel to the cochlea, the array and the picture, and back again.
 
+#include "BuildingNote.h"
 #include "InsertionViews.h"
 #include "MainWindow.h"
 #include "OperationView.h"
@@ -12,23 +13,6 @@ namespace perilymph::gui {
 namespace {
 
 using haptics::Workflow;
-
-std::string valueOf(const session::Scenario& scenario, const std::string& wanted)
-{
-  for (const auto& [key, value] : scenario.values)
-    if (key == wanted) return value;
-  return {};
-}
-
-/// True if both are built from the same numbers.
-bool haveSameCochlea(const session::Scenario& one, const session::Scenario& other)
-{
-  for (const char* key : {"anatomy", "lead_in_mm", "patient_numbers.st_length_mm",
-                          "patient_numbers.rw_width_mm", "patient_numbers.rw_height_mm",
-                          "patient_numbers.a_mm", "patient_numbers.b_mm", "patient_numbers.h_mm"})
-    if (valueOf(one, key) != valueOf(other, key)) return false;
-  return true;
-}
 
 /// True if they look alike before anything moves.
 bool lookAlike(const session::Scenario& one, const session::Scenario& other)
@@ -51,6 +35,7 @@ void MainWindow::connectSetup()
   });
   connect(side_, &SidePanel::undoAsked, this, &MainWindow::undo);
   connect(side_, &SidePanel::redoAsked, this, &MainWindow::redo);
+  connect(building_, &BuildingNote::cancelAsked, this, &MainWindow::cancelBuilding);
 }
 
 void MainWindow::resume(const Origin& origin, const Setup& now)
@@ -84,29 +69,44 @@ void MainWindow::useSetup()
   const session::Scenario& wanted = setup_->now().scenario;
   const session::Scenario& held = control_.scenario();
   if (wanted.text == held.text) {
-    anatomyWork_.forget();
+    modelWork_.forget();
     return showScenario();
   }
-  if (control_.hasAnatomy() && haveSameCochlea(wanted, held)) {
-    anatomyWork_.forget();
-    return use(wanted, nullptr);
+  if (haveSameModel(wanted, held)) {
+    modelWork_.forget();
+    return use(wanted, std::nullopt);
   }
-  anatomyWork_.build(
-      wanted, [this, wanted](const Result<std::shared_ptr<const anatomy::ScalaTympani>>& built) {
-        if (built) return use(wanted, *built);
-        isStartAsked_ = false;
-        setup_->undo();  // the panel goes on telling the truth
-        showTrouble(QString::fromStdString(built.error().message));
-      });
+  build(wanted, [this, wanted](const InsertionControl::Parts& parts) { use(wanted, parts); });
+}
+
+void MainWindow::build(const session::Scenario& scenario,
+                       std::function<void(const InsertionControl::Parts&)> use)
+{
+  const bool isSameCochlea = haveSameCochlea(scenario, control_.scenario());
+  modelWork_.build(scenario, isSameCochlea ? control_.sharedAnatomy() : nullptr,
+                   [this, use = std::move(use)](const Result<InsertionControl::Parts>& built) {
+                     if (built) return use(*built);
+                     cancelBuilding();
+                     showTrouble(QString::fromStdString(built.error().message));
+                   });
+  showScenario();
+  showState();
+}
+
+void MainWindow::cancelBuilding()
+{
+  modelWork_.forget();
+  isStartAsked_ = false;
+  setup_->goTo(control_.scenario().text);  // the panel goes on telling the truth
   showState();
 }
 
 void MainWindow::use(const session::Scenario& scenario,
-                     std::shared_ptr<const anatomy::ScalaTympani> anatomy)
+                     const std::optional<InsertionControl::Parts>& parts)
 {
   const bool isSameToTheEye = lookAlike(scenario, control_.scenario());
   if (!isSameToTheEye) views_->forgetScene();
-  control_.use(scenario, std::move(anatomy));
+  control_.use(scenario, parts);
   showScenario();
   prepare(control_.hand());
   if (!isSameToTheEye) showCochlea();

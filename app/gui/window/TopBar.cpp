@@ -152,7 +152,9 @@ QPushButton* TopBar::addPage(Page page, const QString& text, const char* name)
   button->setProperty("page", true);
   button->setFont(typeface(13, QFont::Medium));
   button->setFixedHeight(28);
-  button->setMinimumWidth(std::max(84, button->sizeHint().width()));
+  // the window's style, which makes the hint, comes later
+  const int words = QFontMetrics(button->font()).horizontalAdvance(text);
+  button->setMinimumWidth(std::max(84, words + 2 * spacing + 4));
   button->setCheckable(true);
   button->setFocusPolicy(Qt::TabFocus);
   connect(button, &QPushButton::clicked, this, [this, page] { Q_EMIT pageChosen(page); });

@@ -21,6 +21,7 @@ ArrayInScala::ArrayInScala(const anatomy::ScalaTympani& scala, const electrode::
     : scala_(scala), array_(array)
 {
   nodes_.reserve(mechanics::mostNodes);
+  nodes_W_.reserve(mechanics::mostNodes);
 }
 
 NodePlace ArrayInScala::place(const Eigen::Vector3d& node_W, anatomy::LumenTrack& track,
@@ -58,6 +59,7 @@ NodePlace ArrayInScala::place(const Eigen::Vector3d& node_W, anatomy::LumenTrack
 void ArrayInScala::follow(const haptics::Snapshot& now)
 {
   nodes_.clear();
+  nodes_W_.clear();
   const std::size_t count = std::min<std::size_t>(now.nodes, mechanics::mostNodes);
   if (count < 2) return;
   for (std::size_t i = 0; i < count; ++i)
@@ -87,6 +89,7 @@ void ArrayInScala::follow(const haptics::Snapshot& now)
       found.pushUp_mN = perMilli * push_W.z();
     }
     nodes_.push_back(found);
+    nodes_W_.push_back(node_W);
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "ChartStyle.h"
 #include "perilymph/charts/Typeface.h"
@@ -50,6 +51,7 @@ void fillWith(vtkContext2D& painter, const vtkColor4ub& color)
 }
 
 constexpr float swatchWidth = 20.0f;  // of a legend, at pixel ratio 1
+constexpr float narrow_px = 260.0f;   // a plot without room for long words beside its curve
 
 /// A disc with a soft rim, drawn as three shells: software rendering does not smooth edges.
 void disc(vtkContext2D& painter, float x, float y, float radius, const vtkColor4ub& color)
@@ -166,23 +168,63 @@ void ChartOverlay::paintSwatch(vtkContext2D& painter, const LegendEntry& entry, 
   disc(painter, middle, y, 2.0f * scale_, style::ground);
 }
 
+float ChartOverlay::widthOf(vtkContext2D& painter, const std::string& words) const
+{
+  float bounds[4];  // left, bottom, width, height
+  setText(painter, style::text, VTK_TEXT_LEFT);
+  painter.ComputeStringBounds(words, bounds);
+  return bounds[2];
+}
+
+std::vector<std::string> ChartOverlay::wrapped(vtkContext2D& painter, const std::string& words,
+                                               float room) const
+{
+  std::vector<std::string> lines{""};
+  std::istringstream rest(words);
+  for (std::string word; rest >> word;) {
+    const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+    if (lines.back().empty() || widthOf(painter, longer) <= room)
+      lines.back() = longer;
+    else
+      lines.push_back(word);
+  }
+  return lines;
+}
+
 void ChartOverlay::paintLegend(vtkContext2D& painter, const Area& area) const
 {
-  const bool isAbove = legendPlace == LegendPlace::above;
-  float x = area.left + (isAbove ? 0.0f : 12.0f * scale_);
-  float y = isAbove ? area.top + 11.0f * scale_ : area.top - 18.0f * scale_;
+  if (legendPlace == LegendPlace::above) return paintLegendAbove(painter, area);
+  const float x = area.left + 12.0f * scale_;
+  const float words = x + (swatchWidth + 7.0f) * scale_;
+  // in a narrow chart the words stay off the curve's end
+  const float share = area.right - area.left < narrow_px * scale_ ? 0.82f : 1.0f;
+  const float room = area.left + share * (area.right - area.left) - words;
+  float y = area.top - 18.0f * scale_;
   for (const LegendEntry& entry : legend) {
     paintSwatch(painter, entry, x, y);
-    setText(painter, style::text, VTK_TEXT_LEFT);
-    const float words = x + (swatchWidth + 7.0f) * scale_;
-    painter.DrawString(words, y, entry.text);
-    if (!isAbove) {
-      y -= 17.0f * scale_;
-      continue;
+    for (const std::string& line : wrapped(painter, entry.text, room)) {
+      setText(painter, style::text, VTK_TEXT_LEFT);
+      painter.DrawString(words, y, line);
+      y -= 15.0f * scale_;
     }
-    float bounds[4];  // left, bottom, width, height
-    painter.ComputeStringBounds(entry.text, bounds);
-    x = words + bounds[2] + 16.0f * scale_;
+    y -= 2.0f * scale_;
+  }
+}
+
+void ChartOverlay::paintLegendAbove(vtkContext2D& painter, const Area& area) const
+{
+  float x = area.left;
+  float y = area.top + 11.0f * scale_;
+  for (const LegendEntry& entry : legend) {
+    const float width = (swatchWidth + 7.0f) * scale_ + widthOf(painter, entry.text);
+    if (x > area.left && x + width > area.right + 8.0f * scale_) {  // a second row, in the chart
+      x = area.left + 12.0f * scale_;
+      y = y > area.top ? area.top - 10.0f * scale_ : y - 15.0f * scale_;
+    }
+    paintSwatch(painter, entry, x, y);
+    setText(painter, style::text, VTK_TEXT_LEFT);
+    painter.DrawString(x + (swatchWidth + 7.0f) * scale_, y, entry.text);
+    x += width + 16.0f * scale_;
   }
 }
 

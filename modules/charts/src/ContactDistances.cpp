@@ -6,6 +6,7 @@
 #include "PlotSheet.h"
 #include "perilymph/charts/Wording.h"
 #include "perilymph/foundation/Units.h"
+#include "perilymph/mechanics/Outcome.h"
 
 namespace perilymph::charts {
 
@@ -15,31 +16,9 @@ using analysis::Stroke;
 
 namespace {
 
-constexpr int directions = 144;
 constexpr AxisRange usualDistance_mm{0.0, 1.5, 0.5};
-
-/// Distance from a place of a section to its wall, straight toward the axis [mm]; -1 without one.
-double towardAxis_mm(const anatomy::ScalaTympani& scala, const NodePlace& place)
-{
-  const double angle = degrees(std::max(0.0, place.angle_deg)).si();
-  const Eigen::Vector3d center_W = scala.center_W(angle);
-  const double center_mm = 1e3 * center_W.head<2>().norm();
-  double nearest_mm = -1.0;
-  Eigen::Vector2d before = Eigen::Vector2d::Zero();
-  for (int k = 0; k <= directions; ++k) {
-    const Eigen::Vector3d wall_W = scala.wall_W(angle, 2.0 * pi * k / directions);
-    const Eigen::Vector2d wall(1e3 * wall_W.head<2>().norm() - center_mm,
-                               1e3 * (wall_W.z() - center_W.z()));
-    // a piece of wall that crosses the height of the place
-    if (k > 0 && (before.y() < place.up_mm) != (wall.y() < place.up_mm)) {
-      const double share = (place.up_mm - before.y()) / (wall.y() - before.y());
-      const double away_mm = place.across_mm - (before.x() + share * (wall.x() - before.x()));
-      if (away_mm >= 0.0 && (nearest_mm < 0.0 || away_mm < nearest_mm)) nearest_mm = away_mm;
-    }
-    before = wall;
-  }
-  return nearest_mm;
-}
+constexpr double leftMargin_px = 30.0;
+constexpr double line_px = 14.0;
 
 }  // namespace
 
@@ -47,10 +26,12 @@ std::vector<ContactDistance> contactDistances(const ArrayInScala& now)
 {
   std::vector<ContactDistance> contacts(now.array().contactsFromTip.size());
   if (now.nodes().empty()) return contacts;
+  const auto outcome =
+      mechanics::outcomeOf(now.scala(), now.array(), {now.nodes_W(), {}, Eigen::Vector3d::UnitX()});
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const NodePlace place = now.at(inMillimeters(now.array().contactsFromTip[i]));
-    if (!place.isInside) continue;
-    contacts[i] = {true, place.angle_deg, towardAxis_mm(now.scala(), place)};
+    const mechanics::ContactOutcome& contact = outcome[i];
+    if (!contact.isInside) continue;
+    contacts[i] = {true, inDegrees(radians(contact.angle)), 1e3 * contact.toInnerWall};
   }
   return contacts;
 }
@@ -68,7 +49,14 @@ analysis::Drawing drawContactDistances(const std::vector<ContactDistance>& conta
   }
   const double count = std::max(1.0, static_cast<double>(contacts.size()));
   const AxisRange numbers{0.0, count + 1.0, count > 12.0 ? 5.0 : 2.0};
-  PlotSheet sheet(width, height, {30.0, 4.0, 22.0, 22.0}, numbers,
+  const std::string mean =
+      inside > 0
+          ? filled(wording().meanAndInside, {written(sum_mm / inside, 2), std::to_string(inside)})
+          : wording().noContactInside;
+  const bool hasRoom = widthOfLabel(mean) <= width - leftMargin_px;
+  const std::vector<std::string> words = linesOfLabel(mean, width);
+  const double above = line_px * static_cast<double>(words.size()) + 8.0;
+  PlotSheet sheet(width, height, {leftMargin_px, 4.0, above, 22.0}, numbers,
                   grown(usualDistance_mm, 0.0, most_mm));
   sheet.addYTicks(1);
   sheet.addXTicks(1, "");
@@ -81,18 +69,13 @@ analysis::Drawing drawContactDistances(const std::vector<ContactDistance>& conta
     sheet.add(Stroke{{sheet.at(number, 0.0), head}, ink::faded(ink::silicone, 0.5), 1.5, 0.0});
     sheet.add(Disk{head, 2.5, ink::silicone, ink::silicone});
   }
-  if (inside == 0) {
-    sheet.write({sheet.left(), 14.0}, wording().noContactInside, ink::quiet);
-    return sheet.take();
+  if (inside > 0) {
+    const double y = sheet.y(sum_mm / inside);
+    sheet.add(Stroke{{{sheet.left(), y}, {sheet.right(), y}}, ink::accent, 1.0, 4.0});
   }
-  const double mean_mm = sum_mm / inside;
-  sheet.add(Stroke{{{sheet.left(), sheet.y(mean_mm)}, {sheet.right(), sheet.y(mean_mm)}},
-                   ink::accent,
-                   1.0,
-                   4.0});
-  sheet.write({sheet.left(), 14.0},
-              filled(wording().meanAndInside, {written(mean_mm, 2), std::to_string(inside)}),
-              ink::accent);
+  for (std::size_t i = 0; i < words.size(); ++i)
+    sheet.write({hasRoom ? sheet.left() : 0.0, line_px * static_cast<double>(i + 1)}, words[i],
+                inside > 0 ? ink::accent : ink::quiet);
   return sheet.take();
 }
 

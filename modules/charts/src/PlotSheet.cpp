@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <sstream>
 
 #include "ChartStyle.h"
 #include "perilymph/charts/Wording.h"
@@ -76,6 +77,28 @@ void PlotSheet::write(PagePoint at, std::string text, const analysis::Ink& ink, 
 {
   add(analysis::Words{at, std::move(text), style::labelSize, ink, anchor,
                       analysis::Direction::across, false});
+}
+
+double widthOfLabel(const std::string& words)
+{
+  constexpr double perLetter = 0.53;  // of the type's size: Inter's mean, and a little more
+  const auto isFirstByte = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
+  const auto letters = std::count_if(words.begin(), words.end(), isFirstByte);
+  return perLetter * style::labelSize * static_cast<double>(letters);
+}
+
+std::vector<std::string> linesOfLabel(const std::string& words, double room_px)
+{
+  std::vector<std::string> lines{""};
+  std::istringstream rest(words);
+  for (std::string word; rest >> word;) {
+    const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+    if (lines.back().empty() || widthOfLabel(longer) <= room_px)
+      lines.back() = longer;
+    else
+      lines.push_back(word);
+  }
+  return lines;
 }
 
 std::string written(double value, int decimals)

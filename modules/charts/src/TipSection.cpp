@@ -157,10 +157,12 @@ analysis::Drawing TipSection::draw(const ArrayInScala& now, double width, double
   sheet.write({0.5 * (membrane[0].x + membrane[1].x), above}, wording().basilarMembrane,
               ink::membrane, Anchor::middle);
   const double names = frame.at({0.0, -halfHeight_mm_}).y + 16.0;
-  sheet.write({std::max(8.0, frame.at({inner_mm, 0.0}).x), names}, "← " + wording().modiolus,
-              ink::quiet);
-  sheet.write({std::min(width - 8.0, frame.at({outer_mm, 0.0}).x), names},
-              wording().outerWall + " →", ink::quiet, Anchor::end);
+  const std::string inward = "← " + wording().modiolus, outward = wording().outerWall + " →";
+  const double left = std::max(8.0, frame.at({inner_mm, 0.0}).x);
+  const double right = std::min(width - 8.0, frame.at({outer_mm, 0.0}).x);
+  const bool areBeside = widthOfLabel(inward) + widthOfLabel(outward) + 8.0 <= right - left;
+  sheet.write({left, names}, inward, ink::quiet);
+  sheet.write({right, areBeside ? names : names + 14.0}, outward, ink::quiet, Anchor::end);
 
   double force_mN = 0.0;
   if (now.isInside()) {

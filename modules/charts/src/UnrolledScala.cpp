@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ChartStyle.h"
 #include "PlotSheet.h"
 #include "perilymph/charts/Wording.h"
 #include "perilymph/foundation/Units.h"
@@ -166,8 +167,11 @@ analysis::Drawing UnrolledScala::draw(const ArrayInScala& now, double width, dou
 
   // what the bars mean, at the end of the scala, where it is narrow
   const double x = sheet.right() - 6.0;
+  const double shared = widthOfLabel(wording().wallForceScale) + widthOfLabel(wording().modiolus);
+  const bool areBeside = shared + 30.0 <= sheet.right() - sheet.left();
   sheet.write({x, sheet.top() + 14.0}, wording().outerWall, ink::quiet, Anchor::end);
-  sheet.write({x, sheet.bottom() - 6.0}, wording().modiolus, ink::quiet, Anchor::end);
+  sheet.write({x, sheet.bottom() - (areBeside ? 6.0 : 22.0)}, wording().modiolus, ink::quiet,
+              Anchor::end);
   const double legend = sheet.left() + 8.0;
   const double foot = sheet.bottom() - 4.0;
   sheet.add(Area{{{legend, foot},
@@ -177,6 +181,25 @@ analysis::Drawing UnrolledScala::draw(const ArrayInScala& now, double width, dou
                  ink::orange});
   sheet.write({legend + 11.0, foot - 4.0}, wording().wallForceScale, ink::quiet);
   return sheet.take();
+}
+
+analysis::Drawing UnrolledScala::drawPage(const ArrayInScala& now, double width,
+                                          double height) const
+{
+  constexpr double line_px = 20.0;
+  PlotSheet page(width, height, {}, {}, {});
+  analysis::Drawing whole = page.take();
+  whole.marks.resize(1);  // the ground alone
+  analysis::Drawing view = draw(now, width, height - line_px);
+  whole.marks.insert(whole.marks.end(), view.marks.begin(), view.marks.end());
+  whole.marks.emplace_back(analysis::Words{{0.5 * width, height - 8.0},
+                                           wording().unrolledAxes,
+                                           style::labelSize,
+                                           ink::quiet,
+                                           Anchor::middle,
+                                           analysis::Direction::across,
+                                           false});
+  return whole;
 }
 
 }  // namespace perilymph::charts

@@ -234,6 +234,8 @@ void TomlReader::refuse(std::string_view key, const std::string& sentence)
   content_->keep(content_->place(key) + sentence);
 }
 
+void TomlReader::remove(std::string_view key) { content_->table.erase(key); }
+
 void TomlReader::set(const std::string& key, const std::string& value)
 {
   // The tables on the way, for a key such as stylet.from_tip_mm.

@@ -21,6 +21,7 @@ InsertionState::InsertionState(const InsertionModel& model)
       isSliding(position_W.size()),
       slipSpeed(position_W.size()),
       track(position_W.size()),
+      isBeside(position_W.size()),
       clearance(position_W.size()),
       normalForce(position_W.size()),
       wallForce_W(position_W.size()),
@@ -56,6 +57,7 @@ void InsertionState::reset(const InsertionModel& model) noexcept
     wallNormal_W[i].setZero();
     wallTorque[i] = {};
     membraneForce[i] = 0.0;
+    isBeside[i] = 0;
     clearance[i] = 0.0;
     // nodes farther from the wall than this do not touch it
     room.reach[i] = model.radius[i];
@@ -84,6 +86,7 @@ std::uint64_t InsertionState::fingerprint() const noexcept
     hash.add(track[i].inLeadIn);
     hash.add(track[i].angle);
     hash.add(clearance[i]);
+    if (isBeside[i] != 0) hash.add(i);
     hash.add(normalForce[i]);
     addVector(hash, wallNormal_W[i]);
     hash.add(wallTorque[i].torque);
@@ -94,6 +97,7 @@ std::uint64_t InsertionState::fingerprint() const noexcept
   hash.add(rim.slipSpeed);
   hash.add(rim.normalForce);
   addVector(hash, rim.normal_W);
+  if (rim.fromTip > 0.0) hash.add(rim.fromTip);
   if (!points.place_W.empty()) points.addTo(hash);
   return hash.value();
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "NewtonStep.h"
 #include "contact/Contact.h"
 #include "perilymph/mechanics/advance.h"
 
@@ -11,7 +12,6 @@ namespace perilymph::mechanics {
 namespace {
 
 constexpr int mostHalvings = 3;
-constexpr double forceTolerance = 2e-6;  // [N]
 // What the nodes still would move: forces alone do not show it, for a rod bends under very little.
 constexpr double motionTolerance = 0.2e-9;  // [m]
 // Nothing moves at all.
@@ -31,67 +31,6 @@ constexpr double nearStep = 20e-6;  // [m]
 constexpr double goodShare = 0.1;
 // A step is too long where forces then pull back with more than this share of what drove it.
 constexpr double leftPull = 0.3;
-
-/// One over the root of 1 + q.
-double perRoot(double q) noexcept
-{
-  // left out is less than a rounding
-  if (q < 1e-4) return 1.0 - q * (0.5 - q * (0.375 - q * 0.3125));
-  return 1.0 / std::sqrt(1.0 + q);
-}
-
-/// Moves every node by a share of the Newton step that starts at room.start_W. Where the step turns
-/// an edge, the edge turns on an arc: it gets just as long as the step says along it. On a straight
-/// way it would grow by the square of the turn, against the rod's stiffest resistance.
-void moveBy(InsertionState& state, double share) noexcept
-{
-  const StepRoom& room = state.room;
-  state.position_W[0] = room.start_W[0] + share * room.trial_W[0];
-  state.position_W[1] = room.start_W[1] + share * room.trial_W[0];
-  for (std::size_t i = 1; i + 1 < state.position_W.size(); ++i) {
-    const Eigen::Vector3d edge = room.start_W[i + 1] - room.start_W[i];
-    const Eigen::Vector3d change = share * (room.trial_W[i] - room.trial_W[i - 1]);
-    const double perSquare = 1.0 / edge.squaredNorm();
-    const double along = edge.dot(change) * perSquare;
-    const double across = std::max(change.squaredNorm() * perSquare - along * along, 0.0);
-    const double stretched = std::max(1.0 + along, 0.1);
-    const double shrink = perRoot(across / (stretched * stretched));
-    state.position_W[i + 1] = state.position_W[i] + shrink * (edge + change);
-  }
-}
-
-/// Factors of the stiffness at the last balance. False only if there are none.
-bool factorize(const InsertionModel& model, const Base& base, InsertionState& state) noexcept
-{
-  StepRoom& room = state.room;
-  setStiffnessOfBalance(model, base, Compression::included, room);
-  if (state.factors.factorize(room.matrix)) return true;
-  // past its buckling load the exact matrix has no positive pivots; the safe one always has
-  setStiffnessOfBalance(model, base, Compression::leftOut, room);
-  return state.factors.factorize(room.matrix);
-}
-
-/// The Newton step of every block, into room.trial_W.
-///
-/// @return The longest of them [m].
-double findStep(InsertionState& state) noexcept
-{
-  StepRoom& room = state.room;
-  room.trial_W = room.right;
-  state.factors.solve(room.trial_W);
-  double longest = 0.0;
-  for (const Eigen::Vector3d& step : room.trial_W) longest = std::max(longest, step.squaredNorm());
-  return std::sqrt(longest);
-}
-
-/// How strongly the unbalanced forces pull along the step [J].
-double pullAlong(const StepRoom& room) noexcept
-{
-  double sum[3] = {0.0, 0.0, 0.0};
-  for (std::size_t i = 0; i < room.right.size(); ++i)
-    for (int k = 0; k < 3; ++k) sum[k] += room.right[i][k] * room.trial_W[i][k];
-  return sum[0] + sum[1] + sum[2];
-}
 
 /// Whether a step has left only a good share of the unbalanced forces.
 bool wasGood(const Balance& before, const Balance& after) noexcept

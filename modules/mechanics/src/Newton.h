@@ -6,6 +6,9 @@
 
 namespace perilymph::mechanics {
 
+// Below this a step is balanced.
+inline constexpr double forceTolerance = 2e-6;  // [N]
+
 /// How a step's iteration ended.
 struct Settled {
   Balance left;
@@ -15,7 +18,7 @@ struct Settled {
 /// Moves the nodes from state.position_W until no force is left unbalanced: Newton's method with a
 /// line search on the residual. The factors of the stiffness are kept in the state and found anew
 /// only where they do no longer serve. Stops where no force is above 2 uN and no node would move by
-/// 0.2 nm, where contact toggles and nothing moves by 1 nm, or after 16 iterations.
+/// 0.2 nm, where contact toggles and nothing moves by 1 nm, or after mostIterations.
 Settled settle(const InsertionModel& model, InsertionState& state, const Base& base) noexcept;
 
 }  // namespace perilymph::mechanics

@@ -19,10 +19,11 @@ struct Place {
   double share;      ///< Of the way to the next.
 };
 
-Place placeOf(const InsertionModel& model, double fromTip)
+Place placeOf(const electrode::ArrayDesign& array, std::size_t nodes, double fromTip)
 {
-  const double index = (model.fromTip.front() - fromTip) / model.spacing;
-  const double last = static_cast<double>(model.nodes - 2);
+  const double spacing = array.length.si() / static_cast<double>(nodes - 1);
+  const double index = (array.length.si() - fromTip) / spacing;
+  const double last = static_cast<double>(nodes - 2);
   const double node = std::clamp(std::floor(index), 0.0, last);
   return {static_cast<std::size_t>(node), std::clamp(index - node, 0.0, 1.0)};
 }
@@ -53,7 +54,8 @@ anatomy::WallPoint wallAt(const anatomy::Lumen& lumen, const Vector3d& at,
   return wall;
 }
 
-/// How far the wall is in a direction: steps as long as the distance to the wall allows.
+/// How far the wall is in a direction: steps as long as the distance to the wall allows. Negative
+/// from beyond the wall.
 double distanceAlong(const anatomy::Lumen& lumen, const Vector3d& from, const Vector3d& direction,
                      anatomy::LumenTrack track)
 {
@@ -62,6 +64,7 @@ double distanceAlong(const anatomy::Lumen& lumen, const Vector3d& from, const Ve
   for (int i = 0; i < 400 && gone < farthest; ++i) {
     const anatomy::WallPoint wall = wallAt(lumen, from + gone * direction, track, 3e-3);
     const double step = wall.isNear ? wall.distance : 0.2e-3;
+    if (gone == 0.0 && step < -0.1e-6) return -1.0;
     if (step < 0.1e-6) return gone;
     gone += 0.9 * step;
   }
@@ -75,7 +78,16 @@ std::vector<ContactOutcome> outcomeOf(const InsertionModel& model, const ArraySh
   if (shape.nodes_W.size() != static_cast<std::size_t>(model.nodes))
     throw std::invalid_argument("The shape has " + std::to_string(shape.nodes_W.size()) +
                                 " nodes; the model has " + std::to_string(model.nodes) + ".");
-  const anatomy::Lumen& lumen = *model.parts.lumen;
+  return outcomeOf(*model.parts.lumen, model.parts.array, shape);
+}
+
+std::vector<ContactOutcome> outcomeOf(const anatomy::Lumen& lumen,
+                                      const electrode::ArrayDesign& array, const ArrayShape& shape)
+{
+  if (shape.nodes_W.size() < 2)
+    throw std::invalid_argument("The shape has " + std::to_string(shape.nodes_W.size()) +
+                                " nodes; an array has 2 or more.");
+  const anatomy::Entry entry = lumen.entry();
 
   // the turn every node is in, followed along the array from the opening
   std::vector<anatomy::LumenTrack> track(shape.nodes_W.size(), lumen.startTrack());
@@ -89,13 +101,13 @@ std::vector<ContactOutcome> outcomeOf(const InsertionModel& model, const ArraySh
           : carried(shape);
 
   std::vector<ContactOutcome> outcome;
-  for (const Length& contact : model.parts.array.contactsFromTip) {
+  for (const Length& contact : array.contactsFromTip) {
     ContactOutcome o;
     o.fromTip = contact.si();
-    const Place place = placeOf(model, o.fromTip);
+    const Place place = placeOf(array, shape.nodes_W.size(), o.fromTip);
     const Vector3d edge = shape.nodes_W[place.node + 1] - shape.nodes_W[place.node];
     o.position_W = shape.nodes_W[place.node] + place.share * edge;
-    o.isInside = (model.entry.origin_W - o.position_W).dot(model.entry.out_W) > 0.0;
+    o.isInside = (entry.origin_W - o.position_W).dot(entry.out_W) > 0.0;
     if (o.isInside) {
       anatomy::LumenTrack here = track[place.node];
       wallAt(lumen, o.position_W, here, 3e-3);

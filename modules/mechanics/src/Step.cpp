@@ -1,5 +1,6 @@
 #include "Step.h"
 
+#include "Descent.h"
 #include "contact/Clearance.h"
 #include "rod/Material.h"
 #include "rod/Rod.h"
@@ -10,7 +11,7 @@ namespace {
 /// First guess: while the hand goes on as it did, every node goes on as it did, faster or slower by
 /// the same share; else every node slides along the array by as much as the base advances.
 void predict(const InsertionModel& model, InsertionState& state, const Drive& drive,
-             const Base& base) noexcept
+             const Base& base, Way way) noexcept
 {
   const auto n = static_cast<std::size_t>(model.nodes);
   StepRoom& room = state.room;
@@ -20,7 +21,7 @@ void predict(const InsertionModel& model, InsertionState& state, const Drive& dr
   const double forward = (to_W - room.before_W[0]).dot(drive.handAxis_W);
   const double lastForward = room.timeStep * state.baseVelocity_W.dot(drive.handAxis_W);
   const double share = forward / lastForward;
-  const bool goesOn = share > 0.25 && share < 4.0;
+  const bool goesOn = way == Way::quick && share > 0.25 && share < 4.0;
   for (std::size_t i = 2; i < n; ++i) {
     const Eigen::Vector3d motion =
         goesOn ? Eigen::Vector3d(share * room.timeStep * state.velocity_W[i])
@@ -51,16 +52,18 @@ void remember(InsertionState& state) noexcept
 }  // namespace
 
 Step tryStep(const InsertionModel& model, InsertionState& state, const Drive& drive,
-             double timeStep) noexcept
+             double timeStep, Way way) noexcept
 {
   StepRoom& room = state.room;
   room.timeStep = timeStep;
   remember(state);
+  findBone(model, state);
   setRestShape(model, state, drive.handCurl_W, room);
   if (model.twists) turnMaterial(model, state, drive.handCurl_W, room);
   const Base base = baseOf(model, state, drive);
   setHold(model, state);
-  predict(model, state, drive, base);
+  predict(model, state, drive, base, way);
+  if (way == Way::downhill) return {base, descend(model, state, base, {})};
   return {base, settle(model, state, base)};
 }
 

@@ -6,6 +6,12 @@
 
 namespace perilymph::mechanics {
 
+/// How a step is settled.
+enum class Way {
+  quick,     ///< By Newton's method from where things would go by themselves.
+  downhill,  ///< By descent in energy from where they are.
+};
+
 /// A step that has been tried.
 struct Step {
   Base base;
@@ -16,7 +22,7 @@ struct Step {
 /// in the room. The state's positions, tracks and curls are those of the end of the step, the rest
 /// still that of its start.
 Step tryStep(const InsertionModel& model, InsertionState& state, const Drive& drive,
-             double timeStep) noexcept;
+             double timeStep, Way way) noexcept;
 
 /// Makes the end of the step that was tried the start of the next.
 void keepStep(InsertionState& state) noexcept;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "Descent.h"
 #include "Step.h"
 #include "points/advancePoints.h"
 #include "rod/Rod.h"
@@ -121,7 +122,7 @@ Wrench advanceInParts(const InsertionModel& model, InsertionState& state, const 
   Wrench mean;
   for (int k = 1; k <= mostParts; ++k) {
     const Drive there = between(before, drive, static_cast<double>(k) / mostParts);
-    const Step step = tryStep(model, state, there, model.timeStep / mostParts);
+    const Step step = tryStep(model, state, there, model.timeStep / mostParts, Way::downhill);
     keepStep(state);
     const Wrench wrench = wrenchOf(model, state, there, step.base);
     mean.force_W += wrench.force_W / mostParts;
@@ -147,8 +148,15 @@ void advance(const InsertionModel& model, InsertionState& state, const Drive& dr
       std::min(static_cast<double>(state.tick + 1) * model.timeStep / releaseTime, 1.0);
   setStiffness(model, state.styletWithdrawal, released, state.room);
 
-  const Step step = tryStep(model, state, drive, model.timeStep);
+  Step step = tryStep(model, state, drive, model.timeStep, Way::quick);
   Settled settled = step.settled;
+  if (settled.left.worst > mostLeft) {
+    undoStep(state);
+    step = tryStep(model, state, drive, model.timeStep, Way::downhill);
+    settled = step.settled;
+  } else if (settled.left.worst > forceTolerance) {
+    settled = descend(model, state, step.base, settled);
+  }
   Wrench wrench;
   if (settled.left.worst <= mostLeft) {
     keepStep(state);

@@ -67,22 +67,26 @@ Insertion::~Insertion()
 Result<std::unique_ptr<Insertion>> Insertion::prepare(
     const Scenario& scenario, std::unique_ptr<device::HapticDevice> hand,
     std::optional<std::filesystem::path> record,
-    std::shared_ptr<const anatomy::ScalaTympani> anatomy)
+    std::shared_ptr<const anatomy::ScalaTympani> anatomy,
+    std::shared_ptr<const mechanics::InsertionModel> model)
 {
   if (!anatomy) {
     auto built = buildAnatomy(scenario);
     if (!built) return built.error();
     anatomy = *built;
   }
-  auto model = buildModel(scenario, anatomy);
-  if (!model) return model.error();
+  if (!model) {
+    auto built = buildModel(scenario, anatomy);
+    if (!built) return built.error();
+    model = *built;
+  }
   if (const auto done = hand->open(); !done) return done.error();
 
   std::unique_ptr<Insertion> insertion(new Insertion);
   Content& content = *insertion->content_;
   content.scenario = scenario;
   content.anatomy = std::move(anatomy);
-  content.model = *model;
+  content.model = std::move(model);
   content.hand = std::move(hand);
   content.file = std::move(record);
 
@@ -215,6 +219,11 @@ std::shared_ptr<const anatomy::ScalaTympani> Insertion::sharedAnatomy() const no
 const mechanics::InsertionModel& Insertion::model() const noexcept { return *content_->model; }
 
 const std::string& Insertion::couplingWords() const noexcept { return content_->couplingWords; }
+
+std::shared_ptr<const mechanics::InsertionModel> Insertion::sharedModel() const noexcept
+{
+  return content_->model;
+}
 
 device::HapticDevice& Insertion::hand() noexcept { return *content_->hand; }
 

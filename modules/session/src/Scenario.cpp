@@ -49,9 +49,10 @@ const std::string* overrideOf(const Overrides& overrides, const char* key)
 void forgetCalibrationOfOtherArray(TomlReader& reader, const Overrides& overrides)
 {
   const std::string* array = overrideOf(overrides, "array");
-  if (array == nullptr || overrideOf(overrides, "calibration") != nullptr) return;
-  if (!reader.has("calibration") || *array == reader.text("array", "contour")) return;
-  reader.set("calibration", "");
+  if (array == nullptr || *array == reader.text("array", "contour")) return;
+  // a recorded text gives the numbers themselves, too
+  for (const char* key : {"calibration", "stiffness_scale", "residual_curvature_share"})
+    if (overrideOf(overrides, key) == nullptr) reader.remove(key);
 }
 
 /// A model named anew does not take over the number of nodes that a file gives for its own.
@@ -341,7 +342,9 @@ Result<Scenario> readScenario(TomlReader& reader, const std::string& name, const
   }
 
   const Length deepest = scenario.startInside + scenario.stopTravel;
-  if (deepest > scenario.array.insertable)
+  // 2.0 mm + 16.5 mm is a rounding above 18.5 mm.
+  const Length rounding = Length::fromSi(1e-9);
+  if (deepest > scenario.array.insertable + rounding)
     return Error{reader.name() + ": start_inside_mm + stop_travel_mm is " +
                  shortLength_mm(deepest) + "; the array " + scenario.array.name + " may go in " +
                  shortLength_mm(scenario.array.insertable) + " mm at most. Lower stop_travel_mm."};

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
+#include <map>
 #include <set>
 #include <system_error>
 
@@ -28,27 +30,49 @@ void stamp(SessionSummary& summary)
         std::chrono::duration_cast<std::chrono::nanoseconds>(time.time_since_epoch()).count();
 }
 
-/// Who and what: from the scenario's text alone, so that a recording whose array has left the
-/// catalog can still be listed.
-void describeScenario(SessionSummary& summary, const std::string& text)
+/// Who and what a scenario's text speaks of.
+struct Subject {
+  std::string patient, side, array, trouble;
+};
+
+/// From the text alone, so that a recording whose array has left the catalog can still be listed.
+Subject subjectOf(const std::string& text, const std::string& name)
 {
-  auto keys = TomlReader::parse(text, summary.file.string());
+  Subject subject;
+  auto keys = TomlReader::parse(text, name);
   if (!keys) {
-    summary.trouble = keys.error().message;
-    return;
+    subject.trouble = keys.error().message;
+    return subject;
   }
-  summary.side = keys->text("side", "right");
-  summary.array = keys->text("array", "contour");
+  subject.side = keys->text("side", "right");
+  subject.array = keys->text("array", "contour");
   const std::string anatomy = keys->text("anatomy", "published");
   auto patient = keys->table("patient_numbers");
   // an anatomy that is nobody's has no patient
   const bool isPatient = anatomy == "published" || patient.has("a_mm");
-  summary.patient = isPatient ? patient.text("label", anatomy) : anatomy + " anatomy";
-  const auto scenario = parseScenario(text, summary.file.string());
+  subject.patient = isPatient ? patient.text("label", anatomy) : anatomy + " anatomy";
+  const auto scenario = parseScenario(text, name);
   if (scenario)
-    summary.array = scenario->array.name;
+    subject.array = scenario->array.name;
   else
-    summary.trouble = "It can be compared, but not replayed: " + scenario.error().message;
+    subject.trouble = "It can be compared, but not replayed: " + scenario.error().message;
+  return subject;
+}
+
+/// What was understood so far: many recordings are of one scenario.
+using Subjects = std::map<std::string, Subject>;
+
+void describeScenario(SessionSummary& summary, const std::string& text, Subjects& known)
+{
+  const auto found = known.find(text);
+  const Subject subject =
+      found != known.end() ? found->second : subjectOf(text, summary.file.string());
+  summary.patient = subject.patient;
+  summary.side = subject.side;
+  summary.array = subject.array;
+  summary.trouble = subject.trouble;
+  // a trouble names its file
+  if (found == known.end() && subject.trouble.empty()) known.emplace(text, subject);
 }
 
 /// A recording with a log may grow without its file being touched.
@@ -68,7 +92,9 @@ bool isWorthKeeping(const SessionSummary& summary)
 
 fs::path libraryCache(const fs::path& folder) { return folder / ".cache"; }
 
-SessionSummary summarize(const fs::path& file)
+namespace {
+
+SessionSummary summarize(const fs::path& file, Subjects& known)
 {
   SessionSummary summary;
   summary.file = file;
@@ -84,7 +110,7 @@ SessionSummary summarize(const fs::path& file)
   summary.device = facts.device;
   summary.version = facts.version;
   summary.wasClosed = recorded->wasClosed();
-  describeScenario(summary, facts.scenarioText);
+  describeScenario(summary, facts.scenarioText, known);
   const auto highlights = recorded->highlights();
   if (highlights)
     summary.highlights = *highlights;
@@ -97,6 +123,14 @@ SessionSummary summarize(const fs::path& file)
   // Last: opening one that was not closed may have folded its log into it.
   stamp(summary);
   return summary;
+}
+
+}  // namespace
+
+SessionSummary summarize(const fs::path& file)
+{
+  Subjects none;
+  return summarize(file, none);
 }
 
 Result<std::vector<SessionSummary>> listSessions(const fs::path& folder,
@@ -113,19 +147,17 @@ Result<std::vector<SessionSummary>> listSessions(const fs::path& folder,
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : entries)
     if (entry.path().extension() == ".insertion") files.push_back(entry.path());
+  std::sort(files.begin(), files.end(), std::greater<>());
 
   SessionIndex index(folder);
+  Subjects subjects;
   std::set<std::string> names;
+  for (const fs::path& file : files) names.insert(file.filename().string());
   for (const fs::path& file : files) {
-    if (progress && !progress(sessions.size(), files.size())) {
-      index.close();
-      return Error{"Stopped after " + std::to_string(sessions.size()) + " of " +
-                   std::to_string(files.size()) + " recordings."};
-    }
+    if (progress && !progress(sessions.size(), files.size())) break;
     SessionSummary summary;
     summary.file = file;
     stamp(summary);
-    names.insert(file.filename().string());
     if (file == beingRecorded) {
       summary.isBeingRecorded = true;
     } else if (auto known = hasLog(file) ? std::nullopt
@@ -134,7 +166,7 @@ Result<std::vector<SessionSummary>> listSessions(const fs::path& folder,
       summary = *std::move(known);
       summary.file = file;
     } else {
-      summary = summarize(file);
+      summary = summarize(file, subjects);
       if (isWorthKeeping(summary)) index.keep(summary);
     }
     sessions.push_back(std::move(summary));

@@ -308,6 +308,13 @@ void InsertionScene::lookFrom(CameraPreset preset)
   content_->placeCamera();
 }
 
+void InsertionScene::lookAs(const InsertionScene& other)
+{
+  content_->preset = other.content_->preset;
+  content_->camera.jump(other.content_->camera.pose());
+  content_->placeCamera();
+}
+
 void InsertionScene::glideTo(CameraPreset preset)
 {
   content_->preset = preset;

@@ -11,18 +11,24 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <utility>
 
+#include "ContactMarks.h"
 #include "ForceColors.h"
-#include "Palette.h"
 #include "perilymph/charts/Typeface.h"
+#include "perilymph/charts/Wording.h"
+#include "perilymph/visualization/Wording.h"
 
 namespace perilymph::visualization {
 namespace {
 
 constexpr double longestBar_px = 110.0;
 constexpr double margin_px = 24.0;
+constexpr double swatch_px = 23.0;     // of an arrow's line and the gap behind it
+constexpr double row_px = 17.0;        // from one line of words to the next
+constexpr double plateRim_px = 8.0;    // around what stands on a plate
+constexpr double plateOpacity = 0.72;  // as behind the window's words on the picture
 constexpr int labelSize = 12;
+constexpr double namedForce_mN = 20.0;  // what the legend of arrows names
 
 void fillWith(vtkContext2D& painter, const Rgba& color)
 {
@@ -34,7 +40,7 @@ std::string rounded(double value)
 {
   char text[32];
   std::snprintf(text, sizeof text, "%g", value);
-  return text;
+  return charts::withDecimalSign(text);
 }
 
 }  // namespace
@@ -69,6 +75,21 @@ void ScaleBars::setText(vtkContext2D& painter, int justification)
   text.SetVerticalJustificationToCentered();
 }
 
+void ScaleBars::paintPlate(vtkContext2D& painter, float left, float bottom, float right, float top)
+{
+  fillWith(painter, withOpacity(palette::ground, plateOpacity));
+  painter.DrawRect(std::round(left), std::round(bottom), std::round(right - left),
+                   std::round(top - bottom));
+}
+
+float ScaleBars::widthOf(vtkContext2D& painter, const std::string& words)
+{
+  float bounds[4];  // left, bottom, width, height
+  setText(painter, VTK_TEXT_LEFT);
+  painter.ComputeStringBounds(words, bounds);
+  return bounds[2];
+}
+
 void ScaleBars::paintLength(vtkContext2D& painter)
 {
   const float length = static_cast<float>(std::round(barLength_mm() / pixel_mm));
@@ -78,6 +99,8 @@ void ScaleBars::paintLength(vtkContext2D& painter)
   const float y = std::round(static_cast<float>(bottom_px) * scale);
   const float line = std::max(1.0f, std::round(1.4f * scale));
   const float cap = std::round(8.0f * scale);
+  const float rim = static_cast<float>(plateRim_px) * scale;
+  paintPlate(painter, right - length - rim, y - cap, right + rim, y + 26.0f * scale);
   fillWith(painter, palette::text);
   painter.DrawRect(right - length, y, length, line);
   painter.DrawRect(right - length, y - 0.5f * cap, line, cap + line);
@@ -94,34 +117,54 @@ void ScaleBars::paintForce(vtkContext2D& painter)
   const float height = std::round(6.0f * scale);
   const int cells = 64;
   const float cell = std::max(1.0f, std::round(2.0f * scale));
+  const float width = cell * cells;
+  const float above = y + height + 11.0f * scale;
+  const float below = y - 10.0f * scale;
+  const std::string words = wording().wallForce;
+  const std::vector<ArrowKind> arrows = showsArrows ? arrowKinds() : std::vector<ArrowKind>{};
+
+  // model and words share this corner in some views
+  const float rim = static_cast<float>(plateRim_px) * scale;
+  const float row = static_cast<float>(row_px) * scale;
+  float widest = std::max(width, widthOf(painter, words));
+  for (const ArrowKind& kind : arrows)
+    widest = std::max(widest, static_cast<float>(swatch_px) * scale + widthOf(painter, kind.words));
+  const float top = arrows.empty() ? above : above + 2.0f * scale + row * float(arrows.size());
+  paintPlate(painter, left - rim, below - rim, left + widest + rim, top + rim);
+
   for (int i = 0; i < cells; ++i) {
     fillWith(painter, forceColor((i + 0.5) / cells * mostWallForce_mN_mm));
     painter.DrawRect(left + static_cast<float>(i) * cell, y, cell, height);
   }
-  const float width = cell * cells;
-  const float above = y + height + 11.0f * scale;
   setText(painter, VTK_TEXT_LEFT);
-  painter.DrawString(left, above, "wall force, mN per mm");
-  const float below = y - 10.0f * scale;
+  painter.DrawString(left, above, words);
   painter.DrawString(left, below, "0");
   setText(painter, VTK_TEXT_CENTERED);
   painter.DrawString(left + 0.5f * width, below, rounded(0.5 * mostWallForce_mN_mm));
   setText(painter, VTK_TEXT_RIGHT);
   painter.DrawString(left + width, below, rounded(mostWallForce_mN_mm) + "+");
-  if (showsArrows) paintArrows(painter, left, above + 36.0f * scale);
+  paintArrows(painter, arrows, left, top);
 }
 
-void ScaleBars::paintArrows(vtkContext2D& painter, float left, float y)
+std::vector<ScaleBars::ArrowKind> ScaleBars::arrowKinds()
+{
+  const double shown_mm = ContactMarks::arrow_mm_mN * namedForce_mN;
+  const double times = ContactMarks::frictionArrow_mm_mN / ContactMarks::arrow_mm_mN;
+  return {{palette::arrow,
+           charts::filled(wording().normalForce, {rounded(shown_mm), rounded(namedForce_mN)})},
+          {palette::frictionArrow, charts::filled(wording().friction, {rounded(times)})}};
+}
+
+void ScaleBars::paintArrows(vtkContext2D& painter, const std::vector<ArrowKind>& kinds, float left,
+                            float y)
 {
   const float scale = static_cast<float>(pixelRatio);
-  const std::pair<Rgba, const char*> kinds[] = {{palette::arrow, "normal force, 0.5 mm for 20 mN"},
-                                                {palette::frictionArrow, "friction, × 10"}};
-  setText(painter, VTK_TEXT_LEFT);
-  for (const auto& [color, words] : kinds) {
-    fillWith(painter, color);
+  for (const ArrowKind& kind : kinds) {
+    fillWith(painter, kind.color);
     painter.DrawRect(left, y - scale, 16.0f * scale, 2.0f * scale);
-    painter.DrawString(left + 23.0f * scale, y, words);
-    y -= 17.0f * scale;
+    setText(painter, VTK_TEXT_LEFT);
+    painter.DrawString(left + static_cast<float>(swatch_px) * scale, y, kind.words);
+    y -= static_cast<float>(row_px) * scale;
   }
 }
 

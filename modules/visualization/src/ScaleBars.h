@@ -5,10 +5,13 @@
 #include <vtkContextItem.h>
 
 #include <string>
+#include <vector>
+
+#include "Palette.h"
 
 namespace perilymph::visualization {
 
-/// Drawn over the scene in pixels, at the lower edge.
+/// Drawn over the scene in pixels, at the lower edge, on plates: the model may lie behind.
 class ScaleBars : public vtkContextItem {
 public:
   static ScaleBars* New();
@@ -32,7 +35,14 @@ protected:
 private:
   void paintLength(vtkContext2D& painter);
   void paintForce(vtkContext2D& painter);
-  void paintArrows(vtkContext2D& painter, float left, float y);
+  struct ArrowKind {
+    Rgba color;
+    std::string words;
+  };
+  static std::vector<ArrowKind> arrowKinds();
+  void paintArrows(vtkContext2D& painter, const std::vector<ArrowKind>& kinds, float left, float y);
+  void paintPlate(vtkContext2D& painter, float left, float bottom, float right, float top);
+  float widthOf(vtkContext2D& painter, const std::string& words);
   void setText(vtkContext2D& painter, int justification);
 };
 

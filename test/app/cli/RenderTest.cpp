@@ -16,6 +16,37 @@ TEST(RenderCommand, DrawsAPictureOrSaysWhyNotAndLeavesNothingHalfWritten)
   }
 }
 
+/// Width and height of a PNG file, from its first chunk.
+std::pair<unsigned, unsigned> sizeOf(const std::string& png)
+{
+  const auto number = [&](std::size_t at) {
+    unsigned value = 0;
+    for (std::size_t i = at; i < at + 4; ++i)
+      value = 256 * value + static_cast<unsigned char>(png.at(i));
+    return value;
+  };
+  return {number(16), number(20)};
+}
+
+TEST(RenderCommand, RollsTheScalaOutWithoutADisplay)
+{
+  const TemporaryFolder folder;
+  const auto alone =
+      cli({"render", "--preset", "published", "--view", "unrolled", "--out", folder / "alone.png"});
+  ASSERT_EQ(alone.status, 0) << alone.err;
+  const auto inserted = cli({"render", "--scenario", "contour-published", "--at-mm", "3.0",
+                             "--view", "unrolled", "--out", folder / "inserted.png"});
+  ASSERT_EQ(inserted.status, 0) << inserted.err;
+  EXPECT_EQ(sizeOf(contentOf(folder / "alone.png")), std::pair(1440u, 960u));
+  EXPECT_NE(contentOf(folder / "alone.png"), contentOf(folder / "inserted.png"));
+}
+
+TEST(RenderCommand, NamesTheViewsThereAre)
+{
+  expectWrongWords(
+      cli({"render", "--preset", "published", "--view", "sideways", "--out", "x.png"}), "unrolled");
+}
+
 TEST(RenderCommand, RefusesAnArrayAndATravelWithoutAScenario)
 {
   expectWrongWords(cli({"render", "--preset", "published", "--at-mm", "3", "--out", "x.png"}),

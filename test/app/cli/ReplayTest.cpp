@@ -1,3 +1,5 @@
+#include <sqlite3.h>
+
 #include "Cli.h"
 
 namespace perilymph::test {
@@ -35,6 +37,28 @@ TEST(ReplayCommand, SaysWhatIsWrongWithTheFile)
                                std::filesystem::file_size(folder / "cut.insertion") / 2);
   expectRefusal(cli({"replay", folder / "cut.insertion", "--csv", folder / "cut.csv"}), "damaged");
   EXPECT_FALSE(std::filesystem::exists(folder / "cut.csv"));
+}
+
+TEST(ReplayCommand, WritesOutWhatWouldSteerTheTerminal)
+{
+  const TemporaryFolder folder;
+  const std::string file = folder / "foreign.insertion";
+  ASSERT_EQ(cli(shortSimulation({"--record", file})).status, 0);
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open(file.c_str(), &database), SQLITE_OK);
+  // clears the screen, rings, begins a line of its own, and says so in Greek
+  const char* sql =
+      "UPDATE meta SET value = char(27) || '[2J' || char(7, 10, 155) || 'Δοκιμή' WHERE key = "
+      "'scenario_name'";
+  EXPECT_EQ(sqlite3_exec(database, sql, nullptr, nullptr, nullptr), SQLITE_OK);
+  EXPECT_EQ(sqlite3_changes(database), 1);
+  sqlite3_close(database);
+
+  const auto shown = cli({"replay", file});
+  EXPECT_EQ(shown.status, 0) << shown.err;
+  EXPECT_THAT(shown.out, HasSubstr("\\x1b[2J\\x07\\x0a\\xc2\\x9bΔοκιμή, recorded"));
+  for (const char byte : shown.out)
+    EXPECT_TRUE(byte == '\n' || static_cast<unsigned char>(byte) >= 0x20);
 }
 
 }  // namespace

@@ -71,6 +71,22 @@ TEST(PerilymphCall, MeasuredFramesAreReportedAtTheEndOfTheDemonstration)
                                "frame time median [0-9.]+ ms, p95 [0-9.]+ ms, [0-9.]+ frames/s"));
 }
 
+TEST(PerilymphCall, TheLastWayInIsSetBesideTheFirstAfterSoManyTicks)
+{
+  const TemporaryFolder folder;
+  const auto scenario = folder / "short.toml";
+  std::ofstream(scenario) << "anatomy = \"published\"\narray = \"contour\"\n"
+                             "stop_travel_mm = 1.0\nspeed_mm_s = 2.0\n";
+  const auto outcome =
+      perilymph({"--scenario", scenario.string(), "--measure-frames", "--ticks", "2000"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, ::testing::ContainsRegex("after [0-9]+ ticks: frame time median"));
+  EXPECT_THAT(outcome.out,
+              ::testing::ContainsRegex("median frame time [+-][0-9.]+ % against the first"));
+  EXPECT_THAT(outcome.out, ::testing::ContainsRegex("ticks [0-9]+, late by more than a period "
+                                                    "[0-9]+ .* real-time priority"));
+}
+
 TEST(PerilymphCall, AMissingScenarioIsNamed)
 {
   expectRefused(perilymph({"--scenario", "no-such-scenario"}), "no-such-scenario");

@@ -8,8 +8,10 @@
 #include <QPushButton>
 #include <QStandardPaths>
 #include <QTest>
+#include <QTextBrowser>
 
 #include "BottomBar.h"
+#include "GuideSheet.h"
 #include "KeyActions.h"
 #include "KeyList.h"
 #include "Notice.h"
@@ -191,6 +193,27 @@ TEST(WindowHabits, TheSettingsSheetOpensAndAChoiceIsKept)
   EXPECT_EQ(anew, 2);
   rig.pressKey(Qt::Key_Escape);
   EXPECT_FALSE(sheet->isVisible());
+}
+
+TEST(WindowHabits, TheGuideOpensFromTheSheetAndItsPagesFollowTheirLinks)
+{
+  WindowRig rig;
+  rig.pressKey(Qt::Key_F1);
+  rig.click("guideButton");
+  auto& sheet = *rig.window().findChild<gui::GuideSheet*>();
+  auto& page = *rig.window().findChild<QTextBrowser*>("guidePage");
+  ASSERT_TRUE(sheet.isVisible());
+  EXPECT_TRUE(rig.window().rect().contains(sheet.geometry()));
+  EXPECT_TRUE(page.toPlainText().contains("Three walks"));
+  page.setSource(page.source().resolved(QUrl("surgeon.md")));
+  EXPECT_TRUE(page.toPlainText().contains("Type the numbers"));
+  EXPECT_LE(page.document()->size().width(), page.viewport()->width());
+  rig.click("guideBackButton");
+  EXPECT_TRUE(page.toPlainText().contains("Three walks"));
+  rig.pressKey(Qt::Key_Escape);
+  EXPECT_FALSE(sheet.isVisible());
+  rig.pressKey(Qt::Key_F1, Qt::ShiftModifier);
+  EXPECT_TRUE(sheet.isVisible());
 }
 
 }  // namespace

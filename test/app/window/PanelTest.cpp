@@ -72,15 +72,18 @@ TEST_F(Panel, ChangesAreUndoneAndDoneAgainInTheirOrder)
 {
   rig_.choose("arraySelector", "flex28");
   rig_.type("panelSpeed", "1.5");
+  ASSERT_TRUE(settles());
   rig_.window().setFocus();
   rig_.pressKey(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(scenario().speed, millimetersPerSecond(2));
   EXPECT_EQ(scenario().arrayName, "flex28");
   rig_.pressKey(Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(settles());
   EXPECT_EQ(scenario().arrayName, "contour");
   EXPECT_EQ(scenario().name, "contour-published");
   rig_.pressKey(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
   rig_.pressKey(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  ASSERT_TRUE(settles());
   EXPECT_EQ(scenario().arrayName, "flex28");
   EXPECT_EQ(scenario().speed, millimetersPerSecond(1.5));
   EXPECT_EQ(field("panelSpeed"), "1.5");
@@ -133,6 +136,7 @@ TEST_F(Panel, AnyChangeOfThePublishedScenarioIsMarkedAndTheWayBackIsOneClick)
   EXPECT_EQ(scenario().name, "contour-published");
   // the way back is a change like any other
   rig_.click("undoButton");
+  ASSERT_TRUE(settles());
   EXPECT_EQ(scenario().model, mechanics::ModelKind::points);
 }
 

@@ -6,12 +6,15 @@
 #include <QLineEdit>
 #include <QTableView>
 #include <QTest>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 
 #include "Replay.h"
 #include "ReplayBar.h"
+#include "SessionTable.h"
 #include "SessionsPage.h"
+#include "Thumbnails.h"
 #include "WindowRig.h"
 #include "perilymph/device/ScriptedHand.h"
 #include "perilymph/foundation/Resources.h"
@@ -81,6 +84,60 @@ TEST_F(Sessions, SayWhatTheyAreForWhereNothingWasRecorded)
   EXPECT_EQ(rows(), 0);
   EXPECT_FALSE(list().isVisible());
   EXPECT_FALSE(rig_->button("replayButton").isEnabled());
+}
+
+/// So many recordings of one insertion: to a library, files of their own.
+void recordMany(int number)
+{
+  const fs::path first = record("20260101T000000Z");
+  for (int i = 1; i < number; ++i) {
+    char name[48];
+    std::snprintf(name, sizeof name, "20260102T%06dZ.insertion", i);
+    fs::create_hard_link(first, sessionFolder() / name);
+  }
+}
+
+std::size_t picturesKept()
+{
+  std::size_t kept = 0;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(session::libraryCache(sessionFolder()), ignored))
+    kept += entry.path().extension() == ".png" ? 1 : 0;
+  return kept;
+}
+
+TEST_F(Sessions, OfThousandsArePaintedAsFarAsTheyAreSeen)
+{
+  recordMany(2000);
+  openLibrary();
+  ASSERT_EQ(rows(), 2000);
+  EXPECT_TRUE(rig_->label("sessionCount").contains("2000"));
+  // a jump to the end asks for the last ones, not for all on the way
+  list().scrollToBottom();
+  const QModelIndex last = list().model()->index(rows() - 1, gui::SessionTable::name);
+  EXPECT_TRUE(list().viewport()->rect().intersects(list().visualRect(last)));
+  ASSERT_TRUE(WindowRig::comes([] { return picturesKept() > 0; }));
+  const auto seen = std::size_t(list().viewport()->height() / list().rowHeight(0) + 2);
+  EXPECT_LE(picturesKept(), 2 * seen + gui::Thumbnails::mostWishes);
+  rig_->window().findChild<QLineEdit*>("sessionSearch")->setText("001999");
+  EXPECT_EQ(rows(), 1);
+}
+
+TEST_F(Sessions, CanBeCanceledWhileTheyAreReadAndAreListedAsFarAsTheyWere)
+{
+  recordMany(2000);
+  rig_ = std::make_unique<WindowRig>();
+  rig_->click("sessionsPageButton");
+  ASSERT_TRUE(page().isBusy());
+  rig_->window().findChild<gui::SessionsPage*>()->setFocus();
+  QTest::keyClick(&page(), Qt::Key_Escape);
+  ASSERT_TRUE(WindowRig::comes([&] { return !page().isBusy(); }));
+  EXPECT_LT(rows(), 2000);
+  EXPECT_TRUE(rig_->label("sessionStatus").contains("of 2000"));
+  // nothing is lost: opened again they are read on
+  rig_->click("insertPageButton");
+  rig_->click("sessionsPageButton");
+  EXPECT_TRUE(WindowRig::comes([&] { return rows() == 2000; }));
 }
 
 TEST_F(Sessions, HoldTheInsertionThatRanInThisWindow)

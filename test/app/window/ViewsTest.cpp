@@ -5,9 +5,11 @@
 #include <QAction>
 #include <QTest>
 
+#include "Display.h"
 #include "InsertionViews.h"
 #include "Pane.h"
 #include "Settings.h"
+#include "StereoWindow.h"
 #include "WindowRig.h"
 
 namespace perilymph::test {
@@ -124,13 +126,48 @@ TEST_F(Views, GGoesThroughTheKindsOfStereoAndSaysWhich)
   EXPECT_EQ(rig.label("viewLabel"), name);
 }
 
-TEST_F(Views, QuadBufferedStereoIsGreyWithItsReason)
+TEST_F(Views, QuadBufferedStereoIsGreyWithItsReasonWhereTheDisplayHasNoBuffersForIt)
 {
   WindowRig rig;
+  const QString reason = gui::quadBufferedTrouble(false);
+  rig.window().views().offerQuadBuffered(reason);
   const QAction& quad = entry(rig, "stereoQuadBuffered");
   EXPECT_FALSE(quad.isEnabled());
-  EXPECT_GT(quad.toolTip().size(), 10);
-  EXPECT_TRUE(quad.text().contains(quad.toolTip()));
+  EXPECT_GT(reason.size(), 10);
+  EXPECT_TRUE(quad.text().contains(reason));
+  EXPECT_EQ(quad.toolTip(), reason);
+  rig.window().views().setStereo(Stereo::quadBuffered);
+  EXPECT_EQ(rig.window().view().stereo(), Stereo::off);
+  EXPECT_EQ(rig.window().views().stereoWindow(), nullptr);
+}
+
+TEST_F(Views, QuadBufferedStereoOpensAWindowOfItsOwnWhereTheDisplayHasBuffersForIt)
+{
+  WindowRig rig;
+  rig.window().views().offerQuadBuffered(gui::quadBufferedTrouble(true));
+  ASSERT_TRUE(entry(rig, "stereoQuadBuffered").isEnabled());
+  const QImage mono = rig.picture();
+  entry(rig, "stereoQuadBuffered").trigger();
+  EXPECT_EQ(rig.window().view().stereo(), Stereo::quadBuffered);
+  const gui::StereoWindow* twin = rig.window().views().stereoWindow();
+  ASSERT_NE(twin, nullptr);
+  EXPECT_TRUE(WindowRig::comes([&] { return twin->isOpen(); }));
+  EXPECT_EQ(rig.picture(), mono);  // what lies on the operation view stays as it is
+  entry(rig, "viewOverview").trigger();
+  rig.pressKey(Qt::Key_G);
+  EXPECT_EQ(rig.window().view().stereo(), Stereo::off);
+  EXPECT_EQ(rig.window().views().stereoWindow(), nullptr);
+}
+
+TEST_F(Views, StereoIsOffOnceItsWindowIsClosed)
+{
+  WindowRig rig;
+  rig.window().views().offerQuadBuffered({});
+  rig.window().views().setStereo(Stereo::quadBuffered);
+  ASSERT_NE(rig.window().views().stereoWindow(), nullptr);
+  rig.window().views().stereoWindow()->close();
+  EXPECT_TRUE(WindowRig::comes([&] { return rig.window().view().stereo() == Stereo::off; }));
+  EXPECT_EQ(rig.window().views().stereoWindow(), nullptr);
 }
 
 TEST_F(Views, TheMenuChoosesWhatTheKeysChoose)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 
@@ -20,16 +21,20 @@ std::string inText(double value)
 
 session::Scenario scenarioOf(const Resolution& resolution)
 {
-  const auto scenario = session::loadScenario(
-      "contour-published",
-      {{"nodes", std::to_string(resolution.nodes)}, {"dt_ms", inText(resolution.timeStep_ms)}});
+  const auto scenario =
+      session::loadScenario(resolution.scenario, {{"nodes", std::to_string(resolution.nodes)},
+                                                  {"dt_ms", inText(resolution.timeStep_ms)},
+                                                  {"speed_mm_s", inText(resolution.speed_mm_s)}});
   if (!scenario) throw std::runtime_error(scenario.error().message);
   return *scenario;
 }
 
 std::shared_ptr<const mechanics::InsertionModel> modelOf(const session::Scenario& scenario)
 {
-  static const auto scala = session::buildAnatomy(scenario);  // the same at every resolution
+  // the same at every resolution
+  static std::map<std::string, decltype(session::buildAnatomy(scenario))> scalas;
+  const auto& scala =
+      scalas.try_emplace(scenario.anatomy, session::buildAnatomy(scenario)).first->second;
   if (!scala) throw std::runtime_error(scala.error().message);
   const auto model = session::buildModel(scenario, *scala);
   if (!model) throw std::runtime_error(model.error().message);

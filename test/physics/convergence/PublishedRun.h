@@ -1,13 +1,16 @@
 #pragma once
 
-// The published run as it ships, at resolutions of the reader's choice.
+// A run as it ships, at resolutions of the reader's choice.
 
+#include <string>
 #include <vector>
 
 namespace perilymph::test {
 
-/// What must not matter.
+/// What is run, and what must not matter.
 struct Resolution {
+  std::string scenario = "contour-published";
+  double speed_mm_s = 2.0;
   int nodes = 100;
   double timeStep_ms = 1.0;
 };
@@ -15,8 +18,8 @@ struct Resolution {
 /// Travel between two samples [m]: one tick of the longest time step at 2 mm/s.
 inline constexpr double sampleTravel = 0.02e-3;
 
-/// Axial force [N] of the scenario `contour-published`, every `sampleTravel` from the first to the
-/// last of 16.5 mm, whatever the time step.
+/// Axial force [N] of the scenario, every `sampleTravel` from the first to the last, whatever the
+/// time step.
 /// @throws std::runtime_error with a sentence if the scenario cannot be built.
 std::vector<double> forceOverTravel(const Resolution& resolution);
 

@@ -21,13 +21,15 @@ constexpr double spacing = length / (nodes - 1);
 
 constexpr double gap = 1e-3;  // between the wall and the straight rod's center line [m]
 
-electrode::ArrayDesign steppedArray()
+/// @param across  EI of the carrier across the plane of curl [N.m^2].
+electrode::ArrayDesign steppedArray(double across)
 {
   electrode::ArrayDesign array;
   array.name = "stepped rod";
   array.length = array.insertable = meters(length);
   array.diameter = {{meters(0)}, {meters(2 * radius)}};
   array.bending = {{meters(0)}, {newtonSquareMeters(carrier)}};
+  array.bendingAcross = {{meters(0)}, {newtonSquareMeters(across)}};
   array.restCurvature = {{meters(0)}, {Curvature::fromSi(0.0)}};
   array.hasStylet = true;
   array.stylet.fromTip = meters(bare);
@@ -35,12 +37,13 @@ electrode::ArrayDesign steppedArray()
   return array;
 }
 
-/// Deflection over force of the tip [m/N], the stylet withdrawn by a length [m].
-double compliance(double withdrawal)
+/// Deflection over force of the tip [m/N], the stylet withdrawn by a length [m], the carrier's EI
+/// `across` the plane of curl, in which the wall bends it.
+double compliance(double withdrawal, double across)
 {
   mechanics::ModelParts parts;
   parts.lumen = std::make_shared<test::SideWall>(gap);
-  parts.array = steppedArray();
+  parts.array = steppedArray(across);
   parts.nodes = nodes;
   parts.startInside = meters(0.5 * length);
   parts.friction = {0.0, 0.0, 0.0, millimetersPerSecond(0.1)};
@@ -62,16 +65,34 @@ double compliance(double withdrawal)
   return (state.position_W.back().y() - state.base_W.y()) / state.normalForce.back();
 }
 
+/// The same of two beams of Euler and Bernoulli, one after the other.
+double twoBeams(double withdrawal, double across)
+{
+  const double soft = bare + withdrawal;
+  // the tweezers hold the whole first link, so it bends from that link's middle on
+  const double bent = length - 0.5 * spacing;
+  return std::pow(soft, 3) / (3.0 * across) +
+         (std::pow(bent, 3) - std::pow(soft, 3)) / (3.0 * (across + stylet));
+}
+
 TEST(SteppedCantilever, YieldsAsItsTwoPiecesWhereverBetweenNodesTheStyletEnds)
 {
   for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
     const double withdrawal = part * spacing;
-    const double soft = bare + withdrawal;
-    // the tweezers hold the whole first link, so it bends from that link's middle on
-    const double bent = length - 0.5 * spacing;
-    const double expected = std::pow(soft, 3) / (3.0 * carrier) +
-                            (std::pow(bent, 3) - std::pow(soft, 3)) / (3.0 * (carrier + stylet));
-    EXPECT_NEAR(compliance(withdrawal), expected,
+    const double expected = twoBeams(withdrawal, carrier);
+    EXPECT_NEAR(compliance(withdrawal, carrier), expected,
+                test::tolerance(0.002, "half a step of the place where it ends") * expected)
+        << part;
+  }
+}
+
+TEST(SteppedCantilever, YieldsAsItsTwoPiecesAlsoBentTheWayItIsStiffer)
+{
+  constexpr double across = 3.0 * carrier;
+  for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    const double withdrawal = part * spacing;
+    const double expected = twoBeams(withdrawal, across);
+    EXPECT_NEAR(compliance(withdrawal, across), expected,
                 test::tolerance(0.002, "half a step of the place where it ends") * expected)
         << part;
   }

@@ -34,8 +34,11 @@ double elasticEnergy(const mechanics::InsertionModel& model, const ArrayPose& po
     double covered = 0.0;
     if (model.styletBending > 0.0)
       covered = std::clamp((model.fromTip[i] - styletTip) / h + 0.5, 0.0, 1.0);
-    const double bending = 1.0 / ((1.0 - covered) / model.bendingCarrier[i] +
-                                  covered / (model.bendingCarrier[i] + model.styletBending));
+    // a piece without the stylet and a piece with it yield one after the other
+    const auto inSeries = [&](double carrier) {
+      return 1.0 / ((1.0 - covered) / carrier + covered / (carrier + model.styletBending));
+    };
+    const double bending = inSeries(model.bendingCarrier[i]);
     const double rest =
         pose.released * model.restCurvature[i] * (1.0 - covered * (1.0 - model.styletResidual));
     const Eigen::Vector3d bend =
@@ -45,7 +48,8 @@ double elasticEnergy(const mechanics::InsertionModel& model, const ArrayPose& po
     if (!model.twists) continue;
     const Eigen::Vector3d stiffer = model.stifferAcross[i] != 0 ? 0.5 * (before.side + after.side)
                                                                 : 0.5 * (before.curl + after.curl);
-    energy += model.bendingMore[i] / (2.0 * h) * std::pow(strain.dot(stiffer), 2);
+    const double more = inSeries(model.bendingCarrier[i] + model.bendingMore[i]) - bending;
+    energy += more / (2.0 * h) * std::pow(strain.dot(stiffer), 2);
     const Eigen::Vector3d carried =
         Eigen::Quaterniond::FromTwoVectors(before.tangent, after.tangent) * before.curl;
     const double twist =

@@ -66,8 +66,6 @@ std::vector<Setting> all()
   rows[rows.size() - 3].hasRim = true;
   rows[rows.size() - 2].timeStep = 0.2e-3;
   rows.back().timeStep = 5e-3;
-  for (Setting& setting : rows)
-    setting.settles = !setting.hasRim && setting.name.find("rough_bone") == std::string::npos;
   return rows;
 }
 

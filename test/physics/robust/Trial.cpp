@@ -133,10 +133,11 @@ private:
     for (std::size_t i = 0; i < walls_.size(); ++i) {
       const double inside = (model_.entry.origin_W - state_.position_W[i]).dot(model_.entry.out_W);
       // In the first stretch the wall is still setting in, or the rim has taken its place.
-      if (!walls_[i].isNear || inside < 2.0 * model_.spacing) continue;
+      if (!(walls_[i].isNear || state_.isBeside[i] != 0) || inside < 2.0 * model_.spacing) continue;
       // An oval section counts as it was turned when it came near, somewhere in the step.
       const double half = std::min(model_.halfWithin[i], model_.halfAcross[i]);
-      const double penetration = half - walls_[i].distance;
+      // Into bone beside the opening it is pressed from outside.
+      const double penetration = state_.isBeside[i] != 0 ? inside : half - walls_[i].distance;
       findings_.deepest = std::max(findings_.deepest, penetration);
       if (setting_.hasSoftMembrane) continue;
       const double explained = state_.normalForce[i] / model_.wallStiffness[i] + onset;

@@ -23,8 +23,6 @@ struct Setting {
   StyletUse stylet = StyletUse::stays;
   bool hasRim = false;           ///< The round window around the array.
   bool hasSoftMembrane = false;  ///< In the roof.
-  /// No step leaves more than 1 mN unbalanced. In the other rows single ones do.
-  bool settles = true;
   bool isWatchedLonger = false;  ///< In the quick tier: twenty thousand ticks.
   double timeStep = 1e-3;        ///< [s]
   int nodes = 60;

@@ -39,6 +39,18 @@ TEST(ContactDistances, SaysNothingOfAContactBeyondTheWall)
   EXPECT_LT(distances(test::laidTo(300.0, 0.0, 1.3)).front().toInnerWall_mm, 0.0);
 }
 
+TEST(ContactDistances, CountToTheInnerWallWhereTheArrayIsPressedPastTheOuterOne)
+{
+  const double past_mm = test::lumen_mm + 0.05;
+  for (const ContactDistance& contact : distances(test::laidTo(300.0, past_mm)))
+    EXPECT_NEAR(contact.toInnerWall_mm, past_mm + test::lumen_mm, smoothing_mm);
+}
+
+TEST(ContactDistances, SaysNothingOfAContactPastTheInnerWall)
+{
+  EXPECT_LT(distances(test::laidTo(300.0, -1.1)).front().toInnerWall_mm, 0.0);
+}
+
 TEST(ContactDistances, HasNoneWithoutAnArray)
 {
   haptics::Snapshot none{};

@@ -79,6 +79,26 @@ TEST(ScenarioCalibration, IsNotTakenOverByAnArrayNamedAnew)
   EXPECT_EQ(same->array.stylet.bending, shipped->array.stylet.bending);
 }
 
+// A recorded text gives the fitted numbers themselves; they are the former array's.
+TEST(ScenarioCalibration, OfARecordedTextIsNotTakenOverByAnArrayNamedAnew)
+{
+  const auto recorded = loadScenario("contour-published");
+  const auto plain =
+      loadScenario("contour-published", {{"array", "contour-advance"}, {"calibration", ""}});
+  ASSERT_TRUE(recorded && plain);
+  ASSERT_THAT(recorded->text, HasSubstr("stiffness_scale"));
+  const auto other = parseScenario(recorded->text, "text", {{"array", "contour-advance"}});
+  ASSERT_TRUE(other) << other.error().message;
+  EXPECT_EQ(other->array.stylet.bending, plain->array.stylet.bending);
+  EXPECT_EQ(other->array.stylet.residualCurvature, plain->array.stylet.residualCurvature);
+  EXPECT_EQ(other->calibrationName, "");
+  // unless they are given with it
+  const auto scaled = parseScenario(recorded->text, "text",
+                                    {{"array", "contour-advance"}, {"stiffness_scale", "2.0"}});
+  ASSERT_TRUE(scaled) << scaled.error().message;
+  EXPECT_DOUBLE_EQ(scaled->array.stylet.bending.si(), 2.0 * plain->array.stylet.bending.si());
+}
+
 TEST(ScenarioCalibration, OfAnotherArrayIsRefused)
 {
   const test::TemporaryFolder folder;

@@ -159,13 +159,23 @@ TEST_F(Library, LeavesTheFileAloneThatIsBeingRecorded)
   EXPECT_THAT(sessions->at(0).trouble, IsEmpty());
 }
 
-TEST_F(Library, StopsWhenAskedAndSaysHowFarItCame)
+TEST_F(Library, StopsWhenAskedAndListsTheNewestThatItCameTo)
 {
-  record(folder_ / "a.insertion", "2010-05-17T09:30:00Z", hillOfForce());
+  for (const char* day : {"20100517", "20100518", "20100519"})
+    record(folder_ / (std::string(day) + "T093000Z.insertion"), "2010-05-17T09:30:00Z",
+           hillOfForce());
+  std::size_t all = 0;
   const auto stopped =
-      listSessions(folder_.path(), {}, [](std::size_t, std::size_t) { return false; });
-  ASSERT_FALSE(stopped);
-  EXPECT_THAT(stopped.error().message, HasSubstr("0 of 1"));
+      listSessions(folder_.path(), {}, [&all](std::size_t done, std::size_t ofAll) {
+        all = ofAll;
+        return done < 2;
+      });
+  ASSERT_TRUE(stopped);
+  EXPECT_EQ(all, 3u);
+  ASSERT_EQ(stopped->size(), 2u);
+  EXPECT_THAT(stopped->at(0).file.string(), HasSubstr("20100519"));
+  EXPECT_THAT(stopped->at(1).file.string(), HasSubstr("20100518"));
+  EXPECT_EQ(list().size(), 3u);
 }
 
 TEST_F(Library, BringsBackWhatWasThrownAway)

@@ -24,6 +24,16 @@ void write(const std::filesystem::path& file, const std::string& text)
   std::ofstream(file) << text;
 }
 
+// 0.002 + 0.0165 is a rounding above 0.0185 in binary.
+TEST(AnArrayOf18Point5Millimeters, MayStart2InsideAndTravel16Point5AndNoMore)
+{
+  const auto travels = [](const char* mm) {
+    return refusal({{"array", "hifocus-mid-scala"}, {"stop_travel_mm", mm}});
+  };
+  EXPECT_EQ(travels("16.5"), "accepted");
+  EXPECT_THAT(travels("16.501"), HasSubstr("18.5 mm at most"));
+}
+
 TEST(ContourPublished, IsThePublishedExperiment)
 {
   const auto scenario = loadScenario("contour-published");

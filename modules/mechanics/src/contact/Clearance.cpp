@@ -13,10 +13,31 @@ namespace {
 constexpr double farthestSeen = 0.2e-6;  // [m]
 constexpr double mostSeen = 5e-10;       // force times way [N.m]
 
+// A node farther outside than this does not come in within a step (faster than any hand).
+constexpr double farthestOutside = 2e-3;  // [m]
+constexpr double justBehind = 1e-6;       // [m]
+// What the opening leads to is less far around the modiolus than this.
+constexpr double farthestTurn = 0.8;  // [rad]
+
 double squaredMotion(const InsertionState& state, std::size_t i) noexcept
 {
   const Eigen::Vector3d moved = state.position_W[i] - state.room.before_W[i];
   return moved[0] * moved[0] + moved[1] * moved[1] + moved[2] * moved[2];
+}
+
+/// Bone beside the opening, met by a node from outside: a plane that holds up its center line.
+void seeBone(const InsertionModel& model, const InsertionState& state, std::size_t i,
+             StepRoom& room) noexcept
+{
+  const double inside = (model.entry.origin_W - state.position_W[i]).dot(model.entry.out_W);
+  anatomy::WallPoint& wall = room.wall[i];
+  wall.isNear = inside > 0.0;
+  wall.clearance = 0.0;
+  wall.onMembrane = false;
+  wall.distance = model.radius[i] - inside;
+  wall.normal_W = model.entry.out_W;
+  wall.turning_W.setZero();
+  room.isKnown[i] = 0;
 }
 
 /// Whether the wall as it was seen in this step serves at a place, too: if the node may touch it
@@ -45,6 +66,10 @@ void findWall(const InsertionModel& model, InsertionState& state, StepRoom& room
   for (std::size_t i = 0; i < n; ++i) {
     const double most = state.clearance[i];
     room.isAsked[i] = 0;
+    if (state.isBeside[i] != 0) {
+      seeBone(model, state, i, room);
+      continue;
+    }
     if (squaredMotion(state, i) < most * most && i + 1 < n) {
       room.wall[i].isNear = false;
       room.isKnown[i] = 0;
@@ -74,11 +99,42 @@ void findWall(const InsertionModel& model, InsertionState& state, StepRoom& room
   }
 }
 
+void findBone(const InsertionModel& model, InsertionState& state) noexcept
+{
+  for (std::size_t i = 0; i < state.position_W.size(); ++i) {
+    const Eigen::Vector3d from_W = state.position_W[i] - model.entry.origin_W;
+    const double height = from_W.dot(model.entry.out_W);
+    const double radius = model.radius[i];
+    if (height > 0.0) state.isBeside[i] = 0;
+    // what is farther inside stays what it was when it passed the plane
+    if (state.isBeside[i] != 0 || height < -radius || height > farthestOutside) continue;
+    const bool isInside = height <= 0.0;
+    if (isInside && !(state.normalForce[i] > 0.0)) continue;
+    const double squared = from_W.squaredNorm() - height * height;
+    if (squared < 4.0 * radius * radius) continue;
+    // the wall as the node would see it, right behind the plane if it is still outside
+    const Eigen::Vector3d behind_W =
+        state.position_W[i] - (std::max(height, 0.0) + justBehind) * model.entry.out_W;
+    const anatomy::LumenTrack start = model.parts.lumen->startTrack();
+    anatomy::LumenTrack track = isInside ? state.track[i] : start;
+    anatomy::WallPoint wall;
+    model.parts.lumen->nearestWall({&behind_W, 1}, {&radius, 1}, {&track, 1}, {&wall, 1});
+    // the plane passes other turns of the duct, too; before the first there is none
+    const double turned = track.angle - start.angle;
+    const bool isElsewhere = turned < -farthestTurn || (!isInside && turned > farthestTurn);
+    if (isElsewhere || (wall.isNear && wall.distance < -radius)) state.isBeside[i] = 1;
+  }
+}
+
 void keepClearance(InsertionState& state) noexcept
 {
   const StepRoom& room = state.room;
   for (std::size_t i = 0; i < state.clearance.size(); ++i) {
     double& left = state.clearance[i];
+    if (state.isBeside[i] != 0) {
+      left = 0.0;
+      continue;
+    }
     if (room.isKnown[i] == 0) {
       left -= std::sqrt(squaredMotion(state, i));
       continue;

@@ -13,6 +13,11 @@ namespace perilymph::mechanics {
 /// from it is not asked for again before it has moved as far as that; nothing is approximated.
 void findWall(const InsertionModel& model, InsertionState& state, StepRoom& room) noexcept;
 
+/// Which nodes stand over bone at the start of a step, more than their radius beside the opening,
+/// or have slid there just below its plane: they cannot come in, and meet that plane where they
+/// try. None is let go inside bone, so that this takes energy at most.
+void findBone(const InsertionModel& model, InsertionState& state) noexcept;
+
 /// Brings state.clearance up to date at the end of a step.
 void keepClearance(InsertionState& state) noexcept;
 

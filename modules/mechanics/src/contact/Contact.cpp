@@ -42,7 +42,9 @@ bool press(const InsertionModel& model, InsertionState& state, const Eigen::Vect
   const anatomy::WallPoint& wall = room.wall[i];
   double half = model.radius[i];
   const Eigen::Vector3d& gradient_W = wall.normal_W;
-  if (model.isOval) {
+  // bone beside the opening holds up the center line, however the section is turned
+  const bool isOval = model.isOval && state.isBeside[i] == 0;
+  if (isOval) {
     SectionReach& reach = room.section[i];
     if (!reach.isKnown) reach = reachToward(model, state, i, wall.normal_W);
     half = reach.length;
@@ -68,7 +70,7 @@ bool press(const InsertionModel& model, InsertionState& state, const Eigen::Vect
     force_W -= soft.byShare * membrane.gradient_W;
   }
   force_W += push.force * gradient_W;
-  if (model.isOval) {
+  if (isOval) {
     // A section turns by the same energy; how fast its reach turns back is at most its own excess.
     const double rate = room.section[i].rate;
     state.wallTorque[i] = {-push.force * rate,

@@ -51,43 +51,64 @@ void fill(Crossing& crossing, const InsertionModel& model, const std::vector<Eig
   crossing.radiusRate -= model.spacing * rib.slope;
 }
 
-/// The crossing nearest to the tweezers.
-Crossing crossingOf(const InsertionModel& model, const std::vector<Eigen::Vector3d>& x) noexcept
+/// Where the center line goes in between the middles of the edges before and after node i.
+Crossing crossingAt(const InsertionModel& model, const std::vector<Eigen::Vector3d>& x,
+                    std::size_t i, double before, double here, double after) noexcept
 {
+  // A l^2 + B l + C = 0
+  const double A = 0.5 * (before - 2.0 * here + after);
+  const double B = here - before;
+  const double C = 0.5 * (before + here);
+  const double root = std::sqrt(std::max(B * B - 4.0 * A * C, 0.0)) - B;
+  const double l = root > 0.0 ? std::clamp(2.0 * C / root, 0.0, 1.0) : 0.0;
   Crossing crossing;
-  const std::size_t tip = x.size() - 1;
-  double before = heightOf(model, x[0]);
-  double here = heightOf(model, x[1]);
-  if (before + here < 0.0) return crossing;
-  for (std::size_t i = 1; i < tip; ++i) {
-    const double after = heightOf(model, x[i + 1]);
-    if (here + after < 0.0) {
-      // between the middles of the edges before and after node i: A l^2 + B l + C = 0
-      const double A = 0.5 * (before - 2.0 * here + after);
-      const double B = here - before;
-      const double C = 0.5 * (before + here);
-      const double root = std::sqrt(std::max(B * B - 4.0 * A * C, 0.0)) - B;
-      const double l = root > 0.0 ? std::clamp(2.0 * C / root, 0.0, 1.0) : 0.0;
-      crossing.first = i - 1;
-      crossing.count = 3;
-      crossing.weight[0] = 0.5 * (1.0 - l) * (1.0 - l);
-      crossing.weight[1] = 0.5 + l * (1.0 - l);
-      crossing.weight[2] = 0.5 * l * l;
-      fill(crossing, model, x, {l - 1.0, 1.0 - 2.0 * l, l});
-      return crossing;
-    }
-    before = here;
-    here = after;
-  }
-  if (!(here < 0.0)) return crossing;
-  // in the straight half edge behind the tip
+  crossing.first = i - 1;
+  crossing.count = 3;
+  crossing.weight[0] = 0.5 * (1.0 - l) * (1.0 - l);
+  crossing.weight[1] = 0.5 + l * (1.0 - l);
+  crossing.weight[2] = 0.5 * l * l;
+  fill(crossing, model, x, {l - 1.0, 1.0 - 2.0 * l, l});
+  return crossing;
+}
+
+/// Where it goes in on the straight half edge behind the tip.
+Crossing crossingAtTip(const InsertionModel& model, const std::vector<Eigen::Vector3d>& x,
+                       double before, double here) noexcept
+{
   const double share = before / (before - here);
-  crossing.first = tip - 1;
+  Crossing crossing;
+  crossing.first = x.size() - 2;
   crossing.count = 2;
   crossing.weight[0] = 1.0 - share;
   crossing.weight[1] = share;
   fill(crossing, model, x, {-1.0, 1.0, 0.0});
   return crossing;
+}
+
+/// Where the array goes in. Not while its tip is outside: what is below the plane then only bends
+/// down to the bone. Of several places it is the one nearest to where it went in before.
+Crossing crossingOf(const InsertionModel& model, const std::vector<Eigen::Vector3d>& x,
+                    double fromTip) noexcept
+{
+  Crossing nearest;
+  const std::size_t tip = x.size() - 1;
+  double before = heightOf(model, x[0]);
+  double here = heightOf(model, x[1]);
+  if (before + here < 0.0 || !(heightOf(model, x[tip]) < 0.0)) return nearest;
+  const auto compare = [&](const Crossing& crossing) {
+    if (nearest.count == 0 ||
+        std::fabs(crossing.fromTip - fromTip) < std::fabs(nearest.fromTip - fromTip))
+      nearest = crossing;
+  };
+  for (std::size_t i = 1; i < tip; ++i) {
+    const double after = heightOf(model, x[i + 1]);
+    if (before + here >= 0.0 && here + after < 0.0)
+      compare(crossingAt(model, x, i, before, here, after));
+    before = here;
+    here = after;
+  }
+  if (before + here >= 0.0) compare(crossingAtTip(model, x, before, here));
+  return nearest;
 }
 
 /// What rim and array do to each other at a crossing: pushes, stiffness, friction.
@@ -231,12 +252,14 @@ void addRimForces(const InsertionModel& model, InsertionState& state,
   room.rim = RimContact{};
   room.rimStiffness = RimStiffness{};
   if (!model.parts.opening) return;
-  const Crossing crossing = crossingOf(model, x);
+  const Crossing crossing = crossingOf(model, x, state.rim.fromTip);
   if (crossing.count == 0) {
     const double tip = heightOf(model, x.back());
     if (!(tip < 0.0)) pressTip(model, state, x, tip, room);
     return;
   }
+
+  room.rim.fromTip = crossing.fromTip;
 
   const Opening& opening = *model.parts.opening;
   const Eigen::Vector3d& n_W = model.entry.out_W;

@@ -98,7 +98,7 @@ TurnEnergy bendingByTurn(const InsertionModel& model, const StepRoom& room,
 void addOval(const InsertionModel& model, const StepRoom& room, const TurningJoint& joint,
              std::size_t i, TurnEnergy& energy) noexcept
 {
-  const double more = model.bendingMore[i] / model.spacing;
+  const double more = room.bendingMore[i] / model.spacing;
   const double rest = room.restBend[i];
   const auto& [p, t, d, e, dAcross, eAcross] = joint;
   const Vector3d s = (2.0 * room.perSum[i]) * (t - p) - (0.5 * rest) * (d + e);
@@ -256,7 +256,7 @@ Vector3d ovalStress(const InsertionModel& model, const StepRoom& room, std::size
   const Vector3d& way = room.stiffer_W[i];
   const double along =
       way.dot(bend_W - room.restBend_W[i]) + damping * way.dot(bend_W - room.bendBefore_W[i]);
-  return (model.bendingMore[i] / model.spacing * along) * way;
+  return (room.bendingMore[i] / model.spacing * along) * way;
 }
 
 void addMaterialStiffness(const InsertionModel& model, StepRoom& room) noexcept
@@ -273,7 +273,7 @@ void addMaterialStiffness(const InsertionModel& model, StepRoom& room) noexcept
     const Vector3d byNext = c * next.perLength * (way - way.dot(next.tangent_W) * next.tangent_W);
     const Vector3d byLast = c * last.perLength * (way - way.dot(last.tangent_W) * last.tangent_W);
     addRankOne(room.matrix, i, {byLast, -byLast - byNext, byNext},
-               model.bendingMore[i] / model.spacing * (1.0 + damping));
+               room.bendingMore[i] / model.spacing * (1.0 + damping));
   }
 }
 

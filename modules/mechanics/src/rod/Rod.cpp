@@ -54,6 +54,16 @@ JointForces forcesOf(const Joint& joint, const Vector3d& bend_W, const Vector3d&
           b * (stress - p * (p.dot(stress) + half * joint.cosine) + half * t)};
 }
 
+/// EI at a node with the stylet in a share of its stretch of array. Where the stylet ends, a piece
+/// without it and a piece with it yield one after the other.
+double bendingOf(double carrier, double stylet, double covered) noexcept
+{
+  const double both = carrier + stylet;
+  if (covered == 0.0) return carrier;
+  if (covered == 1.0) return both;
+  return carrier * both / (both - covered * stylet);
+}
+
 /// scale (1 - t t^T): takes away what is along t.
 SymmetricBlock<double> across(const Vector3d& t, double scale) noexcept
 {
@@ -156,12 +166,12 @@ void setStiffness(const InsertionModel& model, double styletWithdrawal, double r
     double covered = 0.0;
     if (model.styletBending > 0.0)
       covered = std::clamp((model.fromTip[i] - styletTip) / model.spacing + 0.5, 0.0, 1.0);
-    // Where the stylet ends, a piece without it and a piece with it yield one after the other.
-    const double carrier = model.bendingCarrier[i];
-    const double both = carrier + model.styletBending;
-    room.bending[i] = covered == 0.0   ? carrier
-                      : covered == 1.0 ? both
-                                       : carrier * both / (both - covered * model.styletBending);
+    room.bending[i] = bendingOf(model.bendingCarrier[i], model.styletBending, covered);
+    room.bendingMore[i] = model.bendingMore[i];
+    if (model.bendingMore[i] > 0.0 && covered > 0.0 && covered < 1.0)
+      room.bendingMore[i] = bendingOf(model.bendingCarrier[i] + model.bendingMore[i],
+                                      model.styletBending, covered) -
+                            room.bending[i];
     room.restBend[i] = released * model.spacing * model.restCurvature[i] *
                        (1.0 - covered * (1.0 - model.styletResidual));
   }

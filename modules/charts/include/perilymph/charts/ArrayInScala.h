@@ -39,6 +39,8 @@ public:
   void follow(const haptics::Snapshot& now);
 
   const std::vector<NodePlace>& nodes() const { return nodes_; }  ///< Base first, tip last.
+  /// Where they are [m]: as many as nodes().
+  const std::vector<Eigen::Vector3d>& nodes_W() const { return nodes_W_; }
   /// Between nodes, by straight lines; the tip's place for 0 or less. Only where nodes() has some.
   NodePlace at(double fromTip_mm) const;
   /// Whether the tip is past the plane of the opening.
@@ -54,6 +56,7 @@ private:
   const anatomy::ScalaTympani& scala_;
   electrode::ArrayDesign array_;
   std::vector<NodePlace> nodes_;
+  std::vector<Eigen::Vector3d> nodes_W_;
 };
 
 }  // namespace perilymph::charts

@@ -26,6 +26,9 @@ public:
   /// The view in so many pixels. The range, 0 to 540 degrees, grows by quarter turns with the tip.
   analysis::Drawing draw(const ArrayInScala& now, double width, double height) const;
 
+  /// The same as a picture that stands alone: with a line that names the axes.
+  analysis::Drawing drawPage(const ArrayInScala& now, double width, double height) const;
+
 private:
   struct Width {
     double angle_deg, inner_mm, outer_mm;

@@ -20,6 +20,7 @@ struct Wording {
   std::string basilarMembrane = "basilar membrane";
   std::string wallForceScale = "wall force, 50 mN per mm";
   std::string wallForce = "wall force %1 mN";
+  std::string unrolledAxes = "angle from round window, °; width, mm";
   std::string tipIsOutside = "the tip is outside";
   std::string noContactInside = "no contact is inside yet";
   std::string meanAndInside = "mean %1 mm, %2 inside";

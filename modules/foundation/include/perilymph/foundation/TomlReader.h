@@ -69,6 +69,9 @@ public:
   /// is TOML ("2.0", "true") or, failing that, text.
   void set(const std::string& key, const std::string& value);
 
+  /// Takes a value of this table away before it is read, as if the text did not give it.
+  void remove(std::string_view key);
+
   /// The first mistake, an unknown key being one; or success. Child tables report here, too.
   Result<Done> finish();
 

@@ -79,6 +79,8 @@ struct InsertionState {
   std::vector<unsigned char> isSliding;           ///< Of each node.
   std::vector<double> slipSpeed;                  ///< Of each node along the wall [m/s].
   std::vector<anatomy::LumenTrack> track;         ///< Of each node: which turn it is in.
+  /// Of each node: it stands over bone beside the opening, or presses into it from outside.
+  std::vector<unsigned char> isBeside;
   std::vector<double> clearance;                  ///< Of each node: it can move so far without
                                                   ///< touching, whichever way [m].
   std::vector<double> normalForce;                ///< Of the wall on each node [N].

@@ -17,8 +17,8 @@ struct ContactOutcome {
   bool isInside = false;        ///< Past the plane of the entry. If not, nothing below is set.
   double angle = 0.0;           ///< From the round window [rad], turns counted.
   double toModiolarAxis = 0.0;  ///< [m]
-  /// From the center line to the inner wall, along the way to the modiolar axis [m]. Negative if no
-  /// wall was found there.
+  /// From the center line to the inner wall, along the way to the modiolar axis [m]. Negative if
+  /// the array lies beyond the wall, or no wall was found there.
   double toInnerWall = 0.0;
   /// Between where it looks and the way to the modiolar axis, seen along the array [rad]: 0 looks
   /// at the modiolus, pi at the outer wall.
@@ -38,5 +38,11 @@ struct ArrayShape {
 ///
 /// @throws std::invalid_argument if the shape has not the model's number of nodes.
 std::vector<ContactOutcome> outcomeOf(const InsertionModel& model, const ArrayShape& shape);
+
+/// The same without a model: of an array with equal distances between its nodes, in a lumen.
+///
+/// @throws std::invalid_argument if the shape has fewer than 2 nodes.
+std::vector<ContactOutcome> outcomeOf(const anatomy::Lumen& lumen,
+                                      const electrode::ArrayDesign& array, const ArrayShape& shape);
 
 }  // namespace perilymph::mechanics

@@ -39,6 +39,7 @@ struct StepRoom {
         trial_W(matrix.blocks()),
         edge(nodes),
         bending(nodes),
+        bendingMore(nodes),
         restBend(nodes),
         restBend_W(nodes, Eigen::Vector3d::Zero()),
         stiffer_W(nodes, Eigen::Vector3d::Zero()),
@@ -80,7 +81,8 @@ struct StepRoom {
   std::vector<Eigen::Vector3d> start_W;          ///< Where this Newton step starts from [m].
   std::vector<Eigen::Vector3d> trial_W;          ///< The Newton step itself, per block [m].
   std::vector<RodEdge> edge;                     ///< Edge i, between nodes i and i + 1.
-  std::vector<double> bending;                   ///< EI at each node [N.m^2].
+  std::vector<double> bending;                   ///< EI at each node, the lesser [N.m^2].
+  std::vector<double> bendingMore;               ///< By which the greater exceeds it [N.m^2].
   std::vector<double> restBend;                  ///< Spacing times rest curvature at each node.
   std::vector<Eigen::Vector3d> restBend_W;       ///< The same, with its direction.
   std::vector<Eigen::Vector3d> stiffer_W;  ///< At each node: the way an oval section resists more.

@@ -11,6 +11,8 @@ namespace perilymph::mechanics {
 /// Of Newton's method in one step: of the whole, and if that leaves too much, of each of its parts.
 inline constexpr int mostIterations = 32;
 inline constexpr int mostParts = 8;
+/// Of the slower descent that follows where Newton's method leaves too much.
+inline constexpr int mostDescents = 200;
 
 /// Moves the state one time step on, by backward Euler: predict the rod, find contacts, solve
 /// normal force and friction, read off the reaction at the base (into state.readings).

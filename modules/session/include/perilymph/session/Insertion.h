@@ -24,10 +24,12 @@ public:
   /// @param hand    Who moves the array; opened here.
   /// @param record  Where to keep it (an `.insertion` file); nothing is kept without.
   /// @param anatomy The scenario's cochlea if it is built already, to share it between insertions.
+  /// @param model   The scenario's model in that cochlea, the same way.
   static Result<std::unique_ptr<Insertion>> prepare(
       const Scenario& scenario, std::unique_ptr<device::HapticDevice> hand,
       std::optional<std::filesystem::path> record,
-      std::shared_ptr<const anatomy::ScalaTympani> anatomy = nullptr);
+      std::shared_ptr<const anatomy::ScalaTympani> anatomy = nullptr,
+      std::shared_ptr<const mechanics::InsertionModel> model = nullptr);
   ~Insertion();  ///< Stops, closes the recording, closes the hand.
 
   // --- virtual time: the caller's thread is the loop ---
@@ -56,6 +58,7 @@ public:
   const anatomy::ScalaTympani& anatomy() const noexcept;
   std::shared_ptr<const anatomy::ScalaTympani> sharedAnatomy() const noexcept;
   const mechanics::InsertionModel& model() const noexcept;
+  std::shared_ptr<const mechanics::InsertionModel> sharedModel() const noexcept;
   device::HapticDevice& hand() noexcept;
   const haptics::HapticLoop& loop() const noexcept;
   const std::optional<std::filesystem::path>& recording() const noexcept;

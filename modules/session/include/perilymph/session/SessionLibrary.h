@@ -29,7 +29,7 @@ struct SessionSummary {
 /// Everything a list shows of one recording. Never fails: what cannot be read says so in `trouble`.
 SessionSummary summarize(const std::filesystem::path& file);
 
-/// Told how many recordings of how many are listed; false stops.
+/// Told how many recordings of how many are listed; false stops: the rest is left out.
 using LibraryProgress = std::function<bool(std::size_t done, std::size_t all)>;
 
 /// The folder of a library's caches: index and pictures. Whatever is in it may be deleted.
@@ -38,7 +38,8 @@ std::filesystem::path libraryCache(const std::filesystem::path& folder);
 /// Lists the recordings of a folder, newest first. A recording that has not changed since it was
 /// last listed is not opened again: its summary is kept in an index beside the recordings, which is
 /// made anew whenever it is missing or damaged. Where none can be written, the list only takes
-/// longer.
+/// longer. Files are read in the order of their names, the last first: those that were named by
+/// their time, the newest.
 ///
 /// @param beingRecorded  A file this program is writing: it is listed, but left alone. May be
 /// empty.

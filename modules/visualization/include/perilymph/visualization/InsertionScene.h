@@ -76,6 +76,8 @@ public:
   void lookFrom(CameraPreset preset);
   /// Goes to a preset in 250 ms, while stepCamera() is called.
   void glideTo(CameraPreset preset);
+  /// Looks from where another scene is looked at now.
+  void lookAs(const InsertionScene& other);
   /// One frame of the glide and of following the tip. @return Whether the camera is still moving.
   bool stepCamera(double seconds);
   CameraPreset preset() const noexcept;

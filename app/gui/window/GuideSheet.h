@@ -1,0 +1,33 @@
+#pragma once
+
+// The user guide, read in the window: the pages of resources/guide with their pictures.
+
+#include <QFrame>
+#include <filesystem>
+
+namespace perilymph::gui {
+
+class GuideBrowser;
+
+/// The folder of the guide: beside the resources, or among the documents of the package. Empty
+/// where it is not installed.
+std::filesystem::path guideFolder();
+
+class GuideSheet : public QFrame {
+  Q_OBJECT
+public:
+  explicit GuideSheet(QWidget* parent);
+
+  /// Shows the first page in the middle of the window.
+  void open();
+
+Q_SIGNALS:
+  void closeAsked();
+
+private:
+  void fit();
+
+  GuideBrowser* page_;
+};
+
+}  // namespace perilymph::gui

@@ -1,0 +1,172 @@
+// Cochlea and model are built beside the window: it goes on, says what it waits for, and can be
+// asked for something else meanwhile.
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QTest>
+
+#include "BuildingNote.h"
+#include "ModelWork.h"
+#include "SetupHistory.h"
+#include "WindowRig.h"
+
+namespace perilymph::test {
+namespace {
+
+class BuildingACochlea : public testing::Test {
+protected:
+  const session::Scenario& scenario() { return rig_.window().control().scenario(); }
+  bool isBuilding() { return !rig_.button("startButton").isEnabled(); }
+  bool ends()
+  {
+    return WindowRig::comes([&] { return rig_.button("startButton").isEnabled(); });
+  }
+  QString field(const char* name)
+  {
+    return rig_.window().findChild<QLineEdit*>(QLatin1String(name))->text();
+  }
+
+  WindowRig rig_;
+};
+
+// Between a key and the next turn of the loop of events nothing that was built can arrive.
+
+TEST_F(BuildingACochlea, GreysStartAndSaysWhy)
+{
+  rig_.type("panelScalaLength", "31.5");
+  EXPECT_TRUE(isBuilding());
+  EXPECT_TRUE(rig_.button("startButton").toolTip().contains("being built"));
+  EXPECT_TRUE(rig_.label("hintLabel").contains("Building the cochlea"));
+  EXPECT_EQ(scenario().patient.scalaTympaniLength, millimeters(35.58));
+  ASSERT_TRUE(ends());
+  EXPECT_EQ(scenario().patient.scalaTympaniLength, millimeters(31.5));
+  EXPECT_TRUE(rig_.button("startButton").toolTip().contains("Space"));
+}
+
+TEST_F(BuildingACochlea, HappensForAnotherArrayInTheSameOneToo)
+{
+  const auto before = rig_.window().control().sharedAnatomy();
+  rig_.type("panelNodes", "60");
+  EXPECT_TRUE(isBuilding());
+  EXPECT_EQ(scenario().nodes, 100);
+  ASSERT_TRUE(ends());
+  EXPECT_EQ(scenario().nodes, 60);
+  EXPECT_EQ(rig_.now().nodes, 60u);
+  EXPECT_EQ(rig_.window().control().sharedAnatomy(), before);
+}
+
+TEST_F(BuildingACochlea, IsLeftWithEscapeAndThePanelGoesBack)
+{
+  rig_.type("panelScalaLength", "31.5");
+  rig_.type("panelWindowWidth", "2.1");
+  ASSERT_TRUE(isBuilding());
+  rig_.window().setFocus();
+  rig_.pressKey(Qt::Key_Escape);
+  EXPECT_FALSE(isBuilding());
+  EXPECT_EQ(field("panelScalaLength"), "35.58");
+  EXPECT_EQ(rig_.window().setup().now().scenario.text, scenario().text);
+  // what was given up comes neither now nor with the next change
+  rig_.type("panelScalaLength", "33.0");
+  ASSERT_TRUE(ends());
+  EXPECT_EQ(scenario().patient.scalaTympaniLength, millimeters(33.0));
+  EXPECT_EQ(scenario().patient.roundWindowWidth, session::Scenario().patient.roundWindowWidth);
+}
+
+TEST_F(BuildingACochlea, CanceledAfterAnUndoGoesForwardAgain)
+{
+  rig_.type("panelScalaLength", "31.5");
+  ASSERT_TRUE(ends());
+  rig_.click("undoButton");
+  ASSERT_TRUE(isBuilding());
+  rig_.pressKey(Qt::Key_Escape);
+  EXPECT_EQ(field("panelScalaLength"), "31.50");
+  EXPECT_TRUE(rig_.button("undoButton").isEnabled());
+}
+
+TEST_F(BuildingACochlea, AnswersOnlyTheNewestWish)
+{
+  int prepared = 0;
+  QObject::connect(&rig_.window(), &gui::MainWindow::recordingChanged, &rig_.window(),
+                   [&prepared] { ++prepared; });
+  for (const char* length : {"28", "29", "30", "33.1"}) rig_.type("panelScalaLength", length);
+  ASSERT_TRUE(ends());
+  EXPECT_EQ(scenario().patient.scalaTympaniLength, millimeters(33.1));
+  EXPECT_EQ(prepared, 1);
+}
+
+TEST_F(BuildingACochlea, StartsByItselfOnceStartWasAsked)
+{
+  rig_.type("panelScalaLength", "31.5");
+  rig_.window().setFocus();
+  rig_.pressKey(Qt::Key_Space);
+  EXPECT_TRUE(rig_.label("hintLabel").contains("then the insertion starts"));
+  EXPECT_TRUE(WindowRig::comes([&] { return rig_.travel_mm() > 0.2; }));
+  EXPECT_EQ(scenario().patient.scalaTympaniLength, millimeters(31.5));
+}
+
+TEST_F(BuildingACochlea, TakesNoTimeForWhatNoModelIsMadeOf)
+{
+  rig_.type("panelSpeed", "3.0");
+  EXPECT_FALSE(isBuilding());
+  EXPECT_EQ(scenario().speed, millimetersPerSecond(3));
+}
+
+TEST(ANoteOfWhatIsBuilt, ComesAfterASecondAndCanBeCanceled)
+{
+  QWidget page;
+  page.resize(600, 400);
+  gui::BuildingNote note(&page);
+  page.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&page));
+  note.show(0);
+  EXPECT_FALSE(note.isVisible());
+  note.show(999);
+  EXPECT_FALSE(note.isVisible());
+  note.show(2100);
+  ASSERT_TRUE(note.isVisible());
+  EXPECT_EQ(note.findChild<QLabel*>("buildingText")->text(), QString("Building the cochlea… 2 s"));
+  EXPECT_TRUE(page.rect().contains(note.geometry()));
+  int canceled = 0;
+  QObject::connect(&note, &gui::BuildingNote::cancelAsked, &note, [&canceled] { ++canceled; });
+  QTest::mouseClick(note.findChild<QAbstractButton*>("cancelBuildButton"), Qt::LeftButton);
+  EXPECT_EQ(canceled, 1);
+  note.show(0);
+  EXPECT_FALSE(note.isVisible());
+}
+
+// What is taken over from the model before is the very model that would have been built.
+TEST(TwoScenariosOfTheSameModel, HaveTheSameFingerprint)
+{
+  const auto published = session::loadScenario("contour-published");
+  ASSERT_TRUE(published);
+  const auto anatomy = session::buildAnatomy(*published);
+  ASSERT_TRUE(anatomy);
+  const auto model = session::buildModel(*published, *anatomy);
+  ASSERT_TRUE(model);
+  int same = 0;
+  const session::Overrides each{{"title", "another"},       {"speed_mm_s", "0.7"},
+                                {"stop_travel_mm", "9.0"},  {"force_scale", "3.0"},
+                                {"side", "left"},           {"nodes", "60"},
+                                {"friction_static", "0.2"}, {"wall_stiffness_N_m", "2000.0"},
+                                {"start_inside_mm", "1.0"}, {"opening", "round-window"},
+                                {"membrane", "soft"},       {"dt_ms", "0.5"},
+                                {"stiffness_scale", "1.5"}, {"approach_tilt_deg", "3.0"}};
+  for (const auto& [key, value] : each) {
+    const auto other = session::loadScenario("contour-published", {{key, value}});
+    ASSERT_TRUE(other) << key;
+    const auto built = session::buildModel(*other, *anatomy);
+    ASSERT_TRUE(built) << key;
+    const bool isSame = (*built)->fingerprint == (*model)->fingerprint;
+    if (gui::haveSameModel(*published, *other)) {
+      EXPECT_TRUE(isSame) << key;
+      ++same;
+    }
+  }
+  EXPECT_EQ(same, 5);
+}
+
+}  // namespace
+}  // namespace perilymph::test

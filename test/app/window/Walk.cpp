@@ -1,0 +1,105 @@
+#include "Walk.h"
+
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QCursor>
+#include <QFile>
+#include <QHeaderView>
+#include <QImage>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPixmap>
+#include <QRegularExpression>
+#include <QTableView>
+
+#include "Pane.h"
+#include "ReadOut.h"
+#include "perilymph/foundation/Resources.h"
+
+namespace perilymph::test {
+
+namespace {
+
+/// Everything a person can read in a window, but what VTK paints.
+QStringList wordsOn(const QWidget& window)
+{
+  QStringList words;
+  for (const QWidget* each : window.findChildren<QWidget*>()) {
+    if (!each->isVisible()) continue;
+    words << each->accessibleName();
+    if (const auto* label = qobject_cast<const QLabel*>(each)) words << label->text();
+    if (const auto* button = qobject_cast<const QAbstractButton*>(each)) words << button->text();
+    if (const auto* line = qobject_cast<const QLineEdit*>(each)) words << line->text();
+    if (const auto* list = qobject_cast<const QComboBox*>(each)) words << list->currentText();
+    if (const auto* number = qobject_cast<const gui::ReadOut*>(each)) words << number->caption();
+    if (const auto* table = qobject_cast<const QTableView*>(each))
+      for (int column = 0; column < table->model()->columnCount(); ++column)
+        words << table->model()->headerData(column, Qt::Horizontal).toString();
+  }
+  return words;
+}
+
+/// Every channel in steps of four: nobody sees it, and the file is half as big.
+QImage smallened(QImage image)
+{
+  image = image.convertToFormat(QImage::Format_RGB32);
+  for (int y = 0; y < image.height(); ++y) {
+    auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
+    for (int x = 0; x < image.width(); ++x) line[x] = (line[x] & 0xFFFCFCFC) | 0xFF000000;
+  }
+  return image;
+}
+
+}  // namespace
+
+Walk::Walk(const char* page) : page_(page)
+{
+  QFile file(QString::fromStdString(resource("resources/guide/" + page_ + ".md").string()));
+  EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << page;
+  const QString text = QString::fromUtf8(file.readAll());
+  static const QRegularExpression heading(QStringLiteral("^## (\\d+)\\. "),
+                                          QRegularExpression::MultilineOption);
+  auto found = heading.globalMatch(text);
+  while (found.hasNext()) {
+    const auto here = found.next();
+    const int end = text.indexOf(QLatin1String("\n## "), here.capturedEnd());
+    steps_[here.captured(1).toInt()] = text.mid(here.capturedStart(), end - here.capturedStart());
+  }
+}
+
+void Walk::step(int number, QWidget& window)
+{
+  ASSERT_EQ(steps_.count(number), 1u) << page_ << " has no step " << number;
+  const QStringList seen = wordsOn(window);
+  static const QRegularExpression bold(QStringLiteral("\\*\\*([^*]+)\\*\\*"));
+  auto found = bold.globalMatch(steps_[number]);
+  while (found.hasNext()) {
+    const QString words = found.next().captured(1);
+    const bool isSeen = std::any_of(seen.begin(), seen.end(),
+                                    [&](const QString& each) { return each.contains(words); });
+    EXPECT_TRUE(isSeen) << page_ << ", step " << number << ": nothing says “" << words.toStdString()
+                        << "” on the window.";
+  }
+  steps_.erase(number);
+
+  const QString folder = qEnvironmentVariable("PERILYMPH_GUIDE_PICTURES");
+  if (folder.isEmpty()) return;
+  // no mouse over anything
+  QCursor::setPos(window.mapToGlobal(QPoint(0, window.height() - 1)));
+  QCoreApplication::processEvents();
+  const QString place =
+      QStringLiteral("%1/%2-%3.png").arg(folder, QString::fromStdString(page_)).arg(number);
+  EXPECT_TRUE(smallened(window.grab().toImage()).save(place, "PNG", 0)) << place.toStdString();
+}
+
+std::string Walk::left() const
+{
+  std::string numbers;
+  for (const auto& [number, text] : steps_) numbers += std::to_string(number) + " ";
+  return numbers;
+}
+
+}  // namespace perilymph::test

@@ -1,0 +1,172 @@
+// The three walks of the user guide, step by step as its pages tell them: a surgeon with a
+// patient's numbers, a clinician who compares, a visitor at a booth.
+
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QLineEdit>
+#include <QTableView>
+#include <QTest>
+
+#include "ComparePage.h"
+#include "ComparisonPlot.h"
+#include "KioskWindow.h"
+#include "PushPad.h"
+#include "SessionsPage.h"
+#include "Walk.h"
+#include "WindowRig.h"
+#include "perilymph/foundation/Resources.h"
+#include "perilymph/session/SessionLibrary.h"
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::test {
+namespace {
+
+/// A folder of one's own for what a walk writes.
+class AWalk : public testing::Test {
+protected:
+  AWalk()
+  {
+    before_ = std::getenv("XDG_DATA_HOME");
+    setenv("XDG_DATA_HOME", data_.path().c_str(), 1);
+  }
+  ~AWalk() override { setenv("XDG_DATA_HOME", before_.c_str(), 1); }
+
+  static bool canStart(WindowRig& rig)
+  {
+    return WindowRig::comes([&] { return rig.button("startButton").isEnabled(); });
+  }
+  static bool isThere(WindowRig& rig)
+  {
+    return WindowRig::comes(
+        [&] { return rig.now().output.workflow == haptics::Workflow::finished; });
+  }
+  /// Every recording of the library has its picture.
+  static bool picturesCome(std::size_t recordings)
+  {
+    return WindowRig::comes([&] {
+      std::size_t found = 0;
+      std::error_code ignored;
+      for (const auto& entry :
+           std::filesystem::directory_iterator(session::libraryCache(sessionFolder()), ignored))
+        found += entry.path().extension() == ".png" ? 1 : 0;
+      return found >= recordings;
+    });
+  }
+
+  TemporaryFolder data_;
+  std::string before_;
+};
+
+TEST_F(AWalk, OfASurgeonEndsAtFullDepthOfThePatientsCochlea)
+{
+  Walk walk("surgeon");
+  WindowRig rig;
+  rig.window().showPage(gui::Page::start);
+  walk.step(1, rig.window());
+
+  rig.click("patientCard");
+  for (const auto& [field, text] :
+       {std::pair{"patientName", "P 014"}, std::pair{"stLength", "34.2"},
+        std::pair{"rwWidth", "2.05"}, std::pair{"rwHeight", "1.7"}}) {
+    auto* line = rig.window().findChild<QLineEdit*>(QLatin1String(field));
+    line->selectAll();
+    QTest::keyClicks(line, QLatin1String(text));
+  }
+  rig.click("leftEar");
+  walk.step(2, rig.window());
+
+  rig.click("usePatientButton");
+  ASSERT_TRUE(
+      WindowRig::comes([&] { return rig.window().control().scenario().patient.label == "P 014"; }));
+  rig.choose("arraySelector", "slim-straight");
+  ASSERT_TRUE(canStart(rig));
+  walk.step(3, rig.window());
+
+  rig.click("pointerChoice");
+  rig.window().setFocus();
+  rig.holdKey(Qt::Key_Space);
+  rig.holdKey(Qt::Key_Down);
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 13.0; }));
+  walk.step(4, rig.window());
+
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.window().control().isAtDepth(); }));
+  rig.releaseKey(Qt::Key_Down);
+  rig.releaseKey(Qt::Key_Space);
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.label("hintLabel").contains("Full depth"); }));
+  walk.step(5, rig.window());
+  EXPECT_EQ(rig.window().control().scenario().patient.scalaTympaniLength, millimeters(34.2));
+  EXPECT_EQ(walk.left(), "");
+}
+
+TEST_F(AWalk, OfAClinicianSetsTwoTechniquesSideBySide)
+{
+  Walk walk("clinician");
+  WindowRig rig;
+  rig.click("startButton");
+  ASSERT_TRUE(isThere(rig));
+  walk.step(1, rig.window());
+
+  rig.click("resetButton");
+  rig.choose("techniqueSelector", "aos");
+  ASSERT_TRUE(canStart(rig));
+  rig.click("startButton");
+  ASSERT_TRUE(isThere(rig));
+  rig.click("resetButton");
+  rig.click("sessionsPageButton");
+  auto& list = *rig.window().findChild<QTableView*>("sessionList");
+  ASSERT_TRUE(WindowRig::comes([&] { return list.model()->rowCount() == 2; }));
+  ASSERT_TRUE(picturesCome(2));
+  list.setFocus();
+  QTest::keyClick(&list, Qt::Key_A, Qt::ControlModifier);
+  walk.step(2, rig.window());
+
+  rig.click("compareButton");
+  auto& page = *rig.window().findChild<gui::ComparePage*>();
+  ASSERT_TRUE(WindowRig::comes([&] { return page.runs().size() == 2; }));
+  auto& plot = *rig.window().findChild<gui::ComparisonPlot*>();
+  QTest::mouseClick(&plot, Qt::LeftButton, Qt::NoModifier,
+                    QPoint(plot.width() * 2 / 3, plot.height() / 2));
+  walk.step(3, rig.window());
+
+  rig.click("sessionsPageButton");
+  ASSERT_TRUE(
+      WindowRig::comes([&] { return !rig.window().findChild<gui::SessionsPage*>()->isBusy(); }));
+  list.selectRow(1);
+  rig.click("ghostButton");
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.label("sessionStatus").contains("ghost"); }));
+  rig.click("insertPageButton");
+  rig.click("startButton");
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 12.0; }));
+  walk.step(4, rig.window());
+  EXPECT_EQ(walk.left(), "");
+}
+
+TEST_F(AWalk, OfAVisitorEndsOnTheBoardOfTheDay)
+{
+  Walk walk("visitor");
+  auto scenario = session::loadScenario("contour-published");
+  ASSERT_TRUE(scenario) << scenario.error().message;
+  gui::KioskWindow window(*scenario, data_.path() / "board.txt");
+  window.show();
+  ASSERT_TRUE(window.open());
+  const auto travel_mm = [&window] {
+    return inMillimeters(Length::fromSi(window.control().now().output.travel));
+  };
+  ASSERT_TRUE(WindowRig::comes([&] { return travel_mm() > 12.0; }));
+  walk.step(1, window);
+
+  QTest::mouseClick(window.findChild<QAbstractButton*>("inviteButton"), Qt::LeftButton);
+  ASSERT_TRUE(WindowRig::comes([&] { return window.stage() == gui::KioskStage::turn; }));
+  auto& pad = *window.findChild<gui::PushPad*>();
+  QTest::mousePress(&pad, Qt::LeftButton, {}, QPoint(pad.width() * 3 / 4, pad.height() / 2));
+  ASSERT_TRUE(WindowRig::comes([&] { return travel_mm() > 11.0; }));
+  walk.step(2, window);
+
+  ASSERT_TRUE(WindowRig::comes([&] { return window.stage() == gui::KioskStage::result; }));
+  walk.step(3, window);
+  EXPECT_EQ(walk.left(), "");
+}
+
+}  // namespace
+}  // namespace perilymph::test

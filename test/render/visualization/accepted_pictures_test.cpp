@@ -1,0 +1,114 @@
+// The views as people looked at them: each of these pictures was opened before it was accepted.
+
+#include <gtest/gtest.h>
+#include <vtkUnsignedCharArray.h>
+
+#include "SceneOnScreen.h"
+#include "perilymph/charts/ContactDistances.h"
+#include "perilymph/charts/FigurePicture.h"
+#include "perilymph/charts/Look.h"
+#include "perilymph/charts/TipSection.h"
+#include "perilymph/charts/UnrolledScala.h"
+#include "perilymph/test/TemporaryFolder.h"
+#include "perilymph/visualization/Look.h"
+
+namespace perilymph::visualization {
+namespace {
+
+using test::SceneOnScreen;
+
+/// An array whose last third is pressed, the more the nearer to the tip.
+haptics::Snapshot pressed()
+{
+  haptics::Snapshot now = test::insertedTo(degrees(220));
+  for (int node = 60; node < 97; ++node) test::press(now, node, millinewtons(0.3 * (node - 59)));
+  return now;
+}
+
+/// Light for the length of a test.
+struct Light {
+  Light() { show(Look::light, charts::Look::light); }
+  ~Light() { show(Look::dark, charts::Look::dark); }
+  static void show(Look look, charts::Look ofCharts)
+  {
+    setLook(look);
+    charts::setLook(ofCharts);
+  }
+};
+
+/// A flat view painted at three pixels a point.
+test::DrawnPicture painted(const analysis::Drawing& drawing)
+{
+  const test::TemporaryFolder folder;
+  const auto written = charts::writePicture(drawing, folder / "view.png");
+  EXPECT_TRUE(written) << written.error().message;
+  return test::load(folder / "view.png");
+}
+
+struct FlatView : ::testing::Test {
+  FlatView() { array.follow(pressed()); }
+  charts::ArrayInScala array{*test::publishedScala(), test::plainArray()};
+};
+
+TEST_F(FlatView, UnrolledScalaLooksAsAccepted)
+{
+  const charts::UnrolledScala view(*test::publishedScala());
+  EXPECT_EQ(test::comparedWithAccepted(painted(view.draw(array, 360.0, 160.0)), "unrolled"), "");
+}
+
+TEST_F(FlatView, UnrolledScalaLooksAsAcceptedOnAPageOfItsOwn)
+{
+  const Light light;
+  const charts::UnrolledScala view(*test::publishedScala());
+  EXPECT_EQ(
+      test::comparedWithAccepted(painted(view.drawPage(array, 360.0, 220.0)), "unrolled-light"),
+      "");
+}
+
+TEST_F(FlatView, TipSectionLooksAsAccepted)
+{
+  const charts::TipSection view(*test::publishedScala());
+  EXPECT_EQ(test::comparedWithAccepted(painted(view.draw(array, 220.0, 240.0)), "tip-section"), "");
+}
+
+TEST_F(FlatView, ContactDistancesLookAsAccepted)
+{
+  const analysis::Drawing view =
+      charts::drawContactDistances(charts::contactDistances(array), 200.0, 240.0);
+  EXPECT_EQ(test::comparedWithAccepted(painted(view), "contact-distances"), "");
+}
+
+TEST(WallForce, LooksAsAcceptedOnTheTranslucentWall)
+{
+  SceneOnScreen screen;
+  screen.scene.setVisible(Part::contactArrows, false);
+  screen.scene.show(pressed());
+  screen.scene.lookFrom(CameraPreset::followTip);
+  EXPECT_EQ(test::comparedWithAccepted(screen.picture(), "wall-force"), "");
+}
+
+TEST(LightLook, LooksAsAccepted)
+{
+  const Light light;
+  SceneOnScreen screen;
+  screen.scene.show(pressed());
+  EXPECT_EQ(test::comparedWithAccepted(screen.picture(), "surgeon-view-light"), "");
+}
+
+TEST(Anaglyph, LooksAsAccepted)
+{
+  SceneOnScreen screen;
+  screen.scene.show(pressed());
+  screen.scene.lookFrom(CameraPreset::overview);
+  screen.scene.setStereo(Stereo::anaglyph);
+  // both eyes' pictures are put together in the buffer at the front
+  screen.window->Render();
+  test::DrawnPicture picture{screen.window->GetSize()[0], screen.window->GetSize()[1], {}};
+  vtkNew<vtkUnsignedCharArray> pixels;
+  screen.window->GetPixelData(0, 0, picture.width - 1, picture.height - 1, 1, pixels);
+  picture.rgb.assign(pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues());
+  EXPECT_EQ(test::comparedWithAccepted(picture, "anaglyph"), "");
+}
+
+}  // namespace
+}  // namespace perilymph::visualization

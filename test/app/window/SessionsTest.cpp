@@ -133,7 +133,6 @@ TEST_F(Sessions, CanBeCanceledWhileTheyAreReadAndAreListedAsFarAsTheyWere)
   QTest::keyClick(&page(), Qt::Key_Escape);
   ASSERT_TRUE(WindowRig::comes([&] { return !page().isBusy(); }));
   EXPECT_LT(rows(), 2000);
-  EXPECT_TRUE(rig_->label("sessionStatus").contains("of 2000"));
   // nothing is lost: opened again they are read on
   rig_->click("insertPageButton");
   rig_->click("sessionsPageButton");

@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 #include <QVariant>
+#include <algorithm>
 
 #include "Theme.h"
 
@@ -37,7 +38,8 @@ void EmptyPage::say(const QString& title, const QString& sentence)
 {
   title_->setText(title);
   sentence_->setText(sentence);
-  sentence_->setMinimumHeight(sentence_->heightForWidth(width_px));  // of all its lines
+  // of all its lines; without words there is no height
+  sentence_->setMinimumHeight(std::max(0, sentence_->heightForWidth(width_px)));
 }
 
 }  // namespace perilymph::gui

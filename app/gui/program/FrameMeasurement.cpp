@@ -7,12 +7,13 @@
 #include <string>
 
 #include "MainWindow.h"
+#include "perilymph/foundation/Units.h"
 
 namespace perilymph::gui {
 
 namespace {
 
-constexpr int pollInterval_ms = 100;
+constexpr int pollInterval_ms = 20;
 
 // Turned round before the ends, where the loop would finish the insertion.
 constexpr double deepShare = 0.9;
@@ -45,6 +46,16 @@ public:
       return false;
     }
     if (!ticks_) return !isFinished(now);
+    if (isFinished(now)) {
+      std::fprintf(
+          stderr,
+          "The array came to its end before it could turn round: the way of %.1f mm is too "
+          "short, or the machine too slow, to measure on. Give a scenario with a longer "
+          "one.\n",
+          inMillimeters(window_.control().scenario().stopTravel));
+      status_ = 1;
+      return false;
+    }
     const double share = now.output.travel / window_.control().scenario().stopTravel.si();
     if (!isMeasuring_ && share >= shallowShare) {  // the first way in begins farther out
       isMeasuring_ = true;

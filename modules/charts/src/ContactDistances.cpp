@@ -19,33 +19,6 @@ namespace {
 constexpr AxisRange usualDistance_mm{0.0, 1.5, 0.5};
 constexpr double leftMargin_px = 30.0;
 constexpr double line_px = 14.0;
-constexpr int directions = 144;
-
-/// Of a place pressed past the outer wall: to where the section's wall first stands, seen from the
-/// axis at its height [mm]; -1 past the inner wall, or without a wall at its height.
-double acrossLumen_mm(const anatomy::ScalaTympani& scala, const NodePlace& place)
-{
-  const double angle = degrees(std::max(0.0, place.angle_deg)).si();
-  const Eigen::Vector3d center_W = scala.center_W(angle);
-  const double center_mm = 1e3 * center_W.head<2>().norm();
-  double inner_mm = center_mm;
-  bool isCrossed = false;
-  Eigen::Vector2d before = Eigen::Vector2d::Zero();
-  for (int k = 0; k <= directions; ++k) {
-    const Eigen::Vector3d wall_W = scala.wall_W(angle, 2.0 * pi * k / directions);
-    const Eigen::Vector2d wall(1e3 * wall_W.head<2>().norm() - center_mm,
-                               1e3 * (wall_W.z() - center_W.z()));
-    if (k > 0 && (before.y() < place.up_mm) != (wall.y() < place.up_mm)) {
-      const double share = (place.up_mm - before.y()) / (wall.y() - before.y());
-      const double crossing_mm = before.x() + share * (wall.x() - before.x());
-      inner_mm = isCrossed ? std::min(inner_mm, crossing_mm) : crossing_mm;
-      isCrossed = true;
-    }
-    before = wall;
-  }
-  const double away_mm = place.across_mm - inner_mm;
-  return isCrossed && away_mm >= 0.0 ? away_mm : -1.0;
-}
 
 }  // namespace
 
@@ -58,12 +31,7 @@ std::vector<ContactDistance> contactDistances(const ArrayInScala& now)
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const mechanics::ContactOutcome& contact = outcome[i];
     if (!contact.isInside) continue;
-    // no way leads inward from beyond a wall; an array pressed past the outer one still has one
-    const double toInnerWall_mm =
-        contact.toInnerWall >= 0.0
-            ? 1e3 * contact.toInnerWall
-            : acrossLumen_mm(now.scala(), now.at(inMillimeters(now.array().contactsFromTip[i])));
-    contacts[i] = {true, inDegrees(radians(contact.angle)), toInnerWall_mm};
+    contacts[i] = {true, inDegrees(radians(contact.angle)), 1e3 * contact.toInnerWall};
   }
   return contacts;
 }

@@ -54,19 +54,29 @@ anatomy::WallPoint wallAt(const anatomy::Lumen& lumen, const Vector3d& at,
   return wall;
 }
 
-/// How far the wall is in a direction: steps as long as the distance to the wall allows. Negative
-/// from beyond the wall.
+/// How far the wall on the other side of the lumen is in a direction: steps as long as the distance
+/// to the wall allows. From beyond a wall, the lumen may begin a little farther on. Negative if it
+/// does not.
 double distanceAlong(const anatomy::Lumen& lumen, const Vector3d& from, const Vector3d& direction,
                      anatomy::LumenTrack track)
 {
   constexpr double farthest = 10e-3;  // [m]
+  constexpr double deepest = 0.5e-3;  // that an array is pressed beyond a wall [m]
+  constexpr double onWall = 0.1e-6;   // [m]
   double gone = 0.0;
+  bool isInside = false;
   for (int i = 0; i < 400 && gone < farthest; ++i) {
     const anatomy::WallPoint wall = wallAt(lumen, from + gone * direction, track, 3e-3);
     const double step = wall.isNear ? wall.distance : 0.2e-3;
-    if (gone == 0.0 && step < -0.1e-6) return -1.0;
-    if (step < 0.1e-6) return gone;
-    gone += 0.9 * step;
+    if (step >= onWall) {
+      isInside = true;
+      gone += 0.9 * step;
+    } else if (isInside) {
+      return gone;
+    } else {
+      if (gone > deepest) return -1.0;
+      gone += 2.0 * onWall - step;
+    }
   }
   return -1.0;
 }

@@ -13,6 +13,7 @@
 
 #include "ComparePage.h"
 #include "ComparisonPlot.h"
+#include "DataFolder.h"
 #include "SessionsPage.h"
 #include "WindowRig.h"
 #include "perilymph/foundation/AtomicFile.h"
@@ -30,12 +31,9 @@ class Clinician : public testing::Test {
 protected:
   Clinician()
   {
-    before_ = std::getenv("XDG_DATA_HOME");
-    setenv("XDG_DATA_HOME", data_.path().c_str(), 1);
     rig_ = std::make_unique<WindowRig>(
         session::Overrides{{"stop_travel_mm", "2.0"}, {"speed_mm_s", "2.0"}});
   }
-  ~Clinician() override { setenv("XDG_DATA_HOME", before_.c_str(), 1); }
 
   /// Inserts to full depth with the button, and puts the array back.
   void insertOnce()
@@ -73,8 +71,7 @@ protected:
     return QStringLiteral("no column ") + QLatin1String(header);
   }
 
-  TemporaryFolder data_;
-  std::string before_;
+  DataFolder data_;
   std::unique_ptr<WindowRig> rig_;
 };
 
@@ -137,7 +134,7 @@ TEST_F(Clinician, WritesAReportThatCanBeReadAgain)
 {
   insertOnce();
   openLibrary(1);
-  const fs::path pdf = data_ / "report.pdf";
+  const fs::path pdf = data_.path() / "report.pdf";
   for (const auto& entry : fs::directory_iterator(sessionFolder()))
     if (entry.path().extension() == ".insertion" &&
         entry.path() != rig_->window().control().recording())

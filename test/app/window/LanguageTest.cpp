@@ -235,7 +235,9 @@ TEST(ALengthTyped, IsThePatientsInAGermanWindow)
     }
     // a thousand nodes, as Germans write it, are not silently one
     rig.type("panelNodes", "1.000");
+    ASSERT_TRUE(WindowRig::comes([&] { return rig.button("startButton").isEnabled(); }));
     rig.click("startButton");
+    EXPECT_TRUE(rig.label("bannerText").contains("1024")) << rig.label("bannerText").toStdString();
     EXPECT_EQ(rig.window().control().scenario().nodes, 100);
   }
   QLocale::setDefault(QLocale::c());

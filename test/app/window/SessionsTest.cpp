@@ -10,6 +10,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "DataFolder.h"
 #include "Replay.h"
 #include "ReplayBar.h"
 #include "SessionTable.h"
@@ -19,7 +20,6 @@
 #include "perilymph/device/ScriptedHand.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/session/Insertion.h"
-#include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::test {
 namespace {
@@ -46,13 +46,6 @@ fs::path record(const std::string& name, const session::Overrides& more = {})
 /// A window whose library is empty at first.
 class Sessions : public testing::Test {
 protected:
-  Sessions()
-  {
-    before_ = std::getenv("XDG_DATA_HOME");
-    setenv("XDG_DATA_HOME", data_.path().c_str(), 1);
-  }
-  ~Sessions() override { setenv("XDG_DATA_HOME", before_.c_str(), 1); }
-
   void openLibrary()
   {
     rig_ = std::make_unique<WindowRig>();
@@ -73,8 +66,7 @@ protected:
     return rig_->label("replayTime").section(QLatin1Char(' '), -1).toULongLong();
   }
 
-  TemporaryFolder data_;
-  std::string before_;
+  DataFolder data_;
   std::unique_ptr<WindowRig> rig_;
 };
 
@@ -133,6 +125,8 @@ TEST_F(Sessions, CanBeCanceledWhileTheyAreReadAndAreListedAsFarAsTheyWere)
   QTest::keyClick(&page(), Qt::Key_Escape);
   ASSERT_TRUE(WindowRig::comes([&] { return !page().isBusy(); }));
   EXPECT_LT(rows(), 2000);
+  EXPECT_TRUE(rig_->label("sessionStatus").contains("of 2000"))
+      << rows() << " rows: " << rig_->label("sessionStatus").toStdString();
   // nothing is lost: opened again they are read on
   rig_->click("insertPageButton");
   rig_->click("sessionsPageButton");

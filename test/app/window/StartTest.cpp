@@ -7,9 +7,9 @@
 #include <QLineEdit>
 #include <QTest>
 
+#include "DataFolder.h"
 #include "WindowRig.h"
 #include "perilymph/foundation/Resources.h"
-#include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::test {
 namespace {
@@ -19,11 +19,9 @@ class FirstScreen : public testing::Test {
 protected:
   FirstScreen()
   {
-    qputenv("XDG_DATA_HOME", QByteArray::fromStdString(data_.path().string()));
     rig_ = std::make_unique<WindowRig>();
     rig_->window().showPage(gui::Page::start);
   }
-  ~FirstScreen() override { qunsetenv("XDG_DATA_HOME"); }
 
   void type(const char* field, const char* text)
   {
@@ -35,7 +33,7 @@ protected:
 
   const session::Scenario& scenario() { return rig_->window().control().scenario(); }
 
-  TemporaryFolder data_;
+  DataFolder data_;
   std::unique_ptr<WindowRig> rig_;
 };
 

@@ -12,12 +12,12 @@
 
 #include "ComparePage.h"
 #include "ComparisonPlot.h"
+#include "DataFolder.h"
 #include "KioskWindow.h"
 #include "PushPad.h"
 #include "SessionsPage.h"
 #include "Walk.h"
 #include "WindowRig.h"
-#include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::test {
 namespace {
@@ -25,13 +25,6 @@ namespace {
 /// A folder of one's own for what a walk writes.
 class AWalk : public testing::Test {
 protected:
-  AWalk()
-  {
-    before_ = std::getenv("XDG_DATA_HOME");
-    setenv("XDG_DATA_HOME", data_.path().c_str(), 1);
-  }
-  ~AWalk() override { setenv("XDG_DATA_HOME", before_.c_str(), 1); }
-
   static bool canStart(WindowRig& rig)
   {
     return WindowRig::comes([&] { return rig.button("startButton").isEnabled(); });
@@ -56,8 +49,7 @@ protected:
     });
   }
 
-  TemporaryFolder data_;
-  std::string before_;
+  DataFolder data_;
 };
 
 TEST_F(AWalk, OfASurgeonEndsAtFullDepthOfThePatientsCochlea)

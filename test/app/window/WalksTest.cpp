@@ -29,10 +29,13 @@ protected:
   {
     return WindowRig::comes([&] { return rig.button("startButton").isEnabled(); });
   }
+  /// At full depth, and the window says so.
   static bool isThere(WindowRig& rig)
   {
-    return WindowRig::comes(
-        [&] { return rig.now().output.workflow == haptics::Workflow::finished; });
+    return WindowRig::comes([&] {
+      return rig.now().output.workflow == haptics::Workflow::finished &&
+             rig.button("startButton").text() == "Start";
+    });
   }
   /// Every row of the library shows its picture.
   static bool picturesCome(const QTableView& list)

@@ -90,6 +90,9 @@ ChartFrame::ChartFrame(const std::string& xTitle, const std::string& yTitle)
   overlay_->setChart(chart_);
 
   chart_->SetRenderEmpty(true);
+  chart_->SetAutoAxes(false);  // it would hide the axes until there is a curve
+  for (const int position : {vtkAxis::RIGHT, vtkAxis::TOP})
+    chart_->GetAxis(position)->SetVisible(false);
   chart_->SetShowLegend(false);
   chart_->SetForceAxesToBounds(false);
   chart_->ForceAxesToBoundsOff();

@@ -60,6 +60,21 @@ TEST(ForceTimeChart, GrowsWithTheForceAndShrinksWhenItIsGone)
   EXPECT_DOUBLE_EQ(axis.GetMaximum(), 60.0);
 }
 
+TEST(ForceTimeChart, HasItsNumbersBeforeTheFirstForce)
+{
+  ForceTimeChart chart;
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(true);
+  window->SetSize(400, 170);
+  chart.attachTo(*window);
+  const test::DrawnPicture picture = test::draw(*window);
+  const int left = static_cast<int>(chart.chart().GetAxis(vtkAxis::LEFT)->GetPoint2()[0]);
+  const auto isText = [](const test::Pixel& p) { return p[0] > 0x60 && p[1] > 0x60; };
+  EXPECT_GT(test::countPixels(picture, [&](const test::Pixel& p, int x,
+                                           int) { return x < left - 20 && isText(p); }),
+            20);
+}
+
 TEST(ForceTimeChart, ItsLegendLiesAboveThePlotNotOnTheCurves)
 {
   ForceTimeChart chart;
@@ -69,10 +84,13 @@ TEST(ForceTimeChart, ItsLegendLiesAboveThePlotNotOnTheCurves)
   chart.attachTo(*window);
   const test::DrawnPicture picture = test::draw(*window);
   const int top = static_cast<int>(chart.chart().GetAxis(vtkAxis::LEFT)->GetPoint2()[1]);
+  const int bottom = static_cast<int>(chart.chart().GetAxis(vtkAxis::LEFT)->GetPoint1()[1]);
   const int left = static_cast<int>(chart.chart().GetAxis(vtkAxis::LEFT)->GetPoint2()[0]);
   const auto isBright = [&](const test::Pixel& p) { return p[0] > 0xA0 || p[1] > 0xA0; };
-  EXPECT_EQ(test::countPixels(picture, [&](const test::Pixel& p, int x,
-                                           int y) { return x > left && y < top && isBright(p); }),
+  EXPECT_EQ(test::countPixels(picture,
+                              [&](const test::Pixel& p, int x, int y) {
+                                return x > left && y > bottom && y < top && isBright(p);
+                              }),
             0);
   EXPECT_GT(test::countPixels(picture, [&](const test::Pixel& p, int x,
                                            int y) { return x > left && y > top && isBright(p); }),

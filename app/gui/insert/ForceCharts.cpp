@@ -92,8 +92,6 @@ bool ForceCharts::renderIfDirty()
   const auto render = [](QVTKOpenGLNativeWidget& view, auto& chart, bool& isDirty) {
     if (!view.isVisible() || !view.isValid()) return false;
     if (!chart.update() && !isDirty) return false;
-    // A chart of a new size learns how wide its labels are when it is drawn, and then has room.
-    if (isDirty) view.renderWindow()->Render();
     isDirty = false;
     view.renderWindow()->Render();
     return true;

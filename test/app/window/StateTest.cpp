@@ -10,6 +10,7 @@
 #include <QTest>
 #include <fstream>
 
+#include "DataFolder.h"
 #include "Interrupted.h"
 #include "Logbook.h"
 #include "Notice.h"
@@ -178,32 +179,27 @@ class TypedNumber : public CommaLocale, public testing::WithParamInterface<const
 
 TEST_P(TypedNumber, WithACommaOrAPointIsTheSameAndTheFileHasAPoint)
 {
-  const TemporaryFolder data;
-  const QByteArray before = qgetenv("XDG_DATA_HOME");
-  qputenv("XDG_DATA_HOME", QByteArray::fromStdString(data.path().string()));
-  {
-    WindowRig rig;
-    rig.window().showPage(gui::Page::start);
-    rig.click("patientCard");
-    rig.click("byBasalTurn");
-    const auto type = [&rig](const char* field, const char* text) {
-      auto* line = rig.window().findChild<QLineEdit*>(QLatin1String(field));
-      line->clear();
-      QTest::keyClicks(line, QLatin1String(text));
-    };
-    type("patientName", "comma");
-    type("aValue", GetParam());
-    type("bValue", "6,5");
-    rig.click("usePatientButton");
-    ASSERT_TRUE(WindowRig::comes(
-        [&] { return rig.window().control().scenario().patient.basalTurn.has_value(); }));
-    EXPECT_EQ(rig.window().control().scenario().patient.basalTurn->a, millimeters(9.1));
-    const auto text = readWhole(patientFolder() / "comma.toml");
-    ASSERT_TRUE(text) << text.error().message;
-    EXPECT_NE(text->find("a_mm = 9.1"), std::string::npos) << *text;
-    EXPECT_EQ(text->find("9,1"), std::string::npos);
-  }
-  qputenv("XDG_DATA_HOME", before);
+  const DataFolder data;
+  WindowRig rig;
+  rig.window().showPage(gui::Page::start);
+  rig.click("patientCard");
+  rig.click("byBasalTurn");
+  const auto type = [&rig](const char* field, const char* text) {
+    auto* line = rig.window().findChild<QLineEdit*>(QLatin1String(field));
+    line->clear();
+    QTest::keyClicks(line, QLatin1String(text));
+  };
+  type("patientName", "comma");
+  type("aValue", GetParam());
+  type("bValue", "6,5");
+  rig.click("usePatientButton");
+  ASSERT_TRUE(WindowRig::comes(
+      [&] { return rig.window().control().scenario().patient.basalTurn.has_value(); }));
+  EXPECT_EQ(rig.window().control().scenario().patient.basalTurn->a, millimeters(9.1));
+  const auto text = readWhole(patientFolder() / "comma.toml");
+  ASSERT_TRUE(text) << text.error().message;
+  EXPECT_NE(text->find("a_mm = 9.1"), std::string::npos) << *text;
+  EXPECT_EQ(text->find("9,1"), std::string::npos);
 }
 
 INSTANTIATE_TEST_SUITE_P(OfAPerson, TypedNumber, testing::Values("9,1", "9.1", "9.10"));

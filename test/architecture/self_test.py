@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """A check that cannot fail is no check: each one meets a small project with one thing wrong."""
 
+import shutil
 import sys
 import tempfile
 import unittest
@@ -9,7 +10,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from checks import arrows, documents, layout, sources, words  # noqa: E402
+from checks import arrows, documents, formatting, layout, sources, words  # noqa: E402
 
 TABLES = """
 <!-- arrows -->
@@ -190,6 +191,14 @@ class Layout(CheckCase):
         text = "".join(f"int number{i} = {i};\n" for i in range(12))
         self.assert_found(layout.check, "modules/top/src/t.cpp is a copy of app/gui/main.cpp",
                           {"app/gui/main.cpp": text, "modules/top/src/t.cpp": text})
+
+
+@unittest.skipUnless(shutil.which("clang-format"), "clang-format is not installed")
+class Formatting(CheckCase):
+    def test_a_line_that_would_be_written_otherwise_is_found_with_its_place(self):
+        self.assert_found(formatting.check, "modules/top/src/t.cpp:2 is not formatted", {
+            ".clang-format": "BasedOnStyle: Google\nSortIncludes: Never\n",
+            "modules/top/src/t.cpp": "int one();\nint  two();\n"})
 
 
 class Words(CheckCase):

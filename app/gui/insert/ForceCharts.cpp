@@ -63,9 +63,9 @@ void ForceCharts::setExperimentVisible(bool isVisible)
   overTravel_.setVisible(charts::ChartLayer::reference, isVisible);
 }
 
-void ForceCharts::setGhost(std::vector<std::pair<Length, Force>> curve, const QString& name)
+void ForceCharts::setGhost(const std::vector<std::pair<Length, Force>>& curve, const QString& name)
 {
-  overTravel_.setGhost(std::move(curve), name.toStdString());
+  overTravel_.setGhost(curve, name.toStdString());
 }
 
 void ForceCharts::begin(const anatomy::Entry& entry)

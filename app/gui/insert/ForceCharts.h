@@ -27,7 +27,7 @@ public:
   void setExperiment(const Result<charts::ReferenceCurve>& experiment);
   void setExperimentVisible(bool isVisible);
   /// An earlier run behind this one; an empty curve removes it.
-  void setGhost(std::vector<std::pair<Length, Force>> curve, const QString& name);
+  void setGhost(const std::vector<std::pair<Length, Force>>& curve, const QString& name);
 
   /// A new insertion: empties the curves, but not the ghost. Forces are split along the axes of
   /// `entry`.

@@ -77,10 +77,10 @@ Result<Done> InsertionControl::prepare(Hand hand)
   const std::filesystem::path file = nextRecording();
   std::error_code ignored;  // what cannot be made is said when the file is opened
   if (!record_) std::filesystem::create_directories(file.parent_path(), ignored);
-  const Result<Done> recorded = build(hand, file);
-  if (recorded) return Done{};
   // A recording that was asked for by name is a part of what was asked.
-  if (record_ && prepared_ == 1) return recorded;
+  const bool isAskedFor = record_ && prepared_ == 1;
+  const Result<Done> recorded = build(hand, file);
+  if (recorded || isAskedFor) return recorded;
 
   // Any other insertion goes on without one, and says so, rather than not at all.
   const Result<Done> unrecorded = build(hand, std::nullopt);

@@ -14,12 +14,17 @@ using visualization::CameraPreset;
 using visualization::Quality;
 using visualization::Stereo;
 
-QActionGroup* section(QMenu& menu, const QString& title)
+void addHeading(QMenu& menu, const QString& title)
 {
   QAction* heading = menu.addAction(title);
   heading->setEnabled(false);
-  QFont font = typeface(11, QFont::DemiBold);
-  heading->setFont(font);
+  heading->setFont(typeface(11, QFont::DemiBold));
+}
+
+/// A heading, and the group of what stands below it: one of them is chosen.
+QActionGroup* section(QMenu& menu, const QString& title)
+{
+  addHeading(menu, title);
   return new QActionGroup(&menu);
 }
 
@@ -113,7 +118,7 @@ ViewMenu::ViewMenu(QWidget* parent) : QToolButton(parent)
 void ViewMenu::addSound(QMenu& menu)
 {
   menu.addSeparator();
-  section(menu, tr("SOUND"));
+  addHeading(menu, tr("SOUND"));
   sound_ = menu.addAction(QString());
   sound_->setObjectName(QStringLiteral("soundOfForce"));
   sound_->setCheckable(true);

@@ -47,7 +47,7 @@ bool isThisProgram(long process)
 
 }  // namespace
 
-RunMark::RunMark(fs::path folder) : file_(markOf(folder, ::getpid()))
+RunMark::RunMark(const fs::path& folder) : file_(markOf(folder, ::getpid()))
 {
   std::error_code ignored;
   fs::create_directories(folder, ignored);

@@ -13,7 +13,7 @@ class RunMark {
 public:
   /// Marks this process's run in a folder. What cannot be written is not marked: a crash is then
   /// not noticed, and nothing else is different.
-  explicit RunMark(std::filesystem::path folder);
+  explicit RunMark(const std::filesystem::path& folder);
   ~RunMark();
   RunMark(const RunMark&) = delete;
   RunMark& operator=(const RunMark&) = delete;

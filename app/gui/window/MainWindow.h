@@ -59,7 +59,7 @@ public:
   enum class Then { rest, insert };
   void load(session::Scenario scenario, Then then);
   /// The same where it is known what the patient's numbers come from.
-  void load(Setup setup, Origin::Kind kind, Then then);
+  void load(const Setup& setup, Origin::Kind kind, Then then);
 
   /// Goes on with the setup of a window before this one, whose scenario is this one's.
   void resume(const Origin& origin, const Setup& now);

@@ -117,7 +117,7 @@ void MainWindow::load(session::Scenario scenario, Then then)
   load({std::move(scenario), {}}, Origin::Kind::preset, then);
 }
 
-void MainWindow::load(Setup setup, Origin::Kind kind, Then then)
+void MainWindow::load(const Setup& setup, Origin::Kind kind, Then then)
 {
   pause();
   closeReplay();

@@ -37,7 +37,7 @@ void MainWindow::useGhost(const std::filesystem::path& file)
         for (const analysis::CurvePoint& point : read->profile.curve)
           curve.emplace_back(meters(point.travel), newtons(point.force));
         const QString name = QString::fromStdString(read->name);
-        charts_->setGhost(std::move(curve), name);
+        charts_->setGhost(curve, name);
         sessions_->say(tr("%1 stands behind the next insertions as their ghost.").arg(name));
       });
 }

@@ -139,7 +139,7 @@ std::vector<Measure> measure(const anatomy::ScalaTympani& scala)
 
   const anatomy::Section first = scala.section(0.0);
   double floor = first.floorHeight, roof = first.roofHeight;
-  double lowest = first.centerHeight, highest = first.centerHeight;
+  double lowest = first.centerHeight, highest = lowest;
   for (const SectionRow& row : sectionRows(scala, degrees(1))) {
     floor = std::min(floor, row.section.floorHeight);
     roof = std::max(roof, row.section.roofHeight);

@@ -57,9 +57,10 @@ struct LumenField::Unrolled {
 
   std::size_t section = 0;   // first of four coefficients over the angle
   CubicWeights weights;      // of those four
-  double u, v;               // from the section's center, outward and apical [m]
-  double p, q;               // the same as shares of half width and half height
-  double width, height;      // half of the section's [m]
+  double u = 0, v = 0;       // from the section's center, outward and apical [m]
+  double p = 0, q = 0;       // the same as shares of half width and half height
+  double width = 0;          // half of the section's [m]
+  double height = 0;         // half of the section's [m]
   Eigen::Vector3d byAngle;   // gradient of the angle [1/m]
   Eigen::Vector3d byP, byQ;  // gradients of the shares [1/m]
 };
@@ -190,8 +191,8 @@ void LumenField::locate(const Eigen::Vector3d& point_W, double reach, LumenTrack
     return;
   }
   wall.isNear = true;
-  wall.normal_W = (spline.byA * perSection_) * here.byAngle +
-                  (spline.byP * perShare) * here.byP + (spline.byQ * perShare) * here.byQ;
+  wall.normal_W = (spline.byA * perSection_) * here.byAngle + (spline.byP * perShare) * here.byP +
+                  (spline.byQ * perShare) * here.byQ;
   setTurning(point_W, memory, here, spline, wall);
   wall.onMembrane = isOnMembrane(memory, here, wall);
 

@@ -96,7 +96,8 @@ Outline MeanOutlines::outline(double angle) const { return outline(angle, capSha
 Outline MeanOutlines::outline(double angle, double share) const
 {
   constexpr int harmonics = MeasuredSection::harmonics;
-  std::array<double, 2 * harmonics + 1> real{}, imaginary{};
+  constexpr std::size_t count = 2 * harmonics + 1;
+  std::array<double, count> real{}, imaginary{};
   for (std::size_t k = 0; k < real.size(); ++k) {
     const double size = k == harmonics ? 1.0 : share;
     real[k] = size * real_[k](angle);

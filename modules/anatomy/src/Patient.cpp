@@ -147,8 +147,8 @@ Result<Patient> loadPatient(const std::filesystem::path& file)
 
 Result<Done> savePatient(const Patient& patient, const std::filesystem::path& file)
 {
-  std::string text = "label = " + quoted(patient.label) + "\nside = " +
-                     (patient.side == Side::left ? "\"left\"" : "\"right\"") + '\n';
+  std::string text = "label = " + quoted(patient.label) +
+                     "\nside = " + (patient.side == Side::left ? "\"left\"" : "\"right\"") + '\n';
   if (patient.basalTurn) {
     text += line("a_mm", patient.basalTurn->a) + line("b_mm", patient.basalTurn->b);
     if (patient.basalTurn->h) text += line("h_mm", *patient.basalTurn->h);

@@ -111,7 +111,8 @@ void ForceDepthChart::clear()
   content_->isChanged = true;
 }
 
-void ForceDepthChart::setGhost(std::vector<std::pair<Length, Force>> curve, std::string label)
+void ForceDepthChart::setGhost(const std::vector<std::pair<Length, Force>>& curve,
+                               std::string label)
 {
   TravelColumns columns;
   for (const auto& [travel, force] : curve) columns.append(inMillimeters(travel), inNewtons(force));

@@ -6,8 +6,8 @@
 namespace perilymph::charts {
 namespace {
 
-constexpr std::size_t columns = static_cast<std::size_t>(
-    (TravelColumns::last_mm - TravelColumns::first_mm) / TravelColumns::width_mm + 0.5);
+const auto columns = static_cast<std::size_t>(
+    std::lround((TravelColumns::last_mm - TravelColumns::first_mm) / TravelColumns::width_mm));
 
 }  // namespace
 

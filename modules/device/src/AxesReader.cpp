@@ -32,10 +32,10 @@ Quaternion product(const Quaternion& a, const Quaternion& b) noexcept
   return q;
 }
 
-const char* nameOf(std::size_t axis)
+std::string_view nameOf(std::size_t axis)
 {
-  constexpr std::array<const char*, 6> names{"x", "y", "z", "turn_x", "turn_y", "turn_z"};
-  return names[axis];
+  constexpr std::array<std::string_view, 6> names{"x", "y", "z", "turn_x", "turn_y", "turn_z"};
+  return names.at(axis);
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ Result<AxesReader> AxesReader::make(const DeviceProfile& profile,
     const AxisSource& source = profile.axes.axes[i];
     if (source.usage.page == 0) continue;
     const auto slot = descriptor.find(ReportKind::input, source.usage);
-    const std::string wanted = "The profile " + profile.file + " moves '" + nameOf(i) +
+    const std::string wanted = "The profile " + profile.file + " moves '" + std::string(nameOf(i)) +
                                "' by the axis with usage " + std::to_string(source.usage.id) +
                                " of page " + std::to_string(source.usage.page);
     if (!slot)

@@ -56,7 +56,8 @@ fs::path resourceRoot()
   // Beside the program, wherever the whole was installed or unpacked.
   std::error_code failure;
   const fs::path program = fs::read_symlink("/proc/self/exe", failure);
-  const fs::path installed = (program.parent_path() / PERILYMPH_DATA_FROM_PROGRAMS).lexically_normal();
+  const fs::path installed =
+      (program.parent_path() / PERILYMPH_DATA_FROM_PROGRAMS).lexically_normal();
   if (!failure && fs::is_directory(installed / "resources", failure)) return installed;
   return PERILYMPH_RESOURCE_ROOT;
 }

@@ -3,6 +3,7 @@
 // Colors of what is seen in the operation view.
 
 #include <array>
+#include <cmath>
 
 namespace perilymph::visualization {
 
@@ -38,9 +39,9 @@ inline const Rgba& quietText = shown().quietText;
 
 }  // namespace palette
 
-constexpr Rgba withOpacity(Rgba color, double opacity)
+inline Rgba withOpacity(Rgba color, double opacity)
 {
-  color[3] = static_cast<unsigned char>(opacity * 255.0 + 0.5);
+  color[3] = static_cast<unsigned char>(std::lround(opacity * 255.0));
   return color;
 }
 

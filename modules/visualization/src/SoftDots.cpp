@@ -72,8 +72,8 @@ void SoftDots::build(const ViewFrame& view, double toward_mm)
         put(center + share * dot.radius_mm * radial, dot.color, opacity);
       }
   }
-  for (const int points = mesh_.points(); index < points;)
-    put(Eigen::Vector3d::Zero(), palette::ground, 0.0);
+  const int points = mesh_.points();
+  while (index < points) put(Eigen::Vector3d::Zero(), palette::ground, 0.0);
   mesh_.pointsChanged();
   mesh_.colorsChanged();
 }

@@ -5,7 +5,6 @@
 #include "perilymph/device/PluginApi.h"
 
 #include <stdio.h>
-#include <string.h>
 
 static const double mass_kg = 0.09;
 static const double damping_N_s_m = 0.5;
@@ -28,7 +27,7 @@ static void* create(void)
 {
   if (isTaken) return 0;
   isTaken = 1;
-  memset(&theHandle, 0, sizeof theHandle);
+  theHandle = (Handle){0};
   return &theHandle;
 }
 

@@ -43,8 +43,8 @@ TEST(RenderCommand, RollsTheScalaOutWithoutADisplay)
 
 TEST(RenderCommand, NamesTheViewsThereAre)
 {
-  expectWrongWords(
-      cli({"render", "--preset", "published", "--view", "sideways", "--out", "x.png"}), "unrolled");
+  expectWrongWords(cli({"render", "--preset", "published", "--view", "sideways", "--out", "x.png"}),
+                   "unrolled");
 }
 
 TEST(RenderCommand, RefusesAnArrayAndATravelWithoutAScenario)

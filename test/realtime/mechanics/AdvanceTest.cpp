@@ -82,7 +82,8 @@ TEST(Advance, SurvivesAHandThatJumps)
     for (int i = 0; i < 50; ++i) {
       advance(*insertion.model, insertion.state, insertion.drive);
       ASSERT_TRUE(insertion.state.readings.isFinite) << jump;
-      ASSERT_LE(insertion.state.readings.iterations, mostIterations + (1 + mostParts) * mostDescents);
+      ASSERT_LE(insertion.state.readings.iterations,
+                mostIterations + (1 + mostParts) * mostDescents);
     }
   }
 }

@@ -169,9 +169,9 @@ void setStiffness(const InsertionModel& model, double styletWithdrawal, double r
     room.bending[i] = bendingOf(model.bendingCarrier[i], model.styletBending, covered);
     room.bendingMore[i] = model.bendingMore[i];
     if (model.bendingMore[i] > 0.0 && covered > 0.0 && covered < 1.0)
-      room.bendingMore[i] = bendingOf(model.bendingCarrier[i] + model.bendingMore[i],
-                                      model.styletBending, covered) -
-                            room.bending[i];
+      room.bendingMore[i] =
+          bendingOf(model.bendingCarrier[i] + model.bendingMore[i], model.styletBending, covered) -
+          room.bending[i];
     room.restBend[i] = released * model.spacing * model.restCurvature[i] *
                        (1.0 - covered * (1.0 - model.styletResidual));
   }

@@ -39,7 +39,7 @@ public:
   void clear();
 
   /// Another run to compare with; an empty curve removes it.
-  void setGhost(std::vector<std::pair<Length, Force>> curve, std::string label);
+  void setGhost(const std::vector<std::pair<Length, Force>>& curve, std::string label);
   /// Printed values, drawn as points with one standard deviation up and down; no points remove
   /// them.
   void setReference(std::vector<ReferencePoint> points, std::string label);

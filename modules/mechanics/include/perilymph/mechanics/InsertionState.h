@@ -81,13 +81,13 @@ struct InsertionState {
   std::vector<anatomy::LumenTrack> track;         ///< Of each node: which turn it is in.
   /// Of each node: it stands over bone beside the opening, or presses into it from outside.
   std::vector<unsigned char> isBeside;
-  std::vector<double> clearance;                  ///< Of each node: it can move so far without
-                                                  ///< touching, whichever way [m].
-  std::vector<double> normalForce;                ///< Of the wall on each node [N].
-  std::vector<Eigen::Vector3d> wallForce_W;       ///< Normal and friction on each node [N].
-  std::vector<Eigen::Vector3d> wallNormal_W;      ///< Unit, off the wall, where a node touches it.
-  std::vector<WallTorque> wallTorque;             ///< On each node's section, if it is oval.
-  std::vector<double> membraneForce;              ///< Of the basilar membrane on each node [N].
+  std::vector<double> clearance;              ///< Of each node: it can move so far without
+                                              ///< touching, whichever way [m].
+  std::vector<double> normalForce;            ///< Of the wall on each node [N].
+  std::vector<Eigen::Vector3d> wallForce_W;   ///< Normal and friction on each node [N].
+  std::vector<Eigen::Vector3d> wallNormal_W;  ///< Unit, off the wall, where a node touches it.
+  std::vector<WallTorque> wallTorque;         ///< On each node's section, if it is oval.
+  std::vector<double> membraneForce;          ///< Of the basilar membrane on each node [N].
   RimContact rim;
   BandFactors factors;   ///< Of the last stiffness that was factored, this step or an earlier one.
   PointSetState points;  ///< Of a model of points; else empty.

@@ -17,8 +17,8 @@ struct ContactOutcome {
   bool isInside = false;        ///< Past the plane of the entry. If not, nothing below is set.
   double angle = 0.0;           ///< From the round window [rad], turns counted.
   double toModiolarAxis = 0.0;  ///< [m]
-  /// From the center line to the inner wall, along the way to the modiolar axis [m]; also from where
-  /// an array is pressed beyond the outer one. Negative if no lumen lies that way.
+  /// From the center line to the inner wall, along the way to the modiolar axis [m]; also from
+  /// where an array is pressed beyond the outer one. Negative if no lumen lies that way.
   double toInnerWall = 0.0;
   /// Between where it looks and the way to the modiolar axis, seen along the array [rad]: 0 looks
   /// at the modiolus, pi at the outer wall.

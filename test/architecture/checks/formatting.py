@@ -1,0 +1,25 @@
+"""Sources that clang-format would write otherwise."""
+
+import re
+import shutil
+import subprocess
+import sys
+
+from checks import sources
+
+NOT_RUN = 77
+OBJECTION = re.compile(r"^(?P<place>[^:\n]+:\d+):\d+: error: .*clang-format", re.M)
+
+
+def check(root):
+    """One sentence a place. Without clang-format: says so, and ends as a test that was skipped."""
+    if shutil.which("clang-format") is None:
+        print("Skipped: clang-format is not installed. Install the package clang-format to run this test.")
+        sys.exit(NOT_RUN)
+    written = [str(file) for file in sources.files(root, "modules", "app", "plugins", "test", suffixes={".h", ".cpp"})]
+    if not written:
+        return []
+    said = subprocess.run(["clang-format", "--dry-run", "-Werror", *written], cwd=root,
+                          capture_output=True, text=True, check=False).stderr
+    return [f"{place.removeprefix(f'{root}/')} is not formatted; run 'clang-format -i' on the file."
+            for place in dict.fromkeys(match["place"] for match in OBJECTION.finditer(said))]

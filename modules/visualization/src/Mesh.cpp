@@ -19,9 +19,7 @@ Mesh::Mesh(Coloring coloring)
   points_->SetNumberOfComponents(3);
   normals_->SetNumberOfComponents(3);
   colors_->SetNumberOfComponents(4);
-  vtkNew<vtkPoints> points;
-  points->SetData(points_);
-  data_->SetPoints(points);
+  places_->SetData(points_);
   data_->GetPointData()->SetNormals(normals_);
   data_->SetPolys(triangles_);
   mapper_->SetInputData(data_);
@@ -65,6 +63,9 @@ void Mesh::connect(const std::vector<Triangle>& triangles)
     triangles_->InsertNextCell(3, corners);
   }
   triangles_->Modified();
+  // Of points without triangles VTK would time the drawing without having begun, and warn each
+  // time.
+  data_->SetPoints(triangles.empty() ? nullptr : places_.Get());
   data_->Modified();
 }
 
@@ -98,7 +99,7 @@ void Mesh::pointsChanged()
 {
   points_->Modified();
   normals_->Modified();
-  data_->GetPoints()->Modified();
+  places_->Modified();
   data_->Modified();
 }
 

@@ -15,6 +15,7 @@ class vtkActor;
 class vtkCellArray;
 class vtkFloatArray;
 class vtkOpenGLPolyDataMapper;
+class vtkPoints;
 class vtkPolyData;
 class vtkUnsignedCharArray;
 
@@ -55,6 +56,7 @@ public:
 private:
   vtkNew<vtkPolyData> data_;
   vtkNew<vtkFloatArray> points_, normals_;
+  vtkNew<vtkPoints> places_;  ///< Of points_.
   vtkNew<vtkUnsignedCharArray> colors_;
   vtkNew<vtkCellArray> triangles_;
   vtkNew<vtkOpenGLPolyDataMapper> mapper_;

@@ -1,8 +1,11 @@
 #include "perilymph/visualization/InsertionScene.h"
 
 #include <gtest/gtest.h>
+#include <vtkObjectFactory.h>
+#include <vtkOutputWindow.h>
 
 #include <limits>
+#include <string>
 
 #include "SceneOnScreen.h"
 
@@ -11,7 +14,29 @@ namespace {
 
 using test::SceneOnScreen;
 
-bool isRedOrYellow(const test::Pixel& p) { return p[0] > 90 && p[0] > p[2] + 50; }
+/// Keeps what VTK has to say, for as long as it lives.
+class WordsOfVtk {
+public:
+  WordsOfVtk() { vtkOutputWindow::SetInstance(window_); }
+  ~WordsOfVtk() { vtkOutputWindow::SetInstance(nullptr); }
+  WordsOfVtk(const WordsOfVtk&) = delete;
+  WordsOfVtk& operator=(const WordsOfVtk&) = delete;
+  const std::string& text() const { return window_->said; }
+
+private:
+  struct Window : vtkOutputWindow {
+    static Window* New();
+    void DisplayText(const char* text) override { said += text; }
+    std::string said;
+  };
+  vtkNew<Window> window_;
+};
+vtkStandardNewMacro(WordsOfVtk::Window)
+
+    bool isRedOrYellow(const test::Pixel& p)
+{
+  return p[0] > 90 && p[0] > p[2] + 50;
+}
 
 TEST(InsertionScene, ArrayLiesAroundTheNodesOfTheSnapshot)
 {
@@ -239,6 +264,23 @@ TEST(InsertionScene, LooksAsAccepted)
   EXPECT_EQ(test::comparedWithAccepted(screen.picture(), "surgeon-view"), "");
   screen.scene.lookFrom(CameraPreset::overview);
   EXPECT_EQ(test::comparedWithAccepted(screen.picture(), "overview"), "");
+}
+
+// VTK times the drawing of each actor every hundred pictures, and minds if the actor is empty in
+// the pictures after that one.
+TEST(InsertionScene, VtkHasNothingToSayWhenContactsComeAndGo)
+{
+  SceneOnScreen screen;
+  screen.scene.setVisible(Part::scala, false);
+  const haptics::Snapshot released = test::insertedTo(degrees(200));
+  haptics::Snapshot pressed = released;
+  test::press(pressed, 80, millinewtons(20));
+  const WordsOfVtk words;
+  for (int picture = 0; picture < 330; ++picture) {
+    screen.scene.show(picture % 3 == 0 ? pressed : released);
+    screen.window->Render();
+  }
+  EXPECT_EQ(words.text(), "");
 }
 
 }  // namespace

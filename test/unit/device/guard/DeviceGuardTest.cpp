@@ -180,7 +180,9 @@ TEST_F(DeviceOfAProgram, IsSwitchedOffWhenTheWholeGroupOfProcessesIsKilled)
 TEST_F(DeviceOfAProgram, IsSwitchedOffWhenItReadsMemoryThatIsNotThere)
 {
   startPushing("segv");
-  EXPECT_NE(program_->wait(seconds(60)).signal, 0);
+  // A sanitizer takes the signal, says where it was, and ends the program with a status of its own.
+  const auto end = program_->wait(seconds(60));
+  EXPECT_TRUE(end.signal != 0 || end.status != 0);
   waitUntilGuardLeft();
   expectSwitchedOff();
 }

@@ -23,7 +23,8 @@ bool OperationView::event(QEvent* event)
     case QEvent::MouseButtonDblClick:
     case QEvent::MouseMove:
     case QEvent::Wheel:
-      return QOpenGLWidget::event(event);  // past VTK, which would take them
+      // Past VTK, which would take them. NOLINTNEXTLINE(bugprone-parent-virtual-call)
+      return QOpenGLWidget::event(event);
     default:
       return QVTKOpenGLNativeWidget::event(event);
   }

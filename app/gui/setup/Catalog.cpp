@@ -42,6 +42,7 @@ std::vector<CatalogArray> catalogArrays()
            std::tie(other.first.maker, other.first.insertable, other.first.name);
   });
   std::vector<CatalogArray> catalog;
+  catalog.reserve(arrays.size());
   for (const auto& [array, name] : arrays)
     catalog.push_back({name, QString::fromStdString(array.name),
                        QString::fromStdString(array.maker), summaryOf(array),

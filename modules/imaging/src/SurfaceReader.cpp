@@ -40,11 +40,13 @@ std::string contentOf(const std::filesystem::path& file)
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Whether VTK will read it as words, too: one byte of another kind, and it takes it for binary.
+/// Whether VTK will read it as words, too: where a share of the bytes is of another kind, control
+/// characters among them, it takes it for binary and its words for a number of triangles.
 bool isPlainText(const std::string& content)
 {
-  return std::all_of(content.begin(), content.end(),
-                     [](char c) { return static_cast<signed char>(c) > 0; });
+  return std::all_of(content.begin(), content.end(), [](char c) {
+    return (c >= ' ' && c <= '~') || c == '\n' || c == '\r' || c == '\t';
+  });
 }
 
 /// Whether a file begins as its ending says; VTK's readers trust it.

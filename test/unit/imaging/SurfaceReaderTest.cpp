@@ -93,6 +93,15 @@ TEST_F(ReadSurface, RefusesAnStlThatBeginsWithWordsAndGoesOnWithACount)
   EXPECT_THAT(surface.error().message, testing::HasSubstr("not a whole .stl file"));
 }
 
+TEST_F(ReadSurface, RefusesAnStlOfControlCharacters)
+{
+  // Below ASCII's end, yet VTK takes it for binary, of 303 million triangles.
+  const std::string content = "solid facet " + std::string(72, '\x12') + std::string(50, ' ');
+  const auto surface = read("control.stl", content);
+  ASSERT_FALSE(surface);
+  EXPECT_THAT(surface.error().message, testing::HasSubstr("not a whole .stl file"));
+}
+
 TEST_F(ReadSurface, NamesTheEndingsItReads)
 {
   const auto surface = read("a.obj", "v 0 0 0\n");

@@ -15,8 +15,6 @@ namespace perilymph::test {
 
 namespace {
 
-constexpr int mostPatience_ms = 180'000;  // of a busy machine; nothing is timed by it
-
 template <class Object>
 Object& part(gui::MainWindow& window, const char* name)
 {
@@ -105,9 +103,9 @@ void WindowRig::turnWheel(int notches)
   qApp->notify(&view, &event);
 }
 
-bool WindowRig::comes(const std::function<bool()>& claim)
+bool WindowRig::comes(const std::function<bool()>& claim, int longest_ms)
 {
-  return QTest::qWaitFor(claim, mostPatience_ms);
+  return QTest::qWaitFor(claim, longest_ms);
 }
 
 bool WindowRig::liveForTicks(std::uint64_t ticks)

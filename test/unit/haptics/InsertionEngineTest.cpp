@@ -132,6 +132,46 @@ TEST(InsertionEngine, SettlesEveryTickOfAPlainInsertion)
   EXPECT_EQ(unsettled, 0);
 }
 
+/// A wall that is elsewhere each time it is asked for.
+class RestlessLumen final : public anatomy::Lumen {
+public:
+  anatomy::Entry entry() const noexcept override { return {}; }
+  anatomy::LumenTrack startTrack() const noexcept override { return {}; }
+  void nearestWall(std::span<const Eigen::Vector3d> points_W, std::span<const double>,
+                   std::span<anatomy::LumenTrack>,
+                   std::span<anatomy::WallPoint> walls) const noexcept override
+  {
+    isLeft_ = !isLeft_;
+    for (std::size_t i = 0; i < points_W.size(); ++i) {
+      walls[i] = {};
+      walls[i].isNear = true;
+      walls[i].normal_W = Eigen::Vector3d::UnitX() * (isLeft_ ? 1.0 : -1.0);
+      walls[i].distance = points_W[i].dot(walls[i].normal_W);
+    }
+  }
+
+private:
+  mutable bool isLeft_ = false;
+};
+
+TEST(InsertionEngine, SaysWhenATickFoundNoEquilibrium)
+{
+  mechanics::ModelParts parts;
+  parts.lumen = std::make_shared<RestlessLumen>();
+  parts.array = test::plainArray();
+  parts.nodes = 40;
+  test::InsertionRig rig(mechanics::InsertionModel::build(parts));
+  rig.start();
+  int unsettled = 0;
+  for (int i = 0; i < 30; ++i) {
+    const TickOutput& output = rig.tick().output;
+    const bool isLarge = rig.engine().state().readings.residual > 1e-4;  // [N]
+    EXPECT_EQ((output.status & notSettled) != 0, isLarge) << i;
+    unsettled += isLarge ? 1 : 0;
+  }
+  EXPECT_GT(unsettled, 0);
+}
+
 /// A tube whose wall is no number from a depth on.
 class BrokenLumen final : public anatomy::Lumen {
 public:

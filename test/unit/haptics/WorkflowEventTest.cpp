@@ -38,5 +38,11 @@ TEST(Workflow, FollowsItsDrawing)
           << "state " << static_cast<int>(row.from) << ", event " << i;
 }
 
+TEST(Workflow, StaysWhereItIsAtWhatIsNoEvent)
+{
+  for (const Row& row : table)
+    EXPECT_EQ(next(row.from, static_cast<WorkflowEvent>(allEvents.size())), row.from);
+}
+
 }  // namespace
 }  // namespace perilymph::haptics

@@ -1,7 +1,8 @@
 """Lines by module, and branches of the safety files that no test takes, from gcovr's JSON.
 
 A branch of a safety file that no test takes is a failure, unless test/support/coverage_unreached.txt
-says why it cannot be taken; a reason there for what is taken by now is one, too.
+says why it cannot be taken; a reason there for what is taken by now is one, too, except where the threads
+take it by chance.
 """
 
 import json
@@ -18,6 +19,7 @@ LEAST_SHARE = 0.9
 SAFETY = re.compile(r"modules/(haptics/.*/(Safety|Passivity|SampleWatch|CouplingLimit|"
                     r"WorkflowEvent|checkedSettings|InsertionEngine)|"
                     r"device/.*/(HidHand|ForceWriter|ListenFirst|PlugWatch|ReportReader))\.(cpp|h)$")
+BY_CHANCE = "By chance: "  # how the reason of a race begins
 REASONS = Path(__file__).with_name("coverage_unreached.txt")
 
 
@@ -79,7 +81,8 @@ def check_branches(files, reasons, code_of):
             wrong.append(f"{name}:{number}: '{code}' has a branch that no test takes.")
     print(f"  {len(used)} lines in all, {len(wrong)} of them without a reason")
     wrong += [f"{REASONS.name} gives a reason for '{code}' of {name}, which is taken or gone."
-              for name, code in reasons if (name, code) not in used]
+              for (name, code), reason in reasons.items()
+              if (name, code) not in used and not reason.startswith(BY_CHANCE)]
     return wrong
 
 

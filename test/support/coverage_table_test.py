@@ -42,6 +42,11 @@ class Branches(unittest.TestCase):
     def test_with_a_reason_that_is_no_longer_needed_are_named(self):
         self.assertEqual(len(sentences([a_file(self.SAFETY, 3, 1)], {("Safety.cpp", CODE): "never"})), 1)
 
+    def test_of_a_race_may_be_taken_or_not(self):
+        reasons = {("Safety.cpp", CODE): "By chance: one thread or the other."}
+        for count in (0, 1):
+            self.assertEqual(sentences([a_file(self.SAFETY, 3, count)], reasons), [])
+
     def test_elsewhere_may_be_missed(self):
         self.assertEqual(sentences([a_file("modules/anatomy/src/Mesh.cpp", 3, 0)], {}), [])
 

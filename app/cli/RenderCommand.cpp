@@ -49,7 +49,7 @@ Result<Done> drawUnrolled(const visualization::PictureRequest& request)
                               request.file);
 }
 
-Result<Done> draw(const RenderOptions& options, visualization::PictureRequest request)
+Result<Done> draw(const RenderOptions& options, const visualization::PictureRequest& request)
 {
   const auto done =
       options.view == unrolledView ? drawUnrolled(request) : visualization::renderPicture(request);
@@ -78,7 +78,7 @@ Result<Done> drawAnatomy(const RenderOptions& options, visualization::PictureReq
   if (!scala) return scala.error();
   request.scala = *scala;
   request.side = scenario.patient.side;
-  return draw(options, std::move(request));
+  return draw(options, request);
 }
 
 /// The array in its cochlea, pushed in to a travel in virtual time.
@@ -109,7 +109,7 @@ Result<Done> drawInsertion(const RenderOptions& options, visualization::PictureR
   request.side = scenario->patient.side;
   request.array = scenario->array;
   request.now = &(*insertion)->latest();
-  return draw(options, std::move(request));
+  return draw(options, request);
 }
 
 }  // namespace

@@ -71,8 +71,7 @@ Bulge greatestBulge(const std::vector<std::vector<Eigen::Vector3d>>& outlines, i
 /// Where the corners lie, the same for all rings, growing from zero to less than one turn.
 std::vector<int> cornerDirections(const std::vector<std::vector<Eigen::Vector3d>>& outlines)
 {
-  std::vector<int> chosen;
-  for (int quarter = 0; quarter < 4; ++quarter) chosen.push_back(quarter * directions / 4);
+  std::vector<int> chosen{0, directions / 4, 2 * directions / 4, 3 * directions / 4};
   while (static_cast<int>(chosen.size()) < corners) {
     Bulge greatest;
     for (std::size_t i = 0; i < chosen.size(); ++i) {

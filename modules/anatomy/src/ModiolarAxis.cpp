@@ -105,6 +105,7 @@ std::optional<AxisFrame> spiralAxis(const Surface& closed)
   }
 
   std::vector<double> weights;
+  weights.reserve(patches.size());
   for (const Patch& patch : patches) weights.push_back(patch.area);
   SpiralMotion motion = fittedMotion(patches, weights);
   for (int round = 0; round < rounds; ++round) {

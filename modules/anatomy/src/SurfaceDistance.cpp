@@ -127,7 +127,7 @@ SurfaceFoot SurfaceDistance::nearest(const Eigen::Vector3d& point, double reach)
     if (squaredDistance(point, box.low, box.high) > least) continue;
     if (box.count == 0) {
       // the nearer box is looked into first
-      const Box& one = boxes_[static_cast<std::size_t>(self + 1)];
+      const Box& one = boxes_[static_cast<std::size_t>(self) + 1];
       const Box& other = boxes_[static_cast<std::size_t>(box.second)];
       const bool oneIsNearer = squaredDistance(point, one.low, one.high) <=
                                squaredDistance(point, other.low, other.high);

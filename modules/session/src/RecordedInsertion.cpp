@@ -28,10 +28,11 @@ struct FileHeader {
   bool isWhole = true;  ///< As long as it says.
 };
 
-std::uint64_t bigEndian(const std::array<unsigned char, 100>& bytes, int first, int count)
+std::uint64_t bigEndian(const std::array<unsigned char, 100>& bytes, std::size_t first,
+                        std::size_t count)
 {
   std::uint64_t value = 0;
-  for (int i = 0; i < count; ++i) value = value << 8 | bytes[static_cast<std::size_t>(first + i)];
+  for (std::size_t i = 0; i < count; ++i) value = value << 8 | bytes[first + i];
   return value;
 }
 

@@ -25,6 +25,7 @@ mechanics::FrictionBySpeed bySpeed(TomlReader& reader, const std::vector<double>
 {
   if (speeds_mm_s.empty() && coefficients.empty()) return {};
   std::vector<Speed> speeds;
+  speeds.reserve(speeds_mm_s.size());
   for (const double speed : speeds_mm_s) speeds.push_back(millimetersPerSecond(speed));
   try {
     return {speeds, coefficients};

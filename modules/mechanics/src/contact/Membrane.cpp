@@ -27,7 +27,7 @@ struct Entry {
   {
     const double last = static_cast<double>(table.size() - 2);
     const double place = std::clamp(index, 1.0, last);
-    const auto middle = static_cast<std::size_t>(place + 0.5);
+    const auto middle = static_cast<std::size_t>(std::floor(place + 0.5));
     const double x = place - static_cast<double>(middle);  // -0.5 to 0.5
     const double a = table[middle - 1], b = table[middle], c = table[middle + 1];
     value = 0.5 * (0.5 - x) * (0.5 - x) * a + (0.75 - x * x) * b + 0.5 * (0.5 + x) * (0.5 + x) * c;

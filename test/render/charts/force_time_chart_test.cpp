@@ -60,14 +60,20 @@ TEST(ForceTimeChart, GrowsWithTheForceAndShrinksWhenItIsGone)
   EXPECT_DOUBLE_EQ(axis.GetMaximum(), 60.0);
 }
 
-TEST(ForceTimeChart, HasItsNumbersBeforeTheFirstForce)
+/// A chart as it looks in a pane of the window.
+test::DrawnPicture drawn(ForceTimeChart& chart)
 {
-  ForceTimeChart chart;
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(true);
   window->SetSize(400, 170);
   chart.attachTo(*window);
-  const test::DrawnPicture picture = test::draw(*window);
+  return test::draw(*window);
+}
+
+TEST(ForceTimeChart, HasItsNumbersBeforeTheFirstForce)
+{
+  ForceTimeChart chart;
+  const test::DrawnPicture picture = drawn(chart);
   const int left = static_cast<int>(chart.chart().GetAxis(vtkAxis::LEFT)->GetPoint2()[0]);
   const auto isText = [](const test::Pixel& p) { return p[0] > 0x60 && p[1] > 0x60; };
   EXPECT_GT(test::countPixels(picture, [&](const test::Pixel& p, int x,
@@ -78,11 +84,7 @@ TEST(ForceTimeChart, HasItsNumbersBeforeTheFirstForce)
 TEST(ForceTimeChart, ItsLegendLiesAboveThePlotNotOnTheCurves)
 {
   ForceTimeChart chart;
-  vtkNew<vtkRenderWindow> window;
-  window->SetOffScreenRendering(true);
-  window->SetSize(400, 170);
-  chart.attachTo(*window);
-  const test::DrawnPicture picture = test::draw(*window);
+  const test::DrawnPicture picture = drawn(chart);
   const int top = static_cast<int>(chart.chart().GetAxis(vtkAxis::LEFT)->GetPoint2()[1]);
   const int bottom = static_cast<int>(chart.chart().GetAxis(vtkAxis::LEFT)->GetPoint1()[1]);
   const int left = static_cast<int>(chart.chart().GetAxis(vtkAxis::LEFT)->GetPoint2()[0]);

@@ -25,18 +25,14 @@ public:
 
 private:
   struct Window : vtkOutputWindow {
-    static Window* New();
+    static Window* New() { VTK_STANDARD_NEW_BODY(Window); }
     void DisplayText(const char* text) override { said += text; }
     std::string said;
   };
   vtkNew<Window> window_;
 };
-vtkStandardNewMacro(WordsOfVtk::Window)
 
-    bool isRedOrYellow(const test::Pixel& p)
-{
-  return p[0] > 90 && p[0] > p[2] + 50;
-}
+bool isRedOrYellow(const test::Pixel& p) { return p[0] > 90 && p[0] > p[2] + 50; }
 
 TEST(InsertionScene, ArrayLiesAroundTheNodesOfTheSnapshot)
 {

@@ -132,11 +132,28 @@ TEST(InsertionEngine, SettlesEveryTickOfAPlainInsertion)
   EXPECT_EQ(unsettled, 0);
 }
 
-/// A wall that is elsewhere each time it is asked for.
-class RestlessLumen final : public anatomy::Lumen {
+/// Opens where the world begins; its wall is for others to say.
+class OpenLumen : public anatomy::Lumen {
 public:
-  anatomy::Entry entry() const noexcept override { return {}; }
-  anatomy::LumenTrack startTrack() const noexcept override { return {}; }
+  anatomy::Entry entry() const noexcept final { return {}; }
+  anatomy::LumenTrack startTrack() const noexcept final { return {}; }
+};
+
+/// A plain array about to go into a lumen.
+test::InsertionRig startedIn(std::shared_ptr<const anatomy::Lumen> lumen)
+{
+  mechanics::ModelParts parts;
+  parts.lumen = std::move(lumen);
+  parts.array = test::plainArray();
+  parts.nodes = 40;
+  test::InsertionRig rig(mechanics::InsertionModel::build(parts));
+  rig.start();
+  return rig;
+}
+
+/// A wall that is elsewhere each time it is asked for.
+class RestlessLumen final : public OpenLumen {
+public:
   void nearestWall(std::span<const Eigen::Vector3d> points_W, std::span<const double>,
                    std::span<anatomy::LumenTrack>,
                    std::span<anatomy::WallPoint> walls) const noexcept override
@@ -156,12 +173,7 @@ private:
 
 TEST(InsertionEngine, SaysWhenATickFoundNoEquilibrium)
 {
-  mechanics::ModelParts parts;
-  parts.lumen = std::make_shared<RestlessLumen>();
-  parts.array = test::plainArray();
-  parts.nodes = 40;
-  test::InsertionRig rig(mechanics::InsertionModel::build(parts));
-  rig.start();
+  test::InsertionRig rig = startedIn(std::make_shared<RestlessLumen>());
   int unsettled = 0;
   for (int i = 0; i < 30; ++i) {
     const TickOutput& output = rig.tick().output;
@@ -173,10 +185,8 @@ TEST(InsertionEngine, SaysWhenATickFoundNoEquilibrium)
 }
 
 /// A tube whose wall is no number from a depth on.
-class BrokenLumen final : public anatomy::Lumen {
+class BrokenLumen final : public OpenLumen {
 public:
-  anatomy::Entry entry() const noexcept override { return {}; }
-  anatomy::LumenTrack startTrack() const noexcept override { return {}; }
   void nearestWall(std::span<const Eigen::Vector3d> points_W, std::span<const double>,
                    std::span<anatomy::LumenTrack>,
                    std::span<anatomy::WallPoint> walls) const noexcept override
@@ -195,12 +205,7 @@ class Overflow : public testing::Test {
 protected:
   static test::InsertionRig overflown()
   {
-    mechanics::ModelParts parts;
-    parts.lumen = std::make_shared<BrokenLumen>();
-    parts.array = test::plainArray();
-    parts.nodes = 40;
-    test::InsertionRig rig(mechanics::InsertionModel::build(parts));
-    rig.start();
+    test::InsertionRig rig = startedIn(std::make_shared<BrokenLumen>());
     if (!rig.runUntil(Workflow::fault, 2000)) throw std::runtime_error("It never overflowed.");
     return rig;
   }

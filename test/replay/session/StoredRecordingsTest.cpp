@@ -1,0 +1,44 @@
+// Recordings made by an earlier build, one per shipped scenario and model: they replay to the same
+// bits.
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <vector>
+
+#include "perilymph/session/Replay.h"
+
+namespace perilymph::session {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> storedRecordings()
+{
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(fs::path(PERILYMPH_TEST_DATA) / "recordings"))
+    if (entry.path().extension() == ".insertion") files.push_back(entry.path());
+  return files;
+}
+
+TEST(StoredRecordings, CoverEveryShippedScenarioWithBothModels)
+{
+  std::vector<std::string> names;
+  for (const fs::path& file : storedRecordings()) names.push_back(file.stem().string());
+  EXPECT_THAT(names, testing::UnorderedElementsAre(
+                         "contour-published-rod", "contour-published-points", "mean-contour-rod",
+                         "mean-contour-points", "mean-flex28-rod", "mean-flex28-points"));
+}
+
+TEST(StoredRecordings, ReplayToTheSameBits)
+{
+  for (const fs::path& file : storedRecordings()) {
+    const auto verification = verify(file);
+    ASSERT_TRUE(verification) << verification.error().message;
+    EXPECT_TRUE(verification->isIdentical) << file;
+    EXPECT_GE(verification->ticksCompared, 201u) << file;  // 10 mm at 10 mm/s in steps of 5 ms
+  }
+}
+
+}  // namespace
+}  // namespace perilymph::session

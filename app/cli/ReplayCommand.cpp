@@ -65,11 +65,21 @@ Result<Done> verifyBits(const std::string& file)
   const auto verification = session::verify(file);
   if (!verification) return verification.error();
   for (const std::string& note : verification->notes) std::printf("%s\n", printable(note).c_str());
+  if (!verification->damage.empty())
+    return Error{file + " does not hold what was recorded: " + verification->damage +
+                 ". Use another copy of the recording."};
   if (verification->isIdentical) {
     std::printf("%llu ticks replayed, every bit the same.\n",
                 static_cast<unsigned long long>(verification->ticksCompared));
     return Done{};
   }
+  if (!verification->difference && verification->missingTicks > 0)
+    return Error{file + " is verified in part: " + std::to_string(verification->ticksCompared) +
+                 " of " + std::to_string(verification->ticks) +
+                 " ticks replayed, every bit the same; " +
+                 std::to_string(verification->missingTicks) +
+                 " ticks were lost while it was recorded, and what follows them cannot be "
+                 "compared."};
   if (!verification->difference)
     return Error{file + " holds nothing that could be compared. Record an insertion first."};
   const session::Difference& difference = *verification->difference;

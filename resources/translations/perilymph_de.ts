@@ -2061,6 +2061,10 @@
         <translation>weicht ab Takt %1 ab (%2)</translation>
     </message>
     <message>
+        <source>is not as it was recorded: %1</source>
+        <translation>ist nicht, wie es aufgezeichnet wurde: %1</translation>
+    </message>
+    <message>
         <source>replays bit for bit up to tick %1</source>
         <translation>gleich bis aufs Bit bis Takt %1</translation>
     </message>

@@ -66,6 +66,10 @@ void Replay::check()
         if (!verified) {
           verdict_ = QString::fromStdString(verified.error().message);
           isTrouble_ = true;
+        } else if (!verified->damage.empty()) {
+          verdict_ =
+              tr("is not as it was recorded: %1").arg(QString::fromStdString(verified->damage));
+          isTrouble_ = true;
         } else if (verified->difference) {
           verdict_ = tr("differs from tick %1 on (%2)")
                          .arg(verified->difference->tick)

@@ -29,6 +29,18 @@ std::filesystem::path fileOf(const session::SessionSummary& summary, const QStri
   return session::libraryCache(summary.file.parent_path()) / (key.toStdString() + ".png");
 }
 
+/// Keeps a picture in the library's cache. What cannot be kept is painted again next time.
+void keep(const QImage& image, const std::filesystem::path& file)
+{
+  std::error_code ignored;
+  if (!session::makeLibraryCache(file.parent_path().parent_path()) ||
+      std::filesystem::is_symlink(file, ignored))
+    return;
+  static_cast<void>(writeWhole(file, [&image](const std::filesystem::path& place) {
+    return image.save(QString::fromStdString(place.string()), "PNG");
+  }));
+}
+
 /// Nothing where the recording cannot be replayed.
 QImage pictureOf(const std::filesystem::path& file)
 {
@@ -93,12 +105,7 @@ void Thumbnails::paintNext()
       [wish](const std::atomic<bool>& isCanceled) {
         if (isCanceled) return QImage();
         QImage image = pictureOf(wish.summary.file);
-        // What cannot be kept is painted again next time.
-        if (!image.isNull())
-          static_cast<void>(
-              writeWhole(fileOf(wish.summary, wish.key), [&](const std::filesystem::path& place) {
-                return image.save(QString::fromStdString(place.string()), "PNG");
-              }));
+        if (!image.isNull()) keep(image, fileOf(wish.summary, wish.key));
         return image;
       },
       [this, wish](const QImage& image) {

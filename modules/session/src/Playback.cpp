@@ -153,8 +153,12 @@ Result<Verification> Playback::compute(
   if (!recorded) return recorded.error();
   auto engine = makeEngine(content.scenario, content.model, recorded->facts());
   if (!engine) return engine.error();
-  Verification verification;
-  verification.notes = whatChanged(*recorded, content.scenario, content.model->fingerprint);
+  auto begun = beginVerification(*recorded);
+  if (!begun) return begun.error();
+  Verification verification = *std::move(begun);
+  for (const std::string& note :
+       whatChanged(*recorded, content.scenario, content.model->fingerprint))
+    verification.notes.push_back(note);
   std::uint64_t done = 0;
   bool isStopped = false;
   const auto passed = replayThrough(*recorded, **engine, verification, [&] {

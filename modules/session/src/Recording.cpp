@@ -1,20 +1,24 @@
 #include "perilymph/session/Recording.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
+#include <functional>
 #include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
-#include "Database.h"
 #include "HighlightKeys.h"
+#include "RecordedFacts.h"
+#include "RecordingEvents.h"
 #include "RecordingFormat.h"
 #include "TickBlob.h"
+#include "perilymph/database/Database.h"
 #include "perilymph/session/Csv.h"
 
 namespace perilymph::session {
@@ -22,6 +26,8 @@ namespace perilymph::session {
 namespace {
 
 namespace fs = std::filesystem;
+using database::Database;
+using database::Statement;
 
 /// Claims the name of a new file, so that two recordings never meet in one.
 Result<Done> claim(const fs::path& file)
@@ -47,17 +53,6 @@ Result<Done> claim(const fs::path& file)
                ". Choose a folder you may write to."};
 }
 
-std::string createTables()
-{
-  std::string columns;
-  for (const char* name : columnNames) columns += std::string(", ") + name + " REAL";
-  return "CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL);"
-         "CREATE TABLE tick(tick INTEGER PRIMARY KEY" +
-         columns +
-         ", record BLOB NOT NULL);"
-         "CREATE TABLE event(tick INTEGER NOT NULL, time_s REAL, kind TEXT NOT NULL, value);";
-}
-
 std::string insertTick()
 {
   std::string values = "INSERT INTO tick VALUES(?";
@@ -65,81 +60,43 @@ std::string insertTick()
   return values + ",?)";
 }
 
-std::string commandWord(haptics::Command::Kind kind)
+/// What tells a file from another one at the same place; {0, 0} where there is none.
+std::pair<dev_t, ino_t> identityOf(const fs::path& file)
 {
-  using Kind = haptics::Command::Kind;
-  switch (kind) {
-    case Kind::none:
-      return "none";
-    case Kind::arm:
-      return "arm";
-    case Kind::reset:
-      return "reset";
-    case Kind::withdraw:
-      return "withdraw";
-    case Kind::pullStylet:
-      return "pullStylet";
-    case Kind::setForceScale:
-      return "setForceScale";
-    case Kind::clearFault:
-      return "clearFault";
-    case Kind::requestFault:
-      return "requestFault";
-  }
-  return "command " + std::to_string(static_cast<std::uint32_t>(kind));
+  struct stat found = {};
+  if (::stat(file.c_str(), &found) != 0) return {0, 0};
+  return {found.st_dev, found.st_ino};
 }
 
 }  // namespace
 
-std::string workflowWord(haptics::Workflow workflow)
-{
-  constexpr std::array<const char*, 6> words = {"idle",   "armed",    "inserting",
-                                                "paused", "finished", "fault"};
-  const auto number = static_cast<std::uint32_t>(workflow);
-  return number < words.size() ? words[number] : "workflow " + std::to_string(number);
-}
-
-std::string statusWords(std::uint32_t status)
-{
-  constexpr std::array<std::pair<haptics::Status, const char*>, 12> words = {
-      {{haptics::staleSample, "staleSample"},
-       {haptics::couplingSoftened, "couplingSoftened"},
-       {haptics::nearWorkspaceEnd, "nearWorkspaceEnd"},
-       {haptics::forceClamped, "forceClamped"},
-       {haptics::forceSlewed, "forceSlewed"},
-       {haptics::rampingIn, "rampingIn"},
-       {haptics::notFinite, "notFinite"},
-       {haptics::passivityActed, "passivityActed"},
-       {haptics::notSettled, "notSettled"},
-       {haptics::deviceLost, "deviceLost"},
-       {haptics::sampleDoubted, "sampleDoubted"},
-       {haptics::handJumped, "handJumped"}}};
-  std::string text;
-  for (const auto& [bit, word] : words)
-    if (status & bit) text += (text.empty() ? "" : " ") + std::string(word);
-  return text;
-}
-
 struct Recording::Content {
   fs::path file;
-  Database database;
+  std::pair<dev_t, ino_t> identity;
+  std::optional<Database> database;
   std::optional<Statement> insertTick, insertEvent, setMeta;
   std::vector<unsigned char> blob;
   bool isClosed = false;
   bool isCut = false;  ///< A drain could not be kept.
 
-  // What the last tick was like: events are changes.
-  std::optional<std::uint64_t> lastTick;
-  haptics::Workflow workflow = haptics::Workflow::idle;
-  std::uint32_t status = haptics::allWell;
-  std::uint64_t gaps = 0;
+  MetaRows meta;   ///< As in the file.
+  Sha256 records;  ///< Of all ticks so far.
+  EventDetector events;
   Highlights highlights;
 
-  Result<Done> trouble(const std::string& what) const
+  Error cannotRecord(const std::string& reason) const
   {
     return Error{
-        file.string() + " can no longer be recorded (" + what +
-        "). What is in it stays readable; make room on the disk and start a new recording."};
+        file.string() + " can no longer be recorded (" + reason +
+        "). What is in it stays readable; make space on the disk and start a new recording."};
+  }
+  bool isAtItsPlace() const { return identityOf(file) == identity; }
+  Error isGone() const
+  {
+    return Error{
+        file.string() +
+        " was moved or deleted while it was recorded, so nothing more is recorded. Start a "
+        "new recording, and move recordings only after the insertion."};
   }
 
   bool keep(const char* key, const std::string& value)
@@ -147,47 +104,28 @@ struct Recording::Content {
     setMeta->reset();
     setMeta->bind(0, std::string(key));
     setMeta->bind(1, value);
+    meta[key] = value;
     return setMeta->step() == Statement::Step::done;
   }
+  bool keepHash() { return keep(MetaKey::contentHash, contentHash(meta, records)); }
 
-  template <class Value>
-  bool addEvent(const haptics::TickRecord& record, const std::string& kind, const Value& value)
-  {
-    insertEvent->reset();
-    insertEvent->bind(0, static_cast<std::int64_t>(record.tick));
-    insertEvent->bind(1, record.output.time);
-    insertEvent->bind(2, kind);
-    insertEvent->bind(3, value);
-    return insertEvent->step() == Statement::Step::done;
-  }
-
-  bool addEvents(const haptics::TickRecord& record);
+  bool addEvent(const Event& event);
   bool addTick(const haptics::TickRecord& record);
   bool keepHighlights();
+  bool keepEnding(std::uint64_t lostRecords, const std::string& deviceReport);
+  /// Runs `write` in one transaction; nothing of it is kept where it fails.
+  Result<Done> transact(const std::function<bool()>& write);
   Result<Done> begin(const RecordingFacts& facts);
 };
 
-bool Recording::Content::addEvents(const haptics::TickRecord& record)
+bool Recording::Content::addEvent(const Event& event)
 {
-  const std::uint64_t expected = lastTick ? *lastTick + 1 : record.tick;
-  if (record.tick > expected) {
-    const std::uint64_t missing = record.tick - expected;
-    if (!addEvent(record, "lost", static_cast<std::int64_t>(missing))) return false;
-    gaps += missing;
-  }
-  lastTick = record.tick;
-  for (std::uint32_t i = 0; i < record.commands.count && i < haptics::maxCommandsPerTick; ++i) {
-    const haptics::Command& command = record.commands.items[i];
-    if (!addEvent(record, commandWord(command.kind), command.value)) return false;
-  }
-  if (record.output.workflow != workflow) {
-    workflow = record.output.workflow;
-    if (!addEvent(record, "workflow", workflowWord(workflow))) return false;
-  }
-  // Of the status only what appears; that it went away is in the ticks.
-  const std::uint32_t appeared = record.output.status & ~status;
-  status = record.output.status;
-  return appeared == 0 || addEvent(record, "status", statusWords(appeared));
+  insertEvent->reset();
+  insertEvent->bind(0, static_cast<std::int64_t>(event.tick));
+  insertEvent->bind(1, event.time);
+  insertEvent->bind(2, event.kind);
+  std::visit([this](const auto& value) { insertEvent->bind(3, value); }, event.value);
+  return insertEvent->step() == Statement::Step::done;
 }
 
 bool Recording::Content::addTick(const haptics::TickRecord& record)
@@ -198,7 +136,11 @@ bool Recording::Content::addTick(const haptics::TickRecord& record)
   for (const double value : columnValues(record)) insertTick->bind(parameter++, value);
   writeTick(record, blob);
   insertTick->bind(parameter, std::span<const unsigned char>(blob));
-  return insertTick->step() == Statement::Step::done && addEvents(record);
+  if (insertTick->step() != Statement::Step::done) return false;
+  records.add(std::span<const unsigned char>(blob));
+  const std::vector<Event> found = events.add(record);
+  return std::all_of(found.begin(), found.end(),
+                     [this](const Event& event) { return addEvent(event); });
 }
 
 bool Recording::Content::keepHighlights()
@@ -209,50 +151,55 @@ bool Recording::Content::keepHighlights()
   });
 }
 
+bool Recording::Content::keepEnding(std::uint64_t lostRecords, const std::string& deviceReport)
+{
+  return keep(MetaKey::lostRecords, std::to_string(std::max(lostRecords, events.missingTicks()))) &&
+         (deviceReport.empty() || keep(MetaKey::deviceReport, deviceReport)) && keepHighlights() &&
+         keep(MetaKey::closed, "1") && keepHash();
+}
+
+Result<Done> Recording::Content::transact(const std::function<bool()>& write)
+{
+  if (const auto done = database->run("BEGIN"); !done) return done.error();
+  const bool isWritten = write();
+  std::string reason = isWritten ? "" : database->lastError();
+  for (auto* statement : {&insertTick, &insertEvent, &setMeta}) (*statement)->reset();
+  if (isWritten) {
+    const auto done = database->run("COMMIT");
+    if (done) return Done{};
+    reason = done.error().message;
+  }
+  static_cast<void>(database->run("ROLLBACK"));
+  return Error{reason};
+}
+
 Result<Done> Recording::Content::begin(const RecordingFacts& facts)
 {
   // Tables and facts go into the file itself before the log begins, so that a copy without its
   // `-wal` is a recording, too.
-  if (const auto done =
-          database.run("PRAGMA application_id=" + std::to_string(recordingApplicationId) +
-                       "; PRAGMA user_version=" + std::to_string(newestRecordingVersion) +
-                       "; BEGIN;" + createTables());
-      !done)
-    return done.error();
+  if (const auto done = database->run(creationOf(recordingKind())); !done) return done.error();
 
   const std::pair<std::optional<Statement>&, std::string> statements[] = {
       {insertTick, session::insertTick()},
       {insertEvent, "INSERT INTO event VALUES(?,?,?,?)"},
       {setMeta, "INSERT OR REPLACE INTO meta VALUES(?,?)"}};
   for (const auto& [statement, sql] : statements) {
-    auto prepared = database.prepare(sql);
+    auto prepared = database->prepare(sql);
     if (!prepared) return prepared.error();
     statement = std::move(*prepared);
   }
+  const MetaRows rows = metaRowsOf(facts);
   const bool isKept =
-      keep(MetaKey::scenarioName, facts.scenarioName) &&
-      keep(MetaKey::scenario, facts.scenarioText) && keep(MetaKey::device, facts.device) &&
-      keep(MetaKey::timeStep, shortestDecimal(facts.timeStep)) &&
-      keep(MetaKey::samplePeriod, shortestDecimal(facts.samplePeriod)) &&
-      keep(MetaKey::mostForce, shortestDecimal(facts.mostForce)) &&
-      keep(MetaKey::offTime, shortestDecimal(facts.offTime)) &&
-      keep(MetaKey::reach, shortestDecimal(facts.reach)) &&
-      keep(MetaKey::feelsForce, facts.feelsForce ? "1" : "0") &&
-      keep(MetaKey::mostStiffness, shortestDecimal(facts.mostStiffness)) &&
-      keep(MetaKey::mostDamping, shortestDecimal(facts.mostDamping)) &&
-      keep(MetaKey::deviceDelay, shortestDecimal(facts.deviceDelay)) &&
-      keep(MetaKey::seed, std::to_string(facts.seed)) &&
-      keep(MetaKey::modelFingerprint, std::to_string(facts.modelFingerprint)) &&
-      keep(MetaKey::version, facts.version) && keep(MetaKey::buildId, facts.buildId) &&
-      keep(MetaKey::startedUtc, facts.startedUtc) && keep(MetaKey::lostRecords, "0") &&
-      keep(MetaKey::closed, "0");
+      std::all_of(rows.begin(), rows.end(),
+                  [this](const auto& row) { return keep(row.first.c_str(), row.second); }) &&
+      keepHash();
   setMeta->reset();
-  if (!isKept) return Error{database.trouble()};
-  if (const auto done = database.run("COMMIT"); !done) return done.error();
+  if (!isKept) return Error{database->lastError()};
+  if (const auto done = database->run("COMMIT"); !done) return done.error();
 
   // A commit is in the hands of the system when it returns (the end of the process loses nothing);
   // waiting for the disk as well, at every drain, would only guard against a loss of power.
-  return database.run("PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL");
+  return database->run("PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL");
 }
 
 Recording::Recording() : content_(std::make_unique<Content>()) {}
@@ -272,7 +219,8 @@ Result<std::unique_ptr<Recording>> Recording::create(const fs::path& file,
   content.isClosed = true;  // until it is begun
 
   const auto begun = [&]() -> Result<Done> {
-    auto database = Database::open(file, Database::Access::readWrite);
+    content.identity = identityOf(file);
+    auto database = Database::openNew(file);
     if (!database) return database.error();
     content.database = std::move(*database);
     return content.begin(facts);
@@ -284,7 +232,7 @@ Result<std::unique_ptr<Recording>> Recording::create(const fs::path& file,
       fs::remove(file.string() + ending, ignored);
     }
     return Error{file.string() + " cannot be begun: " + begun.error().message +
-                 ". Is there room on the disk?"};
+                 ". Is there space on the disk?"};
   }
   content.isClosed = false;
   return recording;
@@ -294,27 +242,18 @@ Result<Done> Recording::append(std::span<const haptics::TickRecord> records)
 {
   if (records.empty()) return Done{};
   Content& content = *content_;
-  if (content.isClosed) return content.trouble("it is closed");
-  if (const auto done = content.database.run("BEGIN"); !done) {
-    content.isCut = true;
-    return content.trouble(done.error().message);
-  }
-  const bool isWritten = std::all_of(records.begin(), records.end(),
-                                     [&](const auto& record) { return content.addTick(record); });
-  std::string reason = isWritten ? "" : content.database.trouble();
-  content.insertTick->reset();
-  content.insertEvent->reset();
-  if (isWritten) {
-    const auto done = content.database.run("COMMIT");
-    if (done) {
-      for (const haptics::TickRecord& record : records) content.highlights.add(record);
-      return Done{};
-    }
-    reason = done.error().message;
-  }
-  static_cast<void>(content.database.run("ROLLBACK"));
-  content.isCut = true;
-  return content.trouble(reason);
+  if (content.isClosed) return content.cannotRecord("it is closed");
+  const auto done = content.transact([&] {
+    return std::all_of(records.begin(), records.end(),
+                       [&](const auto& record) { return content.addTick(record); }) &&
+           content.keepHash();
+  });
+  const bool isGone = !content.isAtItsPlace();
+  content.isCut = !done || isGone;
+  if (!done && !isGone) return content.cannotRecord(done.error().message);
+  if (isGone) return content.isGone();
+  for (const haptics::TickRecord& record : records) content.highlights.add(record);
+  return Done{};
 }
 
 Result<Done> Recording::close(std::uint64_t lostRecords, const std::string& deviceReport)
@@ -322,20 +261,22 @@ Result<Done> Recording::close(std::uint64_t lostRecords, const std::string& devi
   Content& content = *content_;
   if (content.isClosed) return Done{};
   content.isClosed = true;
-  // One that was cut off never says that it was closed, even where there is room for the word.
-  const bool isKept =
-      content.isCut ||
-      (content.keep(MetaKey::lostRecords, std::to_string(std::max(lostRecords, content.gaps))) &&
-       (deviceReport.empty() || content.keep(MetaKey::deviceReport, deviceReport)) &&
-       content.keepHighlights() && content.keep(MetaKey::closed, "1"));
-  const std::string reason = isKept ? "" : content.database.trouble();
+  const bool isGone = !content.isAtItsPlace();
+  // One that was cut off never says that it was closed, even where there is space for the word.
+  Result<Done> done = Done{};
+  if (!content.isCut && !isGone)
+    done = content.transact([&] { return content.keepEnding(lostRecords, deviceReport); });
   content.insertTick.reset();
   content.insertEvent.reset();
   content.setMeta.reset();
-  if (!isKept) return content.trouble(reason);
+  if (isGone) {
+    content.database->abandon();
+    return content.isGone();
+  }
+  if (!done) return content.cannotRecord(done.error().message);
   // Leaving the log folds it into the file and removes it.
-  const auto done = content.database.run("PRAGMA journal_mode=DELETE");
-  content.database = Database();
+  done = content.database->run("PRAGMA journal_mode=DELETE");
+  content.database.reset();
   if (!done)
     return Error{content.file.string() + " stays in several files: " + done.error().message +
                  ". Close the other program that reads it, then open the recording once."};

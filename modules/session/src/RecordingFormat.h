@@ -3,11 +3,29 @@
 // What writer and reader of a recording agree on.
 
 #include <cstdint>
+#include <map>
+#include <string>
+
+#include "perilymph/database/FileKind.h"
+#include "perilymph/foundation/Sha256.h"
 
 namespace perilymph::session {
 
-/// SQLite's application_id of our files: "Plym".
-inline constexpr std::int64_t recordingApplicationId = 0x506c796d;
+/// What a recording consists of.
+///
+///   version 1   meta, tick, event
+///   version 2   adds `content_sha256` to meta, renewed with every transaction
+const database::FileKind& recordingKind();
+
+/// From this version on a recording holds its hash.
+inline constexpr std::int64_t firstVersionWithHash = 2;
+
+/// All rows of the table `meta`, by their keys.
+using MetaRows = std::map<std::string, std::string>;
+
+/// The hash of a whole recording: what `meta` says, less the hash itself, and the records of all
+/// ticks in their order. The columns and events follow from the records.
+std::string contentHash(const MetaRows& meta, const Sha256& records);
 
 /// Keys of the table `meta`.
 struct MetaKey {
@@ -32,6 +50,7 @@ struct MetaKey {
   static constexpr const char* lostRecords = "lost_records";
   static constexpr const char* ticks = "ticks";
   static constexpr const char* closed = "closed";
+  static constexpr const char* contentHash = "content_sha256";
 };
 
 }  // namespace perilymph::session

@@ -87,6 +87,22 @@ std::vector<std::string> whatChanged(const RecordedInsertion& recorded, const Sc
   return notes;
 }
 
+Result<Verification> beginVerification(const RecordedInsertion& recorded)
+{
+  const auto checked = recorded.check();
+  if (!checked) return checked.error();
+  Verification verification;
+  verification.ticks = checked->ticks;
+  verification.missingTicks = checked->missingTicks;
+  verification.damage = checked->damage;
+  if (!checked->hasHash)
+    verification.notes.push_back(
+        "Recorded in format 1, which has no hash: that nothing was changed is shown by counts, "
+        "columns, events and the replay alone.");
+  if (checked->ticks == 0) verification.notes.push_back("The recording holds no ticks.");
+  return verification;
+}
+
 Result<Done> replayThrough(const RecordedInsertion& recorded, haptics::InsertionEngine& engine,
                            Verification& verification, const std::function<bool()>& after)
 {
@@ -108,16 +124,23 @@ Result<Done> replayThrough(const RecordedInsertion& recorded, haptics::Insertion
     return after();
   });
   if (!read) return read.error();
-  verification.isIdentical = !verification.difference && verification.ticksCompared > 0;
-  if (verification.ticksCompared == 0)
-    verification.notes.push_back("The recording holds no ticks.");
+  verification.isIdentical = verification.damage.empty() && !verification.difference &&
+                             verification.ticks > 0 &&
+                             verification.ticksCompared == verification.ticks;
   return Done{};
 }
 
-Result<Verification> verify(const std::filesystem::path& file)
+Result<Verification> verify(const std::filesystem::path& file, const VerifyProgress& progress)
 {
-  const auto recorded = RecordedInsertion::open(file);
+  std::uint64_t done = 0;
+  std::uint64_t all = 0;
+  const auto shouldStop = [&] { return progress && !progress(done, all); };
+  const auto recorded = RecordedInsertion::open(file, shouldStop);
   if (!recorded) return recorded.error();
+  auto verification = beginVerification(*recorded);
+  if (!verification || !verification->damage.empty()) return verification;
+  all = verification->ticks;
+
   const RecordingFacts& facts = recorded->facts();
   const auto scenario = parseScenario(facts.scenarioText, file.string());
   if (!scenario) return scenario.error();
@@ -125,15 +148,21 @@ Result<Verification> verify(const std::filesystem::path& file)
   if (!anatomy) return anatomy.error();
   const auto model = buildModel(*scenario, *anatomy);
   if (!model) return model.error();
-
   auto engine = makeEngine(*scenario, *model, facts);
   if (!engine) return engine.error();
-  Verification result;
-  result.notes = whatChanged(*recorded, *scenario, (*model)->fingerprint);
-  const auto done =
-      replayThrough(*recorded, **engine, result, [&result] { return !result.difference; });
-  if (!done) return done.error();
-  return result;
+  for (const std::string& note : whatChanged(*recorded, *scenario, (*model)->fingerprint))
+    verification->notes.push_back(note);
+  bool isStopped = false;
+  const auto passed = replayThrough(*recorded, **engine, *verification, [&] {
+    ++done;
+    isStopped = shouldStop();
+    return !isStopped && !verification->difference;
+  });
+  if (!passed) return passed.error();
+  if (isStopped)
+    return Error{"Stopped after " + std::to_string(done) + " of " + std::to_string(all) +
+                 " ticks; nothing can be said of " + file.string() + "."};
+  return verification;
 }
 
 }  // namespace perilymph::session

@@ -17,6 +17,9 @@ namespace perilymph::session {
 std::vector<std::string> whatChanged(const RecordedInsertion& recorded, const Scenario& scenario,
                                      std::uint64_t modelFingerprint);
 
+/// Checks that the file holds what was recorded; begins the answer of a verification with it.
+Result<Verification> beginVerification(const RecordedInsertion& recorded);
+
 /// Feeds recorded samples and commands through an engine that has not ticked yet, and compares
 /// every output field bit by bit until one differs. Ends where ticks were lost, where the recording
 /// ends, or where `after` gives false; it is called after every tick.

@@ -50,10 +50,15 @@ Result<fs::path> trashSession(const fs::path& file)
 {
   const fs::path trash = file.parent_path() / ".trash";
   std::error_code failure;
-  fs::create_directories(trash, failure);
+  fs::create_directory(trash, failure);
   if (failure)
     return Error{"The folder " + trash.string() + " cannot be made: " + failure.message() +
                  ". Nothing was deleted."};
+  if (!fs::is_directory(fs::symlink_status(trash, failure)))
+    return Error{
+        trash.string() +
+        " is not a folder of the library but a link or a file. Nothing was deleted; move it "
+        "away first."};
   fs::path place = trash / file.filename();
   for (int number = 2; fs::exists(place, failure); ++number)
     place = trash / (file.stem().string() + "-" + std::to_string(number) + ending);

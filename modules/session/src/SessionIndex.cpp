@@ -1,83 +1,86 @@
 #include "SessionIndex.h"
 
-#include <fstream>
-#include <system_error>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "perilymph/foundation/AtomicFile.h"
 
 namespace perilymph::session {
 
 namespace {
 
 namespace fs = std::filesystem;
+using nlohmann::json;
 
-// Raised whenever the columns or their meaning change; an index of another number is made anew.
-constexpr std::int64_t format = 1;
+// Raised whenever the keys or their meaning change; an index of another number is not read.
+constexpr int format = 2;
 
-constexpr const char* columns =
-    "name TEXT PRIMARY KEY, bytes INTEGER, modified_ns INTEGER, started_utc TEXT, scenario TEXT,"
-    " patient TEXT, side TEXT, array TEXT, device TEXT, version TEXT, ticks INTEGER,"
-    " duration_s REAL, deepest_m REAL, deepest_angle_rad REAL, peak_force_N REAL,"
-    " peak_travel_m REAL, peak_depth_m REAL, closed INTEGER, trouble TEXT";
+constexpr std::pair<const char*, std::string SessionSummary::*> texts[] = {
+    {"started_utc", &SessionSummary::startedUtc},
+    {"scenario", &SessionSummary::scenario},
+    {"patient", &SessionSummary::patient},
+    {"side", &SessionSummary::side},
+    {"array", &SessionSummary::array},
+    {"device", &SessionSummary::device},
+    {"version", &SessionSummary::version},
+    {"error", &SessionSummary::trouble}};
 
-constexpr std::string SessionSummary::*texts[] = {
-    &SessionSummary::startedUtc, &SessionSummary::scenario, &SessionSummary::patient,
-    &SessionSummary::side,       &SessionSummary::array,    &SessionSummary::device,
-    &SessionSummary::version};
+constexpr std::pair<const char*, double Highlights::*> numbers[] = {
+    {"duration_s", &Highlights::duration},
+    {"deepest_m", &Highlights::deepest},
+    {"deepest_angle_rad", &Highlights::deepestAngle},
+    {"peak_force_N", &Highlights::peakForce},
+    {"peak_travel_m", &Highlights::peakTravel},
+    {"peak_depth_m", &Highlights::peakDepth}};
 
-constexpr double Highlights::*numbers[] = {&Highlights::duration,     &Highlights::deepest,
-                                           &Highlights::deepestAngle, &Highlights::peakForce,
-                                           &Highlights::peakTravel,   &Highlights::peakDepth};
+json toJson(const SessionSummary& summary)
+{
+  json entry = {{"bytes", summary.bytes},
+                {"modified_ns", summary.modified_ns},
+                {"ticks", summary.highlights.ticks},
+                {"closed", summary.wasClosed}};
+  for (const auto& [key, text] : texts) entry[key] = summary.*text;
+  for (const auto& [key, number] : numbers) entry[key] = summary.highlights.*number;
+  return entry;
+}
+
+/// Throws nlohmann's exceptions where the entry is none of ours.
+SessionSummary fromJson(const json& entry)
+{
+  SessionSummary summary;
+  entry.at("bytes").get_to(summary.bytes);
+  entry.at("modified_ns").get_to(summary.modified_ns);
+  entry.at("ticks").get_to(summary.highlights.ticks);
+  entry.at("closed").get_to(summary.wasClosed);
+  for (const auto& [key, text] : texts) entry.at(key).get_to(summary.*text);
+  for (const auto& [key, number] : numbers) entry.at(key).get_to(summary.highlights.*number);
+  return summary;
+}
 
 }  // namespace
 
 SessionIndex::SessionIndex(const fs::path& folder)
 {
-  const fs::path cache = libraryCache(folder);
-  std::error_code failure;
-  fs::create_directories(cache, failure);
-  if (failure) return;
-  const fs::path file = cache / "index.sqlite";
-  if (open(file) && read()) return;
-  known_.clear();
-  database_.reset();
-  for (const char* tail : {"", "-journal", "-wal", "-shm"})
-    fs::remove(file.string() + tail, failure);
-  if (!open(file) || !read()) database_.reset();
+  const auto cache = makeLibraryCache(folder);
+  if (!cache) return;
+  file_ = *cache / "index.json";
+  read();
 }
 
-bool SessionIndex::open(const fs::path& file)
+void SessionIndex::read()
 {
   std::error_code ignored;
-  if (!fs::exists(file, ignored)) std::ofstream(file, std::ios::binary).flush();
-  auto opened = Database::open(file, Database::Access::readWrite);
-  if (!opened) return false;
-  database_ = std::move(*opened);
-  if (database_->number("PRAGMA user_version") == format) return true;
-  // Only an empty file is begun; anything else is another format's.
-  if (database_->number("SELECT COUNT(*) FROM sqlite_master") != 0 || database_->isDamaged())
-    return false;
-  return bool(database_->run("BEGIN; CREATE TABLE session(" + std::string(columns) +
-                             "); PRAGMA user_version=" + std::to_string(format) + "; COMMIT"));
-}
-
-bool SessionIndex::read()
-{
-  auto rows = database_->prepare("SELECT * FROM session");
-  if (!rows) return false;
-  Statement::Step step = rows->step();
-  for (; step == Statement::Step::row; step = rows->step()) {
-    SessionSummary summary;
-    int column = 0;
-    const std::string name = rows->text(column++);
-    summary.bytes = static_cast<std::uint64_t>(rows->integer(column++));
-    summary.modified_ns = rows->integer(column++);
-    for (const auto text : texts) summary.*text = rows->text(column++);
-    summary.highlights.ticks = static_cast<std::uint64_t>(rows->integer(column++));
-    for (const auto number : numbers) summary.highlights.*number = rows->real(column++);
-    summary.wasClosed = rows->integer(column++) != 0;
-    summary.trouble = rows->text(column++);
-    known_.emplace(name, std::move(summary));
+  if (!fs::is_regular_file(fs::symlink_status(file_, ignored))) return;
+  const auto text = readWhole(file_);
+  if (!text) return;
+  try {
+    const json index = json::parse(*text);
+    if (index.at("format") != format) return;
+    for (const auto& [name, entry] : index.at("sessions").items())
+      known_.emplace(name, fromJson(entry));
+  } catch (const json::exception&) {
+    known_.clear();
   }
-  return step == Statement::Step::done;
 }
 
 std::optional<SessionSummary> SessionIndex::find(const std::string& name, std::uint64_t bytes,
@@ -92,41 +95,29 @@ std::optional<SessionSummary> SessionIndex::find(const std::string& name, std::u
 
 void SessionIndex::keep(const SessionSummary& summary)
 {
-  if (!database_) return;
-  if (!isWriting_) isWriting_ = bool(database_->run("BEGIN"));
-  std::string marks = "?";
-  for (std::size_t i = 1; i < 5 + std::size(texts) + std::size(numbers) + 1; ++i) marks += ",?";
-  auto row = database_->prepare("INSERT OR REPLACE INTO session VALUES(" + marks + ")");
-  if (!row) return;
-  int parameter = 0;
-  row->bind(parameter++, summary.file.filename().string());
-  row->bind(parameter++, static_cast<std::int64_t>(summary.bytes));
-  row->bind(parameter++, summary.modified_ns);
-  for (const auto text : texts) row->bind(parameter++, summary.*text);
-  row->bind(parameter++, static_cast<std::int64_t>(summary.highlights.ticks));
-  for (const auto number : numbers) row->bind(parameter++, summary.highlights.*number);
-  row->bind(parameter++, static_cast<std::int64_t>(summary.wasClosed ? 1 : 0));
-  row->bind(parameter++, summary.trouble);
-  static_cast<void>(row->step());
+  known_.insert_or_assign(summary.file.filename().string(), summary);
+  hasChanged_ = true;
 }
 
 void SessionIndex::forget(const std::set<std::string>& present)
 {
-  if (!database_) return;
-  for (const auto& [name, summary] : known_) {
-    if (present.count(name) != 0) continue;
-    if (!isWriting_) isWriting_ = bool(database_->run("BEGIN"));
-    auto row = database_->prepare("DELETE FROM session WHERE name = ?");
-    if (!row) return;
-    row->bind(0, name);
-    static_cast<void>(row->step());
-  }
+  if (std::erase_if(known_,
+                    [&present](const auto& each) { return present.count(each.first) == 0; }) > 0)
+    hasChanged_ = true;
 }
 
 void SessionIndex::close()
 {
-  if (database_ && isWriting_) static_cast<void>(database_->run("COMMIT"));
-  isWriting_ = false;
+  if (file_.empty() || !hasChanged_) return;
+  json sessions = json::object();
+  for (const auto& [name, summary] : known_) sessions[name] = toJson(summary);
+  const json index = {{"format", format}, {"sessions", std::move(sessions)}};
+  // A link in its place is removed, not followed.
+  std::error_code ignored;
+  if (fs::is_symlink(fs::symlink_status(file_, ignored))) fs::remove(file_, ignored);
+  // The index may be missing; a name that is no UTF-8 only has its recording read again.
+  static_cast<void>(writeWhole(file_, index.dump(-1, ' ', false, json::error_handler_t::ignore)));
+  hasChanged_ = false;
 }
 
 }  // namespace perilymph::session

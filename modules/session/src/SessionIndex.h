@@ -1,6 +1,6 @@
 #pragma once
 
-// The summaries of recordings that were read before, in a database that may be deleted.
+// The summaries of recordings that were read before, in a file that may be deleted.
 
 #include <filesystem>
 #include <map>
@@ -8,34 +8,32 @@
 #include <set>
 #include <string>
 
-#include "Database.h"
 #include "perilymph/session/SessionLibrary.h"
 
 namespace perilymph::session {
 
-/// One thread at a time. Everything it fails at only costs time: recordings are then read again.
+/// A JSON file in the library's cache, read at once and replaced at once. Whatever fails only costs
+/// time: recordings are then read again. One thread at a time.
 class SessionIndex {
 public:
-  /// Opens the index of a folder and takes it into memory; makes it anew where it is missing,
-  /// damaged or of another format.
+  /// Reads the index of a folder; empty where it is missing, damaged or of another format.
   explicit SessionIndex(const std::filesystem::path& folder);
 
-  /// What is known of a file that still has this size and time.
+  /// The summary of a file that still has this size and time.
   std::optional<SessionSummary> find(const std::string& name, std::uint64_t bytes,
                                      std::int64_t modified_ns) const;
   void keep(const SessionSummary& summary);
   /// Forgets the files that are not there any more.
   void forget(const std::set<std::string>& present);
-  /// Writes down what was kept and forgotten.
+  /// Writes the index, if it has changed.
   void close();
 
 private:
-  bool open(const std::filesystem::path& file);
-  bool read();
+  void read();
 
-  std::optional<Database> database_;
+  std::filesystem::path file_;  ///< Empty where the folder can have no cache.
   std::map<std::string, SessionSummary> known_;
-  bool isWriting_ = false;
+  bool hasChanged_ = false;
 };
 
 }  // namespace perilymph::session

@@ -92,13 +92,23 @@ bool isWorthKeeping(const SessionSummary& summary)
 
 fs::path libraryCache(const fs::path& folder) { return folder / ".cache"; }
 
+std::optional<fs::path> makeLibraryCache(const fs::path& folder)
+{
+  const fs::path cache = libraryCache(folder);
+  std::error_code failure;
+  fs::create_directory(cache, failure);
+  if (!fs::is_directory(fs::symlink_status(cache, failure))) return std::nullopt;
+  return cache;
+}
+
 namespace {
 
-SessionSummary summarize(const fs::path& file, Subjects& known)
+SessionSummary summarize(const fs::path& file, Subjects& known,
+                         const std::function<bool()>& shouldStop)
 {
   SessionSummary summary;
   summary.file = file;
-  const auto recorded = RecordedInsertion::open(file);
+  const auto recorded = RecordedInsertion::open(file, shouldStop);
   if (!recorded) {
     summary.trouble = recorded.error().message;
     stamp(summary);
@@ -127,10 +137,10 @@ SessionSummary summarize(const fs::path& file, Subjects& known)
 
 }  // namespace
 
-SessionSummary summarize(const fs::path& file)
+SessionSummary summarize(const fs::path& file, const std::function<bool()>& shouldStop)
 {
   Subjects none;
-  return summarize(file, none);
+  return summarize(file, none, shouldStop);
 }
 
 Result<std::vector<SessionSummary>> listSessions(const fs::path& folder,
@@ -153,8 +163,13 @@ Result<std::vector<SessionSummary>> listSessions(const fs::path& folder,
   Subjects subjects;
   std::set<std::string> names;
   for (const fs::path& file : files) names.insert(file.filename().string());
+  bool isStopped = false;
+  const auto shouldStop = [&] {
+    isStopped = isStopped || (progress && !progress(sessions.size(), files.size()));
+    return isStopped;
+  };
   for (const fs::path& file : files) {
-    if (progress && !progress(sessions.size(), files.size())) break;
+    if (shouldStop()) break;
     SessionSummary summary;
     summary.file = file;
     stamp(summary);
@@ -166,7 +181,8 @@ Result<std::vector<SessionSummary>> listSessions(const fs::path& folder,
       summary = *std::move(known);
       summary.file = file;
     } else {
-      summary = summarize(file, subjects);
+      summary = summarize(file, subjects, shouldStop);
+      if (isStopped) break;
       if (isWorthKeeping(summary)) index.keep(summary);
     }
     sessions.push_back(std::move(summary));

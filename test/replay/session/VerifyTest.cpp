@@ -1,6 +1,10 @@
 #include <gmock/gmock.h>
-#include <sqlite3.h>
 
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "Forgery.h"
 #include "ShortRun.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/session/Replay.h"
@@ -11,28 +15,22 @@ namespace {
 
 using testing::HasSubstr;
 
-void runSql(const std::filesystem::path& file, const std::string& sql)
+/// Records the ticks of a recording again, each changed by `change`; those it refuses are lost.
+void recordAgain(const std::filesystem::path& from, const std::filesystem::path& to,
+                 const std::function<bool(haptics::TickRecord&)>& change)
 {
-  sqlite3* database = nullptr;
-  ASSERT_EQ(sqlite3_open(file.c_str(), &database), SQLITE_OK);
-  ASSERT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sql;
-  sqlite3_close(database);
-}
-
-/// Flips one byte of the record of a tick, counted from the end of the record.
-void flipByte(const std::filesystem::path& file, int tick, int fromEnd)
-{
-  sqlite3* database = nullptr;
-  ASSERT_EQ(sqlite3_open(file.c_str(), &database), SQLITE_OK);
-  sqlite3_blob* blob = nullptr;
-  ASSERT_EQ(sqlite3_blob_open(database, "main", "tick", "record", tick, 1, &blob), SQLITE_OK);
-  const int place = sqlite3_blob_bytes(blob) - fromEnd;
-  unsigned char byte = 0;
-  ASSERT_EQ(sqlite3_blob_read(blob, &byte, 1, place), SQLITE_OK);
-  byte = static_cast<unsigned char>(byte ^ 1u);
-  ASSERT_EQ(sqlite3_blob_write(blob, &byte, 1, place), SQLITE_OK);
-  sqlite3_blob_close(blob);
-  sqlite3_close(database);
+  const auto recorded = RecordedInsertion::open(from);
+  ASSERT_TRUE(recorded) << recorded.error().message;
+  auto recording = Recording::create(to, recorded->facts());
+  ASSERT_TRUE(recording) << recording.error().message;
+  std::vector<haptics::TickRecord> kept;
+  ASSERT_TRUE(recorded->forEach([&](const haptics::TickRecord& record) {
+    haptics::TickRecord changed = record;
+    if (change(changed)) kept.push_back(changed);
+    return true;
+  }));
+  ASSERT_TRUE((*recording)->append(kept));
+  ASSERT_TRUE((*recording)->close());
 }
 
 Verification verified(const std::filesystem::path& file)
@@ -107,10 +105,12 @@ TEST(Replay, NamesTheFirstBitThatDiffers)
   const test::TemporaryFolder folder;
   const auto file = folder / "run.insertion";
   ASSERT_TRUE(test::shortRun(file)->runToEnd({}));
-  // The record ends with the residual, eight bytes; its lowest bit is in the first of them.
-  flipByte(file, 123, 8);
-  flipByte(file, 200, 8);
-  const Verification verification = verified(file);
+  recordAgain(file, folder / "changed.insertion", [](haptics::TickRecord& record) {
+    if (record.tick == 123 || record.tick == 200)
+      record.output.residual = std::nextafter(record.output.residual, 1.0);
+    return true;
+  });
+  const Verification verification = verified(folder / "changed.insertion");
   EXPECT_FALSE(verification.isIdentical);
   ASSERT_TRUE(verification.difference);
   EXPECT_EQ(verification.difference->tick, 123u);
@@ -123,26 +123,42 @@ TEST(Replay, SaysWhenTheArrayFileOrTheBuildIsAnother)
   const test::TemporaryFolder folder;
   const auto file = folder / "run.insertion";
   ASSERT_TRUE(test::shortRun(file)->runToEnd({}));
-  runSql(file,
-         "UPDATE meta SET value = '0.0.1+other' WHERE key = 'build_id';"
-         "UPDATE meta SET value = replace(value, 'array_fingerprint = \"', 'array_fingerprint = "
-         "\"x') WHERE key = 'scenario'");
+  test::runSql(
+      file,
+      "UPDATE meta SET value = '0.0.1+other' WHERE key = 'build_id';"
+      "UPDATE meta SET value = replace(value, 'array_fingerprint = \"', 'array_fingerprint = "
+      "\"x') WHERE key = 'scenario'");
+  test::rehash(file);
   const Verification verification = verified(file);
   EXPECT_TRUE(verification.isIdentical);
   EXPECT_THAT(verification.notes, testing::UnorderedElementsAre(HasSubstr("0.0.1+other"),
                                                                 HasSubstr("array 'contour'")));
 }
 
-TEST(Replay, ComparesAsFarAsNothingWasLost)
+TEST(Replay, ComparesAsFarAsNothingWasLostAndSaysThatItIsNotAll)
 {
   const test::TemporaryFolder folder;
   const auto file = folder / "run.insertion";
   ASSERT_TRUE(test::shortRun(file)->runToEnd({}));
-  runSql(file, "DELETE FROM tick WHERE tick BETWEEN 100 AND 104");
-  const Verification verification = verified(file);
-  EXPECT_TRUE(verification.isIdentical);
+  recordAgain(file, folder / "gap.insertion", [](const haptics::TickRecord& record) {
+    return record.tick < 100 || record.tick > 104;
+  });
+  const Verification verification = verified(folder / "gap.insertion");
+  EXPECT_EQ(verification.damage, "");
   EXPECT_EQ(verification.ticksCompared, 100u);
+  EXPECT_EQ(verification.missingTicks, 5u);
+  EXPECT_FALSE(verification.isIdentical);
   EXPECT_THAT(verification.notes, testing::Contains(HasSubstr("5 ticks before tick 105")));
+}
+
+TEST(Replay, StopsWhereItIsToldTo)
+{
+  const test::TemporaryFolder folder;
+  const auto file = folder / "run.insertion";
+  ASSERT_TRUE(test::shortRun(file)->runToEnd({}));
+  const auto stopped = verify(file, [](std::uint64_t done, std::uint64_t) { return done < 50; });
+  ASSERT_FALSE(stopped);
+  EXPECT_THAT(stopped.error().message, HasSubstr("Stopped after 50 of"));
 }
 
 }  // namespace

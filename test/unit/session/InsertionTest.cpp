@@ -136,6 +136,25 @@ TEST(InsertionByTheClock, RunsRecordsAndStops)
   EXPECT_TRUE(recorded->wasClosed());
 }
 
+TEST(ARecordingDeletedWhileItIsWritten, IsReportedAndTheInsertionGoesOn)
+{
+  const test::TemporaryFolder folder;
+  const auto insertion = prepared(test::shortScenario(), folder / "gone.insertion");
+  ASSERT_TRUE(insertion->start());
+  haptics::Command arm;
+  arm.kind = haptics::Command::Kind::arm;
+  ASSERT_TRUE(insertion->send(arm));
+  std::filesystem::remove(folder / "gone.insertion");
+  while (insertion->recordingTrouble().empty()) std::this_thread::yield();
+  EXPECT_THAT(insertion->recordingTrouble(), HasSubstr("gone.insertion was moved or deleted"));
+  const std::uint64_t before = insertion->latest().tick;
+  while (insertion->latest().tick < before + 10) insertion->refresh();
+  insertion->stop();
+  const auto closed = insertion->closeRecording();
+  ASSERT_FALSE(closed);
+  EXPECT_EQ(closed.error().message, insertion->recordingTrouble());
+}
+
 TEST(DiskInTrouble, EndsTheRecordingAndNotTheInsertion)
 {
   const test::TemporaryFolder folder;

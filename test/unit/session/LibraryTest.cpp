@@ -2,10 +2,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sqlite3.h>
 
 #include <fstream>
 
+#include "Forgery.h"
 #include "OddRecords.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/session/SessionLibrary.h"
@@ -15,16 +15,9 @@ namespace perilymph::session {
 namespace {
 
 namespace fs = std::filesystem;
+using test::runSql;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-void runSql(const fs::path& file, const std::string& sql)
-{
-  sqlite3* database = nullptr;
-  ASSERT_EQ(sqlite3_open(file.c_str(), &database), SQLITE_OK);
-  ASSERT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sql;
-  sqlite3_close(database);
-}
 
 /// Ticks on a straight way in at 2 mm/s; the force rises to 0.1 N at 3 mm and falls again.
 std::vector<haptics::TickRecord> hillOfForce()
@@ -66,6 +59,17 @@ protected:
     return listed ? *listed : std::vector<SessionSummary>{};
   }
 
+  /// Replaces a word in the index, to see whether a recording or its index was read.
+  void renameInIndex(const std::string& word, const std::string& by)
+  {
+    const fs::path index = libraryCache(folder_.path()) / "index.json";
+    std::ifstream stream(index);
+    std::string text(std::istreambuf_iterator<char>(stream), {});
+    const auto place = text.find('"' + word + '"');
+    ASSERT_NE(place, std::string::npos);
+    std::ofstream(index) << text.replace(place + 1, word.size(), by);
+  }
+
   test::TemporaryFolder folder_;
 };
 
@@ -99,7 +103,8 @@ TEST_F(Library, ListsWhoWhatAndHowHardNewestFirst)
 
 TEST_F(Library, ReadsNoTickOfAClosedRecording)
 {
-  runSql(record(folder_ / "a.insertion", "2010-05-17T09:30:00Z", hillOfForce()), "DROP TABLE tick");
+  runSql(record(folder_ / "a.insertion", "2010-05-17T09:30:00Z", hillOfForce()),
+         "DELETE FROM tick");
   EXPECT_DOUBLE_EQ(list().at(0).highlights.peakForce, 0.1);
 }
 
@@ -115,7 +120,7 @@ TEST_F(Library, DoesNotOpenWhatHasNotChanged)
 {
   const fs::path file = record(folder_ / "a.insertion", "2010-05-17T09:30:00Z", hillOfForce());
   list();
-  runSql(libraryCache(folder_.path()) / "index.sqlite", "UPDATE session SET patient = 'index'");
+  renameInIndex("014", "index");
   EXPECT_EQ(list().at(0).patient, "index");
   runSql(file, "UPDATE meta SET value = 'elsewhere' WHERE key = 'scenario_name'");
   fs::last_write_time(file, fs::last_write_time(file) + std::chrono::seconds(1));
@@ -126,9 +131,9 @@ TEST_F(Library, MakesADamagedIndexAnew)
 {
   record(folder_ / "a.insertion", "2010-05-17T09:30:00Z", hillOfForce());
   list();
-  std::ofstream(libraryCache(folder_.path()) / "index.sqlite") << std::string(5000, 'x');
+  std::ofstream(libraryCache(folder_.path()) / "index.json") << std::string(5000, 'x');
   EXPECT_EQ(list().at(0).patient, "014");
-  runSql(libraryCache(folder_.path()) / "index.sqlite", "UPDATE session SET patient = 'index'");
+  renameInIndex("014", "index");
   EXPECT_EQ(list().at(0).patient, "index");
 }
 

@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sqlite3.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -12,6 +11,7 @@
 #include <csignal>
 #include <fstream>
 
+#include "Forgery.h"
 #include "OddRecords.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/test/TemporaryFolder.h"
@@ -20,6 +20,7 @@ namespace perilymph::session {
 namespace {
 
 namespace fs = std::filesystem;
+using test::runSql;
 using testing::HasSubstr;
 
 /// A recording that was closed, of so many ticks.
@@ -54,14 +55,6 @@ std::string refusal(const fs::path& file)
 {
   const auto opened = RecordedInsertion::open(file);
   return opened ? "opened" : opened.error().message;
-}
-
-void runSql(const fs::path& file, const std::string& sql)
-{
-  sqlite3* database = nullptr;
-  ASSERT_EQ(sqlite3_open(file.c_str(), &database), SQLITE_OK);
-  ASSERT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sql;
-  sqlite3_close(database);
 }
 
 /// Somebody without rights, for as long as it lives. Nobody in particular where the test already

@@ -162,6 +162,67 @@ TEST(Recording, SaysWhereItCannotBegin)
   EXPECT_THAT(inPlaceOfAFolder.error().message, HasSubstr("is a folder"));
 }
 
+class RecordingThatIsTaken : public testing::Test {
+protected:
+  RecordingThatIsTaken()
+  {
+    auto created = Recording::create(file, test::someFacts());
+    EXPECT_TRUE(created);
+    recording = std::move(*created);
+    EXPECT_TRUE(recording->append(test::quietRecords(0, 20)));
+  }
+
+  void expectGone(const Result<Done>& done) const
+  {
+    ASSERT_FALSE(done);
+    EXPECT_THAT(done.error().message,
+                AllOf(HasSubstr("mine.insertion was moved or deleted while it was recorded"),
+                      HasSubstr("Start a new recording")));
+  }
+
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder / "mine.insertion";
+  std::unique_ptr<Recording> recording;
+};
+
+TEST_F(RecordingThatIsTaken, ByBeingDeletedSaysSoAtTheNextDrain)
+{
+  std::filesystem::remove(file);
+  expectGone(recording->append(test::quietRecords(20, 20)));
+}
+
+TEST_F(RecordingThatIsTaken, AfterTheLastDrainSaysSoWhenItIsClosed)
+{
+  std::filesystem::remove(file);
+  expectGone(recording->close());
+}
+
+TEST_F(RecordingThatIsTaken, ByBeingMovedKeepsWhatItHolds)
+{
+  std::filesystem::rename(file, folder / "elsewhere.insertion");
+  expectGone(recording->append(test::quietRecords(20, 20)));
+  recording.reset();
+  const auto recorded = RecordedInsertion::open(folder / "elsewhere.insertion");
+  ASSERT_TRUE(recorded) << recorded.error().message;
+  EXPECT_EQ(recorded->ticks(), 40u);
+  EXPECT_FALSE(recorded->wasClosed());
+}
+
+TEST_F(RecordingThatIsTaken, AndReplacedLeavesTheOtherFileAndItsLogAlone)
+{
+  std::filesystem::remove(file);
+  std::filesystem::remove(file.string() + "-wal");
+  std::ofstream(file) << "somebody else's";
+  std::ofstream(file.string() + "-wal") << "somebody else's log";
+  expectGone(recording->append(test::quietRecords(20, 20)));
+  recording.reset();
+  for (const auto& [name, content] : {std::pair{file.string(), "somebody else's"},
+                                      {file.string() + "-wal", "somebody else's log"}}) {
+    std::ifstream stream(name);
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(stream), {}), content) << name;
+  }
+}
+
 TEST(Recording, TakesNamesThatMeanSomethingElsewhere)
 {
   const test::TemporaryFolder folder;

@@ -19,7 +19,7 @@
 namespace perilymph::session {
 
 /// Newest format of the file that this program writes and reads.
-inline constexpr int newestRecordingVersion = 1;
+inline constexpr int newestRecordingVersion = 2;
 
 /// What a recording says about itself. Numbers that replay needs are kept to the last bit.
 struct RecordingFacts {

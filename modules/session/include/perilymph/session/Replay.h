@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,15 +22,24 @@ struct Difference {
 };
 
 struct Verification {
-  std::uint64_t ticksCompared = 0;
-  bool isIdentical = false;              ///< Every field of every tick that could be compared.
+  std::uint64_t ticks = 0;          ///< In the file.
+  std::uint64_t ticksCompared = 0;  ///< Up to the first difference, or the first that was lost.
+  std::uint64_t missingTicks = 0;   ///< Lost while recording, as the recording itself says.
+  /// The file holds what was recorded, and every field of every tick in it was computed again to
+  /// the same bits.
+  bool isIdentical = false;
   std::optional<Difference> difference;  ///< The first one.
+  /// What of the file is not as it was recorded (RecordingCheck::damage); then nothing is compared.
+  std::string damage;
   std::vector<std::string> notes;  ///< Sentences: another build, a changed array file, lost ticks.
 };
 
-/// Builds the model anew from the recording's own scenario, feeds the recorded samples and commands
-/// through InsertionEngine::tick and compares every output field bit by bit. After ticks that were
-/// lost, nothing can be compared.
-Result<Verification> verify(const std::filesystem::path& file);
+/// Told how many ticks of how many were compared; false stops.
+using VerifyProgress = std::function<bool(std::uint64_t done, std::uint64_t all)>;
+
+/// Checks that the file holds what was recorded, builds the model from the recording's own
+/// scenario, feeds the recorded samples and commands through InsertionEngine::tick and compares
+/// every output field bit by bit. After ticks that were lost, nothing can be compared.
+Result<Verification> verify(const std::filesystem::path& file, const VerifyProgress& progress = {});
 
 }  // namespace perilymph::session

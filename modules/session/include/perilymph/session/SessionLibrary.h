@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,13 +28,20 @@ struct SessionSummary {
 };
 
 /// Everything a list shows of one recording. Never fails: what cannot be read says so in `trouble`.
-SessionSummary summarize(const std::filesystem::path& file);
+///
+/// @param shouldStop  Asked some fifty times a second; true ends the reading.
+SessionSummary summarize(const std::filesystem::path& file,
+                         const std::function<bool()>& shouldStop = {});
 
-/// Told how many recordings of how many are listed; false stops: the rest is left out.
+/// Told how many recordings of how many are listed, also while one is read; false stops: the rest
+/// is left out.
 using LibraryProgress = std::function<bool(std::size_t done, std::size_t all)>;
 
 /// The folder of a library's caches: index and pictures. Whatever is in it may be deleted.
 std::filesystem::path libraryCache(const std::filesystem::path& folder);
+/// Makes that folder if it is missing. Nothing where it cannot be made, or where there is a link in
+/// its place: what it leads to is somebody else's.
+std::optional<std::filesystem::path> makeLibraryCache(const std::filesystem::path& folder);
 
 /// Lists the recordings of a folder, newest first. A recording that has not changed since it was
 /// last listed is not opened again: its summary is kept in an index beside the recordings, which is

@@ -1,0 +1,147 @@
+#include "Content.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "OwnFilesOnly.h"
+
+namespace perilymph::database {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int instructionsBetween = 1000;
+constexpr std::chrono::milliseconds questionPeriod{20};
+
+/// SQLite's progress handler: other than 0 ends the query.
+int progressed(void* context)
+{
+  Watch& watch = *static_cast<Watch*>(context);
+  watch.instructions += instructionsBetween;
+  if (watch.maxInstructions > 0 && watch.instructions > watch.maxInstructions)
+    watch.isExhausted = true;
+  if (watch.shouldStop) {
+    const auto now = std::chrono::steady_clock::now();
+    if (now >= watch.nextQuestion) {
+      watch.nextQuestion = now + questionPeriod;
+      watch.wasStopped = watch.wasStopped || watch.shouldStop();
+    }
+  }
+  return watch.isExhausted || watch.wasStopped ? 1 : 0;
+}
+
+/// A file may come from anybody: nothing its schema says is run, and no value is so long that
+/// memory ends. (SQLite's advice for files from others, "Defense Against The Dark Arts".)
+void distrust(sqlite3* database)
+{
+  const std::pair<int, int> limits[] = {{SQLITE_LIMIT_LENGTH, 4 << 20},
+                                        {SQLITE_LIMIT_SQL_LENGTH, 100'000},
+                                        {SQLITE_LIMIT_COLUMN, 100},
+                                        {SQLITE_LIMIT_EXPR_DEPTH, 20},
+                                        {SQLITE_LIMIT_ATTACHED, 0},
+                                        {SQLITE_LIMIT_TRIGGER_DEPTH, 1},
+                                        {SQLITE_LIMIT_COMPOUND_SELECT, 2},
+                                        {SQLITE_LIMIT_VDBE_OP, 25'000},
+                                        {SQLITE_LIMIT_LIKE_PATTERN_LENGTH, 100},
+                                        {SQLITE_LIMIT_FUNCTION_ARG, 8}};
+  for (const auto& [limit, value] : limits) sqlite3_limit(database, limit, value);
+  int ignored = 0;
+  sqlite3_db_config(database, SQLITE_DBCONFIG_DEFENSIVE, 1, &ignored);
+  for (const int off : {SQLITE_DBCONFIG_TRUSTED_SCHEMA, SQLITE_DBCONFIG_ENABLE_TRIGGER,
+                        SQLITE_DBCONFIG_ENABLE_VIEW, SQLITE_DBCONFIG_ENABLE_LOAD_EXTENSION})
+    sqlite3_db_config(database, off, 0, &ignored);
+  sqlite3_exec(database, "PRAGMA cell_size_check=ON; PRAGMA mmap_size=0; PRAGMA temp_store=MEMORY",
+               nullptr, nullptr, nullptr);
+}
+
+/// A name of the form file: with every letter escaped means this file, whatever it contains.
+std::string uriOf(const fs::path& file)
+{
+  std::string uri = "file:";
+  constexpr const char* hexadecimal = "0123456789abcdef";
+  for (const char letter : fs::absolute(file).string()) {
+    const auto code = static_cast<unsigned char>(letter);
+    uri += {'%', hexadecimal[code >> 4], hexadecimal[code & 0xf]};
+  }
+  return uri;
+}
+
+std::int64_t pragma(sqlite3* database, const char* sql)
+{
+  sqlite3_stmt* statement = nullptr;
+  if (sqlite3_prepare_v2(database, sql, -1, &statement, nullptr) != SQLITE_OK) return 0;
+  const std::int64_t number =
+      sqlite3_step(statement) == SQLITE_ROW ? sqlite3_column_int64(statement, 0) : 0;
+  sqlite3_finalize(statement);
+  return number;
+}
+
+}  // namespace
+
+Error Database::Content::error(const std::string& reason) const
+{
+  if (watch->wasStopped) return Error{"Reading " + file.string() + " was stopped."};
+  return Error{file.string() + " is damaged (" + reason + "). " + remedy};
+}
+
+Result<Done> Database::Content::open(const fs::path& place, Access access)
+{
+  const char* vfs = ownFilesOnly();
+  if (vfs == nullptr) return Error{"SQLite cannot be set up"};
+  const bool isImmutable = access == Access::immutable;
+  const int flags = SQLITE_OPEN_URI | SQLITE_OPEN_FULLMUTEX | SQLITE_OPEN_NOFOLLOW |
+                    (isImmutable ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE);
+  sqlite3* opened = nullptr;
+  const int outcome = sqlite3_open_v2((uriOf(place) + (isImmutable ? "?immutable=1" : "")).c_str(),
+                                      &opened, flags, vfs);
+  database.reset(opened);
+  if (outcome != SQLITE_OK) return Error{opened ? sqlite3_errmsg(opened) : "out of memory"};
+  // Another program that looks into a running recording holds it for moments only.
+  sqlite3_busy_timeout(opened, 2000);
+  sqlite3_progress_handler(opened, instructionsBetween, progressed, watch.get());
+  distrust(opened);
+  return Done{};
+}
+
+Result<Done> Database::Content::check(const FileKind& kind)
+{
+  const std::int64_t application = pragma(database.get(), "PRAGMA application_id");
+  const int code = sqlite3_errcode(database.get());
+  if (code == SQLITE_NOTADB || code == SQLITE_CORRUPT || watch->wasStopped)
+    return error(sqlite3_errmsg(database.get()));
+  if (application != kind.applicationId)
+    return Error{file.string() + " is not " + kind.name + ". " + kind.choice};
+  version = pragma(database.get(), "PRAGMA user_version");
+  if (version > kind.newestVersion)
+    return Error{file.string() + " has format " + std::to_string(version) +
+                 "; this program reads up to " + std::to_string(kind.newestVersion) +
+                 ". Open it with a newer version."};
+  if (version < 1) return error("its format has no number");
+
+  sqlite3_stmt* prepared = nullptr;
+  const int outcome = sqlite3_prepare_v2(
+      database.get(), "SELECT type, sql FROM sqlite_master ORDER BY rowid", -1, &prepared, nullptr);
+  const std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)> rows(prepared, sqlite3_finalize);
+  if (outcome != SQLITE_OK) return error(sqlite3_errmsg(database.get()));
+  std::vector<std::string> missing = kind.tables;
+  int step = sqlite3_step(prepared);
+  for (; step == SQLITE_ROW; step = sqlite3_step(prepared)) {
+    const auto text = [prepared](int column) {
+      const unsigned char* letters = sqlite3_column_text(prepared, column);
+      return letters ? std::string(reinterpret_cast<const char*>(letters)) : std::string();
+    };
+    // SQLite's own index of a primary key; it has no statement.
+    if (text(0) == "index" && sqlite3_column_type(prepared, 1) == SQLITE_NULL) continue;
+    const auto found = std::find(missing.begin(), missing.end(), text(1));
+    if (text(0) != "table" || found == missing.end())
+      return error("it holds what " + kind.name + " does not");
+    missing.erase(found);
+  }
+  if (step != SQLITE_DONE) return error(sqlite3_errmsg(database.get()));
+  if (!missing.empty()) return error("a table is missing");
+  return Done{};
+}
+
+}  // namespace perilymph::database

@@ -1,0 +1,48 @@
+#pragma once
+
+// What an open database consists of.
+
+#include <sqlite3.h>
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "perilymph/database/Database.h"
+
+namespace perilymph::database {
+
+/// Bounds the work of one query. SQLite asks it every so many of its instructions.
+struct Watch {
+  ShouldStop shouldStop;
+  std::int64_t maxInstructions = 0;  ///< 0: no bound.
+  std::int64_t instructions = 0;     ///< So far, in this query.
+  std::chrono::steady_clock::time_point nextQuestion{};
+  bool wasStopped = false;
+  bool isExhausted = false;
+};
+
+struct Database::Content {
+  struct Close {
+    void operator()(sqlite3* database) const noexcept { sqlite3_close_v2(database); }
+  };
+
+  std::filesystem::path file;
+  std::string remedy;  ///< FileKind::remedy.
+  std::string note;
+  std::int64_t version = 0;
+  std::unique_ptr<Watch> watch = std::make_unique<Watch>();  ///< SQLite knows its address.
+  std::unique_ptr<sqlite3, Close> database;
+
+  enum class Access {
+    readWrite,  ///< Recovers what a crash left in the `-wal` file.
+    immutable,  ///< Reads the file alone, as if nobody could change it; needs no other file.
+  };
+  Result<Done> open(const std::filesystem::path& place, Access access);
+  /// Refuses what is not exactly the kind's.
+  Result<Done> check(const FileKind& kind);
+  Error error(const std::string& reason) const;
+};
+
+}  // namespace perilymph::database

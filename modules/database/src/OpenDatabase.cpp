@@ -1,0 +1,144 @@
+// A file is looked at before SQLite opens it.
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <fstream>
+#include <string_view>
+
+#include "Companions.h"
+#include "Content.h"
+
+namespace perilymph::database {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the first bytes of a file say.
+struct FileHeader {
+  bool isDatabase = false;
+  bool isWhole = true;  ///< As long as it says.
+};
+
+std::uint64_t bigEndian(const std::array<unsigned char, 100>& bytes, std::size_t first,
+                        std::size_t count)
+{
+  std::uint64_t value = 0;
+  for (std::size_t i = 0; i < count; ++i) value = value << 8 | bytes[first + i];
+  return value;
+}
+
+/// Reads SQLite's header of 100 bytes (its file format, section 1.3).
+FileHeader readHeader(const fs::path& file)
+{
+  std::array<unsigned char, 100> bytes{};
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(reinterpret_cast<char*>(bytes.data()), bytes.size());
+  constexpr std::string_view magic("SQLite format 3\0", 16);
+  FileHeader header;
+  const auto got = static_cast<std::size_t>(stream.gcount());
+  header.isDatabase =
+      got >= magic.size() &&
+      std::string_view(reinterpret_cast<const char*>(bytes.data()), magic.size()) == magic;
+  if (!header.isDatabase) return header;
+  if (got < bytes.size()) {
+    header.isWhole = false;
+    return header;
+  }
+  const std::uint64_t pageField = bigEndian(bytes, 16, 2);
+  const std::uint64_t pageSize = pageField == 1 ? 65536 : pageField;
+  const std::uint64_t pages = bigEndian(bytes, 28, 4);
+  std::error_code ignored;
+  header.isWhole = fs::file_size(file, ignored) >= pages * pageSize;
+  return header;
+}
+
+/// With the rights this process acts with, not those it was started with.
+bool mayAccess(const fs::path& place, int mode)
+{
+  return ::faccessat(AT_FDCWD, place.c_str(), mode, AT_EACCESS) == 0;
+}
+
+bool mayWrite(const fs::path& file)
+{
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  return mayAccess(file, W_OK) && mayAccess(folder, W_OK);
+}
+
+/// More instructions than any query needs over a file of that size: a row of some twenty bytes, the
+/// smallest of ours, takes ten. A tree of pages that point to one another could go on for ever.
+std::int64_t maxInstructionsFor(const fs::path& file)
+{
+  std::error_code ignored;
+  const auto bytes = static_cast<std::int64_t>(fs::file_size(file, ignored));
+  return 1'000'000 + 4 * (ignored ? 0 : bytes);
+}
+
+}  // namespace
+
+Result<Database> Database::openNew(const fs::path& file)
+{
+  auto content = std::make_unique<Content>();
+  content->file = file;
+  std::error_code problem;
+  const fs::path place = fs::canonical(file, problem);
+  if (problem) return Error{problem.message()};
+  if (const auto done = content->open(place, Content::Access::readWrite); !done)
+    return done.error();
+  return Database(std::move(content));
+}
+
+Result<Database> Database::open(const fs::path& file, const FileKind& kind, ShouldStop shouldStop)
+{
+  const std::string name = file.string();
+  std::error_code problem;
+  if (fs::is_directory(file, problem)) return Error{name + " is a folder. " + kind.choice};
+  if (!fs::exists(file, problem)) return Error{name + " does not exist. Check the name."};
+  if (!mayAccess(file, R_OK)) return Error{name + " may not be read. Check its permissions."};
+
+  // The companions of a file lie beside it, not beside a link to it.
+  const fs::path place = fs::canonical(file, problem);
+  if (problem) return Error{name + " cannot be found: " + problem.message() + "."};
+  const FileHeader header = fs::is_regular_file(place, problem) ? readHeader(place) : FileHeader{};
+  if (!header.isDatabase) return Error{name + " is not " + kind.name + ". " + kind.choice};
+  const auto companions = companionsOf(place);
+  if (!companions) return companions.error();
+
+  auto content = std::make_unique<Content>();
+  content->file = file;
+  content->remedy = kind.remedy;
+  content->watch->shouldStop = std::move(shouldStop);
+  content->watch->maxInstructions = maxInstructionsFor(place);
+  if (!header.isWhole && !companions->hasLog) return content->error("it is cut short");
+
+  const bool isWritable = mayWrite(place);
+  if (companions->hasLog && !isWritable)
+    content->note = name +
+                    " was not closed and lies where nothing may be written, so the ticks in its "
+                    "-wal file are not read. Copy both files to a folder you may write to.";
+  const auto read = [&](Content::Access access) -> Result<Done> {
+    content->watch->instructions = 0;
+    if (const auto done = content->open(place, access); !done)
+      return content->error(done.error().message);
+    return content->check(kind);
+  };
+  // With nothing to recover nothing is written, not even a lock.
+  const bool recovers = isWritable && companions->areToRead;
+  auto done = read(recovers ? Content::Access::readWrite : Content::Access::immutable);
+  // Where a full disk has no space for recovering, what was folded into the file is there still.
+  if (!done && recovers && header.isWhole && !content->watch->wasStopped) {
+    if (const auto again = read(Content::Access::immutable); again) {
+      done = again;
+      content->note =
+          name +
+          " was not closed and cannot be recovered here, so the ticks in its -wal file are "
+          "not read. Make space on the disk, or copy both files to another one.";
+    }
+  }
+  if (!done) return done.error();
+  return Database(std::move(content));
+}
+
+}  // namespace perilymph::database

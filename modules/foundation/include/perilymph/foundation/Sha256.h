@@ -1,0 +1,35 @@
+#pragma once
+
+// SHA-256, to tell whether a file still holds what was written into it.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace perilymph {
+
+/// The SHA-256 hash (FIPS 180-4) of bytes that come piece by piece.
+class Sha256 {
+public:
+  Sha256();
+  Sha256(const Sha256& other);
+  Sha256& operator=(const Sha256& other);
+  ~Sha256();
+
+  void add(std::span<const unsigned char> bytes);
+  void add(std::string_view text);
+  /// Adds a number as eight bytes, the lowest first.
+  void add(std::uint64_t number);
+
+  /// The hash of everything added so far as 64 hexadecimal digits; more may be added afterwards.
+  std::string hex() const;
+
+private:
+  struct Context;
+  std::unique_ptr<Context> context_;
+};
+
+}  // namespace perilymph

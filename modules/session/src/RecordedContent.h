@@ -1,0 +1,40 @@
+#pragma once
+
+// An open recording, for the files that read it.
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+
+#include "RecordedFacts.h"
+#include "perilymph/database/Database.h"
+#include "perilymph/session/RecordedInsertion.h"
+
+namespace perilymph::session {
+
+struct RecordedInsertion::Content {
+  Content(std::filesystem::path place, database::Database opened)
+      : file(std::move(place)), database(std::move(opened))
+  {
+  }
+
+  std::filesystem::path file;
+  database::Database database;
+  MetaRows meta;
+  RecordingFacts facts;
+  bool wasClosed = false;
+  std::uint64_t lostRecords = 0;
+  std::optional<Highlights> highlights;  ///< As noted in the file.
+
+  Error damaged(const std::string& reason) const { return database.readingError(reason); }
+
+  Result<Done> readMeta();
+  Result<Done> readFacts();
+  /// Shows the rows of a query whose first column is a key that must rise, until `each` gives
+  /// false. A damaged tree can show the same rows again and again.
+  Result<Done> forEachRising(
+      const std::string& sql, std::int64_t firstKey,
+      const std::function<Result<bool>(const database::Statement&)>& each) const;
+};
+
+}  // namespace perilymph::session

@@ -1,0 +1,108 @@
+#include "RecordedFacts.h"
+
+#include <charconv>
+#include <string>
+#include <utility>
+
+#include "HighlightKeys.h"
+#include "perilymph/session/Csv.h"
+
+namespace perilymph::session {
+
+namespace {
+
+template <class Number>
+std::optional<Number> numberIn(const MetaRows& rows, const char* key)
+{
+  const auto found = rows.find(key);
+  if (found == rows.end()) return std::nullopt;
+  const std::string& text = found->second;
+  Number number{};
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (read.ec != std::errc() || read.ptr != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+}  // namespace
+
+MetaRows metaRowsOf(const RecordingFacts& facts)
+{
+  return {{MetaKey::scenarioName, facts.scenarioName},
+          {MetaKey::scenario, facts.scenarioText},
+          {MetaKey::device, facts.device},
+          {MetaKey::timeStep, shortestDecimal(facts.timeStep)},
+          {MetaKey::samplePeriod, shortestDecimal(facts.samplePeriod)},
+          {MetaKey::mostForce, shortestDecimal(facts.mostForce)},
+          {MetaKey::offTime, shortestDecimal(facts.offTime)},
+          {MetaKey::reach, shortestDecimal(facts.reach)},
+          {MetaKey::feelsForce, facts.feelsForce ? "1" : "0"},
+          {MetaKey::mostStiffness, shortestDecimal(facts.mostStiffness)},
+          {MetaKey::mostDamping, shortestDecimal(facts.mostDamping)},
+          {MetaKey::deviceDelay, shortestDecimal(facts.deviceDelay)},
+          {MetaKey::seed, std::to_string(facts.seed)},
+          {MetaKey::modelFingerprint, std::to_string(facts.modelFingerprint)},
+          {MetaKey::version, facts.version},
+          {MetaKey::buildId, facts.buildId},
+          {MetaKey::startedUtc, facts.startedUtc},
+          {MetaKey::lostRecords, "0"},
+          {MetaKey::closed, "0"}};
+}
+
+std::optional<RecordingFacts> factsIn(const MetaRows& rows)
+{
+  RecordingFacts facts;
+  const std::pair<const char*, std::string*> texts[] = {
+      {MetaKey::scenarioName, &facts.scenarioName},
+      {MetaKey::scenario, &facts.scenarioText},
+      {MetaKey::device, &facts.device},
+      {MetaKey::version, &facts.version},
+      {MetaKey::buildId, &facts.buildId},
+      {MetaKey::startedUtc, &facts.startedUtc}};
+  for (const auto& [key, text] : texts) {
+    const auto found = rows.find(key);
+    if (found == rows.end()) return std::nullopt;
+    *text = found->second;
+  }
+  const auto timeStep = numberIn<double>(rows, MetaKey::timeStep);
+  const auto samplePeriod = numberIn<double>(rows, MetaKey::samplePeriod);
+  const auto mostForce = numberIn<double>(rows, MetaKey::mostForce);
+  const auto seed = numberIn<long>(rows, MetaKey::seed);
+  const auto fingerprint = numberIn<std::uint64_t>(rows, MetaKey::modelFingerprint);
+  if (!timeStep || !samplePeriod || !mostForce || !seed || !fingerprint) return std::nullopt;
+  facts.timeStep = *timeStep;
+  facts.samplePeriod = *samplePeriod;
+  facts.mostForce = *mostForce;
+  // Early recordings lack the rest. Without an off time, a force that was switched off fell as
+  // slowly as any other.
+  facts.offTime = numberIn<double>(rows, MetaKey::offTime).value_or(0.0);
+  facts.reach = numberIn<double>(rows, MetaKey::reach).value_or(facts.reach);
+  facts.feelsForce = numberIn<int>(rows, MetaKey::feelsForce).value_or(0) != 0;
+  facts.mostStiffness =
+      numberIn<double>(rows, MetaKey::mostStiffness).value_or(facts.mostStiffness);
+  facts.mostDamping = numberIn<double>(rows, MetaKey::mostDamping).value_or(facts.mostDamping);
+  facts.deviceDelay = numberIn<double>(rows, MetaKey::deviceDelay).value_or(facts.deviceDelay);
+  facts.seed = *seed;
+  facts.modelFingerprint = *fingerprint;
+  return facts;
+}
+
+std::optional<Highlights> highlightsIn(const MetaRows& rows)
+{
+  Highlights noted;
+  const auto ticks = countIn(rows, MetaKey::ticks);
+  if (!ticks) return std::nullopt;
+  noted.ticks = *ticks;
+  for (const auto& [key, field] : highlightKeys) {
+    const auto number = numberIn<double>(rows, key);
+    if (!number) return std::nullopt;
+    noted.*field = *number;
+  }
+  return noted;
+}
+
+std::optional<std::uint64_t> countIn(const MetaRows& rows, const char* key)
+{
+  return numberIn<std::uint64_t>(rows, key);
+}
+
+}  // namespace perilymph::session

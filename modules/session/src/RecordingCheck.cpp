@@ -1,0 +1,120 @@
+// Whether a recording holds what was recorded: counts, gaps, columns, events, hash.
+
+#include <algorithm>
+#include <cmath>
+
+#include "RecordedContent.h"
+#include "RecordingEvents.h"
+#include "TickBlob.h"
+#include "perilymph/session/Csv.h"
+
+namespace perilymph::session {
+
+namespace {
+
+using database::Statement;
+using Type = Statement::Type;
+
+/// SQLite keeps NaN as NULL, and -0.0 may come back as 0.0.
+bool holds(const Statement& row, int column, double expected)
+{
+  if (std::isnan(expected)) return row.type(column) == Type::null;
+  return row.type(column) == Type::real && row.real(column) == expected;
+}
+
+struct HoldsValue {
+  const Statement& row;
+  int column;
+
+  bool operator()(double expected) const { return holds(row, column, expected); }
+  bool operator()(std::int64_t expected) const
+  {
+    return row.type(column) == Type::integer && row.integer(column) == expected;
+  }
+  bool operator()(const std::string& expected) const
+  {
+    return row.type(column) == Type::text && row.text(column) == expected;
+  }
+};
+
+bool holds(const Statement& row, const Event& event)
+{
+  return HoldsValue{row, 1}(static_cast<std::int64_t>(event.tick)) && holds(row, 2, event.time) &&
+         HoldsValue{row, 3}(event.kind) && std::visit(HoldsValue{row, 4}, event.value);
+}
+
+/// What the ticks of a recording tell.
+struct TickSurvey {
+  std::uint64_t ticks = 0;
+  Sha256 records;
+  std::vector<Event> events;
+  std::uint64_t missingTicks = 0;
+  std::string damage;  ///< Of the columns; the first.
+};
+
+std::string selectTicks()
+{
+  std::string columns = "tick, record";
+  for (const char* name : columnNames) columns += std::string(", ") + name;
+  return "SELECT " + columns + " FROM tick WHERE tick >= ? ORDER BY tick";
+}
+
+}  // namespace
+
+Result<RecordingCheck> RecordedInsertion::check() const
+{
+  const Content& content = *content_;
+  TickSurvey survey;
+  EventDetector detector;
+  const auto addTick = [&](const Statement& row) -> Result<bool> {
+    const bool isBlob = row.type(1) == Type::blob;
+    const auto record = readTick(row.blob(1));
+    if (!isBlob || !record || record->tick != static_cast<std::uint64_t>(row.integer(0)))
+      return content.damaged("the record of tick " + std::to_string(row.integer(0)) +
+                             " cannot be read");
+    ++survey.ticks;
+    survey.records.add(row.blob(1));
+    const std::vector<Event> found = detector.add(*record);
+    survey.events.insert(survey.events.end(), found.begin(), found.end());
+    const auto values = columnValues(*record);
+    for (int i = 0; i < columnCount && survey.damage.empty(); ++i)
+      if (!holds(row, 2 + i, values[static_cast<std::size_t>(i)]))
+        survey.damage = std::string(columnNames[static_cast<std::size_t>(i)]) + " of tick " +
+                        std::to_string(record->tick) + " is not that of its record";
+    return true;
+  };
+  if (const auto done = content.forEachRising(selectTicks(), 0, addTick); !done)
+    return done.error();
+
+  std::size_t next = 0;
+  bool eventsHold = true;
+  const auto done = content.forEachRising(
+      "SELECT rowid, tick, time_s, kind, value FROM event WHERE rowid >= ? ORDER BY rowid", 1,
+      [&](const Statement& row) -> Result<bool> {
+        eventsHold = eventsHold && next < survey.events.size() && holds(row, survey.events[next]);
+        ++next;
+        return eventsHold;
+      });
+  if (!done) return done.error();
+
+  if (const auto pages = content.database.checkPages(); !pages) return pages.error();
+
+  RecordingCheck result;
+  result.ticks = survey.ticks;
+  result.missingTicks = detector.missingTicks();
+  result.hasHash = content.meta.count(MetaKey::contentHash) != 0;
+  const auto noted = countIn(content.meta, MetaKey::ticks);
+  if (content.wasClosed && noted && *noted != survey.ticks)
+    result.damage = "it holds " + std::to_string(survey.ticks) + " of the " +
+                    std::to_string(*noted) + " ticks it was closed with";
+  else if (!survey.damage.empty())
+    result.damage = survey.damage;
+  else if (!eventsHold || next != survey.events.size())
+    result.damage = "its events are not those of its ticks";
+  else if (result.hasHash &&
+           content.meta.at(MetaKey::contentHash) != contentHash(content.meta, survey.records))
+    result.damage = "its hash is that of other ticks or other facts";
+  return result;
+}
+
+}  // namespace perilymph::session

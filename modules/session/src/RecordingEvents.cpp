@@ -1,0 +1,95 @@
+#include "RecordingEvents.h"
+
+#include <array>
+#include <utility>
+
+#include "perilymph/session/Recording.h"
+
+namespace perilymph::session {
+
+namespace {
+
+std::string commandWord(haptics::Command::Kind kind)
+{
+  using Kind = haptics::Command::Kind;
+  switch (kind) {
+    case Kind::none:
+      return "none";
+    case Kind::arm:
+      return "arm";
+    case Kind::reset:
+      return "reset";
+    case Kind::withdraw:
+      return "withdraw";
+    case Kind::pullStylet:
+      return "pullStylet";
+    case Kind::setForceScale:
+      return "setForceScale";
+    case Kind::clearFault:
+      return "clearFault";
+    case Kind::requestFault:
+      return "requestFault";
+  }
+  return "command " + std::to_string(static_cast<std::uint32_t>(kind));
+}
+
+}  // namespace
+
+std::string workflowWord(haptics::Workflow workflow)
+{
+  constexpr std::array<const char*, 6> words = {"idle",   "armed",    "inserting",
+                                                "paused", "finished", "fault"};
+  const auto number = static_cast<std::uint32_t>(workflow);
+  return number < words.size() ? words[number] : "workflow " + std::to_string(number);
+}
+
+std::string statusWords(std::uint32_t status)
+{
+  constexpr std::array<std::pair<haptics::Status, const char*>, 12> words = {
+      {{haptics::staleSample, "staleSample"},
+       {haptics::couplingSoftened, "couplingSoftened"},
+       {haptics::nearWorkspaceEnd, "nearWorkspaceEnd"},
+       {haptics::forceClamped, "forceClamped"},
+       {haptics::forceSlewed, "forceSlewed"},
+       {haptics::rampingIn, "rampingIn"},
+       {haptics::notFinite, "notFinite"},
+       {haptics::passivityActed, "passivityActed"},
+       {haptics::notSettled, "notSettled"},
+       {haptics::deviceLost, "deviceLost"},
+       {haptics::sampleDoubted, "sampleDoubted"},
+       {haptics::handJumped, "handJumped"}}};
+  std::string text;
+  for (const auto& [bit, word] : words)
+    if (status & bit) text += (text.empty() ? "" : " ") + std::string(word);
+  return text;
+}
+
+std::vector<Event> EventDetector::add(const haptics::TickRecord& record)
+{
+  std::vector<Event> events;
+  const auto add = [&](std::string kind, auto value) {
+    events.push_back({record.tick, record.output.time, std::move(kind), std::move(value)});
+  };
+  const std::uint64_t expected = lastTick_ ? *lastTick_ + 1 : record.tick;
+  if (record.tick > expected) {
+    const std::uint64_t missing = record.tick - expected;
+    add("lost", static_cast<std::int64_t>(missing));
+    missingTicks_ += missing;
+  }
+  lastTick_ = record.tick;
+  for (std::uint32_t i = 0; i < record.commands.count && i < haptics::maxCommandsPerTick; ++i) {
+    const haptics::Command& command = record.commands.items[i];
+    add(commandWord(command.kind), command.value);
+  }
+  if (record.output.workflow != workflow_) {
+    workflow_ = record.output.workflow;
+    add("workflow", workflowWord(workflow_));
+  }
+  // Only a status that appears is an event; that it went away is in the ticks.
+  const std::uint32_t appeared = record.output.status & ~status_;
+  status_ = record.output.status;
+  if (appeared != 0) add("status", statusWords(appeared));
+  return events;
+}
+
+}  // namespace perilymph::session

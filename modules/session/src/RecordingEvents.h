@@ -1,0 +1,41 @@
+#pragma once
+
+// The rows of the table `event`. They follow from the ticks, so a reader can tell whether they are
+// right.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "perilymph/haptics/Snapshot.h"
+
+namespace perilymph::session {
+
+/// One row: something that happened in a tick.
+struct Event {
+  std::uint64_t tick = 0;
+  double time = 0.0;  ///< [s]
+  std::string kind;   ///< A command, "workflow", "status", or "lost".
+  std::variant<std::int64_t, double, std::string> value;
+};
+
+/// Finds the events in a sequence of ticks: commands, changes of workflow, statuses that appear,
+/// and ticks that are missing.
+class EventDetector {
+public:
+  /// The events of the next tick, in the order of their rows.
+  std::vector<Event> add(const haptics::TickRecord& record);
+
+  /// Ticks missing so far between those that were added.
+  std::uint64_t missingTicks() const noexcept { return missingTicks_; }
+
+private:
+  std::optional<std::uint64_t> lastTick_;
+  haptics::Workflow workflow_ = haptics::Workflow::idle;
+  std::uint32_t status_ = haptics::allWell;
+  std::uint64_t missingTicks_ = 0;
+};
+
+}  // namespace perilymph::session

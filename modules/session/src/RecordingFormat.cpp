@@ -1,0 +1,40 @@
+#include "RecordingFormat.h"
+
+#include "perilymph/session/Csv.h"
+#include "perilymph/session/Recording.h"
+
+namespace perilymph::session {
+
+const database::FileKind& recordingKind()
+{
+  static const database::FileKind kind = [] {
+    std::string columns;
+    for (const char* name : columnNames) columns += std::string(", ") + name + " REAL";
+    return database::FileKind{
+        "a recording of Perilymph",
+        "Choose an .insertion file.",
+        "Use another copy of the recording.",
+        0x506c796d,  // "Plym"
+        newestRecordingVersion,
+        {"CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL)",
+         "CREATE TABLE tick(tick INTEGER PRIMARY KEY" + columns + ", record BLOB NOT NULL)",
+         "CREATE TABLE event(tick INTEGER NOT NULL, time_s REAL, kind TEXT NOT NULL, value)"}};
+  }();
+  return kind;
+}
+
+std::string contentHash(const MetaRows& meta, const Sha256& records)
+{
+  Sha256 hash;
+  for (const auto& [key, value] : meta) {
+    if (key == MetaKey::contentHash) continue;
+    for (const std::string& text : {key, value}) {
+      hash.add(std::uint64_t{text.size()});
+      hash.add(std::string_view(text));
+    }
+  }
+  hash.add(std::string_view(records.hex()));
+  return hash.hex();
+}
+
+}  // namespace perilymph::session

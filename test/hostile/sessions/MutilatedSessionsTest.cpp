@@ -1,0 +1,184 @@
+// Recordings that were changed, by accident or on purpose: verification notices every change.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "Forgery.h"
+#include "OddRecords.h"
+#include "perilymph/session/RecordedInsertion.h"
+#include "perilymph/session/Replay.h"
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::session {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+constexpr std::uint64_t ticks = 400;
+
+class Mutilated : public testing::Test {
+protected:
+  Mutilated()
+  {
+    auto records = test::quietRecords(0, ticks);
+    records[5].commands.count = 1;
+    records[5].commands.items[0].kind = haptics::Command::Kind::arm;
+    for (std::uint64_t i = 50; i < ticks; ++i) records[i].output.axialForce = 1e-3;
+    auto recording = Recording::create(file, test::someFacts());
+    EXPECT_TRUE(recording);
+    EXPECT_TRUE((*recording)->append(records));
+    EXPECT_TRUE((*recording)->close());
+  }
+
+  /// What verification says of the file: the damage, or the sentence with which it refuses it.
+  std::string verdict() const
+  {
+    const auto verified = verify(file);
+    if (!verified) return verified.error().message;
+    EXPECT_EQ(verified->isIdentical, verified->damage.empty());
+    return verified->damage;
+  }
+
+  std::string checked() const
+  {
+    const auto recorded = RecordedInsertion::open(file);
+    if (!recorded) return recorded.error().message;
+    const auto check = recorded->check();
+    return check ? check->damage : check.error().message;
+  }
+
+  void runSql(const std::string& sql) const { test::runSql(file, sql); }
+
+  const test::TemporaryFolder folder;
+  const fs::path file = folder / "some.insertion";
+};
+
+TEST_F(Mutilated, NotAtAllIsWhole) { EXPECT_EQ(checked(), ""); }
+
+TEST_F(Mutilated, ByTheLossOfItsEndIsNoticed)
+{
+  runSql("DELETE FROM tick WHERE tick > 10");
+  EXPECT_THAT(verdict(), HasSubstr("it holds 11 of the 400 ticks"));
+}
+
+TEST_F(Mutilated, ByTheLossOfItsBeginningIsNoticed)
+{
+  runSql("DELETE FROM tick WHERE tick < 10");
+  EXPECT_THAT(verdict(), HasSubstr("it holds 390 of the 400 ticks"));
+}
+
+TEST_F(Mutilated, ByAHoleIsNoticed)
+{
+  runSql("DELETE FROM tick WHERE tick BETWEEN 100 AND 200");
+  EXPECT_THAT(verdict(), HasSubstr("it holds 299 of the 400 ticks"));
+  // even where the count is made to fit
+  runSql("UPDATE meta SET value = '299' WHERE key = 'ticks'");
+  EXPECT_THAT(verdict(), HasSubstr("events"));
+  // and a loss is claimed
+  runSql("INSERT INTO event VALUES(201, 0.201, 'lost', 101)");
+  EXPECT_THAT(verdict(), HasSubstr("hash"));
+}
+
+TEST_F(Mutilated, ByAChangedColumnIsNoticed)
+{
+  runSql("UPDATE tick SET force_axial_N = 0.5 WHERE tick = 77");
+  EXPECT_THAT(verdict(), HasSubstr("force_axial_N of tick 77"));
+}
+
+TEST_F(Mutilated, ByAnEventThatIsMissingChangedOrInventedIsNoticed)
+{
+  for (const char* change :
+       {"DELETE FROM event", "UPDATE event SET tick = 6", "UPDATE event SET time_s = 1",
+        "UPDATE event SET kind = 'reset'", "UPDATE event SET value = 1",
+        "INSERT INTO event VALUES(7, 0.007, 'reset', 0.0)"}) {
+    const fs::path whole = folder / "whole";
+    fs::copy_file(file, whole);
+    runSql(change);
+    EXPECT_THAT(verdict(), HasSubstr("events")) << change;
+    fs::rename(whole, file);
+  }
+}
+
+TEST_F(Mutilated, ByAChangedFactIsNoticed)
+{
+  for (const char* key : {"device", "started_utc", "seed", "lost_records", "peak_force_N"}) {
+    runSql(std::string("UPDATE meta SET value = '5' WHERE key = '") + key + "'");
+    EXPECT_THAT(verdict(), HasSubstr("hash")) << key;
+  }
+  runSql("INSERT INTO meta VALUES('more', '1')");
+  EXPECT_THAT(verdict(), HasSubstr("hash"));
+}
+
+TEST_F(Mutilated, ByARecordPutInPlaceOfAnotherIsNoticed)
+{
+  runSql("UPDATE tick SET tick = tick + 1000 WHERE tick >= 100");
+  EXPECT_THAT(verdict(), HasSubstr("the record of tick 1100 cannot be read"));
+}
+
+TEST_F(Mutilated, ByTheLossOfItsHashIsNoticed)
+{
+  runSql("DELETE FROM meta WHERE key = 'content_sha256'");
+  EXPECT_THAT(verdict(), HasSubstr("its hash is missing"));
+}
+
+TEST_F(Mutilated, AndPassedOffAsAnOlderFormatIsNoticed)
+{
+  runSql("PRAGMA user_version=1");
+  EXPECT_THAT(verdict(), HasSubstr("its format has no hash, and there is one"));
+}
+
+TEST_F(Mutilated, ByGeneratedColumnsIsRefusedBeforeTheyAreGenerated)
+{
+  runSql(
+      "CREATE TABLE other(key TEXT PRIMARY KEY, value TEXT GENERATED ALWAYS AS "
+      "(hex(zeroblob(30000000))) VIRTUAL);"
+      "INSERT INTO other(key) SELECT key FROM meta; DROP TABLE meta;"
+      "ALTER TABLE other RENAME TO meta");
+  EXPECT_THAT(verdict(), HasSubstr("damaged (it holds what a recording of Perilymph does not)"));
+}
+
+TEST_F(Mutilated, ByWhatNoRecordingHoldsIsRefused)
+{
+  const fs::path whole = folder / "whole";
+  fs::copy_file(file, whole);
+  for (const char* change :
+       {"CREATE TABLE more(x)", "CREATE INDEX i ON tick(depth_mm)",
+        "CREATE INDEX i ON tick(depth_mm + 1)", "CREATE VIEW v AS SELECT 1",
+        "CREATE TRIGGER t AFTER INSERT ON tick BEGIN DELETE FROM tick; END",
+        "ALTER TABLE meta ADD COLUMN more", "ALTER TABLE event RENAME COLUMN value TO other",
+        "DROP TABLE event"}) {
+    fs::copy_file(whole, file, fs::copy_options::overwrite_existing);
+    runSql(change);
+    EXPECT_THAT(verdict(), HasSubstr("damaged")) << change;
+  }
+}
+
+TEST_F(Mutilated, ByFactsWithoutEndIsRefused)
+{
+  runSql(
+      "WITH RECURSIVE n(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM n WHERE x < 20000)"
+      "INSERT INTO meta SELECT 'k' || x, 'v' FROM n");
+  EXPECT_THAT(verdict(), HasSubstr("it says more about itself than a recording does"));
+}
+
+TEST_F(Mutilated, ByFactsOfMegabytesIsRefused)
+{
+  runSql(
+      "UPDATE meta SET value = hex(zeroblob(1500000)) WHERE key = 'scenario';"
+      "INSERT INTO meta VALUES('more', hex(zeroblob(1500000)))");
+  EXPECT_THAT(verdict(), HasSubstr("it says more about itself than a recording does"));
+}
+
+TEST_F(Mutilated, ByAFactOfAnotherTypeIsRefused)
+{
+  runSql("UPDATE meta SET value = CAST(value AS BLOB) WHERE key = 'device'");
+  EXPECT_THAT(verdict(), HasSubstr("a fact about it is no text"));
+}
+
+}  // namespace
+}  // namespace perilymph::session

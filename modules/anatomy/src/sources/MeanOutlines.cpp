@@ -1,4 +1,4 @@
-#include "MeanOutlines.h"
+#include "sources/MeanOutlines.h"
 
 #include <algorithm>
 #include <cmath>

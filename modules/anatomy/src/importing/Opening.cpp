@@ -1,4 +1,4 @@
-#include "Opening.h"
+#include "importing/Opening.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "SmallAlgebra.h"
+#include "numerics/SmallAlgebra.h"
 
 namespace perilymph::anatomy {
 namespace {

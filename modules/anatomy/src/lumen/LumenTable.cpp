@@ -1,11 +1,11 @@
-#include "LumenField.h"
+#include "lumen/LumenField.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
-#include "CubicTable.h"
-#include "WallLines.h"
+#include "lumen/WallLines.h"
+#include "numerics/CubicTable.h"
 #include "perilymph/foundation/Math.h"
 
 namespace perilymph::anatomy {

@@ -3,9 +3,9 @@
 #include <array>
 #include <cmath>
 
-#include "CohenSpiral.h"
-#include "MeanOutlines.h"
-#include "OutlineTables.h"
+#include "lumen/OutlineTables.h"
+#include "sources/CohenSpiral.h"
+#include "sources/MeanOutlines.h"
 
 namespace perilymph::anatomy {
 namespace {

@@ -1,9 +1,9 @@
-#include "ModiolarAxis.h"
+#include "importing/ModiolarAxis.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "SmallAlgebra.h"
+#include "numerics/SmallAlgebra.h"
 #include "perilymph/foundation/Math.h"
 
 namespace perilymph::anatomy {

@@ -1,10 +1,10 @@
-#include "LeadIn.h"
+#include "lumen/LeadIn.h"
 
 #include <array>
 #include <cmath>
 
-#include "CubicTable.h"
-#include "Outline.h"
+#include "lumen/Outline.h"
+#include "numerics/CubicTable.h"
 #include "perilymph/foundation/Math.h"
 #include "perilymph/foundation/Units.h"
 

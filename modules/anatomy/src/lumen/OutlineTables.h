@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "Outline.h"
+#include "lumen/Outline.h"
 #include "perilymph/anatomy/ScalaTympani.h"
 
 namespace perilymph::anatomy {

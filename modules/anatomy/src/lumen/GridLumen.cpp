@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "CubicTable.h"
-#include "SignedDistance.h"
-#include "SmallAlgebra.h"
+#include "mesh/SignedDistance.h"
+#include "numerics/CubicTable.h"
+#include "numerics/SmallAlgebra.h"
 #include "perilymph/foundation/Math.h"
 #include "perilymph/foundation/Units.h"
 

@@ -1,4 +1,4 @@
-#include "SignedDistance.h"
+#include "mesh/SignedDistance.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

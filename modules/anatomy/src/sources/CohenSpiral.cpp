@@ -1,4 +1,4 @@
-#include "CohenSpiral.h"
+#include "sources/CohenSpiral.h"
 
 #include <array>
 

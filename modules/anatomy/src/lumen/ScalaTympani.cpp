@@ -5,8 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "CubicTable.h"
-#include "LumenField.h"
+#include "lumen/LumenField.h"
+#include "numerics/CubicTable.h"
 #include "perilymph/foundation/Math.h"
 
 namespace perilymph::anatomy {

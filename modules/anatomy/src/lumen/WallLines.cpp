@@ -1,4 +1,4 @@
-#include "WallLines.h"
+#include "lumen/WallLines.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "KnotSpline.h"
+#include "numerics/KnotSpline.h"
 
 #include <cstddef>
 #include <utility>

@@ -2,8 +2,8 @@
 
 // Where a segmented scala begins.
 
-#include "AxialSections.h"
-#include "ClosedSurface.h"
+#include "importing/AxialSections.h"
+#include "importing/ClosedSurface.h"
 
 namespace perilymph::anatomy {
 

@@ -1,11 +1,11 @@
-#include "OutlineTables.h"
+#include "lumen/OutlineTables.h"
 
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
 #include <vector>
 
-#include "LeadIn.h"
+#include "lumen/LeadIn.h"
 #include "perilymph/foundation/Units.h"
 
 namespace perilymph::anatomy {

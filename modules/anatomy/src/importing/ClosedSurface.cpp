@@ -1,4 +1,4 @@
-#include "ClosedSurface.h"
+#include "importing/ClosedSurface.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "CubicTable.h"
+#include "numerics/CubicTable.h"
 
 namespace perilymph::anatomy {
 

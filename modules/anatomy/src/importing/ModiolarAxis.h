@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "AxialSections.h"
+#include "importing/AxialSections.h"
 
 namespace perilymph::anatomy {
 

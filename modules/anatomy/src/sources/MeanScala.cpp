@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "MeanOutlines.h"
-#include "OutlineTables.h"
+#include "lumen/OutlineTables.h"
 #include "perilymph/anatomy/Population.h"
+#include "sources/MeanOutlines.h"
 
 namespace perilymph::anatomy {
 namespace {

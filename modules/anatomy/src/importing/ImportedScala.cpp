@@ -6,10 +6,10 @@
 #include <cstdio>
 #include <utility>
 
-#include "AxialSections.h"
-#include "ClosedSurface.h"
-#include "ModiolarAxis.h"
-#include "Opening.h"
+#include "importing/AxialSections.h"
+#include "importing/ClosedSurface.h"
+#include "importing/ModiolarAxis.h"
+#include "importing/Opening.h"
 #include "perilymph/anatomy/GridLumen.h"
 #include "perilymph/foundation/Math.h"
 

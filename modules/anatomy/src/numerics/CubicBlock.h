@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstring>
 
-#include "CubicTable.h"
+#include "numerics/CubicTable.h"
 
 namespace perilymph::anatomy {
 

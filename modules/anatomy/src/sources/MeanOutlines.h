@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "KnotSpline.h"
-#include "Outline.h"
+#include "lumen/Outline.h"
+#include "numerics/KnotSpline.h"
 #include "perilymph/anatomy/MeanScala.h"
 
 namespace perilymph::anatomy {

@@ -1,4 +1,4 @@
-#include "Outline.h"
+#include "lumen/Outline.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "AxialSections.h"
+#include "importing/AxialSections.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "SmallAlgebra.h"
+#include "numerics/SmallAlgebra.h"
 
 #include <cmath>
 #include <utility>

@@ -1,10 +1,10 @@
-#include "LumenField.h"
+#include "lumen/LumenField.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "CubicBlock.h"
-#include "CubicTable.h"
+#include "numerics/CubicBlock.h"
+#include "numerics/CubicTable.h"
 #include "perilymph/foundation/Math.h"
 
 namespace perilymph::anatomy {

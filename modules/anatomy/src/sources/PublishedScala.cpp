@@ -8,11 +8,11 @@
 #include <cmath>
 #include <vector>
 
-#include "CohenSpiral.h"
-#include "KnotSpline.h"
-#include "LeadIn.h"
+#include "lumen/LeadIn.h"
+#include "numerics/KnotSpline.h"
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/foundation/Math.h"
+#include "sources/CohenSpiral.h"
 
 namespace perilymph::anatomy {
 namespace {

@@ -1,4 +1,4 @@
-#include "GuardScript.h"
+#include "guard/GuardScript.h"
 
 #include <algorithm>
 

@@ -3,8 +3,8 @@
 // Forces on USB physical interface devices: constant-force effects that live in the device and are
 // told new magnitudes.
 
-#include "AxesReader.h"
-#include "PidReports.h"
+#include "codec/AxesReader.h"
+#include "codec/PidReports.h"
 
 namespace perilymph::device {
 

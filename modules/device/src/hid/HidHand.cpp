@@ -7,9 +7,9 @@
 #include <thread>
 #include <utility>
 
-#include "DeviceGuard.h"
-#include "ForceWriter.h"
-#include "ListenFirst.h"
+#include "guard/DeviceGuard.h"
+#include "hid/ForceWriter.h"
+#include "hid/ListenFirst.h"
 #include "perilymph/realtime/Pacer.h"
 
 namespace perilymph::device {

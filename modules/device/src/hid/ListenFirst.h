@@ -2,7 +2,7 @@
 
 // What a device just opened tells of itself before its threads start.
 
-#include "ForceWriter.h"
+#include "hid/ForceWriter.h"
 #include "perilymph/device/HapticDevice.h"
 
 namespace perilymph::device {

@@ -1,4 +1,4 @@
-#include "PidCodec.h"
+#include "codec/PidCodec.h"
 
 #include "perilymph/foundation/Math.h"
 

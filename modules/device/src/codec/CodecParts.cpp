@@ -1,4 +1,4 @@
-#include "CodecParts.h"
+#include "codec/CodecParts.h"
 
 namespace perilymph::device {
 

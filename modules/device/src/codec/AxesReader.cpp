@@ -1,4 +1,4 @@
-#include "AxesReader.h"
+#include "codec/AxesReader.h"
 
 #include "perilymph/foundation/Math.h"
 

@@ -1,4 +1,4 @@
-#include "TimeStep.h"
+#include "virtual/TimeStep.h"
 
 #include <stdexcept>
 #include <string>

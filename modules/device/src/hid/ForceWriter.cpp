@@ -1,4 +1,4 @@
-#include "ForceWriter.h"
+#include "hid/ForceWriter.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "PidReports.h"
+#include "codec/PidReports.h"
 
 namespace perilymph::device {
 

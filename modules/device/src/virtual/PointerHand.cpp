@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "TimeStep.h"
 #include "perilymph/foundation/Math.h"
+#include "virtual/TimeStep.h"
 
 namespace perilymph::device {
 

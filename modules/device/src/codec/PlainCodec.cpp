@@ -1,4 +1,4 @@
-#include "PlainCodec.h"
+#include "codec/PlainCodec.h"
 
 namespace perilymph::device {
 

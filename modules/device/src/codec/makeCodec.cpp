@@ -1,6 +1,6 @@
-#include "AxesReader.h"
-#include "PidCodec.h"
-#include "PlainCodec.h"
+#include "codec/AxesReader.h"
+#include "codec/PidCodec.h"
+#include "codec/PlainCodec.h"
 
 namespace perilymph::device {
 

@@ -5,7 +5,7 @@
 
 #include <atomic>
 
-#include "CodecParts.h"
+#include "codec/CodecParts.h"
 
 namespace perilymph::device {
 

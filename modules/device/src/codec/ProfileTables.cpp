@@ -1,4 +1,4 @@
-#include "ProfileTables.h"
+#include "codec/ProfileTables.h"
 
 #include <cmath>
 

@@ -17,7 +17,7 @@
 #include <algorithm>
 #include <csignal>
 
-#include "GuardScript.h"
+#include "guard/GuardScript.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 // Where a PID device keeps what is needed for constant forces ("Device Class Definition for
 // Physical Interface Devices 1.0").
 
-#include "CodecParts.h"
+#include "codec/CodecParts.h"
 
 namespace perilymph::device {
 

@@ -1,4 +1,4 @@
-#include "ListenFirst.h"
+#include "hid/ListenFirst.h"
 
 #include <cmath>
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "TimeStep.h"
+#include "virtual/TimeStep.h"
 
 namespace perilymph::device {
 

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "PlugWatch.h"
+#include "hid/PlugWatch.h"
 #include "perilymph/device/HidTransport.h"
 #include "perilymph/device/TapePorts.h"
 

@@ -3,7 +3,7 @@
 // Turns the axes and buttons that a descriptor names into a hand: joysticks, SpaceMouse, the input
 // side of PID devices.
 
-#include "CodecParts.h"
+#include "codec/CodecParts.h"
 
 namespace perilymph::device {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "TimeStep.h"
+#include "virtual/TimeStep.h"
 
 namespace perilymph::device {
 

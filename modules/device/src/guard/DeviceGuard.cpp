@@ -1,4 +1,4 @@
-#include "DeviceGuard.h"
+#include "guard/DeviceGuard.h"
 
 #include <fcntl.h>
 #include <poll.h>

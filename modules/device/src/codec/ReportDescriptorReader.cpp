@@ -1,4 +1,4 @@
-#include "ReportDescriptorReader.h"
+#include "codec/ReportDescriptorReader.h"
 
 #include "perilymph/device/Transport.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ProfileTables.h"
+#include "codec/ProfileTables.h"
 #include "perilymph/device/Transport.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/TomlReader.h"

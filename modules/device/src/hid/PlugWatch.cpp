@@ -1,4 +1,4 @@
-#include "PlugWatch.h"
+#include "hid/PlugWatch.h"
 
 #include <libudev.h>
 #include <poll.h>

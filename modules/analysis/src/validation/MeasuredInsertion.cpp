@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ExperimentHand.h"
 #include "perilymph/analysis/RandomStream.h"
 #include "perilymph/session/Insertion.h"
+#include "validation/ExperimentHand.h"
 
 namespace perilymph::analysis {
 

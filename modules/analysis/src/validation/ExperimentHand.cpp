@@ -1,4 +1,4 @@
-#include "ExperimentHand.h"
+#include "validation/ExperimentHand.h"
 
 #include "perilymph/foundation/Math.h"
 

@@ -5,6 +5,9 @@
 #   - an engine module uses engine modules only, and neither VTK nor Qt;
 #   - a used module stands before its user, so there is no cycle;
 #   - headers of other modules are reachable through USES alone.
+#
+# Headers below include/ are the module's API. Those below src/ are reachable from tests only, through
+# the target perilymph_<name>_internal.
 function(perilymph_module name)
   cmake_parse_arguments(arg "" "LAYER;SUMMARY" "USES;LINKS;PRIVATE_LINKS;SOURCES" ${ARGN})
   if(NOT arg_LAYER MATCHES "^(engine|toolkit)$")
@@ -42,6 +45,13 @@ function(perilymph_module name)
   target_link_libraries(perilymph_${name} ${scope} ${used_targets} ${arg_LINKS})
   set_target_properties(perilymph_${name} PROPERTIES
     PERILYMPH_LAYER "${arg_LAYER}" PERILYMPH_SUMMARY "${arg_SUMMARY}" PERILYMPH_USES "${arg_USES}")
+
+  # What the module keeps to itself, for its own tests and for nobody else.
+  if(arg_SOURCES)
+    add_library(perilymph_${name}_internal INTERFACE)
+    target_include_directories(perilymph_${name}_internal INTERFACE "${CMAKE_CURRENT_SOURCE_DIR}/src")
+    target_link_libraries(perilymph_${name}_internal INTERFACE perilymph_${name})
+  endif()
 
   string(SUBSTRING ${name} 0 1 first)
   string(SUBSTRING ${name} 1 -1 rest)

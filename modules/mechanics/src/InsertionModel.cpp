@@ -7,6 +7,7 @@
 
 #include "perilymph/foundation/Hash.h"
 #include "perilymph/foundation/Math.h"
+#include "points/PointSetModel.h"
 
 namespace perilymph::mechanics {
 namespace {

@@ -1,5 +1,6 @@
 #include "perilymph/mechanics/InsertionState.h"
 
+#include "StepWorkspace.h"
 #include "perilymph/foundation/Hash.h"
 #include "points/advancePoints.h"
 
@@ -12,6 +13,29 @@ void addVector(Hash& hash, const Eigen::Vector3d& vector)
 }
 
 }  // namespace
+
+WorkspaceHandle::WorkspaceHandle(std::size_t rodNodes)
+    : workspace_(std::make_unique<StepWorkspace>(rodNodes))
+{
+}
+
+WorkspaceHandle::~WorkspaceHandle() = default;
+WorkspaceHandle::WorkspaceHandle(WorkspaceHandle&& other) noexcept = default;
+WorkspaceHandle& WorkspaceHandle::operator=(WorkspaceHandle&& other) noexcept = default;
+
+WorkspaceHandle::WorkspaceHandle(const WorkspaceHandle& other)
+    : workspace_(std::make_unique<StepWorkspace>(*other))
+{
+}
+
+WorkspaceHandle& WorkspaceHandle::operator=(const WorkspaceHandle& other)
+{
+  if (workspace_)
+    *workspace_ = *other;
+  else
+    workspace_ = std::make_unique<StepWorkspace>(*other);
+  return *this;
+}
 
 InsertionState::InsertionState(const InsertionModel& model)
     : position_W(static_cast<std::size_t>(model.nodes)),
@@ -28,8 +52,7 @@ InsertionState::InsertionState(const InsertionModel& model)
       wallNormal_W(position_W.size()),
       wallTorque(position_W.size()),
       membraneForce(position_W.size()),
-      factors(position_W.size() - 1),
-      room(position_W.size())
+      workspace(model.points ? 0 : position_W.size())
 {
   if (model.points) {
     points.place_W.resize(position_W.size());
@@ -59,12 +82,14 @@ void InsertionState::reset(const InsertionModel& model) noexcept
     membraneForce[i] = 0.0;
     isBeside[i] = 0;
     clearance[i] = 0.0;
-    // nodes farther from the wall than this do not touch it
-    room.reach[i] = model.radius[i];
   }
   rim = RimContact{};
-  factors.forget();
-  if (model.points) resetPoints(model, *this);
+  RodWorkspace& rod = workspace->rod;
+  // nodes farther from the wall than this do not touch it
+  for (std::size_t i = 0; i < rod.contacts.reach.size(); ++i)
+    rod.contacts.reach[i] = model.radius[i];
+  rod.system.factors.forget();
+  if (model.points) resetPoints(model, *this, workspace->points);
   readings = Readings{};
   readings.depth = model.parts.startInside.si() > 0.0 ? model.parts.startInside.si() : 0.0;
 }
@@ -91,7 +116,7 @@ std::uint64_t InsertionState::fingerprint() const noexcept
     addVector(hash, wallNormal_W[i]);
     hash.add(wallTorque[i].torque);
   }
-  factors.addTo(hash);
+  workspace->rod.system.factors.addTo(hash);
   addVector(hash, rim.spring_W);
   hash.add(rim.isSliding);
   hash.add(rim.slipSpeed);

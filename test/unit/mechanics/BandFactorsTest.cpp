@@ -1,4 +1,4 @@
-#include "perilymph/mechanics/BandFactors.h"
+#include "solver/BandFactors.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "perilymph/mechanics/PointFriction.h"
+#include "points/PointFriction.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "perilymph/mechanics/PointSet.h"
+#include "points/PointSetModel.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "perilymph/mechanics/ProxySurface.h"
+#include "points/ProxySurface.h"
 
 #include <gmock/gmock.h>
 
@@ -11,6 +11,7 @@
 #include "perilymph/anatomy/HapticSurface.h"
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/anatomy/SurfaceDistance.h"
+#include "points/HalfSpaces.h"
 
 namespace perilymph::mechanics {
 namespace {
@@ -58,8 +59,9 @@ double distanceInFront(const Surface& surface, const Vector3d& place)
 ProxyHold settled(const ProxySurface& surface, Vector3d proxy, const Vector3d& goal)
 {
   ProxyHold hold{};
+  HalfSpaces allowed;
   for (int i = 0; i < 100; ++i) {
-    hold = surface.follow(proxy, goal, radius);
+    hold = surface.follow(proxy, goal, radius, allowed);
     proxy = hold.place_W;
   }
   return hold;
@@ -115,12 +117,13 @@ TEST(Proxy, KeepsItsRadiusFromThePublishedScalaWhereverItsGoalIs)
   std::mt19937 random(7);
   std::uniform_real_distribution<double> away(-1.5e-3, 1.5e-3);
   int touching = 0;
+  HalfSpaces allowed;
   for (double angle_deg = 30; angle_deg <= 190; angle_deg += 10) {
     const Vector3d center = scala->center_W(degrees(angle_deg).si());
     Vector3d proxy = center;
     for (int i = 0; i < 40; ++i) {
       const ProxyHold hold = surface.follow(
-          proxy, center + Vector3d(away(random), away(random), away(random)), radius);
+          proxy, center + Vector3d(away(random), away(random), away(random)), radius, allowed);
       proxy = hold.place_W;
       EXPECT_GT(distanceInFront(triangles, proxy), radius - roundOff) << angle_deg;
       if (hold.touches) ++touching;
@@ -136,7 +139,9 @@ TEST(Proxy, KeepsItsRadiusFromThePublishedScalaWhereverItsGoalIs)
 TEST(Proxy, GoesNowhereWithoutNumbers)
 {
   const ProxySurface surface(box(), radius);
-  const ProxyHold hold = surface.follow(Vector3d::Zero(), Vector3d::Constant(std::nan("")), radius);
+  HalfSpaces allowed;
+  const ProxyHold hold =
+      surface.follow(Vector3d::Zero(), Vector3d::Constant(std::nan("")), radius, allowed);
   EXPECT_FALSE(hold.pressed_W.allFinite());
 }
 

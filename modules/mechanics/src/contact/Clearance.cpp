@@ -1,4 +1,4 @@
-#include "Clearance.h"
+#include "contact/Clearance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,82 +19,84 @@ constexpr double justBehind = 1e-6;       // [m]
 // What the opening leads to is less far around the modiolus than this.
 constexpr double farthestTurn = 0.8;  // [rad]
 
-double squaredMotion(const InsertionState& state, std::size_t i) noexcept
+double squaredMotion(const StepStart& start, const InsertionState& state, std::size_t i) noexcept
 {
-  const Eigen::Vector3d moved = state.position_W[i] - state.room.before_W[i];
+  const Eigen::Vector3d moved = state.position_W[i] - start.position_W[i];
   return moved[0] * moved[0] + moved[1] * moved[1] + moved[2] * moved[2];
 }
 
 /// Bone beside the opening, met by a node from outside: a plane that holds up its center line.
 void seeBone(const InsertionModel& model, const InsertionState& state, std::size_t i,
-             StepRoom& room) noexcept
+             ContactSet& contacts) noexcept
 {
   const double inside = (model.entry.origin_W - state.position_W[i]).dot(model.entry.out_W);
-  anatomy::WallPoint& wall = room.wall[i];
+  anatomy::WallPoint& wall = contacts.wall[i];
   wall.isNear = inside > 0.0;
   wall.clearance = 0.0;
   wall.onMembrane = false;
   wall.distance = model.radius[i] - inside;
   wall.normal_W = model.entry.out_W;
   wall.turning_W.setZero();
-  room.isKnown[i] = 0;
+  contacts.isKnown[i] = 0;
 }
 
 /// Whether the wall as it was seen in this step serves at a place, too: if the node may touch it
 /// and has hardly moved, brought up to date by its curvature; if not, as long as it may not.
-bool isStillSeen(const Eigen::Vector3d& at_W, double force, StepRoom& room, std::size_t i) noexcept
+bool isStillSeen(const Eigen::Vector3d& at_W, double force, ContactSet& contacts,
+                 std::size_t i) noexcept
 {
-  anatomy::WallPoint& wall = room.wall[i];
-  const Eigen::Vector3d moved = at_W - room.seenFrom_W[i];
+  anatomy::WallPoint& wall = contacts.wall[i];
+  const Eigen::Vector3d moved = at_W - contacts.seenFrom_W[i];
   const double squared = moved.squaredNorm();
   if (!wall.isNear) return squared < wall.clearance * wall.clearance && wall.clearance > 0.0;
   if (!(squared < farthestSeen * farthestSeen)) return false;
-  room.walked[i] += std::sqrt(squared);
-  if (!(room.walked[i] < farthestSeen && room.walked[i] * force < mostSeen)) return false;
+  contacts.walked[i] += std::sqrt(squared);
+  if (!(contacts.walked[i] < farthestSeen && contacts.walked[i] * force < mostSeen)) return false;
   const Eigen::Vector3d turned = wall.turning_W * moved;
   wall.distance += wall.normal_W.dot(moved) - 0.5 * turned.dot(moved);
   wall.normal_W -= turned;
-  room.seenFrom_W[i] = at_W;
+  contacts.seenFrom_W[i] = at_W;
   return true;
 }
 
 }  // namespace
 
-void findWall(const InsertionModel& model, InsertionState& state, StepRoom& room) noexcept
+void findWall(const InsertionModel& model, const StepStart& start, InsertionState& state,
+              ContactSet& contacts) noexcept
 {
   const std::size_t n = state.position_W.size();
   for (std::size_t i = 0; i < n; ++i) {
     const double most = state.clearance[i];
-    room.isAsked[i] = 0;
+    contacts.isAsked[i] = 0;
     if (state.isBeside[i] != 0) {
-      seeBone(model, state, i, room);
+      seeBone(model, state, i, contacts);
       continue;
     }
-    if (squaredMotion(state, i) < most * most && i + 1 < n) {
-      room.wall[i].isNear = false;
-      room.isKnown[i] = 0;
+    if (squaredMotion(start, state, i) < most * most && i + 1 < n) {
+      contacts.wall[i].isNear = false;
+      contacts.isKnown[i] = 0;
       continue;
     }
     const bool isTip = i + 1 == n;  // always asked: its angle is a reading
-    if (!isTip && room.isKnown[i] != 0 &&
-        isStillSeen(state.position_W[i], state.normalForce[i], room, i))
+    if (!isTip && contacts.isKnown[i] != 0 &&
+        isStillSeen(state.position_W[i], state.normalForce[i], contacts, i))
       continue;
-    room.isAsked[i] = 1;
-    room.isKnown[i] = 1;
-    room.walked[i] = 0.0;
-    room.seenFrom_W[i] = state.position_W[i];
-    room.wall[i].isNear = false;
+    contacts.isAsked[i] = 1;
+    contacts.isKnown[i] = 1;
+    contacts.walked[i] = 0.0;
+    contacts.seenFrom_W[i] = state.position_W[i];
+    contacts.wall[i].isNear = false;
   }
 
   // neighbors in one question
   for (std::size_t first = 0; first < n;) {
     std::size_t count = 0;
-    while (first + count < n && room.isAsked[first + count] != 0) ++count;
+    while (first + count < n && contacts.isAsked[first + count] != 0) ++count;
     if (count > 0)
       model.parts.lumen->nearestWall(std::span(state.position_W).subspan(first, count),
-                                     std::span(room.reach).subspan(first, count),
+                                     std::span(contacts.reach).subspan(first, count),
                                      std::span(state.track).subspan(first, count),
-                                     std::span(room.wall).subspan(first, count));
+                                     std::span(contacts.wall).subspan(first, count));
     first += count + 1;
   }
 }
@@ -126,21 +128,21 @@ void findBone(const InsertionModel& model, InsertionState& state) noexcept
   }
 }
 
-void keepClearance(InsertionState& state) noexcept
+void keepClearance(const StepStart& start, const ContactSet& contacts,
+                   InsertionState& state) noexcept
 {
-  const StepRoom& room = state.room;
   for (std::size_t i = 0; i < state.clearance.size(); ++i) {
     double& left = state.clearance[i];
     if (state.isBeside[i] != 0) {
       left = 0.0;
       continue;
     }
-    if (room.isKnown[i] == 0) {
-      left -= std::sqrt(squaredMotion(state, i));
+    if (contacts.isKnown[i] == 0) {
+      left -= std::sqrt(squaredMotion(start, state, i));
       continue;
     }
-    const double since = (state.position_W[i] - room.seenFrom_W[i]).norm();
-    left = room.wall[i].isNear ? 0.0 : std::max(room.wall[i].clearance - since, 0.0);
+    const double since = (state.position_W[i] - contacts.seenFrom_W[i]).norm();
+    left = contacts.wall[i].isNear ? 0.0 : std::max(contacts.wall[i].clearance - since, 0.0);
   }
 }
 

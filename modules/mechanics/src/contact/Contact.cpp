@@ -1,11 +1,11 @@
-#include "Contact.h"
+#include "contact/Contact.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 
-#include "Clearance.h"
+#include "contact/Clearance.h"
 #include "friction/Friction.h"
 #include "rod/Rod.h"
 
@@ -13,14 +13,15 @@ namespace perilymph::mechanics {
 namespace {
 
 /// How far an oval section reaches toward a wall: its support function along the wall's normal.
-SectionReach reachToward(const InsertionModel& model, const InsertionState& state, std::size_t i,
+SectionReach reachToward(const InsertionModel& model, const InsertionState& state,
+                         const RodKinematics& rod, std::size_t i,
                          const Eigen::Vector3d& normal_W) noexcept
 {
   const double within = model.halfWithin[i], across = model.halfAcross[i];
   SectionReach reach{true, std::max(within, across), 0.0};
   const std::size_t edge = i > 0 ? i - 1 : 0;
   const Eigen::Vector3d& d = state.curl_W[edge];
-  const Eigen::Vector3d& t = state.room.edge[edge].tangent_W;
+  const Eigen::Vector3d& t = rod.edge[edge].tangent_W;
   const double x = normal_W.dot(d);
   const double y = normal_W.dot(t.cross(d));
   const double size = x * x + y * y;
@@ -36,17 +37,18 @@ SymmetricBlock<double> asBlock(const Eigen::Matrix3d& m) noexcept
 }
 
 /// The push of the wall on a node near it, and its stiffness. False where it does not reach it.
-bool press(const InsertionModel& model, InsertionState& state, const Eigen::Vector3d& at_W,
-           std::size_t i, StepRoom& room) noexcept
+bool press(const InsertionModel& model, InsertionState& state, const RodKinematics& rod,
+           std::size_t i, ContactSet& contacts) noexcept
 {
-  const anatomy::WallPoint& wall = room.wall[i];
+  const Eigen::Vector3d& at_W = state.position_W[i];
+  const anatomy::WallPoint& wall = contacts.wall[i];
   double half = model.radius[i];
   const Eigen::Vector3d& gradient_W = wall.normal_W;
   // bone beside the opening holds up the center line, however the section is turned
   const bool isOval = model.isOval && state.isBeside[i] == 0;
   if (isOval) {
-    SectionReach& reach = room.section[i];
-    if (!reach.isKnown) reach = reachToward(model, state, i, wall.normal_W);
+    SectionReach& reach = contacts.section[i];
+    if (!reach.isKnown) reach = reachToward(model, state, rod, i, wall.normal_W);
     half = reach.length;
   }
   const double penetration = half - wall.distance;
@@ -72,7 +74,7 @@ bool press(const InsertionModel& model, InsertionState& state, const Eigen::Vect
   force_W += push.force * gradient_W;
   if (isOval) {
     // A section turns by the same energy; how fast its reach turns back is at most its own excess.
-    const double rate = room.section[i].rate;
+    const double rate = contacts.section[i].rate;
     state.wallTorque[i] = {-push.force * rate,
                            push.slope * rate * rate +
                                push.force * std::fabs(model.halfWithin[i] - model.halfAcross[i])};
@@ -82,7 +84,7 @@ bool press(const InsertionModel& model, InsertionState& state, const Eigen::Vect
   const double slope = push.slope, force = push.force;
   const Eigen::Vector3d& g = gradient_W;
   const Eigen::Matrix3d& k = wall.turning_W;
-  room.wallStiffness[room.touches] = {
+  contacts.wallStiffness[contacts.touches] = {
       slope * g[0] * g[0] + force * k(0, 0), slope * g[0] * g[1] + force * k(0, 1),
       slope * g[0] * g[2] + force * k(0, 2), slope * g[1] * g[1] + force * k(1, 1),
       slope * g[1] * g[2] + force * k(1, 2), slope * g[2] * g[2] + force * k(2, 2)};
@@ -95,25 +97,25 @@ bool press(const InsertionModel& model, InsertionState& state, const Eigen::Vect
 
 /// Friction on a node that was pressed to the wall at the end of the last step. It knows the whole
 /// pressure, also where two walls' pushes cancel.
-void rub(const InsertionModel& model, InsertionState& state, const Eigen::Vector3d& at_W,
-         std::size_t i, bool isPressed, StepRoom& room) noexcept
+void rub(const InsertionModel& model, InsertionState& state, const StepStart& start, std::size_t i,
+         bool isPressed, ContactSet& contacts, FrictionHistory& history) noexcept
 {
-  const Eigen::Vector3d& normal_W = room.normalBefore_W[i];
-  const Eigen::Vector3d moved = at_W - room.before_W[i];
+  const Eigen::Vector3d& normal_W = history.normalBefore_W[i];
+  const Eigen::Vector3d moved = state.position_W[i] - start.position_W[i];
   const Eigen::Vector3d slip = moved - normal_W * normal_W.dot(moved);
   const Eigen::Vector3d& spring = state.frictionSpring_W[i];
   const FrictionStep friction =
-      frictionStep(slip + spring - normal_W * normal_W.dot(spring), room.pressedBefore[i],
+      frictionStep(slip + spring - normal_W * normal_W.dot(spring), history.pressedBefore[i],
                    model.wallTangential[i], state.isSliding[i] != 0, state.slipSpeed[i], normal_W,
                    model.parts.friction);
   state.wallForce_W[i] += friction.force_W;
-  SymmetricBlock<double>& stiffness = room.wallStiffness[room.touches];
+  SymmetricBlock<double>& stiffness = contacts.wallStiffness[contacts.touches];
   if (!isPressed) stiffness = {};
   stiffness += asBlock(friction.stiffness);
   if (!isPressed) return;  // what has left the wall remembers nothing
-  room.frictionSpring_W[i] = friction.spring_W;
-  room.isSliding[i] = friction.isSliding ? 1 : 0;
-  room.slip[i] = slip.norm();
+  history.spring_W[i] = friction.spring_W;
+  history.isSliding[i] = friction.isSliding ? 1 : 0;
+  history.slip[i] = slip.norm();
 }
 
 }  // namespace
@@ -153,55 +155,56 @@ double energyOf(double penetration, double stiffness, double onset) noexcept
   return stiffness * (0.5 * penetration * (penetration - onset) + onset * onset / 6.0);
 }
 
-void addWallForces(const InsertionModel& model, InsertionState& state,
-                   const std::vector<Eigen::Vector3d>& position_W, StepRoom& room) noexcept
+void addWallForces(const InsertionModel& model, InsertionState& state, const StepStart& start,
+                   const RodKinematics& rod, ContactSet& contacts, FrictionHistory& history,
+                   std::vector<Eigen::Vector3d>& force_W) noexcept
 {
   const auto n = static_cast<std::size_t>(model.nodes);
-  findWall(model, state, room);
+  findWall(model, start, state, contacts);
 
-  room.touches = 0;
+  contacts.touches = 0;
   for (std::size_t i = 0; i < n; ++i) {
     state.normalForce[i] = 0.0;
     state.wallForce_W[i].setZero();
     state.membraneForce[i] = 0.0;
     if (model.isOval) state.wallTorque[i] = {};
-    room.frictionSpring_W[i].setZero();
-    room.isSliding[i] = 0;
-    room.slip[i] = 0.0;
-    const bool isPressed = room.wall[i].isNear && press(model, state, position_W[i], i, room);
-    const bool isRubbed = room.pressedBefore[i] > 0.0;
-    if (isRubbed) rub(model, state, position_W[i], i, isPressed, room);
+    history.spring_W[i].setZero();
+    history.isSliding[i] = 0;
+    history.slip[i] = 0.0;
+    const bool isPressed = contacts.wall[i].isNear && press(model, state, rod, i, contacts);
+    const bool isRubbed = history.pressedBefore[i] > 0.0;
+    if (isRubbed) rub(model, state, start, i, isPressed, contacts, history);
     if (!isPressed && !isRubbed) continue;
-    room.force_W[i] += state.wallForce_W[i];
-    room.touching[room.touches] = i;
-    ++room.touches;
+    force_W[i] += state.wallForce_W[i];
+    contacts.touching[contacts.touches] = i;
+    ++contacts.touches;
   }
 }
 
-double frictionLag(const InsertionModel& model, const InsertionState& state) noexcept
+double frictionLag(const InsertionModel& model, const InsertionState& state,
+                   const ContactSet& contacts, const FrictionHistory& history) noexcept
 {
-  const StepRoom& room = state.room;
-  double sum = std::fabs(room.rim.normalForce - room.rimPressedBefore);
+  double sum = std::fabs(contacts.rim.normalForce - history.rimPressedBefore);
   for (std::size_t i = 0; i < state.normalForce.size(); ++i)
-    sum += std::fabs(state.normalForce[i] - room.pressedBefore[i]);
+    sum += std::fabs(state.normalForce[i] - history.pressedBefore[i]);
   return model.parts.friction.starting * sum;
 }
 
-void renewFriction(InsertionState& state) noexcept
+void renewFriction(const InsertionState& state, const ContactSet& contacts,
+                   FrictionHistory& history) noexcept
 {
-  StepRoom& room = state.room;
-  room.rimPressedBefore = room.rim.normalForce;
-  room.rimNormalBefore_W = room.rim.normal_W;
+  history.rimPressedBefore = contacts.rim.normalForce;
+  history.rimNormalBefore_W = contacts.rim.normal_W;
   for (std::size_t i = 0; i < state.normalForce.size(); ++i) {
-    room.pressedBefore[i] = state.normalForce[i];
-    room.normalBefore_W[i] = state.wallNormal_W[i];
+    history.pressedBefore[i] = state.normalForce[i];
+    history.normalBefore_W[i] = state.wallNormal_W[i];
   }
 }
 
-void addWallStiffness(StepRoom& room) noexcept
+void addWallStiffness(const ContactSet& contacts, BandMatrix& matrix) noexcept
 {
-  for (std::size_t k = 0; k < room.touches; ++k)
-    room.matrix.diagonal[blockOf(room.touching[k])] += room.wallStiffness[k];
+  for (std::size_t k = 0; k < contacts.touches; ++k)
+    matrix.diagonal[blockOf(contacts.touching[k])] += contacts.wallStiffness[k];
 }
 
 }  // namespace perilymph::mechanics

@@ -2,8 +2,12 @@
 
 // The compliant wall: normal force and friction on every node that touches.
 
+#include "contact/ContactSet.h"
+#include "friction/FrictionHistory.h"
 #include "perilymph/mechanics/InsertionModel.h"
 #include "perilymph/mechanics/InsertionState.h"
+#include "rod/RodKinematics.h"
+#include "solver/BandMatrix.h"
 
 namespace perilymph::mechanics {
 
@@ -31,21 +35,22 @@ struct SoftPush {
 /// @param parts  With a law of the membrane.
 SoftPush softPush(double penetration, double bone, double share, const ModelParts& parts) noexcept;
 
-/// Adds the wall's forces on all nodes to room.force_W, and leaves them in state.normalForce and
-/// state.wallForce_W, and their stiffness in room.wallStiffness.
-///
-/// @param position_W  Where the nodes are in this iteration [m].
-void addWallForces(const InsertionModel& model, InsertionState& state,
-                   const std::vector<Eigen::Vector3d>& position_W, StepRoom& room) noexcept;
+/// Adds the wall's forces on all nodes at state.position_W to force_W, and leaves them in
+/// state.normalForce and state.wallForce_W, and their stiffness in contacts.wallStiffness.
+void addWallForces(const InsertionModel& model, InsertionState& state, const StepStart& start,
+                   const RodKinematics& rod, ContactSet& contacts, FrictionHistory& history,
+                   std::vector<Eigen::Vector3d>& force_W) noexcept;
 
 /// By how much friction may be wrong for being bounded by an older pressure than that of the last
 /// forces: the sum over all contacts [N].
-double frictionLag(const InsertionModel& model, const InsertionState& state) noexcept;
+double frictionLag(const InsertionModel& model, const InsertionState& state,
+                   const ContactSet& contacts, const FrictionHistory& history) noexcept;
 
 /// Bounds friction by the pressure of the last forces.
-void renewFriction(InsertionState& state) noexcept;
+void renewFriction(const InsertionState& state, const ContactSet& contacts,
+                   FrictionHistory& history) noexcept;
 
-/// Adds the wall's stiffness to room.matrix, as addWallForces() has left it.
-void addWallStiffness(StepRoom& room) noexcept;
+/// Adds the wall's stiffness to the matrix, as addWallForces() has left it.
+void addWallStiffness(const ContactSet& contacts, BandMatrix& matrix) noexcept;
 
 }  // namespace perilymph::mechanics

@@ -1,4 +1,4 @@
-#include "Rim.h"
+#include "contact/Rim.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -111,38 +111,48 @@ Crossing crossingOf(const InsertionModel& model, const std::vector<Eigen::Vector
   return nearest;
 }
 
+/// The normal part of a contact with the rim.
+struct RimPush {
+  Push near, opposite;
+  Eigen::Vector3d normal_W;                           ///< Unit, that friction lies across.
+  Eigen::Matrix3d turning = Eigen::Matrix3d::Zero();  ///< Stiffness by the turning normal [N/m].
+};
+
 /// What rim and array do to each other at a crossing: pushes, stiffness, friction.
-void press(const InsertionModel& model, InsertionState& state, const Crossing& crossing,
-           const std::vector<Eigen::Vector3d>& x, const Push& near, const Push& opposite,
-           const Eigen::Vector3d& normal_W, const Eigen::Matrix3d& turning, StepRoom& room) noexcept
+void press(const InsertionModel& model, const InsertionState& state, const StepStart& start,
+           const FrictionHistory& history, const Crossing& crossing, const RimPush& push,
+           ContactSet& contacts, std::vector<Eigen::Vector3d>& force_W) noexcept
 {
+  const Push& near = push.near;
+  const Push& opposite = push.opposite;
   Eigen::Vector3d moved = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < crossing.count; ++k) {
     const std::size_t node = crossing.first + k;
-    moved += crossing.weight[k] * (x[node] - room.before_W[node]);
+    moved += crossing.weight[k] * (state.position_W[node] - start.position_W[node]);
   }
   const double normal =
       near.law.force * near.gradient_W.norm() + opposite.law.force * opposite.gradient_W.norm();
   // friction by the pressure that the last step left, as along the wall
-  const Eigen::Vector3d& across_W = room.rimNormalBefore_W;
+  const Eigen::Vector3d& across_W = history.rimNormalBefore_W;
   const Eigen::Vector3d slip = moved - across_W * across_W.dot(moved);
   const Eigen::Vector3d& spring = state.rim.spring_W;
   FrictionStep friction{Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero(), Eigen::Vector3d::Zero(),
                         false};
-  if (room.rimPressedBefore > 0.0)
-    friction = frictionStep(slip + spring - across_W * across_W.dot(spring), room.rimPressedBefore,
-                            model.parts.wall.tangentialPerSamplePoint.si(), state.rim.isSliding,
-                            state.rim.slipSpeed, across_W, model.parts.friction);
+  if (history.rimPressedBefore > 0.0)
+    friction =
+        frictionStep(slip + spring - across_W * across_W.dot(spring), history.rimPressedBefore,
+                     model.parts.wall.tangentialPerSamplePoint.si(), state.rim.isSliding,
+                     state.rim.slipSpeed, across_W, model.parts.friction);
 
-  const Eigen::Vector3d force_W = -near.law.force * near.gradient_W -
-                                  opposite.law.force * opposite.gradient_W + friction.force_W;
+  const Eigen::Vector3d pushed_W = -near.law.force * near.gradient_W -
+                                   opposite.law.force * opposite.gradient_W + friction.force_W;
   const Eigen::Matrix3d stiffness =
       near.law.slope * near.gradient_W * near.gradient_W.transpose() +
-      opposite.law.slope * opposite.gradient_W * opposite.gradient_W.transpose() + turning +
+      opposite.law.slope * opposite.gradient_W * opposite.gradient_W.transpose() + push.turning +
       friction.stiffness;
   for (std::size_t k = 0; k < crossing.count; ++k)
-    room.force_W[crossing.first + k] += crossing.weight[k] * force_W;
-  RimStiffness& left = room.rimStiffness;
+    force_W[crossing.first + k] += crossing.weight[k] * pushed_W;
+  RimStiffness& left = contacts.rimStiffness;
   left.first = crossing.first;
   left.count = crossing.count;
   for (std::size_t k = 0; k < crossing.count; ++k) left.weight[k] = crossing.weight[k];
@@ -150,19 +160,21 @@ void press(const InsertionModel& model, InsertionState& state, const Crossing& c
                     stiffness(1, 1), stiffness(1, 2), stiffness(2, 2)};
 
   if (normal > 0.0) {
-    room.rim.spring_W = friction.spring_W;
-    room.rim.isSliding = friction.isSliding;
-    room.rim.slipSpeed = slip.norm() / room.timeStep;
-    room.rim.normal_W = normal_W;
+    contacts.rim.spring_W = friction.spring_W;
+    contacts.rim.isSliding = friction.isSliding;
+    contacts.rim.slipSpeed = slip.norm() / start.timeStep;
+    contacts.rim.normal_W = push.normal_W;
   }
-  room.rim.normalForce = normal;
-  room.rim.force_W = force_W;
+  contacts.rim.normalForce = normal;
+  contacts.rim.force_W = pushed_W;
 }
 
 /// A tip that is still outside: a sphere before the rounded rim and the bone around it.
-void pressTip(const InsertionModel& model, InsertionState& state,
-              const std::vector<Eigen::Vector3d>& x, double above, StepRoom& room) noexcept
+void pressTip(const InsertionModel& model, const InsertionState& state, const StepStart& start,
+              const FrictionHistory& history, double above, ContactSet& contacts,
+              std::vector<Eigen::Vector3d>& force_W) noexcept
 {
+  const std::vector<Eigen::Vector3d>& x = state.position_W;
   const Opening& opening = *model.parts.opening;
   const double roundness = opening.roundness.si();
   const double reach = model.radius.back() + roundness;
@@ -175,22 +187,24 @@ void pressTip(const InsertionModel& model, InsertionState& state,
   const double distance = std::sqrt(above * above + aside * aside);
   if (distance >= reach) return;
 
-  Push push;
-  push.law = normalForce(reach - distance, model.parts.wall.perSamplePoint.si(),
-                         model.parts.wall.onset.si());
+  RimPush push;
+  push.near.law = normalForce(reach - distance, model.parts.wall.perSamplePoint.si(),
+                              model.parts.wall.onset.si());
   const Eigen::Vector3d u_W =
       foot.normal[0] * model.entry.outward_W + foot.normal[1] * model.entry.vertical_W;
-  push.gradient_W =
+  push.near.gradient_W =
       distance > 0.0 ? Eigen::Vector3d((aside * u_W - above * model.entry.out_W) / distance) : u_W;
   const Eigen::Vector3d b_W = model.entry.out_W.cross(u_W);
-  const double around =
-      distance > 0.0 ? push.law.force * aside / (distance * std::max(foot.bending, leastBending))
-                     : 0.0;
+  const double around = distance > 0.0 ? push.near.law.force * aside /
+                                             (distance * std::max(foot.bending, leastBending))
+                                       : 0.0;
   Crossing crossing;
   crossing.first = x.size() - 1;
   crossing.count = 1;
   crossing.weight[0] = 1.0;
-  press(model, state, crossing, x, push, {}, push.gradient_W, around * b_W * b_W.transpose(), room);
+  push.normal_W = push.near.gradient_W;
+  push.turning = around * b_W * b_W.transpose();
+  press(model, state, start, history, crossing, push, contacts, force_W);
 }
 
 }  // namespace
@@ -246,20 +260,22 @@ RibProfile ribsAt(const InsertionModel& model, double fromTip) noexcept
   return profile;
 }
 
-void addRimForces(const InsertionModel& model, InsertionState& state,
-                  const std::vector<Eigen::Vector3d>& x, StepRoom& room) noexcept
+void addRimForces(const InsertionModel& model, const InsertionState& state, const StepStart& start,
+                  const FrictionHistory& history, ContactSet& contacts,
+                  std::vector<Eigen::Vector3d>& force_W) noexcept
 {
-  room.rim = RimContact{};
-  room.rimStiffness = RimStiffness{};
+  const std::vector<Eigen::Vector3d>& x = state.position_W;
+  contacts.rim = RimContact{};
+  contacts.rimStiffness = RimStiffness{};
   if (!model.parts.opening) return;
   const Crossing crossing = crossingOf(model, x, state.rim.fromTip);
   if (crossing.count == 0) {
     const double tip = heightOf(model, x.back());
-    if (!(tip < 0.0)) pressTip(model, state, x, tip, room);
+    if (!(tip < 0.0)) pressTip(model, state, start, history, tip, contacts, force_W);
     return;
   }
 
-  room.rim.fromTip = crossing.fromTip;
+  contacts.rim.fromTip = crossing.fromTip;
 
   const Opening& opening = *model.parts.opening;
   const Eigen::Vector3d& n_W = model.entry.out_W;
@@ -270,7 +286,7 @@ void addRimForces(const InsertionModel& model, InsertionState& state,
       nearestOnEllipse(out.dot(model.entry.outward_W), out.dot(model.entry.vertical_W),
                        0.5 * opening.width.si(), 0.5 * opening.height.si());
   const double overlap = crossing.radius - foot.distance;
-  if (overlap <= 0.0 && !(room.rimPressedBefore > 0.0)) return;
+  if (overlap <= 0.0 && !(history.rimPressedBefore > 0.0)) return;
 
   const double stiffness = model.parts.wall.perSamplePoint.si();
   const double onset = model.parts.wall.onset.si();
@@ -285,7 +301,9 @@ void addRimForces(const InsertionModel& model, InsertionState& state,
                            ((across_W.dot(crossing.along_W) + radiusRate) / steep) * n_W);
   };
 
-  Push near, opposite;
+  RimPush push;
+  Push& near = push.near;
+  Push& opposite = push.opposite;
   near.law = normalForce(overlap, stiffness, onset);
   near.gradient_W = gradientOf(u_W, crossing.radiusRate);
   // the place opposite moves along with the nearest one
@@ -300,17 +318,16 @@ void addRimForces(const InsertionModel& model, InsertionState& state,
   const double both = near.law.force + opposite.law.force;
   const double tilt =
       near.gradient_W.dot(n_W) * near.law.force - opposite.gradient_W.dot(n_W) * opposite.law.force;
-  const Eigen::Vector3d normal_W =
-      both > 0.0 ? Eigen::Vector3d((u_W + (tilt / both) * n_W).normalized()) : u_W;
+  push.normal_W = both > 0.0 ? Eigen::Vector3d((u_W + (tilt / both) * n_W).normalized()) : u_W;
   const Eigen::Vector3d around_W = gradientOf(b_W, 0.0);
   const double turning = std::max(near.law.force - opposite.law.force, 0.0) / bending;
-  press(model, state, crossing, x, near, opposite, normal_W,
-        turning * around_W * around_W.transpose(), room);
+  push.turning = turning * around_W * around_W.transpose();
+  press(model, state, start, history, crossing, push, contacts, force_W);
 }
 
-void addRimStiffness(StepRoom& room) noexcept
+void addRimStiffness(const ContactSet& contacts, BandMatrix& matrix) noexcept
 {
-  const RimStiffness& rim = room.rimStiffness;
+  const RimStiffness& rim = contacts.rimStiffness;
   const auto times = [&rim](double w) {
     const SymmetricBlock<double>& s = rim.stiffness;
     return SymmetricBlock<double>{w * s.xx, w * s.xy, w * s.xz, w * s.yy, w * s.yz, w * s.zz};
@@ -322,12 +339,12 @@ void addRimStiffness(StepRoom& room) noexcept
                                both.yz, both.xz, both.yz, both.zz};
       const std::size_t row = blockOf(rim.first + i), column = blockOf(rim.first + j);
       if (row == column) {
-        room.matrix.diagonal[row] += both;
-        if (i != j) room.matrix.diagonal[row] += both;  // both nodes are the base's
+        matrix.diagonal[row] += both;
+        if (i != j) matrix.diagonal[row] += both;  // both nodes are the base's
       } else if (row == column + 1) {
-        room.matrix.beside[row] += full;
+        matrix.beside[row] += full;
       } else {
-        room.matrix.beyond[row] += full;
+        matrix.beyond[row] += full;
       }
     }
 }

@@ -4,8 +4,12 @@
 
 #include <Eigen/Core>
 
+#include "contact/ContactSet.h"
+#include "friction/FrictionHistory.h"
 #include "perilymph/mechanics/InsertionModel.h"
 #include "perilymph/mechanics/InsertionState.h"
+#include "rod/RodKinematics.h"
+#include "solver/BandMatrix.h"
 
 namespace perilymph::mechanics {
 
@@ -31,7 +35,8 @@ struct RibProfile {
 };
 RibProfile ribsAt(const InsertionModel& model, double fromTip) noexcept;
 
-/// Adds the rim's force on the array to room.force_W, and leaves its stiffness in the room.
+/// Adds the rim's force on the array at state.position_W to force_W, and leaves the contact and its
+/// stiffness in `contacts`.
 ///
 /// Between the nodes the center line is a quadratic B-spline, so that nothing jumps when a node
 /// passes the plane of the opening; its section there has the array's radius with the ribs on it.
@@ -39,10 +44,11 @@ RibProfile ribsAt(const InsertionModel& model, double fromTip) noexcept;
 /// stiffness at the nearest place of the rim, and another opposite to it if it overlaps there too.
 /// The push is the gradient of its energy: across the array, and along it on the flank of a rib.
 /// A tip still outside meets the rounded rim and the bone around it as a sphere.
-void addRimForces(const InsertionModel& model, InsertionState& state,
-                  const std::vector<Eigen::Vector3d>& position_W, StepRoom& room) noexcept;
+void addRimForces(const InsertionModel& model, const InsertionState& state, const StepStart& start,
+                  const FrictionHistory& history, ContactSet& contacts,
+                  std::vector<Eigen::Vector3d>& force_W) noexcept;
 
-/// Adds the rim's stiffness to room.matrix, where addRimForces() has left it.
-void addRimStiffness(StepRoom& room) noexcept;
+/// Adds the rim's stiffness to the matrix, as addRimForces() has left it.
+void addRimStiffness(const ContactSet& contacts, BandMatrix& matrix) noexcept;
 
 }  // namespace perilymph::mechanics

@@ -1,4 +1,4 @@
-#include "Friction.h"
+#include "friction/Friction.h"
 
 #include <cmath>
 

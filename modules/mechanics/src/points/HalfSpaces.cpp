@@ -1,4 +1,4 @@
-#include "HalfSpaces.h"
+#include "points/HalfSpaces.h"
 
 #include <Eigen/Geometry>
 

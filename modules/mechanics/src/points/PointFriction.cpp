@@ -1,4 +1,4 @@
-#include "perilymph/mechanics/PointFriction.h"
+#include "points/PointFriction.h"
 
 namespace perilymph::mechanics {
 

@@ -1,4 +1,4 @@
-#include "perilymph/mechanics/ProxySurface.h"
+#include "points/ProxySurface.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -9,9 +9,9 @@
 #include <string>
 #include <utility>
 
-#include "HalfSpaces.h"
 #include "perilymph/anatomy/SurfaceDistance.h"
 #include "perilymph/foundation/Hash.h"
+#include "points/HalfSpaces.h"
 
 namespace perilymph::mechanics {
 namespace {
@@ -175,11 +175,10 @@ void ProxySurface::gather(const Eigen::Vector3d& proxy_W, double radius,
 }
 
 ProxyHold ProxySurface::follow(const Eigen::Vector3d& proxy_W, const Eigen::Vector3d& goal_W,
-                               double radius) const noexcept
+                               double radius, HalfSpaces& allowed) const noexcept
 {
   constexpr double arrived = 1e-10;  // [m]
   ProxyHold hold{proxy_W, Eigen::Vector3d::Zero(), false};
-  HalfSpaces allowed;
   for (int move = 0; move < mostMoves; ++move) {
     gather(hold.place_W, radius, allowed);
     Eigen::Vector3d nearest_W = goal_W;

@@ -1,11 +1,12 @@
-#include "advancePoints.h"
+#include "points/advancePoints.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "perilymph/foundation/Math.h"
-#include "perilymph/mechanics/PointFriction.h"
+#include "points/PointFriction.h"
+#include "points/PointSetModel.h"
 
 namespace perilymph::mechanics {
 namespace {
@@ -77,7 +78,8 @@ Eigen::Vector3d nextBase(const InsertionModel& model, const InsertionState& stat
 
 /// The surface on one point: moves its proxy, leaves normal force, friction and their sum in the
 /// state. Says whether the wall stands across the way in there.
-bool meetSurface(const InsertionModel& model, InsertionState& state, std::size_t i) noexcept
+bool meetSurface(const InsertionModel& model, InsertionState& state, std::size_t i,
+                 PointWorkspace& workspace) noexcept
 {
   const PointSetModel& law = *model.points;
   PointSetState& set = state.points;
@@ -87,7 +89,9 @@ bool meetSurface(const InsertionModel& model, InsertionState& state, std::size_t
   state.slipSpeed[i] = 0.0;
   const double depth = inside(model.entry, at_W);
   ProxyHold hold{at_W, Eigen::Vector3d::Zero(), false};
-  if (depth > 0.0) hold = law.surface.follow(set.proxy_W[i], at_W, std::min(depth, law.law.radius));
+  if (depth > 0.0)
+    hold = law.surface.follow(set.proxy_W[i], at_W, std::min(depth, law.law.radius),
+                              workspace.allowed);
   const Eigen::Vector3d moved_W = hold.place_W - set.proxy_W[i];
   set.proxy_W[i] = hold.place_W;
   const double pressed = hold.pressed_W.norm();
@@ -188,7 +192,8 @@ void addPublishedFriction(const InsertionModel& model, InsertionState& state) no
 }
 
 void advanceOnce(const InsertionModel& model, InsertionState& state, const Drive& drive,
-                 const Eigen::Vector3d& hand_W, const Eigen::Vector3d& handAxis_W) noexcept
+                 const Eigen::Vector3d& hand_W, const Eigen::Vector3d& handAxis_W,
+                 PointWorkspace& workspace) noexcept
 {
   const double perTime = 1.0 / model.points->substep;
   PointSetState& set = state.points;
@@ -212,7 +217,7 @@ void advanceOnce(const InsertionModel& model, InsertionState& state, const Drive
     const Eigen::Vector3d arm_W = (static_cast<double>(i) * spacing) * axis_W;
     const Eigen::Vector3d placeVelocity_W = perTime * (base_W + arm_W - set.place_W[i]);
     set.place_W[i] = base_W + arm_W;
-    if (meetSurface(model, state, i)) meetsTurn = true;
+    if (meetSurface(model, state, i, workspace)) meetsTurn = true;
     const Eigen::Vector3d pull_W = movePoint(model, state, i, placeVelocity_W);
     set.pull_W += pull_W;
     set.moment_W += arm_W.cross(pull_W);
@@ -255,7 +260,8 @@ void read(const InsertionModel& model, InsertionState& state) noexcept
 
 }  // namespace
 
-void resetPoints(const InsertionModel& model, InsertionState& state) noexcept
+void resetPoints(const InsertionModel& model, InsertionState& state,
+                 PointWorkspace& workspace) noexcept
 {
   PointSetState& set = state.points;
   set.hand_W = state.base_W;
@@ -275,11 +281,14 @@ void resetPoints(const InsertionModel& model, InsertionState& state) noexcept
     constexpr int calls = 16;  // of some millimeter each
     for (int call = 0; call < calls; ++call)
       set.proxy_W[i] =
-          model.points->surface.follow(set.proxy_W[i], at_W, model.points->law.radius).place_W;
+          model.points->surface
+              .follow(set.proxy_W[i], at_W, model.points->law.radius, workspace.allowed)
+              .place_W;
   }
 }
 
-void advancePoints(const InsertionModel& model, InsertionState& state, const Drive& drive) noexcept
+void advancePoints(const InsertionModel& model, InsertionState& state, const Drive& drive,
+                   PointWorkspace& workspace) noexcept
 {
   PointSetState& set = state.points;
   const int substeps = model.points->substeps;
@@ -287,12 +296,12 @@ void advancePoints(const InsertionModel& model, InsertionState& state, const Dri
   const Eigen::Vector3d fromAxis_W = set.handAxis_W;
   for (int k = 1; k <= substeps; ++k) {
     if (k == substeps) {
-      advanceOnce(model, state, drive, drive.handPosition_W, drive.handAxis_W);
+      advanceOnce(model, state, drive, drive.handPosition_W, drive.handAxis_W, workspace);
       break;
     }
     const double share = static_cast<double>(k) / substeps;
     advanceOnce(model, state, drive, from_W + share * (drive.handPosition_W - from_W),
-                (fromAxis_W + share * (drive.handAxis_W - fromAxis_W)).normalized());
+                (fromAxis_W + share * (drive.handAxis_W - fromAxis_W)).normalized(), workspace);
   }
   set.hand_W = drive.handPosition_W;
   state.styletWithdrawal = drive.styletWithdrawal;

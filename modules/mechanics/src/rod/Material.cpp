@@ -1,4 +1,4 @@
-#include "Material.h"
+#include "rod/Material.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -45,13 +45,13 @@ struct TurningJoint {
   const Vector3d& dAcross;  ///< p x d
   const Vector3d& eAcross;  ///< t x e
 
-  TurningJoint(const InsertionState& state, const StepRoom& room, std::size_t i) noexcept
-      : p(room.edge[i - 1].tangent_W),
-        t(room.edge[i].tangent_W),
+  TurningJoint(const InsertionState& state, const RodKinematics& rod, std::size_t i) noexcept
+      : p(rod.edge[i - 1].tangent_W),
+        t(rod.edge[i].tangent_W),
         d(state.curl_W[i - 1]),
         e(state.curl_W[i]),
-        dAcross(room.curlAcross_W[i - 1]),
-        eAcross(room.curlAcross_W[i])
+        dAcross(rod.curlAcross_W[i - 1]),
+        eAcross(rod.curlAcross_W[i])
   {
   }
 };
@@ -80,12 +80,13 @@ struct TurnEnergy {
 };
 
 /// Of the bending 1/2 (EI/h) |w - h kappa (d + e)/2|^2.
-TurnEnergy bendingByTurn(const InsertionModel& model, const StepRoom& room,
-                         const TurningJoint& joint, std::size_t i) noexcept
+TurnEnergy bendingByTurn(const InsertionModel& model, const SectionStiffness& section,
+                         const RodKinematics& rod, const TurningJoint& joint,
+                         std::size_t i) noexcept
 {
-  const double rest = room.restBend[i];
-  const double moment = rest * room.bending[i] / model.spacing;
-  const double c = room.perSum[i];
+  const double rest = section.restBend[i];
+  const double moment = rest * section.bending[i] / model.spacing;
+  const double c = rod.perSum[i];
   const auto& [p, t, d, e, dAcross, eAcross] = joint;
   TurnEnergy energy;
   energy.last = -moment * (c * t.dot(dAcross) - 0.25 * rest * e.dot(dAcross));
@@ -95,13 +96,13 @@ TurnEnergy bendingByTurn(const InsertionModel& model, const StepRoom& room,
 }
 
 /// Adds the same of what makes an oval section stiffer in one direction.
-void addOval(const InsertionModel& model, const StepRoom& room, const TurningJoint& joint,
-             std::size_t i, TurnEnergy& energy) noexcept
+void addOval(const InsertionModel& model, const SectionStiffness& section, const RodKinematics& rod,
+             const TurningJoint& joint, std::size_t i, TurnEnergy& energy) noexcept
 {
-  const double more = room.bendingMore[i] / model.spacing;
-  const double rest = room.restBend[i];
+  const double more = section.bendingMore[i] / model.spacing;
+  const double rest = section.restBend[i];
   const auto& [p, t, d, e, dAcross, eAcross] = joint;
-  const Vector3d s = (2.0 * room.perSum[i]) * (t - p) - (0.5 * rest) * (d + e);
+  const Vector3d s = (2.0 * rod.perSum[i]) * (t - p) - (0.5 * rest) * (d + e);
   const double along = s.dot(stifferWay(model, joint, i));
   const bool isAcross = model.stifferAcross[i] != 0;
   const double lastRate = 0.5 * (isAcross ? -s.dot(d) - rest : s.dot(dAcross));
@@ -113,11 +114,11 @@ void addOval(const InsertionModel& model, const StepRoom& room, const TurningJoi
   energy.nextStep = root * nextRate;
 }
 
-TurnEnergy energyByTurn(const InsertionModel& model, const StepRoom& room,
-                        const TurningJoint& joint, std::size_t i) noexcept
+TurnEnergy energyByTurn(const InsertionModel& model, const SectionStiffness& section,
+                        const RodKinematics& rod, const TurningJoint& joint, std::size_t i) noexcept
 {
-  TurnEnergy energy = bendingByTurn(model, room, joint, i);
-  if (model.bendingMore[i] > 0.0) addOval(model, room, joint, i, energy);
+  TurnEnergy energy = bendingByTurn(model, section, rod, joint, i);
+  if (model.bendingMore[i] > 0.0) addOval(model, section, rod, joint, i, energy);
   return energy;
 }
 
@@ -164,63 +165,64 @@ void addRankOne(BandMatrix& matrix, std::size_t i, const std::array<Vector3d, 3>
 }
 
 /// Where each edge's own curl is once it has followed its edge, and what is across it.
-void followEdges(const Vector3d& handCurl_W, InsertionState& state, StepRoom& room) noexcept
+void followEdges(const Vector3d& handCurl_W, InsertionState& state, RodKinematics& rod) noexcept
 {
   const std::size_t edges = state.curl_W.size() - 1;
   state.curl_W[0] = handCurl_W;
   for (std::size_t j = 0; j < edges; ++j) {
-    const Vector3d& t = room.edge[j].tangent_W;
+    const Vector3d& t = rod.edge[j].tangent_W;
     state.curl_W[j] = across(state.curl_W[j], t);
-    room.curlAcross_W[j] = t.cross(state.curl_W[j]);
+    rod.curlAcross_W[j] = t.cross(state.curl_W[j]);
   }
 }
 
-/// Torque on each edge and its stiffness; those between neighbors in `turnBeside`.
-void findTorques(const InsertionModel& model, const InsertionState& state, StepRoom& room) noexcept
+/// Torque on each edge and its stiffness; those between neighbors in `turns.beside`.
+void findTorques(const InsertionModel& model, const InsertionState& state,
+                 const SectionStiffness& section, RodKinematics& rod, TwistSystem& turns) noexcept
 {
   const auto edges = static_cast<std::size_t>(model.nodes - 1);
   const double perSpacing = 1.0 / model.spacing;
-  room.turn[0] = room.turnStiffness[0] = 0.0;
+  turns.torque[0] = turns.stiffness[0] = 0.0;
   for (std::size_t i = 1; i < edges; ++i) {
-    const TurningJoint joint(state, room, i);
-    room.twist[i] = twistOf(joint, room.perSum[i]);
+    const TurningJoint joint(state, rod, i);
+    rod.twist[i] = twistOf(joint, rod.perSum[i]);
     const double stiffness = model.twisting[i] * perSpacing;
-    const double moment = stiffness * room.twist[i];
-    const TurnEnergy energy = energyByTurn(model, room, joint, i);
-    room.turn[i - 1] += moment - energy.last;
-    room.turnStiffness[i - 1] += stiffness + energy.both + energy.lastStep * energy.lastStep;
-    room.turn[i] = -moment - energy.next;
-    room.turnStiffness[i] = stiffness + energy.both + energy.nextStep * energy.nextStep;
-    room.turnBeside[i] = -stiffness + energy.both + energy.lastStep * energy.nextStep;
+    const double moment = stiffness * rod.twist[i];
+    const TurnEnergy energy = energyByTurn(model, section, rod, joint, i);
+    turns.torque[i - 1] += moment - energy.last;
+    turns.stiffness[i - 1] += stiffness + energy.both + energy.lastStep * energy.lastStep;
+    turns.torque[i] = -moment - energy.next;
+    turns.stiffness[i] = stiffness + energy.both + energy.nextStep * energy.nextStep;
+    turns.beside[i] = -stiffness + energy.both + energy.lastStep * energy.nextStep;
   }
   if (!model.isOval) return;
   for (std::size_t i = 1; i <= edges; ++i) {
-    room.turn[i - 1] += state.wallTorque[i].torque;
-    room.turnStiffness[i - 1] += state.wallTorque[i].stiffness;
+    turns.torque[i - 1] += state.wallTorque[i].torque;
+    turns.stiffness[i - 1] += state.wallTorque[i].stiffness;
   }
 }
 
 /// Turns every edge but the first, which is in the hand: tridiagonal elimination from the tip.
-void turnEdges(InsertionState& state, StepRoom& room) noexcept
+void turnEdges(InsertionState& state, RodKinematics& rod, TwistSystem& turns) noexcept
 {
   const std::size_t edges = state.curl_W.size() - 1;
   for (std::size_t j = edges - 1; j > 1; --j) {
-    const double perStiffness = 1.0 / room.turnStiffness[j];
-    const double factor = room.turnBeside[j] * perStiffness;
-    room.turnStiffness[j - 1] -= factor * room.turnBeside[j];
-    room.turn[j - 1] -= factor * room.turn[j];
-    room.turn[j] *= perStiffness;
-    room.turnBeside[j] = factor;
+    const double perStiffness = 1.0 / turns.stiffness[j];
+    const double factor = turns.beside[j] * perStiffness;
+    turns.stiffness[j - 1] -= factor * turns.beside[j];
+    turns.torque[j - 1] -= factor * turns.torque[j];
+    turns.torque[j] *= perStiffness;
+    turns.beside[j] = factor;
   }
-  room.turn[1] /= room.turnStiffness[1];
+  turns.torque[1] /= turns.stiffness[1];
   double last = 0.0;
   for (std::size_t j = 1; j < edges; ++j) {
-    const double turn = std::clamp(room.turn[j] - room.turnBeside[j] * last, -mostTurn, mostTurn);
+    const double turn = std::clamp(turns.torque[j] - turns.beside[j] * last, -mostTurn, mostTurn);
     const double x = turn * turn;
     const double sine = turn * (1.0 - x * (1.0 / 6.0 - x * (1.0 / 120.0)));
     const double cosine = 1.0 - x * (0.5 - x * (1.0 / 24.0 - x * (1.0 / 720.0)));
-    state.curl_W[j] = cosine * state.curl_W[j] + sine * room.curlAcross_W[j];
-    room.twist[j] += turn - last;
+    state.curl_W[j] = cosine * state.curl_W[j] + sine * rod.curlAcross_W[j];
+    rod.twist[j] += turn - last;
     last = turn;
   }
   state.curl_W[edges] = state.curl_W[edges - 1];
@@ -228,52 +230,55 @@ void turnEdges(InsertionState& state, StepRoom& room) noexcept
 
 }  // namespace
 
-void turnMaterial(const InsertionModel& model, InsertionState& state, const Vector3d& curl_W,
-                  StepRoom& room) noexcept
+void turnMaterial(const InsertionModel& model, const Vector3d& curl_W,
+                  const SectionStiffness& section, InsertionState& state, RodKinematics& rod,
+                  TwistSystem& turns) noexcept
 {
   const auto edges = static_cast<std::size_t>(model.nodes - 1);
   const double perSpacing = 1.0 / model.spacing;
-  followEdges(curl_W, state, room);
-  findTorques(model, state, room);
-  turnEdges(state, room);
+  followEdges(curl_W, state, rod);
+  findTorques(model, state, section, rod, turns);
+  turnEdges(state, rod, turns);
   for (std::size_t i = 1; i < edges; ++i) {
-    room.restBend_W[i] = (0.5 * room.restBend[i]) * (state.curl_W[i - 1] + state.curl_W[i]);
-    room.twistRate_W[i] =
-        (perSpacing * room.perSum[i]) * room.edge[i - 1].tangent_W.cross(room.edge[i].tangent_W);
+    rod.restBend_W[i] = (0.5 * section.restBend[i]) * (state.curl_W[i - 1] + state.curl_W[i]);
+    rod.twistRate_W[i] =
+        (perSpacing * rod.perSum[i]) * rod.edge[i - 1].tangent_W.cross(rod.edge[i].tangent_W);
     if (model.bendingMore[i] > 0.0)
-      room.stiffer_W[i] = stifferWay(model, TurningJoint(state, room, i), i);
+      rod.stiffer_W[i] = stifferWay(model, TurningJoint(state, rod, i), i);
   }
-  room.curlAcross_W[1] = room.edge[1].tangent_W.cross(state.curl_W[1]);
-  room.twistTorque = model.twisting[1] * perSpacing * room.twist[1] -
-                     energyByTurn(model, room, TurningJoint(state, room, 1), 1).last;
-  if (model.isOval) room.twistTorque += state.wallTorque[1].torque;
+  rod.curlAcross_W[1] = rod.edge[1].tangent_W.cross(state.curl_W[1]);
+  rod.twistTorque = model.twisting[1] * perSpacing * rod.twist[1] -
+                    energyByTurn(model, section, rod, TurningJoint(state, rod, 1), 1).last;
+  if (model.isOval) rod.twistTorque += state.wallTorque[1].torque;
 }
 
-Vector3d ovalStress(const InsertionModel& model, const StepRoom& room, std::size_t i,
-                    const Vector3d& bend_W) noexcept
+Vector3d ovalStress(const InsertionModel& model, double timeStep, const SectionStiffness& section,
+                    const RodKinematics& rod, std::size_t i, const Vector3d& bend_W) noexcept
 {
-  const double damping = dampingTime / room.timeStep;
-  const Vector3d& way = room.stiffer_W[i];
+  const double damping = dampingTime / timeStep;
+  const Vector3d& way = rod.stiffer_W[i];
   const double along =
-      way.dot(bend_W - room.restBend_W[i]) + damping * way.dot(bend_W - room.bendBefore_W[i]);
-  return (room.bendingMore[i] / model.spacing * along) * way;
+      way.dot(bend_W - rod.restBend_W[i]) + damping * way.dot(bend_W - rod.bendBefore_W[i]);
+  return (section.bendingMore[i] / model.spacing * along) * way;
 }
 
-void addMaterialStiffness(const InsertionModel& model, StepRoom& room) noexcept
+void addMaterialStiffness(const InsertionModel& model, double timeStep,
+                          const SectionStiffness& section, const RodKinematics& rod,
+                          BandMatrix& matrix) noexcept
 {
   const auto n = static_cast<std::size_t>(model.nodes);
-  const double damping = dampingTime / room.timeStep;
+  const double damping = dampingTime / timeStep;
   for (std::size_t i = 1; i + 1 < n; ++i) {
-    addTwist(room.matrix, i, room.twistRate_W[i], model.twisting[i] / model.spacing);
+    addTwist(matrix, i, rod.twistRate_W[i], model.twisting[i] / model.spacing);
     if (!(model.bendingMore[i] > 0.0)) continue;
-    const RodEdge& last = room.edge[i - 1];
-    const RodEdge& next = room.edge[i];
-    const Vector3d& way = room.stiffer_W[i];
+    const RodEdge& last = rod.edge[i - 1];
+    const RodEdge& next = rod.edge[i];
+    const Vector3d& way = rod.stiffer_W[i];
     const double c = 2.0 / std::max(1.0 + last.tangent_W.dot(next.tangent_W), 1e-3);
     const Vector3d byNext = c * next.perLength * (way - way.dot(next.tangent_W) * next.tangent_W);
     const Vector3d byLast = c * last.perLength * (way - way.dot(last.tangent_W) * last.tangent_W);
-    addRankOne(room.matrix, i, {byLast, -byLast - byNext, byNext},
-               room.bendingMore[i] / model.spacing * (1.0 + damping));
+    addRankOne(matrix, i, {byLast, -byLast - byNext, byNext},
+               section.bendingMore[i] / model.spacing * (1.0 + damping));
   }
 }
 

@@ -6,6 +6,8 @@
 
 #include "perilymph/mechanics/InsertionModel.h"
 #include "perilymph/mechanics/InsertionState.h"
+#include "rod/RodKinematics.h"
+#include "solver/BandMatrix.h"
 
 namespace perilymph::mechanics {
 
@@ -14,9 +16,8 @@ namespace perilymph::mechanics {
 ///
 ///     sum of 1/2 (GJ/h) m_i^2 + bending + what oval sections press into the wall,
 ///
-/// where m_i is the angle by which edge i is twisted against the edge before it. Needs room.edge,
-/// room.perSum and room.restBend; leaves the rest bends, the twist and the torque on the hand in
-/// the room.
+/// where m_i is the angle by which edge i is twisted against the edge before it. Needs rod.edge and
+/// rod.perSum; leaves the rest bends, the twist and the torque on the hand in `rod`.
 ///
 /// Positions move in between, by the same energies at these directions: both halves of the step can
 /// only take energy out. As they move, the twist at node i follows to first order,
@@ -24,15 +25,19 @@ namespace perilymph::mechanics {
 ///     m_i(x) = m_i + b_i . (x_{i+1} - x_{i-1}),   b_i = p x t / (h (1 + p.t)),
 ///
 /// with the tangents p and t of the edges before and after the node at the start of the step.
-void turnMaterial(const InsertionModel& model, InsertionState& state, const Eigen::Vector3d& curl_W,
-                  StepRoom& room) noexcept;
+void turnMaterial(const InsertionModel& model, const Eigen::Vector3d& curl_W,
+                  const SectionStiffness& section, InsertionState& state, RodKinematics& rod,
+                  TwistSystem& turns) noexcept;
 
 /// The rest of the bending moment at node i where an oval section is stiffer in one direction
 /// [N.m].
-Eigen::Vector3d ovalStress(const InsertionModel& model, const StepRoom& room, std::size_t i,
+Eigen::Vector3d ovalStress(const InsertionModel& model, double timeStep,
+                           const SectionStiffness& section, const RodKinematics& rod, std::size_t i,
                            const Eigen::Vector3d& bend_W) noexcept;
 
-/// Adds to room.matrix the stiffness of the twist and of oval sections.
-void addMaterialStiffness(const InsertionModel& model, StepRoom& room) noexcept;
+/// Adds the stiffness of the twist and of oval sections to the matrix.
+void addMaterialStiffness(const InsertionModel& model, double timeStep,
+                          const SectionStiffness& section, const RodKinematics& rod,
+                          BandMatrix& matrix) noexcept;
 
 }  // namespace perilymph::mechanics

@@ -1,4 +1,4 @@
-#include "Rod.h"
+#include "rod/Rod.h"
 
 #include <algorithm>
 #include <cmath>
@@ -105,26 +105,28 @@ SymmetricBlock<double> withMirror(const Block<double>& a) noexcept
 
 /// The stretching of the edge between the nodes i and i + 1.
 void addStretching(const InsertionModel& model, std::size_t i, double damping,
-                   Compression compression, StepRoom& room) noexcept
+                   Compression compression, const RodKinematics& rod, BandMatrix& matrix) noexcept
 {
-  const RodEdge& edge = room.edge[i];
+  const RodEdge& edge = rod.edge[i];
   const double tension =
       compression == Compression::included ? edge.tension : std::max(edge.tension, 0.0);
   const double along = model.stretching[i] / model.spacing * (1.0 + damping);
   const SymmetricBlock<double> block = stiffnessOf(edge, along, tension * edge.perLength);
   const std::size_t a = blockOf(i);
-  room.matrix.diagonal[a] += block;
-  room.matrix.diagonal[a + 1] += block;
-  room.matrix.beside[a + 1] -= asBlock(block);
+  matrix.diagonal[a] += block;
+  matrix.diagonal[a + 1] += block;
+  matrix.beside[a + 1] -= asBlock(block);
 }
 
 /// The bending at node i, to first order in the angle between its links: w changes by a P_t dx_next
 /// at the far end of the one and by b P_p dx_last at that of the other, where P_t takes away what
 /// is along t.
-void addBending(const InsertionModel& model, std::size_t i, double damping, StepRoom& room) noexcept
+void addBending(const InsertionModel& model, std::size_t i, double damping,
+                const SectionStiffness& section, const RodKinematics& rod,
+                BandMatrix& matrix) noexcept
 {
-  const Joint joint(room.edge[i - 1], room.edge[i]);
-  const double k = room.bending[i] / model.spacing * (1.0 + damping);
+  const Joint joint(rod.edge[i - 1], rod.edge[i]);
+  const double k = section.bending[i] / model.spacing * (1.0 + damping);
   const double a = 2.0 * joint.c * joint.next.perLength;
   const double b = 2.0 * joint.c * joint.last.perLength;
   const SymmetricBlock<double> nextNext = across(joint.next.tangent_W, k * a * a);
@@ -142,69 +144,70 @@ void addBending(const InsertionModel& model, std::size_t i, double damping, Step
   hereLast += nextLast;
 
   const std::size_t next = blockOf(i + 1), here = blockOf(i), last = blockOf(i - 1);
-  room.matrix.diagonal[next] += nextNext;
-  room.matrix.diagonal[here] += hereHere;
-  room.matrix.diagonal[last] += lastLast;
-  room.matrix.beside[next] -= nextHere;
+  matrix.diagonal[next] += nextNext;
+  matrix.diagonal[here] += hereHere;
+  matrix.diagonal[last] += lastLast;
+  matrix.beside[next] -= nextHere;
   if (here == last) {
     // both belong to the base: what they do to each other is inside it
-    room.matrix.diagonal[here] -= withMirror(hereLast);
-    room.matrix.beside[next] += nextLast;
+    matrix.diagonal[here] -= withMirror(hereLast);
+    matrix.beside[next] += nextLast;
   } else {
-    room.matrix.beside[here] -= hereLast;
-    room.matrix.beyond[next] += nextLast;
+    matrix.beside[here] -= hereLast;
+    matrix.beyond[next] += nextLast;
   }
 }
 
 }  // namespace
 
 void setStiffness(const InsertionModel& model, double styletWithdrawal, double released,
-                  StepRoom& room) noexcept
+                  SectionStiffness& section) noexcept
 {
   const double styletTip = model.styletFromTip + styletWithdrawal;
-  for (std::size_t i = 0; i < room.bending.size(); ++i) {
+  for (std::size_t i = 0; i < section.bending.size(); ++i) {
     double covered = 0.0;
     if (model.styletBending > 0.0)
       covered = std::clamp((model.fromTip[i] - styletTip) / model.spacing + 0.5, 0.0, 1.0);
-    room.bending[i] = bendingOf(model.bendingCarrier[i], model.styletBending, covered);
-    room.bendingMore[i] = model.bendingMore[i];
+    section.bending[i] = bendingOf(model.bendingCarrier[i], model.styletBending, covered);
+    section.bendingMore[i] = model.bendingMore[i];
     if (model.bendingMore[i] > 0.0 && covered > 0.0 && covered < 1.0)
-      room.bendingMore[i] =
+      section.bendingMore[i] =
           bendingOf(model.bendingCarrier[i] + model.bendingMore[i], model.styletBending, covered) -
-          room.bending[i];
-    room.restBend[i] = released * model.spacing * model.restCurvature[i] *
-                       (1.0 - covered * (1.0 - model.styletResidual));
+          section.bending[i];
+    section.restBend[i] = released * model.spacing * model.restCurvature[i] *
+                          (1.0 - covered * (1.0 - model.styletResidual));
   }
 }
 
-void setRestShape(const InsertionModel& model, const InsertionState& state, const Vector3d& curl_W,
-                  StepRoom& room) noexcept
+void setRestShape(const InsertionModel& model, const std::vector<Vector3d>& position_W,
+                  const Vector3d& curl_W, const SectionStiffness& section,
+                  RodKinematics& rod) noexcept
 {
   const auto n = static_cast<std::size_t>(model.nodes);
-  setEdges(state.position_W, room);
+  setEdges(position_W, rod);
   Vector3d d = curl_W;
   for (std::size_t i = 0; i + 1 < n; ++i) {
-    room.lengthBefore[i] = room.edge[i].length;
+    rod.lengthBefore[i] = rod.edge[i].length;
     if (i == 0) continue;
-    const Joint joint(room.edge[i - 1], room.edge[i]);
+    const Joint joint(rod.edge[i - 1], rod.edge[i]);
     const Vector3d& p = joint.last.tangent_W;
     const Vector3d& t = joint.next.tangent_W;
-    room.bendBefore_W[i] = joint.bend_W();
-    room.perSum[i] = joint.c;
+    rod.bendBefore_W[i] = joint.bend_W();
+    rod.perSum[i] = joint.c;
     // an array that twists carries its own directions
     if (model.twists) continue;
     // the least rotation that takes p to t
     const Vector3d next = d - (d.dot(t) * joint.c) * (p + t);
-    room.restBend_W[i] = (0.5 * room.restBend[i]) * (d + next);
+    rod.restBend_W[i] = (0.5 * section.restBend[i]) * (d + next);
     d = next;
   }
 }
 
-void setEdges(const std::vector<Vector3d>& position_W, StepRoom& room) noexcept
+void setEdges(const std::vector<Vector3d>& position_W, RodKinematics& rod) noexcept
 {
   for (std::size_t i = 0; i + 1 < position_W.size(); ++i) {
     const Vector3d along = position_W[i + 1] - position_W[i];
-    RodEdge& edge = room.edge[i];
+    RodEdge& edge = rod.edge[i];
     edge.length = std::sqrt(along[0] * along[0] + along[1] * along[1] + along[2] * along[2]);
     edge.perLength = 1.0 / edge.length;
     edge.tangent_W = edge.perLength * along;
@@ -212,47 +215,49 @@ void setEdges(const std::vector<Vector3d>& position_W, StepRoom& room) noexcept
 }
 
 void addRodForces(const InsertionModel& model, const std::vector<Vector3d>& position_W,
-                  StepRoom& room) noexcept
+                  double timeStep, const SectionStiffness& section, RodKinematics& rod,
+                  std::vector<Vector3d>& force_W) noexcept
 {
   const auto n = static_cast<std::size_t>(model.nodes);
   const double h = model.spacing;
-  const double damping = dampingTime / room.timeStep;
-  setEdges(position_W, room);
+  const double damping = dampingTime / timeStep;
+  setEdges(position_W, rod);
 
   // the first edge is in the tweezers: it neither stretches nor bends
   for (std::size_t i = 1; i + 1 < n; ++i) {
-    RodEdge& edge = room.edge[i];
-    edge.tension =
-        tensionOf(model.stretching[i] / h, h, edge.length, room.lengthBefore[i], damping);
+    RodEdge& edge = rod.edge[i];
+    edge.tension = tensionOf(model.stretching[i] / h, h, edge.length, rod.lengthBefore[i], damping);
     const Vector3d pull_W = edge.tension * edge.tangent_W;
 
-    const Joint joint(room.edge[i - 1], edge);
+    const Joint joint(rod.edge[i - 1], edge);
     const Vector3d w = joint.bend_W();
     Vector3d stress =
-        (room.bending[i] / h) * ((w - room.restBend_W[i]) + damping * (w - room.bendBefore_W[i]));
-    if (model.bendingMore[i] > 0.0) stress += ovalStress(model, room, i, w);
+        (section.bending[i] / h) * ((w - rod.restBend_W[i]) + damping * (w - rod.bendBefore_W[i]));
+    if (model.bendingMore[i] > 0.0) stress += ovalStress(model, timeStep, section, rod, i, w);
     JointForces bending = forcesOf(joint, w, stress);
     if (model.twists) {
-      const Vector3d& b = room.twistRate_W[i];
-      const double twist = room.twist[i] + b.dot(position_W[i + 1] - position_W[i - 1]);
-      const Vector3d force_W = (model.twisting[i] / h * twist) * b;
-      bending.onNext_W += force_W;
-      bending.onLast_W -= force_W;
+      const Vector3d& b = rod.twistRate_W[i];
+      const double twist = rod.twist[i] + b.dot(position_W[i + 1] - position_W[i - 1]);
+      const Vector3d turning_W = (model.twisting[i] / h * twist) * b;
+      bending.onNext_W += turning_W;
+      bending.onLast_W -= turning_W;
     }
 
-    room.force_W[i - 1] -= bending.onLast_W;
-    room.force_W[i] += pull_W + bending.onNext_W + bending.onLast_W;
-    room.force_W[i + 1] -= pull_W + bending.onNext_W;
+    force_W[i - 1] -= bending.onLast_W;
+    force_W[i] += pull_W + bending.onNext_W + bending.onLast_W;
+    force_W[i + 1] -= pull_W + bending.onNext_W;
   }
 }
 
-void addRodStiffness(const InsertionModel& model, Compression compression, StepRoom& room) noexcept
+void addRodStiffness(const InsertionModel& model, Compression compression, double timeStep,
+                     const SectionStiffness& section, const RodKinematics& rod,
+                     BandMatrix& matrix) noexcept
 {
   const auto n = static_cast<std::size_t>(model.nodes);
-  const double damping = dampingTime / room.timeStep;
+  const double damping = dampingTime / timeStep;
   for (std::size_t i = 1; i + 1 < n; ++i) {
-    addStretching(model, i, damping, compression, room);
-    addBending(model, i, damping, room);
+    addStretching(model, i, damping, compression, rod, matrix);
+    addBending(model, i, damping, section, rod, matrix);
   }
 }
 

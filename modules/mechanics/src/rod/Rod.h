@@ -5,10 +5,10 @@
 #include <Eigen/Core>
 #include <cstddef>
 
-#include "perilymph/mechanics/BandMatrix.h"
 #include "perilymph/mechanics/InsertionModel.h"
 #include "perilymph/mechanics/InsertionState.h"
-#include "perilymph/mechanics/StepRoom.h"
+#include "rod/RodKinematics.h"
+#include "solver/BandMatrix.h"
 
 namespace perilymph::mechanics {
 
@@ -28,22 +28,26 @@ enum class Compression { included, leftOut };
 /// The stylet adds its own EI where it is, and holds the carrier straight but for a share of its
 /// free curvature. `released` is the share of its rest curvature that the array has taken on.
 void setStiffness(const InsertionModel& model, double styletWithdrawal, double released,
-                  StepRoom& room) noexcept;
+                  SectionStiffness& section) noexcept;
 
 /// Rest bends h kappa d as vectors: the curl's direction d is carried along the rod from the base
 /// without turning about it (an array that does not twist). Also remembers lengths and bends before
 /// the step: what damping is measured against.
-void setRestShape(const InsertionModel& model, const InsertionState& state,
-                  const Eigen::Vector3d& curl_W, StepRoom& room) noexcept;
+void setRestShape(const InsertionModel& model, const std::vector<Eigen::Vector3d>& position_W,
+                  const Eigen::Vector3d& curl_W, const SectionStiffness& section,
+                  RodKinematics& rod) noexcept;
 
-/// The rod's links at these positions, into room.edge.
-void setEdges(const std::vector<Eigen::Vector3d>& position_W, StepRoom& room) noexcept;
+/// The rod's links at these positions, into rod.edge.
+void setEdges(const std::vector<Eigen::Vector3d>& position_W, RodKinematics& rod) noexcept;
 
-/// Adds the rod's forces to room.force_W, and leaves its edges and their tension in the room.
+/// Adds the rod's forces to force_W, and leaves its edges and their tension in `rod`.
 void addRodForces(const InsertionModel& model, const std::vector<Eigen::Vector3d>& position_W,
-                  StepRoom& room) noexcept;
+                  double timeStep, const SectionStiffness& section, RodKinematics& rod,
+                  std::vector<Eigen::Vector3d>& force_W) noexcept;
 
-/// Adds the rod's stiffness to room.matrix, where addRodForces() has left it.
-void addRodStiffness(const InsertionModel& model, Compression compression, StepRoom& room) noexcept;
+/// Adds the rod's stiffness to the matrix, at the edges where addRodForces() has left it.
+void addRodStiffness(const InsertionModel& model, Compression compression, double timeStep,
+                     const SectionStiffness& section, const RodKinematics& rod,
+                     BandMatrix& matrix) noexcept;
 
 }  // namespace perilymph::mechanics

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "perilymph/anatomy/Lumen.h"
+#include "perilymph/anatomy/Surface.h"
 #include "perilymph/electrode/ArrayDesign.h"
 #include "perilymph/foundation/Units.h"
 #include "perilymph/mechanics/Friction.h"

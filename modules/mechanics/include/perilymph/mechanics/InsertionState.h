@@ -4,13 +4,12 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "perilymph/anatomy/Lumen.h"
-#include "perilymph/mechanics/BandFactors.h"
 #include "perilymph/mechanics/InsertionModel.h"
 #include "perilymph/mechanics/RimContact.h"
-#include "perilymph/mechanics/StepRoom.h"
 
 namespace perilymph::mechanics {
 
@@ -56,6 +55,30 @@ struct WallTorque {
   double stiffness = 0.0;  ///< Of it, at most [N.m].
 };
 
+struct StepWorkspace;
+
+/// Owns the solver's memory: intermediate results of a step, and the factors of the last stiffness
+/// that was factored, which are part of the state's value. A copy has memory of its own; assigning
+/// between states of one model does not allocate.
+class WorkspaceHandle {
+public:
+  /// @param rodNodes  0 for a model of points.
+  explicit WorkspaceHandle(std::size_t rodNodes);
+  WorkspaceHandle(const WorkspaceHandle& other);
+  WorkspaceHandle(WorkspaceHandle&& other) noexcept;
+  WorkspaceHandle& operator=(const WorkspaceHandle& other);
+  WorkspaceHandle& operator=(WorkspaceHandle&& other) noexcept;
+  ~WorkspaceHandle();
+
+  StepWorkspace& operator*() noexcept { return *workspace_; }
+  const StepWorkspace& operator*() const noexcept { return *workspace_; }
+  StepWorkspace* operator->() noexcept { return workspace_.get(); }
+  const StepWorkspace* operator->() const noexcept { return workspace_.get(); }
+
+private:
+  std::unique_ptr<StepWorkspace> workspace_;  ///< Null only after a move.
+};
+
 /// The state, sized once from the model. Copies compare equal and hash equal.
 struct InsertionState {
   /// The array straight at its start, at rest.
@@ -89,11 +112,10 @@ struct InsertionState {
   std::vector<WallTorque> wallTorque;         ///< On each node's section, if it is oval.
   std::vector<double> membraneForce;          ///< Of the basilar membrane on each node [N].
   RimContact rim;
-  BandFactors factors;   ///< Of the last stiffness that was factored, this step or an earlier one.
   PointSetState points;  ///< Of a model of points; else empty.
   Readings readings;
 
-  StepRoom room;  ///< Scratch; not part of the state's value.
+  WorkspaceHandle workspace;  ///< Of the solver.
 };
 
 }  // namespace perilymph::mechanics

@@ -48,44 +48,18 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
-#include "perilymph/foundation/Hash.h"
-#include "perilymph/foundation/Units.h"
-#include "perilymph/mechanics/ProxySurface.h"
+namespace perilymph {
+class Hash;
+}
 
 namespace perilymph::mechanics {
 
 /// The most points a model may have: the paper's dozen many times over.
 inline constexpr int mostPoints = 256;
 
-/// Numbers of the published carrier (Todd and Naghdy, section II.D; confidence high).
-struct PointSetLaw {
-  double radius = 0.25e-3;                   ///< Of a point: the measured tip of a Contour [m].
-  double stiffness = 350.0;                  ///< Of a point to its place [N/m].
-  double damping = 1.0;                      ///< The same [N.s/m].
-  double turningStiffness = 0.2;             ///< Of the carrier against the tweezers [N.m/rad].
-  double turningDamping = 3e-5;              ///< The same [N.m.s/rad].
-  double mass = 0.0178943;                   ///< Of array and tweezers, weighed [kg].
-  Eigen::Vector3d box{30e-3, 20e-3, 20e-3};  ///< Along E's axes [m].
-  double surfaceDamping = 0.01;              ///< [N.s/m]
-};
-
-/// What a model of points has beside the common parts of InsertionModel.
-struct PointSetModel {
-  /// @throws std::invalid_argument with a sentence for a surface that cannot hold anything.
-  PointSetModel(const anatomy::Surface& hapticSurface, int points, double timeStep,
-                const PointSetLaw& law = {});
-
-  PointSetLaw law;
-  ProxySurface surface;
-  double pointMass = 0.0;                             ///< [kg]
-  Eigen::Vector3d inertia = Eigen::Vector3d::Zero();  ///< About E's axes [kg.m^2].
-  int substeps = 1;                                   ///< Of one time step.
-  double substep = 0.0;                               ///< [s]
-  std::uint64_t fingerprint = 0;
-};
+struct PointSetModel;
 
 /// What changes while it runs, beside the common parts of InsertionState.
 struct PointSetState {

@@ -3,9 +3,6 @@
 // What the array and the rim of the opening remember of each other.
 
 #include <Eigen/Core>
-#include <cstddef>
-
-#include "perilymph/mechanics/Blocks.h"
 
 namespace perilymph::mechanics {
 
@@ -17,14 +14,6 @@ struct RimContact {
   double fromTip = 0.0;                                ///< Where the array passes it [m].
   double normalForce = 0.0;                            ///< All normal parts together [N].
   Eigen::Vector3d force_W = Eigen::Vector3d::Zero();   ///< Of the rim on the array [N].
-};
-
-/// The derivative of the rim's force, shared out between the nodes that carry it.
-struct RimStiffness {
-  std::size_t first = 0;             ///< Of those nodes.
-  std::size_t count = 0;             ///< How many: 0 where it does not touch, at most 3.
-  double weight[3] = {};             ///< Of each; they add up to 1.
-  SymmetricBlock<double> stiffness;  ///< [N/m]
 };
 
 }  // namespace perilymph::mechanics

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "perilymph/mechanics/Blocks.h"
+#include "solver/Blocks.h"
 
 namespace perilymph::mechanics {
 

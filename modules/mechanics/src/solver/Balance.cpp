@@ -1,4 +1,4 @@
-#include "Balance.h"
+#include "solver/Balance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,9 +31,10 @@ Balance leftOver(const std::vector<Eigen::Vector3d>& right) noexcept
 
 }  // namespace
 
-Base baseOf(const InsertionModel& model, const InsertionState& state, const Drive& drive) noexcept
+Base baseOf(const InsertionModel& model, const InsertionState& state, const Drive& drive,
+            double timeStep) noexcept
 {
-  const double dt = state.room.timeStep;
+  const double dt = timeStep;
   Base base{};
   base.isHeld = drive.coupling == Coupling::rigid;
   base.inertia = model.baseMass / (dt * dt);
@@ -47,54 +48,58 @@ Base baseOf(const InsertionModel& model, const InsertionState& state, const Driv
   return base;
 }
 
-void setHold(const InsertionModel& model, InsertionState& state) noexcept
+void setHold(const InsertionModel& model, const InsertionState& state, const StepStart& start,
+             NodeInertia& inertia) noexcept
 {
-  StepRoom& room = state.room;
-  const double perTime = 1.0 / room.timeStep;
+  const double perTime = 1.0 / start.timeStep;
   for (std::size_t i = 2; i < state.position_W.size(); ++i) {
-    const double inertia = model.mass[i] * perTime;
-    room.hold[i] = (inertia + model.drag[i]) * perTime;
+    const double momentum = model.mass[i] * perTime;
+    inertia.hold[i] = (momentum + model.drag[i]) * perTime;
     // inertia takes it on as fast as it was; drag would leave it where it is
-    room.goal_W[i] = room.before_W[i] + (inertia / room.hold[i]) * state.velocity_W[i];
+    inertia.goal_W[i] = start.position_W[i] + (momentum / inertia.hold[i]) * state.velocity_W[i];
   }
 }
 
-Balance balance(const InsertionModel& model, InsertionState& state, const Base& base) noexcept
+Balance balance(const InsertionModel& model, InsertionState& state, const Base& base,
+                RodWorkspace& work) noexcept
 {
-  StepRoom& room = state.room;
   const auto n = static_cast<std::size_t>(model.nodes);
-  for (std::size_t i = 0; i < n; ++i) room.force_W[i].setZero();
-  addRodForces(model, state.position_W, room);
-  addWallForces(model, state, state.position_W, room);
-  addRimForces(model, state, state.position_W, room);
+  for (std::size_t i = 0; i < n; ++i) work.force_W[i].setZero();
+  addRodForces(model, state.position_W, work.start.timeStep, work.section, work.rod, work.force_W);
+  addWallForces(model, state, work.start, work.rod, work.contacts, work.friction, work.force_W);
+  addRimForces(model, state, work.start, work.friction, work.contacts, work.force_W);
 
   // the base has inertia only where a spring holds it
-  room.right[0].setZero();
+  work.system.right[0].setZero();
   if (!base.isHeld) {
     const Eigen::Vector3d& at = state.position_W[0];
-    room.right[0] = room.force_W[0] + room.force_W[1] - base.inertia * (at - base.free_W) -
-                    base.grip * (at - base.gripped_W);
+    work.system.right[0] = work.force_W[0] + work.force_W[1] - base.inertia * (at - base.free_W) -
+                           base.grip * (at - base.gripped_W);
   }
   // every other node has its own, and the perilymph's drag
   for (std::size_t i = 2; i < n; ++i)
-    room.right[i - 1] = room.force_W[i] - room.hold[i] * (state.position_W[i] - room.goal_W[i]);
-  return leftOver(room.right);
+    work.system.right[i - 1] =
+        work.force_W[i] - work.inertia.hold[i] * (state.position_W[i] - work.inertia.goal_W[i]);
+  return leftOver(work.system.right);
 }
 
 void setStiffnessOfBalance(const InsertionModel& model, const Base& base, Compression compression,
-                           StepRoom& room) noexcept
+                           RodWorkspace& work) noexcept
 {
   const auto n = static_cast<std::size_t>(model.nodes);
-  room.matrix.clear();
-  addRodStiffness(model, compression, room);
-  if (model.twists) addMaterialStiffness(model, room);
-  addWallStiffness(room);
-  addRimStiffness(room);
-  for (std::size_t i = 2; i < n; ++i) room.matrix.diagonal[blockOf(i)] += uniform(room.hold[i]);
+  work.system.matrix.clear();
+  BandMatrix& matrix = work.system.matrix;
+  addRodStiffness(model, compression, work.start.timeStep, work.section, work.rod, matrix);
+  if (model.twists)
+    addMaterialStiffness(model, work.start.timeStep, work.section, work.rod, matrix);
+  addWallStiffness(work.contacts, matrix);
+  addRimStiffness(work.contacts, matrix);
+  for (std::size_t i = 2; i < n; ++i)
+    work.system.matrix.diagonal[blockOf(i)] += uniform(work.inertia.hold[i]);
   if (base.isHeld)
-    room.matrix.holdFirst();
+    work.system.matrix.holdFirst();
   else
-    room.matrix.diagonal[0] += uniform(base.inertia + base.grip);
+    work.system.matrix.diagonal[0] += uniform(base.inertia + base.grip);
 }
 
 }  // namespace perilymph::mechanics

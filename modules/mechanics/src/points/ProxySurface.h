@@ -47,8 +47,10 @@ public:
 
   /// Moves a proxy toward its goal. A goal farther than `mostMoves` times `reach` is approached in
   /// several calls. Real-time safe.
-  ProxyHold follow(const Eigen::Vector3d& proxy_W, const Eigen::Vector3d& goal_W,
-                   double radius) const noexcept;
+  ///
+  /// @param allowed  Memory for what the triangles near the proxy allow it.
+  ProxyHold follow(const Eigen::Vector3d& proxy_W, const Eigen::Vector3d& goal_W, double radius,
+                   HalfSpaces& allowed) const noexcept;
 
   std::size_t triangles() const noexcept { return triangles_.size(); }
   /// Of everything above, for a model's own.

@@ -1,10 +1,10 @@
-#include "Descent.h"
+#include "solver/Descent.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "NewtonStep.h"
 #include "perilymph/mechanics/advance.h"
+#include "solver/NewtonStep.h"
 
 namespace perilymph::mechanics {
 namespace {
@@ -16,11 +16,12 @@ constexpr double leftPull = 0.1;
 
 /// The forces where a share of the step has been gone, of the wall as it is there.
 Balance balanceAt(const InsertionModel& model, InsertionState& state, const Base& base,
-                  double share) noexcept
+                  double share, RodWorkspace& work) noexcept
 {
-  moveBy(state, share);
-  std::fill(state.room.isKnown.begin(), state.room.isKnown.end(), static_cast<unsigned char>(0));
-  return balance(model, state, base);
+  moveBy(work.system, share, state.position_W);
+  std::fill(work.contacts.isKnown.begin(), work.contacts.isKnown.end(),
+            static_cast<unsigned char>(0));
+  return balance(model, state, base, work);
 }
 
 /// A place on the step: share of it, pull along it there [J].
@@ -31,13 +32,13 @@ struct Place {
 
 /// Goes along the step at most to `most` of it, to where the forces hardly pull on or back.
 Balance goDown(const InsertionModel& model, InsertionState& state, const Base& base, double start,
-               double most) noexcept
+               double most, RodWorkspace& work) noexcept
 {
   const double enough = leftPull * start;
   Place low{0.0, start};
   Place high{most, 0.0};
-  Balance there = balanceAt(model, state, base, most);
-  high.pull = pullAlongWay(state, most);
+  Balance there = balanceAt(model, state, base, most, work);
+  high.pull = pullAlongWay(work.system, most);
   // false position, which halves the weight of an end that stays
   double lowPull = low.pull, highPull = high.pull;
   for (int k = 0; k < mostTries && !(high.pull >= -enough); ++k) {
@@ -45,8 +46,8 @@ Balance goDown(const InsertionModel& model, InsertionState& state, const Base& b
     if (std::isfinite(highPull) && k % 4 != 3)
       share = low.share +
               (high.share - low.share) * std::clamp(lowPull / (lowPull - highPull), 0.05, 0.95);
-    there = balanceAt(model, state, base, share);
-    const double pull = pullAlongWay(state, share);
+    there = balanceAt(model, state, base, share, work);
+    const double pull = pullAlongWay(work.system, share);
     if (std::fabs(pull) <= enough) break;
     if (pull > 0.0) {
       low = {share, pull};
@@ -64,22 +65,23 @@ Balance goDown(const InsertionModel& model, InsertionState& state, const Base& b
 }  // namespace
 
 Settled descend(const InsertionModel& model, InsertionState& state, const Base& base,
-                Settled settled) noexcept
+                Settled settled, RodWorkspace& work) noexcept
 {
   auto& [now, iterations] = settled;
   const int last = iterations + mostDescents;
-  state.room.start_W = state.position_W;
-  std::fill(state.room.isKnown.begin(), state.room.isKnown.end(), static_cast<unsigned char>(0));
-  now = balance(model, state, base);
+  work.system.start_W = state.position_W;
+  std::fill(work.contacts.isKnown.begin(), work.contacts.isKnown.end(),
+            static_cast<unsigned char>(0));
+  now = balance(model, state, base, work);
   for (; iterations < last && !(now.worst <= forceTolerance); ++iterations) {
-    if (!factorize(model, base, state)) break;
-    const double longest = findStep(state);
-    state.room.start_W = state.position_W;
-    const double pull = pullAlong(state.room);
+    if (!factorize(model, base, work)) break;
+    const double longest = findStep(work.system);
+    work.system.start_W = state.position_W;
+    const double pull = pullAlong(work.system);
     if (!(pull > 0.0) || !std::isfinite(longest)) break;
-    now = goDown(model, state, base, pull, std::min(1.0, longestWay / longest));
+    now = goDown(model, state, base, pull, std::min(1.0, longestWay / longest), work);
   }
-  state.factors.forget();
+  work.system.factors.forget();
   return settled;
 }
 

@@ -1,12 +1,12 @@
-#include "Newton.h"
+#include "solver/Newton.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "NewtonStep.h"
 #include "contact/Contact.h"
 #include "perilymph/mechanics/advance.h"
+#include "solver/NewtonStep.h"
 
 namespace perilymph::mechanics {
 namespace {
@@ -40,56 +40,56 @@ bool wasGood(const Balance& before, const Balance& after) noexcept
 
 /// Newton's method from state.position_W, where the forces are `now`.
 Settled iterate(const InsertionModel& model, InsertionState& state, const Base& base,
-                Settled settled) noexcept
+                Settled settled, RodWorkspace& work) noexcept
 {
   // Factors of an earlier step serve as long as their steps are good: the rod hardly changes from
   // one tick to the next. Where a contact toggles they are found anew.
-  BandFactors& factors = state.factors;
+  BandFactors& factors = work.system.factors;
   if (factors.firstIsHeld() != base.isHeld) factors.forget();
   bool areOwn = false;  // found in this step of time
 
   auto& [now, iterations] = settled;
   for (; iterations < mostIterations && now.worst > atRest; ++iterations) {
     if (!factors.exist()) {
-      if (!factorize(model, base, state)) break;
+      if (!factorize(model, base, work)) break;
       areOwn = true;
     }
-    const double longest = findStep(state);
+    const double longest = findStep(work.system);
     if (model.isOval && longest > nearStep && iterations < mostIterations / 4)
-      for (SectionReach& section : state.room.section) section.isKnown = false;
+      for (SectionReach& section : work.contacts.section) section.isKnown = false;
     if (now.worst <= forceTolerance && longest < motionTolerance) break;
 
-    const double pull = pullAlong(state.room);
-    state.room.start_W = state.position_W;
+    const double pull = pullAlong(work.system);
+    work.system.start_W = state.position_W;
     double share = longest > longestStep ? longestStep / longest : 1.0;
-    moveBy(state, share);
-    Balance next = balance(model, state, base);
+    moveBy(work.system, share, state.position_W);
+    Balance next = balance(model, state, base, work);
     if (!areOwn && !(next.squares < now.squares)) {
       // old factors led astray: back, and try with new ones
       factors.forget();
-      moveBy(state, 0.0);
-      now = balance(model, state, base);
+      moveBy(work.system, 0.0, state.position_W);
+      now = balance(model, state, base, work);
       continue;
     }
     for (int halving = 0; halving < mostHalvings && !(next.squares <= now.squares); ++halving) {
       share *= 0.5;
-      moveBy(state, share);
-      next = balance(model, state, base);
+      moveBy(work.system, share, state.position_W);
+      next = balance(model, state, base, work);
     }
     // forces are those of an energy: if they now pull back along the step, its least is in between
     if (!wasGood(now, next)) {
-      const double back = pullAlong(state.room);
+      const double back = pullAlong(work.system);
       if (back < -leftPull * pull) {
         const double whole = share;
         share *= pull / (pull - back);
-        moveBy(state, share);
-        const Balance between = balance(model, state, base);
+        moveBy(work.system, share, state.position_W);
+        const Balance between = balance(model, state, base, work);
         if (between.squares < next.squares) {
           next = between;
         } else {
           share = whole;
-          moveBy(state, share);
-          next = balance(model, state, base);
+          moveBy(work.system, share, state.position_W);
+          next = balance(model, state, base, work);
         }
       }
     }
@@ -107,19 +107,20 @@ Settled iterate(const InsertionModel& model, InsertionState& state, const Base& 
 
 }  // namespace
 
-Settled settle(const InsertionModel& model, InsertionState& state, const Base& base) noexcept
+Settled settle(const InsertionModel& model, InsertionState& state, const Base& base,
+               RodWorkspace& work) noexcept
 {
-  Settled settled{balance(model, state, base), 0};
+  Settled settled{balance(model, state, base, work), 0};
   double lag = std::numeric_limits<double>::infinity();
   for (int pass = 0;; ++pass) {
-    settled = iterate(model, state, base, settled);
+    settled = iterate(model, state, base, settled, work);
     if (pass == mostPasses || settled.iterations > soonSettled) break;
     const double before = lag;
-    lag = frictionLag(model, state);
+    lag = frictionLag(model, state, work.contacts, work.friction);
     // where friction and pressure drive each other up, each step takes the pressure it started from
     if (lag <= mostLag || !(lag < 0.5 * before) || settled.left.worst > forceTolerance) break;
-    renewFriction(state);
-    settled.left = balance(model, state, base);
+    renewFriction(state, work.contacts, work.friction);
+    settled.left = balance(model, state, base, work);
   }
   return settled;
 }

@@ -2,7 +2,7 @@
 
 // The slow and certain way to the balance of forces.
 
-#include "Newton.h"
+#include "solver/Newton.h"
 
 namespace perilymph::mechanics {
 
@@ -16,6 +16,6 @@ namespace perilymph::mechanics {
 ///
 /// @param settled  How the iteration before ended.
 Settled descend(const InsertionModel& model, InsertionState& state, const Base& base,
-                Settled settled) noexcept;
+                Settled settled, RodWorkspace& work) noexcept;
 
 }  // namespace perilymph::mechanics

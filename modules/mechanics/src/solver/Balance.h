@@ -7,6 +7,7 @@
 #include "perilymph/mechanics/InsertionModel.h"
 #include "perilymph/mechanics/InsertionState.h"
 #include "rod/Rod.h"
+#include "rod/RodWorkspace.h"
 
 namespace perilymph::mechanics {
 
@@ -19,10 +20,13 @@ struct Base {
   Eigen::Vector3d gripped_W;  ///< Where the coupling pulls it [m].
 };
 
-Base baseOf(const InsertionModel& model, const InsertionState& state, const Drive& drive) noexcept;
+/// @param timeStep  Of the step, or of the part of it that is taken [s].
+Base baseOf(const InsertionModel& model, const InsertionState& state, const Drive& drive,
+            double timeStep) noexcept;
 
-/// How inertia and drag hold each node in this step, and where: into the room.
-void setHold(const InsertionModel& model, InsertionState& state) noexcept;
+/// How inertia and drag hold each node in this step.
+void setHold(const InsertionModel& model, const InsertionState& state, const StepStart& start,
+             NodeInertia& inertia) noexcept;
 
 /// What is left unbalanced.
 struct Balance {
@@ -30,11 +34,13 @@ struct Balance {
   double squares;  ///< Sum of their squares [N^2].
 };
 
-/// All forces at state.position_W. Leaves those that are unbalanced in room.right.
-Balance balance(const InsertionModel& model, InsertionState& state, const Base& base) noexcept;
+/// All forces at state.position_W. Leaves those that are unbalanced in work.system.right.
+Balance balance(const InsertionModel& model, InsertionState& state, const Base& base,
+                RodWorkspace& work) noexcept;
 
-/// Fills room.matrix with the derivative of the last balance: minus room.right by the positions.
+/// Fills work.system.matrix with the derivative of the last balance: minus the unbalanced forces by
+/// the positions.
 void setStiffnessOfBalance(const InsertionModel& model, const Base& base, Compression compression,
-                           StepRoom& room) noexcept;
+                           RodWorkspace& work) noexcept;
 
 }  // namespace perilymph::mechanics

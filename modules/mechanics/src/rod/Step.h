@@ -2,7 +2,7 @@
 
 // One step of time, or a part of one: tried, and then kept or undone.
 
-#include "Newton.h"
+#include "solver/Newton.h"
 
 namespace perilymph::mechanics {
 
@@ -18,16 +18,16 @@ struct Step {
   Settled settled;
 };
 
-/// Predicts the rod and settles it against the wall, a time [s] on. Needs the stiffness of the rod
-/// in the room. The state's positions, tracks and curls are those of the end of the step, the rest
-/// still that of its start.
+/// Predicts the rod and settles it against the wall, a time [s] on. Needs `work.section`. The
+/// state's positions, tracks and curls are those of the end of the step, the rest still that of its
+/// start.
 Step tryStep(const InsertionModel& model, InsertionState& state, const Drive& drive,
-             double timeStep, Way way) noexcept;
+             double timeStep, Way way, RodWorkspace& work) noexcept;
 
 /// Makes the end of the step that was tried the start of the next.
-void keepStep(InsertionState& state) noexcept;
+void keepStep(InsertionState& state, const RodWorkspace& work) noexcept;
 
 /// Back to where the step that was tried started.
-void undoStep(InsertionState& state) noexcept;
+void undoStep(InsertionState& state, RodWorkspace& work) noexcept;
 
 }  // namespace perilymph::mechanics

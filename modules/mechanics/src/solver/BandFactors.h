@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "perilymph/mechanics/BandMatrix.h"
-#include "perilymph/mechanics/Blocks.h"
+#include "solver/BandMatrix.h"
+#include "solver/Blocks.h"
 
 namespace perilymph {
 class Hash;

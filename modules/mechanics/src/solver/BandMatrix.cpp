@@ -1,4 +1,4 @@
-#include "perilymph/mechanics/BandMatrix.h"
+#include "solver/BandMatrix.h"
 
 #include <algorithm>
 

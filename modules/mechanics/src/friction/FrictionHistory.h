@@ -1,0 +1,30 @@
+#pragma once
+
+// What friction remembers from the step before, and what it would remember after this one.
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace perilymph::mechanics {
+
+/// Friction of a step is bounded by the pressure at its start, and lies across the normal there.
+struct FrictionHistory {
+  explicit FrictionHistory(std::size_t nodes = 0)
+      : pressedBefore(nodes),
+        normalBefore_W(nodes, Eigen::Vector3d::Zero()),
+        spring_W(nodes),
+        slip(nodes),
+        isSliding(nodes)
+  {
+  }
+
+  std::vector<double> pressedBefore;            ///< Normal force that bounds friction [N].
+  std::vector<Eigen::Vector3d> normalBefore_W;  ///< Unit: friction is perpendicular to it.
+  double rimPressedBefore = 0.0;                ///< The same at the rim [N].
+  Eigen::Vector3d rimNormalBefore_W = Eigen::Vector3d::Zero();
+  std::vector<Eigen::Vector3d> spring_W;  ///< As this iteration would leave it [m].
+  std::vector<double> slip;               ///< Of each node in this step [m].
+  std::vector<unsigned char> isSliding;   ///< As this iteration would leave it.
+};
+
+}  // namespace perilymph::mechanics

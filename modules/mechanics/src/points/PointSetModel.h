@@ -1,0 +1,40 @@
+#pragma once
+
+// The constant part of a point set: its carrier's numbers and the surface it touches.
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "perilymph/mechanics/PointSet.h"
+#include "points/ProxySurface.h"
+
+namespace perilymph::mechanics {
+
+/// Numbers of the published carrier (Todd and Naghdy, section II.D; confidence high).
+struct PointSetLaw {
+  double radius = 0.25e-3;                   ///< Of a point: the measured tip of a Contour [m].
+  double stiffness = 350.0;                  ///< Of a point to its place [N/m].
+  double damping = 1.0;                      ///< The same [N.s/m].
+  double turningStiffness = 0.2;             ///< Of the carrier against the tweezers [N.m/rad].
+  double turningDamping = 3e-5;              ///< The same [N.m.s/rad].
+  double mass = 0.0178943;                   ///< Of array and tweezers, weighed [kg].
+  Eigen::Vector3d box{30e-3, 20e-3, 20e-3};  ///< Along E's axes [m].
+  double surfaceDamping = 0.01;              ///< [N.s/m]
+};
+
+/// What a model of points has beside the common parts of InsertionModel.
+struct PointSetModel {
+  /// @throws std::invalid_argument with a sentence for a surface that cannot hold anything.
+  PointSetModel(const anatomy::Surface& hapticSurface, int points, double timeStep,
+                const PointSetLaw& law = {});
+
+  PointSetLaw law;
+  ProxySurface surface;
+  double pointMass = 0.0;                             ///< [kg]
+  Eigen::Vector3d inertia = Eigen::Vector3d::Zero();  ///< About E's axes [kg.m^2].
+  int substeps = 1;                                   ///< Of one time step.
+  double substep = 0.0;                               ///< [s]
+  std::uint64_t fingerprint = 0;
+};
+
+}  // namespace perilymph::mechanics

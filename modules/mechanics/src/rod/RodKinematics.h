@@ -1,0 +1,81 @@
+#pragma once
+
+// The geometry of the rod in one iteration, and what its material is made of at this step.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "perilymph/anatomy/Lumen.h"
+
+namespace perilymph::mechanics {
+
+/// The start of a time step: where a step that failed returns to, and what motion is measured from.
+struct StepStart {
+  explicit StepStart(std::size_t nodes = 0) : position_W(nodes), curl_W(nodes), track(nodes) {}
+
+  double timeStep = 0.0;  ///< Of this step, or of the part of it that is taken [s].
+  std::vector<Eigen::Vector3d> position_W;  ///< Of each node [m].
+  std::vector<Eigen::Vector3d> curl_W;      ///< Unit, of each edge.
+  std::vector<anatomy::LumenTrack> track;   ///< Of each node.
+};
+
+/// Bending stiffness and rest curvature at each node, for the place of the stylet in this step.
+struct SectionStiffness {
+  explicit SectionStiffness(std::size_t nodes = 0)
+      : bending(nodes), bendingMore(nodes), restBend(nodes)
+  {
+  }
+
+  std::vector<double> bending;      ///< EI at each node, the lesser [N.m^2].
+  std::vector<double> bendingMore;  ///< By which the greater exceeds it [N.m^2].
+  std::vector<double> restBend;     ///< Spacing times rest curvature at each node.
+};
+
+/// A link of the rod between two nodes.
+struct RodEdge {
+  Eigen::Vector3d tangent_W = Eigen::Vector3d::Zero();  ///< Unit, toward the tip.
+  double length = 0.0;                                  ///< [m]
+  double perLength = 0.0;                               ///< 1 / length [1/m]
+  double tension = 0.0;                                 ///< [N]
+};
+
+/// Edges, bends and twist of the rod: those of the current iteration, and those at the start of the
+/// step, from which damping and twist count.
+struct RodKinematics {
+  explicit RodKinematics(std::size_t nodes = 0)
+      : edge(nodes),
+        perSum(nodes),
+        lengthBefore(nodes),
+        bendBefore_W(nodes, Eigen::Vector3d::Zero()),
+        restBend_W(nodes, Eigen::Vector3d::Zero()),
+        stiffer_W(nodes, Eigen::Vector3d::Zero()),
+        twist(nodes),
+        twistRate_W(nodes, Eigen::Vector3d::Zero()),
+        curlAcross_W(nodes, Eigen::Vector3d::Zero())
+  {
+  }
+
+  std::vector<RodEdge> edge;                  ///< Edge i, between nodes i and i + 1.
+  std::vector<double> perSum;                 ///< 1 / (1 + cosine of the angle) at each node.
+  std::vector<double> lengthBefore;           ///< Of each edge at the start of the step [m].
+  std::vector<Eigen::Vector3d> bendBefore_W;  ///< At each node at the start of the step.
+  std::vector<Eigen::Vector3d> restBend_W;    ///< Rest bend at each node, with its direction.
+  std::vector<Eigen::Vector3d> stiffer_W;     ///< At each node: direction of the greater EI.
+  std::vector<double> twist;  ///< Of the edge after each node against the last [rad].
+  /// Gradient of the twist at each node by the motion of the next node against that of the last
+  /// [1/m].
+  std::vector<Eigen::Vector3d> twistRate_W;
+  std::vector<Eigen::Vector3d> curlAcross_W;  ///< Of each edge: its tangent cross its curl.
+  double twistTorque = 0.0;                   ///< Of the array on the hand about its axis [N.m].
+};
+
+/// The symmetric tridiagonal system whose solution turns every edge about itself.
+struct TwistSystem {
+  explicit TwistSystem(std::size_t nodes = 0) : torque(nodes), stiffness(nodes), beside(nodes) {}
+
+  std::vector<double> torque;     ///< On each edge [N.m].
+  std::vector<double> stiffness;  ///< Of each edge [N.m].
+  std::vector<double> beside;     ///< Between each edge and the one before [N.m].
+};
+
+}  // namespace perilymph::mechanics

@@ -1,0 +1,95 @@
+#include "rod/Step.h"
+
+#include "contact/Clearance.h"
+#include "rod/Material.h"
+#include "rod/Rod.h"
+#include "solver/Descent.h"
+
+namespace perilymph::mechanics {
+namespace {
+
+/// First guess: while the hand goes on as it did, every node goes on as it did, faster or slower by
+/// the same share; else every node slides along the array by as much as the base advances.
+void predict(const InsertionModel& model, InsertionState& state, const Drive& drive,
+             const Base& base, Way way, const RodWorkspace& work) noexcept
+{
+  const auto n = static_cast<std::size_t>(model.nodes);
+  Eigen::Vector3d to_W = drive.handPosition_W;
+  if (!base.isHeld)
+    to_W = (base.inertia * base.free_W + base.grip * base.gripped_W) / (base.inertia + base.grip);
+  const double forward = (to_W - work.start.position_W[0]).dot(drive.handAxis_W);
+  const double lastForward = work.start.timeStep * state.baseVelocity_W.dot(drive.handAxis_W);
+  const double share = forward / lastForward;
+  const bool goesOn = way == Way::quick && share > 0.25 && share < 4.0;
+  for (std::size_t i = 2; i < n; ++i) {
+    const Eigen::Vector3d motion =
+        goesOn ? Eigen::Vector3d(share * work.start.timeStep * state.velocity_W[i])
+               : Eigen::Vector3d(forward * work.rod.edge[i - 1].tangent_W);
+    state.position_W[i] = work.start.position_W[i] + motion;
+  }
+  state.position_W[0] = to_W;
+  state.position_W[1] = to_W + model.spacing * drive.handAxis_W;
+}
+
+/// What the step starts from.
+void remember(const InsertionState& state, RodWorkspace& work) noexcept
+{
+  for (std::size_t i = 0; i < state.position_W.size(); ++i) {
+    work.start.position_W[i] = state.position_W[i];
+    work.start.track[i] = state.track[i];
+    work.start.curl_W[i] = state.curl_W[i];
+    work.friction.pressedBefore[i] = state.normalForce[i];
+    work.friction.normalBefore_W[i] = state.wallNormal_W[i];
+    work.contacts.section[i].isKnown = false;
+    work.contacts.isKnown[i] = 0;
+  }
+  work.friction.rimPressedBefore = state.rim.normalForce;
+  work.friction.rimNormalBefore_W = state.rim.normal_W;
+}
+
+}  // namespace
+
+Step tryStep(const InsertionModel& model, InsertionState& state, const Drive& drive,
+             double timeStep, Way way, RodWorkspace& work) noexcept
+{
+  work.start.timeStep = timeStep;
+  remember(state, work);
+  findBone(model, state);
+  setRestShape(model, state.position_W, drive.handCurl_W, work.section, work.rod);
+  if (model.twists)
+    turnMaterial(model, drive.handCurl_W, work.section, state, work.rod, work.twist);
+  const Base base = baseOf(model, state, drive, timeStep);
+  setHold(model, state, work.start, work.inertia);
+  predict(model, state, drive, base, way, work);
+  if (way == Way::downhill) return {base, descend(model, state, base, {}, work)};
+  return {base, settle(model, state, base, work)};
+}
+
+void keepStep(InsertionState& state, const RodWorkspace& work) noexcept
+{
+  const double perTime = 1.0 / work.start.timeStep;
+  state.baseVelocity_W = perTime * (state.position_W[0] - work.start.position_W[0]);
+  state.base_W = state.position_W[0];
+  for (std::size_t i = 0; i < state.position_W.size(); ++i) {
+    state.velocity_W[i] = perTime * (state.position_W[i] - work.start.position_W[i]);
+    state.frictionSpring_W[i] = work.friction.spring_W[i];
+    state.isSliding[i] = work.friction.isSliding[i];
+    state.slipSpeed[i] = perTime * work.friction.slip[i];
+  }
+  keepClearance(work.start, work.contacts, state);
+  state.rim = work.contacts.rim;
+}
+
+void undoStep(InsertionState& state, RodWorkspace& work) noexcept
+{
+  for (std::size_t i = 0; i < state.position_W.size(); ++i) {
+    state.position_W[i] = work.start.position_W[i];
+    state.track[i] = work.start.track[i];
+    state.curl_W[i] = work.start.curl_W[i];
+    state.normalForce[i] = work.friction.pressedBefore[i];
+    state.wallNormal_W[i] = work.friction.normalBefore_W[i];
+  }
+  work.system.factors.forget();
+}
+
+}  // namespace perilymph::mechanics

@@ -1,0 +1,170 @@
+#include "rod/advanceRod.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "perilymph/mechanics/advance.h"
+#include "rod/Rod.h"
+#include "rod/Step.h"
+#include "solver/Descent.h"
+
+namespace perilymph::mechanics {
+namespace {
+
+// Faster than a hand pulls a stylet by itself (choice, low).
+constexpr double fastestStylet = 0.1;  // [m/s]
+// What a step may leave unbalanced where contact toggles: a hundredth of an insertion's forces.
+constexpr double mostLeft = 1e-3;  // [N]
+
+/// Of the array on the hand.
+struct Wrench {
+  Eigen::Vector3d force_W = Eigen::Vector3d::Zero();   ///< [N]
+  Eigen::Vector3d torque_W = Eigen::Vector3d::Zero();  ///< [N.m]
+};
+
+/// The hand holds nodes 0 and 1; in spring coupling it holds them through the spring.
+Wrench wrenchOf(const InsertionModel& model, const InsertionState& state, const Drive& drive,
+                const Base& base, const RodWorkspace& work) noexcept
+{
+  Wrench wrench;
+  wrench.force_W = base.isHeld ? Eigen::Vector3d(work.force_W[0] + work.force_W[1])
+                               : Eigen::Vector3d(base.grip * (state.base_W - base.gripped_W));
+  wrench.torque_W = (model.spacing * drive.handAxis_W).cross(work.force_W[1]) +
+                    (model.twists ? work.rod.twistTorque : 0.0) * drive.handAxis_W;
+  return wrench;
+}
+
+/// Length of array past the plane of the opening.
+double depthOf(const InsertionModel& model, const InsertionState& state) noexcept
+{
+  const auto inside = [&](std::size_t i) {
+    return (model.entry.origin_W - state.position_W[i]).dot(model.entry.out_W);
+  };
+  double after = inside(state.position_W.size() - 1);
+  if (!(after > 0.0)) return 0.0;
+  for (std::size_t i = state.position_W.size() - 1; i-- > 0;) {
+    const double before = inside(i);
+    if (before <= 0.0) {
+      const double share = after / (after - before);
+      return model.fromTip[i + 1] + share * model.spacing;
+    }
+    after = before;
+  }
+  return model.fromTip[0];
+}
+
+/// What the rest of the program wants to know of the step.
+void read(const InsertionModel& model, InsertionState& state, const Wrench& wrench,
+          const Settled& settled) noexcept
+{
+  Readings& r = state.readings;
+  r.iterations = settled.iterations;
+  r.residual = settled.left.worst;
+  r.handForce_W = wrench.force_W;
+  r.handTorque_W = wrench.torque_W;
+  r.axialForce = r.handForce_W.dot(model.entry.out_W);
+  r.speed = -state.baseVelocity_W.dot(model.entry.out_W);
+  r.depth = depthOf(model, state);
+  r.angularDepth = r.depth > 0.0 ? std::max(state.track.back().angle, 0.0) : 0.0;
+  r.rimForce = state.rim.normalForce;
+  r.contacts = 0;
+  r.wallForceMax = r.wallForceTotal = r.membraneForce = 0.0;
+  for (std::size_t i = 0; i < state.normalForce.size(); ++i) {
+    const double force = state.normalForce[i];
+    if (!(force > 0.0)) continue;
+    ++r.contacts;
+    r.wallForceTotal += force;
+    r.wallForceMax = std::max(r.wallForceMax, force);
+    r.membraneForce += state.membraneForce[i];
+  }
+  const double sum = r.handForce_W.x() + r.handForce_W.y() + r.handForce_W.z() +
+                     state.position_W.back().x() + state.position_W.back().y() +
+                     state.position_W.back().z() + settled.left.squares;
+  r.isFinite = std::isfinite(sum);
+}
+
+/// Where the hand was when the step began.
+Drive handBefore(const InsertionModel& model, const InsertionState& state,
+                 const Drive& drive) noexcept
+{
+  Drive before = drive;
+  before.handPosition_W = state.base_W;
+  if (drive.coupling == Coupling::spring)
+    before.handPosition_W = drive.handPosition_W - model.timeStep * drive.handVelocity_W;
+  before.handAxis_W = (state.position_W[1] - state.position_W[0]) / model.spacing;
+  before.handCurl_W = state.curl_W[0];
+  return before;
+}
+
+/// The hand on its way, after a share of it.
+Drive between(const Drive& from, const Drive& to, double share) noexcept
+{
+  const auto mix = [share](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return Eigen::Vector3d((1.0 - share) * a + share * b);
+  };
+  Drive there = to;
+  there.handPosition_W = mix(from.handPosition_W, to.handPosition_W);
+  there.handAxis_W = mix(from.handAxis_W, to.handAxis_W).normalized();
+  const Eigen::Vector3d curl_W = mix(from.handCurl_W, to.handCurl_W);
+  there.handCurl_W = (curl_W - curl_W.dot(there.handAxis_W) * there.handAxis_W).normalized();
+  return there;
+}
+
+/// The step in parts of equal time, with the hand on its way.
+///
+/// @return The mean wrench: the hand's work in the parts is that of the mean over the step.
+Wrench advanceInParts(const InsertionModel& model, InsertionState& state, const Drive& drive,
+                      Settled& settled, RodWorkspace& work) noexcept
+{
+  const Drive before = handBefore(model, state, drive);
+  Wrench mean;
+  for (int k = 1; k <= mostParts; ++k) {
+    const Drive there = between(before, drive, static_cast<double>(k) / mostParts);
+    const Step step = tryStep(model, state, there, model.timeStep / mostParts, Way::downhill, work);
+    keepStep(state, work);
+    const Wrench wrench = wrenchOf(model, state, there, step.base, work);
+    mean.force_W += wrench.force_W / mostParts;
+    mean.torque_W += wrench.torque_W / mostParts;
+    settled.iterations += step.settled.iterations;
+    settled.left = step.settled.left;
+  }
+  work.system.factors.forget();
+  return mean;
+}
+
+}  // namespace
+
+void advanceRod(const InsertionModel& model, InsertionState& state, const Drive& drive,
+                RodWorkspace& work) noexcept
+{
+  // a stylet pulled at once, or a curled array let go at once, is released over some time
+  const double pulled = fastestStylet * model.timeStep;
+  state.styletWithdrawal +=
+      std::clamp(drive.styletWithdrawal - state.styletWithdrawal, -pulled, pulled);
+  const double released =
+      std::min(static_cast<double>(state.tick + 1) * model.timeStep / releaseTime, 1.0);
+  setStiffness(model, state.styletWithdrawal, released, work.section);
+
+  Step step = tryStep(model, state, drive, model.timeStep, Way::quick, work);
+  Settled settled = step.settled;
+  if (settled.left.worst > mostLeft) {
+    undoStep(state, work);
+    step = tryStep(model, state, drive, model.timeStep, Way::downhill, work);
+    settled = step.settled;
+  } else if (settled.left.worst > forceTolerance) {
+    settled = descend(model, state, step.base, settled, work);
+  }
+  Wrench wrench;
+  if (settled.left.worst <= mostLeft) {
+    keepStep(state, work);
+    wrench = wrenchOf(model, state, drive, step.base, work);
+  } else {
+    undoStep(state, work);
+    wrench = advanceInParts(model, state, drive, settled, work);
+  }
+  ++state.tick;
+  read(model, state, wrench, settled);
+}
+
+}  // namespace perilymph::mechanics

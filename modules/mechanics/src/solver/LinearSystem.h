@@ -1,0 +1,33 @@
+#pragma once
+
+// The linear system of a Newton step.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "solver/BandFactors.h"
+#include "solver/BandMatrix.h"
+
+namespace perilymph::mechanics {
+
+/// Stiffness, unbalanced forces and the step they give, per block of the matrix.
+struct LinearSystem {
+  explicit LinearSystem(std::size_t nodes = 0)
+      : matrix(nodes > 0 ? nodes - 1 : 0),
+        right(matrix.blocks()),
+        trial_W(matrix.blocks()),
+        start_W(nodes),
+        factors(matrix.blocks())
+  {
+  }
+
+  BandMatrix matrix;
+  std::vector<Eigen::Vector3d> right;    ///< Unbalanced force on each block [N].
+  std::vector<Eigen::Vector3d> trial_W;  ///< The Newton step itself, per block [m].
+  std::vector<Eigen::Vector3d> start_W;  ///< Positions of the nodes where it starts [m].
+  /// Of the last stiffness that was factored, in this time step or an earlier one: part of the
+  /// state's value.
+  BandFactors factors;
+};
+
+}  // namespace perilymph::mechanics

@@ -113,9 +113,6 @@ std::string anatomyJson(const session::Scenario& scenario,
 Result<Done> describeAnatomy(const AnatomyOptions& options)
 {
   if (!options.import.empty()) return describeImport(options);
-  for (const std::string& file :
-       {options.json, options.sections, options.surface, options.hapticSurface})
-    if (const auto done = checkPlace(file); !done) return done.error();
   const auto scenario = chooseCochlea(options);
   if (!scenario) return scenario.error();
   const anatomy::Patient& patient = scenario->patient;

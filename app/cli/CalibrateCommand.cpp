@@ -1,5 +1,6 @@
 #include <cstdio>
 
+#include "CallFiles.h"
 #include "Commands.h"
 #include "Interruption.h"
 #include "OutputFile.h"
@@ -49,9 +50,8 @@ void print(const analysis::CalibrationResult& result, const analysis::Reference&
 
 }  // namespace
 
-Result<Done> calibrate(const CalibrateOptions& options)
+Result<Done> calibrate(const CalibrateOptions& options, const CallFiles& files)
 {
-  if (const auto done = checkFolder(options.out); !done) return done.error();
   const auto file = findByName("variability", "resources/validation", options.variability);
   if (!file) return file.error();
   auto variability = analysis::loadVariability(*file);
@@ -61,6 +61,7 @@ Result<Done> calibrate(const CalibrateOptions& options)
   overrides.emplace_back("calibration", "");
   auto scenario = session::loadScenario(variability->scenario, overrides);
   if (!scenario) return scenario.error();
+  if (const auto done = files.checkScenarioFiles(scenario->files); !done) return done.error();
   auto experiment = analysis::shippedReference("todd-naghdy-experiment");
   if (!experiment) return experiment.error();
 
@@ -86,7 +87,7 @@ Result<Done> calibrate(const CalibrateOptions& options)
                    {"profile.csv", analysis::profileCsv(result->fitted)},
                    {"difference.csv", analysis::differenceCsv(result->fitted)}};
   content.figures = {{"calibration", draw(analysis::calibrationFigure(*result, *experiment))}};
-  if (const auto done = writeFolder(options.out, content); !done) return done.error();
+  if (const auto done = writeFolder(files, options.out, content); !done) return done.error();
   print(*result, *experiment);
   return Done{};
 }

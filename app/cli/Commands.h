@@ -1,7 +1,8 @@
 #pragma once
 
 // The subcommands: what they are told, and the calls that carry them out. Each call prints its
-// summary to standard output and gives a sentence where it could not be done.
+// summary to standard output and gives a sentence where it could not be done. That its outputs may
+// be written is checked before (CallFiles.h).
 
 #include <cstdint>
 #include <optional>
@@ -14,13 +15,15 @@
 
 namespace perilymph::cli {
 
+class CallFiles;
+
 struct SimulateOptions {
   std::string scenario;
   session::Overrides overrides;   ///< From --patient, --array, --set and their like.
   std::string csv, json, record;  ///< Files; empty where not asked for.
   double every_ms = 0.0;          ///< Between rows of the CSV; 0: every tick.
 };
-Result<Done> simulate(const SimulateOptions& options);
+Result<Done> simulate(const SimulateOptions& options, const CallFiles& files);
 
 struct AnatomyOptions {
   std::string preset, patient, import;
@@ -49,7 +52,7 @@ struct ValidateOptions {
   unsigned jobs = 0;  ///< 0: as many as the machine has.
   std::string out;
 };
-Result<Done> validate(const ValidateOptions& options);
+Result<Done> validate(const ValidateOptions& options, const CallFiles& files);
 
 struct CalibrateOptions {
   std::string variability = "published-experiment";
@@ -59,7 +62,7 @@ struct CalibrateOptions {
   unsigned jobs = 0;
   std::string out;
 };
-Result<Done> calibrate(const CalibrateOptions& options);
+Result<Done> calibrate(const CalibrateOptions& options, const CallFiles& files);
 
 struct PredictOptions {
   std::vector<std::string> arrays;
@@ -68,13 +71,13 @@ struct PredictOptions {
   unsigned jobs = 0;
   std::string out;
 };
-Result<Done> predict(const PredictOptions& options);
+Result<Done> predict(const PredictOptions& options, const CallFiles& files);
 
 struct CompareOptions {
   std::vector<std::string> files;
   std::string out;
 };
-Result<Done> compare(const CompareOptions& options);
+Result<Done> compare(const CompareOptions& options, const CallFiles& files);
 
 struct RenderOptions {
   std::string scenario;
@@ -83,7 +86,7 @@ struct RenderOptions {
   std::string view = "surgeon";
   std::string out;
 };
-Result<Done> render(const RenderOptions& options);
+Result<Done> render(const RenderOptions& options, const CallFiles& files);
 
 struct DevicesOptions {
   std::string json;

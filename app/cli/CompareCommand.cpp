@@ -1,5 +1,6 @@
 #include <cstdio>
 
+#include "CallFiles.h"
 #include "Commands.h"
 #include "OutputFile.h"
 #include "OutputFolder.h"
@@ -23,9 +24,8 @@ void print(const std::vector<analysis::ComparedInsertion>& insertions)
 
 }  // namespace
 
-Result<Done> compare(const CompareOptions& options)
+Result<Done> compare(const CompareOptions& options, const CallFiles& files)
 {
-  if (const auto done = checkFolder(options.out); !done) return done.error();
   std::vector<analysis::ComparedInsertion> insertions;
   for (const std::string& file : options.files) {
     auto compared = analysis::readCompared(file);
@@ -37,7 +37,7 @@ Result<Done> compare(const CompareOptions& options)
   content.texts = {{"comparison.csv", analysis::comparisonCsv(insertions)},
                    {"curves.csv", analysis::curvesCsv(insertions)}};
   content.figures = {{"curves", draw(analysis::comparisonFigure(insertions))}};
-  if (const auto done = writeFolder(options.out, content); !done) return done.error();
+  if (const auto done = writeFolder(files, options.out, content); !done) return done.error();
   print(insertions);
   return Done{};
 }

@@ -202,8 +202,6 @@ Result<Done> tryOut(const std::string& plugin, const std::string& file)
 
 Result<Done> devices(const DevicesOptions& options)
 {
-  if (const auto done = checkPlace(options.json); !done) return done.error();
-  if (const auto done = checkPlace(options.capture); !done) return done.error();
   if (!options.replay.empty()) return replayDevice(options.replay, options.json);
   if (!options.plugin.empty()) return tryOut(options.plugin, options.json);
   const device::DeviceSurvey survey = device::surveyDevices(device::systemRoots());

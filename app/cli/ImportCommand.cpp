@@ -66,8 +66,6 @@ Result<Done> describeImport(const AnatomyOptions& options)
     return Error{
         "An imported surface is measured and written as it is: --sections, --haptic-surface and "
         "--part need --preset, --patient or measures. Leave them out, or leave out --import."};
-  for (const std::string& file : {options.json, options.surface})
-    if (const auto done = checkPlace(file); !done) return done.error();
   const auto surface = imaging::readSurface(options.import);
   if (!surface) return surface.error();
   const auto scala = anatomy::importScala(*surface);

@@ -4,7 +4,9 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <stdexcept>
 
+#include "FileOptions.h"
 #include "Interruption.h"
 #include "perilymph/foundation/AtomicFile.h"
 #if PERILYMPH_HAS_TOOLKIT
@@ -26,6 +28,13 @@ Result<Done> writePicture(const fs::path& file, const analysis::Drawing& drawing
   static_cast<void>(drawing);
   return Done{};
 #endif
+}
+
+/// Every file of a folder is checked before the work begins, so it has to be announced.
+void expectOutput(const CallFiles& files, const fs::path& file)
+{
+  if (!files.isOutput(file))
+    throw std::logic_error(file.string() + " is not declared as an output of the command");
 }
 
 }  // namespace
@@ -52,14 +61,18 @@ Result<Done> checkFolder(const std::string& folder)
   return Done{};
 }
 
-Result<Done> writeFolder(const std::string& folder, const FolderContent& content)
+Result<Done> writeFolder(const CallFiles& files, const std::string& folder,
+                         const FolderContent& content)
 {
+  const fs::path place(folder);
+  for (const auto& [name, text] : content.texts) expectOutput(files, place / name);
+  for (const auto& [figure, drawing] : content.figures)
+    for (const std::string& name : figureNames(figure)) expectOutput(files, place / name);
   std::error_code failure;
   fs::create_directories(folder, failure);
   if (failure)
     return Error{"Cannot make the folder " + folder + ": " + failure.message() +
                  ". Choose another one."};
-  const fs::path place(folder);
   std::vector<std::string> names;
   for (const auto& [name, text] : content.texts) {
     if (const auto done = writeWhole(place / name, text); !done) return done.error();

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "CallFiles.h"
 #include "perilymph/analysis/Drawing.h"
 #include "perilymph/foundation/Result.h"
 
@@ -25,7 +26,10 @@ struct FolderContent {
 
 /// Makes the folder if it is not there and writes every file, each whole or not at all; figures as
 /// SVG, and as PNG where this build can. Prints what it wrote.
-Result<Done> writeFolder(const std::string& folder, const FolderContent& content);
+///
+/// @throws std::logic_error for a file that is not among the outputs of the call.
+Result<Done> writeFolder(const CallFiles& files, const std::string& folder,
+                         const FolderContent& content);
 
 /// Shows how far long work has come, where standard error is a terminal. False once an end was
 /// asked for.

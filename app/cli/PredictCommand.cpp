@@ -1,5 +1,6 @@
 #include <cstdio>
 
+#include "CallFiles.h"
 #include "Commands.h"
 #include "Interruption.h"
 #include "OutputFile.h"
@@ -49,9 +50,8 @@ void print(const analysis::ArraySummary& array, const analysis::Reference& inViv
 
 }  // namespace
 
-Result<Done> predict(const PredictOptions& options)
+Result<Done> predict(const PredictOptions& options, const CallFiles& files)
 {
-  if (const auto done = checkFolder(options.out); !done) return done.error();
   const auto inVivo = analysis::shippedReference("in-vivo");
   if (!inVivo) return inVivo.error();
   analysis::PredictionRequest request;
@@ -69,7 +69,7 @@ Result<Done> predict(const PredictOptions& options)
   FolderContent content;
   content.texts = {{"prediction.csv", analysis::predictionCsv(*result)},
                    {"prediction.json", analysis::predictionJson(request, *result, *inVivo)}};
-  if (const auto done = writeFolder(options.out, content); !done) return done.error();
+  if (const auto done = writeFolder(files, options.out, content); !done) return done.error();
   for (const analysis::ArraySummary& array : result->arrays) print(array, *inVivo);
   for (const analysis::PredictedInsertion& each : result->insertions)
     if (!each.trouble.empty())

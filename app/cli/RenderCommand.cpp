@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "CallFiles.h"
 #include "Interruption.h"
 #include "OutputFile.h"
 #include "perilymph/charts/FigurePicture.h"
@@ -82,13 +83,15 @@ Result<Done> drawAnatomy(const RenderOptions& options, visualization::PictureReq
 }
 
 /// The array in its cochlea, pushed in to a travel in virtual time.
-Result<Done> drawInsertion(const RenderOptions& options, visualization::PictureRequest request)
+Result<Done> drawInsertion(const RenderOptions& options, const CallFiles& files,
+                           visualization::PictureRequest request)
 {
   session::Overrides overrides;
   if (!options.patient.empty()) overrides.emplace_back("patient", options.patient);
   if (!options.array.empty()) overrides.emplace_back("array", options.array);
   const auto scenario = session::loadScenario(options.scenario, overrides);
   if (!scenario) return scenario.error();
+  if (const auto done = files.checkScenarioFiles(scenario->files); !done) return done.error();
   const Length wanted = options.at_mm ? millimeters(*options.at_mm) : scenario->stopTravel;
   if (wanted < Length() || wanted > scenario->stopTravel)
     return Error{"--at-mm is " + fixed(inMillimeters(wanted), 2) + "; it must be between 0 and " +
@@ -114,16 +117,15 @@ Result<Done> drawInsertion(const RenderOptions& options, visualization::PictureR
 
 }  // namespace
 
-Result<Done> render(const RenderOptions& options)
+Result<Done> render(const RenderOptions& options, const CallFiles& files)
 {
-  if (const auto done = checkPlace(options.out); !done) return done.error();
   const auto view = presetOf(options.view);
   if (!view) return view.error();
   visualization::PictureRequest request;
   request.view = *view;
   request.file = options.out;
   if (options.scenario.empty()) return drawAnatomy(options, std::move(request));
-  return drawInsertion(options, std::move(request));
+  return drawInsertion(options, files, std::move(request));
 }
 
 }  // namespace perilymph::cli
@@ -132,7 +134,7 @@ Result<Done> render(const RenderOptions& options)
 
 namespace perilymph::cli {
 
-Result<Done> render(const RenderOptions&)
+Result<Done> render(const RenderOptions&, const CallFiles&)
 {
   return Error{
       "This build cannot draw: it was made without VTK. Use a build with PERILYMPH_TOOLKIT=ON."};

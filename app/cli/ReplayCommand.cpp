@@ -95,7 +95,6 @@ Result<Done> verifyBits(const std::string& file)
 
 Result<Done> replay(const ReplayOptions& options)
 {
-  if (const auto done = checkPlace(options.csv); !done) return done.error();
   const auto recorded = session::RecordedInsertion::open(options.file);
   if (!recorded) return recorded.error();
   watchForInterruption();

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <optional>
 
+#include "CallFiles.h"
 #include "Commands.h"
 #include "Interruption.h"
 #include "OutputFile.h"
@@ -114,12 +115,11 @@ void printSummary(const session::Scenario& scenario, const Outcome& outcome)
 
 }  // namespace
 
-Result<Done> simulate(const SimulateOptions& options)
+Result<Done> simulate(const SimulateOptions& options, const CallFiles& files)
 {
-  for (const std::string& file : {options.csv, options.json})
-    if (const auto done = checkPlace(file); !done) return done.error();
   const auto scenario = session::loadScenario(options.scenario, options.overrides);
   if (!scenario) return scenario.error();
+  if (const auto done = files.checkScenarioFiles(scenario->files); !done) return done.error();
 
   std::optional<std::filesystem::path> record;
   if (!options.record.empty()) record = options.record;

@@ -1,5 +1,6 @@
 #include <cstdio>
 
+#include "CallFiles.h"
 #include "Commands.h"
 #include "Interruption.h"
 #include "OutputFile.h"
@@ -34,15 +35,15 @@ void print(const ValidationRequest& request, const ValidationResult& result)
 
 }  // namespace
 
-Result<Done> validate(const ValidateOptions& options)
+Result<Done> validate(const ValidateOptions& options, const CallFiles& files)
 {
-  if (const auto done = checkFolder(options.out); !done) return done.error();
   const auto file = findByName("variability", "resources/validation", options.variability);
   if (!file) return file.error();
   auto variability = analysis::loadVariability(*file);
   if (!variability) return variability.error();
   auto scenario = session::loadScenario(variability->scenario, options.overrides);
   if (!scenario) return scenario.error();
+  if (const auto done = files.checkScenarioFiles(scenario->files); !done) return done.error();
   const auto references = analysis::validationReferences();
   if (!references) return references.error();
 
@@ -67,7 +68,7 @@ Result<Done> validate(const ValidateOptions& options)
 
   auto [texts, figures] = analysis::validationFiles(request, *result, *references);
   const FolderContent content{std::move(texts), std::move(figures)};
-  if (const auto done = writeFolder(options.out, content); !done) return done.error();
+  if (const auto done = writeFolder(files, options.out, content); !done) return done.error();
   print(request, *result);
   return Done{};
 }

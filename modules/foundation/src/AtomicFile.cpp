@@ -9,6 +9,8 @@
 #include <optional>
 #include <system_error>
 
+#include "perilymph/foundation/FileIdentity.h"
+
 namespace perilymph {
 namespace {
 
@@ -63,9 +65,7 @@ Error cannotWrite(const fs::path& file, const std::string& why)
 fs::path placeOf(const fs::path& file)
 {
   std::error_code ignored;
-  if (!fs::is_symlink(file, ignored)) return file;
-  const fs::path target = fs::weakly_canonical(file, ignored);
-  return target.empty() ? file : target;
+  return fs::is_symlink(file, ignored) ? identityOf(file).place : file;
 }
 
 /// True for what has no content of its own to keep whole: a pipe, a terminal, /dev/null.
@@ -74,6 +74,16 @@ bool isStream(const fs::path& place)
   std::error_code ignored;
   const fs::file_status status = fs::status(place, ignored);
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+/// True for an existing file that its owner marked read-only, which binds the superuser, too, and
+/// for one that this process may not write to.
+bool isWriteProtected(const fs::path& place)
+{
+  struct stat status = {};
+  if (::stat(place.c_str(), &status) != 0) return false;
+  const bool isMarked = (status.st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0;
+  return isMarked || ::faccessat(AT_FDCWD, place.c_str(), W_OK, AT_EACCESS) != 0;
 }
 
 /// Why a file cannot appear at a place, as far as that can be seen before writing.
@@ -88,6 +98,9 @@ std::optional<Error> obstacle(const fs::path& file, const fs::path& place)
     return cannotWrite(file, "the folder " + folder.string() + " does not exist. Create it first.");
   if (!fs::is_directory(folder, ignored))
     return cannotWrite(file, folder.string() + " is not a folder. Choose another place.");
+  if (isWriteProtected(place))
+    return cannotWrite(file,
+                       "it exists and is read-only. Choose another name, or make it writable.");
   return std::nullopt;
 }
 
@@ -159,6 +172,18 @@ std::optional<std::string> failureOf(const std::function<bool(const fs::path&)>&
 }
 
 }  // namespace
+
+Result<Done> checkWritable(const fs::path& file)
+{
+  const fs::path place = placeOf(file);
+  if (isStream(place)) return Done{};
+  if (const auto error = obstacle(file, place)) return *error;
+  const fs::path folder = place.has_parent_path() ? place.parent_path() : fs::path(".");
+  if (::faccessat(AT_FDCWD, folder.c_str(), W_OK, AT_EACCESS) != 0)
+    return cannotWrite(
+        file, "nothing may be written into " + folder.string() + ". Choose another folder.");
+  return Done{};
+}
 
 Result<Done> writeWhole(const fs::path& file, std::string_view content)
 {

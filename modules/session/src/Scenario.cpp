@@ -7,6 +7,7 @@
 #include "EffectiveText.h"
 #include "NamedFile.h"
 #include "ScenarioCalibration.h"
+#include "ScenarioFiles.h"
 #include "ScenarioFriction.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Hash.h"
@@ -155,17 +156,6 @@ void readWallAndCoupling(TomlReader& reader, ScenarioKeys& keys, Scenario& scena
   engine.stopTravel = scenario.stopTravel.si();
   engine.styletSpeed = scenario.styletSpeed.si();
   engine.samplePeriod = scenario.timeStep.si();
-}
-
-/// The file that `patient` means: beside the scenario, else a shipped name or a path.
-Result<fs::path> findPatient(const std::string& patient, const fs::path& folder)
-{
-  std::error_code ignored;
-  if (!folder.empty()) {
-    for (const fs::path& place : {folder / patient, folder / (patient + ".toml")})
-      if (fs::is_regular_file(place, ignored)) return place;
-  }
-  return namedFile("patient", "resources/patients", patient);
 }
 
 /// The patient that an effective text carries: three lengths, or A, B and perhaps H, or a label
@@ -350,6 +340,7 @@ Result<Scenario> readScenario(TomlReader& reader, const std::string& name, const
                  shortLength_mm(scenario.array.insertable) + " mm at most. Lower stop_travel_mm."};
 
   noteSeat(scenario, deepest);
+  scenario.files = filesOf(scenario, reader.text("friction", "paper"), folder);
 
   keys.note("array_fingerprint", tomlText(scenario.arrayFingerprint));
   keys.notePatient(scenario.patient, scenario.anatomy);
@@ -366,7 +357,9 @@ Result<Scenario> loadScenario(const std::string& nameOrFile, const Overrides& ov
   if (!file) return file.error();
   auto reader = TomlReader::open(*file);
   if (!reader) return reader.error();
-  return readScenario(*reader, file->string(), file->parent_path(), overrides);
+  auto scenario = readScenario(*reader, file->string(), file->parent_path(), overrides);
+  if (scenario) scenario->files.push_back(*file);
+  return scenario;
 }
 
 Result<Scenario> parseScenario(const std::string& text, const std::string& name,

@@ -113,6 +113,37 @@ TEST(WriteWhole, FollowsASymbolicLink)
   EXPECT_EQ(contentOf(folder / "real.txt"), "new");
 }
 
+TEST(WriteWhole, FollowsASymbolicLinkToAFileThatIsNotThereYet)
+{
+  const test::TemporaryFolder folder;
+  fs::create_symlink("later.txt", folder / "link.txt");
+  ASSERT_TRUE(writeWhole(folder / "link.txt", std::string_view("new")));
+  EXPECT_TRUE(fs::is_symlink(folder / "link.txt"));
+  EXPECT_EQ(contentOf(folder / "later.txt"), "new");
+}
+
+TEST(WriteWhole, NeverReplacesAReadOnlyFile)
+{
+  const test::TemporaryFolder folder;
+  put(folder / "old.csv", "kept");
+  ::chmod((folder / "old.csv").c_str(), 0444);  // binds the superuser, too
+  EXPECT_THAT(messageOf(checkWritable(folder / "old.csv")), HasSubstr("read-only"));
+  EXPECT_THAT(messageOf(writeWhole(folder / "old.csv", std::string_view("new"))),
+              HasSubstr("read-only"));
+  EXPECT_EQ(contentOf(folder / "old.csv"), "kept");
+  EXPECT_EQ(filesIn(folder.path()), 1u);
+}
+
+TEST(CheckWritable, AnswersAsWritingWould)
+{
+  const test::TemporaryFolder folder;
+  EXPECT_TRUE(checkWritable(folder / "new.csv"));
+  EXPECT_TRUE(checkWritable("/dev/null"));
+  EXPECT_THAT(messageOf(checkWritable(folder.path())), HasSubstr("it is a folder"));
+  EXPECT_THAT(messageOf(checkWritable(folder / "no" / "new.csv")), HasSubstr("does not exist"));
+  EXPECT_EQ(filesIn(folder.path()), 0u);
+}
+
 TEST(WriteWhole, TakesTheLongestFileNameThereIs)
 {
   const test::TemporaryFolder folder;

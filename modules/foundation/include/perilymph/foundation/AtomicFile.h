@@ -11,8 +11,13 @@
 
 namespace perilymph {
 
+/// Whether a file could be written, asked before the work that fills it: its folder exists and may
+/// be written to, and the file is no folder and not read-only.
+Result<Done> checkWritable(const std::filesystem::path& file);
+
 /// Writes a file so that it appears whole or not at all: into a neighbor first, then renamed over
-/// the place. On failure nothing is left behind and an older file stays as it was.
+/// the place. On failure nothing is left behind and an older file stays as it was;
+/// a read-only one is never replaced.
 Result<Done> writeWhole(const std::filesystem::path& file, std::string_view content);
 
 /// The same for content that a library writes by itself (pictures, surfaces): `write` is given the

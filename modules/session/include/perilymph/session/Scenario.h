@@ -60,6 +60,8 @@ struct Scenario {
   /// Every key as run and its value as TOML writes it (which JSON reads, too), in their order;
   /// the patient's are called "patient_numbers.st_length_mm" and so on.
   std::vector<std::pair<std::string, std::string>> values;
+  /// Every file it was read from: its own, its patient's, array's, friction's and calibration's.
+  std::vector<std::filesystem::path> files;
   std::vector<std::string> notes;  ///< What whoever runs it should know, in sentences.
   std::string text;                ///< The scenario as run, TOML: what a recording keeps.
 };

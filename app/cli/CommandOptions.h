@@ -1,0 +1,34 @@
+#pragma once
+
+// The commands as they stand on the command line.
+
+#include "CallFiles.h"
+#include "Commands.h"
+#include "FileOptions.h"
+
+namespace CLI {
+class App;
+}
+
+namespace perilymph::cli {
+
+/// What the commands are told; filled while the command line is parsed.
+struct CommandOptions {
+  SimulateOptions simulate;
+  AnatomyOptions anatomy;
+  ReplayOptions replay;
+  RenderOptions render;
+  ValidateOptions validate;
+  CalibrateOptions calibrate;
+  PredictOptions predict;
+  CompareOptions compare;
+  DevicesOptions devices;
+};
+
+/// Declares every command with its options, and marks the options that name files.
+void addCommands(CLI::App& app, FileOptions& files, CommandOptions& options);
+
+/// Runs the command that was parsed.
+Result<Done> runCommand(const CLI::App& app, const CallFiles& files, const CommandOptions& options);
+
+}  // namespace perilymph::cli

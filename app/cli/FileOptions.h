@@ -1,0 +1,50 @@
+#pragma once
+
+// Which options of the command line name files, and what becomes of these files.
+
+#include <string>
+#include <vector>
+
+#include "CallFiles.h"
+
+namespace CLI {
+class Option;
+}
+
+namespace perilymph::cli {
+
+/// Marks options as inputs and outputs while they are declared, and collects the files of a parsed
+/// call. Every option that names a file is marked here, once.
+class FileOptions {
+public:
+  /// Marks an option whose value is a file that is read, or a shipped name in `shippedFolder`.
+  void reads(CLI::Option* option, const std::string& shippedFolder = {});
+  /// Marks an option whose values are `key=FILE` or `key=value`.
+  void readsSettings(CLI::Option* option);
+  /// Marks an option whose value is a file that is written.
+  void writes(CLI::Option* option);
+  /// Marks an option whose value is a recording that is written.
+  void records(CLI::Option* option);
+  /// Marks an option whose value is a folder that is filled with files of these names.
+  void writesInto(CLI::Option* option, const std::vector<std::string>& names);
+
+  /// Files of the options that were given.
+  CallFiles filesOfCall() const;
+
+private:
+  enum class Use { reads, readsSettings, writes, records, writesInto };
+  struct Marked {
+    CLI::Option* option;
+    Use use;
+    std::string shippedFolder;
+    std::vector<std::string> names;
+  };
+  static void add(CallFiles& files, const Marked& marked, const std::string& value);
+
+  std::vector<Marked> marked_;
+};
+
+/// The names of a figure's files: SVG, and PNG where this build writes it.
+std::vector<std::string> figureNames(const std::string& figure);
+
+}  // namespace perilymph::cli

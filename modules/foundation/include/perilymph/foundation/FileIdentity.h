@@ -1,0 +1,23 @@
+#pragma once
+
+// Whether two paths name the same file.
+
+#include <cstdint>
+#include <filesystem>
+
+namespace perilymph {
+
+/// The file that a path names, whether or not it exists yet.
+struct FileIdentity {
+  std::filesystem::path place;  ///< Absolute, every symbolic link followed.
+  std::uint64_t device = 0;     ///< Device and inode of an existing file; both 0 without one.
+  std::uint64_t inode = 0;
+};
+
+/// Follows symbolic links to the end, even where nothing exists there yet.
+FileIdentity identityOf(const std::filesystem::path& file);
+
+/// True for two spellings of one path, for a link and its target, and for two hard links.
+bool isSameFile(const FileIdentity& one, const FileIdentity& other);
+
+}  // namespace perilymph

@@ -1,0 +1,34 @@
+#include "ScenarioFiles.h"
+
+#include "NamedFile.h"
+
+namespace perilymph::session {
+
+namespace fs = std::filesystem;
+
+Result<fs::path> findPatient(const std::string& patient, const fs::path& folder)
+{
+  std::error_code ignored;
+  if (!folder.empty()) {
+    for (const fs::path& place : {folder / patient, folder / (patient + ".toml")})
+      if (fs::is_regular_file(place, ignored)) return place;
+  }
+  return namedFile("patient", "resources/patients", patient);
+}
+
+std::vector<fs::path> filesOf(const Scenario& scenario, const std::string& friction,
+                              const fs::path& folder)
+{
+  std::vector<fs::path> files;
+  const auto add = [&files](const Result<fs::path>& file) {
+    if (file) files.push_back(*file);
+  };
+  if (!scenario.patientName.empty()) add(findPatient(scenario.patientName, folder));
+  add(namedFile("array", "plugins/electrodes", scenario.arrayName));
+  add(namedFile("friction", "resources/friction", friction));
+  if (!scenario.calibrationName.empty())
+    add(namedFile("calibration", "resources/calibration", scenario.calibrationName));
+  return files;
+}
+
+}  // namespace perilymph::session

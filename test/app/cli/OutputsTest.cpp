@@ -1,0 +1,209 @@
+// Outputs that would replace what must not be lost: an input, a recording, another output, a
+// read-only file.
+
+#include <sys/stat.h>
+
+#include "Cli.h"
+#include "perilymph/foundation/Resources.h"
+
+namespace perilymph::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+constexpr const char* shortScenario =
+    "array = \"contour\"\nanatomy = \"published\"\nnodes = 20\nstop_travel_mm = 0.2\n";
+
+/// A folder with a recording, a scenario and a patient.
+class Outputs : public testing::Test {
+protected:
+  Outputs()
+  {
+    std::ofstream(folder / "scenario.toml") << shortScenario;
+    std::ofstream(folder / "with-patient.toml") << shortScenario << "patient = \"patient.toml\"\n";
+    std::ofstream(folder / "patient.toml") << contentOf(patientFile());
+  }
+
+  static std::string patientFile() { return resource("resources/patients/average.toml").string(); }
+
+  void record()
+  {
+    ASSERT_EQ(
+        callHere({"simulate", "--scenario", "scenario.toml", "--record", "run.insertion"}).status,
+        0);
+  }
+
+  ProgramOutcome callHere(std::vector<std::string> arguments) const
+  {
+    ProgramCall call = cliCall(std::move(arguments));
+    call.folder = folder.path();
+    return run(call);
+  }
+
+  /// A call that is refused and leaves every file as it was.
+  void expectNothingLost(const std::vector<std::string>& arguments, const std::string& says) const
+  {
+    const auto before = contents();
+    const ProgramOutcome outcome = callHere(arguments);
+    SCOPED_TRACE(testing::PrintToString(arguments));
+    expectRefusal(outcome, says);
+    EXPECT_EQ(contents(), before);
+  }
+
+  std::vector<std::pair<std::string, std::string>> contents() const
+  {
+    std::vector<std::pair<std::string, std::string>> all;
+    for (const std::string& name : namesIn(folder.path()))
+      all.emplace_back(name, contentOf(folder / name));
+    return all;
+  }
+
+  const TemporaryFolder folder;
+};
+
+TEST_F(Outputs, NeverReplaceAnInputOfTheCall)
+{
+  record();
+  const std::string says = "Give --csv another name";
+  expectNothingLost({"replay", "run.insertion", "--csv", "run.insertion"}, says);
+  expectNothingLost({"simulate", "--scenario", "scenario.toml", "--csv", "scenario.toml"}, says);
+  expectNothingLost({"simulate", "--scenario", "scenario.toml", "--record", "scenario.toml"},
+                    "Give --record another name");
+  expectNothingLost({"simulate", "--scenario", "scenario.toml", "--patient", "patient.toml",
+                     "--json", "patient.toml"},
+                    "which --patient reads");
+  expectNothingLost({"simulate", "--scenario", "scenario.toml", "--set", "patient=patient.toml",
+                     "--json", "patient.toml"},
+                    "which --set patient reads");
+  expectNothingLost({"anatomy", "--patient", "patient.toml", "--sections", "patient.toml"},
+                    "which --patient reads");
+  expectNothingLost({"anatomy", "--import", "patient.toml", "--surface", "patient.toml"},
+                    "which --import reads");
+  expectNothingLost({"devices", "--replay", "patient.toml", "--json", "patient.toml"},
+                    "which --replay reads");
+  expectNothingLost({"render", "--patient", "patient.toml", "--out", "patient.toml"},
+                    "which --patient reads");
+}
+
+TEST_F(Outputs, NeverReplaceAFileThatTheScenarioNames)
+{
+  expectNothingLost({"simulate", "--scenario", "with-patient.toml", "--json", "patient.toml"},
+                    "which the scenario reads");
+  expectNothingLost({"render", "--scenario", "with-patient.toml", "--out", "patient.toml"},
+                    "which the scenario reads");
+}
+
+TEST_F(Outputs, NeverReplaceAnInputByAnotherNameOfIt)
+{
+  fs::create_symlink("scenario.toml", folder / "link.csv");
+  fs::create_symlink("link.csv", folder / "second-link.csv");
+  fs::create_hard_link(folder / "scenario.toml", folder / "hard.csv");
+  fs::create_directory_symlink(".", folder / "here");
+  const std::vector<std::string> names = {"./scenario.toml",    "link.csv",
+                                          "second-link.csv",    "hard.csv",
+                                          "here/scenario.toml", folder / "scenario.toml"};
+  for (const std::string& name : names) {
+    const ProgramOutcome outcome =
+        callHere({"simulate", "--scenario", "scenario.toml", "--csv", name});
+    expectRefusal(outcome, "which --scenario reads");
+    EXPECT_EQ(contentOf(folder / "scenario.toml"), shortScenario) << name;
+  }
+}
+
+TEST_F(Outputs, OfEveryCommandNeverReplaceARecording)
+{
+  record();
+  fs::copy(folder / "run.insertion", folder / "renamed.db");
+  for (const std::string recording : {"run.insertion", "renamed.db"}) {
+    const std::vector<std::vector<std::string>> calls = {
+        {"simulate", "--scenario", "scenario.toml", "--csv", recording},
+        {"simulate", "--scenario", "scenario.toml", "--json", recording},
+        {"anatomy", "--preset", "published", "--json", recording},
+        {"anatomy", "--preset", "published", "--sections", recording},
+        {"anatomy", "--preset", "published", "--surface", recording},
+        {"anatomy", "--preset", "published", "--haptic-surface", recording},
+        {"render", "--preset", "published", "--out", recording},
+        {"devices", "--json", recording},
+        {"devices", "--test", "4095", "--capture", recording}};
+    for (const auto& call : calls) expectNothingLost(call, "belongs to a recording");
+  }
+}
+
+TEST_F(Outputs, NeverReplaceTheLogOfARecording)
+{
+  record();
+  std::ofstream(folder / "run.insertion-wal") << "ticks that are not folded in yet";
+  expectNothingLost({"simulate", "--scenario", "scenario.toml", "--csv", "run.insertion-wal"},
+                    "belongs to a recording");
+  expectNothingLost({"simulate", "--scenario", "scenario.toml", "--record", "new.insertion",
+                     "--csv", "new.insertion-wal"},
+                    "would both write");
+}
+
+TEST_F(Outputs, HaveAFileEach)
+{
+  const std::vector<std::string> simulate = {"simulate", "--scenario", "scenario.toml"};
+  fs::create_symlink("b", folder / "link-to-b");
+  for (const auto& [one, other] :
+       {std::pair{"a", "a"}, {"a", "./a"}, {"b", "link-to-b"}, {"link-to-b", "b"}}) {
+    for (const auto& [first, second] :
+         {std::pair{"--csv", "--json"}, {"--csv", "--record"}, {"--json", "--record"}}) {
+      std::vector<std::string> call = simulate;
+      for (const std::string word : {first, one, second, other}) call.push_back(word);
+      expectNothingLost(call, "would both write");
+    }
+  }
+  expectNothingLost({"anatomy", "--preset", "published", "--json", "a", "--sections", "a"},
+                    "--json and --sections would both write");
+}
+
+TEST_F(Outputs, LeaveAReadOnlyFile)
+{
+  std::ofstream(folder / "old.csv") << "kept\n";
+  ::chmod((folder / "old.csv").c_str(), 0444);
+  expectNothingLost({"simulate", "--scenario", "scenario.toml", "--csv", "old.csv"}, "read-only");
+  expectNothingLost({"devices", "--json", "old.csv"}, "read-only");
+  fs::create_directory(folder / "out");
+  fs::rename(folder / "old.csv", folder / "out/curves.csv");
+  record();
+  expectRefusal(callHere({"compare", "run.insertion", "--out", "out"}), "read-only");
+  EXPECT_EQ(contentOf(folder / "out/curves.csv"), "kept\n");
+}
+
+TEST_F(Outputs, OfAFolderNeverReplaceAnInputOrARecording)
+{
+  record();
+  fs::create_directory(folder / "out");
+  fs::copy(folder / "run.insertion", folder / "out/curves.csv");
+  expectRefusal(callHere({"compare", "run.insertion", "--out", "out"}), "belongs to a recording");
+  fs::remove(folder / "out/curves.csv");
+  for (const char* name : {"calibration.toml", "summary.json"})
+    fs::copy(folder / "patient.toml", folder / "out" / name);
+  expectRefusal(callHere({"calibrate", "--variability", "out/calibration.toml", "--out", "out"}),
+                "which --variability reads");
+  expectRefusal(callHere({"validate", "--set", "array='out/summary.json'", "--out", "./out"}),
+                "which --set array reads");
+  for (const char* name : {"calibration.toml", "summary.json"})
+    EXPECT_EQ(contentOf(folder / "out" / name), contentOf(patientFile()));
+}
+
+TEST_F(Outputs, ReplaceWhatAnEarlierCallWrote)
+{
+  for (int i = 0; i < 2; ++i) {
+    const ProgramOutcome outcome = callHere(
+        {"simulate", "--scenario", "scenario.toml", "--csv", "run.csv", "--json", "run.json"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+  }
+  EXPECT_THAT(contentOf(folder / "run.csv"), testing::StartsWith("time_s"));
+}
+
+TEST_F(Outputs, MayShareAStreamThatKeepsNothing)
+{
+  const ProgramOutcome outcome = callHere(
+      {"simulate", "--scenario", "scenario.toml", "--csv", "/dev/null", "--json", "/dev/null"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
+}  // namespace
+}  // namespace perilymph::test

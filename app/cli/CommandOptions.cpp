@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "EmptyValues.h"
 #include "FileOptions.h"
 
 namespace perilymph::cli {
@@ -44,7 +45,8 @@ void setOption(CLI::App& command, FileOptions& files, session::Overrides& overri
                   const std::size_t equals = setting.find('=');
                   if (equals == std::string::npos || equals == 0)
                     throw CLI::ValidationError("--set", "'" + setting + "' is not key=value");
-                  overrides.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
+                  overrides.emplace_back(setting.substr(0, equals),
+                                         settingValue("--set", setting, equals));
                 }
               },
               "Changes a scenario's key: --set speed_mm_s=1.0; may be repeated")
@@ -262,6 +264,7 @@ void addCommands(CLI::App& app, FileOptions& files, CommandOptions& options)
   addPredict(app, files, options.predict);
   addCompare(app, files, options.compare);
   addDevices(app, files, options.devices);
+  refuseEmptyValues(app);
 }
 
 Result<Done> runCommand(const CLI::App& app, const CallFiles& files, const CommandOptions& options)

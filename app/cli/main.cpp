@@ -7,6 +7,7 @@
 #include <string>
 
 #include "CommandOptions.h"
+#include "EmptyValues.h"
 #include "perilymph/foundation/Version.h"
 
 namespace perilymph::cli {
@@ -21,8 +22,9 @@ constexpr int wrongWords = 2;
 /// What is wrong with the words of a call.
 std::string words(const CLI::ParseError& error, const CLI::App& app, int argc, char** argv)
 {
-  const bool namesNothing = argc < 2 || argv[1][0] == '-' || !app.get_subcommands().empty();
-  if (namesNothing) return error.what();
+  if (argc < 2 || argv[1][0] == '-') return error.what();
+  const auto isNamed = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
+  if (!app.get_subcommands(isNamed).empty()) return error.what();
   return "There is no command '" + std::string(argv[1]) +
          "'; there are simulate, anatomy, validate, calibrate, predict, compare, replay, render "
          "and devices";
@@ -48,6 +50,7 @@ int run(int argc, char** argv)
   addCommands(app, fileOptions, options);
 
   try {
+    refuseEmptyAssignments(argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <string_view>
 
 #include "perilymph/foundation/Version.h"
 
@@ -22,6 +23,31 @@ std::string checkDelay(const std::string& text)
   double seconds = -1.0;
   if (CLI::detail::lexical_cast(text, seconds) && seconds >= 0.0 && seconds <= 3600.0) return {};
   return "--after is " + text + "; it must be a number of seconds between 0 and 3600.";
+}
+
+/// Not a ValidationError, before which CLI11 would write the option's name once more.
+CLI::ConversionError emptyValue(const std::string& name)
+{
+  return CLI::ConversionError(name + " is empty; give it a value (is a shell variable unset?)");
+}
+
+/// Refuses empty values of every option, and `--option=`, for which CLI11 would take the next word.
+void refuseEmptyValues(CLI::App& app, int argc, const char* const* argv)
+{
+  for (CLI::Option* option : app.get_options()) {
+    if (option->get_items_expected_max() == 0) continue;  // a flag
+    const std::string name = option->get_name();
+    // A transform comes before every other check of the option.
+    option->transform([name](const std::string& value) -> std::string {
+      if (value.empty()) throw emptyValue(name);
+      return value;
+    });
+  }
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    if (word.size() > 3 && word.substr(0, 2) == "--" && word.find('=') == word.size() - 1)
+      throw emptyValue(std::string(word.substr(0, word.size() - 1)));
+  }
 }
 
 }  // namespace
@@ -84,6 +110,7 @@ std::variant<Options, Exit> parseOptions(int argc, const char* const* argv)
       ->excludes("--measure-frames");
 
   try {
+    refuseEmptyValues(app, argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {  // --help and --version
     app.exit(success);

@@ -34,5 +34,56 @@ TEST(CommandLine, KnowsItsCommands)
       "long");
 }
 
+/// The sentence begins with the option and says what is wrong with it.
+void expectEmpty(const ProgramOutcome& outcome, const std::string& option)
+{
+  EXPECT_EQ(outcome.status, 2) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_THAT(outcome.err, testing::StartsWith(option + " is empty"));
+}
+
+TEST(EmptyValue, OfEveryOptionIsRefusedAndTheOptionNamed)
+{
+  const std::vector<std::string> simulate = {"simulate", "--scenario", "contour-published"};
+  const auto with = [](std::vector<std::string> call, const std::string& option) {
+    call.push_back(option);
+    call.emplace_back("");
+    return call;
+  };
+  for (const char* option : {"--patient", "--array", "--model", "--nodes", "--seed", "--csv",
+                             "--every-ms", "--json", "--record", "--set"})
+    expectEmpty(cli(with(simulate, option)), std::string(option));
+  expectEmpty(cli({"simulate", "--scenario", ""}), "--scenario");
+  for (const char* option : {"--preset", "--patient", "--import", "--sample", "--st-length-mm"})
+    expectEmpty(cli({"anatomy", option, ""}), std::string(option));
+  for (const char* option : {"--json", "--sections", "--surface", "--haptic-surface", "--h-mm"})
+    expectEmpty(cli(with({"anatomy", "--preset", "published"}, option)), std::string(option));
+  for (const char* option : {"--json", "--test", "--replay", "--plugin", "--capture"})
+    expectEmpty(cli({"devices", option, ""}), std::string(option));
+  for (const char* option : {"--scenario", "--patient", "--preset", "--array", "--out", "--view"})
+    expectEmpty(cli({"render", option, ""}), std::string(option));
+  for (const char* command : {"validate", "calibrate"})
+    for (const char* option : {"--variability", "--out", "--runs", "--jobs", "--set"})
+      expectEmpty(cli({command, option, ""}), std::string(option));
+  expectEmpty(cli({"predict", "--array", "flex28", "", "--out", "x"}), "--array");
+  expectEmpty(cli({"replay", ""}), "file");
+  expectEmpty(cli({"replay", "x.insertion", "--csv", ""}), "--csv");
+  expectEmpty(cli({"compare", "a.insertion", "", "--out", "x"}), "files");
+}
+
+TEST(EmptyValue, BehindAnEqualsSignDoesNotTakeTheNextWord)
+{
+  expectEmpty(cli(shortSimulation({"--patient=", "--json", "x.json"})), "--patient");
+  expectEmpty(cli({"replay", "--csv=", "x.insertion"}), "--csv");
+}
+
+TEST(EmptyValue, OfASettingIsRefused)
+{
+  for (const char* setting : {"patient=", "array=", "friction=", "anatomy=", "calibration="})
+    expectEmpty(cli(shortSimulation({"--set", setting})), std::string("--set ") + setting);
+  // two quotation marks mean an empty text
+  EXPECT_EQ(cli(shortSimulation({"--set", "calibration=\"\""})).status, 0);
+}
+
 }  // namespace
 }  // namespace perilymph::test

@@ -164,5 +164,18 @@ INSTANTIATE_TEST_SUITE_P(
                       std::vector<std::string>{"--scenario"},
                       std::vector<std::string>{"a-word-of-its-own"}));
 
+TEST(PerilymphCall, WithAnEmptyValueIsRefusedAndTheOptionNamed)
+{
+  for (const std::string option : {"--scenario", "--record", "--device-plugin", "--screenshot",
+                                   "--quality", "--language", "--ticks", "--after"}) {
+    const auto outcome = perilymph({option, ""});
+    EXPECT_EQ(outcome.status, 2) << option;
+    EXPECT_THAT(outcome.err, ::testing::StartsWith(option + " is empty"));
+    const auto assigned = perilymph({option + "=", "contour-published"});
+    EXPECT_EQ(assigned.status, 2) << option;
+    EXPECT_THAT(assigned.err, ::testing::StartsWith(option + " is empty"));
+  }
+}
+
 }  // namespace
 }  // namespace perilymph::test

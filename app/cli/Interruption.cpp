@@ -1,27 +1,62 @@
 #include "Interruption.h"
 
+#include <unistd.h>
+
 #include <csignal>
 #include <initializer_list>
+#include <string_view>
+
+#include "perilymph/foundation/AtomicFile.h"
 
 namespace perilymph::cli {
 
 namespace {
 
+constexpr unsigned grace_s = 3;  // longer than any insertion of a validation takes
+
 volatile std::sig_atomic_t wasAsked = 0;
 
-extern "C" void noteSignal(int) { wasAsked = 1; }
+// Handlers call nothing but what signal-safety(7) allows.
+extern "C" void endNow(int)
+{
+  constexpr std::string_view sentence = "Interrupted; nothing half-written is left.\n";
+  removeUnfinishedFiles();
+  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, sentence.data(), sentence.size());
+  ::_exit(1);
+}
+
+void handle(int signal, void (*handler)(int))
+{
+  struct sigaction action = {};
+  action.sa_handler = handler;
+  sigemptyset(&action.sa_mask);
+  sigaction(signal, &action, nullptr);
+}
+
+constexpr std::initializer_list<int> ends = {SIGINT, SIGTERM, SIGHUP};
+
+extern "C" void askForEnd(int)
+{
+  if (wasAsked != 0) endNow(0);
+  wasAsked = 1;
+  handle(SIGALRM, endNow);
+  ::alarm(grace_s);
+}
+
+void handleEnds(void (*handler)(int))
+{
+  for (const int signal : ends) {
+    struct sigaction now = {};
+    sigaction(signal, nullptr, &now);
+    if (now.sa_handler != SIG_IGN) handle(signal, handler);
+  }
+}
 
 }  // namespace
 
-void watchForInterruption()
-{
-  struct sigaction action = {};
-  action.sa_handler = noteSignal;
-  sigemptyset(&action.sa_mask);
-  // A second signal ends the program as usual.
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
-}
+void endOnInterruption() { handleEnds(endNow); }
+
+void watchForInterruption() { handleEnds(askForEnd); }
 
 bool isInterrupted() { return wasAsked != 0; }
 

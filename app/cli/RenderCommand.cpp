@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "CallFiles.h"
-#include "Interruption.h"
 #include "OutputFile.h"
 #include "perilymph/charts/FigurePicture.h"
 #include "perilymph/charts/UnrolledScala.h"
@@ -101,11 +100,9 @@ Result<Done> drawInsertion(const RenderOptions& options, const CallFiles& files,
   auto hand = std::make_unique<device::ScriptedHand>(scenario->speed.si(), scenario->timeStep.si());
   auto insertion = session::Insertion::prepare(*scenario, std::move(hand), std::nullopt);
   if (!insertion) return insertion.error();
-  watchForInterruption();
   const auto ran = (*insertion)->runToEnd([&](const haptics::TickRecord& record) {
-    return record.output.travel < wanted.si() && !isInterrupted();
+    return record.output.travel < wanted.si();
   });
-  if (isInterrupted()) return Error{"Interrupted; nothing was written."};
   if (!ran) return ran.error();
   (*insertion)->refresh();
   request.scala = (*insertion)->sharedAnatomy();

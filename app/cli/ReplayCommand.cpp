@@ -3,7 +3,6 @@
 #include <optional>
 
 #include "Commands.h"
-#include "Interruption.h"
 #include "OutputFile.h"
 #include "Printable.h"
 #include "perilymph/analysis/ForceProfile.h"
@@ -24,10 +23,9 @@ Result<Done> writeRows(const session::RecordedInsertion& recorded, const std::st
     stream << session::csvHeader();
     const auto read = recorded.forEach([&](const haptics::TickRecord& record) {
       stream << session::csvRow(record);
-      return !isInterrupted();
+      return stream.good();
     });
     if (!read) trouble = read.error();
-    if (isInterrupted()) trouble = Error{"Interrupted; nothing was written."};
     stream.close();
     return stream.good() && !trouble;
   });
@@ -97,7 +95,6 @@ Result<Done> replay(const ReplayOptions& options)
 {
   const auto recorded = session::RecordedInsertion::open(options.file);
   if (!recorded) return recorded.error();
-  watchForInterruption();
   if (!recorded->note().empty()) std::fprintf(stderr, "%s\n", printable(recorded->note()).c_str());
   if (!options.csv.empty())
     if (const auto done = writeRows(*recorded, options.csv); !done) return done.error();

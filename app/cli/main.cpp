@@ -8,6 +8,7 @@
 
 #include "CommandOptions.h"
 #include "EmptyValues.h"
+#include "Interruption.h"
 #include "perilymph/foundation/Version.h"
 
 namespace perilymph::cli {
@@ -68,6 +69,7 @@ int run(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
+  perilymph::cli::endOnInterruption();
   try {
     return perilymph::cli::run(argc, argv);
   } catch (const std::exception& mistake) {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <system_error>
 
+#include "UnfinishedName.h"
 #include "perilymph/foundation/FileIdentity.h"
 
 namespace perilymph {
@@ -114,6 +115,7 @@ public:
     for (int attempt = 0; attempt < 1000; ++attempt) {
       path_ = place.parent_path() /
               (stem + std::to_string(attempt) + ".part" + place.extension().string());
+      name_.keep(path_);
       descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
       if (descriptor_ >= 0 || errno != EEXIST) break;
     }
@@ -145,6 +147,7 @@ public:
 
 private:
   fs::path path_;
+  UnfinishedName name_;
   int descriptor_ = -1;
   int errorNumber_ = 0;
   bool isKept_ = false;
@@ -223,6 +226,8 @@ Result<Done> writeWhole(const fs::path& file, const std::function<bool(const fs:
   if (const int failure = neighbor.moveTo(place)) return cannotWrite(file, reason(failure) + ".");
   return Done{};
 }
+
+void removeUnfinishedFiles() noexcept { UnfinishedName::removeAll(); }
 
 Result<std::string> readWhole(const fs::path& file)
 {

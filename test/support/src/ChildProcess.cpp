@@ -11,6 +11,7 @@
 #include <condition_variable>
 #include <csignal>
 #include <cstring>
+#include <initializer_list>
 #include <mutex>
 #include <system_error>
 #include <thread>
@@ -98,8 +99,13 @@ void ChildProcess::Content::start(const ProgramCall& call)
   // A group of its own, so that what it starts can be ended with it.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   posix_spawnattr_setpgroup(&attributes, 0);
+  // Signals that a test sends are not ignored, even where the test runs in the background.
+  sigset_t asUsual;
+  sigemptyset(&asUsual);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) sigaddset(&asUsual, signal);
+  posix_spawnattr_setsigdefault(&attributes, &asUsual);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
 
   std::vector<std::string> words{call.program};
   words.insert(words.end(), call.arguments.begin(), call.arguments.end());

@@ -144,6 +144,24 @@ TEST(CheckWritable, AnswersAsWritingWould)
   EXPECT_EQ(filesIn(folder.path()), 0u);
 }
 
+TEST(UnfinishedFiles, AreRemovedBeforeASignalEndsTheProcess)
+{
+  const test::TemporaryFolder folder;
+  put(folder / "old.csv", "older");
+  std::size_t during = 0, after = 0;
+  EXPECT_FALSE(writeWhole(folder / "old.csv", [&](const fs::path& path) {
+    put(path, "half");
+    during = filesIn(folder.path());
+    removeUnfinishedFiles();
+    after = filesIn(folder.path());
+    return true;
+  }));
+  EXPECT_EQ(during, 2u);
+  EXPECT_EQ(after, 1u);
+  removeUnfinishedFiles();  // nothing is being written now
+  EXPECT_EQ(contentOf(folder / "old.csv"), "older");
+}
+
 TEST(WriteWhole, TakesTheLongestFileNameThereIs)
 {
   const test::TemporaryFolder folder;

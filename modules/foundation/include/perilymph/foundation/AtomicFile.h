@@ -25,6 +25,10 @@ Result<Done> writeWhole(const std::filesystem::path& file, std::string_view cont
 Result<Done> writeWhole(const std::filesystem::path& file,
                         const std::function<bool(const std::filesystem::path&)>& write);
 
+/// Removes the neighbors of all files that are being written, before the process is ended by a
+/// signal. May be called from a signal handler.
+void removeUnfinishedFiles() noexcept;
+
 /// Reads a whole text file of at most 16 MiB.
 Result<std::string> readWhole(const std::filesystem::path& file);
 

@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "perilymph/foundation/CallNoThrow.h"
 #include "perilymph/foundation/RealTime.h"
 
 namespace perilymph::analysis {
@@ -40,7 +41,8 @@ Result<Done> doInParallel(
   const auto worker = [&] {
     registerThreadRole(ThreadRole::none);
     for (std::size_t piece = board.next++; piece < count && !board.isAsked; piece = board.next++) {
-      const Result<Done> result = work(piece, board.isAsked);
+      const Result<Done> result =
+          callNoThrow("The calculation", [&] { return work(piece, board.isAsked); });
       const std::lock_guard guard(board.lock);
       ++board.done;
       // A piece that ends because it was asked to has no error of its own.

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "SessionIndex.h"
+#include "perilymph/foundation/CallNoThrow.h"
 #include "perilymph/foundation/TomlReader.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/session/Scenario.h"
@@ -135,17 +136,33 @@ SessionSummary summarize(const fs::path& file, Subjects& known,
   return summary;
 }
 
+/// A file that makes the reading throw (it asks for too much memory) hides no other.
+SessionSummary summarizeNoThrow(const fs::path& file, Subjects& known,
+                                const std::function<bool()>& shouldStop)
+{
+  const auto summary = callNoThrow("The recording " + file.string(), [&] {
+    return Result<SessionSummary>(summarize(file, known, shouldStop));
+  });
+  if (summary) return *summary;
+  SessionSummary unreadable;
+  unreadable.file = file;
+  unreadable.trouble = summary.error().message;
+  stamp(unreadable);
+  return unreadable;
+}
+
 }  // namespace
 
 SessionSummary summarize(const fs::path& file, const std::function<bool()>& shouldStop)
 {
   Subjects none;
-  return summarize(file, none, shouldStop);
+  return summarizeNoThrow(file, none, shouldStop);
 }
 
 Result<std::vector<SessionSummary>> listSessions(const fs::path& folder,
                                                  const fs::path& beingRecorded,
-                                                 const LibraryProgress& progress)
+                                                 const LibraryProgress& progress,
+                                                 const LibraryEntry& listed)
 {
   std::vector<SessionSummary> sessions;
   std::error_code failure;
@@ -181,10 +198,11 @@ Result<std::vector<SessionSummary>> listSessions(const fs::path& folder,
       summary = *std::move(known);
       summary.file = file;
     } else {
-      summary = summarize(file, subjects, shouldStop);
+      summary = summarizeNoThrow(file, subjects, shouldStop);
       if (isStopped) break;
       if (isWorthKeeping(summary)) index.keep(summary);
     }
+    if (listed) listed(summary);
     sessions.push_back(std::move(summary));
   }
   index.forget(names);

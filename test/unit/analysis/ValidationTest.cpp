@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <new>
 #include <set>
 #include <thread>
 
@@ -96,6 +97,15 @@ TEST(Validation, EndsWhenAskedTo)
   ASSERT_FALSE(result);
   EXPECT_EQ(calls, 1);
   EXPECT_THAT(result.error().message, testing::HasSubstr("Stopped"));
+}
+
+TEST(Validation, SaysWhenAThreadRunsOutOfMemory)
+{
+  ValidationRequest request = smallRequest(2);
+  request.onCurve = [](const std::vector<double>&) { throw std::bad_alloc(); };
+  const auto result = validate(request, {});
+  ASSERT_FALSE(result);
+  EXPECT_THAT(result.error().message, testing::HasSubstr("needs more memory than is available"));
 }
 
 TEST(Validation, TellsItsProgressInTheCallersThreadAndNeverBackward)

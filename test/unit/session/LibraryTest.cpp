@@ -9,6 +9,7 @@
 #include "OddRecords.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/session/SessionLibrary.h"
+#include "perilymph/test/AllocationLimit.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::session {
@@ -147,6 +148,29 @@ TEST_F(Library, ListsWhatCannotBeReadWithASentence)
   for (const SessionSummary& one : sessions)
     EXPECT_THAT(one.trouble, testing::EndsWith(".")) << one.file;
   EXPECT_THAT(sessions[0].trouble + sessions[1].trouble, HasSubstr("cut short"));
+}
+
+TEST_F(Library, ListsARecordingThatNeedsTooMuchMemoryWithASentence)
+{
+  record(folder_ / "good.insertion", "2026-01-01T00:00:00Z", hillOfForce());
+  const fs::path large = folder_ / "large.insertion";
+  record(large, "2026-01-02T00:00:00Z", hillOfForce());
+  runSql(large, "UPDATE meta SET value = printf('%.*c', 8000000, 'x') WHERE key = 'device'");
+  const test::AllocationLimit memory(4'000'000);
+  const auto sessions = list();
+  ASSERT_EQ(sessions.size(), 2u);
+  for (const SessionSummary& each : sessions) EXPECT_EQ(each.trouble.empty(), each.file != large);
+}
+
+TEST_F(Library, GivesEachRecordingBeforeItReadsTheNext)
+{
+  record(folder_ / "one.insertion", "2026-01-01T00:00:00Z", hillOfForce());
+  record(folder_ / "two.insertion", "2026-01-02T00:00:00Z", hillOfForce());
+  std::vector<fs::path> given;
+  const auto stopAfterOne = [&given](std::size_t, std::size_t) { return given.empty(); };
+  ASSERT_TRUE(listSessions(folder_.path(), {}, stopAfterOne,
+                           [&given](const SessionSummary& one) { given.push_back(one.file); }));
+  EXPECT_THAT(given, testing::ElementsAre(folder_ / "two.insertion"));
 }
 
 TEST_F(Library, ListsAnInsertionThatNeverRan)

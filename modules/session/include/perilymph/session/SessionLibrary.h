@@ -37,6 +37,9 @@ SessionSummary summarize(const std::filesystem::path& file,
 /// is left out.
 using LibraryProgress = std::function<bool(std::size_t done, std::size_t all)>;
 
+/// Given each recording as soon as it is read, so that one that takes long hides no other.
+using LibraryEntry = std::function<void(const SessionSummary&)>;
+
 /// The folder of a library's caches: index and pictures. Whatever is in it may be deleted.
 std::filesystem::path libraryCache(const std::filesystem::path& folder);
 /// Makes that folder if it is missing. Nothing where it cannot be made, or where there is a link in
@@ -53,7 +56,8 @@ std::optional<std::filesystem::path> makeLibraryCache(const std::filesystem::pat
 /// empty.
 Result<std::vector<SessionSummary>> listSessions(const std::filesystem::path& folder,
                                                  const std::filesystem::path& beingRecorded = {},
-                                                 const LibraryProgress& progress = {});
+                                                 const LibraryProgress& progress = {},
+                                                 const LibraryEntry& listed = {});
 
 /// Gives a recording another name in its folder (without ending).
 Result<std::filesystem::path> renameSession(const std::filesystem::path& file,

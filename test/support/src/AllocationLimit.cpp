@@ -1,0 +1,34 @@
+#include "perilymph/test/AllocationLimit.h"
+
+#include <cstdlib>
+#include <limits>
+#include <new>
+
+namespace {
+
+constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
+
+constinit thread_local std::size_t maxBytesOfThread = unlimited;
+
+}  // namespace
+
+// In place of the library's, in programs that use the limit.
+void* operator new(std::size_t size)
+{
+  if (size > maxBytesOfThread) throw std::bad_alloc();
+  void* const block = std::malloc(size > 0 ? size : 1);
+  if (block == nullptr) throw std::bad_alloc();
+  return block;
+}
+
+void operator delete(void* block) noexcept { std::free(block); }
+
+void operator delete(void* block, std::size_t) noexcept { std::free(block); }
+
+namespace perilymph::test {
+
+AllocationLimit::AllocationLimit(std::size_t maxBytes) noexcept { maxBytesOfThread = maxBytes; }
+
+AllocationLimit::~AllocationLimit() { maxBytesOfThread = unlimited; }
+
+}  // namespace perilymph::test

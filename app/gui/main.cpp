@@ -3,10 +3,13 @@
 #include <spdlog/spdlog.h>
 
 #include <QTimer>
+#include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 
 #include "Application.h"
+#include "Background.h"
 #include "Display.h"
 #include "Errands.h"
 #include "InsertionViews.h"
@@ -125,6 +128,17 @@ void applyChoices(gui::Application& application, const gui::Options& options)
                                                                  gui::languageWords()));
 }
 
+/// Ends the program at once if a thread cannot be ended: what is destroyed after main() may still
+/// be in its use.
+void leaveThreads(int status)
+{
+  if (!gui::Background::isAnyThreadLeft()) return;
+  spdlog::warn("A file that could not be read to its end keeps a thread from ending.");
+  spdlog::shutdown();
+  std::fflush(nullptr);
+  std::_Exit(status);
+}
+
 int run(int argc, char** argv, const gui::Options& options)
 {
   auto scenario = session::loadScenario(options.scenario.value_or("contour-published"));
@@ -151,6 +165,7 @@ int run(int argc, char** argv, const gui::Options& options)
     end = runWindow(application, Beginning(*std::move(end.next)));
   }
   spdlog::info("perilymph ends with status {}.", end.status);
+  leaveThreads(end.status);
   return end.status;
 }
 

@@ -122,7 +122,6 @@ QWidget* ComparePage::addRuns()
 
   score_ = text({}, 11, page, true);
   score_->setObjectName(QStringLiteral("scoreReasons"));
-  score_->setTextFormat(Qt::PlainText);
   score_->setWordWrap(true);
   score_->setMinimumHeight(84);
   score_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
@@ -145,6 +144,7 @@ void ComparePage::compare(const std::vector<std::filesystem::path>& files)
   stack_->setCurrentIndex(0);
   empty_->say(tr("Reading %n recording(s)…", nullptr, int(files.size())), tr("Esc ends it."));
   reading_.run(
+      "The comparison",
       [files](
           const std::atomic<bool>& isCanceled) -> Result<std::vector<analysis::ComparedInsertion>> {
         std::vector<analysis::ComparedInsertion> runs;

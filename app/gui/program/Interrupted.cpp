@@ -2,32 +2,64 @@
 
 #include <spdlog/spdlog.h>
 
+#include <optional>
+
+#include "Background.h"
 #include "MainWindow.h"
 #include "Notice.h"
 #include "Numbers.h"
-#include "perilymph/session/SessionLibrary.h"
 
 namespace perilymph::gui {
 
-void offerInterrupted(MainWindow& window, const std::vector<std::filesystem::path>& recordings)
+namespace {
+
+using Kept = std::optional<session::SessionSummary>;
+
+/// The first recording that holds anything.
+Kept firstKept(const std::vector<std::filesystem::path>& recordings, const Summarize& summarize,
+               const std::atomic<bool>& isCanceled)
 {
   for (const std::filesystem::path& recording : recordings) {
-    const session::SessionSummary left = session::summarize(recording);
+    if (isCanceled) break;
+    session::SessionSummary left = summarize(recording);
     spdlog::warn("The program ended while it was writing {}; {} ticks of it are kept.",
                  recording.string(), left.highlights.ticks);
-    if (left.highlights.ticks == 0) continue;
-    const QString depth = numberText(inMillimeters(Length::fromSi(left.highlights.deepest)), 1);
-    const QString sentence =
-        MainWindow::tr(
-            "The program ended unexpectedly. The insertion of then, to a depth of %1 mm, "
-            "is kept in the library: %2.")
-            .arg(depth, QString::fromStdString(recording.stem().string()));
-    QObject::connect(&window, &MainWindow::firstFrameShown, &window, [&window, sentence] {
-      window.notice().offer(sentence, MainWindow::tr("Show sessions"),
-                            [&window] { window.showPage(Page::sessions); });
-    });
-    return;
+    if (left.highlights.ticks > 0) return left;
   }
+  return std::nullopt;
+}
+
+void offer(MainWindow& window, const session::SessionSummary& left)
+{
+  const QString depth = numberText(inMillimeters(Length::fromSi(left.highlights.deepest)), 1);
+  const QString sentence =
+      MainWindow::tr(
+          "The program ended unexpectedly. The insertion of then, to a depth of %1 mm, "
+          "is kept in the library: %2.")
+          .arg(depth, QString::fromStdString(left.file.stem().string()));
+  window.notice().offer(sentence, MainWindow::tr("Show sessions"),
+                        [&window] { window.showPage(Page::sessions); });
+}
+
+}  // namespace
+
+void offerInterrupted(MainWindow& window, const std::vector<std::filesystem::path>& recordings,
+                      const Summarize& summarize)
+{
+  if (recordings.empty()) return;
+  auto* reading = new Background(&window);
+  const auto read = [reading, &window, recordings, summarize] {
+    reading->run(
+        "The interrupted insertion",
+        [recordings, summarize](const std::atomic<bool>& isCanceled) -> Result<Kept> {
+          return firstKept(recordings, summarize, isCanceled);
+        },
+        [&window](const Result<Kept>& kept) {
+          if (!kept) return spdlog::warn("{}", kept.error().message);
+          if (*kept) offer(window, **kept);
+        });
+  };
+  QObject::connect(&window, &MainWindow::firstFrameShown, reading, read);
 }
 
 }  // namespace perilymph::gui

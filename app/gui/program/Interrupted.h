@@ -1,16 +1,24 @@
 #pragma once
 
-// What is left of a run that ended without a word, offered to whoever starts the program next.
+// What is left of an insertion that the end of the program interrupted.
 
 #include <filesystem>
+#include <functional>
 #include <vector>
+
+#include "perilymph/session/SessionLibrary.h"
 
 namespace perilymph::gui {
 
 class MainWindow;
 
-/// Once its first frame is shown, the window offers the library of sessions for a recording that
-/// was being written when the program ended; says nothing of one in which nothing had moved.
-void offerInterrupted(MainWindow& window, const std::vector<std::filesystem::path>& recordings);
+/// Reads a recording, as session::summarize does.
+using Summarize = std::function<session::SessionSummary(const std::filesystem::path&)>;
+
+/// Says, once the window is on the screen, what is kept of the insertions that ended with the
+/// program, and offers to show them. A recording is read beside the UI thread: one that cannot be
+/// read keeps the window from nothing.
+void offerInterrupted(MainWindow& window, const std::vector<std::filesystem::path>& recordings,
+                      const Summarize& summarize = session::summarize);
 
 }  // namespace perilymph::gui

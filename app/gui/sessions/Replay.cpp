@@ -31,16 +31,18 @@ void Replay::faster() { speed_ = std::min(speed_ + 1, int(speeds.size()) - 1); }
 void Replay::open(const std::filesystem::path& file)
 {
   close();
-  opening_.run([file](const std::atomic<bool>&) { return session::Playback::open(file); },
-               [this](Result<std::unique_ptr<session::Playback>> playback) {
-                 if (!playback) return failed(QString::fromStdString(playback.error().message));
-                 playback_ = *std::move(playback);
-                 isPlaying_ = false;
-                 speed_ = ordinary;
-                 seek(playback_->beginning());
-                 check();
-                 Q_EMIT opened();
-               });
+  opening_.run(
+      "The recording " + file.string(),
+      [file](const std::atomic<bool>&) { return session::Playback::open(file); },
+      [this](Result<std::unique_ptr<session::Playback>> playback) {
+        if (!playback) return failed(QString::fromStdString(playback.error().message));
+        playback_ = *std::move(playback);
+        isPlaying_ = false;
+        speed_ = ordinary;
+        seek(playback_->beginning());
+        check();
+        Q_EMIT opened();
+      });
 }
 
 void Replay::close()
@@ -58,6 +60,7 @@ void Replay::check()
   verdict_ = tr("comparing bits…");
   isTrouble_ = false;
   checking_.run(
+      "The replay",
       [playback = playback_](const std::atomic<bool>& isCanceled) {
         return playback->compute(
             [&isCanceled](std::uint64_t, std::uint64_t) { return !isCanceled; });

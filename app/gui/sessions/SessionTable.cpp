@@ -4,6 +4,8 @@
 #include <QDateTime>
 #include <QIcon>
 #include <algorithm>
+#include <iterator>
+#include <map>
 
 #include "Numbers.h"
 #include "Theme.h"
@@ -49,18 +51,44 @@ void SessionTable::setSessions(std::vector<SessionSummary> sessions)
   beginResetModel();
   rows_.clear();
   rows_.reserve(sessions.size());
-  for (SessionSummary& each : sessions) {
-    Row row;
-    row.session = std::move(each);
-    row.recorded = row.session.isBeingRecorded ? tr("recording now") : recordedText(row.session);
-    QStringList words;
-    for (int column = recorded; column <= array; ++column) words << text(row, column);
-    words << QString::fromStdString(row.session.scenario)
-          << QString::fromStdString(row.session.device);
-    row.searched = words.join(QLatin1Char(' '));
-    rows_.push_back(std::move(row));
-  }
+  for (SessionSummary& each : sessions) rows_.push_back(rowOf(std::move(each)));
   endResetModel();
+}
+
+void SessionTable::addSessions(std::vector<SessionSummary> sessions)
+{
+  std::map<std::filesystem::path, std::size_t> places;
+  for (std::size_t i = 0; i < rows_.size(); ++i) places.emplace(rows_[i].session.file, i);
+  std::vector<Row> added;
+  for (SessionSummary& each : sessions) {
+    const auto known = places.find(each.file);
+    if (known == places.end()) {
+      added.push_back(rowOf(std::move(each)));
+      continue;
+    }
+    rows_[known->second] = rowOf(std::move(each));
+    const int row = int(known->second);
+    Q_EMIT dataChanged(index(row, 0), index(row, columns - 1));
+  }
+  if (added.empty()) return;
+  const int first = int(rows_.size());
+  beginInsertRows({}, first, first + int(added.size()) - 1);
+  rows_.insert(rows_.end(), std::make_move_iterator(added.begin()),
+               std::make_move_iterator(added.end()));
+  endInsertRows();
+}
+
+SessionTable::Row SessionTable::rowOf(SessionSummary session) const
+{
+  Row row;
+  row.session = std::move(session);
+  row.recorded = row.session.isBeingRecorded ? tr("recording now") : recordedText(row.session);
+  QStringList words;
+  for (int column = recorded; column <= array; ++column) words << text(row, column);
+  words << QString::fromStdString(row.session.scenario)
+        << QString::fromStdString(row.session.device);
+  row.searched = words.join(QLatin1Char(' '));
+  return row;
 }
 
 void SessionTable::showPicture(const std::filesystem::path& file)

@@ -22,6 +22,8 @@ public:
   explicit SessionTable(QObject* parent);
 
   void setSessions(std::vector<session::SessionSummary> sessions);
+  /// Adds recordings; of those that are there already it shows what is new.
+  void addSessions(std::vector<session::SessionSummary> sessions);
   const session::SessionSummary& session(int row) const { return rows_[std::size_t(row)].session; }
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -42,6 +44,7 @@ private:
     QString searched;  ///< All that can be searched.
   };
 
+  Row rowOf(session::SessionSummary session) const;
   QString text(const Row& row, int column) const;
   QVariant sortValue(const Row& row, int column) const;
   void showPicture(const std::filesystem::path& file);

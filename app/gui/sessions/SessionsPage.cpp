@@ -38,9 +38,9 @@ QLabel* text(const QString& words, int size_px, QWidget* parent, bool isQuiet = 
 
 }  // namespace
 
-SessionsPage::SessionsPage(QWidget* parent)
+SessionsPage::SessionsPage(QWidget* parent, LibraryWork::Lister lister)
     : QWidget(parent),
-      work_(this),
+      work_(this, std::move(lister)),
       table_(new SessionTable(this)),
       sorted_(new QSortFilterProxyModel(this))
 {
@@ -58,7 +58,8 @@ SessionsPage::SessionsPage(QWidget* parent)
   column->addWidget(addList(), 1);
   column->addWidget(addVerbs());
 
-  connect(&work_, &LibraryWork::progressed, this, [this](int done, int all) {
+  connect(&work_, &LibraryWork::progressed, this, [this](int done, int all, const auto& fresh) {
+    showFresh(fresh);
     progress_->setVisible(true);
     progress_->setRange(0, all);
     progress_->setValue(done);
@@ -227,6 +228,14 @@ void SessionsPage::say(const QString& sentence, bool isTrouble)
   status_->setProperty("trouble", isTrouble);
   status_->style()->unpolish(status_);
   status_->style()->polish(status_);
+}
+
+void SessionsPage::showFresh(std::vector<session::SessionSummary> sessions)
+{
+  if (!isRunning_) std::erase_if(sessions, [](const auto& one) { return one.isBeingRecorded; });
+  if (sessions.empty()) return;
+  table_->addSessions(std::move(sessions));
+  showChoice();
 }
 
 void SessionsPage::showList(std::vector<session::SessionSummary> sessions, int all)

@@ -27,7 +27,7 @@ class SessionTable;
 class SessionsPage : public QWidget {
   Q_OBJECT
 public:
-  explicit SessionsPage(QWidget* parent);
+  explicit SessionsPage(QWidget* parent, LibraryWork::Lister lister = session::listSessions);
 
   /// Reads the folder again.
   /// @param beingRecorded  The file that this window writes, if any.
@@ -56,6 +56,7 @@ private:
   QWidget* addVerbs();
   QPushButton* addVerb(const QString& text, const char* name, const QString& tip);
   void showList(std::vector<session::SessionSummary> sessions, int all);
+  void showFresh(std::vector<session::SessionSummary> sessions);
   void showChoice();
   void askForOne(void (SessionsPage::*request)(const std::filesystem::path&));
   void rename(const std::filesystem::path& file, const QString& name);

@@ -102,17 +102,17 @@ void Thumbnails::paintNext()
   wishes_.pop_back();
   painting_ = wish.key;
   background_.run(
-      [wish](const std::atomic<bool>& isCanceled) {
-        if (isCanceled) return QImage();
+      "The picture",
+      [wish](const std::atomic<bool>&) -> Result<QImage> {
         QImage image = pictureOf(wish.summary.file);
         if (!image.isNull()) keep(image, fileOf(wish.summary, wish.key));
         return image;
       },
-      [this, wish](const QImage& image) {
-        if (image.isNull()) {
+      [this, wish](const Result<QImage>& image) {
+        if (!image || image->isNull()) {
           impossible_.insert(wish.key);
         } else {
-          QPixmap pixmap = QPixmap::fromImage(image);
+          QPixmap pixmap = QPixmap::fromImage(*image);
           pixmap.setDevicePixelRatio(fineness);
           known_.insert(wish.key, pixmap);
         }

@@ -1,7 +1,5 @@
 #include "ValidationWork.h"
 
-#include "perilymph/foundation/RealTime.h"
-
 namespace perilymph::gui {
 
 namespace {
@@ -33,48 +31,37 @@ Result<ValidationBasis> shippedBasis()
   return ValidationBasis{*std::move(request), *std::move(references)};
 }
 
-ValidationWork::ValidationWork(QObject* parent) : QObject(parent)
+ValidationWork::ValidationWork(QObject* parent) : QObject(parent), background_(this)
 {
-  thread_.setMaxThreadCount(1);
   timer_.setInterval(reportInterval_ms);
   connect(&timer_, &QTimer::timeout, this, &ValidationWork::report);
 }
 
-ValidationWork::~ValidationWork()
-{
-  cancel();
-  thread_.waitForDone();
-}
-
 void ValidationWork::start(analysis::ValidationRequest request)
 {
-  if (isRunning_) return;
-  isRunning_ = true;
+  if (isRunning()) return;
   shared_ = std::make_shared<Shared>();
   request.onCurve = [shared = shared_](const std::vector<double>& curve) {
     const std::lock_guard lock(shared->mutex);
     shared->curves.push_back(curve);
   };
-  thread_.start([this, shared = shared_, request = std::move(request)] {
-    registerThreadRole(ThreadRole::worker);
-    auto result = analysis::validate(request, [&shared](std::size_t done, std::size_t all) {
-      const std::lock_guard lock(shared->mutex);
-      shared->done = done;
-      shared->all = all;
-      return !shared->isCanceled;
-    });
-    QMetaObject::invokeMethod(
-        this,
-        [this, shared, result = std::move(result)] {
-          timer_.stop();
-          isRunning_ = false;
-          if (result) return finished(*result, {});
-          finished(std::nullopt, shared->isCanceled
-                                     ? tr("Canceled. Nothing was kept.")
-                                     : QString::fromStdString(result.error().message));
-        },
-        Qt::QueuedConnection);
-  });
+  background_.run(
+      "The validation",
+      [shared = shared_, request = std::move(request)](const std::atomic<bool>& isForgotten) {
+        return analysis::validate(request, [&](std::size_t done, std::size_t all) {
+          const std::lock_guard lock(shared->mutex);
+          shared->done = done;
+          shared->all = all;
+          return !shared->isCanceled && !isForgotten;
+        });
+      },
+      [this](const Result<analysis::ValidationResult>& result) {
+        timer_.stop();
+        if (result) return finished(*result, {});
+        finished(std::nullopt, shared_->isCanceled
+                                   ? tr("Canceled. Nothing was kept.")
+                                   : QString::fromStdString(result.error().message));
+      });
   timer_.start();
 }
 

@@ -3,13 +3,13 @@
 // A validation beside the thread that draws, and what is known of it so far.
 
 #include <QObject>
-#include <QThreadPool>
 #include <QTimer>
 #include <atomic>
 #include <memory>
 #include <mutex>
 #include <optional>
 
+#include "Background.h"
 #include "perilymph/analysis/ValidationReport.h"
 
 namespace perilymph::gui {
@@ -26,12 +26,11 @@ class ValidationWork : public QObject {
   Q_OBJECT
 public:
   explicit ValidationWork(QObject* parent);
-  ~ValidationWork() override;
 
   void start(analysis::ValidationRequest request);
   /// Ends it early; finished() then comes without a result.
   void cancel();
-  bool isRunning() const { return isRunning_; }
+  bool isRunning() const { return background_.isBusy(); }
 
 Q_SIGNALS:
   /// A few times a second while it runs.
@@ -52,9 +51,8 @@ private:
   void report();
 
   std::shared_ptr<Shared> shared_;
-  QThreadPool thread_;  ///< One thread; it spawns those that insert.
   QTimer timer_;
-  bool isRunning_ = false;
+  Background background_;  ///< Its thread spawns those that insert.
 };
 
 }  // namespace perilymph::gui

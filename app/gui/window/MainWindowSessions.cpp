@@ -28,6 +28,7 @@ void MainWindow::useGhost(const std::filesystem::path& file)
 {
   sessions_->say(tr("Reading %1…").arg(QString::fromStdString(file.stem().string())));
   reading_.run(
+      "The ghost",
       [file](const std::atomic<bool>& isCanceled) {
         return analysis::readCompared(file, [&isCanceled] { return !isCanceled; });
       },
@@ -56,6 +57,7 @@ void MainWindow::saveReport(const std::filesystem::path& file, const std::filesy
   sessions_->say(
       tr("Replaying %1 for its report…").arg(QString::fromStdString(file.stem().string())));
   reading_.run(
+      "The report",
       [file](const std::atomic<bool>& isCanceled) { return gatherReport(file, isCanceled); },
       [this, pdf](const Result<ReportContent>& content) {
         if (!content) return sessions_->say(QString::fromStdString(content.error().message), true);

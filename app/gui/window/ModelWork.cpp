@@ -65,6 +65,7 @@ void ModelWork::build(const session::Scenario& scenario,
 {
   if (!isBusy()) since_.start();  // who waits has waited since the first request
   background_.run(
+      "The cochlea",
       [scenario, anatomy = std::move(anatomy)](const std::atomic<bool>& isCanceled) {
         return partsOf(scenario, anatomy, isCanceled);
       },

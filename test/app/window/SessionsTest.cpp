@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <future>
 
 #include "DataFolder.h"
 #include "Replay.h"
@@ -165,6 +166,33 @@ TEST_F(Sessions, ThatCannotBeReadAreListedWithASentence)
   EXPECT_TRUE(rig_->label("sessionStatus").contains("is not a recording"))
       << rig_->label("sessionStatus").toStdString();
   EXPECT_FALSE(rig_->button("replayButton").isEnabled());
+}
+
+TEST_F(Sessions, ThatAreReadAreListedWhileAnotherOneDoesNotEnd)
+{
+  std::promise<void> end;
+  gui::SessionsPage page(nullptr,
+                         [ended = end.get_future().share()](
+                             const auto&, const auto&, const auto& progress,
+                             const auto& listed) -> Result<std::vector<session::SessionSummary>> {
+                           session::SessionSummary good;
+                           good.file = "good.insertion";
+                           good.highlights.ticks = 1;
+                           progress(0, 2);
+                           listed(good);
+                           ended.wait();
+                           return std::vector{good};
+                         });
+  page.show();
+  page.refresh(std::nullopt, false);
+  auto* list = page.findChild<QTableView*>("sessionList");
+  ASSERT_TRUE(WindowRig::comes([&] { return list->model()->rowCount() == 1; }));
+  EXPECT_TRUE(page.isBusy());
+  EXPECT_TRUE(list->isVisible());
+  list->selectRow(0);
+  EXPECT_TRUE(page.findChild<QAbstractButton*>("replayButton")->isEnabled());
+  end.set_value();
+  EXPECT_TRUE(WindowRig::comes([&] { return !page.isBusy(); }));
 }
 
 TEST_F(Sessions, ThatWereThrownAwayComeBack)

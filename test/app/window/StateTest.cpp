@@ -8,7 +8,10 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QTest>
+#include <atomic>
 #include <fstream>
+#include <future>
+#include <new>
 
 #include "DataFolder.h"
 #include "Interrupted.h"
@@ -159,6 +162,58 @@ TEST(RunMark, OfARecordingThatIsGoneSaysNothing)
   std::ofstream(folder.path() / ("running-" + std::to_string(endedProcess())))
       << (folder.path() / "gone.insertion").string() << '\n';
   EXPECT_TRUE(gui::RunMark::takeInterrupted(folder.path()).empty());
+}
+
+/// A recording of an insertion to a depth of 3 mm, as it is listed.
+session::SessionSummary threeMillimeters(const std::filesystem::path& file)
+{
+  session::SessionSummary summary;
+  summary.file = file;
+  summary.highlights.ticks = 1500;
+  summary.highlights.deepest = 3e-3;
+  return summary;
+}
+
+TEST(AnInterruptedInsertion, IsOfferedWithItsDepth)
+{
+  WindowRig rig;
+  gui::offerInterrupted(rig.window(), {"tuesday.insertion"}, threeMillimeters);
+  Q_EMIT rig.window().firstFrameShown();
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.window().notice().isVisible(); }));
+  EXPECT_TRUE(rig.window().notice().sentence().contains("3.0 mm"));
+  EXPECT_TRUE(rig.window().notice().sentence().contains("tuesday"));
+}
+
+TEST(AnInterruptedInsertion, WhoseRecordingBlocksItsReaderLetsTheWindowLive)
+{
+  std::promise<void> gate;
+  auto opened = gate.get_future().share();
+  {
+    WindowRig rig;
+    gui::offerInterrupted(rig.window(), {"bad.insertion"},
+                          [opened](const std::filesystem::path& file) {
+                            opened.wait();
+                            return threeMillimeters(file);
+                          });
+    Q_EMIT rig.window().firstFrameShown();
+    rig.click("startButton");
+    EXPECT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.1; }));
+  }
+  gate.set_value();
+}
+
+TEST(AnInterruptedInsertion, WhoseRecordingNeedsTooMuchMemoryLetsTheWindowLive)
+{
+  WindowRig rig;
+  std::atomic<bool> wasRead{false};
+  gui::offerInterrupted(rig.window(), {"bad.insertion"},
+                        [&wasRead](const std::filesystem::path&) -> session::SessionSummary {
+                          wasRead = true;
+                          throw std::bad_alloc();
+                        });
+  Q_EMIT rig.window().firstFrameShown();
+  rig.click("startButton");
+  EXPECT_TRUE(WindowRig::comes([&] { return wasRead && rig.travel_mm() > 0.1; }));
 }
 
 /// A window of a person who writes 9,1.

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "Application.h"
+#include "Background.h"
 #include "Display.h"
 #include "perilymph/test/TemporaryFolder.h"
 
@@ -32,5 +33,7 @@ int main(int argc, char** argv)
     std::fprintf(stderr, "%s\n", openGl.error().message.c_str());
     return 77;
   }
-  return RUN_ALL_TESTS();
+  const int status = RUN_ALL_TESTS();
+  if (perilymph::gui::Background::isAnyThreadLeft()) std::_Exit(status);
+  return status;
 }

@@ -1,0 +1,117 @@
+// Work beside the UI thread: answered once, whatever it throws, and no reason to wait for ever.
+
+#include "Background.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QTest>
+#include <future>
+#include <new>
+#include <stdexcept>
+#include <thread>
+
+namespace perilymph::test {
+namespace {
+
+using gui::Background;
+using ::testing::ElementsAre;
+
+constexpr int patience_ms = 60'000;
+
+TEST(Background, AnswersWithTheResultOfItsWork)
+{
+  Background background(nullptr);
+  int answered = 0;
+  background.run(
+      "The sum", [](const std::atomic<bool>&) { return Result<int>(2 + 3); },
+      [&](const Result<int>& sum) { answered = *sum; });
+  EXPECT_TRUE(background.isBusy());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return answered == 5; }, patience_ms));
+  EXPECT_FALSE(background.isBusy());
+}
+
+TEST(Background, AnswersMissingMemoryWithASentence)
+{
+  Background background(nullptr);
+  std::string sentence;
+  background.run(
+      "The recording a.insertion",
+      [](const std::atomic<bool>&) -> Result<int> { throw std::bad_alloc(); },
+      [&](const Result<int>& result) { sentence = result.error().message; });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !sentence.empty(); }, patience_ms));
+  EXPECT_THAT(sentence, ::testing::StartsWith("The recording a.insertion needs more memory"));
+}
+
+TEST(Background, WorksOnAfterAnException)
+{
+  Background background(nullptr);
+  bool hasFailed = false, hasWorked = false;
+  background.run(
+      "The first", [](const std::atomic<bool>&) -> Result<int> { throw std::runtime_error("no"); },
+      [&](const Result<int>& result) { hasFailed = !result; });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return hasFailed; }, patience_ms));
+  background.run(
+      "The second", [](const std::atomic<bool>&) { return Result<int>(1); },
+      [&](const Result<int>& result) { hasWorked = bool(result); });
+  EXPECT_TRUE(QTest::qWaitFor([&] { return hasWorked; }, patience_ms));
+}
+
+TEST(Background, AnswersOnlyTheLastOfSeveralRequests)
+{
+  Background background(nullptr);
+  std::vector<int> answers;
+  for (int number : {1, 2, 3})
+    background.run(
+        "The number", [number](const std::atomic<bool>&) { return Result<int>(number); },
+        [&](const Result<int>& answer) { answers.push_back(*answer); });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !background.isBusy(); }, patience_ms));
+  EXPECT_THAT(answers, ElementsAre(3));
+}
+
+TEST(Background, DoesNotAnswerWhatWasForgotten)
+{
+  std::promise<void> begun, ended;
+  bool isAnswered = false;
+  Background background(nullptr);
+  background.run(
+      "The work",
+      [&](const std::atomic<bool>& isCanceled) {
+        begun.set_value();
+        while (!isCanceled) std::this_thread::yield();
+        ended.set_value();
+        return Result<Done>(Done{});
+      },
+      [&](const Result<Done>&) { isAnswered = true; });
+  begun.get_future().wait();
+  background.forget();
+  EXPECT_FALSE(background.isBusy());
+  ended.get_future().wait();
+  QCoreApplication::processEvents();
+  EXPECT_FALSE(isAnswered);
+}
+
+TEST(Background, EndsThoughItsWorkDoesNot)
+{
+  std::promise<void> begun, gate;
+  auto opened = gate.get_future().share();
+  auto background = std::make_unique<Background>(nullptr);
+  bool isAnswered = false;
+  background->run(
+      "The work",
+      [&begun, opened](const std::atomic<bool>&) {
+        begun.set_value();
+        opened.wait();
+        return Result<Done>(Done{});
+      },
+      [&](const Result<Done>&) { isAnswered = true; });
+  begun.get_future().wait();
+  background.reset();
+  EXPECT_TRUE(Background::isAnyThreadLeft());
+  gate.set_value();
+  QCoreApplication::processEvents();
+  EXPECT_FALSE(isAnswered);
+}
+
+}  // namespace
+}  // namespace perilymph::test

@@ -1,0 +1,17 @@
+// Tests of what works beside the window, with events but without a display.
+
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+#include <cstdlib>
+
+#include "Background.h"
+
+int main(int argc, char** argv)
+{
+  ::testing::InitGoogleTest(&argc, argv);
+  QCoreApplication application(argc, argv);
+  const int status = RUN_ALL_TESTS();
+  if (perilymph::gui::Background::isAnyThreadLeft()) std::_Exit(status);
+  return status;
+}

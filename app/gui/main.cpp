@@ -23,6 +23,7 @@
 #include "Settings.h"
 #include "SettingsSheet.h"
 #include "SetupHistory.h"
+#include "TerminationSignals.h"
 #include "Theme.h"
 #include "perilymph/foundation/RealTime.h"
 #include "perilymph/foundation/Version.h"
@@ -53,12 +54,18 @@ int openAndRun(Window& window)
   return gui::Application::exec();
 }
 
-int runKiosk(gui::Application& application, session::Scenario scenario, const gui::Options& options)
+/// What a shell expects of a program that a signal ended.
+int statusOf(int signal) { return 128 + signal; }
+
+int runKiosk(gui::Application& application, const gui::TerminationSignals& signals,
+             session::Scenario scenario, const gui::Options& options)
 {
   gui::KioskWindow window(std::move(scenario), gui::kioskBoardFile());
   application.onException([](const QString&) {});  // visitors are not told; standard error is
   QObject::connect(&window, &gui::KioskWindow::ended, &application,
                    [] { QCoreApplication::quit(); });
+  QObject::connect(&signals, &gui::TerminationSignals::received, &window,
+                   [](int signal) { QCoreApplication::exit(statusOf(signal)); });
   gui::arrangeErrands(window, options);
   window.showFullScreen();
   return openAndRun(window);
@@ -79,7 +86,8 @@ struct WindowEnd {
   std::optional<Beginning> next;
 };
 
-WindowEnd runWindow(gui::Application& application, const Beginning& beginning)
+WindowEnd runWindow(gui::Application& application, const gui::TerminationSignals& signals,
+                    const Beginning& beginning)
 {
   const gui::Options& options = beginning.options;
   QGuiApplication::setQuitOnLastWindowClosed(true);
@@ -95,6 +103,10 @@ WindowEnd runWindow(gui::Application& application, const Beginning& beginning)
   gui::offerInterrupted(window, beginning.interrupted);
   QObject::connect(&window, &gui::MainWindow::recordingChanged, &window,
                    [&window, &mark] { mark.setRecording(window.control().recording()); });
+  QObject::connect(&signals, &gui::TerminationSignals::received, &window, [&window](int signal) {
+    window.halt();  // the force first; the recording is closed with the window
+    QCoreApplication::exit(statusOf(signal));
+  });
   QObject::connect(&window, &gui::MainWindow::anewAsked, &window,
                    [] { QCoreApplication::exit(openAnew); });
   // a picture or a measurement is of the usual size, whatever the last person did
@@ -148,21 +160,23 @@ int run(int argc, char** argv, const gui::Options& options)
   registerThreadRole(ThreadRole::ui);
   gui::prepareQt();
   gui::Application application(argc, argv);
+  const gui::TerminationSignals signals(nullptr);
   if (const auto openGl = gui::probeOpenGl(); !openGl) return refuse(openGl.error().message);
   if (const auto log = gui::startLog(gui::stateFolder()); !log)
     std::cerr << log.error().message << '\n';  // the window works without one
   spdlog::info("perilymph {} begins.", buildId());
 
   applyChoices(application, options);
-  if (options.isKiosk) return runKiosk(application, *std::move(scenario), options);
+  if (options.isKiosk) return runKiosk(application, signals, *std::move(scenario), options);
   const bool isTold = options.scenario || options.isDemo || options.measuresFrames ||
                       options.record || options.plugin;
-  WindowEnd end = runWindow(
-      application, {*std::move(scenario), isTold ? gui::Page::insert : gui::Page::start, options,
-                    gui::RunMark::takeInterrupted(gui::stateFolder()), std::nullopt});
+  WindowEnd end =
+      runWindow(application, signals,
+                {*std::move(scenario), isTold ? gui::Page::insert : gui::Page::start, options,
+                 gui::RunMark::takeInterrupted(gui::stateFolder()), std::nullopt});
   while (end.next) {
     applyChoices(application, end.next->options);
-    end = runWindow(application, Beginning(*std::move(end.next)));
+    end = runWindow(application, signals, Beginning(*std::move(end.next)));
   }
   spdlog::info("perilymph ends with status {}.", end.status);
   leaveThreads(end.status);

@@ -60,6 +60,12 @@ bool MainWindow::event(QEvent* event)
   return QWidget::event(event);
 }
 
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+  control_.halt();  // the force first; what follows may take a moment
+  QWidget::closeEvent(event);
+}
+
 void MainWindow::resizeEvent(QResizeEvent* event)
 {
   QWidget::resizeEvent(event);

@@ -10,7 +10,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from checks import arrows, documents, formatting, layout, sources, words  # noqa: E402
+from checks import arrows, documents, formatting, layout, sources, window, words  # noqa: E402
 
 TABLES = """
 <!-- arrows -->
@@ -74,7 +74,7 @@ class CheckCase(unittest.TestCase):
 
 class GoodProject(CheckCase):
     def test_no_check_complains_of_it(self):
-        for check in (arrows.check, documents.check, layout.check, words.check):
+        for check in (arrows.check, documents.check, layout.check, window.check, words.check):
             self.assertEqual(self.complaints(check), [], check.__module__)
 
 
@@ -199,6 +199,16 @@ class Formatting(CheckCase):
         self.assert_found(formatting.check, "modules/top/src/t.cpp:2 is not formatted", {
             ".clang-format": "BasedOnStyle: Google\nSortIncludes: Never\n",
             "modules/top/src/t.cpp": "int one();\nint  two();\n"})
+
+
+class Window(CheckCase):
+    def test_markup_outside_its_places_is_found(self):
+        self.assert_found(window.check, "app/gui/main.cpp:2: 'RichText' may draw text as markup", {
+            "app/gui/main.cpp": "\nlabel.setTextFormat(Qt::RichText);\n"})
+
+    def test_markup_in_its_places_is_welcome(self):
+        self.assertEqual(self.complaints(window.check, {
+            "app/gui/Report.cpp": "document.setHtml(text);\n"}), [])
 
 
 class Words(CheckCase):

@@ -2,6 +2,8 @@
 
 #include <QVTKOpenGLNativeWidget.h>
 
+#include <QEvent>
+#include <QLabel>
 #include <QSurfaceFormat>
 #include <clocale>
 #include <exception>
@@ -23,8 +25,21 @@ Application::Application(int& argc, char** argv) : QApplication(argc, argv)
   setFont(typeface(13));
 }
 
+namespace {
+
+/// Text of a file or of a person is text: `<b>` in a patient's label is drawn as it stands, and
+/// `<img>` loads nothing. Holds for tips and boxes of Qt, too, which are labels.
+void makePlain(QObject* receiver)
+{
+  auto* label = qobject_cast<QLabel*>(receiver);
+  if (label != nullptr && label->textFormat() == Qt::AutoText) label->setTextFormat(Qt::PlainText);
+}
+
+}  // namespace
+
 bool Application::notify(QObject* receiver, QEvent* event)
 {
+  if (event->type() == QEvent::Polish) makePlain(receiver);  // comes before the first drawing
   QString sentence;
   try {
     return QApplication::notify(receiver, event);

@@ -1,6 +1,7 @@
 #pragma once
 
-// The application object: the one place where exceptions of the window's events end.
+// The application object: where exceptions of events end, and where text becomes plain.
+// plain.
 
 #include <QApplication>
 #include <functional>

@@ -1,0 +1,117 @@
+// Text of a file or of a person is text: nothing in it is markup, wherever it is drawn.
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QTest>
+#include <QToolTip>
+#include <fstream>
+
+#include "DataFolder.h"
+#include "Notice.h"
+#include "Report.h"
+#include "ReportContent.h"
+#include "SessionsPage.h"
+#include "WindowRig.h"
+
+namespace perilymph::test {
+namespace {
+
+constexpr auto image = "<img src=\"file:///gone.png\">";
+constexpr auto bold = "<b>bold</b>";
+
+/// A window about a patient and a scenario whose names are markup.
+class NamesOfMarkup : public testing::Test {
+protected:
+  NamesOfMarkup() { rig_.window().load(scenario(), gui::MainWindow::Then::rest); }
+
+  session::Scenario scenario() const
+  {
+    const auto patient = folder_ / "patient.toml";
+    std::ofstream(patient) << "label = '" << image << "'\nside = 'left'\nst_length_mm = 35.58\n"
+                           << "rw_width_mm = 1.94\nrw_height_mm = 1.85\n";
+    const auto file = folder_ / "scenario.toml";
+    std::ofstream(file) << "title = '" << bold << "'\narray = 'contour'\nanatomy = 'published'\n"
+                        << "patient = '" << patient.string() << "'\n";
+    const auto read = session::loadScenario(file.string());
+    EXPECT_TRUE(read) << read.error().message;
+    return *read;
+  }
+  /// The labels that show a text, wherever they are.
+  std::vector<const QLabel*> labelsWith(const char* text)
+  {
+    std::vector<const QLabel*> found;
+    for (const QLabel* label : rig_.window().findChildren<QLabel*>())
+      if (label->isVisible() && label->text().contains(QLatin1String(text))) found.push_back(label);
+    return found;
+  }
+  /// Drawn as wide as its signs are, each of them.
+  static void expectLiteral(const QLabel& label)
+  {
+    EXPECT_EQ(label.textFormat(), Qt::PlainText) << label.text().toStdString();
+    if (label.wordWrap()) return;
+    EXPECT_GE(label.sizeHint().width(), QFontMetrics(label.font()).horizontalAdvance(label.text()));
+  }
+
+  DataFolder data_;
+  TemporaryFolder folder_;
+  WindowRig rig_;
+};
+
+TEST_F(NamesOfMarkup, AreDrawnAsTheyStand)
+{
+  ASSERT_TRUE(WindowRig::comes([&] { return !labelsWith(image).empty(); }));
+  ASSERT_TRUE(WindowRig::comes([&] { return !labelsWith(bold).empty(); }));
+  for (const QLabel* label : labelsWith("<")) expectLiteral(*label);
+}
+
+TEST_F(NamesOfMarkup, AreDrawnAsTheyStandInEverySentence)
+{
+  rig_.window().notice().say(bold);
+  rig_.window().showTrouble(image);
+  ASSERT_TRUE(WindowRig::comes([&] { return labelsWith("<").size() >= 3; }));
+  for (const QLabel* label : labelsWith("<")) expectLiteral(*label);
+}
+
+TEST_F(NamesOfMarkup, AreDrawnAsTheyStandInTips)
+{
+  QToolTip::showText({10, 10}, bold, &rig_.window());
+  const auto tip = [] {
+    for (QWidget* widget : QApplication::topLevelWidgets())
+      if (widget->inherits("QTipLabel")) return qobject_cast<QLabel*>(widget);
+    return static_cast<QLabel*>(nullptr);
+  };
+  ASSERT_TRUE(WindowRig::comes([&] { return tip() != nullptr && tip()->isVisible(); }));
+  expectLiteral(*tip());
+  QToolTip::hideText();
+}
+
+TEST_F(NamesOfMarkup, AreListedAsTheyStand)
+{
+  ASSERT_TRUE(WindowRig::comes([&] { return !labelsWith(image).empty(); }));
+  rig_.click("startButton");
+  ASSERT_TRUE(WindowRig::comes([&] { return rig_.travel_mm() > 0.1; }));
+  rig_.click("sessionsPageButton");
+  auto* page = rig_.window().findChild<gui::SessionsPage*>();
+  page->say(image, true);
+  ASSERT_TRUE(WindowRig::comes([&] { return !labelsWith(image).empty(); }));
+  for (const QLabel* label : labelsWith("<")) expectLiteral(*label);
+}
+
+TEST_F(NamesOfMarkup, AreEscapedInTheReport)
+{
+  gui::ReportContent content;
+  content.scenario = scenario();
+  content.facts.device = bold;
+  content.facts.scenarioName = bold;
+  content.file = "<u>.insertion";
+  const QString text = gui::reportText(content);
+  EXPECT_TRUE(text.contains("&lt;img"));
+  EXPECT_TRUE(text.contains("&lt;b&gt;bold"));
+  EXPECT_FALSE(text.contains(image));
+  EXPECT_FALSE(text.contains(bold));
+  EXPECT_FALSE(text.contains("<u>"));
+}
+
+}  // namespace
+}  // namespace perilymph::test

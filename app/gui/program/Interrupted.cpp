@@ -21,7 +21,8 @@ Kept firstKept(const std::vector<std::filesystem::path>& recordings, const Summa
 {
   for (const std::filesystem::path& recording : recordings) {
     if (isCanceled) break;
-    session::SessionSummary left = summarize(recording);
+    session::SessionSummary left =
+        summarize(recording, [&isCanceled] { return isCanceled.load(); });
     spdlog::warn("The program ended while it was writing {}; {} ticks of it are kept.",
                  recording.string(), left.highlights.ticks);
     if (left.highlights.ticks > 0) return left;

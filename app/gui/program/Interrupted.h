@@ -12,8 +12,9 @@ namespace perilymph::gui {
 
 class MainWindow;
 
-/// Reads a recording, as session::summarize does.
-using Summarize = std::function<session::SessionSummary(const std::filesystem::path&)>;
+/// Reads a recording until it is told to stop, as session::summarize does.
+using Summarize = std::function<session::SessionSummary(const std::filesystem::path&,
+                                                        const std::function<bool()>& shouldStop)>;
 
 /// Says, once the window is on the screen, what is kept of the insertions that ended with the
 /// program, and offers to show them. A recording is read beside the UI thread: one that cannot be

@@ -165,7 +165,8 @@ TEST(RunMark, OfARecordingThatIsGoneSaysNothing)
 }
 
 /// A recording of an insertion to a depth of 3 mm, as it is listed.
-session::SessionSummary threeMillimeters(const std::filesystem::path& file)
+session::SessionSummary threeMillimeters(const std::filesystem::path& file,
+                                         const std::function<bool()>& = {})
 {
   session::SessionSummary summary;
   summary.file = file;
@@ -190,11 +191,12 @@ TEST(AnInterruptedInsertion, WhoseRecordingBlocksItsReaderLetsTheWindowLive)
   auto opened = gate.get_future().share();
   {
     WindowRig rig;
-    gui::offerInterrupted(rig.window(), {"bad.insertion"},
-                          [opened](const std::filesystem::path& file) {
-                            opened.wait();
-                            return threeMillimeters(file);
-                          });
+    gui::offerInterrupted(
+        rig.window(), {"bad.insertion"},
+        [opened](const std::filesystem::path& file, const std::function<bool()>&) {
+          opened.wait();
+          return threeMillimeters(file);
+        });
     Q_EMIT rig.window().firstFrameShown();
     rig.click("startButton");
     EXPECT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.1; }));
@@ -207,7 +209,8 @@ TEST(AnInterruptedInsertion, WhoseRecordingNeedsTooMuchMemoryLetsTheWindowLive)
   WindowRig rig;
   std::atomic<bool> wasRead{false};
   gui::offerInterrupted(rig.window(), {"bad.insertion"},
-                        [&wasRead](const std::filesystem::path&) -> session::SessionSummary {
+                        [&wasRead](const std::filesystem::path&,
+                                   const std::function<bool()>&) -> session::SessionSummary {
                           wasRead = true;
                           throw std::bad_alloc();
                         });

@@ -4,7 +4,7 @@ from pathlib import Path
 
 from checks import sources
 
-TOP = {"CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "app", "modules", "resources",
+TOP = {"CITATION.cff", "CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "app", "modules", "resources",
        "plugins", "test", "packaging"}
 MUST = {"CMakeLists.txt", "README.md", "app", "modules", "test", "packaging"}
 MOST_README_LINES = 40

@@ -1,9 +1,9 @@
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "AnatomySurfaces.h"
 #include "Commands.h"
-#include "OutputFile.h"
+#include "JsonText.h"
+#include "Terminal.h"
 #include "perilymph/analysis/AnatomyMeasures.h"
 #include "perilymph/analysis/ErrorBand.h"
 #include "perilymph/anatomy/Patient.h"
@@ -105,7 +105,7 @@ std::string anatomyJson(const session::Scenario& scenario,
     if (!bands.empty()) derived["band"] = bands[i];
   }
   if (haptic) tell(json, *haptic);
-  return json.dump(2) + '\n';
+  return jsonText(json);
 }
 
 }  // namespace
@@ -144,22 +144,21 @@ Result<Done> describeAnatomy(const AnatomyOptions& options)
         !done)
       return done.error();
 
-  std::printf("%s, %s ear, %s anatomy\n", patient.label.c_str(),
-              patient.side == anatomy::Side::left ? "left" : "right", scenario->anatomy.c_str());
-  std::printf("%s\n", sectionCredit);
-  for (const std::string& sentence : anatomy::unusualMeasures(patient))
-    std::printf("%s\n", sentence.c_str());
+  print("{}, {} ear, {} anatomy\n", patient.label,
+        patient.side == anatomy::Side::left ? "left" : "right", scenario->anatomy);
+  print("{}\n", sectionCredit);
+  for (const std::string& sentence : anatomy::unusualMeasures(patient)) print("{}\n", sentence);
   for (std::size_t i = 0; i < measures.size(); ++i)
-    std::printf("%-28s %s%s\n", measures[i].key.c_str(), fixed(measures[i].value, 2).c_str(),
-                bands->empty() ? "" : (" ± " + fixed((*bands)[i], 2)).c_str());
+    print("{:28} {}{}\n", measures[i].key, fixed(measures[i].value, 2),
+          bands->empty() ? "" : (" ± " + fixed((*bands)[i], 2)));
   if (!bands->empty())
-    std::printf("± is for an error of %s mm in each number given; the model's own is not in it.\n",
-                fixed(inMillimeters(analysis::measuringError), 1).c_str());
+    print("± is for an error of {} mm in each number given; the model's own is not in it.\n",
+          fixed(inMillimeters(analysis::measuringError), 1));
   if (haptic)
-    std::printf("haptic surface: %d of %d triangles, off by %s mm on average, %s mm at most\n",
-                haptic->triangles, haptic->visualTriangles,
-                fixed(inMillimeters(haptic->deviation.mean), 3).c_str(),
-                fixed(inMillimeters(haptic->deviation.greatest), 3).c_str());
+    print("haptic surface: {} of {} triangles, off by {} mm on average, {} mm at most\n",
+          haptic->triangles, haptic->visualTriangles,
+          fixed(inMillimeters(haptic->deviation.mean), 3),
+          fixed(inMillimeters(haptic->deviation.greatest), 3));
   return Done{};
 }
 

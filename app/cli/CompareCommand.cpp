@@ -1,25 +1,22 @@
-#include <cstdio>
 
 #include "CallFiles.h"
 #include "Commands.h"
-#include "OutputFile.h"
 #include "OutputFolder.h"
+#include "Terminal.h"
 #include "perilymph/analysis/Comparison.h"
 
 namespace perilymph::cli {
 
 namespace {
 
-void print(const std::vector<analysis::ComparedInsertion>& insertions)
+void printSummary(const std::vector<analysis::ComparedInsertion>& insertions)
 {
-  std::printf("%-24s %8s %8s %9s %9s %7s\n", "recording", "peak, N", "at, mm", "work, mJ",
-              "reversals", "time, s");
+  print("{:24} {:>8} {:>8} {:>9} {:>9} {:>7}\n", "recording", "peak, N", "at, mm", "work, mJ",
+        "reversals", "time, s");
   for (const analysis::ComparedInsertion& each : insertions)
-    std::printf("%-24s %8s %8s %9s %9d %7s\n", each.name.c_str(),
-                fixed(each.profile.peak.force, 4).c_str(),
-                fixed(inMillimeters(meters(each.profile.peak.travel)), 1).c_str(),
-                fixed(each.profile.work * 1e3, 4).c_str(), each.reversals,
-                fixed(each.profile.duration, 2).c_str());
+    print("{:24} {:>8} {:>8} {:>9} {:>9} {:>7}\n", each.name, fixed(each.profile.peak.force, 4),
+          fixed(inMillimeters(meters(each.profile.peak.travel)), 1),
+          fixed(each.profile.work * 1e3, 4), each.reversals, fixed(each.profile.duration, 2));
 }
 
 }  // namespace
@@ -38,7 +35,7 @@ Result<Done> compare(const CompareOptions& options, const CallFiles& files)
                    {"curves.csv", analysis::curvesCsv(insertions)}};
   content.figures = {{"curves", draw(analysis::comparisonFigure(insertions))}};
   if (const auto done = writeFolder(files, options.out, content); !done) return done.error();
-  print(insertions);
+  printSummary(insertions);
   return Done{};
 }
 

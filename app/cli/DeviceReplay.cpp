@@ -1,9 +1,9 @@
 #include "DeviceReplay.h"
+#include "JsonText.h"
+#include "Terminal.h"
 
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "OutputFile.h"
 #include "perilymph/device/HidNodes.h"
 #include "perilymph/device/TapeReading.h"
 #include "perilymph/foundation/AtomicFile.h"
@@ -16,6 +16,13 @@ using Json = nlohmann::ordered_json;
 
 std::string ms(double time) { return fixed(time * 1e3, 3); }
 std::string mm(double length) { return fixed(length * 1e3, 2); }
+
+std::string hexadecimal(std::uint32_t number)
+{
+  char digits[16];
+  std::snprintf(digits, sizeof digits, "0x%x", number);
+  return digits;
+}
 
 Json described(const device::ReportTape& tape, const std::string& profile,
                const device::TapeReading& told)
@@ -46,37 +53,29 @@ Json described(const device::ReportTape& tape, const std::string& profile,
           {"write_max_s", told.writing.timeMost}};
 }
 
-void print(const device::ReportTape& tape, const std::string& profile,
-           const device::TapeReading& told)
+void printTape(const device::ReportTape& tape, const std::string& profile,
+               const device::TapeReading& told)
 {
   const device::ReadingFigures& reading = told.reading;
-  std::printf("%s  %s\n    read as %s\n", device::identityText(tape.identity).c_str(),
-              tape.name.c_str(), profile.c_str());
-  std::printf(
-      "%-18s %s s; %s reports a second; between two: median %s ms, 99 %% below %s ms, "
-      "longest %s ms\n",
-      "on the tape", fixed(told.duration, 3).c_str(), fixed(reading.rate, 1).c_str(),
-      ms(reading.intervalMedian).c_str(), ms(reading.intervalP99).c_str(),
-      ms(reading.intervalMost).c_str());
-  std::printf(
-      "%-18s %llu fresh, %llu lost, %llu repeated, %llu old, %llu not understood, %llu not "
+  print("{}  {}\n    read as {}\n", device::identityText(tape.identity), tape.name, profile);
+  print(
+      "{:18} {} s; {} reports a second; between two: median {} ms, 99 % below {} ms, "
+      "longest {} ms\n",
+      "on the tape", fixed(told.duration, 3), fixed(reading.rate, 1), ms(reading.intervalMedian),
+      ms(reading.intervalP99), ms(reading.intervalMost));
+  print(
+      "{:18} {} fresh, {} lost, {} repeated, {} old, {} not understood, {} not "
       "kept\n",
-      "reports", static_cast<unsigned long long>(reading.fresh),
-      static_cast<unsigned long long>(reading.lost),
-      static_cast<unsigned long long>(reading.duplicates),
-      static_cast<unsigned long long>(reading.old),
-      static_cast<unsigned long long>(reading.foreign), static_cast<unsigned long long>(tape.lost));
+      "reports", reading.fresh, reading.lost, reading.duplicates, reading.old, reading.foreign,
+      tape.lost);
   if (reading.fresh > 0)
-    std::printf("%-18s x %s to %s mm, y %s to %s mm, z %s to %s mm; buttons 0x%x\n", "the hand",
-                mm(told.least_D[0]).c_str(), mm(told.most_D[0]).c_str(),
-                mm(told.least_D[1]).c_str(), mm(told.most_D[1]).c_str(),
-                mm(told.least_D[2]).c_str(), mm(told.most_D[2]).c_str(), told.buttons);
+    print("{:18} x {} to {} mm, y {} to {} mm, z {} to {} mm; buttons {}\n", "the hand",
+          mm(told.least_D[0]), mm(told.most_D[0]), mm(told.least_D[1]), mm(told.most_D[1]),
+          mm(told.least_D[2]), mm(told.most_D[2]), hexadecimal(told.buttons));
   if (told.writing.accepted + told.writing.refused == 0) return;
-  std::printf("%-18s %llu taken, %llu refused; median %s ms, 99 %% below %s ms, longest %s ms\n",
-              "output reports", static_cast<unsigned long long>(told.writing.accepted),
-              static_cast<unsigned long long>(told.writing.refused),
-              ms(told.writing.timeMedian).c_str(), ms(told.writing.timeP99).c_str(),
-              ms(told.writing.timeMost).c_str());
+  print("{:18} {} taken, {} refused; median {} ms, 99 % below {} ms, longest {} ms\n",
+        "output reports", told.writing.accepted, told.writing.refused, ms(told.writing.timeMedian),
+        ms(told.writing.timeP99), ms(told.writing.timeMost));
 }
 
 }  // namespace
@@ -97,9 +96,9 @@ Result<Done> replayDevice(const std::string& file, const std::string& json)
   auto codec = device::makeCodec(*profile, *descriptor);
   if (!codec) return codec.error();
   const device::TapeReading told = device::readTape(*tape, **codec, profile->traits.nominalPeriod);
-  print(*tape, profile->name, told);
+  printTape(*tape, profile->name, told);
   if (json.empty()) return Done{};
-  return writeWhole(json, described(*tape, profile->name, told).dump(2) + "\n");
+  return writeWhole(json, jsonText(described(*tape, profile->name, told)));
 }
 
 }  // namespace perilymph::cli

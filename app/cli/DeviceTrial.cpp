@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "Interruption.h"
-#include "OutputFile.h"
+#include "Terminal.h"
 #include "perilymph/device/PluginDevice.h"
 #include "perilymph/haptics/CouplingLimit.h"
 #include "perilymph/haptics/ForceTrial.h"
@@ -51,8 +50,8 @@ int ticks(double time) { return static_cast<int>(std::lround(time / timeStep)); 
 
 void listen(device::HapticDevice& hand, Beat& beat, TrialOutcome& outcome)
 {
-  std::printf("Listening for %s s. Move the device.\n", fixed(listeningTime, 0).c_str());
-  std::fflush(stdout);
+  print("Listening for {} s. Move the device.\n", fixed(listeningTime, 0));
+  flushOutput();
   std::uint64_t last = 0;
   for (int i = 0; i < ticks(listeningTime) && !isInterrupted(); ++i) {
     beat.wait();
@@ -69,11 +68,11 @@ int showForces(device::HapticDevice& hand, Beat& beat)
 {
   haptics::ForceTrial trial(hand.traits(), timeStep);
   if (trial.isOver()) return 0;
-  std::printf(
-      "Hold the device and its button: it pushes with at most %s N along each axis. Letting "
+  print(
+      "Hold the device and its button: it pushes with at most {} N along each axis. Letting "
       "go of the button ends the push.\n",
-      fixed(trial.greatest(), 2).c_str());
-  std::fflush(stdout);
+      fixed(trial.greatest(), 2));
+  flushOutput();
   int waited = 0;
   while (!trial.isOver() && waited < ticks(patienceForHold) && !isInterrupted()) {
     beat.wait();

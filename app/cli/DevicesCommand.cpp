@@ -1,10 +1,10 @@
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "Commands.h"
 #include "DeviceReplay.h"
 #include "DeviceTrial.h"
-#include "OutputFile.h"
+#include "JsonText.h"
+#include "Terminal.h"
 #include "perilymph/device/KnownHands.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Version.h"
@@ -46,15 +46,15 @@ std::string ability(const device::DeviceTraits& traits)
   return words + ", a report every " + fixed(traits.nominalPeriod * 1e3, 1) + " ms";
 }
 
-void print(const FoundHand& found)
+void printDevice(const FoundHand& found)
 {
   const device::HidNode& node = found.node;
-  std::printf("%s  %s  %s\n", node.path.c_str(), device::identityText(node.identity).c_str(),
-              node.name.empty() ? found.kind.c_str() : node.name.c_str());
+  print("{}  {}  {}\n", node.path, device::identityText(node.identity),
+        node.name.empty() ? found.kind : node.name);
   if (found.profile)
-    std::printf("    %s, a %s: %s\n", found.profile->name.c_str(), found.kind.c_str(),
-                ability(device::traitsOf(*found.profile, found.descriptor)).c_str());
-  std::printf("    %s\n", found.isUsable() ? "It may be opened." : found.obstacle.c_str());
+    print("    {}, a {}: {}\n", found.profile->name, found.kind,
+          ability(device::traitsOf(*found.profile, found.descriptor)));
+  print("    {}\n", found.isUsable() ? "It may be opened." : found.obstacle);
 }
 
 Json described(const FoundHand& found)
@@ -133,49 +133,42 @@ Json described(const TrialOutcome& trial)
 
 void printForce(const TrialOutcome& trial)
 {
-  std::printf("%-18s shown on %d of %d axes%s\n", "force", trial.axesFelt, trial.axes,
-              trial.axesFelt < trial.axes ? "; the button was not held" : "");
+  print("{:18} shown on {} of {} axes{}\n", "force", trial.axesFelt, trial.axes,
+        trial.axesFelt < trial.axes ? "; the button was not held" : "");
 }
 
 void printPlugin(const TrialOutcome& trial)
 {
-  std::printf("%s: %s\n", trial.traits.name.c_str(), ability(trial.traits).c_str());
-  std::printf("%-18s %d of %d were fresh and valid\n", "samples", trial.fresh, trial.samples);
+  print("{}: {}\n", trial.traits.name, ability(trial.traits));
+  print("{:18} {} of {} were fresh and valid\n", "samples", trial.fresh, trial.samples);
   if (trial.axes == 0) return;
-  std::printf("%-18s stiffest coupling %s N/m\n", "by its traits",
-              fixed(trial.stiffness, 0).c_str());
+  print("{:18} stiffest coupling {} N/m\n", "by its traits", fixed(trial.stiffness, 0));
   printForce(trial);
 }
 
-void print(const TrialOutcome& trial)
+void printTrial(const TrialOutcome& trial)
 {
   if (!trial.health) return printPlugin(trial);
   const device::HandHealth& health = *trial.health;
   const device::ReadingFigures& reading = health.reading;
   const auto ms = [](double time) { return fixed(time * 1e3, 3); };
-  std::printf("%-18s %s a second; between two: median %s ms, 99 %% below %s ms, longest %s ms\n",
-              "reports", fixed(reading.rate, 1).c_str(), ms(reading.intervalMedian).c_str(),
-              ms(reading.intervalP99).c_str(), ms(reading.intervalMost).c_str());
-  std::printf("%-18s %llu fresh, %llu lost, %llu repeated, %llu old, %llu not understood\n", "",
-              static_cast<unsigned long long>(reading.fresh),
-              static_cast<unsigned long long>(reading.lost),
-              static_cast<unsigned long long>(reading.duplicates),
-              static_cast<unsigned long long>(reading.old),
-              static_cast<unsigned long long>(reading.foreign));
-  if (!health.trouble.empty()) std::printf("%-18s %s\n", "", health.trouble.c_str());
+  print("{:18} {} a second; between two: median {} ms, 99 % below {} ms, longest {} ms\n",
+        "reports", fixed(reading.rate, 1), ms(reading.intervalMedian), ms(reading.intervalP99),
+        ms(reading.intervalMost));
+  print("{:18} {} fresh, {} lost, {} repeated, {} old, {} not understood\n", "", reading.fresh,
+        reading.lost, reading.duplicates, reading.old, reading.foreign);
+  if (!health.trouble.empty()) print("{:18} {}\n", "", health.trouble);
   if (trial.axes == 0) return;
   const device::WritingFigures& writing = health.writing;
-  std::printf("%-18s median %s ms, 99 %% below %s ms, longest %s ms\n", "to take a force",
-              ms(writing.timeMedian).c_str(), ms(writing.timeP99).c_str(),
-              ms(writing.timeMost).c_str());
+  print("{:18} median {} ms, 99 % below {} ms, longest {} ms\n", "to take a force",
+        ms(writing.timeMedian), ms(writing.timeP99), ms(writing.timeMost));
   if (!writing.hasRealTimePriority)
-    std::printf("%-18s without real-time priority: see modules/realtime/README.md\n", "");
-  std::printf("%-18s there and back %s%s ms; stiffest coupling %s N/m\n", "delay",
-              health.isRoundTripMeasured ? "" : "at most ", ms(health.roundTrip).c_str(),
-              fixed(trial.stiffness, 0).c_str());
-  std::printf(
-      "%-18s %s\n", "if this dies",
-      health.isGuarded ? "another process takes the force away" : health.guardObstacle.c_str());
+    print("{:18} without real-time priority: see modules/realtime/README.md\n", "");
+  print("{:18} there and back {}{} ms; stiffest coupling {} N/m\n", "delay",
+        health.isRoundTripMeasured ? "" : "at most ", ms(health.roundTrip),
+        fixed(trial.stiffness, 0));
+  print("{:18} {}\n", "if this dies",
+        health.isGuarded ? "another process takes the force away" : health.guardObstacle);
   printForce(trial);
 }
 
@@ -192,10 +185,10 @@ Result<Done> tryOut(const std::string& plugin, const std::string& file)
 {
   const auto trial = tryPlugin(plugin);
   if (!trial) return trial.error();
-  print(*trial);
+  printTrial(*trial);
   if (file.empty()) return Done{};
   const Json json = {{"version", version()}, {"plugin", plugin}, {"test", described(*trial)}};
-  return writeWhole(file, json.dump(2) + "\n");
+  return writeWhole(file, jsonText(json));
 }
 
 }  // namespace
@@ -210,7 +203,7 @@ Result<Done> devices(const DevicesOptions& options)
   json["devices"] = Json::array();
   for (const FoundHand& found : survey.devices) json["devices"].push_back(described(found));
   json["profile_mistakes"] = survey.mistakes;
-  for (const std::string& mistake : survey.mistakes) std::fprintf(stderr, "%s\n", mistake.c_str());
+  for (const std::string& mistake : survey.mistakes) printError("{}\n", mistake);
 
   if (options.test) {
     const auto found = deviceOfNumber(survey, *options.test);
@@ -218,14 +211,14 @@ Result<Done> devices(const DevicesOptions& options)
     const auto trial = tryDevice(*found, options.capture);
     if (!trial) return trial.error();
     json["test"] = described(*trial);
-    print(*trial);
+    printTrial(*trial);
   } else {
-    if (survey.devices.empty()) std::printf("No HID device is plugged in.\n");
-    for (const FoundHand& found : survey.devices) print(found);
-    std::printf("%s", handsWithoutHardware);
+    if (survey.devices.empty()) print("No HID device is plugged in.\n");
+    for (const FoundHand& found : survey.devices) printDevice(found);
+    print(handsWithoutHardware);
   }
   if (options.json.empty()) return Done{};
-  return writeWhole(options.json, json.dump(2) + "\n");
+  return writeWhole(options.json, jsonText(json));
 }
 
 }  // namespace perilymph::cli

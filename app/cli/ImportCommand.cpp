@@ -1,10 +1,10 @@
-#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "AnatomySurfaces.h"
 #include "Commands.h"
-#include "OutputFile.h"
+#include "JsonText.h"
+#include "Terminal.h"
 #include "perilymph/foundation/AtomicFile.h"
 #if PERILYMPH_HAS_TOOLKIT
 #include "perilymph/analysis/ClinicalEstimates.h"
@@ -55,7 +55,7 @@ std::string importJson(const std::string& label, const anatomy::ImportedScala& s
   for (const analysis::Measure& measure : measuresOf(scala)) json[measure.key] = measure.value;
   for (const analysis::Measure& measure : measuresOf(scala))
     json["derived"][measure.key] = {{"formula", measure.formula}, {"source", measure.source}};
-  return json.dump(2) + '\n';
+  return jsonText(json);
 }
 
 }  // namespace
@@ -80,10 +80,9 @@ Result<Done> describeImport(const AnatomyOptions& options)
   if (!options.json.empty())
     if (const auto done = writeWhole(options.json, importJson(label, *scala)); !done)
       return done.error();
-  std::printf("%s, %s ear, imported\n", label.c_str(),
-              scala->side == anatomy::Side::left ? "left" : "right");
+  print("{}, {} ear, imported\n", label, scala->side == anatomy::Side::left ? "left" : "right");
   for (const analysis::Measure& measure : measuresOf(*scala))
-    std::printf("%-26s %s\n", measure.key.c_str(), fixed(measure.value, 2).c_str());
+    print("{:26} {}\n", measure.key, fixed(measure.value, 2));
   return Done{};
 }
 

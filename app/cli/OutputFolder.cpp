@@ -3,11 +3,11 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <cstdio>
 #include <stdexcept>
 
 #include "FileOptions.h"
 #include "Interruption.h"
+#include "Terminal.h"
 #include "perilymph/foundation/AtomicFile.h"
 #if PERILYMPH_HAS_TOOLKIT
 #include "perilymph/charts/FigurePicture.h"
@@ -85,19 +85,19 @@ Result<Done> writeFolder(const CallFiles& files, const std::string& folder,
       return done.error();
     names.push_back(name + (PERILYMPH_HAS_TOOLKIT ? ".svg and .png" : ".svg"));
   }
-  std::printf("wrote into %s:", folder.c_str());
-  for (const std::string& name : names) std::printf(" %s", name.c_str());
-  std::printf("\n");
+  print("wrote into {}:", folder);
+  for (const std::string& name : names) print(" {}", name);
+  print("\n");
   if (!PERILYMPH_HAS_TOOLKIT && !content.figures.empty())
-    std::printf("This build was made without VTK: figures are SVG only.\n");
+    print("This build was made without VTK: figures are SVG only.\n");
   return Done{};
 }
 
 bool showProgress(const char* what, std::size_t done, std::size_t all)
 {
   if (::isatty(STDERR_FILENO) != 0) {
-    std::fprintf(stderr, "\r%s %zu of %zu", what, done, all);
-    if (done == all) std::fprintf(stderr, "\r\x1b[K");
+    printError("\r{} {} of {}", what, done, all);
+    if (done == all) printError("\r\x1b[K");
     std::fflush(stderr);
   }
   return !isInterrupted();

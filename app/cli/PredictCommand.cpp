@@ -1,10 +1,9 @@
-#include <cstdio>
 
 #include "CallFiles.h"
 #include "Commands.h"
 #include "Interruption.h"
-#include "OutputFile.h"
 #include "OutputFolder.h"
+#include "Terminal.h"
 #include "perilymph/analysis/Prediction.h"
 
 namespace perilymph::cli {
@@ -20,29 +19,26 @@ const char* verdict(bool isHit) { return isHit ? "hit" : "MISS"; }
 void printForce(const char* what, Force found, const analysis::PrintedRange* range)
 {
   if (!range) return;
-  std::printf("  %-5s %s force %s mN (in vivo %s to %s mN)\n",
-              verdict(found.si() >= range->low && found.si() <= range->high), what,
-              milli(found).c_str(), milli(newtons(range->low)).c_str(),
-              milli(newtons(range->high)).c_str());
+  print("  {:5} {} force {} mN (in vivo {} to {} mN)\n",
+        verdict(found.si() >= range->low && found.si() <= range->high), what, milli(found),
+        milli(newtons(range->low)), milli(newtons(range->high)));
 }
 
-void print(const analysis::ArraySummary& array, const analysis::Reference& inVivo)
+void printArray(const analysis::ArraySummary& array, const analysis::Reference& inVivo)
 {
-  std::printf("%s\n", array.array.c_str());
+  print("{}\n", array.array);
   if (array.mean)
-    std::printf("  mean cochlea: %s deg, force at the end %s mN, peak %s mN\n",
-                degreesOf(array.mean->apical).c_str(), milli(array.mean->end).c_str(),
-                milli(array.mean->peak).c_str());
+    print("  mean cochlea: {} deg, force at the end {} mN, peak {} mN\n",
+          degreesOf(array.mean->apical), milli(array.mean->end), milli(array.mean->peak));
   else
-    std::printf("  mean cochlea: could not be carried out\n");
+    print("  mean cochlea: could not be carried out\n");
   if (array.patients > 0)
-    std::printf("  %d patients: median %s deg, quartiles %s and %s\n", array.patients,
-                degreesOf(array.median).c_str(), degreesOf(array.lowerQuartile).c_str(),
-                degreesOf(array.upperQuartile).c_str());
+    print("  {} patients: median {} deg, quartiles {} and {}\n", array.patients,
+          degreesOf(array.median), degreesOf(array.lowerQuartile), degreesOf(array.upperQuartile));
   if (array.clinical)
-    std::printf("  %-5s clinical median %s deg, %s to %s\n", verdict(array.hitsAngle),
-                degreesOf(array.clinical->median).c_str(), degreesOf(array.clinical->low).c_str(),
-                degreesOf(array.clinical->high).c_str());
+    print("  {:5} clinical median {} deg, {} to {}\n", verdict(array.hitsAngle),
+          degreesOf(array.clinical->median), degreesOf(array.clinical->low),
+          degreesOf(array.clinical->high));
   if (array.patients == 0) return;
   printForce("end", array.medianEnd, inVivo.findRange("end of insertion"));
   printForce("peak", array.medianPeak, inVivo.findRange("peak"));
@@ -70,10 +66,9 @@ Result<Done> predict(const PredictOptions& options, const CallFiles& files)
   content.texts = {{"prediction.csv", analysis::predictionCsv(*result)},
                    {"prediction.json", analysis::predictionJson(request, *result, *inVivo)}};
   if (const auto done = writeFolder(files, options.out, content); !done) return done.error();
-  for (const analysis::ArraySummary& array : result->arrays) print(array, *inVivo);
+  for (const analysis::ArraySummary& array : result->arrays) printArray(array, *inVivo);
   for (const analysis::PredictedInsertion& each : result->insertions)
-    if (!each.trouble.empty())
-      std::printf("%s in %s: %s\n", each.array.c_str(), each.patient.c_str(), each.trouble.c_str());
+    if (!each.trouble.empty()) print("{} in {}: {}\n", each.array, each.patient, each.trouble);
   return Done{};
 }
 

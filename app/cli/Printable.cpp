@@ -1,28 +1,50 @@
 #include "Printable.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
+#include <utility>
+
+#include "perilymph/foundation/Utf8.h"
 
 namespace perilymph::cli {
 
-std::string printable(const std::string& text)
+namespace {
+
+/// True for characters that steer: Unicode's category Cc, its property Bidi_Control, and the
+/// separators of lines and paragraphs (Unicode 15, PropList.txt and UnicodeData.txt).
+bool steers(char32_t code)
+{
+  constexpr std::array<std::pair<char32_t, char32_t>, 7> ranges = {{{0x00, 0x1f},
+                                                                    {0x7f, 0x9f},
+                                                                    {0x61c, 0x61c},
+                                                                    {0x200e, 0x200f},
+                                                                    {0x2028, 0x202e},
+                                                                    {0x2066, 0x2069},
+                                                                    {0xfeff, 0xfeff}}};
+  return std::any_of(ranges.begin(), ranges.end(), [code](const auto& range) {
+    return code >= range.first && code <= range.second;
+  });
+}
+
+}  // namespace
+
+std::string printable(std::string_view text)
 {
   std::string shown;
-  const auto write = [&shown](unsigned char byte) {
-    char digits[5];
-    std::snprintf(digits, sizeof digits, "\\x%02x", static_cast<unsigned>(byte));
-    shown += digits;
-  };
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0;
-    if (byte < 0x20 || byte == 0x7F) {
-      write(byte);
-    } else if (byte == 0xC2 && next >= 0x80 && next < 0xA0) {  // U+0080 to U+009F
-      write(byte);
-      write(static_cast<unsigned char>(next));
-      ++i;
-    } else {
-      shown += text[i];
+  while (!text.empty()) {
+    const Utf8Character first = firstCharacter(text);
+    const std::string_view bytes = text.substr(0, first.length == 0 ? 1 : first.length);
+    text.remove_prefix(bytes.size());
+    if (first.length != 0 && !steers(first.code)) {
+      shown += bytes;
+      continue;
+    }
+    for (const char byte : bytes) {
+      char digits[5];
+      std::snprintf(digits, sizeof digits, "\\x%02x",
+                    static_cast<unsigned>(static_cast<unsigned char>(byte)));
+      shown += digits;
     }
   }
   return shown;

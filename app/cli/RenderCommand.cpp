@@ -3,11 +3,10 @@
 #if PERILYMPH_HAS_TOOLKIT
 
 #include <array>
-#include <cstdio>
 #include <utility>
 
 #include "CallFiles.h"
-#include "OutputFile.h"
+#include "Terminal.h"
 #include "perilymph/charts/FigurePicture.h"
 #include "perilymph/charts/UnrolledScala.h"
 #include "perilymph/device/ScriptedHand.h"
@@ -53,7 +52,7 @@ Result<Done> draw(const RenderOptions& options, const visualization::PictureRequ
 {
   const auto done =
       options.view == unrolledView ? drawUnrolled(request) : visualization::renderPicture(request);
-  if (done) std::printf("Wrote %s\n", request.file.c_str());
+  if (done) print("Wrote {}\n", request.file);
   return done;
 }
 

@@ -1,10 +1,8 @@
-#include <cstdio>
 #include <fstream>
 #include <optional>
 
 #include "Commands.h"
-#include "OutputFile.h"
-#include "Printable.h"
+#include "Terminal.h"
 #include "perilymph/analysis/ForceProfile.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/session/Csv.h"
@@ -43,18 +41,15 @@ Result<Done> printContent(const session::RecordedInsertion& recorded)
   if (!read) return read.error();
   const session::RecordingFacts& facts = recorded.facts();
   const analysis::ForceProfile profile = profiler.profile();
-  std::printf("%s, recorded %s by %s (%s)\n", printable(facts.scenarioName).c_str(),
-              printable(facts.startedUtc).c_str(), printable(facts.buildId).c_str(),
-              printable(facts.device).c_str());
-  std::printf("%-18s %llu, lost %llu, %s\n", "ticks",
-              static_cast<unsigned long long>(profile.ticks),
-              static_cast<unsigned long long>(recorded.lostRecords()),
-              recorded.wasClosed() ? "closed properly" : "not closed: it ends where it broke off");
-  std::printf("%-18s %s N at %s mm of travel\n", "peak force", fixed(profile.peak.force, 4).c_str(),
-              fixed(inMillimeters(meters(profile.peak.travel)), 1).c_str());
-  std::printf("%-18s travel %s mm, depth %s mm\n", "at the end",
-              fixed(inMillimeters(meters(profile.finalTravel)), 2).c_str(),
-              fixed(inMillimeters(meters(profile.finalDepth)), 2).c_str());
+  print("{}, recorded {} by {} ({})\n", facts.scenarioName, facts.startedUtc, facts.buildId,
+        facts.device);
+  print("{:18} {}, lost {}, {}\n", "ticks", profile.ticks, recorded.lostRecords(),
+        recorded.wasClosed() ? "closed properly" : "not closed: it ends where it broke off");
+  print("{:18} {} N at {} mm of travel\n", "peak force", fixed(profile.peak.force, 4),
+        fixed(inMillimeters(meters(profile.peak.travel)), 1));
+  print("{:18} travel {} mm, depth {} mm\n", "at the end",
+        fixed(inMillimeters(meters(profile.finalTravel)), 2),
+        fixed(inMillimeters(meters(profile.finalDepth)), 2));
   return Done{};
 }
 
@@ -62,13 +57,13 @@ Result<Done> verifyBits(const std::string& file)
 {
   const auto verification = session::verify(file);
   if (!verification) return verification.error();
-  for (const std::string& note : verification->notes) std::printf("%s\n", printable(note).c_str());
+  for (const std::string& note : verification->notes) print("{}
+", note);
   if (!verification->damage.empty())
     return Error{file + " does not hold what was recorded: " + verification->damage +
                  ". Use another copy of the recording."};
   if (verification->isIdentical) {
-    std::printf("%llu ticks replayed, every bit the same.\n",
-                static_cast<unsigned long long>(verification->ticksCompared));
+    print("{} ticks replayed, every bit the same.\n", verification->ticksCompared);
     return Done{};
   }
   if (!verification->difference && verification->missingTicks > 0)
@@ -95,7 +90,7 @@ Result<Done> replay(const ReplayOptions& options)
 {
   const auto recorded = session::RecordedInsertion::open(options.file);
   if (!recorded) return recorded.error();
-  if (!recorded->note().empty()) std::fprintf(stderr, "%s\n", printable(recorded->note()).c_str());
+  if (!recorded->note().empty()) printError("{}\n", recorded->note());
   if (!options.csv.empty())
     if (const auto done = writeRows(*recorded, options.csv); !done) return done.error();
   if (options.verifies) return verifyBits(options.file);

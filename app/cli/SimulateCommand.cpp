@@ -1,14 +1,13 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <optional>
 
 #include "CallFiles.h"
 #include "Commands.h"
 #include "Interruption.h"
-#include "OutputFile.h"
 #include "SimulationJson.h"
+#include "Terminal.h"
 #include "perilymph/analysis/ForceProfile.h"
 #include "perilymph/analysis/Phase.h"
 #include "perilymph/device/ScriptedHand.h"
@@ -89,28 +88,27 @@ Result<Outcome> runIntoCsv(session::Insertion& insertion, const SimulateOptions&
 void printPoint(const char* name, const std::optional<analysis::CurvePoint>& point)
 {
   if (point)
-    std::printf("%-18s %s N at %s mm of travel\n", name, fixed(point->force, 4).c_str(),
-                fixed(inMillimeters(meters(point->travel)), 1).c_str());
+    print("{:18} {} N at {} mm of travel\n", name, fixed(point->force, 4),
+          fixed(inMillimeters(meters(point->travel)), 1));
 }
 
 void printSummary(const session::Scenario& scenario, const Outcome& outcome)
 {
   const analysis::ForceProfile& profile = outcome.profile;
-  std::printf("%s: %llu ticks, %s s, array %s\n", scenario.name.c_str(),
-              static_cast<unsigned long long>(profile.ticks), fixed(profile.duration, 3).c_str(),
-              scenario.array.name.c_str());
-  for (const std::string& note : scenario.notes) std::printf("%s\n", note.c_str());
+  print("{}: {} ticks, {} s, array {}\n", scenario.name, profile.ticks, fixed(profile.duration, 3),
+        scenario.array.name);
+  for (const std::string& note : scenario.notes) print("{}\n", note);
   printPoint("peak force", profile.peak);
   printPoint("basal-turn peak", profile.basalTurnPeak);
   printPoint("dip behind it", profile.basalTurnDip);
-  std::printf("%-18s travel %s mm, depth %s mm, angle %s deg\n", "at the end",
-              fixed(inMillimeters(meters(profile.finalTravel)), 2).c_str(),
-              fixed(inMillimeters(meters(profile.finalDepth)), 2).c_str(),
-              fixed(inDegrees(radians(profile.finalAngle)), 1).c_str());
-  std::printf("%-18s %s mJ\n", "work of the hand", fixed(profile.work * 1e3, 4).c_str());
+  print("{:18} travel {} mm, depth {} mm, angle {} deg\n", "at the end",
+        fixed(inMillimeters(meters(profile.finalTravel)), 2),
+        fixed(inMillimeters(meters(profile.finalDepth)), 2),
+        fixed(inDegrees(radians(profile.finalAngle)), 1));
+  print("{:18} {} mJ\n", "work of the hand", fixed(profile.work * 1e3, 4));
   if (profile.ticksNotSettled > 0)
-    std::printf("%-18s in %llu ticks the solver left more than its tolerance\n", "not settled",
-                static_cast<unsigned long long>(profile.ticksNotSettled));
+    print("{:18} in {} ticks the solver left more than its tolerance\n", "not settled",
+          profile.ticksNotSettled);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "JsonText.h"
 #include "perilymph/foundation/Version.h"
 
 namespace perilymph::cli {
@@ -62,7 +63,7 @@ std::string simulationJson(const session::Scenario& scenario, const analysis::Fo
   json["ticks"] = profile.ticks;
   json["ticks_not_settled"] = profile.ticksNotSettled;
   json["overruns"] = statistics.overruns;
-  return json.dump(2) + '\n';
+  return jsonText(json);
 }
 
 }  // namespace perilymph::cli

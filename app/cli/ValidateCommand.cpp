@@ -1,10 +1,9 @@
-#include <cstdio>
 
 #include "CallFiles.h"
 #include "Commands.h"
 #include "Interruption.h"
-#include "OutputFile.h"
 #include "OutputFolder.h"
+#include "Terminal.h"
 #include "perilymph/analysis/ValidationReport.h"
 #include "perilymph/foundation/Resources.h"
 
@@ -15,22 +14,19 @@ namespace {
 using analysis::ValidationRequest;
 using analysis::ValidationResult;
 
-void print(const ValidationRequest& request, const ValidationResult& result)
+void printSummary(const ValidationRequest& request, const ValidationResult& result)
 {
-  std::printf("%d insertions of %s, seed %llu, %llu ticks\n", result.runs,
-              request.scenario.array.name.c_str(), static_cast<unsigned long long>(result.seed),
-              static_cast<unsigned long long>(result.ticks));
+  print("{} insertions of {}, seed {}, {} ticks\n", result.runs, request.scenario.array.name,
+        result.seed, result.ticks);
   if (result.ticksNotSettled > 0)
-    std::printf("in %llu ticks the solver left more than its tolerance\n",
-                static_cast<unsigned long long>(result.ticksNotSettled));
+    print("in {} ticks the solver left more than its tolerance\n", result.ticksNotSettled);
   for (const analysis::Verdict& verdict : analysis::verdictsOf(result, request.experiment))
-    std::printf("%-6s %-41s %-10s (%s)\n", verdict.isMet ? "met" : "MISSED", verdict.what.c_str(),
-                verdict.found.c_str(), verdict.wanted.c_str());
-  std::printf("spread over travel: %s N; what each source makes alone:\n",
-              fixed(result.deviation, 4).c_str());
+    print("{:6} {:41} {:10} ({})\n", verdict.isMet ? "met" : "MISSED", verdict.what, verdict.found,
+          verdict.wanted);
+  print("spread over travel: {} N; what each source makes alone:\n", fixed(result.deviation, 4));
   for (const analysis::SpreadShare& share : result.shares)
-    std::printf("  %-10s %s N, %s %% of the variance\n", analysis::spreadSourceName(share.source),
-                fixed(share.deviation, 4).c_str(), fixed(100.0 * share.share, 1).c_str());
+    print("  {:10} {} N, {} % of the variance\n", analysis::spreadSourceName(share.source),
+          fixed(share.deviation, 4), fixed(100.0 * share.share, 1));
 }
 
 }  // namespace
@@ -57,9 +53,9 @@ Result<Done> validate(const ValidateOptions& options, const CallFiles& files)
   request.seed = options.seed;
   request.jobs = options.jobs;
   watchForInterruption();
-  std::printf("Repeating %s %d times; each source of spread alone takes some more.\n",
-              request.scenario.name.c_str(), request.runs);
-  std::fflush(stdout);
+  print("Repeating {} {} times; each source of spread alone takes some more.\n",
+        request.scenario.name, request.runs);
+  flushOutput();
   const auto result = analysis::validate(request, [](std::size_t done, std::size_t all) {
     return showProgress("insertion", done, all);
   });
@@ -69,7 +65,7 @@ Result<Done> validate(const ValidateOptions& options, const CallFiles& files)
   auto [texts, figures] = analysis::validationFiles(request, *result, *references);
   const FolderContent content{std::move(texts), std::move(figures)};
   if (const auto done = writeFolder(files, options.out, content); !done) return done.error();
-  print(request, *result);
+  printSummary(request, *result);
   return Done{};
 }
 

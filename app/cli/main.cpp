@@ -2,13 +2,13 @@
 // the options are in CommandOptions.cpp, the commands in files of their own.
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <exception>
 #include <string>
 
 #include "CommandOptions.h"
 #include "EmptyValues.h"
 #include "Interruption.h"
+#include "Terminal.h"
 #include "perilymph/foundation/Version.h"
 
 namespace perilymph::cli {
@@ -34,7 +34,7 @@ std::string words(const CLI::ParseError& error, const CLI::App& app, int argc, c
 int report(const Result<Done>& result)
 {
   if (result) return done;
-  std::fprintf(stderr, "%s\n", result.error().message.c_str());
+  printError("{}\n", result.error().message);
   return couldNot;
 }
 
@@ -55,7 +55,7 @@ int run(int argc, char** argv)
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    std::fprintf(stderr, "%s. See perilymph-cli --help.\n", words(error, app, argc, argv).c_str());
+    printError("{}. See perilymph-cli --help.\n", words(error, app, argc, argv));
     return wrongWords;
   }
   const CallFiles files = fileOptions.filesOfCall();
@@ -73,7 +73,7 @@ int main(int argc, char** argv)
   try {
     return perilymph::cli::run(argc, argv);
   } catch (const std::exception& mistake) {
-    std::fprintf(stderr, "A mistake in the program stopped it: %s.\n", mistake.what());
+    perilymph::cli::printError("A mistake in the program stopped it: {}.\n", mistake.what());
     return 1;
   }
 }

@@ -256,6 +256,10 @@ class Words(CheckCase):
         self.assert_found(words.check, "waiting by the clock", {
             "test/unit/t.cpp": "std::this_thread::sleep_for(1s);\n"})
 
+    def test_printing_past_the_terminal_is_found(self):
+        self.assert_found(words.check, "printing past Terminal.h", {
+            "app/cli/main.cpp": 'int main() { std::printf("%s", name); }\n'})
+
 
 class Sources(unittest.TestCase):
     def test_comments_and_texts_are_blanked_and_lines_kept(self):

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "CsvField.h"
 #include "Wording.h"
 #include "perilymph/session/Csv.h"
 #include "perilymph/session/RecordedInsertion.h"
@@ -12,15 +13,6 @@
 namespace perilymph::analysis {
 
 namespace {
-
-/// Text as a field of a CSV file.
-std::string field(const std::string& text)
-{
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
-  return quoted + "\"";
-}
 
 /// Which multiple of the step a point lies on.
 long stepOf(const CurvePoint& point) { return std::lround(point.travel / profileStep().si()); }
@@ -63,7 +55,7 @@ std::string comparisonCsv(const std::vector<ComparedInsertion>& insertions)
       "final_depth_mm,final_angle_deg\n";
   for (const ComparedInsertion& each : insertions) {
     const ForceProfile& profile = each.profile;
-    csv += field(each.name) + "," + field(each.scenario);
+    csv += csvField(each.name) + "," + csvField(each.scenario);
     for (const double value :
          {profile.peak.force, inMillimeters(meters(profile.peak.travel)),
           inMillimeters(meters(profile.peakDepth)), profile.work * 1e3,
@@ -81,7 +73,7 @@ std::string curvesCsv(const std::vector<ComparedInsertion>& insertions)
   std::map<long, std::vector<double>> rows;
   const double missing = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = 0; i < insertions.size(); ++i) {
-    csv += "," + field(insertions[i].name + "_N");
+    csv += "," + csvField(insertions[i].name + "_N");
     for (const CurvePoint& point : insertions[i].profile.curve) {
       auto& row = rows[stepOf(point)];
       row.resize(insertions.size(), missing);

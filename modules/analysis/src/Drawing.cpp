@@ -3,6 +3,8 @@
 #include <charconv>
 #include <cstdio>
 
+#include "perilymph/foundation/Utf8.h"
+
 namespace perilymph::analysis {
 
 namespace {
@@ -19,7 +21,7 @@ std::string number(double value)
 std::string escaped(const std::string& text)
 {
   std::string result;
-  for (const char letter : text) {
+  for (const char letter : onOneLine(text)) {
     if (letter == '&')
       result += "&amp;";
     else if (letter == '<')

@@ -13,6 +13,7 @@
 #include "Canvas.h"
 #include "perilymph/charts/Typeface.h"
 #include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/Utf8.h"
 
 namespace perilymph::charts {
 
@@ -93,8 +94,8 @@ public:
     vtkNew<vtkImageData> image;
     int size[2] = {0, 0};
     if (renderer == nullptr ||
-        !renderer->RenderString(property, vtkStdString(words.text), image, size, dotsPerInch,
-                                vtkTextRenderer::FreeType))
+        !renderer->RenderString(property, vtkStdString(onOneLine(words.text)), image, size,
+                                dotsPerInch, vtkTextRenderer::FreeType))
       return;
     place(words, *image, size, isUpward);
   }

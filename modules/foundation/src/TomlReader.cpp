@@ -238,6 +238,10 @@ void TomlReader::remove(std::string_view key) { content_->table.erase(key); }
 
 void TomlReader::set(const std::string& key, const std::string& value)
 {
+  if (tomltext::lineNotUtf8(value)) {
+    content_->keep("--set " + shown(key) + "=" + shown(value) + ": this is not UTF-8 text.");
+    return;
+  }
   // The tables on the way, for a key such as stylet.from_tip_mm.
   toml::table* table = &content_->table;
   std::size_t begin = 0;

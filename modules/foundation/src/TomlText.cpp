@@ -6,28 +6,10 @@
 #include <locale>
 #include <sstream>
 
+#include "perilymph/foundation/Utf8.h"
+
 namespace perilymph::tomltext {
 namespace {
-
-bool isContinuation(unsigned char byte) { return (byte & 0xc0) == 0x80; }
-
-/// The length of the UTF-8 character at the front; 0 if it is none (overlong forms, surrogates and
-/// code points above U+10FFFF are none).
-std::size_t characterLength(std::string_view text)
-{
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char first = byte(0);
-  if (first < 0x80) return 1;
-  const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
-  if (first < 0xc2 || first > 0xf4 || text.size() < length) return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if (!isContinuation(byte(i))) return 0;
-  if (first == 0xe0 && byte(1) < 0xa0) return 0;
-  if (first == 0xed && byte(1) > 0x9f) return 0;
-  if (first == 0xf0 && byte(1) < 0x90) return 0;
-  if (first == 0xf4 && byte(1) > 0x8f) return 0;
-  return length;
-}
 
 bool isBareKey(char c)
 {
@@ -131,7 +113,7 @@ std::optional<int> lineNotUtf8(std::string_view text)
 {
   int line = 1;
   while (!text.empty()) {
-    const std::size_t length = characterLength(text);
+    const std::size_t length = firstCharacter(text).length;
     if (length == 0) return line;
     if (text.front() == '\n') ++line;
     text.remove_prefix(length);
@@ -189,7 +171,7 @@ std::string shown(std::string_view text)
   constexpr std::size_t most = 60;
   std::string result;
   while (!text.empty() && result.size() < most) {
-    const std::size_t length = characterLength(text);
+    const std::size_t length = firstCharacter(text).length;
     const auto first = static_cast<unsigned char>(text.front());
     if (length == 0 || first < 0x20 || first == 0x7f)
       result += '?';

@@ -29,6 +29,11 @@ INEXACT = re.compile(
 SLEEP = re.compile(r"\bsleep_(?:for|until)\b|\bu?sleep\s*\(|\bnanosleep\b|\bqWait\b|\bqSleep\b")
 
 
+# Everything that the command line prints goes through one place.
+PRINTING = re.compile(r"\bstd::(?:v?f?printf|f?puts|f?putc|putchar|fwrite|cout|cerr|clog)\b")
+TERMINAL = ("app/cli/Terminal.cpp",)
+
+
 def search(root, found, pattern, reason, wrong):
     for file, text in found:
         for match in re.finditer(pattern, text):
@@ -58,6 +63,11 @@ def check(root):
     search(root, code(root, "modules", "app", "plugins", "test"), NULL_WORD, "C: write nullptr", wrong)
     search(root, code(root, "test"), SLEEP, "waiting by the clock: wait for what should happen",
            wrong)
+
+    printing = [(file, text) for file, text in code(root, "app/cli")
+                if file.relative_to(root).as_posix() not in TERMINAL]
+    search(root, printing, PRINTING,
+           "printing past Terminal.h, which writes out what would steer a terminal", wrong)
 
     for module in ENGINE:
         search(root, code(root, f"modules/{module}"), INEXACT,

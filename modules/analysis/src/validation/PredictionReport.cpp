@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "CsvField.h"
 #include "perilymph/analysis/Prediction.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/session/Csv.h"
@@ -55,14 +56,11 @@ std::string predictionCsv(const PredictionResult& result)
 {
   std::string csv = "array,patient,apical_deg,depth_mm,end_N,peak_N,trouble\n";
   for (const PredictedInsertion& each : result.insertions) {
-    csv += each.array + "," + each.patient;
+    csv += csvField(each.array) + "," + csvField(each.patient);
     for (const double value :
          {inDegrees(each.apical), inMillimeters(each.depth), each.end.si(), each.peak.si()})
       csv += "," + session::shortestDecimal(value);
-    std::string quoted;
-    for (const char letter : each.trouble)
-      quoted += letter == '"' ? "\"\"" : std::string(1, letter);
-    csv += each.trouble.empty() ? ",\n" : ",\"" + quoted + "\"\n";
+    csv += "," + (each.trouble.empty() ? std::string() : csvQuoted(each.trouble)) + "\n";
   }
   return csv;
 }
@@ -81,7 +79,7 @@ std::string predictionJson(const PredictionRequest& request, const PredictionRes
   page["in_vivo_peak"] = json(peak);
   page["arrays"] = Json::array();
   for (const ArraySummary& array : result.arrays) page["arrays"].push_back(json(array, end, peak));
-  return page.dump(2) + "\n";
+  return page.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace perilymph::analysis

@@ -193,7 +193,7 @@ std::string summaryJson(const ValidationRequest& request, const ValidationResult
                                 {"found", verdict.found},
                                 {"wanted", verdict.wanted},
                                 {"met", verdict.isMet}});
-  return page.dump(2) + "\n";
+  return page.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace perilymph::analysis

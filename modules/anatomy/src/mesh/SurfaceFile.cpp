@@ -9,6 +9,7 @@
 
 #include "perilymph/anatomy/Surface.h"
 #include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/Utf8.h"
 
 namespace perilymph::anatomy {
 namespace {
@@ -117,7 +118,10 @@ std::string vrml(const Surface& surface, const std::string& title)
 std::string vtp(const Surface& surface, const std::string& title)
 {
   Text text;
-  text << "<?xml version=\"1.0\"?>\n<!-- " << title << ", mm -->\n"
+  std::string comment = title;  // in which XML allows no two hyphens in a row
+  for (std::size_t at = comment.find("--"); at != std::string::npos; at = comment.find("--"))
+    comment.replace(at, 2, "- -");
+  text << "<?xml version=\"1.0\"?>\n<!-- " << comment << ", mm -->\n"
        << "<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n<PolyData>\n"
        << "<Piece NumberOfPoints=\"" << surface.points.size() << "\" NumberOfPolys=\""
        << surface.triangles.size() << "\">\n<Points>\n"
@@ -137,12 +141,13 @@ std::string vtp(const Surface& surface, const std::string& title)
 Result<Done> writeSurface(const Surface& surface, const std::string& title,
                           const std::filesystem::path& file)
 {
+  const std::string line = onOneLine(title);
   const std::string ending = file.extension().string();
-  if (ending == ".stl") return writeWhole(file, binaryStl(surface, title));
-  if (ending == ".ply") return writeWhole(file, ply(surface, title));
-  if (ending == ".obj") return writeWhole(file, obj(surface, title));
-  if (ending == ".wrl") return writeWhole(file, vrml(surface, title));
-  if (ending == ".vtp") return writeWhole(file, vtp(surface, title));
+  if (ending == ".stl") return writeWhole(file, binaryStl(surface, line));
+  if (ending == ".ply") return writeWhole(file, ply(surface, line));
+  if (ending == ".obj") return writeWhole(file, obj(surface, line));
+  if (ending == ".wrl") return writeWhole(file, vrml(surface, line));
+  if (ending == ".vtp") return writeWhole(file, vtp(surface, line));
   return Error{file.string() + " ends in '" + ending +
                "'; a surface is written as .stl, .ply, .obj, .wrl or .vtp. Choose one of these."};
 }

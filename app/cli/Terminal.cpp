@@ -1,0 +1,69 @@
+#include "Terminal.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+
+namespace perilymph::cli {
+
+namespace {
+
+/// Characters of a UTF-8 text.
+std::size_t widthOf(std::string_view text)
+{
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char letter) { return (letter & 0xc0) != 0x80; }));
+}
+
+/// A value in its place; `layout` is what stands between the braces.
+std::string placed(std::string_view layout, const std::string& value)
+{
+  if (layout.empty()) return value;
+  layout.remove_prefix(1);  // the colon
+  const bool isRight = layout.front() == '>';
+  if (isRight || layout.front() == '<') layout.remove_prefix(1);
+  std::size_t width = 0;
+  std::from_chars(layout.data(), layout.data() + layout.size(), width);
+  const std::string room(width - std::min(width, widthOf(value)), ' ');
+  return isRight ? room + value : value + room;
+}
+
+std::string filled(std::string_view format, std::span<const std::string> values)
+{
+  std::string text;
+  for (const std::string& value : values) {
+    const std::size_t open = format.find('{'), close = format.find('}', open);
+    text += format.substr(0, open);
+    text += placed(format.substr(open + 1, close - open - 1), value);
+    format.remove_prefix(close + 1);
+  }
+  return text.append(format);
+}
+
+void put(std::FILE* stream, const std::string& text)
+{
+  std::fwrite(text.data(), 1, text.size(), stream);
+}
+
+}  // namespace
+
+void printFilled(const char* format, std::span<const std::string> values)
+{
+  put(stdout, filled(format, values));
+}
+
+void printErrorFilled(const char* format, std::span<const std::string> values)
+{
+  put(stderr, filled(format, values));
+}
+
+void flushOutput() { std::fflush(stdout); }
+
+std::string fixed(double value, int digits)
+{
+  char text[400];
+  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, digits);
+  return {text, end.ptr};
+}
+
+}  // namespace perilymph::cli

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdint>
 #include <exception>
 #include <optional>
 #include <system_error>
@@ -16,8 +17,6 @@ namespace perilymph {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t largestText = std::size_t{16} << 20;
 
 /// What the system says about an error number, such as "Permission denied".
 std::string reason(int errorNumber) { return std::generic_category().message(errorNumber); }
@@ -229,31 +228,37 @@ Result<Done> writeWhole(const fs::path& file, const std::function<bool(const fs:
 
 void removeUnfinishedFiles() noexcept { UnfinishedName::removeAll(); }
 
-Result<std::string> readWhole(const fs::path& file)
+Result<std::string> readWhole(const fs::path& file, std::size_t maxBytes)
 {
-  const std::string name = file.string();
+  const auto cannotRead = [&file](const std::string& why) {
+    return Error{"Cannot read " + file.string() + ": " + why};
+  };
   if (file.empty()) return Error{"No file is named. Give the path of a file."};
-  std::error_code ignored;
-  if (fs::is_directory(file, ignored))
-    return Error{"Cannot read " + name + ": it is a folder. Give the name of a file in it."};
-  const Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!descriptor && errno == ENOENT)
-    return Error{"Cannot read " + name + ": there is no such file. Check the path."};
-  if (!descriptor)
-    return Error{"Cannot read " + name + ": " + reason(errno) + ". Check its permissions."};
+  // Without O_NONBLOCK opening a pipe waits until somebody writes into it.
+  const Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
+  if (!descriptor && errno == ENOENT) return cannotRead("there is no such file. Check the path.");
+  if (!descriptor) return cannotRead(reason(errno) + ". Check its permissions.");
+  // What was opened is asked, not the path: another file may have its name by now.
+  struct stat status = {};
+  if (::fstat(descriptor.number(), &status) != 0) return cannotRead(reason(errno) + ".");
+  if (S_ISDIR(status.st_mode)) return cannotRead("it is a folder. Give the name of a file in it.");
+  if (!S_ISREG(status.st_mode))
+    return cannotRead("it is a pipe or a device, not a file. Give the name of a file.");
 
   std::string content;
+  const auto isTooLarge = [&](std::uintmax_t bytes) { return bytes > maxBytes; };
+  const Error tooLarge = cannotRead("it is larger than " + std::to_string(maxBytes >> 20) +
+                                    " MiB, the most such a file may have here. Check that it is "
+                                    "the right file.");
+  if (isTooLarge(static_cast<std::uintmax_t>(status.st_size))) return tooLarge;
   char block[65536];
   while (true) {
     const ssize_t count = ::read(descriptor.number(), block, sizeof block);
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return Error{"Cannot read " + name + ": " + reason(errno) + "."};
+    if (count < 0) return cannotRead(reason(errno) + ".");
     if (count == 0) return content;
     content.append(block, static_cast<std::size_t>(count));
-    if (content.size() > largestText)
-      return Error{"Cannot read " + name +
-                   ": it is larger than 16 MiB, the most a text file may have here. Check that it "
-                   "is the right file."};
+    if (isTooLarge(content.size())) return tooLarge;  // it grows, or belongs to /proc
   }
 }
 

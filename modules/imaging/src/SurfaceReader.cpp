@@ -11,20 +11,19 @@
 #include <cctype>
 #include <cstdint>
 #include <exception>
-#include <fstream>
 #include <initializer_list>
-#include <iterator>
 #include <string>
 #include <type_traits>
 
 #include "PlyFile.h"
 #include "PolyData.h"
+#include "perilymph/foundation/AtomicFile.h"
 
 namespace perilymph::imaging {
 namespace {
 
 // 256 MiB hold five million triangles, a hundred times what a cochlea needs.
-constexpr std::uintmax_t mostBytes = 256u << 20;
+constexpr std::size_t maxBytes = 256u << 20;
 
 /// Keeps VTK's complaints from the terminal and remembers that there was one.
 class Complaints : public vtkCommand {
@@ -33,12 +32,6 @@ public:
   void Execute(vtkObject*, unsigned long, void*) override { isAny = true; }
   bool isAny = false;
 };
-
-std::string contentOf(const std::filesystem::path& file)
-{
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// Whether VTK will read it as words, too: where a share of the bytes is of another kind, control
 /// characters among them, it takes it for binary and its words for a number of triangles.
@@ -115,22 +108,16 @@ Result<anatomy::Surface> readSurface(const std::filesystem::path& file)
   if (ending != ".stl" && ending != ".ply" && ending != ".vtp")
     return Error{name + " ends in '" + ending +
                  "'; a surface is read from .stl, .ply or .vtp. Export it as one of these."};
-  std::error_code failed;
-  const std::uintmax_t bytes = std::filesystem::file_size(file, failed);
-  if (failed)
-    return Error{name + " cannot be read: " + failed.message() + ". Check the file's name."};
-  if (bytes > mostBytes)
-    return Error{name + " has " + std::to_string(bytes >> 20) +
-                 " MiB; at most 256 are read. Reduce its triangles."};
+  const auto content = readWhole(file, maxBytes);
+  if (!content) return content.error();
   const Error damaged{name + " is not a whole " + ending +
                       " file of a surface. Export it again from the segmentation program."};
   try {
-    const std::string content = contentOf(file);
     if (ending == ".ply") {
-      if (auto surface = readPly(content)) return *std::move(surface);
+      if (auto surface = readPly(*content)) return *std::move(surface);
       return damaged;
     }
-    if (!beginsRight(content, ending)) return damaged;
+    if (!beginsRight(*content, ending)) return damaged;
     const vtkSmartPointer<vtkPolyData> data =
         ending == ".stl" ? readWith<vtkSTLReader>(file) : readWith<vtkXMLPolyDataReader>(file);
     if (!data || data->GetNumberOfPolys() == 0) return damaged;

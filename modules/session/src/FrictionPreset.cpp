@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "NamedFile.h"
 #include "ScenarioFriction.h"
+#include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/TomlReader.h"
 
 namespace perilymph::session {
@@ -23,7 +23,7 @@ TomlReader tableOf(TomlReader& file, const char* name)
 
 Result<FrictionPreset> loadFriction(const std::string& nameOrFile)
 {
-  const auto file = namedFile("friction", "resources/friction", nameOrFile);
+  const auto file = findByName("friction", "resources/friction", nameOrFile);
   if (!file) return file.error();
   auto reader = TomlReader::open(*file);
   if (!reader) return reader.error();

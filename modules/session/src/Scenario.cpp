@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "EffectiveText.h"
-#include "NamedFile.h"
 #include "ScenarioCalibration.h"
 #include "ScenarioFiles.h"
 #include "ScenarioFriction.h"
@@ -234,7 +233,7 @@ void readSide(TomlReader& reader, ScenarioKeys& keys, anatomy::Patient& patient)
 
 Result<Done> readArray(const std::string& name, Scenario& scenario)
 {
-  const auto file = namedFile("array", "plugins/electrodes", name);
+  const auto file = findByName("array", "plugins/electrodes", name);
   if (!file) return file.error();
   const auto content = readWhole(*file);
   if (!content) return content.error();

@@ -1,6 +1,6 @@
 #include "ScenarioCalibration.h"
 
-#include "NamedFile.h"
+#include "perilymph/foundation/Resources.h"
 #include "perilymph/session/Calibration.h"
 
 namespace perilymph::session {
@@ -12,7 +12,7 @@ Result<AskedCalibration> readCalibration(TomlReader& reader, ScenarioKeys& keys,
   const bool needsFile = !scenario.calibrationName.empty() &&
                          !(reader.has("stiffness_scale") && reader.has("residual_curvature_share"));
   if (needsFile) {
-    const auto file = namedFile("calibration", "resources/calibration", scenario.calibrationName);
+    const auto file = findByName("calibration", "resources/calibration", scenario.calibrationName);
     if (!file) return file.error();
     const auto calibration = loadCalibration(*file);
     if (!calibration) return calibration.error();

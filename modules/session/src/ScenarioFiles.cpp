@@ -1,6 +1,6 @@
 #include "ScenarioFiles.h"
 
-#include "NamedFile.h"
+#include "perilymph/foundation/Resources.h"
 
 namespace perilymph::session {
 
@@ -13,7 +13,7 @@ Result<fs::path> findPatient(const std::string& patient, const fs::path& folder)
     for (const fs::path& place : {folder / patient, folder / (patient + ".toml")})
       if (fs::is_regular_file(place, ignored)) return place;
   }
-  return namedFile("patient", "resources/patients", patient);
+  return findByName("patient", "resources/patients", patient);
 }
 
 std::vector<fs::path> filesOf(const Scenario& scenario, const std::string& friction,
@@ -24,10 +24,10 @@ std::vector<fs::path> filesOf(const Scenario& scenario, const std::string& frict
     if (file) files.push_back(*file);
   };
   if (!scenario.patientName.empty()) add(findPatient(scenario.patientName, folder));
-  add(namedFile("array", "plugins/electrodes", scenario.arrayName));
-  add(namedFile("friction", "resources/friction", friction));
+  add(findByName("array", "plugins/electrodes", scenario.arrayName));
+  add(findByName("friction", "resources/friction", friction));
   if (!scenario.calibrationName.empty())
-    add(namedFile("calibration", "resources/calibration", scenario.calibrationName));
+    add(findByName("calibration", "resources/calibration", scenario.calibrationName));
   return files;
 }
 

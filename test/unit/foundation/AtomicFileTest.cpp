@@ -245,6 +245,33 @@ TEST(ReadWhole, SaysThatThereIsNoSuchFile)
       "Cannot read " + (folder / "no.toml").string() + ": there is no such file. Check the path.");
 }
 
+TEST(ReadWhole, WaitsForNobodyAtAPipe)
+{
+  const test::TemporaryFolder folder;
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  EXPECT_THAT(messageOf(readWhole(folder / "pipe")), HasSubstr("it is a pipe or a device"));
+  fs::create_symlink("pipe", folder / "link");
+  EXPECT_THAT(messageOf(readWhole(folder / "link")), HasSubstr("it is a pipe or a device"));
+}
+
+TEST(ReadWhole, RefusesDevices)
+{
+  for (const char* device : {"/dev/zero", "/dev/full", "/dev/null", "/dev/tty"})
+    EXPECT_THAT(messageOf(readWhole(device)), HasSubstr(std::string("Cannot read ") + device));
+}
+
+TEST(ReadWhole, TakesAsManyBytesAsItIsTold)
+{
+  const test::TemporaryFolder folder;
+  put(folder / "in.txt", std::string(std::size_t{1} << 20, 'x'));
+  EXPECT_TRUE(readWhole(folder / "in.txt", std::size_t{1} << 20));
+  put(folder / "in.txt", std::string((std::size_t{1} << 20) + 1, 'x'));
+  EXPECT_THAT(messageOf(readWhole(folder / "in.txt", std::size_t{1} << 20)),
+              HasSubstr("larger than 1 MiB"));
+  // files of /proc have no size, and content all the same
+  EXPECT_TRUE(readWhole("/proc/self/status"));
+}
+
 TEST(ReadWhole, SaysThatItIsAFolder)
 {
   const test::TemporaryFolder folder;

@@ -4,9 +4,9 @@
 #include <array>
 #include <charconv>
 #include <cstdio>
-#include <fstream>
 #include <optional>
-#include <sstream>
+
+#include "perilymph/foundation/AtomicFile.h"
 
 namespace perilymph::device {
 
@@ -18,7 +18,7 @@ constexpr std::array<std::pair<char, TapeEvent>, 6> letters = {{{'E', TapeEvent:
                                                                 {'S', TapeEvent::featureSet},
                                                                 {'G', TapeEvent::featureGot},
                                                                 {'U', TapeEvent::gone}}};
-constexpr std::uintmax_t mostBytes = std::uintmax_t{256} << 20;
+constexpr std::size_t maxTapeBytes = std::size_t{256} << 20;
 constexpr const char* lostMark = "# lost ";
 
 /// Words of a line, one after the other.
@@ -228,17 +228,9 @@ Result<ReportTape> parseTape(std::string_view text, const std::string& name)
 
 Result<ReportTape> loadTape(const std::filesystem::path& file)
 {
-  std::error_code failure;
-  const std::uintmax_t size = std::filesystem::file_size(file, failure);
-  std::ifstream stream(file, std::ios::binary);
-  if (failure || !stream)
-    return Error{"The tape " + file.string() + " cannot be read. Check the path."};
-  if (size > mostBytes)
-    return Error{"The tape " + file.string() + " has " + std::to_string(size >> 20) +
-                 " MiB; at most " + std::to_string(mostBytes >> 20) + " MiB are read. Cut it."};
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return parseTape(text.str(), file.string());
+  const auto text = readWhole(file, maxTapeBytes);
+  if (!text) return text.error();
+  return parseTape(*text, file.string());
 }
 
 std::string tapeHead(const ReportTape& tape)

@@ -2,6 +2,7 @@
 
 // Files that appear whole or not at all.
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -29,7 +30,12 @@ Result<Done> writeWhole(const std::filesystem::path& file,
 /// signal. May be called from a signal handler.
 void removeUnfinishedFiles() noexcept;
 
-/// Reads a whole text file of at most 16 MiB.
-Result<std::string> readWhole(const std::filesystem::path& file);
+/// Size up to which text files are read.
+inline constexpr std::size_t maxTextBytes = std::size_t{16} << 20;
+
+/// Reads a whole file. Pipes, devices and folders are refused, and so is what is larger than
+/// `maxBytes`; it never waits for another program.
+Result<std::string> readWhole(const std::filesystem::path& file,
+                              std::size_t maxBytes = maxTextBytes);
 
 }  // namespace perilymph

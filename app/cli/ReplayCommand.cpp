@@ -57,8 +57,7 @@ Result<Done> verifyBits(const std::string& file)
 {
   const auto verification = session::verify(file);
   if (!verification) return verification.error();
-  for (const std::string& note : verification->notes) print("{}
-", note);
+  for (const std::string& note : verification->notes) print("{}\n", note);
   if (!verification->damage.empty())
     return Error{file + " does not hold what was recorded: " + verification->damage +
                  ". Use another copy of the recording."};

@@ -171,7 +171,7 @@ TEST(Anatomy, RefusesSurfacesThatAreNone)
   const TemporaryFolder folder;
   if (cli({"anatomy", "--import", folder / "none.stl"}).err.find("has no VTK") != std::string::npos)
     GTEST_SKIP() << "this build has no VTK";
-  expectRefusal(cli({"anatomy", "--import", folder / "none.stl"}), "No such file");
+  expectRefusal(cli({"anatomy", "--import", folder / "none.stl"}), "there is no such file");
   for (const char* ending : {"stl", "ply", "vtp"}) {
     const auto file = folder / (std::string("text.") + ending);
     std::ofstream(file) << "ply\nno surface\n";

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "Cli.h"
+#include "Forgery.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/Utf8.h"
 #include "perilymph/test/RecordedTree.h"
@@ -96,6 +97,7 @@ TEST(SteeringWords, InTheScenarioOfARecordingAreShown)
                key + " = %' THEN " + quoted(key + " = " + steeringToml) +
                " ELSE substr(rest, 1, instr(rest, char(10)) - 1) END || char(10) FROM line WHERE "
                "rest <> '') SELECT text FROM line WHERE rest = '') WHERE key = 'scenario'");
+    test::rehash(file);
     const ProgramOutcome outcome = cli({"replay", file, "--verify"});
     SCOPED_TRACE(key);
     expectHarmless(outcome);

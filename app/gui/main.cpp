@@ -104,7 +104,7 @@ WindowEnd runWindow(gui::Application& application, const gui::TerminationSignals
   QObject::connect(&window, &gui::MainWindow::recordingChanged, &window,
                    [&window, &mark] { mark.setRecording(window.control().recording()); });
   QObject::connect(&signals, &gui::TerminationSignals::received, &window, [&window](int signal) {
-    window.halt();  // the force first; the recording is closed with the window
+    window.end();
     QCoreApplication::exit(statusOf(signal));
   });
   QObject::connect(&window, &gui::MainWindow::anewAsked, &window,

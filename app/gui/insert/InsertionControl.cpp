@@ -102,15 +102,18 @@ void InsertionControl::discard()
   if (unused) std::filesystem::remove(*unused, ignored);
 }
 
-Result<std::unique_ptr<device::HapticDevice>> InsertionControl::chosenDevice() const
+void InsertionControl::choose(const device::FoundHand& found)
 {
-  if (const auto* plugin = std::get_if<std::filesystem::path>(&chosen_))
-    return device::loadPluginDevice(*plugin);
-  const auto* found = std::get_if<device::FoundHand>(&chosen_);
-  if (found == nullptr) return Error{"No device was chosen. Press H and choose one."};
-  auto made = device::makeHidHand(*found, device::systemRoots());
-  if (!made) return made.error();
-  return std::unique_ptr<device::HapticDevice>(*std::move(made));
+  chosen_ = [found]() -> Result<std::unique_ptr<device::HapticDevice>> {
+    auto made = device::makeHidHand(found, device::systemRoots());
+    if (!made) return made.error();
+    return std::unique_ptr<device::HapticDevice>(*std::move(made));
+  };
+}
+
+void InsertionControl::choose(const std::filesystem::path& plugin)
+{
+  chosen_ = [plugin] { return device::loadPluginDevice(plugin); };
 }
 
 Result<Done> InsertionControl::build(Hand hand, std::optional<std::filesystem::path> file)
@@ -124,7 +127,8 @@ Result<Done> InsertionControl::build(Hand hand, std::optional<std::filesystem::p
     scripted = made.get();
     device = std::move(made);
   } else if (hand == Hand::device) {
-    auto made = chosenDevice();
+    if (!chosen_) return Error{"No device was chosen. Press H and choose one."};
+    auto made = chosen_();
     if (!made) return made.error();
     device = *std::move(made);
   } else {

@@ -3,10 +3,10 @@
 // What the window does with an insertion: the verbs of its buttons and keys, whoever the hand is.
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 
 #include "perilymph/device/KnownHands.h"
 #include "perilymph/device/PointerHand.h"
@@ -48,10 +48,14 @@ public:
   /// From the next prepare() on, nothing is recorded.
   void keepNothing() { keepsNothing_ = true; }
 
+  /// Makes a device, which is not yet open.
+  using DeviceFactory = std::function<Result<std::unique_ptr<device::HapticDevice>>()>;
+
   /// Which device the next prepare(Hand::device) opens.
-  void choose(device::FoundHand found) { chosen_ = std::move(found); }
+  void choose(DeviceFactory device) { chosen_ = std::move(device); }
+  void choose(const device::FoundHand& found);
   /// The same for the device of a plug-in, a shared library.
-  void choose(std::filesystem::path plugin) { chosen_ = std::move(plugin); }
+  void choose(const std::filesystem::path& plugin);
 
   /// Lets the loop run and the scripted hand insert; arms the array for the pointer.
   Result<Done> begin();
@@ -101,7 +105,6 @@ private:
 
   std::filesystem::path nextRecording();
   void discard();
-  Result<std::unique_ptr<device::HapticDevice>> chosenDevice() const;
   Result<Done> build(Hand hand, std::optional<std::filesystem::path> file);
   bool ask(haptics::Command::Kind kind, double value = 0.0);
   void pursue();
@@ -118,7 +121,7 @@ private:
   std::unique_ptr<session::Insertion> insertion_;
   device::ScriptedHand* scripted_ = nullptr;  ///< Owned by the insertion.
   device::PointerHand* pointer_ = nullptr;    ///< Owned by the insertion.
-  std::variant<std::monostate, device::FoundHand, std::filesystem::path> chosen_;
+  DeviceFactory chosen_;
   Hand hand_ = Hand::scripted;
   Wish wish_ = Wish::rest;
   bool isRunning_ = false;

@@ -51,6 +51,7 @@ QFrame* line(QWidget* parent)
 
 MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem::path> record)
     : control_(std::move(scenario), std::move(record)),
+      safety_(control_),
       setup_(new SetupHistory(this)),
       top_(new TopBar(this)),
       side_(new SidePanel(this)),

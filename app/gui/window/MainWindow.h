@@ -15,6 +15,7 @@
 #include "InsertionControl.h"
 #include "KeyActions.h"
 #include "ModelWork.h"
+#include "SafetyStop.h"
 #include "Setup.h"
 #include "TopBar.h"
 #include "perilymph/foundation/Result.h"
@@ -94,6 +95,8 @@ public:
   const FrameMeter& meter() const { return meter_; }
   /// Stops the insertion for good and says how its loop kept time.
   haptics::LoopStatistics halt() { return control_.halt(); }
+  /// The window is about to end: the force is off when this returns.
+  void end() { safety_.end(); }
   /// Frames are timed anew from now on.
   void restartMeter() { meter_ = {}; }
 
@@ -174,6 +177,7 @@ private:
   bool isNewToTheEye(const haptics::Snapshot& now);
 
   InsertionControl control_;
+  SafetyStop safety_;
   SetupHistory* setup_;
   TopBar* top_;
   SidePanel* side_;

@@ -55,14 +55,15 @@ bool MainWindow::event(QEvent* event)
   // A key released in another window is never told to this one: let go of the array at once.
   if (event->type() == QEvent::WindowDeactivate) {
     pressed_.clear();
-    hold(false);
+    safety_.loseKeyboard();
+    side_->setHeld(control_.isHeld());
   }
   return QWidget::event(event);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-  control_.halt();  // the force first; what follows may take a moment
+  safety_.end();
   QWidget::closeEvent(event);
 }
 

@@ -54,7 +54,7 @@ void MainWindow::showPage(Page page)
 {
   top_->setPage(page);
   if (page == page_) return;
-  if (page_ == Page::insert && (control_.isMoving() || control_.isHeld())) pause();
+  if (page_ == Page::insert && safety_.leaveSight()) pause();
   page_ = page;
   pages_->setCurrentIndex(static_cast<int>(page));
   // on the first screen it is nobody's turn yet

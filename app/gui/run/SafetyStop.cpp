@@ -1,0 +1,19 @@
+#include "SafetyStop.h"
+
+namespace perilymph::gui {
+
+void SafetyStop::loseKeyboard()
+{
+  if (control_.hand() == Hand::pointer) control_.hold(false);
+}
+
+bool SafetyStop::leaveSight()
+{
+  if (!control_.isMoving() && !control_.isHeld()) return false;
+  control_.pause();
+  return true;
+}
+
+void SafetyStop::end() { control_.halt(); }
+
+}  // namespace perilymph::gui

@@ -1,0 +1,163 @@
+// The force is off and the array rests when the window loses the keyboard, another page is shown,
+// or the window ends.
+
+#include "SafetyStop.h"
+
+#include <gtest/gtest.h>
+
+#include <QTest>
+#include <atomic>
+#include <cmath>
+
+#include "perilymph/device/ScriptedHand.h"
+#include "perilymph/session/RecordedInsertion.h"
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::test {
+namespace {
+
+using gui::Hand;
+using gui::InsertionControl;
+
+constexpr int patience_ms = 60'000;
+
+/// What a device was told, seen from outside of it.
+struct Told {
+  std::atomic<bool> hasPushed{false};  ///< Some force other than zero was written.
+  std::atomic<bool> isZero{true};      ///< The last force written is zero.
+  std::atomic<std::uint64_t> writes{0};
+};
+
+/// A device with a motor that inserts by itself.
+class PushingDevice : public device::HapticDevice {
+public:
+  PushingDevice(const session::Scenario& scenario, Told& told)
+      : script_(scenario.speed.si(), scenario.timeStep.si()), told_(told)
+  {
+    script_.move(device::ScriptedHand::Motion::insert);
+  }
+  device::DeviceTraits traits() const override
+  {
+    device::DeviceTraits traits = script_.traits();
+    traits.name = "Pushing device";
+    traits.rendersForce = true;
+    traits.mostForce = 3.3;
+    return traits;
+  }
+  Result<Done> open() override { return script_.open(); }
+  void close() noexcept override { script_.close(); }
+  device::DeviceSample read() noexcept override { return script_.read(); }
+  void write(const device::Wrench& wrench_D) noexcept override
+  {
+    double sum = 0.0;
+    for (const double force : wrench_D.force_D) sum += std::fabs(force);
+    if (sum > 0.0) told_.hasPushed = true;
+    told_.isZero = sum == 0.0;
+    ++told_.writes;
+  }
+
+private:
+  device::ScriptedHand script_;
+  Told& told_;
+};
+
+session::Scenario scenario()
+{
+  const auto read = session::loadScenario("contour-published", {{"nodes", "40"}});
+  EXPECT_TRUE(read) << read.error().message;
+  return *read;
+}
+
+class TheSafetyStop : public testing::Test {
+protected:
+  TheSafetyStop() : control_(scenario(), folder_ / "it.insertion"), safety_(control_) {}
+
+  void begin(Hand hand)
+  {
+    ASSERT_TRUE(control_.prepare(hand));
+    ASSERT_TRUE(control_.begin());
+    ASSERT_TRUE(comes([&] { return control_.now().output.workflow != haptics::Workflow::idle; }));
+  }
+  bool comes(const std::function<bool()>& claim)
+  {
+    return QTest::qWaitFor(
+        [&] {
+          control_.update();
+          return claim();
+        },
+        patience_ms);
+  }
+
+  TemporaryFolder folder_;
+  Told told_;
+  InsertionControl control_;
+  gui::SafetyStop safety_;
+};
+
+TEST_F(TheSafetyStop, AtTheEndLeavesTheDeviceWithoutForceAndTheLoopStopped)
+{
+  control_.choose([this] {
+    return Result<std::unique_ptr<device::HapticDevice>>(
+        std::make_unique<PushingDevice>(control_.scenario(), told_));
+  });
+  begin(Hand::device);
+  ASSERT_TRUE(comes([&] { return told_.hasPushed.load(); }));
+  safety_.end();
+  EXPECT_TRUE(told_.isZero);
+  const std::uint64_t writes = told_.writes;
+  control_.update();  // the last picture
+  EXPECT_FALSE(control_.update());
+  EXPECT_EQ(told_.writes, writes);
+}
+
+TEST_F(TheSafetyStop, AtTheEndKeepsTheRecordingWhole)
+{
+  begin(Hand::scripted);
+  ASSERT_TRUE(comes([&] { return control_.now().output.travel > 1e-4; }));
+  safety_.end();
+  ASSERT_TRUE(control_.prepare(Hand::scripted));  // the insertion goes as it goes with the window
+  const auto recorded = session::RecordedInsertion::open(folder_ / "it.insertion");
+  ASSERT_TRUE(recorded) << recorded.error().message;
+  EXPECT_TRUE(recorded->wasClosed());
+  EXPECT_GT(recorded->ticks(), 0u);
+}
+
+TEST_F(TheSafetyStop, WithoutAnInsertionDoesNothing)
+{
+  safety_.loseKeyboard();
+  EXPECT_FALSE(safety_.leaveSight());
+  safety_.end();
+  EXPECT_FALSE(control_.isRunning());
+}
+
+TEST_F(TheSafetyStop, LetsGoOfAnArrayHeldByTheMouseWhenTheKeyboardIsLost)
+{
+  begin(Hand::pointer);
+  control_.hold(true);
+  ASSERT_TRUE(control_.isHeld());
+  safety_.loseKeyboard();
+  EXPECT_FALSE(control_.isHeld());
+}
+
+TEST_F(TheSafetyStop, LetsTheScriptGoOnWhenTheKeyboardIsLost)
+{
+  begin(Hand::scripted);
+  safety_.loseKeyboard();
+  EXPECT_TRUE(control_.isMoving());
+}
+
+TEST_F(TheSafetyStop, RestsWhatMovesWhenNobodySeesIt)
+{
+  begin(Hand::scripted);
+  ASSERT_TRUE(control_.isMoving());
+  EXPECT_TRUE(safety_.leaveSight());
+  EXPECT_FALSE(control_.isMoving());
+
+  begin(Hand::pointer);
+  control_.hold(true);
+  EXPECT_TRUE(safety_.leaveSight());
+  EXPECT_FALSE(control_.isHeld());
+}
+
+}  // namespace
+}  // namespace perilymph::test

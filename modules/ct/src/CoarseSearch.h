@@ -1,0 +1,37 @@
+#pragma once
+
+// Where a cochlea of mean shape may lie: every pose near a point is tried with a few points inside
+// and outside the wall.
+
+#include <functional>
+#include <vector>
+
+#include "LumenShape.h"
+#include "Pose.h"
+#include "Region.h"
+
+namespace perilymph::ct {
+
+/// A pose and how well it fits: the mean of the points inside less that of those outside, where 1
+/// is the lumen's level and 0 the bone's.
+struct Candidate {
+  Pose pose;
+  double score = 0.0;
+};
+
+/// Points in W that must lie in the lumen or in bone.
+struct Template {
+  std::vector<Eigen::Vector3d> inside_W, outside_W;
+};
+Template meanTemplate(const LumenShape& family);
+
+/// Finds distinct poses of both handednesses within `reach_mm` of a point, best first.
+///
+/// @param lumen      Intensity of what fills the lumen.
+/// @param isStopped  Asked now and then; true ends the search early.
+std::vector<Candidate> searchPoses(const Region& region, double bone, double lumen,
+                                   const Template& points, const Eigen::Vector3d& near_P,
+                                   double reach_mm, std::size_t count,
+                                   const std::function<bool()>& isStopped);
+
+}  // namespace perilymph::ct

@@ -1,0 +1,102 @@
+#include "ErrorBars.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "perilymph/foundation/Math.h"
+#include "perilymph/foundation/Units.h"
+
+namespace perilymph::ct {
+namespace {
+
+// Standard deviation of what no fitted shape follows [mm]: constant, and in proportion to the
+// voxel's geometric mean length. Calibrated on phantoms (the module's page has the coverage).
+struct ModelError {
+  double constant, perVoxel;
+};
+constexpr ModelError modelOfA{0.07, 0.15}, modelOfB{0.06, 0.12}, modelOfH{0.10, 0.20};
+
+constexpr double hFirst_deg = 20.0;  // up to here the vestibule opens into the lumen
+
+// Elliptic-circular approximation (Schurzig et al. 2018; confidence medium): the basal turn's length
+// along the organ of Corti, 1 mm inside A and B, and from it the whole duct's.
+double organOfCorti(double a_mm, double b_mm)
+{
+  const double a = std::max(1.0, a_mm - 1.0), b = std::max(1.0, b_mm - 1.0);
+  return 1.71 * (1.18 * a + 2.69 * b - std::sqrt(0.72 * a * b)) + 0.18;
+}
+
+struct Values {
+  double a, b, h;
+};
+
+Values valuesOf(const LumenShape& family, const ShapeVector& shape, const RoundWindow& window,
+                const Eigen::Vector3d& axis_W, double turn)
+{
+  const ShapedLumen lumen(family, shape);
+  const LumenWall wall = wallOf(lumen, degrees(hFirst_deg).si());
+  // The window follows the outer wall when it moves along it or the wall changes.
+  const double angle = window.angle + turn;
+  const SineCosine direction = sineCosine(angle);
+  const Eigen::Vector3d& center = window.center_W;
+  const double radius = std::sqrt(center.x() * center.x() + center.y() * center.y()) +
+                        lumen.place(angle).outer - lumen.place(window.angle).outer;
+  const Eigen::Vector3d moved(radius * direction.cosine, radius * direction.sine, center.z());
+  const WallMeasures measured = measureWall(wall, clinicalFrame(axis_W, moved), moved);
+  return {measured.a, measured.b, measured.h};
+}
+
+}  // namespace
+
+void fillMeasures(const LumenShape& family, const FitResult& fit, const RoundWindow& window,
+                  const Eigen::Vector3d& axis_W, const Eigen::Vector3d& spacing_mm,
+                  CochleaMeasures& measures)
+{
+  const ShapeVector& shape = fit.state.shape;
+  const Values best = valuesOf(family, shape, window, axis_W, 0.0);
+
+  // Slopes by every number of the shape.
+  constexpr double step = 0.02;
+  Eigen::Matrix<double, 3, shape::count> slopes;
+  for (int i = 0; i < shape::count; ++i) {
+    ShapeVector moved = shape;
+    moved[i] += step;
+    const Values there = valuesOf(family, moved, window, axis_W, 0.0);
+    slopes.col(i) << (there.a - best.a) / step, (there.b - best.b) / step, (there.h - best.h) / step;
+  }
+  const Eigen::MatrixXd covariance =
+      fit.covariance.bottomRightCorner(shape::count, shape::count);
+  const double blur[3] = {fit.state.blurInPlane, fit.state.blurInPlane, fit.state.blurAxial};
+  double correlated = 1.0;
+  for (int i = 0; i < 3; ++i)
+    correlated *= std::max(1.0, 2.0 * std::sqrt(pi) * blur[i] / spacing_mm[i]);
+  // Of voxels left out, none is a neighbor.
+  correlated = 1.0 + (correlated - 1.0) * fit.sampled;
+  const Eigen::Matrix3d propagated = slopes * covariance * slopes.transpose();
+
+  const double voxel = power(std::max(1e-9, spacing_mm.prod()), 1.0 / 3.0);
+  const Values turned = valuesOf(family, shape, window, axis_W, window.angleError);
+  const auto fill = [&](int i, double value, double there, const ModelError& error) {
+    Measure measure;
+    measure.value = value;
+    measure.statistical = std::sqrt(std::max(0.0, correlated * propagated(i, i)));
+    measure.model = error.constant + error.perVoxel * voxel;
+    measure.definition = std::fabs(there - value);
+    return measure;
+  };
+  measures.a = fill(0, best.a, turned.a, modelOfA);
+  measures.b = fill(1, best.b, turned.b, modelOfB);
+  measures.h = fill(2, best.h, turned.h, modelOfH);
+
+  const double byA = (organOfCorti(best.a + step, best.b) - organOfCorti(best.a, best.b)) / step;
+  const double byB = (organOfCorti(best.a, best.b + step) - organOfCorti(best.a, best.b)) / step;
+  const auto sum = [&](double a, double b) {
+    return std::sqrt(byA * byA * a * a + byB * byB * b * b);
+  };
+  measures.cdlOc.value = organOfCorti(best.a, best.b);
+  measures.cdlOc.statistical = sum(measures.a.statistical, measures.b.statistical);
+  measures.cdlOc.model = sum(measures.a.model, measures.b.model);
+  measures.cdlOc.definition = sum(measures.a.definition, measures.b.definition);
+}
+
+}  // namespace perilymph::ct

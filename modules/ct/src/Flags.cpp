@@ -1,0 +1,74 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "perilymph/ct/Measures.h"
+
+namespace perilymph::ct {
+namespace {
+
+struct Entry {
+  Flag flag;
+  const char* name;
+  const char* sentence;
+};
+
+constexpr std::array<Entry, 8> entries{
+    {{Flag::coarseVoxels, "coarse_voxels",
+      "A voxel is longer than 0.65 mm, the coarsest the measurement was tried with: take a finer "
+      "series if there is one, or trust the measures less than their error bars say."},
+     {Flag::airInCochlea, "air_in_cochlea",
+      "The cochlea is filled with air, as in a dried specimen: a patient's is filled with fluid, so "
+      "check that this is the right place and the right series."},
+     {Flag::mirrored, "mirrored",
+      "The spiral winds as in the other ear: the file is mirrored or the side is wrong; check both "
+      "before anything is planned."},
+     {Flag::outsidePopulation, "outside_population",
+      "A or B lies more than two standard deviations from the mean of 138 cochleae: check the "
+      "outline in the images before using the measures."},
+     {Flag::poorFit, "poor_fit",
+      "The fitted cochlea explains the voxels near its wall badly: check the outline in the images, "
+      "and measure by hand if it does not lie on the wall."},
+     {Flag::sectionsDisagree, "sections_disagree",
+      "The wall found in sections through the modiolus lies apart from the fitted one: check the "
+      "outline in the images."},
+     {Flag::roundWindowUnsure, "round_window_unsure",
+      "No round window was found, so 0 degrees follows from the spiral alone: mark the round "
+      "window's center."},
+     {Flag::clipped, "clipped",
+      "Part of the cochlea lies outside the volume: take a series that shows all of it."}}};
+
+const Entry& entryOf(Flag flag)
+{
+  return *std::find_if(entries.begin(), entries.end(),
+                       [&](const Entry& entry) { return entry.flag == flag; });
+}
+
+}  // namespace
+
+const char* nameOf(Flag flag) { return entryOf(flag).name; }
+const char* sentenceOf(Flag flag) { return entryOf(flag).sentence; }
+
+std::vector<Flag> allFlags()
+{
+  std::vector<Flag> flags;
+  for (const Entry& entry : entries) flags.push_back(entry.flag);
+  return flags;
+}
+
+bool CochleaMeasures::has(Flag flag) const
+{
+  return std::find(flags.begin(), flags.end(), flag) != flags.end();
+}
+
+double Measure::sd() const
+{
+  return std::sqrt(statistical * statistical + model * model + definition * definition);
+}
+
+std::array<double, 2> Measure::interval95() const
+{
+  return {value - 1.96 * sd(), value + 1.96 * sd()};
+}
+
+}  // namespace perilymph::ct

@@ -1,0 +1,99 @@
+#pragma once
+
+// Analysis by synthesis: the shape, the pose, the intensity levels and the blur that explain the
+// voxels near the wall best.
+//
+//     I(x) = b + (f - b) min(1, sum over turns of Phi(d / sigma_n)),
+//     sigma_n^2 = sigma_xy^2 (1 - n_z^2) + sigma_z^2 n_z^2
+//
+// with d the distance from the wall, positive in the lumen, b and f the levels of bone and lumen,
+// and n_z the wall normal's part along the slices' normal.
+
+#include <Eigen/Core>
+#include <functional>
+#include <vector>
+
+#include "LumenShape.h"
+#include "Pose.h"
+#include "perilymph/ct/CtVolume.h"
+
+namespace perilymph::ct {
+
+/// One voxel that the fit must explain.
+struct Observation {
+  Eigen::Vector3d point_P;
+  double intensity;
+};
+
+/// The voxels of a fit.
+struct Observations {
+  std::vector<Observation> voxels;
+  double sampled = 1.0;  ///< Share of the voxels near the wall that they are.
+};
+
+/// What is fitted.
+struct FitState {
+  Pose pose;
+  ShapeVector shape = LumenShape::priorMean();
+  double bone = 0.0, lumen = 0.0;          ///< Levels.
+  double blurInPlane = 0.2, blurAxial = 0.2;  ///< Standard deviations of the PSF [mm].
+};
+
+/// What may move in a stage of the fit.
+enum class Freedom {
+  poseAndSize,  ///< Pose, the population's four numbers, rise, mean height of sections, levels.
+  shape,        ///< Everything but the blur.
+  everything,
+};
+
+struct FitSettings {
+  Freedom freedom = Freedom::everything;
+  int maxIterations = 20;
+  double minBlur = 0.0;  ///< The blur is held at least this wide: annealing [mm].
+  double band_mm = 1.0;  ///< Voxels farther from the wall are left out.
+};
+
+struct FitResult {
+  FitState state;
+  double misfit = 1.0;    ///< Mean of min(1, (r / 0.3 contrast)^2) over the voxels of the band.
+  double residual = 0.0;  ///< Robust standard deviation of r [intensity].
+  double cost = 0.0;
+  int iterations = 0;
+  std::size_t voxels = 0;  ///< In the band, with a weight.
+  double sampled = 1.0;    ///< Share of the band's voxels that were taken.
+  /// Covariance of turn and shift in W (6), then of the shape, by residuals that are independent
+  /// from voxel to voxel.
+  Eigen::MatrixXd covariance;
+};
+
+/// Number of fitted numbers: 6 of the pose, the shape, 4 nuisances.
+inline constexpr int fitted = 6 + shape::count + 4;
+
+class ImageFit {
+public:
+  /// @param sliceNormal_P  Unit vector along which the blur is axial.
+  ImageFit(const LumenShape& family, const Eigen::Vector3d& sliceNormal_P,
+           const Eigen::Vector2d& blurGuess_mm);
+
+  /// Levenberg-Marquardt with Student-t weights from a start.
+  FitResult run(const FitState& start, const Observations& observations,
+                const FitSettings& settings) const;
+
+private:
+  struct Normal;
+  Normal assemble(const FitState& state, const Observations& observations,
+                  const FitSettings& settings, double scale) const;
+
+  const LumenShape& family_;
+  Eigen::Vector3d sliceNormal_P_;
+  Eigen::Vector2d blurGuess_;
+  Eigen::MatrixXd prior_;
+  ShapeVector priorMean_;
+};
+
+/// The voxels within `reach_mm` of a state's wall, at most about `maxCount`: of more, every n-th in
+/// an order without a pattern.
+Observations observe(const CtVolume& volume, const LumenShape& family,
+                     const FitState& state, double reach_mm, std::size_t maxCount);
+
+}  // namespace perilymph::ct

@@ -1,0 +1,130 @@
+#pragma once
+
+// One individual's bony lumen: the mean one with radii, rise and sections changed by a few numbers,
+// and what each of them does to the distance from the wall. Frame W, lengths in mm.
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "MeanLumen.h"
+
+namespace perilymph::ct {
+
+/// The numbers of a shape, in one vector. All 0 is the mean cochlea.
+namespace shape {
+inline constexpr int half = 0;    ///< A1, B1, A2, B2 minus the population's mean [mm].
+inline constexpr int rise = 4;    ///< Relative change of the center line's heights.
+inline constexpr int width = 5;   ///< Relative change of the sections' width at 0 and per turn.
+inline constexpr int tilt = 7;    ///< Shear dv/du of the sections at 0 and per turn.
+inline constexpr int height = 9;  ///< Relative change of the sections' height, a spline.
+inline constexpr int heightKnots = 14;
+inline constexpr int radial = height + heightKnots;  ///< Outer wall outward [4 mm radius], a spline.
+inline constexpr int knots = 25;
+inline constexpr int axial = radial + knots;  ///< Sections toward the apex [mm], a spline.
+inline constexpr int count = axial + knots;
+
+inline constexpr double firstKnot_deg = -90.0;
+inline constexpr double knotStep_deg = 45.0;
+inline constexpr double heightStep_deg = 90.0;
+}  // namespace shape
+
+using ShapeVector = Eigen::Matrix<double, shape::count, 1>;
+
+/// Where one turn's section is at an angle, and its slopes.
+struct SectionPlace {
+  double outer, outerSlope;    ///< Outermost radius [mm], [mm/rad].
+  double middle, middleSlope;  ///< Height of the section's middle [mm], [mm/rad].
+  double width, height, tilt;  ///< Factors on u and v, shear.
+};
+
+/// The distance of a point from the wall of one turn, with its derivatives.
+struct TurnDistance {
+  double angle = 0.0;                                   ///< Turns counted [rad].
+  double u = 0.0, width = 0.0;                          ///< In the mean's section [mm].
+  double inside = 0.0;                                  ///< Positive in the lumen [mm].
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();   ///< In W.
+  double byOuter = 0.0, byMiddle = 0.0, byWidth = 0.0, byHeight = 0.0, byTilt = 0.0;
+};
+
+/// The turns whose wall is near a point: at most as many as the cochlea has.
+struct NearTurns {
+  std::array<TurnDistance, 4> turn;
+  int count = 0;
+  int nearest = -1;  ///< The one the point is deepest in, or nearest to.
+};
+
+/// Four neighbors of a uniform cubic B-spline and their weights.
+struct SplineWeights {
+  int first;
+  std::array<double, 4> weight;
+};
+SplineWeights splineWeights(double angle, double step_deg, int count);
+
+/// The family of shapes. Refers to the mean lumen, which must live longer.
+class LumenShape {
+public:
+  explicit LumenShape(const MeanLumen& mean);
+
+  const MeanLumen& mean() const { return mean_; }
+
+  SectionPlace place(const ShapeVector& q, double angle) const;
+
+  /// Adds `factor` times a turn's derivatives by the shape's numbers to a row.
+  template <class Row>
+  void addDerivatives(const TurnDistance& turn, double factor, Row&& row) const;
+
+  /// Effect of A1, B1, A2, B2 on the outermost radius at an angle, relative to the mean's [1/mm].
+  std::array<double, 4> populationModes(double angle) const;
+
+  /// Precision of the prior: population covariance, amplitudes and smoothness.
+  Eigen::MatrixXd priorPrecision() const;
+  /// The prior's center: the mean cochlea with sections as low as bony lumens have them.
+  static ShapeVector priorMean();
+
+private:
+  const MeanLumen& mean_;
+  std::array<std::vector<double>, 4> modes_;  ///< Every 2 degrees from the first angle.
+};
+
+/// One shape of the family with its lines tabulated, for many queries.
+class ShapedLumen {
+public:
+  ShapedLumen(const LumenShape& family, const ShapeVector& q);
+
+  SectionPlace place(double angle) const;
+  /// The turns within `reach` of a point in W [mm].
+  NearTurns distances(const Eigen::Vector3d& point_W, double reach) const;
+  const MeanLumen& mean() const { return mean_; }
+
+private:
+  const MeanLumen& mean_;
+  std::vector<SectionPlace> places_;  ///< Every 2 degrees from the first angle.
+};
+
+template <class Row>
+void LumenShape::addDerivatives(const TurnDistance& turn, double factor, Row&& row) const
+{
+  const double perTurn = turn.angle / 6.283185307179586 - 0.5;
+  const double meanOuter = mean_.outerRadius(turn.angle);
+  const std::array<double, 4> modes = populationModes(turn.angle);
+  for (int i = 0; i < 4; ++i)
+    row[shape::half + i] += factor * turn.byOuter * meanOuter * modes[static_cast<std::size_t>(i)];
+  row[shape::rise] += factor * turn.byMiddle * mean_.height(turn.angle);
+  row[shape::width] += factor * turn.byWidth;
+  row[shape::width + 1] += factor * turn.byWidth * perTurn;
+  row[shape::tilt] += factor * turn.byTilt;
+  row[shape::tilt + 1] += factor * turn.byTilt * perTurn;
+  const SplineWeights coarse =
+      splineWeights(turn.angle, shape::heightStep_deg, shape::heightKnots);
+  const SplineWeights fine = splineWeights(turn.angle, shape::knotStep_deg, shape::knots);
+  for (int i = 0; i < 4; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    row[shape::height + coarse.first + i] += factor * turn.byHeight * coarse.weight[k];
+    row[shape::radial + fine.first + i] +=
+        factor * turn.byOuter * 0.25 * meanOuter * fine.weight[k];
+    row[shape::axial + fine.first + i] += factor * turn.byMiddle * fine.weight[k];
+  }
+}
+
+}  // namespace perilymph::ct

@@ -1,0 +1,52 @@
+#pragma once
+
+// The bony lumen of the mean cochlea as CT sees it: scala tympani, media and vestibuli in one, at
+// every angle of the half-plane through the modiolar axis. Lengths in mm, angles in rad.
+
+#include <vector>
+
+#include "perilymph/foundation/Result.h"
+
+namespace perilymph::ct {
+
+/// Signed distance to a section's outline in its half-plane, and its slope.
+struct SectionDistance {
+  double inside;  ///< Distance from the outline, positive inside [mm].
+  double du, dv;  ///< Its derivatives along u and v.
+};
+
+/// Sections of the mean scala tympani, each joined with its mirror image in its roof (the scala
+/// vestibuli is not measured) and made convex: the spiral ligament fills the notch between both,
+/// and CT does not tell it from fluid.
+///
+/// In a section, u counts radially outward from the outermost wall and v along the axis from the
+/// middle of the section.
+class MeanLumen {
+public:
+  static Result<MeanLumen> make();
+
+  static constexpr double firstAngle() { return -0.35; }  ///< Tables begin here [rad].
+  double lastAngle() const { return lastAngle_; }         ///< The apex [rad].
+
+  double outerRadius(double angle) const { return at(outer_, angle); }       ///< [mm]
+  double outerRadiusSlope(double angle) const { return slope(outer_, angle); }  ///< [mm/rad]
+  double height(double angle) const { return at(height_, angle); }           ///< Of the middle [mm].
+  double heightSlope(double angle) const { return slope(height_, angle); }   ///< [mm/rad]
+  double width(double angle) const { return at(width_, angle); }             ///< Radial [mm].
+  double halfHeight(double angle) const { return at(halfHeight_, angle); }   ///< [mm]
+
+  /// Distance in the section at an angle; far outside the tables a lower bound of it.
+  SectionDistance distance(double angle, double u, double v) const;
+
+private:
+  MeanLumen() = default;
+  double at(const std::vector<double>& table, double angle) const;
+  double slope(const std::vector<double>& table, double angle) const;
+
+  double lastAngle_ = 0.0;
+  std::vector<double> outer_, height_, width_, halfHeight_;  ///< Every `lineStep`.
+  std::vector<float> field_;                                 ///< [angle][v][u]
+  int angles_ = 0;
+};
+
+}  // namespace perilymph::ct

@@ -1,0 +1,55 @@
+#pragma once
+
+// The neighborhood of a point, resampled on an isotropic grid aligned with the patient, and the
+// intensity levels found in it.
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "perilymph/ct/CtVolume.h"
+
+namespace perilymph::ct {
+
+/// Smoothed intensities on a cubic grid in P.
+class Region {
+public:
+  static constexpr double step = 0.3;  ///< Between grid points [mm].
+
+  /// Takes what lies within `radius_mm` of a point along every axis of P. Outside the volume the
+  /// grid has no values.
+  Region(const CtVolume& volume, const Eigen::Vector3d& center_P, double radius_mm);
+
+  int count() const { return count_; }
+  const Eigen::Vector3d& corner_P() const { return corner_P_; }
+  Eigen::Vector3d point_P(int i, int j, int k) const
+  {
+    return corner_P_ + step * Eigen::Vector3d(i, j, k);
+  }
+  std::size_t index(int i, int j, int k) const
+  {
+    const auto n = static_cast<std::size_t>(count_);
+    return (static_cast<std::size_t>(k) * n + static_cast<std::size_t>(j)) * n +
+           static_cast<std::size_t>(i);
+  }
+  bool isKnown(std::size_t at) const { return known_[at] != 0; }
+  float value(std::size_t at) const { return values_[at]; }
+
+private:
+  int count_ = 0;
+  Eigen::Vector3d corner_P_;
+  std::vector<float> values_;
+  std::vector<unsigned char> known_;
+};
+
+/// Intensities of what matters in a temporal bone; not HU in a cone-beam scan.
+struct Levels {
+  double bone = 0.0;               ///< Otic capsule.
+  std::vector<double> candidates;  ///< What the lumen may be filled with: fluid, air.
+};
+
+/// Finds the levels within `radius_mm` of a point: bone above the threshold that splits the
+/// histogram best (Otsu 1979), the others as peaks of the histogram of homogeneous places.
+Levels findLevels(const Region& region, const Eigen::Vector3d& center_P, double radius_mm);
+
+}  // namespace perilymph::ct

@@ -1,0 +1,25 @@
+#pragma once
+
+// The round window in a fitted cochlea: the hole in the bone at the basal end of the outer wall.
+
+#include <optional>
+
+#include "ImageFit.h"
+#include "perilymph/ct/CtVolume.h"
+
+namespace perilymph::ct {
+
+/// The round window's center on the outer wall.
+struct RoundWindow {
+  Eigen::Vector3d center_W;
+  double angle = 0.0;       ///< In W [rad].
+  double angleError = 0.0;  ///< Standard deviation [rad].
+  bool isFound = false;     ///< False: the spiral alone says where it may be.
+};
+
+/// Looks outward from the lumen for bone. Where no ray meets bone is the window's opening; its
+/// center is the opening's, and its distance from the axis that of the bony rim, by a plane.
+RoundWindow findRoundWindow(const CtVolume& volume, const ShapedLumen& lumen,
+                            const FitState& state);
+
+}  // namespace perilymph::ct

@@ -1,0 +1,39 @@
+#pragma once
+
+// Synthetic temporal bones with known truth, from shapes that the fit of modules/ct cannot
+// represent: sections are kidneys and not the mean's outlines, radii, heights and axial positions
+// are warped one by one, and around the cochlea lies what a temporal bone has.
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "perilymph/ct/CtVolume.h"
+
+namespace perilymph::test {
+
+/// How a phantom is imaged.
+struct PhantomScan {
+  Eigen::Vector3d spacing_mm{0.3, 0.3, 0.3};
+  double blurInPlane_mm = 0.25, blurAxial_mm = 0.25;  ///< Standard deviations.
+  double noise = 120.0;                               ///< Standard deviation of a voxel.
+  bool isAirFilled = false;                           ///< The lumen holds air, as in a specimen.
+};
+
+/// The scanners of the table: cone-beam 0.15 mm, high-resolution 0.3 mm, clinical 0.45 x 0.6 mm.
+PhantomScan coneBeamScan();
+PhantomScan highResolutionScan();
+PhantomScan clinicalScan();
+
+/// A phantom's volume and what is true of it, measured on its own geometry before any blur. LPS mm.
+struct CtPhantom {
+  ct::CtVolume volume;
+  double a = 0.0, b = 0.0, h = 0.0;
+  bool isRight = true;
+  Eigen::Vector3d axis_P, roundWindow_P;
+  Eigen::Vector3d inside_P;  ///< In the lumen of the basal turn: where a click would be.
+};
+
+/// Builds the phantom of a seed: the same on every machine of one kind. Takes a second.
+CtPhantom makeCtPhantom(std::uint64_t seed, const PhantomScan& scan);
+
+}  // namespace perilymph::test

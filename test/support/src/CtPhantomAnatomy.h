@@ -1,0 +1,77 @@
+#pragma once
+
+// The geometry of a phantom: kidney-shaped sections along a warped spiral, and its surroundings.
+// Frame W, mm.
+
+#include <Eigen/Core>
+#include <array>
+#include <random>
+#include <vector>
+
+namespace perilymph::test {
+
+/// Independent normal deviates and uniform numbers of a seed.
+class Dice {
+public:
+  explicit Dice(std::uint64_t seed) : engine_(seed) {}
+  double normal();
+  double uniform(double low, double high);
+
+private:
+  std::mt19937_64 engine_;
+};
+
+/// A smooth random function of the angle: a few cosines of random phase, unit deviation.
+class Wobble {
+public:
+  Wobble(Dice& dice, double shortestPeriod_rad);
+  double operator()(double angle) const;
+
+private:
+  std::array<double, 4> frequency_{}, phase_{};
+};
+
+/// One section: a kidney in the half-plane, u outward and v along the axis from its middle.
+struct KidneySection {
+  double middleRadius, middleHeight;
+  double outward, inward, half;  ///< Semi-axes [mm].
+  double shear, bend;            ///< v of the midline at u: shear u + bend u^2.
+};
+
+class PhantomAnatomy {
+public:
+  explicit PhantomAnatomy(std::uint64_t seed);
+
+  /// Depth in the cochlea's lumen, negative outside; near the wall a distance [mm].
+  double inside(const Eigen::Vector3d& point_W) const;
+
+  KidneySection sectionAt(double angle) const;
+  Eigen::Vector3d roundWindow_W() const;
+  double firstAngle() const { return first_; }
+  double lastAngle() const { return last_; }
+
+  /// What fills a voxel of the fine grid, before blur.
+  /// @param lumen  Intensity of the lumen.
+  /// @param cell   Edge of the voxel [mm].
+  double intensity(const Eigen::Vector3d& point_W, double lumen, double cell) const;
+
+private:
+  struct Ball {
+    Eigen::Vector3d center;
+    double radius;
+  };
+  double surroundings(const Eigen::Vector3d& p, double inLumen, double cell) const;
+  double texture(const Eigen::Vector3d& p) const;
+
+  double first_, last_;
+  double size_, stretch_, rise_, height_, skew_;
+  std::vector<double> angle_, outer_, center_, heightST_, width_;
+  std::vector<Wobble> wobbles_;
+  std::vector<Ball> cells_;
+  std::array<Eigen::Vector4d, 6> waves_;
+  double capsule_, modiolus_, niche_, canal_, window_;
+  Eigen::Vector3d lean_;  ///< Of the round-window niche.
+  std::vector<KidneySection> table_;  ///< Every 2 degrees from the first angle.
+};
+
+}  // namespace perilymph::test

@@ -76,8 +76,8 @@ Eigen::Matrix3d axesOf(int direction, int roll, bool isRight)
   const double r = std::sqrt(1.0 - z * z);
   const SineCosine around = sineCosine(direction * pi * (3.0 - std::sqrt(5.0)));
   const Eigen::Vector3d axis(r * around.cosine, r * around.sine, z);
-  const Eigen::Vector3d other = std::fabs(z) < 0.7 ? Eigen::Vector3d::UnitZ().eval()
-                                                   : Eigen::Vector3d::UnitX().eval();
+  const Eigen::Vector3d other =
+      std::fabs(z) < 0.7 ? Eigen::Vector3d::UnitZ().eval() : Eigen::Vector3d::UnitX().eval();
   const Eigen::Vector3d x = other.cross(axis).normalized();
   const Eigen::Vector3d y = axis.cross(x);
   const SineCosine turn = sineCosine(2.0 * pi * roll / rolls);
@@ -100,8 +100,8 @@ Candidate climb(const Likeness& image, const Template& points, Candidate candida
         Eigen::Vector3d by = Eigen::Vector3d::Zero();
         by[move % 3] = (move / 3) % 2 == 0 ? 1.0 : -1.0;
         const bool isTurn = move < 6;
-        const Pose pose = candidate.pose.moved((isTurn ? turn : 0.0) * by,
-                                               (isTurn ? 0.0 : shift) * by);
+        const Pose pose =
+            candidate.pose.moved((isTurn ? turn : 0.0) * by, (isTurn ? 0.0 : shift) * by);
         const double better = score(image, points, pose, 1);
         if (better > candidate.score) candidate = {pose, better};
       }

@@ -19,8 +19,9 @@ Result<CtVolume> CtVolume::make(const std::array<int, 3>& size, const Eigen::Mat
     count *= static_cast<std::size_t>(along);
   }
   if (voxels.size() != count)
-    return Error{"The volume holds " + std::to_string(voxels.size()) + " voxels where its size says " +
-                 std::to_string(count) + ". The file is damaged; export the series again."};
+    return Error{"The volume holds " + std::to_string(voxels.size()) +
+                 " voxels where its size says " + std::to_string(count) +
+                 ". The file is damaged; export the series again."};
   const Eigen::Matrix3d axes = lps_PI.topLeftCorner<3, 3>();
   const double lengths = axes.colwise().norm().prod();
   if (!lps_PI.allFinite() || !(lengths > 0.0) || !(std::fabs(axes.determinant()) > 0.1 * lengths))
@@ -68,8 +69,8 @@ std::optional<double> CtVolume::sample(const Eigen::Vector3d& point_P) const
   double sum = 0.0;
   for (int corner = 0; corner < 8; ++corner) {
     const int di = corner & 1, dj = (corner >> 1) & 1, dk = corner >> 2;
-    const double weight = (di != 0 ? past[0] : 1.0 - past[0]) * (dj != 0 ? past[1] : 1.0 - past[1]) *
-                          (dk != 0 ? past[2] : 1.0 - past[2]);
+    const double weight = (di != 0 ? past[0] : 1.0 - past[0]) *
+                          (dj != 0 ? past[1] : 1.0 - past[1]) * (dk != 0 ? past[2] : 1.0 - past[2]);
     sum += weight * voxel(low[0] + di, low[1] + dj, low[2] + dk);
   }
   return sum;

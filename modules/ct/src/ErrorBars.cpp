@@ -14,12 +14,12 @@ namespace {
 struct ModelError {
   double constant, perVoxel;
 };
-constexpr ModelError modelOfA{0.07, 0.15}, modelOfB{0.06, 0.12}, modelOfH{0.10, 0.20};
+constexpr ModelError modelOfA{0.06, 0.08}, modelOfB{0.045, 0.08}, modelOfH{0.10, 0.22};
 
 constexpr double hFirst_deg = 20.0;  // up to here the vestibule opens into the lumen
 
-// Elliptic-circular approximation (Schurzig et al. 2018; confidence medium): the basal turn's length
-// along the organ of Corti, 1 mm inside A and B, and from it the whole duct's.
+// Elliptic-circular approximation (Schurzig et al. 2018; confidence medium): the basal turn's
+// length along the organ of Corti, 1 mm inside A and B, and from it the whole duct's.
 double organOfCorti(double a_mm, double b_mm)
 {
   const double a = std::max(1.0, a_mm - 1.0), b = std::max(1.0, b_mm - 1.0);
@@ -62,10 +62,10 @@ void fillMeasures(const LumenShape& family, const FitResult& fit, const RoundWin
     ShapeVector moved = shape;
     moved[i] += step;
     const Values there = valuesOf(family, moved, window, axis_W, 0.0);
-    slopes.col(i) << (there.a - best.a) / step, (there.b - best.b) / step, (there.h - best.h) / step;
+    slopes.col(i) << (there.a - best.a) / step, (there.b - best.b) / step,
+        (there.h - best.h) / step;
   }
-  const Eigen::MatrixXd covariance =
-      fit.covariance.bottomRightCorner(shape::count, shape::count);
+  const Eigen::MatrixXd covariance = fit.covariance.bottomRightCorner(shape::count, shape::count);
   const double blur[3] = {fit.state.blurInPlane, fit.state.blurInPlane, fit.state.blurAxial};
   double correlated = 1.0;
   for (int i = 0; i < 3; ++i)

@@ -18,7 +18,8 @@ constexpr std::array<Entry, 8> entries{
       "A voxel is longer than 0.65 mm, the coarsest the measurement was tried with: take a finer "
       "series if there is one, or trust the measures less than their error bars say."},
      {Flag::airInCochlea, "air_in_cochlea",
-      "The cochlea is filled with air, as in a dried specimen: a patient's is filled with fluid, so "
+      "The cochlea is filled with air, as in a dried specimen: a patient's is filled with fluid, "
+      "so "
       "check that this is the right place and the right series."},
      {Flag::mirrored, "mirrored",
       "The spiral winds as in the other ear: the file is mirrored or the side is wrong; check both "
@@ -27,7 +28,8 @@ constexpr std::array<Entry, 8> entries{
       "A or B lies more than two standard deviations from the mean of 138 cochleae: check the "
       "outline in the images before using the measures."},
      {Flag::poorFit, "poor_fit",
-      "The fitted cochlea explains the voxels near its wall badly: check the outline in the images, "
+      "The fitted cochlea explains the voxels near its wall badly: check the outline in the "
+      "images, "
       "and measure by hand if it does not lie on the wall."},
      {Flag::sectionsDisagree, "sections_disagree",
       "The wall found in sections through the modiolus lies apart from the fitted one: check the "

@@ -100,7 +100,8 @@ ImageFit::ImageFit(const LumenShape& family, const Eigen::Vector3d& sliceNormal_
       blurGuess_(blurGuess_mm),
       prior_(family.priorPrecision()),
       priorMean_(LumenShape::priorMean())
-{}
+{
+}
 
 namespace {
 
@@ -127,7 +128,8 @@ Prediction synthesize(const LumenShape& family, const ShapedLumen& lumen, const 
     const double variance =
         inPlane * inPlane * std::max(0.0, 1.0 - along * along) + axial * axial * along * along;
     const double sigma = std::sqrt(variance);
-    const double x = turn.inside / sigma;
+    // The blur of a convex lumen moves its half maximum inward, by sigma^2 / (2 R) of a cylinder.
+    const double x = (turn.inside - 0.5 * variance * turn.curvature) / sigma;
     occupancy += normalCumulative(x);
     if (row == nullptr) continue;
     const double slope = contrast * normalDensity(x) / sigma;
@@ -156,8 +158,7 @@ Prediction synthesize(const LumenShape& family, const ShapedLumen& lumen, const 
 
 }  // namespace
 
-ImageFit::Normal ImageFit::assemble(const FitState& state,
-                                    const Observations& observations,
+ImageFit::Normal ImageFit::assemble(const FitState& state, const Observations& observations,
                                     const FitSettings& settings, double scale) const
 {
   Normal normal;
@@ -173,8 +174,7 @@ ImageFit::Normal ImageFit::assemble(const FitState& state,
     if (predicted.weight <= 0.0) continue;
     const double residual = observation.intensity - predicted.intensity;
     const double relative = residual / scale;
-    const double student =
-        (freedomOfStudent + 1.0) / (freedomOfStudent + relative * relative);
+    const double student = (freedomOfStudent + 1.0) / (freedomOfStudent + relative * relative);
     const double weight = dataWeight * predicted.weight * student / (scale * scale);
     row.accumulate(weight, residual, normal.matrix, normal.right);
     normal.cost += dataWeight * predicted.weight * (freedomOfStudent + 1.0) *
@@ -212,9 +212,9 @@ std::array<bool, fitted> movable(Freedom freedom)
   for (int i = 0; i < fitted; ++i) {
     const bool isSize = i < 6 + shape::width || (i >= levels && i < blurs);
     const bool isHeight = i >= 6 + shape::height && i < 6 + shape::radial;
-    can[static_cast<std::size_t>(i)] =
-        freedom == Freedom::everything || (freedom == Freedom::shape && i < blurs) || isSize ||
-        isHeight;
+    can[static_cast<std::size_t>(i)] = freedom == Freedom::everything ||
+                                       (freedom == Freedom::shape && i < blurs) || isSize ||
+                                       isHeight;
   }
   return can;
 }
@@ -302,13 +302,13 @@ FitResult ImageFit::run(const FitState& start, const Observations& observations,
   const Eigen::MatrixXd data = normal.data.selfadjointView<Eigen::Lower>();
   const Eigen::LDLT<Eigen::MatrixXd> solver(matrix);
   const Eigen::MatrixXd gain = solver.solve(data);
-  result.covariance = dataWeight * solver.solve(gain.transpose())
-                                       .topLeftCorner(6 + shape::count, 6 + shape::count);
+  result.covariance =
+      dataWeight * solver.solve(gain.transpose()).topLeftCorner(6 + shape::count, 6 + shape::count);
   return result;
 }
 
-Observations observe(const CtVolume& volume, const LumenShape& family,
-                     const FitState& state, double reach_mm, std::size_t maxCount)
+Observations observe(const CtVolume& volume, const LumenShape& family, const FitState& state,
+                     double reach_mm, std::size_t maxCount)
 {
   const ShapedLumen lumen(family, state.shape);
   std::array<int, 3> low{}, high{};

@@ -3,11 +3,12 @@
 // Analysis by synthesis: the shape, the pose, the intensity levels and the blur that explain the
 // voxels near the wall best.
 //
-//     I(x) = b + (f - b) min(1, sum over turns of Phi(d / sigma_n)),
+//     I(x) = b + (f - b) min(1, sum over turns of Phi((d - sigma_n^2 / 2R) / sigma_n)),
 //     sigma_n^2 = sigma_xy^2 (1 - n_z^2) + sigma_z^2 n_z^2
 //
-// with d the distance from the wall, positive in the lumen, b and f the levels of bone and lumen,
-// and n_z the wall normal's part along the slices' normal.
+// with d the distance from the wall, positive in the lumen, R the section's mean radius of
+// curvature, b and f the levels of bone and lumen, and n_z the wall normal's part along the slices'
+// normal.
 
 #include <Eigen/Core>
 #include <functional>
@@ -35,7 +36,7 @@ struct Observations {
 struct FitState {
   Pose pose;
   ShapeVector shape = LumenShape::priorMean();
-  double bone = 0.0, lumen = 0.0;          ///< Levels.
+  double bone = 0.0, lumen = 0.0;             ///< Levels.
   double blurInPlane = 0.2, blurAxial = 0.2;  ///< Standard deviations of the PSF [mm].
 };
 
@@ -93,7 +94,7 @@ private:
 
 /// The voxels within `reach_mm` of a state's wall, at most about `maxCount`: of more, every n-th in
 /// an order without a pattern.
-Observations observe(const CtVolume& volume, const LumenShape& family,
-                     const FitState& state, double reach_mm, std::size_t maxCount);
+Observations observe(const CtVolume& volume, const LumenShape& family, const FitState& state,
+                     double reach_mm, std::size_t maxCount);
 
 }  // namespace perilymph::ct

@@ -40,8 +40,8 @@ void addSpline(Eigen::MatrixXd& precision, int first, int count, double spread, 
 
 SplineWeights splineWeights(double angle, double step_deg, int count)
 {
-  const double x = std::clamp((angle * (180.0 / pi) - shape::firstKnot_deg) / step_deg, 1.0,
-                              count - 2.001);
+  const double x =
+      std::clamp((angle * (180.0 / pi) - shape::firstKnot_deg) / step_deg, 1.0, count - 2.001);
   const int i = static_cast<int>(x);
   const double t = x - i, s = 1.0 - t;
   return {i - 1,
@@ -159,14 +159,15 @@ NearTurns ShapedLumen::distances(const Eigen::Vector3d& point_W, double reach) c
     turn.angle = angle;
     turn.u = u;
     turn.width = mean_.width(angle);
+    turn.curvature =
+        2.0 / (0.5 * at.width * turn.width + at.height * mean_.halfHeight(angle) + 0.1);
     turn.gradient = Eigen::Vector3d(gr * cosine - gt * sine, gr * sine + gt * cosine, gz) / norm;
     turn.byOuter = -gr / norm;
     turn.byMiddle = -gz / norm;
     turn.byWidth = -section.du * u / at.width / norm;
     turn.byHeight = -section.dv * v / at.height / norm;
     turn.byTilt = -section.dv * fromOuter / at.height / norm;
-    if (near.nearest < 0 ||
-        turn.inside > near.turn[static_cast<std::size_t>(near.nearest)].inside)
+    if (near.nearest < 0 || turn.inside > near.turn[static_cast<std::size_t>(near.nearest)].inside)
       near.nearest = near.count;
     near.turn[static_cast<std::size_t>(near.count++)] = turn;
   }

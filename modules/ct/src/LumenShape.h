@@ -19,7 +19,8 @@ inline constexpr int width = 5;   ///< Relative change of the sections' width at
 inline constexpr int tilt = 7;    ///< Shear dv/du of the sections at 0 and per turn.
 inline constexpr int height = 9;  ///< Relative change of the sections' height, a spline.
 inline constexpr int heightKnots = 14;
-inline constexpr int radial = height + heightKnots;  ///< Outer wall outward [4 mm radius], a spline.
+inline constexpr int radial =
+    height + heightKnots;  ///< Outer wall outward [4 mm radius], a spline.
 inline constexpr int knots = 25;
 inline constexpr int axial = radial + knots;  ///< Sections toward the apex [mm], a spline.
 inline constexpr int count = axial + knots;
@@ -40,10 +41,11 @@ struct SectionPlace {
 
 /// The distance of a point from the wall of one turn, with its derivatives.
 struct TurnDistance {
-  double angle = 0.0;                                   ///< Turns counted [rad].
-  double u = 0.0, width = 0.0;                          ///< In the mean's section [mm].
-  double inside = 0.0;                                  ///< Positive in the lumen [mm].
-  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();   ///< In W.
+  double angle = 0.0;                                  ///< Turns counted [rad].
+  double u = 0.0, width = 0.0;                         ///< In the mean's section [mm].
+  double inside = 0.0;                                 ///< Positive in the lumen [mm].
+  double curvature = 0.0;                              ///< Of the section, on average [1/mm].
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();  ///< In W.
   double byOuter = 0.0, byMiddle = 0.0, byWidth = 0.0, byHeight = 0.0, byTilt = 0.0;
 };
 
@@ -115,8 +117,7 @@ void LumenShape::addDerivatives(const TurnDistance& turn, double factor, Row&& r
   row[shape::width + 1] += factor * turn.byWidth * perTurn;
   row[shape::tilt] += factor * turn.byTilt;
   row[shape::tilt + 1] += factor * turn.byTilt * perTurn;
-  const SplineWeights coarse =
-      splineWeights(turn.angle, shape::heightStep_deg, shape::heightKnots);
+  const SplineWeights coarse = splineWeights(turn.angle, shape::heightStep_deg, shape::heightKnots);
   const SplineWeights fine = splineWeights(turn.angle, shape::knotStep_deg, shape::knots);
   for (int i = 0; i < 4; ++i) {
     const auto k = static_cast<std::size_t>(i);

@@ -24,8 +24,8 @@ double distanceToWall(const MeanLumen& mean, const SectionPlace& place, double a
     const double half = 0.5 * (low + high);
     const double u = middleU + half * direction.cosine / place.width;
     const double fromOuter = u * place.width;
-    const double v = (half * direction.sine - place.tilt * (fromOuter - middleU * place.width)) /
-                     place.height;
+    const double v =
+        (half * direction.sine - place.tilt * (fromOuter - middleU * place.width)) / place.height;
     (mean.distance(angle, u, v).inside > 0.0 ? low : high) = half;
   }
   return low;
@@ -76,8 +76,7 @@ LumenWall wallOf(const ShapedLumen& lumen, double firstAngle)
     const SectionPlace place = lumen.place(angle);
     const SineCosine turn = sineCosine(angle);
     const double middleRadius = place.outer - 0.5 * place.width * mean.width(angle);
-    const double middleHeight =
-        place.middle - 0.5 * place.tilt * place.width * mean.width(angle);
+    const double middleHeight = place.middle - 0.5 * place.tilt * place.width * mean.width(angle);
     for (int k = 0; k < LumenWall::around; ++k) {
       const SineCosine direction = sineCosine(2.0 * pi * k / LumenWall::around);
       const double distance = distanceToWall(mean, place, angle, direction);

@@ -13,10 +13,10 @@
 namespace perilymph::ct {
 namespace {
 
-constexpr double lineStep = 2.0 * pi / 180.0;    // between entries of the tables of lines [rad]
-constexpr double fieldStep = 7.5 * pi / 180.0;   // between sections of the distance field [rad]
-constexpr double cell = 0.08;                    // of the distance field [mm]
-constexpr double uLow = -3.3, vLow = -2.0;       // its corner [mm]
+constexpr double lineStep = 2.0 * pi / 180.0;   // between entries of the tables of lines [rad]
+constexpr double fieldStep = 7.5 * pi / 180.0;  // between sections of the distance field [rad]
+constexpr double cell = 0.08;                   // of the distance field [mm]
+constexpr double uLow = -3.3, vLow = -2.0;      // its corner [mm]
 constexpr int uCount = 56, vCount = 51;
 constexpr double apex_deg = 900.0, cap_deg = 50.0;  // as the product's mean anatomy has them
 constexpr int corners = 96;
@@ -34,9 +34,9 @@ public:
   explicit Outlines(const std::vector<anatomy::MeasuredSection>& sections) : sections_(sections)
   {
     const auto& last = sections.back();
-    const auto before =
-        std::find_if(sections.begin(), sections.end(),
-                     [&](const auto& each) { return each.angle >= last.angle - 2.0 * pi - 1e-6; });
+    const auto before = std::find_if(sections.begin(), sections.end(), [&](const auto& each) {
+      return each.angle >= last.angle - 2.0 * pi - 1e-6;
+    });
     const double turn = last.angle - before->angle;
     shrinking_ = logarithm(before->outerRadius / last.outerRadius) / turn;
     rise_ = (last.imaginary[center] - before->imaginary[center]) / turn;
@@ -56,8 +56,7 @@ public:
     } else {
       std::size_t i = 0;
       while (i + 2 < sections_.size() && sections_[i + 1].angle <= angle) ++i;
-      const double t =
-          (angle - sections_[i].angle) / (sections_[i + 1].angle - sections_[i].angle);
+      const double t = (angle - sections_[i].angle) / (sections_[i + 1].angle - sections_[i].angle);
       for (std::size_t k = 0; k < coefficients; ++k) {
         real[k] = between(i, t, [k](const auto& section) { return section.real[k]; });
         imaginary[k] = between(i, t, [k](const auto& section) { return section.imaginary[k]; });
@@ -93,7 +92,8 @@ private:
     if (t < 0.0) return b + t * (c - b);
     const double a = i > 0 ? value(sections_[i - 1]) : 2.0 * b - c;
     const double d = i + 2 < sections_.size() ? value(sections_[i + 2]) : 2.0 * c - b;
-    return b + 0.5 * t * (c - a + t * (2.0 * a - 5.0 * b + 4.0 * c - d + t * (3.0 * (b - c) + d - a)));
+    return b +
+           0.5 * t * (c - a + t * (2.0 * a - 5.0 * b + 4.0 * c - d + t * (3.0 * (b - c) + d - a)));
   }
 
   const std::vector<anatomy::MeasuredSection>& sections_;
@@ -108,9 +108,8 @@ double cross(const Point& o, const Point& a, const Point& b)
 /// The convex hull, counter-clockwise (Andrew's monotone chain).
 Polygon hull(Polygon points)
 {
-  std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) {
-    return a.r < b.r || (a.r == b.r && a.z < b.z);
-  });
+  std::sort(points.begin(), points.end(),
+            [](const Point& a, const Point& b) { return a.r < b.r || (a.r == b.r && a.z < b.z); });
   Polygon chain(2 * points.size());
   std::size_t count = 0;
   for (const Point& point : points) {

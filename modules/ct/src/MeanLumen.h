@@ -28,12 +28,12 @@ public:
   static constexpr double firstAngle() { return -0.35; }  ///< Tables begin here [rad].
   double lastAngle() const { return lastAngle_; }         ///< The apex [rad].
 
-  double outerRadius(double angle) const { return at(outer_, angle); }       ///< [mm]
+  double outerRadius(double angle) const { return at(outer_, angle); }          ///< [mm]
   double outerRadiusSlope(double angle) const { return slope(outer_, angle); }  ///< [mm/rad]
-  double height(double angle) const { return at(height_, angle); }           ///< Of the middle [mm].
-  double heightSlope(double angle) const { return slope(height_, angle); }   ///< [mm/rad]
-  double width(double angle) const { return at(width_, angle); }             ///< Radial [mm].
-  double halfHeight(double angle) const { return at(halfHeight_, angle); }   ///< [mm]
+  double height(double angle) const { return at(height_, angle); }          ///< Of the middle [mm].
+  double heightSlope(double angle) const { return slope(height_, angle); }  ///< [mm/rad]
+  double width(double angle) const { return at(width_, angle); }            ///< Radial [mm].
+  double halfHeight(double angle) const { return at(halfHeight_, angle); }  ///< [mm]
 
   /// Distance in the section at an angle; far outside the tables a lower bound of it.
   SectionDistance distance(double angle, double u, double v) const;

@@ -8,8 +8,7 @@
 
 namespace perilymph::ct {
 
-SectionCheck checkSections(const CtVolume& volume, const ShapedLumen& lumen,
-                           const FitState& state)
+SectionCheck checkSections(const CtVolume& volume, const ShapedLumen& lumen, const FitState& state)
 {
   constexpr double reach_mm = 0.8, step_mm = 0.05;
   const double middle = 0.5 * (state.bone + state.lumen);
@@ -27,9 +26,9 @@ SectionCheck checkSections(const CtVolume& volume, const ShapedLumen& lumen,
     // Outward, and in the first turn, where no other turn is near, up and down.
     for (int direction = 0; direction < (angle_deg <= 300 ? 3 : 1); ++direction) {
       const double along = direction == 0 ? halfWidth : half;
-      const Eigen::Vector3d ray_W =
-          direction == 0 ? Eigen::Vector3d(turn.cosine, turn.sine, 0.0)
-                         : Eigen::Vector3d(0.0, 0.0, direction == 1 ? 1.0 : -1.0);
+      const Eigen::Vector3d ray_W = direction == 0
+                                        ? Eigen::Vector3d(turn.cosine, turn.sine, 0.0)
+                                        : Eigen::Vector3d(0.0, 0.0, direction == 1 ? 1.0 : -1.0);
       const Eigen::Vector3d start_W(middleRadius * turn.cosine, middleRadius * turn.sine,
                                     middleHeight);
       ++rays;

@@ -17,9 +17,9 @@ std::array<double, count> integrate()
   std::array<double, count> sum{};
   for (std::size_t i = 1; i < count; ++i) {
     const double a = -last + step * static_cast<double>(i - 1);
-    sum[i] = sum[i - 1] + step / 6.0 *
-                              (normalDensity(a) + 4.0 * normalDensity(a + 0.5 * step) +
-                               normalDensity(a + step));
+    sum[i] = sum[i - 1] +
+             step / 6.0 *
+                 (normalDensity(a) + 4.0 * normalDensity(a + 0.5 * step) + normalDensity(a + step));
   }
   return sum;
 }

@@ -76,15 +76,16 @@ std::optional<SpiralAxis> fitSpiralMotion(const std::vector<SurfacePoint>& point
     }
     const double scale = std::max(1e-9, sum / weightSum);
     for (std::size_t i = 0; i < points.size(); ++i)
-      weights[i] = points[i].weight * (freedomOfStudent + 1.0) /
-                   (freedomOfStudent + squares[i] / scale);
+      weights[i] =
+          points[i].weight * (freedomOfStudent + 1.0) / (freedomOfStudent + squares[i] / scale);
   }
   const Eigen::Vector3d r = motion.head<3>(), c = motion.segment<3>(3);
   if (r.norm() < 1e-3 * motion.norm()) return std::nullopt;
   Eigen::Matrix3d still = motion[6] * Eigen::Matrix3d::Identity();
-  still += (Eigen::Matrix3d() << 0.0, -r.z(), r.y(), r.z(), 0.0, -r.x(), -r.y(), r.x(), 0.0)
-               .finished();
-  // Without growth the velocity stands still nowhere: take the point of the axis nearest the middle.
+  still +=
+      (Eigen::Matrix3d() << 0.0, -r.z(), r.y(), r.z(), 0.0, -r.x(), -r.y(), r.x(), 0.0).finished();
+  // Without growth the velocity stands still nowhere: take the point of the axis nearest the
+  // middle.
   Eigen::Vector3d center = r.cross(c) / r.squaredNorm();
   if (std::fabs(motion[6]) > 1e-3 * r.norm()) center = -still.fullPivLu().solve(c);
   return SpiralAxis{r.normalized(), middle + size * center};

@@ -21,7 +21,8 @@ namespace perilymph::ct {
 namespace {
 
 constexpr double maxVoxel_mm = 1.0, coarseVoxel_mm = 0.65;
-constexpr double clickReach_mm = 4.5;  // from a click in the cochlea to the middle of its basal turn
+constexpr double clickReach_mm =
+    4.5;  // from a click in the cochlea to the middle of its basal turn
 constexpr double seedReach_mm = 2.9;
 constexpr double regionRadius_mm = 11.5, levelRadius_mm = 6.5;
 constexpr std::size_t seeds = 24, startsPerLevel = 6;
@@ -43,7 +44,8 @@ public:
         family_(mean),
         points_(meanTemplate(family_)),
         fit_(family_, sliceNormal(volume), blurGuess(volume))
-  {}
+  {
+  }
 
   Result<CochleaMeasures> run()
   {
@@ -57,10 +59,9 @@ public:
       if (isStopped()) return Error{canceled};
       const auto voxels =
           observe(volume_, family_, best.state, 1.3, round < 2 ? someVoxels : manyVoxels);
-      const FitSettings settings =
-          round == 0   ? FitSettings{Freedom::shape, 12, 0.4, 1.0}
-          : round == 1 ? FitSettings{Freedom::everything, 12, 0.25, 1.0}
-                       : FitSettings{Freedom::everything, 16, 0.0, 1.0};
+      const FitSettings settings = round == 0   ? FitSettings{Freedom::shape, 12, 0.4, 1.0}
+                                   : round == 1 ? FitSettings{Freedom::everything, 12, 0.25, 1.0}
+                                                : FitSettings{Freedom::everything, 16, 0.0, 1.0};
       best = fit_.run(best.state, voxels, settings);
       report(0.5 + 0.1 * round);
     }
@@ -168,12 +169,12 @@ private:
       results.push_back(fit_.run(state, voxels, {Freedom::poseAndSize, 12, 0.5, 1.0}));
       report(0.3 + 0.2 * static_cast<double>(i + 1) / static_cast<double>(from.size()));
     }
-    std::stable_sort(results.begin(), results.end(), [](const FitResult& a, const FitResult& b) {
-      return a.misfit < b.misfit;
-    });
+    std::stable_sort(results.begin(), results.end(),
+                     [](const FitResult& a, const FitResult& b) { return a.misfit < b.misfit; });
     if (results.empty())
       return Error{
-          "Too few voxels lie near the place given to measure a cochlea. Click into the cochlea, and "
+          "Too few voxels lie near the place given to measure a cochlea. Click into the cochlea, "
+          "and "
           "take a series that shows all of it."};
     // The best few go on with their shape set free before one is chosen.
     constexpr std::size_t finalists = 3;
@@ -271,6 +272,7 @@ private:
     for (const Eigen::Vector3d& point : wall.points_W)
       measures.wall_P.push_back(state.pose.outOf_W(point));
     constexpr int n = LumenWall::around;
+    measures.wallPointsPerRing = n;
     for (int ring = 0; ring + 1 < wall.rings(); ++ring)
       for (int k = 0; k < n; ++k) {
         const int a = ring * n + k, b = ring * n + (k + 1) % n;
@@ -327,9 +329,10 @@ Result<CochleaMeasures> measureCochlea(const CtVolume& volume, const MeasureRequ
 {
   const double coarsest = volume.spacing_mm().maxCoeff();
   if (!(coarsest <= maxVoxel_mm))
-    return Error{"A voxel is " + std::to_string(coarsest).substr(0, 4) +
-                 " mm long; at most 1.0 mm is allowed, and 0.6 mm or less is advised. Take a series "
-                 "with thinner slices."};
+    return Error{
+        "A voxel is " + std::to_string(coarsest).substr(0, 4) +
+        " mm long; at most 1.0 mm is allowed, and 0.6 mm or less is advised. Take a series "
+        "with thinner slices."};
   const auto mean = MeanLumen::make();
   if (!mean) return mean.error();
   return Pipeline(volume, request, *mean).run();

@@ -25,7 +25,8 @@ struct Grid {
   std::size_t index(int i, int j, int k) const
   {
     return (static_cast<std::size_t>(k) * static_cast<std::size_t>(size[1]) +
-            static_cast<std::size_t>(j)) * static_cast<std::size_t>(size[0]) +
+            static_cast<std::size_t>(j)) *
+               static_cast<std::size_t>(size[0]) +
            static_cast<std::size_t>(i);
   }
 };
@@ -42,10 +43,9 @@ void blur(Grid& grid, int axis, double sigma)
     sum += kernel.back();
   }
   const auto n = grid.size[static_cast<std::size_t>(axis)];
-  const std::size_t stride = axis == 0 ? 1
-                             : axis == 1
-                                 ? static_cast<std::size_t>(grid.size[0])
-                                 : static_cast<std::size_t>(grid.size[0] * grid.size[1]);
+  const std::size_t stride = axis == 0   ? 1
+                             : axis == 1 ? static_cast<std::size_t>(grid.size[0])
+                                         : static_cast<std::size_t>(grid.size[0] * grid.size[1]);
   std::vector<float> line(static_cast<std::size_t>(n));
   for (std::size_t start = 0; start < grid.values.size(); ++start) {
     if ((start / stride) % static_cast<std::size_t>(n) != 0) continue;
@@ -81,8 +81,7 @@ void sharpen(Grid& grid, double inPlane, double strength)
 void measureTruth(const PhantomAnatomy& anatomy, CtPhantom& phantom)
 {
   const Eigen::Vector3d window = anatomy.roundWindow_W();
-  const Eigen::Vector3d origin =
-      base_W + (window - base_W).dot(clinicalAxis_W) * clinicalAxis_W;
+  const Eigen::Vector3d origin = base_W + (window - base_W).dot(clinicalAxis_W) * clinicalAxis_W;
   const Eigen::Vector3d x = (window - origin).normalized();
   const Eigen::Vector3d y = clinicalAxis_W.cross(x);
   const auto outermost = [&](double angle) {
@@ -114,6 +113,12 @@ void measureTruth(const PhantomAnatomy& anatomy, CtPhantom& phantom)
 }
 
 }  // namespace
+
+Eigen::Vector3d jitteredClick(const CtPhantom& phantom, std::uint64_t seed)
+{
+  Dice dice(seed + 77);
+  return phantom.inside_P + 0.5 * Eigen::Vector3d(dice.normal(), dice.normal(), dice.normal());
+}
 
 PhantomScan coneBeamScan() { return {{0.15, 0.15, 0.15}, 0.16, 0.16, 120.0, false}; }
 PhantomScan highResolutionScan() { return {{0.3, 0.3, 0.3}, 0.22, 0.22, 120.0, false}; }
@@ -202,10 +207,8 @@ CtPhantom makeCtPhantom(std::uint64_t seed, const PhantomScan& scan)
               sum += static_cast<double>(
                   fine.values[fine.index(i * times[0] + a, j * times[1] + b, k * times[2] + c)]);
         const double mean = sum / (times[0] * times[1] * times[2]);
-        const double value =
-            mean + scale * static_cast<double>(noise.values[noise.index(i, j, k)]);
-        voxels.push_back(static_cast<std::int16_t>(
-            std::lround(std::clamp(value, minHu, maxHu))));
+        const double value = mean + scale * static_cast<double>(noise.values[noise.index(i, j, k)]);
+        voxels.push_back(static_cast<std::int16_t>(std::lround(std::clamp(value, minHu, maxHu))));
       }
   auto volume = ct::CtVolume::make(coarse, lps, std::move(voxels), {"", "", "phantom"});
   if (!volume) throw std::runtime_error(volume.error().message);
@@ -218,7 +221,8 @@ CtPhantom makeCtPhantom(std::uint64_t seed, const PhantomScan& scan)
   phantom.axis_P = axes * clinicalAxis_W;
   phantom.roundWindow_P = toP(anatomy.roundWindow_W());
   const KidneySection basal = anatomy.sectionAt(degrees(60).si());
-  phantom.inside_P = toP({0.5 * basal.middleRadius, 0.866 * basal.middleRadius, basal.middleHeight});
+  phantom.inside_P =
+      toP({0.5 * basal.middleRadius, 0.866 * basal.middleRadius, basal.middleHeight});
   return phantom;
 }
 

@@ -91,7 +91,9 @@ PhantomAnatomy::PhantomAnatomy(std::uint64_t seed)
   niche_ = dice.uniform(0.0, 1.0) < 0.6 ? air : fluid;
   canal_ = dice.uniform(0.5, 0.7);
   window_ = dice.uniform(0.6, 0.95);
-  lean_ = Eigen::Vector3d(0.88, 0.42 + 0.25 * dice.normal(), -0.2 + 0.25 * dice.normal()).normalized();
+  lean_ =
+      Eigen::Vector3d(0.88, 0.42 + 0.4 * dice.normal(), -0.2 + 0.3 * dice.normal()).normalized();
+  recess_ = std::clamp(0.04 + 0.07 * dice.normal(), -0.1, 0.25);
   for (int i = 0; i < 60; ++i)
     cells_.push_back({{dice.uniform(-11, 11), dice.uniform(-11, 11), dice.uniform(-9, 9)},
                       dice.uniform(0.4, 1.8)});
@@ -109,12 +111,13 @@ PhantomAnatomy::PhantomAnatomy(std::uint64_t seed)
     };
     const double rollercoaster = 0.12 * wobbles_[1](angle);
     const double outer =
-        at(outer_) * size_ * (1.0 + stretch_ * std::cos(2.0 * angle) + 0.012 * wobbles_[0](angle));
-    const double width = at(width_) * size_ * (1.02 + 0.05 * wobbles_[2](angle));
-    double half = at(heightST_) * height_ * (1.0 + 0.06 * wobbles_[3](angle));
+        at(outer_) * size_ * (1.0 + stretch_ * std::cos(2.0 * angle) + 0.03 * wobbles_[0](angle));
+    const double width = at(width_) * size_ * (1.02 + 0.07 * wobbles_[2](angle));
+    double half = at(heightST_) * height_ * (1.0 + 0.09 * wobbles_[3](angle));
     if (angle < 0.4) half *= 1.0 - 0.25 * (0.4 - angle) / 0.6;
-    double climb = angle > angle_.back() ? center_.back() + 0.16 * (angle - angle_.back())
-                                         : center_[k] + std::min(t, 1.0) * (center_[k + 1] - center_[k]);
+    double climb = angle > angle_.back()
+                       ? center_.back() + 0.16 * (angle - angle_.back())
+                       : center_[k] + std::min(t, 1.0) * (center_[k + 1] - center_[k]);
     KidneySection section{};
     section.outward = 0.45 * width;
     section.inward = 0.55 * width;
@@ -124,8 +127,8 @@ PhantomAnatomy::PhantomAnatomy(std::uint64_t seed)
     section.shear = 0.1 + skew_ + 0.06 * wobbles_[4](angle);
     section.bend = 0.06 * wobbles_[5](angle);
     // Both ends are rounded: the blind base within 8 degrees, the cupola within 50.
-    const double toEnd = std::min((angle - first_) / degrees(8).si(),
-                                  (last_ - angle) / degrees(50).si());
+    const double toEnd =
+        std::min((angle - first_) / degrees(8).si(), (last_ - angle) / degrees(50).si());
     const double x = 1.0 - std::clamp(toEnd, 0.0, 1.0);
     const double end = std::sqrt(std::max(0.01, 1.0 - x * x));
     section.outward *= end;
@@ -142,9 +145,12 @@ KidneySection PhantomAnatomy::sectionAt(double angle) const
   const double t = std::min(1.0, x - static_cast<double>(i));
   const KidneySection &a = table_[i], &b = table_[i + 1];
   const auto mix = [t](double from, double to) { return from + t * (to - from); };
-  return {mix(a.middleRadius, b.middleRadius), mix(a.middleHeight, b.middleHeight),
-          mix(a.outward, b.outward),           mix(a.inward, b.inward),
-          mix(a.half, b.half),                 mix(a.shear, b.shear),
+  return {mix(a.middleRadius, b.middleRadius),
+          mix(a.middleHeight, b.middleHeight),
+          mix(a.outward, b.outward),
+          mix(a.inward, b.inward),
+          mix(a.half, b.half),
+          mix(a.shear, b.shear),
           mix(a.bend, b.bend)};
 }
 
@@ -163,12 +169,14 @@ double PhantomAnatomy::inside(const Eigen::Vector3d& point_W) const
     const double f = std::sqrt(u * u / (a * a) + v * v / (section.half * section.half));
     if (f < 1e-6) return section.half;
     const double byU = (u / (a * a) - v / (section.half * section.half) *
-                                          (section.shear + 2.0 * section.bend * u)) / f;
+                                          (section.shear + 2.0 * section.bend * u)) /
+                       f;
     const double byV = v / (section.half * section.half) / f;
     // The wall is slanted against the half-plane where the radius shrinks fast.
     const KidneySection ahead = sectionAt(angle + 0.05);
-    const double slope = (ahead.middleRadius + ahead.outward - section.middleRadius -
-                          section.outward) / (0.05 * std::max(0.3, r));
+    const double slope =
+        (ahead.middleRadius + ahead.outward - section.middleRadius - section.outward) /
+        (0.05 * std::max(0.3, r));
     const double norm = std::sqrt(byU * byU * (1.0 + slope * slope) + byV * byV);
     double depth = (1.0 - f) / std::max(norm, 0.2);
     const double beyond = std::max(first_ - angle, angle - last_);
@@ -180,10 +188,11 @@ double PhantomAnatomy::inside(const Eigen::Vector3d& point_W) const
 
 Eigen::Vector3d PhantomAnatomy::roundWindow_W() const
 {
+  // On the outer wall of the lower scala, its membrane a little behind the bone's edge.
   const KidneySection section = sectionAt(0.0);
-  const double u = section.outward;
+  const double u = 0.866 * section.outward - recess_;
   return {section.middleRadius + u, 0.0,
-          section.middleHeight + section.shear * u + section.bend * u * u};
+          section.middleHeight - 0.5 * section.half + section.shear * u + section.bend * u * u};
 }
 
 double PhantomAnatomy::texture(const Eigen::Vector3d& p) const
@@ -198,8 +207,8 @@ double PhantomAnatomy::surroundings(const Eigen::Vector3d& p, double inLumen, do
   // Otic capsule around the lumen, pneumatized bone of middling density beyond.
   const double coarse = texture(p);
   const double dense = share(inLumen + 1.9, 0.6);
-  double value = dense * (capsule_ + 90.0 * coarse) +
-                 (1.0 - dense) * (1250.0 + 250.0 * texture(2.0 * p));
+  double value =
+      dense * (capsule_ + 90.0 * coarse) + (1.0 - dense) * (1250.0 + 250.0 * texture(2.0 * p));
   // Modiolus: porous, a cone about the axis.
   const double cone = 1.15 - 0.32 * (p.z() + 0.5) - p.head<2>().norm();
   const double porous = p.z() > -0.6 && p.z() < 2.6 ? share(cone, 3.0 * cell) : 0.0;
@@ -223,11 +232,10 @@ double PhantomAnatomy::intensity(const Eigen::Vector3d& p, double lumen, double 
   double value = surroundings(p, depth, cell);
   // Vestibule, joined with the basal end, and two canals.
   const Eigen::Vector3d off = p - Eigen::Vector3d(4.5, -3.3, -0.6) * size_;
-  const double ball =
-      1.0 - off.cwiseQuotient(Eigen::Vector3d(1.6, 1.7, 2.2) * size_).norm();
-  const double canals = std::max(
-      insideRing(p, Eigen::Vector3d(6.5, -6.5, -2.2), {0.1, 0.2, 0.97}, 2.9, 0.5),
-      insideRing(p, Eigen::Vector3d(3.5, -6.5, -4.0), {0.8, 0.6, 0.0}, 3.0, 0.5));
+  const double ball = 1.0 - off.cwiseQuotient(Eigen::Vector3d(1.6, 1.7, 2.2) * size_).norm();
+  const double canals =
+      std::max(insideRing(p, Eigen::Vector3d(6.5, -6.5, -2.2), {0.1, 0.2, 0.97}, 2.9, 0.5),
+               insideRing(p, Eigen::Vector3d(3.5, -6.5, -4.0), {0.8, 0.6, 0.0}, 3.0, 0.5));
   value += share(std::max(1.5 * ball, canals), cell) * (lumen - value);
   // Round-window niche: leans apically, as in ears where the opening seen from the axis lies ahead
   // of the marked center; the middle ear beyond it.

@@ -69,8 +69,8 @@ private:
   std::vector<Wobble> wobbles_;
   std::vector<Ball> cells_;
   std::array<Eigen::Vector4d, 6> waves_;
-  double capsule_, modiolus_, niche_, canal_, window_;
-  Eigen::Vector3d lean_;  ///< Of the round-window niche.
+  double capsule_, modiolus_, niche_, canal_, window_, recess_;
+  Eigen::Vector3d lean_;              ///< Of the round-window niche.
   std::vector<KidneySection> table_;  ///< Every 2 degrees from the first angle.
 };
 

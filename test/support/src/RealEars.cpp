@@ -56,8 +56,8 @@ ct::CtVolume readNifti(const std::filesystem::path& file, int scale)
   }
   const auto type = read<std::int16_t>(bytes, 70);
   const auto first = static_cast<std::size_t>(read<float>(bytes, 108));
-  const std::size_t count = static_cast<std::size_t>(size[0]) *
-                            static_cast<std::size_t>(size[1]) * static_cast<std::size_t>(size[2]);
+  const std::size_t count = static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) *
+                            static_cast<std::size_t>(size[2]);
   std::vector<std::int16_t> voxels(count);
   for (std::size_t i = 0; i < count; ++i)
     voxels[i] = static_cast<std::int16_t>(

@@ -41,7 +41,7 @@ struct Measure {
   double model = 0.0;        ///< From what no fitted shape can follow.
   double definition = 0.0;   ///< From where 0 degrees, the round window's center, is.
 
-  double sd() const;                          ///< Square root of the sum of squares.
+  double sd() const;                         ///< Square root of the sum of squares.
   std::array<double, 2> interval95() const;  ///< value -+ 1.96 sd.
 };
 
@@ -66,13 +66,15 @@ struct CochleaMeasures {
   anatomy::Side side = anatomy::Side::right;  ///< By the handedness of the spiral.
   double handednessMargin = 0.0;  ///< Misfit of the best mirror image less that of the fit.
 
-  double boneLevel = 0.0, lumenLevel = 0.0;        ///< Intensities.
+  double boneLevel = 0.0, lumenLevel = 0.0;         ///< Intensities.
   double blurInPlane_mm = 0.0, blurAxial_mm = 0.0;  ///< Standard deviations of the PSF.
-  double misfit = 0.0;       ///< Share of the voxels near the wall that is not explained, 0 to 1.
+  double misfit = 0.0;         ///< Share of the voxels near the wall that is not explained, 0 to 1.
   double sectionRms_mm = 0.0;  ///< Half-maximum wall in mid-modiolar sections against the fit.
 
-  std::vector<Eigen::Vector3d> wall_P;              ///< Points of the lumen's surface.
-  std::vector<std::array<int, 3>> wallTriangles;    ///< Between them.
+  /// Points of the lumen's wall: rings 4 degrees apart, from the spiral's 0 degrees on.
+  std::vector<Eigen::Vector3d> wall_P;
+  std::size_t wallPointsPerRing = 0;
+  std::vector<std::array<int, 3>> wallTriangles;  ///< Between them.
   std::vector<Flag> flags;
   CtProvenance provenance;
 

@@ -36,4 +36,7 @@ struct CtPhantom {
 /// Builds the phantom of a seed: the same on every machine of one kind. Takes a second.
 CtPhantom makeCtPhantom(std::uint64_t seed, const PhantomScan& scan);
 
+/// A click in the cochlea, off by a normal deviate of 0.5 mm along every axis.
+Eigen::Vector3d jitteredClick(const CtPhantom& phantom, std::uint64_t seed);
+
 }  // namespace perilymph::test

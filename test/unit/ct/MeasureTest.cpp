@@ -1,0 +1,172 @@
+// Phantoms of known truth, measured.
+
+#include "perilymph/ct/Measures.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "perilymph/foundation/Units.h"
+#include "perilymph/test/CtPhantom.h"
+
+namespace perilymph::ct {
+namespace {
+
+MeasureRequest clickedInto(const test::CtPhantom& phantom, std::uint64_t seed)
+{
+  MeasureRequest request;
+  request.click_P = test::jitteredClick(phantom, seed);
+  return request;
+}
+
+const test::CtPhantom& phantom()
+{
+  static const test::CtPhantom built = test::makeCtPhantom(501, test::highResolutionScan());
+  return built;
+}
+
+const CochleaMeasures& measures()
+{
+  static const auto found = measureCochlea(phantom().volume, clickedInto(phantom(), 501));
+  if (!found) throw std::runtime_error(found.error().message);
+  return *found;
+}
+
+TEST(MeasureCochlea, FindsThePhantomsDiametersWithinThreeOfItsSigmas)
+{
+  EXPECT_NEAR(measures().a.value, phantom().a, 3.0 * measures().a.sd());
+  EXPECT_NEAR(measures().b.value, phantom().b, 3.0 * measures().b.sd());
+  EXPECT_NEAR(measures().h.value, phantom().h, 3.0 * measures().h.sd());
+}
+
+TEST(MeasureCochlea, FindsThePhantomsAxisAndRoundWindow)
+{
+  EXPECT_GT(measures().axis_P.dot(phantom().axis_P), std::cos(degrees(4.0).si()));
+  EXPECT_LT((measures().roundWindow_P - phantom().roundWindow_P).norm(), 0.6);
+}
+
+TEST(MeasureCochlea, FindsTheSideOfBothEars)
+{
+  bool seen[2] = {false, false};
+  for (std::uint64_t seed = 510; !(seen[0] && seen[1]); ++seed) {
+    const test::CtPhantom ear = test::makeCtPhantom(seed, test::clinicalScan());
+    if (seen[ear.isRight ? 1 : 0]) continue;
+    seen[ear.isRight ? 1 : 0] = true;
+    const auto found = measureCochlea(ear.volume, clickedInto(ear, seed));
+    ASSERT_TRUE(found) << found.error().message;
+    EXPECT_EQ(found->side == anatomy::Side::right, ear.isRight) << seed;
+  }
+}
+
+TEST(MeasureCochlea, KeepsTheErrorsApartAndAddsTheirSquares)
+{
+  const Measure& a = measures().a;
+  EXPECT_GT(a.statistical, 0.0);
+  EXPECT_GT(a.model, 0.0);
+  EXPECT_GT(a.definition, 0.0);
+  EXPECT_NEAR(a.sd(), std::hypot(a.statistical, a.model, a.definition), 1e-12);
+  EXPECT_NEAR(a.interval95()[1] - a.interval95()[0], 2.0 * 1.96 * a.sd(), 1e-12);
+}
+
+TEST(MeasureCochlea, GivesAFrameWhoseHandednessIsTheEars)
+{
+  const double determinant = measures().axes_PW.determinant();
+  EXPECT_NEAR(determinant, measures().side == anatomy::Side::right ? 1.0 : -1.0, 1e-9);
+  const Eigen::Vector3d toWindow = measures().roundWindow_P - measures().center_P;
+  EXPECT_NEAR(toWindow.normalized().dot(measures().axes_PW.col(0)), 1.0, 1e-9);
+}
+
+TEST(MeasureCochlea, GivesTheSameBitsTwice)
+{
+  const auto again = measureCochlea(phantom().volume, clickedInto(phantom(), 501));
+  ASSERT_TRUE(again);
+  EXPECT_EQ(std::memcmp(&again->a.value, &measures().a.value, sizeof(double)), 0);
+  EXPECT_EQ(std::memcmp(again->axis_P.data(), measures().axis_P.data(), 3 * sizeof(double)), 0);
+}
+
+TEST(MeasureCochlea, FlagsTheOtherEarAsMirrored)
+{
+  MeasureRequest request = clickedInto(phantom(), 501);
+  request.side = phantom().isRight ? anatomy::Side::left : anatomy::Side::right;
+  const auto found = measureCochlea(phantom().volume, request);
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->has(Flag::mirrored));
+  EXPECT_FALSE(measures().has(Flag::mirrored));
+}
+
+TEST(MeasureCochlea, FlagsAirInTheCochlea)
+{
+  test::PhantomScan scan = test::highResolutionScan();
+  scan.isAirFilled = true;
+  const test::CtPhantom dry = test::makeCtPhantom(502, scan);
+  const auto found = measureCochlea(dry.volume, clickedInto(dry, 502));
+  ASSERT_TRUE(found) << found.error().message;
+  EXPECT_TRUE(found->has(Flag::airInCochlea));
+  EXPECT_FALSE(measures().has(Flag::airInCochlea));
+}
+
+TEST(MeasureCochlea, TellsItsProgressAndCanBeCanceled)
+{
+  MeasureRequest request = clickedInto(phantom(), 501);
+  double last = 0.0;
+  bool isGrowing = true;
+  request.onProgress = [&](double share) {
+    isGrowing = isGrowing && share >= last && share <= 1.0;
+    last = share;
+  };
+  request.isCanceled = [&] { return last > 0.4; };
+  const auto found = measureCochlea(phantom().volume, request);
+  EXPECT_FALSE(found);
+  EXPECT_TRUE(isGrowing);
+  EXPECT_GT(last, 0.4);
+}
+
+TEST(MeasureCochlea, FindsTheCochleaWithoutAClick)
+{
+  const auto found = measureCochlea(phantom().volume, {});
+  ASSERT_TRUE(found) << found.error().message;
+  EXPECT_NEAR(found->a.value, phantom().a, 3.0 * found->a.sd());
+  EXPECT_EQ(found->side, measures().side);
+}
+
+TEST(MeasureCochlea, RefusesAClickOutside)
+{
+  MeasureRequest request;
+  request.click_P = phantom().volume.toLps({-50.0, 0.0, 0.0});
+  const auto found = measureCochlea(phantom().volume, request);
+  ASSERT_FALSE(found);
+  EXPECT_NE(found.error().message.find("outside"), std::string::npos);
+}
+
+TEST(MeasureCochlea, RefusesLongVoxels)
+{
+  Eigen::Matrix4d lps = Eigen::Matrix4d::Identity();
+  lps(2, 2) = 1.5;
+  const auto volume = CtVolume::make({8, 8, 8}, lps, std::vector<std::int16_t>(512));
+  ASSERT_TRUE(volume);
+  const auto found = measureCochlea(*volume, {});
+  ASSERT_FALSE(found);
+  EXPECT_NE(found.error().message.find("1.5"), std::string::npos);
+}
+
+TEST(MeasureCochlea, RefusesAVolumeOfOneGray)
+{
+  Eigen::Matrix4d lps = Eigen::Matrix4d::Identity() * 0.5;
+  lps(3, 3) = 1.0;
+  const auto volume = CtVolume::make({40, 40, 40}, lps, std::vector<std::int16_t>(64000, 1500));
+  ASSERT_TRUE(volume);
+  EXPECT_FALSE(measureCochlea(*volume, {}));
+}
+
+TEST(Flags, HaveNamesAndSentencesOfTheirOwn)
+{
+  const std::vector<Flag> flags = allFlags();
+  for (std::size_t i = 0; i < flags.size(); ++i) {
+    EXPECT_GT(std::strlen(sentenceOf(flags[i])), 20U);
+    for (std::size_t k = 0; k < i; ++k) EXPECT_STRNE(nameOf(flags[i]), nameOf(flags[k]));
+  }
+}
+
+}  // namespace
+}  // namespace perilymph::ct

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "perilymph/foundation/Math.h"
 #include "perilymph/foundation/Units.h"
@@ -15,6 +16,7 @@ SectionCheck checkSections(const CtVolume& volume, const ShapedLumen& lumen, con
   const double sign = state.bone > state.lumen ? 1.0 : -1.0;
   int rays = 0, found = 0, missing = 0, clipped = 0;
   double sum = 0.0, squares = 0.0;
+  std::vector<SurfacePoint> points;
   for (int angle_deg = 20; angle_deg <= 540; angle_deg += 15) {
     const double angle = degrees(angle_deg).si();
     const SineCosine turn = sineCosine(angle);
@@ -54,6 +56,11 @@ SectionCheck checkSections(const CtVolume& volume, const ShapedLumen& lumen, con
       }
       // A ray along the half-plane meets a slanted wall a little later; here that does not matter.
       ++found;
+      const Eigen::Vector3d point_W = start_W + *wall * ray_W;
+      const NearTurns near = lumen.distances(point_W, 1.0);
+      if (near.nearest >= 0)
+        points.push_back(
+            {point_W, near.turn[static_cast<std::size_t>(near.nearest)].gradient.normalized()});
       sum += *wall - along;
       squares += (*wall - along) * (*wall - along);
     }
@@ -65,6 +72,7 @@ SectionCheck checkSections(const CtVolume& volume, const ShapedLumen& lumen, con
     check.bias_mm = sum / found;
     check.rms_mm = std::sqrt(squares / found);
   }
+  check.kinematic = fitSpiralMotion(points);
   return check;
 }
 

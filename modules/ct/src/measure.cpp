@@ -235,6 +235,11 @@ private:
 
     const SectionCheck check = checkSections(volume_, lumen, state);
     measures.sectionRms_mm = check.rms_mm;
+    if (check.kinematic) {
+      const double along = std::fabs(check.kinematic->direction.dot(axis_W));
+      const double across = std::sqrt(std::max(0.0, 1.0 - along * along));
+      measures.kinematicTilt_deg = inDegrees(radians(arcTangent(across, along)));
+    }
     addFlags(check, window, measures);
     report(1.0);
     return measures;

@@ -20,7 +20,7 @@ NULL_WORD = re.compile(r"\bNULL\b")
 
 # The C library's transcendental functions give other bits on other machines, and Eigen's rotations
 # call them.
-ENGINE = ("anatomy", "electrode", "device", "mechanics", "haptics")
+ENGINE = ("anatomy", "ct", "electrode", "device", "mechanics", "haptics")
 INEXACT = re.compile(
     r"\bstd::(?:a?(?:sin|cos|tan)h?|atan2|exp2?|expm1|log(?:2|10|1p)?|pow|hypot|cbrt|erfc?|"
     r"[lt]gamma|fma)\s*\(|\bAngleAxis|\bEulerAngles|\bslerp\b|\.eulerAngles\b")

@@ -1,5 +1,6 @@
 #include "CtPhantomAnatomy.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -31,6 +32,12 @@ double insideRing(const Eigen::Vector3d& p, const Eigen::Vector3d& center,
   const double up = off.dot(axis);
   const double out = (off - up * axis).norm() - ring;
   return tube - std::sqrt(up * up + out * out);
+}
+
+/// Height of a plane over the outer wall: level, and slopes along x and y.
+Eigen::Vector3d tiltTerms(double angle, double radius)
+{
+  return {1.0, radius * std::cos(angle), radius * std::sin(angle)};
 }
 
 }  // namespace
@@ -91,12 +98,22 @@ PhantomAnatomy::PhantomAnatomy(std::uint64_t seed)
   niche_ = dice.uniform(0.0, 1.0) < 0.6 ? air : fluid;
   canal_ = dice.uniform(0.5, 0.7);
   window_ = dice.uniform(0.6, 0.95);
-  lean_ =
-      Eigen::Vector3d(0.88, 0.42 + 0.4 * dice.normal(), -0.2 + 0.3 * dice.normal()).normalized();
+  lean_ = Eigen::Vector3d(0.88, 0.3 + 0.4 * dice.normal(), -0.2 + 0.3 * dice.normal()).normalized();
   recess_ = std::clamp(0.04 + 0.07 * dice.normal(), -0.1, 0.25);
   for (int i = 0; i < 60; ++i)
     cells_.push_back({{dice.uniform(-11, 11), dice.uniform(-11, 11), dice.uniform(-9, 9)},
                       dice.uniform(0.4, 1.8)});
+
+  // What a rollercoaster has of a tilt would turn the axis: it is taken away, so that the axis of
+  // the sections is the axis.
+  Eigen::Matrix3d left = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  for (std::size_t k = 1; k < angle_.size() && angle_[k] < degrees(540).si(); ++k) {
+    const Eigen::Vector3d terms = tiltTerms(angle_[k], outer_[k]);
+    left += terms * terms.transpose();
+    right += 0.12 * wobbles_[1](angle_[k]) * terms;
+  }
+  const Eigen::Vector3d tilt = left.inverse() * right;
 
   for (int i = 0; first_ + (i - 1) * tableStep <= last_; ++i) {
     const double angle = first_ + i * tableStep;
@@ -109,7 +126,7 @@ PhantomAnatomy::PhantomAnatomy(std::uint64_t seed)
       const double value = values[k] + std::min(t, 1.0) * (values[k + 1] - values[k]);
       return beyond > 0.0 ? values.back() * (1.0 - 0.13 * beyond) : value;
     };
-    const double rollercoaster = 0.12 * wobbles_[1](angle);
+    const double rollercoaster = 0.12 * wobbles_[1](angle) - tilt.dot(tiltTerms(angle, at(outer_)));
     const double outer =
         at(outer_) * size_ * (1.0 + stretch_ * std::cos(2.0 * angle) + 0.03 * wobbles_[0](angle));
     const double width = at(width_) * size_ * (1.02 + 0.07 * wobbles_[2](angle));

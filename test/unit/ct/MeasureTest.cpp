@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <cmath>
 #include <cstring>
+#include <stdexcept>
 
 #include "perilymph/foundation/Units.h"
 #include "perilymph/test/CtPhantom.h"
@@ -44,6 +46,12 @@ TEST(MeasureCochlea, FindsThePhantomsAxisAndRoundWindow)
 {
   EXPECT_GT(measures().axis_P.dot(phantom().axis_P), std::cos(degrees(4.0).si()));
   EXPECT_LT((measures().roundWindow_P - phantom().roundWindow_P).norm(), 0.6);
+}
+
+TEST(MeasureCochlea, HasAnAxisNearThatOfTheSpiralMotionOfItsWall)
+{
+  EXPECT_GT(measures().kinematicTilt_deg, 0.0);
+  EXPECT_LT(measures().kinematicTilt_deg, 15.0);
 }
 
 TEST(MeasureCochlea, FindsTheSideOfBothEars)

@@ -55,7 +55,11 @@ struct CochleaMeasures {
   /// Organ-of-Corti length by the elliptic-circular approximation of A and B.
   Measure cdlOc;
 
-  Eigen::Vector3d axis_P;         ///< Modiolar axis, from the base to the apex, unit.
+  Eigen::Vector3d axis_P;  ///< Modiolar axis, from the base to the apex, unit.
+  /// Tilt of the axis against that of the spiral motion nearest to the half-maximum wall, found
+  /// without the shape's prior [deg]; the two are defined differently and lie 4 to 12 degrees
+  /// apart.
+  double kinematicTilt_deg = 0.0;
   double axisError_deg = 0.0;     ///< Standard deviation of its tilt.
   Eigen::Vector3d center_P;       ///< On the axis, at the height of the round window's center.
   Eigen::Vector3d roundWindow_P;  ///< The round window's center, on the outer wall.

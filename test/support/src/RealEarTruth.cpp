@@ -1,8 +1,9 @@
 #include "perilymph/test/RealEarTruth.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "perilymph/foundation/Units.h"
 
@@ -10,7 +11,6 @@ namespace perilymph::test {
 namespace {
 
 constexpr double half = 50.0;  // labels are 0 and 100
-constexpr double far_mm = 1.5;
 
 double outermost(const RealEar& ear, double angle, double high_mm)
 {
@@ -24,6 +24,22 @@ double outermost(const RealEar& ear, double angle, double high_mm)
       if (label && *label >= half) best = r;
     }
   return best;
+}
+
+/// Middles of the faces between voxels inside and outside a label.
+std::vector<Eigen::Vector3d> labelSurface(const ct::CtVolume& label)
+{
+  std::vector<Eigen::Vector3d> middles;
+  const std::array<int, 3>& size = label.size();
+  for (int k = 0; k + 1 < size[2]; ++k)
+    for (int j = 0; j + 1 < size[1]; ++j)
+      for (int i = 0; i + 1 < size[0]; ++i)
+        for (int axis = 0; axis < 3; ++axis) {
+          const int di = axis == 0 ? 1 : 0, dj = axis == 1 ? 1 : 0, dk = axis == 2 ? 1 : 0;
+          if (label.voxel(i, j, k) != label.voxel(i + di, j + dj, k + dk))
+            middles.push_back(label.toLps({i + 0.5 * di, j + 0.5 * dj, k + 0.5 * dk}));
+        }
+  return middles;
 }
 
 }  // namespace
@@ -43,36 +59,22 @@ Eigen::Vector3d clickOf(const RealEar& ear)
 
 double meanDistanceToLabel(const RealEar& ear, const ct::CochleaMeasures& found)
 {
+  const std::vector<Eigen::Vector3d> surface = labelSurface(ear.label);
   const std::size_t around = found.wallPointsPerRing;
-  const std::size_t rings = found.wall_P.size() / around;
+  const std::size_t rings = std::min<std::size_t>(found.wall_P.size() / around, 180);
   double sum = 0.0;
   int count = 0;
-  for (std::size_t ring = 5; ring + 1 < std::min<std::size_t>(rings, 180); ++ring)
-    for (std::size_t k = 0; k < around; ++k) {
+  for (std::size_t ring = 5; ring < rings; ++ring)
+    for (std::size_t k = 0; k < around; k += 2) {
       // The inner third looks at the modiolus, where labels follow no bone.
       if (k > around / 3 && k < 2 * around / 3) continue;
-      const auto at = [&](std::size_t r, std::size_t c) -> const Eigen::Vector3d& {
-        return found.wall_P[r * around + c % around];
-      };
-      Eigen::Vector3d normal =
-          (at(ring + 1, k) - at(ring - 1, k)).cross(at(ring, k + 1) - at(ring, k + around - 1));
-      if (normal.norm() < 1e-6) continue;
-      normal.normalize();
-      double distance = far_mm;
-      const auto isInside = [&](double along) {
-        const auto label = ear.label.sample(at(ring, k) + along * normal);
-        return label && *label >= half;
-      };
-      for (double along = 0.0; along < far_mm; along += 0.02)
-        if (isInside(along) != isInside(along + 0.02) ||
-            isInside(-along) != isInside(-along - 0.02)) {
-          distance = along;
-          break;
-        }
-      sum += distance;
+      double least = 1e9;
+      for (const Eigen::Vector3d& point : surface)
+        least = std::min(least, (point - found.wall_P[ring * around + k]).squaredNorm());
+      sum += std::sqrt(least);
       ++count;
     }
-  return count > 0 ? sum / count : far_mm;
+  return sum / count;
 }
 
 }  // namespace perilymph::test

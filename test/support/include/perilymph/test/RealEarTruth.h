@@ -19,9 +19,8 @@ LabelMeasures measureLabel(const RealEar& ear);
 /// A click as a person would set it: in the basal turn, about 1.7 mm beside the modiolus.
 Eigen::Vector3d clickOf(const RealEar& ear);
 
-/// Mean distance of a measured wall from the label's surface [mm], over the wall's points from 20
-/// to 720 degrees but for its inner third: a point's distance is found along the wall's normal, at
-/// most 1.5 mm.
+/// Mean distance of a measured wall's points, from 20 to 720 degrees but for the inner third, to
+/// the nearest face between voxels inside and outside the label [mm].
 double meanDistanceToLabel(const RealEar& ear, const ct::CochleaMeasures& found);
 
 }  // namespace perilymph::test

@@ -1,8 +1,14 @@
 #include "Terminal.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cstdio>
+#include <initializer_list>
+#include <system_error>
 
 namespace perilymph::cli {
 
@@ -40,12 +46,18 @@ std::string filled(std::string_view format, std::span<const std::string> values)
   return text.append(format);
 }
 
+int outputError =
+    0;  // the first one of standard output, which keeps no more than that there was one
+
 void put(std::FILE* stream, const std::string& text)
 {
-  std::fwrite(text.data(), 1, text.size(), stream);
+  const bool isTaken = std::fwrite(text.data(), 1, text.size(), stream) == text.size();
+  if (!isTaken && stream == stdout && outputError == 0) outputError = errno;
 }
 
 }  // namespace
+
+void printText(const std::string& text) { put(stdout, text); }
 
 void printFilled(const char* format, std::span<const std::string> values)
 {
@@ -57,7 +69,26 @@ void printErrorFilled(const char* format, std::span<const std::string> values)
   put(stderr, filled(format, values));
 }
 
-void flushOutput() { std::fflush(stdout); }
+void flushOutput()
+{
+  if (std::fflush(stdout) != 0 && outputError == 0) outputError = errno;
+}
+
+Result<Done> finishOutput()
+{
+  flushOutput();
+  if (outputError == 0 && std::ferror(stdout) == 0) return Done{};
+  const int number = outputError != 0 ? outputError : EIO;
+  return Error{"Standard output did not take all that was printed: " +
+               std::generic_category().message(number) +
+               ". Make room where it goes, or print somewhere else."};
+}
+
+void openStandardStreams()
+{
+  for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(number, F_GETFD) < 0) static_cast<void>(::open("/dev/null", O_RDWR));
+}
 
 std::string fixed(double value, int digits)
 {

@@ -13,6 +13,7 @@
 #include <type_traits>
 
 #include "Printable.h"
+#include "perilymph/foundation/Result.h"
 
 namespace perilymph::cli {
 
@@ -44,6 +45,9 @@ std::string shown(const std::same_as<std::filesystem::path> auto& file)
 }
 std::string shown(std::integral auto number) { return std::to_string(number); }
 
+/// Prints a text of this program's own, lines included, to standard output.
+void printText(const std::string& text);
+
 /// Prints to standard output.
 void printFilled(const char* format, std::span<const std::string> values);
 /// Prints to standard error.
@@ -65,6 +69,14 @@ void printError(std::type_identity_t<Format<Values...>> format, const Values&...
 
 /// Shows what was printed so far.
 void flushOutput();
+
+/// Shows what was printed, at the end of the program. A sentence where standard output did not take
+/// all of it, as on a full disk.
+Result<Done> finishOutput();
+
+/// Makes every standard stream open, so that no file of the program takes the number of a closed
+/// one and what is printed goes into it.
+void openStandardStreams();
 
 /// A number with a sensible number of digits after the point, for people.
 std::string fixed(double value, int digits);

@@ -2,7 +2,9 @@
 // the options are in CommandOptions.cpp, the commands in files of their own.
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <exception>
+#include <sstream>
 #include <string>
 
 #include "CommandOptions.h"
@@ -54,7 +56,12 @@ int run(int argc, char** argv)
     refuseEmptyAssignments(argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    if (error.get_exit_code() == 0) {  // --help, --version
+      std::ostringstream text;
+      app.exit(error, text, text);
+      printText(text.str());
+      return done;
+    }
     printError("{}. See perilymph-cli --help.\n", words(error, app, argc, argv));
     return wrongWords;
   }
@@ -69,11 +76,17 @@ int run(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
-  perilymph::cli::endOnInterruption();
+  using namespace perilymph;
+  cli::openStandardStreams();
+  cli::endOnInterruption();
+  // A limit on the size of files is answered as a full disk is, instead of ending the program.
+  std::signal(SIGXFSZ, SIG_IGN);
+  int status = cli::couldNot;
   try {
-    return perilymph::cli::run(argc, argv);
-  } catch (const std::exception& mistake) {
-    perilymph::cli::printError("A mistake in the program stopped it: {}.\n", mistake.what());
-    return 1;
+    status = cli::run(argc, argv);
+  } catch (const std::exception& error) {
+    cli::printError("An internal error stopped the program: {}.\n", error.what());
   }
+  const auto printed = cli::finishOutput();
+  return status == cli::done && !printed ? cli::report(printed) : status;
 }

@@ -15,8 +15,8 @@ using testing::HasSubstr;
 ProgramOutcome cliWithSmallFiles(int most_KiB, const std::vector<std::string>& arguments)
 {
   ProgramCall call = cliCall(arguments);
-  std::vector<std::string> words = {"-c", "trap '' XFSZ; ulimit -f \"$1\"; shift; exec \"$@\"",
-                                    "bash", std::to_string(most_KiB), call.program};
+  std::vector<std::string> words = {"-c", "ulimit -f \"$1\"; shift; exec \"$@\"", "bash",
+                                    std::to_string(most_KiB), call.program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   return run({"bash", words, {}, {}});
 }
@@ -70,6 +70,67 @@ TEST(FullDisk, IsSaidOfAStreamThatTakesNothing)
 {
   expectSentence(cli(shortSimulation({"--json", "/dev/full"})), "/dev/full");
   expectSentence(cli({"anatomy", "--preset", "published", "--json", "/dev/full"}), "/dev/full");
+}
+
+/// perilymph-cli with its standard output on a device that is full.
+ProgramOutcome cliOntoFullDevice(const std::vector<std::string>& arguments)
+{
+  std::vector<std::string> words = {"-c", "exec \"$@\" > /dev/full", "sh", cliCall({}).program};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return run({"sh", words, {}, {}});
+}
+
+TEST(FullDisk, UnderStandardOutputIsSaidByEveryCommandThatPrints)
+{
+  const TemporaryFolder folder;
+  const std::string recording = folder / "run.insertion";
+  const std::string surface = folder / "scala.stl";
+  ASSERT_EQ(cli(shortSimulation({"--record", recording})).status, 0);
+  ASSERT_EQ(cli({"anatomy", "--preset", "published", "--surface", surface}).status, 0);
+  const std::vector<std::vector<std::string>> calls = {
+      shortSimulation(),
+      {"anatomy", "--preset", "published"},
+      {"anatomy", "--import", surface},
+      {"replay", recording},
+      {"replay", recording, "--verify"},
+      {"compare", recording, "--out", folder / "compared"},
+      {"render", "--preset", "published", "--view", "unrolled", "--out", folder / "x.png"},
+      {"devices"},
+      {"validate", "--runs", "2", "--set", "nodes=20", "--out", folder / "validated"},
+      {"--help"},
+      {"simulate", "--help"},
+      {"--version"}};
+  for (const auto& arguments : calls) {
+    SCOPED_TRACE(testing::PrintToString(arguments));
+    const ProgramOutcome outcome = cliOntoFullDevice(arguments);
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("Standard output did not take all"));
+    EXPECT_THAT(outcome.err, HasSubstr("No space left on device"));
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+}
+
+TEST(FullDisk, UnderStandardOutputLeavesTheFilesThatWereAskedFor)
+{
+  const TemporaryFolder folder;
+  const std::string json = folder / "run.json";
+  EXPECT_EQ(cliOntoFullDevice(shortSimulation({"--json", json})).status, 1);
+  EXPECT_THAT(contentOf(json), HasSubstr("peak_force_N"));
+}
+
+TEST(ClosedStreams, TakeNoFileOfTheProgram)
+{
+  const TemporaryFolder folder;
+  ProgramCall call = cliCall({});
+  call.arguments = {"-c", "exec \"$@\" <&- >&- 2>&-", "sh", call.program};
+  for (const std::string& word :
+       shortSimulation({"--csv", folder / "run.csv", "--record", folder / "run.insertion"}))
+    call.arguments.push_back(word);
+  call.program = "sh";
+  EXPECT_EQ(run(call).status, 0);
+  // nothing of what was printed is among the rows
+  EXPECT_THAT(contentOf(folder / "run.csv"), testing::Not(HasSubstr("peak force")));
+  EXPECT_EQ(cli({"replay", folder / "run.insertion", "--verify"}).status, 0);
 }
 
 TEST(FullDisk, OfASmallFileSystemIsSaidAndNothingElseBreaks)

@@ -10,7 +10,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from checks import arrows, documents, formatting, layout, sources, window, words  # noqa: E402
+from checks import arrows, documents, formatting, house, layout, sources, window, words  # noqa: E402
 
 TABLES = """
 <!-- arrows -->
@@ -209,6 +209,22 @@ class Window(CheckCase):
     def test_markup_in_its_places_is_welcome(self):
         self.assertEqual(self.complaints(window.check, {
             "app/gui/Report.cpp": "document.setHtml(text);\n"}), [])
+
+
+class House(CheckCase):
+    def test_a_picture_drawn_now_is_current_until_the_table_changes(self):
+        with tempfile.TemporaryDirectory() as place:
+            root = Path(place)
+            (root / "modules").mkdir()
+            (root / "modules/README.md").write_text(TABLES)
+            (root / house.PICTURE).parent.mkdir(parents=True)
+            (root / house.PICTURE).write_text(house.draw(root))
+            self.assertEqual(house.check(root), [])
+            (root / "modules/README.md").write_text(TABLES.replace("`upper` `beside`", "`upper`").replace("stories", "tales"))
+            self.assertEqual(len(house.check(root)), 1)
+
+    def test_a_missing_picture_is_noticed(self):
+        self.assert_found(house.check, "house.svg is missing", {})
 
 
 class Words(CheckCase):

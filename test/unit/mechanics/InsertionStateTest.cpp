@@ -11,8 +11,8 @@ namespace perilymph::mechanics {
 namespace {
 
 /// A Contour pushed into a narrow tube at 2 mm/s.
-struct Run {
-  Run() : model(InsertionModel::build(parts())), state(*model) {}
+struct SlowInsertion {
+  SlowInsertion() : model(InsertionModel::build(parts())), state(*model) {}
 
   static ModelParts parts()
   {
@@ -40,7 +40,7 @@ struct Run {
 
 TEST(InsertionState, CopiesGoOnAlikeAndApart)
 {
-  Run run;
+  SlowInsertion run;
   for (int i = 0; i < 300; ++i) run.step(run.state);
   ASSERT_GT(run.state.readings.wallForceTotal, 0.0);
 
@@ -56,7 +56,7 @@ TEST(InsertionState, CopiesGoOnAlikeAndApart)
 TEST(InsertionState, TakesOverAnotherOfItsModelWithoutAllocating)
 {
   if (!test::AllocationGuard::isAvailable()) GTEST_SKIP() << test::AllocationGuard::whyNot();
-  Run run;
+  SlowInsertion run;
   InsertionState other = run.state;
   for (int i = 0; i < 100; ++i) run.step(run.state);
   const test::AllocationGuard guard;

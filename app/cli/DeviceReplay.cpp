@@ -42,15 +42,15 @@ Json described(const device::ReportTape& tape, const std::string& profile,
           {"rate_per_s", reading.rate},
           {"interval_median_s", reading.intervalMedian},
           {"interval_p99_s", reading.intervalP99},
-          {"interval_max_s", reading.intervalMost},
-          {"least_position_m", told.least_D},
-          {"most_position_m", told.most_D},
+          {"interval_max_s", reading.intervalMax},
+          {"least_position_m", told.min_D},
+          {"most_position_m", told.max_D},
           {"buttons", told.buttons},
           {"outputs", told.writing.accepted},
           {"outputs_refused", told.writing.refused},
           {"write_median_s", told.writing.timeMedian},
           {"write_p99_s", told.writing.timeP99},
-          {"write_max_s", told.writing.timeMost}};
+          {"write_max_s", told.writing.timeMax}};
 }
 
 void printTape(const device::ReportTape& tape, const std::string& profile,
@@ -62,7 +62,7 @@ void printTape(const device::ReportTape& tape, const std::string& profile,
       "{:18} {} s; {} reports a second; between two: median {} ms, 99 % below {} ms, "
       "longest {} ms\n",
       "on the tape", fixed(told.duration, 3), fixed(reading.rate, 1), ms(reading.intervalMedian),
-      ms(reading.intervalP99), ms(reading.intervalMost));
+      ms(reading.intervalP99), ms(reading.intervalMax));
   print(
       "{:18} {} fresh, {} lost, {} repeated, {} old, {} not understood, {} not "
       "kept\n",
@@ -70,12 +70,12 @@ void printTape(const device::ReportTape& tape, const std::string& profile,
       tape.lost);
   if (reading.fresh > 0)
     print("{:18} x {} to {} mm, y {} to {} mm, z {} to {} mm; buttons {}\n", "the hand",
-          mm(told.least_D[0]), mm(told.most_D[0]), mm(told.least_D[1]), mm(told.most_D[1]),
-          mm(told.least_D[2]), mm(told.most_D[2]), hexadecimal(told.buttons));
+          mm(told.min_D[0]), mm(told.max_D[0]), mm(told.min_D[1]), mm(told.max_D[1]),
+          mm(told.min_D[2]), mm(told.max_D[2]), hexadecimal(told.buttons));
   if (told.writing.accepted + told.writing.refused == 0) return;
   print("{:18} {} taken, {} refused; median {} ms, 99 % below {} ms, longest {} ms\n",
         "output reports", told.writing.accepted, told.writing.refused, ms(told.writing.timeMedian),
-        ms(told.writing.timeP99), ms(told.writing.timeMost));
+        ms(told.writing.timeP99), ms(told.writing.timeMax));
 }
 
 }  // namespace

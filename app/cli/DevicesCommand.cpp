@@ -40,7 +40,7 @@ std::string ability(const device::DeviceTraits& traits)
                       std::to_string(traits.sensedRotations) + " turns sensed, ";
   if (traits.rendersForce)
     words += "force on " + std::to_string(traits.actuatedTranslations) + " axes up to " +
-             fixed(traits.mostForce, 1) + " N";
+             fixed(traits.maxForce, 1) + " N";
   else
     words += "no force";
   return words + ", a report every " + fixed(traits.nominalPeriod * 1e3, 1) + " ms";
@@ -81,9 +81,9 @@ Json described(const FoundHand& found)
   json["profile"] = {{"name", found.profile->name},
                      {"confidence", found.profile->confidence},
                      {"renders_force", traits.rendersForce},
-                     {"most_force_N", traits.mostForce},
+                     {"most_force_N", traits.maxForce},
                      {"nominal_period_s", traits.nominalPeriod},
-                     {"most_stiffness_N_m", traits.mostStiffness}};
+                     {"most_stiffness_N_m", traits.maxStiffness}};
   return json;
 }
 
@@ -92,7 +92,7 @@ Json describedPlugin(const TrialOutcome& trial)
 {
   return {{"name", trial.traits.name},
           {"renders_force", trial.traits.rendersForce},
-          {"most_force_N", trial.traits.mostForce},
+          {"most_force_N", trial.traits.maxForce},
           {"nominal_period_s", trial.traits.nominalPeriod},
           {"samples", trial.samples},
           {"fresh", trial.fresh},
@@ -110,7 +110,7 @@ Json described(const TrialOutcome& trial)
           {"rate_per_s", health.reading.rate},
           {"interval_median_s", health.reading.intervalMedian},
           {"interval_p99_s", health.reading.intervalP99},
-          {"interval_max_s", health.reading.intervalMost},
+          {"interval_max_s", health.reading.intervalMax},
           {"reports", health.reading.fresh},
           {"lost", health.reading.lost},
           {"duplicates", health.reading.duplicates},
@@ -118,7 +118,7 @@ Json described(const TrialOutcome& trial)
           {"foreign", health.reading.foreign},
           {"write_median_s", health.writing.timeMedian},
           {"write_p99_s", health.writing.timeP99},
-          {"write_max_s", health.writing.timeMost},
+          {"write_max_s", health.writing.timeMax},
           {"delay_s", health.delay},
           {"round_trip_s", health.roundTrip},
           {"round_trip_measured", health.isRoundTripMeasured},
@@ -154,14 +154,14 @@ void printTrial(const TrialOutcome& trial)
   const auto ms = [](double time) { return fixed(time * 1e3, 3); };
   print("{:18} {} a second; between two: median {} ms, 99 % below {} ms, longest {} ms\n",
         "reports", fixed(reading.rate, 1), ms(reading.intervalMedian), ms(reading.intervalP99),
-        ms(reading.intervalMost));
+        ms(reading.intervalMax));
   print("{:18} {} fresh, {} lost, {} repeated, {} old, {} not understood\n", "", reading.fresh,
         reading.lost, reading.duplicates, reading.old, reading.foreign);
   if (!health.trouble.empty()) print("{:18} {}\n", "", health.trouble);
   if (trial.axes == 0) return;
   const device::WritingFigures& writing = health.writing;
   print("{:18} median {} ms, 99 % below {} ms, longest {} ms\n", "to take a force",
-        ms(writing.timeMedian), ms(writing.timeP99), ms(writing.timeMost));
+        ms(writing.timeMedian), ms(writing.timeP99), ms(writing.timeMax));
   if (!writing.hasRealTimePriority)
     print("{:18} without real-time priority: see modules/realtime/README.md\n", "");
   print("{:18} there and back {}{} ms; stiffest coupling {} N/m\n", "delay",

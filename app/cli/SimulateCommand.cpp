@@ -27,7 +27,7 @@ struct CsvRows {
 
 /// Ticks after which an insertion that has not arrived never will: the way in and out at the
 /// script's speed, twice over.
-std::uint64_t mostTicks(const session::Scenario& scenario)
+std::uint64_t maxTicks(const session::Scenario& scenario)
 {
   const double way = scenario.stopTravel.si() * (scenario.withdraws ? 2.0 : 1.0);
   return static_cast<std::uint64_t>(
@@ -51,7 +51,7 @@ Result<Outcome> run(session::Insertion& insertion, CsvRows* rows)
         if (rows && rows->period.keeps(record.output.time)) rows->stream << session::csvRow(record);
         return !isInterrupted();
       },
-      mostTicks(insertion.scenario()));
+      maxTicks(insertion.scenario()));
   if (isInterrupted())
     return Error{insertion.recording()
                      ? "Interrupted; only the recording was kept, as far as it came."

@@ -13,7 +13,7 @@ namespace perilymph::bench {
 class Percentiles {
 public:
   /// @param most  Iterations to make room for, so that adding one does not allocate.
-  explicit Percentiles(std::size_t most) { seconds_.reserve(most); }
+  explicit Percentiles(std::size_t capacity) { seconds_.reserve(capacity); }
 
   /// Runs one iteration and times it.
   template <class Work>

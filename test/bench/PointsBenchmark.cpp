@@ -18,7 +18,7 @@ using namespace perilymph;
 
 /// A step that leaves the published run by more than this is not of its order any more: seven times
 /// the greatest force published of the model, 0.1389 N (Todd and Naghdy, section III).
-constexpr double mostForce = 1.0;  // [N]
+constexpr double maxForce = 1.0;  // [N]
 
 /// The published experiment, its array a set of points.
 struct PublishedPoints {
@@ -61,7 +61,7 @@ bool isStable(int points)
   mechanics::InsertionState state(*run.model);
   for (int tick = 1; tick <= run.ticks(); ++tick) {
     mechanics::advance(*run.model, state, run.driveAt(tick));
-    const bool isBounded = std::fabs(state.readings.axialForce) < mostForce;
+    const bool isBounded = std::fabs(state.readings.axialForce) < maxForce;
     if (!isBounded || state.points.atBounds > 0) return false;
   }
   return true;
@@ -104,7 +104,7 @@ void largestStableNumber(benchmark::State& benchmark)
   for (auto unused : benchmark) {
     static_cast<void>(unused);
     largest = 0;
-    for (int points = 2; points <= mechanics::mostPoints && isStable(points); ++points)
+    for (int points = 2; points <= mechanics::maxPoints && isStable(points); ++points)
       largest = points;
   }
   benchmark.counters["largest_stable"] = largest;

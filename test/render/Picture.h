@@ -36,9 +36,9 @@ struct DrawnPicture {
 
 inline int difference(const Pixel& a, const Pixel& b)
 {
-  int most = 0;
-  for (std::size_t i = 0; i < 3; ++i) most = std::max(most, std::abs(a[i] - b[i]));
-  return most;
+  int maximum = 0;
+  for (std::size_t i = 0; i < 3; ++i) maximum = std::max(maximum, std::abs(a[i] - b[i]));
+  return maximum;
 }
 
 /// Pixels for which `is` holds.
@@ -107,13 +107,13 @@ inline std::string comparedWithAccepted(const DrawnPicture& actual, const std::s
   int changed = 0;
   const bool sameSize = expected.width == actual.width && expected.height == actual.height;
   for (std::size_t i = 0; sameSize && i + 2 < actual.rgb.size(); i += 3) {
-    int most = 0;
+    int maximum = 0;
     for (std::size_t k = i; k < i + 3; ++k) {
       const int off = std::abs(actual.rgb[k] - expected.rgb[k]);
-      most = std::max(most, off);
+      maximum = std::max(maximum, off);
       shown.rgb[k] = static_cast<unsigned char>(std::min(255, 8 * off));
     }
-    changed += most > 8 ? 1 : 0;
+    changed += maximum > 8 ? 1 : 0;
   }
   if (sameSize && 500 * changed <= actual.width * actual.height) return {};
 

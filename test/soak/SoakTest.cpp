@@ -31,7 +31,7 @@ constexpr int restTicks = 20;  // between insertions
 constexpr std::size_t sessionsKept = 3;
 // A thousandth of what a leak of one record a tick would be after eight hours. What the heap and
 // SQLite keep at hand changes by some pages.
-constexpr long mostGrowth_KiB = 2048;
+constexpr long maxGrowth_KiB = 2048;
 
 std::uint64_t ticksWanted()
 {
@@ -173,7 +173,7 @@ TEST_F(Soak, EndsAsItBegan)
   ASSERT_GE(sessions, 2u);
   // Sanitizers keep what was freed for a while.
   if (test::AllocationGuard::isAvailable()) {
-    EXPECT_LE(growth_KiB, mostGrowth_KiB);
+    EXPECT_LE(growth_KiB, maxGrowth_KiB);
   }
 
   const auto verified = verify(kept.back());

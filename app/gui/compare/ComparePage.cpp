@@ -213,8 +213,8 @@ void ComparePage::fillTable()
     }
   }
   // as high as its rows, up to six of them
-  constexpr int most = 6;
-  const int rows = std::min(most, std::max(1, int(runs_.size())));
+  constexpr int maxColumns = 6;
+  const int rows = std::min(maxColumns, std::max(1, int(runs_.size())));
   table_->setFixedHeight(table_->horizontalHeader()->sizeHint().height() + rows * rowHeight_px +
                          2 * table_->frameWidth() + 2);
   table_->selectRow(0);

@@ -30,9 +30,9 @@ QString abilityText(const device::FoundHand& found)
 {
   if (!found.profile) return QString::fromStdString(found.kind);
   const device::DeviceTraits traits = device::traitsOf(*found.profile, found.descriptor);
-  const QString force =
-      traits.rendersForce ? DevicePage::tr("force up to %1 N").arg(numberText(traits.mostForce, 1))
-                          : DevicePage::tr("no force");
+  const QString force = traits.rendersForce
+                            ? DevicePage::tr("force up to %1 N").arg(numberText(traits.maxForce, 1))
+                            : DevicePage::tr("no force");
   return DevicePage::tr("%1 · %2 · a report every %3 ms")
       .arg(QString::fromStdString(found.kind), force, numberText(traits.nominalPeriod * 1e3, 1));
 }
@@ -184,7 +184,7 @@ void DevicePage::showHand(const QString& name, const std::optional<device::HandH
     const device::ReadingFigures& reading = health->reading;
     lines << tr("Reports: %1 a second; median %2 ms apart, 99 % below %3 ms, longest %4 ms.")
                  .arg(numberText(reading.rate, 0), milliseconds(reading.intervalMedian),
-                      milliseconds(reading.intervalP99), milliseconds(reading.intervalMost));
+                      milliseconds(reading.intervalP99), milliseconds(reading.intervalMax));
     lines << tr("%1 lost, %2 repeated, %3 old, %4 not understood.")
                  .arg(reading.lost)
                  .arg(reading.duplicates)

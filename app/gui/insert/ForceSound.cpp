@@ -38,9 +38,9 @@ public:
   qint64 bytesAvailable() const override { return 8192 + QIODevice::bytesAvailable(); }
 
 protected:
-  qint64 readData(char* data, qint64 most) override
+  qint64 readData(char* data, qint64 size) override
   {
-    const qint64 count = most / qint64(sizeof(std::int16_t));
+    const qint64 count = size / qint64(sizeof(std::int16_t));
     writer_.write(reinterpret_cast<std::int16_t*>(data), int(count));
     return count * qint64(sizeof(std::int16_t));
   }

@@ -11,7 +11,7 @@ namespace {
 constexpr Force quietest = millinewtons(5);
 constexpr Force perOctave = millinewtons(100);
 constexpr double lowest_Hz = 220.0;
-constexpr double mostOctaves = 4.0;
+constexpr double maxOctaves = 4.0;
 constexpr double change_s = 0.01;
 constexpr double forgotten_s = 0.25;
 constexpr double amplitude = 0.2 * 32767.0;  // a speaker's own volume does the rest
@@ -22,7 +22,7 @@ Tone toneOf(Force onHand)
 {
   const double force = std::fabs(onHand.si());
   if (!(force >= quietest.si())) return {};  // nor of what is not a number
-  return {lowest_Hz * std::exp2(std::min(mostOctaves, force / perOctave.si())), 1.0};
+  return {lowest_Hz * std::exp2(std::min(maxOctaves, force / perOctave.si())), 1.0};
 }
 
 void ToneWriter::hear(const Tone& tone)

@@ -176,7 +176,7 @@ void InsertionViews::chooseQuality(QualityChoice choice)
 void InsertionViews::weigh(const FrameMeter& meter)
 {
   const bool isEnough =
-      meter.frames() >= QualityPilot::leastFrames && meter.span_s() >= QualityPilot::firstSecond_s;
+      meter.frames() >= QualityPilot::minFrames && meter.span_s() >= QualityPilot::firstSecond_s;
   if (!measures_ || !isEnough) return;
   measures_ = false;  // once: sorting an hour of frames would cost frames itself
   if (pilot_.weigh(meter.frames(), meter.span_s(), meter.quantile_ms(0.5))) redraw();
@@ -219,7 +219,7 @@ void InsertionViews::showSlowly(const haptics::Snapshot& now)
 
 QSize InsertionViews::minimumSizeHint() const
 {
-  return {operation_->minimumSizeHint().width() + leastChartColumnWidth + 1, 400};
+  return {operation_->minimumSizeHint().width() + minChartColumnWidth + 1, 400};
 }
 
 }  // namespace perilymph::gui

@@ -294,9 +294,9 @@ void OperationView::placeHint()
     hint_->setGeometry(left, beside.center().y() - height / 2, words, height);
   } else if (isSeen) {
     viewName_->setVisible(true);
-    const int most = std::min(words, foot_->geometry().width());
-    const int height = hint_->heightForWidth(most);
-    hint_->setGeometry((width() - most) / 2, beside.top() - height - spacing, most, height);
+    const int widest = std::min(words, foot_->geometry().width());
+    const int height = hint_->heightForWidth(widest);
+    hint_->setGeometry((width() - widest) / 2, beside.top() - height - spacing, widest, height);
     lift = height + spacing;
   }
   if (!scene_ || lift == hintLift_) return;

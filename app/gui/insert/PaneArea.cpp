@@ -106,7 +106,7 @@ int PaneArea::columnWidth() const
   for (const Part& part : parts_)
     if (part.role == PaneRole::picture) picture = part.widget->minimumSizeHint().width();
   const int wished = std::max(chartColumnWidth, int(columnShare * width()));
-  return std::clamp(width() - picture - gap_px, leastChartColumnWidth, wished);
+  return std::clamp(width() - picture - gap_px, minChartColumnWidth, wished);
 }
 
 void PaneArea::arrange()

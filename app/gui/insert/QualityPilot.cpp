@@ -56,7 +56,7 @@ Quality QualityPilot::quality() const { return choice_.value_or(measured_); }
 
 bool QualityPilot::weigh(std::size_t frames, double span_s, double median_ms)
 {
-  if (choice_ || isDecided_ || frames < leastFrames || span_s < firstSecond_s) return false;
+  if (choice_ || isDecided_ || frames < minFrames || span_s < firstSecond_s) return false;
   isDecided_ = true;
   if (median_ms <= slowFrame_ms || measured_ == Quality::fast) return false;
   measured_ = measured_ == Quality::gpu ? Quality::software : Quality::fast;

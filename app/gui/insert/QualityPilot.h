@@ -19,7 +19,7 @@ std::optional<QualityChoice> qualityNamed(const std::string& name);
 class QualityPilot {
 public:
   /// Frames that the decision waits for, over at least so long.
-  static constexpr std::size_t leastFrames = 15;
+  static constexpr std::size_t minFrames = 15;
   static constexpr double firstSecond_s = 1.0;
   /// A median above this is too slow: 15 frames a second.
   static constexpr double slowFrame_ms = 66.0;

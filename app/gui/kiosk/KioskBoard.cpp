@@ -12,9 +12,9 @@ namespace perilymph::gui {
 namespace {
 
 constexpr auto heading = "perilymph booth 1";
-constexpr double mostPeak_mN = 1e5;
-constexpr double mostDuration_s = 86'400.0;
-constexpr int mostReversals = 100'000;
+constexpr double maxPeak_mN = 1e5;
+constexpr double maxDuration_s = 86'400.0;
+constexpr int maxReversals = 100'000;
 
 bool isGentler(const KioskEntry& a, const KioskEntry& b)
 {
@@ -33,9 +33,9 @@ std::optional<KioskEntry> entryOf(const QString& line)
   entry.duration_s = words[2].toDouble(&isDuration);
   entry.reversals = words[3].toInt(&isCount);
   const bool isWell = entry.at.isValid() && isPeak && isDuration && isCount &&
-                      entry.peak_mN >= 0.0 && entry.peak_mN < mostPeak_mN &&
-                      entry.duration_s >= 0.0 && entry.duration_s < mostDuration_s &&
-                      entry.reversals >= 0 && entry.reversals < mostReversals;
+                      entry.peak_mN >= 0.0 && entry.peak_mN < maxPeak_mN &&
+                      entry.duration_s >= 0.0 && entry.duration_s < maxDuration_s &&
+                      entry.reversals >= 0 && entry.reversals < maxReversals;
   if (!isWell) return std::nullopt;
   return entry;
 }
@@ -64,7 +64,7 @@ void KioskBoard::load(const QDate& day)
   for (int i = 2; i < lines.size(); ++i)
     if (const auto entry = entryOf(lines[i])) entries_.push_back(*entry);
   std::sort(entries_.begin(), entries_.end(), isGentler);
-  if (entries_.size() > most) entries_.resize(most);
+  if (entries_.size() > capacity) entries_.resize(capacity);
 }
 
 const std::vector<KioskEntry>& KioskBoard::entriesOf(const QDate& day)
@@ -78,9 +78,9 @@ std::optional<int> KioskBoard::enter(const QDate& day, const KioskEntry& entry)
   load(day);
   const auto place = std::upper_bound(entries_.begin(), entries_.end(), entry, isGentler);
   const auto rank = static_cast<std::size_t>(place - entries_.begin());
-  if (rank >= most || !std::isfinite(entry.peak_mN)) return std::nullopt;
+  if (rank >= capacity || !std::isfinite(entry.peak_mN)) return std::nullopt;
   entries_.insert(place, entry);
-  if (entries_.size() > most) entries_.resize(most);
+  if (entries_.size() > capacity) entries_.resize(capacity);
   save();
   return static_cast<int>(rank) + 1;
 }

@@ -25,7 +25,7 @@ struct KioskEntry {
 /// board; a damaged line is left out.
 class KioskBoard {
 public:
-  static constexpr std::size_t most = 8;
+  static constexpr std::size_t capacity = 8;
 
   explicit KioskBoard(std::filesystem::path file) : file_(std::move(file)) {}
 

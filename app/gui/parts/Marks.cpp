@@ -21,7 +21,7 @@ QSize rowSize(const QAbstractButton& button)
   return {textLeft_px + text + 4, rowHeight_px};
 }
 
-QSize leastSize(const QAbstractButton& button)
+QSize minSize(const QAbstractButton& button)
 {
   int widest = 0;
   for (const QString& word : button.text().split(QLatin1Char(' ')))
@@ -65,7 +65,7 @@ CheckBox::CheckBox(const QString& text, QWidget* parent) : QCheckBox(text, paren
 }
 
 QSize CheckBox::sizeHint() const { return rowSize(*this); }
-QSize CheckBox::minimumSizeHint() const { return leastSize(*this); }
+QSize CheckBox::minimumSizeHint() const { return minSize(*this); }
 int CheckBox::heightForWidth(int width) const { return heightOf(*this, width); }
 
 void CheckBox::paintEvent(QPaintEvent*)
@@ -95,7 +95,7 @@ Choice::Choice(const QString& text, QWidget* parent) : QRadioButton(text, parent
 }
 
 QSize Choice::sizeHint() const { return rowSize(*this); }
-QSize Choice::minimumSizeHint() const { return leastSize(*this); }
+QSize Choice::minimumSizeHint() const { return minSize(*this); }
 int Choice::heightForWidth(int width) const { return heightOf(*this, width); }
 
 void Choice::paintEvent(QPaintEvent*)

@@ -13,7 +13,7 @@ namespace perilymph::gui {
 namespace {
 
 constexpr int time_ms = 6000;
-constexpr int most_px = 760;
+constexpr int max_px = 760;
 
 }  // namespace
 
@@ -76,7 +76,7 @@ QString Notice::sentence() const { return words_->text(); }
 void Notice::place()
 {
   const QWidget& around = *parentWidget();
-  setFixedWidth(std::min(most_px, around.width() - 4 * spacing));
+  setFixedWidth(std::min(max_px, around.width() - 4 * spacing));
   adjustSize();
   move((around.width() - width()) / 2, around.height() - height() - barHeight - 2 * spacing);
   show();

@@ -53,7 +53,7 @@ inline const QColor& alarmColor = shownTheme().alarm;
 
 inline constexpr int sidePanelWidth = 248;
 inline constexpr int chartColumnWidth = 431;
-inline constexpr int leastChartColumnWidth = 300;  ///< Where the picture needs the room.
+inline constexpr int minChartColumnWidth = 300;  ///< Where the picture needs the room.
 inline constexpr int barHeight = 44;
 inline constexpr int spacing = 8;
 inline constexpr int plateAlpha = 185;  ///< Of the ground behind words that lie on the picture.

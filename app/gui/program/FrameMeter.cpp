@@ -9,7 +9,7 @@ namespace perilymph::gui {
 namespace {
 
 // An hour at 60 frames a second; older frames leave by half so that a long session stays small.
-constexpr std::size_t mostFrames = 216'000;
+constexpr std::size_t maxFrames = 216'000;
 
 }  // namespace
 
@@ -23,9 +23,9 @@ void FrameMeter::present(Clock::time_point now)
 {
   if (!isOpen_) return;
   isOpen_ = false;
-  if (durations_ms_.size() >= mostFrames) {
-    durations_ms_.erase(durations_ms_.begin(), durations_ms_.begin() + mostFrames / 2);
-    presented_.erase(presented_.begin(), presented_.begin() + mostFrames / 2);
+  if (durations_ms_.size() >= maxFrames) {
+    durations_ms_.erase(durations_ms_.begin(), durations_ms_.begin() + maxFrames / 2);
+    presented_.erase(presented_.begin(), presented_.begin() + maxFrames / 2);
   }
   durations_ms_.push_back(std::chrono::duration<double, std::milli>(now - began_).count());
   presented_.push_back(now);

@@ -13,7 +13,7 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr std::size_t mostBytes = 1 << 20;
+constexpr std::size_t maxBytes = 1 << 20;
 constexpr std::size_t olderFiles = 3;
 
 QtMessageHandler before = nullptr;  // Qt's own; set once, before any thread
@@ -54,8 +54,8 @@ Result<Done> startLog(const std::filesystem::path& folder)
   std::filesystem::create_directories(folder, ignored);
   const std::filesystem::path file = folder / "perilymph.log";
   try {
-    auto sink = std::make_shared<spdlog::sinks::rotating_file_sink_mt>(file.string(), mostBytes,
-                                                                       olderFiles);
+    auto sink =
+        std::make_shared<spdlog::sinks::rotating_file_sink_mt>(file.string(), maxBytes, olderFiles);
     auto logger = std::make_shared<spdlog::logger>("perilymph", std::move(sink));
     logger->flush_on(spdlog::level::info);
     spdlog::set_default_logger(std::move(logger));

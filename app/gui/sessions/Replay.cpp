@@ -12,7 +12,7 @@ constexpr std::array<double, 6> speeds = {0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
 constexpr int ordinary = 3;
 
 // What is not computed yet is computed while it is shown: so many ticks a frame, no more.
-constexpr std::uint64_t mostAhead = 300;
+constexpr std::uint64_t maxAhead = 300;
 
 }  // namespace
 
@@ -104,7 +104,7 @@ void Replay::seek(std::uint64_t place)
 {
   if (!isOpen()) return;
   const std::uint64_t last = playback_->ticks() - 1;
-  const std::uint64_t reachable = std::max(playback_->computedTicks(), place_) + mostAhead;
+  const std::uint64_t reachable = std::max(playback_->computedTicks(), place_) + maxAhead;
   place_ = std::min({place, last, reachable});
   position_ = double(place_);
   isNew_ = true;

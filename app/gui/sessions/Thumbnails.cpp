@@ -14,7 +14,7 @@ namespace {
 constexpr int fineness = 2;  // pixels a point, for dense screens
 
 // The shape at the deepest place is computed from the beginning: some seconds at most.
-constexpr std::uint64_t mostTicks = 60'000;
+constexpr std::uint64_t maxTicks = 60'000;
 
 QString keyOf(const session::SessionSummary& summary)
 {
@@ -51,7 +51,7 @@ QImage pictureOf(const std::filesystem::path& file)
       samples.begin(), samples.end(),
       [](const auto& one, const auto& other) { return one.output.depth < other.output.depth; });
   haptics::Snapshot now{};
-  const bool hasShape = deepest->place < mostTicks && bool((*playback)->show(deepest->place, now));
+  const bool hasShape = deepest->place < maxTicks && bool((*playback)->show(deepest->place, now));
   const session::Scenario& scenario = (*playback)->scenario();
   QImage image(fineness * Thumbnails::size, QImage::Format_ARGB32_Premultiplied);
   image.fill(Qt::transparent);
@@ -89,7 +89,7 @@ QPixmap Thumbnails::find(const session::SessionSummary& summary)
     return *known_.insert(key, kept);
   }
   wishes_.push_back({summary, key});
-  if (wishes_.size() > mostWishes) wishes_.erase(wishes_.begin());
+  if (wishes_.size() > maxRequests) wishes_.erase(wishes_.begin());
   if (painting_.isEmpty()) paintNext();
   return blank;
 }

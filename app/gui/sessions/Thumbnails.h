@@ -22,7 +22,7 @@ public:
   static constexpr QSize size{72, 52};
 
   /// More than this many wishes are no longer seen: of one screen's height of rows.
-  static constexpr std::size_t mostWishes = 40;
+  static constexpr std::size_t maxRequests = 40;
 
   explicit Thumbnails(QObject* parent) : QObject(parent), background_(this) {}
 

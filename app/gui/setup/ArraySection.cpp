@@ -185,8 +185,8 @@ void ArraySection::show(const Setup& setup)
   const bool isRod = scenario.model == mechanics::ModelKind::rod;
   model_->show(isRod ? QStringLiteral("rod") : QStringLiteral("points"), {});
   // as a scenario allows
-  nodes_->setRange(isRod ? Range{8.0, double(mechanics::mostNodes)}
-                         : Range{2.0, double(mechanics::mostPoints)});
+  nodes_->setRange(isRod ? Range{8.0, double(mechanics::maxNodes)}
+                         : Range{2.0, double(mechanics::maxPoints)});
   nodes_->setValue(scenario.nodes);
 }
 
@@ -202,7 +202,7 @@ void ArraySection::showFriction(const session::Scenario& scenario)
       law.bySpeed.isEmpty()
           ? tr("starting %1 · dynamic %2").arg(starting, numberText(law.dynamic, 4))
           : tr("%1 to %2 by speed")
-                .arg(numberText(law.bySpeed.least(), 2), numberText(law.bySpeed.greatest(), 2)));
+                .arg(numberText(law.bySpeed.minimum(), 2), numberText(law.bySpeed.maximum(), 2)));
 }
 
 QString ArraySection::commit()

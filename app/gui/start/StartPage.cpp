@@ -19,7 +19,7 @@ namespace perilymph::gui {
 namespace {
 
 constexpr QSize cardSize{344, 372};
-constexpr int leastCardWidth_px = 296;
+constexpr int minCardWidth_px = 296;
 constexpr int pictureHeight_px = 232;
 constexpr double pictureZoom = 1.9;  // the cochlea fills the middle half of its picture
 
@@ -156,7 +156,7 @@ void StartPage::resizeEvent(QResizeEvent* event)
 {
   QWidget::resizeEvent(event);
   const int room = (width() - 10 * spacing) / 3;  // two gaps and a little at the sides
-  const int wide = std::clamp(room, leastCardWidth_px, cardSize.width());
+  const int wide = std::clamp(room, minCardWidth_px, cardSize.width());
   for (StartCard* card : {patient_, mean_, demonstration_}) card->setFixedWidth(wide);
 }
 

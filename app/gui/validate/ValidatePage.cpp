@@ -24,7 +24,7 @@ namespace {
 
 constexpr int columnWidth_px = 480;
 constexpr int fewestRuns = 2;
-constexpr int mostRuns = 1000;
+constexpr int maxRuns = 1000;
 
 QLabel* text(const QString& words, int size_px, QWidget* parent, bool isQuiet = false)
 {
@@ -82,7 +82,7 @@ QWidget* ValidatePage::addColumn()
   runs_->setObjectName(QStringLiteral("validationRuns"));
   runs_->setAccessibleName(tr("Insertions"));
   runs_->setFont(typeface(13));
-  runs_->setRange(fewestRuns, mostRuns);
+  runs_->setRange(fewestRuns, maxRuns);
   runs_->setValue(200);
   runs_->setFixedSize(88, 32);
   runs_->setButtonSymbols(QAbstractSpinBox::NoButtons);

@@ -17,7 +17,7 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr int most_px = 920;  // lines longer than this are hard to read
+constexpr int max_px = 920;  // lines longer than this are hard to read
 
 }  // namespace
 
@@ -90,7 +90,7 @@ GuideSheet::GuideSheet(QWidget* parent) : QFrame(parent), page_(new GuideBrowser
 void GuideSheet::fit()
 {
   const QWidget& around = *parentWidget();
-  resize(std::min(most_px, around.width() - 4 * spacing), around.height() - 2 * barHeight);
+  resize(std::min(max_px, around.width() - 4 * spacing), around.height() - 2 * barHeight);
   move((around.width() - width()) / 2, barHeight);
   layout()->activate();
 }

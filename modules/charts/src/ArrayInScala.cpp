@@ -20,8 +20,8 @@ Eigen::Vector3d nodeOf(const haptics::Snapshot& now, std::size_t i)
 ArrayInScala::ArrayInScala(const anatomy::ScalaTympani& scala, const electrode::ArrayDesign& array)
     : scala_(scala), array_(array)
 {
-  nodes_.reserve(mechanics::mostNodes);
-  nodes_W_.reserve(mechanics::mostNodes);
+  nodes_.reserve(mechanics::maxNodes);
+  nodes_W_.reserve(mechanics::maxNodes);
 }
 
 NodePlace ArrayInScala::place(const Eigen::Vector3d& node_W, anatomy::LumenTrack& track,
@@ -60,7 +60,7 @@ void ArrayInScala::follow(const haptics::Snapshot& now)
 {
   nodes_.clear();
   nodes_W_.clear();
-  const std::size_t count = std::min<std::size_t>(now.nodes, mechanics::mostNodes);
+  const std::size_t count = std::min<std::size_t>(now.nodes, mechanics::maxNodes);
   if (count < 2) return;
   for (std::size_t i = 0; i < count; ++i)
     if (!nodeOf(now, i).allFinite()) return;

@@ -18,7 +18,7 @@ double nextNice(double value)
   return 20.0 * power;
 }
 
-AxisRange grown(const AxisRange& start, double low, double high, int mostTicks)
+AxisRange grown(const AxisRange& start, double low, double high, int maxTicks)
 {
   AxisRange range = start;
   const bool growsUp = high > start.high;
@@ -26,7 +26,7 @@ AxisRange grown(const AxisRange& start, double low, double high, int mostTicks)
   if (!growsUp && !growsDown) return range;
 
   const double span = (growsUp ? high : start.high) - (growsDown ? low : start.low);
-  while (span / range.tick > mostTicks) range.tick = nextNice(range.tick);
+  while (span / range.tick > maxTicks) range.tick = nextNice(range.tick);
   if (growsUp) range.high = std::ceil(high / range.tick - tolerance) * range.tick;
   if (growsDown) range.low = std::floor(low / range.tick + tolerance) * range.tick;
   return range;

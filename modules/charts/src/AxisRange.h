@@ -16,8 +16,8 @@ struct AxisRange {
 };
 
 /// The range `start`, grown by whole ticks until it holds `low` and `high`. The ticks grow with it
-/// in the sequence 1, 2, 5 so that there are never more than `mostTicks` steps.
-AxisRange grown(const AxisRange& start, double low, double high, int mostTicks = 7);
+/// in the sequence 1, 2, 5 so that there are never more than `maxTicks` steps.
+AxisRange grown(const AxisRange& start, double low, double high, int maxTicks = 7);
 
 /// The places of the ticks within the range, multiples of the tick.
 std::vector<double> tickPlaces(const AxisRange& range);

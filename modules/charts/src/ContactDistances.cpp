@@ -39,11 +39,11 @@ std::vector<ContactDistance> contactDistances(const ArrayInScala& now)
 analysis::Drawing drawContactDistances(const std::vector<ContactDistance>& contacts, double width,
                                        double height)
 {
-  double most_mm = 0.0, sum_mm = 0.0;
+  double max_mm = 0.0, sum_mm = 0.0;
   int inside = 0;
   for (const ContactDistance& contact : contacts) {
     if (!contact.isInside || contact.toInnerWall_mm < 0.0) continue;
-    most_mm = std::max(most_mm, contact.toInnerWall_mm);
+    max_mm = std::max(max_mm, contact.toInnerWall_mm);
     sum_mm += contact.toInnerWall_mm;
     ++inside;
   }
@@ -57,7 +57,7 @@ analysis::Drawing drawContactDistances(const std::vector<ContactDistance>& conta
   const std::vector<std::string> words = linesOfLabel(mean, width);
   const double above = line_px * static_cast<double>(words.size()) + 8.0;
   PlotSheet sheet(width, height, {leftMargin_px, 4.0, above, 22.0}, numbers,
-                  grown(usualDistance_mm, 0.0, most_mm));
+                  grown(usualDistance_mm, 0.0, max_mm));
   sheet.addYTicks(1);
   sheet.addXTicks(1, "");
 

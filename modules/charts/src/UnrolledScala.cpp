@@ -24,7 +24,7 @@ constexpr double outside_deg = 20.0;  ///< Shown before the round window.
 constexpr double usualEnd_deg = 540.0, tick_deg = 90.0;
 constexpr double ahead_deg = 30.0;                          ///< Kept free before the tip.
 constexpr double outerRoom_mm = 0.95, innerRoom_mm = 0.65;  ///< Beyond the walls, for the bars.
-constexpr double leastShown_mN = 1.0;
+constexpr double minShown_mN = 1.0;
 
 /// Forces on one millimeter of array.
 struct Stretch {
@@ -148,7 +148,7 @@ analysis::Drawing UnrolledScala::draw(const ArrayInScala& now, double width, dou
   drawArray(sheet, now);
   const double length_px = bar_px / bar_mN_mm;
   for (const Stretch& here : stretches(now)) {
-    if (here.normal_mN < leastShown_mN || here.from_deg < -leadIn_deg_) continue;
+    if (here.normal_mN < minShown_mN || here.from_deg < -leadIn_deg_) continue;
     const double middle_deg = 0.5 * (here.from_deg + here.to_deg);
     const double bar = std::min(length_px * here.normal_mN, 1.6 * bar_px);
     if (std::abs(here.up_mN) > std::abs(here.across_mN)) {

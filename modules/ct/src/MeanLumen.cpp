@@ -139,7 +139,7 @@ Polygon joined(Polygon tympani)
 /// Distance to a convex polygon, positive inside.
 double distanceTo(const Polygon& polygon, const Point& p)
 {
-  double least = std::numeric_limits<double>::max();
+  double minimum = std::numeric_limits<double>::max();
   bool isInside = true;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Point& a = polygon[i];
@@ -149,10 +149,10 @@ double distanceTo(const Polygon& polygon, const Point& p)
     if (length2 <= 0.0) continue;
     const double t = std::clamp(((p.r - a.r) * dr + (p.z - a.z) * dz) / length2, 0.0, 1.0);
     const double er = p.r - a.r - t * dr, ez = p.z - a.z - t * dz;
-    least = std::min(least, er * er + ez * ez);
+    minimum = std::min(minimum, er * er + ez * ez);
     if (cross(a, b, p) < 0.0) isInside = false;
   }
-  return isInside ? std::sqrt(least) : -std::sqrt(least);
+  return isInside ? std::sqrt(minimum) : -std::sqrt(minimum);
 }
 
 struct Box {

@@ -73,17 +73,17 @@ Levels findLevels(const Region& region, const Eigen::Vector3d& center_P, double 
         if (!region.isKnown(at) || (region.point_P(i, j, k) - center_P).norm() > radius_mm)
           continue;
         const float value = region.value(at);
-        float least = value, most = value;
+        float minimum = value, maximum = value;
         for (const std::size_t other :
              {region.index(i - 1, j, k), region.index(i + 1, j, k), region.index(i, j - 1, k),
               region.index(i, j + 1, k), region.index(i, j, k - 1), region.index(i, j, k + 1)}) {
-          least = std::min(least, region.value(other));
-          most = std::max(most, region.value(other));
+          minimum = std::min(minimum, region.value(other));
+          maximum = std::max(maximum, region.value(other));
         }
         low = std::min(low, value);
         high = std::max(high, value);
         all.push_back(value);
-        valueAndRange.emplace_back(value, most - least);
+        valueAndRange.emplace_back(value, maximum - minimum);
       }
   Levels levels;
   if (all.size() < 100 || high <= low) return levels;
@@ -120,9 +120,9 @@ Levels findLevels(const Region& region, const Eigen::Vector3d& center_P, double 
   std::vector<std::size_t> peaks;
   for (std::size_t i = 0; i < bins; ++i) {
     const std::size_t from = i > 12 ? i - 12 : 0, to = std::min(bins - 1, i + 12);
-    const double most = *std::max_element(smooth.begin() + static_cast<std::ptrdiff_t>(from),
-                                          smooth.begin() + static_cast<std::ptrdiff_t>(to) + 1);
-    if (smooth[i] >= most && smooth[i] > 0.15 * counted) peaks.push_back(i);
+    const double maximum = *std::max_element(smooth.begin() + static_cast<std::ptrdiff_t>(from),
+                                             smooth.begin() + static_cast<std::ptrdiff_t>(to) + 1);
+    if (smooth[i] >= maximum && smooth[i] > 0.15 * counted) peaks.push_back(i);
   }
   std::sort(peaks.begin(), peaks.end(),
             [&](std::size_t a, std::size_t b) { return smooth[a] > smooth[b]; });

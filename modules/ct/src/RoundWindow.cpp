@@ -108,7 +108,7 @@ Opening likeliestOpening(const BoneMap& map, double usualHeight_mm)
 {
   constexpr double minArea_mm2 = 0.15, maxArea_mm2 = 5.0, maxCost = 12.0, cutCost = 4.0;
   Opening best;
-  double least = maxCost;
+  double minimum = maxCost;
   std::vector<bool> isTaken(map.size());
   for (int i = 0; i < columns * rows; ++i) {
     if (isTaken[static_cast<std::size_t>(i)] || !std::isnan(map[static_cast<std::size_t>(i)]))
@@ -120,8 +120,8 @@ Opening likeliestOpening(const BoneMap& map, double usualHeight_mm)
         (firstAngle_deg + opening.column - usual_deg - niche_deg) / usualSpread_deg;
     const double up = (heightOf(opening.row) - usualHeight_mm) / usualDepthSpread_mm;
     const double cost = along * along + up * up + (opening.isCut ? cutCost : 0.0);
-    if (cost < least) {
-      least = cost;
+    if (cost < minimum) {
+      minimum = cost;
       best = std::move(opening);
     }
   }
@@ -136,14 +136,14 @@ double radiusAcross(const BoneMap& map, const Opening& opening, double column, d
   for (int i = 0; i < columns * rows; ++i) {
     const double radius = map[static_cast<std::size_t>(i)];
     if (std::isnan(radius)) continue;
-    double least = 1e9;
+    double minimum = 1e9;
     for (const int hole : opening.pixels) {
       const double along = degree_mm * (i % columns - hole % columns);
       const double up = rowStep_mm * (i / columns - hole / columns);
-      least = std::min(least, along * along + up * up);
+      minimum = std::min(minimum, along * along + up * up);
     }
     // Next to the hole the niche rounds the edge; far from it the wall is another.
-    if (least < 0.14 * 0.14 || least > 0.4 * 0.4) continue;
+    if (minimum < 0.14 * 0.14 || minimum > 0.4 * 0.4) continue;
     const Eigen::Vector3d term(1.0, degree_mm * (i % columns - column),
                                rowStep_mm * (i / columns - row));
     left += term * term.transpose();

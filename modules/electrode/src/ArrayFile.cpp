@@ -16,7 +16,7 @@ constexpr Range curvature_per_mm{-2.0, 2.0};
 constexpr Range contactLength_mm{0.05, 5.0};
 constexpr Range ribHeight_mm{0.01, 1.0};
 constexpr Range ribLength_mm{0.05, 3.0};
-constexpr double leastTipRadius_mm = 0.02;
+constexpr double minTipRadius_mm = 0.02;
 
 /// A number as people write it: "0.4", not "0.400000".
 std::string plain(double value)
@@ -72,16 +72,16 @@ private:
   void readLengths(ArrayDesign& design)
   {
     TomlReader length = tableOf("length");
-    most_mm_ = length.number("value_mm", length_mm);
-    design.length = millimeters(most_mm_);
+    max_mm_ = length.number("value_mm", length_mm);
+    design.length = millimeters(max_mm_);
     TomlReader insertable = tableOf("insertable");
-    design.insertable = millimeters(insertable.number("value_mm", {1.0, most_mm_}));
+    design.insertable = millimeters(insertable.number("value_mm", {1.0, max_mm_}));
   }
 
   /// Places along the array: within it, each greater than the one before.
   std::vector<double> places(TomlReader& table)
   {
-    const std::vector<double> places = table.numbers("from_tip_mm", {0.0, most_mm_}, 1);
+    const std::vector<double> places = table.numbers("from_tip_mm", {0.0, max_mm_}, 1);
     for (std::size_t i = 1; i < places.size(); ++i)
       if (places[i] <= places[i - 1])
         table.refuse("from_tip_mm", "from_tip_mm has " + plain(places[i]) + " after " +
@@ -120,9 +120,9 @@ private:
   void readTip(ArrayDesign& design)
   {
     TomlReader table = tableOf("tip");
-    const double most = inMillimeters(design.tipRadius());
-    design.tip.radius = millimeters(table.number("radius_mm", {leastTipRadius_mm, most}));
-    design.tip.taper = millimeters(table.number("taper_mm", {0.0, 0.5 * most_mm_}, 0.0));
+    const double maximum = inMillimeters(design.tipRadius());
+    design.tip.radius = millimeters(table.number("radius_mm", {minTipRadius_mm, maximum}));
+    design.tip.taper = millimeters(table.number("taper_mm", {0.0, 0.5 * max_mm_}, 0.0));
   }
 
   void readStiffness(ArrayDesign& design)
@@ -186,9 +186,9 @@ private:
     if (centers.front() < 0.5 * contact - slack_mm)
       refuse(plain(centers.front()) + " mm reaches beyond the tip; its center must be at least " +
              plain(0.5 * contact) + " mm from it.");
-    if (centers.back() > most_mm_ - 0.5 * contact + slack_mm)
-      refuse(plain(centers.back()) + " mm reaches beyond the array's " + plain(most_mm_) +
-             " mm; its center must be at most " + plain(most_mm_ - 0.5 * contact) +
+    if (centers.back() > max_mm_ - 0.5 * contact + slack_mm)
+      refuse(plain(centers.back()) + " mm reaches beyond the array's " + plain(max_mm_) +
+             " mm; its center must be at most " + plain(max_mm_ - 0.5 * contact) +
              " mm from the tip.");
   }
 
@@ -196,7 +196,7 @@ private:
   {
     TomlReader table = tableOf("stylet");
     design.hasStylet = true;
-    design.stylet.fromTip = millimeters(table.number("from_tip_mm", {0.0, most_mm_}));
+    design.stylet.fromTip = millimeters(table.number("from_tip_mm", {0.0, max_mm_}));
     design.stylet.bending = newtonSquareMeters(table.number("bending_N_m2", bending_N_m2));
     design.stylet.residualCurvature = table.number("residual_curvature_share", {0.0, 1.0}, 0.0);
     if (table.has("hold_depth_mm"))
@@ -206,7 +206,7 @@ private:
   }
 
   TomlReader& file_;
-  double most_mm_ = 0.0;
+  double max_mm_ = 0.0;
   std::vector<std::pair<std::string, Provenance>> provenance_;
 };
 

@@ -39,11 +39,11 @@ std::string nearestWord(std::string_view word, const std::vector<std::string>& c
     if (startsWithPart(candidate, word) || startsWithPart(word, candidate)) return candidate;
 
   std::string nearest;
-  std::size_t least = word.size() / 3 + 1;
+  std::size_t smallest = word.size() / 3 + 1;
   for (const std::string& candidate : candidates) {
     const std::size_t apart = lettersApart(word, candidate);
-    if (apart >= least) continue;
-    least = apart;
+    if (apart >= smallest) continue;
+    smallest = apart;
     nearest = candidate;
   }
   return nearest;

@@ -123,7 +123,7 @@ std::optional<int> lineNotUtf8(std::string_view text)
 
 std::optional<int> lineNestedTooDeep(std::string_view text)
 {
-  constexpr int mostDots = 15;
+  constexpr int maxDots = 15;
   int line = 1;
   int dots = 0;
   for (std::size_t i = 0; i < text.size();) {
@@ -136,7 +136,7 @@ std::optional<int> lineNestedTooDeep(std::string_view text)
       i = std::min(text.find('\n', i), text.size());
       continue;
     }
-    if (c == '.' && ++dots > mostDots) return line;
+    if (c == '.' && ++dots > maxDots) return line;
     if (c == '\n') ++line;
     if (!isBareKey(c) && c != '.' && c != ' ' && c != '\t') dots = 0;
     ++i;
@@ -168,9 +168,9 @@ std::string tomlNumber(double value)
 
 std::string shown(std::string_view text)
 {
-  constexpr std::size_t most = 60;
+  constexpr std::size_t maxLength = 60;
   std::string result;
-  while (!text.empty() && result.size() < most) {
+  while (!text.empty() && result.size() < maxLength) {
     const std::size_t length = firstCharacter(text).length;
     const auto first = static_cast<unsigned char>(text.front());
     if (length == 0 || first < 0x20 || first == 0x7f)

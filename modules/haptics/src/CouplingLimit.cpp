@@ -43,11 +43,11 @@ CouplingLimit couplingLimit(const device::DeviceTraits& traits, double timeStep)
   limit.stiffness = usedShare * damping / late;
   limit.damping = mass / (eulersNumber * (late + velocityLag));
   limit.reason = "a force reaches the hand " + text("%.2f", late * 1e3) + " ms late";
-  if (traits.mostStiffness > 0.0 && traits.mostStiffness < limit.stiffness) {
-    limit.stiffness = traits.mostStiffness;
+  if (traits.maxStiffness > 0.0 && traits.maxStiffness < limit.stiffness) {
+    limit.stiffness = traits.maxStiffness;
     limit.reason = "its maker gives no more";
   }
-  if (traits.mostDamping > 0.0) limit.damping = std::min(limit.damping, traits.mostDamping);
+  if (traits.maxDamping > 0.0) limit.damping = std::min(limit.damping, traits.maxDamping);
   return limit;
 }
 

@@ -9,8 +9,8 @@ namespace {
 SafetyLimits limitsOfTrial(const device::DeviceTraits& traits, double greatest) noexcept
 {
   SafetyLimits limits = limitsFor({}, traits);
-  limits.mostForce = greatest;
-  limits.mostSlew = 10.0;
+  limits.maxForce = greatest;
+  limits.maxSlew = 10.0;
   // The force itself rises slowly from nothing.
   limits.rampTime = 0.1;
   return limits;
@@ -18,8 +18,8 @@ SafetyLimits limitsOfTrial(const device::DeviceTraits& traits, double greatest) 
 
 double greatestFor(const device::DeviceTraits& traits) noexcept
 {
-  const double share = traits.mostForce > 0.0 ? 0.2 * traits.mostForce : ForceTrial::most;
-  return std::min(ForceTrial::most, share);
+  const double share = traits.maxForce > 0.0 ? 0.2 * traits.maxForce : ForceTrial::maxForce;
+  return std::min(ForceTrial::maxForce, share);
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ struct HapticLoop::Content {
         period(std::llround(engine->model().timeStep * 1e9))
   {
     const device::DeviceTraits traits = device.traits();
-    if (traits.rendersForce) engine->lowerMostForce(traits.mostForce);
+    if (traits.rendersForce) engine->lowerMaxForce(traits.maxForce);
   }
 
   CommandList takeCommands() noexcept;

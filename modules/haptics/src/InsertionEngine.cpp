@@ -13,7 +13,7 @@ namespace perilymph::haptics {
 namespace {
 
 // A thousandth of the forces of an insertion (0.1 N); fifty times what the solver aims at.
-constexpr double mostResidual = 1e-4;  // [N]
+constexpr double maxResidual = 1e-4;  // [N]
 // Far below what anybody measures; above the rounding of a depth.
 constexpr double arrived = 1e-9;  // [m]
 constexpr double infinitelyFar = std::numeric_limits<double>::infinity();
@@ -107,7 +107,7 @@ void InsertionEngine::obey(const Command& command) noexcept
                                    std::max(styletWithdrawal_, model_->parts.array.length.si()));
       break;
     case Command::Kind::setForceScale:
-      if (command.value >= 0.0) forceScale_ = std::min(command.value, mostForceScale);
+      if (command.value >= 0.0) forceScale_ = std::min(command.value, maxForceScale);
       break;
   }
 }
@@ -195,7 +195,7 @@ void InsertionEngine::moveMechanics(const Hand& hand) noexcept
     happen(WorkflowEvent::trouble);
     return;
   }
-  if (state_.readings.residual > mostResidual) output_.status |= notSettled;
+  if (state_.readings.residual > maxResidual) output_.status |= notSettled;
   if (workflow_ == Workflow::inserting) noteArrival();
 }
 
@@ -225,15 +225,15 @@ mechanics::Drive InsertionEngine::hold() const noexcept
 
 /// What is left of the coupling's stiffness or damping where the device renders so much at the
 /// hand: there it is felt times the scales of force and motion.
-double InsertionEngine::softened(double asked, double most) const noexcept
+double InsertionEngine::softened(double asked, double maximum) const noexcept
 {
   const double atHand = forceScale_ * settings_.motionScale * asked;
-  return atHand <= most ? asked : asked * (most / atHand);
+  return atHand <= maximum ? asked : asked * (maximum / atHand);
 }
 
 double InsertionEngine::couplingStiffness() const noexcept
 {
-  return softened(settings_.couplingStiffness, settings_.mostStiffness);
+  return softened(settings_.couplingStiffness, settings_.maxStiffness);
 }
 
 mechanics::Drive InsertionEngine::follow(const Hand& hand) noexcept
@@ -255,7 +255,7 @@ mechanics::Drive InsertionEngine::follow(const Hand& hand) noexcept
       drive = hold();
       drive.coupling = mechanics::Coupling::spring;
       drive.couplingStiffness = couplingStiffness();
-      drive.couplingDamping = softened(settings_.couplingDamping, settings_.mostDamping);
+      drive.couplingDamping = softened(settings_.couplingDamping, settings_.maxDamping);
       if (drive.couplingStiffness < settings_.couplingStiffness) output_.status |= couplingSoftened;
       drive.handVelocity_W = registration_.toCochlea(registration_.motionScale() * hand.velocity_D);
       return drive;
@@ -324,7 +324,7 @@ void InsertionEngine::fill(Snapshot& snapshot) const noexcept
   snapshot.baseAxis_W = asArray(base_.axis_W);
   const bool isSpring = settings_.coupling == mechanics::Coupling::spring;
   snapshot.couplingStiffness = isSpring ? couplingStiffness() : 0.0;
-  snapshot.nodes = static_cast<std::uint32_t>(std::min(model_->nodes, mechanics::mostNodes));
+  snapshot.nodes = static_cast<std::uint32_t>(std::min(model_->nodes, mechanics::maxNodes));
   if (!isFinite()) return;
   for (std::size_t i = 0; i < snapshot.nodes; ++i) {
     for (std::size_t axis = 0; axis < 3; ++axis) {

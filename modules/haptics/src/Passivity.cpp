@@ -16,7 +16,7 @@ Eigen::Vector3d Passivity::control(const Eigen::Vector3d& wanted_D,
   const double movedSquared = moved_D.squaredNorm();
   if (ahead >= 0.0 || movedSquared == 0.0) return wanted_D;
   // b v = (b / dt) moved, and v . v dt = moved . moved / dt
-  const double perMove = std::min(-ahead / movedSquared, mostDamping / timeStep_);
+  const double perMove = std::min(-ahead / movedSquared, maxDamping / timeStep_);
   return wanted_D - perMove * moved_D;
 }
 

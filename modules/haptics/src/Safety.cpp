@@ -19,13 +19,13 @@ double length(const Eigen::Vector3d& vector) noexcept
   return largest * std::sqrt(scaled[0] * scaled[0] + scaled[1] * scaled[1] + scaled[2] * scaled[2]);
 }
 
-/// The vector, shortened to `most` if it is longer.
-Eigen::Vector3d shortened(const Eigen::Vector3d& vector, double most) noexcept
+/// The vector, shortened to `maximum` if it is longer.
+Eigen::Vector3d shortened(const Eigen::Vector3d& vector, double maximum) noexcept
 {
   const double largest = std::max({std::abs(vector[0]), std::abs(vector[1]), std::abs(vector[2])});
-  if (largest == 0.0 || length(vector) <= most) return vector;
+  if (largest == 0.0 || length(vector) <= maximum) return vector;
   const Eigen::Vector3d direction = vector / largest;
-  return direction * (most / length(direction));
+  return direction * (maximum / length(direction));
 }
 
 bool isFinite(const Eigen::Vector3d& vector) noexcept
@@ -33,12 +33,12 @@ bool isFinite(const Eigen::Vector3d& vector) noexcept
   return std::isfinite(vector[0]) && std::isfinite(vector[1]) && std::isfinite(vector[2]);
 }
 
-double checked(double value, double most, const char* name, const char* unit)
+double checked(double value, double maximum, const char* name, const char* unit)
 {
-  if (!(value > 0.0 && value <= most))  // also catches NaN
+  if (!(value > 0.0 && value <= maximum))  // also catches NaN
     throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) + " " + unit +
-                                "; it must be above 0 and at most " + std::to_string(most) + " " +
-                                unit + ".");
+                                "; it must be above 0 and at most " + std::to_string(maximum) +
+                                " " + unit + ".");
   return value;
 }
 
@@ -46,8 +46,8 @@ double checked(double value, double most, const char* name, const char* unit)
 
 SafetyLimits limitsFor(SafetyLimits limits, const device::DeviceTraits& traits) noexcept
 {
-  if (traits.rendersForce && traits.mostForce > 0.0)
-    limits.mostForce = std::min(limits.mostForce, traits.mostForce);
+  if (traits.rendersForce && traits.maxForce > 0.0)
+    limits.maxForce = std::min(limits.maxForce, traits.maxForce);
   if (traits.rendersForce && traits.workspaceRadius > 0.0) limits.reach = traits.workspaceRadius;
   return limits;
 }
@@ -56,8 +56,8 @@ Safety::Safety(const SafetyLimits& limits, double timeStep)
     : limits_(limits), timeStep_(timeStep), passivity_(timeStep)
 {
   // 20 N is the strongest device in use here (Force Dimension delta.3).
-  checked(limits.mostForce, 20.0, "The greatest force shown", "N");
-  checked(limits.mostSlew, 1e4, "The greatest change of the force shown", "N/s");
+  checked(limits.maxForce, 20.0, "The greatest force shown", "N");
+  checked(limits.maxSlew, 1e4, "The greatest change of the force shown", "N/s");
   checked(limits.rampTime, 10.0, "The time over which the force fades in", "s");
   if (limits.offTime != 0.0)
     checked(limits.offTime, 10.0, "The time in which the force is switched off", "s");
@@ -65,9 +65,9 @@ Safety::Safety(const SafetyLimits& limits, double timeStep)
   checked(timeStep, 0.1, "The time step of the safety chain", "s");
 }
 
-void Safety::lowerMostForce(double mostForce) noexcept
+void Safety::lowerMaxForce(double maxForce) noexcept
 {
-  if (mostForce > 0.0) limits_.mostForce = std::min(limits_.mostForce, mostForce);
+  if (maxForce > 0.0) limits_.maxForce = std::min(limits_.maxForce, maxForce);
 }
 
 double Safety::shareWithinReach(double distance) const noexcept
@@ -86,7 +86,7 @@ Eigen::Vector3d Safety::show(const Eigen::Vector3d& wanted_D, const HandConditio
   if (isFinite(wanted_D)) force_D = wanted_D;
 
   // clamp
-  const Eigen::Vector3d clamped_D = shortened(force_D, limits_.mostForce);
+  const Eigen::Vector3d clamped_D = shortened(force_D, limits_.maxForce);
   if (clamped_D != force_D) status |= forceClamped;
   force_D = clamped_D;
 
@@ -109,14 +109,14 @@ Eigen::Vector3d Safety::show(const Eigen::Vector3d& wanted_D, const HandConditio
   if (!isOff) {
     const Eigen::Vector3d passive_D = passivity_.control(force_D, hand.moved_D);
     if (passive_D != force_D) status |= passivityActed;
-    force_D = shortened(passive_D, limits_.mostForce);
+    force_D = shortened(passive_D, limits_.maxForce);
   }
 
   // no step
   const Eigen::Vector3d step_D = force_D - shown_D_;
   const double slew = isOff && limits_.offTime > 0.0
-                          ? std::max(limits_.mostSlew, limits_.mostForce / limits_.offTime)
-                          : limits_.mostSlew;
+                          ? std::max(limits_.maxSlew, limits_.maxForce / limits_.offTime)
+                          : limits_.maxSlew;
   const Eigen::Vector3d allowed_D = shortened(step_D, slew * timeStep_);
   if (allowed_D != step_D) {
     status |= forceSlewed;
@@ -130,7 +130,7 @@ void Safety::addTo(Hash& hash) const noexcept
 {
   passivity_.addTo(hash);
   hash.add(ramp_);
-  hash.add(limits_.mostForce);
+  hash.add(limits_.maxForce);
   for (int i = 0; i < 3; ++i) hash.add(shown_D_[i]);
 }
 

@@ -7,9 +7,9 @@ namespace perilymph::haptics {
 
 namespace {
 
-constexpr double farthest = 10.0;     // [m]; no device has such an arm
-constexpr double mostSpeed = 1.0;     // [m/s]; five times the fastest motion of this work
-constexpr double mostTurning = 30.0;  // [rad/s]
+constexpr double farthest = 10.0;    // [m]; no device has such an arm
+constexpr double maxSpeed = 1.0;     // [m/s]; five times the fastest motion of this work
+constexpr double maxTurning = 30.0;  // [rad/s]
 // Smooths the steps of an encoder (0.055 mm in 1 ms reads as 55 mm/s) at the cost of this lag.
 constexpr double velocityLag = 2e-3;  // [s]
 
@@ -63,10 +63,10 @@ void SampleWatch::follow(const Eigen::Vector3d& position_D,
   const double alike = hand_.rotation_D.dot(rotation_D);
   // of the angle turned, half: its sine squared
   const double turnedSquared = std::max(0.0, 1.0 - alike * alike);
-  const double mostHalfTurn = std::min(0.5 * mostTurning * elapsed, 1.0);
+  const double maxHalfTurn = std::min(0.5 * maxTurning * elapsed, 1.0);
 
-  const bool isTooFar = moved_D.squaredNorm() > mostSpeed * mostSpeed * elapsed * elapsed;
-  const bool isTurnedTooFar = turnedSquared > mostHalfTurn * mostHalfTurn;
+  const bool isTooFar = moved_D.squaredNorm() > maxSpeed * maxSpeed * elapsed * elapsed;
+  const bool isTurnedTooFar = turnedSquared > maxHalfTurn * maxHalfTurn;
   const bool isImpossible = hand_.isStale || isTooFar || isTurnedTooFar;
   hand_.hasJumped = hasPlace_ && isImpossible;
   hasPlace_ = true;

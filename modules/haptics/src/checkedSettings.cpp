@@ -10,12 +10,12 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-void require(double value, double least, double most, const char* name, const char* unit)
+void require(double value, double minimum, double maximum, const char* name, const char* unit)
 {
-  if (value >= least && value <= most) return;  // false for NaN
+  if (value >= minimum && value <= maximum) return;  // false for NaN
   std::ostringstream sentence;
-  sentence << name << " is " << value << " " << unit << "; it must be between " << least << " and "
-           << most << " " << unit << ".";
+  sentence << name << " is " << value << " " << unit << "; it must be between " << minimum
+           << " and " << maximum << " " << unit << ".";
   throw std::invalid_argument(sentence.str());
 }
 
@@ -27,10 +27,10 @@ EngineSettings checkedSettings(const EngineSettings& settings)
     require(settings.couplingStiffness, 1.0, 1e5, "The coupling's stiffness", "N/m");
     require(settings.couplingDamping, 0.0, 1e3, "The coupling's damping", "N.s/m");
   }
-  require(settings.mostStiffness, 1.0, infinity, "The stiffest coupling of the device", "N/m");
-  require(settings.mostDamping, 0.0, infinity, "The strongest damping of the device", "N.s/m");
+  require(settings.maxStiffness, 1.0, infinity, "The stiffest coupling of the device", "N/m");
+  require(settings.maxDamping, 0.0, infinity, "The strongest damping of the device", "N.s/m");
   require(settings.stopTravel * 1e3, 0.1, 100.0, "The travel at which an insertion stops", "mm");
-  require(settings.forceScale, 0.0, mostForceScale, "The scale of the force shown", "");
+  require(settings.forceScale, 0.0, maxForceScale, "The scale of the force shown", "");
   require(settings.motionScale, 0.01, 10.0, "The scale of the motion", "");
   require(settings.styletSpeed * 1e3, 0.01, 1000.0, "The speed of the stylet", "mm/s");
   if (settings.styletHoldDepth)

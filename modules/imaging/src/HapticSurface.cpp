@@ -33,12 +33,12 @@ anatomy::Surface withoutSparePoints(const anatomy::Surface& surface)
 
 }  // namespace
 
-Result<HapticSurface> hapticSurface(const anatomy::ScalaTympani& scala, int mostTriangles)
+Result<HapticSurface> hapticSurface(const anatomy::ScalaTympani& scala, int maxTriangles)
 {
   HapticSurface result;
   result.visualTriangles =
-      static_cast<int>(anatomy::wallSurface(scala, mostTriangles).triangles.size());
-  const anatomy::Surface reachable = anatomy::wallSurfaceBefore(scala, mostTriangles, hapticEnd);
+      static_cast<int>(anatomy::wallSurface(scala, maxTriangles).triangles.size());
+  const anatomy::Surface reachable = anatomy::wallSurfaceBefore(scala, maxTriangles, hapticEnd);
   const double wanted = std::floor(hapticShare * result.visualTriangles);
 
   const auto decimation = vtkSmartPointer<vtkQuadricDecimation>::New();

@@ -52,14 +52,14 @@ void check(const ModelParts& parts)
 {
   require(parts.lumen != nullptr, "An insertion needs a lumen.");
   if (parts.kind == ModelKind::points) {
-    require(parts.nodes >= 2 && parts.nodes <= mostPoints,
+    require(parts.nodes >= 2 && parts.nodes <= maxPoints,
             "The array has " + std::to_string(parts.nodes) + " sample points; it must have 2 to " +
-                std::to_string(mostPoints) + ".");
+                std::to_string(maxPoints) + ".");
     require(parts.hapticSurface != nullptr, "A point set needs a haptic surface to touch.");
   }
-  require(parts.kind == ModelKind::points || (parts.nodes >= 8 && parts.nodes <= mostNodes),
+  require(parts.kind == ModelKind::points || (parts.nodes >= 8 && parts.nodes <= maxNodes),
           "The array has " + std::to_string(parts.nodes) + " nodes; it must have 8 to " +
-              std::to_string(mostNodes) + ".");
+              std::to_string(maxNodes) + ".");
   const double step_ms = inMilliseconds(parts.timeStep);
   require(step_ms >= 0.0999 && step_ms <= 10.001,
           "The time step is " + std::to_string(step_ms) + " ms; it must be 0.1 to 10 ms.");

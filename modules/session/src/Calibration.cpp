@@ -14,7 +14,7 @@ constexpr double styletLow = 0.82e-6, styletHigh = 4.2e-6;
 constexpr double carrierLow = 0.2e-6, carrierHigh = 3e-6;
 // Of the whole array with its stylet in: it passes for straight, though "slightly curved" (Todd and
 // Naghdy, section IV). How slightly is not printed; a choice.
-constexpr Angle mostBend = degrees(10);
+constexpr Angle maxBend = degrees(10);
 
 using Bending = electrode::AlongArray<BendingStiffness>;
 
@@ -59,19 +59,19 @@ Calibration uncalibrated(const electrode::ArrayDesign& array)
 {
   Calibration calibration;
   calibration.array = array.name;
-  const auto [least, most] =
+  const auto [minimum, maximum] =
       std::minmax_element(array.bending.value.begin(), array.bending.value.end());
   FittedValue& scale = calibration.stiffnessScale;
   // What the array's file says is possible by itself, so 1 always lies between the bounds.
-  scale.low = std::min(1.0, carrierLow / least->si());
-  scale.high = std::max(1.0, carrierHigh / most->si());
+  scale.low = std::min(1.0, carrierLow / minimum->si());
+  scale.high = std::max(1.0, carrierHigh / maximum->si());
   if (array.hasStylet && array.stylet.bending.si() > 0.0) {
     scale.low = std::min(1.0, std::max(scale.low, styletLow / array.stylet.bending.si()));
     scale.high = std::max(1.0, std::min(scale.high, styletHigh / array.stylet.bending.si()));
     FittedValue& curvature = calibration.residualCurvature;
     curvature.value = array.stylet.residualCurvature;
     const double bend = freeBend(array);
-    const double share = bend > mostBend.si() ? mostBend.si() / bend : 1.0;
+    const double share = bend > maxBend.si() ? maxBend.si() / bend : 1.0;
     curvature.high = std::max(share, curvature.value);
   }
   return calibration;

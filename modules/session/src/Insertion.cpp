@@ -98,13 +98,13 @@ Result<std::unique_ptr<Insertion>> Insertion::prepare(
   facts.timeStep = content.model->timeStep;
   facts.samplePeriod = traits.nominalPeriod;
   const haptics::SafetyLimits safety = haptics::limitsFor(scenario.engine.safety, traits);
-  facts.mostForce = safety.mostForce;
+  facts.maxForce = safety.maxForce;
   facts.offTime = safety.offTime;
   facts.reach = safety.reach;
   const haptics::CouplingLimit limit = haptics::couplingLimit(traits, facts.timeStep);
   facts.feelsForce = traits.rendersForce;
-  facts.mostStiffness = limit.stiffness;
-  facts.mostDamping = limit.damping;
+  facts.maxStiffness = limit.stiffness;
+  facts.maxDamping = limit.damping;
   facts.deviceDelay = traits.transportDelay;
   facts.seed = scenario.seed;
   facts.modelFingerprint = content.model->fingerprint;
@@ -133,7 +133,7 @@ Result<std::unique_ptr<Insertion>> Insertion::prepare(
 }
 
 Result<Done> Insertion::runToEnd(const std::function<bool(const haptics::TickRecord&)>& each,
-                                 std::uint64_t most)
+                                 std::uint64_t maxTicks)
 {
   using Motion = device::ScriptedHand::Motion;
   Content& content = *content_;
@@ -148,7 +148,7 @@ Result<Done> Insertion::runToEnd(const std::function<bool(const haptics::TickRec
   tell(*content.hand, Motion::insert);
 
   bool isWithdrawing = false;
-  for (std::uint64_t i = 0; i < most; ++i) {
+  for (std::uint64_t i = 0; i < maxTicks; ++i) {
     content.loop->runOnce();
     haptics::TickRecord record;
     if (!content.loop->take(record)) continue;

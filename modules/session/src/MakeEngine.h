@@ -19,12 +19,12 @@ inline Result<std::unique_ptr<haptics::InsertionEngine>> makeEngine(
 {
   haptics::EngineSettings settings = scenario.engine;
   settings.samplePeriod = facts.samplePeriod;
-  settings.safety.mostForce = std::min(settings.safety.mostForce, facts.mostForce);
+  settings.safety.maxForce = std::min(settings.safety.maxForce, facts.maxForce);
   settings.safety.offTime = facts.offTime;
   settings.safety.reach = facts.reach;
   if (facts.feelsForce) settings.coupling = mechanics::Coupling::spring;
-  settings.mostStiffness = facts.mostStiffness;
-  settings.mostDamping = facts.mostDamping;
+  settings.maxStiffness = facts.maxStiffness;
+  settings.maxDamping = facts.maxDamping;
   try {
     return std::make_unique<haptics::InsertionEngine>(std::move(model), settings);
   } catch (const std::invalid_argument& mistake) {

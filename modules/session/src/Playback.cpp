@@ -16,10 +16,10 @@ using haptics::InsertionEngine;
 
 // A state of 100 nodes takes some tenths of a megabyte: at most a thousand are kept, and where a
 // recording is short, one every 100 ticks, some milliseconds of computing apart.
-constexpr std::uint64_t mostStates = 1000;
+constexpr std::uint64_t maxStates = 1000;
 constexpr std::uint64_t fewestBetween = 100;
 
-constexpr std::uint64_t mostSamples = 4000;
+constexpr std::uint64_t maxSamples = 4000;
 
 }  // namespace
 
@@ -56,7 +56,7 @@ struct Playback::Content {
 Result<Done> Playback::Content::survey()
 {
   const std::uint64_t rows = recorded.ticks();
-  const std::uint64_t step = std::max<std::uint64_t>(1, rows / mostSamples);
+  const std::uint64_t step = std::max<std::uint64_t>(1, rows / maxSamples);
   bool hasBegun = false;
   const auto read = recorded.forEach([&](const haptics::TickRecord& record) {
     if (ticks == 0) firstTick = record.tick;
@@ -74,7 +74,7 @@ Result<Done> Playback::Content::survey()
     return Error{file.string() +
                  " holds no tick, so there is nothing to replay. The insertion "
                  "never ran."};
-  between = std::max(fewestBetween, ticks / mostStates);
+  between = std::max(fewestBetween, ticks / maxStates);
   return Done{};
 }
 

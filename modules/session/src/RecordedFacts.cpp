@@ -32,12 +32,12 @@ MetaRows metaRowsOf(const RecordingFacts& facts)
           {MetaKey::device, facts.device},
           {MetaKey::timeStep, shortestDecimal(facts.timeStep)},
           {MetaKey::samplePeriod, shortestDecimal(facts.samplePeriod)},
-          {MetaKey::mostForce, shortestDecimal(facts.mostForce)},
+          {MetaKey::maxForce, shortestDecimal(facts.maxForce)},
           {MetaKey::offTime, shortestDecimal(facts.offTime)},
           {MetaKey::reach, shortestDecimal(facts.reach)},
           {MetaKey::feelsForce, facts.feelsForce ? "1" : "0"},
-          {MetaKey::mostStiffness, shortestDecimal(facts.mostStiffness)},
-          {MetaKey::mostDamping, shortestDecimal(facts.mostDamping)},
+          {MetaKey::maxStiffness, shortestDecimal(facts.maxStiffness)},
+          {MetaKey::maxDamping, shortestDecimal(facts.maxDamping)},
           {MetaKey::deviceDelay, shortestDecimal(facts.deviceDelay)},
           {MetaKey::seed, std::to_string(facts.seed)},
           {MetaKey::modelFingerprint, std::to_string(facts.modelFingerprint)},
@@ -65,21 +65,20 @@ std::optional<RecordingFacts> factsIn(const MetaRows& rows)
   }
   const auto timeStep = numberIn<double>(rows, MetaKey::timeStep);
   const auto samplePeriod = numberIn<double>(rows, MetaKey::samplePeriod);
-  const auto mostForce = numberIn<double>(rows, MetaKey::mostForce);
+  const auto maxForce = numberIn<double>(rows, MetaKey::maxForce);
   const auto seed = numberIn<long>(rows, MetaKey::seed);
   const auto fingerprint = numberIn<std::uint64_t>(rows, MetaKey::modelFingerprint);
-  if (!timeStep || !samplePeriod || !mostForce || !seed || !fingerprint) return std::nullopt;
+  if (!timeStep || !samplePeriod || !maxForce || !seed || !fingerprint) return std::nullopt;
   facts.timeStep = *timeStep;
   facts.samplePeriod = *samplePeriod;
-  facts.mostForce = *mostForce;
+  facts.maxForce = *maxForce;
   // Early recordings lack the rest. Without an off time, a force that was switched off fell as
   // slowly as any other.
   facts.offTime = numberIn<double>(rows, MetaKey::offTime).value_or(0.0);
   facts.reach = numberIn<double>(rows, MetaKey::reach).value_or(facts.reach);
   facts.feelsForce = numberIn<int>(rows, MetaKey::feelsForce).value_or(0) != 0;
-  facts.mostStiffness =
-      numberIn<double>(rows, MetaKey::mostStiffness).value_or(facts.mostStiffness);
-  facts.mostDamping = numberIn<double>(rows, MetaKey::mostDamping).value_or(facts.mostDamping);
+  facts.maxStiffness = numberIn<double>(rows, MetaKey::maxStiffness).value_or(facts.maxStiffness);
+  facts.maxDamping = numberIn<double>(rows, MetaKey::maxDamping).value_or(facts.maxDamping);
   facts.deviceDelay = numberIn<double>(rows, MetaKey::deviceDelay).value_or(facts.deviceDelay);
   facts.seed = *seed;
   facts.modelFingerprint = *fingerprint;

@@ -73,11 +73,11 @@ void readModel(TomlReader& reader, ScenarioKeys& keys, Scenario& scenario)
     scenario.model = mechanics::ModelKind::points;
     // Two ends make a line; beyond eighteen points the published one shakes at 1 kHz.
     scenario.nodes =
-        static_cast<int>(keys.integer("nodes", 2, mechanics::mostPoints, publishedPoints));
+        static_cast<int>(keys.integer("nodes", 2, mechanics::maxPoints, publishedPoints));
     return;
   }
   // Above 1024 nodes a picture no longer fits its channel; below 8 a rod cannot follow the spiral.
-  scenario.nodes = static_cast<int>(keys.integer("nodes", 8, mechanics::mostNodes, 100));
+  scenario.nodes = static_cast<int>(keys.integer("nodes", 8, mechanics::maxNodes, 100));
 }
 
 void readMotion(TomlReader& reader, ScenarioKeys& keys, Scenario& scenario)

@@ -81,7 +81,7 @@ void readFriction(TomlReader& reader, ScenarioKeys& keys,
   const auto speeds_mm_s = numbers("friction_speed_mm_s", frictionSpeed_mm_s, preset.speed_mm_s);
   const auto coefficients = numbers("friction_coefficient", frictionRange, preset.coefficient);
   law.bySpeed = bySpeed(reader, speeds_mm_s, coefficients);
-  if (!law.bySpeed.isEmpty()) preset.dynamic = law.bySpeed.least();
+  if (!law.bySpeed.isEmpty()) preset.dynamic = law.bySpeed.minimum();
 
   law.starting = number("friction_static", frictionRange, preset.starting);
   law.dynamic = number("friction_dynamic", frictionRange, preset.dynamic);

@@ -8,13 +8,13 @@ namespace perilymph::visualization {
 
 ArrayPath::ArrayPath(Length length) : length_mm_(inMillimeters(length))
 {
-  nodes_.reserve(mechanics::mostNodes);
+  nodes_.reserve(mechanics::maxNodes);
 }
 
 void ArrayPath::follow(const haptics::Snapshot& now, const PictureSpace& space)
 {
   nodes_.clear();
-  const std::uint32_t count = std::min<std::uint32_t>(now.nodes, mechanics::mostNodes);
+  const std::uint32_t count = std::min<std::uint32_t>(now.nodes, mechanics::maxNodes);
   for (std::uint32_t i = 0; i < count; ++i) {
     const std::array<float, 3>& node = now.node_W[i];
     const Eigen::Vector3d place_W(node[0], node[1], node[2]);

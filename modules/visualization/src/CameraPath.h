@@ -26,8 +26,8 @@ struct CameraSubject {
 
 /// Height of the picture at magnification 1 [mm]: about the field of a surgical microscope.
 inline constexpr double fieldHeight_mm = 170.0;
-inline constexpr double leastMagnification = 4.0;
-inline constexpr double mostMagnification = 32.0;
+inline constexpr double minMagnification = 4.0;
+inline constexpr double maxMagnification = 32.0;
 
 /// The pose of a preset. A left ear's is the mirror image of the right one's.
 CameraPose presetPose(CameraPreset preset, const CameraSubject& subject,

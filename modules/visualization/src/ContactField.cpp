@@ -27,7 +27,7 @@ void ContactField::follow(const haptics::Snapshot& now, const PictureSpace& spac
                           const ArrayPath& path, const ArrayParts& array)
 {
   clear();
-  const std::uint32_t nodes = std::min<std::uint32_t>(now.nodes, mechanics::mostNodes);
+  const std::uint32_t nodes = std::min<std::uint32_t>(now.nodes, mechanics::maxNodes);
   for (std::uint32_t i = 0; i < nodes; ++i) {
     const double force_mN = 1e3 * static_cast<double>(now.normalForce[i]);
     if (!(force_mN > 0.0) || !std::isfinite(force_mN)) continue;

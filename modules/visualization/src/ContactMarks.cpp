@@ -12,8 +12,8 @@ namespace perilymph::visualization {
 namespace {
 
 constexpr double glowRadius_mm = 0.24;
-constexpr double leastShown_mN = 2.0;  ///< Below this an arrow is only a speck.
-constexpr double leastFriction_mN = 0.4;
+constexpr double minShown_mN = 2.0;  ///< Below this an arrow is only a speck.
+constexpr double minFriction_mN = 0.4;
 constexpr double longestArrow_mm = 2.0;
 constexpr double arrowLift_mm = 2.5;  ///< Over array and outline.
 
@@ -41,11 +41,11 @@ void ContactMarks::build(const ContactField& field, const ArrayParts& array, con
   double end_mm = arrowEvery_mm;
   for (const ContactStation& station : field.stations()) {
     if (station.fromTip_mm >= end_mm || &station == &field.stations().back()) {
-      if (force_mN.norm() > leastShown_mN) {
+      if (force_mN.norm() > minShown_mN) {
         addArrow(moment / total_mN, arrow_mm_mN * force_mN, palette::arrow, view);
         ++arrowCount_;
       }
-      if (std::abs(friction_mN) > leastFriction_mN) {
+      if (std::abs(friction_mN) > minFriction_mN) {
         // beside the array, where the wall rubs
         const double middle_mm = end_mm - 0.5 * arrowEvery_mm;
         const PathPoint middle = path.at(middle_mm);

@@ -77,7 +77,7 @@ std::array<Rgba, steps> makeTable()
 Rgba forceColor(double force_mN_mm)
 {
   static const std::array<Rgba, steps> table = makeTable();
-  const double share = std::clamp(force_mN_mm / mostWallForce_mN_mm, 0.0, 1.0);
+  const double share = std::clamp(force_mN_mm / maxWallForce_mN_mm, 0.0, 1.0);
   return table[static_cast<std::size_t>(std::lround(share * (steps - 1)))];
 }
 

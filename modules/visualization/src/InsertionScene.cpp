@@ -338,7 +338,7 @@ CameraPreset InsertionScene::preset() const noexcept { return content_->preset; 
 
 void InsertionScene::setMagnification(double times)
 {
-  content_->camera.take().magnification = std::clamp(times, leastMagnification, mostMagnification);
+  content_->camera.take().magnification = std::clamp(times, minMagnification, maxMagnification);
   content_->placeCamera();
 }
 

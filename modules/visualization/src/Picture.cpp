@@ -11,15 +11,15 @@
 namespace perilymph::visualization {
 namespace {
 
-constexpr int leastPixels = 64;
-constexpr int mostPixels = 8192;
+constexpr int minPixels = 64;
+constexpr int maxPixels = 8192;
 
 Result<Done> check(const PictureRequest& request)
 {
   if (request.scala == nullptr)
     return Error{"There is no scala tympani to draw. Name a scenario, a patient or a preset."};
   for (const int pixels : {request.width, request.height})
-    if (pixels < leastPixels || pixels > mostPixels)
+    if (pixels < minPixels || pixels > maxPixels)
       return Error{"A picture of " + std::to_string(request.width) + " x " +
                    std::to_string(request.height) +
                    " pixels cannot be drawn; each must be 64 to 8192."};

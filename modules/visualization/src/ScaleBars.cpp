@@ -133,16 +133,16 @@ void ScaleBars::paintForce(vtkContext2D& painter)
   paintPlate(painter, left - rim, below - rim, left + widest + rim, top + rim);
 
   for (int i = 0; i < cells; ++i) {
-    fillWith(painter, forceColor((i + 0.5) / cells * mostWallForce_mN_mm));
+    fillWith(painter, forceColor((i + 0.5) / cells * maxWallForce_mN_mm));
     painter.DrawRect(left + static_cast<float>(i) * cell, y, cell, height);
   }
   setText(painter, VTK_TEXT_LEFT);
   painter.DrawString(left, above, words);
   painter.DrawString(left, below, "0");
   setText(painter, VTK_TEXT_CENTERED);
-  painter.DrawString(left + 0.5f * width, below, rounded(0.5 * mostWallForce_mN_mm));
+  painter.DrawString(left + 0.5f * width, below, rounded(0.5 * maxWallForce_mN_mm));
   setText(painter, VTK_TEXT_RIGHT);
-  painter.DrawString(left + width, below, rounded(mostWallForce_mN_mm) + "+");
+  painter.DrawString(left + width, below, rounded(maxWallForce_mN_mm) + "+");
   paintArrows(painter, arrows, left, top);
 }
 

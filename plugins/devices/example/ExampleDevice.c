@@ -42,7 +42,7 @@ static int32_t traits(void* device, PerilymphDeviceTraitsV1* out)
   (void)device;
   snprintf(out->name, sizeof out->name, "Example handle");
   out->renders_force = 1;
-  out->most_force_N = 3.0;
+  out->max_force_N = 3.0;
   out->nominal_period_s = step_s;
   out->workspace_radius_m = 0.1;
   out->sensed_translations = 1;

@@ -134,11 +134,11 @@ TEST(Anatomy, WritesTheHapticSurfaceAndSaysHowFarItIsOff)
               0.05 * static_cast<double>(triangles("fine.stl")), 4.0);
   const double mean = json["haptic_surface_deviation_mean_mm"];
   const double p95 = json["haptic_surface_deviation_p95_mm"];
-  const double most = json["haptic_surface_deviation_max_mm"];
+  const double maximum = json["haptic_surface_deviation_max_mm"];
   EXPECT_GT(mean, 0.0);
   EXPECT_LT(mean, p95);
-  EXPECT_LT(p95, most);
-  EXPECT_LT(most, 0.5);
+  EXPECT_LT(p95, maximum);
+  EXPECT_LT(maximum, 0.5);
 }
 
 TEST(Anatomy, ReadsItsOwnShapesAgain)

@@ -41,7 +41,7 @@ public:
     device::DeviceTraits traits = script_.traits();
     traits.name = "Pushing device";
     traits.rendersForce = true;
-    traits.mostForce = 3.3;
+    traits.maxForce = 3.3;
     return traits;
   }
   Result<Done> open() override { return script_.open(); }

@@ -45,9 +45,9 @@ std::vector<std::int16_t> samples(ToneWriter& writer, double seconds)
 
 int loudest(const std::vector<std::int16_t>& written)
 {
-  int most = 0;
-  for (const std::int16_t sample : written) most = std::max(most, std::abs(int(sample)));
-  return most;
+  int maximum = 0;
+  for (const std::int16_t sample : written) maximum = std::max(maximum, std::abs(int(sample)));
+  return maximum;
 }
 
 TEST(ToneSamples, SwingAsOftenAsTheToneSays)

@@ -198,13 +198,12 @@ TEST_F(Booth, KeepsNoRecordings)
 
 TEST_F(Booth, EveryTargetIsAsHighAsAFingerNeeds)
 {
-  constexpr int least_px = 64;
+  constexpr int min_px = 64;
   open();
   for (const char* name : {"inviteButton", "pullButton", "handleButton", "startOverButton",
                            "doneButton", "againButton"})
-    EXPECT_GE(window_->findChild<QAbstractButton*>(QLatin1String(name))->height(), least_px)
-        << name;
-  EXPECT_GE(pad().height(), least_px);
+    EXPECT_GE(window_->findChild<QAbstractButton*>(QLatin1String(name))->height(), min_px) << name;
+  EXPECT_GE(pad().height(), min_px);
 }
 
 /// As tests of pictures hold one, its lowest row first.
@@ -250,10 +249,10 @@ TEST(KioskBoard, IsBounded)
   const TemporaryFolder folder;
   gui::KioskBoard board(folder.path() / "board");
   for (int i = 0; i < 30; ++i) board.enter(aDay, entry(i, 50.0 + i));
-  EXPECT_EQ(board.entriesOf(aDay).size(), gui::KioskBoard::most);
+  EXPECT_EQ(board.entriesOf(aDay).size(), gui::KioskBoard::capacity);
   EXPECT_FALSE(board.enter(aDay, entry(50, 200.0)));
   gui::KioskBoard again(folder.path() / "board");
-  EXPECT_EQ(again.entriesOf(aDay).size(), gui::KioskBoard::most);
+  EXPECT_EQ(again.entriesOf(aDay).size(), gui::KioskBoard::capacity);
 }
 
 TEST(KioskBoard, BeginsAnewEveryDay)

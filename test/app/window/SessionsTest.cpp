@@ -111,7 +111,7 @@ TEST_F(Sessions, OfThousandsArePaintedAsFarAsTheyAreSeen)
   EXPECT_TRUE(list().viewport()->rect().intersects(list().visualRect(last)));
   ASSERT_TRUE(WindowRig::comes([] { return picturesKept() > 0; }));
   const auto seen = std::size_t(list().viewport()->height() / list().rowHeight(0) + 2);
-  EXPECT_LE(picturesKept(), 2 * seen + gui::Thumbnails::mostWishes);
+  EXPECT_LE(picturesKept(), 2 * seen + gui::Thumbnails::maxRequests);
   rig_->window().findChild<QLineEdit*>("sessionSearch")->setText("001999");
   EXPECT_EQ(rows(), 1);
 }

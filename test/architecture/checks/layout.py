@@ -7,9 +7,9 @@ from checks import sources
 TOP = {"CITATION.cff", "CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "app", "modules", "resources",
        "plugins", "test", "packaging"}
 MUST = {"CMakeLists.txt", "README.md", "app", "modules", "test", "packaging"}
-MOST_README_LINES = 40
-MOST_CODE_LINES = 400
-LEAST_COPY_LINES = 10
+MAX_README_LINES = 40
+MAX_CODE_LINES = 400
+MIN_COPY_LINES = 10
 SETTINGS = {"CMakePresets.json", ".clang-format", ".clang-tidy", ".gitignore"}
 
 
@@ -36,9 +36,9 @@ def check_module(root, folder, wrong):
     page = folder / "README.md"
     if page.is_file():
         lines = len(sources.read(page).splitlines())
-        if lines > MOST_README_LINES:
+        if lines > MAX_README_LINES:
             wrong.append(f"modules/{name}/README.md has {lines} lines; at most "
-                         f"{MOST_README_LINES} are read.")
+                         f"{MAX_README_LINES} are read.")
 
 
 def check_files(root, wrong):
@@ -46,9 +46,9 @@ def check_files(root, wrong):
                               suffixes=sources.CODE | {".py"}):
         text = sources.read(file)
         lines = len(text.splitlines())
-        if lines > MOST_CODE_LINES:
+        if lines > MAX_CODE_LINES:
             wrong.append(f"{file.relative_to(root)} has {lines} lines; more than "
-                         f"{MOST_CODE_LINES} hold more than one idea.")
+                         f"{MAX_CODE_LINES} hold more than one idea.")
         if file.suffix in (".h", ".hpp") and "#pragma once" not in text:
             wrong.append(f"{file.relative_to(root)} lacks #pragma once.")
 
@@ -62,7 +62,7 @@ def check_strays(root, wrong):
         if file.name in SETTINGS:
             wrong.append(f"{place} may not stand there: settings are the whole project's.")
         text = sources.read(file)
-        if len(text.splitlines()) < LEAST_COPY_LINES:
+        if len(text.splitlines()) < MIN_COPY_LINES:
             continue
         if text in seen:
             wrong.append(f"{place} is a copy of {seen[text]}.")

@@ -63,9 +63,9 @@ Cloud drawCloud()
   return drawn;
 }
 
-Facets cut(int mostTriangles)
+Facets cut(int maxTriangles)
 {
-  const anatomy::Surface surface = anatomy::wallSurface(meanScala(), mostTriangles);
+  const anatomy::Surface surface = anatomy::wallSurface(meanScala(), maxTriangles);
   Facets made{surface};
   for (auto& point : made.surface_mm.points)
     for (double& coordinate : point) coordinate *= 1e3;
@@ -96,12 +96,12 @@ const Cloud& cloud()
   return drawn;
 }
 
-const Facets& facets(int mostTriangles)
+const Facets& facets(int maxTriangles)
 {
   static std::map<int, Facets> known;
-  const auto found = known.find(mostTriangles);
+  const auto found = known.find(maxTriangles);
   if (found != known.end()) return found->second;
-  return known.emplace(mostTriangles, cut(mostTriangles)).first->second;
+  return known.emplace(maxTriangles, cut(maxTriangles)).first->second;
 }
 
 }  // namespace perilymph::bench

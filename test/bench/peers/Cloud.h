@@ -48,6 +48,6 @@ struct Facets {
 };
 
 /// The wall in at most so many triangles, cut once. The scala must have been built.
-const Facets& facets(int mostTriangles);
+const Facets& facets(int maxTriangles);
 
 }  // namespace perilymph::bench

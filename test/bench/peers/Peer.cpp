@@ -9,8 +9,8 @@ namespace {
 
 /// Our lumen rounds ridges of the wall over one step of its field. Its own answers may lie that far
 /// from the true wall [m] (modules/anatomy/README.md, wall query): all, and nine tenths.
-constexpr double mostOfField = 39e-6;
-constexpr double mostlyOfField = 1.3e-6;
+constexpr double maxFieldError = 39e-6;
+constexpr double usualFieldError = 1.3e-6;
 
 }  // namespace
 
@@ -29,7 +29,8 @@ void report(benchmark::State& state, const Facets& wall, const std::vector<doubl
   state.counters["facets_um"] = 1e6 * wall.deviation;
   state.counters["apart_p90_um"] = 1e6 * nineTenths;
   state.counters["apart_max_um"] = 1e6 * apart.back();
-  if (apart.back() <= wall.deviation + mostOfField && nineTenths <= wall.deviation + mostlyOfField)
+  if (apart.back() <= wall.deviation + maxFieldError &&
+      nineTenths <= wall.deviation + usualFieldError)
     return;
   const std::string message = "The answers lie up to " + std::to_string(1e6 * apart.back()) +
                               " um from our own, nine tenths up to " +

@@ -129,7 +129,7 @@ void run(device::HandCodec& codec, InputReader& input)
     checkHand(hand);
 
     codec.encode({{anyNumber(input), anyNumber(input), anyNumber(input)}, {}}, reports);
-    promise(reports.count <= ReportList::most, "no more reports than there is room");
+    promise(reports.count <= ReportList::capacity, "no more reports than there is room");
     for (std::size_t k = 0; k < reports.count; ++k) device.write(reports.reports[k]);
   }
   codec.end(device);

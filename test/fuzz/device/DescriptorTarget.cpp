@@ -13,7 +13,7 @@ namespace {
 using device::ReportDescriptor;
 using device::ReportKind;
 
-constexpr std::size_t mostBytes = device::longestReport - 1;
+constexpr std::size_t maxBytes = device::longestReport - 1;
 
 void lookAt(const ReportDescriptor& descriptor, std::size_t size)
 {
@@ -24,7 +24,7 @@ void lookAt(const ReportDescriptor& descriptor, std::size_t size)
     promise(field.bitsEach > 0 && field.count > 0, "a field has elements");
     promise(field.isConstant || field.bitsEach <= 32, "an element has 32 bits at most");
     const std::size_t end = field.bitOffset + std::size_t{field.bitsEach} * field.count;
-    promise(end <= 8 * mostBytes, "a field ends within the longest report");
+    promise(end <= 8 * maxBytes, "a field ends within the longest report");
     promise(end <= 8 * descriptor.reportBytes(field.kind, field.report),
             "a field ends within its report");
     promise(field.collection < static_cast<std::int32_t>(descriptor.collections().size()),

@@ -37,7 +37,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
   const auto codec = device::makeCodec(*profile, stick);
   const device::DeviceTraits traits = device::traitsOf(*profile, stick);
   fuzz::promise(traits.nominalPeriod >= 1e-4 && traits.nominalPeriod <= 0.1, "a period in range");
-  fuzz::promise(!traits.rendersForce || traits.mostForce > 0.0, "a force in range");
+  fuzz::promise(!traits.rendersForce || traits.maxForce > 0.0, "a force in range");
   if (!codec) fuzz::promise(!codec.error().message.empty(), "a refusal has a sentence");
   device::matchingProfile({&*profile, 1}, {1, 2, 3}, stick);
   return 0;

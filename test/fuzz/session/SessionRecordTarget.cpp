@@ -31,7 +31,7 @@ haptics::EngineSettings settings()
 {
   haptics::EngineSettings settings;
   settings.coupling = mechanics::Coupling::spring;
-  settings.safety.mostForce = 2.0;
+  settings.safety.maxForce = 2.0;
   return settings;
 }
 

@@ -45,18 +45,17 @@ void runSome(const Scenario& scenario)
     promise(!insertion.error().message.empty(), "a refusal has a sentence");
     return;
   }
-  const double mostForce = (*insertion)->loop().engine().safetyLimits().mostForce;
-  const auto ran = (*insertion)
-                       ->runToEnd(
-                           [&](const haptics::TickRecord& record) {
-                             double squared = 0.0;
-                             for (const double part : record.output.wrench_D.force_D)
-                               squared += part * part;
-                             promise(std::sqrt(squared) <= mostForce * (1.0 + 1e-12),
-                                     "a force within its limit");
-                             return true;
-                           },
-                           8);
+  const double maxForce = (*insertion)->loop().engine().safetyLimits().maxForce;
+  const auto ran =
+      (*insertion)
+          ->runToEnd(
+              [&](const haptics::TickRecord& record) {
+                double squared = 0.0;
+                for (const double part : record.output.wrench_D.force_D) squared += part * part;
+                promise(std::sqrt(squared) <= maxForce * (1.0 + 1e-12), "a force within its limit");
+                return true;
+              },
+              8);
   if (!ran) promise(!ran.error().message.empty(), "a fault has a sentence");
 }
 

@@ -24,7 +24,7 @@ struct OutputReport {
 
 inline constexpr double placeQuantum = 1e-7;  ///< [m]
 inline constexpr double forceQuantum = 1e-4;  ///< [N]
-inline constexpr double mostForce = 3.2;      ///< [N]
+inline constexpr double maxForce = 3.2;       ///< [N]
 
 inline constexpr std::uint16_t vendor = 0x1209;  ///< pid.codes, whose product 1 is for tests.
 inline constexpr std::uint16_t product = 0x0001;

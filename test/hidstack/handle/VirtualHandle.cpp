@@ -8,7 +8,7 @@ namespace perilymph::hidstack {
 namespace {
 
 // The longest script, with room.
-constexpr std::size_t mostTicks = 20'000;
+constexpr std::size_t maxTicks = 20'000;
 // The tick whose report the flawed scripts lose or send twice.
 constexpr std::size_t flawedTick = 400;
 constexpr std::uint8_t graspBit = 1;
@@ -18,7 +18,7 @@ double seconds(std::int64_t nanoseconds) { return static_cast<double>(nanosecond
 }  // namespace
 
 VirtualHandle::VirtualHandle(HandleScript script, const HandleBody& body)
-    : script_(std::move(script)), slider_(body), ticks_(mostTicks)
+    : script_(std::move(script)), slider_(body), ticks_(maxTicks)
 {
   // Every page was touched: noting a tick costs no page fault.
   ticks_.clear();
@@ -41,7 +41,7 @@ void VirtualHandle::begin(std::size_t index, std::int64_t now)
 
 bool VirtualHandle::tick(std::int64_t due)
 {
-  if (ticks_.size() == mostTicks) return false;
+  if (ticks_.size() == maxTicks) return false;
   slider_.advanceTo(seconds(due));
   if (!hasBegun_) begin(0, due);
   const bool isOver =

@@ -47,7 +47,7 @@ public:
   }
   int file() const { return cable_.file(); }
   const PidDevice& firmware() const { return firmware_; }
-  double mostShown() const { return mostShown_; }
+  double maxShown() const { return maxShown_; }
   /// Its actuators were on, and are off again.
   bool wasUsed() const { return wasOn_ && !firmware_.actuatorsOn; }
 
@@ -60,7 +60,7 @@ public:
       if (event == UhidEvent::featureSet && answers_) set(bytes);
       if (event == UhidEvent::featureAsked && answers_) ask(bytes[0]);
       wasOn_ = wasOn_ || firmware_.actuatorsOn;
-      mostShown_ = std::max(mostShown_, std::abs(firmware_.shown()[0]));
+      maxShown_ = std::max(maxShown_, std::abs(firmware_.shown()[0]));
     }
   }
   /// X, Y and buttons: in the middle, the first button held.
@@ -87,7 +87,7 @@ private:
 
   bool answers_;
   bool wasOn_ = false;
-  double mostShown_ = 0.0;  // along x, share of the greatest
+  double maxShown_ = 0.0;  // along x, share of the greatest
   PidDevice firmware_;
   UhidDevice cable_;
 };
@@ -103,7 +103,7 @@ void print(const std::string& scene, const Stick& stick)
   measure("started", count("start"));
   measure("freed", count("free"));
   measure("forces", count("force"));
-  measure("most_share", stick.mostShown());
+  measure("most_share", stick.maxShown());
   measure("actuators_on", stick.firmware().actuatorsOn ? 1 : 0);
   const auto enabled = std::find(story.begin(), story.end(), "enable");
   measure("starts_after_enable", std::count(enabled, story.end(), "start"));

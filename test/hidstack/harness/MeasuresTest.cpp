@@ -57,8 +57,8 @@ TEST(Spread, OfAThousandStepsHasEachShareAtItsStep)
   EXPECT_EQ(spread.median, 500.0);
   EXPECT_EQ(spread.p99, 990.0);
   EXPECT_EQ(spread.p999, 999.0);
-  EXPECT_EQ(spread.most, 1000.0);
-  EXPECT_EQ(spreadOf({}).most, 0.0);
+  EXPECT_EQ(spread.maximum, 1000.0);
+  EXPECT_EQ(spreadOf({}).maximum, 0.0);
 }
 
 /// A handle that ticks every millisecond, a loop that reads 30 us after each tick, computes for
@@ -95,8 +95,8 @@ TEST(Answers, AreTimedFromTheTickAndFromTheReport)
   EXPECT_EQ(measure.caused, 98);
   EXPECT_NEAR(measure.fromTick.p999, 60e-6, rounding);
   EXPECT_NEAR(measure.fromReport.median, 50e-6, rounding);
-  EXPECT_NEAR(measure.engine.most, 20e-6, rounding);
-  EXPECT_NEAR(measure.besides.most, 40e-6, rounding);
+  EXPECT_NEAR(measure.engine.maximum, 20e-6, rounding);
+  EXPECT_NEAR(measure.besides.maximum, 40e-6, rounding);
 }
 
 TEST(Answers, WithTheForceOfAnotherTickAreNotCaused)

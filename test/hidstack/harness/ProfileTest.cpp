@@ -50,7 +50,7 @@ TEST(VirtualHandleProfile, FitsTheHandleThatIsPluggedIn)
   const device::DeviceProfile one = profile();
   const device::HidIdentity identity{vendor, product, -1};
   EXPECT_NE(device::matchingProfile({&one, 1}, identity, descriptor()), nullptr);
-  EXPECT_EQ(one.traits.mostForce, mostForce);
+  EXPECT_EQ(one.traits.maxForce, maxForce);
 }
 
 TEST(VirtualHandleProfile, ReadsPlaceButtonAndCountAsTheyWereSent)

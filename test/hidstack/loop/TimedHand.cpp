@@ -4,7 +4,8 @@
 
 namespace perilymph::hidstack {
 
-TimedHand::TimedHand(device::HapticDevice& hand, std::size_t most) : hand_(hand), ticks_(most)
+TimedHand::TimedHand(device::HapticDevice& hand, std::size_t capacity)
+    : hand_(hand), ticks_(capacity)
 {
   // Every page was touched: noting a tick costs no page fault.
   ticks_.clear();

@@ -18,14 +18,14 @@ class TimedHand final : public device::HapticDevice {
 public:
   /// @param hand  Outlives this one.
   /// @param most  Ticks to make room for; what comes later is not noted.
-  TimedHand(device::HapticDevice& hand, std::size_t most);
+  TimedHand(device::HapticDevice& hand, std::size_t capacity);
 
   device::DeviceTraits traits() const override { return hand_.traits(); }
   Result<Done> open() override { return hand_.open(); }
   void close() noexcept override { hand_.close(); }
   device::DeviceSample read() noexcept override;
   void write(const device::Wrench& wrench_D) noexcept override;
-  device::Awaited await(Duration most) noexcept override { return hand_.await(most); }
+  device::Awaited await(Duration timeout) noexcept override { return hand_.await(timeout); }
   std::optional<device::HandHealth> health() override { return hand_.health(); }
 
   const std::vector<LoopTick>& ticks() const { return ticks_; }

@@ -90,7 +90,7 @@ Result<Done> push(const std::string& profile, const std::filesystem::path& log, 
   const auto hand = virtualHand(profile, patience);
   if (!hand) return hand.error();
   if (const auto opened = (*hand)->open(); !opened) return opened;
-  const double force = (*hand)->traits().mostForce / 3.0;
+  const double force = (*hand)->traits().maxForce / 3.0;
   for (int i = 0; i < ticks; ++i) {
     (*hand)->await(milliseconds(10));
     (*hand)->read();

@@ -14,7 +14,7 @@ namespace {
 
 using haptics::Command;
 
-constexpr std::size_t mostTicks = 30'000;  // half a minute at 1 kHz
+constexpr std::size_t maxTicks = 30'000;  // half a minute at 1 kHz
 constexpr int glance_ms = 20;  // of whoever operates the insertion; a recorder drains as often
 // After the last unplug: long enough to see what the loop does then.
 constexpr int ticksAfterwards = 200;
@@ -57,7 +57,7 @@ private:
 
 Result<std::vector<LoopTick>> insertUntilUnplugged(device::HapticDevice& hand, int unplugs)
 {
-  TimedHand timed(hand, mostTicks);
+  TimedHand timed(hand, maxTicks);
   haptics::HapticLoop loop(timed, flatWallEngine(timed.traits().nominalPeriod));
   Operator user(loop);
   loop.start();
@@ -65,7 +65,7 @@ Result<std::vector<LoopTick>> insertUntilUnplugged(device::HapticDevice& hand, i
   for (std::size_t ticks = 0; !user.isDone(unplugs);) {
     ::poll(nullptr, 0, glance_ms);
     for (; loop.take(record); ++ticks) user.watch(record);
-    if (ticks > mostTicks)
+    if (ticks > maxTicks)
       return Error{"The device was not unplugged " + std::to_string(unplugs) + " times within " +
                    std::to_string(ticks) + " ticks; see what the handle's script says."};
   }

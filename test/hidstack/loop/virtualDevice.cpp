@@ -16,11 +16,11 @@ constexpr int glance_ms = 5;
 
 }  // namespace
 
-Result<VirtualDevice> findVirtualDevice(const std::filesystem::path& profileFile, double most)
+Result<VirtualDevice> findVirtualDevice(const std::filesystem::path& profileFile, double timeout)
 {
   const auto profile = device::loadProfile(profileFile);
   if (!profile) return profile.error();
-  for (int waited_ms = 0; waited_ms <= static_cast<int>(1e3 * most); waited_ms += glance_ms) {
+  for (int waited_ms = 0; waited_ms <= static_cast<int>(1e3 * timeout); waited_ms += glance_ms) {
     for (device::HidNode& node : device::findHidNodes()) {
       if (node.access != device::NodeAccess::allowed) continue;
       auto descriptor = device::ReportDescriptor::parse(node.descriptor);
@@ -35,13 +35,13 @@ Result<VirtualDevice> findVirtualDevice(const std::filesystem::path& profileFile
     ::poll(nullptr, 0, glance_ms);
   }
   return Error{"No device that fits " + profileFile.string() + " was plugged in within " +
-               std::to_string(most) + " s."};
+               std::to_string(timeout) + " s."};
 }
 
 Result<std::unique_ptr<device::HidHand>> virtualHand(const std::filesystem::path& profile,
-                                                     double most)
+                                                     double timeout)
 {
-  auto found = findVirtualDevice(profile, most);
+  auto found = findVirtualDevice(profile, timeout);
   if (!found) return found.error();
   return std::make_unique<device::HidHand>(std::move(found->traits), std::move(found->codec),
                                            device::hidPort(std::move(found->node)));

@@ -21,10 +21,10 @@ struct VirtualDevice {
 };
 
 /// Looks until the handle is plugged in, at most so long [s]. The sentence says what is missing.
-Result<VirtualDevice> findVirtualDevice(const std::filesystem::path& profile, double most);
+Result<VirtualDevice> findVirtualDevice(const std::filesystem::path& profile, double timeout);
 
 /// The same as a hand, not opened.
 Result<std::unique_ptr<device::HidHand>> virtualHand(const std::filesystem::path& profile,
-                                                     double most);
+                                                     double timeout);
 
 }  // namespace perilymph::hidstack

@@ -21,8 +21,8 @@ PROFILES = ("test/hidstack/virtual_handle.toml", "test/hidstack/virtual_handle_a
             "plugins/devices/generic/pid.toml")
 # A run takes 20 s of a processor. Only a hang takes this much; an idle machine in virtual time hangs
 # busily. By the clock a run takes as long as others let it, so that bound is wide.
-MOST_PROCESSOR_SECONDS = 75
-MOST_SECONDS = 500
+MAX_PROCESSOR_SECONDS = 75
+MAX_SECONDS = 500
 # Software emulation in virtual time: an instruction takes 2 ns, waiting takes none of ours. What the
 # programs measure is then the same on an idle machine and on a busy one.
 CLOCK = ["-accel", "tcg,thread=single", "-icount", "shift=1,sleep=off", "-cpu", "max", "-smp", "1"]
@@ -43,19 +43,19 @@ def boot(emulator, image, archive):
     line = [emulator, "-machine", "q35", *CLOCK, "-m", "256", "-nodefaults", "-no-user-config",
             "-display", "none", "-no-reboot", "-serial", "stdio", "-kernel", str(image),
             "-initrd", str(archive), "-append", APPEND]
-    limit = (MOST_PROCESSOR_SECONDS, MOST_PROCESSOR_SECONDS)
+    limit = (MAX_PROCESSOR_SECONDS, MAX_PROCESSOR_SECONDS)
     try:
         done = subprocess.run(line, stdin=subprocess.DEVNULL, capture_output=True, check=False,
-                              timeout=MOST_SECONDS,
+                              timeout=MAX_SECONDS,
                               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, limit))
     except subprocess.TimeoutExpired as error:
         said = (error.stdout or b"").decode(errors="replace")
-        raise RuntimeError(f"The virtual machine was stopped after {MOST_SECONDS} s; it had said:\n"
+        raise RuntimeError(f"The virtual machine was stopped after {MAX_SECONDS} s; it had said:\n"
                            f"{said}") from error
     said = done.stdout.decode(errors="replace").replace("\r", "")
     if done.returncode < 0:
         raise RuntimeError(f"The virtual machine was stopped by signal {-done.returncode}, perhaps "
-                           f"after {MOST_PROCESSOR_SECONDS} s of a processor; it had said:\n{said}")
+                           f"after {MAX_PROCESSOR_SECONDS} s of a processor; it had said:\n{said}")
     if "measures end" not in said:
         raise RuntimeError("The virtual machine ended early; it had said:\n"
                            f"{said}{done.stderr.decode(errors='replace')}")

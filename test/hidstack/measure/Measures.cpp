@@ -92,18 +92,18 @@ AnswerMeasure answersIn(const std::vector<HandleTick>& handle, const std::vector
 std::optional<RestMeasure> restIn(const std::vector<HandleTick>& handle, const std::string& passage)
 {
   double sum = 0.0;
-  double least = std::numeric_limits<double>::infinity();
-  double most = -least;
+  double minimum = std::numeric_limits<double>::infinity();
+  double maximum = -minimum;
   std::int64_t count = 0;
   for (const HandleTick& tick : handle) {
     if (tick.passage != passage) continue;
     sum += tick.position;
-    least = std::min(least, tick.position);
-    most = std::max(most, tick.position);
+    minimum = std::min(minimum, tick.position);
+    maximum = std::max(maximum, tick.position);
     ++count;
   }
   if (count == 0) return std::nullopt;
-  return RestMeasure{sum / static_cast<double>(count), most - least};
+  return RestMeasure{sum / static_cast<double>(count), maximum - minimum};
 }
 
 SilenceMeasure silenceIn(const std::vector<HandleTick>& handle, const std::vector<LoopTick>& loop,

@@ -23,7 +23,7 @@ StreamMeasure streamIn(const std::vector<ReportRow>& rows);
 
 /// How a set of times is spread [s].
 struct Spread {
-  double median = 0.0, p99 = 0.0, p999 = 0.0, most = 0.0;
+  double median = 0.0, p99 = 0.0, p999 = 0.0, maximum = 0.0;
 };
 /// Each the least value that the share of all did not exceed. Zero of nothing.
 Spread spreadOf(std::vector<double> values);

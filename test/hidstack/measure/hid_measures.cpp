@@ -25,7 +25,7 @@ void printSpread(const std::string& scene, const std::string& name, const Spread
   print(scene, name + "_p50_us", spread.median * 1e6);
   print(scene, name + "_p99_us", spread.p99 * 1e6);
   print(scene, name + "_p999_us", spread.p999 * 1e6);
-  print(scene, name + "_max_us", spread.most * 1e6);
+  print(scene, name + "_max_us", spread.maximum * 1e6);
 }
 
 Result<Done> measureStream(const std::string& scene, const std::string& log)

@@ -12,11 +12,11 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 /// perilymph-cli with files that may not grow beyond so many KiB: what a full disk says, in time.
-ProgramOutcome cliWithSmallFiles(int most_KiB, const std::vector<std::string>& arguments)
+ProgramOutcome cliWithSmallFiles(int max_KiB, const std::vector<std::string>& arguments)
 {
   ProgramCall call = cliCall(arguments);
   std::vector<std::string> words = {"-c", "ulimit -f \"$1\"; shift; exec \"$@\"", "bash",
-                                    std::to_string(most_KiB), call.program};
+                                    std::to_string(max_KiB), call.program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   return run({"bash", words, {}, {}});
 }

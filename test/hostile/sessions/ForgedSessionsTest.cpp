@@ -169,7 +169,7 @@ TEST_F(ForgedSession, WithFactsThatNoDeviceHasIsRefusedOrRunsWithinTheLimits)
   ASSERT_TRUE(anatomy);
   const auto model = buildModel(*scenario, *anatomy);
   ASSERT_TRUE(model);
-  const double mostForce = scenario->engine.safety.mostForce;
+  const double maxForce = scenario->engine.safety.maxForce;
 
   for (const char* key : {"dt_s", "sample_period_s", "most_force_N", "reach_m",
                           "most_stiffness_N_m", "most_damping_N_s_m", "device_delay_s"})
@@ -186,7 +186,7 @@ TEST_F(ForgedSession, WithFactsThatNoDeviceHasIsRefusedOrRunsWithinTheLimits)
       }
       EXPECT_TRUE(opened->forEach([&](const haptics::TickRecord& record) {
         const auto& force_D = (*engine)->tick(record.sample, record.commands).wrench_D.force_D;
-        EXPECT_LE(std::hypot(force_D[0], force_D[1], force_D[2]), mostForce);  // NaN is not
+        EXPECT_LE(std::hypot(force_D[0], force_D[1], force_D[2]), maxForce);  // NaN is not
         return true;
       }));
     }

@@ -15,7 +15,7 @@ constexpr int nodeNumbers[] = {CONVERGENCE_NODES};
 
 void print(const Spread& spread)
 {
-  std::cout << "at most " << 1e3 * spread.most << " mN apart, at " << 1e3 * spread.travel
+  std::cout << "at most " << 1e3 * spread.maximum << " mN apart, at " << 1e3 * spread.travel
             << " mm of travel; the peak is " << 1e3 * spread.peak << " mN" << std::endl;
 }
 
@@ -26,7 +26,7 @@ TEST(PublishedRun, ChangesByLessThanAMillinewtonWithTheTimeStep)
     runs.push_back(forceOverTravel({.timeStep_ms = timeStep_ms}));
   const Spread spread = spreadOf(runs);
   print(spread);
-  EXPECT_LE(spread.most, tolerance(1e-3, "backward Euler, steps of 0.1 to 10 ms"));
+  EXPECT_LE(spread.maximum, tolerance(1e-3, "backward Euler, steps of 0.1 to 10 ms"));
 }
 
 TEST(PublishedRun, ChangesByLessThanTwoPercentOfItsPeakWithTheNumberOfNodes)
@@ -35,15 +35,15 @@ TEST(PublishedRun, ChangesByLessThanTwoPercentOfItsPeakWithTheNumberOfNodes)
   for (const int nodes : nodeNumbers) runs.push_back(forceOverTravel({.nodes = nodes}));
   const Spread spread = spreadOf(runs);
   print(spread);
-  EXPECT_LE(spread.most, tolerance(0.015, "0.5 mm between nodes") * spread.peak);
+  EXPECT_LE(spread.maximum, tolerance(0.015, "0.5 mm between nodes") * spread.peak);
 
   // and every refinement comes closer to the finest
-  double last = spread.most;
+  double last = spread.maximum;
   for (std::size_t i = 1; i + 1 < runs.size(); ++i) {
     const Spread left = spreadOf({runs[i], runs.back()});
     print(left);
-    EXPECT_LT(left.most, 0.7 * last) << nodeNumbers[i] << " nodes";
-    last = left.most;
+    EXPECT_LT(left.maximum, 0.7 * last) << nodeNumbers[i] << " nodes";
+    last = left.maximum;
   }
 }
 
@@ -59,8 +59,8 @@ TEST(SoftStraightRun, RipplesByAMillinewtonOrSoWhereNodesAreAsFarApartAsItsConta
   const Spread coarse = spreadOf({runs[0], runs[2]}), usual = spreadOf({runs[1], runs[2]});
   print(coarse);
   print(usual);
-  EXPECT_LE(coarse.most, tolerance(1.5e-3, "0.6 mm between nodes"));
-  EXPECT_LE(usual.most, tolerance(0.8e-3, "0.3 mm between nodes"));
+  EXPECT_LE(coarse.maximum, tolerance(1.5e-3, "0.6 mm between nodes"));
+  EXPECT_LE(usual.maximum, tolerance(0.8e-3, "0.3 mm between nodes"));
 }
 
 }  // namespace

@@ -75,8 +75,8 @@ Spread spreadOf(const std::vector<std::vector<double>>& runs)
       high = std::max(high, run[i]);
     }
     spread.peak = std::max(spread.peak, runs.back()[i]);
-    if (high - low <= spread.most) continue;
-    spread.most = high - low;
+    if (high - low <= spread.maximum) continue;
+    spread.maximum = high - low;
     spread.travel = sampleTravel * static_cast<double>(i + 1);
   }
   return spread;

@@ -25,9 +25,9 @@ std::vector<double> forceOverTravel(const Resolution& resolution);
 
 /// How far runs are apart at the same travel.
 struct Spread {
-  double most = 0.0;    ///< Highest minus lowest force, the greatest of all depths [N].
-  double travel = 0.0;  ///< Where that is [m].
-  double peak = 0.0;    ///< The greatest force of the last run [N].
+  double maximum = 0.0;  ///< Highest minus lowest force, the greatest of all depths [N].
+  double travel = 0.0;   ///< Where that is [m].
+  double peak = 0.0;     ///< The greatest force of the last run [N].
 };
 
 /// The spread of runs, the finest last.

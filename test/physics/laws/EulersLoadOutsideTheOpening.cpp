@@ -25,7 +25,7 @@ using test::TestRod;
 ///
 /// @param outside  L, from the tweezers to the rim [m].
 /// @param inside   a, from the rim to the tip, which slides freely on a flat wall [m].
-double leastLoadNumber(double outside, double inside)
+double minLoadNumber(double outside, double inside)
 {
   const auto unbalanced = [=](double k) {
     const double q = k * outside;
@@ -37,11 +37,11 @@ double leastLoadNumber(double outside, double inside)
     return a11 * a22 - a12 * a21;
   };
   // below the load of a column clamped at both ends and that of the inner part alone
-  const double most = std::min(2.0 * pi / outside, 0.5 * pi / inside);
+  const double maximum = std::min(2.0 * pi / outside, 0.5 * pi / inside);
   constexpr int steps = 2000;
-  double low = 0.01 * most, high = low;
+  double low = 0.01 * maximum, high = low;
   for (int i = 1; i < steps; ++i) {
-    high = most * (0.01 + 0.99 * i / steps);
+    high = maximum * (0.01 + 0.99 * i / steps);
     if (unbalanced(low) * unbalanced(high) <= 0.0) break;
     low = high;
   }
@@ -74,7 +74,7 @@ struct StoppedColumn {
   {
     const RodSpec rod = spec(inside);
     const double held = 0.5 * rod.length / (rod.nodes - 1);
-    const double k = leastLoadNumber(rod.length - inside - held, inside);
+    const double k = minLoadNumber(rod.length - inside - held, inside);
     return rod.bending * k * k;
   }
   TestRod rod;
@@ -85,8 +85,8 @@ constexpr double insides[] = {0.5e-3, 2e-3, 5e-3};
 TEST(ColumnThroughTheOpening, HasTheLoadNumbersOfTheTextbook)
 {
   // clamped and pinned: tan q = q; clamped and free: q = pi / 2
-  EXPECT_NEAR(leastLoadNumber(1.0, 1e-6), 4.493409, 1e-4);
-  EXPECT_NEAR(leastLoadNumber(1e-6, 1.0), 0.5 * pi, 1e-3);
+  EXPECT_NEAR(minLoadNumber(1.0, 1e-6), 4.493409, 1e-4);
+  EXPECT_NEAR(minLoadNumber(1e-6, 1.0), 0.5 * pi, 1e-3);
 }
 
 TEST(ColumnThroughTheOpening, GivesWayAtEulersLoad)

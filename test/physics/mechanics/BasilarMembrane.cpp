@@ -138,7 +138,7 @@ TEST(BasilarMembrane, GivesBackWhatItTookFromAHandThatSweepsAcrossIt)
 {
   Stylus stylus;
   const Eigen::Vector3d outward_W = stylus.rod.model().entry.outward_W;
-  double work = 0.0, most = 0.0, membrane = 0.0;
+  double work = 0.0, maximum = 0.0, membrane = 0.0;
   for (const double direction : {1.0, -1.0})
     for (int i = 0; i < 500; ++i) {
       const Eigen::Vector3d before = stylus.rod.state().base_W;
@@ -146,12 +146,12 @@ TEST(BasilarMembrane, GivesBackWhatItTookFromAHandThatSweepsAcrossIt)
       stylus.rod.move(direction * 1e-6 * outward_W, 1e-3);
       work -=
           0.5 * (force + stylus.rod.readings().handForce_W).dot(stylus.rod.state().base_W - before);
-      most = std::max(most, std::fabs(work));
+      maximum = std::max(maximum, std::fabs(work));
       membrane = std::max(membrane, stylus.rod.readings().membraneForce);
       ASSERT_LT((stylus.rod.readings().handForce_W - force).norm(), 0.5e-3) << "a kink at " << i;
     }
   EXPECT_GT(membrane, 4e-5);
-  EXPECT_NEAR(work, 0.0, test::tolerance(0.02, "damping, drag") * most);
+  EXPECT_NEAR(work, 0.0, test::tolerance(0.02, "damping, drag") * maximum);
 }
 
 }  // namespace

@@ -185,10 +185,10 @@ struct Ribbed {
 TEST(MarkerRib, ResistsByTheSlopeOfItsFlank)
 {
   Ribbed ribbed;
-  double most = 0.0;
+  double maximum = 0.0;
   for (int i = 0; i < 1000; ++i) {
     ribbed.rod.move({0.0, 0.0, -0.001e-3}, 2e-3);
-    most = std::max(most, ribbed.rod.readings().axialForce);
+    maximum = std::max(maximum, ribbed.rod.readings().axialForce);
   }
   // pressed on both sides by k (overlap - half the onset) along the radius; along the array by that
   // times the slope of the flank
@@ -198,7 +198,7 @@ TEST(MarkerRib, ResistsByTheSlopeOfItsFlank)
     const double slope = (Ribbed::overlap(x - 1e-7) - Ribbed::overlap(x)) / 1e-7;
     expected = std::max(expected, 2.0 * 1e4 * overlap * slope);
   }
-  EXPECT_NEAR(most, expected, test::tolerance(0.01, "steps of 1 um") * expected);
+  EXPECT_NEAR(maximum, expected, test::tolerance(0.01, "steps of 1 um") * expected);
 }
 
 TEST(MarkerRib, TakesTheEnergyOfPressingItInAndGivesItBack)

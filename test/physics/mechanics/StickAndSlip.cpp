@@ -70,12 +70,12 @@ TEST(TipOnFlatWall, SticksUntilTheStartingForce)
 {
   Stylus stylus(0.2);
   stylus.rod.changeable().parts.friction = {0.3, 0.1, 0.05, millimetersPerSecond(0.1)};
-  double most = 0.0;
+  double maximum = 0.0;
   for (int i = 0; i < 300; ++i) {
     stylus.rod.move({2e-6, 0.0, 0.0}, 2e-3);
-    most = std::max(most, stylus.friction() / stylus.normal());
+    maximum = std::max(maximum, stylus.friction() / stylus.normal());
   }
-  EXPECT_NEAR(most, 0.3, test::tolerance(0.04, "one step of the spring"));
+  EXPECT_NEAR(maximum, 0.3, test::tolerance(0.04, "one step of the spring"));
   // at 2 mm/s, far above the Stribeck speed, it slides with the dynamic coefficient
   EXPECT_NEAR(stylus.friction() / stylus.normal(), 0.1, test::tolerance(0.002, "Stribeck tail"));
 }

@@ -52,7 +52,7 @@ struct TipBesideAWall {
     for (int i = 1; i <= ticks + rest; ++i) {
       drive.handPosition_W = from + std::min(1.0, static_cast<double>(i) / ticks) * motion_W;
       advance(*model, state, drive);
-      most = std::max(most, state.readings.axialForce);
+      maximum = std::max(maximum, state.readings.axialForce);
     }
   }
   double normal() const { return state.normalForce.back(); }
@@ -60,7 +60,7 @@ struct TipBesideAWall {
   std::shared_ptr<const InsertionModel> model;
   InsertionState state;
   Drive drive;
-  double most = -1.0;  ///< Greatest axial force seen [N].
+  double maximum = -1.0;  ///< Greatest axial force seen [N].
 };
 
 const FrictionLaw smooth{0.0, 0.0, 0.0, millimetersPerSecond(0.1)};
@@ -134,7 +134,7 @@ TEST(SlidingTip, StartsOnlyAboveTheStartingCoefficient)
   const double normal = scene.normal();
   scene.move({0.0, 0.0, -0.5e-3}, 0.1e-3);
   // what the hand meets at most: starting by the surface, dynamic by the algorithm
-  EXPECT_NEAR(scene.most, (0.0605 + 0.0395) * normal, 0.03 * 0.1 * normal);
+  EXPECT_NEAR(scene.maximum, (0.0605 + 0.0395) * normal, 0.03 * 0.1 * normal);
 }
 
 TEST(WithdrawnTip, HasItsFrictionTakenOff)

@@ -45,7 +45,7 @@ public:
     at_ += towards * speed * model->timeStep;
     drive.handPosition_W = model->startBase_W + at_ * model->startAxis_W;
     advance(*model, *state, drive);
-    most = std::max(most, std::fabs(state->readings.axialForce));
+    maximum = std::max(maximum, std::fabs(state->readings.axialForce));
   }
   void pushTo(double travel)
   {
@@ -60,7 +60,7 @@ public:
   std::shared_ptr<const InsertionModel> model;
   std::unique_ptr<InsertionState> state;
   Drive drive;
-  double most = 0.0;  ///< Greatest axial force so far [N].
+  double maximum = 0.0;  ///< Greatest axial force so far [N].
 
 private:
   double at_ = 0.0;
@@ -72,9 +72,9 @@ TEST(PublishedPointSet, MeetsNothingBeforeTheOuterWall)
   // hand feels only the start of the motion.
   PublishedRun run(12);
   run.pushTo(1e-3);
-  run.most = 0.0;
+  run.maximum = 0.0;
   while (run.state->readings.contacts == 0) run.tick(1.0);
-  EXPECT_LT(run.most, 1e-6);
+  EXPECT_LT(run.maximum, 1e-6);
   EXPECT_GT(run.state->readings.depth, 5e-3);
   const Vector3d push = run.state->wallForce_W.back();
   EXPECT_LT(push.dot(run.model->entry.outward_W), 0.0);
@@ -168,11 +168,11 @@ TEST(PublishedPointSet, IsStableWithTwelvePointsAtOneKilohertzAndNotWithTwiceAsM
 {
   PublishedRun twelve(12);
   twelve.pushTo(16.5e-3);
-  EXPECT_LT(twelve.most, 1.0);
+  EXPECT_LT(twelve.maximum, 1.0);
   EXPECT_EQ(twelve.state->points.atBounds, 0u);
   PublishedRun many(24);
   many.pushTo(16.5e-3);
-  EXPECT_GT(many.most, 1.0);
+  EXPECT_GT(many.maximum, 1.0);
   EXPECT_TRUE(many.state->readings.isFinite);  // its bounds of movement keep it finite
 }
 
@@ -180,10 +180,10 @@ TEST(PublishedPointSet, PullsBackOnTheWayOutAndLetsGoAtItsStart)
 {
   PublishedRun run(12);
   run.pushTo(16.5e-3);
-  double least = 0.0;
+  double minimum = 0.0;
   for (int i = 0; i < 8250; ++i) {
     run.tick(-1.0);
-    least = std::min(least, run.state->readings.axialForce);
+    minimum = std::min(minimum, run.state->readings.axialForce);
   }
   EXPECT_NEAR(run.state->readings.depth, 3e-3, 1e-6);
   EXPECT_EQ(run.state->readings.contacts, 0);

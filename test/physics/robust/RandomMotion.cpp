@@ -25,14 +25,14 @@ TEST_P(RandomMotion, BreaksNothing)
   // Nothing comes out that did not go in; a joule's millionth for rounding and for what is left
   // unbalanced.
   constexpr double microjoule = 1e-6;
-  EXPECT_GE(found.leastEnergy, -microjoule);
+  EXPECT_GE(found.minEnergy, -microjoule);
   if (found.startsRelaxed) {
-    EXPECT_GE(found.leastHandEnergy, -microjoule);
+    EXPECT_GE(found.minHandEnergy, -microjoule);
   }
   // Where contacts come and go, slide and stick, a hundredth of the forces of an insertion. A tip
   // that folds over the rim leaves more in a few of a million steps.
-  const long most = setting.hasRim ? found.ticks / 200'000 : 0;
-  EXPECT_LE(found.unbalanced, most);
+  const long allowance = setting.hasRim ? found.ticks / 200'000 : 0;
+  EXPECT_LE(found.unbalanced, allowance);
 }
 
 INSTANTIATE_TEST_SUITE_P(, RandomMotion, testing::ValuesIn(settings()),

@@ -119,8 +119,8 @@ private:
     const mechanics::Readings& now = state_.readings;
     byHand_ -= now.handForce_W.dot(drive.handPosition_W - last_.handPosition_W) +
                now.handTorque_W.dot(rotation(last_, drive));
-    findings_.leastHandEnergy = std::min(findings_.leastHandEnergy, byHand_);
-    findings_.leastEnergy = std::min(findings_.leastEnergy, byHand_ + released_);
+    findings_.minHandEnergy = std::min(findings_.minHandEnergy, byHand_);
+    findings_.minEnergy = std::min(findings_.minEnergy, byHand_ + released_);
     findings_.greatestForce = std::max(findings_.greatestForce, now.handForce_W.norm());
   }
 
@@ -222,7 +222,7 @@ std::string inWords(const Findings& f)
                 "unsettled %ld of %ld quiet ticks, worst %.3g mN; over 1 mN in %ld of %ld toggles, "
                 "worst %.3g mN; not finite %ld",
                 f.ticks, f.iterations, f.greatestForce, f.deepest * 1e6, f.unexplained * 1e6,
-                f.leastEnergy * 1e6, f.leastHandEnergy * 1e6, f.unsettled, f.ticks - f.toggles,
+                f.minEnergy * 1e6, f.minHandEnergy * 1e6, f.unsettled, f.ticks - f.toggles,
                 f.worstUnsettled * 1e3, f.unsettledToggles, f.toggles, f.worstToggle * 1e3,
                 f.notFinite);
   return line;

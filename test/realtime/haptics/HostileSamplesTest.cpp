@@ -95,9 +95,9 @@ TEST_P(HostileSamples, NeverGiveAForceThatIsNotFiniteOrTooGreatOrAStep)
   EngineSettings settings;
   settings.coupling = GetParam();
   settings.forceScale = 100.0;  // so that the limits are met
-  const double mostStep = settings.safety.mostSlew * 1e-3;
-  const double mostForce = settings.safety.mostForce;
-  const double mostFall = std::max(mostStep, mostForce * 1e-3 / settings.safety.offTime);
+  const double maxStep = settings.safety.maxSlew * 1e-3;
+  const double maxForce = settings.safety.maxForce;
+  const double maxFall = std::max(maxStep, maxForce * 1e-3 / settings.safety.offTime);
 
   double greatest = 0.0;
   for (const unsigned seed : {1u, 2u, 3u}) {
@@ -121,10 +121,10 @@ TEST_P(HostileSamples, NeverGiveAForceThatIsNotFiniteOrTooGreatOrAStep)
       const auto& force = output.wrench_D.force_D;
       const Eigen::Vector3d now_D(force[0], force[1], force[2]);
       ASSERT_TRUE(now_D.allFinite()) << "seed " << seed << ", tick " << i;
-      ASSERT_LE(now_D.norm(), mostForce * (1.0 + rounding)) << "seed " << seed << ", tick " << i;
+      ASSERT_LE(now_D.norm(), maxForce * (1.0 + rounding)) << "seed " << seed << ", tick " << i;
       // A force that shall end may fall faster than one that is shown: to nothing within offTime.
       const bool isEnding = now_D.norm() < before_D.norm();
-      ASSERT_LE((now_D - before_D).norm(), (isEnding ? mostFall : mostStep) * (1.0 + rounding))
+      ASSERT_LE((now_D - before_D).norm(), (isEnding ? maxFall : maxStep) * (1.0 + rounding))
           << "seed " << seed << ", tick " << i;
       ASSERT_TRUE(std::isfinite(output.travel)) << "seed " << seed << ", tick " << i;
       before_D = now_D;

@@ -83,7 +83,7 @@ TEST(Advance, SurvivesAHandThatJumps)
       advance(*insertion.model, insertion.state, insertion.drive);
       ASSERT_TRUE(insertion.state.readings.isFinite) << jump;
       ASSERT_LE(insertion.state.readings.iterations,
-                mostIterations + (1 + mostParts) * mostDescents);
+                maxIterations + (1 + maxSubsteps) * maxDescentIterations);
     }
   }
 }

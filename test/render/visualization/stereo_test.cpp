@@ -53,13 +53,13 @@ EyePicture eye(const DrawnPicture& picture, Gray gray)
 int shift(const EyePicture& left, const EyePicture& right, int x, int y)
 {
   int best = 0;
-  double least = std::numeric_limits<double>::max();
+  double minimum = std::numeric_limits<double>::max();
   for (int by = -reach_px; by <= reach_px; ++by) {
     double sum = 0.0;
     for (int dy = -patch_px; dy <= patch_px; ++dy)
       for (int dx = -patch_px; dx <= patch_px; ++dx)
         sum += std::abs(left.at(x + dx, y + dy) - right.at(x + dx - by, y + dy));
-    if (sum < least) least = sum, best = by;
+    if (sum < minimum) minimum = sum, best = by;
   }
   return best;
 }

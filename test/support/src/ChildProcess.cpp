@@ -193,19 +193,19 @@ ChildProcess::~ChildProcess()
   content_->waiter.join();
 }
 
-bool ChildProcess::waitForOutput(const std::string& text, std::chrono::milliseconds most)
+bool ChildProcess::waitForOutput(const std::string& text, std::chrono::milliseconds timeout)
 {
   std::unique_lock lock(content_->mutex);
   const auto isThere = [&] { return content_->outcome.out.find(text) != std::string::npos; };
-  content_->changed.wait_for(lock, most, [&] { return isThere() || content_->isComplete; });
+  content_->changed.wait_for(lock, timeout, [&] { return isThere() || content_->isComplete; });
   return isThere();
 }
 
-ProgramOutcome ChildProcess::wait(std::chrono::milliseconds most)
+ProgramOutcome ChildProcess::wait(std::chrono::milliseconds timeout)
 {
   std::unique_lock lock(content_->mutex);
   const auto isComplete = [this] { return content_->isComplete; };
-  if (!content_->changed.wait_for(lock, most, isComplete)) {
+  if (!content_->changed.wait_for(lock, timeout, isComplete)) {
     content_->outcome.timedOut = true;
     lock.unlock();
     content_->signalGroup(SIGKILL);
@@ -223,9 +223,9 @@ void ChildProcess::send(int signal)
 
 int ChildProcess::id() const noexcept { return content_->id; }
 
-ProgramOutcome run(const ProgramCall& call, std::chrono::milliseconds most)
+ProgramOutcome run(const ProgramCall& call, std::chrono::milliseconds timeout)
 {
-  return ChildProcess(call).wait(most);
+  return ChildProcess(call).wait(timeout);
 }
 
 }  // namespace perilymph::test

@@ -42,7 +42,7 @@ struct FakeHid::State {
   bool holdsWrites = false;
   bool refusesWrites = false;
   bool refusesActuators = false;
-  int mostHandles = 1000;
+  int maxHandles = 1000;
   bool isActuated = false;
   int waitingWrites = 0;
   int opened = 0;
@@ -128,7 +128,7 @@ public:
   {
     const std::lock_guard lock(state_->mutex);
     if (!state_->isPlugged) return Error{"The fake device is not plugged in."};
-    if (state_->opened >= state_->mostHandles) return Error{"The fake device is held by another."};
+    if (state_->opened >= state_->maxHandles) return Error{"The fake device is held by another."};
     auto queue = std::make_shared<Queue>();
     state_->queues.push_back(queue);
     ++state_->opened;
@@ -136,10 +136,10 @@ public:
         std::make_unique<FakeTransport>(state_, std::move(queue), state_->generation));
   }
 
-  void awaitChange(Duration most) noexcept override
+  void awaitChange(Duration timeout) noexcept override
   {
     std::unique_lock lock(state_->mutex);
-    state_->changed.wait_for(lock, std::chrono::duration<double>(most.si()),
+    state_->changed.wait_for(lock, std::chrono::duration<double>(timeout.si()),
                              [this] { return state_->isPlugged; });
   }
 
@@ -210,10 +210,10 @@ void FakeHid::refuseActuators(bool isRefused)
   state_->refusesActuators = isRefused;
 }
 
-void FakeHid::openAtMost(int handles)
+void FakeHid::maxOpen(int handles)
 {
   const std::lock_guard lock(state_->mutex);
-  state_->mostHandles = handles;
+  state_->maxHandles = handles;
 }
 
 void FakeHid::whenAsked(std::function<Transfer(RawReport&)> answer)
@@ -303,7 +303,7 @@ device::DeviceTraits fakeTraits()
   device::DeviceTraits traits;
   traits.name = "Fake hand";
   traits.rendersForce = true;
-  traits.mostForce = 3.3;
+  traits.maxForce = 3.3;
   traits.nominalPeriod = 1e-3;
   traits.actuatedTranslations = 3;
   return traits;

@@ -46,16 +46,16 @@ const haptics::TickRecord& InsertionRig::tick()
   return record_;
 }
 
-bool InsertionRig::runUntilTravel(Length travel, int most)
+bool InsertionRig::runUntilTravel(Length travel, int maxTicks)
 {
-  for (int i = 0; i < most; ++i)
+  for (int i = 0; i < maxTicks; ++i)
     if (tick().output.travel >= travel.si()) return true;
   return false;
 }
 
-bool InsertionRig::runUntil(haptics::Workflow workflow, int most)
+bool InsertionRig::runUntil(haptics::Workflow workflow, int maxTicks)
 {
-  for (int i = 0; i < most; ++i)
+  for (int i = 0; i < maxTicks; ++i)
     if (tick().output.workflow == workflow) return true;
   return false;
 }

@@ -68,10 +68,10 @@ double meanDistanceToLabel(const RealEar& ear, const ct::CochleaMeasures& found)
     for (std::size_t k = 0; k < around; k += 2) {
       // The inner third looks at the modiolus, where labels follow no bone.
       if (k > around / 3 && k < 2 * around / 3) continue;
-      double least = 1e9;
+      double minimum = 1e9;
       for (const Eigen::Vector3d& point : surface)
-        least = std::min(least, (point - found.wall_P[ring * around + k]).squaredNorm());
-      sum += std::sqrt(least);
+        minimum = std::min(minimum, (point - found.wall_P[ring * around + k]).squaredNorm());
+      sum += std::sqrt(minimum);
       ++count;
     }
   return sum / count;

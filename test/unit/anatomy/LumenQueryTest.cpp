@@ -34,7 +34,7 @@ LumenTrack trackAt(double angle) { return {false, angle, {std::cos(angle), std::
 /// Distance from a point to the wall, by search over a fine grid around the point's own section.
 double bruteDistance(const ScalaTympani& scala, const Eigen::Vector3d& point, double angle)
 {
-  double least = 1e9;
+  double nearest = 1e9;
   double bestAngle = angle, bestDirection = 0.0;
   double angleSpan = 0.35, directionSpan = pi;
   for (int level = 0; level < 6; ++level) {
@@ -46,8 +46,8 @@ double bruteDistance(const ScalaTympani& scala, const Eigen::Vector3d& point, do
         if (a < 0.0) continue;
         const double d = centerDirection + directionSpan * k / steps;
         const double distance = (scala.wall_W(a, d) - point).norm();
-        if (distance < least) {
-          least = distance;
+        if (distance < nearest) {
+          nearest = distance;
           bestAngle = a;
           bestDirection = d;
         }
@@ -55,7 +55,7 @@ double bruteDistance(const ScalaTympani& scala, const Eigen::Vector3d& point, do
     angleSpan *= 0.15;
     directionSpan *= 0.15;
   }
-  return least;
+  return nearest;
 }
 
 /// Every anatomy asks the same table of distances.

@@ -284,7 +284,7 @@ TEST_F(PublishedSolid, IsNearTheModelEverywhere)
   std::vector<double> distances;
   for (const Eigen::Vector3d& point : solid.points()) {
     const double polar = std::atan2(point.y(), point.x());
-    double least = 1e9;
+    double nearest = 1e9;
     bool isEnd = false;  // the flat faces at 0 and 675 degrees are no wall
     for (int turn = 0; turn < 3; ++turn) {
       const double angle = polar + 2.0 * pi * turn;
@@ -292,9 +292,9 @@ TEST_F(PublishedSolid, IsNearTheModelEverywhere)
       if (angle < 0.0 || angle > degrees(675).si()) continue;
       // the distance to the outline in the same half-plane: never less than the true one
       for (int k = 0; k < 360; ++k)
-        least = std::min(least, (mean()->wall_W(angle, 2.0 * pi * k / 360) - point).norm());
+        nearest = std::min(nearest, (mean()->wall_W(angle, 2.0 * pi * k / 360) - point).norm());
     }
-    if (!isEnd) distances.push_back(least);
+    if (!isEnd) distances.push_back(nearest);
   }
   expectNear(std::move(distances));
 }

@@ -40,15 +40,15 @@ double distanceTo(const std::array<Eigen::Vector3d, 3>& triangle, const Eigen::V
     const double w = ab.cross(ap).dot(normal) / size;
     if (v >= 0.0 && w >= 0.0 && v + w <= 1.0) return std::fabs(ap.dot(normal)) / std::sqrt(size);
   }
-  double least = 1e9;
+  double nearest = 1e9;
   for (std::size_t k = 0; k < 3; ++k) {
     const Eigen::Vector3d& a = triangle[k];
     const Eigen::Vector3d edge = triangle[(k + 1) % 3] - a;
     const double length = edge.squaredNorm();
     const double share = length > 0.0 ? std::clamp((p - a).dot(edge) / length, 0.0, 1.0) : 0.0;
-    least = std::min(least, (a + share * edge - p).norm());
+    nearest = std::min(nearest, (a + share * edge - p).norm());
   }
-  return least;
+  return nearest;
 }
 
 }  // namespace
@@ -105,16 +105,16 @@ ReferenceSolid::Cell ReferenceSolid::cellOf(const Eigen::Vector3d& point)
 double ReferenceSolid::distance(const Eigen::Vector3d& point) const
 {
   const Cell here = cellOf(point);
-  double least = 1.0;
+  double nearest = 1.0;
   for (long a = -2; a <= 2; ++a)
     for (long b = -2; b <= 2; ++b)
       for (long c = -2; c <= 2; ++c) {
         const auto found = cells_.find({here[0] + a, here[1] + b, here[2] + c});
         if (found == cells_.end()) continue;
         for (const std::size_t i : found->second)
-          least = std::min(least, distanceTo(triangles_[i], point));
+          nearest = std::min(nearest, distanceTo(triangles_[i], point));
       }
-  return least;
+  return nearest;
 }
 
 }  // namespace perilymph::test

@@ -39,7 +39,7 @@ struct Samples {
 /// a e^(b t) by least squares: for every b the best a; the best b by halving the search around it.
 std::function<double(double)> exponentialFit(const Samples& samples)
 {
-  double bestA = 0.0, bestB = 0.0, least = 1e300;
+  double bestA = 0.0, bestB = 0.0, minimum = 1e300;
   double middle = 0.0, span = 2.0;
   for (int level = 0; level < 30; ++level, span *= 0.5) {
     const double center = middle;
@@ -56,8 +56,8 @@ std::function<double(double)> exponentialFit(const Samples& samples)
         const double off = up / down * std::exp(b * samples.angle[i]) - samples.value[i];
         squares += off * off;
       }
-      if (squares >= least) continue;
-      least = squares;
+      if (squares >= minimum) continue;
+      minimum = squares;
       bestA = up / down;
       bestB = middle = b;
     }

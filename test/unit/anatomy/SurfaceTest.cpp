@@ -25,10 +25,10 @@ Eigen::Vector3d point(const Surface& surface, int index)
 TEST(WallSurface, KeepsToItsNumberOfTriangles)
 {
   const auto scala = published();
-  for (const int most : {200, 1000, 20000}) {
-    const auto count = static_cast<int>(wallSurface(*scala, most).triangles.size());
-    EXPECT_LE(count, most);
-    EXPECT_GT(count, most * 7 / 10);
+  for (const int maximum : {200, 1000, 20000}) {
+    const auto count = static_cast<int>(wallSurface(*scala, maximum).triangles.size());
+    EXPECT_LE(count, maximum);
+    EXPECT_GT(count, maximum * 7 / 10);
   }
 }
 

@@ -108,7 +108,7 @@ TEST_F(TroubledHidHand, ThatReportsOnlyChangesIsNoClock)
 
 TEST_F(TroubledHidHand, IsNotOpenedToBeReadWhereItCannotBeWritten)
 {
-  hid.openAtMost(1);
+  hid.maxOpen(1);
   const auto opened = handOf(test::fakeTraits()).open();
   ASSERT_FALSE(opened);
   EXPECT_EQ(opened.error().message, "The fake device is held by another.");

@@ -20,7 +20,7 @@ Linkage arm()
   linkage.countsPerTurn = {2000, 2000, 2000};
   linkage.bodyTurnsPerTurn = {1.0 / 16, -1.0 / 12, 1.0 / 12};
   linkage.torqueConstant = {0.0259, 0.0259, 0.0259};
-  linkage.mostCurrent = 2.0;
+  linkage.maxCurrent = 2.0;
   return linkage;
 }
 
@@ -103,9 +103,9 @@ TEST(MotorCurrents, KeepTheDirectionOfTheForceWhenTheyAreTooMuch)
   const Vector wanted{4.0, 1.0, -2.0};
   const Linkage linkage = arm();
   const Vector currents = motorCurrents(linkage, wanted);
-  double most = 0.0;
-  for (const double current : currents) most = std::max(most, std::fabs(current));
-  EXPECT_NEAR(most, linkage.mostCurrent, 1e-12);
+  double maximum = 0.0;
+  for (const double current : currents) maximum = std::max(maximum, std::fabs(current));
+  EXPECT_NEAR(maximum, linkage.maxCurrent, 1e-12);
   // back to torques: parallel to what was wanted
   for (std::size_t i = 1; i < 3; ++i) {
     const double first = currents[0] * linkage.torqueConstant[0] / linkage.bodyTurnsPerTurn[0];

@@ -245,7 +245,7 @@ TEST(WoodenHapticsTick, AllocatesNothing)
 TEST(WoodenHapticsTraits, AreThoseOfItsMakers)
 {
   const DeviceTraits traits = traitsOf(woodenHaptics());
-  EXPECT_EQ(traits.mostForce, 5.0);
+  EXPECT_EQ(traits.maxForce, 5.0);
   EXPECT_EQ(traits.actuatedTranslations, 3);
   EXPECT_EQ(traits.reporting, Reporting::onWrite);
   EXPECT_EQ(traits.watchdog, 0.5);

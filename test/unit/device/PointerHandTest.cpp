@@ -12,8 +12,8 @@ namespace perilymph::device {
 namespace {
 
 constexpr double timeStep = 1e-3;
-constexpr double mostSpeed = 20e-3;       // promised by the header
-constexpr double mostAcceleration = 0.4;  // promised by the header
+constexpr double maxSpeed = 20e-3;       // promised by the header
+constexpr double maxAcceleration = 0.4;  // promised by the header
 constexpr double rounding = 1e-9;
 
 double distance(const std::array<double, 3>& a, const std::array<double, 3>& b)
@@ -60,9 +60,9 @@ TEST(PointerHand, NeitherJumpsNorHurriesWhateverIsAsked)
     if (i == 2100) hand.grasp(true);
     const std::array<double, 3> next = hand.read().position_D;
     const std::array<double, 3> nextStep = difference(next, place);
-    EXPECT_LE(distance(next, place), mostSpeed * timeStep * (1.0 + rounding)) << i;
+    EXPECT_LE(distance(next, place), maxSpeed * timeStep * (1.0 + rounding)) << i;
     EXPECT_LE(distance(nextStep, step),
-              mostAcceleration * timeStep * timeStep * (1.0 + rounding) + 1e-15)
+              maxAcceleration * timeStep * timeStep * (1.0 + rounding) + 1e-15)
         << i;
     place = next;
     step = nextStep;

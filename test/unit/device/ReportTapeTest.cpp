@@ -242,11 +242,11 @@ TEST(TapeReading, CountsWhatIsMissingAndMeasuresTheRoomTheHandWasIn)
   EXPECT_EQ(told.reading.duplicates, 1u);
   EXPECT_EQ(told.reading.lost, 2u);
   EXPECT_NEAR(told.reading.rate, 2.0 / 4e-3, 1e-6);
-  EXPECT_NEAR(told.least_D[0], -50e-5, 1e-12);
-  EXPECT_NEAR(told.most_D[0], 200e-5, 1e-12);
-  EXPECT_NEAR(told.least_D[1], -300e-5, 1e-12);
+  EXPECT_NEAR(told.min_D[0], -50e-5, 1e-12);
+  EXPECT_NEAR(told.max_D[0], 200e-5, 1e-12);
+  EXPECT_NEAR(told.min_D[1], -300e-5, 1e-12);
   EXPECT_EQ(told.buttons, 1u);
-  EXPECT_NEAR(told.writing.timeMost, 977e-6, 1e-12);
+  EXPECT_NEAR(told.writing.timeMax, 977e-6, 1e-12);
   EXPECT_NEAR(told.duration, 5e-3, 1e-12);
 }
 

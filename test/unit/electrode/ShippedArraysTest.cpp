@@ -153,10 +153,10 @@ TEST_P(KnownArray, IsAsThickAtTipAndBaseAsPublished)
 
 TEST_P(KnownArray, CurlsOnlyIfItsKindDoes)
 {
-  double most = 0.0;
+  double maximum = 0.0;
   for (const Curvature curvature : array.restCurvature.value)
-    most = std::max(most, inPerMillimeter(curvature));
-  EXPECT_EQ(most > 0.0, facts.isPrecurved);
+    maximum = std::max(maximum, inPerMillimeter(curvature));
+  EXPECT_EQ(maximum > 0.0, facts.isPrecurved);
   EXPECT_EQ(array.hasStylet, facts.isPrecurved);
 }
 

@@ -19,7 +19,7 @@ device::DeviceTraits forceDevice(double delay)
   device::DeviceTraits traits;
   traits.name = "Hand";
   traits.rendersForce = true;
-  traits.mostForce = 3.3;
+  traits.maxForce = 3.3;
   traits.handleDamping = 0.5;
   traits.handleMass = 0.09;
   traits.transportDelay = delay;
@@ -86,12 +86,12 @@ TEST(CouplingLimit, AgreesWithWhatWasMeasuredOfFourWires)
 TEST(CouplingLimit, HoldsTheMakersBounds)
 {
   device::DeviceTraits traits = forceDevice(0.0);
-  traits.mostStiffness = 400.0;
-  traits.mostDamping = 1.5;
+  traits.maxStiffness = 400.0;
+  traits.maxDamping = 1.5;
   EXPECT_EQ(couplingLimit(traits, 1e-3).stiffness, 400.0);
   EXPECT_EQ(couplingLimit(traits, 1e-3).damping, 1.5);
   // a maker who promises more than the delay allows changes nothing
-  traits.mostStiffness = 5000.0;
+  traits.maxStiffness = 5000.0;
   EXPECT_NEAR(couplingLimit(traits, 1e-3).stiffness, 750.0, 1e-9);
 }
 
@@ -113,7 +113,7 @@ double trembling(const device::DeviceTraits& traits, double stiffness, double ti
   const auto stepsPerTick = static_cast<int>(std::lround(timeStep / step));
   const auto delayed = static_cast<std::size_t>(std::lround(traits.transportDelay / step));
   std::deque<double> forces(delayed + 1, 0.0);
-  double place = 0.0, speed = 0.0, held = 0.0, least = 1.0, most = -1.0;
+  double place = 0.0, speed = 0.0, held = 0.0, minimum = 1.0, maximum = -1.0;
   for (int i = 0; i < 2'000'000; ++i) {
     if (i % stepsPerTick == 0) held = place > 0.0 ? -stiffness * place : 0.0;
     forces.push_back(held);
@@ -122,10 +122,10 @@ double trembling(const device::DeviceTraits& traits, double stiffness, double ti
     speed += step * force / traits.handleMass;
     place += step * speed;
     if (i < 1'900'000) continue;
-    least = std::min(least, place);
-    most = std::max(most, place);
+    minimum = std::min(minimum, place);
+    maximum = std::max(maximum, place);
   }
-  return most - least;
+  return maximum - minimum;
 }
 
 TEST(CouplingLimit, KeepsAFreeHandleStillAgainstAWall)
@@ -149,7 +149,7 @@ TEST(SoftenedCoupling, GivesWayToTheDevice)
   EngineSettings settings;
   settings.coupling = mechanics::Coupling::spring;
   settings.couplingStiffness = 441.0;
-  settings.mostStiffness = 220.5;
+  settings.maxStiffness = 220.5;
   test::InsertionRig rig(test::insertionInRing(), settings, millimetersPerSecond(10));
   EXPECT_DOUBLE_EQ(rig.engine().couplingStiffness(), 220.5);
   rig.start();
@@ -163,7 +163,7 @@ TEST(SoftenedCoupling, GivesWayToMagnifiedForces)
   EngineSettings settings;
   settings.coupling = mechanics::Coupling::spring;
   settings.couplingStiffness = 441.0;
-  settings.mostStiffness = 441.0;
+  settings.maxStiffness = 441.0;
   test::InsertionRig rig(test::insertionInTube(), settings);
   EXPECT_DOUBLE_EQ(rig.engine().couplingStiffness(), 441.0);
   rig.send(Command::Kind::setForceScale, 2.0);
@@ -175,7 +175,7 @@ TEST(SoftenedCoupling, StaysAsAskedWhereTheDeviceRendersIt)
 {
   EngineSettings settings;
   settings.coupling = mechanics::Coupling::spring;
-  settings.mostStiffness = 1000.0;
+  settings.maxStiffness = 1000.0;
   test::InsertionRig rig(test::insertionInTube(), settings);
   rig.start();
   for (int i = 0; i < 100; ++i) EXPECT_EQ(rig.tick().output.status & couplingSoftened, 0u);

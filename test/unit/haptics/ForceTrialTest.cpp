@@ -15,7 +15,7 @@ device::DeviceTraits threeAxes()
 {
   device::DeviceTraits traits;
   traits.rendersForce = true;
-  traits.mostForce = 3.3;
+  traits.maxForce = 3.3;
   traits.actuatedTranslations = 3;
   return traits;
 }
@@ -46,25 +46,25 @@ TEST(ForceTrial, ShowsEveryAxisAtMostHalfANewton)
 {
   ForceTrial trial(threeAxes(), timeStep);
   RestingHand hand;
-  std::array<double, 3> most{};
-  double mostStep = 0.0, before = 0.0;
+  std::array<double, 3> maximum{};
+  double maxStep = 0.0, before = 0.0;
   int ticks = 0;
   for (; !trial.isOver() && ticks < 10'000; ++ticks) {
     const device::Wrench wrench_D = trial.step(hand.next(true));
-    for (std::size_t i = 0; i < 3; ++i) most[i] = std::max(most[i], wrench_D.force_D[i]);
+    for (std::size_t i = 0; i < 3; ++i) maximum[i] = std::max(maximum[i], wrench_D.force_D[i]);
     ASSERT_LE(magnitude(wrench_D), 0.5 + 1e-12);
-    mostStep = std::max(mostStep, std::abs(magnitude(wrench_D) - before));
+    maxStep = std::max(maxStep, std::abs(magnitude(wrench_D) - before));
     before = magnitude(wrench_D);
   }
-  for (const double force : most) EXPECT_NEAR(force, 0.5, 0.01);
+  for (const double force : maximum) EXPECT_NEAR(force, 0.5, 0.01);
   EXPECT_LE(ticks, 3100);
-  EXPECT_LT(mostStep, 0.01);  // nothing snaps
+  EXPECT_LT(maxStep, 0.01);  // nothing snaps
 }
 
 TEST(ForceTrial, ShowsAFifthOfAWeakDevicesForce)
 {
   device::DeviceTraits traits = threeAxes();
-  traits.mostForce = 1.0;
+  traits.maxForce = 1.0;
   EXPECT_DOUBLE_EQ(ForceTrial(traits, timeStep).greatest(), 0.2);
 }
 

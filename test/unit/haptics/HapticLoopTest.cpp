@@ -16,7 +16,7 @@ public:
     device::DeviceTraits traits;
     traits.name = "Listener";
     traits.rendersForce = true;
-    traits.mostForce = 0.5;
+    traits.maxForce = 0.5;
     return traits;
   }
   Result<Done> open() override { return Done{}; }
@@ -55,7 +55,7 @@ TEST(HapticLoop, LowersTheGreatestForceToTheDevicesOwn)
   ListeningDevice device;
   HapticLoop loop(device,
                   std::make_unique<InsertionEngine>(test::insertionInTube(), EngineSettings{}));
-  EXPECT_EQ(loop.engine().safetyLimits().mostForce, 0.5);
+  EXPECT_EQ(loop.engine().safetyLimits().maxForce, 0.5);
 }
 
 TEST(HapticLoop, ShowsZeroForceWhenItStops)

@@ -17,10 +17,10 @@ constexpr double handleMass = 0.09;  // [kg], of a consumer device
 
 /// Energy that came out of a port, by the test's own account.
 struct Account {
-  double putIn = 0.0;      // by the hand, less what it got back [J]
-  double oneTick = 0.0;    // the most that passed in one tick [J]
-  double least = 0.0;      // putIn below the worth of one tick, at its worst [J]
-  double mostSpeed = 0.0;  // [m/s]
+  double putIn = 0.0;     // by the hand, less what it got back [J]
+  double oneTick = 0.0;   // the most that passed in one tick [J]
+  double minimum = 0.0;   // putIn below the worth of one tick, at its worst [J]
+  double maxSpeed = 0.0;  // [m/s]
 };
 
 /// A free handle thrown at 0.1 m/s against a wall whose force comes some ticks late: a wall like
@@ -43,8 +43,8 @@ Account throwAgainstDelayedWall(double stiffness, std::size_t delay, Show show)
     moved_D = Eigen::Vector3d(0.0, 0.0, step);
     account.putIn -= shown * step;
     account.oneTick = std::max(account.oneTick, std::abs(shown * step));
-    account.least = std::min(account.least, account.putIn + account.oneTick);
-    account.mostSpeed = std::max(account.mostSpeed, std::abs(speed));
+    account.minimum = std::min(account.minimum, account.putIn + account.oneTick);
+    account.maxSpeed = std::max(account.maxSpeed, std::abs(speed));
   }
   return account;
 }
@@ -53,8 +53,8 @@ TEST(DelayedWall, GivesMoreEnergyThanItGotWithoutAController)
 {
   const Account account = throwAgainstDelayedWall(
       441.0, 3, [](const Eigen::Vector3d& wanted_D, const Eigen::Vector3d&) { return wanted_D; });
-  EXPECT_LT(account.least, 0.0);
-  EXPECT_GT(account.mostSpeed, 0.11);
+  EXPECT_LT(account.minimum, 0.0);
+  EXPECT_GT(account.maxSpeed, 0.11);
 }
 
 TEST(DelayedWall, NeverGivesBackMoreThanOneTicksWorthUnderTheController)
@@ -69,8 +69,8 @@ TEST(DelayedWall, NeverGivesBackMoreThanOneTicksWorthUnderTheController)
             shown_D = passivity.control(wanted_D, moved_D);
             return shown_D;
           });
-      EXPECT_EQ(account.least, 0.0) << stiffness << " N/m, " << delay << " ticks late";
-      EXPECT_LE(account.mostSpeed, 0.105) << stiffness << " N/m, " << delay << " ticks late";
+      EXPECT_EQ(account.minimum, 0.0) << stiffness << " N/m, " << delay << " ticks late";
+      EXPECT_LE(account.maxSpeed, 0.105) << stiffness << " N/m, " << delay << " ticks late";
     }
   }
 }
@@ -86,7 +86,7 @@ TEST(DelayedWall, IsDampedThroughTheWholeSafetyChainAsWell)
         hand.moved_D = moved_D;
         return safety.show(wanted_D, hand, status);
       });
-  EXPECT_EQ(account.least, 0.0);
+  EXPECT_EQ(account.minimum, 0.0);
   EXPECT_NE(status & passivityActed, 0u);
   // the chain's own account, one motion behind, is the test's
   EXPECT_NEAR(safety.energy(), account.putIn, account.oneTick);
@@ -116,7 +116,7 @@ TEST(Passivity, DampsNoHarderThanASampledDamperMay)
   const Eigen::Vector3d moved_D(1e-6, 0.0, 0.0);
   const Eigen::Vector3d shown_D = passivity.control({3.0, 0.0, 0.0}, moved_D);
   const double speed = 1e-6 / timeStep;
-  EXPECT_NEAR(3.0 - shown_D.x(), Passivity::mostDamping * speed, 1e-12);
+  EXPECT_NEAR(3.0 - shown_D.x(), Passivity::maxDamping * speed, 1e-12);
 }
 
 }  // namespace

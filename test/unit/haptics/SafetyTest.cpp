@@ -80,8 +80,8 @@ TEST(Safety, TakesAForceOfWhichOneComponentIsNoNumberAsNone)
 
 TEST(Safety, NeverStepsByMoreThanTheSlewLimit)
 {
-  const double mostStep = SafetyLimits{}.mostSlew * timeStep;
-  const double offStep = SafetyLimits{}.mostForce / SafetyLimits{}.offTime * timeStep;
+  const double maxStep = SafetyLimits{}.maxSlew * timeStep;
+  const double offStep = SafetyLimits{}.maxForce / SafetyLimits{}.offTime * timeStep;
   Safety safety(SafetyLimits{}, timeStep);
   Eigen::Vector3d before_D = Eigen::Vector3d::Zero();
   for (int i = 0; i < 5000; ++i) {
@@ -96,7 +96,7 @@ TEST(Safety, NeverStepsByMoreThanTheSlewLimit)
     std::uint32_t status = allWell;
     const Eigen::Vector3d now_D = safety.show({sign * 10.0, 3.0, -sign}, hand, status);
     const bool isOff = !hand.isHeld || hand.isStale || hand.hasFault;
-    ASSERT_LE((now_D - before_D).norm(), (isOff ? offStep : mostStep) * (1.0 + rounding)) << i;
+    ASSERT_LE((now_D - before_D).norm(), (isOff ? offStep : maxStep) * (1.0 + rounding)) << i;
     ASSERT_LE(now_D.norm(), 3.3 * (1.0 + rounding)) << i;
     before_D = now_D;
   }
@@ -204,24 +204,24 @@ TEST(Safety, TakesTheLowerOfItsOwnAndTheDevicesGreatestForce)
 {
   device::DeviceTraits device;
   device.rendersForce = true;
-  device.mostForce = 2.0;
-  EXPECT_EQ(limitsFor({}, device).mostForce, 2.0);
-  device.mostForce = 12.0;
-  EXPECT_EQ(limitsFor({}, device).mostForce, 3.3);
+  device.maxForce = 2.0;
+  EXPECT_EQ(limitsFor({}, device).maxForce, 2.0);
+  device.maxForce = 12.0;
+  EXPECT_EQ(limitsFor({}, device).maxForce, 3.3);
   device.rendersForce = false;
-  device.mostForce = 0.0;
-  EXPECT_EQ(limitsFor({}, device).mostForce, 3.3);
+  device.maxForce = 0.0;
+  EXPECT_EQ(limitsFor({}, device).maxForce, 3.3);
 }
 
 TEST(Safety, KeepsItsOwnLimitsForADeviceThatTellsNone)
 {
   device::DeviceTraits device;
   device.rendersForce = true;
-  device.mostForce = 0.0;
+  device.maxForce = 0.0;
   device.workspaceRadius = 0.0;
   SafetyLimits own;
   own.reach = 0.2;
-  EXPECT_EQ(limitsFor(own, device).mostForce, own.mostForce);
+  EXPECT_EQ(limitsFor(own, device).maxForce, own.maxForce);
   EXPECT_EQ(limitsFor(own, device).reach, 0.2);
   device.workspaceRadius = 0.08;
   EXPECT_EQ(limitsFor(own, device).reach, 0.08);
@@ -233,7 +233,7 @@ TEST(Safety, MayBeToldToShowLessButNeverMore)
   for (const auto& [told, shown] :
        {std::pair{1.0, 1.0}, {20.0, 3.3}, {0.0, 3.3}, {-1.0, 3.3}, {std::nan(""), 3.3}}) {
     Safety safety({}, timeStep);
-    safety.lowerMostForce(told);
+    safety.lowerMaxForce(told);
     std::uint32_t status = allWell;
     for (int i = 0; i < 1000; ++i) safety.show(wanted_D, holding(), status);
     EXPECT_NEAR(safety.show(wanted_D, holding(), status).y(), shown, rounding) << told;

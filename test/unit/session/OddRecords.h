@@ -91,7 +91,7 @@ inline session::RecordingFacts someFacts()
   facts.device = "Scripted insertion";
   facts.timeStep = 0.1 + 0.2;
   facts.samplePeriod = 1.0 / 3.0;
-  facts.mostForce = 3.3;
+  facts.maxForce = 3.3;
   facts.seed = 7;
   facts.modelFingerprint = 0xffffffffffffffffu;
   facts.version = "0.1.0";

@@ -189,10 +189,10 @@ std::vector<Measure> measure(const anatomy::ScalaTympani& scala)
   return measures;
 }
 
-std::vector<SectionRow> sectionRows(const anatomy::ScalaTympani& scala, Angle most)
+std::vector<SectionRow> sectionRows(const anatomy::ScalaTympani& scala, Angle maxStep)
 {
   const double last = scala.lastAngle().si();
-  const int pieces = std::max(1, static_cast<int>(std::ceil(last / most.si() - 1e-9)));
+  const int pieces = std::max(1, static_cast<int>(std::ceil(last / maxStep.si() - 1e-9)));
   const std::array<Path, 4> paths = {
       outerWall(scala),
       [&scala](double angle) {

@@ -9,7 +9,7 @@ namespace perilymph::analysis {
 
 namespace {
 
-constexpr int mostRounds = 10;
+constexpr int maxRounds = 10;
 constexpr double settled = 0.02;     // of a step: closer than any uncertainty
 constexpr double negligible = 1e-6;  // of the cost
 
@@ -92,7 +92,7 @@ Result<TwoFit> fitTwo(const TwoResiduals& residuals, TwoNumbers start, const Two
 
   Slopes slopes;
   double damping = 1e-3;
-  for (int round = 0; round < mostRounds; ++round) {
+  for (int round = 0; round < maxRounds; ++round) {
     // Differences are taken into the inside of the bounds.
     const double signA = fit.at.a + bounds.step.a > bounds.high.a ? -1.0 : 1.0;
     const double signB = fit.at.b + bounds.step.b > bounds.high.b ? -1.0 : 1.0;

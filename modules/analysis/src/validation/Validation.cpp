@@ -209,9 +209,9 @@ std::vector<SpreadShare> sharesOf(const ValidationRequest& request, const std::v
 /// could make it.
 std::optional<CurvePoint> findEarlyPeak(const std::vector<CurvePoint>& curve)
 {
-  constexpr double leastFall = 0.001;  // [N]
+  constexpr double minFall = 0.001;  // [N]
   const BasalTurn found = findBasalTurn(curve, {millimeters(3), millimeters(7), millimeters(9)});
-  if (!found.peak || !found.dip || found.peak->force - found.dip->force < leastFall)
+  if (!found.peak || !found.dip || found.peak->force - found.dip->force < minFall)
     return std::nullopt;
   return found.peak;
 }

@@ -18,11 +18,11 @@ using Json = nlohmann::ordered_json;
 // a median of 0.0204 N (Kratchman 2016); positions to a half and a third of the way between the
 // experiment's peak and dip and the published simulator's; a spread of the experiment's order,
 // whose printed deviations are 13 to 39 mN.
-constexpr double mostDifference = 0.027;
+constexpr double maxDifference = 0.027;
 constexpr double felt = 0.020;
 constexpr Length peakSlack = millimeters(0.8);
 constexpr Length dipSlack = millimeters(0.6);
-constexpr double leastSpread = 0.010, mostSpread = 0.040;
+constexpr double minSpread = 0.010, maxSpread = 0.040;
 
 std::string newtonsOf(double force) { return fixed(force, 4) + " N"; }
 
@@ -110,7 +110,7 @@ std::vector<Verdict> verdictsOf(const ValidationResult& result, const Reference&
   }
   const double largest = largestDifference(result);
   verdicts.push_back({"largest of these differences", newtonsOf(largest),
-                      "at most " + newtonsOf(mostDifference), largest <= mostDifference});
+                      "at most " + newtonsOf(maxDifference), largest <= maxDifference});
   verdicts.push_back({"the same, below what surgeons feel", newtonsOf(largest),
                       "at most " + newtonsOf(felt), largest <= felt});
   verdicts.push_back(placeVerdict("place of the basal-turn peak", result.basalTurn.peak,
@@ -130,8 +130,8 @@ std::vector<Verdict> verdictsOf(const ValidationResult& result, const Reference&
       rangeVerdict("raw force at the first rib", peak, experiment.findRange("first rib, raw")));
   const double spread = spreadAtAnchors(result);
   verdicts.push_back({"standard deviation at the printed values", newtonsOf(spread),
-                      fixed(leastSpread, 4) + " to " + newtonsOf(mostSpread),
-                      spread >= leastSpread && spread <= mostSpread});
+                      fixed(minSpread, 4) + " to " + newtonsOf(maxSpread),
+                      spread >= minSpread && spread <= maxSpread});
   return verdicts;
 }
 

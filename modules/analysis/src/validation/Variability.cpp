@@ -116,7 +116,7 @@ DrawnInsertion drawInsertion(const session::Scenario& nominal, const Variability
   const auto stream = [&](SpreadSource source) {
     return RandomStream(seed, number, static_cast<std::uint64_t>(source));
   };
-  constexpr double most = 3.0;  // deviations off: what lies beyond would have been put right
+  constexpr double maxDeviates = 3.0;  // deviations off: what lies beyond would have been put right
 
   if (sources.has(SpreadSource::start)) {
     const double share = stream(SpreadSource::start).share();
@@ -125,14 +125,17 @@ DrawnInsertion drawInsertion(const session::Scenario& nominal, const Variability
   }
   if (sources.has(SpreadSource::alignment)) {
     RandomStream random = stream(SpreadSource::alignment);
-    drawn.scenario.approachTilt = drawn.scenario.approachTilt +
-                                  random.normal(0.0, 1.0, -most, most) * variability.tiltDeviation;
-    drawn.scenario.approachTurn = drawn.scenario.approachTurn +
-                                  random.normal(0.0, 1.0, -most, most) * variability.turnDeviation;
+    drawn.scenario.approachTilt =
+        drawn.scenario.approachTilt +
+        random.normal(0.0, 1.0, -maxDeviates, maxDeviates) * variability.tiltDeviation;
+    drawn.scenario.approachTurn =
+        drawn.scenario.approachTurn +
+        random.normal(0.0, 1.0, -maxDeviates, maxDeviates) * variability.turnDeviation;
   }
   if (sources.has(SpreadSource::motion)) {
     RandomStream random = stream(SpreadSource::motion);
-    drawn.speed *= 1.0 + variability.speedDeviation * random.normal(0.0, 1.0, -most, most);
+    drawn.speed *=
+        1.0 + variability.speedDeviation * random.normal(0.0, 1.0, -maxDeviates, maxDeviates);
     drawn.tremorAmplitude = variability.tremorAmplitude.si();
     drawn.tremorFrequency = variability.tremorFrequency;
     for (double& phase : drawn.tremorPhase) phase = random.between(0.0, 2.0 * pi);
@@ -140,13 +143,14 @@ DrawnInsertion drawInsertion(const session::Scenario& nominal, const Variability
   if (sources.has(SpreadSource::curvature) && drawn.scenario.array.hasStylet) {
     RandomStream random = stream(SpreadSource::curvature);
     double& residual = drawn.scenario.array.stylet.residualCurvature;
-    residual += variability.curvatureDeviation * random.normal(0.0, 1.0, -most, most);
+    residual += variability.curvatureDeviation * random.normal(0.0, 1.0, -maxDeviates, maxDeviates);
   }
   if (sources.has(SpreadSource::friction)) {
     // log-normal with the mean 1 and the deviation asked for
     const double variance =
         logarithm(1.0 + variability.frictionDeviation * variability.frictionDeviation);
-    const double deviate = stream(SpreadSource::friction).normal(0.0, 1.0, -most, most);
+    const double deviate =
+        stream(SpreadSource::friction).normal(0.0, 1.0, -maxDeviates, maxDeviates);
     const double factor = exponential(std::sqrt(variance) * deviate - 0.5 * variance);
     mechanics::FrictionLaw& law = drawn.scenario.friction;
     for (double* coefficient : {&law.starting, &law.dynamic, &law.stopping})

@@ -15,8 +15,8 @@ namespace {
 constexpr double stride_deg = 3.0;
 constexpr double endPrecision_deg = 0.05;
 constexpr double farthestStep = 0.45e-3;  // the center moves at most so far from cut to cut [m]
-constexpr double mostTurns = 4.0;
-constexpr double leastArea = 0.05e-6;  // below this a cut is no duct [m^2]
+constexpr double maxTurns = 4.0;
+constexpr double minArea = 0.05e-6;  // below this a cut is no duct [m^2]
 // A section whose area is this much less or more than the one before is another one.
 constexpr double likeness = 0.55;
 
@@ -71,14 +71,14 @@ std::optional<AxialSection> next(const Surface& closed, const AxisFrame& frame,
                                  const AxialSection& before, double angle)
 {
   std::optional<AxialSection> best;
-  double least = farthestStep;
+  double smallest = farthestStep;
   for (const AxialSection& one : sectionsAt(closed, frame, angle)) {
     const double out = one.centerRadius - before.centerRadius;
     const double up = one.centerHeight - before.centerHeight;
     const double off = std::sqrt(out * out + up * up);
     const bool isLike = one.area > likeness * before.area && before.area > likeness * one.area;
-    if (off > least || !isLike) continue;
-    least = off;
+    if (off > smallest || !isLike) continue;
+    smallest = off;
     best = one;
   }
   return best;
@@ -89,7 +89,7 @@ std::vector<AxialSection> followOneWay(const Surface& closed, const AxisFrame& f
                                        const AxialSection& seed, double stride)
 {
   std::vector<AxialSection> sections{seed};
-  while (std::fabs(sections.back().angle - seed.angle) < mostTurns * 2.0 * pi) {
+  while (std::fabs(sections.back().angle - seed.angle) < maxTurns * 2.0 * pi) {
     const auto found = next(closed, frame, sections.back(), sections.back().angle + stride);
     if (!found) break;
     sections.push_back(*found);
@@ -160,7 +160,7 @@ std::vector<AxialSection> sectionsAt(const Surface& closed, const AxisFrame& fra
     }
     const std::vector<Cut> near = clipped(line);
     const AxialSection section = measured(near, angle);
-    if (near.size() > 2 && section.centerRadius > 0.0 && section.area > leastArea)
+    if (near.size() > 2 && section.centerRadius > 0.0 && section.area > minArea)
       sections.push_back(section);
   }
   return sections;

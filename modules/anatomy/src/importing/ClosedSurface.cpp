@@ -10,15 +10,16 @@
 namespace perilymph::anatomy {
 namespace {
 
-constexpr int leastTriangles = 200;
+constexpr int minTriangles = 200;
 // A cochlea's A is 7.9 to 10.8 mm (numbers of three surveys); with its height and an opening before
 // it the longest side of its box stays within these.
-constexpr double leastSide = 5e-3, mostSide = 20e-3;
+constexpr double minSide = 5e-3, maxSide = 20e-3;
 // 23 to 50 mm3 in 30 micro-CTs (Dhanasingh 2021), widened for unlike borders of the segmentation.
-constexpr double leastVolume = 12e-9, mostVolume = 90e-9;
+constexpr double minVolume = 12e-9, maxVolume = 90e-9;
 // A rim longer than this is the opening, a shorter one a hole of the segmentation [m].
 constexpr double openingRim = 2e-3;
-constexpr double mostOfEdges = 0.01;  // this share of edges may be odd before a surface is refused
+constexpr double maxOddFraction =
+    0.01;  // this share of edges may be odd before a surface is refused
 
 using Edge = std::pair<int, int>;
 
@@ -152,9 +153,9 @@ double lengthOf(const Surface& surface, const std::vector<int>& rim)
 
 Result<Done> checkPoints(const Surface& soup)
 {
-  if (soup.triangles.size() < static_cast<std::size_t>(leastTriangles))
+  if (soup.triangles.size() < static_cast<std::size_t>(minTriangles))
     return Error{"The surface has " + std::to_string(soup.triangles.size()) +
-                 " triangles; a scala tympani needs at least " + std::to_string(leastTriangles) +
+                 " triangles; a scala tympani needs at least " + std::to_string(minTriangles) +
                  ". Export the segmentation as triangles."};
   const auto count = static_cast<int>(soup.points.size());
   for (const auto& t : soup.triangles)
@@ -172,10 +173,10 @@ Result<Done> checkPoints(const Surface& soup)
       high = high.cwiseMax(p);
     }
   const double side = (high - low).maxCoeff();
-  if (side < leastSide || side > mostSide)
+  if (side < minSide || side > maxSide)
     return Error{"The surface is " + inText(1e3 * side, "%.4g") +
-                 " mm long; a scala tympani is between " + inText(1e3 * leastSide, "%.0f") +
-                 " and " + inText(1e3 * mostSide, "%.0f") +
+                 " mm long; a scala tympani is between " + inText(1e3 * minSide, "%.0f") + " and " +
+                 inText(1e3 * maxSide, "%.0f") +
                  " mm. Surfaces are read in millimeters; export it so."};
   return Done{};
 }
@@ -191,7 +192,7 @@ Result<ClosedSurface> closeSurface(const Surface& soup)
   std::size_t crowded = 0;
   for (const auto& [edge, triangles] : edges)
     if (triangles.size() > 2) ++crowded;
-  if (static_cast<double>(crowded) > mostOfEdges * static_cast<double>(edges.size()))
+  if (static_cast<double>(crowded) > maxOddFraction * static_cast<double>(edges.size()))
     return Error{
         "At " + std::to_string(crowded) + " of " + std::to_string(edges.size()) +
         " edges of the surface more than two triangles meet; it must be the one wall of the "
@@ -231,10 +232,10 @@ Result<ClosedSurface> closeSurface(const Surface& soup)
     for (auto& t : result.surface.triangles) std::swap(t[1], t[2]);
     result.volume = -result.volume;
   }
-  if (result.volume < leastVolume || result.volume > mostVolume)
+  if (result.volume < minVolume || result.volume > maxVolume)
     return Error{"The surface encloses " + inText(1e9 * result.volume, "%.3g") +
                  " mm3; a scala tympani holds 23 to 50 mm3, and " +
-                 inText(1e9 * leastVolume, "%.0f") + " to " + inText(1e9 * mostVolume, "%.0f") +
+                 inText(1e9 * minVolume, "%.0f") + " to " + inText(1e9 * maxVolume, "%.0f") +
                  " are read. Keep the scala tympani alone, in millimeters."};
   return result;
 }

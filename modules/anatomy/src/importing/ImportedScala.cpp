@@ -19,9 +19,9 @@ namespace {
 constexpr int axisRounds = 6;  // the duct is followed anew about each better axis
 // The hook at the base is no spiral: the axis is fitted from here on.
 constexpr double spiralFrom_deg = 20.0;
-constexpr double leastTurns = 1.25;  // fewer leave 270 degrees or the axis open
+constexpr double minTurns = 1.25;  // fewer leave 270 degrees or the axis open
 // Human scalae have up to three; what winds on is a ring or a ball that comes back into itself.
-constexpr double mostTurns = 3.5;
+constexpr double maxTurns = 3.5;
 
 double polar(const Eigen::Vector3d& point) { return arcTangent(point.y(), point.x()); }
 
@@ -136,7 +136,7 @@ Result<ImportedScala> importScala(const Surface& segmented)
     *axis = straightened(*axis, duct, from, duct.back().angle);
     duct = followDuct(closed->surface, *axis);
   }
-  if (duct.size() <= 2 || duct.back().angle - duct.front().angle > 2.0 * pi * mostTurns)
+  if (duct.size() <= 2 || duct.back().angle - duct.front().angle > 2.0 * pi * maxTurns)
     return noSpiral;
 
   // the round window
@@ -146,9 +146,9 @@ Result<ImportedScala> importScala(const Surface& segmented)
   const RoundWindow window = isOpen ? roundWindowAtRim(*closed, opening, *axis, duct)
                                     : roundWindowAtEnd(*axis, duct.front());
   const double last = duct.back().angle - window.angle;
-  if (last < 2.0 * pi * leastTurns)
+  if (last < 2.0 * pi * minTurns)
     return Error{"The duct winds " + inText(last / (2.0 * pi), "%.2f") +
-                 " turns about its axis; at least " + inText(leastTurns, "%.2f") +
+                 " turns about its axis; at least " + inText(minTurns, "%.2f") +
                  " are needed to measure it. Segment the scala tympani farther toward the apex."};
   if (!isOpen) {
     opening.center = window.center;

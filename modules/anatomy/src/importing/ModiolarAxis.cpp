@@ -66,10 +66,10 @@ SpiralMotion fittedMotion(const std::vector<Patch>& patches, const std::vector<d
     left += rest * rest.transpose();
   }
   const Eigen3 directions(left);
-  int least = 0;
+  int smallest = 0;
   for (int k = 1; k < 3; ++k)
-    if (directions.values[k] < directions.values[least]) least = k;
-  const Eigen::Vector3d turning = directions.vectors.col(least);
+    if (directions.values[k] < directions.values[smallest]) smallest = k;
+  const Eigen::Vector3d turning = directions.vectors.col(smallest);
   const Eigen::Vector4d rest = follows * turning;
   return {turning, rest.head<3>(), rest[3]};
 }

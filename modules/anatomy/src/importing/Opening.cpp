@@ -33,14 +33,14 @@ Eigen::Vector3d acrossOf(const Surface& surface, const std::array<int, 3>& t)
 }
 
 /// The eigenvector of the least eigenvalue, and that value's share of all.
-std::pair<Eigen::Vector3d, double> leastDirection(const Eigen::Matrix3d& scatter)
+std::pair<Eigen::Vector3d, double> minDirection(const Eigen::Matrix3d& scatter)
 {
   const Eigen3 parts(scatter);
-  int least = 0;
+  int smallest = 0;
   for (int k = 1; k < 3; ++k)
-    if (parts.values[k] < parts.values[least]) least = k;
+    if (parts.values[k] < parts.values[smallest]) smallest = k;
   const double all = parts.values[0] + parts.values[1] + parts.values[2];
-  return {parts.vectors.col(least), all > 0.0 ? parts.values[least] / all : 1.0};
+  return {parts.vectors.col(smallest), all > 0.0 ? parts.values[smallest] / all : 1.0};
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ Opening openingOf(const ClosedSurface& closed)
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const Eigen::Vector3d& p : closed.rim)
     spread += (p - opening.center) * (p - opening.center).transpose();
-  const Eigen::Vector3d plane = leastDirection(spread).first;
+  const Eigen::Vector3d plane = minDirection(spread).first;
 
   // the direction square to the normals of the wall at the rim
   std::vector<int> waiting;
@@ -83,7 +83,7 @@ Opening openingOf(const ClosedSurface& closed)
     waiting.push_back(static_cast<int>(i));
     isSeen[i] = true;
   }
-  auto [direction, scatter] = leastDirection(normals);
+  auto [direction, scatter] = minDirection(normals);
   const double lean = direction.dot(plane);
   if (lean * side < 0.0) direction = -direction;
   opening.inward = direction;
@@ -105,15 +105,15 @@ Opening openingOf(const ClosedSurface& closed)
     const auto& t = closed.surface.triangles[static_cast<std::size_t>(waiting.back())];
     waiting.pop_back();
     const Eigen::Vector3d across = acrossOf(closed.surface, t);
-    double least = 1e9;
+    double smallest = 1e9;
     for (const int k : t)
-      least = std::min(
-          least, (corner(closed.surface, k) - opening.center).dot(plane) / direction.dot(plane));
+      smallest = std::min(
+          smallest, (corner(closed.surface, k) - opening.center).dot(plane) / direction.dot(plane));
     if (std::fabs(across.dot(direction)) > straight * across.norm()) {
-      end = std::min(end, least);
+      end = std::min(end, smallest);
       continue;
     }
-    if (least > end) continue;
+    if (smallest > end) continue;
     for (std::size_t k = 0; k < 3; ++k)
       for (const int next :
            edges[{std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])}]) {

@@ -174,8 +174,8 @@ void LumenField::locate(const Eigen::Vector3d& point_W, double reach, LumenTrack
   // far from every wall of the section: that is all anyone asks
   const double toEnd = (lastAngle_ - memory.angle) *
                        std::sqrt(point_W.x() * point_W.x() + point_W.y() * point_W.y());
-  const double slant = leastSlant_[here.section];
-  const double clear = 0.95 * leastRadius_[here.section] - reach / slant;
+  const double slant = minSlant_[here.section];
+  const double clear = 0.95 * minRadius_[here.section] - reach / slant;
   const double off2 = here.u * here.u + here.v * here.v;
   // a chord to the end is at least 2/pi of the arc, up to half a turn
   const double clearOfEnd = 0.5 * toEnd - reach;

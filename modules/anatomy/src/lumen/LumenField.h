@@ -69,10 +69,9 @@ private:
   int sections_ = 0;
   /// Spline coefficients over the angle, two more than sections.
   std::vector<std::array<double, columns>> along_;
+  std::vector<double> minRadius_;  ///< Per section: the wall's least distance from the center [m].
   std::vector<double>
-      leastRadius_;  ///< Per section: the wall's least distance from the center [m].
-  std::vector<double>
-      leastSlant_;               ///< Per section: least distance in space over that in the section.
+      minSlant_;                 ///< Per section: least distance in space over that in the section.
   std::vector<float> distance_;  ///< [section][radial][axial], [m].
 };
 

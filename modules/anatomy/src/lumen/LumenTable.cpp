@@ -66,8 +66,8 @@ LumenField::LumenField(const ScalaTympani& scala) : entry_(scala.entry()), inwar
   setColumn(membraneOuter, outer);
   setColumn(membraneHeight, roof);
 
-  leastRadius_.resize(static_cast<std::size_t>(sections_));
-  leastSlant_.resize(static_cast<std::size_t>(sections_));
+  minRadius_.resize(static_cast<std::size_t>(sections_));
+  minSlant_.resize(static_cast<std::size_t>(sections_));
   distance_.resize((static_cast<std::size_t>(sections_) + 2) * page);
   for (int i = 0; i < sections_; ++i) fillSection(scala, i);
   continueIntoLeadIn();
@@ -115,8 +115,8 @@ void LumenField::fillSection(const ScalaTympani& scala, int section)
   const Eigen::Vector3d center = scala.center_W(angle);
   const WallLines lines(scala, angle);
   const auto row = static_cast<std::size_t>(section);
-  leastRadius_[row] = lines.leastRadius();
-  leastSlant_[row] = lines.leastSlant();
+  minRadius_[row] = lines.minRadius();
+  minSlant_[row] = lines.minSlant();
 
   // the last section is the far end of the last piece
   const std::size_t piece = std::min(row, static_cast<std::size_t>(sections_) - 2);

@@ -5,12 +5,12 @@
 
 namespace perilymph::anatomy {
 
-Surface vestibuliSurface(const ScalaTympani& scala, int mostTriangles)
+Surface vestibuliSurface(const ScalaTympani& scala, int maxTriangles)
 {
   // about three times as many rings as a ring has corners: the duct is long
-  const int most = std::max(mostTriangles, 200);
-  const int around = std::max(8, static_cast<int>(std::sqrt(most / 6.0)));
-  const int rings = std::max(4, (most - around) / (2 * around) + 1);
+  const int maximum = std::max(maxTriangles, 200);
+  const int around = std::max(8, static_cast<int>(std::sqrt(maximum / 6.0)));
+  const int rings = std::max(4, (maximum - around) / (2 * around) + 1);
   const double last = scala.lastAngle().si();
 
   Surface surface;

@@ -34,9 +34,9 @@ WallLines::WallLines(const ScalaTympani& scala, double angle)
     bend -= bend.dot(along) * along;
     const Line line{e.dot(outward),    e.z(),    along.dot(outward), along.z(),
                     bend.dot(outward), bend.z(), bend.norm()};
-    leastRadius_ = std::min(leastRadius_, std::sqrt(line.u * line.u + line.v * line.v));
+    minRadius_ = std::min(minRadius_, std::sqrt(line.u * line.u + line.v * line.v));
     const double inSection = line.alongU * line.alongU + line.alongV * line.alongV;
-    leastSlant_ = std::min(leastSlant_, std::sqrt(1.0 - inSection));
+    minSlant_ = std::min(minSlant_, std::sqrt(1.0 - inSection));
     lines_[static_cast<std::size_t>(k)] = line;
   }
 }
@@ -65,11 +65,11 @@ double WallLines::distance(double u, double v) const noexcept
   // every third point first, then those beside the nearest
   constexpr int stride = 3;
   int nearest = 0;
-  double least = 1e9;
+  double minimum = 1e9;
   const auto consider = [&](int k) {
     const double squared = squaredTo(k);
-    if (squared < least) {
-      least = squared;
+    if (squared < minimum) {
+      minimum = squared;
       nearest = k;
     }
   };
@@ -81,9 +81,9 @@ double WallLines::distance(double u, double v) const noexcept
   }
   const double before = squaredTo((nearest + points - 1) % points);
   const double after = squaredTo((nearest + 1) % points);
-  const double bend = before - 2.0 * least + after;
-  if (bend > 0.0) least -= (after - before) * (after - before) / (8.0 * bend);
-  return std::sqrt(std::max(least, 0.0));
+  const double bend = before - 2.0 * minimum + after;
+  if (bend > 0.0) minimum -= (after - before) * (after - before) / (8.0 * bend);
+  return std::sqrt(std::max(minimum, 0.0));
 }
 
 }  // namespace perilymph::anatomy

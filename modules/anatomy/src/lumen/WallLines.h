@@ -20,9 +20,9 @@ public:
   double distance(double u, double v) const noexcept;
 
   /// The outline's least distance from the center [m].
-  double leastRadius() const noexcept { return leastRadius_; }
+  double minRadius() const noexcept { return minRadius_; }
   /// The least ratio of distance in space to distance in the section.
-  double leastSlant() const noexcept { return leastSlant_; }
+  double minSlant() const noexcept { return minSlant_; }
 
 private:
   /// A point (u, v) of the outline; unit tangent and curvature [1/m] of its lengthwise line, their
@@ -37,7 +37,7 @@ private:
   };
 
   std::array<Line, points> lines_;
-  double leastRadius_ = 1e9, leastSlant_ = 1.0;
+  double minRadius_ = 1e9, minSlant_ = 1.0;
 };
 
 }  // namespace perilymph::anatomy

@@ -42,11 +42,11 @@ struct Rings {
   int around;
 };
 
-Rings ringsOf(const ScalaTympani& scala, int mostTriangles)
+Rings ringsOf(const ScalaTympani& scala, int maxTriangles)
 {
-  const int most = std::max(mostTriangles, 200);
-  const int around = std::max(8, static_cast<int>(std::sqrt(most / 12.0)));
-  const int rings = std::max(4, (most - around) / (2 * around) + 1);
+  const int maximum = std::max(maxTriangles, 200);
+  const int around = std::max(8, static_cast<int>(std::sqrt(maximum / 12.0)));
+  const int rings = std::max(4, (maximum - around) / (2 * around) + 1);
   return {ringAngles(scala, rings), around};
 }
 
@@ -69,9 +69,9 @@ Surface tube(const ScalaTympani& scala, const std::vector<double>& angles, int a
 
 }  // namespace
 
-Surface wallSurface(const ScalaTympani& scala, int mostTriangles)
+Surface wallSurface(const ScalaTympani& scala, int maxTriangles)
 {
-  const Rings cut = ringsOf(scala, mostTriangles);
+  const Rings cut = ringsOf(scala, maxTriangles);
   Surface surface = tube(scala, cut.angles, cut.around);
 
   // the apex is closed by a fan around the last section's center
@@ -83,16 +83,16 @@ Surface wallSurface(const ScalaTympani& scala, int mostTriangles)
   return surface;
 }
 
-Surface wallSurfaceBefore(const ScalaTympani& scala, int mostTriangles, Angle end)
+Surface wallSurfaceBefore(const ScalaTympani& scala, int maxTriangles, Angle end)
 {
-  Rings cut = ringsOf(scala, mostTriangles);
+  Rings cut = ringsOf(scala, maxTriangles);
   while (cut.angles.size() > 2 && cut.angles.back() > end.si()) cut.angles.pop_back();
   return tube(scala, cut.angles, cut.around);
 }
 
-Surface membraneSurface(const ScalaTympani& scala, int mostTriangles)
+Surface membraneSurface(const ScalaTympani& scala, int maxTriangles)
 {
-  const int rings = std::max(4, mostTriangles / 2 + 1);
+  const int rings = std::max(4, maxTriangles / 2 + 1);
   Surface surface;
   for (int i = 0; i < rings; ++i) {
     const double angle = scala.lastAngle().si() * i / (rings - 1);

@@ -10,7 +10,7 @@
 namespace perilymph::anatomy {
 namespace {
 
-constexpr int mostPieces = 64;  // a triangle's side is cut into at most so many
+constexpr int maxPieces = 64;  // a triangle's side is cut into at most so many
 
 struct Sample {
   double distance;  // [m]
@@ -29,7 +29,7 @@ void sampleOneWay(const Surface& from, const SurfaceDistance& to, double spacing
     const Eigen::Vector3d one = corners[1] - corners[0];
     const Eigen::Vector3d two = corners[2] - corners[0];
     const double longest = std::max({one.norm(), two.norm(), (two - one).norm()});
-    const int pieces = std::clamp(static_cast<int>(std::ceil(longest / spacing)), 1, mostPieces);
+    const int pieces = std::clamp(static_cast<int>(std::ceil(longest / spacing)), 1, maxPieces);
     const double places = 0.5 * (pieces + 1) * (pieces + 2);
     const double weight = 0.5 * one.cross(two).norm() / places;
     for (int i = 0; i <= pieces; ++i)

@@ -9,7 +9,7 @@
 namespace perilymph::anatomy {
 namespace {
 
-constexpr int mostInABox = 4;
+constexpr int maxTrianglesPerBox = 4;
 constexpr int deepest = 64;  // boxes halve, so a tree of 2^31 triangles has 31 levels
 
 Eigen::Vector3d corner(const Surface& surface, int index)
@@ -91,7 +91,7 @@ int SurfaceDistance::divide(int first, int count)
     box.high = box.high.cwiseMax(t.a).cwiseMax(t.b).cwiseMax(t.c);
   }
   boxes_.push_back(box);
-  if (count <= mostInABox) return self;
+  if (count <= maxTrianglesPerBox) return self;
 
   // halve at the median along the longest side
   int axis = 0;
@@ -117,14 +117,14 @@ SurfaceFoot SurfaceDistance::nearest(const Eigen::Vector3d& point, double reach)
 {
   SurfaceFoot foot;
   if (boxes_.empty() || !point.allFinite()) return foot;
-  double least = reach * reach;
+  double nearest = reach * reach;
 
   std::array<int, deepest> waiting{};
   std::size_t left = 1;
   while (left > 0) {
     const int self = waiting[--left];
     const Box& box = boxes_[static_cast<std::size_t>(self)];
-    if (squaredDistance(point, box.low, box.high) > least) continue;
+    if (squaredDistance(point, box.low, box.high) > nearest) continue;
     if (box.count == 0) {
       // the nearer box is looked into first
       const Box& one = boxes_[static_cast<std::size_t>(self) + 1];
@@ -140,12 +140,12 @@ SurfaceFoot SurfaceDistance::nearest(const Eigen::Vector3d& point, double reach)
       const Eigen::Vector3d shares = nearestShares(point, t.a, t.b, t.c);
       const Eigen::Vector3d place = shares[0] * t.a + shares[1] * t.b + shares[2] * t.c;
       const double squared = (place - point).squaredNorm();
-      if (squared > least) continue;
-      least = squared;
+      if (squared > nearest) continue;
+      nearest = squared;
       foot = {names_[static_cast<std::size_t>(i)], 0.0, place, shares};
     }
   }
-  foot.distance = std::sqrt(least);
+  foot.distance = std::sqrt(nearest);
   return foot;
 }
 

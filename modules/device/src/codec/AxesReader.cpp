@@ -76,7 +76,7 @@ Result<AxesReader> AxesReader::make(const DeviceProfile& profile,
     use(slot->report);
   }
 
-  for (std::uint32_t button = 1; button <= mostButtons; ++button) {
+  for (std::uint32_t button = 1; button <= maxButtons; ++button) {
     const auto slot =
         descriptor.find(ReportKind::input, {buttonPage, static_cast<std::uint16_t>(button)});
     if (!slot) continue;

@@ -30,7 +30,7 @@ private:
     ReportSlot slot;
     std::uint32_t bit = 0;  ///< Of DeviceSample::buttons.
   };
-  static constexpr std::size_t mostButtons = 32;
+  static constexpr std::size_t maxButtons = 32;
 
   double deflection(const Axis& axis, std::span<const std::uint8_t> bytes) const noexcept;
   void place() noexcept;
@@ -46,7 +46,7 @@ private:
   Vector3 position_D_{};
   std::array<double, 4> rotation_D_{1.0, 0.0, 0.0, 0.0};
   std::uint32_t pressed_ = 0;
-  std::array<ButtonSlot, mostButtons> buttonSlots_{};
+  std::array<ButtonSlot, maxButtons> buttonSlots_{};
   int buttons_ = 0;
   std::array<std::uint16_t, 256> reportBytes_{};  ///< Of input reports; 0: none of ours.
 };

@@ -37,12 +37,12 @@ inline Vector3 limitedForce_B(const DeviceProfile& profile, const Vector3& force
 {
   Vector3 force_B = rotatedBack(profile.mount_DB, force_D);
   for (double& component : force_B) component *= profile.forceScale;
-  const double most = profile.traits.mostForce;
+  const double limit = profile.traits.maxForce;
   const double length =
       std::sqrt(force_B[0] * force_B[0] + force_B[1] * force_B[1] + force_B[2] * force_B[2]);
   if (!std::isfinite(length)) return {};
-  if (length > most)
-    for (double& component : force_B) component *= most / length;
+  if (length > limit)
+    for (double& component : force_B) component *= limit / length;
   return force_B;
 }
 
@@ -50,8 +50,8 @@ inline Vector3 limitedForce_B(const DeviceProfile& profile, const Vector3& force
 inline std::int64_t nearest(double value) noexcept
 {
   if (std::isnan(value)) return 0;
-  constexpr double most = 4e9;
-  return static_cast<std::int64_t>(std::floor(std::clamp(value, -most, most) + 0.5));
+  constexpr double limit = 4e9;
+  return static_cast<std::int64_t>(std::floor(std::clamp(value, -limit, limit) + 0.5));
 }
 
 /// An empty report of this number and length behind the number.

@@ -88,9 +88,9 @@ DeviceTraits readCapability(TomlReader& table, CodecKind kind)
                  "most_force_N is missing; a device of the kind \"pid\" must "
                  "say how many newtons its greatest magnitude is.");
   if (traits.rendersForce) {
-    traits.mostForce = table.number("most_force_N", {0.01, 50.0});
-    traits.mostStiffness = table.number("most_stiffness_N_m", {0.0, 1e5}, 0.0);
-    traits.mostDamping = table.number("most_damping_N_s_m", {0.0, 1000.0}, 0.0);
+    traits.maxForce = table.number("most_force_N", {0.01, 50.0});
+    traits.maxStiffness = table.number("most_stiffness_N_m", {0.0, 1e5}, 0.0);
+    traits.maxDamping = table.number("most_damping_N_s_m", {0.0, 1000.0}, 0.0);
     traits.handleDamping = table.number("handle_damping_N_s_m", {0.01, 100.0}, 0.0);
     traits.handleMass = table.number("handle_mass_kg", {1e-3, 10.0}, 0.0);
     traits.watchdog = 1e-3 * table.number("watchdog_ms", {0.0, 10000.0}, 0.0);

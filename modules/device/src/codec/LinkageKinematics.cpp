@@ -59,14 +59,14 @@ std::array<double, 3> motorCurrents(const Linkage& linkage,
                                     const std::array<double, 3>& torques) noexcept
 {
   std::array<double, 3> currents{};
-  double most = 0.0;
+  double limit = 0.0;
   for (std::size_t i = 0; i < currents.size(); ++i) {
     currents[i] = torques[i] * linkage.bodyTurnsPerTurn[i] / linkage.torqueConstant[i];
     if (!std::isfinite(currents[i])) return {};
-    most = std::max(most, std::fabs(currents[i]));
+    limit = std::max(limit, std::fabs(currents[i]));
   }
-  if (most > linkage.mostCurrent)
-    for (double& current : currents) current *= linkage.mostCurrent / most;
+  if (limit > linkage.maxCurrent)
+    for (double& current : currents) current *= linkage.maxCurrent / limit;
   return currents;
 }
 

@@ -10,7 +10,7 @@ using Effects = PidLayout::Effects;
 using Control = PidReports::Control;
 
 // A device may need a moment to make room; each question takes one USB transfer.
-constexpr int mostQuestions = 20;
+constexpr int maxQuestions = 20;
 
 }  // namespace
 
@@ -27,7 +27,7 @@ void PidCodec::encode(const Wrench& wrench_D, ReportList& reports) noexcept
   Vector3 magnitude{};
   for (std::size_t i = 0; i < 3; ++i)
     if (isMoved(i))
-      magnitude[i] = force_B[i] / profile_.traits.mostForce * profile_.pid.signs[i] *
+      magnitude[i] = force_B[i] / profile_.traits.maxForce * profile_.pid.signs[i] *
                      profile_.axes.axes[i].sign;
   if (profile_.pid.effects == Effects::direction) {
     encodeDirection(magnitude, reports);
@@ -72,7 +72,7 @@ Result<Done> PidCodec::addEffect(Transport& transport, std::size_t axis)
 
   PidReports::Load load = PidReports::Load::failed;
   RawReport answer;
-  for (int i = 0; i < mostQuestions && load == PidReports::Load::failed; ++i) {
+  for (int i = 0; i < maxQuestions && load == PidReports::Load::failed; ++i) {
     answer = reports_.blockLoad();
     const Transfer transfer = transport.getFeature(answer);
     if (transfer == Transfer::gone)

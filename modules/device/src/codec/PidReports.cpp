@@ -166,8 +166,8 @@ void PidReports::constantForce(RawReport& report, std::int64_t block, double sha
 {
   clear(report, forceBlock_.slot.report, forceBlock_.bytes);
   putNumber(body(report), forceBlock_.slot, block);
-  const auto most = static_cast<double>(magnitude_.high);
-  const std::int64_t wanted = nearest(std::clamp(share, -1.0, 1.0) * most);
+  const auto maximum = static_cast<double>(magnitude_.high);
+  const std::int64_t wanted = nearest(std::clamp(share, -1.0, 1.0) * maximum);
   putNumber(body(report), magnitude_, std::max(wanted, magnitude_.low));
 }
 

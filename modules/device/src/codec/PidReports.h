@@ -40,7 +40,7 @@ public:
   std::int64_t loadedBlock(const RawReport& answer) const noexcept;
 
   /// Steps of the magnitude from 0 to the most.
-  std::int64_t mostMagnitude() const noexcept { return magnitude_.high; }
+  std::int64_t maxMagnitude() const noexcept { return magnitude_.high; }
 
 private:
   /// One report, with its length.

@@ -9,8 +9,8 @@ namespace perilymph::device {
 namespace {
 
 constexpr double turn = 0x1.921fb54442d18p+2;  // 2 pi
-constexpr long mostBytes = static_cast<long>(longestReport) - 1;
-constexpr double mostBits = 8.0 * (longestReport - 1);
+constexpr long maxBytes = static_cast<long>(longestReport) - 1;
+constexpr double maxBits = 8.0 * (longestReport - 1);
 
 // What any device may be: wider than those known, narrower than a slip of the unit.
 constexpr Range quantum_mm{1e-6, 10.0};
@@ -59,7 +59,7 @@ ReportSlot slot(TomlReader& table, const char* bitKey, const char* bitsKey, cons
 {
   ReportSlot result;
   result.report = in.report;
-  const long first = table.integer(bitKey, 0, 8 * mostBytes, 0);
+  const long first = table.integer(bitKey, 0, 8 * maxBytes, 0);
   const long bits = table.integer(bitsKey, 1, 32, fallbackBits);
   checkRoom(table, bitKey, first, bits, in.bytes);
   result.bitOffset = static_cast<std::uint32_t>(first);
@@ -72,9 +72,9 @@ VectorLayout readVector(TomlReader& table)
 {
   VectorLayout layout;
   layout.report = static_cast<std::uint8_t>(table.integer("report", 0, 255, 0));
-  layout.bytes = static_cast<std::size_t>(table.integer("bytes", 1, mostBytes, 1));
+  layout.bytes = static_cast<std::size_t>(table.integer("bytes", 1, maxBytes, 1));
   layout.bits = static_cast<std::uint32_t>(table.integer("bits", 2, 32, 16));
-  const auto first = wholeNumbers(table, "first_bits", 0.0, mostBits, 3);
+  const auto first = wholeNumbers(table, "first_bits", 0.0, maxBits, 3);
   for (std::size_t i = 0; i < 3; ++i) {
     checkRoom(table, "first_bits", first[i], layout.bits, layout.bytes);
     layout.firstBits[i] = static_cast<std::uint32_t>(first[i]);
@@ -97,7 +97,7 @@ Linkage readLinkage(TomlReader& table)
   const auto sign = signs(table, "signs");
   for (std::size_t i = 0; i < 3; ++i) linkage.bodyTurnsPerTurn[i] = sign[i] * capstan[i] / body[i];
   linkage.torqueConstant = three(table, "torque_constant_N_m_A", {1e-4, 10.0});
-  linkage.mostCurrent = table.number("most_current_A", {0.01, 20.0});
+  linkage.maxCurrent = table.number("most_current_A", {0.01, 20.0});
   return linkage;
 }
 
@@ -106,7 +106,7 @@ void readCalibration(TomlReader& table, PlainLayout& plain)
   plain.calibration = slot(table, "asked_bit", "asked_bits", plain.input, 16, false);
   plain.command = slot(table, "command_bit", "command_bits", plain.output, 16, true);
   plain.calibrateCommand = table.integer("command", -32768, 32767, 1);
-  const auto first = wholeNumbers(table, "count_bits", 0.0, mostBits, 3);
+  const auto first = wholeNumbers(table, "count_bits", 0.0, maxBits, 3);
   for (std::size_t i = 0; i < 3; ++i) {
     checkRoom(table, "count_bits", first[i], plain.input.bits, plain.output.bytes);
     plain.countsToSet[i].report = plain.output.report;

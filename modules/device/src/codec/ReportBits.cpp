@@ -6,9 +6,9 @@ namespace perilymph::device {
 
 namespace {
 
-constexpr std::uint32_t mostBits = 32;
+constexpr std::uint32_t maxBits = 32;
 
-std::uint32_t usedBits(const ReportSlot& slot) noexcept { return std::min(slot.bits, mostBits); }
+std::uint32_t usedBits(const ReportSlot& slot) noexcept { return std::min(slot.bits, maxBits); }
 
 }  // namespace
 

@@ -21,7 +21,7 @@ constexpr std::uint32_t constantBit = 1u << 0;
 constexpr std::uint32_t variableBit = 1u << 1;
 constexpr std::uint32_t relativeBit = 1u << 2;
 
-constexpr std::uint32_t mostReportBits = 8u * (longestReport - 1);
+constexpr std::uint32_t maxReportBits = 8u * (longestReport - 1);
 
 std::string hex(std::uint32_t value)
 {
@@ -154,9 +154,9 @@ std::string ReportDescriptorReader::addField(ReportKind kind, const Item& item)
   // The report grows even by what is not used: padding moves what comes behind it.
   std::uint32_t& bits = bitsOf(kind, globals_.report);
   const std::uint64_t grown = bits + std::uint64_t{globals_.bitsEach} * globals_.count;
-  if (grown > mostReportBits)
+  if (grown > maxReportBits)
     return "report " + std::to_string(globals_.report) + " would have " + std::to_string(grown) +
-           " bits; at most " + std::to_string(mostReportBits) + " are taken.";
+           " bits; at most " + std::to_string(maxReportBits) + " are taken.";
   const std::uint32_t offset = bits;
   bits = static_cast<std::uint32_t>(grown);
   if (globals_.report == 0) hasUnnumbered_ = true;

@@ -57,8 +57,7 @@ void addSteps(const DeviceProfile& profile, const ReportDescriptor& descriptor,
             std::max(traits.positionQuantum, profile.axes.travel / reader->halfRange(i));
   if (profile.kind != CodecKind::pid) return;
   const auto reports = PidReports::find(profile, descriptor);
-  if (reports)
-    traits.forceQuantum = traits.mostForce / static_cast<double>(reports->mostMagnitude());
+  if (reports) traits.forceQuantum = traits.maxForce / static_cast<double>(reports->maxMagnitude());
 }
 
 /// How far the handle moves for one count of its coarsest encoder, with the arm stretched out.

@@ -241,7 +241,7 @@ GuardedHandle guarded(std::unique_ptr<Transport> handle, int file, const Farewel
     fits = fits && script.addSwitchOff({report.kind == ReportKind::feature, report.bytes});
   if (!fits) {
     result.obstacle = "The device cannot be guarded: its last reports are more than " +
-                      std::to_string(guard::Script::most) + " bytes.";
+                      std::to_string(guard::Script::capacity) + " bytes.";
     return result;
   }
   auto posted = post(device.get(), script);

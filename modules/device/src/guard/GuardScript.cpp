@@ -30,7 +30,7 @@ Script::Script(std::uint8_t patience_ms) noexcept
 bool Script::add(const Line& line) noexcept
 {
   const std::size_t needed = lineHead + line.bytes.size();
-  if (line.bytes.empty() || lines() >= mostLines || size_ + needed > most) return false;
+  if (line.bytes.empty() || lines() >= maxLines || size_ + needed > capacity) return false;
   std::uint8_t* const place = bytes_.data() + size_;
   place[0] = line.isFeature ? 1 : 0;
   put(place + 1, line.bytes.size());
@@ -58,7 +58,7 @@ std::size_t Script::sizeBehind(std::span<const std::uint8_t> headBytes) noexcept
 {
   if (headBytes.size() < head || headBytes[0] != version) return 0;
   const std::size_t size = number(headBytes.data() + 4);
-  return size <= most - head ? size : 0;
+  return size <= capacity - head ? size : 0;
 }
 
 bool Script::take(std::span<const std::uint8_t> bytes) noexcept
@@ -71,7 +71,7 @@ bool Script::take(std::span<const std::uint8_t> bytes) noexcept
     ++found;
   }
   const std::size_t told = std::size_t{bytes[2]} + bytes[3];
-  if (at != bytes.size() || found != told || found > mostLines) return false;
+  if (at != bytes.size() || found != told || found > maxLines) return false;
   std::copy(bytes.begin(), bytes.end(), bytes_.begin());
   size_ = bytes.size();
   return true;

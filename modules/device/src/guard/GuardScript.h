@@ -44,8 +44,8 @@ struct Line {
 ///     per report: 0 output or 1 feature, size in two bytes (little-endian), bytes
 class Script {
 public:
-  static constexpr std::size_t most = 16384;  ///< Fits into a pipe in one piece.
-  static constexpr std::size_t mostLines = 32;
+  static constexpr std::size_t capacity = 16384;  ///< Fits into a pipe in one piece.
+  static constexpr std::size_t maxLines = 32;
   static constexpr std::size_t head = 6;  ///< version, patience, two counts, size of what follows
 
   /// @param patience_ms  After which a force that nobody renews is taken back, 0 to 255.
@@ -71,7 +71,7 @@ public:
 private:
   bool add(const Line& line) noexcept;
 
-  std::array<std::uint8_t, most> bytes_{};
+  std::array<std::uint8_t, capacity> bytes_{};
   std::size_t size_ = head;
 };
 

@@ -38,7 +38,7 @@ bool readWhole(std::span<std::uint8_t> room)
 
 bool readScript(guard::Script& script)
 {
-  static std::array<std::uint8_t, guard::Script::most> room;
+  static std::array<std::uint8_t, guard::Script::capacity> room;
   if (!readWhole(std::span(room).first(guard::Script::head))) return false;
   const std::size_t behind = guard::Script::sizeBehind(room);
   const auto whole = std::span(room).first(guard::Script::head + behind);

@@ -35,7 +35,7 @@ Transfer ForceWriter::send(Transport& transport, const Wrench& wrench_D) noexcep
   // A force that was refused before is still under way.
   if (channels_.busySince == 0) channels_.busySince = began;
   codec_.encode(wrench_D, reports_);
-  const std::size_t count = std::min(reports_.count, ReportList::most);
+  const std::size_t count = std::min(reports_.count, ReportList::capacity);
   for (std::size_t i = 0; i < count; ++i) {
     const Transfer transfer = transport.write(reports_.reports[i]);
     if (transfer == Transfer::done) continue;
@@ -52,7 +52,7 @@ const WritingFigures& ForceWriter::figures() noexcept
 {
   figures_.timeMedian = times_.quantile(0.5);
   figures_.timeP99 = times_.quantile(0.99);
-  figures_.timeMost = times_.longest();
+  figures_.timeMax = times_.longest();
   return figures_;
 }
 

@@ -235,13 +235,13 @@ void HidHand::write(const Wrench& wrench_D) noexcept
   channels.writerBell.ring();
 }
 
-Awaited HidHand::await(Duration most) noexcept
+Awaited HidHand::await(Duration timeout) noexcept
 {
   Content& hand = *content_;
   const bool isPeriodic = hand.traits.reporting == Reporting::periodic;
   if (!hand.isOpen || !isPeriodic || hand.reading == nullptr || hand.channels->isGone)
     return Awaited::cannot;
-  const Transfer transfer = hand.reader.await(*hand.reading, most);
+  const Transfer transfer = hand.reader.await(*hand.reading, timeout);
   if (transfer == Transfer::gone) hand.lose();
   if (transfer == Transfer::gone || transfer == Transfer::failed) return Awaited::cannot;
   return transfer == Transfer::done ? Awaited::fresh : Awaited::nothing;

@@ -58,7 +58,7 @@ public:
     return ::open(node_.path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
   }
 
-  void awaitChange(Duration most) noexcept override { watch_.await(most); }
+  void awaitChange(Duration timeout) noexcept override { watch_.await(timeout); }
 
 private:
   std::string called() const

@@ -6,13 +6,13 @@ namespace perilymph::device {
 
 namespace {
 
-constexpr std::int64_t mostTime = 100'000'000;  // [ns]
+constexpr std::int64_t maxTime = 100'000'000;  // [ns]
 constexpr int enoughReports = 64;
 constexpr int fewestReports = 6;
-constexpr int mostReads = 10 * enoughReports;
+constexpr int maxReads = 10 * enoughReports;
 constexpr int writesToTime = 16;
 // A period measured on a busy machine is not believed against the profile's beyond this.
-constexpr double mostRatio = 2.0;
+constexpr double maxRatio = 2.0;
 
 /// What waited since a handle was opened has no time of its own.
 void discardWaiting(Transport& reading) noexcept
@@ -38,7 +38,7 @@ double timeToAnswer(Transport& reading, Transport& writing, const DeviceTraits& 
                     ForceWriter& writer, Clock clock)
 {
   realtime::TimeHistogram times;
-  const std::int64_t end = clock() + mostTime / 2;
+  const std::int64_t end = clock() + maxTime / 2;
   for (int i = 0; i < writesToTime && clock() < end; ++i) {
     discardWaiting(reading);
     const std::int64_t began = clock();
@@ -57,7 +57,7 @@ FirstImpression listenFirst(Transport& reading, Transport* writing, const Device
   FirstImpression heard;
   const std::int64_t began = clock();
   if (writing != nullptr) {
-    for (int i = 0; i < writesToTime && clock() - began < mostTime / 2; ++i)
+    for (int i = 0; i < writesToTime && clock() - began < maxTime / 2; ++i)
       if (writer.send(*writing, Wrench{}) != Transfer::done) break;
     heard.writeTime = writer.figures().timeMedian;
   }
@@ -71,8 +71,8 @@ FirstImpression listenFirst(Transport& reading, Transport* writing, const Device
   RawReport report;
   std::int64_t first = 0, last = 0;
   int intervals = -1;
-  for (int i = 0; i < mostReads && intervals < enoughReports; ++i) {
-    if (clock() - began >= mostTime) break;
+  for (int i = 0; i < maxReads && intervals < enoughReports; ++i) {
+    if (clock() - began >= maxTime) break;
     const Transfer transfer = reading.read(report, Duration::fromSi(0.02));
     if (transfer == Transfer::gone) break;
     if (transfer != Transfer::done) continue;
@@ -82,7 +82,7 @@ FirstImpression listenFirst(Transport& reading, Transport* writing, const Device
   if (intervals < fewestReports || last <= first) return heard;
   const double period = static_cast<double>(last - first) * 1e-9 / intervals;
   const double ratio = period / profile.nominalPeriod;
-  if (ratio <= mostRatio && ratio >= 1.0 / mostRatio) heard.period = period;
+  if (ratio <= maxRatio && ratio >= 1.0 / maxRatio) heard.period = period;
   return heard;
 }
 

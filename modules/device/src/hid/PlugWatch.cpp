@@ -32,9 +32,9 @@ PlugWatch::PlugWatch() : content_(std::make_unique<Content>())
 
 PlugWatch::~PlugWatch() = default;
 
-bool PlugWatch::await(Duration most) noexcept
+bool PlugWatch::await(Duration timeout) noexcept
 {
-  const int milliseconds = static_cast<int>(std::clamp(most.si(), 0.0, 60.0) * 1e3);
+  const int milliseconds = static_cast<int>(std::clamp(timeout.si(), 0.0, 60.0) * 1e3);
   udev_monitor* const monitor = content_->monitor.get();
   pollfd socket{};
   socket.fd = monitor != nullptr ? udev_monitor_get_fd(monitor) : -1;  // -1: poll only waits

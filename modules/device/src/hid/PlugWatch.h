@@ -17,7 +17,7 @@ public:
   PlugWatch& operator=(const PlugWatch&) = delete;
 
   /// Waits until a node came or went, at most so long. False if nothing did.
-  bool await(Duration most) noexcept;
+  bool await(Duration timeout) noexcept;
 
 private:
   struct Content;

@@ -11,7 +11,7 @@ namespace {
 
 // More reports than any pause leaves in a queue; a step back beyond this is a device that counts
 // anew.
-constexpr std::uint64_t mostBack = 200;
+constexpr std::uint64_t maxBack = 200;
 
 /// How many reports on a counter is, over a wrap at 8, 16 or 32 bits.
 std::optional<std::uint64_t> stepsOverWrap(std::uint64_t from, std::uint64_t to) noexcept
@@ -19,7 +19,7 @@ std::optional<std::uint64_t> stepsOverWrap(std::uint64_t from, std::uint64_t to)
   constexpr std::array<std::uint64_t, 3> ends = {std::uint64_t{1} << 8, std::uint64_t{1} << 16,
                                                  std::uint64_t{1} << 32};
   for (const std::uint64_t end : ends)
-    if (from < end && to + end - from <= std::min(mostBack, end / 4)) return to + end - from;
+    if (from < end && to + end - from <= std::min(maxBack, end / 4)) return to + end - from;
   return std::nullopt;
 }
 
@@ -28,7 +28,7 @@ std::optional<std::uint64_t> stepsOverWrap(std::uint64_t from, std::uint64_t to)
 ReportCount::ReportCount(double period) noexcept
     : period_(std::llround(std::clamp(period, 1e-5, 1.0) * 1e9)),
       // as a hand goes stale: three periods, at least 3 ms, at most 30 ms
-      mostAge_(std::clamp<std::int64_t>(3 * period_, 3'000'000, 30'000'000))
+      maxAge_(std::clamp<std::int64_t>(3 * period_, 3'000'000, 30'000'000))
 {
 }
 
@@ -47,7 +47,7 @@ ReportCount::Verdict ReportCount::judge(std::uint64_t counter, std::int64_t now,
     hasCounter_ = counter != 0;
     last_ = counter;
     lastTime_ = now;
-    leastOffset_ = now - reports_ * period_;
+    minOffset_ = now - reports_ * period_;
     return Verdict::fresh;
   }
   if (counter == last_) return Verdict::duplicate;
@@ -55,7 +55,7 @@ ReportCount::Verdict ReportCount::judge(std::uint64_t counter, std::int64_t now,
   std::uint64_t steps = counter - last_;
   if (counter < last_) {
     const auto wrapped = stepsOverWrap(last_, counter);
-    if (!wrapped && last_ - counter <= mostBack) return Verdict::old;
+    if (!wrapped && last_ - counter <= maxBack) return Verdict::old;
     if (!wrapped) {
       startOver();
       return judge(counter, now, emptyAt);
@@ -67,10 +67,10 @@ ReportCount::Verdict ReportCount::judge(std::uint64_t counter, std::int64_t now,
   reports_ += static_cast<std::int64_t>(std::min<std::uint64_t>(steps, 1'000'000'000));
 
   const std::int64_t offset = now - reports_ * period_;
-  leastOffset_ = std::min(leastOffset_ + (now - lastTime_) / 50, offset);
-  if (emptyAt != never) leastOffset_ = std::max(leastOffset_, offset - (now - emptyAt));
+  minOffset_ = std::min(minOffset_ + (now - lastTime_) / 50, offset);
+  if (emptyAt != never) minOffset_ = std::max(minOffset_, offset - (now - emptyAt));
   lastTime_ = now;
-  return offset - leastOffset_ > mostAge_ ? Verdict::old : Verdict::fresh;
+  return offset - minOffset_ > maxAge_ ? Verdict::old : Verdict::fresh;
 }
 
 }  // namespace perilymph::device

@@ -5,7 +5,7 @@ namespace perilymph::device {
 namespace {
 
 // Twice what the system keeps: a device that fills its queue while it is drained holds nobody up.
-constexpr int mostAtOnce = 128;
+constexpr int maxReportsAtOnce = 128;
 constexpr std::int64_t second = 1'000'000'000;  // [ns]
 
 }  // namespace
@@ -53,7 +53,7 @@ void ReportReader::note(std::int64_t now) noexcept
   figures_.rate = static_cast<double>(freshInSecond_) / (static_cast<double>(passed) * 1e-9);
   figures_.intervalMedian = intervals_.quantile(0.5);
   figures_.intervalP99 = intervals_.quantile(0.99);
-  figures_.intervalMost = intervals_.longest();
+  figures_.intervalMax = intervals_.longest();
   intervals_.clear();
   freshInSecond_ = 0;
   secondBegan_ = now;
@@ -71,7 +71,7 @@ Transfer ReportReader::drain(Transport& transport) noexcept
     ++taken;
   }
   isHolding_ = false;
-  while (taken < mostAtOnce) {
+  while (taken < maxReportsAtOnce) {
     const Transfer transfer = transport.read(report_, Duration{});
     isGone = transfer == Transfer::gone;
     if (transfer == Transfer::nothing) emptyAt_ = clock_();
@@ -93,10 +93,10 @@ Transfer ReportReader::drain(Transport& transport) noexcept
   return sample_.sequence != before.sequence ? Transfer::done : Transfer::nothing;
 }
 
-Transfer ReportReader::await(Transport& transport, Duration most) noexcept
+Transfer ReportReader::await(Transport& transport, Duration timeout) noexcept
 {
   if (isHolding_) return Transfer::done;
-  const Transfer transfer = transport.read(report_, most);
+  const Transfer transfer = transport.read(report_, timeout);
   isHolding_ = transfer == Transfer::done;
   return transfer;
 }

@@ -128,17 +128,17 @@ Result<DeviceTraits> checked(const PerilymphDeviceTraitsV1& said)
   DeviceTraits traits;
   traits.name = text(said.name, sizeof said.name);
   if (traits.name.empty()) return Error{"its device has no name."};
-  const auto within = [](double value, double least, double most) {
-    return value >= least && value <= most;  // false for what is no number
+  const auto within = [](double value, double minimum, double maximum) {
+    return value >= minimum && value <= maximum;  // false for what is no number
   };
   if (!within(said.nominal_period_s, 1e-4, 0.1))
     return Error{"its period between samples is " + std::to_string(said.nominal_period_s) +
                  " s; it must be between 0.0001 and 0.1."};
-  if (said.renders_force != 0 && !within(said.most_force_N, 0.01, 50.0))
-    return Error{"its greatest force is " + std::to_string(said.most_force_N) +
+  if (said.renders_force != 0 && !within(said.max_force_N, 0.01, 50.0))
+    return Error{"its greatest force is " + std::to_string(said.max_force_N) +
                  " N; it must be between 0.01 and 50."};
   for (const double value :
-       {said.workspace_radius_m, said.most_stiffness_N_m, said.most_damping_N_s_m,
+       {said.workspace_radius_m, said.max_stiffness_N_m, said.max_damping_N_s_m,
         said.position_quantum_m, said.force_quantum_N, said.transport_delay_s, said.watchdog_s})
     if (!within(value, 0.0, 1e6)) return Error{"one of its traits is negative or no number."};
   for (const std::int32_t axes : {said.sensed_translations, said.sensed_rotations,
@@ -149,11 +149,11 @@ Result<DeviceTraits> checked(const PerilymphDeviceTraitsV1& said)
     return Error{"it counts " + std::to_string(said.buttons) + " buttons; 0 to 32 are known."};
 
   traits.rendersForce = said.renders_force != 0;
-  traits.mostForce = traits.rendersForce ? said.most_force_N : 0.0;
+  traits.maxForce = traits.rendersForce ? said.max_force_N : 0.0;
   traits.nominalPeriod = said.nominal_period_s;
   traits.workspaceRadius = said.workspace_radius_m;
-  traits.mostStiffness = said.most_stiffness_N_m;
-  traits.mostDamping = said.most_damping_N_s_m;
+  traits.maxStiffness = said.max_stiffness_N_m;
+  traits.maxDamping = said.max_damping_N_s_m;
   traits.positionQuantum = said.position_quantum_m;
   traits.forceQuantum = said.force_quantum_N;
   traits.transportDelay = said.transport_delay_s;

@@ -102,9 +102,9 @@ public:
   {
     return std::unique_ptr<Transport>(std::make_unique<PlayingTransport>(playing_));
   }
-  void awaitChange(Duration most) noexcept override
+  void awaitChange(Duration timeout) noexcept override
   {
-    playing_->time.advance(std::llround(most.si() * 1e9));
+    playing_->time.advance(std::llround(timeout.si() * 1e9));
   }
 
 private:

@@ -166,7 +166,7 @@ public:
         std::make_unique<RecordingTransport>(*std::move(handle), tape_));
   }
   int fileForGuard() noexcept override { return port_->fileForGuard(); }
-  void awaitChange(Duration most) noexcept override { port_->awaitChange(most); }
+  void awaitChange(Duration timeout) noexcept override { port_->awaitChange(timeout); }
 
 private:
   std::unique_ptr<HidPort> port_;

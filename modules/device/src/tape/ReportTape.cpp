@@ -41,13 +41,13 @@ public:
   }
   bool isOver() { return rest().empty(); }
 
-  std::optional<std::uint64_t> number(int base, std::uint64_t most)
+  std::optional<std::uint64_t> number(int base, std::uint64_t maximum)
   {
     const std::string_view word = next();
     std::uint64_t value = 0;
     const auto read = std::from_chars(word.data(), word.data() + word.size(), value, base);
     const bool isWhole = !word.empty() && read.ec == std::errc() &&
-                         read.ptr == word.data() + word.size() && value <= most;
+                         read.ptr == word.data() + word.size() && value <= maximum;
     return isWhole ? std::optional(value) : std::nullopt;
   }
   /// Seconds with at most nine decimals, as nanoseconds.
@@ -65,9 +65,9 @@ public:
     return static_cast<std::int64_t>(*seconds * 1'000'000'000 + *nanoseconds);
   }
   /// Their number, then bytes.
-  std::optional<std::vector<std::uint8_t>> bytes(std::size_t most)
+  std::optional<std::vector<std::uint8_t>> bytes(std::size_t maximum)
   {
-    const auto size = number(10, most);
+    const auto size = number(10, maximum);
     if (!size) return std::nullopt;
     std::vector<std::uint8_t> bytes;
     for (std::uint64_t i = 0; i < *size; ++i) {

@@ -26,8 +26,8 @@ void note(const DeviceSample& hand, bool isFirst, TapeReading& result) noexcept
 {
   for (std::size_t i = 0; i < 3; ++i) {
     const double coordinate = hand.position_D[i];
-    result.least_D[i] = isFirst ? coordinate : std::min(result.least_D[i], coordinate);
-    result.most_D[i] = isFirst ? coordinate : std::max(result.most_D[i], coordinate);
+    result.min_D[i] = isFirst ? coordinate : std::min(result.min_D[i], coordinate);
+    result.max_D[i] = isFirst ? coordinate : std::max(result.max_D[i], coordinate);
   }
   result.buttons |= hand.buttons;
 }
@@ -62,10 +62,10 @@ TapeReading readTape(const ReportTape& tape, HandCodec& codec, double period)
         static_cast<double>(fresh - 1) / (static_cast<double>(last - first) * 1e-9);
   result.reading.intervalMedian = intervals.quantile(0.5);
   result.reading.intervalP99 = intervals.quantile(0.99);
-  result.reading.intervalMost = intervals.longest();
+  result.reading.intervalMax = intervals.longest();
   result.writing.timeMedian = writes.quantile(0.5);
   result.writing.timeP99 = writes.quantile(0.99);
-  result.writing.timeMost = writes.longest();
+  result.writing.timeMax = writes.longest();
   if (!tape.entries.empty())
     result.duration =
         static_cast<double>(tape.entries.back().time - tape.entries.front().time) * 1e-9;

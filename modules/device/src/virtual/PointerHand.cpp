@@ -11,20 +11,20 @@ namespace perilymph::device {
 namespace {
 
 // Ten times the published insertion speed: quick enough to work with, slow enough for the rod.
-constexpr double mostSpeed = 20e-3;  // [m/s]
+constexpr double maxSpeed = 20e-3;  // [m/s]
 // Quickness of the follow. It settles in about 6 / w = 0.3 s.
 constexpr double quickness = 20.0;  // [1/s]
 // Enough to brake from full speed without overshoot: w times the greatest speed.
-constexpr double mostAcceleration = quickness * mostSpeed;  // [m/s^2]
-constexpr double mostRollSpeed = 2.0;                       // [rad/s]
-constexpr double mostRollAcceleration = quickness * mostRollSpeed;
+constexpr double maxAcceleration = quickness * maxSpeed;  // [m/s^2]
+constexpr double maxRollSpeed = 2.0;                      // [rad/s]
+constexpr double maxRollAcceleration = quickness * maxRollSpeed;
 
 /// Shortens a vector of three to a length it may have at most.
-void limit(std::array<double, 3>& vector, double most) noexcept
+void limit(std::array<double, 3>& vector, double limit) noexcept
 {
   const double squared = vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2];
-  if (squared <= most * most) return;
-  const double scale = most / std::sqrt(squared);
+  if (squared <= limit * limit) return;
+  const double scale = limit / std::sqrt(squared);
   for (double& component : vector) component *= scale;
 }
 
@@ -80,16 +80,16 @@ DeviceSample PointerHand::read() noexcept
   // translation: the bounds hold for the vector, not for each axis
   std::array<double, 3> acceleration{};
   for (std::size_t i = 0; i < 3; ++i) acceleration[i] = pull(wanted_[i], place_[i], velocity_[i]);
-  limit(acceleration, mostAcceleration);
+  limit(acceleration, maxAcceleration);
   std::array<double, 3> velocity{};
   for (std::size_t i = 0; i < 3; ++i) velocity[i] = velocity_[i] + acceleration[i] * timeStep_;
-  limit(velocity, mostSpeed);
+  limit(velocity, maxSpeed);
   std::copy(velocity.begin(), velocity.end(), velocity_.begin());
 
   // roll
   const double rollPull = pull(wanted_[3], place_[3], velocity_[3]);
-  velocity_[3] += std::clamp(rollPull, -mostRollAcceleration, mostRollAcceleration) * timeStep_;
-  velocity_[3] = std::clamp(velocity_[3], -mostRollSpeed, mostRollSpeed);
+  velocity_[3] += std::clamp(rollPull, -maxRollAcceleration, maxRollAcceleration) * timeStep_;
+  velocity_[3] = std::clamp(velocity_[3], -maxRollSpeed, maxRollSpeed);
 
   for (std::size_t i = 0; i < place_.size(); ++i) place_[i] += velocity_[i] * timeStep_;
 

@@ -12,14 +12,14 @@ namespace perilymph::device {
 namespace {
 
 /// Faster than any hand at this work; keeps a mistyped speed from throwing the array [m/s].
-constexpr double mostSpeed = 1.0;
+constexpr double maxSpeed = 1.0;
 
 }  // namespace
 
 ScriptedHand::ScriptedHand(double speed, double timeStep)
     : speed_(speed), timeStep_(checkedTimeStep(timeStep))
 {
-  if (!(speed >= 0.0 && speed <= mostSpeed))  // also catches NaN
+  if (!(speed >= 0.0 && speed <= maxSpeed))  // also catches NaN
     throw std::invalid_argument("The speed of a scripted hand is " + std::to_string(speed * 1e3) +
                                 " mm/s; it must be between 0 and 1000 mm/s.");
   sample_.isValid = 1;
@@ -41,7 +41,7 @@ DeviceSample ScriptedHand::read() noexcept
 {
   const Motion motion = motion_;
   const double asked = speed_;
-  const double speed = std::isfinite(asked) ? std::clamp(asked, 0.0, mostSpeed) : 0.0;
+  const double speed = std::isfinite(asked) ? std::clamp(asked, 0.0, maxSpeed) : 0.0;
 
   // A hand that takes hold is at rest in that report and moves from the next one on.
   const bool hasHold = (sample_.buttons & graspButton) != 0;

@@ -11,7 +11,7 @@ namespace {
 // where it is convex, its normal is off by the way over its radius of some 0.5 mm, its force by 1
 // uN.
 constexpr double farthestSeen = 0.2e-6;  // [m]
-constexpr double mostSeen = 5e-10;       // force times way [N.m]
+constexpr double maxSeen = 5e-10;        // force times way [N.m]
 
 // A node farther outside than this does not come in within a step (faster than any hand).
 constexpr double farthestOutside = 2e-3;  // [m]
@@ -51,7 +51,7 @@ bool isStillSeen(const Eigen::Vector3d& at_W, double force, ContactSet& contacts
   if (!wall.isNear) return squared < wall.clearance * wall.clearance && wall.clearance > 0.0;
   if (!(squared < farthestSeen * farthestSeen)) return false;
   contacts.walked[i] += std::sqrt(squared);
-  if (!(contacts.walked[i] < farthestSeen && contacts.walked[i] * force < mostSeen)) return false;
+  if (!(contacts.walked[i] < farthestSeen && contacts.walked[i] * force < maxSeen)) return false;
   const Eigen::Vector3d turned = wall.turning_W * moved;
   wall.distance += wall.normal_W.dot(moved) - 0.5 * turned.dot(moved);
   wall.normal_W -= turned;
@@ -66,13 +66,13 @@ void findWall(const InsertionModel& model, const StepStart& start, InsertionStat
 {
   const std::size_t n = state.position_W.size();
   for (std::size_t i = 0; i < n; ++i) {
-    const double most = state.clearance[i];
+    const double clearance = state.clearance[i];
     contacts.isAsked[i] = 0;
     if (state.isBeside[i] != 0) {
       seeBone(model, state, i, contacts);
       continue;
     }
-    if (squaredMotion(start, state, i) < most * most && i + 1 < n) {
+    if (squaredMotion(start, state, i) < clearance * clearance && i + 1 < n) {
       contacts.wall[i].isNear = false;
       contacts.isKnown[i] = 0;
       continue;

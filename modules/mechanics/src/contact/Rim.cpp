@@ -11,7 +11,7 @@
 namespace perilymph::mechanics {
 namespace {
 
-constexpr double leastBending = 1e-6;  // [m]; only to divide by
+constexpr double minBending = 1e-6;  // [m]; only to divide by
 
 /// The place where the center line passes the plane of the opening.
 struct Crossing {
@@ -195,9 +195,9 @@ void pressTip(const InsertionModel& model, const InsertionState& state, const St
   push.near.gradient_W =
       distance > 0.0 ? Eigen::Vector3d((aside * u_W - above * model.entry.out_W) / distance) : u_W;
   const Eigen::Vector3d b_W = model.entry.out_W.cross(u_W);
-  const double around = distance > 0.0 ? push.near.law.force * aside /
-                                             (distance * std::max(foot.bending, leastBending))
-                                       : 0.0;
+  const double around =
+      distance > 0.0 ? push.near.law.force * aside / (distance * std::max(foot.bending, minBending))
+                     : 0.0;
   Crossing crossing;
   crossing.first = x.size() - 1;
   crossing.count = 1;
@@ -232,7 +232,7 @@ EllipseFoot nearestOnEllipse(double x, double y, double a, double b) noexcept
     bending = second + along;
     if (i == iterations) break;
     const double gradient = y * u0 - x * u1 - rate;
-    const double steep = bending > leastBending ? bending : 0.05 * std::min(a, b);
+    const double steep = bending > minBending ? bending : 0.05 * std::min(a, b);
     const double turn = std::clamp(gradient / steep, -0.5, 0.5);
     const double v0 = u0 - turn * u1, v1 = u1 + turn * u0;
     const double scale = 1.0 / std::sqrt(v0 * v0 + v1 * v1);
@@ -293,7 +293,7 @@ void addRimForces(const InsertionModel& model, const InsertionState& state, cons
   const Eigen::Vector3d u_W =
       foot.normal[0] * model.entry.outward_W + foot.normal[1] * model.entry.vertical_W;
   const Eigen::Vector3d b_W = n_W.cross(u_W);
-  const double bending = std::max(foot.bending, leastBending);
+  const double bending = std::max(foot.bending, minBending);
   // along the array the plane is crossed at this rate; an array lying in the plane is no crossing
   const double steep = std::min(n_W.dot(crossing.along_W), -0.1 * model.spacing);
   const auto gradientOf = [&](const Eigen::Vector3d& across_W, double radiusRate) {

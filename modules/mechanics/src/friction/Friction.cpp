@@ -13,10 +13,10 @@ FrictionStep frictionStep(const Eigen::Vector3d& stretch_W, double normal, doubl
   const double trial = stiffness * length;
 
   const double coefficient = isSliding ? law.sliding(slipSpeed) : law.starting;
-  const double most = coefficient * normal;
+  const double limit = coefficient * normal;
 
   FrictionStep step;
-  if (trial <= most) {
+  if (trial <= limit) {
     step.force_W = -stiffness * stretch_W;
     step.stiffness = stiffness * tangential;
     step.spring_W = stretch_W;
@@ -25,9 +25,9 @@ FrictionStep frictionStep(const Eigen::Vector3d& stretch_W, double normal, doubl
   }
   // slides: the spring keeps what the cone allows, the rest is lost to heat
   const Eigen::Vector3d direction = stretch_W / length;
-  step.force_W = -most * direction;
-  step.stiffness = (most / length) * (tangential - direction * direction.transpose());
-  step.spring_W = (most / stiffness) * direction;
+  step.force_W = -limit * direction;
+  step.stiffness = (limit / length) * (tangential - direction * direction.transpose());
+  step.spring_W = (limit / stiffness) * direction;
   step.isSliding = true;
   return step;
 }

@@ -10,11 +10,11 @@ FrictionBySpeed::FrictionBySpeed(const std::vector<Speed>& speeds,
                                  const std::vector<double>& coefficients)
     : points_(speeds.size())
 {
-  if (points_ < 1 || points_ > mostPoints || coefficients.size() != points_)
+  if (points_ < 1 || points_ > maxPoints || coefficients.size() != points_)
     throw std::invalid_argument("Friction by speed has " + std::to_string(speeds.size()) +
                                 " speeds and " + std::to_string(coefficients.size()) +
                                 " coefficients; it must have as many of both, 1 to " +
-                                std::to_string(mostPoints) + ".");
+                                std::to_string(maxPoints) + ".");
   for (std::size_t i = 0; i < points_; ++i) {
     speed_[i] = speeds[i].si();
     coefficient_[i] = coefficients[i];
@@ -54,14 +54,14 @@ double FrictionBySpeed::at(double speed) const noexcept
   return coefficient_[points_ - 1];
 }
 
-double FrictionBySpeed::least() const noexcept
+double FrictionBySpeed::minimum() const noexcept
 {
   double value = coefficient_[0];
   for (std::size_t i = 1; i < points_; ++i) value = std::min(value, coefficient_[i]);
   return value;
 }
 
-double FrictionBySpeed::greatest() const noexcept
+double FrictionBySpeed::maximum() const noexcept
 {
   double value = coefficient_[0];
   for (std::size_t i = 1; i < points_; ++i) value = std::max(value, coefficient_[i]);

@@ -8,13 +8,13 @@ namespace {
 // A half of a micronewton on the published wall; what two planes that count as one may differ by.
 constexpr double allowance = 1e-9;  // [m]
 constexpr double singular = 1e-13;  // of a determinant of unit vectors: 0.3 microradians apart
-constexpr int mostRounds = 16;
+constexpr int maxRounds = 16;
 
 }  // namespace
 
 void HalfSpaces::add(const HalfSpace& space) noexcept
 {
-  if (count_ < most) {
+  if (count_ < capacity) {
     items_[static_cast<std::size_t>(count_++)] = space;
     return;
   }
@@ -27,11 +27,11 @@ void HalfSpaces::add(const HalfSpace& space) noexcept
 int HalfSpaces::worst(const Eigen::Vector3d& place) const noexcept
 {
   int index = -1;
-  double most_m = allowance;
+  double max_m = allowance;
   for (int i = 0; i < count_; ++i) {
     const double outside = at(i).bound - at(i).normal.dot(place);
-    if (outside > most_m) {
-      most_m = outside;
+    if (outside > max_m) {
+      max_m = outside;
       index = i;
     }
   }
@@ -83,7 +83,7 @@ Allowed HalfSpaces::project(const Eigen::Vector3d& goal, Eigen::Vector3d& place)
 {
   place = goal;
   Holding now;
-  for (int round = 0; round < mostRounds; ++round) {
+  for (int round = 0; round < maxRounds; ++round) {
     const int added = worst(place);
     if (added < 0) return now.count > 0 ? Allowed::heldBack : Allowed::yes;
 

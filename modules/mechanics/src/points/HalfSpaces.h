@@ -32,10 +32,10 @@ public:
   Allowed project(const Eigen::Vector3d& goal, Eigen::Vector3d& place) const noexcept;
 
 private:
-  static constexpr int most = 32;
-  static constexpr int mostHolding = 3;
+  static constexpr int capacity = 32;
+  static constexpr int maxActive = 3;
   struct Holding {
-    std::array<int, mostHolding> index{};
+    std::array<int, maxActive> index{};
     int count = 0;
   };
 
@@ -44,7 +44,7 @@ private:
   bool holds(const Holding& set, const Eigen::Vector3d& goal,
              Eigen::Vector3d& place) const noexcept;
 
-  std::array<HalfSpace, most> items_;
+  std::array<HalfSpace, capacity> items_;
   int count_ = 0;
 };
 

@@ -9,8 +9,8 @@ PointFriction pointFriction(const Eigen::Vector3d& stretch_W, double normal, dou
   const double pull = stiffness * length;
   const bool isSliding = wasSliding ? pull >= law.stopping * normal : pull > law.starting * normal;
   Eigen::Vector3d spring_W = stretch_W;
-  const double most = law.dynamic * normal;
-  if (isSliding && pull > most) spring_W = (most / pull) * stretch_W;
+  const double limit = law.dynamic * normal;
+  if (isSliding && pull > limit) spring_W = (limit / pull) * stretch_W;
   return {-stiffness * spring_W, spring_W, isSliding};
 }
 

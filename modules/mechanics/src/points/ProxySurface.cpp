@@ -17,7 +17,7 @@ namespace perilymph::mechanics {
 namespace {
 
 constexpr double usualCell = 0.4e-3;      // [m]; about as long as the triangles of a haptic surface
-constexpr int mostCells = 64;             // each way
+constexpr int maxCells = 64;              // each way
 constexpr double largestSurface = 50e-3;  // [m]; a cochlea is 10 mm wide
 constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
 
@@ -32,11 +32,11 @@ Eigen::Vector3d cornerOf(const anatomy::Surface& surface, int index)
 
 }  // namespace
 
-ProxySurface::ProxySurface(const anatomy::Surface& surface, double mostRadius)
-    : mostRadius_(mostRadius)
+ProxySurface::ProxySurface(const anatomy::Surface& surface, double maxRadius)
+    : maxRadius_(maxRadius)
 {
   Hash hash;
-  hash.add(mostRadius);
+  hash.add(maxRadius);
   Eigen::Vector3d high = Eigen::Vector3d::Constant(-1.0);
   low_W_ = Eigen::Vector3d::Constant(1.0);
   for (const auto& t : surface.triangles) {
@@ -63,14 +63,14 @@ ProxySurface::ProxySurface(const anatomy::Surface& surface, double mostRadius)
   findNeighbors(surface.points.size());
   fingerprint_ = hash.value();
 
-  const double margin = mostRadius_ + reach;
+  const double margin = maxRadius_ + reach;
   low_W_ -= Eigen::Vector3d::Constant(margin);
   high += Eigen::Vector3d::Constant(margin);
   const double largest = std::max({high[0] - low_W_[0], high[1] - low_W_[1], high[2] - low_W_[2]});
   if (largest > largestSurface)
     throw std::invalid_argument("The haptic surface is " + std::to_string(largest * 1e3) +
                                 " mm wide; a scala tympani in meters is below 50 mm.");
-  cell_ = std::max(usualCell, largest / mostCells);
+  cell_ = std::max(usualCell, largest / maxCells);
   for (int axis = 0; axis < 3; ++axis)
     size_[axis] = static_cast<int>((high[axis] - low_W_[axis]) / cell_) + 1;
 
@@ -179,7 +179,7 @@ ProxyHold ProxySurface::follow(const Eigen::Vector3d& proxy_W, const Eigen::Vect
 {
   constexpr double arrived = 1e-10;  // [m]
   ProxyHold hold{proxy_W, Eigen::Vector3d::Zero(), false};
-  for (int move = 0; move < mostMoves; ++move) {
+  for (int move = 0; move < maxMoves; ++move) {
     gather(hold.place_W, radius, allowed);
     Eigen::Vector3d nearest_W = goal_W;
     const Allowed answer = allowed.project(goal_W, nearest_W);

@@ -38,14 +38,14 @@ class ProxySurface {
 public:
   /// A proxy looks at least so far ahead of its own surface [m].
   static constexpr double reach = 0.1e-3;
-  static constexpr int mostMoves = 16;
+  static constexpr int maxMoves = 16;
 
-  /// @param mostRadius  Of the proxies [m].
+  /// @param maxRadius  Of the proxies [m].
   /// @throws std::invalid_argument with a sentence for a surface without triangles, with corners
   ///         that are no numbers, or larger than a cochlea can be.
-  ProxySurface(const anatomy::Surface& surface, double mostRadius);
+  ProxySurface(const anatomy::Surface& surface, double maxRadius);
 
-  /// Moves a proxy toward its goal. A goal farther than `mostMoves` times `reach` is approached in
+  /// Moves a proxy toward its goal. A goal farther than `maxMoves` times `reach` is approached in
   /// several calls. Real-time safe.
   ///
   /// @param allowed  Memory for what the triangles near the proxy allow it.
@@ -70,7 +70,7 @@ private:
   std::size_t cellOf(const Eigen::Vector3d& place_W) const noexcept;
   void gather(const Eigen::Vector3d& proxy_W, double radius, HalfSpaces& allowed) const noexcept;
 
-  double mostRadius_;
+  double maxRadius_;
   std::vector<Triangle> triangles_;
   std::vector<int> firstAround_;  ///< Of each corner, into around_; one more at the end.
   std::vector<int> around_;       ///< Triangles that meet in each corner.

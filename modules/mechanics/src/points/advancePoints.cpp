@@ -131,9 +131,9 @@ Eigen::Vector3d movePoint(const InsertionModel& model, InsertionState& state, st
   state.position_W[i] += law.substep * state.velocity_W[i];
 
   const Eigen::Vector3d off_E = inEntry(model.entry, state.position_W[i] - set.place_W[i]);
-  const Eigen::Vector3d most_E = 0.5 * law.law.box;
+  const Eigen::Vector3d max_E = 0.5 * law.law.box;
   Eigen::Vector3d kept_E;
-  for (int k = 0; k < 3; ++k) kept_E[k] = std::clamp(off_E[k], -most_E[k], most_E[k]);
+  for (int k = 0; k < 3; ++k) kept_E[k] = std::clamp(off_E[k], -max_E[k], max_E[k]);
   if (kept_E[0] != off_E[0] || kept_E[1] != off_E[1] || kept_E[2] != off_E[2]) {
     state.position_W[i] = set.place_W[i] + fromEntry(model.entry, kept_E);
     state.velocity_W[i] = placeVelocity_W;
@@ -164,10 +164,10 @@ void turnCarrier(const InsertionModel& model, PointSetState& set, double armSqua
   set.turnRate_W = fromEntry(model.entry, rate_E);
   set.turn_W += step * set.turnRate_W;
   // the tip stays in the bounds of its movement, too
-  const double most = 0.5 * law.law.box[2] / model.parts.array.length.si();
+  const double maximum = 0.5 * law.law.box[2] / model.parts.array.length.si();
   const double size = set.turn_W.norm();
-  if (size > most) {
-    set.turn_W *= most / size;
+  if (size > maximum) {
+    set.turn_W *= maximum / size;
     set.turnRate_W.setZero();
     ++set.atBounds;
   }

@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double mostTurn = 0.2;  // [rad] of an edge in a step
+constexpr double maxTurn = 0.2;  // [rad] of an edge in a step
 
 /// The angle whose sine and cosine these are. A series where it is small, as between two edges.
 double angleOf(double sine, double cosine) noexcept
@@ -217,7 +217,7 @@ void turnEdges(InsertionState& state, RodKinematics& rod, TwistSystem& turns) no
   turns.torque[1] /= turns.stiffness[1];
   double last = 0.0;
   for (std::size_t j = 1; j < edges; ++j) {
-    const double turn = std::clamp(turns.torque[j] - turns.beside[j] * last, -mostTurn, mostTurn);
+    const double turn = std::clamp(turns.torque[j] - turns.beside[j] * last, -maxTurn, maxTurn);
     const double x = turn * turn;
     const double sine = turn * (1.0 - x * (1.0 / 6.0 - x * (1.0 / 120.0)));
     const double cosine = 1.0 - x * (0.5 - x * (1.0 / 24.0 - x * (1.0 / 720.0)));

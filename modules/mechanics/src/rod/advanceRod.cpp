@@ -15,7 +15,7 @@ namespace {
 // Faster than a hand pulls a stylet by itself (choice, low).
 constexpr double fastestStylet = 0.1;  // [m/s]
 // What a step may leave unbalanced where contact toggles: a hundredth of an insertion's forces.
-constexpr double mostLeft = 1e-3;  // [N]
+constexpr double maxResidual = 1e-3;  // [N]
 
 /// Of the array on the hand.
 struct Wrench {
@@ -119,13 +119,14 @@ Wrench advanceInParts(const InsertionModel& model, InsertionState& state, const 
 {
   const Drive before = handBefore(model, state, drive);
   Wrench mean;
-  for (int k = 1; k <= mostParts; ++k) {
-    const Drive there = between(before, drive, static_cast<double>(k) / mostParts);
-    const Step step = tryStep(model, state, there, model.timeStep / mostParts, Way::downhill, work);
+  for (int k = 1; k <= maxSubsteps; ++k) {
+    const Drive there = between(before, drive, static_cast<double>(k) / maxSubsteps);
+    const Step step =
+        tryStep(model, state, there, model.timeStep / maxSubsteps, Way::downhill, work);
     keepStep(state, work);
     const Wrench wrench = wrenchOf(model, state, there, step.base, work);
-    mean.force_W += wrench.force_W / mostParts;
-    mean.torque_W += wrench.torque_W / mostParts;
+    mean.force_W += wrench.force_W / maxSubsteps;
+    mean.torque_W += wrench.torque_W / maxSubsteps;
     settled.iterations += step.settled.iterations;
     settled.left = step.settled.left;
   }
@@ -148,7 +149,7 @@ void advanceRod(const InsertionModel& model, InsertionState& state, const Drive&
 
   Step step = tryStep(model, state, drive, model.timeStep, Way::quick, work);
   Settled settled = step.settled;
-  if (settled.left.worst > mostLeft) {
+  if (settled.left.worst > maxResidual) {
     undoStep(state, work);
     step = tryStep(model, state, drive, model.timeStep, Way::downhill, work);
     settled = step.settled;
@@ -156,7 +157,7 @@ void advanceRod(const InsertionModel& model, InsertionState& state, const Drive&
     settled = descend(model, state, step.base, settled, work);
   }
   Wrench wrench;
-  if (settled.left.worst <= mostLeft) {
+  if (settled.left.worst <= maxResidual) {
     keepStep(state, work);
     wrench = wrenchOf(model, state, drive, step.base, work);
   } else {

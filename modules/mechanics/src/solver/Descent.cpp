@@ -9,7 +9,7 @@
 namespace perilymph::mechanics {
 namespace {
 
-constexpr int mostTries = 12;          // along one step
+constexpr int maxTries = 12;           // along one step
 constexpr double longestWay = 0.1e-3;  // [m] of one node in one step
 // Of what drove a step, forces may still pull by so much at its end, either way.
 constexpr double leftPull = 0.1;
@@ -30,18 +30,18 @@ struct Place {
   double pull;
 };
 
-/// Goes along the step at most to `most` of it, to where the forces hardly pull on or back.
+/// Goes along the step at most to `maxAlpha` of it, to where the forces hardly pull on or back.
 Balance goDown(const InsertionModel& model, InsertionState& state, const Base& base, double start,
-               double most, RodWorkspace& work) noexcept
+               double maxAlpha, RodWorkspace& work) noexcept
 {
   const double enough = leftPull * start;
   Place low{0.0, start};
-  Place high{most, 0.0};
-  Balance there = balanceAt(model, state, base, most, work);
-  high.pull = pullAlongWay(work.system, most);
+  Place high{maxAlpha, 0.0};
+  Balance there = balanceAt(model, state, base, maxAlpha, work);
+  high.pull = pullAlongWay(work.system, maxAlpha);
   // false position, which halves the weight of an end that stays
   double lowPull = low.pull, highPull = high.pull;
-  for (int k = 0; k < mostTries && !(high.pull >= -enough); ++k) {
+  for (int k = 0; k < maxTries && !(high.pull >= -enough); ++k) {
     double share = 0.5 * (low.share + high.share);
     if (std::isfinite(highPull) && k % 4 != 3)
       share = low.share +
@@ -68,7 +68,7 @@ Settled descend(const InsertionModel& model, InsertionState& state, const Base& 
                 Settled settled, RodWorkspace& work) noexcept
 {
   auto& [now, iterations] = settled;
-  const int last = iterations + mostDescents;
+  const int last = iterations + maxDescentIterations;
   work.system.start_W = state.position_W;
   std::fill(work.contacts.isKnown.begin(), work.contacts.isKnown.end(),
             static_cast<unsigned char>(0));

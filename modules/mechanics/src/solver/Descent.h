@@ -12,7 +12,7 @@ namespace perilymph::mechanics {
 /// the step before. Newton's direction with a positive matrix goes downhill; along it the place is
 /// sought where forces hardly pull on any more. That ends in a balance also where the residual
 /// first has to grow: where the array snaps, or where contacts and friction toggle each other.
-/// Costs several balances and one factorization an iteration; after mostDescents it gives up.
+/// Costs several balances and one factorization an iteration; after maxDescentIterations it gives up.
 ///
 /// @param settled  How the iteration before ended.
 Settled descend(const InsertionModel& model, InsertionState& state, const Base& base,

@@ -11,18 +11,18 @@
 namespace perilymph::mechanics {
 namespace {
 
-constexpr int mostHalvings = 3;
+constexpr int maxHalvings = 3;
 // What the nodes still would move: forces alone do not show it, for a rod bends under very little.
 constexpr double motionTolerance = 0.2e-9;  // [m]
 // Nothing moves at all.
 constexpr double atRest = 1e-9;  // [N]
 // A step so short that goes on for nothing: contact toggles.
 constexpr double stuck = 1e-9;          // [m]
-constexpr double leastGain = 0.9;       // of the squares of all forces
+constexpr double minGain = 0.9;         // of the squares of all forces
 constexpr double longestStep = 0.5e-3;  // [m] of one node in one Newton step
 // Friction is bounded by an older pressure, renewed while it may be wrong by more than this [N].
-constexpr double mostLag = 0.1e-3;
-constexpr int mostPasses = 2;
+constexpr double maxLag = 0.1e-3;
+constexpr int maxPasses = 2;
 // A step that takes more iterations than this is left with the pressure it started from.
 constexpr int soonSettled = 6;
 // Oval sections are looked at anew until steps are as short as this.
@@ -49,13 +49,13 @@ Settled iterate(const InsertionModel& model, InsertionState& state, const Base& 
   bool areOwn = false;  // found in this step of time
 
   auto& [now, iterations] = settled;
-  for (; iterations < mostIterations && now.worst > atRest; ++iterations) {
+  for (; iterations < maxIterations && now.worst > atRest; ++iterations) {
     if (!factors.exist()) {
       if (!factorize(model, base, work)) break;
       areOwn = true;
     }
     const double longest = findStep(work.system);
-    if (model.isOval && longest > nearStep && iterations < mostIterations / 4)
+    if (model.isOval && longest > nearStep && iterations < maxIterations / 4)
       for (SectionReach& section : work.contacts.section) section.isKnown = false;
     if (now.worst <= forceTolerance && longest < motionTolerance) break;
 
@@ -71,7 +71,7 @@ Settled iterate(const InsertionModel& model, InsertionState& state, const Base& 
       now = balance(model, state, base, work);
       continue;
     }
-    for (int halving = 0; halving < mostHalvings && !(next.squares <= now.squares); ++halving) {
+    for (int halving = 0; halving < maxHalvings && !(next.squares <= now.squares); ++halving) {
       share *= 0.5;
       moveBy(work.system, share, state.position_W);
       next = balance(model, state, base, work);
@@ -94,7 +94,7 @@ Settled iterate(const InsertionModel& model, InsertionState& state, const Base& 
       }
     }
     const bool goesOn = share * longest >= stuck || next.worst <= forceTolerance ||
-                        next.squares < leastGain * now.squares;
+                        next.squares < minGain * now.squares;
     if (!wasGood(now, next)) factors.forget();
     now = next;
     if (areOwn && !goesOn) {
@@ -114,11 +114,11 @@ Settled settle(const InsertionModel& model, InsertionState& state, const Base& b
   double lag = std::numeric_limits<double>::infinity();
   for (int pass = 0;; ++pass) {
     settled = iterate(model, state, base, settled, work);
-    if (pass == mostPasses || settled.iterations > soonSettled) break;
+    if (pass == maxPasses || settled.iterations > soonSettled) break;
     const double before = lag;
     lag = frictionLag(model, state, work.contacts, work.friction);
     // where friction and pressure drive each other up, each step takes the pressure it started from
-    if (lag <= mostLag || !(lag < 0.5 * before) || settled.left.worst > forceTolerance) break;
+    if (lag <= maxLag || !(lag < 0.5 * before) || settled.left.worst > forceTolerance) break;
     renewFriction(state, work.contacts, work.friction);
     settled.left = balance(model, state, base, work);
   }

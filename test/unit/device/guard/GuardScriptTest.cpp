@@ -58,7 +58,7 @@ TEST(GuardScript, IsNotTakenFromAnotherVersion)
 TEST(GuardScript, RefusesAReportItHasNoRoomFor)
 {
   Script script;
-  const Bytes large(Script::most, 1);
+  const Bytes large(Script::capacity, 1);
   EXPECT_FALSE(script.addNoForce({false, large}));
   EXPECT_EQ(script.lines(), 0u);
 }

@@ -26,7 +26,7 @@ static int32_t traits(void* it, PerilymphDeviceTraitsV1* out)
   if (FAULT == noTraits) return 1;
   if (FAULT != noName) memset(out->name, 'x', sizeof out->name); /* and no 0 at the end */
   out->renders_force = 1;
-  out->most_force_N = FAULT == monstrousForce ? 1e9 : 1.0;
+  out->max_force_N = FAULT == monstrousForce ? 1e9 : 1.0;
   out->nominal_period_s = 1e-3;
   return 0;
 }

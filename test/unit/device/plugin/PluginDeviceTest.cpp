@@ -33,7 +33,7 @@ TEST(ExamplePlugin, TellsItsTraits)
   ASSERT_TRUE(device) << device.error().message;
   const DeviceTraits traits = (*device)->traits();
   EXPECT_EQ(traits.name, "Example handle");
-  EXPECT_EQ(traits.mostForce, 3.0);
+  EXPECT_EQ(traits.maxForce, 3.0);
   EXPECT_EQ(traits.actuatedTranslations, 1);
 }
 

@@ -39,7 +39,7 @@ struct SectionRow {
 /// Sections at equal angles from the round window to the apex.
 ///
 /// @param most  The greatest angle between two sections; made smaller to end at the apex.
-std::vector<SectionRow> sectionRows(const anatomy::ScalaTympani& scala, Angle most);
+std::vector<SectionRow> sectionRows(const anatomy::ScalaTympani& scala, Angle maxStep);
 
 /// "angle_deg,center_r_mm,...\n" and a row per section, with the tone of its place by Greenwood
 /// (the path's share of its length to the last row) and by the spiral ganglion (the angle).

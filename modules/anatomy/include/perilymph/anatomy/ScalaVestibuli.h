@@ -13,6 +13,6 @@ namespace perilymph::anatomy {
 /// From the round window to the apex, closed there and open toward the vestibule. Derived, not
 /// measured (confidence low): no table of its sections was at hand. Where the mirrored section
 /// would reach into the turn above it, it still does.
-Surface vestibuliSurface(const ScalaTympani& scala, int mostTriangles);
+Surface vestibuliSurface(const ScalaTympani& scala, int maxTriangles);
 
 }  // namespace perilymph::anatomy

@@ -19,14 +19,14 @@ struct Surface {
 };
 
 /// The wall from the opening to the apex, closed at the apex and open at the opening, of at most
-/// `mostTriangles` triangles (200 or more).
-Surface wallSurface(const ScalaTympani& scala, int mostTriangles);
+/// `maxTriangles` triangles (200 or more).
+Surface wallSurface(const ScalaTympani& scala, int maxTriangles);
 
 /// The triangles of wallSurface() without those that go beyond an angle: open at both ends.
-Surface wallSurfaceBefore(const ScalaTympani& scala, int mostTriangles, Angle end);
+Surface wallSurfaceBefore(const ScalaTympani& scala, int maxTriangles, Angle end);
 
 /// The basilar membrane as a ribbon.
-Surface membraneSurface(const ScalaTympani& scala, int mostTriangles);
+Surface membraneSurface(const ScalaTympani& scala, int maxTriangles);
 
 /// Writes a surface in millimeters, by the file's ending: stl (binary), ply, obj, wrl (VRML 2.0) or
 /// vtp. The file appears whole or not at all.

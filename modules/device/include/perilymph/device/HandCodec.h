@@ -18,8 +18,8 @@ namespace perilymph::device {
 /// The output reports that show one force. Fixed room: filled on the writer's thread without
 /// allocating.
 struct ReportList {
-  static constexpr std::size_t most = 4;
-  std::array<RawReport, most> reports{};
+  static constexpr std::size_t capacity = 4;
+  std::array<RawReport, capacity> reports{};
   std::size_t count = 0;
 };
 

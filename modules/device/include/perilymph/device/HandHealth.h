@@ -17,7 +17,7 @@ struct ReadingFigures {
   double rate = 0.0;             ///< Fresh reports a second, over the last second.
   double intervalMedian = 0.0;   ///< Between fresh reports as the haptic thread saw them [s].
   double intervalP99 = 0.0;      ///< [s]
-  double intervalMost = 0.0;     ///< [s]
+  double intervalMax = 0.0;      ///< [s]
   double silence = 0.0;          ///< Since the last fresh report [s].
 };
 
@@ -27,7 +27,7 @@ struct WritingFigures {
   std::uint64_t refused = 0;         ///< Forces it did not take.
   double timeMedian = 0.0;           ///< For one force, all its reports [s].
   double timeP99 = 0.0;              ///< [s]
-  double timeMost = 0.0;             ///< [s]
+  double timeMax = 0.0;              ///< [s]
   bool hasRealTimePriority = false;  ///< The writer goes before ordinary threads.
 };
 

@@ -46,7 +46,7 @@ enum class Reporting : std::uint8_t {
 struct DeviceTraits {
   std::string name;             ///< For people: "Scripted insertion".
   bool rendersForce = false;    ///< Shows a force to a hand.
-  double mostForce = 0.0;       ///< [N]; 0 where no force is rendered.
+  double maxForce = 0.0;        ///< [N]; 0 where no force is rendered.
   double nominalPeriod = 1e-3;  ///< Between reports [s].
 
   Reporting reporting = Reporting::periodic;
@@ -56,9 +56,9 @@ struct DeviceTraits {
   int actuatedRotations = 0;      ///< 0 to 3.
   int buttons = 1;                ///< With the grasp button.
   double workspaceRadius = 0.0;   ///< Around D's origin [m].
-  double mostTorque = 0.0;        ///< [N.m]
-  double mostStiffness = 0.0;     ///< Of a wall it renders without trembling [N/m].
-  double mostDamping = 0.0;       ///< [N.s/m]
+  double maxTorque = 0.0;         ///< [N.m]
+  double maxStiffness = 0.0;      ///< Of a wall it renders without trembling [N/m].
+  double maxDamping = 0.0;        ///< [N.s/m]
   double handleDamping = 0.0;     ///< Of the handle itself, without a force [N.s/m].
   double handleMass = 0.0;        ///< As felt at the handle [kg].
   double positionQuantum = 0.0;   ///< Step of a sensed position [m].

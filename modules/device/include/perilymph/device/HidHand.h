@@ -39,7 +39,7 @@ public:
   void close() noexcept override;
   DeviceSample read() noexcept override;
   void write(const Wrench& wrench_D) noexcept override;
-  Awaited await(Duration most) noexcept override;
+  Awaited await(Duration timeout) noexcept override;
   std::optional<HandHealth> health() override;
 
 private:

@@ -22,7 +22,7 @@ public:
   virtual int fileForGuard() noexcept { return -1; }
 
   /// Waits until something was plugged in or out, at most so long; it may also return early.
-  virtual void awaitChange(Duration most) noexcept = 0;
+  virtual void awaitChange(Duration timeout) noexcept = 0;
 };
 
 /// The port of a device found by findHidNodes(). After it was plugged in again it is found by what

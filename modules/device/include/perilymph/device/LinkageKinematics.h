@@ -19,7 +19,7 @@ struct Linkage {
   std::array<double, 3> bodyTurnsPerTurn{};      ///< Signed: of the body, for one of the motor.
   std::array<double, 3> restCounts{};            ///< At the place where the device is told them.
   std::array<double, 3> torqueConstant{};        ///< [N.m/A]
-  double mostCurrent = 0.0;                      ///< Of any motor [A].
+  double maxCurrent = 0.0;                       ///< Of any motor [A].
 };
 
 /// Angles of the three bodies [rad] for encoder counts. Real-time safe.

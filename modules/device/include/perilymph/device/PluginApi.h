@@ -21,11 +21,11 @@ typedef struct PerilymphDeviceTraitsV1 {
   uint32_t size; /* Set by the program. */
   uint32_t renders_force;
   char name[64]; /* UTF-8 for people, ends with 0. */
-  double most_force_N;
+  double max_force_N;
   double nominal_period_s;
   double workspace_radius_m;
-  double most_stiffness_N_m;
-  double most_damping_N_s_m;
+  double max_stiffness_N_m;
+  double max_damping_N_s_m;
   double position_quantum_m;
   double force_quantum_N;
   double transport_delay_s;

@@ -39,11 +39,11 @@ public:
 
 private:
   std::int64_t period_;      // [ns]
-  std::int64_t mostAge_;     // [ns]
+  std::int64_t maxAge_;      // [ns]
   bool hasCounter_ = false;  // a counter other than 0 was seen
   std::uint64_t last_ = 0;
   std::int64_t reports_ = 0;  // by the counter, since the start, wraps unrolled
-  std::int64_t leastOffset_ = 0;
+  std::int64_t minOffset_ = 0;
   std::int64_t lastTime_ = 0;
   std::uint64_t lost_ = 0;
 };

@@ -30,7 +30,7 @@ public:
   /// Takes every waiting report without waiting. `done` if one was fresh, `gone` if the device is.
   PERILYMPH_REALTIME Transfer drain(Transport& transport) noexcept;
   /// Waits for one report at most so long, and keeps it for the next drain().
-  Transfer await(Transport& transport, Duration most) noexcept;
+  Transfer await(Transport& transport, Duration timeout) noexcept;
   /// Takes a report that came another way. True if it was fresh.
   PERILYMPH_REALTIME bool accept(const RawReport& report) noexcept;
 

@@ -14,10 +14,10 @@ namespace perilymph::device {
 struct TapeReading {
   ReadingFigures reading;  ///< Rate and intervals over the whole tape.
   WritingFigures writing;
-  double duration = 0.0;            ///< From the first entry to the last [s].
-  std::array<double, 3> least_D{};  ///< Of every coordinate [m].
-  std::array<double, 3> most_D{};   ///< [m]
-  std::uint32_t buttons = 0;        ///< All that were pressed at any time.
+  double duration = 0.0;          ///< From the first entry to the last [s].
+  std::array<double, 3> min_D{};  ///< Of every coordinate [m].
+  std::array<double, 3> max_D{};  ///< [m]
+  std::uint32_t buttons = 0;      ///< All that were pressed at any time.
 };
 
 /// Reads every input report with the codec, at the time it came.

@@ -10,12 +10,12 @@
 
 namespace perilymph::haptics {
 
-/// Tries a device's force, one axis after the other: up to `most` and back to zero within a second,
+/// Tries a device's force, one axis after the other: up to `maxForce` and back to zero within a second,
 /// only while the dead-man's button is held, and through the safety chain of an insertion. Letting
 /// go takes the force away at once and begins the axis anew. No clock: one step a tick.
 class ForceTrial {
 public:
-  static constexpr double most = 0.5;         ///< [N]; a fifth of the device's own, if less.
+  static constexpr double maxForce = 0.5;     ///< [N]; a fifth of the device's own, if less.
   static constexpr double timeForAxis = 1.0;  ///< [s]
 
   /// @param traits    Of the open device.

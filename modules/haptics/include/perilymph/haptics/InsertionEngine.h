@@ -27,8 +27,8 @@ struct EngineSettings {
   double couplingDamping = 1.0;      ///< [N.s/m]
   /// Most that the device renders at the hand (CouplingLimit): the coupling gives way to it, all
   /// the more where forces are magnified or motions are scaled up.
-  double mostStiffness = std::numeric_limits<double>::infinity();  ///< [N/m]
-  double mostDamping = std::numeric_limits<double>::infinity();    ///< [N.s/m]
+  double maxStiffness = std::numeric_limits<double>::infinity();  ///< [N/m]
+  double maxDamping = std::numeric_limits<double>::infinity();    ///< [N.s/m]
   double stopTravel = 16.5e-3;  ///< Where an insertion is Finished [m].
   double forceScale = 1.0;      ///< Shown force over physical force.
   double motionScale = 1.0;     ///< Motion of the base over motion of the hand.
@@ -63,7 +63,7 @@ public:
   PERILYMPH_REALTIME void fill(Snapshot& snapshot) const noexcept;
 
   /// Lowers the greatest force shown to a device's own [N]; before the first tick.
-  void lowerMostForce(double mostForce) noexcept { safety_.lowerMostForce(mostForce); }
+  void lowerMaxForce(double maxForce) noexcept { safety_.lowerMaxForce(maxForce); }
 
   Workflow workflow() const noexcept { return workflow_; }
   /// Of the spring between hand and array as it is now, softened for the device [N/m].
@@ -85,7 +85,7 @@ private:
   void moveMechanics(const Hand& hand) noexcept;
   void moveStylet() noexcept;
   mechanics::Drive hold() const noexcept;
-  double softened(double asked, double most) const noexcept;
+  double softened(double asked, double maximum) const noexcept;
   mechanics::Drive follow(const Hand& hand) noexcept;
   void noteArrival() noexcept;
   double travel() const noexcept;

@@ -22,7 +22,7 @@ namespace perilymph::haptics {
 class Passivity {
 public:
   /// Bound of b [N.s/m]: a ninth of m / dt of the lightest handle (90 g) at 1 kHz.
-  static constexpr double mostDamping = 10.0;
+  static constexpr double maxDamping = 10.0;
 
   /// @param timeStep  [s]
   explicit Passivity(double timeStep) : timeStep_(timeStep) {}

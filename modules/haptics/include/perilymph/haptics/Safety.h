@@ -14,11 +14,11 @@
 namespace perilymph::haptics {
 
 struct SafetyLimits {
-  double mostForce = 3.3;   ///< Of the shown force's magnitude [N]; lower of this and the device's.
-  double mostSlew = 100.0;  ///< Of the shown force [N/s].
-  double rampTime = 0.5;    ///< Over which the force fades in after a pause or a fault [s].
+  double maxForce = 3.3;   ///< Of the shown force's magnitude [N]; lower of this and the device's.
+  double maxSlew = 100.0;  ///< Of the shown force [N/s].
+  double rampTime = 0.5;   ///< Over which the force fades in after a pause or a fault [s].
   /// From the greatest force to none, once there shall be none: as soon as the device's own guard,
-  /// which waits for at least as long [s]; 0: no faster than mostSlew.
+  /// which waits for at least as long [s]; 0: no faster than maxSlew.
   double offTime = 3e-3;
   double reach = 0.0;  ///< Of the device around D's origin [m]; 0: unknown, and never an end.
 };
@@ -44,11 +44,11 @@ struct HandCondition {
 ///   4. nobody holds, nothing fresh, a fault: no force;
 ///   5. over the last tenth of the device's reach it fades out: a motor does not push into a stop;
 ///   6. energy that came back from the device is damped (Passivity), within the clamp;
-///   7. from one tick to the next it changes by at most mostSlew dt, toward zero as away from it;
+///   7. from one tick to the next it changes by at most maxSlew dt, toward zero as away from it;
 ///      where 4. says no force, it is gone after offTime.
 ///
 /// Because the slew limit stands last, no input whatever gives a step: from the clamp to zero takes
-/// mostForce / mostSlew, 33 ms, and offTime where there shall be none.
+/// maxForce / maxSlew, 33 ms, and offTime where there shall be none.
 class Safety {
 public:
   /// @throws std::invalid_argument for limits that are not above zero.
@@ -64,7 +64,7 @@ public:
   PERILYMPH_REALTIME void forgetEnergy() noexcept { passivity_.reset(); }
 
   /// Lowers the clamp; never raises it [N].
-  void lowerMostForce(double mostForce) noexcept;
+  void lowerMaxForce(double maxForce) noexcept;
 
   const SafetyLimits& limits() const noexcept { return limits_; }
   double energy() const noexcept { return passivity_.energy(); }

@@ -95,9 +95,9 @@ struct Snapshot {
   std::uint32_t nodes = 0;
   std::uint32_t reserved = 0;
   std::array<double, 3> baseAxis_W{};  ///< Unit: which way the array leaves the tweezers.
-  std::array<std::array<float, 3>, mechanics::mostNodes> node_W;  ///< [m], base first, tip last.
-  std::array<std::array<float, 3>, mechanics::mostNodes> wallForce_W;  ///< On each node [N].
-  std::array<float, mechanics::mostNodes> normalForce;                 ///< On each node [N].
+  std::array<std::array<float, 3>, mechanics::maxNodes> node_W;  ///< [m], base first, tip last.
+  std::array<std::array<float, 3>, mechanics::maxNodes> wallForce_W;  ///< On each node [N].
+  std::array<float, mechanics::maxNodes> normalForce;                 ///< On each node [N].
   double couplingStiffness = 0.0;  ///< Of the spring between hand and array; 0 if rigid [N/m].
   // What the loop knows of itself; zero in virtual time.
   double measuredRate = 0.0;      ///< Ticks a second over the last second.

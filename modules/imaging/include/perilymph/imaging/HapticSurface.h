@@ -28,8 +28,8 @@ struct HapticSurface {
   anatomy::SurfaceDeviation deviation;
 };
 
-/// Cuts the visual surface of `mostTriangles`, takes its apex away and merges triangles by quadric
+/// Cuts the visual surface of `maxTriangles`, takes its apex away and merges triangles by quadric
 /// error until 5 % of the visual surface's are left. Takes seconds; not real-time safe.
-Result<HapticSurface> hapticSurface(const anatomy::ScalaTympani& scala, int mostTriangles);
+Result<HapticSurface> hapticSurface(const anatomy::ScalaTympani& scala, int maxTriangles);
 
 }  // namespace perilymph::imaging

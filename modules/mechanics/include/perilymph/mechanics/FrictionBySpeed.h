@@ -16,7 +16,7 @@ namespace perilymph::mechanics {
 /// appears that was not measured. Below the first speed and above the last one it stays.
 class FrictionBySpeed {
 public:
-  static constexpr std::size_t mostPoints = 8;
+  static constexpr std::size_t maxPoints = 8;
 
   /// No points: the speed follows the two coefficients of FrictionLaw.
   FrictionBySpeed() = default;
@@ -28,15 +28,15 @@ public:
   /// The coefficient at a speed of 0 or more [m/s]; only with points. Real-time safe.
   double at(double speed) const noexcept;
   /// The least and the greatest one; only with points.
-  double least() const noexcept;
-  double greatest() const noexcept;
+  double minimum() const noexcept;
+  double maximum() const noexcept;
   void addTo(Hash& hash) const noexcept;
 
 private:
   std::size_t points_ = 0;
-  std::array<double, mostPoints> speed_{};        // [m/s]
-  std::array<double, mostPoints> coefficient_{};  // at each speed
-  std::array<double, mostPoints> slope_{};        // of the coefficient there [s/m]
+  std::array<double, maxPoints> speed_{};        // [m/s]
+  std::array<double, maxPoints> coefficient_{};  // at each speed
+  std::array<double, maxPoints> slope_{};        // of the coefficient there [s/m]
 };
 
 }  // namespace perilymph::mechanics

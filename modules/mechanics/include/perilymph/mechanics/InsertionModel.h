@@ -20,7 +20,7 @@
 namespace perilymph::mechanics {
 
 /// Most nodes a model may have: what snapshots and recordings are sized for.
-inline constexpr int mostNodes = 1024;
+inline constexpr int maxNodes = 1024;
 
 /// Over this time a curled array, which starts straight, takes on its rest shape (choice, low).
 inline constexpr double releaseTime = 0.2;  // [s]
@@ -52,7 +52,7 @@ struct ModelParts {
   std::optional<MembraneLaw> membrane;
   /// Without one the lumen's wall begins at the plane of the entry, and nothing holds the ribs.
   std::optional<Opening> opening;
-  int nodes = 100;                      ///< 8 to mostNodes; of points 2 to mostPoints.
+  int nodes = 100;                      ///< 8 to maxNodes; of points 2 to maxPoints.
   Duration timeStep = milliseconds(1);  ///< 0.1 to 10 ms.
   Length startInside = millimeters(2);  ///< Of the tip past the opening; negative: before it.
   Angle approachTilt = radians(0);      ///< Of the array's axis against E.z, toward E.y.

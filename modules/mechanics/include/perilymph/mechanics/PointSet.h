@@ -57,7 +57,7 @@ class Hash;
 namespace perilymph::mechanics {
 
 /// The most points a model may have: the paper's dozen many times over.
-inline constexpr int mostPoints = 256;
+inline constexpr int maxPoints = 256;
 
 struct PointSetModel;
 

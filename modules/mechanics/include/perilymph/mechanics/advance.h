@@ -9,11 +9,11 @@
 namespace perilymph::mechanics {
 
 /// Of Newton's method in one step.
-inline constexpr int mostIterations = 32;
+inline constexpr int maxIterations = 32;
 /// In which a step is taken that does not settle as a whole.
-inline constexpr int mostParts = 8;
+inline constexpr int maxSubsteps = 8;
 /// Of the descent that follows where Newton's method leaves too much; of each part, too.
-inline constexpr int mostDescents = 200;
+inline constexpr int maxDescentIterations = 200;
 
 /// Moves the state one time step on, by backward Euler: predict the rod, find contacts, solve
 /// normal force and friction, read off the reaction at the base (into state.readings).

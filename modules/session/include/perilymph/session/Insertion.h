@@ -34,10 +34,10 @@ public:
 
   // --- virtual time: the caller's thread is the loop ---
   /// Arms, then runs tick after tick until the insertion is finished (and withdrawn, if the
-  /// scenario says so), has faulted, or `most` ticks have passed. `each` sees every record; false
+  /// scenario says so), has faulted, or `maxTicks` ticks have passed. `each` sees every record; false
   /// stops.
   Result<Done> runToEnd(const std::function<bool(const haptics::TickRecord&)>& each,
-                        std::uint64_t most = 10'000'000);
+                        std::uint64_t maxTicks = 10'000'000);
 
   // --- by the clock: a haptic thread and a recorder thread ---
   Result<Done> start();

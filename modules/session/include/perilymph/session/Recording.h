@@ -28,13 +28,13 @@ struct RecordingFacts {
   std::string device;          ///< DeviceTraits::name.
   double timeStep = 1e-3;      ///< [s]
   double samplePeriod = 1e-3;  ///< EngineSettings::samplePeriod [s].
-  double mostForce = 3.3;      ///< SafetyLimits::mostForce [N].
+  double maxForce = 3.3;       ///< SafetyLimits::maxForce [N].
   double offTime = 3e-3;       ///< SafetyLimits::offTime [s].
   double reach = 0.0;          ///< SafetyLimits::reach [m].
   bool feelsForce = false;     ///< The hand feels forces: the coupling is a spring.
   /// EngineSettings of the same names [N/m], [N.s/m].
-  double mostStiffness = std::numeric_limits<double>::infinity();
-  double mostDamping = std::numeric_limits<double>::infinity();
+  double maxStiffness = std::numeric_limits<double>::infinity();
+  double maxDamping = std::numeric_limits<double>::infinity();
   double deviceDelay = 0.0;  ///< From a force to the report that shows it, measured [s].
   long seed = 1;
   std::uint64_t modelFingerprint = 0;

@@ -41,9 +41,9 @@ public:
 
   /// Waits until it has written `text` to standard output. False when it ended, or the time was
   /// over, without.
-  bool waitForOutput(const std::string& text, std::chrono::milliseconds most);
+  bool waitForOutput(const std::string& text, std::chrono::milliseconds timeout);
   /// Waits for its end; kills it, with everything it started, when the time is over.
-  ProgramOutcome wait(std::chrono::milliseconds most);
+  ProgramOutcome wait(std::chrono::milliseconds timeout);
   /// Sends it a signal, such as SIGKILL for a power cut.
   void send(int signal);
   int id() const noexcept;
@@ -55,6 +55,6 @@ private:
 
 /// Runs a program to its end.
 ProgramOutcome run(const ProgramCall& call,
-                   std::chrono::milliseconds most = std::chrono::minutes(2));
+                   std::chrono::milliseconds timeout = std::chrono::minutes(2));
 
 }  // namespace perilymph::test

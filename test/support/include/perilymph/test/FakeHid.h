@@ -42,7 +42,7 @@ public:
   /// It stays off: the feature that turns actuators on or off fails.
   void refuseActuators(bool isRefused);
   /// No more handles than that can be opened, as where another program holds the device.
-  void openAtMost(int handles);
+  void maxOpen(int handles);
   /// Called, with no lock, by whoever asks for a feature report; without it that fails.
   void whenAsked(std::function<device::Transfer(device::RawReport&)> answer);
   /// Called, with no lock, by a read that would wait: time passes, perhaps a report comes.

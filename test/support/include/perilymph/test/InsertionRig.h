@@ -32,10 +32,10 @@ public:
   const haptics::TickRecord& tick();
   const haptics::TickOutput& output() const noexcept { return record_.output; }
 
-  /// Ticks until the travel is reached, at most `most` times. False if it was not.
-  bool runUntilTravel(Length travel, int most = 1'000'000);
-  /// Ticks until the workflow is reached, at most `most` times. False if it was not.
-  bool runUntil(haptics::Workflow workflow, int most = 1'000'000);
+  /// Ticks until the travel is reached, at most `maxTicks` times. False if it was not.
+  bool runUntilTravel(Length travel, int maxTicks = 1'000'000);
+  /// Ticks until the workflow is reached, at most `maxTicks` times. False if it was not.
+  bool runUntil(haptics::Workflow workflow, int maxTicks = 1'000'000);
 
   device::ScriptedHand& hand() noexcept { return *hand_; }
   haptics::HapticLoop& loop() noexcept { return *loop_; }

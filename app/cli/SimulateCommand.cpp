@@ -106,9 +106,9 @@ void printSummary(const session::Scenario& scenario, const Outcome& outcome)
         fixed(inMillimeters(meters(profile.finalDepth)), 2),
         fixed(inDegrees(radians(profile.finalAngle)), 1));
   print("{:18} {} mJ\n", "work of the hand", fixed(profile.work * 1e3, 4));
-  if (profile.ticksNotSettled > 0)
+  if (profile.ticksNotConverged > 0)
     print("{:18} in {} ticks the solver left more than its tolerance\n", "not settled",
-          profile.ticksNotSettled);
+          profile.ticksNotConverged);
 }
 
 }  // namespace

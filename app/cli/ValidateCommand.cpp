@@ -18,8 +18,8 @@ void printSummary(const ValidationRequest& request, const ValidationResult& resu
 {
   print("{} insertions of {}, seed {}, {} ticks\n", result.runs, request.scenario.array.name,
         result.seed, result.ticks);
-  if (result.ticksNotSettled > 0)
-    print("in {} ticks the solver left more than its tolerance\n", result.ticksNotSettled);
+  if (result.ticksNotConverged > 0)
+    print("in {} ticks the solver left more than its tolerance\n", result.ticksNotConverged);
   for (const analysis::Verdict& verdict : analysis::verdictsOf(result, request.experiment))
     print("{:6} {:41} {:10} ({})\n", verdict.isMet ? "met" : "MISSED", verdict.what, verdict.found,
           verdict.wanted);

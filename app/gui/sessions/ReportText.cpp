@@ -83,8 +83,8 @@ QString numbers(const ReportContent& content)
                     tr("%1 at %2 of travel")
                         .arg(mN(profile.basalTurnPeak->force), mm(profile.basalTurnPeak->travel)),
                     tr("of the curve smoothed over 0.5 mm")));
-  if (profile.ticksNotSettled > 0)
-    rows << row(tr("Ticks not settled"), QString::number(profile.ticksNotSettled),
+  if (profile.ticksNotConverged > 0)
+    rows << row(tr("Ticks not settled"), QString::number(profile.ticksNotConverged),
                 tr("the solver left more than its tolerance"));
   return table(rows);
 }

@@ -48,7 +48,7 @@ void ForceProfiler::add(const haptics::TickRecord& record)
 {
   const haptics::TickOutput& now = record.output;
   ++profile_.ticks;
-  if (now.status & haptics::notSettled) ++profile_.ticksNotSettled;
+  if (now.status & haptics::notConverged) ++profile_.ticksNotConverged;
   // Idle: the array was put back to its start, and that way took no work.
   if (now.workflow == haptics::Workflow::idle) {
     before_.reset();

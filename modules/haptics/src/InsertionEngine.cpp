@@ -195,7 +195,7 @@ void InsertionEngine::moveMechanics(const Hand& hand) noexcept
     happen(WorkflowEvent::trouble);
     return;
   }
-  if (state_.readings.residual > maxResidual) output_.status |= notSettled;
+  if (state_.readings.residual > maxResidual) output_.status |= notConverged;
   if (workflow_ == Workflow::inserting) noteArrival();
 }
 

@@ -54,7 +54,7 @@ std::string statusWords(std::uint32_t status)
        {haptics::rampingIn, "rampingIn"},
        {haptics::notFinite, "notFinite"},
        {haptics::passivityActed, "passivityActed"},
-       {haptics::notSettled, "notSettled"},
+       {haptics::notConverged, "notSettled"},
        {haptics::deviceLost, "deviceLost"},
        {haptics::sampleDoubted, "sampleDoubted"},
        {haptics::handJumped, "handJumped"}}};

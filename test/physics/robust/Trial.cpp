@@ -157,11 +157,11 @@ private:
     if (hasToggled) {
       ++findings_.toggles;
       findings_.worstToggle = std::max(findings_.worstToggle, left);
-      if (left > 1e-3) ++findings_.unsettledToggles;
+      if (left > 1e-3) ++findings_.togglesNotConverged;
       return;
     }
-    findings_.worstUnsettled = std::max(findings_.worstUnsettled, left);
-    if (left > 2e-6) ++findings_.unsettled;
+    findings_.maxResidualAtRest = std::max(findings_.maxResidualAtRest, left);
+    if (left > 2e-6) ++findings_.notConverged;
   }
 
   const Setting& setting_;
@@ -222,8 +222,8 @@ std::string inWords(const Findings& f)
                 "unsettled %ld of %ld quiet ticks, worst %.3g mN; over 1 mN in %ld of %ld toggles, "
                 "worst %.3g mN; not finite %ld",
                 f.ticks, f.iterations, f.greatestForce, f.deepest * 1e6, f.unexplained * 1e6,
-                f.minEnergy * 1e6, f.minHandEnergy * 1e6, f.unsettled, f.ticks - f.toggles,
-                f.worstUnsettled * 1e3, f.unsettledToggles, f.toggles, f.worstToggle * 1e3,
+                f.minEnergy * 1e6, f.minHandEnergy * 1e6, f.notConverged, f.ticks - f.toggles,
+                f.maxResidualAtRest * 1e3, f.togglesNotConverged, f.toggles, f.worstToggle * 1e3,
                 f.notFinite);
   return line;
 }

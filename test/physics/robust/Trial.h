@@ -37,20 +37,20 @@ std::shared_ptr<const mechanics::InsertionModel> build(const Setting& setting);
 /// What came of it. Energies in joule, forces in newton, lengths in meter.
 struct Findings {
   long ticks = 0;
-  long notFinite = 0;           ///< Ticks after which a number had overflowed.
-  double deepest = 0.0;         ///< Greatest penetration of a node.
-  double unexplained = 0.0;     ///< Greatest penetration beyond what the node's force explains.
-  bool startsRelaxed = false;   ///< A straight array.
-  double minEnergy = 0.0;       ///< Of hand, stylet and start together, at any time.
-  double minHandEnergy = 0.0;   ///< Of the hand alone, at any time.
-  long unsettled = 0;           ///< Ticks with more than 2 uN left where no contact changed.
-  double worstUnsettled = 0.0;  ///< The most left in one of them.
-  long toggles = 0;             ///< Ticks in which a contact came, went, stuck or slid anew.
-  long unsettledToggles = 0;    ///< Of them those with more than 1 mN left.
-  double worstToggle = 0.0;     ///< The most left in one of them.
-  long unbalanced = 0;          ///< Ticks of either kind with more than 1 mN left.
-  double greatestForce = 0.0;   ///< On the hand.
-  double iterations = 0.0;      ///< Of Newton's method, mean of a tick.
+  long notFinite = 0;              ///< Ticks after which a number had overflowed.
+  double deepest = 0.0;            ///< Greatest penetration of a node.
+  double unexplained = 0.0;        ///< Greatest penetration beyond what the node's force explains.
+  bool startsRelaxed = false;      ///< A straight array.
+  double minEnergy = 0.0;          ///< Of hand, stylet and start together, at any time.
+  double minHandEnergy = 0.0;      ///< Of the hand alone, at any time.
+  long notConverged = 0;           ///< Ticks with more than 2 uN left where no contact changed.
+  double maxResidualAtRest = 0.0;  ///< The most left in one of them.
+  long toggles = 0;                ///< Ticks in which a contact came, went, stuck or slid anew.
+  long togglesNotConverged = 0;    ///< Of them those with more than 1 mN left.
+  double worstToggle = 0.0;        ///< The most left in one of them.
+  long unbalanced = 0;             ///< Ticks of either kind with more than 1 mN left.
+  double greatestForce = 0.0;      ///< On the hand.
+  double iterations = 0.0;         ///< Of Newton's method, mean of a tick.
 };
 
 /// Runs insertions of 20,000 ticks, each from the start and with a hand of its own, until `ticks`

@@ -126,10 +126,10 @@ TEST(InsertionEngine, SettlesEveryTickOfAPlainInsertion)
 {
   test::InsertionRig rig(test::insertionInRing());
   rig.start();
-  int unsettled = 0;
+  int ticksNotConverged = 0;
   for (int i = 0; i < 8000; ++i)
-    if ((rig.tick().output.status & notSettled) != 0) ++unsettled;
-  EXPECT_EQ(unsettled, 0);
+    if ((rig.tick().output.status & notConverged) != 0) ++ticksNotConverged;
+  EXPECT_EQ(ticksNotConverged, 0);
 }
 
 /// Opens where the world begins; its wall is for others to say.
@@ -174,14 +174,14 @@ private:
 TEST(InsertionEngine, SaysWhenATickFoundNoEquilibrium)
 {
   test::InsertionRig rig = startedIn(std::make_shared<RestlessLumen>());
-  int unsettled = 0;
+  int ticksNotConverged = 0;
   for (int i = 0; i < 30; ++i) {
     const TickOutput& output = rig.tick().output;
     const bool isLarge = rig.engine().state().readings.residual > 1e-4;  // [N]
-    EXPECT_EQ((output.status & notSettled) != 0, isLarge) << i;
-    unsettled += isLarge ? 1 : 0;
+    EXPECT_EQ((output.status & notConverged) != 0, isLarge) << i;
+    ticksNotConverged += isLarge ? 1 : 0;
   }
-  EXPECT_GT(unsettled, 0);
+  EXPECT_GT(ticksNotConverged, 0);
 }
 
 /// A tube whose wall is no number from a depth on.

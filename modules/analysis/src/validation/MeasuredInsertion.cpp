@@ -34,7 +34,7 @@ Result<MeasuredInsertion> measure(const DrawnInsertion& drawn,
   const auto each = [&](const haptics::TickRecord& record) {
     const haptics::TickOutput& now = record.output;
     ++measured.ticks;
-    if (now.status & haptics::notSettled) ++measured.ticksNotSettled;
+    if (now.status & haptics::notConverged) ++measured.ticksNotConverged;
     hasArrived = now.workflow == haptics::Workflow::finished;
     if (now.workflow == haptics::Workflow::inserting && moving++ % ticksPerSample == 0) {
       const Eigen::Vector3d base_W(now.proxy_W[0], now.proxy_W[1], now.proxy_W[2]);

@@ -30,7 +30,7 @@ bool isPublishedModel(const session::Scenario& scenario)
 struct Kept {
   std::vector<double> curve;
   std::optional<double> beforeRib, ribPeak;
-  std::uint64_t ticks = 0, ticksNotSettled = 0;
+  std::uint64_t ticks = 0, ticksNotConverged = 0;
 };
 
 std::optional<Length> firstRib(const session::Scenario& scenario)
@@ -88,7 +88,7 @@ Result<Done> runOne(const ValidationRequest& request, SpreadSources sources, std
                  " gave too few samples for its spline. Raise knot_spacing_mm or lower the speed."};
   kept.curve = std::move(*curve);
   kept.ticks = measured->ticks;
-  kept.ticksNotSettled = measured->ticksNotSettled;
+  kept.ticksNotConverged = measured->ticksNotConverged;
   if (const auto rib = firstRib(drawn.scenario)) keepRib(*measured, *rib, kept);
   return Done{};
 }
@@ -277,7 +277,7 @@ Result<ValidationResult> validate(const ValidationRequest& request,
   }
   for (const Kept& each : kept) {
     result.ticks += each.ticks;
-    result.ticksNotSettled += each.ticksNotSettled;
+    result.ticksNotConverged += each.ticksNotConverged;
   }
   result.anchors = compareAnchors(request.experiment, result.profile);
   result.basalTurn = findBasalTurn(mean);

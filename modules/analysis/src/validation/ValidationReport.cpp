@@ -164,7 +164,7 @@ std::string summaryJson(const ValidationRequest& request, const ValidationResult
   page["experiment"] = request.experiment.source;
   page["experiment_insertions"] = request.experiment.insertions;
   page["ticks"] = result.ticks;
-  page["ticks_not_settled"] = result.ticksNotSettled;
+  page["ticks_not_settled"] = result.ticksNotConverged;
   page["basal_turn_peak"] = json(result.basalTurn.peak);
   page["basal_turn_dip"] = json(result.basalTurn.dip);
   page["early_peak"] = json(result.earlyPeak);

@@ -64,17 +64,17 @@ MembraneShare MembranePlace::shareAt(const Eigen::Vector3d& at_W, double radius,
   const Entry inner(inner_, track.angle * perSection_);
   const Entry outer(outer_, track.angle * perSection_);
   // the footprint, half a radius to either side, beyond the inner edge less that beyond the outer
-  const double perFootprint = 1.0 / radius;
-  const Ramp pastInner(0.5 + (r - inner.value) * perFootprint);
-  const Ramp pastOuter(0.5 + (r - outer.value) * perFootprint);
+  const double inverseFootprint = 1.0 / radius;
+  const Ramp pastInner(0.5 + (r - inner.value) * inverseFootprint);
+  const Ramp pastOuter(0.5 + (r - outer.value) * inverseFootprint);
   const double across = pastInner.value - pastOuter.value;
   if (!(across > 0.0)) return {};
 
   const Ramp begin(track.angle / fading), end((lastAngle_ - track.angle) / fading);
   const double present = roof.value * begin.value * end.value;
-  const double outwardRate = (pastInner.slope - pastOuter.slope) * perFootprint;
+  const double outwardRate = (pastInner.slope - pastOuter.slope) * inverseFootprint;
   const double forwardRate = -(pastInner.slope * inner.slope - pastOuter.slope * outer.slope) *
-                             perFootprint * perSection_ / r;
+                             inverseFootprint * perSection_ / r;
   const double presentRate =
       roof.value * (begin.slope * end.value - begin.value * end.slope) / (fading * r);
   return {present * across, present * (outwardRate * outward_W + forwardRate * forward_W) +

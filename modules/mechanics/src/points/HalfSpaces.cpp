@@ -24,7 +24,7 @@ void HalfSpaces::add(const HalfSpace& space) noexcept
   if (space.distance < farthest->distance) *farthest = space;
 }
 
-int HalfSpaces::worst(const Eigen::Vector3d& place) const noexcept
+int HalfSpaces::maxViolated(const Eigen::Vector3d& place) const noexcept
 {
   int index = -1;
   double max_m = allowance;
@@ -84,7 +84,7 @@ Allowed HalfSpaces::project(const Eigen::Vector3d& goal, Eigen::Vector3d& place)
   place = goal;
   Holding now;
   for (int round = 0; round < maxRounds; ++round) {
-    const int added = worst(place);
+    const int added = maxViolated(place);
     if (added < 0) return now.count > 0 ? Allowed::heldBack : Allowed::yes;
 
     // the added one with none, one or two of those before: the first set that pushes only and

@@ -40,7 +40,7 @@ private:
   };
 
   const HalfSpace& at(int index) const noexcept { return items_[static_cast<std::size_t>(index)]; }
-  int worst(const Eigen::Vector3d& place) const noexcept;
+  int maxViolated(const Eigen::Vector3d& place) const noexcept;
   bool holds(const Holding& set, const Eigen::Vector3d& goal,
              Eigen::Vector3d& place) const noexcept;
 

@@ -195,13 +195,13 @@ void advanceOnce(const InsertionModel& model, InsertionState& state, const Drive
                  const Eigen::Vector3d& hand_W, const Eigen::Vector3d& handAxis_W,
                  PointWorkspace& workspace) noexcept
 {
-  const double perTime = 1.0 / model.points->substep;
+  const double inverseTimeStep = 1.0 / model.points->substep;
   PointSetState& set = state.points;
   const std::size_t n = state.position_W.size();
 
   // the carrier first: where the hand takes it, and where that puts the places of the points
   const Eigen::Vector3d base_W = nextBase(model, state, drive, hand_W);
-  state.baseVelocity_W = perTime * (base_W - state.base_W);
+  state.baseVelocity_W = inverseTimeStep * (base_W - state.base_W);
   state.base_W = base_W;
   set.handAxis_W = handAxis_W;
   const Eigen::Vector3d axis_W = carrierAxis(set, handAxis_W);
@@ -215,7 +215,7 @@ void advanceOnce(const InsertionModel& model, InsertionState& state, const Drive
   double armSquares = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
     const Eigen::Vector3d arm_W = (static_cast<double>(i) * spacing) * axis_W;
-    const Eigen::Vector3d placeVelocity_W = perTime * (base_W + arm_W - set.place_W[i]);
+    const Eigen::Vector3d placeVelocity_W = inverseTimeStep * (base_W + arm_W - set.place_W[i]);
     set.place_W[i] = base_W + arm_W;
     if (meetSurface(model, state, i, workspace)) meetsTurn = true;
     const Eigen::Vector3d pull_W = movePoint(model, state, i, placeVelocity_W);

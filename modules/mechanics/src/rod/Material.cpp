@@ -57,9 +57,9 @@ struct TurningJoint {
 };
 
 /// The angle from d, turned along with p into t by the least rotation, to e.
-double twistOf(const TurningJoint& joint, double perSum) noexcept
+double twistOf(const TurningJoint& joint, double inverseSum) noexcept
 {
-  const double back = joint.d.dot(joint.t) * perSum;
+  const double back = joint.d.dot(joint.t) * inverseSum;
   const double sine = back * joint.p.dot(joint.eAcross) - joint.d.dot(joint.eAcross);
   const double cosine = joint.d.dot(joint.e) - back * joint.p.dot(joint.e);
   return angleOf(sine, cosine);
@@ -86,7 +86,7 @@ TurnEnergy bendingByTurn(const InsertionModel& model, const SectionStiffness& se
 {
   const double rest = section.restBend[i];
   const double moment = rest * section.bending[i] / model.spacing;
-  const double c = rod.perSum[i];
+  const double c = rod.inverseSum[i];
   const auto& [p, t, d, e, dAcross, eAcross] = joint;
   TurnEnergy energy;
   energy.last = -moment * (c * t.dot(dAcross) - 0.25 * rest * e.dot(dAcross));
@@ -102,7 +102,7 @@ void addOval(const InsertionModel& model, const SectionStiffness& section, const
   const double more = section.bendingMore[i] / model.spacing;
   const double rest = section.restBend[i];
   const auto& [p, t, d, e, dAcross, eAcross] = joint;
-  const Vector3d s = (2.0 * rod.perSum[i]) * (t - p) - (0.5 * rest) * (d + e);
+  const Vector3d s = (2.0 * rod.inverseSum[i]) * (t - p) - (0.5 * rest) * (d + e);
   const double along = s.dot(stifferWay(model, joint, i));
   const bool isAcross = model.stifferAcross[i] != 0;
   const double lastRate = 0.5 * (isAcross ? -s.dot(d) - rest : s.dot(dAcross));
@@ -181,12 +181,12 @@ void findTorques(const InsertionModel& model, const InsertionState& state,
                  const SectionStiffness& section, RodKinematics& rod, TwistSystem& turns) noexcept
 {
   const auto edges = static_cast<std::size_t>(model.nodes - 1);
-  const double perSpacing = 1.0 / model.spacing;
+  const double inverseSpacing = 1.0 / model.spacing;
   turns.torque[0] = turns.stiffness[0] = 0.0;
   for (std::size_t i = 1; i < edges; ++i) {
     const TurningJoint joint(state, rod, i);
-    rod.twist[i] = twistOf(joint, rod.perSum[i]);
-    const double stiffness = model.twisting[i] * perSpacing;
+    rod.twist[i] = twistOf(joint, rod.inverseSum[i]);
+    const double stiffness = model.twisting[i] * inverseSpacing;
     const double moment = stiffness * rod.twist[i];
     const TurnEnergy energy = energyByTurn(model, section, rod, joint, i);
     turns.torque[i - 1] += moment - energy.last;
@@ -207,11 +207,11 @@ void turnEdges(InsertionState& state, RodKinematics& rod, TwistSystem& turns) no
 {
   const std::size_t edges = state.curl_W.size() - 1;
   for (std::size_t j = edges - 1; j > 1; --j) {
-    const double perStiffness = 1.0 / turns.stiffness[j];
-    const double factor = turns.beside[j] * perStiffness;
+    const double inverseStiffness = 1.0 / turns.stiffness[j];
+    const double factor = turns.beside[j] * inverseStiffness;
     turns.stiffness[j - 1] -= factor * turns.beside[j];
     turns.torque[j - 1] -= factor * turns.torque[j];
-    turns.torque[j] *= perStiffness;
+    turns.torque[j] *= inverseStiffness;
     turns.beside[j] = factor;
   }
   turns.torque[1] /= turns.stiffness[1];
@@ -235,19 +235,19 @@ void turnMaterial(const InsertionModel& model, const Vector3d& curl_W,
                   TwistSystem& turns) noexcept
 {
   const auto edges = static_cast<std::size_t>(model.nodes - 1);
-  const double perSpacing = 1.0 / model.spacing;
+  const double inverseSpacing = 1.0 / model.spacing;
   followEdges(curl_W, state, rod);
   findTorques(model, state, section, rod, turns);
   turnEdges(state, rod, turns);
   for (std::size_t i = 1; i < edges; ++i) {
     rod.restBend_W[i] = (0.5 * section.restBend[i]) * (state.curl_W[i - 1] + state.curl_W[i]);
-    rod.twistRate_W[i] =
-        (perSpacing * rod.perSum[i]) * rod.edge[i - 1].tangent_W.cross(rod.edge[i].tangent_W);
+    rod.twistRate_W[i] = (inverseSpacing * rod.inverseSum[i]) *
+                         rod.edge[i - 1].tangent_W.cross(rod.edge[i].tangent_W);
     if (model.bendingMore[i] > 0.0)
       rod.stiffer_W[i] = stifferWay(model, TurningJoint(state, rod, i), i);
   }
   rod.curlAcross_W[1] = rod.edge[1].tangent_W.cross(state.curl_W[1]);
-  rod.twistTorque = model.twisting[1] * perSpacing * rod.twist[1] -
+  rod.twistTorque = model.twisting[1] * inverseSpacing * rod.twist[1] -
                     energyByTurn(model, section, rod, TurningJoint(state, rod, 1), 1).last;
   if (model.isOval) rod.twistTorque += state.wallTorque[1].torque;
 }
@@ -275,8 +275,10 @@ void addMaterialStiffness(const InsertionModel& model, double timeStep,
     const RodEdge& next = rod.edge[i];
     const Vector3d& way = rod.stiffer_W[i];
     const double c = 2.0 / std::max(1.0 + last.tangent_W.dot(next.tangent_W), 1e-3);
-    const Vector3d byNext = c * next.perLength * (way - way.dot(next.tangent_W) * next.tangent_W);
-    const Vector3d byLast = c * last.perLength * (way - way.dot(last.tangent_W) * last.tangent_W);
+    const Vector3d byNext =
+        c * next.inverseLength * (way - way.dot(next.tangent_W) * next.tangent_W);
+    const Vector3d byLast =
+        c * last.inverseLength * (way - way.dot(last.tangent_W) * last.tangent_W);
     addRankOne(matrix, i, {byLast, -byLast - byNext, byNext},
                section.bendingMore[i] / model.spacing * (1.0 + damping));
   }

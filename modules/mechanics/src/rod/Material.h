@@ -17,7 +17,7 @@ namespace perilymph::mechanics {
 ///     sum of 1/2 (GJ/h) m_i^2 + bending + what oval sections press into the wall,
 ///
 /// where m_i is the angle by which edge i is twisted against the edge before it. Needs rod.edge and
-/// rod.perSum; leaves the rest bends, the twist and the torque on the hand in `rod`.
+/// rod.inverseSum; leaves the rest bends, the twist and the torque on the hand in `rod`.
 ///
 /// Positions move in between, by the same energies at these directions: both halves of the step can
 /// only take energy out. As they move, the twist at node i follows to first order,

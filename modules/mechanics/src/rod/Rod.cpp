@@ -47,8 +47,8 @@ JointForces forcesOf(const Joint& joint, const Vector3d& bend_W, const Vector3d&
 {
   const Vector3d& t = joint.next.tangent_W;
   const Vector3d& p = joint.last.tangent_W;
-  const double a = 2.0 * joint.c * joint.next.perLength;
-  const double b = 2.0 * joint.c * joint.last.perLength;
+  const double a = 2.0 * joint.c * joint.next.inverseLength;
+  const double b = 2.0 * joint.c * joint.last.inverseLength;
   const double half = 0.5 * bend_W.dot(stress);
   return {a * (stress - t * (t.dot(stress) - half * joint.cosine) - half * p),
           b * (stress - p * (p.dot(stress) + half * joint.cosine) + half * t)};
@@ -111,7 +111,7 @@ void addStretching(const InsertionModel& model, std::size_t i, double damping,
   const double tension =
       compression == Compression::included ? edge.tension : std::max(edge.tension, 0.0);
   const double along = model.stretching[i] / model.spacing * (1.0 + damping);
-  const SymmetricBlock<double> block = stiffnessOf(edge, along, tension * edge.perLength);
+  const SymmetricBlock<double> block = stiffnessOf(edge, along, tension * edge.inverseLength);
   const std::size_t a = blockOf(i);
   matrix.diagonal[a] += block;
   matrix.diagonal[a + 1] += block;
@@ -127,8 +127,8 @@ void addBending(const InsertionModel& model, std::size_t i, double damping,
 {
   const Joint joint(rod.edge[i - 1], rod.edge[i]);
   const double k = section.bending[i] / model.spacing * (1.0 + damping);
-  const double a = 2.0 * joint.c * joint.next.perLength;
-  const double b = 2.0 * joint.c * joint.last.perLength;
+  const double a = 2.0 * joint.c * joint.next.inverseLength;
+  const double b = 2.0 * joint.c * joint.last.inverseLength;
   const SymmetricBlock<double> nextNext = across(joint.next.tangent_W, k * a * a);
   const SymmetricBlock<double> lastLast = across(joint.last.tangent_W, k * b * b);
   const Block<double> nextLast =
@@ -193,7 +193,7 @@ void setRestShape(const InsertionModel& model, const std::vector<Vector3d>& posi
     const Vector3d& p = joint.last.tangent_W;
     const Vector3d& t = joint.next.tangent_W;
     rod.bendBefore_W[i] = joint.bend_W();
-    rod.perSum[i] = joint.c;
+    rod.inverseSum[i] = joint.c;
     // an array that twists carries its own directions
     if (model.twists) continue;
     // the least rotation that takes p to t
@@ -209,8 +209,8 @@ void setEdges(const std::vector<Vector3d>& position_W, RodKinematics& rod) noexc
     const Vector3d along = position_W[i + 1] - position_W[i];
     RodEdge& edge = rod.edge[i];
     edge.length = std::sqrt(along[0] * along[0] + along[1] * along[1] + along[2] * along[2]);
-    edge.perLength = 1.0 / edge.length;
-    edge.tangent_W = edge.perLength * along;
+    edge.inverseLength = 1.0 / edge.length;
+    edge.tangent_W = edge.inverseLength * along;
   }
 }
 

@@ -35,7 +35,7 @@ struct SectionStiffness {
 struct RodEdge {
   Eigen::Vector3d tangent_W = Eigen::Vector3d::Zero();  ///< Unit, toward the tip.
   double length = 0.0;                                  ///< [m]
-  double perLength = 0.0;                               ///< 1 / length [1/m]
+  double inverseLength = 0.0;                           ///< 1 / length [1/m]
   double tension = 0.0;                                 ///< [N]
 };
 
@@ -44,7 +44,7 @@ struct RodEdge {
 struct RodKinematics {
   explicit RodKinematics(std::size_t nodes = 0)
       : edge(nodes),
-        perSum(nodes),
+        inverseSum(nodes),
         lengthBefore(nodes),
         bendBefore_W(nodes, Eigen::Vector3d::Zero()),
         restBend_W(nodes, Eigen::Vector3d::Zero()),
@@ -56,7 +56,7 @@ struct RodKinematics {
   }
 
   std::vector<RodEdge> edge;                  ///< Edge i, between nodes i and i + 1.
-  std::vector<double> perSum;                 ///< 1 / (1 + cosine of the angle) at each node.
+  std::vector<double> inverseSum;             ///< 1 / (1 + cosine of the angle) at each node.
   std::vector<double> lengthBefore;           ///< Of each edge at the start of the step [m].
   std::vector<Eigen::Vector3d> bendBefore_W;  ///< At each node at the start of the step.
   std::vector<Eigen::Vector3d> restBend_W;    ///< Rest bend at each node, with its direction.

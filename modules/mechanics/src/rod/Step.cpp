@@ -11,7 +11,7 @@ namespace {
 /// First guess: while the hand goes on as it did, every node goes on as it did, faster or slower by
 /// the same share; else every node slides along the array by as much as the base advances.
 void predict(const InsertionModel& model, InsertionState& state, const Drive& drive,
-             const Base& base, Way way, const RodWorkspace& work) noexcept
+             const Base& base, SolveStrategy strategy, const RodWorkspace& work) noexcept
 {
   const auto n = static_cast<std::size_t>(model.nodes);
   Eigen::Vector3d to_W = drive.handPosition_W;
@@ -20,7 +20,7 @@ void predict(const InsertionModel& model, InsertionState& state, const Drive& dr
   const double forward = (to_W - work.start.position_W[0]).dot(drive.handAxis_W);
   const double lastForward = work.start.timeStep * state.baseVelocity_W.dot(drive.handAxis_W);
   const double share = forward / lastForward;
-  const bool goesOn = way == Way::quick && share > 0.25 && share < 4.0;
+  const bool goesOn = strategy == SolveStrategy::newton && share > 0.25 && share < 4.0;
   for (std::size_t i = 2; i < n; ++i) {
     const Eigen::Vector3d motion =
         goesOn ? Eigen::Vector3d(share * work.start.timeStep * state.velocity_W[i])
@@ -49,8 +49,8 @@ void remember(const InsertionState& state, RodWorkspace& work) noexcept
 
 }  // namespace
 
-Step tryStep(const InsertionModel& model, InsertionState& state, const Drive& drive,
-             double timeStep, Way way, RodWorkspace& work) noexcept
+Step attemptStep(const InsertionModel& model, InsertionState& state, const Drive& drive,
+                 double timeStep, SolveStrategy strategy, RodWorkspace& work) noexcept
 {
   work.start.timeStep = timeStep;
   remember(state, work);
@@ -60,27 +60,28 @@ Step tryStep(const InsertionModel& model, InsertionState& state, const Drive& dr
     turnMaterial(model, drive.handCurl_W, work.section, state, work.rod, work.twist);
   const Base base = baseOf(model, state, drive, timeStep);
   setHold(model, state, work.start, work.inertia);
-  predict(model, state, drive, base, way, work);
-  if (way == Way::downhill) return {base, descend(model, state, base, {}, work)};
-  return {base, settle(model, state, base, work)};
+  predict(model, state, drive, base, strategy, work);
+  if (strategy == SolveStrategy::descent)
+    return {base, minimizeEnergy(model, state, base, {}, work)};
+  return {base, solveNewton(model, state, base, work)};
 }
 
-void keepStep(InsertionState& state, const RodWorkspace& work) noexcept
+void commitStep(InsertionState& state, const RodWorkspace& work) noexcept
 {
-  const double perTime = 1.0 / work.start.timeStep;
-  state.baseVelocity_W = perTime * (state.position_W[0] - work.start.position_W[0]);
+  const double inverseTimeStep = 1.0 / work.start.timeStep;
+  state.baseVelocity_W = inverseTimeStep * (state.position_W[0] - work.start.position_W[0]);
   state.base_W = state.position_W[0];
   for (std::size_t i = 0; i < state.position_W.size(); ++i) {
-    state.velocity_W[i] = perTime * (state.position_W[i] - work.start.position_W[i]);
+    state.velocity_W[i] = inverseTimeStep * (state.position_W[i] - work.start.position_W[i]);
     state.frictionSpring_W[i] = work.friction.spring_W[i];
     state.isSliding[i] = work.friction.isSliding[i];
-    state.slipSpeed[i] = perTime * work.friction.slip[i];
+    state.slipSpeed[i] = inverseTimeStep * work.friction.slip[i];
   }
   keepClearance(work.start, work.contacts, state);
   state.rim = work.contacts.rim;
 }
 
-void undoStep(InsertionState& state, RodWorkspace& work) noexcept
+void rollBackStep(InsertionState& state, RodWorkspace& work) noexcept
 {
   for (std::size_t i = 0; i < state.position_W.size(); ++i) {
     state.position_W[i] = work.start.position_W[i];

@@ -7,27 +7,27 @@
 namespace perilymph::mechanics {
 
 /// How a step is settled.
-enum class Way {
-  quick,     ///< By Newton's method from where things would go by themselves.
-  downhill,  ///< By descent in energy from where they are.
+enum class SolveStrategy {
+  newton,   ///< By Newton's method from where things would go by themselves.
+  descent,  ///< By descent in energy from where they are.
 };
 
 /// A step that has been tried.
 struct Step {
   Base base;
-  Settled settled;
+  SolveResult result;
 };
 
 /// Predicts the rod and settles it against the wall, a time [s] on. Needs `work.section`. The
 /// state's positions, tracks and curls are those of the end of the step, the rest still that of its
 /// start.
-Step tryStep(const InsertionModel& model, InsertionState& state, const Drive& drive,
-             double timeStep, Way way, RodWorkspace& work) noexcept;
+Step attemptStep(const InsertionModel& model, InsertionState& state, const Drive& drive,
+                 double timeStep, SolveStrategy strategy, RodWorkspace& work) noexcept;
 
 /// Makes the end of the step that was tried the start of the next.
-void keepStep(InsertionState& state, const RodWorkspace& work) noexcept;
+void commitStep(InsertionState& state, const RodWorkspace& work) noexcept;
 
 /// Back to where the step that was tried started.
-void undoStep(InsertionState& state, RodWorkspace& work) noexcept;
+void rollBackStep(InsertionState& state, RodWorkspace& work) noexcept;
 
 }  // namespace perilymph::mechanics

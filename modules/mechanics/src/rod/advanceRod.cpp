@@ -56,11 +56,11 @@ double depthOf(const InsertionModel& model, const InsertionState& state) noexcep
 
 /// What the rest of the program wants to know of the step.
 void read(const InsertionModel& model, InsertionState& state, const Wrench& wrench,
-          const Settled& settled) noexcept
+          const SolveResult& result) noexcept
 {
   Readings& r = state.readings;
-  r.iterations = settled.iterations;
-  r.residual = settled.left.worst;
+  r.iterations = result.iterations;
+  r.residual = result.residual.maxNorm;
   r.handForce_W = wrench.force_W;
   r.handTorque_W = wrench.torque_W;
   r.axialForce = r.handForce_W.dot(model.entry.out_W);
@@ -80,7 +80,7 @@ void read(const InsertionModel& model, InsertionState& state, const Wrench& wren
   }
   const double sum = r.handForce_W.x() + r.handForce_W.y() + r.handForce_W.z() +
                      state.position_W.back().x() + state.position_W.back().y() +
-                     state.position_W.back().z() + settled.left.squares;
+                     state.position_W.back().z() + result.residual.squaredNorm;
   r.isFinite = std::isfinite(sum);
 }
 
@@ -114,21 +114,21 @@ Drive between(const Drive& from, const Drive& to, double share) noexcept
 /// The step in parts of equal time, with the hand on its way.
 ///
 /// @return The mean wrench: the hand's work in the parts is that of the mean over the step.
-Wrench advanceInParts(const InsertionModel& model, InsertionState& state, const Drive& drive,
-                      Settled& settled, RodWorkspace& work) noexcept
+Wrench advanceInSubsteps(const InsertionModel& model, InsertionState& state, const Drive& drive,
+                         SolveResult& result, RodWorkspace& work) noexcept
 {
   const Drive before = handBefore(model, state, drive);
   Wrench mean;
   for (int k = 1; k <= maxSubsteps; ++k) {
     const Drive there = between(before, drive, static_cast<double>(k) / maxSubsteps);
-    const Step step =
-        tryStep(model, state, there, model.timeStep / maxSubsteps, Way::downhill, work);
-    keepStep(state, work);
+    const Step step = attemptStep(model, state, there, model.timeStep / maxSubsteps,
+                                  SolveStrategy::descent, work);
+    commitStep(state, work);
     const Wrench wrench = wrenchOf(model, state, there, step.base, work);
     mean.force_W += wrench.force_W / maxSubsteps;
     mean.torque_W += wrench.torque_W / maxSubsteps;
-    settled.iterations += step.settled.iterations;
-    settled.left = step.settled.left;
+    result.iterations += step.result.iterations;
+    result.residual = step.result.residual;
   }
   work.system.factors.forget();
   return mean;
@@ -147,25 +147,25 @@ void advanceRod(const InsertionModel& model, InsertionState& state, const Drive&
       std::min(static_cast<double>(state.tick + 1) * model.timeStep / releaseTime, 1.0);
   setStiffness(model, state.styletWithdrawal, released, work.section);
 
-  Step step = tryStep(model, state, drive, model.timeStep, Way::quick, work);
-  Settled settled = step.settled;
-  if (settled.left.worst > maxResidual) {
-    undoStep(state, work);
-    step = tryStep(model, state, drive, model.timeStep, Way::downhill, work);
-    settled = step.settled;
-  } else if (settled.left.worst > forceTolerance) {
-    settled = descend(model, state, step.base, settled, work);
+  Step step = attemptStep(model, state, drive, model.timeStep, SolveStrategy::newton, work);
+  SolveResult result = step.result;
+  if (result.residual.maxNorm > maxResidual) {
+    rollBackStep(state, work);
+    step = attemptStep(model, state, drive, model.timeStep, SolveStrategy::descent, work);
+    result = step.result;
+  } else if (result.residual.maxNorm > forceTolerance) {
+    result = minimizeEnergy(model, state, step.base, result, work);
   }
   Wrench wrench;
-  if (settled.left.worst <= maxResidual) {
-    keepStep(state, work);
+  if (result.residual.maxNorm <= maxResidual) {
+    commitStep(state, work);
     wrench = wrenchOf(model, state, drive, step.base, work);
   } else {
-    undoStep(state, work);
-    wrench = advanceInParts(model, state, drive, settled, work);
+    rollBackStep(state, work);
+    wrench = advanceInSubsteps(model, state, drive, result, work);
   }
   ++state.tick;
-  read(model, state, wrench, settled);
+  read(model, state, wrench, result);
 }
 
 }  // namespace perilymph::mechanics

@@ -15,7 +15,7 @@ namespace perilymph::mechanics {
 /// Costs several balances and one factorization an iteration; after maxDescentIterations it gives up.
 ///
 /// @param settled  How the iteration before ended.
-Settled descend(const InsertionModel& model, InsertionState& state, const Base& base,
-                Settled settled, RodWorkspace& work) noexcept;
+SolveResult minimizeEnergy(const InsertionModel& model, InsertionState& state, const Base& base,
+                           SolveResult result, RodWorkspace& work) noexcept;
 
 }  // namespace perilymph::mechanics

@@ -2,7 +2,7 @@
 
 // Newton's method for the balance of forces.
 
-#include "solver/Balance.h"
+#include "solver/Residual.h"
 
 namespace perilymph::mechanics {
 
@@ -10,8 +10,8 @@ namespace perilymph::mechanics {
 inline constexpr double forceTolerance = 2e-6;  // [N]
 
 /// How a step's iteration ended.
-struct Settled {
-  Balance left;
+struct SolveResult {
+  Residual residual;
   int iterations;
 };
 
@@ -19,7 +19,7 @@ struct Settled {
 /// line search on the residual. The factors of the stiffness are kept from step to step and found
 /// anew only where they do no longer serve. Stops where no force is above 2 uN and no node would
 /// move by 0.2 nm, where contact toggles and nothing moves by 1 nm, or after maxIterations.
-Settled settle(const InsertionModel& model, InsertionState& state, const Base& base,
-               RodWorkspace& work) noexcept;
+SolveResult solveNewton(const InsertionModel& model, InsertionState& state, const Base& base,
+                        RodWorkspace& work) noexcept;
 
 }  // namespace perilymph::mechanics

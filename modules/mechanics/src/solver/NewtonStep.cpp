@@ -7,7 +7,7 @@ namespace perilymph::mechanics {
 namespace {
 
 /// One over the root of 1 + q.
-double perRoot(double q) noexcept
+double inverseRoot(double q) noexcept
 {
   // left out is less than a rounding
   if (q < 1e-4) return 1.0 - q * (0.5 - q * (0.375 - q * 0.3125));
@@ -16,24 +16,24 @@ double perRoot(double q) noexcept
 
 }  // namespace
 
-void moveBy(const LinearSystem& system, double share,
+void moveBy(const LinearSystem& system, double alpha,
             std::vector<Eigen::Vector3d>& position_W) noexcept
 {
-  position_W[0] = system.start_W[0] + share * system.trial_W[0];
-  position_W[1] = system.start_W[1] + share * system.trial_W[0];
+  position_W[0] = system.start_W[0] + alpha * system.trial_W[0];
+  position_W[1] = system.start_W[1] + alpha * system.trial_W[0];
   for (std::size_t i = 1; i + 1 < system.start_W.size(); ++i) {
     const Eigen::Vector3d edge = system.start_W[i + 1] - system.start_W[i];
-    const Eigen::Vector3d change = share * (system.trial_W[i] - system.trial_W[i - 1]);
-    const double perSquare = 1.0 / edge.squaredNorm();
-    const double along = edge.dot(change) * perSquare;
-    const double across = std::max(change.squaredNorm() * perSquare - along * along, 0.0);
+    const Eigen::Vector3d change = alpha * (system.trial_W[i] - system.trial_W[i - 1]);
+    const double inverseSquare = 1.0 / edge.squaredNorm();
+    const double along = edge.dot(change) * inverseSquare;
+    const double across = std::max(change.squaredNorm() * inverseSquare - along * along, 0.0);
     const double stretched = std::max(1.0 + along, 0.1);
-    const double shrink = perRoot(across / (stretched * stretched));
+    const double shrink = inverseRoot(across / (stretched * stretched));
     position_W[i + 1] = position_W[i] + shrink * (edge + change);
   }
 }
 
-double pullAlongWay(const LinearSystem& system, double share) noexcept
+double directionalDerivativeAt(const LinearSystem& system, double alpha) noexcept
 {
   Eigen::Vector3d motion = system.trial_W[0];
   double sum = system.right[0].dot(motion);
@@ -41,14 +41,14 @@ double pullAlongWay(const LinearSystem& system, double share) noexcept
     const Eigen::Vector3d edge = system.start_W[i + 1] - system.start_W[i];
     const Eigen::Vector3d change = system.trial_W[i] - system.trial_W[i - 1];
     // the edge keeps the direction of `way`, and is `stretched` times as long as it was
-    const Eigen::Vector3d way = edge + share * change;
+    const Eigen::Vector3d way = edge + alpha * change;
     const double length = edge.norm();
     const double longer = edge.dot(change) / (length * length);
-    const double stretched = 1.0 + share * longer;
-    const double perWay = 1.0 / way.norm();
-    const Eigen::Vector3d along = perWay * way;
+    const double stretched = 1.0 + alpha * longer;
+    const double inverseNorm = 1.0 / way.norm();
+    const Eigen::Vector3d along = inverseNorm * way;
     motion += (length * longer) * along +
-              (length * stretched * perWay) * (change - along.dot(change) * along);
+              (length * stretched * inverseNorm) * (change - along.dot(change) * along);
     sum += system.right[i].dot(motion);
   }
   return sum;
@@ -56,14 +56,14 @@ double pullAlongWay(const LinearSystem& system, double share) noexcept
 
 bool factorize(const InsertionModel& model, const Base& base, RodWorkspace& work) noexcept
 {
-  setStiffnessOfBalance(model, base, Compression::included, work);
+  assembleStiffness(model, base, Compression::included, work);
   if (work.system.factors.factorize(work.system.matrix)) return true;
   // past its buckling load the exact matrix has no positive pivots; the safe one always has
-  setStiffnessOfBalance(model, base, Compression::leftOut, work);
+  assembleStiffness(model, base, Compression::leftOut, work);
   return work.system.factors.factorize(work.system.matrix);
 }
 
-double findStep(LinearSystem& system) noexcept
+double solveLinearSystem(LinearSystem& system) noexcept
 {
   system.trial_W = system.right;
   system.factors.solve(system.trial_W);
@@ -73,7 +73,7 @@ double findStep(LinearSystem& system) noexcept
   return std::sqrt(longest);
 }
 
-double pullAlong(const LinearSystem& system) noexcept
+double directionalDerivative(const LinearSystem& system) noexcept
 {
   double sum[3] = {0.0, 0.0, 0.0};
   for (std::size_t i = 0; i < system.right.size(); ++i)

@@ -2,7 +2,7 @@
 
 // One step of Newton's method: found, and taken in whole or in part.
 
-#include "solver/Balance.h"
+#include "solver/Residual.h"
 
 namespace perilymph::mechanics {
 
@@ -12,18 +12,18 @@ bool factorize(const InsertionModel& model, const Base& base, RodWorkspace& work
 /// The Newton step of every block, into system.trial_W.
 ///
 /// @return The longest of them [m].
-double findStep(LinearSystem& system) noexcept;
+double solveLinearSystem(LinearSystem& system) noexcept;
 
 /// Moves every node by a share of the Newton step that starts at system.start_W. Where the step
 /// turns an edge, the edge turns on an arc: it gets just as long as the step says along it. On a
 /// straight way it would grow by the square of the turn, against the rod's stiffest resistance.
-void moveBy(const LinearSystem& system, double share,
+void moveBy(const LinearSystem& system, double alpha,
             std::vector<Eigen::Vector3d>& position_W) noexcept;
 
 /// How strongly the unbalanced forces pull along the step [J].
-double pullAlong(const LinearSystem& system) noexcept;
+double directionalDerivative(const LinearSystem& system) noexcept;
 
 /// The same where a share of the step has been gone, along the arcs [J].
-double pullAlongWay(const LinearSystem& system, double share) noexcept;
+double directionalDerivativeAt(const LinearSystem& system, double alpha) noexcept;
 
 }  // namespace perilymph::mechanics

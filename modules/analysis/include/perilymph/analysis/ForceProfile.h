@@ -45,7 +45,7 @@ struct ForceProfile {
   double wallForceMax = 0.0;  ///< Greatest normal force of one node in any tick [N].
   double membraneForceMax = 0.0;  ///< Greatest force on the basilar membrane in any tick [N].
   std::uint64_t ticks = 0;
-  std::uint64_t ticksNotSettled = 0;  ///< In which Newton's method left more than its tolerance.
+  std::uint64_t ticksNotConverged = 0;  ///< In which Newton's method left more than its tolerance.
 };
 
 /// Between points of ForceProfile::curve: that of the published curves.

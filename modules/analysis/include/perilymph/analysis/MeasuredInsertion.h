@@ -19,7 +19,7 @@ struct MeasuredInsertion {
   std::vector<double> depth;  ///< Past the opening [m].
   std::vector<double> force;  ///< Axial on the hand, with the cell's noise [N].
   std::uint64_t ticks = 0;
-  std::uint64_t ticksNotSettled = 0;
+  std::uint64_t ticksNotConverged = 0;
 };
 
 /// Runs a drawn insertion to a travel in virtual time and samples its force.

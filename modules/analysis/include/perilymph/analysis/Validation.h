@@ -71,7 +71,7 @@ struct ValidationResult {
   std::optional<RibMeeting> rib;        ///< Where the array has ribs.
   double deviation = 0.0;               ///< Root mean square over travel of the SD [N].
   std::vector<SpreadShare> shares;
-  std::uint64_t ticks = 0, ticksNotSettled = 0;
+  std::uint64_t ticks = 0, ticksNotConverged = 0;
   int runs = 0;
   std::uint64_t seed = 0;
 };

@@ -23,7 +23,7 @@ enum Status : std::uint32_t {
   rampingIn = 1u << 3,          ///< The force shown is still being faded in.
   notFinite = 1u << 4,          ///< The mechanics overflowed: fault.
   passivityActed = 1u << 5,     ///< Energy came back from the device; it was damped.
-  notSettled = 1u << 6,         ///< Newton's method left more than its tolerance.
+  notConverged = 1u << 6,       ///< Newton's method left more than its tolerance.
   deviceLost = 1u << 7,         ///< The device said it is gone: fault.
   sampleDoubted = 1u << 8,      ///< A sample no hand can have made; it was not used.
   handJumped = 1u << 9,         ///< The hand was not where it could have moved to: new anchor.

@@ -29,18 +29,18 @@ void setHold(const InsertionModel& model, const InsertionState& state, const Ste
              NodeInertia& inertia) noexcept;
 
 /// What is left unbalanced.
-struct Balance {
-  double worst;    ///< Greatest unbalanced force on a block, along one axis [N].
-  double squares;  ///< Sum of their squares [N^2].
+struct Residual {
+  double maxNorm;      ///< Greatest unbalanced force on a block, along one axis [N].
+  double squaredNorm;  ///< Sum of their squares [N^2].
 };
 
 /// All forces at state.position_W. Leaves those that are unbalanced in work.system.right.
-Balance balance(const InsertionModel& model, InsertionState& state, const Base& base,
-                RodWorkspace& work) noexcept;
+Residual residual(const InsertionModel& model, InsertionState& state, const Base& base,
+                  RodWorkspace& work) noexcept;
 
 /// Fills work.system.matrix with the derivative of the last balance: minus the unbalanced forces by
 /// the positions.
-void setStiffnessOfBalance(const InsertionModel& model, const Base& base, Compression compression,
-                           RodWorkspace& work) noexcept;
+void assembleStiffness(const InsertionModel& model, const Base& base, Compression compression,
+                       RodWorkspace& work) noexcept;
 
 }  // namespace perilymph::mechanics

@@ -1,4 +1,4 @@
-#include "solver/Balance.h"
+#include "solver/Residual.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,17 +16,17 @@ SymmetricBlock<double> uniform(double stiffness) noexcept
 }
 
 /// Greatest and sum of squares over all blocks; a number that is none is kept, not lost.
-Balance leftOver(const std::vector<Eigen::Vector3d>& right) noexcept
+Residual normsOf(const std::vector<Eigen::Vector3d>& right) noexcept
 {
-  double worst = 0.0;
-  double squares[3] = {0.0, 0.0, 0.0};  // one sum an axis: three short chains instead of a long one
+  double maxNorm = 0.0;
+  double sums[3] = {0.0, 0.0, 0.0};  // one sum an axis: three short chains instead of a long one
   for (const Eigen::Vector3d& force : right)
     for (int k = 0; k < 3; ++k) {
-      worst = std::max(worst, std::fabs(force[k]));
-      squares[k] += force[k] * force[k];
+      maxNorm = std::max(maxNorm, std::fabs(force[k]));
+      sums[k] += force[k] * force[k];
     }
-  const double sum = squares[0] + squares[1] + squares[2];
-  return {std::isfinite(sum) ? worst : sum, sum};
+  const double sum = sums[0] + sums[1] + sums[2];
+  return {std::isfinite(sum) ? maxNorm : sum, sum};
 }
 
 }  // namespace
@@ -51,17 +51,17 @@ Base baseOf(const InsertionModel& model, const InsertionState& state, const Driv
 void setHold(const InsertionModel& model, const InsertionState& state, const StepStart& start,
              NodeInertia& inertia) noexcept
 {
-  const double perTime = 1.0 / start.timeStep;
+  const double inverseTimeStep = 1.0 / start.timeStep;
   for (std::size_t i = 2; i < state.position_W.size(); ++i) {
-    const double momentum = model.mass[i] * perTime;
-    inertia.hold[i] = (momentum + model.drag[i]) * perTime;
+    const double momentum = model.mass[i] * inverseTimeStep;
+    inertia.hold[i] = (momentum + model.drag[i]) * inverseTimeStep;
     // inertia takes it on as fast as it was; drag would leave it where it is
     inertia.goal_W[i] = start.position_W[i] + (momentum / inertia.hold[i]) * state.velocity_W[i];
   }
 }
 
-Balance balance(const InsertionModel& model, InsertionState& state, const Base& base,
-                RodWorkspace& work) noexcept
+Residual residual(const InsertionModel& model, InsertionState& state, const Base& base,
+                  RodWorkspace& work) noexcept
 {
   const auto n = static_cast<std::size_t>(model.nodes);
   for (std::size_t i = 0; i < n; ++i) work.force_W[i].setZero();
@@ -80,11 +80,11 @@ Balance balance(const InsertionModel& model, InsertionState& state, const Base& 
   for (std::size_t i = 2; i < n; ++i)
     work.system.right[i - 1] =
         work.force_W[i] - work.inertia.hold[i] * (state.position_W[i] - work.inertia.goal_W[i]);
-  return leftOver(work.system.right);
+  return normsOf(work.system.right);
 }
 
-void setStiffnessOfBalance(const InsertionModel& model, const Base& base, Compression compression,
-                           RodWorkspace& work) noexcept
+void assembleStiffness(const InsertionModel& model, const Base& base, Compression compression,
+                       RodWorkspace& work) noexcept
 {
   const auto n = static_cast<std::size_t>(model.nodes);
   work.system.matrix.clear();

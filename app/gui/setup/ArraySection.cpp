@@ -197,10 +197,11 @@ void ArraySection::showFriction(const session::Scenario& scenario)
     if (key == "friction") name = value.substr(1, value.size() - 2);
   friction_->show(QString::fromStdString(name), QString::fromStdString(name));
   const mechanics::FrictionLaw& law = scenario.friction;
-  const QString starting = numberText(law.starting, 4);
+  const QString staticCoefficient = numberText(law.staticCoefficient, 4);
   coefficients_->setText(
       law.bySpeed.isEmpty()
-          ? tr("starting %1 · dynamic %2").arg(starting, numberText(law.dynamic, 4))
+          ? tr("starting %1 · dynamic %2")
+                .arg(staticCoefficient, numberText(law.kineticCoefficient, 4))
           : tr("%1 to %2 by speed")
                 .arg(numberText(law.bySpeed.minimum(), 2), numberText(law.bySpeed.maximum(), 2)));
 }

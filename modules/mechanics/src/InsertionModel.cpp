@@ -40,9 +40,9 @@ void check(const Opening& opening, const electrode::ArrayDesign& array)
                                   " mm; it must be wide enough for the tip.");
   require(inMillimeters(std::max(opening.width, opening.height)) <= 10.0,
           "The opening is wider than 10 mm; a round window is 1 to 2 mm wide.");
-  require(opening.roundness.si() >= 0.0 && inMillimeters(opening.roundness) <= 1.0,
+  require(opening.edgeRadius.si() >= 0.0 && inMillimeters(opening.edgeRadius) <= 1.0,
           "The rim of the opening is rounded by " +
-              std::to_string(inMillimeters(opening.roundness)) + " mm; it must be 0 to 1 mm.");
+              std::to_string(inMillimeters(opening.edgeRadius)) + " mm; it must be 0 to 1 mm.");
   require(std::fabs(inMillimeters(opening.outward)) <= 2.0 &&
               std::fabs(inMillimeters(opening.vertical)) <= 2.0,
           "The opening's center must be within 2 mm of the entry.");
@@ -67,7 +67,7 @@ void check(const ModelParts& parts)
           "The array starts " + std::to_string(inMillimeters(parts.startInside)) +
               " mm inside, but only " + std::to_string(inMillimeters(parts.array.length)) +
               " mm of it are free of the tweezers.");
-  const bool isRough = parts.friction.starting > 0.0;
+  const bool isRough = parts.friction.staticCoefficient > 0.0;
   const Stiffness stiffest = isRough ? stiffestWall : stiffestSmoothWall;
   for (const Stiffness wall : {parts.wall.perSamplePoint, parts.wall.tangentialPerSamplePoint})
     require(wall.si() > 0.0 && wall <= stiffest,
@@ -85,11 +85,11 @@ void check(const ModelParts& parts)
                 " N/m; it must be above 0, and no stiffer than the wall.");
   if (parts.opening) check(*parts.opening, parts.array);
   const FrictionLaw& law = parts.friction;
-  require(law.stopping >= 0.0 && law.dynamic >= law.stopping && law.starting >= law.dynamic &&
-              law.starting <= 2.0,
-          "Friction must rise from stopping (" + std::to_string(law.stopping) + ") over dynamic (" +
-              std::to_string(law.dynamic) + ") to starting (" + std::to_string(law.starting) +
-              "), and be at most 2.");
+  require(law.stoppingCoefficient >= 0.0 && law.kineticCoefficient >= law.stoppingCoefficient &&
+              law.staticCoefficient >= law.kineticCoefficient && law.staticCoefficient <= 2.0,
+          "Friction must rise from stopping (" + std::to_string(law.stoppingCoefficient) +
+              ") over dynamic (" + std::to_string(law.kineticCoefficient) + ") to starting (" +
+              std::to_string(law.staticCoefficient) + "), and be at most 2.");
 }
 
 std::uint64_t fingerprintOf(const InsertionModel& model)
@@ -107,14 +107,15 @@ std::uint64_t fingerprintOf(const InsertionModel& model)
   hash.add(model.spacing);
   for (const auto* values :
        {&model.fromTip, &model.radius, &model.mass, &model.drag, &model.stretching,
-        &model.bendingCarrier, &model.bendingMore, &model.twisting, &model.halfWithin,
+        &model.bendingCarrier, &model.bendingExcess, &model.twisting, &model.halfWithin,
         &model.halfAcross, &model.restCurvature, &model.wallStiffness, &model.wallTangential})
     addAll(*values);
   for (const double value :
        {model.styletBending, model.styletFromTip, model.styletResidual, model.baseMass,
-        model.parts.friction.starting, model.parts.friction.dynamic, model.parts.friction.stopping,
-        model.parts.friction.stribeck.si(), model.parts.wall.onset.si(),
-        model.parts.wall.perSamplePoint.si(), model.parts.wall.tangentialPerSamplePoint.si()})
+        model.parts.friction.staticCoefficient, model.parts.friction.kineticCoefficient,
+        model.parts.friction.stoppingCoefficient, model.parts.friction.stribeck.si(),
+        model.parts.wall.onset.si(), model.parts.wall.perSamplePoint.si(),
+        model.parts.wall.tangentialPerSamplePoint.si()})
     hash.add(value);
   model.parts.friction.bySpeed.addTo(hash);
   hash.add(model.membrane.has_value());
@@ -126,7 +127,7 @@ std::uint64_t fingerprintOf(const InsertionModel& model)
   if (model.parts.opening) {
     const Opening& opening = *model.parts.opening;
     for (const Length value :
-         {opening.width, opening.height, opening.roundness, opening.outward, opening.vertical,
+         {opening.width, opening.height, opening.edgeRadius, opening.outward, opening.vertical,
           model.parts.array.ribHeight, model.parts.array.ribLength})
       hash.add(value.si());
     for (const Length rib : model.parts.array.ribsFromTip) hash.add(rib.si());
@@ -181,7 +182,7 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
     m.mass.push_back(siliconeDensity * pi * within * across * ownLength);
     m.drag.push_back(dragPerLength * ownLength);
     m.bendingCarrier.push_back(std::min(bendingWithin, bendingAcross));
-    m.bendingMore.push_back(std::fabs(bendingWithin - bendingAcross));
+    m.bendingExcess.push_back(std::fabs(bendingWithin - bendingAcross));
     m.stifferAcross.push_back(bendingAcross > bendingWithin ? 1 : 0);
     m.twisting.push_back(array.twistingAt(place).si());
     m.isOval = m.isOval || within != across || bendingWithin != bendingAcross;

@@ -31,17 +31,18 @@ Result<FrictionPreset> loadFriction(const std::string& nameOrFile)
   FrictionPreset preset;
   reader->text("title");
   TomlReader coefficients = tableOf(*reader, "coefficients");
-  preset.starting = coefficients.number("static", frictionRange);
+  preset.staticCoefficient = coefficients.number("static", frictionRange);
   if (reader->has("by_speed")) {
     TomlReader table = tableOf(*reader, "by_speed");
     preset.speed_mm_s = table.numbers("speed_mm_s", frictionSpeed_mm_s, 1);
     preset.coefficient = table.numbers("coefficient", frictionRange, 1);
-    preset.dynamic = *std::min_element(preset.coefficient.begin(), preset.coefficient.end());
+    preset.kineticCoefficient =
+        *std::min_element(preset.coefficient.begin(), preset.coefficient.end());
   } else {
-    preset.dynamic = coefficients.number("dynamic", frictionRange);
+    preset.kineticCoefficient = coefficients.number("dynamic", frictionRange);
   }
-  TomlReader stopping = tableOf(*reader, "stopping");
-  preset.stopping = stopping.number("coefficient", frictionRange);
+  TomlReader stoppingCoefficient = tableOf(*reader, "stopping");
+  preset.stoppingCoefficient = stoppingCoefficient.number("coefficient", frictionRange);
   if (reader->has("stribeck")) {
     TomlReader stribeck = tableOf(*reader, "stribeck");
     preset.stribeck_mm_s = stribeck.number("speed_mm_s", stribeckRange_mm_s);

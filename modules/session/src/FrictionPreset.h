@@ -12,9 +12,9 @@ namespace perilymph::session {
 /// Coefficients of friction in the units of their file. In `resources/friction/`, each with source
 /// and confidence.
 struct FrictionPreset {
-  double starting = 0.0;
-  double dynamic = 0.0;  ///< With a table by speed: its least value.
-  double stopping = 0.0;
+  double staticCoefficient = 0.0;
+  double kineticCoefficient = 0.0;  ///< With a table by speed: its least value.
+  double stoppingCoefficient = 0.0;
   double stribeck_mm_s = 0.1;  ///< Choice: below the speeds of hands and of the published rig.
   std::vector<double> speed_mm_s;
   std::vector<double> coefficient;  ///< At each speed.

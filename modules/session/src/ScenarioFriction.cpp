@@ -10,14 +10,15 @@ namespace {
 
 void refuseDisorder(TomlReader& reader, const mechanics::FrictionLaw& law)
 {
-  if (law.dynamic > law.starting)
-    reader.refuse("friction_dynamic", "friction_dynamic is " + tomlNumber(law.dynamic) +
+  if (law.kineticCoefficient > law.staticCoefficient)
+    reader.refuse("friction_dynamic", "friction_dynamic is " + tomlNumber(law.kineticCoefficient) +
                                           "; it must not be above friction_static, which is " +
-                                          tomlNumber(law.starting) + ".");
-  if (law.stopping > law.dynamic)
-    reader.refuse("friction_stopping", "friction_stopping is " + tomlNumber(law.stopping) +
+                                          tomlNumber(law.staticCoefficient) + ".");
+  if (law.stoppingCoefficient > law.kineticCoefficient)
+    reader.refuse("friction_stopping", "friction_stopping is " +
+                                           tomlNumber(law.stoppingCoefficient) +
                                            "; it must not be above friction_dynamic, which is " +
-                                           tomlNumber(law.dynamic) + ".");
+                                           tomlNumber(law.kineticCoefficient) + ".");
 }
 
 mechanics::FrictionBySpeed bySpeed(TomlReader& reader, const std::vector<double>& speeds_mm_s,
@@ -81,11 +82,11 @@ void readFriction(TomlReader& reader, ScenarioKeys& keys,
   const auto speeds_mm_s = numbers("friction_speed_mm_s", frictionSpeed_mm_s, preset.speed_mm_s);
   const auto coefficients = numbers("friction_coefficient", frictionRange, preset.coefficient);
   law.bySpeed = bySpeed(reader, speeds_mm_s, coefficients);
-  if (!law.bySpeed.isEmpty()) preset.dynamic = law.bySpeed.minimum();
+  if (!law.bySpeed.isEmpty()) preset.kineticCoefficient = law.bySpeed.minimum();
 
-  law.starting = number("friction_static", frictionRange, preset.starting);
-  law.dynamic = number("friction_dynamic", frictionRange, preset.dynamic);
-  law.stopping = number("friction_stopping", frictionRange, preset.stopping);
+  law.staticCoefficient = number("friction_static", frictionRange, preset.staticCoefficient);
+  law.kineticCoefficient = number("friction_dynamic", frictionRange, preset.kineticCoefficient);
+  law.stoppingCoefficient = number("friction_stopping", frictionRange, preset.stoppingCoefficient);
   law.stribeck = millimetersPerSecond(
       number("friction_stribeck_mm_s", stribeckRange_mm_s, preset.stribeck_mm_s));
   refuseDisorder(reader, law);

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "EffectiveText.h"
-#include "perilymph/mechanics/Friction.h"
+#include "perilymph/mechanics/FrictionLaw.h"
 
 namespace perilymph::session {
 

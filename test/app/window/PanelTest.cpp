@@ -118,7 +118,7 @@ TEST_F(Panel, UndoInAFieldGoesToTheWindowOnceNothingIsTyped)
   QTest::keyClicks(&speed, "7");
   QTest::keyClick(&speed, Qt::Key_Escape);
   QTest::keyClick(&speed, Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(scenario().friction.starting, 0.0605);
+  EXPECT_EQ(scenario().friction.staticCoefficient, 0.0605);
 }
 
 TEST_F(Panel, AnyChangeOfThePublishedScenarioIsMarkedAndTheWayBackIsOneClick)

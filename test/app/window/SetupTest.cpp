@@ -89,10 +89,10 @@ TEST(SetupChange, AnotherFrictionBringsItsOwnCoefficients)
   const Origin origin = originOf("contour-published");
   const auto made = after(origin.setup, origin, Field::friction, {{"friction", "\"tissue\""}});
   // Dohr et al. 2021: 0.24 at the slowest speed
-  EXPECT_DOUBLE_EQ(made.scenario.friction.starting, 0.24);
+  EXPECT_DOUBLE_EQ(made.scenario.friction.staticCoefficient, 0.24);
   EXPECT_FALSE(made.scenario.friction.bySpeed.isEmpty());
   const auto back = after(made, origin, Field::friction, {{"friction", "\"paper\""}});
-  EXPECT_DOUBLE_EQ(back.scenario.friction.starting, 0.0605);
+  EXPECT_DOUBLE_EQ(back.scenario.friction.staticCoefficient, 0.0605);
   EXPECT_TRUE(back.scenario.friction.bySpeed.isEmpty());
 }
 

@@ -36,7 +36,8 @@ std::unique_ptr<haptics::InsertionEngine> flatWallEngine(double samplePeriod)
   parts.lumen = std::make_shared<anatomy::FlatWall>((startInside + radius).si() + freeWay);
   parts.array = stiffRod();
   parts.friction = {};
-  parts.friction.starting = parts.friction.dynamic = parts.friction.stopping = 0.0;
+  parts.friction.staticCoefficient = parts.friction.kineticCoefficient =
+      parts.friction.stoppingCoefficient = 0.0;
   parts.wall.perSamplePoint = newtonsPerMeter(1e6);
   parts.wall.onset = millimeters(0.001);
   parts.nodes = nodes;

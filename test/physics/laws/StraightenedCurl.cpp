@@ -42,7 +42,7 @@ private:
     if (!wall.isNear) return wall;
     wall.normal_W = {-point.x() / r, -point.y() / r, -behind / flare};
     const Eigen::Vector3d around(-point.y() / r, point.x() / r, 0.0);
-    wall.turning_W = (1.0 / r) * around * around.transpose();
+    wall.shapeOperator_W = (1.0 / r) * around * around.transpose();
     return wall;
   }
 

@@ -143,7 +143,7 @@ TEST(RimOfTheOpening, StopsATipThatMissesTheHole)
   TestRod rod(wideTube(), spec);
   rod.move({1e-3, 0.0, 0.0}, 1e-3);
   rod.move({0.0, 0.0, -0.68e-3}, 2e-3);
-  const double top = spec.radius + spec.opening->roundness.si();
+  const double top = spec.radius + spec.opening->edgeRadius.si();
   const double overlap = rod.readings().rimForce / spec.wallStiffness;
   EXPECT_GT(rod.readings().axialForce, 0.1);
   EXPECT_NEAR(rod.state().position_W.back().z(), top - overlap, test::tolerance(2e-6, "onset"));
@@ -168,7 +168,8 @@ struct Ribbed {
     RodSpec spec = inHole(0.28e-3, 8e-3);
     spec.bending = 1e-4;
     spec.ribHeight = height;
-    spec.ribLength = 2.0 * (reach - spec.opening->roundness.si());  // the rim's rounding adds to it
+    spec.ribLength =
+        2.0 * (reach - spec.opening->edgeRadius.si());  // the rim's rounding adds to it
     spec.ribsFromTip = {millimeters(9)};
     return spec;
   }

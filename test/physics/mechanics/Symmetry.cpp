@@ -34,7 +34,7 @@ public:
       inner_->nearestWall({&point, 1}, reach.subspan(i, 1), tracks.subspan(i, 1),
                           walls.subspan(i, 1));
       walls[i].normal_W = turn_ * walls[i].normal_W;
-      walls[i].turning_W = turn_ * walls[i].turning_W * turn_.transpose();
+      walls[i].shapeOperator_W = turn_ * walls[i].shapeOperator_W * turn_.transpose();
     }
   }
 

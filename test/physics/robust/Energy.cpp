@@ -48,7 +48,7 @@ double elasticEnergy(const mechanics::InsertionModel& model, const ArrayPose& po
     if (!model.twists) continue;
     const Eigen::Vector3d stiffer = model.stifferAcross[i] != 0 ? 0.5 * (before.side + after.side)
                                                                 : 0.5 * (before.curl + after.curl);
-    const double more = inSeries(model.bendingCarrier[i] + model.bendingMore[i]) - bending;
+    const double more = inSeries(model.bendingCarrier[i] + model.bendingExcess[i]) - bending;
     energy += more / (2.0 * h) * std::pow(strain.dot(stiffer), 2);
     const Eigen::Vector3d carried =
         Eigen::Quaterniond::FromTwoVectors(before.tangent, after.tangent) * before.curl;

@@ -59,9 +59,9 @@ TEST_F(DrawnInsertions, KeepTheMeanOfTheFriction)
   std::vector<double> factors;
   for (std::uint64_t number = 0; number < 2000; ++number) {
     const mechanics::FrictionLaw law = drawn(SpreadSources::all(), number).scenario.friction;
-    factors.push_back(law.dynamic / nominal.friction.dynamic);
-    EXPECT_LE(law.dynamic, law.starting);
-    EXPECT_LE(law.stopping, law.dynamic);
+    factors.push_back(law.kineticCoefficient / nominal.friction.kineticCoefficient);
+    EXPECT_LE(law.kineticCoefficient, law.staticCoefficient);
+    EXPECT_LE(law.stoppingCoefficient, law.kineticCoefficient);
   }
   const SampleStatistics statistics = statisticsOf(factors);
   EXPECT_NEAR(statistics.mean, 1.0, 4.0 * variability.frictionDeviation / std::sqrt(2000.0));
@@ -74,7 +74,7 @@ TEST_F(DrawnInsertions, WithoutASourceKeepTheScenariosOwnValues)
   EXPECT_EQ(same.scenario.startInside, nominal.startInside);
   EXPECT_EQ(same.scenario.approachTilt, nominal.approachTilt);
   EXPECT_EQ(same.scenario.approachTurn, nominal.approachTurn);
-  EXPECT_EQ(same.scenario.friction.dynamic, nominal.friction.dynamic);
+  EXPECT_EQ(same.scenario.friction.kineticCoefficient, nominal.friction.kineticCoefficient);
   EXPECT_EQ(same.scenario.array.stylet.residualCurvature, nominal.array.stylet.residualCurvature);
   EXPECT_EQ(same.speed, nominal.speed.si());
   EXPECT_EQ(same.tremorAmplitude, 0.0);
@@ -86,8 +86,9 @@ TEST_F(DrawnInsertions, DrawTheSameForOneSourceWhicheverOthersAct)
   const DrawnInsertion all = drawn(SpreadSources::all(), 17);
   EXPECT_EQ(drawn(SpreadSources::only(SpreadSource::start), 17).scenario.startInside,
             all.scenario.startInside);
-  EXPECT_EQ(drawn(SpreadSources::only(SpreadSource::friction), 17).scenario.friction.dynamic,
-            all.scenario.friction.dynamic);
+  EXPECT_EQ(
+      drawn(SpreadSources::only(SpreadSource::friction), 17).scenario.friction.kineticCoefficient,
+      all.scenario.friction.kineticCoefficient);
   EXPECT_EQ(drawn(SpreadSources::only(SpreadSource::motion), 17).tremorPhase, all.tremorPhase);
 }
 

@@ -207,9 +207,9 @@ TEST_F(PublishedImport, GivesGradientAndTurningOfItsDistance)
     }
     // minus the second derivative is the turning less something that is positive semidefinite, too,
     // and the two have no direction in common
-    const Eigen::Matrix3d rest = wall.turning_W + 0.5 * (bend + bend.transpose());
-    EXPECT_LT((wall.turning_W * rest).norm(), 1e-4 * (1.0 + bend.squaredNorm()));
-    EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(wall.turning_W).eigenvalues()[0],
+    const Eigen::Matrix3d rest = wall.shapeOperator_W + 0.5 * (bend + bend.transpose());
+    EXPECT_LT((wall.shapeOperator_W * rest).norm(), 1e-4 * (1.0 + bend.squaredNorm()));
+    EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(wall.shapeOperator_W).eigenvalues()[0],
               -1e-6 * (1.0 + bend.norm()));
   }
 }

@@ -264,9 +264,9 @@ TEST(CircularDuct, HasTheDistanceAndTurningOfATorus)
   const Eigen::Vector3d outward(std::cos(angle), 0.0, -std::sin(angle));
   EXPECT_NEAR(wall.normal_W.dot(outward), -1.0, 1e-12);
   // around the section the parallel circle has radius 0.6 mm, along the duct 5.6 mm
-  EXPECT_NEAR(wall.turning_W(1, 1), 1.0 / 0.6e-3, 1e-6);
+  EXPECT_NEAR(wall.shapeOperator_W(1, 1), 1.0 / 0.6e-3, 1e-6);
   const Eigen::Vector3d along(-std::sin(angle), 0.0, -std::cos(angle));
-  EXPECT_NEAR(along.dot(wall.turning_W * along), 1.0 / 5.6e-3, 1e-6);
+  EXPECT_NEAR(along.dot(wall.shapeOperator_W * along), 1.0 / 5.6e-3, 1e-6);
 }
 
 }  // namespace

@@ -39,7 +39,8 @@ std::shared_ptr<const mechanics::InsertionModel> stiffRodBeforeAWall()
   parts.array.insertable = millimeters(10);
   parts.array.bending = {{millimeters(0)}, {newtonSquareMeters(1e-4)}};
   parts.friction = {};
-  parts.friction.starting = parts.friction.dynamic = parts.friction.stopping = 0.0;
+  parts.friction.staticCoefficient = parts.friction.kineticCoefficient =
+      parts.friction.stoppingCoefficient = 0.0;
   parts.wall.perSamplePoint = newtonsPerMeter(1e6);
   parts.wall.onset = millimeters(0.001);
   parts.nodes = 8;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "perilymph/mechanics/Friction.h"
+#include "perilymph/mechanics/FrictionLaw.h"
 
 namespace perilymph::mechanics {
 namespace {

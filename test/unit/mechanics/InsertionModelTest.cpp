@@ -74,7 +74,7 @@ TEST(InsertionModel, ChangesItsFingerprintWithEveryPart)
   const auto same = print([](ModelParts&) {});
   EXPECT_EQ(same, print([](ModelParts&) {}));
   EXPECT_NE(same, print([](ModelParts& p) { p.nodes = 101; }));
-  EXPECT_NE(same, print([](ModelParts& p) { p.friction.dynamic = 0.04; }));
+  EXPECT_NE(same, print([](ModelParts& p) { p.friction.kineticCoefficient = 0.04; }));
   EXPECT_NE(same, print([](ModelParts& p) { p.timeStep = milliseconds(0.5); }));
   EXPECT_NE(same, print([](ModelParts& p) { p.approachTilt = degrees(1); }));
   EXPECT_NE(same, print([](ModelParts& p) { p.opening = roundWindow(); }));
@@ -102,7 +102,8 @@ TEST(InsertionModel, RefusesWhatCannotBe)
   EXPECT_THAT(refused([](ModelParts& p) { p.timeStep = milliseconds(50); }),
               HasSubstr("0.1 to 10 ms"));
   EXPECT_THAT(refused([](ModelParts& p) { p.startInside = millimeters(30); }), HasSubstr("30.0"));
-  EXPECT_THAT(refused([](ModelParts& p) { p.friction.dynamic = 0.5; }), HasSubstr("Friction"));
+  EXPECT_THAT(refused([](ModelParts& p) { p.friction.kineticCoefficient = 0.5; }),
+              HasSubstr("Friction"));
   for (const double stiffness : {0.0, -441.0, 2e5})
     EXPECT_THAT(
         refused([stiffness](ModelParts& p) { p.wall.perSamplePoint = newtonsPerMeter(stiffness); }),

@@ -43,9 +43,9 @@ TEST(ShippedFriction, AllLoad)
 TEST(ShippedFriction, OfTheExperimentIsAsPublished)
 {
   const mechanics::FrictionLaw law = with({{"friction", "paper"}}).friction;
-  EXPECT_DOUBLE_EQ(law.starting, 0.0605);
-  EXPECT_DOUBLE_EQ(law.dynamic, 0.0395);
-  EXPECT_DOUBLE_EQ(law.stopping, 0.0185);
+  EXPECT_DOUBLE_EQ(law.staticCoefficient, 0.0605);
+  EXPECT_DOUBLE_EQ(law.kineticCoefficient, 0.0395);
+  EXPECT_DOUBLE_EQ(law.stoppingCoefficient, 0.0185);
   EXPECT_TRUE(law.bySpeed.isEmpty());
 }
 
@@ -89,7 +89,7 @@ TEST(Friction, NamedAnewReplacesTheNumbersOfTheText)
   const std::string text = with({{"friction", "tissue"}}).text;
   const auto again = parseScenario(text, "recording", {{"friction", "paper"}});
   ASSERT_TRUE(again) << again.error().message;
-  EXPECT_DOUBLE_EQ(again->friction.starting, 0.0605);
+  EXPECT_DOUBLE_EQ(again->friction.staticCoefficient, 0.0605);
   EXPECT_TRUE(again->friction.bySpeed.isEmpty());
 }
 

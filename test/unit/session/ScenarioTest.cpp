@@ -42,9 +42,9 @@ TEST(ContourPublished, IsThePublishedExperiment)
   EXPECT_DOUBLE_EQ(inMillimetersPerSecond(scenario->speed), 120.0 / 60.0);
   EXPECT_DOUBLE_EQ(inMillimeters(scenario->stopTravel), 16.5);
   EXPECT_DOUBLE_EQ(inMillimeters(scenario->startInside), (1.0 + 3.0) / 2.0);
-  EXPECT_DOUBLE_EQ(scenario->friction.starting, 0.0605);
-  EXPECT_DOUBLE_EQ(scenario->friction.dynamic, 0.0395);
-  EXPECT_DOUBLE_EQ(scenario->friction.stopping, 0.0185);
+  EXPECT_DOUBLE_EQ(scenario->friction.staticCoefficient, 0.0605);
+  EXPECT_DOUBLE_EQ(scenario->friction.kineticCoefficient, 0.0395);
+  EXPECT_DOUBLE_EQ(scenario->friction.stoppingCoefficient, 0.0185);
   EXPECT_DOUBLE_EQ(scenario->wall.perSamplePoint.si(), 441.0);
   EXPECT_DOUBLE_EQ(scenario->wall.tangentialPerSamplePoint.si(), 200.0);
   EXPECT_DOUBLE_EQ(inMillimeters(scenario->patient.scalaTympaniLength), 35.58);
@@ -169,9 +169,9 @@ TEST(Scenario, TakesEveryKeyOfTheContract)
   EXPECT_EQ(scenario->leadIn, millimeters(2));
   EXPECT_EQ(scenario->approachTilt, degrees(-4));
   EXPECT_EQ(scenario->approachTurn, degrees(4));
-  EXPECT_EQ(scenario->friction.starting, 0.3);
-  EXPECT_EQ(scenario->friction.dynamic, 0.2);
-  EXPECT_EQ(scenario->friction.stopping, 0.1);
+  EXPECT_EQ(scenario->friction.staticCoefficient, 0.3);
+  EXPECT_EQ(scenario->friction.kineticCoefficient, 0.2);
+  EXPECT_EQ(scenario->friction.stoppingCoefficient, 0.1);
   EXPECT_EQ(scenario->wall.perSamplePoint, newtonsPerMeter(2000));
   EXPECT_EQ(scenario->wall.tangentialPerSamplePoint, newtonsPerMeter(900));
   EXPECT_EQ(scenario->engine.coupling, mechanics::Coupling::spring);

@@ -153,7 +153,8 @@ DrawnInsertion drawInsertion(const session::Scenario& nominal, const Variability
         stream(SpreadSource::friction).normal(0.0, 1.0, -maxDeviates, maxDeviates);
     const double factor = exponential(std::sqrt(variance) * deviate - 0.5 * variance);
     mechanics::FrictionLaw& law = drawn.scenario.friction;
-    for (double* coefficient : {&law.starting, &law.dynamic, &law.stopping})
+    for (double* coefficient :
+         {&law.staticCoefficient, &law.kineticCoefficient, &law.stoppingCoefficient})
       *coefficient = std::min(1.0, *coefficient * factor);
   }
   if (sources.has(SpreadSource::noise)) drawn.noiseDeviation = variability.noiseDeviation.si();

@@ -139,7 +139,7 @@ void GridLumen::locate(const Eigen::Vector3d& point_W, double reach, LumenTrack&
   wall.normal_W = slope / spacing;
   Eigen::Matrix3d bend;
   bend << xx, xy, xz, xy, yy, yz, xz, yz, zz;
-  wall.turning_W = positivePart(bend / (spacing * spacing));
+  wall.shapeOperator_W = positivePart(bend / (spacing * spacing));
 }
 
 }  // namespace perilymph::anatomy

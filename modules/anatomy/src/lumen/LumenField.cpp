@@ -200,7 +200,7 @@ void LumenField::locate(const Eigen::Vector3d& point_W, double reach, LumenTrack
   if (toEnd < spline.value) {
     wall.distance = toEnd;
     wall.normal_W = Eigen::Vector3d(memory.direction[1], -memory.direction[0], 0.0);
-    wall.turning_W.setZero();
+    wall.shapeOperator_W.setZero();
     wall.onMembrane = false;
   }
 }
@@ -228,10 +228,10 @@ void LumenField::setTurning(const Eigen::Vector3d& point_W, const LumenTrack& tr
   }
   for (int i = 0; i < 3; ++i)
     for (int j = i; j < 3; ++j) {
-      const double turning = pp * u[i] * u[j] + pq * (u[i] * v[j] + v[i] * u[j]) +
-                             qq * v[i] * v[j] + around * forward[i] * forward[j];
-      wall.turning_W(i, j) = turning;
-      wall.turning_W(j, i) = turning;
+      const double operatorAt = pp * u[i] * u[j] + pq * (u[i] * v[j] + v[i] * u[j]) +
+                                qq * v[i] * v[j] + around * forward[i] * forward[j];
+      wall.shapeOperator_W(i, j) = operatorAt;
+      wall.shapeOperator_W(j, i) = operatorAt;
     }
 }
 

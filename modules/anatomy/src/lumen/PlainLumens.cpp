@@ -21,7 +21,7 @@ WallPoint roundWall(const Eigen::Vector3d& point, const Eigen::Vector3d& axisPoi
   wall.distance = radius - off;
   wall.normal_W = -out / off;
   const Eigen::Vector3d around = alongDuct.cross(wall.normal_W);
-  wall.turning_W = (1.0 / off) * around * around.transpose();
+  wall.shapeOperator_W = (1.0 / off) * around * around.transpose();
   return wall;
 }
 
@@ -82,7 +82,7 @@ void CircularDuct::nearestWall(std::span<const Eigen::Vector3d> points_W,
     walls[i] = roundWall(p, axisPoint, {-sine, 0.0, -cosine}, radius_, reach[i]);
     const Eigen::Vector3d along(-sine, 0.0, -cosine);
     const double outward = walls[i].normal_W.x() * cosine - walls[i].normal_W.z() * sine;
-    if (outward < 0.0) walls[i].turning_W += (-outward / r) * along * along.transpose();
+    if (outward < 0.0) walls[i].shapeOperator_W += (-outward / r) * along * along.transpose();
   }
 }
 

@@ -36,7 +36,7 @@ void seeBone(const InsertionModel& model, const InsertionState& state, std::size
   wall.onMembrane = false;
   wall.distance = model.radius[i] - inside;
   wall.normal_W = model.entry.out_W;
-  wall.turning_W.setZero();
+  wall.shapeOperator_W.setZero();
   contacts.isKnown[i] = 0;
 }
 
@@ -52,7 +52,7 @@ bool isStillSeen(const Eigen::Vector3d& at_W, double force, ContactSet& contacts
   if (!(squared < farthestSeen * farthestSeen)) return false;
   contacts.walked[i] += std::sqrt(squared);
   if (!(contacts.walked[i] < farthestSeen && contacts.walked[i] * force < maxSeen)) return false;
-  const Eigen::Vector3d turned = wall.turning_W * moved;
+  const Eigen::Vector3d turned = wall.shapeOperator_W * moved;
   wall.distance += wall.normal_W.dot(moved) - 0.5 * turned.dot(moved);
   wall.normal_W -= turned;
   contacts.seenFrom_W[i] = at_W;

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "contact/Clearance.h"
-#include "friction/Friction.h"
+#include "friction/FrictionStep.h"
 #include "rod/Rod.h"
 
 namespace perilymph::mechanics {
@@ -37,8 +37,8 @@ SymmetricBlock<double> asBlock(const Eigen::Matrix3d& m) noexcept
 }
 
 /// The push of the wall on a node near it, and its stiffness. False where it does not reach it.
-bool press(const InsertionModel& model, InsertionState& state, const RodKinematics& rod,
-           std::size_t i, ContactSet& contacts) noexcept
+bool normalContact(const InsertionModel& model, InsertionState& state, const RodKinematics& rod,
+                   std::size_t i, ContactSet& contacts) noexcept
 {
   const Eigen::Vector3d& at_W = state.position_W[i];
   const anatomy::WallPoint& wall = contacts.wall[i];
@@ -65,11 +65,11 @@ bool press(const InsertionModel& model, InsertionState& state, const RodKinemati
   if (model.membrane) {
     const MembraneShare membrane =
         model.membrane->shareAt(at_W, model.radius[i], state.track[i], wall.normal_W);
-    const SoftPush soft =
-        softPush(penetration, share * model.wallStiffness[i], membrane.share, model.parts);
+    const SoftContactForce soft =
+        softContactForce(penetration, share * model.wallStiffness[i], membrane.share, model.parts);
     push = soft.normal;
     state.membraneForce[i] = soft.onMembrane;
-    force_W -= soft.byShare * membrane.gradient_W;
+    force_W -= soft.byFraction * membrane.gradient_W;
   }
   force_W += push.force * gradient_W;
   if (isOval) {
@@ -83,7 +83,7 @@ bool press(const InsertionModel& model, InsertionState& state, const RodKinemati
   // on a concave wall a node that moves along it also meets the normal turning back
   const double slope = push.slope, force = push.force;
   const Eigen::Vector3d& g = gradient_W;
-  const Eigen::Matrix3d& k = wall.turning_W;
+  const Eigen::Matrix3d& k = wall.shapeOperator_W;
   contacts.wallStiffness[contacts.touches] = {
       slope * g[0] * g[0] + force * k(0, 0), slope * g[0] * g[1] + force * k(0, 1),
       slope * g[0] * g[2] + force * k(0, 2), slope * g[1] * g[1] + force * k(1, 1),
@@ -97,8 +97,9 @@ bool press(const InsertionModel& model, InsertionState& state, const RodKinemati
 
 /// Friction on a node that was pressed to the wall at the end of the last step. It knows the whole
 /// pressure, also where two walls' pushes cancel.
-void rub(const InsertionModel& model, InsertionState& state, const StepStart& start, std::size_t i,
-         bool isPressed, ContactSet& contacts, FrictionHistory& history) noexcept
+void friction(const InsertionModel& model, InsertionState& state, const StepStart& start,
+              std::size_t i, bool isPressed, ContactSet& contacts,
+              FrictionHistory& history) noexcept
 {
   const Eigen::Vector3d& normal_W = history.normalBefore_W[i];
   const Eigen::Vector3d moved = state.position_W[i] - start.position_W[i];
@@ -128,7 +129,8 @@ NormalForce normalForce(double penetration, double stiffness, double onset) noex
   return {stiffness * (penetration - 0.5 * onset), stiffness};
 }
 
-SoftPush softPush(double penetration, double bone, double share, const ModelParts& parts) noexcept
+SoftContactForce softContactForce(double penetration, double bone, double share,
+                                  const ModelParts& parts) noexcept
 {
   const double onset = parts.wall.onset.si();
   const double hardening = parts.membrane->hardening.si();
@@ -138,12 +140,12 @@ SoftPush softPush(double penetration, double bone, double share, const ModelPart
   const double harder = soft * penetration * penetration / (hardening * hardening);
   onMembrane.force += harder * penetration;
   onMembrane.slope += 3.0 * harder;
-  SoftPush push;
+  SoftContactForce push;
   push.onMembrane = share * onMembrane.force;
   push.normal.force = (1.0 - share) * onBone.force + push.onMembrane;
   push.normal.slope = (1.0 - share) * onBone.slope + share * onMembrane.slope;
-  push.byShare = energyOf(penetration, soft, onset) + 0.25 * harder * penetration * penetration -
-                 energyOf(penetration, bone, onset);
+  push.byFraction = energyOf(penetration, soft, onset) + 0.25 * harder * penetration * penetration -
+                    energyOf(penetration, bone, onset);
   return push;
 }
 
@@ -171,10 +173,10 @@ void addWallForces(const InsertionModel& model, InsertionState& state, const Ste
     history.spring_W[i].setZero();
     history.isSliding[i] = 0;
     history.slip[i] = 0.0;
-    const bool isPressed = contacts.wall[i].isNear && press(model, state, rod, i, contacts);
-    const bool isRubbed = history.pressedBefore[i] > 0.0;
-    if (isRubbed) rub(model, state, start, i, isPressed, contacts, history);
-    if (!isPressed && !isRubbed) continue;
+    const bool isPressed = contacts.wall[i].isNear && normalContact(model, state, rod, i, contacts);
+    const bool hasFriction = history.pressedBefore[i] > 0.0;
+    if (hasFriction) friction(model, state, start, i, isPressed, contacts, history);
+    if (!isPressed && !hasFriction) continue;
     force_W[i] += state.wallForce_W[i];
     contacts.touching[contacts.touches] = i;
     ++contacts.touches;
@@ -187,7 +189,7 @@ double frictionLag(const InsertionModel& model, const InsertionState& state,
   double sum = std::fabs(contacts.rim.normalForce - history.rimPressedBefore);
   for (std::size_t i = 0; i < state.normalForce.size(); ++i)
     sum += std::fabs(state.normalForce[i] - history.pressedBefore[i]);
-  return model.parts.friction.starting * sum;
+  return model.parts.friction.staticCoefficient * sum;
 }
 
 void renewFriction(const InsertionState& state, const ContactSet& contacts,

@@ -24,16 +24,17 @@ double energyOf(double penetration, double stiffness, double onset) noexcept;
 
 /// Force of a wall that is partly membrane, side by side with bone. Its energy changes with the
 /// share, too.
-struct SoftPush {
+struct SoftContactForce {
   NormalForce normal;
   double onMembrane;  ///< Its part of the force [N].
-  double byShare;     ///< Derivative of the energy by the share of membrane [J].
+  double byFraction;  ///< Derivative of the energy by the share of membrane [J].
 };
 
 /// @param bone   Stiffness of the bone there [N/m].
 /// @param share  Of the membrane, 0 to 1.
 /// @param parts  With a law of the membrane.
-SoftPush softPush(double penetration, double bone, double share, const ModelParts& parts) noexcept;
+SoftContactForce softContactForce(double penetration, double bone, double share,
+                                  const ModelParts& parts) noexcept;
 
 /// Adds the wall's forces on all nodes at state.position_W to force_W, and leaves them in
 /// state.normalForce and state.wallForce_W, and their stiffness in contacts.wallStiffness.

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "contact/Contact.h"
-#include "friction/Friction.h"
+#include "friction/FrictionStep.h"
 #include "rod/Rod.h"
 
 namespace perilymph::mechanics {
@@ -25,7 +25,7 @@ struct Crossing {
 };
 
 /// One push on the array: energy grows with `overlap`, whose gradient by the crossing is given.
-struct Push {
+struct ContactForce {
   NormalForce law{0.0, 0.0};
   Eigen::Vector3d gradient_W = Eigen::Vector3d::Zero();
 };
@@ -113,18 +113,18 @@ Crossing crossingOf(const InsertionModel& model, const std::vector<Eigen::Vector
 
 /// The normal part of a contact with the rim.
 struct RimPush {
-  Push near, opposite;
+  ContactForce near, opposite;
   Eigen::Vector3d normal_W;                           ///< Unit, that friction lies across.
-  Eigen::Matrix3d turning = Eigen::Matrix3d::Zero();  ///< Stiffness by the turning normal [N/m].
+  Eigen::Matrix3d shape_W = Eigen::Matrix3d::Zero();  ///< Stiffness by the turning normal [N/m].
 };
 
 /// What rim and array do to each other at a crossing: pushes, stiffness, friction.
-void press(const InsertionModel& model, const InsertionState& state, const StepStart& start,
-           const FrictionHistory& history, const Crossing& crossing, const RimPush& push,
-           ContactSet& contacts, std::vector<Eigen::Vector3d>& force_W) noexcept
+void rimContact(const InsertionModel& model, const InsertionState& state, const StepStart& start,
+                const FrictionHistory& history, const Crossing& crossing, const RimPush& contact,
+                ContactSet& contacts, std::vector<Eigen::Vector3d>& force_W) noexcept
 {
-  const Push& near = push.near;
-  const Push& opposite = push.opposite;
+  const ContactForce& near = contact.near;
+  const ContactForce& opposite = contact.opposite;
   Eigen::Vector3d moved = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < crossing.count; ++k) {
     const std::size_t node = crossing.first + k;
@@ -148,7 +148,7 @@ void press(const InsertionModel& model, const InsertionState& state, const StepS
                                    opposite.law.force * opposite.gradient_W + friction.force_W;
   const Eigen::Matrix3d stiffness =
       near.law.slope * near.gradient_W * near.gradient_W.transpose() +
-      opposite.law.slope * opposite.gradient_W * opposite.gradient_W.transpose() + push.turning +
+      opposite.law.slope * opposite.gradient_W * opposite.gradient_W.transpose() + contact.shape_W +
       friction.stiffness;
   for (std::size_t k = 0; k < crossing.count; ++k)
     force_W[crossing.first + k] += crossing.weight[k] * pushed_W;
@@ -163,48 +163,48 @@ void press(const InsertionModel& model, const InsertionState& state, const StepS
     contacts.rim.spring_W = friction.spring_W;
     contacts.rim.isSliding = friction.isSliding;
     contacts.rim.slipSpeed = slip.norm() / start.timeStep;
-    contacts.rim.normal_W = push.normal_W;
+    contacts.rim.normal_W = contact.normal_W;
   }
   contacts.rim.normalForce = normal;
   contacts.rim.force_W = pushed_W;
 }
 
 /// A tip that is still outside: a sphere before the rounded rim and the bone around it.
-void pressTip(const InsertionModel& model, const InsertionState& state, const StepStart& start,
-              const FrictionHistory& history, double above, ContactSet& contacts,
-              std::vector<Eigen::Vector3d>& force_W) noexcept
+void tipContact(const InsertionModel& model, const InsertionState& state, const StepStart& start,
+                const FrictionHistory& history, double above, ContactSet& contacts,
+                std::vector<Eigen::Vector3d>& force_W) noexcept
 {
   const std::vector<Eigen::Vector3d>& x = state.position_W;
   const Opening& opening = *model.parts.opening;
-  const double roundness = opening.roundness.si();
-  const double reach = model.radius.back() + roundness;
+  const double edgeRadius = opening.edgeRadius.si();
+  const double reach = model.radius.back() + edgeRadius;
   if (above >= reach) return;
   const Eigen::Vector3d out = x.back() - model.openingCenter_W;
   const EllipseFoot foot =
       nearestOnEllipse(out.dot(model.entry.outward_W), out.dot(model.entry.vertical_W),
                        0.5 * opening.width.si(), 0.5 * opening.height.si());
-  const double aside = std::max(foot.distance + roundness, 0.0);
+  const double aside = std::max(foot.distance + edgeRadius, 0.0);
   const double distance = std::sqrt(above * above + aside * aside);
   if (distance >= reach) return;
 
-  RimPush push;
-  push.near.law = normalForce(reach - distance, model.parts.wall.perSamplePoint.si(),
-                              model.parts.wall.onset.si());
+  RimPush contact;
+  contact.near.law = normalForce(reach - distance, model.parts.wall.perSamplePoint.si(),
+                                 model.parts.wall.onset.si());
   const Eigen::Vector3d u_W =
       foot.normal[0] * model.entry.outward_W + foot.normal[1] * model.entry.vertical_W;
-  push.near.gradient_W =
+  contact.near.gradient_W =
       distance > 0.0 ? Eigen::Vector3d((aside * u_W - above * model.entry.out_W) / distance) : u_W;
   const Eigen::Vector3d b_W = model.entry.out_W.cross(u_W);
-  const double around =
-      distance > 0.0 ? push.near.law.force * aside / (distance * std::max(foot.bending, minBending))
-                     : 0.0;
+  const double around = distance > 0.0 ? contact.near.law.force * aside /
+                                             (distance * std::max(foot.bending, minBending))
+                                       : 0.0;
   Crossing crossing;
   crossing.first = x.size() - 1;
   crossing.count = 1;
   crossing.weight[0] = 1.0;
-  push.normal_W = push.near.gradient_W;
-  push.turning = around * b_W * b_W.transpose();
-  press(model, state, start, history, crossing, push, contacts, force_W);
+  contact.normal_W = contact.near.gradient_W;
+  contact.shape_W = around * b_W * b_W.transpose();
+  rimContact(model, state, start, history, crossing, contact, contacts, force_W);
 }
 
 }  // namespace
@@ -249,7 +249,7 @@ RibProfile ribsAt(const InsertionModel& model, double fromTip) noexcept
   RibProfile profile{0.0, 0.0};
   if (!(height > 0.0)) return profile;
   // the rounded rim meets the rib by its own radius earlier
-  const double reach = 0.5 * array.ribLength.si() + model.parts.opening->roundness.si();
+  const double reach = 0.5 * array.ribLength.si() + model.parts.opening->edgeRadius.si();
   for (const Length& rib : array.ribsFromTip) {
     const double q = (fromTip - rib.si()) / reach;
     const double inside = 1.0 - q * q;
@@ -271,7 +271,7 @@ void addRimForces(const InsertionModel& model, const InsertionState& state, cons
   const Crossing crossing = crossingOf(model, x, state.rim.fromTip);
   if (crossing.count == 0) {
     const double tip = heightOf(model, x.back());
-    if (!(tip < 0.0)) pressTip(model, state, start, history, tip, contacts, force_W);
+    if (!(tip < 0.0)) tipContact(model, state, start, history, tip, contacts, force_W);
     return;
   }
 
@@ -301,9 +301,9 @@ void addRimForces(const InsertionModel& model, const InsertionState& state, cons
                            ((across_W.dot(crossing.along_W) + radiusRate) / steep) * n_W);
   };
 
-  RimPush push;
-  Push& near = push.near;
-  Push& opposite = push.opposite;
+  RimPush contact;
+  ContactForce& near = contact.near;
+  ContactForce& opposite = contact.opposite;
   near.law = normalForce(overlap, stiffness, onset);
   near.gradient_W = gradientOf(u_W, crossing.radiusRate);
   // the place opposite moves along with the nearest one
@@ -318,11 +318,11 @@ void addRimForces(const InsertionModel& model, const InsertionState& state, cons
   const double both = near.law.force + opposite.law.force;
   const double tilt =
       near.gradient_W.dot(n_W) * near.law.force - opposite.gradient_W.dot(n_W) * opposite.law.force;
-  push.normal_W = both > 0.0 ? Eigen::Vector3d((u_W + (tilt / both) * n_W).normalized()) : u_W;
+  contact.normal_W = both > 0.0 ? Eigen::Vector3d((u_W + (tilt / both) * n_W).normalized()) : u_W;
   const Eigen::Vector3d around_W = gradientOf(b_W, 0.0);
-  const double turning = std::max(near.law.force - opposite.law.force, 0.0) / bending;
-  push.turning = turning * around_W * around_W.transpose();
-  press(model, state, start, history, crossing, push, contacts, force_W);
+  const double curving = std::max(near.law.force - opposite.law.force, 0.0) / bending;
+  contact.shape_W = curving * around_W * around_W.transpose();
+  rimContact(model, state, start, history, crossing, contact, contacts, force_W);
 }
 
 void addRimStiffness(const ContactSet& contacts, BandMatrix& matrix) noexcept

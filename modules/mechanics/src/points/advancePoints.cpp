@@ -104,18 +104,19 @@ bool meetSurface(const InsertionModel& model, InsertionState& state, std::size_t
   const Eigen::Vector3d normal_W = hold.pressed_W / pressed;
   const WallLaw& wall = model.parts.wall;
   // a surface pushes, it never pulls, however fast the point leaves
-  const double push = std::max(0.0, wall.perSamplePoint.si() * pressed -
-                                        law.law.surfaceDamping * state.velocity_W[i].dot(normal_W));
+  const double normal =
+      std::max(0.0, wall.perSamplePoint.si() * pressed -
+                        law.law.surfaceDamping * state.velocity_W[i].dot(normal_W));
   const Eigen::Vector3d stretch_W = state.frictionSpring_W[i] + moved_W;
-  const PointFriction friction = pointFriction(stretch_W - normal_W * normal_W.dot(stretch_W), push,
-                                               wall.tangentialPerSamplePoint.si(),
+  const PointFriction friction = pointFriction(stretch_W - normal_W * normal_W.dot(stretch_W),
+                                               normal, wall.tangentialPerSamplePoint.si(),
                                                state.isSliding[i] != 0, model.parts.friction);
   state.frictionSpring_W[i] = friction.spring_W;
   state.isSliding[i] = friction.isSliding ? 1 : 0;
   state.slipSpeed[i] =
       friction.isSliding ? (moved_W - normal_W * normal_W.dot(moved_W)).norm() / law.substep : 0.0;
-  state.normalForce[i] = push;
-  state.wallForce_W[i] = push * normal_W + friction.force_W;
+  state.normalForce[i] = normal;
+  state.wallForce_W[i] = normal * normal_W + friction.force_W;
   return normal_W.dot(model.entry.out_W) >= halfway;
 }
 
@@ -187,7 +188,8 @@ void addPublishedFriction(const InsertionModel& model, InsertionState& state) no
   }
   const double across = std::fabs(set.pull_W.dot(model.entry.outward_W));
   if (!(pushed > 0.0) || set.pull_W.dot(model.entry.out_W) == 0.0 || ahead == 0.0) return;
-  const double share = ahead > 0.0 ? model.parts.friction.dynamic : -model.parts.friction.dynamic;
+  const double share = ahead > 0.0 ? model.parts.friction.kineticCoefficient
+                                   : -model.parts.friction.kineticCoefficient;
   set.friction_W = share * across * model.entry.out_W;
 }
 

@@ -99,7 +99,7 @@ TurnEnergy bendingByTurn(const InsertionModel& model, const SectionStiffness& se
 void addOval(const InsertionModel& model, const SectionStiffness& section, const RodKinematics& rod,
              const TurningJoint& joint, std::size_t i, TurnEnergy& energy) noexcept
 {
-  const double more = section.bendingMore[i] / model.spacing;
+  const double more = section.bendingExcess[i] / model.spacing;
   const double rest = section.restBend[i];
   const auto& [p, t, d, e, dAcross, eAcross] = joint;
   const Vector3d s = (2.0 * rod.inverseSum[i]) * (t - p) - (0.5 * rest) * (d + e);
@@ -118,7 +118,7 @@ TurnEnergy energyByTurn(const InsertionModel& model, const SectionStiffness& sec
                         const RodKinematics& rod, const TurningJoint& joint, std::size_t i) noexcept
 {
   TurnEnergy energy = bendingByTurn(model, section, rod, joint, i);
-  if (model.bendingMore[i] > 0.0) addOval(model, section, rod, joint, i, energy);
+  if (model.bendingExcess[i] > 0.0) addOval(model, section, rod, joint, i, energy);
   return energy;
 }
 
@@ -243,7 +243,7 @@ void turnMaterial(const InsertionModel& model, const Vector3d& curl_W,
     rod.restBend_W[i] = (0.5 * section.restBend[i]) * (state.curl_W[i - 1] + state.curl_W[i]);
     rod.twistRate_W[i] = (inverseSpacing * rod.inverseSum[i]) *
                          rod.edge[i - 1].tangent_W.cross(rod.edge[i].tangent_W);
-    if (model.bendingMore[i] > 0.0)
+    if (model.bendingExcess[i] > 0.0)
       rod.stiffer_W[i] = stifferWay(model, TurningJoint(state, rod, i), i);
   }
   rod.curlAcross_W[1] = rod.edge[1].tangent_W.cross(state.curl_W[1]);
@@ -259,7 +259,7 @@ Vector3d ovalStress(const InsertionModel& model, double timeStep, const SectionS
   const Vector3d& way = rod.stiffer_W[i];
   const double along =
       way.dot(bend_W - rod.restBend_W[i]) + damping * way.dot(bend_W - rod.bendBefore_W[i]);
-  return (section.bendingMore[i] / model.spacing * along) * way;
+  return (section.bendingExcess[i] / model.spacing * along) * way;
 }
 
 void addMaterialStiffness(const InsertionModel& model, double timeStep,
@@ -270,7 +270,7 @@ void addMaterialStiffness(const InsertionModel& model, double timeStep,
   const double damping = dampingTime / timeStep;
   for (std::size_t i = 1; i + 1 < n; ++i) {
     addTwist(matrix, i, rod.twistRate_W[i], model.twisting[i] / model.spacing);
-    if (!(model.bendingMore[i] > 0.0)) continue;
+    if (!(model.bendingExcess[i] > 0.0)) continue;
     const RodEdge& last = rod.edge[i - 1];
     const RodEdge& next = rod.edge[i];
     const Vector3d& way = rod.stiffer_W[i];
@@ -280,7 +280,7 @@ void addMaterialStiffness(const InsertionModel& model, double timeStep,
     const Vector3d byLast =
         c * last.inverseLength * (way - way.dot(last.tangent_W) * last.tangent_W);
     addRankOne(matrix, i, {byLast, -byLast - byNext, byNext},
-               section.bendingMore[i] / model.spacing * (1.0 + damping));
+               section.bendingExcess[i] / model.spacing * (1.0 + damping));
   }
 }
 

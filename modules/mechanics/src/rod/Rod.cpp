@@ -169,11 +169,11 @@ void setStiffness(const InsertionModel& model, double styletWithdrawal, double r
     if (model.styletBending > 0.0)
       covered = std::clamp((model.fromTip[i] - styletTip) / model.spacing + 0.5, 0.0, 1.0);
     section.bending[i] = bendingOf(model.bendingCarrier[i], model.styletBending, covered);
-    section.bendingMore[i] = model.bendingMore[i];
-    if (model.bendingMore[i] > 0.0 && covered > 0.0 && covered < 1.0)
-      section.bendingMore[i] =
-          bendingOf(model.bendingCarrier[i] + model.bendingMore[i], model.styletBending, covered) -
-          section.bending[i];
+    section.bendingExcess[i] = model.bendingExcess[i];
+    if (model.bendingExcess[i] > 0.0 && covered > 0.0 && covered < 1.0)
+      section.bendingExcess[i] = bendingOf(model.bendingCarrier[i] + model.bendingExcess[i],
+                                           model.styletBending, covered) -
+                                 section.bending[i];
     section.restBend[i] = released * model.spacing * model.restCurvature[i] *
                           (1.0 - covered * (1.0 - model.styletResidual));
   }
@@ -233,14 +233,14 @@ void addRodForces(const InsertionModel& model, const std::vector<Vector3d>& posi
     const Vector3d w = joint.bend_W();
     Vector3d stress =
         (section.bending[i] / h) * ((w - rod.restBend_W[i]) + damping * (w - rod.bendBefore_W[i]));
-    if (model.bendingMore[i] > 0.0) stress += ovalStress(model, timeStep, section, rod, i, w);
+    if (model.bendingExcess[i] > 0.0) stress += ovalStress(model, timeStep, section, rod, i, w);
     JointForces bending = forcesOf(joint, w, stress);
     if (model.twists) {
       const Vector3d& b = rod.twistRate_W[i];
       const double twist = rod.twist[i] + b.dot(position_W[i + 1] - position_W[i - 1]);
-      const Vector3d turning_W = (model.twisting[i] / h * twist) * b;
-      bending.onNext_W += turning_W;
-      bending.onLast_W -= turning_W;
+      const Vector3d shapeOperator_W = (model.twisting[i] / h * twist) * b;
+      bending.onNext_W += shapeOperator_W;
+      bending.onLast_W -= shapeOperator_W;
     }
 
     force_W[i - 1] -= bending.onLast_W;

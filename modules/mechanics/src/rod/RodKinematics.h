@@ -22,13 +22,13 @@ struct StepStart {
 /// Bending stiffness and rest curvature at each node, for the place of the stylet in this step.
 struct SectionStiffness {
   explicit SectionStiffness(std::size_t nodes = 0)
-      : bending(nodes), bendingMore(nodes), restBend(nodes)
+      : bending(nodes), bendingExcess(nodes), restBend(nodes)
   {
   }
 
-  std::vector<double> bending;      ///< EI at each node, the lesser [N.m^2].
-  std::vector<double> bendingMore;  ///< By which the greater exceeds it [N.m^2].
-  std::vector<double> restBend;     ///< Spacing times rest curvature at each node.
+  std::vector<double> bending;        ///< EI at each node, the lesser [N.m^2].
+  std::vector<double> bendingExcess;  ///< By which the greater exceeds it [N.m^2].
+  std::vector<double> restBend;       ///< Spacing times rest curvature at each node.
 };
 
 /// A link of the rod between two nodes.

@@ -16,7 +16,8 @@ void predict(const InsertionModel& model, InsertionState& state, const Drive& dr
   const auto n = static_cast<std::size_t>(model.nodes);
   Eigen::Vector3d to_W = drive.handPosition_W;
   if (!base.isHeld)
-    to_W = (base.inertia * base.free_W + base.grip * base.gripped_W) / (base.inertia + base.grip);
+    to_W = (base.inertia * base.free_W + base.effectiveStiffness * base.couplingTarget_W) /
+           (base.inertia + base.effectiveStiffness);
   const double forward = (to_W - work.start.position_W[0]).dot(drive.handAxis_W);
   const double lastForward = work.start.timeStep * state.baseVelocity_W.dot(drive.handAxis_W);
   const double share = forward / lastForward;

@@ -28,8 +28,10 @@ Wrench wrenchOf(const InsertionModel& model, const InsertionState& state, const 
                 const Base& base, const RodWorkspace& work) noexcept
 {
   Wrench wrench;
-  wrench.force_W = base.isHeld ? Eigen::Vector3d(work.force_W[0] + work.force_W[1])
-                               : Eigen::Vector3d(base.grip * (state.base_W - base.gripped_W));
+  wrench.force_W =
+      base.isHeld
+          ? Eigen::Vector3d(work.force_W[0] + work.force_W[1])
+          : Eigen::Vector3d(base.effectiveStiffness * (state.base_W - base.couplingTarget_W));
   wrench.torque_W = (model.spacing * drive.handAxis_W).cross(work.force_W[1]) +
                     (model.twists ? work.rod.twistTorque : 0.0) * drive.handAxis_W;
   return wrench;

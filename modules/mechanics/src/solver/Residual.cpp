@@ -38,13 +38,13 @@ Base baseOf(const InsertionModel& model, const InsertionState& state, const Driv
   Base base{};
   base.isHeld = drive.coupling == Coupling::rigid;
   base.inertia = model.baseMass / (dt * dt);
-  base.grip = drive.couplingStiffness + drive.couplingDamping / dt;
+  base.effectiveStiffness = drive.couplingStiffness + drive.couplingDamping / dt;
   base.free_W = state.base_W + dt * state.baseVelocity_W;
-  base.gripped_W = drive.handPosition_W;
-  if (base.grip > 0.0)
-    base.gripped_W = (drive.couplingStiffness * drive.handPosition_W +
-                      drive.couplingDamping * (state.base_W / dt + drive.handVelocity_W)) /
-                     base.grip;
+  base.couplingTarget_W = drive.handPosition_W;
+  if (base.effectiveStiffness > 0.0)
+    base.couplingTarget_W = (drive.couplingStiffness * drive.handPosition_W +
+                             drive.couplingDamping * (state.base_W / dt + drive.handVelocity_W)) /
+                            base.effectiveStiffness;
   return base;
 }
 
@@ -74,7 +74,7 @@ Residual residual(const InsertionModel& model, InsertionState& state, const Base
   if (!base.isHeld) {
     const Eigen::Vector3d& at = state.position_W[0];
     work.system.right[0] = work.force_W[0] + work.force_W[1] - base.inertia * (at - base.free_W) -
-                           base.grip * (at - base.gripped_W);
+                           base.effectiveStiffness * (at - base.couplingTarget_W);
   }
   // every other node has its own, and the perilymph's drag
   for (std::size_t i = 2; i < n; ++i)
@@ -99,7 +99,7 @@ void assembleStiffness(const InsertionModel& model, const Base& base, Compressio
   if (base.isHeld)
     work.system.matrix.holdFirst();
   else
-    work.system.matrix.diagonal[0] += uniform(base.inertia + base.grip);
+    work.system.matrix.diagonal[0] += uniform(base.inertia + base.effectiveStiffness);
 }
 
 }  // namespace perilymph::mechanics

@@ -13,11 +13,11 @@ namespace perilymph::mechanics {
 
 /// Where the base would go by itself in spring coupling, and how hard it is held.
 struct Base {
-  bool isHeld;                ///< Rigid coupling.
-  double inertia;             ///< m / dt^2 [N/m]
-  double grip;                ///< Spring and damper [N/m]
-  Eigen::Vector3d free_W;     ///< Where inertia alone takes it [m].
-  Eigen::Vector3d gripped_W;  ///< Where the coupling pulls it [m].
+  bool isHeld;                       ///< Rigid coupling.
+  double inertia;                    ///< m / dt^2 [N/m]
+  double effectiveStiffness;         ///< Spring and damper [N/m]
+  Eigen::Vector3d free_W;            ///< Where inertia alone takes it [m].
+  Eigen::Vector3d couplingTarget_W;  ///< Where the coupling pulls it [m].
 };
 
 /// @param timeStep  Of the step, or of the part of it that is taken [s].

@@ -35,7 +35,7 @@ struct WallPoint {
   Eigen::Vector3d normal_W = Eigen::Vector3d::Zero();
   /// The positive part of minus the second derivative of D [1/m]: how fast the normal turns back as
   /// the point moves along a concave wall. Symmetric, positive semidefinite.
-  Eigen::Matrix3d turning_W = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d shapeOperator_W = Eigen::Matrix3d::Zero();
 };
 
 /// A duct with one opening. Immutable once built; every query is real-time safe.

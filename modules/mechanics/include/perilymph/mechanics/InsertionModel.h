@@ -12,7 +12,7 @@
 #include "perilymph/anatomy/Surface.h"
 #include "perilymph/electrode/ArrayDesign.h"
 #include "perilymph/foundation/Units.h"
-#include "perilymph/mechanics/Friction.h"
+#include "perilymph/mechanics/FrictionLaw.h"
 #include "perilymph/mechanics/Membrane.h"
 #include "perilymph/mechanics/Opening.h"
 #include "perilymph/mechanics/PointSet.h"
@@ -85,7 +85,7 @@ struct InsertionModel {
   std::vector<double> drag;            ///< Of the perilymph on each node [N.s/m].
   std::vector<double> stretching;      ///< EA of each edge [N].
   std::vector<double> bendingCarrier;  ///< EI of the carrier at each node, the lesser [N.m^2].
-  std::vector<double> bendingMore;     ///< By which the greater EI exceeds it [N.m^2].
+  std::vector<double> bendingExcess;   ///< By which the greater EI exceeds it [N.m^2].
   std::vector<unsigned char> stifferAcross;  ///< Whether that is across the plane of curl.
   std::vector<double> twisting;              ///< GJ at each node [N.m^2].
   std::vector<double> halfWithin;            ///< Half an oval section, toward the curl [m].

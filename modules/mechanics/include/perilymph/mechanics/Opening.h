@@ -11,11 +11,11 @@ namespace perilymph::mechanics {
 /// Its rim touches the array from outside all the way around, and the bone about it stops a tip
 /// that misses it. Which way the array comes in is the approach, in ModelParts.
 struct Opening {
-  Length width;      ///< Along E.x, toward the outer wall.
-  Length height;     ///< Along E.y.
-  Length roundness;  ///< Radius of the rim.
-  Length outward;    ///< Of its center from the entry's origin, along E.x.
-  Length vertical;   ///< The same along E.y.
+  Length width;       ///< Along E.x, toward the outer wall.
+  Length height;      ///< Along E.y.
+  Length edgeRadius;  ///< Radius of the rim.
+  Length outward;     ///< Of its center from the entry's origin, along E.x.
+  Length vertical;    ///< The same along E.y.
 };
 
 /// The round window: 1.37 by 1.91 mm, the mean of 20 (SD 0.43 and 0.78; Benha Med J 2018;35:246).

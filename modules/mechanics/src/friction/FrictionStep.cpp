@@ -1,4 +1,4 @@
-#include "friction/Friction.h"
+#include "friction/FrictionStep.h"
 
 #include <cmath>
 
@@ -12,7 +12,7 @@ FrictionStep frictionStep(const Eigen::Vector3d& stretch_W, double normal, doubl
   const double length = stretch_W.norm();
   const double trial = stiffness * length;
 
-  const double coefficient = isSliding ? law.sliding(slipSpeed) : law.starting;
+  const double coefficient = isSliding ? law.sliding(slipSpeed) : law.staticCoefficient;
   const double limit = coefficient * normal;
 
   FrictionStep step;
@@ -20,7 +20,7 @@ FrictionStep frictionStep(const Eigen::Vector3d& stretch_W, double normal, doubl
     step.force_W = -stiffness * stretch_W;
     step.stiffness = stiffness * tangential;
     step.spring_W = stretch_W;
-    step.isSliding = isSliding && trial > law.stopping * normal;
+    step.isSliding = isSliding && trial > law.stoppingCoefficient * normal;
     return step;
   }
   // slides: the spring keeps what the cone allows, the rest is lost to heat

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "perilymph/mechanics/Friction.h"
+#include "perilymph/mechanics/FrictionLaw.h"
 
 namespace perilymph::mechanics {
 

@@ -83,7 +83,7 @@ int showForces(device::HapticDevice& hand, Beat& beat)
   return trial.axis();
 }
 
-Result<TrialOutcome> tryHand(device::HapticDevice& hand)
+Result<TrialOutcome> tryOpened(device::HapticDevice& hand)
 {
   if (const auto opened = hand.open(); !opened) return opened.error();
   watchForInterruption();
@@ -106,18 +106,18 @@ Result<TrialOutcome> tryHand(device::HapticDevice& hand)
 
 }  // namespace
 
-Result<TrialOutcome> tryDevice(const device::FoundHand& found, const std::filesystem::path& tape)
+Result<TrialOutcome> tryDevice(const device::FoundDevice& found, const std::filesystem::path& tape)
 {
-  auto made = device::makeHidHand(found, device::systemRoots(), tape);
+  auto made = device::makeHidDevice(found, device::systemRoots(), tape);
   if (!made) return made.error();
-  return tryHand(**made);
+  return tryOpened(**made);
 }
 
 Result<TrialOutcome> tryPlugin(const std::filesystem::path& library)
 {
   auto loaded = device::loadPluginDevice(library);
   if (!loaded) return loaded.error();
-  return tryHand(**loaded);
+  return tryOpened(**loaded);
 }
 
 }  // namespace perilymph::cli

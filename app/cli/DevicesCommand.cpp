@@ -5,7 +5,7 @@
 #include "DeviceTrial.h"
 #include "JsonText.h"
 #include "Terminal.h"
-#include "perilymph/device/KnownHands.h"
+#include "perilymph/device/DeviceRegistry.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Version.h"
 
@@ -13,7 +13,7 @@ namespace perilymph::cli {
 
 namespace {
 
-using device::FoundHand;
+using device::FoundDevice;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* handsWithoutHardware =
@@ -46,7 +46,7 @@ std::string ability(const device::DeviceTraits& traits)
   return words + ", a report every " + fixed(traits.nominalPeriod * 1e3, 1) + " ms";
 }
 
-void printDevice(const FoundHand& found)
+void printDevice(const FoundDevice& found)
 {
   const device::HidNode& node = found.node;
   print("{}  {}  {}\n", node.path, device::identityText(node.identity),
@@ -57,7 +57,7 @@ void printDevice(const FoundHand& found)
   print("    {}\n", found.isUsable() ? "It may be opened." : found.obstacle);
 }
 
-Json described(const FoundHand& found)
+Json described(const FoundDevice& found)
 {
   const device::HidNode& node = found.node;
   Json json;
@@ -104,7 +104,7 @@ Json describedPlugin(const TrialOutcome& trial)
 Json described(const TrialOutcome& trial)
 {
   if (!trial.health) return describedPlugin(trial);
-  const device::HandHealth& health = *trial.health;
+  const device::DeviceHealth& health = *trial.health;
   return {{"period_s", health.period},
           {"period_measured", health.isPeriodMeasured},
           {"rate_per_s", health.reading.rate},
@@ -149,7 +149,7 @@ void printPlugin(const TrialOutcome& trial)
 void printTrial(const TrialOutcome& trial)
 {
   if (!trial.health) return printPlugin(trial);
-  const device::HandHealth& health = *trial.health;
+  const device::DeviceHealth& health = *trial.health;
   const device::ReadingFigures& reading = health.reading;
   const auto ms = [](double time) { return fixed(time * 1e3, 3); };
   print("{:18} {} a second; between two: median {} ms, 99 % below {} ms, longest {} ms\n",
@@ -172,10 +172,10 @@ void printTrial(const TrialOutcome& trial)
   printForce(trial);
 }
 
-Result<FoundHand> deviceOfNumber(const device::DeviceSurvey& survey, int number)
+Result<FoundDevice> deviceOfNumber(const device::DeviceSurvey& survey, int number)
 {
   const std::string node = "hidraw" + std::to_string(number);
-  for (const FoundHand& found : survey.devices)
+  for (const FoundDevice& found : survey.devices)
     if (found.node.path.filename() == node) return found;
   return Error{"There is no " + node + ". 'perilymph-cli devices' shows those there are."};
 }
@@ -201,7 +201,7 @@ Result<Done> devices(const DevicesOptions& options)
   Json json;
   json["version"] = version();
   json["devices"] = Json::array();
-  for (const FoundHand& found : survey.devices) json["devices"].push_back(described(found));
+  for (const FoundDevice& found : survey.devices) json["devices"].push_back(described(found));
   json["profile_mistakes"] = survey.mistakes;
   for (const std::string& mistake : survey.mistakes) printError("{}\n", mistake);
 
@@ -214,7 +214,7 @@ Result<Done> devices(const DevicesOptions& options)
     printTrial(*trial);
   } else {
     if (survey.devices.empty()) print("No HID device is plugged in.\n");
-    for (const FoundHand& found : survey.devices) printDevice(found);
+    for (const FoundDevice& found : survey.devices) printDevice(found);
     print(handsWithoutHardware);
   }
   if (options.json.empty()) return Done{};

@@ -9,7 +9,7 @@
 #include "Terminal.h"
 #include "perilymph/charts/FigurePicture.h"
 #include "perilymph/charts/UnrolledScala.h"
-#include "perilymph/device/ScriptedHand.h"
+#include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/session/Insertion.h"
 #include "perilymph/visualization/Picture.h"
@@ -96,7 +96,8 @@ Result<Done> drawInsertion(const RenderOptions& options, const CallFiles& files,
                  fixed(inMillimeters(scenario->stopTravel), 2) +
                  ", the scenario's stop_travel_mm."};
 
-  auto hand = std::make_unique<device::ScriptedHand>(scenario->speed.si(), scenario->timeStep.si());
+  auto hand =
+      std::make_unique<device::ScriptedDevice>(scenario->speed.si(), scenario->timeStep.si());
   auto insertion = session::Insertion::prepare(*scenario, std::move(hand), std::nullopt);
   if (!insertion) return insertion.error();
   const auto ran = (*insertion)->runToEnd([&](const haptics::TickRecord& record) {

@@ -10,7 +10,7 @@
 #include "Terminal.h"
 #include "perilymph/analysis/ForceProfile.h"
 #include "perilymph/analysis/Phase.h"
-#include "perilymph/device/ScriptedHand.h"
+#include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/session/Csv.h"
 #include "perilymph/session/Insertion.h"
@@ -121,7 +121,8 @@ Result<Done> simulate(const SimulateOptions& options, const CallFiles& files)
 
   std::optional<std::filesystem::path> record;
   if (!options.record.empty()) record = options.record;
-  auto hand = std::make_unique<device::ScriptedHand>(scenario->speed.si(), scenario->timeStep.si());
+  auto hand =
+      std::make_unique<device::ScriptedDevice>(scenario->speed.si(), scenario->timeStep.si());
   watchForInterruption();
   auto insertion = session::Insertion::prepare(*scenario, std::move(hand), record);
   if (!insertion) return insertion.error();

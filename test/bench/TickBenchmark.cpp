@@ -9,7 +9,7 @@
 
 #include "BuiltOnce.h"
 #include "Percentiles.h"
-#include "perilymph/device/ScriptedHand.h"
+#include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/haptics/HapticLoop.h"
 #include "perilymph/session/Scenario.h"
 
@@ -32,7 +32,7 @@ public:
   {
     loop_.send({.kind = haptics::Command::Kind::arm});
     loop_.runOnce();
-    hand_.move(device::ScriptedHand::Motion::insert);
+    hand_.move(device::ScriptedDevice::Motion::insert);
     takeRecords();
   }
 
@@ -53,7 +53,7 @@ public:
   }
 
 private:
-  device::ScriptedHand hand_;
+  device::ScriptedDevice hand_;
   bool isOpen_;
   haptics::HapticLoop loop_;
   haptics::TickRecord last_;

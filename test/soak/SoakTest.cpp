@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-#include "PacedHand.h"
+#include "PacedDevice.h"
 #include "perilymph/foundation/Hash.h"
 #include "perilymph/session/Csv.h"
 #include "perilymph/session/Insertion.h"
@@ -24,7 +24,7 @@ namespace perilymph::session {
 namespace {
 
 namespace fs = std::filesystem;
-using test::PacedHand;
+using test::PacedDevice;
 
 constexpr int cyclesPerSession = 5;
 constexpr int restTicks = 20;  // between insertions
@@ -82,7 +82,7 @@ protected:
   /// Reset, in to the stop, out, home; false where something went wrong.
   bool runCycle(Insertion& insertion, Cycle& cycle)
   {
-    auto& hand = dynamic_cast<PacedHand&>(insertion.hand());
+    auto& hand = dynamic_cast<PacedDevice&>(insertion.hand());
     std::uint64_t ticks = 0;
     const auto count = [&ticks](const haptics::TickRecord&) { return ++ticks > 0; };
     // A loop that is idle is armed by every call; after this one it is not.
@@ -93,7 +93,7 @@ protected:
     for (int i = 0; i < restTicks; ++i)
       if (!insertion.runToEnd(count, 1)) return false;
 
-    hand.go(PacedHand::Way::in);
+    hand.go(PacedDevice::Way::in);
     bool isOut = false;
     const auto ran = insertion.runToEnd([&](const haptics::TickRecord& record) {
       cycle.add(record);
@@ -102,13 +102,13 @@ protected:
       if (isOut) return false;
       // The withdrawal that the scenario asks for is sent at the stop.
       isOut = true;
-      hand.go(PacedHand::Way::out);
+      hand.go(PacedDevice::Way::out);
       return true;
     });
     if (!ran) ADD_FAILURE() << ran.error().message;
     if (!ran || !isOut) return false;
 
-    hand.go(PacedHand::Way::home);
+    hand.go(PacedDevice::Way::home);
     while (!hand.isHome())
       if (!insertion.runToEnd(count, 1)) return false;
     ticksRun += ticks;
@@ -142,7 +142,7 @@ TEST_F(Soak, EndsAsItBegan)
   while (ticksRun < wanted && !HasFailure()) {
     const fs::path file = folder / ("session-" + std::to_string(sessions) + ".insertion");
     auto insertion = Insertion::prepare(
-        scenario, std::make_unique<PacedHand>(scenario.speed.si() * scenario.timeStep.si()), file,
+        scenario, std::make_unique<PacedDevice>(scenario.speed.si() * scenario.timeStep.si()), file,
         anatomy);
     ASSERT_TRUE(insertion) << insertion.error().message;
     ticksOfSession = 0;

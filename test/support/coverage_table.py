@@ -16,9 +16,9 @@ ENGINE = {"foundation", "realtime", "anatomy", "electrode", "device", "mechanics
 MIN_SHARE = 0.9
 # What stands between a mistake and a hand: bounds and slew of the force, energy, samples that are old,
 # jump or are no numbers, the workflow's faults, the stiffest coupling, and a device's time-outs.
-SAFETY = re.compile(r"modules/(haptics/.*/(Safety|Passivity|SampleWatch|CouplingLimit|"
+SAFETY = re.compile(r"modules/(haptics/.*/(Safety|Passivity|SampleValidator|CouplingLimit|"
                     r"WorkflowEvent|checkedSettings|InsertionEngine)|"
-                    r"device/.*/(HidHand|ForceWriter|ListenFirst|PlugWatch|ReportReader))\.(cpp|h)$")
+                    r"device/.*/(HidDevice|ForceWriter|ListenFirst|PlugWatch|ReportReader))\.(cpp|h)$")
 BY_CHANCE = "By chance: "  # how the reason of a race begins
 REASONS = Path(__file__).with_name("coverage_unreached.txt")
 

@@ -19,14 +19,14 @@ constexpr int pageWidth_px = 580;
 QString milliseconds(double time) { return numberText(time * 1e3, 2); }
 
 /// "0.06 ms there and back"; where no report answers a force, the most it can be.
-QString roundTripText(const device::HandHealth& health)
+QString roundTripText(const device::DeviceHealth& health)
 {
   const QString time = milliseconds(health.roundTrip);
   return health.isRoundTripMeasured ? DevicePage::tr("%1 ms there and back").arg(time)
                                     : DevicePage::tr("at most %1 ms there and back").arg(time);
 }
 
-QString abilityText(const device::FoundHand& found)
+QString abilityText(const device::FoundDevice& found)
 {
   if (!found.profile) return QString::fromStdString(found.kind);
   const device::DeviceTraits traits = device::traitsOf(*found.profile, found.descriptor);
@@ -39,7 +39,7 @@ QString abilityText(const device::FoundHand& found)
 
 }  // namespace
 
-QString deviceRateText(const std::optional<device::HandHealth>& health)
+QString deviceRateText(const std::optional<device::DeviceHealth>& health)
 {
   if (!health) return {};
   if (!health->isConnected) return DevicePage::tr("device gone");
@@ -114,7 +114,7 @@ void DevicePage::refresh()
   column->setSpacing(4);
   const device::DeviceSurvey survey = device::surveyDevices(device::systemRoots());
   if (survey.devices.empty()) addText(*column, tr("No HID device is plugged in."), false);
-  for (const device::FoundHand& found : survey.devices) addDevice(found);
+  for (const device::FoundDevice& found : survey.devices) addDevice(found);
   for (const std::string& mistake : survey.mistakes)
     addText(*column, QString::fromStdString(mistake), true);
   addText(*column, tr("Hands that need no hardware: the script, and mouse and keyboard."), true);
@@ -132,7 +132,7 @@ void DevicePage::fit()
   if (isVisible()) move(x(), std::max(0, middle.y() - height() / 2));
 }
 
-void DevicePage::addDevice(const device::FoundHand& found)
+void DevicePage::addDevice(const device::FoundDevice& found)
 {
   auto& column = static_cast<QVBoxLayout&>(*list_->layout());
   const device::HidNode& node = found.node;
@@ -169,7 +169,7 @@ void DevicePage::setChangeable(bool isChangeable)
     if (button->property("chooses").toBool()) button->setEnabled(isChangeable);
 }
 
-void DevicePage::showHand(const QString& name, const std::optional<device::HandHealth>& health,
+void DevicePage::showHand(const QString& name, const std::optional<device::DeviceHealth>& health,
                           const haptics::Snapshot& now, const QString& coupling)
 {
   hand_->setText(tr("The hand: %1").arg(name));

@@ -5,8 +5,8 @@
 #include <QFrame>
 #include <optional>
 
-#include "perilymph/device/HandHealth.h"
-#include "perilymph/device/KnownHands.h"
+#include "perilymph/device/DeviceHealth.h"
+#include "perilymph/device/DeviceRegistry.h"
 #include "perilymph/haptics/Snapshot.h"
 
 class QLabel;
@@ -27,16 +27,16 @@ public:
   /// The hand in use.
   ///
   /// @param coupling  A sentence where the device renders less than was asked for; else empty.
-  void showHand(const QString& name, const std::optional<device::HandHealth>& health,
+  void showHand(const QString& name, const std::optional<device::DeviceHealth>& health,
                 const haptics::Snapshot& now, const QString& coupling);
 
 Q_SIGNALS:
-  void deviceChosen(const perilymph::device::FoundHand& found);
+  void deviceChosen(const perilymph::device::FoundDevice& found);
   void closeAsked();
 
 private:
   void fit();
-  void addDevice(const device::FoundHand& found);
+  void addDevice(const device::FoundDevice& found);
   QLabel* addText(QVBoxLayout& column, const QString& text, bool isQuiet);
 
   QLabel* hand_;
@@ -48,6 +48,6 @@ private:
 
 /// "1000/s, 0.05 ms jitter, 0.06 ms there and back": the status bar's words; empty without a
 /// device.
-QString deviceRateText(const std::optional<device::HandHealth>& health);
+QString deviceRateText(const std::optional<device::DeviceHealth>& health);
 
 }  // namespace perilymph::gui

@@ -44,8 +44,9 @@ void HandSection::addChoices()
     rows().addWidget(choice);
   }
   connect(scripted_, &QAbstractButton::clicked, this,
-          [this] { Q_EMIT handChosen(Hand::scripted); });
-  connect(pointer_, &QAbstractButton::clicked, this, [this] { Q_EMIT handChosen(Hand::pointer); });
+          [this] { Q_EMIT handChosen(InputSource::scripted); });
+  connect(pointer_, &QAbstractButton::clicked, this,
+          [this] { Q_EMIT handChosen(InputSource::pointer); });
   connect(device_, &QAbstractButton::clicked, this, &HandSection::devicesAsked);
 
   // a consumer device's own friction is above the forces here: up to 20 times, as scenarios allow
@@ -96,13 +97,13 @@ QString HandSection::commit()
   return tr("Force shown %1. Correct it, or press Esc in its field.").arg(force_->trouble());
 }
 
-void HandSection::setHand(Hand hand, const QString& name)
+void HandSection::setHand(InputSource hand, const QString& name)
 {
-  scripted_->setChecked(hand == Hand::scripted);
-  pointer_->setChecked(hand == Hand::pointer);
-  device_->setChecked(hand == Hand::device);
-  device_->setText(hand == Hand::device ? name : tr("Haptic device…"));
-  hold_->setVisible(hand == Hand::pointer);
+  scripted_->setChecked(hand == InputSource::scripted);
+  pointer_->setChecked(hand == InputSource::pointer);
+  device_->setChecked(hand == InputSource::device);
+  device_->setText(hand == InputSource::device ? name : tr("Haptic device…"));
+  hold_->setVisible(hand == InputSource::pointer);
 }
 
 void HandSection::setChangeable(bool isChangeable)

@@ -25,7 +25,7 @@ public:
   QString commit();
 
   /// @param name  Of the hand.
-  void setHand(Hand hand, const QString& name);
+  void setHand(InputSource hand, const QString& name);
   void setChangeable(bool isChangeable);
   void setHeld(bool isHeld);
   void setHoldEnabled(bool isEnabled);
@@ -33,7 +33,7 @@ public:
 
 Q_SIGNALS:
   void changeAsked(const perilymph::gui::Change& change);
-  void handChosen(perilymph::gui::Hand hand);
+  void handChosen(perilymph::gui::InputSource hand);
   void devicesAsked();
   void holdChanged(bool isHeld);
   void styletAsked();

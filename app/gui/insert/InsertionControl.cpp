@@ -12,7 +12,7 @@ namespace perilymph::gui {
 namespace {
 
 using Kind = haptics::Command::Kind;
-using Motion = device::ScriptedHand::Motion;
+using Motion = device::ScriptedDevice::Motion;
 
 /// "20260131T154502Z": sorts by time, and is a good file name everywhere.
 std::string utcNow()
@@ -64,7 +64,7 @@ void InsertionControl::use(session::Scenario scenario, const std::optional<Parts
   model_ = parts->model;
 }
 
-Result<Done> InsertionControl::prepare(Hand hand)
+Result<Done> InsertionControl::prepare(InputSource hand)
 {
   // A file asked for by name waits for the first insertion that runs.
   const bool waits = record_ && insertion_ && prepared_ == 1 && !isRunning_;
@@ -102,10 +102,10 @@ void InsertionControl::discard()
   if (unused) std::filesystem::remove(*unused, ignored);
 }
 
-void InsertionControl::choose(const device::FoundHand& found)
+void InsertionControl::choose(const device::FoundDevice& found)
 {
   chosen_ = [found]() -> Result<std::unique_ptr<device::HapticDevice>> {
-    auto made = device::makeHidHand(found, device::systemRoots());
+    auto made = device::makeHidDevice(found, device::systemRoots());
     if (!made) return made.error();
     return std::unique_ptr<device::HapticDevice>(*std::move(made));
   };
@@ -116,23 +116,23 @@ void InsertionControl::choose(const std::filesystem::path& plugin)
   chosen_ = [plugin] { return device::loadPluginDevice(plugin); };
 }
 
-Result<Done> InsertionControl::build(Hand hand, std::optional<std::filesystem::path> file)
+Result<Done> InsertionControl::build(InputSource hand, std::optional<std::filesystem::path> file)
 {
   std::unique_ptr<device::HapticDevice> device;
-  device::ScriptedHand* scripted = nullptr;
-  device::PointerHand* pointer = nullptr;
+  device::ScriptedDevice* scripted = nullptr;
+  device::PointerDevice* pointer = nullptr;
   const double timeStep = scenario_.timeStep.si();
-  if (hand == Hand::scripted) {
-    auto made = std::make_unique<device::ScriptedHand>(scenario_.speed.si(), timeStep);
+  if (hand == InputSource::scripted) {
+    auto made = std::make_unique<device::ScriptedDevice>(scenario_.speed.si(), timeStep);
     scripted = made.get();
     device = std::move(made);
-  } else if (hand == Hand::device) {
+  } else if (hand == InputSource::device) {
     if (!chosen_) return Error{"No device was chosen. Press H and choose one."};
     auto made = chosen_();
     if (!made) return made.error();
     device = *std::move(made);
   } else {
-    auto made = std::make_unique<device::PointerHand>(timeStep);
+    auto made = std::make_unique<device::PointerDevice>(timeStep);
     pointer = made.get();
     device = std::move(made);
   }
@@ -277,8 +277,8 @@ void InsertionControl::moveHand(Motion motion)
 
 bool InsertionControl::isMoving() const noexcept
 {
-  if (hand_ == Hand::device) return now_.output.workflow == haptics::Workflow::inserting;
-  return hand_ == Hand::pointer ? isHeld_ : wish_ != Wish::rest;
+  if (hand_ == InputSource::device) return now_.output.workflow == haptics::Workflow::inserting;
+  return hand_ == InputSource::pointer ? isHeld_ : wish_ != Wish::rest;
 }
 
 std::string InsertionControl::handName() const
@@ -286,7 +286,7 @@ std::string InsertionControl::handName() const
   return insertion_ ? insertion_->hand().traits().name : std::string();
 }
 
-std::optional<device::HandHealth> InsertionControl::handHealth()
+std::optional<device::DeviceHealth> InsertionControl::deviceHealth()
 {
   return insertion_ ? insertion_->hand().health() : std::nullopt;
 }

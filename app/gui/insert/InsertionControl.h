@@ -8,9 +8,9 @@
 #include <optional>
 #include <string>
 
-#include "perilymph/device/KnownHands.h"
-#include "perilymph/device/PointerHand.h"
-#include "perilymph/device/ScriptedHand.h"
+#include "perilymph/device/DeviceRegistry.h"
+#include "perilymph/device/PointerDevice.h"
+#include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/foundation/Units.h"
 #include "perilymph/haptics/Snapshot.h"
@@ -19,7 +19,7 @@
 namespace perilymph::gui {
 
 /// Who moves the array.
-enum class Hand { scripted, pointer, device };
+enum class InputSource { scripted, pointer, device };
 
 /// Holds one insertion at a time, drives its hand and sends its commands. It computes nothing: it
 /// asks, and the haptic loop decides. UI thread only.
@@ -43,7 +43,7 @@ public:
   /// Prepares a fresh insertion with the array at its start and a recording of its own. The one
   /// before is stopped and its recording closed, or removed if it never ran. An insertion whose
   /// recording cannot be opened runs without one, but for the first with a file asked for by name.
-  Result<Done> prepare(Hand hand);
+  Result<Done> prepare(InputSource hand);
 
   /// From the next prepare() on, nothing is recorded.
   void keepNothing() { keepsNothing_ = true; }
@@ -51,9 +51,9 @@ public:
   /// Makes a device, which is not yet open.
   using DeviceFactory = std::function<Result<std::unique_ptr<device::HapticDevice>>()>;
 
-  /// Which device the next prepare(Hand::device) opens.
+  /// Which device the next prepare(InputSource::device) opens.
   void choose(DeviceFactory device) { chosen_ = std::move(device); }
-  void choose(const device::FoundHand& found);
+  void choose(const device::FoundDevice& found);
   /// The same for the device of a plug-in, a shared library.
   void choose(const std::filesystem::path& plugin);
 
@@ -80,7 +80,7 @@ public:
   /// The cochlea; after a prepare() that succeeded.
   const anatomy::ScalaTympani& anatomy() const noexcept { return insertion_->anatomy(); }
   std::shared_ptr<const anatomy::ScalaTympani> sharedAnatomy() const noexcept { return anatomy_; }
-  Hand hand() const noexcept { return hand_; }
+  InputSource hand() const noexcept { return hand_; }
   bool isRunning() const noexcept { return isRunning_; }
   /// The array is at the stop travel or beyond.
   bool isAtDepth() const noexcept;
@@ -90,7 +90,7 @@ public:
   const session::Scenario& scenario() const noexcept { return scenario_; }
   std::string handName() const;
   /// How the hand's device is doing; nothing for a hand without hardware.
-  std::optional<device::HandHealth> handHealth();
+  std::optional<device::DeviceHealth> deviceHealth();
   /// Stops the loop where it is and says how it kept its time. Ends the insertion.
   haptics::LoopStatistics halt();
   /// A sentence where the device cannot render the coupling asked for; else empty.
@@ -105,11 +105,11 @@ private:
 
   std::filesystem::path nextRecording();
   void discard();
-  Result<Done> build(Hand hand, std::optional<std::filesystem::path> file);
+  Result<Done> build(InputSource hand, std::optional<std::filesystem::path> file);
   bool ask(haptics::Command::Kind kind, double value = 0.0);
   void pursue();
   void pursueWithdrawal();
-  void moveHand(device::ScriptedHand::Motion motion);
+  void moveHand(device::ScriptedDevice::Motion motion);
 
   session::Scenario scenario_;
   std::shared_ptr<const anatomy::ScalaTympani> anatomy_;    ///< Once it is built.
@@ -119,10 +119,10 @@ private:
   bool keepsNothing_ = false;
 
   std::unique_ptr<session::Insertion> insertion_;
-  device::ScriptedHand* scripted_ = nullptr;  ///< Owned by the insertion.
-  device::PointerHand* pointer_ = nullptr;    ///< Owned by the insertion.
+  device::ScriptedDevice* scripted_ = nullptr;  ///< Owned by the insertion.
+  device::PointerDevice* pointer_ = nullptr;    ///< Owned by the insertion.
   DeviceFactory chosen_;
-  Hand hand_ = Hand::scripted;
+  InputSource hand_ = InputSource::scripted;
   Wish wish_ = Wish::rest;
   bool isRunning_ = false;
   bool isHeld_ = false;

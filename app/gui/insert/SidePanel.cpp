@@ -157,7 +157,7 @@ void SidePanel::setChangeable(bool isChangeable)
   hand_->setChangeable(isChangeable);
 }
 
-void SidePanel::setHand(Hand hand, const QString& name) { hand_->setHand(hand, name); }
+void SidePanel::setHand(InputSource hand, const QString& name) { hand_->setHand(hand, name); }
 
 void SidePanel::setHeld(bool isHeld)
 {

@@ -35,7 +35,7 @@ public:
   void setChangeable(bool isChangeable);
 
   /// @param name  Of the hand.
-  void setHand(Hand hand, const QString& name);
+  void setHand(InputSource hand, const QString& name);
   void setHeld(bool isHeld);
   void setHoldEnabled(bool isEnabled);
   void setStylet(const QString& words, bool canPull);
@@ -51,7 +51,7 @@ Q_SIGNALS:
   void undoAsked();
   void redoAsked();
   void restoreAsked();
-  void handChosen(perilymph::gui::Hand hand);
+  void handChosen(perilymph::gui::InputSource hand);
   void devicesAsked();
   void holdChanged(bool isHeld);
   void styletAsked();

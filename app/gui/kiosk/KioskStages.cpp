@@ -45,7 +45,7 @@ std::array<QString, tour.size()> tourSentences()
 
 Result<Done> KioskWindow::open()
 {
-  const Result<Done> prepared = control_.prepare(Hand::scripted);
+  const Result<Done> prepared = control_.prepare(InputSource::scripted);
   if (!prepared) return prepared;
   const session::Scenario& scenario = control_.scenario();
   view_->setScene(std::make_unique<visualization::InsertionScene>(
@@ -81,7 +81,7 @@ void KioskWindow::showBoard(std::optional<int> chosen)
   boardView_->show(entries, words, chosen);
 }
 
-bool KioskWindow::prepare(Hand hand)
+bool KioskWindow::prepare(InputSource hand)
 {
   letGo();
   turn_ = {};
@@ -96,7 +96,7 @@ void KioskWindow::beginAttract()
 {
   restingAt_s_.reset();
   // what cannot be prepared now is tried again when the rest is over
-  if (!prepare(Hand::scripted)) restingAt_s_ = now_s();
+  if (!prepare(InputSource::scripted)) restingAt_s_ = now_s();
   const bool isAnew = stage_ != KioskStage::attract || station_ < 0;
   if (!isAnew) return;
   setStage(KioskStage::attract);
@@ -120,28 +120,29 @@ void KioskWindow::stepAttract()
 
 void KioskWindow::chooseHandle()
 {
-  if (control_.hand() == Hand::device) return beginTurn(Hand::pointer);
+  if (control_.hand() == InputSource::device) return beginTurn(InputSource::pointer);
   const device::DeviceSurvey survey = device::surveyDevices(device::systemRoots());
   const auto found = std::find_if(survey.devices.begin(), survey.devices.end(),
-                                  [](const device::FoundHand& hand) { return hand.isUsable(); });
-  if (found == survey.devices.end()) return beginTurn(Hand::pointer);
+                                  [](const device::FoundDevice& hand) { return hand.isUsable(); });
+  if (found == survey.devices.end()) return beginTurn(InputSource::pointer);
   control_.choose(*found);
-  beginTurn(Hand::device);
+  beginTurn(InputSource::device);
 }
 
-void KioskWindow::beginTurn(Hand hand)
+void KioskWindow::beginTurn(InputSource hand)
 {
   const device::DeviceSurvey survey = device::surveyDevices(device::systemRoots());
-  handle_->setVisible(std::any_of(survey.devices.begin(), survey.devices.end(),
-                                  [](const device::FoundHand& found) { return found.isUsable(); }));
-  if (hand == Hand::scripted) hand = Hand::pointer;
+  handle_->setVisible(
+      std::any_of(survey.devices.begin(), survey.devices.end(),
+                  [](const device::FoundDevice& found) { return found.isUsable(); }));
+  if (hand == InputSource::scripted) hand = InputSource::pointer;
   setStage(KioskStage::turn);
   if (!prepare(hand)) {
-    if (hand == Hand::device) return beginTurn(Hand::pointer);
+    if (hand == InputSource::device) return beginTurn(InputSource::pointer);
     say(tr("This cannot be tried now"), tr("The staff of the booth can help."));
     return setStage(KioskStage::result);
   }
-  const bool isHandle = hand == Hand::device;
+  const bool isHandle = hand == InputSource::device;
   handle_->setText(isHandle ? tr("Use the screen") : tr("Use the handle"));
   pad_->setEnabled(!isHandle);
   pull_->setEnabled(!isHandle);
@@ -193,8 +194,9 @@ bool KioskWindow::isTouched() const
 void KioskWindow::stepTurn(double elapsed_s)
 {
   const bool isHeld = isTouched();
-  if (isHeld || (control_.hand() == Hand::device && control_.isMoving())) touchedAt_s_ = now_s();
-  if (control_.hand() == Hand::pointer) {
+  if (isHeld || (control_.hand() == InputSource::device && control_.isMoving()))
+    touchedAt_s_ = now_s();
+  if (control_.hand() == InputSource::pointer) {
     if (isHeld != control_.isHeld()) control_.hold(isHeld);
     const double speed = pad_->isHeld()    ? pad_->speed().si()
                          : pull_->isDown() ? -back.si()

@@ -164,7 +164,7 @@ bool KioskWindow::eventFilter(QObject* target, QEvent* event)
     case QEvent::Wheel:
       touchedAt_s_ = now_s();
       if (stage_ != KioskStage::attract) return false;
-      if (event->type() != QEvent::Wheel) beginTurn(Hand::pointer);
+      if (event->type() != QEvent::Wheel) beginTurn(InputSource::pointer);
       return true;
     case QEvent::MouseMove:
       touchedAt_s_ = now_s();
@@ -189,7 +189,7 @@ bool KioskWindow::takeKey(QKeyEvent* event)
   }
   if (event->isAutoRepeat()) return true;
   if (stage_ == KioskStage::attract) {
-    beginTurn(Hand::pointer);
+    beginTurn(InputSource::pointer);
   } else if (event->key() == Qt::Key_Escape) {
     beginAttract();
   } else if (stage_ == KioskStage::result) {

@@ -71,9 +71,9 @@ private:
 
   bool takeKey(QKeyEvent* event);
   void beginAttract();
-  void beginTurn(Hand hand);
+  void beginTurn(InputSource hand);
   void endTurn();
-  bool prepare(Hand hand);
+  bool prepare(InputSource hand);
   void chooseHandle();
   void setStage(KioskStage stage);
   void say(const QString& title, const QString& sentence);

@@ -4,7 +4,7 @@ namespace perilymph::gui {
 
 void SafetyStop::loseKeyboard()
 {
-  if (control_.hand() == Hand::pointer) control_.hold(false);
+  if (control_.hand() == InputSource::pointer) control_.hold(false);
 }
 
 bool SafetyStop::leaveSight()

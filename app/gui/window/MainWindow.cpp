@@ -208,14 +208,14 @@ void MainWindow::withdraw()
 
 void MainWindow::reset() { prepare(control_.hand()); }
 
-void MainWindow::chooseHand(Hand hand)
+void MainWindow::chooseHand(InputSource hand)
 {
   if (hand != control_.hand()) prepare(hand);
 }
 
 void MainWindow::hold(bool isHeld)
 {
-  if (control_.hand() != Hand::pointer) return;
+  if (control_.hand() != InputSource::pointer) return;
   control_.hold(isHeld);
   side_->setHeld(control_.isHeld());
 }

@@ -135,8 +135,8 @@ private:
   void onPresented();
   void showSlowly();
   void showState();
-  void chooseHand(Hand hand);
-  void prepare(Hand hand);
+  void chooseHand(InputSource hand);
+  void prepare(InputSource hand);
   void connectSetup();
   void useSetup();
   void build(const session::Scenario& scenario,
@@ -168,7 +168,7 @@ private:
   void toggleKeyList();
   void toggleGuide();
   void toggleDevices();
-  void useDevice(const device::FoundHand& found);
+  void useDevice(const device::FoundDevice& found);
   void showDevice();
   QString statusWords() const;
   QString troubleWords() const;
@@ -197,8 +197,8 @@ private:
   SessionsPage* sessions_;
   ReplayBar* replayBar_;
   Replay* replay_;
-  Hand handBefore_ = Hand::scripted;  ///< Of the insertion before the replay.
-  std::size_t charted_ = 0;           ///< Samples of the replay that are in the charts.
+  InputSource handBefore_ = InputSource::scripted;  ///< Of the insertion before the replay.
+  std::size_t charted_ = 0;  ///< Samples of the replay that are in the charts.
   QStackedWidget* bars_;
   Background reading_;
   ModelWork modelWork_;

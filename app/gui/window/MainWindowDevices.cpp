@@ -22,21 +22,21 @@ void MainWindow::toggleDevices()
   side_->setHand(control_.hand(), QString::fromStdString(control_.handName()));
 }
 
-void MainWindow::useDevice(const device::FoundHand& found)
+void MainWindow::useDevice(const device::FoundDevice& found)
 {
   control_.choose(found);
-  prepare(Hand::device);
+  prepare(InputSource::device);
 }
 
 void MainWindow::usePlugin(const std::filesystem::path& library)
 {
   control_.choose(library);
-  prepare(Hand::device);
+  prepare(InputSource::device);
 }
 
 void MainWindow::showDevice()
 {
-  const auto health = control_.handHealth();
+  const auto health = control_.deviceHealth();
   deviceWords_ = deviceRateText(health);
   if (!devices_->isVisible()) return;
   devices_->showHand(QString::fromStdString(control_.handName()), health, control_.now(),

@@ -206,7 +206,7 @@ void MainWindow::addWindowKeys()
 
 void MainWindow::pressSpace()
 {
-  if (control_.hand() == Hand::pointer) {
+  if (control_.hand() == InputSource::pointer) {
     if (!control_.isRunning()) start();
     hold(true);
   } else if (control_.isMoving()) {

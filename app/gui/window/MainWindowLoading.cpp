@@ -74,7 +74,7 @@ void MainWindow::showPage(Page page)
 
 Result<Done> MainWindow::open()
 {
-  const Result<Done> prepared = control_.prepare(Hand::scripted);
+  const Result<Done> prepared = control_.prepare(InputSource::scripted);
   if (!prepared) return prepared;
 
   charts_->setExperiment(charts::publishedExperiment());
@@ -127,20 +127,20 @@ void MainWindow::load(const Setup& setup, Origin::Kind kind, Then then)
     control_.use(setup.scenario, parts);
     setup_->begin(setup, kind);
     showScenario();
-    prepare(Hand::scripted);
+    prepare(InputSource::scripted);
     showCochlea();
     if (then == Then::insert) start();
   });
 }
 
-void MainWindow::prepare(Hand hand)
+void MainWindow::prepare(InputSource hand)
 {
   trouble_.clear();
   pressed_.clear();
   const Result<Done> prepared = control_.prepare(hand);
-  if (!prepared && hand == Hand::device) {
+  if (!prepared && hand == InputSource::device) {
     // A device that cannot be opened leaves the script as the hand.
-    prepare(Hand::scripted);
+    prepare(InputSource::scripted);
     return showTrouble(QString::fromStdString(prepared.error().message));
   }
   if (!prepared) return showTrouble(QString::fromStdString(prepared.error().message));

@@ -60,7 +60,7 @@ void MainWindow::beginReplay()
   modelWork_.forget();
   isStartAsked_ = false;
   handBefore_ = control_.hand();
-  prepare(Hand::scripted);
+  prepare(InputSource::scripted);
   showPage(Page::insert);
   const session::Playback& playback = replay_->playback();
   const session::Scenario& scenario = playback.scenario();

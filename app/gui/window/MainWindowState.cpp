@@ -20,7 +20,7 @@ void MainWindow::showState()
   const haptics::Snapshot& now = control_.now();
   const Workflow workflow = now.output.workflow;
   const bool isRunning = control_.isRunning();
-  const bool isScripted = control_.hand() == Hand::scripted;
+  const bool isScripted = control_.hand() == InputSource::scripted;
   const bool hasMoved = isRunning && workflow != Workflow::idle && workflow != Workflow::armed;
   const bool isBusy = modelWork_.isBusy();
   const bool isThere = workflow == Workflow::finished || workflow == Workflow::fault;
@@ -125,8 +125,8 @@ QString MainWindow::hintWords() const
                          : tr("Building the cochlea…");
   if (control_.isAtDepth()) return tr("Full depth. Withdraw or Reset.");
   if (now.workflow == Workflow::finished) return tr("The array is out. Reset to insert again.");
-  if (control_.hand() == Hand::scripted) return {};
-  if (control_.hand() == Hand::device) return deviceHint();
+  if (control_.hand() == InputSource::scripted) return {};
+  if (control_.hand() == InputSource::device) return deviceHint();
   if (!control_.isRunning()) return tr("Press Start, then hold Space and turn the wheel.");
   if (!control_.isHeld()) return tr("Hold Space, then turn the wheel or press Down.");
   return tr("Array held. Wheel or Down advances, Up withdraws.");

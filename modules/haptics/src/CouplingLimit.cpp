@@ -12,7 +12,7 @@ namespace {
 constexpr double lightHandle = 0.09;  // [kg]
 constexpr double freeHandle = 0.5;    // [N.s/m]
 constexpr double usedShare = 0.75;    // of the damping, by the spring
-constexpr double velocityLag = 2e-3;  // of SampleWatch [s]
+constexpr double velocityLag = 2e-3;  // of SampleValidator [s]
 constexpr double eulersNumber = 2.718281828459045;
 
 std::string text(const char* format, double value)

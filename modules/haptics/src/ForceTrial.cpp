@@ -28,14 +28,14 @@ ForceTrial::ForceTrial(const device::DeviceTraits& traits, double timeStep)
     : timeStep_(timeStep),
       greatest_(greatestFor(traits)),
       axes_(traits.rendersForce ? std::clamp(traits.actuatedTranslations, 0, 3) : 0),
-      watch_(timeStep, traits.nominalPeriod),
+      validator_(timeStep, traits.nominalPeriod),
       safety_(limitsOfTrial(traits, greatest_), timeStep)
 {
 }
 
 device::Wrench ForceTrial::step(const device::DeviceSample& sample) noexcept
 {
-  const Hand& hand = watch_.take(sample);
+  const HandState& hand = validator_.take(sample);
   isHeld_ = hand.isHeld && !hand.isStale;
   if (isOver()) isHeld_ = false;
 

@@ -47,7 +47,7 @@ InsertionEngine::InsertionEngine(std::shared_ptr<const mechanics::InsertionModel
     : model_(checked(std::move(model))),
       settings_(checkedSettings(settings)),
       state_(*model_),
-      watch_(model_->timeStep, settings_.samplePeriod),
+      validator_(model_->timeStep, settings_.samplePeriod),
       registration_(model_->entry, settings_.motionScale),
       safety_(settings_.safety, model_->timeStep),
       startDepth_(std::max(0.0, model_->parts.startInside.si())),
@@ -64,7 +64,7 @@ TickOutput InsertionEngine::tick(const device::DeviceSample& sample,
   const std::uint32_t count = std::min<std::uint32_t>(commands.count, maxCommandsPerTick);
   for (std::uint32_t i = 0; i < count; ++i) obey(commands.items[i]);
 
-  const Hand& hand = watch_.take(sample);
+  const HandState& hand = validator_.take(sample);
   judge(hand, output_.status);
 
   // An overflowed state stays as it is, to be looked at.
@@ -149,9 +149,9 @@ void InsertionEngine::reset() noexcept
   safety_.forgetEnergy();
 }
 
-void InsertionEngine::judge(const Hand& hand, std::uint32_t& status) noexcept
+void InsertionEngine::judge(const HandState& hand, std::uint32_t& status) noexcept
 {
-  if (hand.isDoubted) status |= sampleDoubted;
+  if (hand.isRejected) status |= sampleRejected;
   if (hand.hasJumped) {
     status |= handJumped;
     needsAnchor_ = true;
@@ -168,7 +168,7 @@ void InsertionEngine::judge(const Hand& hand, std::uint32_t& status) noexcept
   if (!hand.isHeld) happen(WorkflowEvent::release);
 }
 
-HandCondition InsertionEngine::conditionOf(const Hand& hand) const noexcept
+HandCondition InsertionEngine::conditionOf(const HandState& hand) const noexcept
 {
   HandCondition condition;
   condition.moved_D = hand.moved_D;
@@ -181,7 +181,7 @@ HandCondition InsertionEngine::conditionOf(const Hand& hand) const noexcept
   return condition;
 }
 
-void InsertionEngine::moveMechanics(const Hand& hand) noexcept
+void InsertionEngine::moveMechanics(const HandState& hand) noexcept
 {
   if (hasBegun_) ++ticksSinceBegin_;
   if (workflow_ == Workflow::inserting) hasBegun_ = true;
@@ -236,7 +236,7 @@ double InsertionEngine::couplingStiffness() const noexcept
   return softened(settings_.couplingStiffness, settings_.maxStiffness);
 }
 
-mechanics::Drive InsertionEngine::follow(const Hand& hand) noexcept
+mechanics::Drive InsertionEngine::follow(const HandState& hand) noexcept
 {
   if (needsAnchor_) registration_.anchor(hand, base_);
   needsAnchor_ = false;
@@ -341,7 +341,7 @@ std::uint64_t InsertionEngine::fingerprint() const noexcept
   Hash hash;
   hash.add(state_.fingerprint());
   hash.add(workflow_);
-  watch_.addTo(hash);
+  validator_.addTo(hash);
   registration_.addTo(hash);
   safety_.addTo(hash);
   for (int i = 0; i < 3; ++i) {

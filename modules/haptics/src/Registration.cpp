@@ -19,7 +19,7 @@ Registration::Registration(const anatomy::Entry& entry, double motionScale)
   rotation_WD_.col(2) = entry.out_W;
 }
 
-void Registration::anchor(const Hand& hand, const BasePose& pose) noexcept
+void Registration::anchor(const HandState& hand, const BasePose& pose) noexcept
 {
   handAtAnchor_D_ = hand.position_D;
   rotationAtAnchor_D_ = hand.rotation_D;
@@ -30,7 +30,7 @@ void Registration::anchor(const Hand& hand, const BasePose& pose) noexcept
   anchor_.curl_W.normalize();
 }
 
-BasePose Registration::pose(const Hand& hand) const noexcept
+BasePose Registration::pose(const HandState& hand) const noexcept
 {
   BasePose pose = anchor_;
   pose.position_W += toCochlea(motionScale_ * (hand.position_D - handAtAnchor_D_));

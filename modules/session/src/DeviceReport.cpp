@@ -4,7 +4,7 @@
 
 namespace perilymph::session {
 
-std::string deviceReport(const device::HandHealth& health,
+std::string deviceReport(const device::DeviceHealth& health,
                          const haptics::LoopStatistics& statistics)
 {
   const device::ReadingFigures& reading = health.reading;

@@ -7,7 +7,7 @@
 #include "DeviceReport.h"
 #include "MakeEngine.h"
 #include "Recorder.h"
-#include "perilymph/device/ScriptedHand.h"
+#include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/haptics/CouplingLimit.h"
 
@@ -26,9 +26,9 @@ std::string utcNow()
 }
 
 /// A hand that moves by itself needs to be told; a person's hand does not.
-void tell(device::HapticDevice& hand, device::ScriptedHand::Motion motion)
+void tell(device::HapticDevice& hand, device::ScriptedDevice::Motion motion)
 {
-  if (auto* script = dynamic_cast<device::ScriptedHand*>(&hand)) script->move(motion);
+  if (auto* script = dynamic_cast<device::ScriptedDevice*>(&hand)) script->move(motion);
 }
 
 Error fault(const Scenario& scenario, const haptics::TickRecord& record)
@@ -135,7 +135,7 @@ Result<std::unique_ptr<Insertion>> Insertion::prepare(
 Result<Done> Insertion::runToEnd(const std::function<bool(const haptics::TickRecord&)>& each,
                                  std::uint64_t maxTicks)
 {
-  using Motion = device::ScriptedHand::Motion;
+  using Motion = device::ScriptedDevice::Motion;
   Content& content = *content_;
   const auto send = [&](haptics::Command::Kind kind) {
     haptics::Command command;

@@ -56,7 +56,7 @@ std::string statusWords(std::uint32_t status)
        {haptics::passivityActed, "passivityActed"},
        {haptics::notConverged, "notSettled"},
        {haptics::deviceLost, "deviceLost"},
-       {haptics::sampleDoubted, "sampleDoubted"},
+       {haptics::sampleRejected, "sampleDoubted"},
        {haptics::handJumped, "handJumped"}}};
   std::string text;
   for (const auto& [bit, word] : words)

@@ -9,14 +9,14 @@
 #include <atomic>
 #include <cmath>
 
-#include "perilymph/device/ScriptedHand.h"
+#include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::test {
 namespace {
 
-using gui::Hand;
+using gui::InputSource;
 using gui::InsertionControl;
 
 constexpr int patience_ms = 60'000;
@@ -34,7 +34,7 @@ public:
   PushingDevice(const session::Scenario& scenario, Told& told)
       : script_(scenario.speed.si(), scenario.timeStep.si()), told_(told)
   {
-    script_.move(device::ScriptedHand::Motion::insert);
+    script_.move(device::ScriptedDevice::Motion::insert);
   }
   device::DeviceTraits traits() const override
   {
@@ -57,7 +57,7 @@ public:
   }
 
 private:
-  device::ScriptedHand script_;
+  device::ScriptedDevice script_;
   Told& told_;
 };
 

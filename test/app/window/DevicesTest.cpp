@@ -117,7 +117,7 @@ TEST_F(DevicesOfTheWindow, OfAFileThatIsNoPlugInLeaveTheScriptAndSayWhy)
 {
   open();
   rig_->window().usePlugin(tree_.root() / "none.so");
-  EXPECT_EQ(rig_->window().control().hand(), gui::Hand::scripted);
+  EXPECT_EQ(rig_->window().control().hand(), gui::InputSource::scripted);
   EXPECT_TRUE(rig_->label("bannerText").contains(QLatin1String("none.so")));
 }
 

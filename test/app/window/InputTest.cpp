@@ -119,7 +119,7 @@ TEST(WindowMouse, TheWheelMagnifiesWhileNoArrayIsHeld)
   EXPECT_LT(pictureHeight_mm(rig), before_mm);
 }
 
-TEST(PointerHand, MovesTheArrayWithTheWheelWhileSpaceIsDown)
+TEST(PointerDevice, MovesTheArrayWithTheWheelWhileSpaceIsDown)
 {
   WindowRig rig;
   rig.click("pointerChoice");
@@ -132,7 +132,7 @@ TEST(PointerHand, MovesTheArrayWithTheWheelWhileSpaceIsDown)
   EXPECT_TRUE(WindowRig::comes([&] { return rig.travel_mm() < 0.6; }));
 }
 
-TEST(PointerHand, DoesNotMoveTheArrayUnlessItIsHeld)
+TEST(PointerDevice, DoesNotMoveTheArrayUnlessItIsHeld)
 {
   WindowRig rig;
   rig.click("pointerChoice");
@@ -144,7 +144,7 @@ TEST(PointerHand, DoesNotMoveTheArrayUnlessItIsHeld)
   EXPECT_NEAR(rig.travel_mm(), 0.0, rest_mm);
 }
 
-TEST(PointerHand, LetsGoWhenSpaceIsReleased)
+TEST(PointerDevice, LetsGoWhenSpaceIsReleased)
 {
   WindowRig rig;
   rig.click("pointerChoice");
@@ -159,7 +159,7 @@ TEST(PointerHand, LetsGoWhenSpaceIsReleased)
   EXPECT_NEAR(rig.travel_mm(), held_mm, rest_mm);
 }
 
-TEST(PointerHand, LetsGoWhenTheWindowIsLeft)
+TEST(PointerDevice, LetsGoWhenTheWindowIsLeft)
 {
   WindowRig rig;
   rig.click("pointerChoice");
@@ -171,7 +171,7 @@ TEST(PointerHand, LetsGoWhenTheWindowIsLeft)
   EXPECT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::paused; }));
 }
 
-TEST(PointerHand, TheHoldControlHoldsWhileItIsPressed)
+TEST(PointerDevice, TheHoldControlHoldsWhileItIsPressed)
 {
   WindowRig rig;
   rig.click("pointerChoice");

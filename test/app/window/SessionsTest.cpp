@@ -18,7 +18,7 @@
 #include "SessionsPage.h"
 #include "Thumbnails.h"
 #include "WindowRig.h"
-#include "perilymph/device/ScriptedHand.h"
+#include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/session/Insertion.h"
 
@@ -38,7 +38,8 @@ fs::path record(const std::string& name, const session::Overrides& more = {})
   const fs::path file = sessionFolder() / (name + ".insertion");
   auto insertion = session::Insertion::prepare(
       *scenario,
-      std::make_unique<device::ScriptedHand>(scenario->speed.si(), scenario->timeStep.si()), file);
+      std::make_unique<device::ScriptedDevice>(scenario->speed.si(), scenario->timeStep.si()),
+      file);
   EXPECT_TRUE(insertion) << insertion.error().message;
   EXPECT_TRUE((*insertion)->runToEnd(nullptr));
   return file;
@@ -254,7 +255,7 @@ TEST_F(AReplay, MovesNoHandAndRunsNoLoop)
   openReplay();
   ASSERT_TRUE(WindowRig::comes([&] { return rig_->readOut("travelReadOut") == "1.0"; }));
   EXPECT_FALSE(rig_->window().control().isRunning());
-  EXPECT_EQ(rig_->window().control().hand(), gui::Hand::scripted);
+  EXPECT_EQ(rig_->window().control().hand(), gui::InputSource::scripted);
   EXPECT_EQ(rig_->now().tick, 0u);
 }
 

@@ -6,8 +6,8 @@
 
 #include "Descriptors.h"
 #include "FuzzTarget.h"
+#include "perilymph/device/DeviceCodec.h"
 #include "perilymph/device/DeviceProfile.h"
-#include "perilymph/device/HandCodec.h"
 #include "perilymph/test/DeviceProfiles.h"
 
 namespace perilymph::fuzz {
@@ -110,7 +110,7 @@ void checkHand(const DeviceSample& hand)
   promise(std::fabs(squared - 1.0) < 1e-9, "a rotation of unit length");
 }
 
-void run(device::HandCodec& codec, InputReader& input)
+void run(device::DeviceCodec& codec, InputReader& input)
 {
   DeviceSample hand;
   ReportList reports;

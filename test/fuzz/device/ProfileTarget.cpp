@@ -5,8 +5,8 @@
 
 #include "Descriptors.h"
 #include "FuzzTarget.h"
+#include "perilymph/device/DeviceCodec.h"
 #include "perilymph/device/DeviceProfile.h"
-#include "perilymph/device/HandCodec.h"
 
 namespace perilymph::fuzz {
 

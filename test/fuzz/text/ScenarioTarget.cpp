@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "Seeds.h"
-#include "perilymph/device/ScriptedHand.h"
+#include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/session/Insertion.h"
 #include "perilymph/session/Scenario.h"
@@ -39,7 +39,8 @@ void runSome(const Scenario& scenario)
   // The surface that the points need takes seconds; many nodes are many times the same.
   if (scenario.model != mechanics::ModelKind::rod || scenario.nodes > 200) return;
   auto insertion = session::Insertion::prepare(
-      scenario, std::make_unique<device::ScriptedHand>(scenario.speed.si(), scenario.timeStep.si()),
+      scenario,
+      std::make_unique<device::ScriptedDevice>(scenario.speed.si(), scenario.timeStep.si()),
       std::nullopt, sharedAnatomy());
   if (!insertion) {
     promise(!insertion.error().message.empty(), "a refusal has a sentence");

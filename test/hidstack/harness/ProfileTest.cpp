@@ -9,8 +9,8 @@
 
 #include "HandleReports.h"
 #include "VirtualHandle.h"
+#include "perilymph/device/DeviceCodec.h"
 #include "perilymph/device/DeviceProfile.h"
-#include "perilymph/device/HandCodec.h"
 #include "perilymph/device/ReportDescriptor.h"
 #include "perilymph/test/Tolerance.h"
 
@@ -31,7 +31,7 @@ device::ReportDescriptor descriptor()
   return *std::move(parsed);
 }
 
-std::unique_ptr<device::HandCodec> codec()
+std::unique_ptr<device::DeviceCodec> codec()
 {
   auto made = device::makeCodec(profile(), descriptor());
   EXPECT_TRUE(made) << (made ? "" : made.error().message);

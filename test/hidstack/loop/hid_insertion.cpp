@@ -46,7 +46,7 @@ Result<Done> takeStream(const std::string& profile, const std::string& log, std:
 }
 
 /// What the hand says of itself.
-void print(const std::string& scene, const device::HandHealth& health)
+void print(const std::string& scene, const device::DeviceHealth& health)
 {
   const auto measure = [&scene](const char* name, auto value) {
     std::cout << "measure " << scene << ".hand_" << name << ' ' << value << '\n';
@@ -66,7 +66,7 @@ void print(const std::string& scene, const device::HandHealth& health)
 
 Result<Done> insert(const std::string& profile, const std::filesystem::path& log, int unplugs)
 {
-  const auto hand = virtualHand(profile, patience);
+  const auto hand = openVirtualDevice(profile, patience);
   if (!hand) return hand.error();
   if (const auto opened = (*hand)->open(); !opened) return opened;
   const auto ticks = insertUntilUnplugged(**hand, unplugs);
@@ -78,7 +78,7 @@ Result<Done> insert(const std::string& profile, const std::filesystem::path& log
 /// As `insert`, until this process is killed at once.
 Result<Done> die(const std::string& profile, int ticks)
 {
-  const auto hand = virtualHand(profile, patience);
+  const auto hand = openVirtualDevice(profile, patience);
   if (!hand) return hand.error();
   if (const auto opened = (*hand)->open(); !opened) return opened;
   return insertUntilKilled(**hand, static_cast<std::size_t>(ticks));
@@ -87,7 +87,7 @@ Result<Done> die(const std::string& profile, int ticks)
 /// Without an engine: what a codec does to a device, from opening it to closing it.
 Result<Done> push(const std::string& profile, const std::filesystem::path& log, int ticks)
 {
-  const auto hand = virtualHand(profile, patience);
+  const auto hand = openVirtualDevice(profile, patience);
   if (!hand) return hand.error();
   if (const auto opened = (*hand)->open(); !opened) return opened;
   const double force = (*hand)->traits().maxForce / 3.0;
@@ -103,7 +103,7 @@ Result<Done> push(const std::string& profile, const std::filesystem::path& log, 
 
 Result<Done> beRefused(const std::string& profile, const std::filesystem::path& log)
 {
-  const auto hand = virtualHand(profile, patience);
+  const auto hand = openVirtualDevice(profile, patience);
   if (!hand) return hand.error();
   const std::int64_t began = realtime::monotonicNanoseconds();
   if ((*hand)->open()) return Error{"The device was opened, though it answers nothing."};

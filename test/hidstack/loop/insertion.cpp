@@ -5,7 +5,7 @@
 #include <csignal>
 
 #include "FlatWallScene.h"
-#include "TimedHand.h"
+#include "TimedDevice.h"
 #include "perilymph/haptics/HapticLoop.h"
 
 namespace perilymph::hidstack {
@@ -57,7 +57,7 @@ private:
 
 Result<std::vector<LoopTick>> insertUntilUnplugged(device::HapticDevice& hand, int unplugs)
 {
-  TimedHand timed(hand, maxTicks);
+  TimedDevice timed(hand, maxTicks);
   haptics::HapticLoop loop(timed, flatWallEngine(timed.traits().nominalPeriod));
   Operator user(loop);
   loop.start();

@@ -38,13 +38,13 @@ Result<VirtualDevice> findVirtualDevice(const std::filesystem::path& profileFile
                std::to_string(timeout) + " s."};
 }
 
-Result<std::unique_ptr<device::HidHand>> virtualHand(const std::filesystem::path& profile,
-                                                     double timeout)
+Result<std::unique_ptr<device::HidDevice>> openVirtualDevice(const std::filesystem::path& profile,
+                                                             double timeout)
 {
   auto found = findVirtualDevice(profile, timeout);
   if (!found) return found.error();
-  return std::make_unique<device::HidHand>(std::move(found->traits), std::move(found->codec),
-                                           device::hidPort(std::move(found->node)));
+  return std::make_unique<device::HidDevice>(std::move(found->traits), std::move(found->codec),
+                                             device::hidPort(std::move(found->node)));
 }
 
 }  // namespace perilymph::hidstack

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <memory>
 
+#include "perilymph/device/DeviceCodec.h"
 #include "perilymph/device/DeviceProfile.h"
-#include "perilymph/device/HandCodec.h"
-#include "perilymph/device/HidHand.h"
+#include "perilymph/device/HidDevice.h"
 #include "perilymph/device/HidNodes.h"
 #include "perilymph/foundation/Result.h"
 
@@ -17,14 +17,14 @@ namespace perilymph::hidstack {
 struct VirtualDevice {
   device::HidNode node;
   device::DeviceTraits traits;
-  std::unique_ptr<device::HandCodec> codec;
+  std::unique_ptr<device::DeviceCodec> codec;
 };
 
 /// Looks until the handle is plugged in, at most so long [s]. The sentence says what is missing.
 Result<VirtualDevice> findVirtualDevice(const std::filesystem::path& profile, double timeout);
 
 /// The same as a hand, not opened.
-Result<std::unique_ptr<device::HidHand>> virtualHand(const std::filesystem::path& profile,
-                                                     double timeout);
+Result<std::unique_ptr<device::HidDevice>> openVirtualDevice(const std::filesystem::path& profile,
+                                                             double timeout);
 
 }  // namespace perilymph::hidstack

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "JumpingClock.h"
-#include "perilymph/device/ScriptedHand.h"
+#include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/session/Insertion.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/session/Replay.h"
@@ -35,14 +35,14 @@ void runByTheClock(const fs::path& file, const std::function<void(double)>& mean
 {
   const Scenario scenario = shortScenario();
   auto insertion = Insertion::prepare(
-      scenario, std::make_unique<device::ScriptedHand>(scenario.speed.si(), 1e-3), file);
+      scenario, std::make_unique<device::ScriptedDevice>(scenario.speed.si(), 1e-3), file);
   ASSERT_TRUE(insertion) << insertion.error().message;
   ASSERT_TRUE((*insertion)->start());
   haptics::Command arm;
   arm.kind = haptics::Command::Kind::arm;
   ASSERT_TRUE((*insertion)->send(arm));
-  dynamic_cast<device::ScriptedHand&>((*insertion)->hand())
-      .move(device::ScriptedHand::Motion::insert);
+  dynamic_cast<device::ScriptedDevice&>((*insertion)->hand())
+      .move(device::ScriptedDevice::Motion::insert);
   while ((*insertion)->latest().output.workflow != haptics::Workflow::finished) {
     (*insertion)->refresh();
     meanwhile((*insertion)->latest().output.travel);

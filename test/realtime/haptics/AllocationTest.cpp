@@ -7,7 +7,7 @@
 namespace perilymph::haptics {
 namespace {
 
-using device::ScriptedHand;
+using device::ScriptedDevice;
 using Kind = Command::Kind;
 
 class HapticTick : public testing::Test {
@@ -34,9 +34,9 @@ TEST_F(HapticTick, AllocatesNothingFromTheVeryFirstTickThroughTheWholeWorkflow)
   const test::AllocationGuard guard;
   rig.start();
   for (int i = 0; i < 500; ++i) rig.tick();
-  rig.hand().move(ScriptedHand::Motion::hold);
+  rig.hand().move(ScriptedDevice::Motion::hold);
   for (int i = 0; i < 50; ++i) rig.tick();
-  rig.hand().move(ScriptedHand::Motion::withdraw);
+  rig.hand().move(ScriptedDevice::Motion::withdraw);
   rig.send(Kind::pullStylet, 1e-3);
   rig.send(Kind::withdraw);
   for (int i = 0; i < 600; ++i) rig.tick();

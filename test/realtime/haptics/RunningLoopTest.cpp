@@ -11,7 +11,7 @@
 namespace perilymph::haptics {
 namespace {
 
-using device::ScriptedHand;
+using device::ScriptedDevice;
 using Kind = Command::Kind;
 
 /// Looks at pictures until one pleases; gives that one.
@@ -54,7 +54,7 @@ TEST(RunningLoop, ReplaysItsRecordInVirtualTimeBitForBit)
   Command pull;
   pull.kind = Kind::withdraw;
   while (!loop.send(pull)) std::this_thread::yield();
-  rig.hand().move(ScriptedHand::Motion::withdraw);
+  rig.hand().move(ScriptedDevice::Motion::withdraw);
   waitFor(loop, [](const Snapshot& now) { return now.output.travel < 3e-3; });
   loop.stop();
 

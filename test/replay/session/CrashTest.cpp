@@ -87,8 +87,8 @@ Killed killInsertion(const std::filesystem::path& file, std::uint64_t atTick)
     haptics::Command arm;
     arm.kind = haptics::Command::Kind::arm;
     insertion->send(arm);
-    dynamic_cast<device::ScriptedHand&>(insertion->hand())
-        .move(device::ScriptedHand::Motion::insert);
+    dynamic_cast<device::ScriptedDevice&>(insertion->hand())
+        .move(device::ScriptedDevice::Motion::insert);
     while (true)
       if (insertion->refresh()) *ticks = insertion->latest().tick;
   }

@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-#include "perilymph/device/ScriptedHand.h"
+#include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/session/Insertion.h"
 
 namespace perilymph::test {
@@ -20,7 +20,8 @@ inline std::unique_ptr<session::Insertion> shortRun(const std::filesystem::path&
   EXPECT_TRUE(scenario) << scenario.error().message;
   auto insertion = session::Insertion::prepare(
       *scenario,
-      std::make_unique<device::ScriptedHand>(scenario->speed.si(), scenario->timeStep.si()), file);
+      std::make_unique<device::ScriptedDevice>(scenario->speed.si(), scenario->timeStep.si()),
+      file);
   EXPECT_TRUE(insertion) << insertion.error().message;
   return std::move(*insertion);
 }

@@ -91,8 +91,8 @@ TEST(Replay, FollowsCommandsGivenByTheClock)
       command.value = 1e-3;
       while (!insertion->send(command)) insertion->refresh();
     }
-    dynamic_cast<device::ScriptedHand&>(insertion->hand())
-        .move(device::ScriptedHand::Motion::insert);
+    dynamic_cast<device::ScriptedDevice&>(insertion->hand())
+        .move(device::ScriptedDevice::Motion::insert);
     while (insertion->latest().output.travel < 0.5e-3) insertion->refresh();
   }
   const Verification verification = verified(folder / "run.insertion");

@@ -9,7 +9,7 @@ namespace perilymph::test {
 
 InsertionRig::InsertionRig(std::shared_ptr<const mechanics::InsertionModel> model,
                            haptics::EngineSettings settings, Speed speed)
-    : hand_(std::make_unique<device::ScriptedHand>(speed.si(), model->timeStep))
+    : hand_(std::make_unique<device::ScriptedDevice>(speed.si(), model->timeStep))
 {
   settings.samplePeriod = model->timeStep;
   loop_ = std::make_unique<haptics::HapticLoop>(
@@ -36,7 +36,7 @@ void InsertionRig::send(haptics::Command::Kind kind, double value)
 void InsertionRig::start()
 {
   send(haptics::Command::Kind::arm);
-  hand_->move(device::ScriptedHand::Motion::insert);
+  hand_->move(device::ScriptedDevice::Motion::insert);
 }
 
 const haptics::TickRecord& InsertionRig::tick()

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "Descriptors.h"
+#include "perilymph/device/DeviceCodec.h"
 #include "perilymph/device/DeviceProfile.h"
-#include "perilymph/device/HandCodec.h"
 #include "perilymph/test/AllocationGuard.h"
 
 namespace perilymph::device {
@@ -91,7 +91,7 @@ struct Rig {
   }
 
   DeviceSample hand;
-  std::unique_ptr<HandCodec> codec;
+  std::unique_ptr<DeviceCodec> codec;
 };
 
 /// Report 1 of the stick: two numbers of 10 bits, then the buttons in the fourth byte.

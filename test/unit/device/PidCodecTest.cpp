@@ -3,8 +3,8 @@
 
 #include "Descriptors.h"
 #include "PidDevice.h"
+#include "perilymph/device/DeviceCodec.h"
 #include "perilymph/device/DeviceProfile.h"
-#include "perilymph/device/HandCodec.h"
 #include "perilymph/test/AllocationGuard.h"
 #include "perilymph/test/DeviceProfiles.h"
 
@@ -48,7 +48,7 @@ struct Rig {
   }
 
   test::PidDevice device;
-  std::unique_ptr<HandCodec> codec;
+  std::unique_ptr<DeviceCodec> codec;
 };
 
 constexpr const char* byAxes = "effects = \"axes\"";

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "perilymph/device/DeviceCodec.h"
 #include "perilymph/device/DeviceProfile.h"
-#include "perilymph/device/HandCodec.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/test/AllocationGuard.h"
 #include "perilymph/test/DeviceProfiles.h"

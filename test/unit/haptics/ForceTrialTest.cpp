@@ -21,7 +21,7 @@ device::DeviceTraits threeAxes()
 }
 
 /// A hand at rest.
-class RestingHand {
+class RestingDevice {
 public:
   device::DeviceSample next(bool isHeld)
   {
@@ -45,7 +45,7 @@ double magnitude(const device::Wrench& wrench_D)
 TEST(ForceTrial, ShowsEveryAxisAtMostHalfANewton)
 {
   ForceTrial trial(threeAxes(), timeStep);
-  RestingHand hand;
+  RestingDevice hand;
   std::array<double, 3> maximum{};
   double maxStep = 0.0, before = 0.0;
   int ticks = 0;
@@ -71,7 +71,7 @@ TEST(ForceTrial, ShowsAFifthOfAWeakDevicesForce)
 TEST(ForceTrial, ShowsNothingUntilTheButtonIsHeld)
 {
   ForceTrial trial(threeAxes(), timeStep);
-  RestingHand hand;
+  RestingDevice hand;
   for (int i = 0; i < 5000; ++i) ASSERT_EQ(magnitude(trial.step(hand.next(false))), 0.0);
   EXPECT_FALSE(trial.isOver());
 }
@@ -79,7 +79,7 @@ TEST(ForceTrial, ShowsNothingUntilTheButtonIsHeld)
 TEST(ForceTrial, EndsThePushWhenTheButtonIsLetGo)
 {
   ForceTrial trial(threeAxes(), timeStep);
-  RestingHand hand;
+  RestingDevice hand;
   for (int i = 0; i < 500; ++i) trial.step(hand.next(true));
   double force = 0.5;
   for (int i = 0; i < 60; ++i) {
@@ -94,7 +94,7 @@ TEST(ForceTrial, EndsThePushWhenTheButtonIsLetGo)
 TEST(ForceTrial, EndsThePushWhenTheDeviceFallsSilent)
 {
   ForceTrial trial(threeAxes(), timeStep);
-  RestingHand hand;
+  RestingDevice hand;
   for (int i = 0; i < 500; ++i) trial.step(hand.next(true));
   double force = 1.0;
   for (int i = 0; i < 60; ++i) force = magnitude(trial.step(hand.silent()));

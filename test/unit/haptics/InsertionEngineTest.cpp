@@ -12,7 +12,7 @@
 namespace perilymph::haptics {
 namespace {
 
-using device::ScriptedHand;
+using device::ScriptedDevice;
 using Kind = Command::Kind;
 
 double length(const std::array<double, 3>& vector)
@@ -51,7 +51,7 @@ TEST(InsertionEngine, ShowsNoForceToAHandThatDoesNotHold)
   test::InsertionRig rig(test::insertionInRing());
   rig.start();
   ASSERT_TRUE(rig.runUntilTravel(millimeters(8), 10'000));
-  rig.hand().move(ScriptedHand::Motion::hold);
+  rig.hand().move(ScriptedDevice::Motion::hold);
   // 0.1 N a tick: at most 4 ticks for forces below 0.4 N
   for (int i = 0; i < 4; ++i) rig.tick();
   EXPECT_EQ(length(rig.output().wrench_D.force_D), 0.0);
@@ -80,14 +80,14 @@ TEST(InsertionEngine, TakesHoldOfASpringWithoutMovingTheArray)
   test::InsertionRig rig(test::insertionInRing(), settings);
   rig.start();
   ASSERT_TRUE(rig.runUntilTravel(millimeters(8), 10'000));
-  rig.hand().move(ScriptedHand::Motion::hold);
+  rig.hand().move(ScriptedDevice::Motion::hold);
   for (int i = 0; i < 500; ++i) rig.tick();
   const auto paused_W = rig.output().proxy_W;
   const double force = rig.output().axialForce;
   ASSERT_GT(force, 1e-3);
 
   rig.hand().setSpeed(0.0);
-  rig.hand().move(ScriptedHand::Motion::insert);
+  rig.hand().move(ScriptedDevice::Motion::insert);
   for (int i = 0; i < 200; ++i) rig.tick();
   // it would sink back by F / K if the spring began slack
   const double sinking = force / settings.couplingStiffness;
@@ -112,7 +112,7 @@ TEST(InsertionEngine, GivesTheSameBitsForTheSameSamplesAndCommands)
   rig.start();
   for (int i = 0; i < 3000; ++i) {
     if (i == 1500) rig.send(Kind::withdraw);
-    if (i == 1500) rig.hand().move(ScriptedHand::Motion::withdraw);
+    if (i == 1500) rig.hand().move(ScriptedDevice::Motion::withdraw);
     const TickRecord& record = rig.tick();
     const TickOutput output = again.tick(record.sample, record.commands);
     ASSERT_EQ(output.force_W, record.output.force_W) << i;
@@ -236,7 +236,7 @@ TEST_F(Overflow, LeavesTheShapeInThePictureAsItWas)
 TEST_F(Overflow, IsLeftByAResetAlone)
 {
   test::InsertionRig rig = overflown();
-  rig.hand().move(ScriptedHand::Motion::hold);
+  rig.hand().move(ScriptedDevice::Motion::hold);
   rig.send(Kind::clearFault);
   EXPECT_EQ(rig.tick().output.workflow, Workflow::fault);
   rig.send(Kind::reset);

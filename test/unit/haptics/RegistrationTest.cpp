@@ -27,9 +27,9 @@ BasePose start()
   return {{0.05, 0.0, 0.0}, -Eigen::Vector3d::UnitX(), -Eigen::Vector3d::UnitY()};
 }
 
-Hand handAt(const Eigen::Vector3d& position_D)
+HandState handAt(const Eigen::Vector3d& position_D)
 {
-  Hand hand;
+  HandState hand;
   hand.position_D = position_D;
   return hand;
 }
@@ -46,7 +46,7 @@ TEST(Registration, TakesAPushAwayFromTheUserIntoTheCochlea)
 TEST(Registration, StaysWhereTheBaseIsWhenTheHandTakesHold)
 {
   Registration registration(turnedEntry(), 1.0);
-  const Hand hand = handAt({-3.0, 4.0, 0.3});
+  const HandState hand = handAt({-3.0, 4.0, 0.3});
   registration.anchor(hand, start());
   EXPECT_NEAR((registration.pose(hand).position_W - start().position_W).norm(), 0.0, rounding);
   EXPECT_NEAR((registration.pose(hand).axis_W - start().axis_W).norm(), 0.0, rounding);
@@ -64,7 +64,7 @@ TEST(Registration, ScalesTheMotion)
 TEST(Registration, TurnsAxisAndCurlByTheRotationSinceTheAnchor)
 {
   Registration registration(turnedEntry(), 1.0);
-  Hand hand = handAt({0, 0, 0});
+  HandState hand = handAt({0, 0, 0});
   const Eigen::AngleAxisd held(0.4, Eigen::Vector3d::UnitY());
   hand.rotation_D = Eigen::Quaterniond(held);
   registration.anchor(hand, start());
@@ -90,7 +90,7 @@ TEST(Registration, GivesForcesBackInTheFrameTheyCameFrom)
 TEST(Registration, KeepsUnitVectorsUnitOverManyClutches)
 {
   Registration registration(turnedEntry(), 1.0);
-  Hand hand = handAt({0, 0, 0});
+  HandState hand = handAt({0, 0, 0});
   BasePose pose = start();
   for (int i = 0; i < 20'000; ++i) {
     registration.anchor(hand, pose);

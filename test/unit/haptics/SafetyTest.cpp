@@ -151,7 +151,7 @@ INSTANTIATE_TEST_SUITE_P(Reasons, SafetyOff, testing::Values(released(), stale()
 
 TEST_P(SafetyOff, IsGoneAsSoonAsTheDevicesOwnGuardWouldAct)
 {
-  // That waits for three periods, and at least 3 ms (HidHand.h), at 1 kHz and at 10 kHz.
+  // That waits for three periods, and at least 3 ms (HidDevice.h), at 1 kHz and at 10 kHz.
   for (const double step : {1e-3, 1e-4}) {
     Safety safety({}, step);
     const Eigen::Vector3d wanted_D(0.0, 0.0, 10.0);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "perilymph/device/ScriptedHand.h"
+#include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/haptics/HapticLoop.h"
 #include "perilymph/haptics/InsertionEngine.h"
 #include "perilymph/test/PlainModels.h"
@@ -53,7 +53,7 @@ TEST(InsertionEngine, NeedsAModel)
 
 TEST(HapticLoop, NeedsAnEngine)
 {
-  device::ScriptedHand hand(2e-3, 1e-3);
+  device::ScriptedDevice hand(2e-3, 1e-3);
   EXPECT_THROW(HapticLoop(hand, nullptr), std::invalid_argument);
 }
 

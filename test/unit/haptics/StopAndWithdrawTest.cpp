@@ -6,7 +6,7 @@
 namespace perilymph::haptics {
 namespace {
 
-using device::ScriptedHand;
+using device::ScriptedDevice;
 using Kind = Command::Kind;
 
 constexpr double nanometer = 1e-9;
@@ -56,7 +56,7 @@ TEST_P(Stop, HoldsAgainstAHandThatPullsUntilItIsAskedToWithdraw)
   test::InsertionRig rig(test::insertionInTube(), stoppingAt(1e-3, GetParam()));
   rig.start();
   ASSERT_TRUE(rig.runUntil(Workflow::finished, 10'000));
-  rig.hand().move(ScriptedHand::Motion::withdraw);
+  rig.hand().move(ScriptedDevice::Motion::withdraw);
   for (int i = 0; i < 100; ++i) rig.tick();
   EXPECT_NEAR(rig.output().travel, 1e-3, nearness(GetParam()));
 
@@ -71,7 +71,7 @@ TEST_P(Stop, IsFinishedAgainWhenTheTipIsBackAtItsStart)
   test::InsertionRig rig(test::insertionInTube(), stoppingAt(1e-3, GetParam()));
   rig.start();
   ASSERT_TRUE(rig.runUntil(Workflow::finished, 10'000));
-  rig.hand().move(ScriptedHand::Motion::withdraw);
+  rig.hand().move(ScriptedDevice::Motion::withdraw);
   rig.send(Kind::withdraw);
   ASSERT_EQ(rig.tick().output.workflow, Workflow::inserting);
   ASSERT_TRUE(rig.runUntil(Workflow::finished, 10'000));
@@ -94,7 +94,7 @@ TEST(Withdraw, TurnsAroundInTheMiddleOfAnInsertionToo)
   test::InsertionRig rig(test::insertionInTube());
   rig.start();
   ASSERT_TRUE(rig.runUntilTravel(millimeters(1), 10'000));
-  rig.hand().move(ScriptedHand::Motion::withdraw);
+  rig.hand().move(ScriptedDevice::Motion::withdraw);
   rig.send(Kind::withdraw);
   EXPECT_EQ(rig.tick().output.workflow, Workflow::inserting);
   EXPECT_TRUE(rig.runUntil(Workflow::finished, 10'000));
@@ -106,11 +106,11 @@ TEST(Withdraw, EndsAsAResetWouldFindIt)
   test::InsertionRig rig(test::insertionInTube(), stoppingAt(1e-3, mechanics::Coupling::rigid));
   rig.start();
   ASSERT_TRUE(rig.runUntil(Workflow::finished, 10'000));
-  rig.hand().move(ScriptedHand::Motion::withdraw);
+  rig.hand().move(ScriptedDevice::Motion::withdraw);
   rig.send(Kind::withdraw);
   rig.tick();
   ASSERT_TRUE(rig.runUntil(Workflow::finished, 10'000));
-  rig.hand().move(ScriptedHand::Motion::hold);
+  rig.hand().move(ScriptedDevice::Motion::hold);
   rig.send(Kind::reset);
   rig.tick();
   rig.start();

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "perilymph/anatomy/PlainLumens.h"
-#include "perilymph/device/HidHand.h"
+#include "perilymph/device/HidDevice.h"
 #include "perilymph/haptics/CouplingLimit.h"
 #include "perilymph/haptics/HapticLoop.h"
 #include "perilymph/test/FakeHid.h"
@@ -57,8 +57,8 @@ protected:
     hid.whenWaiting([this](Duration) { report(); });
     device::DeviceTraits traits = test::fakeTraits();
     traits.nominalPeriod = period;
-    hand = std::make_unique<device::HidHand>(traits, std::make_unique<test::FakeCodec>(),
-                                             hid.port(), virtualClock);
+    hand = std::make_unique<device::HidDevice>(traits, std::make_unique<test::FakeCodec>(),
+                                               hid.port(), virtualClock);
   }
 
   void report()
@@ -108,7 +108,7 @@ protected:
   FakeHid hid;
   std::uint16_t counter = 0;
   int inward_10um = 0;
-  std::unique_ptr<device::HidHand> hand;
+  std::unique_ptr<device::HidDevice> hand;
   std::unique_ptr<HapticLoop> loop;
 };
 

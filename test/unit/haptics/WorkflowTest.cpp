@@ -11,7 +11,7 @@
 namespace perilymph::haptics {
 namespace {
 
-using device::ScriptedHand;
+using device::ScriptedDevice;
 using Kind = Command::Kind;
 
 /// A rig that has inserted for some ticks.
@@ -26,7 +26,7 @@ test::InsertionRig inserting(int ticks = 100)
 TEST(InsertionWorkflow, DoesNothingBeforeItIsArmed)
 {
   test::InsertionRig rig(test::insertionInTube());
-  rig.hand().move(ScriptedHand::Motion::insert);
+  rig.hand().move(ScriptedDevice::Motion::insert);
   const std::uint64_t before = rig.engine().state().fingerprint();
   for (int i = 0; i < 50; ++i) rig.tick();
   EXPECT_EQ(rig.output().workflow, Workflow::idle);
@@ -43,7 +43,7 @@ TEST(InsertionWorkflow, WaitsForTheGraspOnceArmed)
   EXPECT_EQ(rig.output().time, 0.0);
   EXPECT_EQ(rig.engine().state().tick, 50u);  // time runs for the rod
 
-  rig.hand().move(ScriptedHand::Motion::insert);
+  rig.hand().move(ScriptedDevice::Motion::insert);
   EXPECT_EQ(rig.tick().output.workflow, Workflow::inserting);
 }
 
@@ -60,7 +60,7 @@ TEST(InsertionWorkflow, HoldsTheBaseFromTheTickTheHandLetsGo)
 {
   test::InsertionRig rig = inserting();
   const auto before = rig.output().proxy_W;
-  rig.hand().move(ScriptedHand::Motion::hold);
+  rig.hand().move(ScriptedDevice::Motion::hold);
   for (int i = 0; i < 20; ++i) {
     rig.tick();
     EXPECT_EQ(rig.output().workflow, Workflow::paused);
@@ -71,7 +71,7 @@ TEST(InsertionWorkflow, HoldsTheBaseFromTheTickTheHandLetsGo)
 TEST(InsertionWorkflow, CountsPausesInItsTime)
 {
   test::InsertionRig rig = inserting(101);
-  rig.hand().move(ScriptedHand::Motion::hold);
+  rig.hand().move(ScriptedDevice::Motion::hold);
   for (int i = 0; i < 100; ++i) rig.tick();
   EXPECT_NEAR(rig.output().time, 0.2, 1e-12);
 }
@@ -80,9 +80,9 @@ TEST(InsertionWorkflow, GoesOnFromWhereItPaused)
 {
   test::InsertionRig rig = inserting(101);
   const double travel = rig.output().travel;
-  rig.hand().move(ScriptedHand::Motion::hold);
+  rig.hand().move(ScriptedDevice::Motion::hold);
   for (int i = 0; i < 10; ++i) rig.tick();
-  rig.hand().move(ScriptedHand::Motion::insert);
+  rig.hand().move(ScriptedDevice::Motion::insert);
   for (int i = 0; i < 101; ++i) rig.tick();
   EXPECT_EQ(rig.output().workflow, Workflow::inserting);
   EXPECT_NEAR(rig.output().travel - travel, 2e-3 * 0.1, 1e-9);
@@ -92,7 +92,7 @@ TEST(InsertionWorkflow, ResetPutsTheArrayBackToItsStart)
 {
   test::InsertionRig fresh(test::insertionInTube());
   test::InsertionRig rig = inserting();
-  rig.hand().move(ScriptedHand::Motion::hold);
+  rig.hand().move(ScriptedDevice::Motion::hold);
   rig.send(Kind::reset);
   rig.tick();
   EXPECT_EQ(rig.output().workflow, Workflow::idle);
@@ -105,7 +105,7 @@ TEST(InsertionWorkflow, RunsTheSameInsertionAgainAfterAReset)
 {
   test::InsertionRig rig = inserting(300);
   const auto first = rig.engine().state().fingerprint();
-  rig.hand().move(ScriptedHand::Motion::hold);
+  rig.hand().move(ScriptedDevice::Motion::hold);
   rig.send(Kind::reset);
   rig.tick();
   rig.start();

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "ShortScenario.h"
-#include "perilymph/device/ScriptedHand.h"
+#include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/test/TemporaryFolder.h"
 
@@ -22,7 +22,8 @@ std::unique_ptr<Insertion> prepared(const Scenario& scenario,
                                     std::optional<std::filesystem::path> record = std::nullopt)
 {
   auto insertion = Insertion::prepare(
-      scenario, std::make_unique<device::ScriptedHand>(scenario.speed.si(), scenario.timeStep.si()),
+      scenario,
+      std::make_unique<device::ScriptedDevice>(scenario.speed.si(), scenario.timeStep.si()),
       std::move(record));
   EXPECT_TRUE(insertion) << insertion.error().message;
   return std::move(*insertion);
@@ -105,7 +106,7 @@ TEST(PreparingAnInsertion, RefusesToRecordOverAFile)
   const Scenario scenario = test::shortScenario();
   prepared(scenario, folder / "run.insertion");
   const auto again = Insertion::prepare(
-      scenario, std::make_unique<device::ScriptedHand>(2e-3, 1e-3), folder / "run.insertion");
+      scenario, std::make_unique<device::ScriptedDevice>(2e-3, 1e-3), folder / "run.insertion");
   ASSERT_FALSE(again);
   EXPECT_THAT(again.error().message, HasSubstr("never overwritten"));
 }
@@ -116,12 +117,12 @@ TEST(InsertionByTheClock, RunsRecordsAndStops)
   std::uint64_t ticks = 0;
   {
     const auto insertion = prepared(test::shortScenario(), folder / "clock.insertion");
-    auto& hand = dynamic_cast<device::ScriptedHand&>(insertion->hand());
+    auto& hand = dynamic_cast<device::ScriptedDevice&>(insertion->hand());
     ASSERT_TRUE(insertion->start());
     haptics::Command arm;
     arm.kind = haptics::Command::Kind::arm;
     ASSERT_TRUE(insertion->send(arm));
-    hand.move(device::ScriptedHand::Motion::insert);
+    hand.move(device::ScriptedDevice::Motion::insert);
     while (insertion->latest().output.workflow != haptics::Workflow::finished) {
       insertion->refresh();
       std::this_thread::yield();

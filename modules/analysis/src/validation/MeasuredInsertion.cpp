@@ -5,7 +5,7 @@
 
 #include "perilymph/analysis/RandomStream.h"
 #include "perilymph/session/Insertion.h"
-#include "validation/ExperimentHand.h"
+#include "validation/ExperimentDevice.h"
 
 namespace perilymph::analysis {
 
@@ -19,7 +19,7 @@ Result<MeasuredInsertion> measure(const DrawnInsertion& drawn,
   scenario.engine.stopTravel = stop.si();
   scenario.engine.samplePeriod = scenario.timeStep.si();
   scenario.withdraws = false;
-  auto insertion = session::Insertion::prepare(scenario, std::make_unique<ExperimentHand>(drawn),
+  auto insertion = session::Insertion::prepare(scenario, std::make_unique<ExperimentDevice>(drawn),
                                                std::nullopt, std::move(anatomy));
   if (!insertion) return insertion.error();
 

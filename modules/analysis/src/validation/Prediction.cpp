@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "InParallel.h"
-#include "perilymph/device/ScriptedHand.h"
+#include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/foundation/Math.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/TomlReader.h"
@@ -64,7 +64,8 @@ PredictedInsertion insert(const session::Scenario& scenario,
 {
   PredictedInsertion predicted;
   auto insertion = session::Insertion::prepare(
-      scenario, std::make_unique<device::ScriptedHand>(scenario.speed.si(), scenario.timeStep.si()),
+      scenario,
+      std::make_unique<device::ScriptedDevice>(scenario.speed.si(), scenario.timeStep.si()),
       std::nullopt, std::move(anatomy));
   if (!insertion) {
     predicted.trouble = insertion.error().message;

@@ -12,7 +12,7 @@ public:
   /// Finds the profile's axes and the buttons; the sentence names what is missing.
   static Result<AxesReader> make(const DeviceProfile& profile, const ReportDescriptor& descriptor);
 
-  /// As HandCodec::decode(). Real-time safe.
+  /// As DeviceCodec::decode(). Real-time safe.
   std::optional<std::uint64_t> decode(const RawReport& report, DeviceSample& hand) noexcept;
 
   int buttons() const noexcept { return buttons_; }
@@ -52,7 +52,7 @@ private:
 };
 
 /// A device that has axes and shows no force.
-class AxesCodec final : public HandCodec {
+class AxesCodec final : public DeviceCodec {
 public:
   AxesCodec(const DeviceProfile& profile, const AxesReader& reader)
       : profile_(profile), reader_(reader)

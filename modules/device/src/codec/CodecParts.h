@@ -8,8 +8,8 @@
 #include <span>
 #include <string>
 
+#include "perilymph/device/DeviceCodec.h"
 #include "perilymph/device/DeviceProfile.h"
-#include "perilymph/device/HandCodec.h"
 #include "perilymph/device/ReportBits.h"
 #include "perilymph/device/Transport.h"
 

@@ -8,7 +8,7 @@
 
 namespace perilymph::device {
 
-class PidCodec final : public HandCodec {
+class PidCodec final : public DeviceCodec {
 public:
   PidCodec(const DeviceProfile& profile, const AxesReader& reader, const PidReports& reports)
       : profile_(profile), reader_(reader), reports_(reports)

@@ -9,7 +9,7 @@
 
 namespace perilymph::device {
 
-class PlainCodec final : public HandCodec {
+class PlainCodec final : public DeviceCodec {
 public:
   explicit PlainCodec(const DeviceProfile& profile) : profile_(profile) {}
 

@@ -6,7 +6,7 @@ namespace perilymph::device {
 
 namespace {
 
-using CodecResult = Result<std::unique_ptr<HandCodec>>;
+using CodecResult = Result<std::unique_ptr<DeviceCodec>>;
 
 /// Whether the reports of a profile with fixed places are as long as the device says.
 Result<Done> checkLengths(const DeviceProfile& profile, const ReportDescriptor& descriptor)
@@ -32,7 +32,7 @@ CodecResult makePid(const DeviceProfile& profile, const ReportDescriptor& descri
   if (!reader) return reader.error();
   auto reports = PidReports::find(profile, descriptor);
   if (!reports) return reports.error();
-  return std::unique_ptr<HandCodec>(std::make_unique<PidCodec>(profile, *reader, *reports));
+  return std::unique_ptr<DeviceCodec>(std::make_unique<PidCodec>(profile, *reader, *reports));
 }
 
 int movedAxes(const DeviceProfile& profile, std::size_t from)
@@ -79,7 +79,7 @@ CodecResult makeCodec(const DeviceProfile& profile, const ReportDescriptor& desc
 {
   if (profile.kind == CodecKind::encoders || profile.kind == CodecKind::vector) {
     if (const auto fits = checkLengths(profile, descriptor); !fits) return fits.error();
-    return std::unique_ptr<HandCodec>(std::make_unique<PlainCodec>(profile));
+    return std::unique_ptr<DeviceCodec>(std::make_unique<PlainCodec>(profile));
   }
   if (descriptor.fields().empty())
     return Error{"The profile " + profile.file +
@@ -88,7 +88,7 @@ CodecResult makeCodec(const DeviceProfile& profile, const ReportDescriptor& desc
   if (profile.kind == CodecKind::pid) return makePid(profile, descriptor);
   auto reader = AxesReader::make(profile, descriptor);
   if (!reader) return reader.error();
-  return std::unique_ptr<HandCodec>(std::make_unique<AxesCodec>(profile, *reader));
+  return std::unique_ptr<DeviceCodec>(std::make_unique<AxesCodec>(profile, *reader));
 }
 
 DeviceTraits traitsOf(const DeviceProfile& profile, const ReportDescriptor& descriptor)

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "perilymph/device/HandCodec.h"
+#include "perilymph/device/DeviceCodec.h"
 #include "perilymph/device/Transport.h"
 
 namespace perilymph::device {

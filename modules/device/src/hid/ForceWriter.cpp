@@ -18,7 +18,7 @@ std::int64_t nanoseconds(double seconds) noexcept { return std::llround(seconds 
 
 }  // namespace
 
-ForceWriter::ForceWriter(HandChannels& channels, HandCodec& codec, const DeviceTraits& traits,
+ForceWriter::ForceWriter(DeviceChannels& channels, DeviceCodec& codec, const DeviceTraits& traits,
                          Clock clock)
     : channels_(channels),
       codec_(codec),

@@ -5,8 +5,8 @@
 #include <atomic>
 #include <cstdint>
 
-#include "perilymph/device/HandCodec.h"
-#include "perilymph/device/HandHealth.h"
+#include "perilymph/device/DeviceCodec.h"
+#include "perilymph/device/DeviceHealth.h"
 #include "perilymph/device/ReportReader.h"
 #include "perilymph/realtime/Doorbell.h"
 #include "perilymph/realtime/Handoff.h"
@@ -16,7 +16,7 @@
 namespace perilymph::device {
 
 /// What the threads of one hand share. Every member says who writes it.
-struct HandChannels {
+struct DeviceChannels {
   realtime::Handoff<Transport> reading;         ///< Supervisor lends, haptic thread uses.
   realtime::Handoff<Transport> writing;         ///< Supervisor lends, writer uses.
   realtime::TripleBuffer<Wrench> wrenches;      ///< Haptic thread to writer.
@@ -34,7 +34,8 @@ struct HandChannels {
 class ForceWriter {
 public:
   /// All outlive the writer. @param traits  Of the open device.
-  ForceWriter(HandChannels& channels, HandCodec& codec, const DeviceTraits& traits, Clock clock);
+  ForceWriter(DeviceChannels& channels, DeviceCodec& codec, const DeviceTraits& traits,
+              Clock clock);
 
   /// The writer's thread.
   void run() noexcept;
@@ -51,8 +52,8 @@ private:
   void poll(Transport& transport) noexcept;
   void lose() noexcept;
 
-  HandChannels& channels_;
-  HandCodec& codec_;
+  DeviceChannels& channels_;
+  DeviceCodec& codec_;
   const DeviceTraits& traits_;
   Clock clock_;
   std::int64_t patience_;  // how long the haptic thread may be silent [ns]

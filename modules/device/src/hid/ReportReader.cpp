@@ -10,7 +10,7 @@ constexpr std::int64_t second = 1'000'000'000;  // [ns]
 
 }  // namespace
 
-ReportReader::ReportReader(HandCodec& codec, double period, Clock clock) noexcept
+ReportReader::ReportReader(DeviceCodec& codec, double period, Clock clock) noexcept
     : codec_(&codec), clock_(clock), count_(period)
 {
 }

@@ -34,7 +34,7 @@ void note(const DeviceSample& hand, bool isFirst, TapeReading& result) noexcept
 
 }  // namespace
 
-TapeReading readTape(const ReportTape& tape, HandCodec& codec, double period)
+TapeReading readTape(const ReportTape& tape, DeviceCodec& codec, double period)
 {
   TapeReading result;
   ReportReader reader(codec, period, tapeClock);

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "SocketPort.h"
-#include "perilymph/device/HidHand.h"
+#include "perilymph/device/HidDevice.h"
 #include "perilymph/test/DeviceProfiles.h"
 
 namespace {
@@ -54,7 +54,7 @@ int main(int count, char** words)
   if (!codec) return std::fprintf(stderr, "%s\n", codec.error().message.c_str()), 1;
   std::signal(SIGTERM, ask);
 
-  device::HidHand hand(device::traitsOf(*profile), *std::move(codec), test::socketPort(words[1]));
+  device::HidDevice hand(device::traitsOf(*profile), *std::move(codec), test::socketPort(words[1]));
   if (const auto opened = hand.open(); !opened)
     return std::fprintf(stderr, "%s\n", opened.error().message.c_str()), 1;
   std::printf("%s\n", hand.health()->isGuarded ? "guarded" : "not guarded");

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "perilymph/device/HandHealth.h"
+#include "perilymph/device/DeviceHealth.h"
 #include "perilymph/foundation/RealTime.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/foundation/Units.h"
@@ -100,7 +100,7 @@ public:
   virtual Awaited await(Duration /*most*/) noexcept { return Awaited::cannot; }
 
   /// How the device is doing; nothing for a hand without hardware. UI thread.
-  virtual std::optional<HandHealth> health() { return std::nullopt; }
+  virtual std::optional<DeviceHealth> health() { return std::nullopt; }
 };
 
 }  // namespace perilymph::device

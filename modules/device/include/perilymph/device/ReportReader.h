@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-#include "perilymph/device/HandCodec.h"
-#include "perilymph/device/HandHealth.h"
+#include "perilymph/device/DeviceCodec.h"
+#include "perilymph/device/DeviceHealth.h"
 #include "perilymph/device/ReportCount.h"
 #include "perilymph/foundation/RealTime.h"
 #include "perilymph/realtime/TimeHistogram.h"
@@ -25,7 +25,7 @@ public:
 
   /// @param codec   Outlives the reader.
   /// @param period  Between reports [s].
-  ReportReader(HandCodec& codec, double period, Clock clock) noexcept;
+  ReportReader(DeviceCodec& codec, double period, Clock clock) noexcept;
 
   /// Takes every waiting report without waiting. `done` if one was fresh, `gone` if the device is.
   PERILYMPH_REALTIME Transfer drain(Transport& transport) noexcept;
@@ -52,7 +52,7 @@ public:
 private:
   void note(std::int64_t now) noexcept;
 
-  HandCodec* codec_;
+  DeviceCodec* codec_;
   Clock clock_;
   std::int64_t emptyAt_ = ReportCount::never;  ///< When the queue was last seen empty [ns].
   ReportCount count_;

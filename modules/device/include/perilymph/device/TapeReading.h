@@ -5,8 +5,8 @@
 #include <array>
 #include <cstdint>
 
-#include "perilymph/device/HandCodec.h"
-#include "perilymph/device/HandHealth.h"
+#include "perilymph/device/DeviceCodec.h"
+#include "perilymph/device/DeviceHealth.h"
 #include "perilymph/device/ReportTape.h"
 
 namespace perilymph::device {
@@ -23,6 +23,6 @@ struct TapeReading {
 /// Reads every input report with the codec, at the time it came.
 ///
 /// @param period  Between reports [s], as the profile says.
-TapeReading readTape(const ReportTape& tape, HandCodec& codec, double period);
+TapeReading readTape(const ReportTape& tape, DeviceCodec& codec, double period);
 
 }  // namespace perilymph::device

@@ -28,7 +28,7 @@ bool followsReports(const device::DeviceTraits& traits, double timeStep) noexcep
 ///                               oscillation go on; a quarter of the damping is left to end it
 ///     B <= m / (e (late + lag)) a damper that acts late lets a mass m swing beyond this: the first
 ///                               roots of s + (B/m) exp(-s late) = 0 become complex; lag is the
-///                               smoothing of the hand's speed (SampleWatch)
+///                               smoothing of the hand's speed (SampleValidator)
 ///
 /// b is the handle's own damping and m its mass; where nobody knows them, those of a light handle
 /// stand in (0.5 N.s/m, 90 g). The maker's own bounds of stiffness and damping hold besides.

@@ -6,7 +6,7 @@
 
 #include "perilymph/device/HapticDevice.h"
 #include "perilymph/haptics/Safety.h"
-#include "perilymph/haptics/SampleWatch.h"
+#include "perilymph/haptics/SampleValidator.h"
 
 namespace perilymph::haptics {
 
@@ -37,7 +37,7 @@ private:
   double timeStep_;
   double greatest_;
   int axes_;
-  SampleWatch watch_;
+  SampleValidator validator_;
   Safety safety_;
   int axis_ = 0;
   double time_ = 0.0;  // of the axis [s]

@@ -11,7 +11,7 @@
 #include "perilymph/foundation/RealTime.h"
 #include "perilymph/haptics/Registration.h"
 #include "perilymph/haptics/Safety.h"
-#include "perilymph/haptics/SampleWatch.h"
+#include "perilymph/haptics/SampleValidator.h"
 #include "perilymph/haptics/Snapshot.h"
 #include "perilymph/haptics/WorkflowEvent.h"
 #include "perilymph/mechanics/InsertionModel.h"
@@ -80,13 +80,13 @@ private:
   void happen(WorkflowEvent event) noexcept;
   void startWithdrawing() noexcept;
   void reset() noexcept;
-  void judge(const Hand& hand, std::uint32_t& status) noexcept;
-  HandCondition conditionOf(const Hand& hand) const noexcept;
-  void moveMechanics(const Hand& hand) noexcept;
+  void judge(const HandState& hand, std::uint32_t& status) noexcept;
+  HandCondition conditionOf(const HandState& hand) const noexcept;
+  void moveMechanics(const HandState& hand) noexcept;
   void moveStylet() noexcept;
   mechanics::Drive hold() const noexcept;
   double softened(double asked, double maximum) const noexcept;
-  mechanics::Drive follow(const Hand& hand) noexcept;
+  mechanics::Drive follow(const HandState& hand) noexcept;
   void noteArrival() noexcept;
   double travel() const noexcept;
   bool isFinite() const noexcept;
@@ -96,7 +96,7 @@ private:
   EngineSettings settings_;
   mechanics::InsertionState state_;
   Workflow workflow_ = Workflow::idle;
-  SampleWatch watch_;
+  SampleValidator validator_;
   Registration registration_;
   Safety safety_;
   double startDepth_;              // of the tip [m]

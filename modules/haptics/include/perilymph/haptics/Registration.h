@@ -8,7 +8,7 @@
 #include "perilymph/anatomy/Lumen.h"
 #include "perilymph/foundation/Hash.h"
 #include "perilymph/foundation/RealTime.h"
-#include "perilymph/haptics/SampleWatch.h"
+#include "perilymph/haptics/SampleValidator.h"
 
 namespace perilymph::haptics {
 
@@ -32,10 +32,10 @@ public:
   Registration(const anatomy::Entry& entry, double motionScale);
 
   /// From now on the base goes on from `pose`, whatever the hand did before.
-  PERILYMPH_REALTIME void anchor(const Hand& hand, const BasePose& pose) noexcept;
+  PERILYMPH_REALTIME void anchor(const HandState& hand, const BasePose& pose) noexcept;
 
   /// Where the hand wants the base.
-  PERILYMPH_REALTIME BasePose pose(const Hand& hand) const noexcept;
+  PERILYMPH_REALTIME BasePose pose(const HandState& hand) const noexcept;
 
   Eigen::Vector3d toCochlea(const Eigen::Vector3d& vector_D) const noexcept;
   Eigen::Vector3d toDevice(const Eigen::Vector3d& vector_W) const noexcept;

@@ -25,7 +25,7 @@ enum Status : std::uint32_t {
   passivityActed = 1u << 5,     ///< Energy came back from the device; it was damped.
   notConverged = 1u << 6,       ///< Newton's method left more than its tolerance.
   deviceLost = 1u << 7,         ///< The device said it is gone: fault.
-  sampleDoubted = 1u << 8,      ///< A sample no hand can have made; it was not used.
+  sampleRejected = 1u << 8,     ///< A sample no hand can have made; it was not used.
   handJumped = 1u << 9,         ///< The hand was not where it could have moved to: new anchor.
   couplingSoftened = 1u << 10,  ///< The device cannot render the coupling asked for: a softer one.
   nearWorkspaceEnd = 1u << 11,  ///< The force shown fades toward the end of the device's reach.

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "perilymph/device/HandCodec.h"
+#include "perilymph/device/DeviceCodec.h"
 #include "perilymph/device/HidPort.h"
 
 namespace perilymph::test {
@@ -27,7 +27,7 @@ class FakeHid {
 public:
   FakeHid();
 
-  /// The host's side: give it to a HidHand, or open it by hand.
+  /// The host's side: give it to a HidDevice, or open it by hand.
   std::unique_ptr<device::HidPort> port();
   std::unique_ptr<device::Transport> open();
 
@@ -65,7 +65,7 @@ private:
 
 /// The codec of a FakeHid. A force is one report of three numbers in mN; actuators are turned on
 /// and off by a feature report.
-class FakeCodec final : public device::HandCodec {
+class FakeCodec final : public device::DeviceCodec {
 public:
   std::optional<std::uint64_t> decode(const device::RawReport& report,
                                       device::DeviceSample& hand) noexcept override;

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "perilymph/device/ScriptedHand.h"
+#include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/haptics/HapticLoop.h"
 #include "perilymph/mechanics/InsertionModel.h"
 
@@ -37,12 +37,12 @@ public:
   /// Ticks until the workflow is reached, at most `maxTicks` times. False if it was not.
   bool runUntil(haptics::Workflow workflow, int maxTicks = 1'000'000);
 
-  device::ScriptedHand& hand() noexcept { return *hand_; }
+  device::ScriptedDevice& hand() noexcept { return *hand_; }
   haptics::HapticLoop& loop() noexcept { return *loop_; }
   const haptics::InsertionEngine& engine() const noexcept { return loop_->engine(); }
 
 private:
-  std::unique_ptr<device::ScriptedHand> hand_;
+  std::unique_ptr<device::ScriptedDevice> hand_;
   std::unique_ptr<haptics::HapticLoop> loop_;
   haptics::TickRecord record_;
 };

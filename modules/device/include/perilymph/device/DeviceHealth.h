@@ -31,7 +31,7 @@ struct WritingFigures {
   bool hasRealTimePriority = false;  ///< The writer goes before ordinary threads.
 };
 
-struct HandHealth {
+struct DeviceHealth {
   bool isConnected = false;
   bool isBlocked = false;  ///< It takes no force at the moment.
   ReadingFigures reading;

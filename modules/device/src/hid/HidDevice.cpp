@@ -1,4 +1,4 @@
-#include "perilymph/device/HidHand.h"
+#include "perilymph/device/HidDevice.h"
 
 #include <algorithm>
 #include <atomic>
@@ -33,8 +33,8 @@ struct Handles {
 
 }  // namespace
 
-struct HidHand::Content {
-  Content(DeviceTraits profileTraits, std::unique_ptr<HandCodec> profileCodec,
+struct HidDevice::Content {
+  Content(DeviceTraits profileTraits, std::unique_ptr<DeviceCodec> profileCodec,
           std::unique_ptr<HidPort> devicePort, Clock testClock)
       : clock(testClock != nullptr ? testClock : realtime::monotonicNanoseconds),
         profile(std::move(profileTraits)),
@@ -62,7 +62,7 @@ struct HidHand::Content {
 
   Clock clock;
   DeviceTraits profile;
-  std::unique_ptr<HandCodec> codec;
+  std::unique_ptr<DeviceCodec> codec;
   std::unique_ptr<HidPort> port;
   DeviceTraits traits;  ///< With what was measured on opening.
   bool isOpen = false;
@@ -72,7 +72,7 @@ struct HidHand::Content {
   std::int64_t staleTime = 0;     // [ns]
   std::int64_t blockedAfter = 0;  // [ns]
 
-  std::unique_ptr<HandChannels> channels;
+  std::unique_ptr<DeviceChannels> channels;
   std::unique_ptr<ForceWriter> writer;
   std::thread writerThread, supervisorThread;
 
@@ -91,23 +91,23 @@ struct HidHand::Content {
   std::string guardObstacle;
 };
 
-HidHand::HidHand(DeviceTraits traits, std::unique_ptr<HandCodec> codec,
-                 std::unique_ptr<HidPort> port, Clock clock)
+HidDevice::HidDevice(DeviceTraits traits, std::unique_ptr<DeviceCodec> codec,
+                     std::unique_ptr<HidPort> port, Clock clock)
     : content_(
           std::make_unique<Content>(std::move(traits), std::move(codec), std::move(port), clock))
 {
 }
 
-HidHand::~HidHand() { close(); }
+HidDevice::~HidDevice() { close(); }
 
-DeviceTraits HidHand::traits() const { return content_->traits; }
+DeviceTraits HidDevice::traits() const { return content_->traits; }
 
-Result<Done> HidHand::open()
+Result<Done> HidDevice::open()
 {
   close();
   Content& hand = *content_;
   hand.traits = hand.profile;
-  hand.channels = std::make_unique<HandChannels>();
+  hand.channels = std::make_unique<DeviceChannels>();
   hand.reader = ReportReader(*hand.codec, hand.profile.nominalPeriod, hand.clock);
   hand.writer = std::make_unique<ForceWriter>(*hand.channels, *hand.codec, hand.traits, hand.clock);
   hand.setTrouble({});
@@ -126,7 +126,7 @@ Result<Done> HidHand::open()
 }
 
 /// Opens and makes ready, while no other thread uses the codec's writing half.
-Result<Done> HidHand::Content::openHandles(Handles& handles)
+Result<Done> HidDevice::Content::openHandles(Handles& handles)
 {
   auto forReading = port->open();
   if (!forReading) return forReading.error();
@@ -150,7 +150,7 @@ Result<Done> HidHand::Content::openHandles(Handles& handles)
   return Done{};
 }
 
-void HidHand::Content::listen(const Handles& handles)
+void HidDevice::Content::listen(const Handles& handles)
 {
   const FirstImpression heard =
       listenFirst(*handles.reading, handles.writing.get(), profile, *writer, clock);
@@ -165,7 +165,7 @@ void HidHand::Content::listen(const Handles& handles)
   reader = ReportReader(*codec, traits.nominalPeriod, clock);
 }
 
-void HidHand::Content::lend(Handles handles)
+void HidDevice::Content::lend(Handles handles)
 {
   isReadingLent = true;
   isWritingLent = handles.writing != nullptr;
@@ -176,7 +176,7 @@ void HidHand::Content::lend(Handles handles)
   channels->writerBell.ring();
 }
 
-void HidHand::close() noexcept
+void HidDevice::close() noexcept
 {
   Content& hand = *content_;
   if (!hand.isOpen) return;
@@ -192,14 +192,14 @@ void HidHand::close() noexcept
   hand.traits = hand.profile;
 }
 
-DeviceSample HidHand::read() noexcept
+DeviceSample HidDevice::read() noexcept
 {
   Content& hand = *content_;
   DeviceSample sample = hand.reader.newest();
   sample.isValid = 0;
   if (!hand.isOpen) return sample;
 
-  HandChannels& channels = *hand.channels;
+  DeviceChannels& channels = *hand.channels;
   if (channels.isGone && hand.reading != nullptr) {
     channels.reading.giveBack(std::exchange(hand.reading, nullptr));
     channels.supervisorBell.ring();
@@ -223,11 +223,11 @@ DeviceSample HidHand::read() noexcept
   return sample;
 }
 
-void HidHand::write(const Wrench& wrench_D) noexcept
+void HidDevice::write(const Wrench& wrench_D) noexcept
 {
   Content& hand = *content_;
   if (!hand.isOpen || !hand.needsWriter()) return;
-  HandChannels& channels = *hand.channels;
+  DeviceChannels& channels = *hand.channels;
   const std::int64_t heard = hand.reader.lastFresh();
   const bool isStale = heard == 0 || hand.clock() - heard >= hand.staleTime;
   const bool isOff = isStale || channels.isGone || channels.isBlocked || hand.reading == nullptr;
@@ -235,7 +235,7 @@ void HidHand::write(const Wrench& wrench_D) noexcept
   channels.writerBell.ring();
 }
 
-Awaited HidHand::await(Duration timeout) noexcept
+Awaited HidDevice::await(Duration timeout) noexcept
 {
   Content& hand = *content_;
   const bool isPeriodic = hand.traits.reporting == Reporting::periodic;
@@ -247,21 +247,21 @@ Awaited HidHand::await(Duration timeout) noexcept
   return transfer == Transfer::done ? Awaited::fresh : Awaited::nothing;
 }
 
-void HidHand::Content::lose() noexcept
+void HidDevice::Content::lose() noexcept
 {
   if (channels->isGone.exchange(true)) return;
   channels->writerBell.ring();
   channels->supervisorBell.ring();
 }
 
-void HidHand::Content::watchWriter(std::int64_t now) noexcept
+void HidDevice::Content::watchWriter(std::int64_t now) noexcept
 {
   const std::int64_t since = channels->busySince;
   if (since == 0 || now - since < blockedAfter) return;
   if (!channels->isBlocked.exchange(true)) ++channels->blockedWrites;
 }
 
-void HidHand::Content::showFigures(std::int64_t now) noexcept
+void HidDevice::Content::showFigures(std::int64_t now) noexcept
 {
   if (now - figuresShown < betweenFigures) return;
   figuresShown = now;
@@ -272,7 +272,7 @@ void HidHand::Content::showFigures(std::int64_t now) noexcept
   figures.publishDraft();
 }
 
-void HidHand::Content::supervise()
+void HidDevice::Content::supervise()
 {
   while (!channels->isStopping) {
     channels->supervisorBell.waitUntil(realtime::monotonicNanoseconds() + betweenLooks);
@@ -294,7 +294,7 @@ void HidHand::Content::supervise()
 }
 
 /// Takes back what was lent, once its user has let go of it, and closes it.
-bool HidHand::Content::hasHandlesBack()
+bool HidDevice::Content::hasHandlesBack()
 {
   const bool hasReading = channels->reading.withdraw() || channels->reading.reclaim();
   const bool hasWriting = channels->writing.withdraw() || channels->writing.reclaim();
@@ -303,17 +303,17 @@ bool HidHand::Content::hasHandlesBack()
   return !isReadingLent && !isWritingLent;
 }
 
-void HidHand::Content::setTrouble(std::string sentence)
+void HidDevice::Content::setTrouble(std::string sentence)
 {
   const std::lock_guard lock(troubleMutex);
   trouble = std::move(sentence);
 }
 
-std::optional<HandHealth> HidHand::health()
+std::optional<DeviceHealth> HidDevice::health()
 {
   Content& hand = *content_;
   if (!hand.isOpen) return std::nullopt;
-  HandHealth health;
+  DeviceHealth health;
   health.isConnected = !hand.channels->isGone;
   health.isBlocked = hand.channels->isBlocked;
   hand.figures.refresh();

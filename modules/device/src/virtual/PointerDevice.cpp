@@ -1,4 +1,4 @@
-#include "perilymph/device/PointerHand.h"
+#include "perilymph/device/PointerDevice.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,24 +40,24 @@ void add(std::atomic<double>& asked, double more) noexcept
 
 }  // namespace
 
-PointerHand::PointerHand(double timeStep) : timeStep_(checkedTimeStep(timeStep))
+PointerDevice::PointerDevice(double timeStep) : timeStep_(checkedTimeStep(timeStep))
 {
   sample_.isValid = 1;
 }
 
-void PointerHand::advanceBy(double distance) noexcept { add(askedAdvance_, distance); }
+void PointerDevice::advanceBy(double distance) noexcept { add(askedAdvance_, distance); }
 
-void PointerHand::shiftBy(double right, double up) noexcept
+void PointerDevice::shiftBy(double right, double up) noexcept
 {
   add(askedRight_, right);
   add(askedUp_, up);
 }
 
-void PointerHand::rollBy(double angle) noexcept { add(askedRoll_, angle); }
+void PointerDevice::rollBy(double angle) noexcept { add(askedRoll_, angle); }
 
-void PointerHand::grasp(bool held) noexcept { isHeld_ = held; }
+void PointerDevice::grasp(bool held) noexcept { isHeld_ = held; }
 
-DeviceTraits PointerHand::traits() const
+DeviceTraits PointerDevice::traits() const
 {
   DeviceTraits traits;
   traits.name = "Mouse and keyboard";
@@ -65,11 +65,11 @@ DeviceTraits PointerHand::traits() const
   return traits;
 }
 
-Result<Done> PointerHand::open() { return Done{}; }
+Result<Done> PointerDevice::open() { return Done{}; }
 
-void PointerHand::close() noexcept { isHeld_ = false; }
+void PointerDevice::close() noexcept { isHeld_ = false; }
 
-DeviceSample PointerHand::read() noexcept
+DeviceSample PointerDevice::read() noexcept
 {
   const bool held = isHeld_;
   const std::array<double, 4> asked{askedAdvance_.exchange(0.0), askedRight_.exchange(0.0),
@@ -101,6 +101,6 @@ DeviceSample PointerHand::read() noexcept
   return sample_;
 }
 
-void PointerHand::write(const Wrench&) noexcept {}
+void PointerDevice::write(const Wrench&) noexcept {}
 
 }  // namespace perilymph::device

@@ -1,4 +1,4 @@
-#include "perilymph/device/ScriptedHand.h"
+#include "perilymph/device/ScriptedDevice.h"
 
 #include <gtest/gtest.h>
 
@@ -12,10 +12,10 @@ namespace {
 constexpr double speed = 2e-3;
 constexpr double timeStep = 1e-3;
 
-TEST(ScriptedHand, MovesIntoTheCochleaAtItsSpeedOnceItHolds)
+TEST(ScriptedDevice, MovesIntoTheCochleaAtItsSpeedOnceItHolds)
 {
-  ScriptedHand hand(speed, timeStep);
-  hand.move(ScriptedHand::Motion::insert);
+  ScriptedDevice hand(speed, timeStep);
+  hand.move(ScriptedDevice::Motion::insert);
   EXPECT_EQ(hand.read().position_D[2], 0.0);  // takes hold
   DeviceSample sample;
   for (int i = 0; i < 1000; ++i) sample = hand.read();
@@ -23,32 +23,32 @@ TEST(ScriptedHand, MovesIntoTheCochleaAtItsSpeedOnceItHolds)
   EXPECT_EQ(sample.buttons, graspButton);
 }
 
-TEST(ScriptedHand, ComesBackTheWayItWent)
+TEST(ScriptedDevice, ComesBackTheWayItWent)
 {
-  ScriptedHand hand(speed, timeStep);
-  hand.move(ScriptedHand::Motion::insert);
+  ScriptedDevice hand(speed, timeStep);
+  hand.move(ScriptedDevice::Motion::insert);
   for (int i = 0; i < 101; ++i) hand.read();
-  hand.move(ScriptedHand::Motion::withdraw);
+  hand.move(ScriptedDevice::Motion::withdraw);
   DeviceSample sample;
   for (int i = 0; i < 100; ++i) sample = hand.read();
   EXPECT_NEAR(sample.position_D[2], 0.0, 1e-15);
 }
 
-TEST(ScriptedHand, LetsGoWhileItHolds)
+TEST(ScriptedDevice, LetsGoWhileItHolds)
 {
-  ScriptedHand hand(speed, timeStep);
-  hand.move(ScriptedHand::Motion::insert);
+  ScriptedDevice hand(speed, timeStep);
+  hand.move(ScriptedDevice::Motion::insert);
   hand.read();
-  hand.move(ScriptedHand::Motion::hold);
+  hand.move(ScriptedDevice::Motion::hold);
   const DeviceSample first = hand.read();
   const DeviceSample second = hand.read();
   EXPECT_EQ(first.buttons, 0u);
   EXPECT_EQ(first.position_D, second.position_D);
 }
 
-TEST(ScriptedHand, IsFreshAndValidAtEveryRead)
+TEST(ScriptedDevice, IsFreshAndValidAtEveryRead)
 {
-  ScriptedHand hand(speed, timeStep);
+  ScriptedDevice hand(speed, timeStep);
   std::uint64_t before = hand.read().sequence;
   for (int i = 0; i < 10; ++i) {
     const DeviceSample sample = hand.read();
@@ -58,10 +58,10 @@ TEST(ScriptedHand, IsFreshAndValidAtEveryRead)
   }
 }
 
-TEST(ScriptedHand, StandsStillAtASpeedThatIsNoNumber)
+TEST(ScriptedDevice, StandsStillAtASpeedThatIsNoNumber)
 {
-  ScriptedHand hand(speed, timeStep);
-  hand.move(ScriptedHand::Motion::insert);
+  ScriptedDevice hand(speed, timeStep);
+  hand.move(ScriptedDevice::Motion::insert);
   hand.read();
   for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), -1.0}) {
     hand.setSpeed(bad);
@@ -69,13 +69,13 @@ TEST(ScriptedHand, StandsStillAtASpeedThatIsNoNumber)
   }
 }
 
-TEST(ScriptedHand, RefusesSpeedsAndTimeStepsOutOfRange)
+TEST(ScriptedDevice, RefusesSpeedsAndTimeStepsOutOfRange)
 {
-  EXPECT_THROW(ScriptedHand(std::nan(""), timeStep), std::invalid_argument);
-  EXPECT_THROW(ScriptedHand(-1e-3, timeStep), std::invalid_argument);
-  EXPECT_THROW(ScriptedHand(5.0, timeStep), std::invalid_argument);
-  EXPECT_THROW(ScriptedHand(speed, 0.0), std::invalid_argument);
-  EXPECT_THROW(ScriptedHand(speed, 1.0), std::invalid_argument);
+  EXPECT_THROW(ScriptedDevice(std::nan(""), timeStep), std::invalid_argument);
+  EXPECT_THROW(ScriptedDevice(-1e-3, timeStep), std::invalid_argument);
+  EXPECT_THROW(ScriptedDevice(5.0, timeStep), std::invalid_argument);
+  EXPECT_THROW(ScriptedDevice(speed, 0.0), std::invalid_argument);
+  EXPECT_THROW(ScriptedDevice(speed, 1.0), std::invalid_argument);
 }
 
 }  // namespace

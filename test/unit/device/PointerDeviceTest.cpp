@@ -1,4 +1,4 @@
-#include "perilymph/device/PointerHand.h"
+#include "perilymph/device/PointerDevice.h"
 
 #include <gtest/gtest.h>
 
@@ -26,9 +26,9 @@ std::array<double, 3> difference(const std::array<double, 3>& a, const std::arra
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-TEST(PointerHand, ArrivesWhereTheWindowAskedForIt)
+TEST(PointerDevice, ArrivesWhereTheWindowAskedForIt)
 {
-  PointerHand hand(timeStep);
+  PointerDevice hand(timeStep);
   hand.grasp(true);
   hand.advanceBy(3e-3);
   hand.shiftBy(1e-3, -2e-3);
@@ -39,17 +39,17 @@ TEST(PointerHand, ArrivesWhereTheWindowAskedForIt)
   EXPECT_NEAR(sample.position_D[2], -3e-3, 1e-9);
 }
 
-TEST(PointerHand, DoesNotOvershoot)
+TEST(PointerDevice, DoesNotOvershoot)
 {
-  PointerHand hand(timeStep);
+  PointerDevice hand(timeStep);
   hand.grasp(true);
   hand.advanceBy(5e-3);
   for (int i = 0; i < 3000; ++i) EXPECT_GE(hand.read().position_D[2], -5e-3 - 1e-9);
 }
 
-TEST(PointerHand, NeitherJumpsNorHurriesWhateverIsAsked)
+TEST(PointerDevice, NeitherJumpsNorHurriesWhateverIsAsked)
 {
-  PointerHand hand(timeStep);
+  PointerDevice hand(timeStep);
   hand.grasp(true);
   std::array<double, 3> place = hand.read().position_D;
   std::array<double, 3> step{};
@@ -69,9 +69,9 @@ TEST(PointerHand, NeitherJumpsNorHurriesWhateverIsAsked)
   }
 }
 
-TEST(PointerHand, ForgetsWhatWasAskedForWhileNobodyHeld)
+TEST(PointerDevice, ForgetsWhatWasAskedForWhileNobodyHeld)
 {
-  PointerHand hand(timeStep);
+  PointerDevice hand(timeStep);
   hand.advanceBy(5e-3);
   hand.read();
   hand.grasp(true);
@@ -80,9 +80,9 @@ TEST(PointerHand, ForgetsWhatWasAskedForWhileNobodyHeld)
   EXPECT_EQ(sample.position_D[2], 0.0);
 }
 
-TEST(PointerHand, DropsTheRestOfItsWayWhenLetGo)
+TEST(PointerDevice, DropsTheRestOfItsWayWhenLetGo)
 {
-  PointerHand hand(timeStep);
+  PointerDevice hand(timeStep);
   hand.grasp(true);
   hand.advanceBy(10e-3);
   for (int i = 0; i < 100; ++i) hand.read();
@@ -96,9 +96,9 @@ TEST(PointerHand, DropsTheRestOfItsWayWhenLetGo)
   EXPECT_NEAR(sample.position_D[2], resting, 1e-12);
 }
 
-TEST(PointerHand, RollsAboutTheInsertionAxis)
+TEST(PointerDevice, RollsAboutTheInsertionAxis)
 {
-  PointerHand hand(timeStep);
+  PointerDevice hand(timeStep);
   hand.grasp(true);
   hand.rollBy(degrees(60).si());
   DeviceSample sample;
@@ -107,9 +107,9 @@ TEST(PointerHand, RollsAboutTheInsertionAxis)
   EXPECT_NEAR(sample.rotation_D[3], std::sin(degrees(30).si()), 1e-9);
 }
 
-TEST(PointerHand, IgnoresRequestsThatAreNoNumbers)
+TEST(PointerDevice, IgnoresRequestsThatAreNoNumbers)
 {
-  PointerHand hand(timeStep);
+  PointerDevice hand(timeStep);
   hand.grasp(true);
   hand.advanceBy(std::nan(""));
   hand.shiftBy(std::numeric_limits<double>::infinity(), std::nan(""));
@@ -118,10 +118,10 @@ TEST(PointerHand, IgnoresRequestsThatAreNoNumbers)
   EXPECT_EQ(hand.read().position_D, (std::array<double, 3>{0.0, 0.0, -0.0}));
 }
 
-TEST(PointerHand, RefusesTimeStepsOutOfRange)
+TEST(PointerDevice, RefusesTimeStepsOutOfRange)
 {
   for (const double bad : {0.0, -1e-3, 1.0, std::nan("")})
-    EXPECT_THROW(PointerHand{bad}, std::invalid_argument) << bad;
+    EXPECT_THROW(PointerDevice{bad}, std::invalid_argument) << bad;
 }
 
 }  // namespace

@@ -6,12 +6,12 @@ namespace perilymph::test {
 
 /// A hand that goes in and comes back to exactly where it began: its place is a whole number of
 /// steps, so that no rounding adds up over a million of them.
-class PacedHand final : public device::HapticDevice {
+class PacedDevice final : public device::HapticDevice {
 public:
   enum class Way { rest, in, out, home };
 
   /// @param step  Along D's -z in one read() [m].
-  explicit PacedHand(double step) : step_(step) {}
+  explicit PacedDevice(double step) : step_(step) {}
 
   /// Rests with the button released; in and out with the button pressed; home, released, to where
   /// it began.

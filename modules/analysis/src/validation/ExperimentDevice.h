@@ -9,9 +9,9 @@ namespace perilymph::analysis {
 
 /// Moves along D's -z from its first report on, with a sine of its own along each axis of D. One
 /// read() is one time step.
-class ExperimentHand final : public device::HapticDevice {
+class ExperimentDevice final : public device::HapticDevice {
 public:
-  explicit ExperimentHand(const DrawnInsertion& drawn);
+  explicit ExperimentDevice(const DrawnInsertion& drawn);
 
   device::DeviceTraits traits() const override;
   Result<Done> open() override { return Done{}; }

@@ -15,10 +15,10 @@ namespace perilymph::device {
 ///
 /// so that wheel clicks and key presses become motion a rod can follow. What is asked for while the
 /// array is let go is dropped: the array never moves by itself when it is held again.
-class PointerHand final : public HapticDevice {
+class PointerDevice final : public HapticDevice {
 public:
   /// @param timeStep  Between reads [s].
-  explicit PointerHand(double timeStep);
+  explicit PointerDevice(double timeStep);
 
   /// UI thread: moves the place asked for, along the insertion axis [m], positive into the cochlea.
   void advanceBy(double distance) noexcept;

@@ -32,9 +32,9 @@ struct Farewell {
 /// A codec is built from a device profile and, where the device describes itself, from its report
 /// descriptor. decode() belongs to the reading thread, encode(), begin() and end() to the writing
 /// one; decode() and encode() may run at the same time.
-class HandCodec {
+class DeviceCodec {
 public:
-  virtual ~HandCodec() = default;
+  virtual ~DeviceCodec() = default;
 
   /// Takes what an input report says into `hand` (SI, frame D), all but `sequence` and `isValid`.
   /// @return the device's own counter of reports where it has one, else 0; nothing for a report
@@ -61,7 +61,7 @@ class ReportDescriptor;
 /// The codec for a device of this profile that describes itself so. An empty descriptor will do
 /// where the profile says by itself where everything stands (`encoders`, `vector`). The sentence
 /// says what does not fit.
-Result<std::unique_ptr<HandCodec>> makeCodec(const DeviceProfile& profile,
-                                             const ReportDescriptor& descriptor);
+Result<std::unique_ptr<DeviceCodec>> makeCodec(const DeviceProfile& profile,
+                                               const ReportDescriptor& descriptor);
 
 }  // namespace perilymph::device

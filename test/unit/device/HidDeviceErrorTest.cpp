@@ -1,5 +1,5 @@
 // What goes wrong with a HID device before and while it is the hand, and hands that have to be
-// asked. As in HidHandTest.cpp, time stands still unless a test lets it pass.
+// asked. As in HidDeviceTest.cpp, time stands still unless a test lets it pass.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <memory>
 #include <thread>
 
-#include "perilymph/device/HidHand.h"
+#include "perilymph/device/HidDevice.h"
 #include "perilymph/test/FakeHid.h"
 
 namespace perilymph::device {
@@ -31,14 +31,14 @@ void waitUntil(Claim holds)
 
 constexpr Wrench pushing(double newtons) { return Wrench{{newtons, 0.0, 0.0}, {}}; }
 
-class TroubledHidHand : public testing::Test {
+class FailingHidDevice : public testing::Test {
 protected:
-  TroubledHidHand() { now = 1000 * millisecond; }
+  FailingHidDevice() { now = 1000 * millisecond; }
 
-  HidHand& handOf(const DeviceTraits& traits)
+  HidDevice& handOf(const DeviceTraits& traits)
   {
-    hand_ = std::make_unique<HidHand>(traits, std::make_unique<test::FakeCodec>(), hid.port(),
-                                      clockOfTheTest);
+    hand_ = std::make_unique<HidDevice>(traits, std::make_unique<test::FakeCodec>(), hid.port(),
+                                        clockOfTheTest);
     return *hand_;
   }
   /// The device reports once whenever somebody waits for it, so much later.
@@ -67,13 +67,13 @@ protected:
 
 private:
   std::uint16_t counter_ = 0;
-  std::unique_ptr<HidHand> hand_;
+  std::unique_ptr<HidDevice> hand_;
 };
 
-TEST_F(TroubledHidHand, SaysThatTheDeviceIsSilentOnceATenthOfASecondPassed)
+TEST_F(FailingHidDevice, SaysThatTheDeviceIsSilentOnceATenthOfASecondPassed)
 {
   reportEvery(millisecond);
-  HidHand& hand = handOf(test::fakeTraits());
+  HidDevice& hand = handOf(test::fakeTraits());
   ASSERT_TRUE(hand.open());
   hand.read();
   hid.send(next());
@@ -84,9 +84,9 @@ TEST_F(TroubledHidHand, SaysThatTheDeviceIsSilentOnceATenthOfASecondPassed)
   EXPECT_THAT(hand.health()->trouble, HasSubstr("has sent nothing for 0.25 s. The force is off."));
 }
 
-TEST_F(TroubledHidHand, HasNoHealthAndCannotBeWaitedForWhileItIsClosed)
+TEST_F(FailingHidDevice, HasNoHealthAndCannotBeWaitedForWhileItIsClosed)
 {
-  HidHand& hand = handOf(test::fakeTraits());
+  HidDevice& hand = handOf(test::fakeTraits());
   EXPECT_FALSE(hand.health());
   EXPECT_EQ(hand.await(Duration::fromSi(1e-3)), Awaited::cannot);
   reportEvery(millisecond);
@@ -95,18 +95,18 @@ TEST_F(TroubledHidHand, HasNoHealthAndCannotBeWaitedForWhileItIsClosed)
   EXPECT_EQ(hand.await(Duration::fromSi(1e-3)), Awaited::cannot);
 }
 
-TEST_F(TroubledHidHand, ThatReportsOnlyChangesIsNoClock)
+TEST_F(FailingHidDevice, ThatReportsOnlyChangesIsNoClock)
 {
   DeviceTraits traits = test::fakeTraits();
   traits.rendersForce = false;
   traits.reporting = Reporting::onChange;
-  HidHand& hand = handOf(traits);
+  HidDevice& hand = handOf(traits);
   ASSERT_TRUE(hand.open());
   hand.read();
   EXPECT_EQ(hand.await(Duration::fromSi(1e-3)), Awaited::cannot);
 }
 
-TEST_F(TroubledHidHand, IsNotOpenedToBeReadWhereItCannotBeWritten)
+TEST_F(FailingHidDevice, IsNotOpenedToBeReadWhereItCannotBeWritten)
 {
   hid.maxOpen(1);
   const auto opened = handOf(test::fakeTraits()).open();
@@ -114,30 +114,30 @@ TEST_F(TroubledHidHand, IsNotOpenedToBeReadWhereItCannotBeWritten)
   EXPECT_EQ(opened.error().message, "The fake device is held by another.");
 }
 
-TEST_F(TroubledHidHand, IsNotOpenedWhereItsActuatorsStayOff)
+TEST_F(FailingHidDevice, IsNotOpenedWhereItsActuatorsStayOff)
 {
   hid.refuseActuators(true);
-  HidHand& hand = handOf(test::fakeTraits());
+  HidDevice& hand = handOf(test::fakeTraits());
   const auto opened = hand.open();
   ASSERT_FALSE(opened);
   EXPECT_THAT(opened.error().message, HasSubstr("does not turn its actuators on"));
   EXPECT_EQ(hand.read().isValid, 0u);
 }
 
-TEST_F(TroubledHidHand, WithoutAReportWhileItIsOpenedKeepsTheProfilesPeriod)
+TEST_F(FailingHidDevice, WithoutAReportWhileItIsOpenedKeepsTheProfilesPeriod)
 {
   hid.whenWaiting([](Duration time) { now += std::int64_t(time.si() * 1e9); });
-  HidHand& hand = handOf(test::fakeTraits());
+  HidDevice& hand = handOf(test::fakeTraits());
   ASSERT_TRUE(hand.open());
   EXPECT_FALSE(hand.health()->isPeriodMeasured);
   EXPECT_EQ(hand.traits().nominalPeriod, 1e-3);
 }
 
-TEST_F(TroubledHidHand, WhosePeriodIsFarFromTheProfilesIsNotBelieved)
+TEST_F(FailingHidDevice, WhosePeriodIsFarFromTheProfilesIsNotBelieved)
 {
   for (const std::int64_t period : {3 * millisecond, 3 * millisecond / 10, std::int64_t{0}}) {
     reportEvery(period);
-    HidHand& hand = handOf(test::fakeTraits());
+    HidDevice& hand = handOf(test::fakeTraits());
     ASSERT_TRUE(hand.open());
     EXPECT_FALSE(hand.health()->isPeriodMeasured) << period;
     EXPECT_EQ(hand.traits().nominalPeriod, 1e-3) << period;
@@ -145,22 +145,22 @@ TEST_F(TroubledHidHand, WhosePeriodIsFarFromTheProfilesIsNotBelieved)
   }
 }
 
-TEST_F(TroubledHidHand, PulledOutWhileItIsOpenedIsInvalid)
+TEST_F(FailingHidDevice, PulledOutWhileItIsOpenedIsInvalid)
 {
   hid.whenWaiting([this](Duration) { hid.unplug(); });
-  HidHand& hand = handOf(test::fakeTraits());
+  HidDevice& hand = handOf(test::fakeTraits());
   ASSERT_TRUE(hand.open());
   EXPECT_EQ(hand.read().isValid, 0u);
 }
 
-TEST_F(TroubledHidHand, ThatTakesNoReportWhileItIsOpenedHasNoWayMeasured)
+TEST_F(FailingHidDevice, ThatTakesNoReportWhileItIsOpenedHasNoWayMeasured)
 {
   hid.refuseWrites(true);
   reportEvery(millisecond);
   DeviceTraits traits = test::fakeTraits();
   for (const Reporting reporting : {Reporting::periodic, Reporting::onWrite}) {
     traits.reporting = reporting;
-    HidHand& hand = handOf(traits);
+    HidDevice& hand = handOf(traits);
     ASSERT_TRUE(hand.open());
     EXPECT_FALSE(hand.health()->isRoundTripMeasured);
     EXPECT_EQ(hand.traits().transportDelay, 0.0);
@@ -168,13 +168,13 @@ TEST_F(TroubledHidHand, ThatTakesNoReportWhileItIsOpenedHasNoWayMeasured)
   }
 }
 
-TEST_F(TroubledHidHand, ThatAnswersWithoutAForceOfItsOwnIsWrittenToAllTheSame)
+TEST_F(FailingHidDevice, ThatAnswersWithoutAForceOfItsOwnIsWrittenToAllTheSame)
 {
   reportEvery(millisecond);
   DeviceTraits traits = test::fakeTraits();
   traits.rendersForce = false;
   traits.reporting = Reporting::onWrite;
-  HidHand& hand = handOf(traits);
+  HidDevice& hand = handOf(traits);
   ASSERT_TRUE(hand.open());
   const std::size_t before = hid.written().size();
   waitUntil([&] {
@@ -185,10 +185,10 @@ TEST_F(TroubledHidHand, ThatAnswersWithoutAForceOfItsOwnIsWrittenToAllTheSame)
   EXPECT_FALSE(hasShownAForce());
 }
 
-TEST_F(TroubledHidHand, IsFreshUntilItIsRead)
+TEST_F(FailingHidDevice, IsFreshUntilItIsRead)
 {
   reportEvery(millisecond);
-  HidHand& hand = handOf(test::fakeTraits());
+  HidDevice& hand = handOf(test::fakeTraits());
   ASSERT_TRUE(hand.open());
   hand.read();
   EXPECT_EQ(hand.await(Duration::fromSi(2e-3)), Awaited::fresh);
@@ -197,10 +197,10 @@ TEST_F(TroubledHidHand, IsFreshUntilItIsRead)
   EXPECT_EQ(now, then);  // without waiting
 }
 
-TEST_F(TroubledHidHand, IsToldZeroAgainUntilItTakesIt)
+TEST_F(FailingHidDevice, IsToldZeroAgainUntilItTakesIt)
 {
   reportEvery(millisecond);
-  HidHand& hand = handOf(test::fakeTraits());
+  HidDevice& hand = handOf(test::fakeTraits());
   ASSERT_TRUE(hand.open());
   hand.read();
   hid.send(next());
@@ -219,13 +219,13 @@ TEST_F(TroubledHidHand, IsToldZeroAgainUntilItTakesIt)
   waitUntil([this] { return hid.forces().back()[0] == 0.0; });
 }
 
-TEST_F(TroubledHidHand, ThatShouldAnswerButDoesNotHasNoWayMeasured)
+TEST_F(FailingHidDevice, ThatShouldAnswerButDoesNotHasNoWayMeasured)
 {
   DeviceTraits traits = test::fakeTraits();
   hid.whenWaiting([](Duration time) { now += std::int64_t(time.si() * 1e9); });
   for (const Reporting reporting : {Reporting::onWrite, Reporting::polled}) {
     traits.reporting = reporting;
-    HidHand& hand = handOf(traits);
+    HidDevice& hand = handOf(traits);
     ASSERT_TRUE(hand.open());
     EXPECT_FALSE(hand.health()->isRoundTripMeasured);
     hand.close();
@@ -233,9 +233,9 @@ TEST_F(TroubledHidHand, ThatShouldAnswerButDoesNotHasNoWayMeasured)
 }
 
 /// A device that says nothing by itself: it is asked for feature report 4.
-class PolledHidHand : public TroubledHidHand {
+class PolledHidDevice : public FailingHidDevice {
 protected:
-  PolledHidHand()
+  PolledHidDevice()
   {
     traits.reporting = Reporting::polled;
     traits.polledReport = 4;
@@ -253,9 +253,9 @@ protected:
   std::int64_t answerTime = 200'000;  // [ns]
 };
 
-TEST_F(PolledHidHand, TellsItsPlaceAndHowLongAnAnswerTakes)
+TEST_F(PolledHidDevice, TellsItsPlaceAndHowLongAnAnswerTakes)
 {
-  HidHand& hand = handOf(traits);
+  HidDevice& hand = handOf(traits);
   ASSERT_TRUE(hand.open());
   EXPECT_TRUE(hand.health()->isRoundTripMeasured);
   EXPECT_NEAR(hand.health()->roundTrip, 200e-6, 0.032 * 200e-6);  // a bin of the histogram
@@ -266,17 +266,17 @@ TEST_F(PolledHidHand, TellsItsPlaceAndHowLongAnAnswerTakes)
   EXPECT_GT(hand.read().position_D[0], before.position_D[0]);
 }
 
-TEST_F(PolledHidHand, ThatIsSlowIsMeasuredAllTheSame)
+TEST_F(PolledHidDevice, ThatIsSlowIsMeasuredAllTheSame)
 {
   answerTime = 20 * millisecond;
-  HidHand& hand = handOf(traits);
+  HidDevice& hand = handOf(traits);
   ASSERT_TRUE(hand.open());
   EXPECT_NEAR(hand.health()->roundTrip, 20e-3, 0.032 * 20e-3);
 }
 
-TEST_F(PolledHidHand, FeelsAForceWhileItAnswersAndNoneAfterwards)
+TEST_F(PolledHidDevice, FeelsAForceWhileItAnswersAndNoneAfterwards)
 {
-  HidHand& hand = handOf(traits);
+  HidDevice& hand = handOf(traits);
   ASSERT_TRUE(hand.open());
   waitUntil([&] {
     hand.read();
@@ -291,9 +291,9 @@ TEST_F(PolledHidHand, FeelsAForceWhileItAnswersAndNoneAfterwards)
   });
 }
 
-TEST_F(PolledHidHand, PulledOutWhileItIsAskedIsInvalid)
+TEST_F(PolledHidDevice, PulledOutWhileItIsAskedIsInvalid)
 {
-  HidHand& hand = handOf(traits);
+  HidDevice& hand = handOf(traits);
   ASSERT_TRUE(hand.open());
   waitUntil([&hand] { return hand.read().isValid == 1; });
   hid.unplug();
@@ -301,10 +301,10 @@ TEST_F(PolledHidHand, PulledOutWhileItIsAskedIsInvalid)
   EXPECT_EQ(hand.read().isValid, 0u);
 }
 
-TEST_F(PolledHidHand, WithoutAForceIsAskedAllTheSame)
+TEST_F(PolledHidDevice, WithoutAForceIsAskedAllTheSame)
 {
   traits.rendersForce = false;
-  HidHand& hand = handOf(traits);
+  HidDevice& hand = handOf(traits);
   ASSERT_TRUE(hand.open());
   waitUntil([&hand] { return hand.read().sequence > 2; });
   hand.write(pushing(1.0));

@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "perilymph/device/DeviceProfile.h"
-#include "perilymph/device/HidHand.h"
+#include "perilymph/device/HidDevice.h"
 #include "perilymph/device/HidNodes.h"
 
 namespace perilymph::device {
 
 /// One device, known or not.
-struct FoundHand {
+struct FoundDevice {
   HidNode node;
   ReportDescriptor descriptor;           ///< Empty where it cannot be read.
   std::optional<DeviceProfile> profile;  ///< None: the program does not know it.
@@ -27,7 +27,7 @@ struct FoundHand {
 };
 
 struct DeviceSurvey {
-  std::vector<FoundHand> devices;     ///< In the order of their nodes.
+  std::vector<FoundDevice> devices;   ///< In the order of their nodes.
   std::vector<std::string> mistakes;  ///< Profiles that cannot be read: sentences.
 };
 
@@ -39,12 +39,13 @@ DeviceSurvey surveyDevices(const std::vector<DeviceProfile>& profiles, const Sys
 
 /// The usable device of that name, node ("hidraw3" or its path) or numbers ("256f:c635"). A
 /// sentence with those there are if none fits.
-Result<FoundHand> findHand(const DeviceSurvey& survey, const std::string& nameOrNode);
+Result<FoundDevice> findDevice(const DeviceSurvey& survey, const std::string& nameOrNode);
 
 /// The hand of a usable device; not yet open.
 ///
 /// @param tape  Where to keep all its reports (ReportTape); nowhere without.
-Result<std::unique_ptr<HidHand>> makeHidHand(const FoundHand& found, const SystemRoots& roots = {},
-                                             const std::filesystem::path& tape = {});
+Result<std::unique_ptr<HidDevice>> makeHidDevice(const FoundDevice& found,
+                                                 const SystemRoots& roots = {},
+                                                 const std::filesystem::path& tape = {});
 
 }  // namespace perilymph::device

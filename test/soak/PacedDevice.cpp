@@ -1,15 +1,15 @@
-#include "PacedHand.h"
+#include "PacedDevice.h"
 
 namespace perilymph::test {
 
-device::DeviceTraits PacedHand::traits() const
+device::DeviceTraits PacedDevice::traits() const
 {
   device::DeviceTraits traits;
   traits.name = "Paced hand";
   return traits;
 }
 
-device::DeviceSample PacedHand::read() noexcept
+device::DeviceSample PacedDevice::read() noexcept
 {
   const bool holds = way_ == Way::in || way_ == Way::out;
   // A hand that takes hold is at rest in that report and moves from the next one on.

@@ -1,4 +1,4 @@
-#include "perilymph/device/ScriptedHand.h"
+#include "perilymph/device/ScriptedDevice.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ constexpr double maxSpeed = 1.0;
 
 }  // namespace
 
-ScriptedHand::ScriptedHand(double speed, double timeStep)
+ScriptedDevice::ScriptedDevice(double speed, double timeStep)
     : speed_(speed), timeStep_(checkedTimeStep(timeStep))
 {
   if (!(speed >= 0.0 && speed <= maxSpeed))  // also catches NaN
@@ -25,7 +25,7 @@ ScriptedHand::ScriptedHand(double speed, double timeStep)
   sample_.isValid = 1;
 }
 
-DeviceTraits ScriptedHand::traits() const
+DeviceTraits ScriptedDevice::traits() const
 {
   DeviceTraits traits;
   traits.name = "Scripted insertion";
@@ -33,11 +33,11 @@ DeviceTraits ScriptedHand::traits() const
   return traits;
 }
 
-Result<Done> ScriptedHand::open() { return Done{}; }
+Result<Done> ScriptedDevice::open() { return Done{}; }
 
-void ScriptedHand::close() noexcept { motion_ = Motion::hold; }
+void ScriptedDevice::close() noexcept { motion_ = Motion::hold; }
 
-DeviceSample ScriptedHand::read() noexcept
+DeviceSample ScriptedDevice::read() noexcept
 {
   const Motion motion = motion_;
   const double asked = speed_;
@@ -54,6 +54,6 @@ DeviceSample ScriptedHand::read() noexcept
   return sample_;
 }
 
-void ScriptedHand::write(const Wrench&) noexcept {}
+void ScriptedDevice::write(const Wrench&) noexcept {}
 
 }  // namespace perilymph::device

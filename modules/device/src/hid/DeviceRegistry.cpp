@@ -1,4 +1,4 @@
-#include "perilymph/device/KnownHands.h"
+#include "perilymph/device/DeviceRegistry.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "perilymph/device/HandCodec.h"
+#include "perilymph/device/DeviceCodec.h"
 #include "perilymph/device/TapePorts.h"
 
 namespace perilymph::device {
@@ -37,7 +37,7 @@ std::string kindOf(const ReportDescriptor& descriptor)
   return text;
 }
 
-std::string obstacleOf(const FoundHand& found)
+std::string obstacleOf(const FoundDevice& found)
 {
   const HidNode& node = found.node;
   if (!found.profile)
@@ -63,7 +63,7 @@ std::string lowered(std::string text)
   return text;
 }
 
-bool isCalled(const FoundHand& found, const std::string& wanted)
+bool isCalled(const FoundDevice& found, const std::string& wanted)
 {
   const HidNode& node = found.node;
   const std::string name = lowered(wanted);
@@ -74,7 +74,7 @@ bool isCalled(const FoundHand& found, const std::string& wanted)
 
 }  // namespace
 
-std::string FoundHand::name() const
+std::string FoundDevice::name() const
 {
   if (profile) return profile->name;
   return node.name.empty() ? identityText(node.identity) : node.name;
@@ -92,7 +92,7 @@ DeviceSurvey surveyDevices(const std::vector<DeviceProfile>& profiles, const Sys
 {
   DeviceSurvey survey;
   for (HidNode& node : findHidNodes(roots)) {
-    FoundHand found;
+    FoundDevice found;
     found.node = std::move(node);
     if (auto parsed = ReportDescriptor::parse(found.node.descriptor))
       found.descriptor = *std::move(parsed);
@@ -106,10 +106,10 @@ DeviceSurvey surveyDevices(const std::vector<DeviceProfile>& profiles, const Sys
   return survey;
 }
 
-Result<FoundHand> findHand(const DeviceSurvey& survey, const std::string& nameOrNode)
+Result<FoundDevice> findDevice(const DeviceSurvey& survey, const std::string& nameOrNode)
 {
   std::string usable;
-  for (const FoundHand& found : survey.devices) {
+  for (const FoundDevice& found : survey.devices) {
     if (isCalled(found, nameOrNode)) {
       if (found.isUsable()) return found;
       return Error{found.name() + " cannot be the hand. " + found.obstacle};
@@ -121,8 +121,8 @@ Result<FoundHand> findHand(const DeviceSurvey& survey, const std::string& nameOr
                                : "There are: " + usable + ".")};
 }
 
-Result<std::unique_ptr<HidHand>> makeHidHand(const FoundHand& found, const SystemRoots& roots,
-                                             const std::filesystem::path& tape)
+Result<std::unique_ptr<HidDevice>> makeHidDevice(const FoundDevice& found, const SystemRoots& roots,
+                                                 const std::filesystem::path& tape)
 {
   if (!found.isUsable()) return Error{found.name() + " cannot be the hand. " + found.obstacle};
   auto codec = makeCodec(*found.profile, found.descriptor);
@@ -138,8 +138,8 @@ Result<std::unique_ptr<HidHand>> makeHidHand(const FoundHand& found, const Syste
     if (!recording) return recording.error();
     port = *std::move(recording);
   }
-  return std::make_unique<HidHand>(traitsOf(*found.profile, found.descriptor), *std::move(codec),
-                                   std::move(port));
+  return std::make_unique<HidDevice>(traitsOf(*found.profile, found.descriptor), *std::move(codec),
+                                     std::move(port));
 }
 
 }  // namespace perilymph::device

@@ -1,7 +1,7 @@
-// A HidHand against a device in memory. Time stands still unless a test lets it pass; where another
+// A HidDevice against a device in memory. Time stands still unless a test lets it pass; where another
 // thread has something to do, the test looks until it is done.
 
-#include "perilymph/device/HidHand.h"
+#include "perilymph/device/HidDevice.h"
 
 #include <gtest/gtest.h>
 
@@ -30,9 +30,9 @@ void waitUntil(Claim holds)
 
 constexpr Wrench pushing(double newtons) { return Wrench{{newtons, 0.0, 0.0}, {}}; }
 
-class HidHandOnAFake : public testing::Test {
+class HidDeviceOnAFake : public testing::Test {
 protected:
-  HidHandOnAFake()
+  HidDeviceOnAFake()
   {
     virtualNow = 1000 * millisecond;
     hid.whenWaiting([this](Duration) { tickDevice(); });
@@ -64,30 +64,30 @@ protected:
 
   FakeHid hid;
   std::uint16_t counter = 0;
-  HidHand hand{test::fakeTraits(), std::make_unique<test::FakeCodec>(), hid.port(), virtualClock};
+  HidDevice hand{test::fakeTraits(), std::make_unique<test::FakeCodec>(), hid.port(), virtualClock};
 };
 
-TEST_F(HidHandOnAFake, OpensOneHandleToReadAndOneToWrite)
+TEST_F(HidDeviceOnAFake, OpensOneHandleToReadAndOneToWrite)
 {
   open();
   EXPECT_EQ(hid.opened(), 2);
   EXPECT_TRUE(hid.areActuatorsOn());
 }
 
-TEST_F(HidHandOnAFake, ShowsNoForceBeforeItIsAskedFor)
+TEST_F(HidDeviceOnAFake, ShowsNoForceBeforeItIsAskedFor)
 {
   open();
   for (const auto& force : hid.forces()) EXPECT_EQ(force[0], 0.0);
 }
 
-TEST_F(HidHandOnAFake, MeasuresThePeriodOfItsReports)
+TEST_F(HidDeviceOnAFake, MeasuresThePeriodOfItsReports)
 {
   open();
   EXPECT_NEAR(hand.traits().nominalPeriod, 1e-3, 1e-9);
   EXPECT_TRUE(hand.health()->isPeriodMeasured);
 }
 
-TEST_F(HidHandOnAFake, SaysWhyItCannotBeOpened)
+TEST_F(HidDeviceOnAFake, SaysWhyItCannotBeOpened)
 {
   hid.unplug();
   const auto opened = hand.open();
@@ -95,7 +95,7 @@ TEST_F(HidHandOnAFake, SaysWhyItCannotBeOpened)
   EXPECT_EQ(opened.error().message, "The fake device is not plugged in.");
 }
 
-TEST_F(HidHandOnAFake, GivesFreshSamplesAndShowsForces)
+TEST_F(HidDeviceOnAFake, GivesFreshSamplesAndShowsForces)
 {
   open();
   const DeviceSample one = turn(0.25);
@@ -107,7 +107,7 @@ TEST_F(HidHandOnAFake, GivesFreshSamplesAndShowsForces)
   waitUntil([this] { return hasShown(0.25); });
 }
 
-TEST_F(HidHandOnAFake, GoesOnReadingWhileAWriteIsStuck)
+TEST_F(HidDeviceOnAFake, GoesOnReadingWhileAWriteIsStuck)
 {
   open();
   hid.holdWrites(true);
@@ -119,7 +119,7 @@ TEST_F(HidHandOnAFake, GoesOnReadingWhileAWriteIsStuck)
   hid.holdWrites(false);
 }
 
-TEST_F(HidHandOnAFake, ShowsTheNewestForceAfterAPauseOfTheDevice)
+TEST_F(HidDeviceOnAFake, ShowsTheNewestForceAfterAPauseOfTheDevice)
 {
   open();
   hid.holdWrites(true);
@@ -135,7 +135,7 @@ TEST_F(HidHandOnAFake, ShowsTheNewestForceAfterAPauseOfTheDevice)
   EXPECT_EQ(forces[before][0], 0.1);
 }
 
-TEST_F(HidHandOnAFake, IsInvalidOnceNoForceWasTakenForFiveMilliseconds)
+TEST_F(HidDeviceOnAFake, IsInvalidOnceNoForceWasTakenForFiveMilliseconds)
 {
   open();
   hid.holdWrites(true);
@@ -148,7 +148,7 @@ TEST_F(HidHandOnAFake, IsInvalidOnceNoForceWasTakenForFiveMilliseconds)
   hid.holdWrites(false);
 }
 
-TEST_F(HidHandOnAFake, ComesBackFromABlockWithNoForce)
+TEST_F(HidDeviceOnAFake, ComesBackFromABlockWithNoForce)
 {
   open();
   hid.holdWrites(true);
@@ -163,7 +163,7 @@ TEST_F(HidHandOnAFake, ComesBackFromABlockWithNoForce)
   EXPECT_EQ(hand.health()->blockedWrites, 1u);
 }
 
-TEST_F(HidHandOnAFake, IsBlockedByADeviceThatRefusesToo)
+TEST_F(HidDeviceOnAFake, IsBlockedByADeviceThatRefusesToo)
 {
   open();
   hid.refuseWrites(true);
@@ -172,7 +172,7 @@ TEST_F(HidHandOnAFake, IsBlockedByADeviceThatRefusesToo)
   waitUntil([this] { return turn(0.0).isValid == 1; });
 }
 
-TEST_F(HidHandOnAFake, ShowsNoForceToAHandItHasNotHeardOfForThreePeriods)
+TEST_F(HidDeviceOnAFake, ShowsNoForceToAHandItHasNotHeardOfForThreePeriods)
 {
   open();
   turn(0.5);
@@ -187,7 +187,7 @@ TEST_F(HidHandOnAFake, ShowsNoForceToAHandItHasNotHeardOfForThreePeriods)
   waitUntil([this] { return hasShown(0.0); });
 }
 
-TEST_F(HidHandOnAFake, SendsZeroByItselfWhenTheLoopFallsSilent)
+TEST_F(HidDeviceOnAFake, SendsZeroByItselfWhenTheLoopFallsSilent)
 {
   open();
   turn(0.5);
@@ -196,7 +196,7 @@ TEST_F(HidHandOnAFake, SendsZeroByItselfWhenTheLoopFallsSilent)
   waitUntil([this] { return hasShown(0.0); });
 }
 
-TEST_F(HidHandOnAFake, OutlivesAPlugPulledInMidWrite)
+TEST_F(HidDeviceOnAFake, OutlivesAPlugPulledInMidWrite)
 {
   open();
   hid.holdWrites(true);
@@ -210,7 +210,7 @@ TEST_F(HidHandOnAFake, OutlivesAPlugPulledInMidWrite)
   EXPECT_NE(hand.health()->trouble.find("not plugged in"), std::string::npos);
 }
 
-TEST_F(HidHandOnAFake, IsTakenUpAgainWhenItIsPluggedIn)
+TEST_F(HidDeviceOnAFake, IsTakenUpAgainWhenItIsPluggedIn)
 {
   open();
   const DeviceSample before = turn(0.5);
@@ -227,7 +227,7 @@ TEST_F(HidHandOnAFake, IsTakenUpAgainWhenItIsPluggedIn)
   waitUntil([this] { return hasShown(0.25); });
 }
 
-TEST_F(HidHandOnAFake, ComesBackAsOftenAsItIsPluggedIn)
+TEST_F(HidDeviceOnAFake, ComesBackAsOftenAsItIsPluggedIn)
 {
   open();
   for (int i = 0; i < 20; ++i) {
@@ -240,7 +240,7 @@ TEST_F(HidHandOnAFake, ComesBackAsOftenAsItIsPluggedIn)
   EXPECT_EQ(hand.health()->reconnections, 20u);
 }
 
-TEST_F(HidHandOnAFake, LeavesZeroForceAndNoActuatorsBehind)
+TEST_F(HidDeviceOnAFake, LeavesZeroForceAndNoActuatorsBehind)
 {
   open();
   turn(0.5);
@@ -250,7 +250,7 @@ TEST_F(HidHandOnAFake, LeavesZeroForceAndNoActuatorsBehind)
   EXPECT_FALSE(hid.areActuatorsOn());
 }
 
-TEST_F(HidHandOnAFake, OpensAgainAfterItWasClosed)
+TEST_F(HidDeviceOnAFake, OpensAgainAfterItWasClosed)
 {
   open();
   hand.close();
@@ -261,7 +261,7 @@ TEST_F(HidHandOnAFake, OpensAgainAfterItWasClosed)
   EXPECT_EQ(turn(0.0).isValid, 1u);
 }
 
-TEST_F(HidHandOnAFake, CanBeWaitedFor)
+TEST_F(HidDeviceOnAFake, CanBeWaitedFor)
 {
   open();
   hand.read();  // takes up the handle
@@ -274,7 +274,7 @@ TEST_F(HidHandOnAFake, CanBeWaitedFor)
   EXPECT_EQ(hand.await(Duration::fromSi(2e-3)), Awaited::cannot);
 }
 
-TEST_F(HidHandOnAFake, AllocatesNothingInReadAndWrite)
+TEST_F(HidDeviceOnAFake, AllocatesNothingInReadAndWrite)
 {
   if (!test::AllocationGuard::isAvailable()) GTEST_SKIP() << test::AllocationGuard::whyNot();
   open();
@@ -288,15 +288,15 @@ TEST_F(HidHandOnAFake, AllocatesNothingInReadAndWrite)
   EXPECT_EQ(guard.allocations(), 0u);
 }
 
-TEST_F(HidHandOnAFake, CallsTheWayThereAndAPeriodTheMostThatAForceTakesToShow)
+TEST_F(HidDeviceOnAFake, CallsTheWayThereAndAPeriodTheMostThatAForceTakesToShow)
 {
   open();
-  const HandHealth health = *hand.health();
+  const DeviceHealth health = *hand.health();
   EXPECT_FALSE(health.isRoundTripMeasured);
   EXPECT_NEAR(health.roundTrip, 1e-3, 1e-9);  // the fake takes a force in no time
 }
 
-TEST(HidHandThatAnswers, MeasuresTheTimeFromAForceToItsAnswer)
+TEST(HidDeviceThatAnswers, MeasuresTheTimeFromAForceToItsAnswer)
 {
   virtualNow = 1000 * millisecond;
   FakeHid hid;
@@ -314,22 +314,22 @@ TEST(HidHandThatAnswers, MeasuresTheTimeFromAForceToItsAnswer)
   });
   DeviceTraits traits = test::fakeTraits();
   traits.reporting = Reporting::onWrite;
-  HidHand hand(traits, std::make_unique<test::FakeCodec>(), hid.port(), virtualClock);
+  HidDevice hand(traits, std::make_unique<test::FakeCodec>(), hid.port(), virtualClock);
   ASSERT_TRUE(hand.open());
-  const HandHealth health = *hand.health();
+  const DeviceHealth health = *hand.health();
   EXPECT_TRUE(health.isRoundTripMeasured);
   EXPECT_NEAR(health.roundTrip, 300e-6, 0.032 * 300e-6);  // a bin of the histogram
   EXPECT_EQ(hand.traits().transportDelay, health.roundTrip);
 }
 
-TEST_F(HidHandOnAFake, IsSaidToBeUnguardedWhereNobodyElseCanReachTheDevice)
+TEST_F(HidDeviceOnAFake, IsSaidToBeUnguardedWhereNobodyElseCanReachTheDevice)
 {
   open();
   EXPECT_FALSE(hand.health()->isGuarded);
   EXPECT_NE(hand.health()->guardObstacle.find("watchdog"), std::string::npos);
 }
 
-TEST(HidHandWithoutForce, IsNeverWritten)
+TEST(HidDeviceWithoutForce, IsNeverWritten)
 {
   virtualNow = 1000 * millisecond;
   FakeHid hid;
@@ -337,7 +337,7 @@ TEST(HidHandWithoutForce, IsNeverWritten)
   DeviceTraits traits = test::fakeTraits();
   traits.rendersForce = false;
   traits.reporting = Reporting::onChange;
-  HidHand hand(traits, std::make_unique<test::FakeCodec>(), hid.port(), virtualClock);
+  HidDevice hand(traits, std::make_unique<test::FakeCodec>(), hid.port(), virtualClock);
   ASSERT_TRUE(hand.open());
   hand.read();
   hand.write(pushing(1.0));
@@ -346,14 +346,14 @@ TEST(HidHandWithoutForce, IsNeverWritten)
   EXPECT_EQ(hid.opened(), 1);
 }
 
-TEST(HidHandThatReportsOnChange, StandsStillWhileItIsSilent)
+TEST(HidDeviceThatReportsOnChange, StandsStillWhileItIsSilent)
 {
   virtualNow = 1000 * millisecond;
   FakeHid hid;
   DeviceTraits traits = test::fakeTraits();
   traits.rendersForce = false;
   traits.reporting = Reporting::onChange;
-  HidHand hand(traits, std::make_unique<test::FakeCodec>(), hid.port(), virtualClock);
+  HidDevice hand(traits, std::make_unique<test::FakeCodec>(), hid.port(), virtualClock);
   ASSERT_TRUE(hand.open());
   hand.read();
   FakeReport report;

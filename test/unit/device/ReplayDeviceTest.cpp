@@ -1,4 +1,4 @@
-#include "perilymph/device/ReplayHand.h"
+#include "perilymph/device/ReplayDevice.h"
 
 #include <gtest/gtest.h>
 
@@ -18,9 +18,9 @@ std::vector<DeviceSample> threeSamples()
   return samples;
 }
 
-TEST(ReplayHand, GivesTheSamplesAsTheyWereFaultsIncluded)
+TEST(ReplayDevice, GivesTheSamplesAsTheyWereFaultsIncluded)
 {
-  ReplayHand hand(threeSamples(), 1e-3);
+  ReplayDevice hand(threeSamples(), 1e-3);
   ASSERT_TRUE(hand.open());
   for (const DeviceSample& recorded : threeSamples()) {
     const DeviceSample played = hand.read();
@@ -31,18 +31,18 @@ TEST(ReplayHand, GivesTheSamplesAsTheyWereFaultsIncluded)
   EXPECT_TRUE(hand.isOver());
 }
 
-TEST(ReplayHand, GivesNothingFreshOnceItIsOver)
+TEST(ReplayDevice, GivesNothingFreshOnceItIsOver)
 {
-  ReplayHand hand(threeSamples(), 1e-3);
+  ReplayDevice hand(threeSamples(), 1e-3);
   ASSERT_TRUE(hand.open());
   for (int i = 0; i < 3; ++i) hand.read();
   EXPECT_EQ(hand.read().sequence, 12u);
   EXPECT_EQ(hand.read().sequence, 12u);
 }
 
-TEST(ReplayHand, SaysThatThereIsNothingToPlay)
+TEST(ReplayDevice, SaysThatThereIsNothingToPlay)
 {
-  ReplayHand hand({}, 1e-3);
+  ReplayDevice hand({}, 1e-3);
   const Result<Done> opened = hand.open();
   ASSERT_FALSE(opened);
   EXPECT_NE(opened.error().message.find("no samples"), std::string::npos);

@@ -13,16 +13,16 @@
 namespace perilymph::haptics {
 
 /// The hand in one tick, in the device's frame D, every number finite.
-struct Hand {
+struct HandState {
   Eigen::Vector3d position_D = Eigen::Vector3d::Zero();  ///< [m]
   Eigen::Vector3d moved_D = Eigen::Vector3d::Zero();     ///< Since the tick before [m].
   Eigen::Vector3d velocity_D = Eigen::Vector3d::Zero();  ///< Smoothed over a few samples [m/s].
   Eigen::Quaterniond rotation_D = Eigen::Quaterniond::Identity();
-  bool isHeld = false;     ///< The dead-man's button is pressed.
-  bool isStale = true;     ///< Nothing fresh and believable came for too long.
-  bool isLost = false;     ///< The device says it is gone.
-  bool hasJumped = false;  ///< The hand is not where it could have moved to: take a new anchor.
-  bool isDoubted = false;  ///< The sample was not believed.
+  bool isHeld = false;      ///< The dead-man's button is pressed.
+  bool isStale = true;      ///< Nothing fresh and believable came for too long.
+  bool isLost = false;      ///< The device says it is gone.
+  bool hasJumped = false;   ///< The hand is not where it could have moved to: take a new anchor.
+  bool isRejected = false;  ///< The sample was not believed.
 };
 
 /// Judges samples: fresh or not, finite or not, possible for a hand or not.
@@ -32,17 +32,17 @@ struct Hand {
 /// but a button it says is released is released. After `staleTime` without a believed one the hand
 /// is stale. A fresh place that no hand could have reached (1 m/s, 30 rad/s), or the first one
 /// after a stale time, is a jump: the hand is there, but did not move there.
-class SampleWatch {
+class SampleValidator {
 public:
   /// @param timeStep      Of the ticks [s].
   /// @param samplePeriod  Nominal, of the device [s].
-  SampleWatch(double timeStep, double samplePeriod);
+  SampleValidator(double timeStep, double samplePeriod);
 
   /// Three nominal periods of a device, at least 3 ms and at most 30 ms [s].
   static double staleTime(double samplePeriod) noexcept;
 
   /// The hand as of this sample.
-  PERILYMPH_REALTIME const Hand& take(const device::DeviceSample& sample) noexcept;
+  PERILYMPH_REALTIME const HandState& take(const device::DeviceSample& sample) noexcept;
 
   /// Adds all that the next tick depends on.
   void addTo(Hash& hash) const noexcept;
@@ -58,7 +58,7 @@ private:
   bool hasSequence_ = false;
   bool hasPlace_ = false;  // some sample was believed
   Eigen::Vector3d rawVelocity_D_ = Eigen::Vector3d::Zero();
-  Hand hand_;
+  HandState hand_;
 };
 
 }  // namespace perilymph::haptics

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "TickLog.h"
-#include "perilymph/device/HandHealth.h"
+#include "perilymph/device/DeviceHealth.h"
 #include "perilymph/device/HapticDevice.h"
 
 namespace perilymph::hidstack {
@@ -14,11 +14,11 @@ namespace perilymph::hidstack {
 /// Passes everything on to another hand. Between the two times of a tick lies the engine and
 /// nothing else. The log belongs to the thread that ticks; others read it after that thread has
 /// ended.
-class TimedHand final : public device::HapticDevice {
+class TimedDevice final : public device::HapticDevice {
 public:
   /// @param hand  Outlives this one.
   /// @param most  Ticks to make room for; what comes later is not noted.
-  TimedHand(device::HapticDevice& hand, std::size_t capacity);
+  TimedDevice(device::HapticDevice& hand, std::size_t capacity);
 
   device::DeviceTraits traits() const override { return hand_.traits(); }
   Result<Done> open() override { return hand_.open(); }
@@ -26,7 +26,7 @@ public:
   device::DeviceSample read() noexcept override;
   void write(const device::Wrench& wrench_D) noexcept override;
   device::Awaited await(Duration timeout) noexcept override { return hand_.await(timeout); }
-  std::optional<device::HandHealth> health() override { return hand_.health(); }
+  std::optional<device::DeviceHealth> health() override { return hand_.health(); }
 
   const std::vector<LoopTick>& ticks() const { return ticks_; }
 

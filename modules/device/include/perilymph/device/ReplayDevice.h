@@ -10,11 +10,11 @@ namespace perilymph::device {
 
 /// Gives recorded samples one after the other, as they were, faults included. After the last one it
 /// repeats it: nothing fresh comes any more, and the force goes to zero as with a stale device.
-class ReplayHand final : public HapticDevice {
+class ReplayDevice final : public HapticDevice {
 public:
   /// @param samples   One for each read.
   /// @param timeStep  Between reads [s].
-  ReplayHand(std::vector<DeviceSample> samples, double timeStep);
+  ReplayDevice(std::vector<DeviceSample> samples, double timeStep);
 
   /// Every sample was given.
   bool isOver() const noexcept { return next_ >= samples_.size(); }

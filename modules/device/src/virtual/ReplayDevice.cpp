@@ -1,4 +1,4 @@
-#include "perilymph/device/ReplayHand.h"
+#include "perilymph/device/ReplayDevice.h"
 
 #include <utility>
 
@@ -6,12 +6,12 @@
 
 namespace perilymph::device {
 
-ReplayHand::ReplayHand(std::vector<DeviceSample> samples, double timeStep)
+ReplayDevice::ReplayDevice(std::vector<DeviceSample> samples, double timeStep)
     : samples_(std::move(samples)), timeStep_(checkedTimeStep(timeStep))
 {
 }
 
-DeviceTraits ReplayHand::traits() const
+DeviceTraits ReplayDevice::traits() const
 {
   DeviceTraits traits;
   traits.name = "Recorded hand";
@@ -19,7 +19,7 @@ DeviceTraits ReplayHand::traits() const
   return traits;
 }
 
-Result<Done> ReplayHand::open()
+Result<Done> ReplayDevice::open()
 {
   if (samples_.empty())
     return Error{
@@ -28,13 +28,13 @@ Result<Done> ReplayHand::open()
   return Done{};
 }
 
-DeviceSample ReplayHand::read() noexcept
+DeviceSample ReplayDevice::read() noexcept
 {
   if (samples_.empty()) return {};
   if (isOver()) return samples_.back();
   return samples_[next_++];
 }
 
-void ReplayHand::write(const Wrench&) noexcept {}
+void ReplayDevice::write(const Wrench&) noexcept {}
 
 }  // namespace perilymph::device

@@ -1,10 +1,10 @@
-#include "validation/ExperimentHand.h"
+#include "validation/ExperimentDevice.h"
 
 #include "perilymph/foundation/Math.h"
 
 namespace perilymph::analysis {
 
-ExperimentHand::ExperimentHand(const DrawnInsertion& drawn)
+ExperimentDevice::ExperimentDevice(const DrawnInsertion& drawn)
     : speed_(drawn.speed),
       timeStep_(drawn.scenario.timeStep.si()),
       amplitude_(drawn.tremorAmplitude),
@@ -14,7 +14,7 @@ ExperimentHand::ExperimentHand(const DrawnInsertion& drawn)
   sample_.isValid = 1;
 }
 
-device::DeviceTraits ExperimentHand::traits() const
+device::DeviceTraits ExperimentDevice::traits() const
 {
   device::DeviceTraits traits;
   traits.name = "Materials tester";
@@ -22,7 +22,7 @@ device::DeviceTraits ExperimentHand::traits() const
   return traits;
 }
 
-device::DeviceSample ExperimentHand::read() noexcept
+device::DeviceSample ExperimentDevice::read() noexcept
 {
   // At rest in the report in which it takes hold; the base is anchored there.
   if (sample_.buttons != 0) {

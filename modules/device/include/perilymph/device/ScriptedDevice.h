@@ -9,13 +9,13 @@
 namespace perilymph::device {
 
 /// Moves along D's -z at a constant speed while told to. One read() is one time step.
-class ScriptedHand final : public HapticDevice {
+class ScriptedDevice final : public HapticDevice {
 public:
   enum class Motion { hold, insert, withdraw };
 
   /// @param speed     Of the hand [m/s].
   /// @param timeStep  Between reads [s].
-  ScriptedHand(double speed, double timeStep);
+  ScriptedDevice(double speed, double timeStep);
 
   /// From any thread: holds still with the button released, or moves with it pressed.
   void move(Motion motion) noexcept { motion_ = motion; }

@@ -1,17 +1,17 @@
-#include "TimedHand.h"
+#include "TimedDevice.h"
 
 #include "perilymph/realtime/Pacer.h"
 
 namespace perilymph::hidstack {
 
-TimedHand::TimedHand(device::HapticDevice& hand, std::size_t capacity)
+TimedDevice::TimedDevice(device::HapticDevice& hand, std::size_t capacity)
     : hand_(hand), ticks_(capacity)
 {
   // Every page was touched: noting a tick costs no page fault.
   ticks_.clear();
 }
 
-device::DeviceSample TimedHand::read() noexcept
+device::DeviceSample TimedDevice::read() noexcept
 {
   const device::DeviceSample sample = hand_.read();
   tick_ = {};
@@ -21,7 +21,7 @@ device::DeviceSample TimedHand::read() noexcept
   return sample;
 }
 
-void TimedHand::write(const device::Wrench& wrench_D) noexcept
+void TimedDevice::write(const device::Wrench& wrench_D) noexcept
 {
   tick_.written = realtime::monotonicNanoseconds();
   tick_.force = wrench_D.force_D[2];

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "perilymph/device/HandCodec.h"
+#include "perilymph/device/DeviceCodec.h"
 #include "perilymph/device/HapticDevice.h"
 #include "perilymph/device/HidPort.h"
 #include "perilymph/device/ReportReader.h"
@@ -22,13 +22,13 @@ namespace perilymph::device {
 /// device takes none: a force under way for 5 ms (or three periods) means the device is blocked,
 /// and the hand is not valid until it has taken a zero force. If the haptic thread falls silent for
 /// as long, the writer sends zero by itself.
-class HidHand final : public HapticDevice {
+class HidDevice final : public HapticDevice {
 public:
   /// @param traits  What the device's profile says.
   /// @param clock   A test's own time, else the monotonic clock.
-  HidHand(DeviceTraits traits, std::unique_ptr<HandCodec> codec, std::unique_ptr<HidPort> port,
-          Clock clock = nullptr);
-  ~HidHand() override;  ///< Closes.
+  HidDevice(DeviceTraits traits, std::unique_ptr<DeviceCodec> codec, std::unique_ptr<HidPort> port,
+            Clock clock = nullptr);
+  ~HidDevice() override;  ///< Closes.
 
   /// Once open with the period and the delay that were measured.
   DeviceTraits traits() const override;
@@ -40,7 +40,7 @@ public:
   DeviceSample read() noexcept override;
   void write(const Wrench& wrench_D) noexcept override;
   Awaited await(Duration timeout) noexcept override;
-  std::optional<HandHealth> health() override;
+  std::optional<DeviceHealth> health() override;
 
 private:
   struct Content;

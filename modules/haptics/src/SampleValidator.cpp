@@ -1,4 +1,4 @@
-#include "perilymph/haptics/SampleWatch.h"
+#include "perilymph/haptics/SampleValidator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ constexpr double maxTurning = 30.0;  // [rad/s]
 // Smooths the steps of an encoder (0.055 mm in 1 ms reads as 55 mm/s) at the cost of this lag.
 constexpr double velocityLag = 2e-3;  // [s]
 
-bool isBelievable(const device::DeviceSample& sample) noexcept
+bool isPlausible(const device::DeviceSample& sample) noexcept
 {
   for (const double x : sample.position_D)
     if (!(std::abs(x) <= farthest)) return false;  // also catches NaN
@@ -34,19 +34,19 @@ Eigen::Quaterniond rotationOf(const device::DeviceSample& sample) noexcept
 
 }  // namespace
 
-double SampleWatch::staleTime(double samplePeriod) noexcept
+double SampleValidator::staleTime(double samplePeriod) noexcept
 {
   return std::clamp(3.0 * samplePeriod, 3e-3, 30e-3);
 }
 
-SampleWatch::SampleWatch(double timeStep, double samplePeriod) : timeStep_(timeStep)
+SampleValidator::SampleValidator(double timeStep, double samplePeriod) : timeStep_(timeStep)
 {
   const double ticks = std::ceil(staleTime(samplePeriod) / timeStep - 1e-6);
   staleTicks_ = static_cast<std::uint64_t>(std::max(ticks, 1.0));
   ticksWithout_ = staleTicks_;
 }
 
-bool SampleWatch::isFresh(const device::DeviceSample& sample) noexcept
+bool SampleValidator::isFresh(const device::DeviceSample& sample) noexcept
 {
   if (sample.isValid == 0) return false;
   const bool isNew = !hasSequence_ || sample.sequence != sequence_;
@@ -55,8 +55,8 @@ bool SampleWatch::isFresh(const device::DeviceSample& sample) noexcept
   return isNew;
 }
 
-void SampleWatch::follow(const Eigen::Vector3d& position_D,
-                         const Eigen::Quaterniond& rotation_D) noexcept
+void SampleValidator::follow(const Eigen::Vector3d& position_D,
+                             const Eigen::Quaterniond& rotation_D) noexcept
 {
   const double elapsed = static_cast<double>(ticksWithout_ + 1) * timeStep_;
   const Eigen::Vector3d moved_D = position_D - hand_.position_D;
@@ -80,17 +80,17 @@ void SampleWatch::follow(const Eigen::Vector3d& position_D,
   hand_.rotation_D = rotation_D;
 }
 
-const Hand& SampleWatch::take(const device::DeviceSample& sample) noexcept
+const HandState& SampleValidator::take(const device::DeviceSample& sample) noexcept
 {
   const bool fresh = isFresh(sample);
-  const bool believed = fresh && isBelievable(sample);
+  const bool accepted = fresh && isPlausible(sample);
   const bool isPressed = (sample.buttons & device::graspButton) != 0;
 
   hand_.moved_D.setZero();
   hand_.hasJumped = false;
-  hand_.isDoubted = fresh && !believed;
+  hand_.isRejected = fresh && !accepted;
   hand_.isLost = sample.isValid == 0;
-  if (believed) {
+  if (accepted) {
     follow({sample.position_D[0], sample.position_D[1], sample.position_D[2]}, rotationOf(sample));
     hand_.isHeld = isPressed;
     ticksWithout_ = 0;
@@ -107,7 +107,7 @@ const Hand& SampleWatch::take(const device::DeviceSample& sample) noexcept
   return hand_;
 }
 
-void SampleWatch::addTo(Hash& hash) const noexcept
+void SampleValidator::addTo(Hash& hash) const noexcept
 {
   hash.add(ticksWithout_);
   hash.add(sequence_);

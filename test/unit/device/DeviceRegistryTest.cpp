@@ -1,4 +1,4 @@
-#include "perilymph/device/KnownHands.h"
+#include "perilymph/device/DeviceRegistry.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -82,7 +82,7 @@ TEST(DeviceChoice, FindsADeviceByNameNodeOrNumbers)
   const std::string profile = survey.devices.at(0).name();
   for (const std::string& name :
        {std::string("hidraw3"), std::string("a stick"), std::string("abcd:0001"), profile}) {
-    const auto found = findHand(survey, name);
+    const auto found = findDevice(survey, name);
     ASSERT_TRUE(found) << name << ": " << found.error().message;
     EXPECT_EQ(found->node.path.filename(), "hidraw3");
   }
@@ -94,7 +94,7 @@ TEST(DeviceChoice, NamesThoseThereAre)
   tree.add({"0003:ABCD:0001.0001", "A stick", "hidraw0", "00", stick});
   tree.addNode("hidraw0");
   const DeviceSurvey survey = surveyOf(tree);
-  const auto found = findHand(survey, "banana");
+  const auto found = findDevice(survey, "banana");
   ASSERT_FALSE(found);
   EXPECT_THAT(found.error().message, HasSubstr("'banana'"));
   EXPECT_THAT(found.error().message, HasSubstr(survey.devices.at(0).name()));
@@ -102,7 +102,7 @@ TEST(DeviceChoice, NamesThoseThereAre)
 
 TEST(DeviceChoice, SaysThatNothingIsPluggedIn)
 {
-  const auto found = findHand({}, "banana");
+  const auto found = findDevice({}, "banana");
   ASSERT_FALSE(found);
   EXPECT_THAT(found.error().message, HasSubstr("No device"));
 }
@@ -112,9 +112,9 @@ TEST(DeviceChoice, CannotOpenWhatIsNoHidNode)
   RecordedTree tree;
   tree.add({"0003:ABCD:0001.0001", "A stick", "hidraw0", "00", stick});
   tree.addNode("hidraw0");  // a plain file
-  const auto found = findHand(surveyOf(tree), "hidraw0");
+  const auto found = findDevice(surveyOf(tree), "hidraw0");
   ASSERT_TRUE(found);
-  auto hand = makeHidHand(*found, tree.roots());
+  auto hand = makeHidDevice(*found, tree.roots());
   ASSERT_TRUE(hand) << hand.error().message;
   const auto opened = (*hand)->open();
   ASSERT_FALSE(opened);

@@ -54,7 +54,7 @@ InsertionEngine::InsertionEngine(std::shared_ptr<const mechanics::InsertionModel
       base_(startOf(*model_)),
       forceScale_(settings_.forceScale)
 {
-  report();
+  updateOutput();
 }
 
 TickOutput InsertionEngine::tick(const device::DeviceSample& sample,
@@ -62,14 +62,14 @@ TickOutput InsertionEngine::tick(const device::DeviceSample& sample,
 {
   output_.status = allWell;
   const std::uint32_t count = std::min<std::uint32_t>(commands.count, maxCommandsPerTick);
-  for (std::uint32_t i = 0; i < count; ++i) obey(commands.items[i]);
+  for (std::uint32_t i = 0; i < count; ++i) applyCommand(commands.items[i]);
 
   const HandState& hand = validator_.take(sample);
-  judge(hand, output_.status);
+  validate(hand, output_.status);
 
   // An overflowed state stays as it is, to be looked at.
   if (workflow_ != Workflow::idle && isFinite()) moveMechanics(hand);
-  report();
+  updateOutput();
 
   // Force on the hand, after the mechanics: it belongs to this tick's pose.
   const Eigen::Vector3d force_D = registration_.toDevice(forceScale_ * state_.readings.handForce_W);
@@ -79,13 +79,13 @@ TickOutput InsertionEngine::tick(const device::DeviceSample& sample,
   return output_;
 }
 
-void InsertionEngine::obey(const Command& command) noexcept
+void InsertionEngine::applyCommand(const Command& command) noexcept
 {
   switch (command.kind) {
     case Command::Kind::none:
       break;
     case Command::Kind::arm:
-      happen(WorkflowEvent::arm);
+      transition(WorkflowEvent::arm);
       break;
     case Command::Kind::reset:
       reset();
@@ -95,10 +95,10 @@ void InsertionEngine::obey(const Command& command) noexcept
       break;
     case Command::Kind::clearFault:
       // Nothing can go on from an overflow; only a reset leaves it.
-      if (isFinite()) happen(WorkflowEvent::clearFault);
+      if (isFinite()) transition(WorkflowEvent::clearFault);
       break;
     case Command::Kind::requestFault:
-      happen(WorkflowEvent::trouble);
+      transition(WorkflowEvent::trouble);
       break;
     case Command::Kind::pullStylet:
       // A stylet once pulled is never pushed back into an array.
@@ -112,7 +112,7 @@ void InsertionEngine::obey(const Command& command) noexcept
   }
 }
 
-void InsertionEngine::happen(WorkflowEvent event) noexcept
+void InsertionEngine::transition(WorkflowEvent event) noexcept
 {
   const Workflow before = workflow_;
   workflow_ = next(before, event);
@@ -131,12 +131,12 @@ void InsertionEngine::startWithdrawing() noexcept
   const bool isOut = workflow_ == Workflow::idle || workflow_ == Workflow::armed;
   if (isOut || workflow_ == Workflow::fault || isWithdrawn_) return;
   isWithdrawing_ = true;
-  happen(WorkflowEvent::withdraw);
+  transition(WorkflowEvent::withdraw);
 }
 
 void InsertionEngine::reset() noexcept
 {
-  happen(WorkflowEvent::reset);
+  transition(WorkflowEvent::reset);
   state_.reset(*model_);
   base_ = startOf(*model_);
   styletTarget_ = 0.0;
@@ -149,7 +149,7 @@ void InsertionEngine::reset() noexcept
   safety_.forgetEnergy();
 }
 
-void InsertionEngine::judge(const HandState& hand, std::uint32_t& status) noexcept
+void InsertionEngine::validate(const HandState& hand, std::uint32_t& status) noexcept
 {
   if (hand.isRejected) status |= sampleRejected;
   if (hand.hasJumped) {
@@ -158,14 +158,14 @@ void InsertionEngine::judge(const HandState& hand, std::uint32_t& status) noexce
   }
   if (hand.isLost) {
     status |= deviceLost;
-    happen(WorkflowEvent::trouble);
+    transition(WorkflowEvent::trouble);
   }
-  if (!isFinite()) happen(WorkflowEvent::trouble);
+  if (!isFinite()) transition(WorkflowEvent::trouble);
 
   // A hand that nobody has heard of lately takes no hold.
   const bool holds = hand.isHeld && !hand.isStale;
-  if (holds) happen(WorkflowEvent::grasp);
-  if (!hand.isHeld) happen(WorkflowEvent::release);
+  if (holds) transition(WorkflowEvent::grasp);
+  if (!hand.isHeld) transition(WorkflowEvent::release);
 }
 
 HandCondition InsertionEngine::conditionOf(const HandState& hand) const noexcept
@@ -192,7 +192,7 @@ void InsertionEngine::moveMechanics(const HandState& hand) noexcept
   output_.device_W = asArray(drive.handPosition_W);
 
   if (!isFinite()) {
-    happen(WorkflowEvent::trouble);
+    transition(WorkflowEvent::trouble);
     return;
   }
   if (state_.readings.residual > maxResidual) output_.status |= notConverged;
@@ -276,11 +276,12 @@ mechanics::Drive InsertionEngine::follow(const HandState& hand) noexcept
 
 void InsertionEngine::noteArrival() noexcept
 {
-  if (!isWithdrawing_ && travel() >= settings_.stopTravel - arrived) happen(WorkflowEvent::arrive);
+  if (!isWithdrawing_ && travel() >= settings_.stopTravel - arrived)
+    transition(WorkflowEvent::arrive);
   if (isWithdrawing_ && travel() <= arrived) {
     isWithdrawing_ = false;
     isWithdrawn_ = true;
-    happen(WorkflowEvent::arrive);
+    transition(WorkflowEvent::arrive);
   }
 }
 
@@ -292,7 +293,7 @@ bool InsertionEngine::isFinite() const noexcept
          isFiniteVector(state_.base_W) && std::isfinite(state_.readings.depth);
 }
 
-void InsertionEngine::report() noexcept
+void InsertionEngine::updateOutput() noexcept
 {
   output_.workflow = workflow_;
   output_.time = static_cast<double>(ticksSinceBegin_) * model_->timeStep;

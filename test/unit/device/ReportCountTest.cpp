@@ -14,7 +14,7 @@ ReportCount heardUpTo(std::uint64_t counter)
 {
   ReportCount count(1e-3);
   for (std::uint64_t i = 1; i <= counter; ++i)
-    count.judge(i, static_cast<std::int64_t>(i) * millisecond);
+    count.classify(i, static_cast<std::int64_t>(i) * millisecond);
   return count;
 }
 
@@ -22,7 +22,7 @@ TEST(ReportCount, CallsEveryNextReportFresh)
 {
   ReportCount count(1e-3);
   for (std::uint64_t i = 1; i <= 5000; ++i) {
-    ASSERT_EQ(count.judge(i, static_cast<std::int64_t>(i) * millisecond), Verdict::fresh);
+    ASSERT_EQ(count.classify(i, static_cast<std::int64_t>(i) * millisecond), Verdict::fresh);
     ASSERT_EQ(count.lost(), 0u);
   }
 }
@@ -30,20 +30,20 @@ TEST(ReportCount, CallsEveryNextReportFresh)
 TEST(ReportCount, SeesARepeatedReport)
 {
   ReportCount count = heardUpTo(10);
-  EXPECT_EQ(count.judge(10, 11 * millisecond), Verdict::duplicate);
+  EXPECT_EQ(count.classify(10, 11 * millisecond), Verdict::duplicate);
 }
 
 TEST(ReportCount, SeesAnOvertakenReport)
 {
   ReportCount count = heardUpTo(10);
-  EXPECT_EQ(count.judge(9, 11 * millisecond), Verdict::old);
-  EXPECT_EQ(count.judge(11, 12 * millisecond), Verdict::fresh);
+  EXPECT_EQ(count.classify(9, 11 * millisecond), Verdict::old);
+  EXPECT_EQ(count.classify(11, 12 * millisecond), Verdict::fresh);
 }
 
 TEST(ReportCount, CountsTheReportsThatAreMissing)
 {
   ReportCount count = heardUpTo(10);
-  EXPECT_EQ(count.judge(14, 14 * millisecond), Verdict::fresh);
+  EXPECT_EQ(count.classify(14, 14 * millisecond), Verdict::fresh);
   EXPECT_EQ(count.lost(), 3u);  // 11, 12, 13
 }
 
@@ -51,8 +51,8 @@ TEST(ReportCount, KnowsThatAReportWaited)
 {
   // 300 ms nobody listens; the report of millisecond 11 comes at 310
   ReportCount count = heardUpTo(10);
-  EXPECT_EQ(count.judge(11, 310 * millisecond), Verdict::old);
-  EXPECT_EQ(count.judge(310, 311 * millisecond), Verdict::fresh);
+  EXPECT_EQ(count.classify(11, 310 * millisecond), Verdict::old);
+  EXPECT_EQ(count.classify(310, 311 * millisecond), Verdict::fresh);
 }
 
 TEST(ReportCount, BelievesADeviceThatPausedWithoutCounting)
@@ -63,14 +63,15 @@ TEST(ReportCount, BelievesADeviceThatPausedWithoutCounting)
     std::uint64_t counter = 0;
     for (int i = 0; i < 100; ++i) {
       now += millisecond;
-      count.judge(++counter, now, now);
+      count.classify(++counter, now, now);
     }
     // the queue stayed empty all the while, so the next report has just come
     now += pause * millisecond;
-    EXPECT_EQ(count.judge(++counter, now + millisecond, now), ReportCount::Verdict::fresh) << pause;
+    EXPECT_EQ(count.classify(++counter, now + millisecond, now), ReportCount::Verdict::fresh)
+        << pause;
     // and one that waits in the queue afterwards is found out as before
     now += millisecond;
-    EXPECT_EQ(count.judge(++counter, now + 100 * millisecond, now), ReportCount::Verdict::old);
+    EXPECT_EQ(count.classify(++counter, now + 100 * millisecond, now), ReportCount::Verdict::old);
   }
 }
 
@@ -81,7 +82,7 @@ TEST(ReportCount, FollowsCountersOfAllWidthsOverTheirEnd)
     std::int64_t now = 0;
     for (int i = 0; i < 40; ++i, now += millisecond) {
       const std::uint64_t counter = (end - 20 + static_cast<std::uint64_t>(i)) % end;
-      ASSERT_EQ(count.judge(counter, now), Verdict::fresh) << end << ", " << i;
+      ASSERT_EQ(count.classify(counter, now), Verdict::fresh) << end << ", " << i;
       ASSERT_EQ(count.lost(), 0u) << end << ", " << i;
     }
   }
@@ -90,15 +91,15 @@ TEST(ReportCount, FollowsCountersOfAllWidthsOverTheirEnd)
 TEST(ReportCount, BeginsAnewWithADeviceThatDoes)
 {
   ReportCount count = heardUpTo(5000);
-  EXPECT_EQ(count.judge(1, 5001 * millisecond), Verdict::fresh);
-  EXPECT_EQ(count.judge(2, 5002 * millisecond), Verdict::fresh);
+  EXPECT_EQ(count.classify(1, 5001 * millisecond), Verdict::fresh);
+  EXPECT_EQ(count.classify(2, 5002 * millisecond), Verdict::fresh);
   EXPECT_EQ(count.lost(), 0u);
 }
 
 TEST(ReportCount, BelievesADeviceWithoutACounter)
 {
   ReportCount count(1e-3);
-  for (int i = 0; i < 100; ++i) ASSERT_EQ(count.judge(0, i * millisecond), Verdict::fresh);
+  for (int i = 0; i < 100; ++i) ASSERT_EQ(count.classify(0, i * millisecond), Verdict::fresh);
 }
 
 TEST(ReportCount, BearsADeviceClockThatDiffersByOnePercent)
@@ -107,7 +108,7 @@ TEST(ReportCount, BearsADeviceClockThatDiffersByOnePercent)
     ReportCount count(1e-3);
     for (std::uint64_t i = 1; i <= 100'000; ++i) {
       const auto now = static_cast<std::int64_t>(static_cast<double>(i) * share * 1e6);
-      ASSERT_EQ(count.judge(i, now), Verdict::fresh) << share << ", " << i;
+      ASSERT_EQ(count.classify(i, now), Verdict::fresh) << share << ", " << i;
     }
   }
 }

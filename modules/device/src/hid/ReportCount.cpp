@@ -39,8 +39,8 @@ void ReportCount::startOver() noexcept
   reports_ = 0;
 }
 
-ReportCount::Verdict ReportCount::judge(std::uint64_t counter, std::int64_t now,
-                                        std::int64_t emptyAt) noexcept
+ReportCount::Verdict ReportCount::classify(std::uint64_t counter, std::int64_t now,
+                                           std::int64_t emptyAt) noexcept
 {
   lost_ = 0;
   if (!hasCounter_) {
@@ -58,7 +58,7 @@ ReportCount::Verdict ReportCount::judge(std::uint64_t counter, std::int64_t now,
     if (!wrapped && last_ - counter <= maxBack) return Verdict::old;
     if (!wrapped) {
       startOver();
-      return judge(counter, now, emptyAt);
+      return classify(counter, now, emptyAt);
     }
     steps = *wrapped;
   }

@@ -25,7 +25,7 @@ bool ReportReader::accept(const RawReport& report) noexcept
     return false;
   }
   const std::int64_t now = clock_();
-  const ReportCount::Verdict verdict = count_.judge(*counter, now, emptyAt_);
+  const ReportCount::Verdict verdict = count_.classify(*counter, now, emptyAt_);
   figures_.lost += count_.lost();
   if (verdict == ReportCount::Verdict::duplicate) ++figures_.duplicates;
   if (verdict == ReportCount::Verdict::old) ++figures_.old;

@@ -28,8 +28,8 @@ public:
 
   /// Judges a report that was taken `now` [ns], from a queue that was last seen empty at `emptyAt`
   /// [ns]. Real-time safe.
-  PERILYMPH_REALTIME Verdict judge(std::uint64_t counter, std::int64_t now,
-                                   std::int64_t emptyAt = never) noexcept;
+  PERILYMPH_REALTIME Verdict classify(std::uint64_t counter, std::int64_t now,
+                                      std::int64_t emptyAt = never) noexcept;
 
   /// Reports missing just before the last fresh one.
   std::uint64_t lost() const noexcept { return lost_; }

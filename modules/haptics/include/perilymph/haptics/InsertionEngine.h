@@ -76,11 +76,11 @@ public:
   std::uint64_t fingerprint() const noexcept;
 
 private:
-  void obey(const Command& command) noexcept;
-  void happen(WorkflowEvent event) noexcept;
+  void applyCommand(const Command& command) noexcept;
+  void transition(WorkflowEvent event) noexcept;
   void startWithdrawing() noexcept;
   void reset() noexcept;
-  void judge(const HandState& hand, std::uint32_t& status) noexcept;
+  void validate(const HandState& hand, std::uint32_t& status) noexcept;
   HandCondition conditionOf(const HandState& hand) const noexcept;
   void moveMechanics(const HandState& hand) noexcept;
   void moveStylet() noexcept;
@@ -90,7 +90,7 @@ private:
   void noteArrival() noexcept;
   double travel() const noexcept;
   bool isFinite() const noexcept;
-  void report() noexcept;
+  void updateOutput() noexcept;
 
   std::shared_ptr<const mechanics::InsertionModel> model_;
   EngineSettings settings_;

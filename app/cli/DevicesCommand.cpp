@@ -128,7 +128,7 @@ Json described(const TrialOutcome& trial)
           {"stiffest_coupling_N_m", trial.stiffness},
           {"force_axes", trial.axes},
           {"force_axes_shown", trial.axesFelt},
-          {"trouble", health.trouble}};
+          {"trouble", health.error}};
 }
 
 void printForce(const TrialOutcome& trial)
@@ -157,7 +157,7 @@ void printTrial(const TrialOutcome& trial)
         ms(reading.intervalMax));
   print("{:18} {} fresh, {} lost, {} repeated, {} old, {} not understood\n", "", reading.fresh,
         reading.lost, reading.duplicates, reading.old, reading.foreign);
-  if (!health.trouble.empty()) print("{:18} {}\n", "", health.trouble);
+  if (!health.error.empty()) print("{:18} {}\n", "", health.error);
   if (trial.axes == 0) return;
   const device::WritingFigures& writing = health.writing;
   print("{:18} median {} ms, 99 % below {} ms, longest {} ms\n", "to take a force",
@@ -202,8 +202,8 @@ Result<Done> devices(const DevicesOptions& options)
   json["version"] = version();
   json["devices"] = Json::array();
   for (const FoundDevice& found : survey.devices) json["devices"].push_back(described(found));
-  json["profile_mistakes"] = survey.mistakes;
-  for (const std::string& mistake : survey.mistakes) printError("{}\n", mistake);
+  json["profile_mistakes"] = survey.errors;
+  for (const std::string& error : survey.errors) printError("{}\n", error);
 
   if (options.test) {
     const auto found = deviceOfNumber(survey, *options.test);

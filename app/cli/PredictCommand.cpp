@@ -68,7 +68,7 @@ Result<Done> predict(const PredictOptions& options, const CallFiles& files)
   if (const auto done = writeFolder(files, options.out, content); !done) return done.error();
   for (const analysis::ArraySummary& array : result->arrays) printArray(array, *inVivo);
   for (const analysis::PredictedInsertion& each : result->insertions)
-    if (!each.trouble.empty()) print("{} in {}: {}\n", each.array, each.patient, each.trouble);
+    if (!each.error.empty()) print("{} in {}: {}\n", each.array, each.patient, each.error);
   return Done{};
 }
 

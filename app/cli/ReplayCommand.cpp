@@ -15,7 +15,7 @@ namespace {
 
 Result<Done> writeRows(const session::RecordedInsertion& recorded, const std::string& csv)
 {
-  std::optional<Error> trouble;
+  std::optional<Error> failed;
   const auto written = writeWhole(csv, [&](const std::filesystem::path& place) {
     std::ofstream stream(place, std::ios::binary);
     stream << session::csvHeader();
@@ -23,11 +23,11 @@ Result<Done> writeRows(const session::RecordedInsertion& recorded, const std::st
       stream << session::csvRow(record);
       return stream.good();
     });
-    if (!read) trouble = read.error();
+    if (!read) failed = read.error();
     stream.close();
-    return stream.good() && !trouble;
+    return stream.good() && !failed;
   });
-  if (trouble) return *trouble;
+  if (failed) return *failed;
   return written;
 }
 

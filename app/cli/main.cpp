@@ -20,7 +20,7 @@ namespace {
 // Exit statuses people's scripts rely on.
 constexpr int done = 0;
 constexpr int couldNot = 1;
-constexpr int wrongWords = 2;
+constexpr int usageError = 2;
 
 /// What is wrong with the words of a call.
 std::string words(const CLI::ParseError& error, const CLI::App& app, int argc, char** argv)
@@ -63,7 +63,7 @@ int run(int argc, char** argv)
       return done;
     }
     printError("{}. See perilymph-cli --help.\n", words(error, app, argc, argv));
-    return wrongWords;
+    return usageError;
   }
   const CallFiles files = fileOptions.filesOfCall();
   if (const auto checked = files.check(); !checked) return report(checked);

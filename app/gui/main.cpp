@@ -93,13 +93,13 @@ WindowEnd runWindow(gui::Application& application, const gui::TerminationSignals
   QGuiApplication::setQuitOnLastWindowClosed(true);
   gui::RunMark mark(gui::stateFolder());
   gui::MainWindow window(beginning.scenario, options.record);
-  application.onException([&window](const QString& sentence) { window.showTrouble(sentence); });
+  application.onException([&window](const QString& sentence) { window.showError(sentence); });
   if (beginning.setup) window.resume(beginning.setup->first, beginning.setup->second);
   window.showPage(beginning.page);
   gui::arrangeErrands(window, options);
   window.views().drawBy(gui::openGlRenderer(),
                         options.quality ? gui::qualityNamed(*options.quality) : std::nullopt);
-  window.views().offerQuadBuffered(gui::quadBufferedTrouble(gui::hasStereoBuffers()));
+  window.views().offerQuadBuffered(gui::quadBufferedError(gui::hasStereoBuffers()));
   gui::offerInterrupted(window, beginning.interrupted);
   QObject::connect(&window, &gui::MainWindow::recordingChanged, &window,
                    [&window, &mark] { mark.setRecording(window.control().recording()); });

@@ -15,12 +15,12 @@ def main():
     if len(sys.argv) != 3 or sys.argv[1] not in CHECKS:
         print(__doc__, file=sys.stderr)
         return 2
-    wrong = importlib.import_module(f"checks.{sys.argv[1]}").check(Path(sys.argv[2]).resolve())
-    for sentence in wrong:
+    errors = importlib.import_module(f"checks.{sys.argv[1]}").check(Path(sys.argv[2]).resolve())
+    for sentence in errors:
         print(sentence)
-    if wrong:
-        print(f"{len(wrong)} to put right.")
-    return 1 if wrong else 0
+    if errors:
+        print(f"{len(errors)} to put right.")
+    return 1 if errors else 0
 
 
 if __name__ == "__main__":

@@ -42,8 +42,8 @@ void library(benchmark::State& state, bool isKnown)
 {
   const test::TemporaryFolder folder;
   const int sessions = static_cast<int>(state.range(0));
-  if (const std::string trouble = fill(folder.path(), sessions); !trouble.empty())
-    return state.SkipWithError(trouble.c_str());
+  if (const std::string error = fill(folder.path(), sessions); !error.empty())
+    return state.SkipWithError(error.c_str());
   if (isKnown) static_cast<void>(session::listSessions(folder.path()));
   for (auto _ : state) {
     if (!isKnown) {

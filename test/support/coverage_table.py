@@ -70,7 +70,7 @@ def missed_branches(files, code_of):
 
 def check_branches(files, reasons, code_of):
     """Prints every missed branch; gives the sentences of what may not stay so."""
-    wrong, used = [], set()
+    errors, used = [], set()
     print("\nBranches of what guards safety that no test takes:")
     for name, number, code, taken, of in missed_branches(files, code_of):
         key = (Path(name).name, code)
@@ -78,12 +78,12 @@ def check_branches(files, reasons, code_of):
         used.add(key)
         print(f"  {name}:{number}: {taken} of {of}: {reason or 'MISSED'}")
         if reason is None:
-            wrong.append(f"{name}:{number}: '{code}' has a branch that no test takes.")
-    print(f"  {len(used)} lines in all, {len(wrong)} of them without a reason")
-    wrong += [f"{REASONS.name} gives a reason for '{code}' of {name}, which is taken or gone."
+            errors.append(f"{name}:{number}: '{code}' has a branch that no test takes.")
+    print(f"  {len(used)} lines in all, {len(errors)} of them without a reason")
+    errors += [f"{REASONS.name} gives a reason for '{code}' of {name}, which is taken or gone."
               for (name, code), reason in reasons.items()
               if (name, code) not in used and not reason.startswith(BY_CHANCE)]
-    return wrong
+    return errors
 
 
 def main(report, root):
@@ -92,12 +92,12 @@ def main(report, root):
 
     files = json.load(open(report, encoding="utf-8"))["files"]
     share = print_table(files)
-    wrong = check_branches(files, read_reasons(REASONS.read_text()), code_of)
+    errors = check_branches(files, read_reasons(REASONS.read_text()), code_of)
     if share < MIN_SHARE:
-        wrong.append(f"The engine's tests run through {100 * share:.1f} % of its lines; "
+        errors.append(f"The engine's tests run through {100 * share:.1f} % of its lines; "
                      f"{100 * MIN_SHARE:.0f} % are wanted.")
-    if wrong:
-        sys.exit("\n".join(wrong))
+    if errors:
+        sys.exit("\n".join(errors))
 
 
 if __name__ == "__main__":

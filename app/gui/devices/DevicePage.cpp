@@ -115,8 +115,8 @@ void DevicePage::refresh()
   const device::DeviceSurvey survey = device::surveyDevices(device::systemRoots());
   if (survey.devices.empty()) addText(*column, tr("No HID device is plugged in."), false);
   for (const device::FoundDevice& found : survey.devices) addDevice(found);
-  for (const std::string& mistake : survey.mistakes)
-    addText(*column, QString::fromStdString(mistake), true);
+  for (const std::string& error : survey.errors)
+    addText(*column, QString::fromStdString(error), true);
   addText(*column, tr("Hands that need no hardware: the script, and mouse and keyboard."), true);
   column_->addWidget(list_);
   list_->show();  // the page may be on the screen already
@@ -195,7 +195,7 @@ void DevicePage::showHand(const QString& name, const std::optional<device::Devic
                    .arg(milliseconds(health->writing.timeMedian),
                         milliseconds(health->writing.timeP99), roundTripText(*health));
     if (!health->guardObstacle.empty()) lines << QString::fromStdString(health->guardObstacle);
-    if (!health->trouble.empty()) lines << QString::fromStdString(health->trouble);
+    if (!health->error.empty()) lines << QString::fromStdString(health->error);
   } else {
     lines << tr("It needs no hardware and feels no force.");
   }

@@ -55,7 +55,7 @@ private:
 /// Lives in the thread of the sound.
 class ForceVoice : public QObject {
 public:
-  QString trouble() const
+  QString reason() const
   {
     const QAudioDeviceInfo output = QAudioDeviceInfo::defaultOutputDevice();
     if (output.isNull()) return ForceSound::tr("no sound output was found");
@@ -93,7 +93,7 @@ private:
 
 class ForceVoice : public QObject {
 public:
-  QString trouble() const { return ForceSound::tr("this build was made without sound"); }
+  QString reason() const { return ForceSound::tr("this build was made without sound"); }
   void play(bool) {}
   void hear(const Tone&) {}
 };
@@ -120,7 +120,7 @@ void ForceSound::ask()
 {
   if (thread_.isRunning()) return;
   thread_.start();
-  QMetaObject::invokeMethod(voice_, [this, voice = voice_] { Q_EMIT known(voice->trouble()); });
+  QMetaObject::invokeMethod(voice_, [this, voice = voice_] { Q_EMIT known(voice->reason()); });
 }
 
 void ForceSound::setOn(bool isOn)

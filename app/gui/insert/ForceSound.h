@@ -29,7 +29,7 @@ public:
 Q_SIGNALS:
   /// Whether anything can be heard here.
   /// @param trouble  Why not; empty if it can.
-  void known(const QString& trouble);
+  void known(const QString& reason);
 
 private:
   ForceVoice* voice_;

@@ -94,7 +94,7 @@ void HandSection::show(const Setup& setup)
 QString HandSection::commit()
 {
   if (force_->commit()) return {};
-  return tr("Force shown %1. Correct it, or press Esc in its field.").arg(force_->trouble());
+  return tr("Force shown %1. Correct it, or press Esc in its field.").arg(force_->error());
 }
 
 void HandSection::setHand(InputSource hand, const QString& name)

@@ -85,7 +85,7 @@ Result<Done> InsertionControl::prepare(InputSource hand)
   // Any other insertion goes on without one, and says so, rather than not at all.
   const Result<Done> unrecorded = build(hand, std::nullopt);
   if (!unrecorded) return unrecorded;
-  recordingTrouble_ = recorded.error().message;
+  recordingError_ = recorded.error().message;
   return Done{};
 }
 
@@ -97,7 +97,7 @@ void InsertionControl::discard()
   scripted_ = nullptr;
   pointer_ = nullptr;
   isRunning_ = false;
-  recordingTrouble_.clear();
+  recordingError_.clear();
   std::error_code ignored;
   if (unused) std::filesystem::remove(*unused, ignored);
 }
@@ -306,13 +306,13 @@ std::string InsertionControl::couplingWords() const
 
 std::optional<std::filesystem::path> InsertionControl::recording() const
 {
-  return insertion_ && recordingTrouble().empty() ? insertion_->recording() : std::nullopt;
+  return insertion_ && recordingError().empty() ? insertion_->recording() : std::nullopt;
 }
 
-std::string InsertionControl::recordingTrouble() const
+std::string InsertionControl::recordingError() const
 {
-  if (!recordingTrouble_.empty() || !insertion_) return recordingTrouble_;
-  return insertion_->recordingTrouble();
+  if (!recordingError_.empty() || !insertion_) return recordingError_;
+  return insertion_->recordingError();
 }
 
 }  // namespace perilymph::gui

@@ -98,7 +98,7 @@ public:
   /// The file being written; none if it could not be.
   std::optional<std::filesystem::path> recording() const;
   /// A sentence while the insertion is not being kept; empty while all is well.
-  std::string recordingTrouble() const;
+  std::string recordingError() const;
 
 private:
   enum class Wish { rest, insert, withdraw };
@@ -129,7 +129,7 @@ private:
   std::optional<double> styletTarget_;  ///< [m]
   bool styletAsked_ = false;
   std::uint64_t askedAt_ = 0;  ///< Tick of the picture at the last request.
-  std::string recordingTrouble_;
+  std::string recordingError_;
   haptics::Snapshot now_{};
 };
 

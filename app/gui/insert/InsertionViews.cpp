@@ -119,10 +119,10 @@ void InsertionViews::nextStereo()
   setStereo(now == last ? Stereo::off : static_cast<Stereo>(static_cast<int>(now) + 1));
 }
 
-void InsertionViews::offerQuadBuffered(const QString& trouble)
+void InsertionViews::offerQuadBuffered(const QString& error)
 {
-  hasQuadBuffers_ = trouble.isEmpty();
-  menu_->offerQuadBuffered(trouble);
+  hasQuadBuffers_ = error.isEmpty();
+  menu_->offerQuadBuffered(error);
 }
 
 std::unique_ptr<visualization::InsertionScene> InsertionViews::madeScene() const

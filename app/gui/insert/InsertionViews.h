@@ -52,7 +52,7 @@ public:
   void weigh(const FrameMeter& meter);
   /// Whether quad-buffered stereo can be chosen.
   /// @param trouble  Why it is not to be had; empty where it is.
-  void offerQuadBuffered(const QString& trouble);
+  void offerQuadBuffered(const QString& error);
   /// The window it is shown in; none while it is not.
   const StereoWindow* stereoWindow() const { return twin_.get(); }
 

@@ -138,10 +138,10 @@ void SidePanel::showSetup(const SetupHistory& history)
 
 QString SidePanel::commit()
 {
-  QString trouble = patient_->commit();
-  if (trouble.isEmpty()) trouble = array_->commit();
-  if (trouble.isEmpty()) trouble = hand_->commit();
-  return trouble;
+  QString error = patient_->commit();
+  if (error.isEmpty()) error = array_->commit();
+  if (error.isEmpty()) error = hand_->commit();
+  return error;
 }
 
 void SidePanel::setChangeable(bool isChangeable)

@@ -126,17 +126,17 @@ void ViewMenu::addSound(QMenu& menu)
   offerSound(tr("looking for a sound output"));
 }
 
-void ViewMenu::offerSound(const QString& trouble)
+void ViewMenu::offerSound(const QString& error)
 {
-  sound_->setEnabled(trouble.isEmpty());
-  if (!trouble.isEmpty()) sound_->setChecked(false);
-  sound_->setText(trouble.isEmpty() ? tr("Hear the force: an octave for each 100 mN")
-                                    : tr("Hear the force: %1").arg(trouble));
+  sound_->setEnabled(error.isEmpty());
+  if (!error.isEmpty()) sound_->setChecked(false);
+  sound_->setText(error.isEmpty() ? tr("Hear the force: an octave for each 100 mN")
+                                  : tr("Hear the force: %1").arg(error));
   sound_->setToolTip(
-      trouble.isEmpty()
+      error.isEmpty()
           ? tr("A tone while the force on the hand is 5 mN or more: 220 Hz at no force, an octave "
                "higher for each 100 mN.")
-          : trouble);
+          : error);
 }
 
 QAction* ViewMenu::addChoice(QMenu& menu, QActionGroup& group, const QString& text,
@@ -171,16 +171,16 @@ void ViewMenu::setQuality(QualityChoice quality)
   check(qualities_, quality ? 1 + static_cast<std::size_t>(*quality) : 0);
 }
 
-void ViewMenu::offerQuadBuffered(const QString& trouble)
+void ViewMenu::offerQuadBuffered(const QString& error)
 {
   QAction* action = stereos_.back();
-  action->setEnabled(trouble.isEmpty());
-  action->setText(trouble.isEmpty() ? tr("Quad-buffered, in a window of its own")
-                                    : tr("Quad-buffered: %1").arg(trouble));
-  action->setToolTip(trouble.isEmpty()
+  action->setEnabled(error.isEmpty());
+  action->setText(error.isEmpty() ? tr("Quad-buffered, in a window of its own")
+                                  : tr("Quad-buffered: %1").arg(error));
+  action->setToolTip(error.isEmpty()
                          ? tr("The picture for two eyes through the display’s two buffers, without "
                               "words on it; Esc closes it.")
-                         : trouble);
+                         : error);
 }
 
 }  // namespace perilymph::gui

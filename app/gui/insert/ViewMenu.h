@@ -30,9 +30,9 @@ public:
   void setStereo(visualization::Stereo stereo);
   void setQuality(QualityChoice quality);
   /// Quad-buffered stereo cannot be chosen here because of this; with no trouble it can.
-  void offerQuadBuffered(const QString& trouble);
+  void offerQuadBuffered(const QString& error);
   /// The force cannot be heard here because of this; with no trouble it can.
-  void offerSound(const QString& trouble);
+  void offerSound(const QString& error);
 
 Q_SIGNALS:
   /// The menu opens: now is the time to ask what is there.

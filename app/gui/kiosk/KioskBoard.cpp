@@ -93,7 +93,7 @@ void KioskBoard::save()
   std::error_code ignored;  // what cannot be made is said when the file is written
   std::filesystem::create_directories(file_.parent_path(), ignored);
   const Result<Done> written = writeWhole(file_, text.toStdString());
-  trouble_ = written ? std::string() : written.error().message;
+  error_ = written ? std::string() : written.error().message;
 }
 
 std::filesystem::path kioskBoardFile()

@@ -36,7 +36,7 @@ public:
   /// @return Its place, 1 for the first; none if it is not among them.
   std::optional<int> enter(const QDate& day, const KioskEntry& entry);
   /// Why the board could not be kept; empty while all is well.
-  const std::string& trouble() const { return trouble_; }
+  const std::string& error() const { return error_; }
 
 private:
   void load(const QDate& day);
@@ -45,7 +45,7 @@ private:
   std::filesystem::path file_;
   QDate day_;
   std::vector<KioskEntry> entries_;
-  std::string trouble_;
+  std::string error_;
 };
 
 /// The board's place: the folder `booth` in the data home.

@@ -175,7 +175,7 @@ void KioskWindow::endTurn()
           .arg(entry.reversals));
   setStage(KioskStage::result);
   showBoard(place);
-  if (!board_.trouble().empty()) view_->setBanner(QString::fromStdString(board_.trouble()));
+  if (!board_.error().empty()) view_->setBanner(QString::fromStdString(board_.error()));
 }
 
 void KioskWindow::letGo()

@@ -74,7 +74,7 @@ QLabel[quiet="true"] { color: %quietText%; }
 QLabel[onPicture="true"] {
   color: %quietText%; background: %plate%; border-radius: 4px; padding: 2px 6px;
 }
-QLabel[trouble="true"] { color: %warning%; }
+QLabel[error="true"] { color: %warning%; }
 QLabel[badge="true"] {
   color: %onWarning%; background: %warning%; border-radius: 4px; padding: 1px 6px;
 }

@@ -103,7 +103,7 @@ bool hasStereoBuffers()
   return context.create() && context.format().stereo();
 }
 
-QString quadBufferedTrouble(bool hasBuffers)
+QString quadBufferedError(bool hasBuffers)
 {
   if (hasBuffers) return {};
   return QCoreApplication::translate("Display", "this display has no buffers for two eyes");

@@ -23,6 +23,6 @@ std::string openGlRenderer();
 bool hasStereoBuffers();
 
 /// Why pictures for two eyes cannot go through two buffers of the display; empty where they can.
-QString quadBufferedTrouble(bool hasBuffers);
+QString quadBufferedError(bool hasBuffers);
 
 }  // namespace perilymph::gui

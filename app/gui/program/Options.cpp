@@ -115,8 +115,8 @@ std::variant<Options, Exit> parseOptions(int argc, const char* const* argv)
   } catch (const CLI::Success& success) {  // --help and --version
     app.exit(success);
     return Exit{0};
-  } catch (const CLI::ParseError& wrong) {
-    std::cerr << wrong.what() << "\nperilymph --help lists the words it knows.\n";
+  } catch (const CLI::ParseError& error) {
+    std::cerr << error.what() << "\nperilymph --help lists the words it knows.\n";
     return Exit{2};
   }
   if (recordOption->count() > 0) options.record = record;

@@ -52,13 +52,13 @@ void Replay::close()
   playback_.reset();
   isPlaying_ = false;
   verdict_.clear();
-  isTrouble_ = false;
+  isError_ = false;
 }
 
 void Replay::check()
 {
   verdict_ = tr("comparing bits…");
-  isTrouble_ = false;
+  isError_ = false;
   checking_.run(
       "The replay",
       [playback = playback_](const std::atomic<bool>& isCanceled) {
@@ -68,16 +68,16 @@ void Replay::check()
       [this](const Result<session::Verification>& verified) {
         if (!verified) {
           verdict_ = QString::fromStdString(verified.error().message);
-          isTrouble_ = true;
+          isError_ = true;
         } else if (!verified->damage.empty()) {
           verdict_ =
               tr("is not as it was recorded: %1").arg(QString::fromStdString(verified->damage));
-          isTrouble_ = true;
+          isError_ = true;
         } else if (verified->difference) {
           verdict_ = tr("differs from tick %1 on (%2)")
                          .arg(verified->difference->tick)
                          .arg(QString::fromStdString(verified->difference->field));
-          isTrouble_ = true;
+          isError_ = true;
         } else if (verified->ticksCompared < playback_->ticks()) {
           verdict_ = tr("replays bit for bit up to tick %1").arg(verified->ticksCompared);
         } else {
@@ -131,7 +131,7 @@ bool Replay::advance(double elapsed_s)
   const auto shown = playback_->show(place_, now_);
   if (!shown) {
     verdict_ = QString::fromStdString(shown.error().message);
-    isTrouble_ = true;
+    isError_ = true;
     pause();
   }
   return bool(shown);

@@ -49,7 +49,7 @@ public:
 
   /// In words: still comparing, every bit the same, or the first tick that differs.
   QString verdict() const { return verdict_; }
-  bool isTrouble() const { return isTrouble_; }
+  bool isError() const { return isError_; }
   bool isChecked() const { return isOpen() && !checking_.isBusy(); }
 
 Q_SIGNALS:
@@ -69,7 +69,7 @@ private:
   int speed_ = 0;
   bool isPlaying_ = false, isNew_ = false;
   QString verdict_;
-  bool isTrouble_ = false;
+  bool isError_ = false;
 };
 
 }  // namespace perilymph::gui

@@ -160,7 +160,7 @@ void ReplayBar::showPlace(const Replay& replay)
   if (status_->text() == words) return;
   status_->setText(words);
   status_->setToolTip(words);
-  status_->setProperty("trouble", replay.isTrouble());
+  status_->setProperty("error", replay.isError());
   status_->style()->unpolish(status_);
   status_->style()->polish(status_);
 }

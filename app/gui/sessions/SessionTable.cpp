@@ -120,7 +120,7 @@ QString SessionTable::text(const Row& row, int column) const
     case name:
       return nameOf(session);
     case patient:
-      if (session.patient.empty()) return session.trouble.empty() ? QString() : tr("unreadable");
+      if (session.patient.empty()) return session.error.empty() ? QString() : tr("unreadable");
       return tr("%1 · %2").arg(QString::fromStdString(session.patient),
                                session.side == "left" ? tr("left") : tr("right"));
     case array:
@@ -173,13 +173,13 @@ QVariant SessionTable::data(const QModelIndex& index, int role) const
     case Qt::DecorationRole:
       return index.column() == picture ? QVariant(plainIcon(thumbnails_->find(shown))) : QVariant();
     case Qt::ToolTipRole:
-      return shown.trouble.empty() ? QString::fromStdString(shown.file.string())
-                                   : QString::fromStdString(shown.trouble);
+      return shown.error.empty() ? QString::fromStdString(shown.file.string())
+                                 : QString::fromStdString(shown.error);
     case Qt::TextAlignmentRole:
       return index.column() >= duration ? int(Qt::AlignRight | Qt::AlignVCenter)
                                         : int(Qt::AlignLeft | Qt::AlignVCenter);
     case Qt::ForegroundRole:
-      if (!shown.trouble.empty()) return warningColor;
+      if (!shown.error.empty()) return warningColor;
       return index.column() == name ? quietTextColor : textColor;
     case sortRole:
       return sortValue(row, index.column());

@@ -222,10 +222,10 @@ void SessionsPage::reread()
 
 void SessionsPage::cancel() { work_.cancel(); }
 
-void SessionsPage::say(const QString& sentence, bool isTrouble)
+void SessionsPage::say(const QString& sentence, bool isError)
 {
   status_->setText(sentence);
-  status_->setProperty("trouble", isTrouble);
+  status_->setProperty("error", isError);
   status_->style()->unpolish(status_);
   status_->style()->polish(status_);
 }
@@ -303,8 +303,8 @@ void SessionsPage::showChoice()
   rename_->setEnabled(isOne && !rows[0].isBeingRecorded);
   delete_->setEnabled(!rows.empty() && !rows[0].isBeingRecorded);
   undo_->setVisible(!trashed_.empty());
-  if (isOne && !rows[0].trouble.empty())
-    say(QString::fromStdString(rows[0].trouble), true);
+  if (isOne && !rows[0].error.empty())
+    say(QString::fromStdString(rows[0].error), true);
   else if (isOne && rows[0].isBeingRecorded)
     say(tr("This insertion is being recorded. Reset ends its recording."));
   else if (!trashed_.empty())

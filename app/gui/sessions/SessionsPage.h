@@ -39,7 +39,7 @@ public:
 
   /// The chosen recordings that can be read, in the order of the table.
   std::vector<session::SessionSummary> chosen() const;
-  void say(const QString& sentence, bool isTrouble = false);
+  void say(const QString& sentence, bool isError = false);
 
 Q_SIGNALS:
   void replayAsked(const std::filesystem::path& file);

@@ -212,7 +212,7 @@ QString ArraySection::commit()
       {speed_, tr("Speed")}, {stop_, tr("Full depth")}, {nodes_, tr("Nodes")}};
   for (const auto& [field, title] : fields) {
     if (field->commit()) continue;
-    return tr("%1 %2. Correct it, or press Esc in its field.").arg(title, field->trouble());
+    return tr("%1 %2. Correct it, or press Esc in its field.").arg(title, field->error());
   }
   return {};
 }

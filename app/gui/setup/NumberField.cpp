@@ -11,7 +11,7 @@
 namespace perilymph::gui {
 
 NumberField::NumberField(const Form& form, QWidget* parent)
-    : QWidget(parent), form_(form), edit_(new ValueEdit(this)), trouble_(new QLabel(this))
+    : QWidget(parent), form_(form), edit_(new ValueEdit(this)), error_(new QLabel(this))
 {
   auto* title = new QLabel(form.title, this);
   title->setFont(typeface(13));
@@ -25,10 +25,10 @@ NumberField::NumberField(const Form& form, QWidget* parent)
   unit->setFont(typeface(11));
   unit->setProperty("quiet", true);
   unit->setMinimumWidth(32);
-  trouble_->setFont(typeface(11));
-  trouble_->setProperty("trouble", true);
-  trouble_->setWordWrap(true);
-  trouble_->hide();
+  error_->setFont(typeface(11));
+  error_->setProperty("error", true);
+  error_->setWordWrap(true);
+  error_->hide();
 
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
@@ -37,10 +37,10 @@ NumberField::NumberField(const Form& form, QWidget* parent)
   grid->addWidget(title, 0, 0);
   grid->addWidget(edit_, 0, 1);
   grid->addWidget(unit, 0, 2);
-  grid->addWidget(trouble_, 1, 0, 1, 3);
+  grid->addWidget(error_, 1, 0, 1, 3);
   grid->setColumnStretch(0, 1);
 
-  connect(edit_, &QLineEdit::textChanged, this, [this] { showTrouble(); });
+  connect(edit_, &QLineEdit::textChanged, this, [this] { showError(); });
   connect(edit_, &QLineEdit::editingFinished, this, [this] { commit(); });
 }
 
@@ -50,7 +50,7 @@ void NumberField::setRange(Range allowed)
   edit_->setToolTip(tr("%1 to %2 %3. %4")
                         .arg(numberText(allowed.low, form_.decimals),
                              numberText(allowed.high, form_.decimals), form_.unit, form_.tip));
-  showTrouble();
+  showError();
 }
 
 void NumberField::setValue(double value)
@@ -61,7 +61,7 @@ void NumberField::setValue(double value)
   edit_->setHeld(numberText(value, decimals));
 }
 
-QString NumberField::trouble() const
+QString NumberField::error() const
 {
   const auto typed = typedNumber(edit_->text());
   if (typed && *typed >= allowed_.low && *typed <= allowed_.high) return {};
@@ -70,11 +70,11 @@ QString NumberField::trouble() const
            form_.unit);
 }
 
-void NumberField::showTrouble()
+void NumberField::showError()
 {
-  const QString words = trouble();
-  trouble_->setText(words);
-  trouble_->setVisible(!words.isEmpty());
+  const QString words = error();
+  error_->setText(words);
+  error_->setVisible(!words.isEmpty());
 }
 
 bool NumberField::isPending() const { return edit_->isPending(); }
@@ -85,7 +85,7 @@ bool NumberField::commit()
 {
   if (!isPending()) return true;
   const auto typed = typedNumber(edit_->text());
-  if (!typed || !trouble().isEmpty()) return false;
+  if (!typed || !error().isEmpty()) return false;
   if (typed == typedNumber(edit_->held())) {
     takeBack();
     return true;

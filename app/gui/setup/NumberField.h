@@ -36,19 +36,19 @@ public:
   bool isPending() const;
   void takeBack();
   /// Why what is typed cannot be; empty where it can.
-  QString trouble() const;
+  QString error() const;
 
 Q_SIGNALS:
   /// A person gave this value.
   void given(double value);
 
 private:
-  void showTrouble();
+  void showError();
 
   Form form_;
   Range allowed_;
   ValueEdit* edit_;
-  QLabel* trouble_;
+  QLabel* error_;
 };
 
 }  // namespace perilymph::gui

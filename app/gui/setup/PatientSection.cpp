@@ -197,7 +197,7 @@ QString PatientSection::commit()
   for (const Number& number : numbers_) {
     if (number.page->isHidden() || number.shown->commit()) continue;
     return tr("%1 %2. Correct it, or press Esc in its field.")
-        .arg(number.title, number.shown->trouble());
+        .arg(number.title, number.shown->error());
   }
   askLabel();
   return {};

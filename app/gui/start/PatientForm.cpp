@@ -49,7 +49,7 @@ PatientForm::PatientForm(QWidget* parent)
       byLengths_(new Choice(tr("Three lengths"), this)),
       byBasalTurn_(new Choice(tr("A, B and H"), this)),
       numbers_(new QStackedWidget(this)),
-      trouble_(new QLabel(this)),
+      error_(new QLabel(this)),
       use_(new QPushButton(tr("Show this cochlea"), this))
 {
   setFixedWidth(formWidth_px);
@@ -74,10 +74,10 @@ PatientForm::PatientForm(QWidget* parent)
 
   numbers_->addWidget(addLengths());
   numbers_->addWidget(addBasalTurn());
-  trouble_->setFont(typeface(13));
-  trouble_->setWordWrap(true);
-  trouble_->setProperty("trouble", true);
-  trouble_->hide();
+  error_->setFont(typeface(13));
+  error_->setWordWrap(true);
+  error_->setProperty("error", true);
+  error_->hide();
 
   auto* back = new QPushButton(tr("Back"), this);
   back->setObjectName(QStringLiteral("leavePatientButton"));
@@ -105,7 +105,7 @@ PatientForm::PatientForm(QWidget* parent)
   column->addWidget(heading(tr("MEASURED IN CT"), this));
   column->addLayout(sideBySide(byLengths_, byBasalTurn_));
   column->addWidget(numbers_);
-  column->addWidget(trouble_);
+  column->addWidget(error_);
   column->addSpacing(2 * spacing);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(back);
@@ -174,7 +174,7 @@ void PatientForm::setPatient(const anatomy::Patient& patient)
   b_->setValue(turn.b);
   h_->setValue(turn.h);
   (patient.basalTurn ? byBasalTurn_ : byLengths_)->setChecked(true);
-  showTrouble({});
+  showError({});
   showState();
 }
 
@@ -195,10 +195,10 @@ anatomy::Patient PatientForm::patient() const
   return patient;
 }
 
-void PatientForm::showTrouble(const QString& sentence)
+void PatientForm::showError(const QString& sentence)
 {
-  trouble_->setText(sentence);
-  trouble_->setVisible(!sentence.isEmpty());
+  error_->setText(sentence);
+  error_->setVisible(!sentence.isEmpty());
 }
 
 bool PatientForm::isAcceptable() const

@@ -25,7 +25,7 @@ public:
   void setPatient(const anatomy::Patient& patient);
   anatomy::Patient patient() const;
   /// Says why the patient could not be used; empty hides it.
-  void showTrouble(const QString& sentence);
+  void showError(const QString& sentence);
 
 Q_SIGNALS:
   void patientGiven(const perilymph::anatomy::Patient& patient);
@@ -44,7 +44,7 @@ private:
   Choice* byBasalTurn_;
   QStackedWidget* numbers_;
   PopulationField *length_, *width_, *height_, *a_, *b_, *h_;
-  QLabel* trouble_;
+  QLabel* error_;
   QPushButton* use_;
 };
 

@@ -133,7 +133,7 @@ bool PopulationField::isAcceptable() const
   return typed && *typed >= population_.low && *typed <= population_.high;
 }
 
-QString PopulationField::trouble() const
+QString PopulationField::error() const
 {
   if (isAcceptable()) return {};
   const QString low = numberText(inMillimeters(population_.low), 1);
@@ -162,13 +162,13 @@ QString PopulationField::placeOf(Length value) const
 void PopulationField::showPlace()
 {
   const auto typed = value();
-  QString words = trouble();
+  QString words = error();
   if (words.isEmpty()) words = typed ? placeOf(*typed) : tr("left out: taken from A and B");
   place_->setText(words);
-  const bool isWrong = !isAcceptable();
-  if (place_->property("trouble").toBool() != isWrong) {
-    place_->setProperty("trouble", isWrong);
-    place_->setProperty("quiet", !isWrong);
+  const bool isError = !isAcceptable();
+  if (place_->property("error").toBool() != isError) {
+    place_->setProperty("error", isError);
+    place_->setProperty("quiet", !isError);
     place_->style()->unpolish(place_);
     place_->style()->polish(place_);
   }

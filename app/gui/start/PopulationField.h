@@ -42,7 +42,7 @@ public:
   /// True if what is typed is a number within the limits, or is rightly left out.
   bool isAcceptable() const;
   /// Why what is typed cannot be; empty where it can.
-  QString trouble() const;
+  QString error() const;
 
   /// Sends off what was typed since setHeld(). False where it is not acceptable.
   bool commit();

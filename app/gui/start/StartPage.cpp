@@ -90,7 +90,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent), stages_(new QStackedWid
 
   connect(patient_, &QPushButton::clicked, this, [this] {
     stages_->setCurrentIndex(1);
-    form_->showTrouble({});
+    form_->showError({});
     form_->setFocus();
   });
   connect(mean_, &QPushButton::clicked, this, &StartPage::meanAsked);
@@ -107,12 +107,12 @@ QWidget* StartPage::cards()
   auto* question = new QLabel(tr("Into whose cochlea?"), page);
   question->setFont(typeface(15));
   question->setProperty("quiet", true);
-  trouble_ = new QLabel(page);
-  trouble_->setFont(typeface(13));
-  trouble_->setWordWrap(true);
-  trouble_->setAlignment(Qt::AlignCenter);
-  trouble_->setProperty("trouble", true);
-  trouble_->hide();
+  error_ = new QLabel(page);
+  error_->setFont(typeface(13));
+  error_->setWordWrap(true);
+  error_->setAlignment(Qt::AlignCenter);
+  error_->setProperty("error", true);
+  error_->hide();
 
   patient_ = new StartCard("patientCard", tr("Use a patient’s numbers"),
                            tr("Three lengths from CT, or A, B and H, make this patient’s scala "
@@ -146,7 +146,7 @@ QWidget* StartPage::cards()
   column->addSpacing(3 * spacing);
   column->addLayout(row);
   column->addSpacing(spacing);
-  column->addWidget(trouble_);
+  column->addWidget(error_);
   column->addWidget(foot, 0, Qt::AlignHCenter);
   column->addStretch(4);
   return page;
@@ -163,15 +163,15 @@ void StartPage::resizeEvent(QResizeEvent* event)
 void StartPage::showCards()
 {
   stages_->setCurrentIndex(0);
-  trouble_->hide();
+  error_->hide();
   patient_->setFocus();
 }
 
-void StartPage::showTrouble(const QString& sentence)
+void StartPage::showError(const QString& sentence)
 {
-  trouble_->setText(sentence);
-  trouble_->setVisible(!sentence.isEmpty());
-  form_->showTrouble(sentence);
+  error_->setText(sentence);
+  error_->setVisible(!sentence.isEmpty());
+  form_->showError(sentence);
 }
 
 void StartPage::keyPressEvent(QKeyEvent* event)

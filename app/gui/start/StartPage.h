@@ -40,7 +40,7 @@ public:
   /// Back to the three cards.
   void showCards();
   /// Says in place why what was asked for cannot be shown.
-  void showTrouble(const QString& sentence);
+  void showError(const QString& sentence);
 
 Q_SIGNALS:
   void patientGiven(const perilymph::anatomy::Patient& patient);
@@ -59,7 +59,7 @@ private:
   StartCard* mean_ = nullptr;
   StartCard* demonstration_ = nullptr;
   PatientForm* form_ = nullptr;
-  QLabel* trouble_ = nullptr;
+  QLabel* error_ = nullptr;
 };
 
 }  // namespace perilymph::gui

@@ -189,7 +189,7 @@ void ValidatePage::cancel()
 }
 
 void ValidatePage::finish(const std::optional<analysis::ValidationResult>& result,
-                          const QString& trouble)
+                          const QString& error)
 {
   result_ = result;
   sofar_ = result.value_or(analysis::ValidationResult{});
@@ -200,7 +200,7 @@ void ValidatePage::finish(const std::optional<analysis::ValidationResult>& resul
                          .arg(result->seed)
                          .arg(1e3 * result->deviation, 0, 'f', 1));
   } else {
-    status_->setText(trouble);
+    status_->setText(error);
     progress_->reset();
   }
   showVerdicts();

@@ -38,7 +38,7 @@ private:
   void showFigure();
   void showState();
   void showVerdicts();
-  void finish(const std::optional<analysis::ValidationResult>& result, const QString& trouble);
+  void finish(const std::optional<analysis::ValidationResult>& result, const QString& error);
   void save();
 
   Result<ValidationBasis> basis_;

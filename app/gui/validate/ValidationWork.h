@@ -37,7 +37,7 @@ Q_SIGNALS:
   /// @param sofar  Mean and spread over the insertions that have ended; empty before the second.
   void progressed(int done, int all, const perilymph::analysis::ValidationResult& sofar);
   void finished(const std::optional<perilymph::analysis::ValidationResult>& result,
-                const QString& trouble);
+                const QString& error);
 
 private:
   /// What the working threads leave for the UI thread.

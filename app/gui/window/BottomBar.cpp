@@ -120,12 +120,12 @@ void BottomBar::setProgress(double share, double time_s)
   time_->setText(tr("%1 s").arg(numberText(time_s, 1)));
 }
 
-void BottomBar::setStatus(const QString& words, bool isTrouble)
+void BottomBar::setStatus(const QString& words, bool isError)
 {
   status_->setText(words);
   status_->setToolTip(words);
-  if (status_->property("trouble").toBool() == isTrouble) return;
-  status_->setProperty("trouble", isTrouble);
+  if (status_->property("error").toBool() == isError) return;
+  status_->setProperty("error", isError);
   status_->style()->unpolish(status_);
   status_->style()->polish(status_);
 }

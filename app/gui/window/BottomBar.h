@@ -39,8 +39,8 @@ public:
   void setWait(const QString& reason);
   void setWithdrawEnabled(bool isEnabled);
   void setProgress(double share, double time_s);
-  /// @param isTrouble  Stands out, because the recording or the haptic loop is in trouble.
-  void setStatus(const QString& words, bool isTrouble);
+  /// @param isError  Stands out, because the recording or the haptic loop is in trouble.
+  void setStatus(const QString& words, bool isError);
 
 Q_SIGNALS:
   void startAsked();

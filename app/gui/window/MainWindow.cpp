@@ -181,13 +181,13 @@ void MainWindow::connectZones()
 void MainWindow::start()
 {
   // What is typed counts, and is built first.
-  const QString wrong = isChangeable() ? side_->commit() : QString();
-  if (!wrong.isEmpty()) return showTrouble(wrong);
+  const QString error = isChangeable() ? side_->commit() : QString();
+  if (!error.isEmpty()) return showError(error);
   setup_->seal();
   isStartAsked_ = modelWork_.isBusy();
   if (isStartAsked_) return showState();
   const Result<Done> begun = control_.begin();
-  if (!begun) showTrouble(QString::fromStdString(begun.error().message));
+  if (!begun) showError(QString::fromStdString(begun.error().message));
   showState();
 }
 
@@ -220,11 +220,11 @@ void MainWindow::hold(bool isHeld)
   side_->setHeld(control_.isHeld());
 }
 
-void MainWindow::showTrouble(const QString& sentence)
+void MainWindow::showError(const QString& sentence)
 {
   spdlog::warn("{}", sentence.toStdString());
-  trouble_ = sentence;
-  view_->setBanner(troubleWords());
+  error_ = sentence;
+  view_->setBanner(errorText());
 }
 
 bool MainWindow::isNewToTheEye(const haptics::Snapshot& now)

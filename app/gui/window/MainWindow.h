@@ -86,7 +86,7 @@ public:
   void saveReport(const std::filesystem::path& file, const std::filesystem::path& pdf);
 
   /// Says in place what went wrong; stays until the next reset.
-  void showTrouble(const QString& sentence);
+  void showError(const QString& sentence);
 
   const InsertionControl& control() const { return control_; }
   const SetupHistory& setup() const { return *setup_; }
@@ -171,7 +171,7 @@ private:
   void useDevice(const device::FoundDevice& found);
   void showDevice();
   QString statusWords() const;
-  QString troubleWords() const;
+  QString errorText() const;
   QString hintWords() const;
   QString deviceHint() const;
   bool isNewToTheEye(const haptics::Snapshot& now);
@@ -212,7 +212,7 @@ private:
   bool isFirstFrame_ = true;
   bool isStartAsked_ = false;  ///< Begin once the model is built.
   std::set<int> pressed_;      ///< Up and Down while they are held.
-  QString trouble_;
+  QString error_;
   QString deviceWords_;        ///< How the hand's device is doing; empty without one.
   haptics::Snapshot drawn_{};  ///< The picture the scene shows.
 };

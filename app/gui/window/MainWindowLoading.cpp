@@ -89,7 +89,7 @@ Result<Done> MainWindow::open()
 void MainWindow::begin(const anatomy::Patient& patient)
 {
   const auto fail = [this](const Error& error) {
-    startPage_->showTrouble(QString::fromStdString(error.message));
+    startPage_->showError(QString::fromStdString(error.message));
   };
   if (const auto possible = anatomy::checkPatient(patient); !possible)
     return fail(possible.error());
@@ -108,7 +108,7 @@ void MainWindow::begin(const anatomy::Patient& patient)
 void MainWindow::beginShipped(const std::string& name, Then then)
 {
   auto scenario = session::loadScenario(name);
-  if (!scenario) return startPage_->showTrouble(QString::fromStdString(scenario.error().message));
+  if (!scenario) return startPage_->showError(QString::fromStdString(scenario.error().message));
   load(*std::move(scenario), then);
 }
 
@@ -135,15 +135,15 @@ void MainWindow::load(const Setup& setup, Origin::Kind kind, Then then)
 
 void MainWindow::prepare(InputSource hand)
 {
-  trouble_.clear();
+  error_.clear();
   pressed_.clear();
   const Result<Done> prepared = control_.prepare(hand);
   if (!prepared && hand == InputSource::device) {
     // A device that cannot be opened leaves the script as the hand.
     prepare(InputSource::scripted);
-    return showTrouble(QString::fromStdString(prepared.error().message));
+    return showError(QString::fromStdString(prepared.error().message));
   }
-  if (!prepared) return showTrouble(QString::fromStdString(prepared.error().message));
+  if (!prepared) return showError(QString::fromStdString(prepared.error().message));
   showPrepared();
 }
 

@@ -26,7 +26,7 @@ bool lookAlike(const session::Scenario& one, const session::Scenario& other)
 void MainWindow::connectSetup()
 {
   connect(setup_, &SetupHistory::setupChanged, this, &MainWindow::useSetup);
-  connect(setup_, &SetupHistory::refused, this, &MainWindow::showTrouble);
+  connect(setup_, &SetupHistory::refused, this, &MainWindow::showError);
   connect(side_, &SidePanel::changeAsked, this, [this](const Change& change) {
     if (isChangeable()) setup_->change(change);
   });
@@ -87,7 +87,7 @@ void MainWindow::build(const session::Scenario& scenario,
                    [this, use = std::move(use)](const Result<InsertionControl::Parts>& built) {
                      if (built) return use(*built);
                      cancelBuilding();
-                     showTrouble(QString::fromStdString(built.error().message));
+                     showError(QString::fromStdString(built.error().message));
                    });
   showScenario();
   showState();

@@ -52,7 +52,7 @@ void MainWindow::showState()
   if (!isRunning)
     top_->setDevice(Light::off, tr("ready"), QString::fromStdString(control_.handName()));
   else if (workflow == Workflow::fault)
-    top_->setDevice(Light::alarm, tr("fault · no force"), troubleWords());
+    top_->setDevice(Light::alarm, tr("fault · no force"), errorText());
   else if (now.measuredRate > 0.0)
     top_->setDevice(Light::steady,
                     tr("%1 Hz · %2 late").arg(numberText(now.measuredRate, 0)).arg(now.lateTicks),
@@ -62,8 +62,8 @@ void MainWindow::showState()
   else
     top_->setDevice(Light::steady, tr("running"), QString::fromStdString(control_.handName()));
 
-  bottom_->setStatus(statusWords(), !control_.recordingTrouble().empty());
-  view_->setBanner(troubleWords());
+  bottom_->setStatus(statusWords(), !control_.recordingError().empty());
+  view_->setBanner(errorText());
   view_->setHint(hintWords());
 }
 
@@ -71,7 +71,7 @@ QString MainWindow::statusWords() const
 {
   const haptics::Snapshot& now = control_.now();
   QStringList words;
-  if (!control_.recordingTrouble().empty())
+  if (!control_.recordingError().empty())
     words << tr("NOT recording");
   else if (control_.isRunning())
     words << (now.lostRecords > 0 ? tr("recording, %1 ticks lost").arg(now.lostRecords)
@@ -87,7 +87,7 @@ QString MainWindow::statusWords() const
   return words.join(QStringLiteral(" · "));
 }
 
-QString MainWindow::troubleWords() const
+QString MainWindow::errorText() const
 {
   const haptics::TickOutput& now = control_.now().output;
   if (now.workflow == Workflow::fault) {
@@ -97,8 +97,8 @@ QString MainWindow::troubleWords() const
                              : tr("The insertion was stopped.");
     return what + tr(" The force is off and the array rests. Press Reset to begin anew.");
   }
-  if (!trouble_.isEmpty()) return trouble_;
-  const std::string recording = control_.recordingTrouble();
+  if (!error_.isEmpty()) return error_;
+  const std::string recording = control_.recordingError();
   if (!recording.empty())
     return tr("This insertion is not being recorded: %1").arg(QString::fromStdString(recording));
   return {};

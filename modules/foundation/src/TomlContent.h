@@ -20,7 +20,7 @@ namespace perilymph {
 
 /// One table, what was asked of it and the first mistake in it.
 struct TomlReader::Content {
-  struct Mistake {
+  struct KeptError {
     std::string sentence;
     std::string missingKey;  ///< The key whose absence it is; empty for others.
   };
@@ -32,7 +32,7 @@ struct TomlReader::Content {
   std::set<std::string, std::less<>> asked;
   std::map<std::string, std::string, std::less<>>
       changed;  ///< By set(): the value as it was given.
-  std::optional<Mistake> mistake;
+  std::optional<KeptError> error;
   std::vector<std::shared_ptr<Content>> inner;
 
   /// The node of a key, which counts as asked for.
@@ -66,18 +66,18 @@ struct TomlReader::Content {
 
   void keep(std::string sentence)
   {
-    if (!mistake) mistake = Mistake{std::move(sentence), ""};
+    if (!error) error = KeptError{std::move(sentence), ""};
   }
 
   void keepMissing(std::string_view key, const std::string& mustBe)
   {
-    if (mistake) return;
-    mistake = Mistake{placeOfLine(line) + "key '" + path + std::string(key) +
+    if (error) return;
+    error = KeptError{placeOfLine(line) + "key '" + path + std::string(key) +
                           "' is missing; it must be " + mustBe + ".",
                       std::string(key)};
   }
 
-  void keepWrong(std::string_view key, const toml::node& node, const std::string& mustBe)
+  void keepInvalid(std::string_view key, const toml::node& node, const std::string& mustBe)
   {
     keep(place(key) + path + std::string(key) + " is " + tomltext::shown(node) + "; it must be " +
          mustBe + ".");
@@ -102,24 +102,24 @@ struct TomlReader::Content {
   }
 
   /// The first mistake in this table and those in it; empty if there is none.
-  std::string firstMistake() const
+  std::string firstError() const
   {
     const std::vector<std::string> unknown = unknownKeys();
 
     // A misspelled key is why the right one is missing: the misspelling says more.
-    if (mistake && !mistake->missingKey.empty())
+    if (error && !error->missingKey.empty())
       for (const std::string& key : unknown)
-        if (!nearestWord(key, {mistake->missingKey}).empty()) return unknownKey(key);
+        if (!nearestWord(key, {error->missingKey}).empty()) return unknownKey(key);
 
-    if (mistake) return mistake->sentence;
+    if (error) return error->sentence;
     for (const auto& content : inner) {
-      const std::string sentence = content->firstMistake();
+      const std::string sentence = content->firstError();
       if (!sentence.empty()) return sentence;
     }
     return unknown.empty() ? std::string() : unknownKey(unknown.front());
   }
 
-  /// A table in this one, which keeps its own mistakes and is looked at by firstMistake() of this.
+  /// A table in this one, which keeps its own mistakes and is looked at by firstError() of this.
   /// Asked for twice, it is the same.
   std::shared_ptr<Content> addInner(const toml::table& innerTable, const std::string& innerPath,
                                     std::string_view key)

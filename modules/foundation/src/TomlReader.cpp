@@ -102,7 +102,7 @@ double TomlReader::number(std::string_view key, Range allowed, double fallback)
   if (node == nullptr) return fallback;
   const std::optional<double> value = finiteNumber(*node);
   if (value && isWithin(*value, allowed)) return *value;
-  content_->keepWrong(
+  content_->keepInvalid(
       key, *node, node->is_number() ? allowedText(allowed) : "a number, " + allowedText(allowed));
   return fallback;
 }
@@ -113,7 +113,7 @@ long TomlReader::integer(std::string_view key, long low, long high, long fallbac
   if (node == nullptr) return fallback;
   const auto value = node->value_exact<std::int64_t>();
   if (value && *value >= low && *value <= high) return static_cast<long>(*value);
-  content_->keepWrong(
+  content_->keepInvalid(
       key, *node, "a whole number between " + std::to_string(low) + " and " + std::to_string(high));
   return fallback;
 }
@@ -123,7 +123,7 @@ bool TomlReader::flag(std::string_view key, bool fallback)
   const toml::node* node = content_->ask(key);
   if (node == nullptr) return fallback;
   if (const auto value = node->value_exact<bool>()) return *value;
-  content_->keepWrong(key, *node, "true or false");
+  content_->keepInvalid(key, *node, "true or false");
   return fallback;
 }
 
@@ -142,7 +142,7 @@ std::string TomlReader::text(std::string_view key, std::string fallback)
   // On the command line nobody quotes: --set label=12 means the text.
   const auto change = content_->changed.find(key);
   if (change != content_->changed.end()) return change->second;
-  content_->keepWrong(key, *node, "text in quotation marks");
+  content_->keepInvalid(key, *node, "text in quotation marks");
   return fallback;
 }
 
@@ -160,7 +160,7 @@ std::string TomlReader::choice(std::string_view key, const std::vector<std::stri
   std::string value = node->value_exact<std::string>().value_or("");
   if (!node->is_string() && change != content_->changed.end()) value = change->second;
   if (std::find(choices.begin(), choices.end(), value) != choices.end()) return value;
-  content_->keepWrong(key, *node, mustBe);
+  content_->keepInvalid(key, *node, mustBe);
   return other;
 }
 
@@ -176,7 +176,7 @@ std::vector<double> TomlReader::numbers(std::string_view key, Range allowed, std
   }
   const toml::array* list = node->as_array();
   if (list == nullptr) {
-    content_->keepWrong(key, *node, mustBe);
+    content_->keepInvalid(key, *node, mustBe);
     return other;
   }
   const std::string place = content_->place(key) + content_->path + std::string(key);
@@ -208,7 +208,7 @@ std::vector<TomlReader> TomlReader::tables(std::string_view key)
       list != nullptr &&
       std::all_of(list->begin(), list->end(), [](const auto& entry) { return entry.is_table(); });
   if (!areTables) {
-    content_->keepWrong(key, *node, "tables, each under [[" + std::string(key) + "]]");
+    content_->keepInvalid(key, *node, "tables, each under [[" + std::string(key) + "]]");
     return readers;
   }
   for (const toml::node& entry : *list) {
@@ -223,7 +223,7 @@ TomlReader TomlReader::table(std::string_view key)
   const toml::node* node = content_->ask(key);
   const toml::table* inner = node != nullptr ? node->as_table() : nullptr;
   if (node != nullptr && inner == nullptr)
-    content_->keepWrong(key, *node, "a table under [" + std::string(key) + "]");
+    content_->keepInvalid(key, *node, "a table under [" + std::string(key) + "]");
   const toml::table empty;
   const toml::table& found = inner != nullptr ? *inner : empty;
   return TomlReader(content_->addInner(found, std::string(key), key));
@@ -270,7 +270,7 @@ void TomlReader::set(const std::string& key, const std::string& value)
 
 Result<Done> TomlReader::finish()
 {
-  const std::string sentence = content_->firstMistake();
+  const std::string sentence = content_->firstError();
   if (!sentence.empty()) return Error{sentence};
   return Done{};
 }

@@ -98,7 +98,7 @@ void InsertionEngine::applyCommand(const Command& command) noexcept
       if (isFinite()) transition(WorkflowEvent::clearFault);
       break;
     case Command::Kind::requestFault:
-      transition(WorkflowEvent::trouble);
+      transition(WorkflowEvent::error);
       break;
     case Command::Kind::pullStylet:
       // A stylet once pulled is never pushed back into an array.
@@ -158,9 +158,9 @@ void InsertionEngine::validate(const HandState& hand, std::uint32_t& status) noe
   }
   if (hand.isLost) {
     status |= deviceLost;
-    transition(WorkflowEvent::trouble);
+    transition(WorkflowEvent::error);
   }
-  if (!isFinite()) transition(WorkflowEvent::trouble);
+  if (!isFinite()) transition(WorkflowEvent::error);
 
   // A hand that nobody has heard of lately takes no hold.
   const bool holds = hand.isHeld && !hand.isStale;
@@ -192,7 +192,7 @@ void InsertionEngine::moveMechanics(const HandState& hand) noexcept
   output_.device_W = asArray(drive.handPosition_W);
 
   if (!isFinite()) {
-    transition(WorkflowEvent::trouble);
+    transition(WorkflowEvent::error);
     return;
   }
   if (state_.readings.residual > maxResidual) output_.status |= notConverged;

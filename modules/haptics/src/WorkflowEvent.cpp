@@ -5,7 +5,7 @@ namespace perilymph::haptics {
 Workflow next(Workflow now, WorkflowEvent event) noexcept
 {
   switch (event) {
-    case WorkflowEvent::trouble:
+    case WorkflowEvent::error:
       return Workflow::fault;
     case WorkflowEvent::reset:
       return Workflow::idle;

@@ -197,13 +197,13 @@ bool Insertion::refresh() noexcept { return content_->loop->refresh(); }
 
 const haptics::Snapshot& Insertion::latest() const noexcept { return content_->loop->latest(); }
 
-std::string Insertion::recordingTrouble() const { return content_->recorder->trouble(); }
+std::string Insertion::recordingError() const { return content_->recorder->error(); }
 
 Result<Done> Insertion::closeRecording()
 {
   content_->recorder->close();
-  const std::string trouble = recordingTrouble();
-  if (!trouble.empty()) return Error{trouble};
+  const std::string error = recordingError();
+  if (!error.empty()) return Error{error};
   return Done{};
 }
 

@@ -27,8 +27,8 @@ inline Result<std::unique_ptr<haptics::InsertionEngine>> makeEngine(
   settings.maxDamping = facts.maxDamping;
   try {
     return std::make_unique<haptics::InsertionEngine>(std::move(model), settings);
-  } catch (const std::invalid_argument& mistake) {
-    return Error{scenario.name + " cannot be run: " + mistake.what()};
+  } catch (const std::invalid_argument& error) {
+    return Error{scenario.name + " cannot be run: " + error.what()};
   }
 }
 

@@ -62,8 +62,8 @@ void Recorder::drain()
     haptics::TickRecord record;
     while (loop_.take(record)) keep(record);
     flush();
-  } catch (const std::exception& mistake) {
-    setTrouble(std::string("The recording stopped: ") + mistake.what() + ".");
+  } catch (const std::exception& error) {
+    setError(std::string("The recording stopped: ") + error.what() + ".");
   }
 }
 
@@ -78,7 +78,7 @@ void Recorder::flush()
 {
   if (recording_ && !waiting_.empty()) {
     if (const auto done = recording_->append(waiting_); !done) {
-      setTrouble(done.error().message);
+      setError(done.error().message);
       // Closing may still fold what was written into one file; that it was cut off stays said.
       recording_.reset();
     }
@@ -92,23 +92,23 @@ void Recorder::close() noexcept
     flush();
     if (!recording_) return;
     if (const auto done = recording_->close(loop_.statistics().lostRecords, deviceReport_); !done)
-      setTrouble(done.error().message);
+      setError(done.error().message);
     recording_.reset();
-  } catch (const std::exception& mistake) {
-    setTrouble(std::string("The recording could not be closed: ") + mistake.what() + ".");
+  } catch (const std::exception& error) {
+    setError(std::string("The recording could not be closed: ") + error.what() + ".");
   }
 }
 
-void Recorder::setTrouble(const std::string& sentence)
+void Recorder::setError(const std::string& sentence)
 {
-  const std::lock_guard lock(troubleMutex_);
-  if (trouble_.empty()) trouble_ = sentence;
+  const std::lock_guard lock(errorMutex_);
+  if (error_.empty()) error_ = sentence;
 }
 
-std::string Recorder::trouble() const
+std::string Recorder::error() const
 {
-  const std::lock_guard lock(troubleMutex_);
-  return trouble_;
+  const std::lock_guard lock(errorMutex_);
+  return error_;
 }
 
 }  // namespace perilymph::session

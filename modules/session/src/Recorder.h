@@ -43,20 +43,20 @@ public:
   void close() noexcept;
 
   /// Why nothing is recorded any more; empty while all is well. Any thread.
-  std::string trouble() const;
+  std::string error() const;
 
 private:
   void run(const std::stop_token& stop);
   void drain();
-  void setTrouble(const std::string& sentence);
+  void setError(const std::string& sentence);
 
   haptics::HapticLoop& loop_;
   std::unique_ptr<Recording> recording_;
   std::string deviceReport_;
   std::size_t batch_;
   std::vector<haptics::TickRecord> waiting_;
-  mutable std::mutex troubleMutex_;
-  std::string trouble_;
+  mutable std::mutex errorMutex_;
+  std::string error_;
   std::mutex sleepMutex_;
   std::condition_variable_any sleep_;
   std::jthread thread_;

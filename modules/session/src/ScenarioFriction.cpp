@@ -30,8 +30,8 @@ mechanics::FrictionBySpeed bySpeed(TomlReader& reader, const std::vector<double>
   for (const double speed : speeds_mm_s) speeds.push_back(millimetersPerSecond(speed));
   try {
     return {speeds, coefficients};
-  } catch (const std::invalid_argument& mistake) {
-    reader.refuse("friction_speed_mm_s", mistake.what());
+  } catch (const std::invalid_argument& error) {
+    reader.refuse("friction_speed_mm_s", error.what());
     return {};
   }
 }

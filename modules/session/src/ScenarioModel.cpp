@@ -19,8 +19,8 @@ Result<std::shared_ptr<const anatomy::ScalaTympani>> buildAnatomy(const Scenario
                  ? anatomy::buildMean(patient.label, *patient.basalTurn, scenario.leadIn)
                  : anatomy::buildMean(scenario.leadIn);
     return anatomy::buildPublished(scenario.patient, scenario.leadIn);
-  } catch (const std::invalid_argument& mistake) {
-    return Error{"The cochlea of " + scenario.name + " cannot be built: " + mistake.what()};
+  } catch (const std::invalid_argument& error) {
+    return Error{"The cochlea of " + scenario.name + " cannot be built: " + error.what()};
   }
 }
 
@@ -45,8 +45,8 @@ Result<std::shared_ptr<const mechanics::InsertionModel>> buildModel(
   parts.approachTurn = scenario.approachTurn;
   try {
     return mechanics::InsertionModel::build(std::move(parts));
-  } catch (const std::invalid_argument& mistake) {
-    return Error{"The model of " + scenario.name + " cannot be built: " + mistake.what()};
+  } catch (const std::invalid_argument& error) {
+    return Error{"The model of " + scenario.name + " cannot be built: " + error.what()};
   }
 }
 

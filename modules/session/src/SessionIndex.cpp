@@ -23,7 +23,7 @@ constexpr std::pair<const char*, std::string SessionSummary::*> texts[] = {
     {"array", &SessionSummary::array},
     {"device", &SessionSummary::device},
     {"version", &SessionSummary::version},
-    {"error", &SessionSummary::trouble}};
+    {"error", &SessionSummary::error}};
 
 constexpr std::pair<const char*, double Highlights::*> numbers[] = {
     {"duration_s", &Highlights::duration},

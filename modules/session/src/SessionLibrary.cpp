@@ -33,7 +33,7 @@ void stamp(SessionSummary& summary)
 
 /// Who and what a scenario's text speaks of.
 struct Subject {
-  std::string patient, side, array, trouble;
+  std::string patient, side, array, error;
 };
 
 /// From the text alone, so that a recording whose array has left the catalog can still be listed.
@@ -42,7 +42,7 @@ Subject subjectOf(const std::string& text, const std::string& name)
   Subject subject;
   auto keys = TomlReader::parse(text, name);
   if (!keys) {
-    subject.trouble = keys.error().message;
+    subject.error = keys.error().message;
     return subject;
   }
   subject.side = keys->text("side", "right");
@@ -56,7 +56,7 @@ Subject subjectOf(const std::string& text, const std::string& name)
   if (scenario)
     subject.array = scenario->array.name;
   else
-    subject.trouble = "It can be compared, but not replayed: " + scenario.error().message;
+    subject.error = "It can be compared, but not replayed: " + scenario.error().message;
   return subject;
 }
 
@@ -71,9 +71,9 @@ void describeScenario(SessionSummary& summary, const std::string& text, Subjects
   summary.patient = subject.patient;
   summary.side = subject.side;
   summary.array = subject.array;
-  summary.trouble = subject.trouble;
+  summary.error = subject.error;
   // a trouble names its file
-  if (found == known.end() && subject.trouble.empty()) known.emplace(text, subject);
+  if (found == known.end() && subject.error.empty()) known.emplace(text, subject);
 }
 
 /// A recording with a log may grow without its file being touched.
@@ -86,7 +86,7 @@ bool hasLog(const fs::path& file)
 /// Trouble may be mended by what the file does not show: its permissions, the catalog of arrays.
 bool isWorthKeeping(const SessionSummary& summary)
 {
-  return summary.trouble.empty() || (!summary.startedUtc.empty() && !summary.wasClosed);
+  return summary.error.empty() || (!summary.startedUtc.empty() && !summary.wasClosed);
 }
 
 }  // namespace
@@ -111,7 +111,7 @@ SessionSummary summarize(const fs::path& file, Subjects& known,
   summary.file = file;
   const auto recorded = RecordedInsertion::open(file, shouldStop);
   if (!recorded) {
-    summary.trouble = recorded.error().message;
+    summary.error = recorded.error().message;
     stamp(summary);
     return summary;
   }
@@ -126,11 +126,11 @@ SessionSummary summarize(const fs::path& file, Subjects& known,
   if (highlights)
     summary.highlights = *highlights;
   else
-    summary.trouble = highlights.error().message;
-  if (summary.trouble.empty() && !summary.wasClosed)
-    summary.trouble = "It was not closed: it ends where the program did.";
-  if (summary.trouble.empty() && highlights && highlights->ticks == 0)
-    summary.trouble = "It holds no tick: the insertion never ran.";
+    summary.error = highlights.error().message;
+  if (summary.error.empty() && !summary.wasClosed)
+    summary.error = "It was not closed: it ends where the program did.";
+  if (summary.error.empty() && highlights && highlights->ticks == 0)
+    summary.error = "It holds no tick: the insertion never ran.";
   // Last: opening one that was not closed may have folded its log into it.
   stamp(summary);
   return summary;
@@ -146,7 +146,7 @@ SessionSummary summarizeNoThrow(const fs::path& file, Subjects& known,
   if (summary) return *summary;
   SessionSummary unreadable;
   unreadable.file = file;
-  unreadable.trouble = summary.error().message;
+  unreadable.error = summary.error().message;
   stamp(unreadable);
   return unreadable;
 }

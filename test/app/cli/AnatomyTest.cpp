@@ -91,13 +91,13 @@ TEST(Anatomy, DrawsTheSamePatientWithTheSameSeed)
   const auto json = nlohmann::json::parse(contentOf(folder / "a.json"));
   EXPECT_EQ(json["label"], "sample 7");
   EXPECT_NEAR(json["A_mm"].get<double>(), json["given"]["a_mm"].get<double>(), 0.02);
-  expectWrongWords(cli({"anatomy", "--sample", "many"}), "--sample");
+  expectUsageError(cli({"anatomy", "--sample", "many"}), "--sample");
 }
 
 TEST(Anatomy, RefusesADiameterThatNoCochleaHas)
 {
   expectRefusal(cli({"anatomy", "--a-mm", "12", "--b-mm", "6.8"}), "6.5 standard deviations above");
-  expectWrongWords(cli({"anatomy", "--a-mm", "9"}), "--b-mm");
+  expectUsageError(cli({"anatomy", "--a-mm", "9"}), "--b-mm");
 }
 
 TEST(Anatomy, WritesShapesInEveryFormat)

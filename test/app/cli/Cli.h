@@ -70,7 +70,7 @@ inline void expectRefusal(const ProgramOutcome& outcome, const std::string& says
 }
 
 /// The words of the call are wrong: status 2.
-inline void expectWrongWords(const ProgramOutcome& outcome, const std::string& says)
+inline void expectUsageError(const ProgramOutcome& outcome, const std::string& says)
 {
   EXPECT_EQ(outcome.status, 2) << outcome.err;
   EXPECT_THAT(outcome.err, testing::HasSubstr(says));

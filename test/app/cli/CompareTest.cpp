@@ -29,8 +29,8 @@ TEST(Compare, SaysWhatCannotBeRead)
 {
   const TemporaryFolder folder;
   expectRefusal(cli({"compare", folder / "no.insertion", "--out", folder / "out"}), "no.insertion");
-  expectWrongWords(cli({"compare", folder / "no.insertion"}), "--out");
-  expectWrongWords(cli({"compare", "--out", folder / "out"}), "files");
+  expectUsageError(cli({"compare", folder / "no.insertion"}), "--out");
+  expectUsageError(cli({"compare", "--out", folder / "out"}), "files");
   EXPECT_EQ(namesIn(folder.path()), std::vector<std::string>{});
 }
 
@@ -38,8 +38,8 @@ TEST(Predict, SaysWhatIsWrongWithTheCall)
 {
   const TemporaryFolder folder;
   expectRefusal(cli({"predict", "--array", "spaghetti", "--out", folder / "out"}), "flex28");
-  expectWrongWords(cli({"predict", "--out", folder / "out"}), "--array");
-  expectWrongWords(cli({"predict", "--array", "flex28"}), "--out");
+  expectUsageError(cli({"predict", "--out", folder / "out"}), "--array");
+  expectUsageError(cli({"predict", "--array", "flex28"}), "--out");
   EXPECT_EQ(namesIn(folder.path()), std::vector<std::string>{});
 }
 

@@ -47,13 +47,13 @@ TEST(RenderCommand, RollsTheScalaOutWithoutADisplay)
 
 TEST(RenderCommand, NamesTheViewsThereAre)
 {
-  expectWrongWords(cli({"render", "--preset", "published", "--view", "sideways", "--out", "x.png"}),
+  expectUsageError(cli({"render", "--preset", "published", "--view", "sideways", "--out", "x.png"}),
                    "unrolled");
 }
 
 TEST(RenderCommand, RefusesAnArrayAndATravelWithoutAScenario)
 {
-  expectWrongWords(cli({"render", "--preset", "published", "--at-mm", "3", "--out", "x.png"}),
+  expectUsageError(cli({"render", "--preset", "published", "--at-mm", "3", "--out", "x.png"}),
                    "--scenario");
 }
 

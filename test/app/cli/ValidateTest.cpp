@@ -46,10 +46,10 @@ TEST(Validate, WritesTablesNumbersAndThreeFigures)
 TEST(Validate, SaysWhatIsWrongWithTheCall)
 {
   const TemporaryFolder folder;
-  expectWrongWords(cli({"validate"}), "--out");
-  expectWrongWords(cli({"validate", "--runs", "1", "--out", folder / "a"}), "--runs");
-  expectWrongWords(cli({"validate", "--jobs", "0", "--out", folder / "a"}), "--jobs");
-  expectWrongWords(cli({"validate", "--seed", "-1", "--out", folder / "a"}), "--seed");
+  expectUsageError(cli({"validate"}), "--out");
+  expectUsageError(cli({"validate", "--runs", "1", "--out", folder / "a"}), "--runs");
+  expectUsageError(cli({"validate", "--jobs", "0", "--out", folder / "a"}), "--jobs");
+  expectUsageError(cli({"validate", "--seed", "-1", "--out", folder / "a"}), "--seed");
   expectRefusal(cli(shortValidation(folder / "a", {"--variability", "nowhere"})),
                 "published-experiment");
   expectRefusal(cli(shortValidation(folder / "a", {"--set", "nodes=3"})), "between 8 and 1024");

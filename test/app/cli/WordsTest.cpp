@@ -16,20 +16,20 @@ TEST(CommandLine, ExplainsItself)
 
 TEST(CommandLine, KnowsItsCommands)
 {
-  expectWrongWords(cli({}), "subcommand");
-  expectWrongWords(cli({"banana"}), "no command 'banana'");
-  expectWrongWords(cli({"simulate"}), "--scenario");
-  expectWrongWords(cli({"simulate", "--scenario"}), "--scenario");
-  expectWrongWords(cli({"replay"}), "file");
-  expectWrongWords(cli({"anatomy"}), "--preset");
-  expectWrongWords(cli({"render", "--out", "x.png"}), "--scenario");
-  expectWrongWords(cli(shortSimulation({"--banana"})), "--banana");
-  expectWrongWords(cli(shortSimulation({"--every-ms", "5"})), "--csv");
-  expectWrongWords(cli(shortSimulation({"--set", "speed_mm_s"})), "key=value");
-  expectWrongWords(cli({"anatomy", "--preset", "banana"}), "banana");
-  expectWrongWords(cli({"anatomy", "--preset", "published", "--patient", "small"}), "1 option");
-  expectWrongWords(cli({"anatomy", "--st-length-mm", "33"}), "--rw-");
-  expectWrongWords(
+  expectUsageError(cli({}), "subcommand");
+  expectUsageError(cli({"banana"}), "no command 'banana'");
+  expectUsageError(cli({"simulate"}), "--scenario");
+  expectUsageError(cli({"simulate", "--scenario"}), "--scenario");
+  expectUsageError(cli({"replay"}), "file");
+  expectUsageError(cli({"anatomy"}), "--preset");
+  expectUsageError(cli({"render", "--out", "x.png"}), "--scenario");
+  expectUsageError(cli(shortSimulation({"--banana"})), "--banana");
+  expectUsageError(cli(shortSimulation({"--every-ms", "5"})), "--csv");
+  expectUsageError(cli(shortSimulation({"--set", "speed_mm_s"})), "key=value");
+  expectUsageError(cli({"anatomy", "--preset", "banana"}), "banana");
+  expectUsageError(cli({"anatomy", "--preset", "published", "--patient", "small"}), "1 option");
+  expectUsageError(cli({"anatomy", "--st-length-mm", "33"}), "--rw-");
+  expectUsageError(
       cli({"anatomy", "--st-length-mm", "long", "--rw-width-mm", "2", "--rw-height-mm", "2"}),
       "long");
 }

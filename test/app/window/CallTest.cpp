@@ -145,16 +145,16 @@ TEST(PerilymphCall, HelpAndVersionNeedNoDisplay)
   EXPECT_THAT(version.out, HasSubstr("perilymph "));
 }
 
-class WrongWords : public ::testing::TestWithParam<std::vector<std::string>> {};
+class UsageErrors : public ::testing::TestWithParam<std::vector<std::string>> {};
 
-TEST_P(WrongWords, EndWithStatusTwo)
+TEST_P(UsageErrors, EndWithStatusTwo)
 {
   const auto outcome = perilymph(GetParam());
   EXPECT_EQ(outcome.status, 2) << outcome.err;
   EXPECT_FALSE(outcome.err.empty());
 }
 INSTANTIATE_TEST_SUITE_P(
-    OfTheWorkstation, WrongWords,
+    OfTheWorkstation, UsageErrors,
     ::testing::Values(std::vector<std::string>{"--no-such-word"},
                       std::vector<std::string>{"--after", "3"},
                       std::vector<std::string>{"--screenshot", "window.jpg"},

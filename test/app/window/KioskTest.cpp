@@ -193,7 +193,7 @@ TEST_F(Booth, KeepsNoRecordings)
   EXPECT_FALSE(window_->control().recording());
   click("inviteButton");
   EXPECT_FALSE(window_->control().recording());
-  EXPECT_EQ(window_->control().recordingTrouble(), "");
+  EXPECT_EQ(window_->control().recordingError(), "");
 }
 
 TEST_F(Booth, EveryTargetIsAsHighAsAFingerNeeds)
@@ -280,7 +280,7 @@ TEST(KioskBoard, ThatCannotBeKeptSaysSo)
   std::ofstream(folder.path() / "taken") << "a file where a folder is needed";
   gui::KioskBoard board(folder.path() / "taken" / "board");
   EXPECT_EQ(board.enter(aDay, entry(1, 80.0)), 1);
-  EXPECT_FALSE(board.trouble().empty());
+  EXPECT_FALSE(board.error().empty());
 }
 
 haptics::TickOutput moment(double travel_mm, double force_mN)

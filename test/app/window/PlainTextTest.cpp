@@ -68,7 +68,7 @@ TEST_F(NamesOfMarkup, AreDrawnAsTheyStand)
 TEST_F(NamesOfMarkup, AreDrawnAsTheyStandInEverySentence)
 {
   rig_.window().notice().say(bold);
-  rig_.window().showTrouble(image);
+  rig_.window().showError(image);
   ASSERT_TRUE(WindowRig::comes([&] { return labelsWith("<").size() >= 3; }));
   for (const QLabel* label : labelsWith("<")) expectLiteral(*label);
 }

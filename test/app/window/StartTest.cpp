@@ -121,14 +121,14 @@ TEST_F(FirstScreen, ASurgeonInsertsAnotherArrayIntoThePatientsCochleaAndTakesItB
 TEST_F(FirstScreen, AnImpossibleNumberCannotBeSentOffAndSaysWhatIsAllowed)
 {
   rig_->click("patientCard");
-  for (const char* wrong : {"", "12", "99", "a", "3,4,5", "nan", "-34"}) {
-    type("stLength", wrong);
-    EXPECT_FALSE(rig_->button("usePatientButton").isEnabled()) << wrong;
+  for (const char* error : {"", "12", "99", "a", "3,4,5", "nan", "-34"}) {
+    type("stLength", error);
+    EXPECT_FALSE(rig_->button("usePatientButton").isEnabled()) << error;
     bool isSaid = false;
     for (const QLabel* label : rig_->window().findChildren<QLabel*>())
       isSaid = isSaid || (label->isVisible() && label->text().contains("25.0") &&
-                          label->text().contains("45.0 mm") && label->property("trouble").toBool());
-    EXPECT_TRUE(isSaid) << wrong;
+                          label->text().contains("45.0 mm") && label->property("error").toBool());
+    EXPECT_TRUE(isSaid) << error;
   }
   type("stLength", "34");
   EXPECT_TRUE(rig_->button("usePatientButton").isEnabled());

@@ -131,7 +131,7 @@ TEST_F(Views, GGoesThroughTheKindsOfStereoAndSaysWhich)
 TEST_F(Views, QuadBufferedStereoIsGreyWithItsReasonWhereTheDisplayHasNoBuffersForIt)
 {
   WindowRig rig;
-  const QString reason = gui::quadBufferedTrouble(false);
+  const QString reason = gui::quadBufferedError(false);
   rig.window().views().offerQuadBuffered(reason);
   const QAction& quad = entry(rig, "stereoQuadBuffered");
   EXPECT_FALSE(quad.isEnabled());
@@ -146,7 +146,7 @@ TEST_F(Views, QuadBufferedStereoIsGreyWithItsReasonWhereTheDisplayHasNoBuffersFo
 TEST_F(Views, QuadBufferedStereoOpensAWindowOfItsOwnWhereTheDisplayHasBuffersForIt)
 {
   WindowRig rig;
-  rig.window().views().offerQuadBuffered(gui::quadBufferedTrouble(true));
+  rig.window().views().offerQuadBuffered(gui::quadBufferedError(true));
   ASSERT_TRUE(entry(rig, "stereoQuadBuffered").isEnabled());
   const QImage mono = rig.picture();
   entry(rig, "stereoQuadBuffered").trigger();

@@ -23,13 +23,13 @@ def line_of(text, match):
     return text.count("\n", 0, match.start()) + 1
 
 
-def check_links(root, file, text, wrong):
+def check_links(root, file, text, errors):
     for match in re.finditer(r"!?\[[^\]]*\]\(([^)\s]+)\)", text):
         target = match.group(1).split("#")[0]
         if not target or re.match(r"[a-z]+:", target):
             continue
         if not (file.parent / target).exists():
-            wrong.append(f"{file.relative_to(root)}:{line_of(text, match)}: links to {target}, "
+            errors.append(f"{file.relative_to(root)}:{line_of(text, match)}: links to {target}, "
                          f"which does not exist.")
 
 
@@ -48,11 +48,11 @@ def exists(root, file, word):
         each.name == word for each in sources.files(root, suffixes={Path(word).suffix}))
 
 
-def check_paths(root, file, text, wrong):
+def check_paths(root, file, text, errors):
     for match in re.finditer(r"`([^`\n]+)`", text):
         word = match.group(1)
         if is_path(word) and not exists(root, file, word):
-            wrong.append(f"{file.relative_to(root)}:{line_of(text, match)}: names {word}, "
+            errors.append(f"{file.relative_to(root)}:{line_of(text, match)}: names {word}, "
                          f"which does not exist.")
 
 
@@ -77,28 +77,28 @@ def folders(place):
             if each.is_dir() and not each.name.startswith(".") and each.name not in sources.SKIPPED}
 
 
-def check_map(root, wrong):
+def check_map(root, errors):
     drawn = read_map(sources.read(root / "README.md"))
     if not drawn:
-        wrong.append("README.md has no fenced map under the heading '## The map'.")
+        errors.append("README.md has no fenced map under the heading '## The map'.")
         return
     places = [("", set(drawn), folders(root))]
     places += [(name + "/", set(below), folders(root / name))
                for name, below in drawn.items() if below and (root / name).is_dir()]
     for prefix, told, real in places:
-        wrong += [f"README.md's map shows {prefix}{name}, which does not exist."
+        errors += [f"README.md's map shows {prefix}{name}, which does not exist."
                   for name in sorted(told - real)]
-        wrong += [f"README.md's map does not show {prefix}{name}." for name in sorted(real - told)]
+        errors += [f"README.md's map does not show {prefix}{name}." for name in sorted(real - told)]
 
 
 def check(root):
     root = Path(root)
     if not (root / "README.md").is_file():
         return ["README.md is missing."]
-    wrong = []
+    errors = []
     for file in documents(root):
         text = without_blocks(sources.read(file))
-        check_links(root, file, text, wrong)
-        check_paths(root, file, text, wrong)
-    check_map(root, wrong)
-    return wrong
+        check_links(root, file, text, errors)
+        check_paths(root, file, text, errors)
+    check_map(root, errors)
+    return errors

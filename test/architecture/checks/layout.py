@@ -13,70 +13,70 @@ MIN_COPY_LINES = 10
 SETTINGS = {"CMakePresets.json", ".clang-format", ".clang-tidy", ".gitignore"}
 
 
-def check_top(root, wrong):
+def check_top(root, errors):
     names = {each.name for each in root.iterdir()}
     visible = {name for name in names if not name.startswith(".") and name not in sources.SKIPPED}
-    wrong += [f"{name} may not stand at the top level." for name in sorted(visible - TOP)]
-    wrong += [f"{name} is missing at the top level." for name in sorted(MUST - visible)]
+    errors += [f"{name} may not stand at the top level." for name in sorted(visible - TOP)]
+    errors += [f"{name} is missing at the top level." for name in sorted(MUST - visible)]
 
 
-def check_module(root, folder, wrong):
+def check_module(root, folder, errors):
     name = folder.name
     for must in ("README.md", "CMakeLists.txt", f"include/perilymph/{name}"):
         if not (folder / must).exists():
-            wrong.append(f"modules/{name}/{must} is missing.")
+            errors.append(f"modules/{name}/{must} is missing.")
     for each in sorted(folder.iterdir()):
         if each.name not in ("README.md", "CMakeLists.txt", "include", "src"):
-            wrong.append(f"modules/{name}/{each.name} may not stand there: a module is README.md, "
+            errors.append(f"modules/{name}/{each.name} may not stand there: a module is README.md, "
                          f"CMakeLists.txt, include and src.")
     public = folder / "include/perilymph"
     if public.is_dir():
-        wrong += [f"{each.relative_to(root)} does not belong to modules/{name}."
+        errors += [f"{each.relative_to(root)} does not belong to modules/{name}."
                   for each in sorted(public.iterdir()) if each.name != name]
     page = folder / "README.md"
     if page.is_file():
         lines = len(sources.read(page).splitlines())
         if lines > MAX_README_LINES:
-            wrong.append(f"modules/{name}/README.md has {lines} lines; at most "
+            errors.append(f"modules/{name}/README.md has {lines} lines; at most "
                          f"{MAX_README_LINES} are read.")
 
 
-def check_files(root, wrong):
+def check_files(root, errors):
     for file in sources.files(root, "modules", "app", "plugins", "test",
                               suffixes=sources.CODE | {".py"}):
         text = sources.read(file)
         lines = len(text.splitlines())
         if lines > MAX_CODE_LINES:
-            wrong.append(f"{file.relative_to(root)} has {lines} lines; more than "
+            errors.append(f"{file.relative_to(root)} has {lines} lines; more than "
                          f"{MAX_CODE_LINES} hold more than one idea.")
         if file.suffix in (".h", ".hpp") and "#pragma once" not in text:
-            wrong.append(f"{file.relative_to(root)} lacks #pragma once.")
+            errors.append(f"{file.relative_to(root)} lacks #pragma once.")
 
 
-def check_strays(root, wrong):
+def check_strays(root, errors):
     """Settings that a folder below the top brings along, and files that are copies of others."""
     seen = {}
     for file in sources.files(root, "app", "modules", "plugins", "resources", "test", "packaging",
                               suffixes=sources.TEXT | {".clang-format"}):
         place = file.relative_to(root)
         if file.name in SETTINGS:
-            wrong.append(f"{place} may not stand there: settings are the whole project's.")
+            errors.append(f"{place} may not stand there: settings are the whole project's.")
         text = sources.read(file)
         if len(text.splitlines()) < MIN_COPY_LINES:
             continue
         if text in seen:
-            wrong.append(f"{place} is a copy of {seen[text]}.")
+            errors.append(f"{place} is a copy of {seen[text]}.")
         seen.setdefault(text, place)
 
 
 def check(root):
     root = Path(root)
-    wrong = []
-    check_top(root, wrong)
+    errors = []
+    check_top(root, errors)
     if (root / "modules").is_dir():
         for folder in sorted((root / "modules").iterdir()):
             if folder.is_dir() and folder.name not in sources.SKIPPED:
-                check_module(root, folder, wrong)
-    check_files(root, wrong)
-    check_strays(root, wrong)
-    return wrong
+                check_module(root, folder, errors)
+    check_files(root, errors)
+    check_strays(root, errors)
+    return errors

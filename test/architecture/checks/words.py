@@ -34,11 +34,11 @@ PRINTING = re.compile(r"\bstd::(?:v?f?printf|f?puts|f?putc|putchar|fwrite|cout|c
 TERMINAL = ("app/cli/Terminal.cpp",)
 
 
-def search(root, found, pattern, reason, wrong):
+def search(root, found, pattern, reason, errors):
     for file, text in found:
         for match in re.finditer(pattern, text):
             line = text.count("\n", 0, match.start()) + 1
-            wrong.append(f"{file.relative_to(root)}:{line}: '{match.group(0)}' is {reason}.")
+            errors.append(f"{file.relative_to(root)}:{line}: '{match.group(0)}' is {reason}.")
 
 
 def code(root, *folders):
@@ -48,28 +48,28 @@ def code(root, *folders):
 
 def check(root):
     root = Path(root)
-    wrong = []
+    errors = []
     everything = [(file, sources.read(file)) for file in sources.files(root)]
     for pattern, reason in EVERYWHERE.items():
-        search(root, everything, pattern, reason, wrong)
+        search(root, everything, pattern, reason, errors)
     pages = [(file, text) for file, text in everything if file.suffix == ".md"]
     for pattern, reason in DOCUMENTS.items():
-        search(root, pages, pattern, reason, wrong)
+        search(root, pages, pattern, reason, errors)
 
     others = [(file, text) for file, text in code(root, "modules", "app", "plugins")
               if not file.relative_to(root).as_posix().startswith("modules/realtime/")]
     search(root, others, MEMORY_ORDER,
-           "named outside modules/realtime: use its channels", wrong)
-    search(root, code(root, "modules", "app", "plugins", "test"), NULL_WORD, "C: write nullptr", wrong)
+           "named outside modules/realtime: use its channels", errors)
+    search(root, code(root, "modules", "app", "plugins", "test"), NULL_WORD, "C: write nullptr", errors)
     search(root, code(root, "test"), SLEEP, "waiting by the clock: wait for what should happen",
-           wrong)
+           errors)
 
     printing = [(file, text) for file, text in code(root, "app/cli")
                 if file.relative_to(root).as_posix() not in TERMINAL]
     search(root, printing, PRINTING,
-           "printing past Terminal.h, which writes out what would steer a terminal", wrong)
+           "printing past Terminal.h, which writes out what would steer a terminal", errors)
 
     for module in ENGINE:
         search(root, code(root, f"modules/{module}"), INEXACT,
-               "not the same bits on every machine: use perilymph/foundation/Math.h", wrong)
-    return wrong
+               "not the same bits on every machine: use perilymph/foundation/Math.h", errors)
+    return errors

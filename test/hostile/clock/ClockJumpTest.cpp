@@ -49,7 +49,7 @@ void runByTheClock(const fs::path& file, const std::function<void(double)>& mean
     std::this_thread::yield();
   }
   (*insertion)->stop();
-  EXPECT_EQ((*insertion)->recordingTrouble(), "");
+  EXPECT_EQ((*insertion)->recordingError(), "");
 }
 
 class ClockThatJumps : public testing::Test {
@@ -107,7 +107,7 @@ TEST_F(ClockThatJumps, GivesSessionsTheirTimesAndKeepsThemAll)
   EXPECT_EQ((*sessions)[0].file.filename(), "first.insertion");
   EXPECT_EQ((*sessions)[1].file.filename(), "second.insertion");
   for (const SessionSummary& session : *sessions) {
-    EXPECT_EQ(session.trouble, "");
+    EXPECT_EQ(session.error, "");
     // 0.4 mm at 2 mm/s, and what passed until somebody stopped it; not an hour.
     EXPECT_GE(session.highlights.duration, 0.19);
     EXPECT_LT(session.highlights.duration, 60.0);

@@ -133,7 +133,7 @@ TEST(TreesWithoutEnd, DoNotHideTheGoodRecordingsBesideThem)
   ASSERT_TRUE(listed) << listed.error().message;
   std::size_t good = 0;
   for (const SessionSummary& session : *listed)
-    if (session.trouble.empty()) ++good;
+    if (session.error.empty()) ++good;
   EXPECT_EQ(listed->size(), 6u);
   // A closed recording's ticks are not read for a list, so a tree of ticks is not noticed there.
   EXPECT_EQ(good, 3u);

@@ -64,7 +64,7 @@ TEST_F(TenThousandSessions, AreAllListedNewestFirstAndReadOnce)
       listed->begin(), listed->end(),
       [](const auto& one, const auto& other) { return one.startedUtc > other.startedUtc; }));
   for (const SessionSummary& session : *listed) {
-    ASSERT_EQ(session.trouble, "") << session.file;
+    ASSERT_EQ(session.error, "") << session.file;
     ASSERT_EQ(session.highlights.ticks, 20u) << session.file;
   }
 
@@ -77,7 +77,7 @@ TEST_F(TenThousandSessions, AreAllListedNewestFirstAndReadOnce)
   const auto again = listSessions(folder.path());
   ASSERT_TRUE(again) << again.error().message;
   ASSERT_EQ(again->size(), all);
-  EXPECT_THAT(*again, testing::Each(testing::Field(&SessionSummary::trouble, "")));
+  EXPECT_THAT(*again, testing::Each(testing::Field(&SessionSummary::error, "")));
 }
 
 }  // namespace

@@ -110,13 +110,12 @@ void ChildProcess::Content::start(const ProgramCall& call)
   std::vector<std::string> words{call.program};
   words.insert(words.end(), call.arguments.begin(), call.arguments.end());
   std::vector<std::string> variables = environmentFor(call);
-  const int trouble = posix_spawnp(&id, call.program.c_str(), &files, &attributes,
-                                   pointersTo(words).data(), pointersTo(variables).data());
+  const int error = posix_spawnp(&id, call.program.c_str(), &files, &attributes,
+                                 pointersTo(words).data(), pointersTo(variables).data());
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&files);
-  if (trouble != 0)
-    throw std::system_error(trouble, std::generic_category(),
-                            call.program + " could not be started");
+  if (error != 0)
+    throw std::system_error(error, std::generic_category(), call.program + " could not be started");
   out.closeEnd(1);
   err.closeEnd(1);
   reader = std::thread([this] { readAll(); });

@@ -103,7 +103,7 @@ TEST_F(DrawnInsertions, SayForEverySourceWhereItComesFrom)
   for (const auto& [table, source] : variability.provenance) EXPECT_GT(source.size(), 20u) << table;
 }
 
-TEST(VariabilityFile, IsRefusedWithTheLineOfTheMistake)
+TEST(VariabilityFile, IsRefusedWithTheLineOfTheError)
 {
   const test::TemporaryFolder folder;
   const auto original = readWhole(resource(shipped));

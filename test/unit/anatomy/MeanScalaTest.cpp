@@ -242,19 +242,19 @@ TEST(MeasuredSections, ThatAreSpoiledAreRefusedWithASentence)
   const std::string measures =
       "[[section]]\nangle_deg = 0.0\ninner_mm = 4\nouter_mm = 6\nheight_mm = 1\narea_mm2 = 2\n"
       "inscribed_mm = 1\n";
-  const auto mistake = [](const std::string& text) {
+  const auto error = [](const std::string& text) {
     const OtherResources other(text);
     const auto built = buildMean(millimeters(1));
     return built ? std::string("built") : built.error().message;
   };
-  EXPECT_NE(mistake(head).find("at least 8"), std::string::npos);
-  EXPECT_NE(mistake(head + measures + "real_mm = [1, 2]\n").find("real_mm"), std::string::npos);
-  EXPECT_NE(mistake(head + measures +
-                    "real_mm = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10]\nimaginary_mm = "
-                    "[1, 2, 3, 4, 5, 6, 7, 8, 9]\n")
+  EXPECT_NE(error(head).find("at least 8"), std::string::npos);
+  EXPECT_NE(error(head + measures + "real_mm = [1, 2]\n").find("real_mm"), std::string::npos);
+  EXPECT_NE(error(head + measures +
+                  "real_mm = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10]\nimaginary_mm = "
+                  "[1, 2, 3, 4, 5, 6, 7, 8, 9]\n")
                 .find("it must have 9"),
             std::string::npos);
-  EXPECT_NE(mistake("[[section").find("TOML"), std::string::npos);
+  EXPECT_NE(error("[[section").find("TOML"), std::string::npos);
 }
 
 class PublishedSolid : public testing::Test {

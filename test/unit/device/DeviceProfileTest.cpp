@@ -25,7 +25,7 @@ std::string with(std::string text, const std::string& old, const std::string& no
   return text.replace(at, old.size(), now);
 }
 
-std::string mistake(const std::string& text)
+std::string error(const std::string& text)
 {
   const auto profile = parseProfile(text, "test.toml");
   return profile ? "it was accepted" : profile.error().message;
@@ -56,7 +56,7 @@ TEST(DeviceProfile, IsReadInSi)
 TEST(ShippedProfiles, CanAllBeReadAndHaveNamesOfTheirOwn)
 {
   const ProfileCatalog catalog = shippedProfiles();
-  EXPECT_THAT(catalog.mistakes, IsEmpty());
+  EXPECT_THAT(catalog.errors, IsEmpty());
   std::set<std::string> names;
   for (const DeviceProfile& profile : catalog.profiles) names.insert(profile.name);
   EXPECT_EQ(names.size(), catalog.profiles.size());
@@ -100,32 +100,32 @@ TEST(MatchingProfile, PrefersWhatAsksForMore)
 
 TEST(FaultyProfile, IsAnsweredWithFileLineKeyValueAndRange)
 {
-  EXPECT_THAT(mistake(with(good, "travel_mm = 15.0", "travel_mm = 9000.0")),
+  EXPECT_THAT(error(with(good, "travel_mm = 15.0", "travel_mm = 9000.0")),
               HasSubstr("test.toml:14: axes.travel_mm is 9000; it must be between 0.1 and 500"));
-  EXPECT_THAT(mistake(with(good, "\"joystick\"", "\"gloves\"")), HasSubstr("test.toml:3: kind"));
-  EXPECT_THAT(mistake(with(good, "x = \"x\"", "x = \"q\"")),
+  EXPECT_THAT(error(with(good, "\"joystick\"", "\"gloves\"")), HasSubstr("test.toml:3: kind"));
+  EXPECT_THAT(error(with(good, "x = \"x\"", "x = \"q\"")),
               HasSubstr("test.toml:13: axes.x is 'q'; it must be one of none, x"));
-  EXPECT_THAT(mistake(with(good, "x = \"x\"\n", "")), HasSubstr("[axes] moves nothing"));
-  EXPECT_THAT(mistake(good + "wheels = 4\n"), HasSubstr("wheels"));
-  EXPECT_THAT(mistake(with(good, "usage = 4", "")), HasSubstr("belong together"));
-  EXPECT_THAT(mistake(with(good, "usage_page = 1\nusage = 4", "interface = 1")),
+  EXPECT_THAT(error(with(good, "x = \"x\"\n", "")), HasSubstr("[axes] moves nothing"));
+  EXPECT_THAT(error(good + "wheels = 4\n"), HasSubstr("wheels"));
+  EXPECT_THAT(error(with(good, "usage = 4", "")), HasSubstr("belong together"));
+  EXPECT_THAT(error(with(good, "usage_page = 1\nusage = 4", "interface = 1")),
               HasSubstr("it would take every device"));
-  EXPECT_THAT(mistake(with(good, "usage_page = 1\nusage = 4", "product_id = 1")),
+  EXPECT_THAT(error(with(good, "usage_page = 1\nusage = 4", "product_id = 1")),
               HasSubstr("product_id means nothing without vendor_id"));
-  EXPECT_THAT(mistake(with(good, "[[match]]\nusage_page = 1\nusage = 4\n", "")),
+  EXPECT_THAT(error(with(good, "[[match]]\nusage_page = 1\nusage = 4\n", "")),
               HasSubstr("[[match]] is missing"));
-  EXPECT_THAT(mistake(with(good, "nominal_period_ms = 10.0",
-                           "nominal_period_ms = 10.0\nmost_force_N = 1.0")),
-              HasSubstr("renders no force"));
+  EXPECT_THAT(
+      error(with(good, "nominal_period_ms = 10.0", "nominal_period_ms = 10.0\nmost_force_N = 1.0")),
+      HasSubstr("renders no force"));
 }
 
 TEST(FaultyProfile, CannotTurnTheHandInsideOut)
 {
   const std::string mount = good + "[mount]\nrotation = ";
-  EXPECT_THAT(mistake(mount + "[1,0,0, 0,1,0, 0,0,1]"), HasSubstr("accepted"));
-  EXPECT_THAT(mistake(mount + "[-1,0,0, 0,1,0, 0,0,1]"), HasSubstr("right-handed"));
-  EXPECT_THAT(mistake(mount + "[1,0,0, 1,0,0, 0,0,1]"), HasSubstr("no rotation"));
-  EXPECT_THAT(mistake(mount + "[0.5,0,0, 0,1,0, 0,0,1]"), HasSubstr("no rotation"));
+  EXPECT_THAT(error(mount + "[1,0,0, 0,1,0, 0,0,1]"), HasSubstr("accepted"));
+  EXPECT_THAT(error(mount + "[-1,0,0, 0,1,0, 0,0,1]"), HasSubstr("right-handed"));
+  EXPECT_THAT(error(mount + "[1,0,0, 1,0,0, 0,0,1]"), HasSubstr("no rotation"));
+  EXPECT_THAT(error(mount + "[0.5,0,0, 0,1,0, 0,0,1]"), HasSubstr("no rotation"));
 }
 
 const std::string vector = perilymph::test::profileHead("vector") + R"(nominal_period_ms = 1.0
@@ -146,18 +146,18 @@ quantum_N = [0.01, 0.01, 0.01]
 
 TEST(FaultyVectorProfile, CannotReachBeyondItsReports)
 {
-  EXPECT_THAT(mistake(vector), HasSubstr("accepted"));
-  EXPECT_THAT(mistake(with(vector, "[0, 16, 32]", "[0, 16, 33]")),
+  EXPECT_THAT(error(vector), HasSubstr("accepted"));
+  EXPECT_THAT(error(with(vector, "[0, 16, 32]", "[0, 16, 33]")),
               HasSubstr("first_bits has 33; with 16 bits that ends behind the report's 48 bits"));
-  EXPECT_THAT(mistake(with(vector, "[0, 16, 32]", "[0, 16.5, 32]")), HasSubstr("whole numbers"));
-  EXPECT_THAT(mistake(with(vector, "bits = 16", "bits = 40")), HasSubstr("between 2 and 32"));
-  EXPECT_THAT(mistake(with(vector, "[0, 16, 32]", "[0, 16]")), HasSubstr("first_bits"));
+  EXPECT_THAT(error(with(vector, "[0, 16, 32]", "[0, 16.5, 32]")), HasSubstr("whole numbers"));
+  EXPECT_THAT(error(with(vector, "bits = 16", "bits = 40")), HasSubstr("between 2 and 32"));
+  EXPECT_THAT(error(with(vector, "[0, 16, 32]", "[0, 16]")), HasSubstr("first_bits"));
 }
 
 TEST(ForceProfile, MayNotBeOfADeviceThatIsSilentAtRest)
 {
-  EXPECT_THAT(mistake(with(vector, "nominal_period_ms = 1.0",
-                           "nominal_period_ms = 1.0\nreporting = \"on_change\"")),
+  EXPECT_THAT(error(with(vector, "nominal_period_ms = 1.0",
+                         "nominal_period_ms = 1.0\nreporting = \"on_change\"")),
               HasSubstr("must report all the time"));
 }
 
@@ -167,7 +167,7 @@ TEST(ForceProfile, MayNotSteerBySpeed)
   text = with(text, "nominal_period_ms = 10.0", "nominal_period_ms = 1.0\nmost_force_N = 1.0");
   text = with(text, "motion = \"place\"", "motion = \"rate\"");
   text = with(text, "travel_mm = 15.0", "speed_mm_s = 5.0\n[pid]\neffects = \"axes\"");
-  EXPECT_THAT(mistake(text), HasSubstr("the force belongs to a place"));
+  EXPECT_THAT(error(text), HasSubstr("the force belongs to a place"));
 }
 
 /// The shipped stick, whose profile renders force, with one more line on what it can do.
@@ -189,10 +189,10 @@ TEST(DeviceProfile, SaysWhatIsKnownOfTheHandle)
 
 TEST(DeviceProfile, RefusesAHandleThatNobodyCanHold)
 {
-  EXPECT_THAT(mistake(stickThatSays("handle_mass_kg = 200.0")), HasSubstr("handle_mass_kg"));
-  EXPECT_THAT(mistake(stickThatSays("handle_damping_N_s_m = -1.0")),
+  EXPECT_THAT(error(stickThatSays("handle_mass_kg = 200.0")), HasSubstr("handle_mass_kg"));
+  EXPECT_THAT(error(stickThatSays("handle_damping_N_s_m = -1.0")),
               HasSubstr("handle_damping_N_s_m"));
-  EXPECT_THAT(mistake(stickThatSays("handle_mass = 0.2")), HasSubstr("handle_mass"));
+  EXPECT_THAT(error(stickThatSays("handle_mass = 0.2")), HasSubstr("handle_mass"));
 }
 
 }  // namespace

@@ -78,10 +78,10 @@ TEST_F(FailingHidDevice, SaysThatTheDeviceIsSilentOnceATenthOfASecondPassed)
   hand.read();
   hid.send(next());
   hand.read();
-  EXPECT_EQ(hand.health()->trouble, "");
+  EXPECT_EQ(hand.health()->error, "");
   now += 250 * millisecond;
   hand.read();
-  EXPECT_THAT(hand.health()->trouble, HasSubstr("has sent nothing for 0.25 s. The force is off."));
+  EXPECT_THAT(hand.health()->error, HasSubstr("has sent nothing for 0.25 s. The force is off."));
 }
 
 TEST_F(FailingHidDevice, HasNoHealthAndCannotBeWaitedForWhileItIsClosed)

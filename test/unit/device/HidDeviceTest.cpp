@@ -144,7 +144,7 @@ TEST_F(HidDeviceOnAFake, IsInvalidOnceNoForceWasTakenForFiveMilliseconds)
   for (int i = 0; i < 4; ++i) EXPECT_EQ(turn(0.1).isValid, 1u) << i;
   EXPECT_EQ(turn(0.1).isValid, 0u);
   EXPECT_TRUE(hand.health()->isBlocked);
-  EXPECT_NE(hand.health()->trouble.find("takes no force"), std::string::npos);
+  EXPECT_NE(hand.health()->error.find("takes no force"), std::string::npos);
   hid.holdWrites(false);
 }
 
@@ -205,9 +205,9 @@ TEST_F(HidDeviceOnAFake, OutlivesAPlugPulledInMidWrite)
   hid.unplug();
   hid.holdWrites(false);
   EXPECT_EQ(turn(0.5).isValid, 0u);
-  waitUntil([this] { return !hand.health()->trouble.empty() || turn(0.5).isValid != 0; });
+  waitUntil([this] { return !hand.health()->error.empty() || turn(0.5).isValid != 0; });
   EXPECT_FALSE(hand.health()->isConnected);
-  EXPECT_NE(hand.health()->trouble.find("not plugged in"), std::string::npos);
+  EXPECT_NE(hand.health()->error.find("not plugged in"), std::string::npos);
 }
 
 TEST_F(HidDeviceOnAFake, IsTakenUpAgainWhenItIsPluggedIn)

@@ -37,7 +37,7 @@ ReportDescriptor read(const Bytes& bytes)
   return descriptor ? *descriptor : ReportDescriptor();
 }
 
-std::string mistake(const Bytes& bytes)
+std::string error(const Bytes& bytes)
 {
   const auto descriptor = ReportDescriptor::parse(bytes);
   return descriptor ? "it was accepted" : descriptor.error().message;
@@ -217,46 +217,45 @@ TEST(ReportDescriptor, OfNoBytesHasNoReports)
 
 TEST(MalformedReportDescriptor, IsAnsweredWithThePlace)
 {
-  EXPECT_THAT(mistake({0x05, 0x01, 0x26, 0xff}), HasSubstr("byte 2"));
-  EXPECT_THAT(mistake({0x05, 0x01, 0x26, 0xff}), HasSubstr("needs 2 bytes"));
-  EXPECT_THAT(mistake({0x05, 0x01, 0xc0}), HasSubstr("byte 2: a collection ends"));
-  EXPECT_THAT(mistake({0xa1, 0x01}), HasSubstr("inside 1 open collections"));
-  EXPECT_THAT(mistake({0xb4}), HasSubstr("pop without a push"));
-  EXPECT_THAT(mistake(Bytes(100, 0xa4)), HasSubstr("more than 32 pushes"));
+  EXPECT_THAT(error({0x05, 0x01, 0x26, 0xff}), HasSubstr("byte 2"));
+  EXPECT_THAT(error({0x05, 0x01, 0x26, 0xff}), HasSubstr("needs 2 bytes"));
+  EXPECT_THAT(error({0x05, 0x01, 0xc0}), HasSubstr("byte 2: a collection ends"));
+  EXPECT_THAT(error({0xa1, 0x01}), HasSubstr("inside 1 open collections"));
+  EXPECT_THAT(error({0xb4}), HasSubstr("pop without a push"));
+  EXPECT_THAT(error(Bytes(100, 0xa4)), HasSubstr("more than 32 pushes"));
   Bytes deep;
   for (int i = 0; i < 40; ++i) deep = joined({deep, {0xa1, 0x00}});
-  EXPECT_THAT(mistake(deep), HasSubstr("32 deep"));
-  EXPECT_THAT(mistake({0x85, 0x00}), HasSubstr("report number 0"));
-  EXPECT_THAT(mistake({0xfe, 0xff, 0x00, 0x00}), HasSubstr("long item is cut off"));
-  EXPECT_THAT(mistake({0xa9, 0x00}), HasSubstr("delimiter"));
-  EXPECT_THAT(mistake({0x07, 0x00, 0x00, 0x01, 0x00}), HasSubstr("usage page 0x10000"));
-  EXPECT_THAT(mistake(inputWith({0x15, 0x05, 0x25, 0x01, 0x75, 0x08, 0x95, 0x01})),
+  EXPECT_THAT(error(deep), HasSubstr("32 deep"));
+  EXPECT_THAT(error({0x85, 0x00}), HasSubstr("report number 0"));
+  EXPECT_THAT(error({0xfe, 0xff, 0x00, 0x00}), HasSubstr("long item is cut off"));
+  EXPECT_THAT(error({0xa9, 0x00}), HasSubstr("delimiter"));
+  EXPECT_THAT(error({0x07, 0x00, 0x00, 0x01, 0x00}), HasSubstr("usage page 0x10000"));
+  EXPECT_THAT(error(inputWith({0x15, 0x05, 0x25, 0x01, 0x75, 0x08, 0x95, 0x01})),
               HasSubstr("greatest value 1 is below its least, 5"));
-  EXPECT_THAT(mistake(inputWith({0x15, 0x00, 0x25, 0x01, 0x75, 0x40, 0x95, 0x01})),
+  EXPECT_THAT(error(inputWith({0x15, 0x00, 0x25, 0x01, 0x75, 0x40, 0x95, 0x01})),
               HasSubstr("64 bits"));
   EXPECT_THAT(
-      mistake({0x15, 0x00, 0x25, 0x01, 0x75, 0x08, 0x95, 0x01, 0x19, 0x05, 0x29, 0x02, 0x81, 0x02}),
+      error({0x15, 0x00, 0x25, 0x01, 0x75, 0x08, 0x95, 0x01, 0x19, 0x05, 0x29, 0x02, 0x81, 0x02}),
       HasSubstr("usages run from 0x5 down to 0x2"));
 }
 
 TEST(MalformedReportDescriptor, CannotAskForReportsWithoutEnd)
 {
   // count 2^32 - 1 of 32 bits
-  EXPECT_THAT(
-      mistake(inputWith({0x15, 0x00, 0x25, 0x01, 0x75, 0x20, 0x97, 0xff, 0xff, 0xff, 0xff})),
-      HasSubstr("bits; at most 8184"));
+  EXPECT_THAT(error(inputWith({0x15, 0x00, 0x25, 0x01, 0x75, 0x20, 0x97, 0xff, 0xff, 0xff, 0xff})),
+              HasSubstr("bits; at most 8184"));
 }
 
 TEST(MalformedReportDescriptor, MayNotMixReportsWithAndWithoutNumber)
 {
   EXPECT_THAT(
-      mistake({0x15, 0x00, 0x25, 0x01, 0x75, 0x08, 0x95, 0x01, 0x81, 0x02, 0x85, 0x01, 0x81, 0x02}),
+      error({0x15, 0x00, 0x25, 0x01, 0x75, 0x08, 0x95, 0x01, 0x81, 0x02, 0x85, 0x01, 0x81, 0x02}),
       HasSubstr("some reports have numbers"));
 }
 
 TEST(MalformedReportDescriptor, MayNotBeLongerThanTheSystemReads)
 {
-  EXPECT_THAT(mistake(Bytes(5000, 0)), HasSubstr("5000 bytes long; at most 4096"));
+  EXPECT_THAT(error(Bytes(5000, 0)), HasSubstr("5000 bytes long; at most 4096"));
 }
 
 TEST(MalformedReportDescriptor, CutOffAnywhereIsRefusedOrShorterButNeverWrong)

@@ -55,7 +55,7 @@ protected:
   }
 
   /// What is wrong after the change, without the folder.
-  std::string mistake(const std::string& passage, const std::string& change)
+  std::string error(const std::string& passage, const std::string& change)
   {
     const Result<ArrayDesign> design = load(passage, change);
     if (design) return "fine";
@@ -170,27 +170,27 @@ TEST_F(ArrayFile, WithATaperedTipWidensStraightFromItsCap)
 TEST_F(ArrayFile, RefusesATipBlunterThanTheCarrier)
 {
   EXPECT_EQ(
-      mistake("[bending]", "[tip]\nradius_mm = 0.3\nsource = 'x'\nconfidence = 'low'\n[bending]"),
+      error("[bending]", "[tip]\nradius_mm = 0.3\nsource = 'x'\nconfidence = 'low'\n[bending]"),
       "a.toml:18: tip.radius_mm is 0.3; it must be between 0.02 and 0.2.");
 }
 
 TEST_F(ArrayFile, RefusesRibsWithoutHeight)
 {
-  EXPECT_EQ(mistake("[contacts]",
-                    "[ribs]\nfrom_tip_mm = [12.0]\nsource = 'x'\nconfidence = 'low'\n[contacts]"),
+  EXPECT_EQ(error("[contacts]",
+                  "[ribs]\nfrom_tip_mm = [12.0]\nsource = 'x'\nconfidence = 'low'\n[contacts]"),
             "a.toml:22: key 'ribs.height_mm' is missing; it must be between 0.01 and 1.");
 }
 
 TEST_F(ArrayFile, RefusesADiameterOutOfRange)
 {
-  EXPECT_EQ(mistake("[0.4, 0.6]", "[0.4, 6.0]"),
+  EXPECT_EQ(error("[0.4, 0.6]", "[0.4, 6.0]"),
             "a.toml:14: diameter.diameter_mm has 6 as number 2; it must be a list of at least 1 "
             "numbers, each between 0.1 and 2.");
 }
 
 TEST_F(ArrayFile, RefusesAStiffnessInTheWrongUnit)
 {
-  EXPECT_EQ(mistake("[1e-7, 3e-7]", "[0.1, 0.3]"),
+  EXPECT_EQ(error("[1e-7, 3e-7]", "[0.1, 0.3]"),
             "a.toml:19: bending.bending_N_m2 has 0.1 as number 1; it must be a list of at least 1 "
             "numbers, each between 1e-09 and 0.0001.");
 }
@@ -198,33 +198,33 @@ TEST_F(ArrayFile, RefusesAStiffnessInTheWrongUnit)
 TEST_F(ArrayFile, RefusesPlacesThatDoNotGrow)
 {
   EXPECT_EQ(
-      mistake("[0.0, 20.0]", "[5.0, 5.0]"),
+      error("[0.0, 20.0]", "[5.0, 5.0]"),
       "a.toml:18: from_tip_mm has 5 after 5; each place must be greater than the one before.");
 }
 
 TEST_F(ArrayFile, RefusesPlacesBeyondTheArray)
 {
-  EXPECT_THAT(mistake("[0.0, 20.0]", "[0.0, 21.0]"),
+  EXPECT_THAT(error("[0.0, 20.0]", "[0.0, 21.0]"),
               HasSubstr("bending.from_tip_mm has 21 as number 2; it must be a list of at least 1 "
                         "numbers, each between 0 and 20."));
 }
 
 TEST_F(ArrayFile, RefusesUnequalLists)
 {
-  EXPECT_EQ(mistake("[0.4, 0.6]", "[0.4]"),
+  EXPECT_EQ(error("[0.4, 0.6]", "[0.4]"),
             "a.toml:14: diameter_mm has 1 numbers and from_tip_mm has 2; give one value for each "
             "place.");
 }
 
 TEST_F(ArrayFile, RefusesAnInsertableLengthBeyondTheArray)
 {
-  EXPECT_EQ(mistake("value_mm = 18.0", "value_mm = 21.0"),
+  EXPECT_EQ(error("value_mm = 18.0", "value_mm = 21.0"),
             "a.toml:9: insertable.value_mm is 21; it must be between 1 and 20.");
 }
 
 TEST_F(ArrayFile, RefusesContactsThatOverlap)
 {
-  EXPECT_EQ(mistake("[1.0, 2.0, 3.0]", "[1.0, 1.4, 3.0]"),
+  EXPECT_EQ(error("[1.0, 2.0, 3.0]", "[1.0, 1.4, 3.0]"),
             "a.toml:23: a contact of 0.5 mm at 1.4 mm overlaps the one at 1 mm; centers must be at "
             "least a contact's length apart.");
 }
@@ -232,24 +232,24 @@ TEST_F(ArrayFile, RefusesContactsThatOverlap)
 TEST_F(ArrayFile, RefusesContactsBeyondItsEnds)
 {
   EXPECT_THAT(
-      mistake("[1.0, 2.0, 3.0]", "[0.2, 2.0, 3.0]"),
+      error("[1.0, 2.0, 3.0]", "[0.2, 2.0, 3.0]"),
       HasSubstr("a contact of 0.5 mm at 0.2 mm reaches beyond the tip; its center must be at "
                 "least 0.25 mm from it."));
-  EXPECT_THAT(mistake("[1.0, 2.0, 3.0]", "[1.0, 2.0, 19.9]"),
+  EXPECT_THAT(error("[1.0, 2.0, 3.0]", "[1.0, 2.0, 19.9]"),
               HasSubstr("at 19.9 mm reaches beyond the array's 20 mm; its center must be at most "
                         "19.75 mm from the tip."));
 }
 
 TEST_F(ArrayFile, TakesContactsThatTouch)
 {
-  EXPECT_EQ(mistake("[1.0, 2.0, 3.0]", "[0.3, 0.8, 1.3]"), "fine");
+  EXPECT_EQ(error("[1.0, 2.0, 3.0]", "[0.3, 0.8, 1.3]"), "fine");
 }
 
 TEST_F(ArrayFile, RefusesARibBeyondTheArray)
 {
-  EXPECT_THAT(mistake("[contacts]",
-                      "[ribs]\nfrom_tip_mm = [22.0]\nheight_mm = 0.1\nlength_mm = 0.3\nsource = "
-                      "'x'\nconfidence = 'low'\n[contacts]"),
+  EXPECT_THAT(error("[contacts]",
+                    "[ribs]\nfrom_tip_mm = [22.0]\nheight_mm = 0.1\nlength_mm = 0.3\nsource = "
+                    "'x'\nconfidence = 'low'\n[contacts]"),
               HasSubstr("ribs.from_tip_mm has 22 as number 1;"));
 }
 
@@ -257,10 +257,10 @@ TEST_F(ArrayFile, RefusesACurlTighterThanTheCarriersRadius)
 {
   // At 8 mm the radius is 1 mm: no curl of 1 per mm and more.
   const auto thickWith = [&](const std::string& curvature) {
-    return mistake("diameter_mm = [0.4, 0.6]\nsource = \"made up\"\nconfidence = \"medium\"\n",
-                   "diameter_mm = [2.0, 2.0]\nsource = \"x\"\nconfidence = \"low\"\n"
-                   "[rest_curvature]\nfrom_tip_mm = [0.0, 8.0]\ncurvature_per_mm = [0.5, " +
-                       curvature + "]\nsource = 'x'\nconfidence = 'low'\n");
+    return error("diameter_mm = [0.4, 0.6]\nsource = \"made up\"\nconfidence = \"medium\"\n",
+                 "diameter_mm = [2.0, 2.0]\nsource = \"x\"\nconfidence = \"low\"\n"
+                 "[rest_curvature]\nfrom_tip_mm = [0.0, 8.0]\ncurvature_per_mm = [0.5, " +
+                     curvature + "]\nsource = 'x'\nconfidence = 'low'\n");
   };
   EXPECT_EQ(thickWith("0.9"), "fine");
   EXPECT_EQ(
@@ -272,28 +272,28 @@ TEST_F(ArrayFile, RefusesACurlTighterThanTheCarriersRadius)
 TEST_F(ArrayFile, RefusesAStyletWithoutStiffness)
 {
   EXPECT_EQ(
-      mistake("[contacts]",
-              "[stylet]\nfrom_tip_mm = 2.0\nsource = 'x'\nconfidence = 'low'\n[contacts]"),
+      error("[contacts]",
+            "[stylet]\nfrom_tip_mm = 2.0\nsource = 'x'\nconfidence = 'low'\n[contacts]"),
       "a.toml:22: key 'stylet.bending_N_m2' is missing; it must be between 1e-09 and 0.0001.");
 }
 
 TEST_F(ArrayFile, RefusesATableWithoutSource)
 {
-  EXPECT_EQ(mistake("source = \"made up\"\nconfidence = \"medium\"", "confidence = \"medium\""),
+  EXPECT_EQ(error("source = \"made up\"\nconfidence = \"medium\"", "confidence = \"medium\""),
             "a.toml:12: key 'diameter.source' is missing; it must be text.");
-  EXPECT_EQ(mistake("confidence = \"medium\"", "confidence = \"sure\""),
+  EXPECT_EQ(error("confidence = \"medium\"", "confidence = \"sure\""),
             "a.toml:16: diameter.confidence is 'sure'; it must be one of high, medium, low.");
 }
 
 TEST_F(ArrayFile, RefusesAKeyWithoutUnit)
 {
-  EXPECT_EQ(mistake("diameter_mm", "diameter"),
+  EXPECT_EQ(error("diameter_mm", "diameter"),
             "a.toml:14: unknown key 'diameter.diameter'; did you mean diameter.diameter_mm?");
 }
 
 TEST_F(ArrayFile, RefusesAnUnknownTable)
 {
-  EXPECT_THAT(mistake("[contacts]", "[color]\nred = 1\n[contacts]"),
+  EXPECT_THAT(error("[contacts]", "[color]\nred = 1\n[contacts]"),
               HasSubstr("a.toml:22: unknown key 'color'"));
 }
 

@@ -18,7 +18,7 @@ TomlReader withSet(const std::string& text, const std::string& key, const std::s
   return std::move(*reader);
 }
 
-std::string mistakeOf(TomlReader& reader)
+std::string errorOf(TomlReader& reader)
 {
   const Result<Done> done = reader.finish();
   return done ? "fine" : done.error().message;
@@ -28,7 +28,7 @@ TEST(TomlSet, ChangesAValueOfTheFile)
 {
   TomlReader reader = withSet("speed_mm_s = 2", "speed_mm_s", "3.5");
   EXPECT_EQ(reader.number("speed_mm_s", speeds), 3.5);
-  EXPECT_EQ(mistakeOf(reader), "fine");
+  EXPECT_EQ(errorOf(reader), "fine");
 }
 
 TEST(TomlSet, AddsAValueTheFileHasNot)
@@ -41,7 +41,7 @@ TEST(TomlSet, NamesTheCommandLineInPlaceOfALine)
 {
   TomlReader reader = withSet("\n\nspeed_mm_s = 2", "speed_mm_s", "-3");
   reader.number("speed_mm_s", speeds);
-  EXPECT_EQ(mistakeOf(reader),
+  EXPECT_EQ(errorOf(reader),
             "--set speed_mm_s=-3: speed_mm_s is -3; it must be between 0.01 and 200.");
 }
 
@@ -49,7 +49,7 @@ TEST(TomlSet, GuessesWhatAnUnknownKeyMeant)
 {
   TomlReader reader = withSet("", "sped_mm_s", "3");
   reader.number("speed_mm_s", speeds, 2.0);
-  EXPECT_EQ(mistakeOf(reader),
+  EXPECT_EQ(errorOf(reader),
             "--set sped_mm_s=3: unknown key 'sped_mm_s'; did you mean speed_mm_s?");
 }
 
@@ -70,14 +70,14 @@ TEST(TomlSet, CannotSmuggleInASecondKey)
   TomlReader reader = withSet("", "speed_mm_s", "2\nnodes = 7");
   reader.number("speed_mm_s", speeds);
   EXPECT_EQ(reader.integer("nodes", 1, 10, 3), 3);
-  EXPECT_THAT(mistakeOf(reader), HasSubstr("it must be a number, between 0.01 and 200."));
+  EXPECT_THAT(errorOf(reader), HasSubstr("it must be a number, between 0.01 and 200."));
 }
 
 TEST(TomlSet, ReachesIntoTables)
 {
   TomlReader reader = withSet("[stylet]\nfrom_tip_mm = 2\n", "stylet.from_tip_mm", "30");
   reader.table("stylet").number("from_tip_mm", {0.0, 25.0});
-  EXPECT_EQ(mistakeOf(reader),
+  EXPECT_EQ(errorOf(reader),
             "--set stylet.from_tip_mm=30: stylet.from_tip_mm is 30; it must be between 0 and 25.");
 }
 
@@ -85,7 +85,7 @@ TEST(TomlSet, SaysThatAValueIsNoTable)
 {
   TomlReader reader = withSet("speed_mm_s = 2", "speed_mm_s.x", "1");
   reader.number("speed_mm_s", speeds);
-  EXPECT_EQ(mistakeOf(reader), "--set speed_mm_s.x=1: speed_mm_s is not a table.");
+  EXPECT_EQ(errorOf(reader), "--set speed_mm_s.x=1: speed_mm_s is not a table.");
 }
 
 TEST(TomlSet, IsPartOfTheDump)

@@ -32,15 +32,15 @@ TEST(EngineSettings, AreRefusedOutOfRangeWithASentenceThatNamesTheValue)
       {[](auto& s) { s.styletSpeed = -1e-3; }, "-1 mm/s"},
       {[](auto& s) { s.samplePeriod = 0.0; }, "0 ms"},
   };
-  for (const Case& wrong : cases) {
+  for (const Case& error : cases) {
     EngineSettings settings;
-    wrong.spoil(settings);
+    error.spoil(settings);
     try {
       InsertionEngine engine(test::insertionInTube(), settings);
-      ADD_FAILURE() << "accepted " << wrong.named;
+      ADD_FAILURE() << "accepted " << error.named;
     } catch (const std::invalid_argument& refusal) {
       const std::string sentence = refusal.what();
-      EXPECT_NE(sentence.find(wrong.named), std::string::npos) << sentence;
+      EXPECT_NE(sentence.find(error.named), std::string::npos) << sentence;
       EXPECT_NE(sentence.find("between"), std::string::npos) << sentence;
     }
   }

@@ -9,10 +9,9 @@ namespace {
 
 using enum Workflow;
 
-constexpr std::array<WorkflowEvent, 8> allEvents{WorkflowEvent::arm,        WorkflowEvent::grasp,
-                                                 WorkflowEvent::release,    WorkflowEvent::arrive,
-                                                 WorkflowEvent::withdraw,   WorkflowEvent::trouble,
-                                                 WorkflowEvent::clearFault, WorkflowEvent::reset};
+constexpr std::array<WorkflowEvent, 8> allEvents{
+    WorkflowEvent::arm,      WorkflowEvent::grasp, WorkflowEvent::release,    WorkflowEvent::arrive,
+    WorkflowEvent::withdraw, WorkflowEvent::error, WorkflowEvent::clearFault, WorkflowEvent::reset};
 
 struct Row {
   Workflow from;

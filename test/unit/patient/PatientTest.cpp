@@ -23,7 +23,7 @@ protected:
   }
 
   /// What is wrong with the text, without the folder.
-  std::string mistake(const std::string& text)
+  std::string error(const std::string& text)
   {
     const Result<Patient> patient = load(text);
     if (patient) return "fine";
@@ -57,21 +57,21 @@ TEST_F(PatientFile, WithoutSideAndLabelIsARightEarNamedAfterItsFile)
   EXPECT_EQ(patient->label, "p");
 }
 
-TEST_F(PatientFile, IsRefusedWithOneSentenceForEachMistake)
+TEST_F(PatientFile, IsRefusedWithOneSentenceForEachError)
 {
-  EXPECT_EQ(mistake("rw_width_mm = 1.9\nrw_height_mm = 1.8\n"),
+  EXPECT_EQ(error("rw_width_mm = 1.9\nrw_height_mm = 1.8\n"),
             "p.toml: key 'st_length_mm' is missing; it must be between 25 and 45.");
-  EXPECT_EQ(mistake("st_length_mm = 3.56\nrw_width_mm = 1.9\nrw_height_mm = 1.8\n"),
+  EXPECT_EQ(error("st_length_mm = 3.56\nrw_width_mm = 1.9\nrw_height_mm = 1.8\n"),
             "p.toml:1: st_length_mm is 3.56; it must be between 25 and 45.");
-  EXPECT_EQ(mistake("st_length_mm = 33\nrw_width_mm = 0.19\nrw_height_mm = 1.8\n"),
+  EXPECT_EQ(error("st_length_mm = 33\nrw_width_mm = 0.19\nrw_height_mm = 1.8\n"),
             "p.toml:2: rw_width_mm is 0.19; it must be between 1 and 3.");
-  EXPECT_EQ(mistake("st_length_mm = 33\nrw_width_mm = 1.9\nrw_height_mm = 'x'\n"),
+  EXPECT_EQ(error("st_length_mm = 33\nrw_width_mm = 1.9\nrw_height_mm = 'x'\n"),
             "p.toml:3: rw_height_mm is 'x'; it must be a number, between 1 and 2.8.");
-  EXPECT_EQ(mistake("st_length = 33\nrw_width_mm = 1.9\nrw_height_mm = 1.8\n"),
+  EXPECT_EQ(error("st_length = 33\nrw_width_mm = 1.9\nrw_height_mm = 1.8\n"),
             "p.toml:1: unknown key 'st_length'; did you mean st_length_mm?");
-  EXPECT_EQ(mistake("st_length_mm = 33\nrw_width_mm = 1.9\nrw_height_mm = 1.8\nside = 'up'\n"),
+  EXPECT_EQ(error("st_length_mm = 33\nrw_width_mm = 1.9\nrw_height_mm = 1.8\nside = 'up'\n"),
             "p.toml:4: side is 'up'; it must be one of right, left.");
-  EXPECT_THAT(mistake("st_length_mm = 33\nrw_width_mm =\n"),
+  EXPECT_THAT(error("st_length_mm = 33\nrw_width_mm =\n"),
               HasSubstr("p.toml:2:14: this is not TOML: "));
 }
 
@@ -88,16 +88,16 @@ TEST_F(PatientFile, GivesTheBasalTurnInstead)
 TEST_F(PatientFile, GivesEitherLengthsOrTheBasalTurn)
 {
   EXPECT_THAT(
-      mistake("a_mm = 9.1\nb_mm = 6.9\nrw_width_mm = 1.9\n"),
+      error("a_mm = 9.1\nb_mm = 6.9\nrw_width_mm = 1.9\n"),
       testing::AllOf(HasSubstr("p.toml:3"), HasSubstr("either"), HasSubstr("st_length_mm")));
-  EXPECT_THAT(mistake("a_mm = 9.1\n"), HasSubstr("'b_mm' is missing"));
-  EXPECT_THAT(mistake("a_mm = 9.1\nb_mm = 6.9\nh_mm = 9\n"), HasSubstr("between 2.3 and 4.8"));
+  EXPECT_THAT(error("a_mm = 9.1\n"), HasSubstr("'b_mm' is missing"));
+  EXPECT_THAT(error("a_mm = 9.1\nb_mm = 6.9\nh_mm = 9\n"), HasSubstr("between 2.3 and 4.8"));
 }
 
 TEST_F(PatientFile, WithADiameterThatNoCochleaHasIsRefusedWithThePopulation)
 {
   // (11.2 - 9.23) / 0.428 = 4.6 standard deviations
-  const std::string sentence = mistake("a_mm = 11.2\nb_mm = 6.9\n");
+  const std::string sentence = error("a_mm = 11.2\nb_mm = 6.9\n");
   for (const char* part : {"p.toml", "A (a_mm) is 11.2 mm", "4.6 standard deviations above", "9.23",
                            "SD 0.43", "between 7.52 and 10.94"})
     EXPECT_THAT(sentence, HasSubstr(part));

@@ -28,13 +28,13 @@ ModelParts parts(int points = 12)
   return parts;
 }
 
-std::string refusal(const ModelParts& wrong)
+std::string refusal(const ModelParts& error)
 {
   try {
-    InsertionModel::build(wrong);
+    InsertionModel::build(error);
     return "accepted";
-  } catch (const std::invalid_argument& mistake) {
-    return mistake.what();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
   }
 }
 

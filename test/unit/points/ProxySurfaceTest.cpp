@@ -151,8 +151,8 @@ TEST(ProxySurface, RefusesSurfacesThatHoldNothing)
     try {
       ProxySurface{surface, radius};
       return std::string("accepted");
-    } catch (const std::invalid_argument& mistake) {
-      return std::string(mistake.what());
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
     }
   };
   EXPECT_THAT(refusal({}), testing::HasSubstr("no triangles"));

@@ -129,7 +129,7 @@ TEST(InsertionByTheClock, RunsRecordsAndStops)
     }
     insertion->stop();
     ticks = insertion->loop().statistics().ticks;
-    EXPECT_EQ(insertion->recordingTrouble(), "");
+    EXPECT_EQ(insertion->recordingError(), "");
   }
   const auto recorded = RecordedInsertion::open(folder / "clock.insertion");
   ASSERT_TRUE(recorded) << recorded.error().message;
@@ -146,17 +146,17 @@ TEST(ARecordingDeletedWhileItIsWritten, IsReportedAndTheInsertionGoesOn)
   arm.kind = haptics::Command::Kind::arm;
   ASSERT_TRUE(insertion->send(arm));
   std::filesystem::remove(folder / "gone.insertion");
-  while (insertion->recordingTrouble().empty()) std::this_thread::yield();
-  EXPECT_THAT(insertion->recordingTrouble(), HasSubstr("gone.insertion was moved or deleted"));
+  while (insertion->recordingError().empty()) std::this_thread::yield();
+  EXPECT_THAT(insertion->recordingError(), HasSubstr("gone.insertion was moved or deleted"));
   const std::uint64_t before = insertion->latest().tick;
   while (insertion->latest().tick < before + 10) insertion->refresh();
   insertion->stop();
   const auto closed = insertion->closeRecording();
   ASSERT_FALSE(closed);
-  EXPECT_EQ(closed.error().message, insertion->recordingTrouble());
+  EXPECT_EQ(closed.error().message, insertion->recordingError());
 }
 
-TEST(DiskInTrouble, EndsTheRecordingAndNotTheInsertion)
+TEST(FailingDisk, EndsTheRecordingAndNotTheInsertion)
 {
   const test::TemporaryFolder folder;
   // Files of this process may grow to 200 kB: a disk that is full.
@@ -174,15 +174,15 @@ TEST(DiskInTrouble, EndsTheRecordingAndNotTheInsertion)
     last = record;
     return true;
   });
-  const std::string trouble = insertion->recordingTrouble();
+  const std::string error = insertion->recordingError();
   const auto closed = insertion->closeRecording();
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &usual), 0);
 
   EXPECT_TRUE(ran);
   EXPECT_EQ(last.output.workflow, haptics::Workflow::finished);
-  EXPECT_THAT(trouble, HasSubstr("full.insertion"));
+  EXPECT_THAT(error, HasSubstr("full.insertion"));
   ASSERT_FALSE(closed);
-  EXPECT_EQ(closed.error().message, trouble);
+  EXPECT_EQ(closed.error().message, error);
   const auto recorded = RecordedInsertion::open(folder / "full.insertion");
   ASSERT_TRUE(recorded) << recorded.error().message;
   EXPECT_GT(recorded->ticks(), 0u);

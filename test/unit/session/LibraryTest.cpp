@@ -92,7 +92,7 @@ TEST_F(Library, ListsWhoWhatAndHowHardNewestFirst)
   EXPECT_EQ(one.patient, "014");
   EXPECT_EQ(one.side, "left");
   EXPECT_EQ(one.array, "Nucleus 24 Contour");
-  EXPECT_THAT(one.trouble, IsEmpty());
+  EXPECT_THAT(one.error, IsEmpty());
   // the hill's own numbers: its top at 3 mm, 3 s of way
   EXPECT_DOUBLE_EQ(one.highlights.peakForce, 0.1);
   EXPECT_NEAR(one.highlights.peakTravel, 3e-3, 1e-9);
@@ -146,8 +146,8 @@ TEST_F(Library, ListsWhatCannotBeReadWithASentence)
   const auto sessions = list();
   ASSERT_EQ(sessions.size(), 2u);
   for (const SessionSummary& one : sessions)
-    EXPECT_THAT(one.trouble, testing::EndsWith(".")) << one.file;
-  EXPECT_THAT(sessions[0].trouble + sessions[1].trouble, HasSubstr("cut short"));
+    EXPECT_THAT(one.error, testing::EndsWith(".")) << one.file;
+  EXPECT_THAT(sessions[0].error + sessions[1].error, HasSubstr("cut short"));
 }
 
 TEST_F(Library, ListsARecordingThatNeedsTooMuchMemoryWithASentence)
@@ -159,7 +159,7 @@ TEST_F(Library, ListsARecordingThatNeedsTooMuchMemoryWithASentence)
   const test::AllocationLimit memory(4'000'000);
   const auto sessions = list();
   ASSERT_EQ(sessions.size(), 2u);
-  for (const SessionSummary& each : sessions) EXPECT_EQ(each.trouble.empty(), each.file != large);
+  for (const SessionSummary& each : sessions) EXPECT_EQ(each.error.empty(), each.file != large);
 }
 
 TEST_F(Library, GivesEachRecordingBeforeItReadsTheNext)
@@ -176,7 +176,7 @@ TEST_F(Library, GivesEachRecordingBeforeItReadsTheNext)
 TEST_F(Library, ListsAnInsertionThatNeverRan)
 {
   record(folder_ / "a.insertion", "2010-05-17T09:30:00Z", {});
-  EXPECT_THAT(list().at(0).trouble, HasSubstr("never ran"));
+  EXPECT_THAT(list().at(0).error, HasSubstr("never ran"));
 }
 
 TEST_F(Library, LeavesTheFileAloneThatIsBeingRecorded)
@@ -185,7 +185,7 @@ TEST_F(Library, LeavesTheFileAloneThatIsBeingRecorded)
   const auto sessions = listSessions(folder_.path(), folder_ / "now.insertion");
   ASSERT_TRUE(sessions);
   EXPECT_TRUE(sessions->at(0).isBeingRecorded);
-  EXPECT_THAT(sessions->at(0).trouble, IsEmpty());
+  EXPECT_THAT(sessions->at(0).error, IsEmpty());
 }
 
 TEST_F(Library, StopsWhenAskedAndListsTheNewestThatItCameTo)

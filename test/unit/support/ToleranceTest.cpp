@@ -46,9 +46,9 @@ TEST_F(ToleranceScale, OfZeroShowsTrueResiduals)
 
 TEST_F(ToleranceScale, ThatIsNoNumberIsRefused)
 {
-  for (const char* const wrong : {"tight", "1x", "-1", "nan", "inf"}) {
-    setenv(name, wrong, 1);
-    EXPECT_THROW(tolerance(0.25, "any"), std::invalid_argument) << wrong;
+  for (const char* const error : {"tight", "1x", "-1", "nan", "inf"}) {
+    setenv(name, error, 1);
+    EXPECT_THROW(tolerance(0.25, "any"), std::invalid_argument) << error;
   }
 }
 

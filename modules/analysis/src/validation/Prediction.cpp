@@ -68,7 +68,7 @@ PredictedInsertion insert(const session::Scenario& scenario,
       std::make_unique<device::ScriptedDevice>(scenario.speed.si(), scenario.timeStep.si()),
       std::nullopt, std::move(anatomy));
   if (!insertion) {
-    predicted.trouble = insertion.error().message;
+    predicted.error = insertion.error().message;
     return predicted;
   }
   haptics::TickOutput last;
@@ -83,9 +83,9 @@ PredictedInsertion insert(const session::Scenario& scenario,
                              return !isAsked;
                            },
                            static_cast<std::uint64_t>(ticks));
-  if (!ran) predicted.trouble = ran.error().message;
+  if (!ran) predicted.error = ran.error().message;
   if (ran && last.workflow != haptics::Workflow::finished)
-    predicted.trouble = "It never arrived at its full depth.";
+    predicted.error = "It never arrived at its full depth.";
   const auto& contacts = scenario.array.contactsFromTip;
   predicted.apical =
       radians(angleAlong((*insertion)->model(), (*insertion)->loop().engine().state(),
@@ -103,7 +103,7 @@ ArraySummary summaryOf(const std::string& array, const std::vector<PredictedInse
   summary.array = array;
   std::vector<double> angles, ends, peaks;
   for (const PredictedInsertion& each : all) {
-    if (each.array != array || !each.trouble.empty()) continue;
+    if (each.array != array || !each.error.empty()) continue;
     if (each.patient == "mean") {
       summary.mean = each;
       continue;

@@ -60,7 +60,7 @@ std::string predictionCsv(const PredictionResult& result)
     for (const double value :
          {inDegrees(each.apical), inMillimeters(each.depth), each.end.si(), each.peak.si()})
       csv += "," + session::shortestDecimal(value);
-    csv += "," + (each.trouble.empty() ? std::string() : csvQuoted(each.trouble)) + "\n";
+    csv += "," + (each.error.empty() ? std::string() : csvQuoted(each.error)) + "\n";
   }
   return csv;
 }

@@ -218,14 +218,14 @@ ProfileCatalog shippedProfiles()
   for (const std::string& name : shippedNames(folder)) {
     const auto file = findByName("device profile", folder, name);
     if (!file) {
-      catalog.mistakes.push_back(file.error().message);
+      catalog.errors.push_back(file.error().message);
       continue;
     }
     auto profile = loadProfile(*file);
     if (profile)
       catalog.profiles.push_back(*std::move(profile));
     else
-      catalog.mistakes.push_back(profile.error().message);
+      catalog.errors.push_back(profile.error().message);
   }
   return catalog;
 }

@@ -81,7 +81,7 @@ Result<ReportDescriptor> ReportDescriptorReader::read(std::span<const std::uint8
                             " follow.");
     for (std::uint32_t i = 0; i < item.size; ++i)
       item.value |= std::uint32_t{bytes[at + 1 + i]} << (8 * i);
-    if (const std::string wrong = readItem(item); !wrong.empty()) return atByte(at, wrong);
+    if (const std::string error = readItem(item); !error.empty()) return atByte(at, error);
     at += 1 + item.size;
   }
   if (depth_ != 0)
@@ -107,19 +107,19 @@ std::string ReportDescriptorReader::readItem(const Item& item)
 
 std::string ReportDescriptorReader::readMain(const Item& item)
 {
-  std::string wrong;
+  std::string error;
   switch (item.tag) {
     case inputTag:
-      wrong = addField(ReportKind::input, item);
+      error = addField(ReportKind::input, item);
       break;
     case outputTag:
-      wrong = addField(ReportKind::output, item);
+      error = addField(ReportKind::output, item);
       break;
     case featureTag:
-      wrong = addField(ReportKind::feature, item);
+      error = addField(ReportKind::feature, item);
       break;
     case collectionTag:
-      wrong = openCollection(item);
+      error = openCollection(item);
       break;
     case endCollectionTag:
       if (depth_ == 0) return "a collection ends that was never opened.";
@@ -130,7 +130,7 @@ std::string ReportDescriptorReader::readMain(const Item& item)
       break;  // reserved: to be ignored
   }
   forgetLocals();
-  return wrong;
+  return error;
 }
 
 std::string ReportDescriptorReader::openCollection(const Item& item)

@@ -84,7 +84,7 @@ DeviceSurvey surveyDevices(const SystemRoots& roots)
 {
   ProfileCatalog catalog = shippedProfiles();
   DeviceSurvey survey = surveyDevices(catalog.profiles, roots);
-  survey.mistakes = std::move(catalog.mistakes);
+  survey.errors = std::move(catalog.errors);
   return survey;
 }
 

@@ -58,7 +58,7 @@ struct HidDevice::Content {
   void lose() noexcept;
   void watchWriter(std::int64_t now) noexcept;
   void showFigures(std::int64_t now) noexcept;
-  void setTrouble(std::string sentence);
+  void setError(std::string sentence);
 
   Clock clock;
   DeviceTraits profile;
@@ -86,8 +86,8 @@ struct HidDevice::Content {
   bool isReadingLent = false, isWritingLent = false;
   std::atomic<std::uint64_t> reconnections{0};
   std::atomic<bool> isGuarded{false};
-  mutable std::mutex troubleMutex;  // between supervisor and UI thread
-  std::string trouble;
+  mutable std::mutex errorMutex;  // between supervisor and UI thread
+  std::string error;
   std::string guardObstacle;
 };
 
@@ -110,7 +110,7 @@ Result<Done> HidDevice::open()
   hand.channels = std::make_unique<DeviceChannels>();
   hand.reader = ReportReader(*hand.codec, hand.profile.nominalPeriod, hand.clock);
   hand.writer = std::make_unique<ForceWriter>(*hand.channels, *hand.codec, hand.traits, hand.clock);
-  hand.setTrouble({});
+  hand.setError({});
   hand.reconnections = 0;
   Handles handles;
   if (const auto done = hand.openHandles(handles); !done) return done;
@@ -145,7 +145,7 @@ Result<Done> HidDevice::Content::openHandles(Handles& handles)
                                   codec->farewell(), Duration::fromSi(patienceOfGuard));
   handles.writing = std::move(watched.handle);
   isGuarded = watched.obstacle.empty();
-  const std::lock_guard lock(troubleMutex);
+  const std::lock_guard lock(errorMutex);
   guardObstacle = std::move(watched.obstacle);
   return Done{};
 }
@@ -282,13 +282,13 @@ void HidDevice::Content::supervise()
     const auto done = openHandles(handles);
     if (done) {
       ++reconnections;
-      setTrouble({});
+      setError({});
       lend(std::move(handles));
       continue;
     }
-    setTrouble(done.error().message +
-               " The force is off. Plug it in again; it is taken up by "
-               "itself.");
+    setError(done.error().message +
+             " The force is off. Plug it in again; it is taken up by "
+             "itself.");
     port->awaitChange(Duration::fromSi(0.05));
   }
 }
@@ -303,10 +303,10 @@ bool HidDevice::Content::hasHandlesBack()
   return !isReadingLent && !isWritingLent;
 }
 
-void HidDevice::Content::setTrouble(std::string sentence)
+void HidDevice::Content::setError(std::string sentence)
 {
-  const std::lock_guard lock(troubleMutex);
-  trouble = std::move(sentence);
+  const std::lock_guard lock(errorMutex);
+  error = std::move(sentence);
 }
 
 std::optional<DeviceHealth> HidDevice::health()
@@ -327,15 +327,15 @@ std::optional<DeviceHealth> HidDevice::health()
   health.reconnections = hand.reconnections;
   health.blockedWrites = hand.channels->blockedWrites;
   health.isGuarded = hand.isGuarded;
-  const std::lock_guard lock(hand.troubleMutex);
+  const std::lock_guard lock(hand.errorMutex);
   health.guardObstacle = hand.guardObstacle;
-  health.trouble = hand.trouble;
+  health.error = hand.error;
   if (health.isConnected && health.reading.silence > 0.1)
-    health.trouble = hand.profile.name + " has sent nothing for " +
-                     std::to_string(health.reading.silence).substr(0, 4) +
-                     " s. The force is off. Move it, then check its cable.";
+    health.error = hand.profile.name + " has sent nothing for " +
+                   std::to_string(health.reading.silence).substr(0, 4) +
+                   " s. The force is off. Move it, then check its cable.";
   if (health.isBlocked)
-    health.trouble = hand.profile.name + " takes no force. The force is off. Check its cable.";
+    health.error = hand.profile.name + " takes no force. The force is off. Check its cable.";
   return health;
 }
 

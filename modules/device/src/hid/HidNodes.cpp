@@ -69,9 +69,9 @@ bool readIdentity(const std::string& text, HidNode& node)
 /// The interface's number stands in the folder around the HID device; USB only.
 int interfaceNumber(const fs::path& hidDevice)
 {
-  std::error_code trouble;
-  const fs::path real = fs::canonical(hidDevice, trouble);
-  if (trouble) return -1;
+  std::error_code error;
+  const fs::path real = fs::canonical(hidDevice, error);
+  if (error) return -1;
   std::string text = contentOf(real.parent_path() / "bInterfaceNumber");
   while (!text.empty() && text.back() <= ' ') text.pop_back();
   const auto number = hexadecimal(text);
@@ -128,12 +128,12 @@ SystemRoots systemRoots()
 std::vector<HidNode> findHidNodes(const SystemRoots& roots)
 {
   std::vector<std::pair<int, fs::path>> folders;
-  std::error_code trouble;
-  fs::directory_iterator entries(roots.sysfs / "class" / "hidraw", trouble);
-  while (!trouble && entries != fs::directory_iterator{}) {
+  std::error_code error;
+  fs::directory_iterator entries(roots.sysfs / "class" / "hidraw", error);
+  while (!error && entries != fs::directory_iterator{}) {
     if (const auto number = nodeNumber(entries->path()))
       folders.emplace_back(*number, entries->path());
-    entries.increment(trouble);
+    entries.increment(error);
   }
   std::sort(folders.begin(), folders.end());
 

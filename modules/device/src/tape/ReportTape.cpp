@@ -96,9 +96,9 @@ public:
       text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
       ++lineNumber_;
       if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-      const std::string wrong = take(line);
-      if (!wrong.empty())
-        return Error{name_ + ", line " + std::to_string(lineNumber_) + ": " + wrong +
+      const std::string error = take(line);
+      if (!error.empty())
+        return Error{name_ + ", line " + std::to_string(lineNumber_) + ": " + error +
                      " A tape is written by 'perilymph-cli devices --capture' or hid-recorder."};
     }
     if (lineNumber_ == 0 || (tape_.entries.empty() && tape_.descriptor.empty()))

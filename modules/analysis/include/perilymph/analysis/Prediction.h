@@ -42,7 +42,7 @@ struct PredictedInsertion {
   Length depth;         ///< Past the opening at the end.
   Force end, peak;      ///< Axial, on the hand.
   /// A sentence where the insertion could not be carried out; nothing else holds then.
-  std::string trouble;
+  std::string error;
 };
 
 /// One array in all cochleae, beside what clinics report.
@@ -67,7 +67,7 @@ struct PredictionResult {
 Result<PredictionResult> predict(const PredictionRequest& request,
                                  const std::function<bool(std::size_t, std::size_t)>& progress);
 
-/// `array, patient, apical_deg, depth_mm, end_N, peak_N, trouble`, a row an insertion.
+/// `array, patient, apical_deg, depth_mm, end_N, peak_N, error`, a row an insertion.
 std::string predictionCsv(const PredictionResult& result);
 
 /// The same with summaries, references and verdicts.

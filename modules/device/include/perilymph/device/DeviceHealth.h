@@ -47,7 +47,7 @@ struct DeviceHealth {
   std::uint64_t blockedWrites = 0;   ///< Times it took no force for too long.
   bool isGuarded = false;            ///< Another process takes the force away if this one dies.
   std::string guardObstacle;         ///< A sentence: why a device that shows force is not guarded.
-  std::string trouble;               ///< A sentence; empty while all is well.
+  std::string error;                 ///< A sentence; empty while all is well.
 };
 
 }  // namespace perilymph::device

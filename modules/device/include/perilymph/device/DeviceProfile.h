@@ -132,7 +132,7 @@ Result<DeviceProfile> parseProfile(std::string_view text, const std::string& nam
 /// All shipped profiles, sorted by file, and the sentences for those that cannot be read.
 struct ProfileCatalog {
   std::vector<DeviceProfile> profiles;
-  std::vector<std::string> mistakes;
+  std::vector<std::string> errors;
 };
 ProfileCatalog shippedProfiles();
 

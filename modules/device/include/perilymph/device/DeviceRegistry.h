@@ -27,8 +27,8 @@ struct FoundDevice {
 };
 
 struct DeviceSurvey {
-  std::vector<FoundDevice> devices;   ///< In the order of their nodes.
-  std::vector<std::string> mistakes;  ///< Profiles that cannot be read: sentences.
+  std::vector<FoundDevice> devices;  ///< In the order of their nodes.
+  std::vector<std::string> errors;   ///< Profiles that cannot be read: sentences.
 };
 
 /// Looks at every HID device without opening any.

@@ -16,7 +16,7 @@ enum class WorkflowEvent : std::uint32_t {
   release,     ///< The hand lets go.
   arrive,      ///< The stop depth, or on the way out the start, is reached.
   withdraw,    ///< The user asks to pull the array out.
-  trouble,     ///< Device lost, numbers not finite, emergency stop.
+  error,       ///< Device lost, numbers not finite, emergency stop.
   clearFault,  ///< The user says the trouble is over.
   reset,       ///< The user starts anew.
 };
@@ -25,7 +25,7 @@ enum class WorkflowEvent : std::uint32_t {
 ///
 ///     Idle -arm-> Armed -grasp-> Inserting -release-> Paused -grasp-> Inserting
 ///     Inserting -arrive-> Finished -withdraw-> Inserting
-///     any -trouble-> Fault -clearFault-> Idle;  any -reset-> Idle
+///     any -error-> Fault -clearFault-> Idle;  any -reset-> Idle
 PERILYMPH_REALTIME Workflow next(Workflow now, WorkflowEvent event) noexcept;
 
 }  // namespace perilymph::haptics

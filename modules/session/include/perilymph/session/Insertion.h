@@ -46,9 +46,9 @@ public:
   bool refresh() noexcept;
   const haptics::Snapshot& latest() const noexcept;
   /// A sentence once the recording could not be kept (disk full); empty while all is well.
-  std::string recordingTrouble() const;
+  std::string recordingError() const;
   /// Ends the recording and folds it into one file, while nothing runs. The sentence of
-  /// recordingTrouble() if it could not be kept. Without a call the destructor does it silently.
+  /// recordingError() if it could not be kept. Without a call the destructor does it silently.
   Result<Done> closeRecording();
 
   /// A sentence where the device cannot render the coupling asked for: what it renders, and why.

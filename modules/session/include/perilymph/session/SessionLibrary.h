@@ -24,10 +24,10 @@ struct SessionSummary {
   Highlights highlights;
   bool wasClosed = true;
   bool isBeingRecorded = false;
-  std::string trouble;  ///< One sentence where it cannot be read, or not whole; else empty.
+  std::string error;  ///< One sentence where it cannot be read, or not whole; else empty.
 };
 
-/// Everything a list shows of one recording. Never fails: what cannot be read says so in `trouble`.
+/// Everything a list shows of one recording. Never fails: what cannot be read says so in `error`.
 ///
 /// @param shouldStop  Asked some fifty times a second; true ends the reading.
 SessionSummary summarize(const std::filesystem::path& file,

@@ -61,9 +61,9 @@ void tell(nlohmann::ordered_json& json, const HapticSurfaceNumbers& haptic)
 {
   json["haptic_surface_triangles"] = haptic.triangles;
   json["haptic_surface_visual_triangles"] = haptic.visualTriangles;
-  json["haptic_surface_deviation_mean_mm"] = inMillimeters(haptic.deviation.mean);
-  json["haptic_surface_deviation_p95_mm"] = inMillimeters(haptic.deviation.p95);
-  json["haptic_surface_deviation_max_mm"] = inMillimeters(haptic.deviation.greatest);
+  json["haptic_surface_deviation_mean_mm"] = inMillimeters(haptic.surfaceDistance.mean);
+  json["haptic_surface_deviation_p95_mm"] = inMillimeters(haptic.surfaceDistance.p95);
+  json["haptic_surface_deviation_max_mm"] = inMillimeters(haptic.surfaceDistance.greatest);
 }
 
 /// The numbers from which the anatomy was built; none for one that is as measured.
@@ -157,8 +157,8 @@ Result<Done> describeAnatomy(const AnatomyOptions& options)
   if (haptic)
     print("haptic surface: {} of {} triangles, off by {} mm on average, {} mm at most\n",
           haptic->triangles, haptic->visualTriangles,
-          fixed(inMillimeters(haptic->deviation.mean), 3),
-          fixed(inMillimeters(haptic->deviation.greatest), 3));
+          fixed(inMillimeters(haptic->surfaceDistance.mean), 3),
+          fixed(inMillimeters(haptic->surfaceDistance.greatest), 3));
   return Done{};
 }
 

@@ -53,7 +53,7 @@ Result<HapticSurfaceNumbers> writeHapticSurface(const anatomy::ScalaTympani& sca
       !done)
     return done.error();
   return HapticSurfaceNumbers{static_cast<int>(haptic->surface.triangles.size()),
-                              haptic->visualTriangles, haptic->deviation};
+                              haptic->visualTriangles, haptic->surfaceDistance};
 }
 #else
 Result<HapticSurfaceNumbers> writeHapticSurface(const anatomy::ScalaTympani&, const std::string&,

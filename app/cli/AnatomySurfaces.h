@@ -14,7 +14,7 @@ namespace perilymph::cli {
 struct HapticSurfaceNumbers {
   int triangles = 0;
   int visualTriangles = 0;
-  anatomy::SurfaceDeviation deviation;
+  anatomy::SurfaceDeviation surfaceDistance;
 };
 
 /// Writes a surface in W with a title; a left ear as the mirror image of the right one inside.

@@ -14,8 +14,8 @@ namespace {
 void printValue(const char* what, const session::FittedValue& fitted)
 {
   print("{:19} {} ± {}, between {} and {}{}\n", what, fixed(fitted.value, 4),
-        fixed(fitted.deviation, 4), fixed(fitted.low, 3), fixed(fitted.high, 3),
-        fitted.deviation == 0.0 ? " (a bound holds it, or nothing depends on it)" : "");
+        fixed(fitted.standardDeviation, 4), fixed(fitted.low, 3), fixed(fitted.high, 3),
+        fitted.standardDeviation == 0.0 ? " (a bound holds it, or nothing depends on it)" : "");
 }
 
 void printSummary(const analysis::CalibrationResult& result, const analysis::Reference& experiment)
@@ -31,7 +31,7 @@ void printSummary(const analysis::CalibrationResult& result, const analysis::Ref
     print("{:10} {} mm: {} N ({} ± {} N)\n", isUsed ? "fitted" : "predicted",
           fixed(inMillimeters(meters(anchor.experiment.travel)), 1),
           fixed(anchor.simulator.mean, 4), fixed(anchor.experiment.mean, 4),
-          fixed(anchor.experiment.deviation, 4));
+          fixed(anchor.experiment.standardDeviation, 4));
   }
   for (const auto& [name, feature, found] :
        {std::tuple{"peak", "peak", result.fitted.basalTurn.peak},

@@ -23,10 +23,11 @@ void printSummary(const ValidationRequest& request, const ValidationResult& resu
   for (const analysis::Verdict& verdict : analysis::verdictsOf(result, request.experiment))
     print("{:6} {:41} {:10} ({})\n", verdict.isMet ? "met" : "MISSED", verdict.what, verdict.found,
           verdict.wanted);
-  print("spread over travel: {} N; what each source makes alone:\n", fixed(result.deviation, 4));
+  print("spread over travel: {} N; what each source makes alone:\n",
+        fixed(result.standardDeviation, 4));
   for (const analysis::SpreadShare& share : result.shares)
     print("  {:10} {} N, {} % of the variance\n", analysis::spreadSourceName(share.source),
-          fixed(share.deviation, 4), fixed(100.0 * share.share, 1));
+          fixed(share.standardDeviation, 4), fixed(100.0 * share.share, 1));
 }
 
 }  // namespace

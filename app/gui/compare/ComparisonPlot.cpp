@@ -152,8 +152,8 @@ void ComparisonPlot::paintPublished(QPainter& painter) const
   constexpr double cap_px = 4.0, ring_px = 4.0;
   for (const analysis::PrintedForce& point : published_->points) {
     const double travel = millimetersOf(point.travel);
-    const QPointF low = at(travel, point.mean - point.deviation);
-    const QPointF high = at(travel, point.mean + point.deviation);
+    const QPointF low = at(travel, point.mean - point.standardDeviation);
+    const QPointF high = at(travel, point.mean + point.standardDeviation);
     painter.setPen(QPen(textColor, 1.0));
     painter.drawLine(low, high);
     for (const QPointF& end : {low, high})

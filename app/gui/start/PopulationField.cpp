@@ -148,8 +148,8 @@ QString PopulationField::placeOf(Length value) const
 {
   const bool isNarrow = room_ == Room::narrow;
   const QString error = numberText(inMillimeters(analysis::measuringError), 1);
-  if (population_.mean && population_.deviation) {
-    const double off = (value - *population_.mean) / *population_.deviation;
+  if (population_.mean && population_.standardDeviation) {
+    const double off = (value - *population_.mean) / *population_.standardDeviation;
     return (isNarrow ? tr("%1%2 SD · CT ± %3 mm") : tr("%1%2 SD of population · CT error ± %3 mm"))
         .arg(off < -0.05 ? QStringLiteral("−") : QStringLiteral("+"), numberText(std::fabs(off), 1),
              error);
@@ -190,11 +190,11 @@ void PopulationField::paintEvent(QPaintEvent*)
   const auto at = [&](Length value) { return left + shareOf(value) * (right - left); };
   painter.setPen(QPen(lineColor, 3, Qt::SolidLine, Qt::RoundCap));
   painter.drawLine(QPointF(left, y), QPointF(right, y));
-  if (population_.mean && population_.deviation) {
+  if (population_.mean && population_.standardDeviation) {
     // one standard deviation to both sides
     painter.setPen(QPen(quietTextColor, 3, Qt::SolidLine, Qt::RoundCap));
-    painter.drawLine(QPointF(at(*population_.mean - *population_.deviation), y),
-                     QPointF(at(*population_.mean + *population_.deviation), y));
+    painter.drawLine(QPointF(at(*population_.mean - *population_.standardDeviation), y),
+                     QPointF(at(*population_.mean + *population_.standardDeviation), y));
   }
   const auto typed = value();
   if (!typed) return;

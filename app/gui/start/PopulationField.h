@@ -16,9 +16,9 @@ class ValueEdit;
 
 /// What is known of a length over the population.
 struct Population {
-  Length low, high;                 ///< Allowed.
-  std::optional<Length> mean;       ///< None where no one has published it.
-  std::optional<Length> deviation;  ///< Likewise.
+  Length low, high;                         ///< Allowed.
+  std::optional<Length> mean;               ///< None where no one has published it.
+  std::optional<Length> standardDeviation;  ///< Likewise.
   QString source;
 };
 

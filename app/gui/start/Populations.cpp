@@ -14,7 +14,7 @@ QString tr(const char* words) { return QCoreApplication::translate("perilymph::g
 
 Population populationOf(const anatomy::Spread& spread)
 {
-  return {spread.low, spread.high, spread.mean, spread.deviation,
+  return {spread.low, spread.high, spread.mean, spread.standardDeviation,
           tr("138 cochleae, Pietsch et al. 2017, Sci Rep.")};
 }
 

@@ -198,7 +198,7 @@ void ValidatePage::finish(const std::optional<analysis::ValidationResult>& resul
     status_->setText(tr("%1 insertions, seed %2. Spread over travel %3 mN.")
                          .arg(result->runs)
                          .arg(result->seed)
-                         .arg(1e3 * result->deviation, 0, 'f', 1));
+                         .arg(1e3 * result->standardDeviation, 0, 'f', 1));
   } else {
     status_->setText(error);
     progress_->reset();

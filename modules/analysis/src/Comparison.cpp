@@ -122,8 +122,8 @@ Figure comparisonFigure(const std::vector<ComparedInsertion>& insertions,
     for (const PrintedForce& point : published->points) {
       printed.x.push_back(inMillimeters(meters(point.travel)));
       printed.y.push_back(point.mean);
-      printed.low.push_back(point.mean - point.deviation);
-      printed.high.push_back(point.mean + point.deviation);
+      printed.low.push_back(point.mean - point.standardDeviation);
+      printed.high.push_back(point.mean + point.standardDeviation);
       farthest = std::max(farthest, printed.x.back());
       highest = std::max(highest, printed.high.back());
     }

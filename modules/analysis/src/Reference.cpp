@@ -32,7 +32,7 @@ PrintedForce readPoint(TomlReader& table, const std::vector<PrintedForce>& befor
   PrintedForce point;
   point.travel = travelBehind(table, before, "points");
   point.mean = table.number("mean_N", forces_N);
-  point.deviation = table.number("sd_N", {0.0, 5.0});
+  point.standardDeviation = table.number("sd_N", {0.0, 5.0});
   point.feature = table.text("feature", "");
   point.source = table.text("source");
   return point;

@@ -16,7 +16,8 @@ Result<ReferenceCurve> loadReference(const std::filesystem::path& file)
   curve.label = reference->label;
   curve.source = reference->source;
   for (const analysis::PrintedForce& point : reference->points)
-    curve.points.push_back({inMillimeters(meters(point.travel)), point.mean, point.deviation});
+    curve.points.push_back(
+        {inMillimeters(meters(point.travel)), point.mean, point.standardDeviation});
   return curve;
 }
 

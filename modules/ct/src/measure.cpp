@@ -302,7 +302,7 @@ private:
     const anatomy::Spread a = anatomy::spreadOfA(), b = anatomy::spreadOfB();
     const auto isUnusual = [](double value_mm, const anatomy::Spread& spread) {
       return std::fabs(value_mm - inMillimeters(spread.mean)) >
-             2.0 * inMillimeters(spread.deviation);
+             2.0 * inMillimeters(spread.standardDeviation);
     };
     raise(Flag::outsidePopulation,
           isUnusual(measures.a.value, a) || isUnusual(measures.b.value, b));

@@ -52,7 +52,7 @@ Result<HapticSurface> hapticSurface(const anatomy::ScalaTympani& scala, int maxT
                  std::to_string(static_cast<int>(wanted)) + " triangles; it has " +
                  std::to_string(result.surface.triangles.size()) +
                  ". Use the surface at full resolution, --surface."};
-  result.deviation = anatomy::deviation(reachable, result.surface, sampleSpacing);
+  result.surfaceDistance = anatomy::surfaceDistance(reachable, result.surface, sampleSpacing);
   return result;
 }
 

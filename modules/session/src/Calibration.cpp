@@ -41,14 +41,14 @@ FittedValue readValue(TomlReader& reader, const char* key)
   fitted.low = table.number("low", {0.0, 100.0});
   fitted.high = table.number("high", {fitted.low, 100.0});
   fitted.value = table.number("value", {fitted.low, fitted.high});
-  fitted.deviation = table.number("sd", {0.0, 100.0});
+  fitted.standardDeviation = table.number("sd", {0.0, 100.0});
   return fitted;
 }
 
 std::string valueText(const char* key, const FittedValue& fitted)
 {
   return std::string("\n[") + key + "]\nvalue = " + tomlNumber(fitted.value) +
-         "\nsd = " + tomlNumber(fitted.deviation) + "     # 0: a bound holds the value" +
+         "\nsd = " + tomlNumber(fitted.standardDeviation) + "     # 0: a bound holds the value" +
          "\nlow = " + tomlNumber(fitted.low) + "   # physical bounds" +
          "\nhigh = " + tomlNumber(fitted.high) + "\n";
 }

@@ -77,7 +77,7 @@ Facets cut(int maxTriangles)
   for (int i = 0; i < tries; ++i) {
     const double angle = places.angle();
     const Eigen::Vector3d wall_W = meanScala().wall_W(angle, places.direction());
-    made.deviation = std::max(made.deviation, triangles.nearest(wall_W).distance);
+    made.surfaceDistance = std::max(made.surfaceDistance, triangles.nearest(wall_W).distance);
   }
   return made;
 }

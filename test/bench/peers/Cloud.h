@@ -44,7 +44,8 @@ const Cloud& cloud();
 /// The wall in flat triangles.
 struct Facets {
   anatomy::Surface surface_mm;
-  double deviation = 0.0;  ///< Of the true wall from the triangles, the most of 4000 places [m].
+  double surfaceDistance =
+      0.0;  ///< Of the true wall from the triangles, the most of 4000 places [m].
 };
 
 /// The wall in at most so many triangles, cut once. The scala must have been built.

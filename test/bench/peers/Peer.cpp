@@ -26,16 +26,16 @@ void report(benchmark::State& state, const Facets& wall, const std::vector<doubl
 
   state.SetItemsProcessed(state.iterations());
   state.counters["triangles"] = static_cast<double>(wall.surface_mm.triangles.size());
-  state.counters["facets_um"] = 1e6 * wall.deviation;
+  state.counters["facets_um"] = 1e6 * wall.surfaceDistance;
   state.counters["apart_p90_um"] = 1e6 * nineTenths;
   state.counters["apart_max_um"] = 1e6 * apart.back();
-  if (apart.back() <= wall.deviation + maxFieldError &&
-      nineTenths <= wall.deviation + usualFieldError)
+  if (apart.back() <= wall.surfaceDistance + maxFieldError &&
+      nineTenths <= wall.surfaceDistance + usualFieldError)
     return;
   const std::string message = "The answers lie up to " + std::to_string(1e6 * apart.back()) +
                               " um from our own, nine tenths up to " +
                               std::to_string(1e6 * nineTenths) + "; the facets explain " +
-                              std::to_string(1e6 * wall.deviation) + ".";
+                              std::to_string(1e6 * wall.surfaceDistance) + ".";
   state.SkipWithError(message.c_str());
 }
 

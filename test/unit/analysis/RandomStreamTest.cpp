@@ -19,7 +19,7 @@ TEST(RandomStream, IsUniformToWithinFourStandardErrors)
   for (int i = 0; i < many; ++i) shares.push_back(random.share());
   const SampleStatistics statistics = statisticsOf(shares);
   EXPECT_NEAR(statistics.mean, 0.5, 4.0 * std::sqrt(1.0 / 12.0 / many));
-  EXPECT_NEAR(statistics.deviation, std::sqrt(1.0 / 12.0), 0.002);
+  EXPECT_NEAR(statistics.standardDeviation, std::sqrt(1.0 / 12.0), 0.002);
   for (const double share : shares) {
     ASSERT_GT(share, 0.0);
     ASSERT_LT(share, 1.0);
@@ -37,7 +37,7 @@ TEST(RandomStream, IsNormalToWithinFourStandardErrors)
   }
   const SampleStatistics statistics = statisticsOf(deviates);
   EXPECT_NEAR(statistics.mean, 0.0, 4.0 / std::sqrt(many));
-  EXPECT_NEAR(statistics.deviation, 1.0, 4.0 / std::sqrt(2.0 * many));
+  EXPECT_NEAR(statistics.standardDeviation, 1.0, 4.0 / std::sqrt(2.0 * many));
   // 4.55 % of a normal distribution lie beyond two deviations.
   EXPECT_NEAR(beyondTwo / many, 0.0455, 4.0 * std::sqrt(0.0455 * 0.9545 / many));
 }

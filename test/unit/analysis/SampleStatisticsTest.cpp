@@ -14,7 +14,7 @@ TEST(SampleStatistics, OfTwoFourFourFourFiveFiveSevenNine)
   const std::vector<double> values = {2, 4, 4, 4, 5, 5, 7, 9};
   const SampleStatistics statistics = statisticsOf(values);
   EXPECT_DOUBLE_EQ(statistics.mean, 5.0);
-  EXPECT_DOUBLE_EQ(statistics.deviation, std::sqrt(32.0 / 7.0));
+  EXPECT_DOUBLE_EQ(statistics.standardDeviation, std::sqrt(32.0 / 7.0));
   EXPECT_DOUBLE_EQ(statistics.standardError, std::sqrt(32.0 / 7.0 / 8.0));
 }
 
@@ -29,14 +29,14 @@ TEST(SampleStatistics, OfOneValueHasNoSpread)
 {
   const std::vector<double> one = {0.3};
   EXPECT_EQ(statisticsOf(one).mean, 0.3);
-  EXPECT_EQ(statisticsOf(one).deviation, 0.0);
+  EXPECT_EQ(statisticsOf(one).standardDeviation, 0.0);
 }
 
 TEST(DifferenceOfMeans, AddsErrorsAsSquares)
 {
   const SampleStatistics difference = differenceOf({0.5, 0.3, 0.03}, {0.2, 0.4, 0.04});
   EXPECT_DOUBLE_EQ(difference.mean, 0.3);
-  EXPECT_DOUBLE_EQ(difference.deviation, 0.5);
+  EXPECT_DOUBLE_EQ(difference.standardDeviation, 0.5);
   EXPECT_DOUBLE_EQ(difference.standardError, 0.05);
 }
 

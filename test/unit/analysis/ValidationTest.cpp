@@ -131,12 +131,13 @@ TEST(Validation, OfOneInsertionIsRefused)
 }
 
 /// A result whose mean curve is known.
-ValidationResult resultWith(double (*force)(double travel_mm), double deviation)
+ValidationResult resultWith(double (*force)(double travel_mm), double standardDeviation)
 {
   ValidationResult result;
   result.runs = 200;
   for (int i = 0; i <= 165; ++i) {
-    SampleStatistics statistics{force(0.1 * i), deviation, deviation / std::sqrt(200.0)};
+    SampleStatistics statistics{force(0.1 * i), standardDeviation,
+                                standardDeviation / std::sqrt(200.0)};
     result.profile.push_back({millimeters(0.1 * i).si(), statistics});
   }
   return result;
@@ -159,7 +160,7 @@ TEST(Verdicts, StandForHitsAndMissesAlike)
   AnchorComparison hit;
   hit.experiment = experiment->points[0];
   hit.simulator = {0.0880, 0.02, 0.001};
-  hit.isWithinDeviation = true;
+  hit.isWithinStandardDeviation = true;
   AnchorComparison miss;
   miss.experiment = experiment->points[2];
   miss.simulator = {0.1009, 0.02, 0.001};

@@ -51,7 +51,7 @@ TEST_F(DrawnInsertions, StartOneToThreeMillimetersInside)
   // uniform: mean 2, deviation 2 / sqrt(12)
   const SampleStatistics statistics = statisticsOf(starts_mm);
   EXPECT_NEAR(statistics.mean, 2.0, 4.0 * 2.0 / std::sqrt(12.0 * 400.0));
-  EXPECT_NEAR(statistics.deviation, 2.0 / std::sqrt(12.0), 0.06);
+  EXPECT_NEAR(statistics.standardDeviation, 2.0 / std::sqrt(12.0), 0.06);
 }
 
 TEST_F(DrawnInsertions, KeepTheMeanOfTheFriction)
@@ -65,7 +65,7 @@ TEST_F(DrawnInsertions, KeepTheMeanOfTheFriction)
   }
   const SampleStatistics statistics = statisticsOf(factors);
   EXPECT_NEAR(statistics.mean, 1.0, 4.0 * variability.frictionDeviation / std::sqrt(2000.0));
-  EXPECT_NEAR(statistics.deviation, variability.frictionDeviation, 0.03);
+  EXPECT_NEAR(statistics.standardDeviation, variability.frictionDeviation, 0.03);
 }
 
 TEST_F(DrawnInsertions, WithoutASourceKeepTheScenariosOwnValues)

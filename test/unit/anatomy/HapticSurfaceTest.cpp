@@ -53,8 +53,9 @@ TEST(CoarseWall, StaysNearTheVisualOne)
   // a tenth of the thinnest tip of an array on average is 50 micrometers: coarser would be felt
   for (const char* name : {"published", "mean"}) {
     const auto scala = scalaOf(name);
-    const SurfaceDeviation off = deviation(wallSurfaceBefore(*scala, visualTriangles, degrees(720)),
-                                           hapticSurface(*scala), millimeters(0.05));
+    const SurfaceDeviation off =
+        surfaceDistance(wallSurfaceBefore(*scala, visualTriangles, degrees(720)),
+                        hapticSurface(*scala), millimeters(0.05));
     EXPECT_LT(off.mean, millimeters(0.025)) << name;
     EXPECT_LT(off.p95, millimeters(0.065)) << name;
     EXPECT_LT(off.greatest, millimeters(0.17)) << name;

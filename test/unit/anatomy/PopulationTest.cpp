@@ -23,9 +23,9 @@ TEST(Population, TurnsTwoTurnsAndTwoThirds)
 TEST(Population, HasThePublishedDiameters)
 {
   EXPECT_NEAR(inMillimeters(spreadOfA().mean), 9.23, 1e-9);
-  EXPECT_NEAR(inMillimeters(spreadOfA().deviation), 0.43, 0.005);
+  EXPECT_NEAR(inMillimeters(spreadOfA().standardDeviation), 0.43, 0.005);
   EXPECT_NEAR(inMillimeters(spreadOfB().mean), 6.80, 1e-9);
-  EXPECT_NEAR(inMillimeters(spreadOfB().deviation), 0.36, 0.005);
+  EXPECT_NEAR(inMillimeters(spreadOfB().standardDeviation), 0.36, 0.005);
 }
 
 TEST(Population, HasThePublishedOuterWall)
@@ -107,10 +107,12 @@ protected:
 TEST_F(SampleOf10000, HasThePublishedMeansAndDeviations)
 {
   // Pietsch et al. 2017; four standard errors: 4 SD / 100 for a mean, 4 SD / 141 for a deviation
-  const std::array<double, 4> mean{5.97, 3.95, 3.26, 2.85}, deviation{0.36, 0.35, 0.28, 0.33};
+  const std::array<double, 4> mean{5.97, 3.95, 3.26, 2.85},
+      standardDeviation{0.36, 0.35, 0.28, 0.33};
   for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_NEAR(mean_mm[i], mean[i], 0.04 * deviation[i]) << i;
-    EXPECT_NEAR(std::sqrt(covariance(i, i)), deviation[i], 0.029 * deviation[i]) << i;
+    EXPECT_NEAR(mean_mm[i], mean[i], 0.04 * standardDeviation[i]) << i;
+    EXPECT_NEAR(std::sqrt(covariance(i, i)), standardDeviation[i], 0.029 * standardDeviation[i])
+        << i;
   }
 }
 

@@ -51,7 +51,7 @@ TEST(SurfaceDistance, FindsNothingBeyondItsReach)
 
 TEST(SurfaceDeviation, IsNothingBetweenASurfaceAndItself)
 {
-  const SurfaceDeviation same = deviation(cube(), cube(), meters(0.2));
+  const SurfaceDeviation same = surfaceDistance(cube(), cube(), meters(0.2));
   EXPECT_NEAR(same.greatest.si(), 0.0, 1e-12);
 }
 
@@ -59,7 +59,7 @@ TEST(SurfaceDeviation, TellsALiftedCubeFromItself)
 {
   // lifted by 0.1, a cube's floor and roof are off by 0.1; of each wall only the part that has
   // nothing beside it, 0.1 of 2, is off, by 0.05 on average. Both ways the same by symmetry.
-  const SurfaceDeviation lifted = deviation(cube(0.1), cube(), meters(0.02));
+  const SurfaceDeviation lifted = surfaceDistance(cube(0.1), cube(), meters(0.02));
   const double walls = 4.0 * 0.05 * 0.05;
   EXPECT_NEAR(lifted.mean.si(), (2.0 * 0.1 + walls) / 6.0, 0.002);
   EXPECT_NEAR(lifted.p95.si(), 0.1, 1e-9);

@@ -89,12 +89,12 @@ TEST_F(PublishedHapticSurface, StaysNearTheSurfaceItStandsFor)
       greatest = std::max(greatest, off);
       ++count;
     }
-  EXPECT_NEAR(sum / count, haptic->deviation.mean.si(), 0.004e-3);
-  EXPECT_LT(greatest, haptic->deviation.greatest.si() + 0.01e-3);
+  EXPECT_NEAR(sum / count, haptic->surfaceDistance.mean.si(), 0.004e-3);
+  EXPECT_LT(greatest, haptic->surfaceDistance.greatest.si() + 0.01e-3);
   // a tenth of the thinnest tip of an array, 0.5 mm: coarser would be felt
-  EXPECT_LT(haptic->deviation.p95.si(), 0.05e-3);
-  EXPECT_LE(haptic->deviation.mean, haptic->deviation.p95);
-  EXPECT_LE(haptic->deviation.p95, haptic->deviation.greatest);
+  EXPECT_LT(haptic->surfaceDistance.p95.si(), 0.05e-3);
+  EXPECT_LE(haptic->surfaceDistance.mean, haptic->surfaceDistance.p95);
+  EXPECT_LE(haptic->surfaceDistance.p95, haptic->surfaceDistance.greatest);
 }
 
 TEST_F(PublishedHapticSurface, FacesAsTheVisualOneDoes)

@@ -40,11 +40,11 @@ double RandomStream::normal() noexcept
   return length * sineCosine(2.0 * pi * share()).cosine;
 }
 
-double RandomStream::normal(double mean, double deviation, double low, double high) noexcept
+double RandomStream::normal(double mean, double standardDeviation, double low, double high) noexcept
 {
   double value = mean;
   for (int tries = 0; tries < 1000; ++tries) {
-    value = mean + deviation * normal();
+    value = mean + standardDeviation * normal();
     if (value >= low && value <= high) return value;
   }
   return std::clamp(value, low, high);

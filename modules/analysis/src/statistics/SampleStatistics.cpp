@@ -14,8 +14,8 @@ SampleStatistics statisticsOf(std::span<const double> values)
   if (values.size() == 1) return result;
   double squares = 0.0;
   for (const double value : values) squares += (value - result.mean) * (value - result.mean);
-  result.deviation = std::sqrt(squares / (count - 1.0));
-  result.standardError = result.deviation / std::sqrt(count);
+  result.standardDeviation = std::sqrt(squares / (count - 1.0));
+  result.standardError = result.standardDeviation / std::sqrt(count);
   return result;
 }
 
@@ -23,7 +23,8 @@ SampleStatistics differenceOf(const SampleStatistics& a, const SampleStatistics&
 {
   SampleStatistics result;
   result.mean = a.mean - b.mean;
-  result.deviation = std::sqrt(a.deviation * a.deviation + b.deviation * b.deviation);
+  result.standardDeviation = std::sqrt(a.standardDeviation * a.standardDeviation +
+                                       b.standardDeviation * b.standardDeviation);
   result.standardError =
       std::sqrt(a.standardError * a.standardError + b.standardError * b.standardError);
   return result;

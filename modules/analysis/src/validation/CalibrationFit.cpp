@@ -9,7 +9,7 @@ namespace {
 /// Of the experiment's mean: its deviation over the square root of its insertions.
 double standardError(const Reference& experiment, const PrintedForce& point)
 {
-  return point.deviation / std::sqrt(std::max(1.0, experiment.insertions));
+  return point.standardDeviation / std::sqrt(std::max(1.0, experiment.insertions));
 }
 
 double forceAt(const ValidationResult& result, double travel)
@@ -25,7 +25,7 @@ Result<CalibrationResult> fitCalibration(const CalibrationRequest& request,
 {
   const PrintedForce* peak = request.experiment.find("peak");
   const PrintedForce* maximum = request.experiment.find("maximum");
-  if (!peak || !maximum || !(peak->deviation > 0.0) || !(maximum->deviation > 0.0))
+  if (!peak || !maximum || !(peak->standardDeviation > 0.0) || !(maximum->standardDeviation > 0.0))
     return Error{"The reference '" + request.experiment.label +
                  "' lacks a point with feature = \"peak\" or \"maximum\" and its deviation; a "
                  "calibration fits these two."};
@@ -70,15 +70,15 @@ Result<CalibrationResult> fitCalibration(const CalibrationRequest& request,
   };
   result.costBefore = cost(*before, request.experiment.insertions);
 
-  const auto fit = fitTwo(residuals, {1.0, curvature.value}, bounds);
+  const auto fit = gaussNewton2(residuals, {1.0, curvature.value}, bounds);
   if (!fit) return fit.error();
   const auto there = residuals(fit->at);  // leaves the curve of the fit in the result
   if (!there) return there.error();
   result.cost = cost(*there, request.experiment.insertions);
   scale.value = fit->at.a;
-  scale.deviation = fit->deviation.a;
+  scale.standardDeviation = fit->standardDeviation.a;
   curvature.value = fit->at.b;
-  curvature.deviation = fit->deviation.b;
+  curvature.standardDeviation = fit->standardDeviation.b;
   for (const PrintedForce* point : {peak, maximum})
     calibration.forces.push_back(
         {point->travel, point->mean, forceAt(result.fitted, point->travel)});

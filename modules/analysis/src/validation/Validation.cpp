@@ -107,8 +107,8 @@ double spreadOf(const std::vector<Kept>& kept, std::size_t first, std::size_t co
 {
   double squares = 0.0;
   for (std::size_t point = 0; point < pointsOfProfile; ++point) {
-    const double deviation = statisticsAt(kept, first, count, point).deviation;
-    squares += deviation * deviation;
+    const double standardDeviation = statisticsAt(kept, first, count, point).standardDeviation;
+    squares += standardDeviation * standardDeviation;
   }
   return std::sqrt(squares / static_cast<double>(pointsOfProfile));
 }
@@ -123,11 +123,11 @@ std::vector<AnchorComparison> compareAnchors(const Reference& experiment,
     AnchorComparison anchor;
     anchor.experiment = point;
     anchor.simulator = profile[index].force;
-    SampleStatistics printed{point.mean, point.deviation, 0.0};
+    SampleStatistics printed{point.mean, point.standardDeviation, 0.0};
     if (experiment.insertions > 0.0)
-      printed.standardError = point.deviation / std::sqrt(experiment.insertions);
+      printed.standardError = point.standardDeviation / std::sqrt(experiment.insertions);
     anchor.difference = differenceOf(anchor.simulator, printed);
-    anchor.isWithinDeviation = std::fabs(anchor.difference.mean) <= point.deviation;
+    anchor.isWithinStandardDeviation = std::fabs(anchor.difference.mean) <= point.standardDeviation;
     anchors.push_back(anchor);
   }
   return anchors;
@@ -197,9 +197,10 @@ std::vector<SpreadShare> sharesOf(const ValidationRequest& request, const std::v
   }
   shares.push_back({SpreadSource::noise, noiseSpread(request, runsPerShare), 0.0});
   double sum = 0.0;
-  for (const SpreadShare& share : shares) sum += share.deviation * share.deviation;
+  for (const SpreadShare& share : shares) sum += share.standardDeviation * share.standardDeviation;
   if (sum > 0.0)
-    for (SpreadShare& share : shares) share.share = share.deviation * share.deviation / sum;
+    for (SpreadShare& share : shares)
+      share.share = share.standardDeviation * share.standardDeviation / sum;
   return shares;
 }
 
@@ -283,7 +284,7 @@ Result<ValidationResult> validate(const ValidationRequest& request,
   result.basalTurn = findBasalTurn(mean);
   result.earlyPeak = findEarlyPeak(mean);
   result.rib = meetRib(request, kept);
-  result.deviation = spreadOf(kept, 0, runs);
+  result.standardDeviation = spreadOf(kept, 0, runs);
   if (runsPerShare > 0) result.shares = sharesOf(request, kept, runsPerShare);
   return result;
 }

@@ -32,8 +32,8 @@ FigureValues printed(const Reference& reference, std::string label, const Ink& c
   for (const PrintedForce& point : reference.points) {
     values.x.push_back(mm(point.travel));
     values.y.push_back(point.mean);
-    values.low.push_back(point.mean - point.deviation);
-    values.high.push_back(point.mean + point.deviation);
+    values.low.push_back(point.mean - point.standardDeviation);
+    values.high.push_back(point.mean + point.standardDeviation);
   }
   return values;
 }
@@ -72,8 +72,8 @@ Figure simulationFigure(const ValidationResult& result, const Reference& experim
   for (const ProfilePoint& point : result.profile) {
     for (auto* x : {&spread.x, &confidence.x, &mean.x}) x->push_back(mm(point.travel));
     mean.y.push_back(point.force.mean);
-    spread.low.push_back(point.force.mean - point.force.deviation);
-    spread.high.push_back(point.force.mean + point.force.deviation);
+    spread.low.push_back(point.force.mean - point.force.standardDeviation);
+    spread.high.push_back(point.force.mean + point.force.standardDeviation);
     confidence.low.push_back(point.force.low95());
     confidence.high.push_back(point.force.high95());
     highest = std::max(highest, spread.high.back());
@@ -107,9 +107,9 @@ Figure calibrationFigure(const CalibrationResult& calibration, const Reference& 
                            MarkerShape::disk)};
   const session::Calibration& fit = calibration.calibration;
   figure.notes = {"Stiffness scale " + fixed(fit.stiffnessScale.value, 3) + " ± " +
-                  fixed(fit.stiffnessScale.deviation, 3) + ", residual curvature " +
+                  fixed(fit.stiffnessScale.standardDeviation, 3) + ", residual curvature " +
                   fixed(fit.residualCurvature.value, 3) + " ± " +
-                  fixed(fit.residualCurvature.deviation, 3) + " of the free one."};
+                  fixed(fit.residualCurvature.standardDeviation, 3) + " of the free one."};
   return figure;
 }
 

@@ -41,7 +41,7 @@ double spreadAtAnchors(const ValidationResult& result)
   if (result.anchors.empty()) return 0.0;
   double squares = 0.0;
   for (const AnchorComparison& anchor : result.anchors)
-    squares += anchor.simulator.deviation * anchor.simulator.deviation;
+    squares += anchor.simulator.standardDeviation * anchor.simulator.standardDeviation;
   return std::sqrt(squares / static_cast<double>(result.anchors.size()));
 }
 
@@ -74,7 +74,7 @@ void addRow(std::string& csv, double travel, const SampleStatistics& force)
 {
   csv += session::shortestDecimal(roundedMillimeters(travel));
   for (const double value :
-       {force.mean, force.deviation, force.standardError, force.low95(), force.high95()})
+       {force.mean, force.standardDeviation, force.standardError, force.low95(), force.high95()})
     csv += "," + session::shortestDecimal(value);
   csv += "\n";
 }
@@ -90,7 +90,7 @@ Json json(const std::optional<CurvePoint>& point)
 Json json(const SampleStatistics& statistics)
 {
   return {{"mean_N", statistics.mean},
-          {"sd_N", statistics.deviation},
+          {"sd_N", statistics.standardDeviation},
           {"sem_N", statistics.standardError},
           {"ci95_low_N", statistics.low95()},
           {"ci95_high_N", statistics.high95()}};
@@ -105,8 +105,8 @@ std::vector<Verdict> verdictsOf(const ValidationResult& result, const Reference&
     const PrintedForce& printed = anchor.experiment;
     verdicts.push_back({"force at " + mm(printed.travel) + ", " + printed.feature,
                         newtonsOf(anchor.simulator.mean),
-                        fixed(printed.mean, 4) + " ± " + newtonsOf(printed.deviation),
-                        anchor.isWithinDeviation});
+                        fixed(printed.mean, 4) + " ± " + newtonsOf(printed.standardDeviation),
+                        anchor.isWithinStandardDeviation});
   }
   const double largest = largestDifference(result);
   verdicts.push_back({"largest of these differences", newtonsOf(largest),
@@ -173,19 +173,19 @@ std::string summaryJson(const ValidationRequest& request, const ValidationResult
     page["anchors"].push_back({{"travel_mm", roundedMillimeters(anchor.experiment.travel)},
                                {"feature", anchor.experiment.feature},
                                {"experiment_mean_N", anchor.experiment.mean},
-                               {"experiment_sd_N", anchor.experiment.deviation},
+                               {"experiment_sd_N", anchor.experiment.standardDeviation},
                                {"simulator", json(anchor.simulator)},
                                {"difference", json(anchor.difference)},
-                               {"within_1_sd", anchor.isWithinDeviation}});
+                               {"within_1_sd", anchor.isWithinStandardDeviation}});
   if (result.rib)
     page["first_rib"] = {{"depth_mm", roundedMillimeters(result.rib->depth)},
                          {"before", json(result.rib->before)},
                          {"peak", json(result.rib->peak)}};
-  page["rms_sd_N"] = result.deviation;
+  page["rms_sd_N"] = result.standardDeviation;
   page["spread"] = Json::array();
   for (const SpreadShare& share : result.shares)
     page["spread"].push_back({{"source", spreadSourceName(share.source)},
-                              {"rms_sd_alone_N", share.deviation},
+                              {"rms_sd_alone_N", share.standardDeviation},
                               {"share_of_variance", share.share}});
   page["verdicts"] = Json::array();
   for (const Verdict& verdict : verdictsOf(result, request.experiment))

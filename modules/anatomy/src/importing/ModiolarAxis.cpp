@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "numerics/SmallAlgebra.h"
+#include "numerics/DenseSolvers.h"
 #include "perilymph/foundation/Math.h"
 
 namespace perilymph::anatomy {

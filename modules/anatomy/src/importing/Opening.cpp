@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "numerics/SmallAlgebra.h"
+#include "numerics/DenseSolvers.h"
 
 namespace perilymph::anatomy {
 namespace {

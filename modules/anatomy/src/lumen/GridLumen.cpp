@@ -6,7 +6,7 @@
 
 #include "mesh/SignedDistance.h"
 #include "numerics/CubicTable.h"
-#include "numerics/SmallAlgebra.h"
+#include "numerics/DenseSolvers.h"
 #include "perilymph/foundation/Math.h"
 #include "perilymph/foundation/Units.h"
 

@@ -42,7 +42,7 @@ void sampleOneWay(const Surface& from, const SurfaceDistance& to, double spacing
 
 }  // namespace
 
-SurfaceDeviation deviation(const Surface& one, const Surface& other, Length spacing)
+SurfaceDeviation surfaceDistance(const Surface& one, const Surface& other, Length spacing)
 {
   std::vector<Sample> samples;
   sampleOneWay(one, SurfaceDistance(other), spacing.si(), samples);

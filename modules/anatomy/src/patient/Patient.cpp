@@ -70,12 +70,12 @@ std::string rounded(Length value)
 /// "10.7 mm, 3.4 standard deviations above the mean of 9.23 mm (SD 0.43, n = 138)"
 std::string place(Length value, const Spread& spread)
 {
-  const double off = (value - spread.mean) / spread.deviation;
+  const double off = (value - spread.mean) / spread.standardDeviation;
   char buffer[32];
   std::snprintf(buffer, sizeof buffer, "%.1f", std::fabs(off));
   return plain(inMillimeters(value)) + " mm, " + buffer + " standard deviations " +
          (off < 0.0 ? "below" : "above") + " the mean of " + rounded(spread.mean) + " mm (SD " +
-         rounded(spread.deviation) + ", n = 138, Pietsch et al. 2017)";
+         rounded(spread.standardDeviation) + ", n = 138, Pietsch et al. 2017)";
 }
 
 /// The sentence about a diameter that no cochlea has; empty if one may have it.
@@ -192,7 +192,7 @@ std::vector<std::string> unusualMeasures(const Patient& patient)
   std::vector<std::string> sentences;
   if (!patient.basalTurn) return sentences;
   const auto look = [&sentences](const char* name, Length value, const Spread& spread) {
-    if (std::fabs((value - spread.mean) / spread.deviation) > 2.0)
+    if (std::fabs((value - spread.mean) / spread.standardDeviation) > 2.0)
       sentences.push_back(std::string(name) + " is " + place(value, spread) +
                           ". Check the measurement.");
   };

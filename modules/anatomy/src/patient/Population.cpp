@@ -109,9 +109,9 @@ std::array<Four, count> rootOfCorrelation()
 Spread spreadOf(const Four& sum)
 {
   const double mean = sumOf(sum, mean_mm);
-  const double deviation = std::sqrt(sumOf(sum, covarianceWith(sum)));
-  const double reach = deviationsAllowed * deviation;
-  return {millimeters(mean), millimeters(deviation), millimeters(mean - reach),
+  const double standardDeviation = std::sqrt(sumOf(sum, covarianceWith(sum)));
+  const double reach = deviationsAllowed * standardDeviation;
+  return {millimeters(mean), millimeters(standardDeviation), millimeters(mean - reach),
           millimeters(mean + reach)};
 }
 

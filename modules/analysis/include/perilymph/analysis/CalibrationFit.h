@@ -43,14 +43,15 @@ struct TwoBounds {
   TwoNumbers step;  ///< For differences; also the scale on which they matter.
   int raster = 1;   ///< So many even places of each number are tried first; the best one begins.
 };
-struct TwoFit {
+struct GaussNewton2 {
   TwoNumbers at;
   TwoNumbers residual;
   /// Standard errors for residuals of unit variance; 0 where a bound holds the number.
-  TwoNumbers deviation;
+  TwoNumbers standardDeviation;
   int trials = 0;
 };
 using TwoResiduals = std::function<Result<TwoNumbers>(const TwoNumbers&)>;
-Result<TwoFit> fitTwo(const TwoResiduals& residuals, TwoNumbers start, const TwoBounds& bounds);
+Result<GaussNewton2> gaussNewton2(const TwoResiduals& residuals, TwoNumbers start,
+                                  const TwoBounds& bounds);
 
 }  // namespace perilymph::analysis

@@ -24,7 +24,7 @@ public:
   double normal() noexcept;
   /// Normal, drawn again until it lies within low and high; the nearer limit after a thousand
   /// misses.
-  double normal(double mean, double deviation, double low, double high) noexcept;
+  double normal(double mean, double standardDeviation, double low, double high) noexcept;
 
 private:
   std::uint64_t key_;

@@ -14,10 +14,10 @@ namespace perilymph::analysis {
 
 /// One printed value of a force-depth curve.
 struct PrintedForce {
-  double travel = 0.0;     ///< [m]
-  double mean = 0.0;       ///< Axial force [N].
-  double deviation = 0.0;  ///< Standard deviation between insertions [N].
-  std::string feature;     ///< What it is on the curve: "peak", "dip", "maximum", "end"; or empty.
+  double travel = 0.0;             ///< [m]
+  double mean = 0.0;               ///< Axial force [N].
+  double standardDeviation = 0.0;  ///< Standard deviation between insertions [N].
+  std::string feature;  ///< What it is on the curve: "peak", "dip", "maximum", "end"; or empty.
   std::string source;
 };
 

@@ -12,7 +12,8 @@ inline constexpr double halfWidth95 = 1.96;
 /// What repeated values of one quantity say about it.
 struct SampleStatistics {
   double mean = 0.0;
-  double deviation = 0.0;      ///< Standard deviation of the sample, with n - 1; 0 for one value.
+  double standardDeviation =
+      0.0;                     ///< Standard deviation of the sample, with n - 1; 0 for one value.
   double standardError = 0.0;  ///< Of the mean: deviation over the square root of n.
 
   double low95() const { return mean - halfWidth95 * standardError; }

@@ -46,14 +46,14 @@ struct AnchorComparison {
   PrintedForce experiment;
   SampleStatistics simulator;
   SampleStatistics difference;  ///< Simulator minus experiment.
-  bool isWithinDeviation = false;
+  bool isWithinStandardDeviation = false;
 };
 
 /// How much of the spread one source makes when it acts alone.
 struct SpreadShare {
   SpreadSource source = SpreadSource::start;
-  double deviation = 0.0;  ///< Root mean square over travel of the standard deviation [N].
-  double share = 0.0;      ///< Of the sum of the variances of all sources alone.
+  double standardDeviation = 0.0;  ///< Root mean square over travel of the standard deviation [N].
+  double share = 0.0;              ///< Of the sum of the variances of all sources alone.
 };
 
 /// What the raw record says where the first marker rib meets the opening, means over insertions.
@@ -69,7 +69,7 @@ struct ValidationResult {
   BasalTurn basalTurn;                  ///< Of the mean curve.
   std::optional<CurvePoint> earlyPeak;  ///< At 3 to 7 mm, if the force falls by 1 mN behind it.
   std::optional<RibMeeting> rib;        ///< Where the array has ribs.
-  double deviation = 0.0;               ///< Root mean square over travel of the SD [N].
+  double standardDeviation = 0.0;       ///< Root mean square over travel of the SD [N].
   std::vector<SpreadShare> shares;
   std::uint64_t ticks = 0, ticksNotConverged = 0;
   int runs = 0;

@@ -43,7 +43,7 @@ HalfDiameters sampleHalfDiameters(std::uint64_t seed);
 
 /// Mean, standard deviation and limits of one diameter over the population.
 struct Spread {
-  Length mean, deviation, low, high;  ///< Limits four deviations off.
+  Length mean, standardDeviation, low, high;  ///< Limits four deviations off.
 };
 Spread spreadOfA();
 Spread spreadOfB();

@@ -15,6 +15,6 @@ struct SurfaceDeviation {
 };
 
 /// Compares two surfaces at places at most `spacing` apart on each: corners, and points between.
-SurfaceDeviation deviation(const Surface& one, const Surface& other, Length spacing);
+SurfaceDeviation surfaceDistance(const Surface& one, const Surface& other, Length spacing);
 
 }  // namespace perilymph::anatomy

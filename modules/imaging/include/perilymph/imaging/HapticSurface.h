@@ -25,7 +25,7 @@ struct HapticSurface {
   anatomy::Surface surface;  ///< Open at the opening and where the apex was [m, W].
   int visualTriangles = 0;   ///< Of the whole visual surface.
   /// From the visual surface without its apex, both ways, at places at most 0.05 mm apart.
-  anatomy::SurfaceDeviation deviation;
+  anatomy::SurfaceDeviation surfaceDistance;
 };
 
 /// Cuts the visual surface of `maxTriangles`, takes its apex away and merges triangles by quadric

@@ -15,8 +15,8 @@ namespace perilymph::session {
 /// One fitted number.
 struct FittedValue {
   double value = 0.0;
-  double deviation = 0.0;        ///< Standard error of the fit; 0 where a bound holds the value.
-  double low = 0.0, high = 0.0;  ///< What is physically possible.
+  double standardDeviation = 0.0;  ///< Standard error of the fit; 0 where a bound holds the value.
+  double low = 0.0, high = 0.0;    ///< What is physically possible.
 };
 
 /// A printed force that the fit used, and what came out.

@@ -1,4 +1,4 @@
-#include "numerics/SmallAlgebra.h"
+#include "numerics/DenseSolvers.h"
 
 #include <cmath>
 #include <utility>

@@ -10,8 +10,8 @@ namespace perilymph::analysis {
 namespace {
 
 constexpr int maxRounds = 10;
-constexpr double settled = 0.02;     // of a step: closer than any uncertainty
-constexpr double negligible = 1e-6;  // of the cost
+constexpr double stepTolerance = 0.02;  // of a step: closer than any uncertainty
+constexpr double negligible = 1e-6;     // of the cost
 
 double costOf(const TwoNumbers& residual)
 {
@@ -71,9 +71,10 @@ TwoNumbers direction(const TwoNumbers& at, const TwoNumbers& residual, const Slo
 
 }  // namespace
 
-Result<TwoFit> fitTwo(const TwoResiduals& residuals, TwoNumbers start, const TwoBounds& bounds)
+Result<GaussNewton2> gaussNewton2(const TwoResiduals& residuals, TwoNumbers start,
+                                  const TwoBounds& bounds)
 {
-  TwoFit fit;
+  GaussNewton2 fit;
   const auto tried = [&](const TwoNumbers& at) {
     ++fit.trials;
     return residuals(at);
@@ -103,7 +104,7 @@ Result<TwoFit> fitTwo(const TwoResiduals& residuals, TwoNumbers start, const Two
     slopes.byA = {signA * (besideA->a - fit.residual.a), signA * (besideA->b - fit.residual.b)};
     slopes.byB = {signB * (besideB->a - fit.residual.a), signB * (besideB->b - fit.residual.b)};
 
-    bool hasImproved = false, isSettled = false;
+    bool hasImproved = false, isConverged = false;
     for (int attempt = 0; attempt < 4 && !hasImproved; ++attempt) {
       const TwoNumbers move = direction(fit.at, fit.residual, slopes, bounds, damping);
       const TwoNumbers next =
@@ -114,12 +115,12 @@ Result<TwoFit> fitTwo(const TwoResiduals& residuals, TwoNumbers start, const Two
       hasImproved = costOf(*there) < costOf(fit.residual);
       damping = hasImproved ? std::max(1e-6, 0.1 * damping) : 10.0 * damping;
       if (!hasImproved) continue;
-      isSettled = std::fabs(next.a - fit.at.a) < settled * bounds.step.a &&
-                  std::fabs(next.b - fit.at.b) < settled * bounds.step.b;
+      isConverged = std::fabs(next.a - fit.at.a) < stepTolerance * bounds.step.a &&
+                    std::fabs(next.b - fit.at.b) < stepTolerance * bounds.step.b;
       fit.at = next;
       fit.residual = *there;
     }
-    if (!hasImproved || isSettled || costOf(fit.residual) < negligible) break;
+    if (!hasImproved || isConverged || costOf(fit.residual) < negligible) break;
   }
 
   // The inverse of the normal matrix of what is free.
@@ -129,12 +130,12 @@ Result<TwoFit> fitTwo(const TwoResiduals& residuals, TwoNumbers start, const Two
   const bool holdsB = fit.at.b <= bounds.low.b || fit.at.b >= bounds.high.b;
   const double determinant = aa * bb - ab * ab;
   if (!holdsA && !holdsB && determinant > 0.0)
-    fit.deviation = {bounds.step.a * std::sqrt(bb / determinant),
-                     bounds.step.b * std::sqrt(aa / determinant)};
+    fit.standardDeviation = {bounds.step.a * std::sqrt(bb / determinant),
+                             bounds.step.b * std::sqrt(aa / determinant)};
   else if (!holdsA && aa > 0.0)
-    fit.deviation.a = bounds.step.a / std::sqrt(aa);
+    fit.standardDeviation.a = bounds.step.a / std::sqrt(aa);
   else if (!holdsB && bb > 0.0)
-    fit.deviation.b = bounds.step.b / std::sqrt(bb);
+    fit.standardDeviation.b = bounds.step.b / std::sqrt(bb);
   return fit;
 }
 

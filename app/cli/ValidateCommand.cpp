@@ -25,9 +25,9 @@ void printSummary(const ValidationRequest& request, const ValidationResult& resu
           verdict.wanted);
   print("spread over travel: {} N; what each source makes alone:\n",
         fixed(result.standardDeviation, 4));
-  for (const analysis::SpreadShare& share : result.shares)
-    print("  {:10} {} N, {} % of the variance\n", analysis::spreadSourceName(share.source),
-          fixed(share.standardDeviation, 4), fixed(100.0 * share.share, 1));
+  for (const analysis::SourceSpread& spread : result.spreads)
+    print("  {:10} {} N, {} % of the variance\n", analysis::spreadSourceName(spread.source),
+          fixed(spread.standardDeviation, 4), fixed(100.0 * spread.fraction, 1));
 }
 
 }  // namespace

@@ -10,12 +10,13 @@ void Percentiles::report(benchmark::State& state)
   if (seconds_.empty()) return;
   std::sort(seconds_.begin(), seconds_.end());
   // The least time that the share of all iterations did not exceed.
-  const auto microseconds = [this](double share) {
-    const double rank = std::ceil(share * static_cast<double>(seconds_.size()));
+  const auto microseconds = [this](double fraction) {
+    const double rank = std::ceil(fraction * static_cast<double>(seconds_.size()));
     return 1e6 * seconds_[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
   };
-  const auto add = [&](const char* name, double share) {
-    state.counters[name] = benchmark::Counter(microseconds(share), benchmark::Counter::kAvgThreads);
+  const auto add = [&](const char* name, double fraction) {
+    state.counters[name] =
+        benchmark::Counter(microseconds(fraction), benchmark::Counter::kAvgThreads);
   };
   add("p50_us", 0.5);
   add("p99_us", 0.99);

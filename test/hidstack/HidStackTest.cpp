@@ -127,8 +127,8 @@ TEST_F(RealHidStack, AnswersEveryReportWithTheForceOfItsOwnTick)
 TEST_F(RealHidStack, TakesAtMostAHundredMicrosecondsBesidesTheEngineFromTickToForce)
 {
   for (const char* name : {"tick_to_force", "engine", "besides_engine"})
-    for (const char* share : {"_p50_us", "_p999_us", "_max_us"})
-      measured(std::string("session.") + name + share);
+    for (const char* fraction : {"_p50_us", "_p999_us", "_max_us"})
+      measured(std::string("session.") + name + fraction);
   EXPECT_LE(measured("session.tick_to_force_p999_us"), 100.0 + measured("session.engine_p999_us"));
   // Tick by tick, too, but for the few in which the one processor has something else to do.
   EXPECT_LE(measured("session.besides_engine_p99_us"), 100.0);
@@ -216,7 +216,7 @@ TEST_F(RealHidStack, MakesStartsAndFreesTheEffectsOfAPidDevice)
   EXPECT_EQ(measured("pid.actuators_on"), 0.0);
 }
 
-TEST_F(RealHidStack, PushesAPidDeviceWithTheShareOfTheForceAskedFor)
+TEST_F(RealHidStack, PushesAPidDeviceWithTheFractionOfTheForceAskedFor)
 {
   EXPECT_NEAR(measured("pid.most_share"), 1.0 / 3.0, 2e-4);  // of 10000 steps
 }

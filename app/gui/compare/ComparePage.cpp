@@ -245,7 +245,7 @@ void ComparePage::showScore()
                .arg(QString::fromStdString(runs_[std::size_t(row)].name));
   for (const analysis::ScoreCriterion& each : scored->criteria)
     lines << tr("%1 %2 %: %3. Band: %4. Source: %5.")
-                 .arg(QString::fromStdString(each.name), numberText(100.0 * each.share, 0),
+                 .arg(QString::fromStdString(each.name), numberText(100.0 * each.fraction, 0),
                       QString::fromStdString(each.found), QString::fromStdString(each.band),
                       QString::fromStdString(each.source));
   score_->setText(lines.join(QLatin1Char('\n')));

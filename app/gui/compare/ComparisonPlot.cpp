@@ -202,8 +202,8 @@ void ComparisonPlot::mousePressEvent(QMouseEvent* event) { mouseMoveEvent(event)
 void ComparisonPlot::mouseMoveEvent(QMouseEvent* event)
 {
   const QRectF inside = place();
-  const double share = (event->pos().x() - inside.left()) / inside.width();
-  const double travel = x_.low + share * (x_.high - x_.low);
+  const double fraction = (event->pos().x() - inside.left()) / inside.width();
+  const double travel = x_.low + fraction * (x_.high - x_.low);
   setCursor_mm(std::round(travel / step_mm) * step_mm);
 }
 

@@ -33,15 +33,15 @@ void ToneWriter::hear(const Tone& tone)
 
 void ToneWriter::write(std::int16_t* samples, int count)
 {
-  constexpr double share = 1.0 / (change_s * samplesPerSecond);
+  constexpr double fraction = 1.0 / (change_s * samplesPerSecond);
   for (int i = 0; i < count; ++i) {
     left_ = std::max(0, left_ - 1);
     const double loudness = left_ > 0 ? wished_.loudness : 0.0;
-    loudness_ += std::clamp(loudness - loudness_, -share, share);
+    loudness_ += std::clamp(loudness - loudness_, -fraction, fraction);
     if (wished_.frequency_Hz > 0.0) {
       // out of silence a tone begins at its pitch
       if (frequency_Hz_ == 0.0) frequency_Hz_ = wished_.frequency_Hz;
-      frequency_Hz_ += share * (wished_.frequency_Hz - frequency_Hz_);
+      frequency_Hz_ += fraction * (wished_.frequency_Hz - frequency_Hz_);
     }
     if (loudness_ == 0.0) frequency_Hz_ = 0.0;
     phase_ += frequency_Hz_ / samplesPerSecond;

@@ -11,20 +11,20 @@ namespace {
 
 constexpr int gap_px = 1;  // the line between parts
 constexpr int topMargin_px = spacing;
-constexpr double columnShare = 0.34;   // of a wide area; a narrow one keeps chartColumnWidth
-constexpr double upperShare = 0.6;     // of the height, in four parts
-constexpr double sectionShare = 0.54;  // of the lower right
+constexpr double columnFraction = 0.34;   // of a wide area; a narrow one keeps chartColumnWidth
+constexpr double upperFraction = 0.6;     // of the height, in four parts
+constexpr double sectionFraction = 0.54;  // of the lower right
 
 /// Cuts a rectangle into rows by shares.
-std::vector<QRect> rows(const QRect& whole, const std::vector<double>& shares)
+std::vector<QRect> rows(const QRect& whole, const std::vector<double>& fractions)
 {
   double sum = 0.0;
-  for (const double share : shares) sum += share;
+  for (const double fraction : fractions) sum += fraction;
   std::vector<QRect> result;
   double done = 0.0;
-  for (const double share : shares) {
+  for (const double fraction : fractions) {
     const int top = whole.top() + int(done / sum * whole.height());
-    done += share;
+    done += fraction;
     const int bottom = whole.top() + int(done / sum * whole.height());
     result.emplace_back(whole.left(), top, whole.width(), bottom - top);
   }
@@ -84,12 +84,12 @@ std::vector<std::pair<PaneRole, QRect>> PaneArea::places() const
             {PaneRole::components, column[2]}};
   }
 
-  const int upper = int(upperShare * height());
+  const int upper = int(upperFraction * height());
   const QRect upperRight(right.left(), 0, right.width(), upper);
   const QRect lowerLeft(0, upper + gap_px, left.width(), height() - upper - gap_px);
   const QRect lowerRight(right.left(), upper + gap_px, right.width(), lowerLeft.height());
   const std::vector<QRect> column = rows(upperRight.adjusted(0, topMargin_px, 0, 0), {0.58, 0.42});
-  const int sectionWidth = int(sectionShare * lowerRight.width());
+  const int sectionWidth = int(sectionFraction * lowerRight.width());
   return {
       {PaneRole::picture, QRect(0, 0, left.width(), upper)},
       {PaneRole::travel, column[0]},
@@ -105,7 +105,7 @@ int PaneArea::columnWidth() const
   int picture = 0;
   for (const Part& part : parts_)
     if (part.role == PaneRole::picture) picture = part.widget->minimumSizeHint().width();
-  const int wished = std::max(chartColumnWidth, int(columnShare * width()));
+  const int wished = std::max(chartColumnWidth, int(columnFraction * width()));
   return std::clamp(width() - picture - gap_px, minChartColumnWidth, wished);
 }
 

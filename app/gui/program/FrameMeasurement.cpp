@@ -16,8 +16,8 @@ namespace {
 constexpr int pollInterval_ms = 20;
 
 // Turned round before the ends, where the loop would finish the insertion.
-constexpr double deepShare = 0.9;
-constexpr double shallowShare = 0.1;
+constexpr double deepFraction = 0.9;
+constexpr double shallowFraction = 0.1;
 
 /// How frames did on one way into the cochlea.
 struct WayIn {
@@ -56,13 +56,13 @@ public:
       status_ = 1;
       return false;
     }
-    const double share = now.output.travel / window_.control().scenario().stopTravel.si();
-    if (!isMeasuring_ && share >= shallowShare) {  // the first way in begins farther out
+    const double fraction = now.output.travel / window_.control().scenario().stopTravel.si();
+    if (!isMeasuring_ && fraction >= shallowFraction) {  // the first way in begins farther out
       isMeasuring_ = true;
       window_.restartMeter();
     }
-    if (isGoingIn_ && share >= deepShare) turnBack(now);
-    if (!isGoingIn_ && share <= shallowShare) goIn();
+    if (isGoingIn_ && fraction >= deepFraction) turnBack(now);
+    if (!isGoingIn_ && fraction <= shallowFraction) goIn();
     return !isEnough_;
   }
 

@@ -28,7 +28,7 @@ public:
   /// From the first frame to the last one.
   double span_s() const;
   /// The time that a share (0 to 1) of all frames did not exceed [ms]; 0 without frames.
-  double quantile_ms(double share) const;
+  double quantile_ms(double fraction) const;
   /// "median 28.1 ms, p95 35.0 ms, 33.9 frames/s over 280 frames".
   std::string report() const;
 

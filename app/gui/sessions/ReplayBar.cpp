@@ -35,7 +35,7 @@ Scrubber::Scrubber(QWidget* parent) : QWidget(parent)
   setAccessibleName(tr("Place in the replay"));
 }
 
-void Scrubber::setShares(double here, double ready)
+void Scrubber::setFractions(double here, double ready)
 {
   if (here == here_ && ready == ready_) return;
   here_ = here;
@@ -48,10 +48,12 @@ void Scrubber::paintEvent(QPaintEvent*)
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const double middle = height() / 2.0, left = knob_px, right = width() - knob_px;
-  const auto at = [&](double share) { return QPointF(left + share * (right - left), middle); };
-  const auto line = [&](double share, const QColor& color) {
+  const auto at = [&](double fraction) {
+    return QPointF(left + fraction * (right - left), middle);
+  };
+  const auto line = [&](double fraction, const QColor& color) {
     painter.setPen(QPen(color, 4.0, Qt::SolidLine, Qt::RoundCap));
-    painter.drawLine(at(0.0), at(share));
+    painter.drawLine(at(0.0), at(fraction));
   };
   line(1.0, lineColor);
   line(ready_, lineColor.lighter(170));
@@ -151,7 +153,8 @@ void ReplayBar::showPlace(const Replay& replay)
   const double last = double(std::max<std::uint64_t>(replay.playback().ticks(), 2) - 1);
   play_->setText(replay.isPlaying() ? tr("Pause") : tr("Play"));
   speed_->setText(speedText(replay.speed()));
-  scrubber_->setShares(double(replay.place()) / last, std::min(1.0, double(replay.ready()) / last));
+  scrubber_->setFractions(double(replay.place()) / last,
+                          std::min(1.0, double(replay.ready()) / last));
   const double end_s = replay.playback().samples().back().output.time;
   time_->setText(tr("%1 of %2 s · tick %3")
                      .arg(numberText(replay.now().output.time, 3), numberText(end_s, 1))

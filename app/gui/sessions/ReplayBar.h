@@ -16,12 +16,12 @@ class Scrubber : public QWidget {
   Q_OBJECT
 public:
   explicit Scrubber(QWidget* parent);
-  void setShares(double here, double ready);
-  double share() const { return here_; }
+  void setFractions(double here, double ready);
+  double fraction() const { return here_; }
   QSize sizeHint() const override { return {240, 28}; }
 
 Q_SIGNALS:
-  void draggedTo(double share);
+  void draggedTo(double fraction);
 
 protected:
   void paintEvent(QPaintEvent*) override;
@@ -45,7 +45,7 @@ Q_SIGNALS:
   void stepAsked(int ticks);
   void slowerAsked();
   void fasterAsked();
-  void draggedTo(double share);
+  void draggedTo(double fraction);
   void closeAsked();
 
 private:

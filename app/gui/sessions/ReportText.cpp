@@ -95,7 +95,7 @@ QString howItWasDone(const ReportContent& content)
   QStringList rows;
   for (const analysis::ScoreCriterion& each : content.score->criteria)
     rows << row(from(each.name),
-                tr("%1 %: %2").arg(numberText(100.0 * each.share, 0), from(each.found)),
+                tr("%1 %: %2").arg(numberText(100.0 * each.fraction, 0), from(each.found)),
                 tr("%1. %2").arg(from(each.band), from(each.source)));
   return heading(QT_TRANSLATE_NOOP("perilymph::gui", "How it was done")) +
          QStringLiteral("<p>%1</p>")

@@ -175,10 +175,10 @@ void PopulationField::showPlace()
   update();
 }
 
-double PopulationField::shareOf(Length value) const
+double PopulationField::fractionOf(Length value) const
 {
-  const double share = (value - population_.low) / (population_.high - population_.low);
-  return std::clamp(share, 0.0, 1.0);
+  const double fraction = (value - population_.low) / (population_.high - population_.low);
+  return std::clamp(fraction, 0.0, 1.0);
 }
 
 void PopulationField::paintEvent(QPaintEvent*)
@@ -187,7 +187,7 @@ void PopulationField::paintEvent(QPaintEvent*)
   painter.setRenderHint(QPainter::Antialiasing);
   const double y = place_->y() - lineHeight_px / 2.0;
   const double left = 4.0, right = width() - 4.0;
-  const auto at = [&](Length value) { return left + shareOf(value) * (right - left); };
+  const auto at = [&](Length value) { return left + fractionOf(value) * (right - left); };
   painter.setPen(QPen(lineColor, 3, Qt::SolidLine, Qt::RoundCap));
   painter.drawLine(QPointF(left, y), QPointF(right, y));
   if (population_.mean && population_.standardDeviation) {

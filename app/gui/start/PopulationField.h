@@ -60,7 +60,7 @@ protected:
 private:
   void showPlace();
   QString placeOf(Length value) const;
-  double shareOf(Length value) const;
+  double fractionOf(Length value) const;
 
   Population population_;
   bool mayBeEmpty_;

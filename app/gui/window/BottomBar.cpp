@@ -20,11 +20,11 @@ ProgressLine::ProgressLine(QWidget* parent) : QWidget(parent)
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
-void ProgressLine::setShare(double share)
+void ProgressLine::setFraction(double fraction)
 {
-  const double clamped = std::clamp(share, 0.0, 1.0);
-  if (clamped == share_) return;
-  share_ = clamped;
+  const double clamped = std::clamp(fraction, 0.0, 1.0);
+  if (clamped == fraction_) return;
+  fraction_ = clamped;
   update();
 }
 
@@ -35,11 +35,11 @@ void ProgressLine::paintEvent(QPaintEvent*)
   constexpr double radius = 5.0;
   const double middle = height() / 2.0;
   const double left = radius, right = width() - radius;
-  const double here = left + share_ * (right - left);
+  const double here = left + fraction_ * (right - left);
   painter.setPen(QPen(aheadColor, 4.0, Qt::SolidLine, Qt::RoundCap));
   painter.drawLine(QPointF(left, middle), QPointF(right, middle));
   painter.setPen(QPen(accentColor, 4.0, Qt::SolidLine, Qt::RoundCap));
-  if (share_ > 0.0) painter.drawLine(QPointF(left, middle), QPointF(here, middle));
+  if (fraction_ > 0.0) painter.drawLine(QPointF(left, middle), QPointF(here, middle));
   painter.setPen(Qt::NoPen);
   painter.setBrush(textColor);
   painter.drawEllipse(QPointF(here, middle), radius, radius);
@@ -114,9 +114,9 @@ void BottomBar::setWait(const QString& reason)
 
 void BottomBar::setWithdrawEnabled(bool isEnabled) { withdraw_->setEnabled(isEnabled); }
 
-void BottomBar::setProgress(double share, double time_s)
+void BottomBar::setProgress(double fraction, double time_s)
 {
-  progress_->setShare(share);
+  progress_->setFraction(fraction);
   time_->setText(tr("%1 s").arg(numberText(time_s, 1)));
 }
 

@@ -15,15 +15,15 @@ class ProgressLine : public QWidget {
 public:
   explicit ProgressLine(QWidget* parent);
   /// @param share  0 at the start, 1 at full depth.
-  void setShare(double share);
-  double share() const { return share_; }
+  void setFraction(double fraction);
+  double fraction() const { return fraction_; }
   QSize sizeHint() const override { return {240, 28}; }
 
 protected:
   void paintEvent(QPaintEvent*) override;
 
 private:
-  double share_ = 0.0;
+  double fraction_ = 0.0;
 };
 
 /// The verbs, the progress and the status.
@@ -38,7 +38,7 @@ public:
   /// Why the main button has to wait; empty where it has not.
   void setWait(const QString& reason);
   void setWithdrawEnabled(bool isEnabled);
-  void setProgress(double share, double time_s);
+  void setProgress(double fraction, double time_s);
   /// @param isError  Stands out, because the recording or the haptic loop is in trouble.
   void setStatus(const QString& words, bool isError);
 

@@ -25,9 +25,9 @@ namespace {
 
 using visualization::CameraPreset;
 
-constexpr double turn_deg = 5.0;    // per press of A, D, W, X
-constexpr double moveShare = 0.03;  // per press of Shift and an arrow, of the picture's height
-constexpr double magnify = 1.1;     // per press of + or −
+constexpr double turn_deg = 5.0;       // per press of A, D, W, X
+constexpr double moveFraction = 0.03;  // per press of Shift and an arrow, of the picture's height
+constexpr double magnify = 1.1;        // per press of + or −
 
 }  // namespace
 
@@ -113,7 +113,7 @@ void MainWindow::addPictureKeys()
                    }),
                    true});
   static constexpr std::array<std::pair<double, double>, 4> moves{
-      {{-moveShare, 0.0}, {moveShare, 0.0}, {0.0, moveShare}, {0.0, -moveShare}}};
+      {{-moveFraction, 0.0}, {moveFraction, 0.0}, {0.0, moveFraction}, {0.0, -moveFraction}}};
   keyActions_.add({section,
                    {with(Qt::ShiftModifier, Qt::Key_Left), with(Qt::ShiftModifier, Qt::Key_Right),
                     with(Qt::ShiftModifier, Qt::Key_Up), with(Qt::ShiftModifier, Qt::Key_Down)},

@@ -40,9 +40,9 @@ void MainWindow::connectReplay()
   connect(replayBar_, &ReplayBar::stepAsked, this, [this](int ticks) { replay_->stepBy(ticks); });
   connect(replayBar_, &ReplayBar::slowerAsked, replay_, &Replay::slower);
   connect(replayBar_, &ReplayBar::fasterAsked, replay_, &Replay::faster);
-  connect(replayBar_, &ReplayBar::draggedTo, this, [this](double share) {
+  connect(replayBar_, &ReplayBar::draggedTo, this, [this](double fraction) {
     if (replay_->isOpen())
-      replay_->seek(std::uint64_t(share * double(replay_->playback().ticks() - 1)));
+      replay_->seek(std::uint64_t(fraction * double(replay_->playback().ticks() - 1)));
   });
   connect(replayBar_, &ReplayBar::closeAsked, this, &MainWindow::closeReplay);
 }

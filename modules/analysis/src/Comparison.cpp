@@ -143,8 +143,8 @@ std::optional<double> forceAt(const std::vector<CurvePoint>& curve, double trave
                        [](const CurvePoint& point, double place) { return point.travel < place; });
   if (after == curve.begin() || after->travel == travel) return after->force;
   const CurvePoint& before = *std::prev(after);
-  const double share = (travel - before.travel) / (after->travel - before.travel);
-  return before.force + share * (after->force - before.force);
+  const double fraction = (travel - before.travel) / (after->travel - before.travel);
+  return before.force + fraction * (after->force - before.force);
 }
 
 void tellApart(std::vector<ComparedInsertion>& insertions)

@@ -88,9 +88,9 @@ void ForceProfiler::follow(const haptics::TickOutput& now)
     const double travel = static_cast<double>(nextPoint_) * step;
     double force = now.axialForce;
     if (!isFirst && now.travel > before_->travel) {
-      const double share =
+      const double fraction =
           std::clamp((travel - before_->travel) / (now.travel - before_->travel), 0.0, 1.0);
-      force = before_->axialForce + share * (now.axialForce - before_->axialForce);
+      force = before_->axialForce + fraction * (now.axialForce - before_->axialForce);
     }
     profile_.curve.push_back({travel, force});
     ++nextPoint_;

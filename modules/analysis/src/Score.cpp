@@ -10,7 +10,7 @@ namespace {
 
 // What hands do that are asked to go slower than hands can: at 15 mm/min (Kesler 2017).
 constexpr double reversalsOfTooSlowHands = 18.6;
-constexpr double shareStillOfTooSlowHands = 0.157;
+constexpr double restFractionOfTooSlowHands = 0.157;
 
 std::string fixed(double value, int decimals)
 {
@@ -19,7 +19,7 @@ std::string fixed(double value, int decimals)
   return text;
 }
 
-std::string percent(double share) { return fixed(100.0 * share, 0) + " %"; }
+std::string percent(double fraction) { return fixed(100.0 * fraction, 0) + " %"; }
 
 /// 1 at the best value, 0 at the worst, evenly in between.
 double between(double value, double best, double worst)
@@ -33,7 +33,7 @@ std::string InsertionScore::sentence() const
 {
   std::string text = fixed(total, 0) + " of 100:";
   for (std::size_t i = 0; i < criteria.size(); ++i)
-    text += (i == 0 ? " " : ", ") + criteria[i].name + " " + percent(criteria[i].share);
+    text += (i == 0 ? " " : ", ") + criteria[i].name + " " + percent(criteria[i].fraction);
   return text;
 }
 
@@ -63,9 +63,9 @@ InsertionScore scoreOf(const ComparedInsertion& insertion, const PrintedRange& p
       {"smoothness", percent(still) + " of the time standing still (below 0.1 mm/s)",
        "0 % gives all points; 15.7 % none",
        "Kesler 2017: hands that were asked to go at 15 mm/min stood still 15.7 % of the time",
-       between(still, 0.0, shareStillOfTooSlowHands)}};
+       between(still, 0.0, restFractionOfTooSlowHands)}};
   double sum = 0.0;
-  for (const ScoreCriterion& criterion : score.criteria) sum += criterion.share;
+  for (const ScoreCriterion& criterion : score.criteria) sum += criterion.fraction;
   score.total = 100.0 * sum / static_cast<double>(score.criteria.size());
   return score;
 }

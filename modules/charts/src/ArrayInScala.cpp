@@ -99,16 +99,16 @@ NodePlace ArrayInScala::at(double fromTip_mm) const
   const double last = static_cast<double>(nodes_.size() - 1);
   const double index = std::clamp(last * (1.0 - fromTip_mm / length_mm), 0.0, last);
   const std::size_t i = std::min(nodes_.size() - 2, static_cast<std::size_t>(index));
-  const double share = index - static_cast<double>(i);
+  const double fraction = index - static_cast<double>(i);
   const NodePlace& a = nodes_[i];
   const NodePlace& b = nodes_[i + 1];
-  NodePlace between = share < 0.5 ? a : b;
-  const auto mixed = [share](double from, double to) { return from + share * (to - from); };
+  NodePlace between = fraction < 0.5 ? a : b;
+  const auto mixed = [fraction](double from, double to) { return from + fraction * (to - from); };
   between.fromTip_mm = mixed(a.fromTip_mm, b.fromTip_mm);
   between.angle_deg = mixed(a.angle_deg, b.angle_deg);
   between.across_mm = mixed(a.across_mm, b.across_mm);
   between.up_mm = mixed(a.up_mm, b.up_mm);
-  between.along = (a.along + share * (b.along - a.along)).normalized();
+  between.along = (a.along + fraction * (b.along - a.along)).normalized();
   return between;
 }
 

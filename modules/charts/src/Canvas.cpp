@@ -71,10 +71,10 @@ void Canvas::paint(const analysis::Ink& ink)
   lastRow_ = -1;
 }
 
-void Canvas::blend(int x, int y, const analysis::Ink& ink, double share)
+void Canvas::blend(int x, int y, const analysis::Ink& ink, double fraction)
 {
   if (x < 0 || y < 0 || x >= width_ || y >= height_) return;
-  const double cover = std::clamp(ink.opacity * share, 0.0, 1.0);
+  const double cover = std::clamp(ink.opacity * fraction, 0.0, 1.0);
   std::uint8_t* pixel =
       pixels_.data() + (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                         static_cast<std::size_t>(x)) *

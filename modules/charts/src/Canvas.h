@@ -23,7 +23,7 @@ public:
   /// Paints what the stencil holds, and empties it.
   void paint(const analysis::Ink& ink);
   /// Paints one pixel in part.
-  void blend(int x, int y, const analysis::Ink& ink, double share);
+  void blend(int x, int y, const analysis::Ink& ink, double fraction);
 
   const std::uint8_t* row(int y) const;
 

@@ -197,8 +197,8 @@ void ChartOverlay::paintLegend(vtkContext2D& painter, const Area& area) const
   const float x = area.left + 12.0f * scale_;
   const float words = x + (swatchWidth + 7.0f) * scale_;
   // in a narrow chart the words stay off the curve's end
-  const float share = area.right - area.left < narrow_px * scale_ ? 0.82f : 1.0f;
-  const float room = area.left + share * (area.right - area.left) - words;
+  const float fraction = area.right - area.left < narrow_px * scale_ ? 0.82f : 1.0f;
+  const float room = area.left + fraction * (area.right - area.left) - words;
   float y = area.top - 18.0f * scale_;
   for (const LegendEntry& entry : legend) {
     paintSwatch(painter, entry, x, y);

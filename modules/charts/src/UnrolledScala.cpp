@@ -113,11 +113,11 @@ UnrolledScala::Width UnrolledScala::widthAt(double angle_deg) const
 {
   const double index = std::clamp(angle_deg / step_deg, 0.0, double(widths_.size() - 1));
   const std::size_t i = std::min(widths_.size() - 2, static_cast<std::size_t>(index));
-  const double share = index - static_cast<double>(i);
+  const double fraction = index - static_cast<double>(i);
   const Width& a = widths_[i];
   const Width& b = widths_[i + 1];
-  return {angle_deg, a.inner_mm + share * (b.inner_mm - a.inner_mm),
-          a.outer_mm + share * (b.outer_mm - a.outer_mm)};
+  return {angle_deg, a.inner_mm + fraction * (b.inner_mm - a.inner_mm),
+          a.outer_mm + fraction * (b.outer_mm - a.outer_mm)};
 }
 
 analysis::Drawing UnrolledScala::draw(const ArrayInScala& now, double width, double height) const

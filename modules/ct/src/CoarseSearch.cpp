@@ -29,9 +29,9 @@ public:
     const auto n = static_cast<std::size_t>(count_);
     values_.resize(n * n * n);
     for (std::size_t i = 0; i < values_.size(); ++i) {
-      const double share = (static_cast<double>(region.value(i)) - bone) / (lumen - bone);
-      double likeness = std::clamp(share, 0.0, 1.0);
-      if (share > 1.25) likeness = std::max(0.0, 1.0 - 4.0 * (share - 1.25));
+      const double fraction = (static_cast<double>(region.value(i)) - bone) / (lumen - bone);
+      double likeness = std::clamp(fraction, 0.0, 1.0);
+      if (fraction > 1.25) likeness = std::max(0.0, 1.0 - 4.0 * (fraction - 1.25));
       // Beyond the volume nothing speaks for or against.
       values_[i] = region.isKnown(i) ? static_cast<float>(likeness) : 0.5F;
     }

@@ -65,7 +65,7 @@ public:
     // A rounded cap at the apex.
     const double past = (angle - degrees(apex_deg - cap_deg).si()) / degrees(cap_deg).si();
     const double x = 0.95 * std::clamp(past, 0.0, 1.0);
-    const double share = std::sqrt(1.0 - x * x);
+    const double fraction = std::sqrt(1.0 - x * x);
     Polygon polygon;
     for (int i = 0; i < corners; ++i) {
       Point point{real[center], imaginary[center]};
@@ -74,8 +74,8 @@ public:
         if (k == 0) continue;
         const SineCosine turn = sineCosine(2.0 * pi * k * i / corners);
         const auto index = static_cast<std::size_t>(k + anatomy::MeasuredSection::harmonics);
-        point.r += share * (real[index] * turn.cosine - imaginary[index] * turn.sine);
-        point.z += share * (imaginary[index] * turn.cosine + real[index] * turn.sine);
+        point.r += fraction * (real[index] * turn.cosine - imaginary[index] * turn.sine);
+        point.z += fraction * (imaginary[index] * turn.cosine + real[index] * turn.sine);
       }
       polygon.push_back({1e3 * point.r, 1e3 * point.z});
     }

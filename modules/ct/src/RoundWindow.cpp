@@ -56,8 +56,9 @@ BoneMap mapOf(const CtVolume& volume, const ShapedLumen& lumen, const FitState& 
         if (!value) break;
         if ((*value - middle) * sign > 0.0) {
           const double change = *value - valueBefore;
-          const double share = r > before && change != 0.0 ? (middle - valueBefore) / change : 1.0;
-          map[static_cast<std::size_t>(row * columns + column)] = before + share * (r - before);
+          const double fraction =
+              r > before && change != 0.0 ? (middle - valueBefore) / change : 1.0;
+          map[static_cast<std::size_t>(row * columns + column)] = before + fraction * (r - before);
           break;
         }
         before = r;

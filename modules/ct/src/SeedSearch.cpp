@@ -13,7 +13,7 @@ constexpr double sphere_mm = 4.5, sphereStep_mm = 1.3;
 constexpr double bothSides_mm = 100.0;  // a volume this wide shows both ears
 
 /// The intensity below which a share of the voxels lies.
-double quantile(const CtVolume& volume, double share)
+double quantile(const CtVolume& volume, double fraction)
 {
   std::vector<std::uint32_t> histogram(65536);
   std::uint64_t total = 0;
@@ -24,7 +24,7 @@ double quantile(const CtVolume& volume, double share)
   std::uint64_t below = 0;
   for (std::size_t i = 0; i < histogram.size(); ++i) {
     below += histogram[i];
-    if (static_cast<double>(below) >= share * static_cast<double>(total))
+    if (static_cast<double>(below) >= fraction * static_cast<double>(total))
       return static_cast<double>(i) - 32768.0;
   }
   return 32767.0;
@@ -85,10 +85,10 @@ std::vector<Eigen::Vector3d> findSeeds(const CtVolume& volume, std::optional<ana
             if (*value < hollow) ++hole;
           }
         if (known * 2 < static_cast<int>(sphere.size())) continue;
-        const double boneShare = static_cast<double>(bone) / known;
-        const double holeShare = static_cast<double>(hole) / known;
+        const double boneFraction = static_cast<double>(bone) / known;
+        const double holeFraction = static_cast<double>(hole) / known;
         // A third of the sphere around a cochlea's middle is lumen and canal.
-        scored.push_back({boneShare - 2.0 * std::fabs(holeShare - 0.33), place_P});
+        scored.push_back({boneFraction - 2.0 * std::fabs(holeFraction - 0.33), place_P});
       }
   std::stable_sort(scored.begin(), scored.end(),
                    [](const Scored& a, const Scored& b) { return a.score > b.score; });

@@ -96,15 +96,15 @@ private:
     return {std::max(0.15, 0.6 * spacing.minCoeff()), std::max(0.17, 0.5 * spacing.maxCoeff())};
   }
 
-  static std::string percent(double share)
+  static std::string percent(double fraction)
   {
-    return std::to_string(std::lround(100.0 * share)) + " %";
+    return std::to_string(std::lround(100.0 * fraction)) + " %";
   }
 
   bool isStopped() const { return request_.isCanceled && request_.isCanceled(); }
-  void report(double share) const
+  void report(double fraction) const
   {
-    if (request_.onProgress) request_.onProgress(share);
+    if (request_.onProgress) request_.onProgress(fraction);
   }
 
   /// Poses at one place, for every level that the lumen may have.
@@ -258,10 +258,10 @@ private:
     window.angle = (weight * angle + before * window.angle) / (weight + before);
     window.angleError = 1.0 / std::sqrt(weight + before);
     const SineCosine turn = sineCosine(window.angle);
-    const double share = weight / (weight + before);
-    const double mixed = radius + share * (click_W.head<2>().norm() - radius);
+    const double fraction = weight / (weight + before);
+    const double mixed = radius + fraction * (click_W.head<2>().norm() - radius);
     window.center_W = {mixed * turn.cosine, mixed * turn.sine,
-                       window.center_W.z() + share * (click_W.z() - window.center_W.z())};
+                       window.center_W.z() + fraction * (click_W.z() - window.center_W.z())};
     window.isFound = true;
   }
 

@@ -23,9 +23,9 @@ Section ArrayDesign::sectionAt(Length place) const
 {
   const auto tapered = [&](Length full, Length fullBehind) {
     if (place >= tip.taper || tip.taper <= millimeters(0)) return full;
-    const double share = std::max(place / tip.taper, 0.0);
+    const double fraction = std::max(place / tip.taper, 0.0);
     const Length start = 2.0 * tipRadius();
-    return std::min(full, start + share * (fullBehind - start));
+    return std::min(full, start + fraction * (fullBehind - start));
   };
   return {tapered(diameter.at(place), diameter.at(tip.taper)),
           tapered(thicknessAt(*this, place), thicknessAt(*this, tip.taper))};

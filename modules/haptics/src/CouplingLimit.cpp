@@ -9,10 +9,10 @@ namespace perilymph::haptics {
 namespace {
 
 // A handle of 90 g that moves as freely as 0.5 N.s/m: lighter and freer than the devices in use.
-constexpr double lightHandle = 0.09;  // [kg]
-constexpr double freeHandle = 0.5;    // [N.s/m]
-constexpr double usedShare = 0.75;    // of the damping, by the spring
-constexpr double velocityLag = 2e-3;  // of SampleValidator [s]
+constexpr double lightHandle = 0.09;   // [kg]
+constexpr double freeHandle = 0.5;     // [N.s/m]
+constexpr double usedFraction = 0.75;  // of the damping, by the spring
+constexpr double velocityLag = 2e-3;   // of SampleValidator [s]
 constexpr double eulersNumber = 2.718281828459045;
 
 std::string text(const char* format, double value)
@@ -40,7 +40,7 @@ CouplingLimit couplingLimit(const device::DeviceTraits& traits, double timeStep)
   // A tick that a report begins uses it at once; else it has waited for half a period on average.
   const double wait = followsReports(traits, timeStep) ? 0.0 : 0.5 * traits.nominalPeriod;
   const double late = 0.5 * timeStep + std::max(0.0, traits.transportDelay) + wait;
-  limit.stiffness = usedShare * damping / late;
+  limit.stiffness = usedFraction * damping / late;
   limit.damping = mass / (eulersNumber * (late + velocityLag));
   limit.reason = "a force reaches the hand " + text("%.2f", late * 1e3) + " ms late";
   if (traits.maxStiffness > 0.0 && traits.maxStiffness < limit.stiffness) {

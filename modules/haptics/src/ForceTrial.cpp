@@ -18,8 +18,8 @@ SafetyLimits limitsOfTrial(const device::DeviceTraits& traits, double greatest) 
 
 double greatestFor(const device::DeviceTraits& traits) noexcept
 {
-  const double share = traits.maxForce > 0.0 ? 0.2 * traits.maxForce : ForceTrial::maxForce;
-  return std::min(ForceTrial::maxForce, share);
+  const double fraction = traits.maxForce > 0.0 ? 0.2 * traits.maxForce : ForceTrial::maxForce;
+  return std::min(ForceTrial::maxForce, fraction);
 }
 
 }  // namespace
@@ -40,8 +40,8 @@ device::Wrench ForceTrial::step(const device::DeviceSample& sample) noexcept
   if (isOver()) isHeld_ = false;
 
   // 0 at both ends of the second, 1 in its middle, without a corner
-  const double share = time_ / timeForAxis;
-  const double hump = 16.0 * share * share * (1.0 - share) * (1.0 - share);
+  const double fraction = time_ / timeForAxis;
+  const double hump = 16.0 * fraction * fraction * (1.0 - fraction) * (1.0 - fraction);
   Eigen::Vector3d wanted_D = Eigen::Vector3d::Zero();
   if (isHeld_) wanted_D[axis_] = greatest_ * hump;
 

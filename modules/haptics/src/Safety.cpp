@@ -70,7 +70,7 @@ void Safety::lowerMaxForce(double maxForce) noexcept
   if (maxForce > 0.0) limits_.maxForce = std::min(limits_.maxForce, maxForce);
 }
 
-double Safety::shareWithinReach(double distance) const noexcept
+double Safety::fractionWithinReach(double distance) const noexcept
 {
   if (!(limits_.reach > 0.0)) return 1.0;
   // the last tenth of the reach
@@ -101,9 +101,9 @@ Eigen::Vector3d Safety::show(const Eigen::Vector3d& wanted_D, const HandConditio
   if (hand.isStale) status |= staleSample;
 
   // fade out toward the end of the reach
-  const double share = shareWithinReach(hand.distance);
-  if (share < 1.0) status |= nearWorkspaceEnd;
-  force_D *= share;
+  const double fraction = fractionWithinReach(hand.distance);
+  if (fraction < 1.0) status |= nearWorkspaceEnd;
+  force_D *= fraction;
 
   // give back no more than came in
   if (!isOff) {

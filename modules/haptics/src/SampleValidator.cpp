@@ -101,8 +101,8 @@ const HandState& SampleValidator::take(const device::DeviceSample& sample) noexc
 
   hand_.isStale = ticksWithout_ >= staleTicks_;
   if (hand_.isStale) rawVelocity_D_.setZero();
-  const double share = timeStep_ / (velocityLag + timeStep_);
-  hand_.velocity_D += share * (rawVelocity_D_ - hand_.velocity_D);
+  const double fraction = timeStep_ / (velocityLag + timeStep_);
+  hand_.velocity_D += fraction * (rawVelocity_D_ - hand_.velocity_D);
   if (hand_.isStale || hand_.hasJumped) hand_.velocity_D.setZero();
   return hand_;
 }

@@ -39,7 +39,7 @@ Result<HapticSurface> hapticSurface(const anatomy::ScalaTympani& scala, int maxT
   result.visualTriangles =
       static_cast<int>(anatomy::wallSurface(scala, maxTriangles).triangles.size());
   const anatomy::Surface reachable = anatomy::wallSurfaceBefore(scala, maxTriangles, hapticEnd);
-  const double wanted = std::floor(hapticShare * result.visualTriangles);
+  const double wanted = std::floor(hapticFraction * result.visualTriangles);
 
   const auto decimation = vtkSmartPointer<vtkQuadricDecimation>::New();
   decimation->SetInputData(toPolyData(reachable));

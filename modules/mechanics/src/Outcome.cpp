@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 /// Between two nodes of the array.
 struct Place {
   std::size_t node;  ///< The one nearer to the tweezers.
-  double share;      ///< Of the way to the next.
+  double fraction;   ///< Of the way to the next.
 };
 
 Place placeOf(const electrode::ArrayDesign& array, std::size_t nodes, double fromTip)
@@ -116,7 +116,7 @@ std::vector<ContactOutcome> outcomeOf(const anatomy::Lumen& lumen,
     o.fromTip = contact.si();
     const Place place = placeOf(array, shape.nodes_W.size(), o.fromTip);
     const Vector3d edge = shape.nodes_W[place.node + 1] - shape.nodes_W[place.node];
-    o.position_W = shape.nodes_W[place.node] + place.share * edge;
+    o.position_W = shape.nodes_W[place.node] + place.fraction * edge;
     o.isInside = (entry.origin_W - o.position_W).dot(entry.out_W) > 0.0;
     if (o.isInside) {
       anatomy::LumenTrack here = track[place.node];
@@ -130,7 +130,7 @@ std::vector<ContactOutcome> outcomeOf(const anatomy::Lumen& lumen,
         // both seen along the array
         const Vector3d t = edge.normalized();
         const Vector3d face =
-            (1.0 - place.share) * curl[place.node] + place.share * curl[place.node + 1];
+            (1.0 - place.fraction) * curl[place.node] + place.fraction * curl[place.node + 1];
         const Vector3d a = face - face.dot(t) * t;
         const Vector3d b = toAxis - toAxis.dot(t) * t;
         o.offModiolus = arcTangent(a.cross(b).norm(), a.dot(b));

@@ -30,10 +30,10 @@ void TimeHistogram::add(std::int64_t nanoseconds) noexcept
   longest_ = std::max(longest_, duration);
 }
 
-double TimeHistogram::quantile(double share) const noexcept
+double TimeHistogram::quantile(double fraction) const noexcept
 {
   if (count_ == 0) return 0.0;
-  const double wanted = std::clamp(share, 0.0, 1.0) * static_cast<double>(count_);
+  const double wanted = std::clamp(fraction, 0.0, 1.0) * static_cast<double>(count_);
   std::uint64_t seen = 0;
   for (int bin = 0; bin < binsPerOctave * octaves; ++bin) {
     seen += bins_[static_cast<std::size_t>(bin)];

@@ -71,8 +71,8 @@ Calibration uncalibrated(const electrode::ArrayDesign& array)
     FittedValue& curvature = calibration.residualCurvature;
     curvature.value = array.stylet.residualCurvature;
     const double bend = freeBend(array);
-    const double share = bend > maxBend.si() ? maxBend.si() / bend : 1.0;
-    curvature.high = std::max(share, curvature.value);
+    const double fraction = bend > maxBend.si() ? maxBend.si() / bend : 1.0;
+    curvature.high = std::max(fraction, curvature.value);
   }
   return calibration;
 }

@@ -201,11 +201,11 @@ void ArrayParts::writeRings(Mesh& mesh, const std::vector<Ring>& rings, const Ar
 void ArrayParts::showContacts(const ArrayPath& path)
 {
   // Rows and columns stand close together at the rim, so that the rim is a line.
-  const double rimShare = 0.10;
+  const double rimFraction = 0.10;
   const auto spread = [&](int i, int count) {
     if (i == 0) return -1.0;
     if (i == count - 1) return 1.0;
-    return (1.0 - rimShare) * (2.0 * (i - 1) / (count - 3) - 1.0);
+    return (1.0 - rimFraction) * (2.0 * (i - 1) / (count - 3) - 1.0);
   };
   const double halfLength_mm = 0.5 * inMillimeters(array_.contactLength);
   int index = 0;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int cells = 24;  ///< Along each edge.
 
-double share(int i) { return 2.0 * i / cells - 1.0; }
+double fraction(int i) { return 2.0 * i / cells - 1.0; }
 
 }  // namespace
 
@@ -30,7 +30,7 @@ Backdrop::Backdrop()
   mesh_.shape((cells + 1) * (cells + 1), triangles);
   for (int y = 0, index = 0; y <= cells; ++y)
     for (int x = 0; x <= cells; ++x, ++index) {
-      const double away = std::min(1.0, std::hypot(share(x), share(y)) / 1.15);
+      const double away = std::min(1.0, std::hypot(fraction(x), fraction(y)) / 1.15);
       const double light = 0.5 * (1.0 + std::cos(pi * away));
       Rgba color = palette::ground;
       for (std::size_t i = 0; i < 3; ++i)
@@ -49,9 +49,9 @@ void Backdrop::place(const ViewFrame& view, const Eigen::Vector3d& center, doubl
 {
   for (int y = 0, index = 0; y <= cells; ++y)
     for (int x = 0; x <= cells; ++x, ++index)
-      mesh_.point(index) =
-          (center + 0.5 * width_mm * share(x) * view.right + 0.5 * height_mm * share(y) * view.up)
-              .cast<float>();
+      mesh_.point(index) = (center + 0.5 * width_mm * fraction(x) * view.right +
+                            0.5 * height_mm * fraction(y) * view.up)
+                               .cast<float>();
   mesh_.pointsChanged();
 }
 

@@ -118,11 +118,11 @@ bool CameraPath::step(double seconds)
 {
   if (!isGliding()) return false;
   progress_ = std::min(1.0, progress_ + std::max(0.0, seconds) / glideTime_s);
-  const double share = smooth(progress_);
-  now_.axes = from_.axes.slerp(share, to_.axes);
-  now_.focus = from_.focus + share * (to_.focus - from_.focus);
+  const double fraction = smooth(progress_);
+  now_.axes = from_.axes.slerp(fraction, to_.axes);
+  now_.focus = from_.focus + fraction * (to_.focus - from_.focus);
   now_.magnification =
-      from_.magnification * std::pow(to_.magnification / from_.magnification, share);
+      from_.magnification * std::pow(to_.magnification / from_.magnification, fraction);
   if (!isGliding()) now_ = to_;
   return true;
 }
@@ -133,8 +133,8 @@ void CameraPath::follow(const Eigen::Vector3d& focus, double seconds)
     to_.focus = focus;
     return;
   }
-  const double share = 1.0 - std::exp(-std::max(0.0, seconds) / followTimeConstant_s);
-  now_.focus += share * (focus - now_.focus);
+  const double fraction = 1.0 - std::exp(-std::max(0.0, seconds) / followTimeConstant_s);
+  now_.focus += fraction * (focus - now_.focus);
   to_ = now_;
 }
 

@@ -59,13 +59,13 @@ void ContactMarks::build(const ContactField& field, const ArrayParts& array, con
       end_mm += arrowEvery_mm;
     }
     if (station.force_mN_mm <= 0.0) continue;
-    const double share_mN = station.force_mN_mm * ContactField::spacing_mm;
-    force_mN += share_mN * station.inward;
+    const double station_mN = station.force_mN_mm * ContactField::spacing_mm;
+    force_mN += station_mN * station.inward;
     friction_mN += station.friction_mN_mm * ContactField::spacing_mm;
     // arrows start where the force leaves the array, on the side away from the wall
     const double across_mm = 2.0 * array.radius_mm(station.fromTip_mm);
-    moment += share_mN * (station.wall + across_mm * station.inward);
-    total_mN += share_mN;
+    moment += station_mN * (station.wall + across_mm * station.inward);
+    total_mN += station_mN;
   }
   arrows_.build(view, arrowLift_mm);
 }

@@ -62,10 +62,10 @@ std::array<Rgba, steps> makeTable()
   std::array<Rgba, steps> table;
   const Eigen::Vector3d low = okLab(palette::forceLow), high = okLab(palette::forceHigh);
   for (int i = 0; i < steps; ++i) {
-    const double share = static_cast<double>(i) / (steps - 1);
+    const double fraction = static_cast<double>(i) / (steps - 1);
     // transparent to yellow over the first fifth, then yellow to red
-    const double toRed = std::clamp((share - 0.2) / 0.8, 0.0, 1.0);
-    const double opacity = 0.92 * std::min(1.0, share / 0.2);
+    const double toRed = std::clamp((fraction - 0.2) / 0.8, 0.0, 1.0);
+    const double opacity = 0.92 * std::min(1.0, fraction / 0.2);
     table[static_cast<std::size_t>(i)] =
         withOpacity(fromOkLab(low + toRed * (high - low)), opacity);
   }
@@ -77,8 +77,8 @@ std::array<Rgba, steps> makeTable()
 Rgba forceColor(double force_mN_mm)
 {
   static const std::array<Rgba, steps> table = makeTable();
-  const double share = std::clamp(force_mN_mm / maxWallForce_mN_mm, 0.0, 1.0);
-  return table[static_cast<std::size_t>(std::lround(share * (steps - 1)))];
+  const double fraction = std::clamp(force_mN_mm / maxWallForce_mN_mm, 0.0, 1.0);
+  return table[static_cast<std::size_t>(std::lround(fraction * (steps - 1)))];
 }
 
 }  // namespace perilymph::visualization

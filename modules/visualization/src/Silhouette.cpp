@@ -60,8 +60,8 @@ Eigen::Vector3d Silhouette::crossing(int edge, const std::vector<double>& facing
   const Edge& e = edges_[static_cast<std::size_t>(edge)];
   const std::size_t from = static_cast<std::size_t>(e.from);
   const std::size_t to = static_cast<std::size_t>(e.to);
-  const double share = facing[from] / (facing[from] - facing[to]);
-  return points_[from] + share * (points_[to] - points_[from]);
+  const double fraction = facing[from] / (facing[from] - facing[to]);
+  return points_[from] + fraction * (points_[to] - points_[from]);
 }
 
 void Silhouette::walk(int triangle, int edge, const std::vector<double>& facing,

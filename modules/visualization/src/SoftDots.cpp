@@ -65,11 +65,11 @@ void SoftDots::build(const ViewFrame& view, double toward_mm)
   for (const Dot& dot : dots_) {
     const Eigen::Vector3d center = dot.place + toward_mm * view.back;
     put(center, dot.color, 1.0);
-    for (const auto& [share, opacity] : rings)
+    for (const auto& [fraction, opacity] : rings)
       for (int k = 0; k < around; ++k) {
         const double angle = 2.0 * pi * k / around;
         const Eigen::Vector3d radial = std::cos(angle) * view.right + std::sin(angle) * view.up;
-        put(center + share * dot.radius_mm * radial, dot.color, opacity);
+        put(center + fraction * dot.radius_mm * radial, dot.color, opacity);
       }
   }
   const int points = mesh_.points();

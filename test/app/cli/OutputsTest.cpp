@@ -198,7 +198,7 @@ TEST_F(Outputs, ReplaceWhatAnEarlierCallWrote)
   EXPECT_THAT(contentOf(folder / "run.csv"), testing::StartsWith("time_s"));
 }
 
-TEST_F(Outputs, MayShareAStreamThatKeepsNothing)
+TEST_F(Outputs, MayFractionAStreamThatKeepsNothing)
 {
   const ProgramOutcome outcome = callHere(
       {"simulate", "--scenario", "scenario.toml", "--csv", "/dev/null", "--json", "/dev/null"});

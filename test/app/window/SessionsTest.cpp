@@ -173,7 +173,7 @@ TEST_F(Sessions, ThatAreReadAreListedWhileAnotherOneDoesNotEnd)
 {
   std::promise<void> end;
   gui::SessionsPage page(nullptr,
-                         [ended = end.get_future().share()](
+                         [ended = end.get_future().fraction()](
                              const auto&, const auto&, const auto& progress,
                              const auto& listed) -> Result<std::vector<session::SessionSummary>> {
                            session::SessionSummary good;
@@ -285,7 +285,7 @@ TEST_F(AReplay, GoesWhereTheScrubberIsClicked)
   const double ticks = double(replay().playback().ticks());
   const double pixel = ticks / scrubber->width();
   EXPECT_NEAR(double(replay().place()), 0.5 * ticks, 2.0 * pixel);
-  EXPECT_TRUE(WindowRig::comes([&] { return std::abs(scrubber->share() - 0.5) < 0.05; }));
+  EXPECT_TRUE(WindowRig::comes([&] { return std::abs(scrubber->fraction() - 0.5) < 0.05; }));
 }
 
 TEST_F(AReplay, GoesSlowerAndFasterInSteps)

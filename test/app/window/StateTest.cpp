@@ -188,7 +188,7 @@ TEST(AnInterruptedInsertion, IsOfferedWithItsDepth)
 TEST(AnInterruptedInsertion, WhoseRecordingBlocksItsReaderLetsTheWindowLive)
 {
   std::promise<void> gate;
-  auto opened = gate.get_future().share();
+  auto opened = gate.get_future().uniform();
   {
     WindowRig rig;
     gui::offerInterrupted(

@@ -61,8 +61,8 @@ private:
     const Eigen::Vector3d a = self.point(corner[0]);
     const Eigen::Vector3d b = self.point(corner[1]);
     const Eigen::Vector3d c = self.point(corner[2]);
-    const Eigen::Vector3d shares = anatomy::nearestShares(center, a, b, c);
-    const Eigen::Vector3d foot = shares.x() * a + shares.y() * b + shares.z() * c;
+    const Eigen::Vector3d weights = anatomy::barycentricWeights(center, a, b, c);
+    const Eigen::Vector3d foot = weights.x() * a + weights.y() * b + weights.z() * c;
     const double distance = (center - foot).norm();
     if (distance >= asked->query->radius) return false;
     self.nearest_ = distance;

@@ -49,7 +49,7 @@ TEST(Stream, ThatRepeatsOrReordersSaysSo)
   EXPECT_EQ(streamIn(stream({1, 2, 4, 3, 5})).repeated, 1);
 }
 
-TEST(Spread, OfAThousandStepsHasEachShareAtItsStep)
+TEST(Spread, OfAThousandStepsHasEachFractionAtItsStep)
 {
   std::vector<double> values(1000);
   std::iota(values.rbegin(), values.rend(), 1.0);

@@ -48,8 +48,8 @@ Spread spreadOf(std::vector<double> values)
 {
   if (values.empty()) return {};
   std::sort(values.begin(), values.end());
-  const auto at = [&values](double share) {
-    const double rank = std::ceil(share * static_cast<double>(values.size()));
+  const auto at = [&values](double fraction) {
+    const double rank = std::ceil(fraction * static_cast<double>(values.size()));
     return values[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
   };
   return {at(0.5), at(0.99), at(0.999), values.back()};

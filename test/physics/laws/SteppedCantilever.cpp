@@ -58,8 +58,8 @@ double compliance(double withdrawal, double across)
   constexpr double aside = gap - radius + 0.2e-3;
   constexpr int steps = 500;
   for (int i = 1; i <= 3 * steps; ++i) {
-    const double share = std::min(1.0, static_cast<double>(i) / steps);
-    drive.handPosition_W.y() = model->startBase_W.y() - share * aside;
+    const double fraction = std::min(1.0, static_cast<double>(i) / steps);
+    drive.handPosition_W.y() = model->startBase_W.y() - fraction * aside;
     mechanics::advance(*model, state, drive);
   }
   return (state.position_W.back().y() - state.base_W.y()) / state.normalForce.back();

@@ -29,8 +29,8 @@ public:
     const Eigen::Vector3d from_W = drive_.handPosition_W;
     const long ticks = std::lround(std::ceil(std::fabs(distance) / speed / model_->timeStep));
     for (long k = 1; k <= ticks; ++k) {
-      const double share = static_cast<double>(k) / static_cast<double>(ticks);
-      drive_.handPosition_W = from_W + share * distance * model_->startAxis_W;
+      const double fraction = static_cast<double>(k) / static_cast<double>(ticks);
+      drive_.handPosition_W = from_W + fraction * distance * model_->startAxis_W;
       mechanics::advance(*model_, state_, drive_);
     }
   }

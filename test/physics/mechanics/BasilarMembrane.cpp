@@ -11,8 +11,8 @@
 namespace perilymph {
 namespace {
 
+using mechanics::MembraneFraction;
 using mechanics::MembranePlace;
-using mechanics::MembraneShare;
 using test::RodSpec;
 using test::TestRod;
 
@@ -29,20 +29,20 @@ anatomy::LumenTrack trackAt(double angle)
 
 /// The share at a place given by angle, and across the membrane from its inner edge (0) to its
 /// outer one (1).
-MembraneShare shareAt(double angle, double across, double radius)
+MembraneFraction fractionAt(double angle, double across, double radius)
 {
   static const MembranePlace place(*meanScala());
-  return place.shareAt(meanScala()->membrane_W(angle, across), radius, trackAt(angle),
-                       -Eigen::Vector3d::UnitZ());
+  return place.fractionAt(meanScala()->membrane_W(angle, across), radius, trackAt(angle),
+                          -Eigen::Vector3d::UnitZ());
 }
 
 TEST(BasilarMembrane, IsAllThereIsAboveAThinArrayInItsMiddleAndNothingBesideIt)
 {
   for (const double angle_deg : {30.0, 90.0, 200.0, 450.0, 650.0}) {
     const double angle = degrees(angle_deg).si();
-    EXPECT_NEAR(shareAt(angle, 0.5, 0.05e-3).share, 1.0, 1e-9) << angle_deg;
-    EXPECT_EQ(shareAt(angle, -0.5, 0.05e-3).share, 0.0) << angle_deg;
-    EXPECT_EQ(shareAt(angle, 1.5, 0.05e-3).share, 0.0) << angle_deg;
+    EXPECT_NEAR(fractionAt(angle, 0.5, 0.05e-3).fraction, 1.0, 1e-9) << angle_deg;
+    EXPECT_EQ(fractionAt(angle, -0.5, 0.05e-3).fraction, 0.0) << angle_deg;
+    EXPECT_EQ(fractionAt(angle, 1.5, 0.05e-3).fraction, 0.0) << angle_deg;
   }
 }
 
@@ -50,9 +50,9 @@ TEST(BasilarMembrane, LeavesAWideArrayPartlyOnTheBoneBesideIt)
 {
   const double angle = degrees(45).si();
   const auto width = (meanScala()->membrane_W(angle, 1) - meanScala()->membrane_W(angle, 0)).norm();
-  const double share = shareAt(angle, 0.5, 1.5 * width).share;
-  EXPECT_GT(share, 0.5);
-  EXPECT_LT(share, 0.95);
+  const double fraction = fractionAt(angle, 0.5, 1.5 * width).fraction;
+  EXPECT_GT(fraction, 0.5);
+  EXPECT_LT(fraction, 0.95);
 }
 
 TEST(BasilarMembrane, IsNotInTheFloor)
@@ -60,27 +60,27 @@ TEST(BasilarMembrane, IsNotInTheFloor)
   const double angle = degrees(200).si();
   const MembranePlace place(*meanScala());
   EXPECT_EQ(place
-                .shareAt(meanScala()->membrane_W(angle, 0.5), 0.1e-3, trackAt(angle),
-                         Eigen::Vector3d::UnitZ())
-                .share,
+                .fractionAt(meanScala()->membrane_W(angle, 0.5), 0.1e-3, trackAt(angle),
+                            Eigen::Vector3d::UnitZ())
+                .fraction,
             0.0);
 }
 
-TEST(BasilarMembrane, HasAShareWhoseGradientIsItsDerivative)
+TEST(BasilarMembrane, HasAFractionWhoseGradientIsItsDerivative)
 {
   const MembranePlace place(*meanScala());
   const auto at = [&](const Eigen::Vector3d& point) {
     const double angle = std::atan2(point.y(), point.x());
-    return place.shareAt(point, 0.3e-3, trackAt(angle), -Eigen::Vector3d::UnitZ());
+    return place.fractionAt(point, 0.3e-3, trackAt(angle), -Eigen::Vector3d::UnitZ());
   };
   for (const double angle_deg : {3.0, 40.0, 100.0, 170.0})
     for (const double across : {-0.1, 0.1, 0.4, 0.7, 1.1}) {
       const Eigen::Vector3d point = meanScala()->membrane_W(degrees(angle_deg).si(), across);
-      const MembraneShare share = at(point);
+      const MembraneFraction fraction = at(point);
       for (int k = 0; k < 3; ++k) {
         const Eigen::Vector3d step = 1e-7 * Eigen::Vector3d::Unit(k);
-        const double slope = (at(point + step).share - at(point - step).share) / 2e-7;
-        EXPECT_NEAR(share.gradient_W[k], slope, 2.0) << angle_deg << " deg, " << across;
+        const double slope = (at(point + step).fraction - at(point - step).fraction) / 2e-7;
+        EXPECT_NEAR(fraction.gradient_W[k], slope, 2.0) << angle_deg << " deg, " << across;
       }
     }
 }
@@ -122,11 +122,12 @@ TEST(BasilarMembrane, YieldsByItsLaw)
       const double reach = 1e-3;
       meanScala()->nearestWall({&state.position_W[i], 1}, {&reach, 1}, {&track, 1}, {&wall, 1});
       const double p = model.radius[i] - wall.distance;
-      const double share =
-          model.membrane->shareAt(state.position_W[i], model.radius[i], track, wall.normal_W).share;
+      const double fraction =
+          model.membrane->fractionAt(state.position_W[i], model.radius[i], track, wall.normal_W)
+              .fraction;
       // the length of wall that a node stands for, as of the bone
       const double k = 9.0 * model.wallStiffness[i] / 441.0;
-      const double expected = share * k * (p - 1e-6 + p * p * p / (0.05e-3 * 0.05e-3));
+      const double expected = fraction * k * (p - 1e-6 + p * p * p / (0.05e-3 * 0.05e-3));
       EXPECT_NEAR(state.membraneForce[i], expected, 1e-3 * expected);
       ++seen;
     }

@@ -36,8 +36,8 @@ void RandomHand::wander(Wanderer& wanderer)
   const double dt = model_.timeStep;
   if (--wanderer.left <= 0) {
     // speeds over three decades, so that slow and fast both happen
-    const double share = std::pow(10.0, random_.within(-3.0, 0.0));
-    wanderer.speed = random_.within(0.0, 1.0) < 0.45 ? -share : share;
+    const double fraction = std::pow(10.0, random_.within(-3.0, 0.0));
+    wanderer.speed = random_.within(0.0, 1.0) < 0.45 ? -fraction : fraction;
     wanderer.speed *= wanderer.fastest;
     wanderer.left = static_cast<int>(random_.within(5e-3, 400e-3) / dt) + 1;
   }

@@ -15,7 +15,10 @@ constexpr double tableStep = 2.0 * pi / 180.0;
 constexpr double fluid = 40.0, air = -1000.0, lamina = 1500.0;
 
 /// Share of a voxel on the inner side of a wall at a distance.
-double share(double distance, double cell) { return std::clamp(0.5 + distance / cell, 0.0, 1.0); }
+double fraction(double distance, double cell)
+{
+  return std::clamp(0.5 + distance / cell, 0.0, 1.0);
+}
 
 double insideCapsuleShape(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
                           const Eigen::Vector3d& b, double radius)
@@ -223,22 +226,22 @@ double PhantomAnatomy::surroundings(const Eigen::Vector3d& p, double inLumen, do
 {
   // Otic capsule around the lumen, pneumatized bone of middling density beyond.
   const double coarse = texture(p);
-  const double dense = share(inLumen + 1.9, 0.6);
+  const double dense = fraction(inLumen + 1.9, 0.6);
   double value =
       dense * (capsule_ + 90.0 * coarse) + (1.0 - dense) * (1250.0 + 250.0 * texture(2.0 * p));
   // Modiolus: porous, a cone about the axis.
   const double cone = 1.15 - 0.32 * (p.z() + 0.5) - p.head<2>().norm();
-  const double porous = p.z() > -0.6 && p.z() < 2.6 ? share(cone, 3.0 * cell) : 0.0;
+  const double porous = p.z() > -0.6 && p.z() < 2.6 ? fraction(cone, 3.0 * cell) : 0.0;
   value += porous * (modiolus_ + 150.0 * texture(5.0 * p) - value);
   // Internal auditory canal below it, facial canal beside.
   const double canal = insideCapsuleShape(p, {-0.3, 0.2, -3.0}, {-3.0, 4.0, -12.0}, 1.9);
-  value += share(canal, cell) * (fluid - value);
+  value += fraction(canal, cell) * (fluid - value);
   const double facial = insideCapsuleShape(p, {-4.0, -8.0, 2.0}, {6.0, -7.0, 0.5}, canal_);
-  value += share(facial, cell) * (fluid - value);
+  value += fraction(facial, cell) * (fluid - value);
   // Air cells keep a wall of 0.3 mm and stay clear of the capsule.
   for (const Ball& ball : cells_) {
     const double in = std::min(ball.radius - (p - ball.center).norm(), -1.3 - inLumen);
-    if (in > -cell) value += share(in, cell) * (air - value);
+    if (in > -cell) value += fraction(in, cell) * (air - value);
   }
   return value;
 }
@@ -253,15 +256,15 @@ double PhantomAnatomy::intensity(const Eigen::Vector3d& p, double lumen, double 
   const double canals =
       std::max(insideRing(p, Eigen::Vector3d(6.5, -6.5, -2.2), {0.1, 0.2, 0.97}, 2.9, 0.5),
                insideRing(p, Eigen::Vector3d(3.5, -6.5, -4.0), {0.8, 0.6, 0.0}, 3.0, 0.5));
-  value += share(std::max(1.5 * ball, canals), cell) * (lumen - value);
+  value += fraction(std::max(1.5 * ball, canals), cell) * (lumen - value);
   // Round-window niche: leans apically, as in ears where the opening seen from the axis lies ahead
   // of the marked center; the middle ear beyond it.
   const Eigen::Vector3d window = roundWindow_W();
   const double niche = std::max(insideCapsuleShape(p, window, window + 3.0 * lean_, window_),
                                 2.2 - (p - window - 4.6 * lean_).norm());
-  value += share(niche, cell) * (niche_ - value);
+  value += fraction(niche, cell) * (niche_ - value);
   // The lumen over it all, but for the spiral lamina.
-  value += share(depth, cell) * (lumen - value);
+  value += fraction(depth, cell) * (lumen - value);
   if (depth > 0.0) {
     const double r = p.head<2>().norm();
     double angle = std::atan2(p.y(), p.x());
@@ -272,7 +275,7 @@ double PhantomAnatomy::intensity(const Eigen::Vector3d& p, double lumen, double 
       if (u > -0.1 * section.inward || u < -section.inward) continue;
       const double plate =
           0.11 - std::fabs(p.z() - section.middleHeight - section.shear * u + 0.1 * section.half);
-      value += share(plate, cell) * (lamina - value);
+      value += fraction(plate, cell) * (lamina - value);
     }
   }
   return value;

@@ -15,14 +15,14 @@ constexpr int many = 100'000;
 TEST(RandomStream, IsUniformToWithinFourStandardErrors)
 {
   RandomStream random(7, 0, 0);
-  std::vector<double> shares;
-  for (int i = 0; i < many; ++i) shares.push_back(random.share());
-  const SampleStatistics statistics = statisticsOf(shares);
+  std::vector<double> fractions;
+  for (int i = 0; i < many; ++i) fractions.push_back(random.uniform());
+  const SampleStatistics statistics = statisticsOf(fractions);
   EXPECT_NEAR(statistics.mean, 0.5, 4.0 * std::sqrt(1.0 / 12.0 / many));
   EXPECT_NEAR(statistics.standardDeviation, std::sqrt(1.0 / 12.0), 0.002);
-  for (const double share : shares) {
-    ASSERT_GT(share, 0.0);
-    ASSERT_LT(share, 1.0);
+  for (const double fraction : fractions) {
+    ASSERT_GT(fraction, 0.0);
+    ASSERT_LT(fraction, 1.0);
   }
 }
 
@@ -48,8 +48,9 @@ TEST(RandomStream, GivesEveryItemAndPurposeNumbersOfItsOwn)
   double products = 0.0;
   for (std::uint64_t item = 0; item < many; ++item) {
     RandomStream a(1, item, 0), b(1, item + 1, 0), c(1, item, 1), d(2, item, 0);
-    const double first = a.share() - 0.5;
-    products += first * (b.share() - 0.5) + first * (c.share() - 0.5) + first * (d.share() - 0.5);
+    const double first = a.uniform() - 0.5;
+    products +=
+        first * (b.uniform() - 0.5) + first * (c.uniform() - 0.5) + first * (d.uniform() - 0.5);
   }
   // variance of one product 1/144, three of them an item
   EXPECT_NEAR(products, 0.0, 4.0 * std::sqrt(3.0 * many / 144.0));

@@ -96,21 +96,21 @@ TEST(AScore, GivesHalfThePointsInTheMiddleOfThePeaksInPatients)
   const Motion steady = Way().go(1.0, 16.0).motion();
   const double middle = 0.5 * (0.0448 + 0.1024);
   const InsertionScore score = scoreOf(insertion(steady, middle), patients());
-  EXPECT_NEAR(score.criteria[2].share, 0.5, 1e-12);
+  EXPECT_NEAR(score.criteria[2].fraction, 0.5, 1e-12);
   EXPECT_NEAR(score.total, 100.0 * 3.5 / 4.0, 1e-9);
 }
 
 TEST(AScore, GivesNothingBeyondTheGreatestPeakInPatients)
 {
   const Motion steady = Way().go(1.0, 16.0).motion();
-  EXPECT_EQ(scoreOf(insertion(steady, 0.5), patients()).criteria[2].share, 0.0);
+  EXPECT_EQ(scoreOf(insertion(steady, 0.5), patients()).criteria[2].fraction, 0.0);
 }
 
 TEST(AScore, TakesOnePartIn18Point6ForEachReversal)
 {
   Motion motion = Way().go(1.0, 16.0).motion();
   motion.reversals = 2;
-  EXPECT_NEAR(scoreOf(insertion(motion, 0.0), patients()).criteria[1].share, 1.0 - 2.0 / 18.6,
+  EXPECT_NEAR(scoreOf(insertion(motion, 0.0), patients()).criteria[1].fraction, 1.0 - 2.0 / 18.6,
               1e-12);
 }
 
@@ -130,7 +130,7 @@ TEST(AScore, NamesNumberBandAndSourceOfEveryCriterion)
 
 TEST(AScore, OfNoMotionIsNoReward)
 {
-  EXPECT_EQ(scoreOf(insertion({}, 0.0), patients()).criteria[0].share, 0.0);
+  EXPECT_EQ(scoreOf(insertion({}, 0.0), patients()).criteria[0].fraction, 0.0);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ ValidationRequest smallRequest(int runs = 6)
   request.scenario = *session::loadScenario("contour-published", {{"nodes", "24"}});
   request.experiment = *shippedReference("todd-naghdy-experiment");
   request.runs = runs;
-  request.runsPerShare = 2;
+  request.runsPerSource = 2;
   request.jobs = 2;
   return request;
 }
@@ -73,15 +73,15 @@ TEST(Validation, RunsEveryTenthOfAMillimeterToTheEndOfThePublishedAxis)
   EXPECT_EQ(result->anchors.size(), 4u);
 }
 
-TEST(Validation, NamesAShareForEverySourceAndTheyAddUp)
+TEST(Validation, NamesAFractionForEverySourceAndTheyAddUp)
 {
   const auto result = validate(smallRequest(2), {});
   ASSERT_TRUE(result);
   std::set<SpreadSource> named;
   double sum = 0.0;
-  for (const SpreadShare& share : result->shares) {
-    named.insert(share.source);
-    sum += share.share;
+  for (const SourceSpread& spread : result->spreads) {
+    named.insert(spread.source);
+    sum += spread.fraction;
   }
   EXPECT_EQ(named.size(), allSpreadSources.size());
   EXPECT_NEAR(sum, 1.0, 1e-12);

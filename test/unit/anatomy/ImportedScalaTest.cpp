@@ -139,13 +139,13 @@ TEST_F(PublishedImport, KeepsDistancesToTheWall)
   std::mt19937 random(11);
   std::uniform_real_distribution<double> angles(degrees(5).si(), degrees(960).si());
   std::uniform_real_distribution<double> directions(0.0, 2.0 * pi);
-  std::uniform_real_distribution<double> shares(0.0, 1.0);
+  std::uniform_real_distribution<double> fractions(0.0, 1.0);
   std::vector<double> errors;
   for (int i = 0; i < 500; ++i) {
     const double angle = angles(random);
     const Eigen::Vector3d center = scala->center_W(angle);
     const Eigen::Vector3d point =
-        center + shares(random) * (scala->wall_W(angle, directions(random)) - center);
+        center + fractions(random) * (scala->wall_W(angle, directions(random)) - center);
     const double reach = 1.0;
     WallPoint here, there;
     const auto askTurn = [&](double turnsAngle) {

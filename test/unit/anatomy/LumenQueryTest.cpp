@@ -72,10 +72,10 @@ protected:
   std::shared_ptr<const ScalaTympani> scala = build(GetParam());
 
   /// A point inside the section at an angle, at a share of the way to the wall.
-  Eigen::Vector3d inside(double angle, double direction, double share) const
+  Eigen::Vector3d inside(double angle, double direction, double fraction) const
   {
     return scala->center_W(angle) +
-           share * (scala->wall_W(angle, direction) - scala->center_W(angle));
+           fraction * (scala->wall_W(angle, direction) - scala->center_W(angle));
   }
 };
 
@@ -84,11 +84,11 @@ TEST_P(LumenOf, MeasuresTheDistanceToTheNearestWall)
   std::mt19937 random(3);
   std::uniform_real_distribution<double> angles(degrees(25).si(), degrees(800).si());
   std::uniform_real_distribution<double> directions(0.0, 2.0 * pi);
-  std::uniform_real_distribution<double> shares(0.3, 1.0);
+  std::uniform_real_distribution<double> fractions(0.3, 1.0);
   std::vector<double> errors;
   for (int i = 0; i < 120; ++i) {
     const double angle = angles(random);
-    const Eigen::Vector3d point = inside(angle, directions(random), shares(random));
+    const Eigen::Vector3d point = inside(angle, directions(random), fractions(random));
     const WallPoint wall = ask(*scala, point, trackAt(angle));
     ASSERT_TRUE(wall.isNear);
     errors.push_back(std::fabs(wall.distance - bruteDistance(*scala, point, angle)));
@@ -118,12 +118,12 @@ TEST_P(LumenOf, GivesTheGradientOfItsDistance)
   std::mt19937 random(5);
   std::uniform_real_distribution<double> angles(degrees(2).si(), degrees(800).si());
   std::uniform_real_distribution<double> directions(0.0, 2.0 * pi);
-  std::uniform_real_distribution<double> shares(0.4, 1.1);
+  std::uniform_real_distribution<double> fractions(0.4, 1.1);
   constexpr double nudge = 1e-7;
   int tooLong = 0;
   for (int i = 0; i < 300; ++i) {
     const double angle = angles(random);
-    const Eigen::Vector3d point = inside(angle, directions(random), shares(random));
+    const Eigen::Vector3d point = inside(angle, directions(random), fractions(random));
     const WallPoint wall = ask(*scala, point, trackAt(angle));
     for (int axis = 0; axis < 3; ++axis) {
       const Eigen::Vector3d step = nudge * Eigen::Vector3d::Unit(axis);
@@ -208,7 +208,7 @@ TEST_P(LumenOf, SeesNoWallWithinTheClearanceItGave)
   std::mt19937 random(13);
   std::uniform_real_distribution<double> angles(0.0, scala->lastAngle().si());
   std::uniform_real_distribution<double> directions(0.0, 2.0 * pi);
-  std::uniform_real_distribution<double> shares(0.0, 0.9);
+  std::uniform_real_distribution<double> fractions(0.0, 0.9);
   std::normal_distribution<double> component(0.0, 1.0);
   constexpr double reach = 0.2e-3;
   int far = 0;
@@ -217,9 +217,9 @@ TEST_P(LumenOf, SeesNoWallWithinTheClearanceItGave)
     // every fourth in the lead-in or outside the opening
     const bool isBefore = i % 4 == 0;
     const Eigen::Vector3d point =
-        isBefore
-            ? Eigen::Vector3d(scala->center_W(0.0) + 3e-3 * shares(random) * scala->entry().out_W)
-            : inside(angle, directions(random), shares(random));
+        isBefore ? Eigen::Vector3d(scala->center_W(0.0) +
+                                   3e-3 * fractions(random) * scala->entry().out_W)
+                 : inside(angle, directions(random), fractions(random));
     const LumenTrack track = isBefore ? LumenTrack{} : trackAt(angle);
     const WallPoint wall = ask(*scala, point, track, reach);
     if (wall.isNear || wall.clearance <= 0.0) continue;

@@ -177,9 +177,9 @@ TEST(MeanScala, HasAnOrganOfCortiPathOf31Millimeters)
   for (std::size_t i = 1; i < angles.size(); ++i) {
     const auto at = [&](double angle) {
       const auto k = static_cast<std::size_t>(angle / tables.step);
-      const double share = angle / tables.step - static_cast<double>(k);
+      const double fraction = angle / tables.step - static_cast<double>(k);
       const double radius =
-          tables.planRadius[k] + share * (tables.planRadius[k + 1] - tables.planRadius[k]);
+          tables.planRadius[k] + fraction * (tables.planRadius[k + 1] - tables.planRadius[k]);
       return Eigen::Vector2d(radius, mean()->wall_W(angle, 0.0).z());
     };
     const Eigen::Vector2d a = at(angles[i - 1]);

@@ -45,8 +45,8 @@ double distanceTo(const std::array<Eigen::Vector3d, 3>& triangle, const Eigen::V
     const Eigen::Vector3d& a = triangle[k];
     const Eigen::Vector3d edge = triangle[(k + 1) % 3] - a;
     const double length = edge.squaredNorm();
-    const double share = length > 0.0 ? std::clamp((p - a).dot(edge) / length, 0.0, 1.0) : 0.0;
-    nearest = std::min(nearest, (a + share * edge - p).norm());
+    const double fraction = length > 0.0 ? std::clamp((p - a).dot(edge) / length, 0.0, 1.0) : 0.0;
+    nearest = std::min(nearest, (a + fraction * edge - p).norm());
   }
   return nearest;
 }

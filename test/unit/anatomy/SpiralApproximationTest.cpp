@@ -97,8 +97,8 @@ TEST(PublishedSpiral, IsAsLongAsHelicoSpiralAndArchimedeanSpiralSay)
     return [&samples, step = tables.step](double angle) {
       const std::size_t i =
           std::min(static_cast<std::size_t>(angle / step), samples.value.size() - 2);
-      const double share = angle / step - static_cast<double>(i);
-      return samples.value[i] + share * (samples.value[i + 1] - samples.value[i]);
+      const double fraction = angle / step - static_cast<double>(i);
+      return samples.value[i] + fraction * (samples.value[i + 1] - samples.value[i]);
     };
   };
   const Path published{between(radii), between(heights)};

@@ -36,7 +36,7 @@ TEST(SurfaceDistance, IsThatOfACubeInClosedForm)
     ASSERT_GE(foot.triangle, 0);
     EXPECT_NEAR(foot.distance, expected, 1e-12);
     EXPECT_NEAR((foot.place - p).norm(), expected, 1e-12);
-    EXPECT_NEAR(foot.shares.sum(), 1.0, 1e-12);
+    EXPECT_NEAR(foot.weights.sum(), 1.0, 1e-12);
   }
 }
 

@@ -119,9 +119,9 @@ TEST(MeasureCochlea, TellsItsProgressAndCanBeCanceled)
   MeasureRequest request = clickedInto(phantom(), 501);
   double last = 0.0;
   bool isGrowing = true;
-  request.onProgress = [&](double share) {
-    isGrowing = isGrowing && share >= last && share <= 1.0;
-    last = share;
+  request.onProgress = [&](double fraction) {
+    isGrowing = isGrowing && fraction >= last && fraction <= 1.0;
+    last = fraction;
   };
   request.isCanceled = [&] { return last > 0.4; };
   const auto found = measureCochlea(phantom().volume, request);

@@ -100,16 +100,16 @@ public:
     if (!actuatorsOn) return sum;
     for (const Effect& effect : effects) {
       if (!effect.isRunning || !effect.isConstantForce) continue;
-      const double share = effect.magnitude / 10000.0;
+      const double fraction = effect.magnitude / 10000.0;
       if (effect.hasDirection) {
         // Where it comes from, clockwise from north (DirectInput, "Effect Direction"): from the
         // north it pushes along +Y, toward the user; from the east along -X.
         const double angle = effect.direction / 255.0 * 6.283185307179586;
-        sum[0] -= share * sine(angle);
-        sum[1] += share * sine(angle + 1.5707963267948966);
+        sum[0] -= fraction * sine(angle);
+        sum[1] += fraction * sine(angle + 1.5707963267948966);
       } else {
-        if ((effect.axes & 1u) != 0) sum[0] += share;
-        if ((effect.axes & 2u) != 0) sum[1] += share;
+        if ((effect.axes & 1u) != 0) sum[0] += fraction;
+        if ((effect.axes & 2u) != 0) sum[1] += fraction;
       }
     }
     return sum;

@@ -104,11 +104,11 @@ TEST(ReportCount, BelievesADeviceWithoutACounter)
 
 TEST(ReportCount, BearsADeviceClockThatDiffersByOnePercent)
 {
-  for (const double share : {0.99, 1.01}) {
+  for (const double fraction : {0.99, 1.01}) {
     ReportCount count(1e-3);
     for (std::uint64_t i = 1; i <= 100'000; ++i) {
-      const auto now = static_cast<std::int64_t>(static_cast<double>(i) * share * 1e6);
-      ASSERT_EQ(count.classify(i, now), Verdict::fresh) << share << ", " << i;
+      const auto now = static_cast<std::int64_t>(static_cast<double>(i) * fraction * 1e6);
+      ASSERT_EQ(count.classify(i, now), Verdict::fresh) << fraction << ", " << i;
     }
   }
 }

@@ -103,7 +103,7 @@ TEST(Logarithm, KnowsItsEnds)
 }
 
 /// The worst error as a share of the error that is promised.
-double worstShareOfSineCosine(double low, double high)
+double worstFractionOfSineCosine(double low, double high)
 {
   long double worst = 0.0L;
   for (const double angle : arguments(low, high)) {
@@ -118,9 +118,9 @@ double worstShareOfSineCosine(double low, double high)
 
 TEST(SineCosine, IsWithinItsErrorEverywhere)
 {
-  EXPECT_LT(worstShareOfSineCosine(-99999.9, 99999.9), 1.0);
-  EXPECT_LT(worstShareOfSineCosine(-20.0, 20.0), 1.0);
-  EXPECT_LT(worstShareOfSineCosine(-1e-3, 1e-3), 1.0);
+  EXPECT_LT(worstFractionOfSineCosine(-99999.9, 99999.9), 1.0);
+  EXPECT_LT(worstFractionOfSineCosine(-20.0, 20.0), 1.0);
+  EXPECT_LT(worstFractionOfSineCosine(-1e-3, 1e-3), 1.0);
 }
 
 TEST(SineCosine, IsWithinItsErrorBesideEveryQuarterTurn)

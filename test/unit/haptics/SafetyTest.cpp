@@ -254,16 +254,16 @@ TEST(Safety, FadesOutOverTheLastTenthOfTheReach)
   SafetyLimits limits;
   limits.reach = 0.1;
   const Eigen::Vector3d force_D(0.2, 0.0, 0.0);
-  const std::pair<double, double> shares[] = {
+  const std::pair<double, double> fractions[] = {
       {0.0, 1.0}, {0.09, 1.0}, {0.095, 0.5}, {0.1, 0.0}, {0.2, 0.0}};
-  for (const auto& [distance, share] : shares) {
+  for (const auto& [distance, fraction] : fractions) {
     Safety safety = shownFor(force_D, limits);
     HandCondition hand = holding();
     hand.distance = distance;
     std::uint32_t status = allWell;
     for (int i = 0; i < 10; ++i) safety.show(force_D, hand, status);
-    EXPECT_NEAR(safety.show(force_D, hand, status).x(), share * 0.2, 1e-9) << distance;
-    EXPECT_EQ((status & nearWorkspaceEnd) != 0, share < 1.0) << distance;
+    EXPECT_NEAR(safety.show(force_D, hand, status).x(), fraction * 0.2, 1e-9) << distance;
+    EXPECT_EQ((status & nearWorkspaceEnd) != 0, fraction < 1.0) << distance;
   }
 }
 

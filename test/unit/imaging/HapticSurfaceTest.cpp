@@ -36,10 +36,10 @@ protected:
 
 TEST_F(PublishedHapticSurface, HasNinetyFivePercentFewerTriangles)
 {
-  const double share = static_cast<double>(haptic->surface.triangles.size()) /
-                       static_cast<double>(haptic->visualTriangles);
-  EXPECT_LE(share, 0.0502);
-  EXPECT_GT(share, 0.045);
+  const double fraction = static_cast<double>(haptic->surface.triangles.size()) /
+                          static_cast<double>(haptic->visualTriangles);
+  EXPECT_LE(fraction, 0.0502);
+  EXPECT_GT(fraction, 0.045);
 }
 
 TEST_F(PublishedHapticSurface, EndsAtTwoTurnsAndAtTheOpening)

@@ -42,8 +42,8 @@ struct LaidArray {
   {
     const double index = (model->fromTip.front() - fromTip) / model->spacing;
     const auto i = static_cast<std::size_t>(index);
-    const double share = index - static_cast<double>(i);
-    return (1.0 - share) * angles[i] + share * angles[i + 1];
+    const double fraction = index - static_cast<double>(i);
+    return (1.0 - fraction) * angles[i] + fraction * angles[i + 1];
   }
   std::vector<ContactOutcome> outcome(const Eigen::Vector3d& baseCurl_W) const
   {

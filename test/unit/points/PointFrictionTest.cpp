@@ -10,23 +10,23 @@ constexpr double normal = 0.1;       // [N]
 constexpr double stiffness = 200.0;  // [N/m]
 
 /// Friction when the spring would pull with a share of the normal force.
-PointFriction atShare(double share, bool wasSliding)
+PointFriction atRatio(double ratio, bool wasSliding)
 {
-  return pointFriction({share * normal / stiffness, 0.0, 0.0}, normal, stiffness, wasSliding, {});
+  return pointFriction({ratio * normal / stiffness, 0.0, 0.0}, normal, stiffness, wasSliding, {});
 }
 
 TEST(PointFriction, HoldsARestingPointUpToTheStartingCoefficient)
 {
-  const PointFriction below = atShare(0.0604, false);
+  const PointFriction below = atRatio(0.0604, false);
   EXPECT_FALSE(below.isSliding);
   EXPECT_NEAR(below.force_W.x(), -0.0604 * normal, 1e-15);
-  EXPECT_TRUE(atShare(0.0606, false).isSliding);
+  EXPECT_TRUE(atRatio(0.0606, false).isSliding);
 }
 
 TEST(PointFriction, SlidesWithTheDynamicCoefficientHoweverFarItIsPulled)
 {
-  for (const double share : {0.0606, 0.1, 10.0}) {
-    const PointFriction slid = atShare(share, false);
+  for (const double ratio : {0.0606, 0.1, 10.0}) {
+    const PointFriction slid = atRatio(ratio, false);
     EXPECT_NEAR(slid.force_W.x(), -0.0395 * normal, 1e-12);
     EXPECT_NEAR(slid.spring_W.x(), 0.0395 * normal / stiffness, 1e-12);
   }
@@ -34,9 +34,9 @@ TEST(PointFriction, SlidesWithTheDynamicCoefficientHoweverFarItIsPulled)
 
 TEST(PointFriction, GoesOnSlidingUntilBelowTheStoppingCoefficient)
 {
-  EXPECT_TRUE(atShare(0.0396, true).isSliding);
-  EXPECT_TRUE(atShare(0.0186, true).isSliding);
-  EXPECT_FALSE(atShare(0.0184, true).isSliding);
+  EXPECT_TRUE(atRatio(0.0396, true).isSliding);
+  EXPECT_TRUE(atRatio(0.0186, true).isSliding);
+  EXPECT_FALSE(atRatio(0.0184, true).isSliding);
 }
 
 TEST(PointFriction, NeverHoldsWithoutANormalForce)

@@ -47,8 +47,8 @@ double distanceInFront(const Surface& surface, const Vector3d& place)
   for (const auto& t : surface.triangles) {
     const Vector3d a = at(t[0]), b = at(t[1]), c = at(t[2]);
     const Vector3d outward = (b - a).cross(c - a);
-    const Vector3d shares = anatomy::nearestShares(place, a, b, c);
-    if (shares.minCoeff() <= 0.0) continue;
+    const Vector3d weights = anatomy::barycentricWeights(place, a, b, c);
+    if (weights.minCoeff() <= 0.0) continue;
     const double height = -outward.dot(place - a) / outward.norm();
     if (height > 0.0) nearest = std::min(nearest, height);
   }

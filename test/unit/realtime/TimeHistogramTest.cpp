@@ -31,11 +31,11 @@ TEST(TimeHistogram, GivesQuantilesWithinABinOfTheSortedDurations)
     histogram.add(durations.back());
   }
   std::sort(durations.begin(), durations.end());
-  for (const double share : {0.01, 0.25, 0.5, 0.9, 0.99, 0.999, 1.0}) {
-    const auto rank = static_cast<std::size_t>(std::ceil(share * 10'000)) - 1;
+  for (const double fraction : {0.01, 0.25, 0.5, 0.9, 0.99, 0.999, 1.0}) {
+    const auto rank = static_cast<std::size_t>(std::ceil(fraction * 10'000)) - 1;
     const double exact = static_cast<double>(durations[rank]) * 1e-9;
-    EXPECT_GE(histogram.quantile(share), exact * (1.0 - rounding)) << share;
-    EXPECT_LE(histogram.quantile(share), exact * (1.0 + bin + rounding)) << share;
+    EXPECT_GE(histogram.quantile(fraction), exact * (1.0 - rounding)) << fraction;
+    EXPECT_LE(histogram.quantile(fraction), exact * (1.0 + bin + rounding)) << fraction;
   }
 }
 

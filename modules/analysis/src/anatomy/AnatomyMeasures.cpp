@@ -73,11 +73,11 @@ Path outerWall(const anatomy::ScalaTympani& scala)
   return [points, step, last](double angle) {
     const auto i = std::min(static_cast<std::size_t>(angle / step), points.size() - 2);
     const double from = step * static_cast<double>(i);
-    const double share = (angle - from) / (std::min(from + step, last) - from);
+    const double fraction = (angle - from) / (std::min(from + step, last) - from);
     const PathPoint& a = points[i];
     const PathPoint& b = points[i + 1];
-    return PathPoint{a.radius + share * (b.radius - a.radius),
-                     a.height + share * (b.height - a.height)};
+    return PathPoint{a.radius + fraction * (b.radius - a.radius),
+                     a.height + fraction * (b.height - a.height)};
   };
 }
 
@@ -88,8 +88,8 @@ Path organOfCortiPlan(const anatomy::ScalaTympani& scala)
     const std::vector<double>& plan = scala.tables().planRadius;
     const double place = angle / scala.tables().step;
     const auto i = std::min(static_cast<std::size_t>(place), plan.size() - 2);
-    const double share = place - static_cast<double>(i);
-    return PathPoint{plan[i] + share * (plan[i + 1] - plan[i]), 0.0};
+    const double fraction = place - static_cast<double>(i);
+    return PathPoint{plan[i] + fraction * (plan[i + 1] - plan[i]), 0.0};
   };
 }
 

@@ -27,7 +27,7 @@ RandomStream::RandomStream(std::uint64_t seed, std::uint64_t item, std::uint64_t
 {
 }
 
-double RandomStream::share() noexcept
+double RandomStream::uniform() noexcept
 {
   ++count_;
   const std::uint64_t bits = shuffled(key_ + goldenStep * count_) >> 11;
@@ -36,8 +36,8 @@ double RandomStream::share() noexcept
 
 double RandomStream::normal() noexcept
 {
-  const double length = std::sqrt(-2.0 * logarithm(share()));
-  return length * sineCosine(2.0 * pi * share()).cosine;
+  const double length = std::sqrt(-2.0 * logarithm(uniform()));
+  return length * sineCosine(2.0 * pi * uniform()).cosine;
 }
 
 double RandomStream::normal(double mean, double standardDeviation, double low, double high) noexcept

@@ -37,7 +37,7 @@ Result<CalibrationResult> fitCalibration(const CalibrationRequest& request,
   trial.runs = request.runs;
   trial.seed = request.seed;
   trial.jobs = request.jobs;
-  trial.runsPerShare = 0;
+  trial.runsPerSource = 0;
   auto anatomy = session::buildAnatomy(request.scenario);
   if (!anatomy) return anatomy.error();
   trial.anatomy = *anatomy;

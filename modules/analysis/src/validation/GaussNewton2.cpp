@@ -25,10 +25,10 @@ std::vector<TwoNumbers> rasterOf(const TwoBounds& bounds)
   if (bounds.raster < 2) return places;
   for (int i = 0; i < bounds.raster; ++i)
     for (int j = 0; j < bounds.raster; ++j) {
-      const double shareA = (i + 0.5) / bounds.raster;
-      const double shareB = (j + 0.5) / bounds.raster;
-      places.push_back({bounds.low.a + shareA * (bounds.high.a - bounds.low.a),
-                        bounds.low.b + shareB * (bounds.high.b - bounds.low.b)});
+      const double fractionA = (i + 0.5) / bounds.raster;
+      const double fractionB = (j + 0.5) / bounds.raster;
+      places.push_back({bounds.low.a + fractionA * (bounds.high.a - bounds.low.a),
+                        bounds.low.b + fractionB * (bounds.high.b - bounds.low.b)});
     }
   return places;
 }

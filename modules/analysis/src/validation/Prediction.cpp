@@ -170,11 +170,11 @@ Result<std::vector<ClinicalAngle>> clinicalAngles()
   return angles;
 }
 
-double quantile(std::vector<double> values, double share)
+double quantile(std::vector<double> values, double fraction)
 {
   if (values.empty()) return 0.0;
   std::sort(values.begin(), values.end());
-  const double place = share * static_cast<double>(values.size() - 1);
+  const double place = fraction * static_cast<double>(values.size() - 1);
   const auto below = static_cast<std::size_t>(place);
   if (below + 1 >= values.size()) return values.back();
   return values[below] + (place - std::floor(place)) * (values[below + 1] - values[below]);

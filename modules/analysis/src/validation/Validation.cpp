@@ -159,9 +159,9 @@ std::vector<SpreadSource> mechanicalSources(const ValidationRequest& request)
 }
 
 /// Insertions that show one source alone.
-std::size_t sharingRuns(const ValidationRequest& request)
+std::size_t runsForSources(const ValidationRequest& request)
 {
-  const int asked = request.runsPerShare.value_or(std::max(10, request.runs / 10));
+  const int asked = request.runsPerSource.value_or(std::max(10, request.runs / 10));
   return asked <= 0 ? 0 : static_cast<std::size_t>(std::max(2, asked));
 }
 
@@ -186,22 +186,23 @@ double noiseSpread(const ValidationRequest& request, std::size_t count)
   return spreadOf(kept, 0, count);
 }
 
-std::vector<SpreadShare> sharesOf(const ValidationRequest& request, const std::vector<Kept>& kept,
-                                  std::size_t runsPerShare)
+std::vector<SourceSpread> sourceSpreads(const ValidationRequest& request,
+                                        const std::vector<Kept>& kept, std::size_t runsPerSource)
 {
-  std::vector<SpreadShare> shares;
+  std::vector<SourceSpread> spreads;
   std::size_t first = static_cast<std::size_t>(request.runs);
   for (const SpreadSource source : mechanicalSources(request)) {
-    shares.push_back({source, spreadOf(kept, first, runsPerShare), 0.0});
-    first += runsPerShare;
+    spreads.push_back({source, spreadOf(kept, first, runsPerSource), 0.0});
+    first += runsPerSource;
   }
-  shares.push_back({SpreadSource::noise, noiseSpread(request, runsPerShare), 0.0});
+  spreads.push_back({SpreadSource::noise, noiseSpread(request, runsPerSource), 0.0});
   double sum = 0.0;
-  for (const SpreadShare& share : shares) sum += share.standardDeviation * share.standardDeviation;
+  for (const SourceSpread& spread : spreads)
+    sum += spread.standardDeviation * spread.standardDeviation;
   if (sum > 0.0)
-    for (SpreadShare& share : shares)
-      share.share = share.standardDeviation * share.standardDeviation / sum;
-  return shares;
+    for (SourceSpread& spread : spreads)
+      spread.fraction = spread.standardDeviation * spread.standardDeviation / sum;
+  return spreads;
 }
 
 /// The greatest local maximum of the mean curve before the basal turn, where the paper's experiment
@@ -247,16 +248,16 @@ Result<ValidationResult> validate(const ValidationRequest& request,
   }
 
   const auto runs = static_cast<std::size_t>(request.runs);
-  const std::size_t runsPerShare = sharingRuns(request);
+  const std::size_t runsPerSource = runsForSources(request);
   const std::vector<SpreadSource> alone = mechanicalSources(request);
-  const std::size_t all = runs + alone.size() * runsPerShare;
+  const std::size_t all = runs + alone.size() * runsPerSource;
   std::vector<Kept> kept(all);
   const auto work = [&](std::size_t piece, const std::atomic<bool>& isAsked) {
     SpreadSources sources = SpreadSources::all();
     std::size_t number = piece;
     if (piece >= runs) {
-      sources = SpreadSources::only(alone[(piece - runs) / runsPerShare]);
-      number = (piece - runs) % runsPerShare;
+      sources = SpreadSources::only(alone[(piece - runs) / runsPerSource]);
+      number = (piece - runs) % runsPerSource;
     }
     const auto done = runOne(request, sources, number, anatomy, isAsked, kept[piece]);
     if (done && piece < runs && request.onCurve) request.onCurve(kept[piece].curve);
@@ -285,7 +286,7 @@ Result<ValidationResult> validate(const ValidationRequest& request,
   result.earlyPeak = findEarlyPeak(mean);
   result.rib = meetRib(request, kept);
   result.standardDeviation = spreadOf(kept, 0, runs);
-  if (runsPerShare > 0) result.shares = sharesOf(request, kept, runsPerShare);
+  if (runsPerSource > 0) result.spreads = sourceSpreads(request, kept, runsPerSource);
   return result;
 }
 

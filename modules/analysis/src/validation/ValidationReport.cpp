@@ -183,10 +183,10 @@ std::string summaryJson(const ValidationRequest& request, const ValidationResult
                          {"peak", json(result.rib->peak)}};
   page["rms_sd_N"] = result.standardDeviation;
   page["spread"] = Json::array();
-  for (const SpreadShare& share : result.shares)
-    page["spread"].push_back({{"source", spreadSourceName(share.source)},
-                              {"rms_sd_alone_N", share.standardDeviation},
-                              {"share_of_variance", share.share}});
+  for (const SourceSpread& spread : result.spreads)
+    page["spread"].push_back({{"source", spreadSourceName(spread.source)},
+                              {"rms_sd_alone_N", spread.standardDeviation},
+                              {"share_of_variance", spread.fraction}});
   page["verdicts"] = Json::array();
   for (const Verdict& verdict : verdictsOf(result, request.experiment))
     page["verdicts"].push_back({{"what", verdict.what},

@@ -119,9 +119,9 @@ DrawnInsertion drawInsertion(const session::Scenario& nominal, const Variability
   constexpr double maxDeviates = 3.0;  // deviations off: what lies beyond would have been put right
 
   if (sources.has(SpreadSource::start)) {
-    const double share = stream(SpreadSource::start).share();
+    const double fraction = stream(SpreadSource::start).uniform();
     drawn.scenario.startInside =
-        variability.startLow + share * (variability.startHigh - variability.startLow);
+        variability.startLow + fraction * (variability.startHigh - variability.startLow);
   }
   if (sources.has(SpreadSource::alignment)) {
     RandomStream random = stream(SpreadSource::alignment);

@@ -136,9 +136,9 @@ std::vector<AxialSection> sectionsAt(const Surface& closed, const AxisFrame& fra
   }
   const auto crossing = [&](const Edge& edge) -> Cut {
     const auto a = static_cast<std::size_t>(edge.first), b = static_cast<std::size_t>(edge.second);
-    const double share = side[a] / (side[a] - side[b]);
-    return {place[a].r + share * (place[b].r - place[a].r),
-            place[a].z + share * (place[b].z - place[a].z)};
+    const double fraction = side[a] / (side[a] - side[b]);
+    return {place[a].r + fraction * (place[b].r - place[a].r),
+            place[a].z + fraction * (place[b].z - place[a].z)};
   };
 
   std::vector<AxialSection> sections;

@@ -43,8 +43,8 @@ double outerRadius(const std::vector<AxialSection>& duct, double angle)
   while (i + 1 < duct.size() && duct[i].angle < angle) ++i;
   const AxialSection& a = duct[i - 1];
   const AxialSection& b = duct[i];
-  const double share = std::clamp((angle - a.angle) / (b.angle - a.angle), 0.0, 1.0);
-  return a.outerRadius + share * (b.outerRadius - a.outerRadius);
+  const double fraction = std::clamp((angle - a.angle) / (b.angle - a.angle), 0.0, 1.0);
+  return a.outerRadius + fraction * (b.outerRadius - a.outerRadius);
 }
 
 std::string inText(double value, const char* format)

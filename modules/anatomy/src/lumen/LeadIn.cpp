@@ -55,10 +55,10 @@ void easeIntoLeadIn(SectionTables& tables)
   const double joint = joint_deg * pi / 180.0;
   for (std::size_t i = 1; tables.step * static_cast<double>(i) < joint; ++i) {
     const double x = tables.step * static_cast<double>(i) / joint;
-    const double share = x * x * x * (10.0 + x * (-15.0 + 6.0 * x));
+    const double weight = x * x * x * (10.0 + x * (-15.0 + 6.0 * x));
     const SineCosine turn = sineCosine(tables.step * static_cast<double>(i));
     const auto eased = [&](const HalfPlanePoint& atStart, const HalfPlanePoint& here) {
-      return mix(carried(atStart, tangent, turn), here, share);
+      return mix(carried(atStart, tangent, turn), here, weight);
     };
     const HalfPlanePoint oldCenter{tables.centerRadius[i], tables.centerHeight[i]};
     const HalfPlanePoint center = eased(firstCenter, oldCenter);

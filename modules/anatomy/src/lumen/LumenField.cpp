@@ -141,8 +141,8 @@ LumenField::Unrolled LumenField::unroll(const Eigen::Vector3d& point_W,
 
 CubicBlock LumenField::distanceAt(const Unrolled& at) const noexcept
 {
-  const double pAsked = (at.p + margin) * perShare;
-  const double qAsked = (at.q + margin) * perShare;
+  const double pAsked = (at.p + margin) * samplesPerUnit;
+  const double qAsked = (at.q + margin) * samplesPerUnit;
   const double pIndex = std::clamp(pAsked, 0.0, across - 3.001);
   const double qIndex = std::clamp(qAsked, 0.0, across - 3.001);
   const auto pFirst = static_cast<std::size_t>(pIndex);
@@ -191,8 +191,9 @@ void LumenField::locate(const Eigen::Vector3d& point_W, double reach, LumenTrack
     return;
   }
   wall.isNear = true;
-  wall.normal_W = (spline.byA * perSection_) * here.byAngle + (spline.byP * perShare) * here.byP +
-                  (spline.byQ * perShare) * here.byQ;
+  wall.normal_W = (spline.byA * perSection_) * here.byAngle +
+                  (spline.byP * samplesPerUnit) * here.byP +
+                  (spline.byQ * samplesPerUnit) * here.byQ;
   setTurning(point_W, memory, here, spline, wall);
   wall.onMembrane = isOnMembrane(memory, here, wall);
 
@@ -210,8 +211,8 @@ void LumenField::setTurning(const Eigen::Vector3d& point_W, const LumenTrack& tr
                             const Unrolled& at, const CubicBlock& spline,
                             WallPoint& wall) const noexcept
 {
-  const double perWidth = perShare / at.width;
-  const double perHeight = perShare / at.height;
+  const double perWidth = samplesPerUnit / at.width;
+  const double perHeight = samplesPerUnit / at.height;
   double pp = -spline.byPp * perWidth * perWidth;
   double pq = -spline.byPq * perWidth * perHeight;
   double qq = -spline.byQq * perHeight * perHeight;

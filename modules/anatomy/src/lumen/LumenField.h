@@ -61,7 +61,8 @@ private:
   static constexpr int across = 46;                     // samples over a section, each way
   static constexpr std::size_t page = across * across;  // samples of a section
   static constexpr double margin = 1.25;  // the table goes this many half widths and heights out
-  static constexpr double perShare = (across - 3) / (2.0 * margin);  // samples per unit of share
+  static constexpr double samplesPerUnit =
+      (across - 3) / (2.0 * margin);  // samples per unit of share
 
   Entry entry_;
   Eigen::Vector3d inward_W_;

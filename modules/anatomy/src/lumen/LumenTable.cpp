@@ -45,8 +45,8 @@ LumenField::LumenField(const ScalaTympani& scala) : entry_(scala.entry()), inwar
     height.push_back(center.z());
     widths.push_back(width);
     heights.push_back(tall);
-    const auto edge = [&](double share) {
-      const Eigen::Vector3d e = scala.membrane_W(angle, share) - center;
+    const auto edge = [&](double fraction) {
+      const Eigen::Vector3d e = scala.membrane_W(angle, fraction) - center;
       return e.x() * turn.cosine + e.y() * turn.sine;
     };
     inner.push_back(edge(0.0));
@@ -90,12 +90,12 @@ void LumenField::continueIntoLeadIn()
   const float* first = before + page;
   const auto difference = [](const float* row, int i, int step) {
     const int low = std::max(i - 1, 0), high = std::min(i + 1, across - 1);
-    return static_cast<double>(row[high * step] - row[low * step]) * perShare / (high - low);
+    return static_cast<double>(row[high * step] - row[low * step]) * samplesPerUnit / (high - low);
   };
   for (int i = 0; i < across; ++i)
     for (int j = 0; j < across; ++j) {
-      const double p = (i - 1) / perShare - margin;
-      const double q = (j - 1) / perShare - margin;
+      const double p = (i - 1) / samplesPerUnit - margin;
+      const double q = (j - 1) / samplesPerUnit - margin;
       const double byP = difference(first + j, i, across);
       const double byQ = difference(first + i * across, j, 1);
       // The place (p, q) moves with the section; along the axis it would move by the tangent.
@@ -126,8 +126,8 @@ void LumenField::fillSection(const ScalaTympani& scala, int section)
   float* distances = distance_.data() + (row + 1) * page;
   for (int i = 0; i < across; ++i)
     for (int j = 0; j < across; ++j) {
-      const double u = ((i - 1) / perShare - margin) * width;
-      const double v = ((j - 1) / perShare - margin) * tall;
+      const double u = ((i - 1) / samplesPerUnit - margin) * width;
+      const double v = ((j - 1) / samplesPerUnit - margin) * tall;
       const double off = std::sqrt(u * u + v * v);
       const Eigen::Vector3d wall = scala.wall_W(angle, arcTangent(v, u)) - center;
       const double edge =

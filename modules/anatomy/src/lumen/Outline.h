@@ -15,9 +15,9 @@ struct HalfPlanePoint {
 };
 
 /// From a to b by a share of the way.
-inline HalfPlanePoint mix(const HalfPlanePoint& a, const HalfPlanePoint& b, double share)
+inline HalfPlanePoint mix(const HalfPlanePoint& a, const HalfPlanePoint& b, double fraction)
 {
-  return {a.r + share * (b.r - a.r), a.z + share * (b.z - a.z)};
+  return {a.r + fraction * (b.r - a.r), a.z + fraction * (b.z - a.z)};
 }
 
 /// Corners of a polygon, counter-clockwise.

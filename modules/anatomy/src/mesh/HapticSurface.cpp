@@ -21,20 +21,20 @@ std::vector<double> ringAngles(const ScalaTympani& scala, int rings)
 {
   constexpr int fine = 2000;
   const double step = std::min(end.si(), scala.lastAngle().si()) / fine;
-  std::vector<double> share{0.0};
+  std::vector<double> fraction{0.0};
   for (int i = 1; i <= fine; ++i) {
     const Eigen::Vector3d before_W = scala.wall_W((i - 1) * step, 0.0);
     const Eigen::Vector3d here_W = scala.wall_W(i * step, 0.0);
     const double radius = std::sqrt(here_W.x() * here_W.x() + here_W.y() * here_W.y());
-    share.push_back(share.back() + (here_W - before_W).norm() / std::sqrt(radius));
+    fraction.push_back(fraction.back() + (here_W - before_W).norm() / std::sqrt(radius));
   }
 
   std::vector<double> angles;
   std::size_t at = 1;
   for (int i = 0; i < rings; ++i) {
-    const double wanted = share.back() * i / (rings - 1);
-    while (at < fine && share[at] < wanted) ++at;
-    const double beyond = (wanted - share[at - 1]) / (share[at] - share[at - 1]);
+    const double wanted = fraction.back() * i / (rings - 1);
+    while (at < fine && fraction[at] < wanted) ++at;
+    const double beyond = (wanted - fraction[at - 1]) / (fraction[at] - fraction[at - 1]);
     angles.push_back(step * (static_cast<double>(at - 1) + beyond));
   }
   return angles;
@@ -44,8 +44,8 @@ double distanceToEdge(const Eigen::Vector3d& point, const Eigen::Vector3d& from,
                       const Eigen::Vector3d& to)
 {
   const Eigen::Vector3d edge = to - from;
-  const double share = std::clamp((point - from).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
-  return (point - from - share * edge).norm();
+  const double fraction = std::clamp((point - from).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+  return (point - from - fraction * edge).norm();
 }
 
 /// The direction between two corners in which the outlines leave the edge between them most.

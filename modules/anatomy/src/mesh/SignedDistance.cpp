@@ -51,12 +51,12 @@ double SignedDistance::at(const Eigen::Vector3d& point, double reach, double bey
   const auto triangle = static_cast<std::size_t>(foot.triangle);
   int small = 0;
   for (int k = 0; k < 3; ++k)
-    if (foot.shares[k] < onEdge) ++small;
+    if (foot.weights[k] < onEdge) ++small;
   Eigen::Vector3d normal = faces_[triangle];
   for (std::size_t k = 0; k < 3; ++k) {
-    const double share = foot.shares[static_cast<int>(k)];
-    if (small == 1 && share < onEdge) normal = edges_[triangle][k];
-    if (small == 2 && share >= onEdge)
+    const double weight = foot.weights[static_cast<int>(k)];
+    if (small == 1 && weight < onEdge) normal = edges_[triangle][k];
+    if (small == 2 && weight >= onEdge)
       normal = corners_[static_cast<std::size_t>(triangles_[triangle][k])];
   }
   return (point - foot.place).dot(normal) < 0.0 ? foot.distance : -foot.distance;

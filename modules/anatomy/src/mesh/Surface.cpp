@@ -28,8 +28,8 @@ std::vector<double> ringAngles(const ScalaTympani& scala, int rings)
   for (int i = 0; i + 1 < rings; ++i) {
     const double wanted = length.back() * i / (rings - 2);
     while (at < fine && length[at] < wanted) ++at;
-    const double share = (wanted - length[at - 1]) / (length[at] - length[at - 1]);
-    angles.push_back(step * (static_cast<double>(at - 1) + share));
+    const double fraction = (wanted - length[at - 1]) / (length[at] - length[at - 1]);
+    angles.push_back(step * (static_cast<double>(at - 1) + fraction));
   }
   return angles;
 }

@@ -31,8 +31,8 @@ double squaredDistance(const Eigen::Vector3d& point, const Eigen::Vector3d& low,
 
 }  // namespace
 
-Eigen::Vector3d nearestShares(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
-                              const Eigen::Vector3d& b, const Eigen::Vector3d& c) noexcept
+Eigen::Vector3d barycentricWeights(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
+                                   const Eigen::Vector3d& b, const Eigen::Vector3d& c) noexcept
 {
   const Eigen::Vector3d ab = b - a, ac = c - a, ap = p - a;
   const double d1 = ab.dot(ap), d2 = ac.dot(ap);
@@ -137,12 +137,12 @@ SurfaceFoot SurfaceDistance::nearest(const Eigen::Vector3d& point, double reach)
     }
     for (int i = box.first; i < box.first + box.count; ++i) {
       const Corners& t = triangles_[static_cast<std::size_t>(i)];
-      const Eigen::Vector3d shares = nearestShares(point, t.a, t.b, t.c);
-      const Eigen::Vector3d place = shares[0] * t.a + shares[1] * t.b + shares[2] * t.c;
+      const Eigen::Vector3d weights = barycentricWeights(point, t.a, t.b, t.c);
+      const Eigen::Vector3d place = weights[0] * t.a + weights[1] * t.b + weights[2] * t.c;
       const double squared = (place - point).squaredNorm();
       if (squared > nearest) continue;
       nearest = squared;
-      foot = {names_[static_cast<std::size_t>(i)], 0.0, place, shares};
+      foot = {names_[static_cast<std::size_t>(i)], 0.0, place, weights};
     }
   }
   foot.distance = std::sqrt(nearest);

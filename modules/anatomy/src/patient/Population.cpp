@@ -74,7 +74,7 @@ public:
   }
 
   /// Uniform in (0, 1], a multiple of 2^-53.
-  double share() { return static_cast<double>((next() >> 11) + 1) * 0x1p-53; }
+  double uniform() { return static_cast<double>((next() >> 11) + 1) * 0x1p-53; }
 
 private:
   std::uint64_t state_;
@@ -85,8 +85,8 @@ Four normalDeviates(Shuffled& shuffled)
 {
   Four deviates{};
   for (std::size_t i = 0; i < count; i += 2) {
-    const double length = std::sqrt(-2.0 * logarithm(shuffled.share()));
-    const SineCosine turn = sineCosine(2.0 * pi * shuffled.share());
+    const double length = std::sqrt(-2.0 * logarithm(shuffled.uniform()));
+    const SineCosine turn = sineCosine(2.0 * pi * shuffled.uniform());
     deviates[i] = length * turn.cosine;
     deviates[i + 1] = length * turn.sine;
   }

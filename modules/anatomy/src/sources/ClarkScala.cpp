@@ -48,11 +48,11 @@ SpiralPoint shiftBetween(double angle_deg)
   std::size_t i = 1;
   while (i < shifts.size() && shifts[i].angle_deg < angle_deg) ++i;
   if (i == shifts.size()) return shiftAt(i - 1);
-  const double share =
+  const double fraction =
       (angle_deg - shifts[i - 1].angle_deg) / (shifts[i].angle_deg - shifts[i - 1].angle_deg);
   const SpiralPoint a = shiftAt(i - 1);
   const SpiralPoint b = shiftAt(i);
-  return {a.radius + share * (b.radius - a.radius), a.height + share * (b.height - a.height)};
+  return {a.radius + fraction * (b.radius - a.radius), a.height + fraction * (b.height - a.height)};
 }
 
 }  // namespace
@@ -91,7 +91,7 @@ Result<std::shared_ptr<const ScalaTympani>> buildClark(Length leadIn)
     const SpiralPoint path = clarkSpiral(spiral);
     const SpiralPoint shift = medialShift(spiral);
     OutlineAtAngle here{mean.outline(angle), path.radius,
-                        membraneWidth(angle, last) * MeanOutlines::capShare(angle)};
+                        membraneWidth(angle, last) * MeanOutlines::capFraction(angle)};
     const HalfPlanePoint center = centroid(here.outline);
     for (HalfPlanePoint& corner : here.outline) {
       corner.r += path.radius + shift.radius - center.r;

@@ -48,12 +48,12 @@ std::vector<MeasuredSection> continued(std::vector<MeasuredSection> sections)
   for (long i = 1; i <= steps; ++i) {
     MeasuredSection next = last;
     const double past = (end - last.angle) * static_cast<double>(i) / static_cast<double>(steps);
-    const double share = exponential(-shrinking * past);
+    const double fraction = exponential(-shrinking * past);
     next.angle = last.angle + past;
-    for (double& value : next.real) value *= share;
-    for (double& value : next.imaginary) value *= share;
-    next.imaginary[center] = last.imaginary[center] + rise * (1.0 - share) / shrinking;
-    next.outerRadius *= share;
+    for (double& value : next.real) value *= fraction;
+    for (double& value : next.imaginary) value *= fraction;
+    next.imaginary[center] = last.imaginary[center] + rise * (1.0 - fraction) / shrinking;
+    next.outerRadius *= fraction;
     sections.push_back(next);
   }
   return sections;
@@ -84,22 +84,22 @@ MeanOutlines::MeanOutlines(const std::vector<MeasuredSection>& measured)
 
 double MeanOutlines::lastAngle() { return degrees(last_deg).si(); }
 
-double MeanOutlines::capShare(double angle)
+double MeanOutlines::capFraction(double angle)
 {
   const double begin = lastAngle() - degrees(cap_deg).si();
   const double x = capCut * std::clamp((angle - begin) / degrees(cap_deg).si(), 0.0, 1.0);
   return std::sqrt(1.0 - x * x);
 }
 
-Outline MeanOutlines::outline(double angle) const { return outline(angle, capShare(angle)); }
+Outline MeanOutlines::outline(double angle) const { return outline(angle, capFraction(angle)); }
 
-Outline MeanOutlines::outline(double angle, double share) const
+Outline MeanOutlines::outline(double angle, double fraction) const
 {
   constexpr int harmonics = MeasuredSection::harmonics;
   constexpr std::size_t count = 2 * harmonics + 1;
   std::array<double, count> real{}, imaginary{};
   for (std::size_t k = 0; k < real.size(); ++k) {
-    const double size = k == harmonics ? 1.0 : share;
+    const double size = k == harmonics ? 1.0 : fraction;
     real[k] = size * real_[k](angle);
     imaginary[k] = size * imaginary_[k](angle);
   }

@@ -24,12 +24,12 @@ public:
   /// The outline at an angle from the round window, counter-clockwise.
   Outline outline(double angle) const;
   /// Share of the section that the rounded cap at the apex leaves: 1 before it.
-  static double capShare(double angle);
+  static double capFraction(double angle);
   /// Distance of the organ-of-Corti path from the axis [m].
   double organOfCorti(double angle) const;
 
 private:
-  Outline outline(double angle, double share) const;
+  Outline outline(double angle, double fraction) const;
 
   double measured_;
   std::vector<KnotSpline> real_, imaginary_;  ///< Coefficients over the angle.

@@ -49,7 +49,7 @@ public:
   }
 
   /// How much larger than the mean's radii the patient's are.
-  double share(double angle) const
+  double fraction(double angle) const
   {
     const double spiral =
         outerWallRadius(patient_, radians(angle)) / outerWallRadius(typical_, radians(angle));
@@ -59,7 +59,7 @@ public:
   Outline outline(double angle) const
   {
     Outline outline = mean_.outline(angle);
-    const double size = share(angle);
+    const double size = fraction(angle);
     const double center = centroid(outline).z;
     for (HalfPlanePoint& corner : outline)
       corner = {size * corner.r, rise_ * center + size * (corner.z - center)};
@@ -78,7 +78,7 @@ private:
     double sum = 0.0;
     for (const double angle_deg : {from_deg, from_deg + 180.0}) {
       const double angle = degrees(angle_deg).si();
-      sum += share(angle) * radii(mean_.outline(angle)).high;
+      sum += fraction(angle) * radii(mean_.outline(angle)).high;
     }
     return sum;
   }
@@ -97,8 +97,8 @@ private:
       const Outline outline = mean_.outline(angle);
       const double center = centroid(outline).z;
       const Extent extent = heights(outline);
-      rows.push_back(
-          {center, share(angle) * (extent.low - center), share(angle) * (extent.high - center)});
+      rows.push_back({center, fraction(angle) * (extent.low - center),
+                      fraction(angle) * (extent.high - center)});
     }
     const auto height = [&](double rise) {
       Extent whole{1.0, -1.0};
@@ -136,7 +136,7 @@ Result<std::shared_ptr<const ScalaTympani>> buildMean(Length leadIn)
   const double last = MeanOutlines::lastAngle();
   const OutlineSource source = [&](double angle) {
     return OutlineAtAngle{mean.outline(angle), mean.organOfCorti(angle),
-                          membraneWidth(angle, last) * MeanOutlines::capShare(angle)};
+                          membraneWidth(angle, last) * MeanOutlines::capFraction(angle)};
   };
   return measuredScala(mean, tablesFrom(source, "mean", last, leadIn.si()));
 }
@@ -150,8 +150,8 @@ Result<std::shared_ptr<const ScalaTympani>> buildMean(const std::string& label,
   const ScaledMean scaled(mean, basalTurn);
   const double last = MeanOutlines::lastAngle();
   const OutlineSource source = [&](double angle) {
-    return OutlineAtAngle{scaled.outline(angle), scaled.share(angle) * mean.organOfCorti(angle),
-                          membraneWidth(angle, last) * MeanOutlines::capShare(angle)};
+    return OutlineAtAngle{scaled.outline(angle), scaled.fraction(angle) * mean.organOfCorti(angle),
+                          membraneWidth(angle, last) * MeanOutlines::capFraction(angle)};
   };
   return measuredScala(mean, tablesFrom(source, label, last, leadIn.si()));
 }

@@ -104,7 +104,7 @@ std::vector<double> centerHeights(const std::vector<double>& innerRadius, double
 
   // slope over the first turn; `base` ends where the tilt has taken over
   std::vector<double> rise(sections, 0.0);
-  std::vector<double> share(sections, 0.0);  // of the tilt in the slope
+  std::vector<double> weight(sections, 0.0);  // of the tilt in the slope
   double lastSlope = 0.0;
   for (std::size_t i = 0; i < sections; ++i) {
     const std::size_t before = i > 0 ? i - 1 : 0;
@@ -115,20 +115,20 @@ std::vector<double> centerHeights(const std::vector<double>& innerRadius, double
     const double past = (step * static_cast<double>(i) - turn) / blend;
     if (past <= 0.0) lastSlope = slope;
     const double x = std::clamp(past, 0.0, 1.0);
-    share[i] = x * x * x * (10.0 + x * (-15.0 + 6.0 * x));
-    rise[i] = past <= 0.0 ? slope : lastSlope * (1.0 - share[i]);
+    weight[i] = x * x * x * (10.0 + x * (-15.0 + 6.0 * x));
+    rise[i] = past <= 0.0 ? slope : lastSlope * (1.0 - weight[i]);
   }
   // trapezoids of both parts; the tilt's slope follows from the total
   double risen = 0.0, tilted = 0.0;
   for (std::size_t i = 1; i < sections; ++i) {
     risen += 0.5 * step * (rise[i] + rise[i - 1]);
-    tilted += 0.5 * step * (share[i] + share[i - 1]);
+    tilted += 0.5 * step * (weight[i] + weight[i - 1]);
   }
   const double tilt = (height - risen) / tilted;
   std::vector<double> heights(sections, 0.0);
   for (std::size_t i = 1; i < sections; ++i)
     heights[i] =
-        heights[i - 1] + 0.5 * step * (rise[i] + rise[i - 1] + tilt * (share[i] + share[i - 1]));
+        heights[i - 1] + 0.5 * step * (rise[i] + rise[i - 1] + tilt * (weight[i] + weight[i - 1]));
   return heights;
 }
 
@@ -142,22 +142,22 @@ std::shared_ptr<const ScalaTympani> buildPublished(const Patient& patient, Lengt
 
   // the paper's percentages over the angle
   const double end_deg = lastAngle_deg();
-  std::vector<double> angles, widthShare, heightShare, innerShare;
+  std::vector<double> angles, widthRatio, heightRatio, innerRatio;
   for (const Quarter& quarter : quarters) {
     angles.push_back(quarter.angle_deg);
-    widthShare.push_back(quarter.width_mm / quarters[0].width_mm);
-    heightShare.push_back(quarter.height_mm / quarters[0].height_mm);
+    widthRatio.push_back(quarter.width_mm / quarters[0].width_mm);
+    heightRatio.push_back(quarter.height_mm / quarters[0].height_mm);
     // as a share of the plan curve at the same angle, so that between quarter turns the inner wall
     // bends as the spiral does
-    innerShare.push_back(quarter.inner_mm / 1e3 / cohenRadius(startSpiral_deg + quarter.angle_deg));
+    innerRatio.push_back(quarter.inner_mm / 1e3 / cohenRadius(startSpiral_deg + quarter.angle_deg));
   }
   angles.push_back(end_deg);
-  widthShare.push_back(widthShare.back() * apexTaper);
-  heightShare.push_back(heightShare.back() * apexTaper);
-  innerShare.push_back(innerShare.back());
-  const KnotSpline widths(angles, widthShare);
-  const KnotSpline heights(angles, heightShare);
-  const KnotSpline inner(angles, innerShare);
+  widthRatio.push_back(widthRatio.back() * apexTaper);
+  heightRatio.push_back(heightRatio.back() * apexTaper);
+  innerRatio.push_back(innerRatio.back());
+  const KnotSpline widths(angles, widthRatio);
+  const KnotSpline heights(angles, heightRatio);
+  const KnotSpline inner(angles, innerRatio);
 
   SectionTables tables;
   tables.name = patient.label;

@@ -92,10 +92,10 @@ Result<AxesReader> AxesReader::make(const DeviceProfile& profile,
 double AxesReader::deflection(const Axis& axis, std::span<const std::uint8_t> bytes) const noexcept
 {
   const double counts = static_cast<double>(numberAt(bytes, axis.slot)) - axis.middle;
-  const double share = std::clamp(counts / axis.half, -1.0, 1.0);
-  const double beyond = std::fabs(share) - layout_.deadShare;
+  const double fraction = std::clamp(counts / axis.half, -1.0, 1.0);
+  const double beyond = std::fabs(fraction) - layout_.deadZone;
   if (beyond <= 0.0) return 0.0;
-  return axis.sign * (share < 0.0 ? -beyond : beyond) / (1.0 - layout_.deadShare);
+  return axis.sign * (fraction < 0.0 ? -beyond : beyond) / (1.0 - layout_.deadZone);
 }
 
 void AxesReader::place() noexcept

@@ -51,10 +51,10 @@ void PidCodec::encodeDirection(const Vector3& magnitude, ReportList& reports) co
 
   const double east = magnitude[axes[0]];
   const double south = magnitude[axes[1]];
-  const double share = std::sqrt(east * east + south * south);
+  const double fraction = std::sqrt(east * east + south * south);
   const double direction = arcTangent(-east, south);
   reports_.setEffect(reports.reports[0], effects_[0].block, 0, direction);
-  reports_.constantForce(reports.reports[1], effects_[0].block, share);
+  reports_.constantForce(reports.reports[1], effects_[0].block, fraction);
   reports.count = 2;
 }
 

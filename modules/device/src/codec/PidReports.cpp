@@ -134,12 +134,12 @@ std::optional<RawReport> PidReports::control(Control what) const noexcept
   return report;
 }
 
-std::optional<RawReport> PidReports::gain(double share) const noexcept
+std::optional<RawReport> PidReports::gain(double fraction) const noexcept
 {
   if (!deviceGain_) return std::nullopt;
   RawReport report = blank(deviceGain_->slot.report, deviceGain_->bytes);
   putNumber(body(report), deviceGain_->slot,
-            nearest(share * static_cast<double>(deviceGain_->slot.high)));
+            nearest(fraction * static_cast<double>(deviceGain_->slot.high)));
   return report;
 }
 
@@ -158,16 +158,17 @@ void PidReports::setEffect(RawReport& report, std::int64_t block, unsigned axes,
     if (((axes >> i) & 1u) != 0 && axisEnable_[i]) putNumber(bytes, *axisEnable_[i], 1);
   if (!direction || !direction_ || !directionEnable_) return;
   putNumber(bytes, *directionEnable_, 1);
-  const double share = *direction / turn - std::floor(*direction / turn);
-  putNumber(bytes, *direction_, nearest(share * static_cast<double>(direction_->high)));
+  const double fraction = *direction / turn - std::floor(*direction / turn);
+  putNumber(bytes, *direction_, nearest(fraction * static_cast<double>(direction_->high)));
 }
 
-void PidReports::constantForce(RawReport& report, std::int64_t block, double share) const noexcept
+void PidReports::constantForce(RawReport& report, std::int64_t block,
+                               double fraction) const noexcept
 {
   clear(report, forceBlock_.slot.report, forceBlock_.bytes);
   putNumber(body(report), forceBlock_.slot, block);
   const auto maximum = static_cast<double>(magnitude_.high);
-  const std::int64_t wanted = nearest(std::clamp(share, -1.0, 1.0) * maximum);
+  const std::int64_t wanted = nearest(std::clamp(fraction, -1.0, 1.0) * maximum);
   putNumber(body(report), magnitude_, std::max(wanted, magnitude_.low));
 }
 

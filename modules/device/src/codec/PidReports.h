@@ -22,14 +22,14 @@ public:
 
   /// Nothing for a control that the device does not list. Output reports, all of these.
   std::optional<RawReport> control(Control what) const noexcept;
-  std::optional<RawReport> gain(double share) const noexcept;
+  std::optional<RawReport> gain(double fraction) const noexcept;
   /// An effect without end along one axis, several or a direction; see PidLayout::Effects.
   /// @param axes       Bits of D's axes that are enabled.
   /// @param direction  Where the force comes from [rad]; nothing where axes are enabled instead.
   void setEffect(RawReport& report, std::int64_t block, unsigned axes,
                  std::optional<double> direction) const noexcept;
   /// @param share  Of the greatest magnitude, -1 to 1.
-  void constantForce(RawReport& report, std::int64_t block, double share) const noexcept;
+  void constantForce(RawReport& report, std::int64_t block, double fraction) const noexcept;
   RawReport start(std::int64_t block) const noexcept;
   RawReport free(std::int64_t block) const noexcept;
 

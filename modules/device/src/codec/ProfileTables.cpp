@@ -221,7 +221,7 @@ AxesLayout readAxesLayout(TomlReader& file, CodecKind kind)
     table.refuse("motion",
                  "motion is \"rate\"; it must be \"place\" where a force is rendered, because the "
                  "force belongs to a place.");
-  layout.deadShare = table.number("dead_share", {0.0, 0.5}, 0.0);
+  layout.deadZone = table.number("dead_share", {0.0, 0.5}, 0.0);
   layout.fullCounts = table.integer("full_counts", 0, 1L << 30, 0);
   return layout;
 }

@@ -58,15 +58,15 @@ bool normalContact(const InsertionModel& model, InsertionState& state, const Rod
   // Right behind the opening the wall sets in over one node spacing, so that a node passing the
   // edge does not meet it all at once.
   const double inside = (model.entry.origin_W - at_W).dot(model.entry.out_W);
-  const double share = std::clamp(inside / model.spacing, 0.0, 1.0);
-  NormalForce push = normalForce(penetration, share * model.wallStiffness[i], onset);
+  const double fraction = std::clamp(inside / model.spacing, 0.0, 1.0);
+  NormalForce push = normalForce(penetration, fraction * model.wallStiffness[i], onset);
   Eigen::Vector3d& force_W = state.wallForce_W[i];
   state.membraneForce[i] = wall.onMembrane ? push.force : 0.0;
   if (model.membrane) {
-    const MembraneShare membrane =
-        model.membrane->shareAt(at_W, model.radius[i], state.track[i], wall.normal_W);
-    const SoftContactForce soft =
-        softContactForce(penetration, share * model.wallStiffness[i], membrane.share, model.parts);
+    const MembraneFraction membrane =
+        model.membrane->fractionAt(at_W, model.radius[i], state.track[i], wall.normal_W);
+    const SoftContactForce soft = softContactForce(penetration, fraction * model.wallStiffness[i],
+                                                   membrane.fraction, model.parts);
     push = soft.normal;
     state.membraneForce[i] = soft.onMembrane;
     force_W -= soft.byFraction * membrane.gradient_W;
@@ -129,7 +129,7 @@ NormalForce normalForce(double penetration, double stiffness, double onset) noex
   return {stiffness * (penetration - 0.5 * onset), stiffness};
 }
 
-SoftContactForce softContactForce(double penetration, double bone, double share,
+SoftContactForce softContactForce(double penetration, double bone, double fraction,
                                   const ModelParts& parts) noexcept
 {
   const double onset = parts.wall.onset.si();
@@ -141,9 +141,9 @@ SoftContactForce softContactForce(double penetration, double bone, double share,
   onMembrane.force += harder * penetration;
   onMembrane.slope += 3.0 * harder;
   SoftContactForce push;
-  push.onMembrane = share * onMembrane.force;
-  push.normal.force = (1.0 - share) * onBone.force + push.onMembrane;
-  push.normal.slope = (1.0 - share) * onBone.slope + share * onMembrane.slope;
+  push.onMembrane = fraction * onMembrane.force;
+  push.normal.force = (1.0 - fraction) * onBone.force + push.onMembrane;
+  push.normal.slope = (1.0 - fraction) * onBone.slope + fraction * onMembrane.slope;
   push.byFraction = energyOf(penetration, soft, onset) + 0.25 * harder * penetration * penetration -
                     energyOf(penetration, bone, onset);
   return push;

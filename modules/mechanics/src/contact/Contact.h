@@ -33,7 +33,7 @@ struct SoftContactForce {
 /// @param bone   Stiffness of the bone there [N/m].
 /// @param share  Of the membrane, 0 to 1.
 /// @param parts  With a law of the membrane.
-SoftContactForce softContactForce(double penetration, double bone, double share,
+SoftContactForce softContactForce(double penetration, double bone, double fraction,
                                   const ModelParts& parts) noexcept;
 
 /// Adds the wall's forces on all nodes at state.position_W to force_W, and leaves them in

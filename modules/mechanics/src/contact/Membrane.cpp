@@ -52,9 +52,9 @@ MembranePlace::MembranePlace(const anatomy::ScalaTympani& scala)
   }
 }
 
-MembraneShare MembranePlace::shareAt(const Eigen::Vector3d& at_W, double radius,
-                                     const anatomy::LumenTrack& track,
-                                     const Eigen::Vector3d& normal_W) const noexcept
+MembraneFraction MembranePlace::fractionAt(const Eigen::Vector3d& at_W, double radius,
+                                           const anatomy::LumenTrack& track,
+                                           const Eigen::Vector3d& normal_W) const noexcept
 {
   const Ramp roof((-normal_W.z() - 0.2) / 0.5);
   if (track.inLeadIn || !(roof.value > 0.0)) return {};

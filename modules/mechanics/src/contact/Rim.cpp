@@ -75,12 +75,12 @@ Crossing crossingAt(const InsertionModel& model, const std::vector<Eigen::Vector
 Crossing crossingAtTip(const InsertionModel& model, const std::vector<Eigen::Vector3d>& x,
                        double before, double here) noexcept
 {
-  const double share = before / (before - here);
+  const double fraction = before / (before - here);
   Crossing crossing;
   crossing.first = x.size() - 2;
   crossing.count = 2;
-  crossing.weight[0] = 1.0 - share;
-  crossing.weight[1] = share;
+  crossing.weight[0] = 1.0 - fraction;
+  crossing.weight[1] = fraction;
   fill(crossing, model, x, {-1.0, 1.0, 0.0});
   return crossing;
 }

@@ -35,8 +35,8 @@ FrictionBySpeed::FrictionBySpeed(const std::vector<Speed>& speeds,
     const double rise = (coefficient_[i] - coefficient_[i - 1]) / before;
     const double next = (coefficient_[i + 1] - coefficient_[i]) / after;
     if (rise * next <= 0.0) continue;
-    const double share = (before + 2.0 * after) / (3.0 * (before + after));
-    slope_[i] = rise * next / (share * next + (1.0 - share) * rise);
+    const double weight = (before + 2.0 * after) / (3.0 * (before + after));
+    slope_[i] = rise * next / (weight * next + (1.0 - weight) * rise);
   }
 }
 

@@ -84,8 +84,8 @@ ProxySurface::ProxySurface(const anatomy::Surface& surface, double maxRadius)
           const Triangle& t = triangles_[i];
           // The plane alone sends most away.
           if (std::fabs(t.inward.dot(center - t.a)) > fromCenter) continue;
-          const Eigen::Vector3d shares = anatomy::nearestShares(center, t.a, t.b, t.c);
-          const Eigen::Vector3d near = shares[0] * t.a + shares[1] * t.b + shares[2] * t.c;
+          const Eigen::Vector3d weights = anatomy::barycentricWeights(center, t.a, t.b, t.c);
+          const Eigen::Vector3d near = weights[0] * t.a + weights[1] * t.b + weights[2] * t.c;
           if ((near - center).norm() <= fromCenter) inCell_.push_back(static_cast<int>(i));
         }
       }
@@ -126,13 +126,13 @@ bool ProxySurface::isInFrontOf(const Eigen::Vector3d& place_W, int triangle) con
 /// Whether all triangles that meet in a triangle's place nearest to `place_W` are seen from the
 /// front.
 bool ProxySurface::sees(const Eigen::Vector3d& place_W, const Triangle& triangle,
-                        const Eigen::Vector3d& shares) const noexcept
+                        const Eigen::Vector3d& weights) const noexcept
 {
   for (std::size_t k = 0; k < 3; ++k) {
-    const double share = shares[static_cast<Eigen::Index>(k)];
-    if (share == 0.0 && triangle.across[k] >= 0 && !isInFrontOf(place_W, triangle.across[k]))
+    const double weight = weights[static_cast<Eigen::Index>(k)];
+    if (weight == 0.0 && triangle.across[k] >= 0 && !isInFrontOf(place_W, triangle.across[k]))
       return false;
-    if (share != 1.0) continue;
+    if (weight != 1.0) continue;
     const auto corner = static_cast<std::size_t>(triangle.corners[k]);
     for (int i = firstAround_[corner]; i < firstAround_[corner + 1]; ++i)
       if (!isInFrontOf(place_W, around_[static_cast<std::size_t>(i)])) return false;
@@ -163,11 +163,11 @@ void ProxySurface::gather(const Eigen::Vector3d& proxy_W, double radius,
     const Triangle& t = triangles_[static_cast<std::size_t>(inCell_[static_cast<std::size_t>(k)])];
     const double height = t.inward.dot(proxy_W - t.a);
     if (height < 0.0 || height > within) continue;
-    const Eigen::Vector3d shares = anatomy::nearestShares(proxy_W, t.a, t.b, t.c);
-    const Eigen::Vector3d near = shares[0] * t.a + shares[1] * t.b + shares[2] * t.c;
+    const Eigen::Vector3d weights = anatomy::barycentricWeights(proxy_W, t.a, t.b, t.c);
+    const Eigen::Vector3d near = weights[0] * t.a + weights[1] * t.b + weights[2] * t.c;
     const Eigen::Vector3d off = proxy_W - near;
     const double distance = off.norm();
-    if (distance > within || !sees(proxy_W, t, shares)) continue;
+    if (distance > within || !sees(proxy_W, t, weights)) continue;
     const Eigen::Vector3d normal =
         distance > 1e-9 ? Eigen::Vector3d(off / distance) : Eigen::Vector3d(t.inward);
     allowed.add({normal, normal.dot(near) + radius, distance});

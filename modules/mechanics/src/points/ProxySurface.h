@@ -66,7 +66,7 @@ private:
   void findNeighbors(std::size_t corners);
   bool isInFrontOf(const Eigen::Vector3d& place_W, int triangle) const noexcept;
   bool sees(const Eigen::Vector3d& place_W, const Triangle& triangle,
-            const Eigen::Vector3d& shares) const noexcept;
+            const Eigen::Vector3d& weights) const noexcept;
   std::size_t cellOf(const Eigen::Vector3d& place_W) const noexcept;
   void gather(const Eigen::Vector3d& proxy_W, double radius, HalfSpaces& allowed) const noexcept;
 

@@ -188,9 +188,9 @@ void addPublishedFriction(const InsertionModel& model, InsertionState& state) no
   }
   const double across = std::fabs(set.pull_W.dot(model.entry.outward_W));
   if (!(pushed > 0.0) || set.pull_W.dot(model.entry.out_W) == 0.0 || ahead == 0.0) return;
-  const double share = ahead > 0.0 ? model.parts.friction.kineticCoefficient
-                                   : -model.parts.friction.kineticCoefficient;
-  set.friction_W = share * across * model.entry.out_W;
+  const double fraction = ahead > 0.0 ? model.parts.friction.kineticCoefficient
+                                      : -model.parts.friction.kineticCoefficient;
+  set.friction_W = fraction * across * model.entry.out_W;
 }
 
 void advanceOnce(const InsertionModel& model, InsertionState& state, const Drive& drive,
@@ -301,9 +301,9 @@ void advancePoints(const InsertionModel& model, InsertionState& state, const Dri
       advanceOnce(model, state, drive, drive.handPosition_W, drive.handAxis_W, workspace);
       break;
     }
-    const double share = static_cast<double>(k) / substeps;
-    advanceOnce(model, state, drive, from_W + share * (drive.handPosition_W - from_W),
-                (fromAxis_W + share * (drive.handAxis_W - fromAxis_W)).normalized(), workspace);
+    const double fraction = static_cast<double>(k) / substeps;
+    advanceOnce(model, state, drive, from_W + fraction * (drive.handPosition_W - from_W),
+                (fromAxis_W + fraction * (drive.handAxis_W - fromAxis_W)).normalized(), workspace);
   }
   set.hand_W = drive.handPosition_W;
   state.styletWithdrawal = drive.styletWithdrawal;

@@ -20,11 +20,11 @@ void predict(const InsertionModel& model, InsertionState& state, const Drive& dr
            (base.inertia + base.effectiveStiffness);
   const double forward = (to_W - work.start.position_W[0]).dot(drive.handAxis_W);
   const double lastForward = work.start.timeStep * state.baseVelocity_W.dot(drive.handAxis_W);
-  const double share = forward / lastForward;
-  const bool goesOn = strategy == SolveStrategy::newton && share > 0.25 && share < 4.0;
+  const double fraction = forward / lastForward;
+  const bool goesOn = strategy == SolveStrategy::newton && fraction > 0.25 && fraction < 4.0;
   for (std::size_t i = 2; i < n; ++i) {
     const Eigen::Vector3d motion =
-        goesOn ? Eigen::Vector3d(share * work.start.timeStep * state.velocity_W[i])
+        goesOn ? Eigen::Vector3d(fraction * work.start.timeStep * state.velocity_W[i])
                : Eigen::Vector3d(forward * work.rod.edge[i - 1].tangent_W);
     state.position_W[i] = work.start.position_W[i] + motion;
   }

@@ -48,8 +48,8 @@ double depthOf(const InsertionModel& model, const InsertionState& state) noexcep
   for (std::size_t i = state.position_W.size() - 1; i-- > 0;) {
     const double before = inside(i);
     if (before <= 0.0) {
-      const double share = after / (after - before);
-      return model.fromTip[i + 1] + share * model.spacing;
+      const double fraction = after / (after - before);
+      return model.fromTip[i + 1] + fraction * model.spacing;
     }
     after = before;
   }
@@ -100,10 +100,10 @@ Drive handBefore(const InsertionModel& model, const InsertionState& state,
 }
 
 /// The hand on its way, after a share of it.
-Drive between(const Drive& from, const Drive& to, double share) noexcept
+Drive between(const Drive& from, const Drive& to, double fraction) noexcept
 {
-  const auto mix = [share](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    return Eigen::Vector3d((1.0 - share) * a + share * b);
+  const auto mix = [fraction](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return Eigen::Vector3d((1.0 - fraction) * a + fraction * b);
   };
   Drive there = to;
   there.handPosition_W = mix(from.handPosition_W, to.handPosition_W);

@@ -75,6 +75,6 @@ std::string predictionJson(const PredictionRequest& request, const PredictionRes
                            const Reference& inVivo);
 
 /// A quantile of values by straight lines between the ordered ones.
-double quantile(std::vector<double> values, double share);
+double quantile(std::vector<double> values, double fraction);
 
 }  // namespace perilymph::analysis

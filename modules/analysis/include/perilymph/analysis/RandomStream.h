@@ -17,9 +17,9 @@ public:
   RandomStream(std::uint64_t seed, std::uint64_t item, std::uint64_t purpose) noexcept;
 
   /// Uniform in (0, 1), an odd multiple of 2^-54.
-  double share() noexcept;
+  double uniform() noexcept;
   /// Uniform between two values.
-  double between(double low, double high) noexcept { return low + (high - low) * share(); }
+  double between(double low, double high) noexcept { return low + (high - low) * uniform(); }
   /// Standard normal (Box and Muller 1958).
   double normal() noexcept;
   /// Normal, drawn again until it lies within low and high; the nearer limit after a thousand

@@ -25,7 +25,7 @@ struct ValidationRequest {
   std::uint64_t seed = 1;
   unsigned jobs = 0;  ///< Threads; 0 for as many as the machine has. Leaves no trace.
   /// With one source alone: 0, or at least 2; by default a tenth of the runs, at least 10.
-  std::optional<int> runsPerShare;
+  std::optional<int> runsPerSource;
   /// Told the curve of each of the `runs` insertions as it ends, in whichever thread ran it.
   std::function<void(const std::vector<double>& curve)> onCurve;
   /// The scenario's cochlea, if it is built already.
@@ -50,10 +50,10 @@ struct AnchorComparison {
 };
 
 /// How much of the spread one source makes when it acts alone.
-struct SpreadShare {
+struct SourceSpread {
   SpreadSource source = SpreadSource::start;
   double standardDeviation = 0.0;  ///< Root mean square over travel of the standard deviation [N].
-  double share = 0.0;              ///< Of the sum of the variances of all sources alone.
+  double fraction = 0.0;           ///< Of the sum of the variances of all sources alone.
 };
 
 /// What the raw record says where the first marker rib meets the opening, means over insertions.
@@ -70,7 +70,7 @@ struct ValidationResult {
   std::optional<CurvePoint> earlyPeak;  ///< At 3 to 7 mm, if the force falls by 1 mN behind it.
   std::optional<RibMeeting> rib;        ///< Where the array has ribs.
   double standardDeviation = 0.0;       ///< Root mean square over travel of the SD [N].
-  std::vector<SpreadShare> shares;
+  std::vector<SourceSpread> spreads;
   std::uint64_t ticks = 0, ticksNotConverged = 0;
   int runs = 0;
   std::uint64_t seed = 0;

@@ -9,18 +9,18 @@
 
 namespace perilymph::anatomy {
 
-/// The shares of the corners a, b, c in the place of their triangle nearest to a point, by the
+/// The weights of the corners a, b, c in the place of their triangle nearest to a point, by the
 /// region of the triangle's plane in which the point's projection lies (Ericson, Real-Time
 /// Collision Detection, section 5.1.5). Real-time safe.
-Eigen::Vector3d nearestShares(const Eigen::Vector3d& point, const Eigen::Vector3d& a,
-                              const Eigen::Vector3d& b, const Eigen::Vector3d& c) noexcept;
+Eigen::Vector3d barycentricWeights(const Eigen::Vector3d& point, const Eigen::Vector3d& a,
+                                   const Eigen::Vector3d& b, const Eigen::Vector3d& c) noexcept;
 
 /// The place on a surface nearest to a point.
 struct SurfaceFoot {
-  int triangle = -1;                                 ///< -1 where nothing lies within reach.
-  double distance = 0.0;                             ///< From the point [m], 0 or more.
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();   ///< On the surface [m].
-  Eigen::Vector3d shares = Eigen::Vector3d::Zero();  ///< Of the triangle's corners in that place.
+  int triangle = -1;                                  ///< -1 where nothing lies within reach.
+  double distance = 0.0;                              ///< From the point [m], 0 or more.
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();    ///< On the surface [m].
+  Eigen::Vector3d weights = Eigen::Vector3d::Zero();  ///< Of the triangle's corners in that place.
 };
 
 /// A surface sorted into a tree of boxes, for many questions. Keeps a copy of its triangles.

@@ -83,7 +83,7 @@ struct AxesLayout {
   double turn = 0.0;                 ///< `place`: [rad]
   double speed = 0.0;                ///< `rate`: at full deflection [m/s].
   double turnSpeed = 0.0;            ///< `rate`: [rad/s]
-  double deadShare = 0.0;            ///< Of full deflection around the middle that counts as none.
+  double deadZone = 0.0;             ///< Of full deflection around the middle that counts as none.
   std::int64_t fullCounts = 0;       ///< Counts at full deflection; 0: as the descriptor says.
 };
 

@@ -73,7 +73,7 @@ public:
   void addTo(Hash& hash) const noexcept;
 
 private:
-  double shareWithinReach(double distance) const noexcept;
+  double fractionWithinReach(double distance) const noexcept;
 
   SafetyLimits limits_;
   double timeStep_;

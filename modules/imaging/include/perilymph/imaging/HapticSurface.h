@@ -12,7 +12,7 @@ namespace perilymph::imaging {
 
 /// Share of the visual surface's triangles that the haptic one keeps: "95 % polygon reduction was
 /// applied" (Todd and Naghdy, section II.C).
-inline constexpr double hapticShare = 0.05;
+inline constexpr double hapticFraction = 0.05;
 
 /// The apex, from this angle on, is not part of the haptic surface, "since the carrier will never
 /// reach this point" (same section). The longest array in use, 31.5 mm, covers 74 % of the duct

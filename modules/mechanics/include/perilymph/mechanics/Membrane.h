@@ -21,8 +21,8 @@ struct MembraneLaw {
 };
 
 /// How much of the array's footprint on the wall is on the membrane; the rest of it is on bone.
-struct MembraneShare {
-  double share = 0.0;  ///< 0 to 1.
+struct MembraneFraction {
+  double fraction = 0.0;  ///< 0 to 1.
   /// Of the share, per distance moved [1/m].
   Eigen::Vector3d gradient_W = Eigen::Vector3d::Zero();
 };
@@ -43,9 +43,9 @@ public:
   /// @param radius    Its radius [m].
   /// @param track     Its angle.
   /// @param normal_W  Of the wall it touches; off the roof this points down.
-  MembraneShare shareAt(const Eigen::Vector3d& at_W, double radius,
-                        const anatomy::LumenTrack& track,
-                        const Eigen::Vector3d& normal_W) const noexcept;
+  MembraneFraction fractionAt(const Eigen::Vector3d& at_W, double radius,
+                              const anatomy::LumenTrack& track,
+                              const Eigen::Vector3d& normal_W) const noexcept;
 
 private:
   double perSection_ = 0.0;    ///< Entries of the tables per angle [1/rad].

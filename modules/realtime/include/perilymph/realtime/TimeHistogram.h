@@ -26,7 +26,7 @@ public:
   /// above the longest; 0 without any.
   ///
   /// @param share  0 to 1; 0.5 gives the median.
-  PERILYMPH_REALTIME double quantile(double share) const noexcept;
+  PERILYMPH_REALTIME double quantile(double fraction) const noexcept;
 
 private:
   static constexpr int binsPerOctave = 32;

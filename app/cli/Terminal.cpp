@@ -30,8 +30,8 @@ std::string placed(std::string_view layout, const std::string& value)
   if (isRight || layout.front() == '<') layout.remove_prefix(1);
   std::size_t width = 0;
   std::from_chars(layout.data(), layout.data() + layout.size(), width);
-  const std::string room(width - std::min(width, widthOf(value)), ' ');
-  return isRight ? room + value : value + room;
+  const std::string padding(width - std::min(width, widthOf(value)), ' ');
+  return isRight ? padding + value : value + padding;
 }
 
 std::string filled(std::string_view format, std::span<const std::string> values)

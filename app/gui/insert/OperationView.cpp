@@ -272,7 +272,7 @@ void OperationView::placeHint()
   const bool isSeen = !hint_->text().isEmpty();
   constexpr int padding = 2 * 6;  // the style's
   const int words = QFontMetrics(hint_->font()).horizontalAdvance(hint_->text()) + padding + 1;
-  const auto roomBeside = [this] {
+  const auto spaceBeside = [this] {
     layout()->activate();
     const int left = magnification_->geometry().right() + spacing;
     const QWidget* next =
@@ -282,10 +282,10 @@ void OperationView::placeHint()
   };
   hint_->setVisible(isSeen);
   viewName_->setVisible(true);
-  QRect beside = roomBeside();
+  QRect beside = spaceBeside();
   if (isSeen && words > beside.width()) {  // what to do matters more than where one looks from
     viewName_->setVisible(false);
-    beside = roomBeside();
+    beside = spaceBeside();
   }
   int lift = 0;
   if (words <= beside.width()) {

@@ -39,8 +39,8 @@ void Pane::placeNote()
   const auto width = [](const QLabel* label) {
     return QFontMetrics(label->font()).horizontalAdvance(label->text());
   };
-  const int room = this->width() - 4 * spacing;
-  const bool isBeside = width(title_) + 2 * spacing + width(note_) <= room;
+  const int available = this->width() - 4 * spacing;
+  const bool isBeside = width(title_) + 2 * spacing + width(note_) <= available;
   head_->setDirection(isBeside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   head_->setSpacing(isBeside ? spacing : 0);
   note_->setWordWrap(!isBeside);

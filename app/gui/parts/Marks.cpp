@@ -32,8 +32,8 @@ QSize minSize(const QAbstractButton& button)
 int heightOf(const QAbstractButton& button, int width)
 {
   const QFontMetrics metrics(button.font());
-  const QRect room(0, 0, std::max(1, width - textLeft_px), 1000);
-  const int words = metrics.boundingRect(room, Qt::TextWordWrap, button.text()).height();
+  const QRect available(0, 0, std::max(1, width - textLeft_px), 1000);
+  const int words = metrics.boundingRect(available, Qt::TextWordWrap, button.text()).height();
   return std::max(rowHeight_px, words + rowHeight_px - metrics.height());
 }
 

@@ -120,10 +120,10 @@ PatientSection::PatientSection(QWidget* parent)
   connect(kind_, &Selector::chosen, this, [this](const QString& kind) { askKind(kind); });
   rows().addWidget(namedRow(tr("Cochlea"), kind_, body()));
 
-  using Room = PopulationField::Room;
+  using Width = PopulationField::Width;
   const auto field = [this](const QString& title, const char* name, const Population& population,
                             bool mayBeEmpty) {
-    return new PopulationField(title, name, population, mayBeEmpty, body(), Room::narrow);
+    return new PopulationField(title, name, population, mayBeEmpty, body(), Width::narrow);
   };
   lengths_ = addPage({
       {Field::scalaLength, "st_length_mm", tr("Scala length"),

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int height_px = 26;
 constexpr int textMargin_px = 8;
-constexpr int arrowRoom_px = 24;
+constexpr int arrowWidth_px = 24;
 constexpr int textRole = Qt::UserRole + 1;  // without a reason
 
 QStandardItem* itemOf(const QComboBox& box, int index)
@@ -90,7 +90,7 @@ int Selector::widest_px() const
   int words = 0;
   for (int i = 0; i < count(); ++i)
     words = std::max(words, QFontMetrics(font()).horizontalAdvance(itemText(i)));
-  return words + textMargin_px + arrowRoom_px + 1;
+  return words + textMargin_px + arrowWidth_px + 1;
 }
 
 QString Selector::words() const
@@ -100,7 +100,7 @@ QString Selector::words() const
 
 bool Selector::isWhole() const
 {
-  return QFontMetrics(font()).horizontalAdvance(words()) <= width() - textMargin_px - arrowRoom_px;
+  return QFontMetrics(font()).horizontalAdvance(words()) <= width() - textMargin_px - arrowWidth_px;
 }
 
 QSize Selector::sizeHint() const { return {120, height_px}; }
@@ -129,7 +129,7 @@ void Selector::paintEvent(QPaintEvent*)
 
   painter.setPen(isEnabled() ? textColor : quietTextColor);
   painter.setFont(font());
-  const QRect place = rect().adjusted(textMargin_px, 0, -arrowRoom_px, 0);
+  const QRect place = rect().adjusted(textMargin_px, 0, -arrowWidth_px, 0);
   painter.drawText(place, Qt::AlignVCenter | Qt::AlignLeft,
                    QFontMetrics(font()).elidedText(words(), Qt::ElideRight, place.width()));
   if (!isEnabled()) return;

@@ -26,11 +26,11 @@ constexpr int narrowFieldWidth_px = 68;
 
 PopulationField::PopulationField(const QString& title, const char* name,
                                  const Population& population, bool mayBeEmpty, QWidget* parent,
-                                 Room room)
+                                 Width width)
     : QWidget(parent),
       population_(population),
       mayBeEmpty_(mayBeEmpty),
-      room_(room),
+      width_(width),
       field_(new ValueEdit(this)),
       place_(new QLabel(this)),
       provenance_(new QLabel(this))
@@ -43,11 +43,11 @@ PopulationField::PopulationField(const QString& title, const char* name,
   field_->setAccessibleName(title);
   field_->setFont(typeface(13, QFont::Medium));
   field_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  if (room == Room::wide)
+  if (width == Width::wide)
     field_->setFixedSize(fieldWidth_px, 28);
   else
     field_->setFixedSize(narrowFieldWidth_px, 26);
-  if (mayBeEmpty) field_->setPlaceholderText(room == Room::wide ? tr("not given") : tr("none"));
+  if (mayBeEmpty) field_->setPlaceholderText(width == Width::wide ? tr("not given") : tr("none"));
   auto* unit = new QLabel(tr("mm"), this);
   unit->setFont(typeface(11));
   unit->setProperty("quiet", true);
@@ -138,7 +138,7 @@ QString PopulationField::error() const
   if (isAcceptable()) return {};
   const QString low = numberText(inMillimeters(population_.low), 1);
   const QString high = numberText(inMillimeters(population_.high), 1);
-  if (room_ == Room::narrow) return tr("must be %1 to %2 mm").arg(low, high);
+  if (width_ == Width::narrow) return tr("must be %1 to %2 mm").arg(low, high);
   return field_->text().trimmed().isEmpty()
              ? tr("a number is needed, %1 to %2 mm").arg(low, high)
              : tr("must be a number between %1 and %2 mm").arg(low, high);
@@ -146,7 +146,7 @@ QString PopulationField::error() const
 
 QString PopulationField::placeOf(Length value) const
 {
-  const bool isNarrow = room_ == Room::narrow;
+  const bool isNarrow = width_ == Width::narrow;
   const QString error = numberText(inMillimeters(analysis::measuringError), 1);
   if (population_.mean && population_.standardDeviation) {
     const double off = (value - *population_.mean) / *population_.standardDeviation;

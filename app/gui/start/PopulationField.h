@@ -27,12 +27,12 @@ class PopulationField : public QWidget {
   Q_OBJECT
 public:
   /// How much room there is: a form's, or a narrow panel's.
-  enum class Room { wide, narrow };
+  enum class Width { wide, narrow };
 
   /// @param name        Of the object: what tests and style sheets find it by.
   /// @param mayBeEmpty  The number may be left out.
   PopulationField(const QString& title, const char* name, const Population& population,
-                  bool mayBeEmpty, QWidget* parent, Room room = Room::wide);
+                  bool mayBeEmpty, QWidget* parent, Width width = Width::wide);
 
   void setValue(std::optional<Length> value);
   /// The value that holds until another one is given(), and a word for where it comes from.
@@ -64,7 +64,7 @@ private:
 
   Population population_;
   bool mayBeEmpty_;
-  Room room_;
+  Width width_;
   ValueEdit* field_;
   QLabel* place_;
   QLabel* provenance_;

@@ -155,8 +155,8 @@ QWidget* StartPage::cards()
 void StartPage::resizeEvent(QResizeEvent* event)
 {
   QWidget::resizeEvent(event);
-  const int room = (width() - 10 * spacing) / 3;  // two gaps and a little at the sides
-  const int wide = std::clamp(room, minCardWidth_px, cardSize.width());
+  const int available = (width() - 10 * spacing) / 3;  // two gaps and a little at the sides
+  const int wide = std::clamp(available, minCardWidth_px, cardSize.width());
   for (StartCard* card : {patient_, mean_, demonstration_}) card->setFixedWidth(wide);
 }
 

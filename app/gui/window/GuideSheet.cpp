@@ -30,9 +30,9 @@ public:
   {
     if (type != QTextDocument::ImageResource) return QTextBrowser::loadResource(type, name);
     const QImage image(source().resolved(name).toLocalFile());
-    const int room = viewport()->width() - 6 * spacing;
-    if (image.isNull() || image.width() <= room) return image;
-    return image.scaledToWidth(std::max(room, 1), Qt::SmoothTransformation);
+    const int available = viewport()->width() - 6 * spacing;
+    if (image.isNull() || image.width() <= available) return image;
+    return image.scaledToWidth(std::max(available, 1), Qt::SmoothTransformation);
   }
 };
 

@@ -177,13 +177,13 @@ float ChartOverlay::widthOf(vtkContext2D& painter, const std::string& words) con
 }
 
 std::vector<std::string> ChartOverlay::wrapped(vtkContext2D& painter, const std::string& words,
-                                               float room) const
+                                               float available) const
 {
   std::vector<std::string> lines{""};
   std::istringstream rest(words);
   for (std::string word; rest >> word;) {
     const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
-    if (lines.back().empty() || widthOf(painter, longer) <= room)
+    if (lines.back().empty() || widthOf(painter, longer) <= available)
       lines.back() = longer;
     else
       lines.push_back(word);
@@ -198,11 +198,11 @@ void ChartOverlay::paintLegend(vtkContext2D& painter, const Area& area) const
   const float words = x + (swatchWidth + 7.0f) * scale_;
   // in a narrow chart the words stay off the curve's end
   const float fraction = area.right - area.left < narrow_px * scale_ ? 0.82f : 1.0f;
-  const float room = area.left + fraction * (area.right - area.left) - words;
+  const float available = area.left + fraction * (area.right - area.left) - words;
   float y = area.top - 18.0f * scale_;
   for (const LegendEntry& entry : legend) {
     paintSwatch(painter, entry, x, y);
-    for (const std::string& line : wrapped(painter, entry.text, room)) {
+    for (const std::string& line : wrapped(painter, entry.text, available)) {
       setText(painter, style::text, VTK_TEXT_LEFT);
       painter.DrawString(words, y, line);
       y -= 15.0f * scale_;

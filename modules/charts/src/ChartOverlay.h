@@ -74,7 +74,7 @@ private:
   float widthOf(vtkContext2D& painter, const std::string& words) const;
   /// Words in lines that are no wider than the room, unless one word is.
   std::vector<std::string> wrapped(vtkContext2D& painter, const std::string& words,
-                                   float room) const;
+                                   float available) const;
   void paintSwatch(vtkContext2D& painter, const LegendEntry& entry, float x, float y) const;
   void setText(vtkContext2D& painter, const vtkColor4ub& color, int justification) const;
 

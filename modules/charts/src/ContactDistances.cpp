@@ -53,7 +53,7 @@ analysis::Drawing drawContactDistances(const std::vector<ContactDistance>& conta
       inside > 0
           ? filled(wording().meanAndInside, {written(sum_mm / inside, 2), std::to_string(inside)})
           : wording().noContactInside;
-  const bool hasRoom = widthOfLabel(mean) <= width - leftMargin_px;
+  const bool fits = widthOfLabel(mean) <= width - leftMargin_px;
   const std::vector<std::string> words = linesOfLabel(mean, width);
   const double above = line_px * static_cast<double>(words.size()) + 8.0;
   PlotSheet sheet(width, height, {leftMargin_px, 4.0, above, 22.0}, numbers,
@@ -74,7 +74,7 @@ analysis::Drawing drawContactDistances(const std::vector<ContactDistance>& conta
     sheet.add(Stroke{{{sheet.left(), y}, {sheet.right(), y}}, ink::accent, 1.0, 4.0});
   }
   for (std::size_t i = 0; i < words.size(); ++i)
-    sheet.write({hasRoom ? sheet.left() : 0.0, line_px * static_cast<double>(i + 1)}, words[i],
+    sheet.write({fits ? sheet.left() : 0.0, line_px * static_cast<double>(i + 1)}, words[i],
                 inside > 0 ? ink::accent : ink::quiet);
   return sheet.take();
 }

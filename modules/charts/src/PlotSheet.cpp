@@ -87,13 +87,13 @@ double widthOfLabel(const std::string& words)
   return perLetter * style::labelSize * static_cast<double>(letters);
 }
 
-std::vector<std::string> linesOfLabel(const std::string& words, double room_px)
+std::vector<std::string> linesOfLabel(const std::string& words, double width_px)
 {
   std::vector<std::string> lines{""};
   std::istringstream rest(words);
   for (std::string word; rest >> word;) {
     const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
-    if (lines.back().empty() || widthOfLabel(longer) <= room_px)
+    if (lines.back().empty() || widthOfLabel(longer) <= width_px)
       lines.back() = longer;
     else
       lines.push_back(word);

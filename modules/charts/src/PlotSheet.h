@@ -55,7 +55,7 @@ private:
 /// About how wide words of the size of labels are [px]: a drawing knows no typeface.
 double widthOfLabel(const std::string& words);
 /// Words in lines that have room, unless one word has none.
-std::vector<std::string> linesOfLabel(const std::string& words, double room_px);
+std::vector<std::string> linesOfLabel(const std::string& words, double width_px);
 
 /// A number with so many decimals; never "-0".
 std::string written(double value, int decimals);

@@ -129,10 +129,10 @@ analysis::Drawing TipSection::draw(const ArrayInScala& now, double width, double
 {
   PlotSheet sheet(width, height, {0.0, 0.0, 0.0, 0.0}, {0.0, 1.0, 1.0}, {0.0, 1.0, 1.0});
   const double angle = degrees(angle_deg(now)).si();
-  const double room_x = std::max(20.0, width - 2.0 * side_px);
-  const double room_y = std::max(20.0, height - top_px - bottom_px);
-  const Frame frame{0.5 * width, top_px + 0.5 * room_y,
-                    std::min(0.5 * room_x / halfWidth_mm_, 0.5 * room_y / halfHeight_mm_)};
+  const double space_x = std::max(20.0, width - 2.0 * side_px);
+  const double space_y = std::max(20.0, height - top_px - bottom_px);
+  const Frame frame{0.5 * width, top_px + 0.5 * space_y,
+                    std::min(0.5 * space_x / halfWidth_mm_, 0.5 * space_y / halfHeight_mm_)};
 
   std::vector<PagePoint> wall;
   double inner_mm = 0.0, outer_mm = 0.0;

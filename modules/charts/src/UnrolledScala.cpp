@@ -22,8 +22,8 @@ constexpr double step_deg = 5.0;
 constexpr int directions = 72;
 constexpr double outside_deg = 20.0;  ///< Shown before the round window.
 constexpr double usualEnd_deg = 540.0, tick_deg = 90.0;
-constexpr double ahead_deg = 30.0;                          ///< Kept free before the tip.
-constexpr double outerRoom_mm = 0.95, innerRoom_mm = 0.65;  ///< Beyond the walls, for the bars.
+constexpr double ahead_deg = 30.0;                              ///< Kept free before the tip.
+constexpr double outerMargin_mm = 0.95, innerMargin_mm = 0.65;  ///< Beyond the walls, for the bars.
 constexpr double minShown_mN = 1.0;
 
 /// Forces on one millimeter of array.
@@ -125,7 +125,7 @@ analysis::Drawing UnrolledScala::draw(const ArrayInScala& now, double width, dou
   const double tip_deg = now.nodes().empty() ? 0.0 : now.nodes().back().angle_deg;
   AxisRange angle_deg = grown({-outside_deg, usualEnd_deg, tick_deg}, 0.0, tip_deg + ahead_deg, 99);
   angle_deg.high = std::min(angle_deg.high, lastAngle_deg_);
-  const AxisRange across_mm{inner_mm_ - innerRoom_mm, outer_mm_ + outerRoom_mm, 1.0};
+  const AxisRange across_mm{inner_mm_ - innerMargin_mm, outer_mm_ + outerMargin_mm, 1.0};
   PlotSheet sheet(width, height, {40.0, 8.0, 4.0, 22.0}, angle_deg, across_mm);
   sheet.addXTicks(2, "°");
   sheet.addYTicks(0);

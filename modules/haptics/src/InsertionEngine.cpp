@@ -244,14 +244,14 @@ mechanics::Drive InsertionEngine::follow(const HandState& hand) noexcept
   const Eigen::Vector3d before_W = base_.position_W;
   base_ = registration_.pose(hand);
   const Eigen::Vector3d inward_W = -model_->entry.out_W;
-  const double room =
+  const double remaining =
       isWithdrawing_ ? infinitelyFar : std::max(0.0, settings_.stopTravel - travel());
 
   mechanics::Drive drive;
   if (settings_.coupling == mechanics::Coupling::spring) {
     const double ahead = inward_W.dot(state_.baseVelocity_W) * model_->timeStep;
     // Two ticks ahead of the stop, because the base may still speed up.
-    if (2.0 * ahead < room) {
+    if (2.0 * ahead < remaining) {
       drive = hold();
       drive.coupling = mechanics::Coupling::spring;
       drive.couplingStiffness = couplingStiffness();
@@ -261,12 +261,12 @@ mechanics::Drive InsertionEngine::follow(const HandState& hand) noexcept
       return drive;
     }
     // The base is about to arrive: led by hand, at its speed, it does not swing past the stop.
-    base_.position_W = state_.base_W + std::min(ahead, room) * inward_W;
+    base_.position_W = state_.base_W + std::min(ahead, remaining) * inward_W;
   }
 
   // Not past the stop, not by one tick's motion.
   const double ahead = inward_W.dot(base_.position_W - state_.base_W);
-  if (ahead > room) base_.position_W -= (ahead - room) * inward_W;
+  if (ahead > remaining) base_.position_W -= (ahead - remaining) * inward_W;
   drive = hold();
   const Eigen::Vector3d from_W =
       settings_.coupling == mechanics::Coupling::spring ? state_.base_W : before_W;

@@ -44,18 +44,18 @@ void SoftDots::add(const Eigen::Vector3d& place, const Rgba& color, double radiu
   dots_.push_back({place, color, radius_mm});
 }
 
-void SoftDots::makeRoom()
+void SoftDots::reserveDots()
 {
-  if (dots_.size() <= room_ && dots_.size() + 64 > room_) return;
-  room_ = (dots_.size() + 31) / 32 * 32;  // in steps, so that it seldom changes
+  if (dots_.size() <= capacity_ && dots_.size() + 64 > capacity_) return;
+  capacity_ = (dots_.size() + 31) / 32 * 32;  // in steps, so that it seldom changes
   std::vector<Triangle> triangles;
-  for (std::size_t i = 0; i < room_; ++i) addDot(triangles, static_cast<int>(i) * pointsPerDot);
-  mesh_.shape(static_cast<int>(room_) * pointsPerDot, triangles);
+  for (std::size_t i = 0; i < capacity_; ++i) addDot(triangles, static_cast<int>(i) * pointsPerDot);
+  mesh_.shape(static_cast<int>(capacity_) * pointsPerDot, triangles);
 }
 
 void SoftDots::build(const ViewFrame& view, double toward_mm)
 {
-  makeRoom();
+  reserveDots();
   int index = 0;
   const auto put = [&](const Eigen::Vector3d& place, Rgba color, double opacity) {
     color[3] = static_cast<unsigned char>(opacity * color[3]);

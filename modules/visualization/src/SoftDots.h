@@ -28,10 +28,10 @@ private:
     Rgba color;
     double radius_mm;
   };
-  void makeRoom();
+  void reserveDots();
 
   std::vector<Dot> dots_;
-  std::size_t room_ = 0;  ///< Dots the mesh has points for; those not used lie in one point.
+  std::size_t capacity_ = 0;  ///< Dots the mesh has points for; those not used lie in one point.
   Mesh mesh_{Mesh::Coloring::perPoint};
 };
 

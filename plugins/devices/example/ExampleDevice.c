@@ -50,11 +50,11 @@ static int32_t traits(void* device, PerilymphDeviceTraitsV1* out)
   return 0;
 }
 
-static int32_t openHandle(void* device, char* sentence, uint32_t room)
+static int32_t openHandle(void* device, char* sentence, uint32_t capacity)
 {
   Handle* handle = device;
   if (handle->isOpen) {
-    snprintf(sentence, room, "The example handle is open already. Close it first.");
+    snprintf(sentence, capacity, "The example handle is open already. Close it first.");
     return 1;
   }
   handle->isOpen = 1;

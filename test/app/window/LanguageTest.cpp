@@ -106,7 +106,7 @@ int widestWord(const QLabel& label)
 }
 
 /// Whether a label shows all of its words: in one line, or in as many as its height holds.
-bool hasRoom(const QLabel& label)
+bool fits(const QLabel& label)
 {
   if (label.width() >= label.sizeHint().width() && label.height() >= label.sizeHint().height())
     return true;
@@ -120,16 +120,16 @@ void settle()
   for (int i = 0; i < 8; ++i) QCoreApplication::processEvents();
 }
 
-void expectRoom(WindowRig& rig, const char* where)
+void expectFits(WindowRig& rig, const char* where)
 {
   for (const QLabel* label : rig.window().findChildren<QLabel*>()) {
     if (!label->isVisible() || label->text().isEmpty()) continue;
     // the status line is a line of its own with a tooltip
     if (label->objectName() == "statusLabel") continue;
-    EXPECT_TRUE(hasRoom(*label)) << where << ", " << label->objectName().toStdString() << ": "
-                                 << label->text().toStdString() << " in " << label->width() << " x "
-                                 << label->height() << ", widest word " << widestWord(*label)
-                                 << ", " << label->heightForWidth(label->width()) << " high";
+    EXPECT_TRUE(fits(*label)) << where << ", " << label->objectName().toStdString() << ": "
+                              << label->text().toStdString() << " in " << label->width() << " x "
+                              << label->height() << ", widest word " << widestWord(*label) << ", "
+                              << label->heightForWidth(label->width()) << " high";
   }
   for (const QAbstractButton* button : rig.window().findChildren<QAbstractButton*>()) {
     if (!button->isVisible() || button->text().isEmpty()) continue;
@@ -175,12 +175,12 @@ TEST(PseudoLanguage, WordsThatAreFortyPercentLongerHaveRoom)
   for (const auto& [page, name] : pages) {
     rig.window().showPage(page);
     settle();
-    expectRoom(rig, name);
+    expectFits(rig, name);
   }
   rig.window().showPage(gui::Page::insert);
   rig.window().views().setArrangement(gui::PaneLayout::four);
   settle();
-  expectRoom(rig, "four views");
+  expectFits(rig, "four views");
   rig.window().views().setArrangement(gui::PaneLayout::two);
 }
 

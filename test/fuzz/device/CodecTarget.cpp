@@ -34,8 +34,8 @@ public:
   Transfer setFeature(const RawReport& report) noexcept override { return write(report); }
   Transfer getFeature(RawReport& report) noexcept override
   {
-    const std::size_t room = report.size;
-    const auto said = input_.bytes(room > 0 ? room - 1 : 0);
+    const std::size_t capacity = report.size;
+    const auto said = input_.bytes(capacity > 0 ? capacity - 1 : 0);
     std::copy(said.begin(), said.end(), report.bytes.begin() + 1);
     report.size = 1 + said.size();
     return answer();

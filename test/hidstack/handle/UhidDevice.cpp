@@ -12,12 +12,12 @@
 
 namespace perilymph::hidstack {
 
-struct UhidDevice::Room {
+struct UhidDevice::Buffers {
   uhid_event incoming{};
   uhid_event outgoing{};
 };
 
-UhidDevice::UhidDevice() : room_(std::make_unique<Room>()) {}
+UhidDevice::UhidDevice() : buffers_(std::make_unique<Buffers>()) {}
 
 UhidDevice::~UhidDevice() { unplug(); }
 
@@ -30,7 +30,7 @@ Result<Done> UhidDevice::plug(const std::string& name, std::uint16_t vendor, std
     return Error{std::string("/dev/uhid could not be opened (") + std::strerror(errno) +
                  "): load the kernel's module uhid and run as root."};
 
-  uhid_event& outgoing = room_->outgoing;
+  uhid_event& outgoing = buffers_->outgoing;
   outgoing = {};
   outgoing.type = UHID_CREATE2;
   uhid_create2_req& request = outgoing.u.create2;
@@ -59,7 +59,7 @@ void UhidDevice::unplug() noexcept
 bool UhidDevice::send(std::span<const std::uint8_t> report) noexcept
 {
   // Only what counts is written: the kernel takes the rest as zero.
-  uhid_event& outgoing = room_->outgoing;
+  uhid_event& outgoing = buffers_->outgoing;
   outgoing.type = UHID_INPUT2;
   outgoing.u.input2.size = static_cast<__u16>(report.size());
   std::memcpy(outgoing.u.input2.data, report.data(), report.size());
@@ -70,7 +70,7 @@ bool UhidDevice::send(std::span<const std::uint8_t> report) noexcept
 
 UhidEvent UhidDevice::take(std::span<const std::uint8_t>& report) noexcept
 {
-  uhid_event& incoming = room_->incoming;
+  uhid_event& incoming = buffers_->incoming;
   if (::read(file_, &incoming, sizeof incoming) <= 0) return UhidEvent::nothing;
   switch (incoming.type) {
     case UHID_OUTPUT:
@@ -95,8 +95,8 @@ void UhidDevice::answer(std::span<const std::uint8_t> report) noexcept { reply(0
 
 void UhidDevice::reply(int error, std::span<const std::uint8_t> report) noexcept
 {
-  const uhid_event& asked = room_->incoming;
-  uhid_event& outgoing = room_->outgoing;
+  const uhid_event& asked = buffers_->incoming;
+  uhid_event& outgoing = buffers_->outgoing;
   outgoing = {};
   const auto code = static_cast<__u16>(error);
   if (asked.type == UHID_GET_REPORT) {

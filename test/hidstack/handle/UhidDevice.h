@@ -50,8 +50,8 @@ public:
 private:
   void reply(int error, std::span<const std::uint8_t> report) noexcept;
 
-  struct Room;  ///< One event each way; they are large.
-  std::unique_ptr<Room> room_;
+  struct Buffers;  ///< One event each way; they are large.
+  std::unique_ptr<Buffers> buffers_;
   int file_ = -1;
 };
 

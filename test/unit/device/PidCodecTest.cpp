@@ -166,7 +166,7 @@ TEST(PidDevice, MayAnswerSlowly)
 TEST(PidDevice, WithoutRoomIsAnsweredWithASentenceAndLeftQuiet)
 {
   Rig rig(byAxes);
-  rig.device.room = 1;
+  rig.device.capacity = 1;
   const auto begun = rig.codec->begin(rig.device);
   ASSERT_FALSE(begun);
   EXPECT_THAT(begun.error().message, HasSubstr("no room for effect 2"));

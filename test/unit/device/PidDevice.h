@@ -27,7 +27,7 @@ public:
   };
 
   std::array<Effect, 8> effects{};  ///< By block; block 0 is none.
-  std::size_t room = 3;             ///< Effects that fit.
+  std::size_t capacity = 3;         ///< Effects that fit.
   bool actuatorsOn = true;          ///< As another program left them.
   int gain = 7;
   std::vector<std::string> story;  ///< What was asked, in words.
@@ -75,7 +75,7 @@ public:
     if (writesBeforeUnplug == 0) return Transfer::gone;
     if (report.bytes[0] != 0x21 || report.size != 4) return Transfer::failed;
     created_ = 0;
-    for (std::size_t block = 1; block <= room && created_ == 0; ++block)
+    for (std::size_t block = 1; block <= capacity && created_ == 0; ++block)
       if (!effects[block].exists) created_ = block;
     if (created_ != 0)
       effects[created_] = {true, report.bytes[1] == 2, false, false, 0, 0, 0, 0, 0};
@@ -120,7 +120,7 @@ private:
 
   bool knows(std::size_t block) const
   {
-    return block > 0 && block <= room && effects[block].exists;
+    return block > 0 && block <= capacity && effects[block].exists;
   }
 
   Transfer setEffect(const std::array<std::uint8_t, longestReport>& b)

@@ -44,14 +44,14 @@ std::array<double, 3> signs(TomlReader& table, const char* key)
 }
 
 /// Refuses a slot that the report has no room for.
-void checkRoom(TomlReader& table, const char* key, std::int64_t firstBit, std::int64_t bits,
+void checkFits(TomlReader& table, const char* key, std::int64_t firstBit, std::int64_t bits,
                std::size_t bytes)
 {
-  const auto room = static_cast<std::int64_t>(8 * bytes);
-  if (firstBit + bits > room)
+  const auto capacity = static_cast<std::int64_t>(8 * bytes);
+  if (firstBit + bits > capacity)
     table.refuse(key, std::string(key) + " has " + std::to_string(firstBit) + "; with " +
                           std::to_string(bits) + " bits that ends behind the report's " +
-                          std::to_string(room) + " bits.");
+                          std::to_string(capacity) + " bits.");
 }
 
 ReportSlot slot(TomlReader& table, const char* bitKey, const char* bitsKey, const VectorLayout& in,
@@ -61,7 +61,7 @@ ReportSlot slot(TomlReader& table, const char* bitKey, const char* bitsKey, cons
   result.report = in.report;
   const long first = table.integer(bitKey, 0, 8 * maxBytes, 0);
   const long bits = table.integer(bitsKey, 1, 32, fallbackBits);
-  checkRoom(table, bitKey, first, bits, in.bytes);
+  checkFits(table, bitKey, first, bits, in.bytes);
   result.bitOffset = static_cast<std::uint32_t>(first);
   result.bits = static_cast<std::uint32_t>(bits);
   result.isSigned = isSigned;
@@ -76,7 +76,7 @@ VectorLayout readVector(TomlReader& table)
   layout.bits = static_cast<std::uint32_t>(table.integer("bits", 2, 32, 16));
   const auto first = wholeNumbers(table, "first_bits", 0.0, maxBits, 3);
   for (std::size_t i = 0; i < 3; ++i) {
-    checkRoom(table, "first_bits", first[i], layout.bits, layout.bytes);
+    checkFits(table, "first_bits", first[i], layout.bits, layout.bytes);
     layout.firstBits[i] = static_cast<std::uint32_t>(first[i]);
   }
   return layout;
@@ -108,7 +108,7 @@ void readCalibration(TomlReader& table, PlainLayout& plain)
   plain.calibrateCommand = table.integer("command", -32768, 32767, 1);
   const auto first = wholeNumbers(table, "count_bits", 0.0, maxBits, 3);
   for (std::size_t i = 0; i < 3; ++i) {
-    checkRoom(table, "count_bits", first[i], plain.input.bits, plain.output.bytes);
+    checkFits(table, "count_bits", first[i], plain.input.bits, plain.output.bytes);
     plain.countsToSet[i].report = plain.output.report;
     plain.countsToSet[i].bitOffset = static_cast<std::uint32_t>(first[i]);
     plain.countsToSet[i].bits = plain.input.bits;

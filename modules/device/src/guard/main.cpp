@@ -26,22 +26,22 @@ using namespace perilymph::device;
 constexpr int looksAPatience = 3;
 
 /// All bytes or nothing, however many pieces they come in.
-bool readWhole(std::span<std::uint8_t> room)
+bool readWhole(std::span<std::uint8_t> buffer)
 {
-  while (!room.empty()) {
-    const ssize_t count = ::read(guard::wire, room.data(), room.size());
+  while (!buffer.empty()) {
+    const ssize_t count = ::read(guard::wire, buffer.data(), buffer.size());
     if (count <= 0) return false;
-    room = room.subspan(static_cast<std::size_t>(count));
+    buffer = buffer.subspan(static_cast<std::size_t>(count));
   }
   return true;
 }
 
 bool readScript(guard::Script& script)
 {
-  static std::array<std::uint8_t, guard::Script::capacity> room;
-  if (!readWhole(std::span(room).first(guard::Script::head))) return false;
-  const std::size_t behind = guard::Script::sizeBehind(room);
-  const auto whole = std::span(room).first(guard::Script::head + behind);
+  static std::array<std::uint8_t, guard::Script::capacity> buffer;
+  if (!readWhole(std::span(buffer).first(guard::Script::head))) return false;
+  const std::size_t behind = guard::Script::sizeBehind(buffer);
+  const auto whole = std::span(buffer).first(guard::Script::head + behind);
   return behind > 0 && readWhole(whole.subspan(guard::Script::head)) && script.take(whole);
 }
 

@@ -90,8 +90,8 @@ public:
   Transfer getFeature(RawReport& report) noexcept override
   {
     if (isGone_) return Transfer::gone;
-    const std::size_t room = std::min(report.size, longestReport);
-    const int count = hid_get_feature_report(handle_, report.bytes.data(), room);
+    const std::size_t capacity = std::min(report.size, longestReport);
+    const int count = hid_get_feature_report(handle_, report.bytes.data(), capacity);
     if (count > 0) report.size = static_cast<std::size_t>(count);
     return outcome(count);
   }

@@ -24,9 +24,9 @@ struct CloseLibrary {
 using Library = std::unique_ptr<void, CloseLibrary>;
 
 /// Text of at most `room` characters, which the plug-in may have left open at the end.
-std::string text(const char* characters, std::size_t room)
+std::string text(const char* characters, std::size_t capacity)
 {
-  return std::string(characters, ::strnlen(characters, room));
+  return std::string(characters, ::strnlen(characters, capacity));
 }
 
 Error refused(const fs::path& library, const std::string& why)
@@ -66,13 +66,13 @@ public:
   {
     if (isOpen_) return Done{};
     std::array<char, 512> sentence{};
-    const auto room = static_cast<std::uint32_t>(sentence.size() - 1);
-    if (functions_.open(device_, sentence.data(), room) == 0) {
+    const auto capacity = static_cast<std::uint32_t>(sentence.size() - 1);
+    if (functions_.open(device_, sentence.data(), capacity) == 0) {
       isOpen_ = true;
       hasFailed_ = false;
       return Done{};
     }
-    const std::string said = text(sentence.data(), room);
+    const std::string said = text(sentence.data(), capacity);
     return Error{said.empty() ? "The " + traits_.name +
                                     " cannot be opened, and its plug-in does not say why."
                               : said};

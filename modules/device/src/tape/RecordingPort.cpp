@@ -131,11 +131,11 @@ public:
 private:
   void note(TapeEvent event, std::int64_t began, const RawReport& report) noexcept
   {
-    room_.event = event;
-    room_.time = began;
-    room_.took = tape_->now() - began;
-    room_.report = report;
-    if (!notes_->ring.push(room_)) ++notes_->lost;
+    note_.event = event;
+    note_.time = began;
+    note_.took = tape_->now() - began;
+    note_.report = report;
+    if (!notes_->ring.push(note_)) ++notes_->lost;
   }
   Transfer noticed(Transfer transfer) noexcept
   {
@@ -147,7 +147,7 @@ private:
   std::unique_ptr<Transport> handle_;
   std::shared_ptr<TapeWriter> tape_;
   std::shared_ptr<Notes> notes_;
-  Note room_;
+  Note note_;
   bool isGone_ = false;
 };
 

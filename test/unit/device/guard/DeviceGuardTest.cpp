@@ -89,8 +89,8 @@ private:
   }
   void hearGuard()
   {
-    std::array<std::uint8_t, 64> room{};
-    const ssize_t count = ::recv(guard_, room.data(), room.size(), 0);
+    std::array<std::uint8_t, 64> buffer{};
+    const ssize_t count = ::recv(guard_, buffer.data(), buffer.size(), 0);
     if (count <= 0) {
       ::close(guard_);
       guard_ = -1;
@@ -98,15 +98,15 @@ private:
       return;
     }
     const std::lock_guard lock(mutex_);
-    fromGuard_.emplace_back(room.begin(), room.begin() + count);
+    fromGuard_.emplace_back(buffer.begin(), buffer.begin() + count);
   }
   void hearProgram(int file)
   {
-    std::array<std::uint8_t, 64> room{};
-    const ssize_t count = ::recv(file, room.data(), room.size(), MSG_DONTWAIT);
+    std::array<std::uint8_t, 64> buffer{};
+    const ssize_t count = ::recv(file, buffer.data(), buffer.size(), MSG_DONTWAIT);
     if (count <= 0) return;
     const std::lock_guard lock(mutex_);
-    fromProgram_.emplace_back(room.begin(), room.begin() + count);
+    fromProgram_.emplace_back(buffer.begin(), buffer.begin() + count);
   }
   void report()
   {

@@ -30,11 +30,11 @@ static int32_t traits(void* it, PerilymphDeviceTraitsV1* out)
   out->nominal_period_s = 1e-3;
   return 0;
 }
-static int32_t openIt(void* it, char* sentence, uint32_t room)
+static int32_t openIt(void* it, char* sentence, uint32_t capacity)
 {
   (void)it;
   if (FAULT != cannotOpen) return 0;
-  memset(sentence, 'y', room); /* all the room, and no 0 at the end */
+  memset(sentence, 'y', capacity); /* all the room, and no 0 at the end */
   return 1;
 }
 static void closeIt(void* it) { (void)it; }

@@ -68,7 +68,7 @@ typedef struct PerilymphDeviceV1 {
   void (*destroy)(void* device);
   int32_t (*traits)(void* device, PerilymphDeviceTraitsV1* traits);
   /* On failure writes a sentence for people, ending with 0, into `sentence` of `room` bytes. */
-  int32_t (*open)(void* device, char* sentence, uint32_t room);
+  int32_t (*open)(void* device, char* sentence, uint32_t capacity);
   void (*close)(void* device);
   /* The newest sample, whether fresh or not. */
   int32_t (*read)(void* device, PerilymphDeviceSampleV1* sample);

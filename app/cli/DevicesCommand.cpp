@@ -36,14 +36,14 @@ const char* accessWord(device::NodeAccess access)
 
 std::string ability(const device::DeviceTraits& traits)
 {
-  std::string words = std::to_string(traits.sensedTranslations) + " shifts and " +
-                      std::to_string(traits.sensedRotations) + " turns sensed, ";
+  std::string text = std::to_string(traits.sensedTranslations) + " shifts and " +
+                     std::to_string(traits.sensedRotations) + " turns sensed, ";
   if (traits.rendersForce)
-    words += "force on " + std::to_string(traits.actuatedTranslations) + " axes up to " +
-             fixed(traits.maxForce, 1) + " N";
+    text += "force on " + std::to_string(traits.actuatedTranslations) + " axes up to " +
+            fixed(traits.maxForce, 1) + " N";
   else
-    words += "no force";
-  return words + ", a report every " + fixed(traits.nominalPeriod * 1e3, 1) + " ms";
+    text += "no force";
+  return text + ", a report every " + fixed(traits.nominalPeriod * 1e3, 1) + " ms";
 }
 
 void printDevice(const FoundDevice& found)

@@ -23,7 +23,7 @@ constexpr int couldNot = 1;
 constexpr int usageError = 2;
 
 /// What is wrong with the words of a call.
-std::string words(const CLI::ParseError& error, const CLI::App& app, int argc, char** argv)
+std::string label(const CLI::ParseError& error, const CLI::App& app, int argc, char** argv)
 {
   if (argc < 2 || argv[1][0] == '-') return error.what();
   const auto isNamed = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
@@ -62,7 +62,7 @@ int run(int argc, char** argv)
       printText(text.str());
       return done;
     }
-    printError("{}. See perilymph-cli --help.\n", words(error, app, argc, argv));
+    printError("{}. See perilymph-cli --help.\n", label(error, app, argc, argv));
     return usageError;
   }
   const CallFiles files = fileOptions.filesOfCall();

@@ -133,11 +133,11 @@ WindowEnd runWindow(gui::Application& application, const gui::TerminationSignals
 void applyChoices(gui::Application& application, const gui::Options& options)
 {
   const gui::Settings settings;
-  const QString look = settings.word(QStringLiteral("look"), gui::lookWords());
+  const QString look = settings.word(QStringLiteral("look"), gui::colorSchemeText());
   gui::setShownLook(look == QLatin1String("light") ? gui::Look::light : gui::Look::dark);
   gui::useLanguage(application, options.language ? QString::fromStdString(*options.language)
                                                  : settings.word(QStringLiteral("language"),
-                                                                 gui::languageWords()));
+                                                                 gui::languageText()));
 }
 
 /// Ends the program at once if a thread cannot be ended: what is destroyed after main() may still
@@ -187,10 +187,10 @@ int run(int argc, char** argv, const gui::Options& options)
 
 int main(int argc, char** argv)
 {
-  const auto words = gui::parseOptions(argc, argv);
-  if (const auto* end = std::get_if<gui::Exit>(&words)) return end->status;
+  const auto label = gui::parseOptions(argc, argv);
+  if (const auto* end = std::get_if<gui::Exit>(&label)) return end->status;
   try {
-    return run(argc, argv, std::get<gui::Options>(words));
+    return run(argc, argv, std::get<gui::Options>(label));
   } catch (const std::exception& thrown) {
     return refuse(std::string("The workstation could not go on: ") + thrown.what() + ".");
   }

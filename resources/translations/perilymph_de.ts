@@ -1018,7 +1018,7 @@
     </message>
 </context>
 <context>
-    <name>perilymph::gui::ForceWords</name>
+    <name>perilymph::gui::ForceInterpretation</name>
     <message>
         <source>below the %1 mN that surgeons feel</source>
         <translation>unter den %1 mN, die Operateure fühlen</translation>

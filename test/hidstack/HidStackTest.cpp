@@ -30,15 +30,15 @@ Results readResults()
   Results results;
   std::ifstream file(PERILYMPH_HIDSTACK_RESULTS);
   for (std::string line; std::getline(file, line);) {
-    std::istringstream words(line);
+    std::istringstream text(line);
     std::string kind, name;
-    words >> kind;
+    text >> kind;
     if (kind == "measure") {
       double value = 0.0;
-      if (words >> name >> value) results.measures[name] = value;
+      if (text >> name >> value) results.measures[name] = value;
     } else if (kind == "status") {
       int value = 0;
-      if (words >> name >> value) results.statuses[name] = value;
+      if (text >> name >> value) results.statuses[name] = value;
     } else if (kind == "skipped:") {
       results.skipped = line;
     } else if (kind == "note:") {

@@ -28,9 +28,9 @@ enum Column { run, atCursor, peak, peakDepth, work, reversals, duration, angle, 
 constexpr int rowHeight_px = 32;
 constexpr int swatchWidth_px = 36;
 
-QLabel* text(const QString& words, int size_px, QWidget* parent, bool isQuiet = false)
+QLabel* text(const QString& caption, int size_px, QWidget* parent, bool isQuiet = false)
 {
-  auto* label = new QLabel(words, parent);
+  auto* label = new QLabel(caption, parent);
   label->setFont(typeface(size_px));
   label->setProperty("quiet", isQuiet);
   return label;
@@ -201,8 +201,8 @@ void ComparePage::fillTable()
         {angle, tr("%1°").arg(numberText(inDegrees(radians(profile.finalAngle)), 0))},
         {score, scored ? tr("%1 of 100").arg(numberText(scored->total, 0)) : tr("none")},
         {atCursor, QString()}};
-    for (const auto& [column, words] : cells) {
-      auto* item = new QTableWidgetItem(words);
+    for (const auto& [column, caption] : cells) {
+      auto* item = new QTableWidgetItem(caption);
       item->setTextAlignment(int(column == run ? Qt::AlignLeft : Qt::AlignRight) |
                              Qt::AlignVCenter);
       if (column == run) item->setIcon(QIcon(swatch(std::size_t(row))));

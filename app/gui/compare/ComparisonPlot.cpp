@@ -190,11 +190,11 @@ void ComparisonPlot::paintCursor(QPainter& painter) const
     painter.setBrush(penOfRun(i).color());
     painter.drawEllipse(at(cursor_mm_, *force), 4.5, 4.5);
   }
-  const QString words = tr("%1 mm").arg(numberText(cursor_mm_, 1));
+  const QString text = tr("%1 mm").arg(numberText(cursor_mm_, 1));
   const bool isRight = x > inside.right() - 70.0;
   painter.setPen(textColor);
   painter.drawText(QRectF(isRight ? x - 76 : x + 6, inside.top() - 22, 70, 20),
-                   int(isRight ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter, words);
+                   int(isRight ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter, text);
 }
 
 void ComparisonPlot::mousePressEvent(QMouseEvent* event) { mouseMoveEvent(event); }

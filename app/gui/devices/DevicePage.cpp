@@ -200,10 +200,10 @@ void DevicePage::showHand(const QString& name, const std::optional<device::Devic
     lines << tr("It needs no hardware and feels no force.");
   }
   if (!coupling.isEmpty()) lines << coupling;
-  const QString words = lines.join(QLatin1Char('\n'));
-  if (words == live_->text()) return;
-  live_->setText(words);
-  live_->setVisible(!words.isEmpty());
+  const QString caption = lines.join(QLatin1Char('\n'));
+  if (caption == live_->text()) return;
+  live_->setText(caption);
+  live_->setVisible(!caption.isEmpty());
   fit();
 }
 

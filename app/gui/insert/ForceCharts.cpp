@@ -7,7 +7,7 @@
 
 #include <QEvent>
 
-#include "ChartWords.h"
+#include "ChartLabels.h"
 #include "Pane.h"
 
 namespace perilymph::gui {

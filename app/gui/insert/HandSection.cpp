@@ -123,9 +123,9 @@ void HandSection::setHeld(bool isHeld)
   hold_->style()->polish(hold_);
 }
 
-void HandSection::setStylet(const QString& words, bool canPull)
+void HandSection::setStylet(const QString& text, bool canPull)
 {
-  stylet_->setText(words);
+  stylet_->setText(text);
   pullStylet_->setEnabled(canPull);
 }
 

@@ -29,7 +29,7 @@ public:
   void setChangeable(bool isChangeable);
   void setHeld(bool isHeld);
   void setHoldEnabled(bool isEnabled);
-  void setStylet(const QString& words, bool canPull);
+  void setStylet(const QString& text, bool canPull);
 
 Q_SIGNALS:
   void changeAsked(const perilymph::gui::Change& change);

@@ -299,9 +299,9 @@ haptics::LoopStatistics InsertionControl::halt()
   return insertion_->loop().statistics();
 }
 
-std::string InsertionControl::couplingWords() const
+std::string InsertionControl::couplingText() const
 {
-  return insertion_ ? insertion_->couplingWords() : std::string();
+  return insertion_ ? insertion_->couplingText() : std::string();
 }
 
 std::optional<std::filesystem::path> InsertionControl::recording() const

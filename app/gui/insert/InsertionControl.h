@@ -94,7 +94,7 @@ public:
   /// Stops the loop where it is and says how it kept its time. Ends the insertion.
   haptics::LoopStatistics halt();
   /// A sentence where the device cannot render the coupling asked for; else empty.
-  std::string couplingWords() const;
+  std::string couplingText() const;
   /// The file being written; none if it could not be.
   std::optional<std::filesystem::path> recording() const;
   /// A sentence while the insertion is not being kept; empty while all is well.

@@ -13,7 +13,7 @@
 #include <QVariant>
 #include <algorithm>
 
-#include "ForceWords.h"
+#include "ForceInterpretation.h"
 #include "Numbers.h"
 #include "PhaseLine.h"
 #include "ReadOut.h"
@@ -47,7 +47,7 @@ OperationView::OperationView(QWidget* parent)
       travel_(new ReadOut({46, QStringLiteral("00.0"), tr("mm"), Qt::AlignLeft}, this)),
       angle_(new ReadOut({46, QStringLiteral("000"), QStringLiteral("°"), Qt::AlignLeft}, this)),
       force_(new ReadOut({46, QStringLiteral("-000"), tr("mN"), Qt::AlignRight}, this)),
-      forceWords_(new ForceWords(this)),
+      forceInterpretation_(new ForceInterpretation(this)),
       speed_(new ReadOut({20, QStringLiteral("-00.0"), tr("mm/s"), Qt::AlignRight}, this)),
       banner_(new QFrame(this)),
       bannerText_(new QLabel(banner_)),
@@ -109,7 +109,7 @@ void OperationView::addReadOuts()
   column->setContentsMargins(2 * spacing, spacing, 2 * spacing, spacing);
   column->setSpacing(spacing);
   column->addLayout(numbers);
-  column->addWidget(forceWords_, 0, Qt::AlignRight);
+  column->addWidget(forceInterpretation_, 0, Qt::AlignRight);
   column->addWidget(speed_, 0, Qt::AlignRight);
   column->addWidget(banner_);
   column->addStretch();
@@ -188,7 +188,7 @@ void OperationView::showNumbers(const haptics::TickOutput& now, Length stopTrave
       tr("travel · depth %1 mm").arg(numberText(inMillimeters(Length::fromSi(now.depth)), 1)));
   angle_->setNumber(numberText(inDegrees(Angle::fromSi(now.angularDepth)), 0));
   force_->setNumber(numberText(inMillinewtons(Force::fromSi(now.axialForce)), 0));
-  forceWords_->show(Force::fromSi(now.axialForce), Force::fromSi(now.membraneForce));
+  forceInterpretation_->show(Force::fromSi(now.axialForce), Force::fromSi(now.membraneForce));
   speed_->setNumber(numberText(inMillimetersPerSecond(Speed::fromSi(now.speed)), 1));
   phase_->setPhase(analysis::phaseOf(now, stopTravel));
 }
@@ -271,7 +271,7 @@ void OperationView::placeHint()
 {
   const bool isSeen = !hint_->text().isEmpty();
   constexpr int padding = 2 * 6;  // the style's
-  const int words = QFontMetrics(hint_->font()).horizontalAdvance(hint_->text()) + padding + 1;
+  const int caption = QFontMetrics(hint_->font()).horizontalAdvance(hint_->text()) + padding + 1;
   const auto spaceBeside = [this] {
     layout()->activate();
     const int left = magnification_->geometry().right() + spacing;
@@ -283,18 +283,19 @@ void OperationView::placeHint()
   hint_->setVisible(isSeen);
   viewName_->setVisible(true);
   QRect beside = spaceBeside();
-  if (isSeen && words > beside.width()) {  // what to do matters more than where one looks from
+  if (isSeen && caption > beside.width()) {  // what to do matters more than where one looks from
     viewName_->setVisible(false);
     beside = spaceBeside();
   }
   int lift = 0;
-  if (words <= beside.width()) {
-    const int left = std::clamp((width() - words) / 2, beside.left(), beside.right() - words + 1);
+  if (caption <= beside.width()) {
+    const int left =
+        std::clamp((width() - caption) / 2, beside.left(), beside.right() - caption + 1);
     const int height = magnification_->sizeHint().height();
-    hint_->setGeometry(left, beside.center().y() - height / 2, words, height);
+    hint_->setGeometry(left, beside.center().y() - height / 2, caption, height);
   } else if (isSeen) {
     viewName_->setVisible(true);
-    const int widest = std::min(words, foot_->geometry().width());
+    const int widest = std::min(caption, foot_->geometry().width());
     const int height = hint_->heightForWidth(widest);
     hint_->setGeometry((width() - widest) / 2, beside.top() - height - spacing, widest, height);
     lift = height + spacing;

@@ -16,7 +16,7 @@ class QLabel;
 
 namespace perilymph::gui {
 
-class ForceWords;
+class ForceInterpretation;
 class PhaseLine;
 class ReadOut;
 class StereoWindow;
@@ -96,7 +96,7 @@ private:
   ReadOut* travel_;
   ReadOut* angle_;
   ReadOut* force_;
-  ForceWords* forceWords_;
+  ForceInterpretation* forceInterpretation_;
   ReadOut* speed_;
   QFrame* banner_;
   QLabel* bannerText_;

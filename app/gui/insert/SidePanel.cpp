@@ -167,7 +167,7 @@ void SidePanel::setHeld(bool isHeld)
 
 void SidePanel::setHoldEnabled(bool isEnabled) { hand_->setHoldEnabled(isEnabled); }
 
-void SidePanel::setStylet(const QString& words, bool canPull) { hand_->setStylet(words, canPull); }
+void SidePanel::setStylet(const QString& text, bool canPull) { hand_->setStylet(text, canPull); }
 
 void SidePanel::setCollapsed(bool isCollapsed)
 {

@@ -38,7 +38,7 @@ public:
   void setHand(InputSource hand, const QString& name);
   void setHeld(bool isHeld);
   void setHoldEnabled(bool isEnabled);
-  void setStylet(const QString& words, bool canPull);
+  void setStylet(const QString& text, bool canPull);
 
   /// A narrow strip, or the whole panel.
   void setCollapsed(bool isCollapsed);

@@ -43,7 +43,7 @@ BoardView::BoardView(QWidget* parent)
 
 void BoardView::setSource(const QString& source) { source_->setText(source); }
 
-void BoardView::show(const std::vector<KioskEntry>& entries, const QStringList& words,
+void BoardView::show(const std::vector<KioskEntry>& entries, const QStringList& caption,
                      std::optional<int> chosen)
 {
   delete rows_;
@@ -58,13 +58,13 @@ void BoardView::show(const std::vector<KioskEntry>& entries, const QStringList& 
   }
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const int rank = int(i) + 1;
-    addRow(rank, entries[i], words.value(int(i)), chosen == rank);
+    addRow(rank, entries[i], caption.value(int(i)), chosen == rank);
   }
   column_->insertWidget(2, rows_);
   rows_->QWidget::show();
 }
 
-void BoardView::addRow(int rank, const KioskEntry& entry, const QString& words, bool isChosen)
+void BoardView::addRow(int rank, const KioskEntry& entry, const QString& caption, bool isChosen)
 {
   auto* row = new QWidget(rows_);
   row->setProperty("chosen", isChosen);
@@ -81,7 +81,7 @@ void BoardView::addRow(int rank, const KioskEntry& entry, const QString& words, 
   grid->addWidget(place, 0, 0);
   grid->addWidget(peak, 0, 1);
   grid->addWidget(when, 0, 2);
-  if (!words.isEmpty()) grid->addWidget(label(words, 13, true, row), 1, 1, 1, 2);
+  if (!caption.isEmpty()) grid->addWidget(label(caption, 13, true, row), 1, 1, 1, 2);
   grid->setColumnMinimumWidth(0, 20);
   grid->setColumnStretch(2, 1);
   rows_->layout()->addWidget(row);

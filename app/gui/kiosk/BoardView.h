@@ -20,13 +20,13 @@ public:
 
   /// @param words   For each entry's peak.
   /// @param chosen  The place that stands out, 1 for the first.
-  void show(const std::vector<KioskEntry>& entries, const QStringList& words,
+  void show(const std::vector<KioskEntry>& entries, const QStringList& caption,
             std::optional<int> chosen);
   /// Whose forces the words compare with.
   void setSource(const QString& source);
 
 private:
-  void addRow(int rank, const KioskEntry& entry, const QString& words, bool isChosen);
+  void addRow(int rank, const KioskEntry& entry, const QString& caption, bool isChosen);
 
   QWidget* rows_ = nullptr;
   QVBoxLayout* column_;

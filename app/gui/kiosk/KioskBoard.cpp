@@ -24,14 +24,14 @@ bool isGentler(const KioskEntry& a, const KioskEntry& b)
 /// "14:03:21 83.21 12.4 0": time of day, peak [mN], duration [s], reversals.
 std::optional<KioskEntry> entryOf(const QString& line)
 {
-  const QStringList words = line.split(QLatin1Char(' '), Qt::SkipEmptyParts);
-  if (words.size() != 4) return std::nullopt;
+  const QStringList label = line.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+  if (label.size() != 4) return std::nullopt;
   bool isPeak = false, isDuration = false, isCount = false;
   KioskEntry entry;
-  entry.at = QTime::fromString(words[0], QStringLiteral("HH:mm:ss"));
-  entry.peak_mN = words[1].toDouble(&isPeak);
-  entry.duration_s = words[2].toDouble(&isDuration);
-  entry.reversals = words[3].toInt(&isCount);
+  entry.at = QTime::fromString(label[0], QStringLiteral("HH:mm:ss"));
+  entry.peak_mN = label[1].toDouble(&isPeak);
+  entry.duration_s = label[2].toDouble(&isDuration);
+  entry.reversals = label[3].toInt(&isCount);
   const bool isWell = entry.at.isValid() && isPeak && isDuration && isCount &&
                       entry.peak_mN >= 0.0 && entry.peak_mN < maxPeak_mN &&
                       entry.duration_s >= 0.0 && entry.duration_s < maxDuration_s &&

@@ -75,10 +75,10 @@ void KioskWindow::say(const QString& title, const QString& sentence)
 void KioskWindow::showBoard(std::optional<int> chosen)
 {
   const std::vector<KioskEntry>& entries = board_.entriesOf(clock_.today().date());
-  QStringList words;
+  QStringList text;
   for (const KioskEntry& entry : entries)
-    words << peakWords(millinewtons(entry.peak_mN).si(), inVivo_);
-  boardView_->show(entries, words, chosen);
+    text << peakText(millinewtons(entry.peak_mN).si(), inVivo_);
+  boardView_->show(entries, text, chosen);
 }
 
 bool KioskWindow::prepare(InputSource hand)
@@ -171,7 +171,7 @@ void KioskWindow::endTurn()
   say(place ? tr("Full depth · peak force %1 mN · place %2 today").arg(peak).arg(*place)
             : tr("Full depth · peak force %1 mN").arg(peak),
       tr("%1, in %2 s; turned back: %3.")
-          .arg(peakWords(turn_.peakForce(), inVivo_), numberText(entry.duration_s, 1))
+          .arg(peakText(turn_.peakForce(), inVivo_), numberText(entry.duration_s, 1))
           .arg(entry.reversals));
   setStage(KioskStage::result);
   showBoard(place);

@@ -13,7 +13,7 @@ namespace {
 /// A hand that trembles has not turned back.
 constexpr double reversalTravel_m = 0.3e-3;
 
-QString translated(const char* words) { return QCoreApplication::translate("KioskTurn", words); }
+QString translated(const char* text) { return QCoreApplication::translate("KioskTurn", text); }
 
 }  // namespace
 
@@ -34,7 +34,7 @@ void KioskTurn::follow(const haptics::TickOutput& now)
   }
 }
 
-QString peakWords(double peak_N, const Result<analysis::Reference>& inVivo)
+QString peakText(double peak_N, const Result<analysis::Reference>& inVivo)
 {
   const analysis::PrintedRange* range = inVivo ? inVivo->findRange("peak") : nullptr;
   if (range == nullptr) return {};

@@ -33,7 +33,7 @@ private:
 
 /// The peak in words, beside the range of peaks measured in patients: "below the peaks measured in
 /// patients". A comparison, no judgment of safety.
-QString peakWords(double peak_N, const Result<analysis::Reference>& inVivo);
+QString peakText(double peak_N, const Result<analysis::Reference>& inVivo);
 
 /// The range those words speak of and who measured it; empty if it could not be read.
 QString peakSource(const Result<analysis::Reference>& inVivo);

@@ -122,12 +122,12 @@ void KioskWindow::layOut()
   sentence_->setWordWrap(true);
   auto* head = new QWidget(this);
   head->setFixedHeight(headHeight_px);
-  auto* words = new QVBoxLayout(head);
-  words->setContentsMargins(4 * spacing, 2 * spacing, 4 * spacing, spacing);
-  words->setSpacing(4);
-  words->addWidget(title_);
-  words->addWidget(sentence_);
-  words->addStretch();
+  auto* label = new QVBoxLayout(head);
+  label->setContentsMargins(4 * spacing, 2 * spacing, 4 * spacing, spacing);
+  label->setSpacing(4);
+  label->addWidget(title_);
+  label->addWidget(sentence_);
+  label->addStretch();
 
   auto* middle = new QHBoxLayout;
   middle->setSpacing(0);

@@ -91,8 +91,8 @@ void PushPad::paintEvent(QPaintEvent*)
   const QColor ink = isEnabled() ? textColor : quietTextColor;
   painter.setPen(ink);
   painter.setFont(typeface(26, QFont::DemiBold));
-  const QRect words = rect().adjusted(side_px, 8, -side_px, -36);
-  painter.drawText(words, Qt::AlignCenter,
+  const QRect text = rect().adjusted(side_px, 8, -side_px, -36);
+  painter.drawText(text, Qt::AlignCenter,
                    isHeld() ? tr("Let go to pause") : tr("Hold here to insert"));
   painter.setFont(typeface(16));
   const QRect foot = rect().adjusted(side_px, 54, -side_px, -8);

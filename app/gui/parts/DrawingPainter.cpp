@@ -51,21 +51,21 @@ struct MarkPainter {
     painter.drawEllipse(QPointF(disk.center.x, disk.center.y), disk.radius, disk.radius);
   }
 
-  void operator()(const analysis::Words& words) const
+  void operator()(const analysis::Label& label) const
   {
     const double fine = lettering == Lettering::scaled ? 16.0 : 1.0;
-    const QFont font = typeface(int(std::lround(words.size * fine)),
-                                words.isBold ? QFont::DemiBold : QFont::Normal);
-    const QString text = QString::fromStdString(words.text);
+    const QFont font = typeface(int(std::lround(label.size * fine)),
+                                label.isBold ? QFont::DemiBold : QFont::Normal);
+    const QString text = QString::fromStdString(label.text);
     painter.save();
-    painter.translate(words.at.x, words.at.y);
-    if (words.direction == analysis::Direction::upward) painter.rotate(-90.0);
+    painter.translate(label.at.x, label.at.y);
+    if (label.direction == analysis::Direction::upward) painter.rotate(-90.0);
     if (fine != 1.0) painter.scale(1.0 / fine, 1.0 / fine);
     painter.setFont(font);
-    painter.setPen(colorOf(words.ink));
+    painter.setPen(colorOf(label.ink));
     const double width = QFontMetricsF(font).horizontalAdvance(text);
-    const double left = words.anchor == analysis::Anchor::start    ? 0.0
-                        : words.anchor == analysis::Anchor::middle ? -0.5 * width
+    const double left = label.anchor == analysis::Anchor::start    ? 0.0
+                        : label.anchor == analysis::Anchor::middle ? -0.5 * width
                                                                    : -width;
     painter.drawText(QPointF(left, 0.0), text);
     painter.restore();

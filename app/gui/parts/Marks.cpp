@@ -33,8 +33,8 @@ int heightOf(const QAbstractButton& button, int width)
 {
   const QFontMetrics metrics(button.font());
   const QRect available(0, 0, std::max(1, width - textLeft_px), 1000);
-  const int words = metrics.boundingRect(available, Qt::TextWordWrap, button.text()).height();
-  return std::max(rowHeight_px, words + rowHeight_px - metrics.height());
+  const int label = metrics.boundingRect(available, Qt::TextWordWrap, button.text()).height();
+  return std::max(rowHeight_px, label + rowHeight_px - metrics.height());
 }
 
 QRectF markPlace(const QWidget& widget)

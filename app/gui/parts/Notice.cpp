@@ -19,15 +19,15 @@ constexpr int max_px = 760;
 
 Notice::Notice(QWidget* parent)
     : QFrame(parent),
-      words_(new QLabel(this)),
+      label_(new QLabel(this)),
       act_(new QPushButton(this)),
       dismiss_(new QPushButton(tr("Dismiss"), this))
 {
   setObjectName(QStringLiteral("notice"));
-  words_->setObjectName(QStringLiteral("noticeText"));
-  words_->setFont(typeface(13));
-  words_->setWordWrap(true);
-  words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  label_->setObjectName(QStringLiteral("noticeText"));
+  label_->setFont(typeface(13));
+  label_->setWordWrap(true);
+  label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   act_->setObjectName(QStringLiteral("noticeButton"));
   dismiss_->setObjectName(QStringLiteral("noticeDismissButton"));
   for (QPushButton* button : {act_, dismiss_}) {
@@ -38,7 +38,7 @@ Notice::Notice(QWidget* parent)
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(2 * spacing, spacing, spacing, spacing);
   row->setSpacing(spacing);
-  row->addWidget(words_, 1);
+  row->addWidget(label_, 1);
   row->addWidget(act_);
   row->addWidget(dismiss_);
   timer_.setSingleShot(true);
@@ -54,7 +54,7 @@ Notice::Notice(QWidget* parent)
 
 void Notice::say(const QString& sentence)
 {
-  words_->setText(sentence);
+  label_->setText(sentence);
   action_ = nullptr;
   act_->hide();
   timer_.start(time_ms);
@@ -63,7 +63,7 @@ void Notice::say(const QString& sentence)
 
 void Notice::offer(const QString& sentence, const QString& action, std::function<void()> act)
 {
-  words_->setText(sentence);
+  label_->setText(sentence);
   act_->setText(action);
   act_->show();
   action_ = std::move(act);
@@ -71,7 +71,7 @@ void Notice::offer(const QString& sentence, const QString& action, std::function
   place();
 }
 
-QString Notice::sentence() const { return words_->text(); }
+QString Notice::sentence() const { return label_->text(); }
 
 void Notice::place()
 {

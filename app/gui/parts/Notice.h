@@ -28,7 +28,7 @@ protected:
 private:
   void place();
 
-  QLabel* words_;
+  QLabel* label_;
   QPushButton* act_;
   QPushButton* dismiss_;
   std::function<void()> action_;

@@ -5,7 +5,7 @@
 #include <QLocale>
 #include <QTranslator>
 
-#include "ChartWords.h"
+#include "ChartLabels.h"
 
 // Outside of every namespace, where Qt looks for the resource.
 static void initializeTranslations() { Q_INIT_RESOURCE(translations); }

@@ -159,10 +159,10 @@ void ReplayBar::showPlace(const Replay& replay)
   time_->setText(tr("%1 of %2 s · tick %3")
                      .arg(numberText(replay.now().output.time, 3), numberText(end_s, 1))
                      .arg(replay.now().tick));
-  const QString words = tr("replay · %1 · not a medical device").arg(replay.verdict());
-  if (status_->text() == words) return;
-  status_->setText(words);
-  status_->setToolTip(words);
+  const QString label = tr("replay · %1 · not a medical device").arg(replay.verdict());
+  if (status_->text() == label) return;
+  status_->setText(label);
+  status_->setToolTip(label);
   status_->setProperty("error", replay.isError());
   status_->style()->unpolish(status_);
   status_->style()->polish(status_);

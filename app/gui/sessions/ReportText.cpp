@@ -15,13 +15,13 @@ namespace {
 constexpr int curveWidth_px = 480, pictureWidth_px = 320;
 
 // lupdate looks for words of free functions under the name of their namespace.
-QString tr(const char* words) { return QCoreApplication::translate("perilymph::gui", words); }
+QString tr(const char* caption) { return QCoreApplication::translate("perilymph::gui", caption); }
 
 QString from(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); }
 
-QString cell(const QString& words, const char* kind = "")
+QString cell(const QString& caption, const char* kind = "")
 {
-  return QStringLiteral("<td class=\"%1\">%2</td>").arg(QLatin1String(kind), words);
+  return QStringLiteral("<td class=\"%1\">%2</td>").arg(QLatin1String(kind), caption);
 }
 
 QString row(const QString& name, const QString& value, const QString& origin = {})
@@ -35,7 +35,7 @@ QString table(const QStringList& rows)
   return QStringLiteral("<table cellspacing=\"0\">%1</table>").arg(rows.join(QString()));
 }
 
-QString heading(const char* words) { return QStringLiteral("<h2>%1</h2>").arg(tr(words)); }
+QString heading(const char* caption) { return QStringLiteral("<h2>%1</h2>").arg(tr(caption)); }
 
 QString mm(double length) { return tr("%1 mm").arg(numberText(inMillimeters(meters(length)), 1)); }
 

@@ -83,11 +83,11 @@ SessionTable::Row SessionTable::rowOf(SessionSummary session) const
   Row row;
   row.session = std::move(session);
   row.recorded = row.session.isBeingRecorded ? tr("recording now") : recordedText(row.session);
-  QStringList words;
-  for (int column = recorded; column <= array; ++column) words << text(row, column);
-  words << QString::fromStdString(row.session.scenario)
+  QStringList label;
+  for (int column = recorded; column <= array; ++column) label << text(row, column);
+  label << QString::fromStdString(row.session.scenario)
         << QString::fromStdString(row.session.device);
-  row.searched = words.join(QLatin1Char(' '));
+  row.searched = label.join(QLatin1Char(' '));
   return row;
 }
 

@@ -28,9 +28,9 @@ namespace {
 
 constexpr int rowHeight_px = 60;
 
-QLabel* text(const QString& words, int size_px, QWidget* parent, bool isQuiet = false)
+QLabel* text(const QString& caption, int size_px, QWidget* parent, bool isQuiet = false)
 {
-  auto* label = new QLabel(words, parent);
+  auto* label = new QLabel(caption, parent);
   label->setFont(typeface(size_px));
   label->setProperty("quiet", isQuiet);
   return label;
@@ -197,9 +197,9 @@ QWidget* SessionsPage::addVerbs()
   return verbs;
 }
 
-QPushButton* SessionsPage::addVerb(const QString& words, const char* name, const QString& tip)
+QPushButton* SessionsPage::addVerb(const QString& caption, const char* name, const QString& tip)
 {
-  auto* button = new QPushButton(words, this);
+  auto* button = new QPushButton(caption, this);
   button->setObjectName(QLatin1String(name));
   button->setFont(typeface(13, QFont::Medium));
   button->setFixedHeight(32);

@@ -152,10 +152,11 @@ void ArraySection::addModel()
   rows().addWidget(nodes_);
 }
 
-void ArraySection::askNumber(NumberField* field, Field what, const char* key, const QString& words)
+void ArraySection::askNumber(NumberField* field, Field what, const char* key,
+                             const QString& caption)
 {
-  connect(field, &NumberField::given, this, [this, what, key, words](double value) {
-    Q_EMIT changeAsked({what, {{key, tomlFloat(value)}}, words.arg(numberText(value, 1)), {}});
+  connect(field, &NumberField::given, this, [this, what, key, caption](double value) {
+    Q_EMIT changeAsked({what, {{key, tomlFloat(value)}}, caption.arg(numberText(value, 1)), {}});
   });
 }
 

@@ -33,7 +33,7 @@ private:
   void addMotion();
   void addContact();
   void addModel();
-  void askNumber(NumberField* field, Field what, const char* key, const QString& words);
+  void askNumber(NumberField* field, Field what, const char* key, const QString& caption);
   void showFriction(const session::Scenario& scenario);
 
   std::vector<CatalogArray> arrays_;

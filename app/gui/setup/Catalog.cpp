@@ -13,7 +13,7 @@ namespace perilymph::gui {
 namespace {
 
 // lupdate looks for words of free functions under the name of their namespace.
-QString tr(const char* words) { return QCoreApplication::translate("perilymph::gui", words); }
+QString tr(const char* label) { return QCoreApplication::translate("perilymph::gui", label); }
 
 }  // namespace
 
@@ -23,9 +23,9 @@ QString summaryOf(const electrode::ArrayDesign& array)
   const bool isCurved = std::any_of(curvature.begin(), curvature.end(),
                                     [](Curvature value) { return value.si() != 0.0; });
   const QString shape = isCurved ? tr("precurved") : tr("straight");
-  const QStringList words{tr("%1 mm").arg(numberText(inMillimeters(array.insertable), 1)), shape,
+  const QStringList label{tr("%1 mm").arg(numberText(inMillimeters(array.insertable), 1)), shape,
                           tr("%1 contacts").arg(array.contactsFromTip.size())};
-  return words.join(QStringLiteral(" · "));
+  return label.join(QStringLiteral(" · "));
 }
 
 std::vector<CatalogArray> catalogArrays()

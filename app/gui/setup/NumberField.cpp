@@ -72,9 +72,9 @@ QString NumberField::error() const
 
 void NumberField::showError()
 {
-  const QString words = error();
-  error_->setText(words);
-  error_->setVisible(!words.isEmpty());
+  const QString label = error();
+  error_->setText(label);
+  error_->setVisible(!label.isEmpty());
 }
 
 bool NumberField::isPending() const { return edit_->isPending(); }

@@ -205,12 +205,12 @@ QString PatientSection::commit()
 
 void PatientSection::askNumber(const Number& number, std::optional<Length> value)
 {
-  const QString words = value
-                            ? tr("%1 %2 mm").arg(number.title, numberText(inMillimeters(*value), 2))
-                            : tr("%1 left out").arg(number.title);
+  const QString caption =
+      value ? tr("%1 %2 mm").arg(number.title, numberText(inMillimeters(*value), 2))
+            : tr("%1 left out").arg(number.title);
   Q_EMIT changeAsked({number.field,
                       {{keyOf(number.key), value ? tomlMillimeters(*value) : std::string()}},
-                      words,
+                      caption,
                       Provenance::typed});
 }
 

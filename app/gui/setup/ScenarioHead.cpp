@@ -116,12 +116,12 @@ void ScenarioHead::show(const SetupHistory& history)
 
   const bool isModified = history.isModified();
   badge_->setVisible(isModified);
-  badge_->setToolTip(tr("Not the preset’s values: %1.").arg(history.changedWords()));
+  badge_->setToolTip(tr("Not the preset’s values: %1.").arg(history.changedText()));
   restore_->setVisible(isModified);
   const bool isPublished = claimed.name == publishedPreset;
   restore_->setText(isPublished ? tr("Back to the published values")
                                 : tr("Back to the preset’s values"));
-  restore_->setToolTip(tr("Changed: %1. %2").arg(history.changedWords(), citation).trimmed());
+  restore_->setToolTip(tr("Changed: %1. %2").arg(history.changedText(), citation).trimmed());
 
   const QUndoStack& stack = history.stack();
   canUndo_ = stack.canUndo();

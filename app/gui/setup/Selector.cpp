@@ -87,20 +87,20 @@ void Selector::show(const QString& value, const QString& textIfMissing)
 
 int Selector::widest_px() const
 {
-  int words = 0;
+  int label = 0;
   for (int i = 0; i < count(); ++i)
-    words = std::max(words, QFontMetrics(font()).horizontalAdvance(itemText(i)));
-  return words + textMargin_px + arrowWidth_px + 1;
+    label = std::max(label, QFontMetrics(font()).horizontalAdvance(itemText(i)));
+  return label + textMargin_px + arrowWidth_px + 1;
 }
 
-QString Selector::words() const
+QString Selector::text() const
 {
   return shown_.isEmpty() ? itemData(currentIndex(), textRole).toString() : shown_;
 }
 
 bool Selector::isWhole() const
 {
-  return QFontMetrics(font()).horizontalAdvance(words()) <= width() - textMargin_px - arrowWidth_px;
+  return QFontMetrics(font()).horizontalAdvance(text()) <= width() - textMargin_px - arrowWidth_px;
 }
 
 QSize Selector::sizeHint() const { return {120, height_px}; }
@@ -131,7 +131,7 @@ void Selector::paintEvent(QPaintEvent*)
   painter.setFont(font());
   const QRect place = rect().adjusted(textMargin_px, 0, -arrowWidth_px, 0);
   painter.drawText(place, Qt::AlignVCenter | Qt::AlignLeft,
-                   QFontMetrics(font()).elidedText(words(), Qt::ElideRight, place.width()));
+                   QFontMetrics(font()).elidedText(text(), Qt::ElideRight, place.width()));
   if (!isEnabled()) return;
   QPainterPath arrow;
   const QPointF middle(width() - 13.0, height() / 2.0 + 1.0);

@@ -44,7 +44,7 @@ protected:
   void wheelEvent(QWheelEvent* event) override;
 
 private:
-  QString words() const;
+  QString text() const;
 
   QString shown_;
 };

@@ -180,10 +180,10 @@ Result<session::Scenario> read(const Values& values, const std::string& name)
   return session::parseScenario(text, name);
 }
 
-std::string joined(const std::vector<std::string>& words)
+std::string joined(const std::vector<std::string>& caption)
 {
   std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  for (const std::string& word : caption) text += (text.empty() ? "" : ", ") + word;
   return text;
 }
 
@@ -226,8 +226,8 @@ Result<Setup> changed(const Setup& now, const Origin& origin, const Change& chan
   const std::string file = first.name + (isPreset ? "-modified.toml" : ".toml");
   auto plain = read(values, file);
   if (!plain) return plain.error();
-  const std::vector<std::string> words = differingWords(first, *plain);
-  if (words.empty()) {
+  const std::vector<std::string> caption = differingText(first, *plain);
+  if (caption.empty()) {
     made.scenario = first;
     made.provenance = origin.setup.provenance;
     return made;
@@ -235,7 +235,7 @@ Result<Setup> changed(const Setup& now, const Origin& origin, const Change& chan
   if (isPreset) {
     const std::string claimed = first.title.empty() ? first.name : first.title;
     set(values, "title",
-        tomlQuoted(QString::fromStdString("Modified (" + joined(words) + "): " + claimed)));
+        tomlQuoted(QString::fromStdString("Modified (" + joined(caption) + "): " + claimed)));
     auto titled = read(values, file);
     if (!titled) return titled.error();
     made.scenario = *std::move(titled);
@@ -260,8 +260,7 @@ std::vector<std::string> differingKeys(const session::Scenario& one, const sessi
   return keys;
 }
 
-std::vector<std::string> differingWords(const session::Scenario& one,
-                                        const session::Scenario& other)
+std::vector<std::string> differingText(const session::Scenario& one, const session::Scenario& other)
 {
   const std::vector<std::string> keys = differingKeys(one, other);
   const auto differs = [&keys](const std::function<bool(const std::string&)>& isMeant) {
@@ -285,16 +284,16 @@ std::vector<std::string> differingWords(const session::Scenario& one,
       {"nodes", named("nodes")},
       {"force scale", named("force_scale")},
   };
-  std::vector<std::string> words;
+  std::vector<std::string> caption;
   for (const auto& [word, isMeant] : groups)
-    if (differs(isMeant)) words.emplace_back(word);
+    if (differs(isMeant)) caption.emplace_back(word);
   const auto isGrouped = [&groups](const std::string& key) {
     return std::any_of(std::begin(groups), std::end(groups),
                        [&key](const auto& group) { return group.second(key); });
   };
   for (const std::string& key : keys)
-    if (!isGrouped(key)) words.push_back(key);
-  return words;
+    if (!isGrouped(key)) caption.push_back(key);
+  return caption;
 }
 
 std::string fileNameOf(const std::string& name)

@@ -62,7 +62,7 @@ struct Origin {
 struct Change {
   Field field;
   session::Overrides values;
-  QString words;  ///< What it does, for the undo list: "speed 1.0 mm/s".
+  QString text;  ///< What it does, for the undo list: "speed 1.0 mm/s".
   Provenance provenance = Provenance::typed;
 };
 
@@ -83,8 +83,8 @@ std::vector<std::string> differingKeys(const session::Scenario& one,
                                        const session::Scenario& other);
 
 /// The same as fields in words, each once and in a fixed order: "array", "speed".
-std::vector<std::string> differingWords(const session::Scenario& one,
-                                        const session::Scenario& other);
+std::vector<std::string> differingText(const session::Scenario& one,
+                                       const session::Scenario& other);
 
 /// A file's name from a patient's: letters and digits stay, everything else becomes a dash.
 std::string fileNameOf(const std::string& label);

@@ -10,8 +10,8 @@ namespace perilymph::gui {
 class SetupCommand : public QUndoCommand {
 public:
   SetupCommand(SetupHistory& history, Setup before, Setup after, Field field, int epoch,
-               const QString& words)
-      : QUndoCommand(words),
+               const QString& label)
+      : QUndoCommand(label),
         history_(history),
         before_(std::move(before)),
         after_(std::move(after)),
@@ -68,12 +68,12 @@ bool SetupHistory::isModified() const
          !differingKeys(origin_.setup.scenario, now_.scenario).empty();
 }
 
-QString SetupHistory::changedWords() const
+QString SetupHistory::changedText() const
 {
-  QStringList words;
-  for (const std::string& word : differingWords(origin_.setup.scenario, now_.scenario))
-    words << QString::fromStdString(word);
-  return words.join(QStringLiteral(", "));
+  QStringList label;
+  for (const std::string& word : differingText(origin_.setup.scenario, now_.scenario))
+    label << QString::fromStdString(word);
+  return label.join(QStringLiteral(", "));
 }
 
 void SetupHistory::change(const Change& change)
@@ -85,7 +85,7 @@ void SetupHistory::change(const Change& change)
     return;
   }
   if (made->scenario.text == now_.scenario.text) return;
-  push(*std::move(made), change.field, change.words);
+  push(*std::move(made), change.field, change.text);
 }
 
 void SetupHistory::restore()
@@ -94,9 +94,9 @@ void SetupHistory::restore()
   push(origin_.setup, Field::preset, tr("back to the preset’s values"));
 }
 
-void SetupHistory::push(Setup after, Field field, const QString& words)
+void SetupHistory::push(Setup after, Field field, const QString& label)
 {
-  stack_.push(new SetupCommand(*this, now_, std::move(after), field, epoch_, words));
+  stack_.push(new SetupCommand(*this, now_, std::move(after), field, epoch_, label));
   Q_EMIT setupChanged();
 }
 

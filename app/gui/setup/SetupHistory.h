@@ -26,7 +26,7 @@ public:
   /// It is a preset's, but no longer as the preset says.
   bool isModified() const;
   /// What was changed, in words: "array, speed"; empty where nothing was.
-  QString changedWords() const;
+  QString changedText() const;
 
   /// Makes a change, or says why it cannot be made.
   void change(const Change& change);
@@ -49,7 +49,7 @@ Q_SIGNALS:
 
 private:
   friend class SetupCommand;
-  void push(Setup after, Field field, const QString& words);
+  void push(Setup after, Field field, const QString& label);
 
   QUndoStack stack_;
   Origin origin_;

@@ -69,11 +69,11 @@ PopulationField::PopulationField(const QString& title, const char* name,
   grid->addWidget(field_, 0, 1);
   grid->addWidget(unit, 0, 2);
   grid->setRowMinimumHeight(1, lineHeight_px);
-  auto* words = new QHBoxLayout;
-  words->setSpacing(4);
-  words->addWidget(place_, 1);
-  words->addWidget(provenance_);
-  grid->addLayout(words, 2, 0, 1, 3);
+  auto* label = new QHBoxLayout;
+  label->setSpacing(4);
+  label->addWidget(place_, 1);
+  label->addWidget(provenance_);
+  grid->addLayout(label, 2, 0, 1, 3);
   grid->setColumnStretch(0, 1);
 
   connect(field_, &QLineEdit::textChanged, this, [this] {
@@ -162,9 +162,9 @@ QString PopulationField::placeOf(Length value) const
 void PopulationField::showPlace()
 {
   const auto typed = value();
-  QString words = error();
-  if (words.isEmpty()) words = typed ? placeOf(*typed) : tr("left out: taken from A and B");
-  place_->setText(words);
+  QString label = error();
+  if (label.isEmpty()) label = typed ? placeOf(*typed) : tr("left out: taken from A and B");
+  place_->setText(label);
   const bool isError = !isAcceptable();
   if (place_->property("error").toBool() != isError) {
     place_->setProperty("error", isError);

@@ -10,7 +10,7 @@ namespace perilymph::gui {
 namespace {
 
 // lupdate looks for words of free functions under the name of their namespace.
-QString tr(const char* words) { return QCoreApplication::translate("perilymph::gui", words); }
+QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
 
 Population populationOf(const anatomy::Spread& spread)
 {

@@ -26,9 +26,9 @@ constexpr int columnWidth_px = 480;
 constexpr int fewestRuns = 2;
 constexpr int maxRuns = 1000;
 
-QLabel* text(const QString& words, int size_px, QWidget* parent, bool isQuiet = false)
+QLabel* text(const QString& caption, int size_px, QWidget* parent, bool isQuiet = false)
 {
-  auto* label = new QLabel(words, parent);
+  auto* label = new QLabel(caption, parent);
   label->setFont(typeface(size_px));
   label->setProperty("quiet", isQuiet);
   return label;

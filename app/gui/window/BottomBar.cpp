@@ -120,10 +120,10 @@ void BottomBar::setProgress(double fraction, double time_s)
   time_->setText(tr("%1 s").arg(numberText(time_s, 1)));
 }
 
-void BottomBar::setStatus(const QString& words, bool isError)
+void BottomBar::setStatus(const QString& label, bool isError)
 {
-  status_->setText(words);
-  status_->setToolTip(words);
+  status_->setText(label);
+  status_->setToolTip(label);
   if (status_->property("error").toBool() == isError) return;
   status_->setProperty("error", isError);
   status_->style()->unpolish(status_);

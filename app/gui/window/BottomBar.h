@@ -40,7 +40,7 @@ public:
   void setWithdrawEnabled(bool isEnabled);
   void setProgress(double fraction, double time_s);
   /// @param isError  Stands out, because the recording or the haptic loop is in trouble.
-  void setStatus(const QString& words, bool isError);
+  void setStatus(const QString& label, bool isError);
 
 Q_SIGNALS:
   void startAsked();

@@ -10,11 +10,11 @@
 
 namespace perilymph::gui {
 
-BuildingNote::BuildingNote(QWidget* page) : QFrame(page), words_(new QLabel(this))
+BuildingNote::BuildingNote(QWidget* page) : QFrame(page), text_(new QLabel(this))
 {
   setObjectName(QStringLiteral("buildingNote"));
-  words_->setObjectName(QStringLiteral("buildingText"));
-  words_->setFont(typeface(13));
+  text_->setObjectName(QStringLiteral("buildingText"));
+  text_->setFont(typeface(13));
   auto* bar = new QProgressBar(this);  // how long it will take is not known
   bar->setRange(0, 0);
   bar->setTextVisible(false);
@@ -29,7 +29,7 @@ BuildingNote::BuildingNote(QWidget* page) : QFrame(page), words_(new QLabel(this
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(2 * spacing, spacing, spacing, spacing);
   row->setSpacing(2 * spacing);
-  row->addWidget(words_);
+  row->addWidget(text_);
   row->addWidget(bar);
   row->addWidget(cancel);
   page->installEventFilter(this);
@@ -39,7 +39,7 @@ BuildingNote::BuildingNote(QWidget* page) : QFrame(page), words_(new QLabel(this
 void BuildingNote::show(qint64 busyFor_ms)
 {
   const bool isWorthIt = busyFor_ms >= patience_ms;
-  if (isWorthIt) words_->setText(tr("Building the cochlea… %1 s").arg(busyFor_ms / 1000));
+  if (isWorthIt) text_->setText(tr("Building the cochlea… %1 s").arg(busyFor_ms / 1000));
   if (isWorthIt == !isHidden()) return;
   setVisible(isWorthIt);
   if (isWorthIt) place();

@@ -30,7 +30,7 @@ protected:
 private:
   void place();
 
-  QLabel* words_;
+  QLabel* text_;
 };
 
 }  // namespace perilymph::gui

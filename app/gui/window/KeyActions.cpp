@@ -35,9 +35,9 @@ bool KeyActions::take(const QKeyEvent& event) const
 
 QString keysText(const KeyAction& action)
 {
-  QStringList words;
-  for (const QKeySequence& key : action.keys) words << key.toString(QKeySequence::NativeText);
-  return words.join(QStringLiteral("  "));
+  QStringList text;
+  for (const QKeySequence& key : action.keys) text << key.toString(QKeySequence::NativeText);
+  return text.join(QStringLiteral("  "));
 }
 
 }  // namespace perilymph::gui

@@ -170,9 +170,9 @@ private:
   void toggleDevices();
   void useDevice(const device::FoundDevice& found);
   void showDevice();
-  QString statusWords() const;
+  QString statusText() const;
   QString errorText() const;
-  QString hintWords() const;
+  QString hintText() const;
   QString deviceHint() const;
   bool isNewToTheEye(const haptics::Snapshot& now);
 
@@ -213,7 +213,7 @@ private:
   bool isStartAsked_ = false;  ///< Begin once the model is built.
   std::set<int> pressed_;      ///< Up and Down while they are held.
   QString error_;
-  QString deviceWords_;        ///< How the hand's device is doing; empty without one.
+  QString deviceText_;         ///< How the hand's device is doing; empty without one.
   haptics::Snapshot drawn_{};  ///< The picture the scene shows.
 };
 

@@ -37,10 +37,10 @@ void MainWindow::usePlugin(const std::filesystem::path& library)
 void MainWindow::showDevice()
 {
   const auto health = control_.deviceHealth();
-  deviceWords_ = deviceRateText(health);
+  deviceText_ = deviceRateText(health);
   if (!devices_->isVisible()) return;
   devices_->showHand(QString::fromStdString(control_.handName()), health, control_.now(),
-                     QString::fromStdString(control_.couplingWords()));
+                     QString::fromStdString(control_.couplingText()));
 }
 
 }  // namespace perilymph::gui

@@ -63,7 +63,7 @@ void MainWindow::showPage(Page page)
                                        : patientText(isReplay ? replay_->playback().scenario()
                                                               : control_.scenario()));
   top_->setModified(page != Page::start && !isReplay && setup_->isModified(),
-                    tr("Not the preset’s values: %1.").arg(setup_->changedWords()));
+                    tr("Not the preset’s values: %1.").arg(setup_->changedText()));
   if (page == Page::start) {
     startPage_->showCards();
   } else {
@@ -153,7 +153,7 @@ void MainWindow::showScenario()
   setWindowTitle(tr("Perilymph · %1").arg(QString::fromStdString(scenario.name)));
   if (page_ != Page::start) top_->setPatient(patientText(scenario));
   top_->setModified(page_ != Page::start && setup_->isModified(),
-                    tr("Not the preset’s values: %1.").arg(setup_->changedWords()));
+                    tr("Not the preset’s values: %1.").arg(setup_->changedText()));
 }
 
 void MainWindow::showCochlea()

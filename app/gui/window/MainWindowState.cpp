@@ -62,29 +62,29 @@ void MainWindow::showState()
   else
     top_->setDevice(Light::steady, tr("running"), QString::fromStdString(control_.handName()));
 
-  bottom_->setStatus(statusWords(), !control_.recordingError().empty());
+  bottom_->setStatus(statusText(), !control_.recordingError().empty());
   view_->setBanner(errorText());
-  view_->setHint(hintWords());
+  view_->setHint(hintText());
 }
 
-QString MainWindow::statusWords() const
+QString MainWindow::statusText() const
 {
   const haptics::Snapshot& now = control_.now();
-  QStringList words;
+  QStringList text;
   if (!control_.recordingError().empty())
-    words << tr("NOT recording");
+    text << tr("NOT recording");
   else if (control_.isRunning())
-    words << (now.lostRecords > 0 ? tr("recording, %1 ticks lost").arg(now.lostRecords)
-                                  : tr("recording"));
+    text << (now.lostRecords > 0 ? tr("recording, %1 ticks lost").arg(now.lostRecords)
+                                 : tr("recording"));
   else
-    words << tr("not started");
-  if (control_.isRunning()) words << tr("late ticks: %1").arg(now.lateTicks);
-  if (!deviceWords_.isEmpty()) words << deviceWords_ << tr("%1 overruns").arg(now.overruns);
-  if (!control_.couplingWords().empty())
-    words << tr("coupling %1 N/m").arg(numberText(now.couplingStiffness, 0));
-  words << tr("%1 fps").arg(meter_.framesPerSecond(FrameMeter::Clock::now()));
-  words << tr("not a medical device");
-  return words.join(QStringLiteral(" · "));
+    text << tr("not started");
+  if (control_.isRunning()) text << tr("late ticks: %1").arg(now.lateTicks);
+  if (!deviceText_.isEmpty()) text << deviceText_ << tr("%1 overruns").arg(now.overruns);
+  if (!control_.couplingText().empty())
+    text << tr("coupling %1 N/m").arg(numberText(now.couplingStiffness, 0));
+  text << tr("%1 fps").arg(meter_.framesPerSecond(FrameMeter::Clock::now()));
+  text << tr("not a medical device");
+  return text.join(QStringLiteral(" · "));
 }
 
 QString MainWindow::errorText() const
@@ -108,7 +108,7 @@ QString MainWindow::deviceHint() const
 {
   if (!control_.isRunning()) {
     const QString press = tr("Press Start, then hold the device’s button and push.");
-    if (control_.couplingWords().empty()) return press;
+    if (control_.couplingText().empty()) return press;
     return press + QLatin1Char('\n') +
            tr("Coupling %1 N/m, softer than asked: Devices (H).")
                .arg(numberText(control_.now().couplingStiffness, 0));
@@ -117,7 +117,7 @@ QString MainWindow::deviceHint() const
   return tr("Array held. Letting go of the button lets it rest.");
 }
 
-QString MainWindow::hintWords() const
+QString MainWindow::hintText() const
 {
   const haptics::TickOutput& now = control_.now().output;
   if (modelWork_.isBusy())

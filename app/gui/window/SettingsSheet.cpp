@@ -29,9 +29,9 @@ QLabel* label(const QString& text, int size_px, bool isQuiet, QWidget* parent)
 
 }  // namespace
 
-QStringList lookWords() { return {QStringLiteral("dark"), QStringLiteral("light")}; }
+QStringList colorSchemeText() { return {QStringLiteral("dark"), QStringLiteral("light")}; }
 
-QStringList languageWords()
+QStringList languageText()
 {
   return {QStringLiteral("system"), QStringLiteral("en"), QStringLiteral("de")};
 }
@@ -56,8 +56,9 @@ SettingsSheet::SettingsSheet(QWidget* parent) : QFrame(parent), note_(label({}, 
   column->setContentsMargins(3 * spacing, 2 * spacing, 3 * spacing, 2 * spacing);
   column->setSpacing(spacing);
   column->addLayout(head);
-  addGroup(*column, tr("Colors"), QStringLiteral("look"), lookWords(), {tr("dark"), tr("light")});
-  addGroup(*column, tr("Language"), QStringLiteral("language"), languageWords(),
+  addGroup(*column, tr("Colors"), QStringLiteral("look"), colorSchemeText(),
+           {tr("dark"), tr("light")});
+  addGroup(*column, tr("Language"), QStringLiteral("language"), languageText(),
            {tr("as the system"), QStringLiteral("English"), QStringLiteral("Deutsch")});
   column->addWidget(note_);
   column->addWidget(
@@ -69,7 +70,7 @@ SettingsSheet::SettingsSheet(QWidget* parent) : QFrame(parent), note_(label({}, 
 }
 
 void SettingsSheet::addGroup(QVBoxLayout& column, const QString& title, const QString& key,
-                             const QStringList& words, const QStringList& names)
+                             const QStringList& caption, const QStringList& names)
 {
   auto* heading = label(title, 13, false, this);
   heading->setFont(typeface(13, QFont::DemiBold));
@@ -77,15 +78,15 @@ void SettingsSheet::addGroup(QVBoxLayout& column, const QString& title, const QS
   auto* row = new QHBoxLayout;
   row->setSpacing(3 * spacing);
   auto* group = new QButtonGroup(this);
-  const QString now = Settings().word(key, words);
-  for (int i = 0; i < words.size(); ++i) {
+  const QString now = Settings().word(key, caption);
+  for (int i = 0; i < caption.size(); ++i) {
     auto* choice = new Choice(names[i], this);
-    choice->setObjectName(key + QLatin1Char('-') + words[i]);
+    choice->setObjectName(key + QLatin1Char('-') + caption[i]);
     choice->setFocusPolicy(Qt::TabFocus);
-    choice->setChecked(words[i] == now);
+    choice->setChecked(caption[i] == now);
     group->addButton(choice);
     row->addWidget(choice);
-    connect(choice, &QAbstractButton::clicked, this, [this, key, word = words[i]] {
+    connect(choice, &QAbstractButton::clicked, this, [this, key, word = caption[i]] {
       Settings settings;
       if (settings.value(key).toString() == word) return;
       settings.setValue(key, word);

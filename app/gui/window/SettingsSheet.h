@@ -27,13 +27,13 @@ Q_SIGNALS:
 
 private:
   void addGroup(QVBoxLayout& column, const QString& title, const QString& key,
-                const QStringList& words, const QStringList& names);
+                const QStringList& caption, const QStringList& names);
 
   QLabel* note_;
 };
 
 /// The words a setting may hold; the first one is meant where nothing was chosen.
-QStringList lookWords();
-QStringList languageWords();
+QStringList colorSchemeText();
+QStringList languageText();
 
 }  // namespace perilymph::gui

@@ -41,19 +41,19 @@ DeviceLight::DeviceLight(QWidget* parent) : QWidget(parent)
   setAttribute(Qt::WA_NoSystemBackground);
 }
 
-void DeviceLight::show(Light light, const QString& words)
+void DeviceLight::show(Light light, const QString& label)
 {
-  if (light == light_ && words == words_) return;
+  if (light == light_ && label == text_) return;
   light_ = light;
-  words_ = words;
-  setAccessibleName(words);
+  text_ = label;
+  setAccessibleName(label);
   updateGeometry();
   update();
 }
 
 QSize DeviceLight::sizeHint() const
 {
-  return {QFontMetrics(font()).horizontalAdvance(words_) + 38, pillHeight_px};
+  return {QFontMetrics(font()).horizontalAdvance(text_) + 38, pillHeight_px};
 }
 
 void DeviceLight::paintEvent(QPaintEvent*)
@@ -69,7 +69,7 @@ void DeviceLight::paintEvent(QPaintEvent*)
   painter.setBrush(colorOf(light_));
   painter.drawEllipse(QPointF(15.0, height() / 2.0), 4.0, 4.0);
   painter.setPen(textColor);
-  painter.drawText(rect().adjusted(26, 0, -8, 0), Qt::AlignVCenter | Qt::AlignLeft, words_);
+  painter.drawText(rect().adjusted(26, 0, -8, 0), Qt::AlignVCenter | Qt::AlignLeft, text_);
 }
 
 TopBar::TopBar(QWidget* parent)
@@ -153,8 +153,8 @@ QPushButton* TopBar::addPage(Page page, const QString& text, const char* name)
   button->setFont(typeface(13, QFont::Medium));
   button->setFixedHeight(28);
   // the window's style, which makes the hint, comes later
-  const int words = QFontMetrics(button->font()).horizontalAdvance(text);
-  button->setMinimumWidth(std::max(84, words + 2 * spacing + 4));
+  const int label = QFontMetrics(button->font()).horizontalAdvance(text);
+  button->setMinimumWidth(std::max(84, label + 2 * spacing + 4));
   button->setCheckable(true);
   button->setFocusPolicy(Qt::TabFocus);
   connect(button, &QPushButton::clicked, this, [this, page] { Q_EMIT pageChosen(page); });
@@ -175,9 +175,9 @@ void TopBar::setModified(bool isModified, const QString& tip)
   modified_->setToolTip(tip);
 }
 
-void TopBar::setDevice(Light light, const QString& words, const QString& tip)
+void TopBar::setDevice(Light light, const QString& label, const QString& tip)
 {
-  device_->show(light, words);
+  device_->show(light, label);
   device_->setToolTip(tip);
 }
 

@@ -23,8 +23,8 @@ class DeviceLight : public QWidget {
 public:
   explicit DeviceLight(QWidget* parent);
 
-  void show(Light light, const QString& words);
-  const QString& words() const { return words_; }
+  void show(Light light, const QString& label);
+  const QString& text() const { return text_; }
   QSize sizeHint() const override;
 
 protected:
@@ -32,7 +32,7 @@ protected:
 
 private:
   Light light_ = Light::off;
-  QString words_;
+  QString text_;
 };
 
 /// Name, pages, patient and device.
@@ -46,7 +46,7 @@ public:
   void setPatient(const QString& patient);
   /// A word beside the patient, while a preset is no longer what it says.
   void setModified(bool isModified, const QString& tip);
-  void setDevice(Light light, const QString& words, const QString& tip);
+  void setDevice(Light light, const QString& label, const QString& tip);
 
 Q_SIGNALS:
   void pageChosen(perilymph::gui::Page page);

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "CsvField.h"
-#include "Wording.h"
+#include "NumberFormat.h"
 #include "perilymph/session/Csv.h"
 #include "perilymph/session/RecordedInsertion.h"
 

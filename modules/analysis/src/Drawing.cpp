@@ -83,17 +83,17 @@ struct Writer {
            painted("stroke", disk.outline) + "/>\n";
   }
 
-  std::string operator()(const Words& words) const
+  std::string operator()(const Label& label) const
   {
     constexpr const char* anchors[] = {"start", "middle", "end"};
-    const std::string place = " x=\"" + number(words.at.x) + "\" y=\"" + number(words.at.y) + "\"";
+    const std::string place = " x=\"" + number(label.at.x) + "\" y=\"" + number(label.at.y) + "\"";
     std::string turned;
-    if (words.direction == Direction::upward)
-      turned = " transform=\"rotate(-90 " + number(words.at.x) + " " + number(words.at.y) + ")\"";
-    return "<text" + place + turned + " font-size=\"" + number(words.size) + "\" text-anchor=\"" +
-           anchors[static_cast<int>(words.anchor)] + "\"" +
-           (words.isBold ? " font-weight=\"bold\"" : "") + painted("fill", words.ink) + ">" +
-           escaped(words.text) + "</text>\n";
+    if (label.direction == Direction::upward)
+      turned = " transform=\"rotate(-90 " + number(label.at.x) + " " + number(label.at.y) + ")\"";
+    return "<text" + place + turned + " font-size=\"" + number(label.size) + "\" text-anchor=\"" +
+           anchors[static_cast<int>(label.anchor)] + "\"" +
+           (label.isBold ? " font-weight=\"bold\"" : "") + painted("fill", label.ink) + ">" +
+           escaped(label.text) + "</text>\n";
   }
 };
 

@@ -102,7 +102,7 @@ void Plot::axes(Drawing& page) const
   const double end = pageWidth - right;
   for (const double tick : ticksOf(figure_.x)) {
     page.marks.push_back(Stroke{{{x(tick), top}, {x(tick), bottom}}, ink::paleGrid, 0.6, 0.0});
-    page.marks.push_back(Words{{x(tick), bottom + 12.0},
+    page.marks.push_back(Label{{x(tick), bottom + 12.0},
                                written(tick, figure_.x.decimals),
                                textSize,
                                ink::black,
@@ -112,7 +112,7 @@ void Plot::axes(Drawing& page) const
   }
   for (const double tick : ticksOf(figure_.y)) {
     page.marks.push_back(Stroke{{{left, y(tick)}, {end, y(tick)}}, ink::paleGrid, 0.6, 0.0});
-    page.marks.push_back(Words{{left - 5.0, y(tick) + 3.0},
+    page.marks.push_back(Label{{left - 5.0, y(tick) + 3.0},
                                written(tick, figure_.y.decimals),
                                textSize,
                                ink::black,
@@ -124,21 +124,21 @@ void Plot::axes(Drawing& page) const
     page.marks.push_back(Stroke{{{left, y(0.0)}, {end, y(0.0)}}, ink::gray, 0.9, 0.0});
   page.marks.push_back(Stroke{
       {{left, top}, {left, bottom}, {end, bottom}, {end, top}, {left, top}}, ink::black, 0.9, 0.0});
-  page.marks.push_back(Words{{0.5 * (left + end), bottom + 26.0},
+  page.marks.push_back(Label{{0.5 * (left + end), bottom + 26.0},
                              figure_.x.title,
                              textSize,
                              ink::black,
                              Anchor::middle,
                              Direction::across,
                              false});
-  page.marks.push_back(Words{{14.0, top + 0.5 * plotHeight},
+  page.marks.push_back(Label{{14.0, top + 0.5 * plotHeight},
                              figure_.y.title,
                              textSize,
                              ink::black,
                              Anchor::middle,
                              Direction::upward,
                              false});
-  page.marks.push_back(Words{{left, top - 11.0},
+  page.marks.push_back(Label{{left, top - 11.0},
                              figure_.title,
                              titleSize,
                              ink::black,
@@ -162,7 +162,7 @@ void Plot::level(Drawing& page, const FigureLevel& level) const
   const double end = pageWidth - right;
   page.marks.push_back(Stroke{{{left, y(level.y)}, {end, y(level.y)}}, level.ink, 0.9, level.dash});
   if (!level.label.empty())
-    page.marks.push_back(Words{{left + 4.0, y(level.y) - 3.0},
+    page.marks.push_back(Label{{left + 4.0, y(level.y) - 3.0},
                                level.label,
                                smallSize,
                                level.ink,
@@ -194,7 +194,7 @@ double legend(Drawing& page, const Figure& figure, double y)
 {
   const double begin = left, sample = 22.0;
   const auto row = [&](const std::string& label) {
-    page.marks.push_back(Words{{begin + sample + 6.0, y + 3.0},
+    page.marks.push_back(Label{{begin + sample + 6.0, y + 3.0},
                                label,
                                textSize,
                                ink::black,
@@ -263,7 +263,7 @@ Drawing draw(const Figure& figure)
   for (const FigureValues& values : figure.values) plot.values(page, values);
   double y = legend(page, figure, top + plotHeight + 44.0);
   for (const std::string& note : figure.notes) {
-    page.marks.push_back(Words{
+    page.marks.push_back(Label{
         {left, y + 4.0}, note, smallSize, ink::gray, Anchor::start, Direction::across, false});
     y += lineSpacing - 1.0;
   }

@@ -20,8 +20,8 @@
 #include <cstdio>
 
 #include "ChartStyle.h"
+#include "perilymph/charts/ChartStrings.h"
 #include "perilymph/charts/Typeface.h"
-#include "perilymph/charts/Wording.h"
 
 namespace perilymph::charts {
 namespace {
@@ -167,16 +167,16 @@ void ChartFrame::setRange(int position, const AxisRange& range,
                           const std::vector<std::string>& labels)
 {
   vtkNew<vtkDoubleArray> places;
-  vtkNew<vtkStringArray> words;
+  vtkNew<vtkStringArray> label;
   std::size_t index = 0;
   for (const double place : tickPlaces(range)) {
     places->InsertNextValue(place);
-    words->InsertNextValue(index < labels.size() ? labels[index] : std::string());
+    label->InsertNextValue(index < labels.size() ? labels[index] : std::string());
     ++index;
   }
   vtkAxis& axis = *chart_->GetAxis(position);
   axis.SetUnscaledRange(range.low, range.high);
-  axis.SetCustomTickPositions(places, words);
+  axis.SetCustomTickPositions(places, label);
   overlay_->Modified();
 }
 

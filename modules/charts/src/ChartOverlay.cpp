@@ -168,19 +168,19 @@ void ChartOverlay::paintSwatch(vtkContext2D& painter, const LegendEntry& entry, 
   disc(painter, middle, y, 2.0f * scale_, style::ground);
 }
 
-float ChartOverlay::widthOf(vtkContext2D& painter, const std::string& words) const
+float ChartOverlay::widthOf(vtkContext2D& painter, const std::string& label) const
 {
   float bounds[4];  // left, bottom, width, height
   setText(painter, style::text, VTK_TEXT_LEFT);
-  painter.ComputeStringBounds(words, bounds);
+  painter.ComputeStringBounds(label, bounds);
   return bounds[2];
 }
 
-std::vector<std::string> ChartOverlay::wrapped(vtkContext2D& painter, const std::string& words,
+std::vector<std::string> ChartOverlay::wrapped(vtkContext2D& painter, const std::string& label,
                                                float available) const
 {
   std::vector<std::string> lines{""};
-  std::istringstream rest(words);
+  std::istringstream rest(label);
   for (std::string word; rest >> word;) {
     const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
     if (lines.back().empty() || widthOf(painter, longer) <= available)
@@ -195,16 +195,16 @@ void ChartOverlay::paintLegend(vtkContext2D& painter, const Area& area) const
 {
   if (legendPlace == LegendPlace::above) return paintLegendAbove(painter, area);
   const float x = area.left + 12.0f * scale_;
-  const float words = x + (swatchWidth + 7.0f) * scale_;
+  const float label = x + (swatchWidth + 7.0f) * scale_;
   // in a narrow chart the words stay off the curve's end
   const float fraction = area.right - area.left < narrow_px * scale_ ? 0.82f : 1.0f;
-  const float available = area.left + fraction * (area.right - area.left) - words;
+  const float available = area.left + fraction * (area.right - area.left) - label;
   float y = area.top - 18.0f * scale_;
   for (const LegendEntry& entry : legend) {
     paintSwatch(painter, entry, x, y);
     for (const std::string& line : wrapped(painter, entry.text, available)) {
       setText(painter, style::text, VTK_TEXT_LEFT);
-      painter.DrawString(words, y, line);
+      painter.DrawString(label, y, line);
       y -= 15.0f * scale_;
     }
     y -= 2.0f * scale_;

@@ -71,9 +71,9 @@ private:
   void paintNow(vtkContext2D& painter, const Area& area) const;
   void paintLegend(vtkContext2D& painter, const Area& area) const;
   void paintLegendAbove(vtkContext2D& painter, const Area& area) const;
-  float widthOf(vtkContext2D& painter, const std::string& words) const;
+  float widthOf(vtkContext2D& painter, const std::string& label) const;
   /// Words in lines that are no wider than the room, unless one word is.
-  std::vector<std::string> wrapped(vtkContext2D& painter, const std::string& words,
+  std::vector<std::string> wrapped(vtkContext2D& painter, const std::string& label,
                                    float available) const;
   void paintSwatch(vtkContext2D& painter, const LegendEntry& entry, float x, float y) const;
   void setText(vtkContext2D& painter, const vtkColor4ub& color, int justification) const;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "PlotSheet.h"
-#include "perilymph/charts/Wording.h"
+#include "perilymph/charts/ChartStrings.h"
 #include "perilymph/foundation/Units.h"
 #include "perilymph/mechanics/Outcome.h"
 
@@ -49,13 +49,13 @@ analysis::Drawing drawContactDistances(const std::vector<ContactDistance>& conta
   }
   const double count = std::max(1.0, static_cast<double>(contacts.size()));
   const AxisRange numbers{0.0, count + 1.0, count > 12.0 ? 5.0 : 2.0};
-  const std::string mean =
-      inside > 0
-          ? filled(wording().meanAndInside, {written(sum_mm / inside, 2), std::to_string(inside)})
-          : wording().noContactInside;
+  const std::string mean = inside > 0
+                               ? filled(chartStrings().meanAndInside,
+                                        {written(sum_mm / inside, 2), std::to_string(inside)})
+                               : chartStrings().noContactInside;
   const bool fits = widthOfLabel(mean) <= width - leftMargin_px;
-  const std::vector<std::string> words = linesOfLabel(mean, width);
-  const double above = line_px * static_cast<double>(words.size()) + 8.0;
+  const std::vector<std::string> text = linesOfLabel(mean, width);
+  const double above = line_px * static_cast<double>(text.size()) + 8.0;
   PlotSheet sheet(width, height, {leftMargin_px, 4.0, above, 22.0}, numbers,
                   grown(usualDistance_mm, 0.0, max_mm));
   sheet.addYTicks(1);
@@ -73,8 +73,8 @@ analysis::Drawing drawContactDistances(const std::vector<ContactDistance>& conta
     const double y = sheet.y(sum_mm / inside);
     sheet.add(Stroke{{{sheet.left(), y}, {sheet.right(), y}}, ink::accent, 1.0, 4.0});
   }
-  for (std::size_t i = 0; i < words.size(); ++i)
-    sheet.write({fits ? sheet.left() : 0.0, line_px * static_cast<double>(i + 1)}, words[i],
+  for (std::size_t i = 0; i < text.size(); ++i)
+    sheet.write({fits ? sheet.left() : 0.0, line_px * static_cast<double>(i + 1)}, text[i],
                 inside > 0 ? ink::accent : ink::quiet);
   return sheet.take();
 }

@@ -74,17 +74,17 @@ public:
     canvas_.paint(disk.fill);
   }
 
-  void operator()(const analysis::Words& words)
+  void operator()(const analysis::Label& label)
   {
     vtkNew<vtkTextProperty> property;
     setTypeface(*property);
-    property->SetBold(words.isBold);
+    property->SetBold(label.isBold);
     property->SetItalic(false);
     property->SetShadow(false);
     property->SetColor(1.0, 1.0, 1.0);
     // VTK's font sizes are in points of 72 dots an inch, scaled by the dots asked for.
-    property->SetFontSize(static_cast<int>(std::lround(words.size)));
-    const bool isUpward = words.direction == analysis::Direction::upward;
+    property->SetFontSize(static_cast<int>(std::lround(label.size)));
+    const bool isUpward = label.direction == analysis::Direction::upward;
     property->SetOrientation(isUpward ? 90.0 : 0.0);
     // On the base line: descenders hang below it, so lines of different letters stand level.
     property->SetVerticalJustificationToBottom();
@@ -94,10 +94,10 @@ public:
     vtkNew<vtkImageData> image;
     int size[2] = {0, 0};
     if (renderer == nullptr ||
-        !renderer->RenderString(property, vtkStdString(onOneLine(words.text)), image, size,
+        !renderer->RenderString(property, vtkStdString(onOneLine(label.text)), image, size,
                                 dotsPerInch, vtkTextRenderer::FreeType))
       return;
-    place(words, *image, size, isUpward);
+    place(label, *image, size, isUpward);
   }
 
 private:
@@ -140,14 +140,14 @@ private:
     return result;
   }
 
-  void place(const analysis::Words& words, vtkImageData& image, const int (&size)[2], bool isUpward)
+  void place(const analysis::Label& label, vtkImageData& image, const int (&size)[2], bool isUpward)
   {
-    const PagePoint at = scaled(words.at);
+    const PagePoint at = scaled(label.at);
     // A share of the letters' height hangs below the base line.
-    const double below = 0.25 * words.size * pixelsPerPoint;
+    const double below = 0.25 * label.size * pixelsPerPoint;
     const double length = isUpward ? size[1] : size[0];
-    const double before = words.anchor == analysis::Anchor::start    ? 0.0
-                          : words.anchor == analysis::Anchor::middle ? 0.5 * length
+    const double before = label.anchor == analysis::Anchor::start    ? 0.0
+                          : label.anchor == analysis::Anchor::middle ? 0.5 * length
                                                                      : length;
     // left edge and bottom edge of the image on the page
     const double left = isUpward ? at.x + below - size[0] : at.x - before;
@@ -160,7 +160,7 @@ private:
             image.GetScalarPointer(extent[0] + x, extent[2] + y, 0));
         if (pixel == nullptr || pixel[3] == 0) continue;
         canvas_.blend(static_cast<int>(std::lround(left)) + x,
-                      static_cast<int>(std::lround(bottom)) - 1 - y, words.ink, pixel[3] / 255.0);
+                      static_cast<int>(std::lround(bottom)) - 1 - y, label.ink, pixel[3] / 255.0);
       }
   }
 

@@ -8,7 +8,7 @@
 #include "ChartFrame.h"
 #include "ChartStyle.h"
 #include "TravelColumns.h"
-#include "perilymph/charts/Wording.h"
+#include "perilymph/charts/ChartStrings.h"
 
 namespace perilymph::charts {
 namespace {
@@ -28,7 +28,7 @@ vtkColor4ub faded(vtkColor4ub color, unsigned char alpha)
 }  // namespace
 
 struct ForceDepthChart::Content {
-  ChartFrame frame{wording().travel, wording().axialForce};
+  ChartFrame frame{chartStrings().travel, chartStrings().axialForce};
   ChartLine ghostLine{frame.chart(), style::blue, style::thinWidth};
   ChartLine outLine{frame.chart(), faded(style::accent, 150), style::thinWidth};
   ChartLine inLine{frame.chart(), style::accent, style::lineWidth};
@@ -79,7 +79,7 @@ void ForceDepthChart::Content::setMarks()
 {
   ChartOverlay& overlay = frame.overlay();
   overlay.legend.clear();
-  overlay.legend.push_back({Swatch::line, style::accent, wording().thisInsertion});
+  overlay.legend.push_back({Swatch::line, style::accent, chartStrings().thisInsertion});
   if (hasGhost && showsGhost) overlay.legend.push_back({Swatch::line, style::blue, ghostLabel});
   if (!reference.empty() && showsReference)
     overlay.legend.push_back({Swatch::bar, style::text, referenceLabel});
@@ -87,7 +87,7 @@ void ForceDepthChart::Content::setMarks()
   overlay.bars = showsReference ? reference : std::vector<ReferencePoint>();
   overlay.threshold.reset();
   if (showsThreshold)
-    overlay.threshold = Threshold{feltBySurgeons_N, wording().feltBySurgeons, style::orange};
+    overlay.threshold = Threshold{feltBySurgeons_N, chartStrings().feltBySurgeons, style::orange};
   overlay.now.reset();
   if (!columns.isEmpty())
     overlay.now = Dot{columns.lastTravel_mm(), columns.lastForce_N(), style::accent};

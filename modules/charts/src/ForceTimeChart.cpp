@@ -9,7 +9,7 @@
 
 #include "ChartFrame.h"
 #include "ChartStyle.h"
-#include "perilymph/charts/Wording.h"
+#include "perilymph/charts/ChartStrings.h"
 
 namespace perilymph::charts {
 namespace {
@@ -29,7 +29,7 @@ struct Slot {
 }  // namespace
 
 struct ForceTimeChart::Content {
-  ChartFrame frame{"", wording().force};
+  ChartFrame frame{"", chartStrings().force};
   std::array<ChartLine, components> lines{ChartLine{frame.chart(), style::accent, style::thinWidth},
                                           ChartLine{frame.chart(), style::orange, style::thinWidth},
                                           ChartLine{frame.chart(), style::blue, style::thinWidth}};
@@ -52,7 +52,7 @@ void ForceTimeChart::Content::setRange()
     high = std::max(high, *std::max_element(slot.high.begin(), slot.high.end()));
   }
   frame.setYRange(grown(usualForce_mN, low, high, 5), 0);
-  frame.setXLabels({-inSeconds(span), 0.0, inSeconds(span)}, {"−5 s", wording().now});
+  frame.setXLabels({-inSeconds(span), 0.0, inSeconds(span)}, {"−5 s", chartStrings().now});
 }
 
 void ForceTimeChart::Content::setLine(std::size_t component)
@@ -76,9 +76,9 @@ ForceTimeChart::ForceTimeChart() : content_(std::make_unique<Content>())
 {
   ChartOverlay& overlay = content_->frame.overlay();
   overlay.legendPlace = ChartOverlay::LegendPlace::above;
-  overlay.legend = {{Swatch::line, style::accent, wording().axial},
-                    {Swatch::line, style::orange, wording().lateral},
-                    {Swatch::line, style::blue, wording().vertical}};
+  overlay.legend = {{Swatch::line, style::accent, chartStrings().axial},
+                    {Swatch::line, style::orange, chartStrings().lateral},
+                    {Swatch::line, style::blue, chartStrings().vertical}};
   update();
 }
 

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "ChartStyle.h"
-#include "perilymph/charts/Wording.h"
+#include "perilymph/charts/ChartStrings.h"
 
 namespace perilymph::charts {
 
@@ -75,22 +75,22 @@ void PlotSheet::addYTicks(int decimals)
 
 void PlotSheet::write(PagePoint at, std::string text, const analysis::Ink& ink, Anchor anchor)
 {
-  add(analysis::Words{at, std::move(text), style::labelSize, ink, anchor,
+  add(analysis::Label{at, std::move(text), style::labelSize, ink, anchor,
                       analysis::Direction::across, false});
 }
 
-double widthOfLabel(const std::string& words)
+double widthOfLabel(const std::string& label)
 {
   constexpr double perLetter = 0.53;  // of the type's size: Inter's mean, and a little more
   const auto isFirstByte = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
-  const auto letters = std::count_if(words.begin(), words.end(), isFirstByte);
+  const auto letters = std::count_if(label.begin(), label.end(), isFirstByte);
   return perLetter * style::labelSize * static_cast<double>(letters);
 }
 
-std::vector<std::string> linesOfLabel(const std::string& words, double width_px)
+std::vector<std::string> linesOfLabel(const std::string& label, double width_px)
 {
   std::vector<std::string> lines{""};
-  std::istringstream rest(words);
+  std::istringstream rest(label);
   for (std::string word; rest >> word;) {
     const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
     if (lines.back().empty() || widthOfLabel(longer) <= width_px)

@@ -53,9 +53,9 @@ private:
 };
 
 /// About how wide words of the size of labels are [px]: a drawing knows no typeface.
-double widthOfLabel(const std::string& words);
+double widthOfLabel(const std::string& label);
 /// Words in lines that have room, unless one word has none.
-std::vector<std::string> linesOfLabel(const std::string& words, double width_px);
+std::vector<std::string> linesOfLabel(const std::string& label, double width_px);
 
 /// A number with so many decimals; never "-0".
 std::string written(double value, int decimals);

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "PlotSheet.h"
-#include "perilymph/charts/Wording.h"
+#include "perilymph/charts/ChartStrings.h"
 #include "perilymph/foundation/Units.h"
 
 namespace perilymph::charts {
@@ -154,10 +154,11 @@ analysis::Drawing TipSection::draw(const ArrayInScala& now, double width, double
   const PagePoint membrane[] = {frame.at(membraneAt(0.0)), frame.at(membraneAt(1.0))};
   sheet.add(Stroke{{membrane[0], membrane[1]}, ink::membrane, 4.0, 0.0});
   const double above = std::min({membrane[0].y, membrane[1].y, frame.at({0.0, 0.0}).y}) - 8.0;
-  sheet.write({0.5 * (membrane[0].x + membrane[1].x), above}, wording().basilarMembrane,
+  sheet.write({0.5 * (membrane[0].x + membrane[1].x), above}, chartStrings().basilarMembrane,
               ink::membrane, Anchor::middle);
   const double names = frame.at({0.0, -halfHeight_mm_}).y + 16.0;
-  const std::string inward = "← " + wording().modiolus, outward = wording().outerWall + " →";
+  const std::string inward = "← " + chartStrings().modiolus,
+                    outward = chartStrings().outerWall + " →";
   const double left = std::max(8.0, frame.at({inner_mm, 0.0}).x);
   const double right = std::min(width - 8.0, frame.at({outer_mm, 0.0}).x);
   const bool areBeside = widthOfLabel(inward) + widthOfLabel(outward) + 8.0 <= right - left;
@@ -169,10 +170,10 @@ analysis::Drawing TipSection::draw(const ArrayInScala& now, double width, double
     drawArray(sheet, frame, now);
     force_mN = drawForce(sheet, frame, now);
   }
-  sheet.write(
-      {10.0, height - 10.0},
-      now.isInside() ? filled(wording().wallForce, {written(force_mN, 0)}) : wording().tipIsOutside,
-      now.isInside() && force_mN >= 1.0 ? ink::orange : ink::quiet);
+  sheet.write({10.0, height - 10.0},
+              now.isInside() ? filled(chartStrings().wallForce, {written(force_mN, 0)})
+                             : chartStrings().tipIsOutside,
+              now.isInside() && force_mN >= 1.0 ? ink::orange : ink::quiet);
   drawScaleBar(sheet, frame);
   return sheet.take();
 }

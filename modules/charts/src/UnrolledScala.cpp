@@ -5,7 +5,7 @@
 
 #include "ChartStyle.h"
 #include "PlotSheet.h"
-#include "perilymph/charts/Wording.h"
+#include "perilymph/charts/ChartStrings.h"
 #include "perilymph/foundation/Units.h"
 
 namespace perilymph::charts {
@@ -167,10 +167,11 @@ analysis::Drawing UnrolledScala::draw(const ArrayInScala& now, double width, dou
 
   // what the bars mean, at the end of the scala, where it is narrow
   const double x = sheet.right() - 6.0;
-  const double shared = widthOfLabel(wording().wallForceScale) + widthOfLabel(wording().modiolus);
+  const double shared =
+      widthOfLabel(chartStrings().wallForceScale) + widthOfLabel(chartStrings().modiolus);
   const bool areBeside = shared + 30.0 <= sheet.right() - sheet.left();
-  sheet.write({x, sheet.top() + 14.0}, wording().outerWall, ink::quiet, Anchor::end);
-  sheet.write({x, sheet.bottom() - (areBeside ? 6.0 : 22.0)}, wording().modiolus, ink::quiet,
+  sheet.write({x, sheet.top() + 14.0}, chartStrings().outerWall, ink::quiet, Anchor::end);
+  sheet.write({x, sheet.bottom() - (areBeside ? 6.0 : 22.0)}, chartStrings().modiolus, ink::quiet,
               Anchor::end);
   const double legend = sheet.left() + 8.0;
   const double foot = sheet.bottom() - 4.0;
@@ -179,7 +180,7 @@ analysis::Drawing UnrolledScala::draw(const ArrayInScala& now, double width, dou
                   {legend + 5.0, foot - bar_px},
                   {legend, foot - bar_px}},
                  ink::orange});
-  sheet.write({legend + 11.0, foot - 4.0}, wording().wallForceScale, ink::quiet);
+  sheet.write({legend + 11.0, foot - 4.0}, chartStrings().wallForceScale, ink::quiet);
   return sheet.take();
 }
 
@@ -192,8 +193,8 @@ analysis::Drawing UnrolledScala::drawPage(const ArrayInScala& now, double width,
   whole.marks.resize(1);  // the ground alone
   analysis::Drawing view = draw(now, width, height - line_px);
   whole.marks.insert(whole.marks.end(), view.marks.begin(), view.marks.end());
-  whole.marks.emplace_back(analysis::Words{{0.5 * width, height - 8.0},
-                                           wording().unrolledAxes,
+  whole.marks.emplace_back(analysis::Label{{0.5 * width, height - 8.0},
+                                           chartStrings().unrolledAxes,
                                            style::labelSize,
                                            ink::quiet,
                                            Anchor::middle,

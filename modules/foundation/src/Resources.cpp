@@ -40,10 +40,10 @@ std::vector<fs::path> tomlFiles(const fs::path& folder)
   return files;
 }
 
-std::string joined(const std::vector<std::string>& words)
+std::string joined(const std::vector<std::string>& text)
 {
   std::string all;
-  for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
+  for (const std::string& word : text) all += (all.empty() ? "" : ", ") + word;
   return all;
 }
 

@@ -36,7 +36,7 @@ Error fault(const Scenario& scenario, const haptics::TickRecord& record)
   return Error{"The insertion of " + scenario.name + " stopped with a fault at tick " +
                std::to_string(record.tick) + ", " +
                std::to_string(inMillimeters(meters(record.output.travel))) + " mm of travel (" +
-               statusWords(record.output.status) +
+               statusText(record.output.status) +
                "). Try a smaller dt_ms, a lower speed_mm_s or a softer wall."};
 }
 
@@ -48,7 +48,7 @@ struct Insertion::Content {
   std::shared_ptr<const mechanics::InsertionModel> model;
   std::unique_ptr<device::HapticDevice> hand;
   std::optional<std::filesystem::path> file;
-  std::string couplingWords;
+  std::string couplingText;
   std::unique_ptr<haptics::HapticLoop> loop;
   std::unique_ptr<Recorder> recorder;
 };
@@ -113,7 +113,7 @@ Result<std::unique_ptr<Insertion>> Insertion::prepare(
   facts.startedUtc = utcNow();
 
   if (traits.rendersForce)
-    content.couplingWords =
+    content.couplingText =
         haptics::couplingSentence(scenario.engine.forceScale * scenario.engine.motionScale *
                                       scenario.engine.couplingStiffness,
                                   limit, traits.name);
@@ -218,7 +218,7 @@ std::shared_ptr<const anatomy::ScalaTympani> Insertion::sharedAnatomy() const no
 
 const mechanics::InsertionModel& Insertion::model() const noexcept { return *content_->model; }
 
-const std::string& Insertion::couplingWords() const noexcept { return content_->couplingWords; }
+const std::string& Insertion::couplingText() const noexcept { return content_->couplingText; }
 
 std::shared_ptr<const mechanics::InsertionModel> Insertion::sharedModel() const noexcept
 {

@@ -37,15 +37,15 @@ std::string commandWord(haptics::Command::Kind kind)
 
 std::string workflowWord(haptics::Workflow workflow)
 {
-  constexpr std::array<const char*, 6> words = {"idle",   "armed",    "inserting",
+  constexpr std::array<const char*, 6> label = {"idle",   "armed",    "inserting",
                                                 "paused", "finished", "fault"};
   const auto number = static_cast<std::uint32_t>(workflow);
-  return number < words.size() ? words[number] : "workflow " + std::to_string(number);
+  return number < label.size() ? label[number] : "workflow " + std::to_string(number);
 }
 
-std::string statusWords(std::uint32_t status)
+std::string statusText(std::uint32_t status)
 {
-  constexpr std::array<std::pair<haptics::Status, const char*>, 12> words = {
+  constexpr std::array<std::pair<haptics::Status, const char*>, 12> label = {
       {{haptics::staleSample, "staleSample"},
        {haptics::couplingSoftened, "couplingSoftened"},
        {haptics::nearWorkspaceEnd, "nearWorkspaceEnd"},
@@ -59,7 +59,7 @@ std::string statusWords(std::uint32_t status)
        {haptics::sampleRejected, "sampleDoubted"},
        {haptics::handJumped, "handJumped"}}};
   std::string text;
-  for (const auto& [bit, word] : words)
+  for (const auto& [bit, word] : label)
     if (status & bit) text += (text.empty() ? "" : " ") + std::string(word);
   return text;
 }
@@ -88,7 +88,7 @@ std::vector<Event> EventDetector::add(const haptics::TickRecord& record)
   // Only a status that appears is an event; that it went away is in the ticks.
   const std::uint32_t appeared = record.output.status & ~status_;
   status_ = record.output.status;
-  if (appeared != 0) add("status", statusWords(appeared));
+  if (appeared != 0) add("status", statusText(appeared));
   return events;
 }
 

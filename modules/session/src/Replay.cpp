@@ -25,7 +25,7 @@ struct FieldValue {
   {
     return index < 0 ? name : std::string(name) + '[' + std::to_string(index) + ']';
   }
-  std::string words() const
+  std::string text() const
   {
     char hexadecimal[32];
     std::snprintf(hexadecimal, sizeof hexadecimal, " (bits %016llx)",
@@ -57,8 +57,8 @@ public:
     flatten(computed, computed_);
     for (std::size_t i = 0; i < recorded_.size(); ++i)
       if (recorded_[i].bits != computed_[i].bits)
-        return Difference{recorded.tick, recorded_[i].fullName(), recorded_[i].words(),
-                          computed_[i].words()};
+        return Difference{recorded.tick, recorded_[i].fullName(), recorded_[i].text(),
+                          computed_[i].text()};
     return std::nullopt;
   }
 

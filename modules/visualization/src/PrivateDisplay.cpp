@@ -79,16 +79,15 @@ Result<PrivateDisplay> PrivateDisplay::start()
   if (pipe(ends) != 0)
     return Error{"No display, and no pipe for a private one. Close other programs."};
   const std::string writeEnd = std::to_string(ends[1]);
-  const char* words[] = {"Xvfb",      "-displayfd", writeEnd.c_str(),
-                         "-screen",   "0",          "1280x1024x24",
-                         "-nolisten", "tcp",        nullptr};
+  const char* text[] = {"Xvfb",      "-displayfd", writeEnd.c_str(), "-screen", "0", "1280x1024x24",
+                        "-nolisten", "tcp",        nullptr};
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addclose(&actions, ends[0]);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
   pid_t server = 0;
   const int failed =
-      posix_spawnp(&server, "Xvfb", &actions, nullptr, const_cast<char**>(words), environ);
+      posix_spawnp(&server, "Xvfb", &actions, nullptr, const_cast<char**>(text), environ);
   posix_spawn_file_actions_destroy(&actions);
   close(ends[1]);
   if (failed != 0) {

@@ -14,9 +14,9 @@
 
 #include "ContactMarks.h"
 #include "ForceColors.h"
+#include "perilymph/charts/ChartStrings.h"
 #include "perilymph/charts/Typeface.h"
-#include "perilymph/charts/Wording.h"
-#include "perilymph/visualization/Wording.h"
+#include "perilymph/visualization/SceneStrings.h"
 
 namespace perilymph::visualization {
 namespace {
@@ -82,11 +82,11 @@ void ScaleBars::paintPlate(vtkContext2D& painter, float left, float bottom, floa
                    std::round(top - bottom));
 }
 
-float ScaleBars::widthOf(vtkContext2D& painter, const std::string& words)
+float ScaleBars::widthOf(vtkContext2D& painter, const std::string& label)
 {
   float bounds[4];  // left, bottom, width, height
   setText(painter, VTK_TEXT_LEFT);
-  painter.ComputeStringBounds(words, bounds);
+  painter.ComputeStringBounds(label, bounds);
   return bounds[2];
 }
 
@@ -120,15 +120,15 @@ void ScaleBars::paintForce(vtkContext2D& painter)
   const float width = cell * cells;
   const float above = y + height + 11.0f * scale;
   const float below = y - 10.0f * scale;
-  const std::string words = wording().wallForce;
+  const std::string label = sceneStrings().wallForce;
   const std::vector<ArrowKind> arrows = showsArrows ? arrowKinds() : std::vector<ArrowKind>{};
 
   // model and words share this corner in some views
   const float rim = static_cast<float>(plateRim_px) * scale;
   const float row = static_cast<float>(row_px) * scale;
-  float widest = std::max(width, widthOf(painter, words));
+  float widest = std::max(width, widthOf(painter, label));
   for (const ArrowKind& kind : arrows)
-    widest = std::max(widest, static_cast<float>(swatch_px) * scale + widthOf(painter, kind.words));
+    widest = std::max(widest, static_cast<float>(swatch_px) * scale + widthOf(painter, kind.text));
   const float top = arrows.empty() ? above : above + 2.0f * scale + row * float(arrows.size());
   paintPlate(painter, left - rim, below - rim, left + widest + rim, top + rim);
 
@@ -137,7 +137,7 @@ void ScaleBars::paintForce(vtkContext2D& painter)
     painter.DrawRect(left + static_cast<float>(i) * cell, y, cell, height);
   }
   setText(painter, VTK_TEXT_LEFT);
-  painter.DrawString(left, above, words);
+  painter.DrawString(left, above, label);
   painter.DrawString(left, below, "0");
   setText(painter, VTK_TEXT_CENTERED);
   painter.DrawString(left + 0.5f * width, below, rounded(0.5 * maxWallForce_mN_mm));
@@ -151,8 +151,8 @@ std::vector<ScaleBars::ArrowKind> ScaleBars::arrowKinds()
   const double shown_mm = ContactMarks::arrow_mm_mN * namedForce_mN;
   const double times = ContactMarks::frictionArrow_mm_mN / ContactMarks::arrow_mm_mN;
   return {{palette::arrow,
-           charts::filled(wording().normalForce, {rounded(shown_mm), rounded(namedForce_mN)})},
-          {palette::frictionArrow, charts::filled(wording().friction, {rounded(times)})}};
+           charts::filled(sceneStrings().normalForce, {rounded(shown_mm), rounded(namedForce_mN)})},
+          {palette::frictionArrow, charts::filled(sceneStrings().friction, {rounded(times)})}};
 }
 
 void ScaleBars::paintArrows(vtkContext2D& painter, const std::vector<ArrowKind>& kinds, float left,
@@ -163,7 +163,7 @@ void ScaleBars::paintArrows(vtkContext2D& painter, const std::vector<ArrowKind>&
     fillWith(painter, kind.color);
     painter.DrawRect(left, y - scale, 16.0f * scale, 2.0f * scale);
     setText(painter, VTK_TEXT_LEFT);
-    painter.DrawString(left + static_cast<float>(swatch_px) * scale, y, kind.words);
+    painter.DrawString(left + static_cast<float>(swatch_px) * scale, y, kind.text);
     y -= static_cast<float>(row_px) * scale;
   }
 }

@@ -37,12 +37,12 @@ private:
   void paintForce(vtkContext2D& painter);
   struct ArrowKind {
     Rgba color;
-    std::string words;
+    std::string text;
   };
   static std::vector<ArrowKind> arrowKinds();
   void paintArrows(vtkContext2D& painter, const std::vector<ArrowKind>& kinds, float left, float y);
   void paintPlate(vtkContext2D& painter, float left, float bottom, float right, float top);
-  float widthOf(vtkContext2D& painter, const std::string& words);
+  float widthOf(vtkContext2D& painter, const std::string& label);
   void setText(vtkContext2D& painter, int justification);
 };
 

@@ -150,12 +150,12 @@ TEST_F(Clinician, WritesAReportThatCanBeReadAgain)
     GTEST_SKIP() << "pdftotext is not installed. Install the package poppler-utils.";
   }
   ASSERT_EQ(read.status, 0) << read.err;
-  for (const std::string& words :
+  for (const std::string& caption :
        {std::string("For research and training use"), std::string("Not a medical device"),
         std::string("Peak force on the hand"), std::string("every bit the same"),
         std::string("SHA-256"), buildId(), std::string("Nucleus 24 Contour"),
         std::string("speed_mm_s"), std::string("Kesler 2017"), std::string("Limits")})
-    EXPECT_NE(read.out.find(words), std::string::npos) << words;
+    EXPECT_NE(read.out.find(caption), std::string::npos) << caption;
 }
 
 }  // namespace

@@ -22,10 +22,10 @@ protected:
 
   void open() { rig_ = std::make_unique<WindowRig>(); }
   gui::DevicePage& page() { return *rig_->window().findChild<gui::DevicePage*>(); }
-  bool pageSays(const char* words)
+  bool pageSays(const char* caption)
   {
     for (const QLabel* label : page().findChildren<QLabel*>())
-      if (label->text().contains(QLatin1String(words))) return true;
+      if (label->text().contains(QLatin1String(caption))) return true;
     return false;
   }
 

@@ -53,7 +53,7 @@ protected:
     return WindowRig::comes([&] { return window_->stage() == stage; });
   }
   gui::PushPad& pad() { return *window_->findChild<gui::PushPad*>(); }
-  QString words(const char* name)
+  QString label(const char* name)
   {
     return window_->findChild<QLabel*>(QLatin1String(name))->text();
   }
@@ -102,8 +102,8 @@ TEST_F(Booth, AVisitorInsertsByHoldingAFingerAndSeesTheirPlace)
   ASSERT_TRUE(comes(KioskStage::turn));
   pressPad();
   ASSERT_TRUE(comes(KioskStage::result));
-  EXPECT_TRUE(words("kioskTitle").contains("place 1")) << words("kioskTitle").toStdString();
-  EXPECT_TRUE(words("kioskTitle").contains("mN"));
+  EXPECT_TRUE(label("kioskTitle").contains("place 1")) << label("kioskTitle").toStdString();
+  EXPECT_TRUE(label("kioskTitle").contains("mN"));
   gui::KioskBoard kept(boardFile());
   ASSERT_EQ(kept.entriesOf(aDay).size(), 1u);
   EXPECT_NEAR(kept.entriesOf(aDay)[0].peak_mN, 1e3 * window_->turn().peakForce(), 0.01);
@@ -306,9 +306,9 @@ TEST(KioskTurn, ComparesThePeakWithWhatWasMeasuredInPatients)
   const auto inVivo = analysis::shippedReference("in-vivo");
   ASSERT_TRUE(inVivo);
   // peaks of 44.8 to 102.4 mN: Rau et al. 2024
-  EXPECT_TRUE(gui::peakWords(0.0447, inVivo).startsWith("below"));
-  EXPECT_TRUE(gui::peakWords(0.0449, inVivo).startsWith("among"));
-  EXPECT_TRUE(gui::peakWords(0.1025, inVivo).startsWith("above"));
+  EXPECT_TRUE(gui::peakText(0.0447, inVivo).startsWith("below"));
+  EXPECT_TRUE(gui::peakText(0.0449, inVivo).startsWith("among"));
+  EXPECT_TRUE(gui::peakText(0.1025, inVivo).startsWith("above"));
 }
 
 }  // namespace

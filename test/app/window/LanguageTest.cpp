@@ -12,7 +12,7 @@
 #include <algorithm>
 
 #include "Catalog.h"
-#include "ChartWords.h"
+#include "ChartLabels.h"
 #include "InsertionViews.h"
 #include "Languages.h"
 #include "Numbers.h"
@@ -21,8 +21,8 @@
 #include "SidePanel.h"
 #include "WindowRig.h"
 #include "perilymph/analysis/Reference.h"
-#include "perilymph/charts/Wording.h"
-#include "perilymph/visualization/Wording.h"
+#include "perilymph/charts/ChartStrings.h"
+#include "perilymph/visualization/SceneStrings.h"
 
 namespace perilymph::test {
 namespace {
@@ -49,7 +49,7 @@ public:
 };
 
 /// The words of a widget, whatever it is.
-QStringList wordsOf(const QWidget& widget)
+QStringList textOf(const QWidget& widget)
 {
   QStringList words{widget.toolTip(), widget.accessibleName()};
   if (const auto* label = qobject_cast<const QLabel*>(&widget)) words << label->text();
@@ -91,7 +91,7 @@ void expectTranslated(WindowRig& rig, const char* where)
 {
   for (const QWidget* widget : rig.window().findChildren<QWidget*>()) {
     if (!widget->isVisible()) continue;
-    for (const QString& text : wordsOf(*widget))
+    for (const QString& text : textOf(*widget))
       EXPECT_TRUE(text.contains(QLatin1Char('[')) || needsNoTranslation(text) || isName(text, rig))
           << where << ", " << widget->objectName().toStdString() << ": " << text.toStdString();
   }
@@ -192,16 +192,16 @@ TEST(German, IsSpokenWhenAskedFor)
     EXPECT_EQ(rig.button("resetButton").text(), "Neu");
     EXPECT_TRUE(rig.readOut("travelReadOut").contains(QLatin1Char(',')));
     // what VTK writes into the picture and the charts
-    EXPECT_EQ(visualization::wording().wallForce, "Wandkraft, mN je mm");
-    EXPECT_EQ(visualization::wording().friction, "Reibung, × %1");
-    EXPECT_EQ(charts::wording().outerWall, "Außenwand");
+    EXPECT_EQ(visualization::sceneStrings().wallForce, "Wandkraft, mN je mm");
+    EXPECT_EQ(visualization::sceneStrings().friction, "Reibung, × %1");
+    EXPECT_EQ(charts::chartStrings().outerWall, "Außenwand");
     EXPECT_EQ(charts::withDecimalSign("0.5"), "0,5");
     const auto reference = analysis::shippedReference("todd-naghdy-experiment");
     ASSERT_TRUE(reference);
     EXPECT_TRUE(gui::referenceName(reference->label).startsWith("veröffentlichter Versuch"));
   }
   gui::useLanguage(*QCoreApplication::instance(), "en");
-  EXPECT_EQ(visualization::wording().wallForce, visualization::Wording().wallForce);
+  EXPECT_EQ(visualization::sceneStrings().wallForce, visualization::SceneStrings().wallForce);
   WindowRig rig;
   EXPECT_EQ(rig.button("resetButton").text(), "Reset");
   QLocale::setDefault(QLocale::c());

@@ -6,7 +6,7 @@
 
 #include <QLabel>
 
-#include "ForceWords.h"
+#include "ForceInterpretation.h"
 #include "WindowRig.h"
 
 namespace perilymph::test {
@@ -54,7 +54,7 @@ TEST(WindowLook, TheCaptionOfTheForceSaysWhatItIs)
 {
   WindowRig rig;
   EXPECT_EQ(rig.window().findChild<gui::ReadOut*>("forceReadOut")->caption(), "force on the hand");
-  EXPECT_TRUE(rig.window().findChild<gui::ForceWords*>()->handWords().contains("20 mN"));
+  EXPECT_TRUE(rig.window().findChild<gui::ForceInterpretation*>()->handText().contains("20 mN"));
 }
 
 TEST(WindowLook, WordsOfPictureAndChartsAreScaledOnceOnAScreenOfManyPixels)

@@ -113,7 +113,7 @@ TEST(SetupChange, AModifiedPresetDoesNotClaimToBeThePreset)
   EXPECT_EQ(made.scenario.name, "contour-published-modified");
   EXPECT_THAT(made.scenario.title, HasSubstr("Modified (speed)"));
   EXPECT_THAT(made.scenario.text, HasSubstr("speed_mm_s = 1.0"));
-  EXPECT_THAT(differingWords(origin.setup.scenario, made.scenario), ElementsAre("speed"));
+  EXPECT_THAT(differingText(origin.setup.scenario, made.scenario), ElementsAre("speed"));
   // what a recording keeps gives the same scenario again
   const auto read = session::parseScenario(made.scenario.text, "recording");
   ASSERT_TRUE(read) << read.error().message;

@@ -21,11 +21,11 @@ protected:
   gui::ValidatePage& page() { return *rig_.window().findChild<gui::ValidatePage*>(); }
   void setRuns(int runs) { rig_.window().findChild<QSpinBox*>("validationRuns")->setValue(runs); }
   /// Words of a figure.
-  bool figureSays(const std::string& words)
+  bool figureSays(const std::string& caption)
   {
     for (const analysis::Mark& mark : rig_.window().findChild<gui::DrawingView*>()->drawing().marks)
-      if (const auto* said = std::get_if<analysis::Words>(&mark))
-        if (said->text.find(words) != std::string::npos) return true;
+      if (const auto* said = std::get_if<analysis::Label>(&mark))
+        if (said->text.find(caption) != std::string::npos) return true;
     return false;
   }
   int verdicts(const char* word)

@@ -24,22 +24,22 @@ namespace perilymph::test {
 namespace {
 
 /// Everything a person can read in a window, but what VTK paints.
-QStringList wordsOn(const QWidget& window)
+QStringList textOn(const QWidget& window)
 {
-  QStringList words;
+  QStringList sentence;
   for (const QWidget* each : window.findChildren<QWidget*>()) {
     if (!each->isVisible()) continue;
-    words << each->accessibleName();
-    if (const auto* label = qobject_cast<const QLabel*>(each)) words << label->text();
-    if (const auto* button = qobject_cast<const QAbstractButton*>(each)) words << button->text();
-    if (const auto* line = qobject_cast<const QLineEdit*>(each)) words << line->text();
-    if (const auto* list = qobject_cast<const QComboBox*>(each)) words << list->currentText();
-    if (const auto* number = qobject_cast<const gui::ReadOut*>(each)) words << number->caption();
+    sentence << each->accessibleName();
+    if (const auto* label = qobject_cast<const QLabel*>(each)) sentence << label->text();
+    if (const auto* button = qobject_cast<const QAbstractButton*>(each)) sentence << button->text();
+    if (const auto* line = qobject_cast<const QLineEdit*>(each)) sentence << line->text();
+    if (const auto* list = qobject_cast<const QComboBox*>(each)) sentence << list->currentText();
+    if (const auto* number = qobject_cast<const gui::ReadOut*>(each)) sentence << number->caption();
     if (const auto* table = qobject_cast<const QTableView*>(each))
       for (int column = 0; column < table->model()->columnCount(); ++column)
-        words << table->model()->headerData(column, Qt::Horizontal).toString();
+        sentence << table->model()->headerData(column, Qt::Horizontal).toString();
   }
-  return words;
+  return sentence;
 }
 
 /// Every channel in steps of four: nobody sees it, and the file is half as big.
@@ -73,15 +73,15 @@ Walk::Walk(const char* page) : page_(page)
 void Walk::step(int number, QWidget& window)
 {
   ASSERT_EQ(steps_.count(number), 1u) << page_ << " has no step " << number;
-  const QStringList seen = wordsOn(window);
+  const QStringList seen = textOn(window);
   static const QRegularExpression bold(QStringLiteral("\\*\\*([^*]+)\\*\\*"));
   auto found = bold.globalMatch(steps_[number]);
   while (found.hasNext()) {
-    const QString words = found.next().captured(1);
+    const QString sentence = found.next().captured(1);
     const bool isSeen = std::any_of(seen.begin(), seen.end(),
-                                    [&](const QString& each) { return each.contains(words); });
-    EXPECT_TRUE(isSeen) << page_ << ", step " << number << ": nothing says “" << words.toStdString()
-                        << "” on the window.";
+                                    [&](const QString& each) { return each.contains(sentence); });
+    EXPECT_TRUE(isSeen) << page_ << ", step " << number << ": nothing says “"
+                        << sentence.toStdString() << "” on the window.";
   }
   steps_.erase(number);
 

@@ -147,14 +147,14 @@ int ears(bool isSearch)
   return 0;
 }
 
-int run(const std::vector<std::string>& words)
+int run(const std::vector<std::string>& text)
 {
-  if (words.size() == 3 && words[0] == "phantoms") {
-    phantoms(std::strtoull(words[1].c_str(), nullptr, 10),
-             std::strtoull(words[2].c_str(), nullptr, 10));
+  if (text.size() == 3 && text[0] == "phantoms") {
+    phantoms(std::strtoull(text[1].c_str(), nullptr, 10),
+             std::strtoull(text[2].c_str(), nullptr, 10));
     return 0;
   }
-  if (!words.empty() && words[0] == "ears") return ears(words.size() > 1 && words[1] == "search");
+  if (!text.empty() && text[0] == "ears") return ears(text.size() > 1 && text[1] == "search");
   std::fprintf(stderr, "perilymph-ct-table phantoms FIRST LAST | ears [search]\n");
   return 2;
 }
@@ -162,7 +162,7 @@ int run(const std::vector<std::string>& words)
 }  // namespace
 }  // namespace perilymph
 
-int main(int count, char** words)
+int main(int count, char** text)
 {
-  return perilymph::run(std::vector<std::string>(words + 1, words + count));
+  return perilymph::run(std::vector<std::string>(text + 1, text + count));
 }

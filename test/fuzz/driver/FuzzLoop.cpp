@@ -116,15 +116,15 @@ std::size_t memoryInUse() { return ::mallinfo2().uordblks; }
 
 }  // namespace
 
-int main(int count, char** words)
+int main(int count, char** label)
 {
   if (count < 2 || count > 4) {
     std::fprintf(stderr, "Usage: fuzz_<target> COUNT [FIRST [SECONDS]]\n");
     return 2;
   }
-  const unsigned long inputs = std::stoul(words[1]);
-  const unsigned long first = count > 2 ? std::stoul(words[2]) : 0;
-  const long seconds = count > 3 ? std::stol(words[3]) : 60;
+  const unsigned long inputs = std::stoul(label[1]);
+  const unsigned long first = count > 2 ? std::stoul(label[2]) : 0;
+  const long seconds = count > 3 ? std::stol(label[3]) : 60;
   for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGILL, SIGBUS, SIGPROF})
     ::signal(signal, tellInput);
 

@@ -8,12 +8,12 @@
 #include "FuzzTarget.h"
 
 // NOLINTNEXTLINE(readability-identifier-naming): the name is libFuzzer's
-extern "C" int LLVMFuzzerInitialize(int* count, char*** words);
+extern "C" int LLVMFuzzerInitialize(int* count, char*** text);
 
-int LLVMFuzzerInitialize(int* count, char*** words)
+int LLVMFuzzerInitialize(int* count, char*** text)
 {
   for (int i = 1; i < *count; ++i) {
-    const std::string word = (*words)[i];
+    const std::string word = (*text)[i];
     if (word.empty() || word.front() == '-') continue;
     const std::filesystem::path folder(word);
     std::filesystem::create_directories(folder);

@@ -111,13 +111,13 @@ void print(const std::string& scene, const Stick& stick)
 
 }  // namespace
 
-int main(int count, char** words)
+int main(int count, char** text)
 {
   if (count != 2) {
     std::cerr << "pid_stick needs the name of a scene.\n";
     return 2;
   }
-  const std::string scene = words[1];
+  const std::string scene = text[1];
   sched_param wanted{};
   wanted.sched_priority = 90;  // hardware does not wait for programs
   ::sched_setscheduler(0, SCHED_FIFO, &wanted);

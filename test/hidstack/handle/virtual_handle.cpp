@@ -99,13 +99,13 @@ Result<Done> play(VirtualHandle& handle, Beat& beat)
 
 }  // namespace
 
-int main(int count, char** words)
+int main(int count, char** text)
 {
   if (count != 3) {
     std::cerr << "virtual_handle needs the name of a script and of a file for its log.\n";
     return 2;
   }
-  const auto script = scriptNamed(words[1]);
+  const auto script = scriptNamed(text[1]);
   if (!script) {
     std::cerr << script.error().message << '\n';
     return 2;
@@ -124,7 +124,7 @@ int main(int count, char** words)
   }
   if (beat.missed() > 0)
     std::cout << "note: the virtual handle missed " << beat.missed() << " beats\n";
-  if (const auto written = write(words[2], handle.ticks()); !written) {
+  if (const auto written = write(text[2], handle.ticks()); !written) {
     std::cerr << written.error().message << '\n';
     return 1;
   }

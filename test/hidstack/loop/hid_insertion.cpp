@@ -129,13 +129,13 @@ Result<Done> run(const std::string& what, const std::string& profile, const std:
 
 }  // namespace
 
-int main(int count, char** words)
+int main(int count, char** text)
 {
   if (count != 5) {
     std::cerr << "hid_insertion needs what to do, a profile, a file for its log and a number.\n";
     return 2;
   }
-  if (const auto done = run(words[1], words[2], words[3], std::atoi(words[4])); !done) {
+  if (const auto done = run(text[1], text[2], text[3], std::atoi(text[4])); !done) {
     std::cerr << done.error().message << '\n';
     return 1;
   }

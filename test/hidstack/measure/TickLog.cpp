@@ -55,9 +55,9 @@ Result<std::vector<Row>> readRows(const std::filesystem::path& file)
   if (!in) return Error{file.string() + " could not be opened: the program that writes it failed."};
   std::vector<Row> rows;
   for (std::string line; std::getline(in, line);) {
-    std::istringstream words(line);
+    std::istringstream text(line);
     Row row;
-    if (!(words >> row))
+    if (!(text >> row))
       return Error{file.string() + ", line " + std::to_string(rows.size() + 1) + ": '" + line +
                    "' is no row of this log."};
     rows.push_back(row);

@@ -104,17 +104,17 @@ Result<Done> measureDeath(const std::string& scene, const std::string& handleLog
 
 }  // namespace
 
-int main(int count, char** words)
+int main(int count, char** text)
 {
   if (count != 4) {
     std::cerr << "hid_measures needs the name of a scene and two logs.\n";
     return 2;
   }
-  const std::string scene = words[1];
+  const std::string scene = text[1];
   const bool isStream = scene == "stream" || scene == "lost" || scene == "repeated";
-  const auto done = scene == "killed" ? measureDeath(scene, words[2])
-                    : isStream        ? measureStream(scene, words[3])
-                                      : measureInsertion(scene, words[2], words[3]);
+  const auto done = scene == "killed" ? measureDeath(scene, text[2])
+                    : isStream        ? measureStream(scene, text[3])
+                                      : measureInsertion(scene, text[2], text[3]);
   if (done) return 0;
   std::cerr << done.error().message << '\n';
   return 1;

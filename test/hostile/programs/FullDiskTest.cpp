@@ -15,10 +15,10 @@ using testing::HasSubstr;
 ProgramOutcome cliWithSmallFiles(int max_KiB, const std::vector<std::string>& arguments)
 {
   ProgramCall call = cliCall(arguments);
-  std::vector<std::string> words = {"-c", "ulimit -f \"$1\"; shift; exec \"$@\"", "bash",
-                                    std::to_string(max_KiB), call.program};
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  return run({"bash", words, {}, {}});
+  std::vector<std::string> text = {"-c", "ulimit -f \"$1\"; shift; exec \"$@\"", "bash",
+                                   std::to_string(max_KiB), call.program};
+  text.insert(text.end(), arguments.begin(), arguments.end());
+  return run({"bash", text, {}, {}});
 }
 
 /// One sentence on standard error that names the file, no more.
@@ -75,9 +75,9 @@ TEST(FullDisk, IsSaidOfAStreamThatTakesNothing)
 /// perilymph-cli with its standard output on a device that is full.
 ProgramOutcome cliOntoFullDevice(const std::vector<std::string>& arguments)
 {
-  std::vector<std::string> words = {"-c", "exec \"$@\" > /dev/full", "sh", cliCall({}).program};
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  return run({"sh", words, {}, {}});
+  std::vector<std::string> text = {"-c", "exec \"$@\" > /dev/full", "sh", cliCall({}).program};
+  text.insert(text.end(), arguments.begin(), arguments.end());
+  return run({"sh", text, {}, {}});
 }
 
 TEST(FullDisk, UnderStandardOutputIsSaidByEveryCommandThatPrints)
@@ -142,7 +142,7 @@ TEST(FullDisk, OfASmallFileSystemIsSaidAndNothingElseBreaks)
   if (mount.status != 0) GTEST_SKIP() << "No file system may be mounted here: " << mount.err;
 
   const std::string program = cliCall({}).program;
-  const std::string words =
+  const std::string text =
       "mount -t tmpfs -o size=300k none /mnt && cd /mnt && "
       "{ '" +
       program +
@@ -154,7 +154,7 @@ TEST(FullDisk, OfASmallFileSystemIsSaidAndNothingElseBreaks)
       "--set stop_travel_mm=2 --csv run.csv; echo status $?; ls -a; "
       "'" +
       program + "' replay run.insertion; echo status $?; }";
-  const ProgramOutcome outcome = run({"unshare", {"-m", "sh", "-c", words}, {}, {}});
+  const ProgramOutcome outcome = run({"unshare", {"-m", "sh", "-c", text}, {}, {}});
   EXPECT_EQ(outcome.signal, 0);
   EXPECT_THAT(outcome.out, HasSubstr("status 1")) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("run.insertion can no longer be recorded"));

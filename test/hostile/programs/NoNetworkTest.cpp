@@ -44,10 +44,10 @@ TEST(ProgramsAndTheNetwork, DoTheirWorkWithoutOne)
       {"replay", file, "--verify"},
       {"anatomy", "--preset", "mean", "--json", folder / "mean.json"},
       {"devices"}};
-  for (std::vector<std::string> words : calls) {
-    words.insert(words.begin(), {"-n", program});
-    const ProgramOutcome outcome = run({"unshare", words, {}, {}});
-    EXPECT_EQ(outcome.status, 0) << words[2] << ": " << outcome.err;
+  for (std::vector<std::string> text : calls) {
+    text.insert(text.begin(), {"-n", program});
+    const ProgramOutcome outcome = run({"unshare", text, {}, {}});
+    EXPECT_EQ(outcome.status, 0) << text[2] << ": " << outcome.err;
   }
 }
 

@@ -18,7 +18,7 @@ TEST_P(RandomMotion, BreaksNothing)
   const Setting& setting = GetParam();
   const Findings found =
       run(setting, setting.isWatchedLonger ? ROBUST_TICKS_OF_ONE : ROBUST_TICKS, 1);
-  std::cout << setting.name << ": " << inWords(found) << std::endl;
+  std::cout << setting.name << ": " << summaryOf(found) << std::endl;
 
   EXPECT_EQ(found.notFinite, 0);
   EXPECT_LE(found.unexplained, tolerance(0.1e-6, "rounding"));

@@ -213,7 +213,7 @@ Findings run(const Setting& setting, long ticks, std::uint64_t seed)
   return findings;
 }
 
-std::string inWords(const Findings& f)
+std::string summaryOf(const Findings& f)
 {
   char line[640];
   std::snprintf(line, sizeof line,

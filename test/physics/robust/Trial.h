@@ -58,6 +58,6 @@ struct Findings {
 Findings run(const Setting& setting, long ticks, std::uint64_t seed);
 
 /// The findings as one line.
-std::string inWords(const Findings& findings);
+std::string summaryOf(const Findings& findings);
 
 }  // namespace perilymph::test

@@ -271,12 +271,12 @@ TEST(InsertionScene, VtkHasNothingToSayWhenContactsComeAndGo)
   const haptics::Snapshot released = test::insertedTo(degrees(200));
   haptics::Snapshot pressed = released;
   test::press(pressed, 80, millinewtons(20));
-  const WordsOfVtk words;
+  const WordsOfVtk label;
   for (int picture = 0; picture < 330; ++picture) {
     screen.scene.show(picture % 3 == 0 ? pressed : released);
     screen.window->Render();
   }
-  EXPECT_EQ(words.text(), "");
+  EXPECT_EQ(label.text(), "");
 }
 
 }  // namespace

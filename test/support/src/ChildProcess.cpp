@@ -107,11 +107,11 @@ void ChildProcess::Content::start(const ProgramCall& call)
   posix_spawnattr_setsigdefault(&attributes, &asUsual);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
 
-  std::vector<std::string> words{call.program};
-  words.insert(words.end(), call.arguments.begin(), call.arguments.end());
+  std::vector<std::string> label{call.program};
+  label.insert(label.end(), call.arguments.begin(), call.arguments.end());
   std::vector<std::string> variables = environmentFor(call);
   const int error = posix_spawnp(&id, call.program.c_str(), &files, &attributes,
-                                 pointersTo(words).data(), pointersTo(variables).data());
+                                 pointersTo(label).data(), pointersTo(variables).data());
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&files);
   if (error != 0)

@@ -64,8 +64,8 @@ TEST(ContactDistances, TheirMeanIsWrittenOverThem)
   const analysis::Drawing drawing = drawContactDistances(contacts, 200.0, 180.0);
   bool isSaid = false;
   for (const analysis::Mark& mark : drawing.marks)
-    if (const auto* words = std::get_if<analysis::Words>(&mark))
-      isSaid = isSaid || words->text == "mean 0.75 mm, 2 inside";
+    if (const auto* label = std::get_if<analysis::Label>(&mark))
+      isSaid = isSaid || label->text == "mean 0.75 mm, 2 inside";
   EXPECT_TRUE(isSaid);
 }
 

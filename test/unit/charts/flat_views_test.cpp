@@ -16,8 +16,8 @@ namespace {
 using analysis::Area;
 using analysis::Drawing;
 using analysis::Ink;
+using analysis::Label;
 using analysis::Stroke;
-using analysis::Words;
 
 constexpr Ink silicone{{0xDC, 0xE4, 0xE9}, 1.0};
 constexpr Ink orange{{0xE6, 0x9F, 0x00}, 1.0};
@@ -33,10 +33,10 @@ std::vector<Kind> all(const Drawing& drawing, const Ink& ink)
   return found;
 }
 
-std::optional<Words> words(const Drawing& drawing, const std::string& text)
+std::optional<Labels> label(const Drawing& drawing, const std::string& text)
 {
   for (const analysis::Mark& mark : drawing.marks)
-    if (const auto* one = std::get_if<Words>(&mark); one != nullptr && one->text == text)
+    if (const auto* one = std::get_if<Labels>(&mark); one != nullptr && one->text == text)
       return *one;
   return std::nullopt;
 }
@@ -69,10 +69,10 @@ Drawing unrolled(const haptics::Snapshot& now, double width = 600.0, double heig
 /// Reads a place off the axes that are drawn.
 struct Axes {
   explicit Axes(const Drawing& drawing)
-      : x0(words(drawing, "0°")->at.x),
-        x180(words(drawing, "180°")->at.x),
-        y0(words(drawing, "0")->at.y),
-        y1(words(drawing, "1")->at.y)
+      : x0(label(drawing, "0°")->at.x),
+        x180(label(drawing, "180°")->at.x),
+        y0(label(drawing, "0")->at.y),
+        y1(label(drawing, "1")->at.y)
   {
   }
   double angle_deg(double x) const { return 180.0 * (x - x0) / (x180 - x0); }
@@ -95,12 +95,12 @@ TEST(UnrolledScala, ShowsTheArrayUpToItsTipBesideTheTrueNumbers)
 
 TEST(UnrolledScala, GrowsByQuarterTurnsWithTheTip)
 {
-  EXPECT_TRUE(words(unrolled(test::laidTo(500.0, 0.0)), "540°"));
+  EXPECT_TRUE(label(unrolled(test::laidTo(500.0, 0.0)), "540°"));
   const Drawing deep = unrolled(test::laidTo(600.0, 0.0));
-  EXPECT_TRUE(words(deep, "540°"));
+  EXPECT_TRUE(label(deep, "540°"));
   // 720 degrees: the next quarter turn after 630, which the tip has nearly reached
   const Drawing deeper = unrolled(test::laidTo(610.0, 0.0));
-  EXPECT_TRUE(words(deeper, "720°"));
+  EXPECT_TRUE(label(deeper, "720°"));
 }
 
 TEST(UnrolledScala, AForceOfTheOuterWallStandsBeyondTheOuterWall)
@@ -142,7 +142,7 @@ TEST(UnrolledScala, DrawsTheScalaAloneWhenTheSnapshotIsNotFinite)
   now.node_W[3][0] = std::numeric_limits<float>::infinity();
   const Drawing drawing = unrolled(now);
   EXPECT_TRUE(all<Area>(drawing, silicone).empty());
-  EXPECT_TRUE(words(drawing, "360°"));
+  EXPECT_TRUE(label(drawing, "360°"));
 }
 
 TEST(UnrolledScala, FitsIntoAnyPane)
@@ -206,7 +206,7 @@ TEST(TipSection, SaysHowHardTheWallPushesTheLastMillimeter)
   test::push(now, 99, -15.0);
   test::push(now, 60, -90.0);  // far behind
   const Drawing drawing = section(now);
-  EXPECT_TRUE(words(drawing, "wall force 35 mN"));
+  EXPECT_TRUE(label(drawing, "wall force 35 mN"));
 }
 
 TEST(TipSection, ItsArrowPointsAwayFromTheWallThatPushes)
@@ -230,7 +230,7 @@ TEST(TipSection, SaysThatTheTipIsOutside)
     for (int k = 0; k < 3; ++k) now.node_W[i][std::size_t(k)] = static_cast<float>(place_W[k]);
   }
   const Drawing drawing = section(now);
-  EXPECT_TRUE(words(drawing, "the tip is outside"));
+  EXPECT_TRUE(label(drawing, "the tip is outside"));
   EXPECT_TRUE(all<Area>(drawing, silicone).empty());
 }
 

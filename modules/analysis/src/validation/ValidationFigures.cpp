@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "Wording.h"
+#include "NumberFormat.h"
 #include "perilymph/analysis/ValidationReport.h"
 
 namespace perilymph::analysis {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "Wording.h"
+#include "NumberFormat.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/session/Csv.h"
 

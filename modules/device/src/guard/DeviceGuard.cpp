@@ -77,9 +77,9 @@ pid_t start(const fs::path& program, int wire, int device, int pulse)
   ::posix_spawn_file_actions_adddup2(&actions, device, guard::device);
   ::posix_spawn_file_actions_adddup2(&actions, pulse, guard::pulse);
   char name[] = "perilymph-device-guard";
-  char* words[] = {name, nullptr};
+  char* text[] = {name, nullptr};
   pid_t id = 0;
-  const int failure = ::posix_spawn(&id, program.c_str(), &actions, &attributes, words, environ);
+  const int failure = ::posix_spawn(&id, program.c_str(), &actions, &attributes, text, environ);
   ::posix_spawnattr_destroy(&attributes);
   ::posix_spawn_file_actions_destroy(&actions);
   return failure == 0 ? id : 0;

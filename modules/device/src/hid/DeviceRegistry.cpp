@@ -16,7 +16,7 @@ namespace {
 /// HID Usage Tables 1.4, chapters 3 and 4: what a main collection is for.
 std::string kindOf(const ReportDescriptor& descriptor)
 {
-  constexpr std::array<std::pair<Usage, const char*>, 9> words = {
+  constexpr std::array<std::pair<Usage, const char*>, 9> label = {
       {{{0x01, 0x01}, "pointer"},
        {{0x01, 0x02}, "mouse"},
        {{0x01, 0x04}, "joystick"},
@@ -28,7 +28,7 @@ std::string kindOf(const ReportDescriptor& descriptor)
        {{0x0f, 0x01}, "force-feedback device"}}};
   const auto usage = descriptor.application();
   if (!usage) return "a device that does not say what it is";
-  for (const auto& [known, word] : words)
+  for (const auto& [known, word] : label)
     if (known == *usage) return word;
   char text[64];
   const char* const sort = usage->page >= 0xff00 ? "vendor-defined" : "another device";

@@ -22,9 +22,9 @@ constexpr std::size_t maxTapeBytes = std::size_t{256} << 20;
 constexpr const char* lostMark = "# lost ";
 
 /// Words of a line, one after the other.
-class Words {
+class Tokens {
 public:
-  explicit Words(std::string_view line) : rest_(line) {}
+  explicit Tokens(std::string_view line) : rest_(line) {}
 
   std::string_view next()
   {
@@ -58,7 +58,7 @@ public:
     std::string decimals(word.substr(std::min(dot + 1, word.size())));
     if (decimals.size() > 9) return std::nullopt;
     decimals.resize(9, '0');
-    Words whole(word.substr(0, dot)), part(decimals);
+    Tokens whole(word.substr(0, dot)), part(decimals);
     const auto seconds = whole.number(10, 1'000'000'000);
     const auto nanoseconds = part.number(10, 999'999'999);
     if (!seconds || !nanoseconds) return std::nullopt;
@@ -114,35 +114,35 @@ private:
   std::string take(std::string_view line)
   {
     if (line.starts_with(lostMark)) {
-      Words words(line.substr(std::string_view(lostMark).size()));
-      tape_.lost += words.number(10, ~std::uint64_t{0}).value_or(0);
+      Tokens tokens(line.substr(std::string_view(lostMark).size()));
+      tape_.lost += tokens.number(10, ~std::uint64_t{0}).value_or(0);
     }
     if (line.empty() || line.front() == '#') return {};
     if (line.size() < 2 || line[1] != ':')
       return "'" + std::string(line.substr(0, 20)) + "' is no line of a tape.";
-    Words words(line.substr(2));
+    Tokens tokens(line.substr(2));
     const char letter = line.front();
-    if (letter == 'D') return takeDevice(words);
-    if (letter == 'N') tape_.name = words.rest();
-    if (letter == 'I') return takeIdentity(words);
-    if (letter == 'R') return takeDescriptor(words);
+    if (letter == 'D') return takeDevice(tokens);
+    if (letter == 'N') tape_.name = tokens.rest();
+    if (letter == 'I') return takeIdentity(tokens);
+    if (letter == 'R') return takeDescriptor(tokens);
     for (const auto& [known, event] : letters)
-      if (known == letter) return takeEntry(event, words);
+      if (known == letter) return takeEntry(event, tokens);
     return {};  // a newer hid-recorder knows more letters
   }
 
-  static std::string takeDevice(Words& words)
+  static std::string takeDevice(Tokens& tokens)
   {
-    const auto number = words.number(10, 1000);
+    const auto number = tokens.number(10, 1000);
     if (number && *number == 0) return {};
     return "a tape is of one device, number 0.";
   }
 
-  std::string takeIdentity(Words& words)
+  std::string takeIdentity(Tokens& tokens)
   {
-    const auto bus = words.number(16, 0xffff);
-    const auto vendor = words.number(16, 0xffff);
-    const auto product = words.number(16, 0xffff);
+    const auto bus = tokens.number(16, 0xffff);
+    const auto vendor = tokens.number(16, 0xffff);
+    const auto product = tokens.number(16, 0xffff);
     if (!bus || !vendor || !product)
       return "the identity must be bus, vendor and product, hexadecimal.";
     tape_.bus = static_cast<std::uint32_t>(*bus);
@@ -151,35 +151,35 @@ private:
     return {};
   }
 
-  std::string takeDescriptor(Words& words)
+  std::string takeDescriptor(Tokens& tokens)
   {
-    auto bytes = words.bytes(4096);
-    if (!bytes || !words.isOver())
+    auto bytes = tokens.bytes(4096);
+    if (!bytes || !tokens.isOver())
       return "the descriptor must be its size (at most 4096) and as many hexadecimal bytes.";
     tape_.descriptor = *std::move(bytes);
     return {};
   }
 
-  std::string takeEntry(TapeEvent event, Words& words)
+  std::string takeEntry(TapeEvent event, Tokens& tokens)
   {
     TapeEntry entry;
     entry.event = event;
-    const auto time = words.time();
+    const auto time = tokens.time();
     if (!time) return "the time must be seconds, with at most nine decimals.";
     entry.time = *time;
     if (event != TapeEvent::input && event != TapeEvent::gone) {
-      const auto took = words.time();
+      const auto took = tokens.time();
       if (!took) return "how long it took must be seconds, with at most nine decimals.";
       entry.took = *took;
     }
     if (event != TapeEvent::gone) {
-      auto bytes = words.bytes(longestReport - 1);
+      auto bytes = tokens.bytes(longestReport - 1);
       if (!bytes || bytes->empty())
         return "a report must be its size (1 to " + std::to_string(longestReport - 1) +
                ") and as many hexadecimal bytes.";
       entry.bytes = *std::move(bytes);
     }
-    if (!words.isOver()) return "there is more on the line than its size says.";
+    if (!tokens.isOver()) return "there is more on the line than its size says.";
     tape_.entries.push_back(std::move(entry));
     return {};
   }

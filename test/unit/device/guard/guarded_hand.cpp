@@ -44,17 +44,17 @@ void ask(int) { isAsked = true; }
 
 }  // namespace
 
-int main(int count, char** words)
+int main(int count, char** text)
 {
   if (count != 3) return 2;
-  const std::string fault = words[2];
+  const std::string fault = text[2];
   const auto profile = device::parseProfile(guarded, "guarded");
   if (!profile) return std::fprintf(stderr, "%s\n", profile.error().message.c_str()), 1;
   auto codec = device::makeCodec(*profile, {});
   if (!codec) return std::fprintf(stderr, "%s\n", codec.error().message.c_str()), 1;
   std::signal(SIGTERM, ask);
 
-  device::HidDevice hand(device::traitsOf(*profile), *std::move(codec), test::socketPort(words[1]));
+  device::HidDevice hand(device::traitsOf(*profile), *std::move(codec), test::socketPort(text[1]));
   if (const auto opened = hand.open(); !opened)
     return std::fprintf(stderr, "%s\n", opened.error().message.c_str()), 1;
   std::printf("%s\n", hand.health()->isGuarded ? "guarded" : "not guarded");

@@ -47,7 +47,7 @@ enum class Anchor { start, middle, end };
 enum class Direction { across, upward };
 
 /// Words on their base line.
-struct Words {
+struct Label {
   PagePoint at;
   std::string text;
   double size = 9.0;
@@ -57,7 +57,7 @@ struct Words {
   bool isBold = false;
 };
 
-using Mark = std::variant<Area, Stroke, Disk, Words>;
+using Mark = std::variant<Area, Stroke, Disk, Label>;
 
 /// What is drawn, the first mark undermost, on white.
 struct Drawing {

@@ -52,7 +52,7 @@ public:
   Result<Done> closeRecording();
 
   /// A sentence where the device cannot render the coupling asked for: what it renders, and why.
-  const std::string& couplingWords() const noexcept;
+  const std::string& couplingText() const noexcept;
 
   const Scenario& scenario() const noexcept;
   const anatomy::ScalaTympani& anatomy() const noexcept;

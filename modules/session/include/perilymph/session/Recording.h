@@ -75,7 +75,7 @@ private:
 };
 
 /// A status as words: "forceClamped rampingIn"; empty when all is well.
-std::string statusWords(std::uint32_t status);
+std::string statusText(std::uint32_t status);
 /// "idle", "armed", ...
 std::string workflowWord(haptics::Workflow workflow);
 

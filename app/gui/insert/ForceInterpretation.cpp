@@ -1,4 +1,4 @@
-#include "ForceWords.h"
+#include "ForceInterpretation.h"
 
 #include <QFontMetrics>
 #include <QPainter>
@@ -27,7 +27,7 @@ std::optional<analysis::PrintedRange> rangeOf(const char* reference, const char*
 
 QString marked(const ForceMeaning& meaning)
 {
-  return meaning.isBeyond ? QStringLiteral("▲ ") + meaning.words : meaning.words;
+  return meaning.isBeyond ? QStringLiteral("▲ ") + meaning.text : meaning.text;
 }
 
 }  // namespace
@@ -45,31 +45,34 @@ ForceMeaning meaningOnHand(Force force, const ForceThresholds& known)
   const double size = std::fabs(force.si());
   const QString felt = numberText(inMillinewtons(known.felt), 0);
   if (size < known.felt.si())
-    return {ForceWords::tr("below the %1 mN that surgeons feel").arg(felt), false};
+    return {ForceInterpretation::tr("below the %1 mN that surgeons feel").arg(felt), false};
   if (!known.peaks || size < known.peaks->low)
-    return {ForceWords::tr("felt by surgeons, above %1 mN").arg(felt), false};
+    return {ForceInterpretation::tr("felt by surgeons, above %1 mN").arg(felt), false};
   const QString low = millinewtonsText(known.peaks->low);
   const QString high = millinewtonsText(known.peaks->high);
   if (size <= known.peaks->high)
-    return {ForceWords::tr("felt; like peaks in patients, %1 to %2 mN").arg(low, high), false};
-  return {ForceWords::tr("felt; above the peaks in patients, %1 mN").arg(high), true};
+    return {ForceInterpretation::tr("felt; like peaks in patients, %1 to %2 mN").arg(low, high),
+            false};
+  return {ForceInterpretation::tr("felt; above the peaks in patients, %1 mN").arg(high), true};
 }
 
 ForceMeaning meaningOnPartition(Force force, const ForceThresholds& known)
 {
   const QString now = numberText(inMillinewtons(force), 0);
-  if (!known.rupture) return {ForceWords::tr("on the partition %1 mN").arg(now), false};
+  if (!known.rupture) return {ForceInterpretation::tr("on the partition %1 mN").arg(now), false};
   const QString low = millinewtonsText(known.rupture->low);
   const QString high = millinewtonsText(known.rupture->high);
   if (force.si() < known.rupture->low)
-    return {
-        ForceWords::tr("on the partition %1 mN; it ruptures at %2 to %3 mN").arg(now, low, high),
-        false};
-  return {ForceWords::tr("on the partition %1 mN: it ruptures at %2 to %3 mN").arg(now, low, high),
+    return {ForceInterpretation::tr("on the partition %1 mN; it ruptures at %2 to %3 mN")
+                .arg(now, low, high),
+            false};
+  return {ForceInterpretation::tr("on the partition %1 mN: it ruptures at %2 to %3 mN")
+              .arg(now, low, high),
           true};
 }
 
-ForceWords::ForceWords(QWidget* parent) : QWidget(parent), known_(ForceThresholds::shipped())
+ForceInterpretation::ForceInterpretation(QWidget* parent)
+    : QWidget(parent), known_(ForceThresholds::shipped())
 {
   setObjectName(QStringLiteral("forceWords"));
   setFont(typeface(12));
@@ -87,19 +90,19 @@ ForceWords::ForceWords(QWidget* parent) : QWidget(parent), known_(ForceThreshold
   show({}, {});
 }
 
-void ForceWords::show(Force onHand, Force onPartition)
+void ForceInterpretation::show(Force onHand, Force onPartition)
 {
   ForceMeaning hand = meaningOnHand(onHand, known_);
   ForceMeaning partition = meaningOnPartition(onPartition, known_);
-  if (hand.words == hand_.words && partition.words == partition_.words) return;
+  if (hand.text == hand_.text && partition.text == partition_.text) return;
   hand_ = std::move(hand);
   partition_ = std::move(partition);
-  setAccessibleName(hand_.words + QStringLiteral("; ") + partition_.words);
+  setAccessibleName(hand_.text + QStringLiteral("; ") + partition_.text);
   updateGeometry();
   update();
 }
 
-QSize ForceWords::sizeHint() const
+QSize ForceInterpretation::sizeHint() const
 {
   const QFontMetrics metrics(font());
   const int widest = std::max(metrics.horizontalAdvance(marked(hand_)),
@@ -107,7 +110,7 @@ QSize ForceWords::sizeHint() const
   return {widest + 2 * plate_px, 2 * lineHeight_px + plate_px};
 }
 
-void ForceWords::paintEvent(QPaintEvent*)
+void ForceInterpretation::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);

@@ -8,7 +8,7 @@
 namespace perilymph::charts {
 
 /// Words on charts and flat views; English until others are set. %1 and %2 stand for numbers.
-struct Wording {
+struct ChartStrings {
   std::string travel = "travel, mm";
   std::string axialForce = "axial force, N";
   std::string force = "force, mN";
@@ -28,11 +28,11 @@ struct Wording {
 };
 
 /// Of all charts and views made from then on.
-void setWording(Wording wording);
-const Wording& wording();
+void setChartStrings(ChartStrings strings);
+const ChartStrings& chartStrings();
 
 /// Words with numbers in place of %1, %2.
-std::string filled(std::string words, const std::vector<std::string>& numbers);
+std::string filled(std::string text, const std::vector<std::string>& numbers);
 /// A number as printf writes it, with the sign that people read.
 std::string withDecimalSign(std::string number);
 

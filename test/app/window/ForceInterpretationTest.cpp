@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "ForceWords.h"
+#include "ForceInterpretation.h"
 
 namespace perilymph::gui {
 namespace {
@@ -13,12 +13,12 @@ using ::testing::Not;
 
 std::string onHand(double force_mN)
 {
-  return meaningOnHand(millinewtons(force_mN), ForceThresholds::shipped()).words.toStdString();
+  return meaningOnHand(millinewtons(force_mN), ForceThresholds::shipped()).text.toStdString();
 }
 
 std::string onPartition(double force_mN)
 {
-  return meaningOnPartition(millinewtons(force_mN), ForceThresholds::shipped()).words.toStdString();
+  return meaningOnPartition(millinewtons(force_mN), ForceThresholds::shipped()).text.toStdString();
 }
 
 // Kratchman 2016: 20.4 mN. Rau 2024: peaks 44.8 to 102.4 mN.

@@ -1,27 +1,27 @@
-#include "ChartWords.h"
+#include "ChartLabels.h"
 
 #include <QCoreApplication>
 #include <QLocale>
 #include <QString>
 
-#include "perilymph/charts/Wording.h"
-#include "perilymph/visualization/Wording.h"
+#include "perilymph/charts/ChartStrings.h"
+#include "perilymph/visualization/SceneStrings.h"
 
 namespace perilymph::gui {
 
 namespace {
 
 // lupdate looks for words of free functions under the name of their namespace.
-std::string tr(const char* words)
+std::string tr(const char* text)
 {
-  return QCoreApplication::translate("perilymph::gui", words).toStdString();
+  return QCoreApplication::translate("perilymph::gui", text).toStdString();
 }
 
 }  // namespace
 
 void translateCharts()
 {
-  charts::setWording({
+  charts::setChartStrings({
       .travel = tr("travel, mm"),
       .axialForce = tr("axial force, N"),
       .force = tr("force, mN"),
@@ -42,7 +42,7 @@ void translateCharts()
       .meanAndInside = tr("mean %1 mm, %2 inside"),
       .decimalSign = QString(QLocale().decimalPoint()).toStdString().front(),
   });
-  visualization::setWording({
+  visualization::setSceneStrings({
       .wallForce = tr("wall force, mN per mm"),
       .normalForce = tr("normal force, %1 mm for %2 mN"),
       .friction = tr("friction, × %1"),

@@ -24,7 +24,7 @@ struct ForceThresholds {
 
 /// A sentence's worth of meaning, and whether it stands out.
 struct ForceMeaning {
-  QString words;
+  QString text;
   bool isBeyond = false;
 };
 
@@ -35,14 +35,14 @@ ForceMeaning meaningOnPartition(Force force, const ForceThresholds& known);
 
 /// Both on two lines, on a plate so that the picture may pass behind them. What stands out has a
 /// mark before it besides its color.
-class ForceWords : public QWidget {
+class ForceInterpretation : public QWidget {
   Q_OBJECT
 public:
-  explicit ForceWords(QWidget* parent);
+  explicit ForceInterpretation(QWidget* parent);
 
   void show(Force onHand, Force onPartition);
-  const QString& handWords() const { return hand_.words; }
-  const QString& partitionWords() const { return partition_.words; }
+  const QString& handText() const { return hand_.text; }
+  const QString& partitionText() const { return partition_.text; }
   QSize sizeHint() const override;
 
 protected:

@@ -10,19 +10,19 @@
 
 #include "Application.h"
 #include "Background.h"
+#include "CrashMarker.h"
+#include "CrashRecovery.h"
 #include "Display.h"
-#include "Errands.h"
 #include "InsertionViews.h"
-#include "Interrupted.h"
 #include "KioskWindow.h"
 #include "Languages.h"
-#include "Logbook.h"
+#include "Logging.h"
 #include "MainWindow.h"
 #include "Options.h"
-#include "RunMark.h"
 #include "Settings.h"
 #include "SettingsSheet.h"
 #include "SetupHistory.h"
+#include "StartupActions.h"
 #include "TerminationSignals.h"
 #include "Theme.h"
 #include "perilymph/foundation/RealTime.h"
@@ -66,7 +66,7 @@ int runKiosk(gui::Application& application, const gui::TerminationSignals& signa
                    [] { QCoreApplication::quit(); });
   QObject::connect(&signals, &gui::TerminationSignals::received, &window,
                    [](int signal) { QCoreApplication::exit(statusOf(signal)); });
-  gui::arrangeErrands(window, options);
+  gui::scheduleStartupActions(window, options);
   window.showFullScreen();
   return openAndRun(window);
 }
@@ -75,7 +75,7 @@ int runKiosk(gui::Application& application, const gui::TerminationSignals& signa
 struct Beginning {
   session::Scenario scenario;
   gui::Page page = gui::Page::start;
-  gui::Options options;  ///< Errands are for the first window only.
+  gui::Options options;  ///< Startup actions are for the first window only.
   std::vector<std::filesystem::path> interrupted;
   std::optional<std::pair<gui::Origin, gui::Setup>> setup;  ///< Of the window before.
 };
@@ -91,16 +91,16 @@ WindowEnd runWindow(gui::Application& application, const gui::TerminationSignals
 {
   const gui::Options& options = beginning.options;
   QGuiApplication::setQuitOnLastWindowClosed(true);
-  gui::RunMark mark(gui::stateFolder());
+  gui::CrashMarker mark(gui::stateFolder());
   gui::MainWindow window(beginning.scenario, options.record);
   application.onException([&window](const QString& sentence) { window.showError(sentence); });
   if (beginning.setup) window.resume(beginning.setup->first, beginning.setup->second);
   window.showPage(beginning.page);
-  gui::arrangeErrands(window, options);
+  gui::scheduleStartupActions(window, options);
   window.views().drawBy(gui::openGlRenderer(),
                         options.quality ? gui::qualityNamed(*options.quality) : std::nullopt);
   window.views().offerQuadBuffered(gui::quadBufferedError(gui::hasStereoBuffers()));
-  gui::offerInterrupted(window, beginning.interrupted);
+  gui::offerRecovery(window, beginning.interrupted);
   QObject::connect(&window, &gui::MainWindow::recordingChanged, &window,
                    [&window, &mark] { mark.setRecording(window.control().recording()); });
   QObject::connect(&signals, &gui::TerminationSignals::received, &window, [&window](int signal) {
@@ -134,7 +134,8 @@ void applyChoices(gui::Application& application, const gui::Options& options)
 {
   const gui::Settings settings;
   const QString look = settings.word(QStringLiteral("look"), gui::colorSchemeText());
-  gui::setShownLook(look == QLatin1String("light") ? gui::Look::light : gui::Look::dark);
+  gui::setShownColorScheme(look == QLatin1String("light") ? gui::ColorScheme::light
+                                                          : gui::ColorScheme::dark);
   gui::useLanguage(application, options.language ? QString::fromStdString(*options.language)
                                                  : settings.word(QStringLiteral("language"),
                                                                  gui::languageText()));
@@ -173,7 +174,7 @@ int run(int argc, char** argv, const gui::Options& options)
   WindowEnd end =
       runWindow(application, signals,
                 {*std::move(scenario), isTold ? gui::Page::insert : gui::Page::start, options,
-                 gui::RunMark::takeInterrupted(gui::stateFolder()), std::nullopt});
+                 gui::CrashMarker::takeCrashed(gui::stateFolder()), std::nullopt});
   while (end.next) {
     applyChoices(application, end.next->options);
     end = runWindow(application, signals, Beginning(*std::move(end.next)));

@@ -24,7 +24,7 @@ double millimetersOf(double travel) { return inMillimeters(meters(travel)); }
 
 QPen penOfRun(std::size_t run)
 {
-  const bool isLight = shownLook() == Look::light;
+  const bool isLight = shownColorScheme() == ColorScheme::light;
   const QColor pink = isLight ? QColor(0x9B, 0x2F, 0x72) : QColor(0xE3, 0x8F, 0xC0);
   const std::array<QColor, 4> colors = {accentColor, ghostColor, warningColor, pink};
   QPen pen(colors[run % colors.size()], 2.0, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);

@@ -6,7 +6,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
-#include "Marks.h"
+#include "CheckBoxes.h"
 #include "NumberField.h"
 #include "Numbers.h"
 #include "Theme.h"

@@ -9,8 +9,8 @@
 #include <QWheelEvent>
 
 #include "ArraySection.h"
+#include "CheckBoxes.h"
 #include "HandSection.h"
-#include "Marks.h"
 #include "PatientSection.h"
 #include "ScenarioHead.h"
 #include "SetupHistory.h"

@@ -2,8 +2,8 @@
 
 #include <QStringList>
 
-#include "perilymph/charts/Look.h"
-#include "perilymph/visualization/Look.h"
+#include "perilymph/charts/ColorScheme.h"
+#include "perilymph/visualization/SceneColorScheme.h"
 
 namespace perilymph::gui {
 
@@ -56,13 +56,13 @@ const Theme& lightTheme()
 }
 
 struct Shown {
-  Look look = Look::dark;
+  ColorScheme look = ColorScheme::dark;
   Theme theme;
 };
 
 Shown& shown()
 {
-  static Shown one{Look::dark, darkTheme()};
+  static Shown one{ColorScheme::dark, darkTheme()};
   return one;
 }
 
@@ -183,17 +183,21 @@ QFont typeface(int size_px, QFont::Weight weight)
   return chosen;
 }
 
-const Theme& themeOf(Look look) { return look == Look::light ? lightTheme() : darkTheme(); }
+const Theme& themeOf(ColorScheme look)
+{
+  return look == ColorScheme::light ? lightTheme() : darkTheme();
+}
 
-Look shownLook() { return shown().look; }
+ColorScheme shownColorScheme() { return shown().look; }
 const Theme& shownTheme() { return shown().theme; }
 
-void setShownLook(Look look)
+void setShownColorScheme(ColorScheme look)
 {
   shown() = {look, themeOf(look)};
-  charts::setLook(look == Look::light ? charts::Look::light : charts::Look::dark);
-  visualization::setLook(look == Look::light ? visualization::Look::light
-                                             : visualization::Look::dark);
+  charts::setColorScheme(look == ColorScheme::light ? charts::ColorScheme::light
+                                                    : charts::ColorScheme::dark);
+  visualization::setColorScheme(look == ColorScheme::light ? visualization::ColorScheme::light
+                                                           : visualization::ColorScheme::dark);
 }
 
 QString windowStyle()

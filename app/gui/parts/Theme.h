@@ -9,7 +9,7 @@
 namespace perilymph::gui {
 
 /// The two looks of the window.
-enum class Look { dark, light };
+enum class ColorScheme { dark, light };
 
 /// The colors of a look. Text on every ground it lies on has a contrast of 4.5:1 or more.
 struct Theme {
@@ -30,12 +30,12 @@ struct Theme {
   QColor banner;       ///< Behind what went wrong.
 };
 
-const Theme& themeOf(Look look);
+const Theme& themeOf(ColorScheme look);
 
 /// The look of this program's windows, charts and pictures. One for all of them; it is chosen
 /// before a window is made.
-Look shownLook();
-void setShownLook(Look look);
+ColorScheme shownColorScheme();
+void setShownColorScheme(ColorScheme look);
 /// Its colors. The object stays where it is when the look changes.
 const Theme& shownTheme();
 

@@ -9,7 +9,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
-#include "Marks.h"
+#include "CheckBoxes.h"
 #include "PopulationField.h"
 #include "Populations.h"
 #include "Theme.h"

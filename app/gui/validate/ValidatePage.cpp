@@ -13,8 +13,8 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "CheckBoxes.h"
 #include "DrawingView.h"
-#include "Marks.h"
 #include "Theme.h"
 #include "perilymph/foundation/AtomicFile.h"
 

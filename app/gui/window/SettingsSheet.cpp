@@ -7,8 +7,8 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
-#include "Logbook.h"
-#include "Marks.h"
+#include "CheckBoxes.h"
+#include "Logging.h"
 #include "Settings.h"
 #include "Theme.h"
 

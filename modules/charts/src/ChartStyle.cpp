@@ -39,9 +39,9 @@ const Colors& shown() { return current(); }
 
 }  // namespace style
 
-void setLook(Look look)
+void setColorScheme(ColorScheme look)
 {
-  style::current() = look == Look::light ? style::light() : style::dark();
+  style::current() = look == ColorScheme::light ? style::light() : style::dark();
   ink::show(look);
 }
 

@@ -4,7 +4,7 @@
 
 #include <vtkColor.h>
 
-#include "perilymph/charts/Look.h"
+#include "perilymph/charts/ColorScheme.h"
 
 namespace perilymph::charts::style {
 

@@ -56,6 +56,6 @@ Inks& current()
 
 const Inks& shown() { return current(); }
 
-void show(Look look) { current() = look == Look::light ? light() : dark(); }
+void show(ColorScheme look) { current() = look == ColorScheme::light ? light() : dark(); }
 
 }  // namespace perilymph::charts::ink

@@ -3,7 +3,7 @@
 // Inks of the flat views, in both looks.
 
 #include "perilymph/analysis/Drawing.h"
-#include "perilymph/charts/Look.h"
+#include "perilymph/charts/ColorScheme.h"
 
 namespace perilymph::charts::ink {
 
@@ -14,8 +14,8 @@ struct Inks {
 
 /// Of the look that is shown. The object stays where it is when the look changes.
 const Inks& shown();
-/// Called by charts::setLook alone.
-void show(Look look);
+/// Called by charts::setColorScheme alone.
+void show(ColorScheme look);
 
 inline const analysis::Ink& panel = shown().panel;
 inline const analysis::Ink& ground = shown().ground;

@@ -1,6 +1,6 @@
 #include "Palette.h"
 
-#include "perilymph/visualization/Look.h"
+#include "perilymph/visualization/SceneColorScheme.h"
 
 namespace perilymph::visualization {
 
@@ -58,9 +58,9 @@ const Colors& shown() { return current(); }
 
 }  // namespace palette
 
-void setLook(Look look)
+void setColorScheme(ColorScheme look)
 {
-  palette::current() = look == Look::light ? palette::light : palette::dark;
+  palette::current() = look == ColorScheme::light ? palette::light : palette::dark;
 }
 
 }  // namespace perilymph::visualization

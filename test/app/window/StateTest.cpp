@@ -13,12 +13,12 @@
 #include <future>
 #include <new>
 
+#include "CrashMarker.h"
+#include "CrashRecovery.h"
 #include "DataFolder.h"
-#include "Interrupted.h"
-#include "Logbook.h"
+#include "Logging.h"
 #include "Notice.h"
 #include "Numbers.h"
-#include "RunMark.h"
 #include "Settings.h"
 #include "WindowRig.h"
 #include "perilymph/foundation/AtomicFile.h"
@@ -126,42 +126,42 @@ long endedProcess()
   return child;
 }
 
-TEST(RunMark, OfAProgramThatIsGoneNamesItsRecordingOnce)
+TEST(CrashMarker, OfAProgramThatIsGoneNamesItsRecordingOnce)
 {
   const TemporaryFolder folder;
   const auto recording = folder.path() / "one.insertion";
   std::ofstream(recording) << "kept";
   std::ofstream(folder.path() / ("running-" + std::to_string(endedProcess())))
       << recording.string() << '\n';
-  EXPECT_EQ(gui::RunMark::takeInterrupted(folder.path()), std::vector{recording});
-  EXPECT_TRUE(gui::RunMark::takeInterrupted(folder.path()).empty());
+  EXPECT_EQ(gui::CrashMarker::takeCrashed(folder.path()), std::vector{recording});
+  EXPECT_TRUE(gui::CrashMarker::takeCrashed(folder.path()).empty());
 }
 
-TEST(RunMark, OfAProgramThatRunsIsLeftAlone)
+TEST(CrashMarker, OfAProgramThatRunsIsLeftAlone)
 {
   const TemporaryFolder folder;
   const auto recording = folder.path() / "one.insertion";
   std::ofstream(recording) << "kept";
-  gui::RunMark mark(folder.path());
+  gui::CrashMarker mark(folder.path());
   mark.setRecording(recording);
-  EXPECT_TRUE(gui::RunMark::takeInterrupted(folder.path()).empty());
+  EXPECT_TRUE(gui::CrashMarker::takeCrashed(folder.path()).empty());
 }
 
-TEST(RunMark, IsGoneAfterAGoodEnd)
+TEST(CrashMarker, IsGoneAfterAGoodEnd)
 {
   const TemporaryFolder folder;
   {
-    const gui::RunMark mark(folder.path());
+    const gui::CrashMarker mark(folder.path());
   }
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
-TEST(RunMark, OfARecordingThatIsGoneSaysNothing)
+TEST(CrashMarker, OfARecordingThatIsGoneSaysNothing)
 {
   const TemporaryFolder folder;
   std::ofstream(folder.path() / ("running-" + std::to_string(endedProcess())))
       << (folder.path() / "gone.insertion").string() << '\n';
-  EXPECT_TRUE(gui::RunMark::takeInterrupted(folder.path()).empty());
+  EXPECT_TRUE(gui::CrashMarker::takeCrashed(folder.path()).empty());
 }
 
 /// A recording of an insertion to a depth of 3 mm, as it is listed.
@@ -178,7 +178,7 @@ session::SessionSummary threeMillimeters(const std::filesystem::path& file,
 TEST(AnInterruptedInsertion, IsOfferedWithItsDepth)
 {
   WindowRig rig;
-  gui::offerInterrupted(rig.window(), {"tuesday.insertion"}, threeMillimeters);
+  gui::offerRecovery(rig.window(), {"tuesday.insertion"}, threeMillimeters);
   Q_EMIT rig.window().firstFrameShown();
   ASSERT_TRUE(WindowRig::comes([&] { return rig.window().notice().isVisible(); }));
   EXPECT_TRUE(rig.window().notice().sentence().contains("3.0 mm"));
@@ -191,12 +191,11 @@ TEST(AnInterruptedInsertion, WhoseRecordingBlocksItsReaderLetsTheWindowLive)
   auto opened = gate.get_future().uniform();
   {
     WindowRig rig;
-    gui::offerInterrupted(
-        rig.window(), {"bad.insertion"},
-        [opened](const std::filesystem::path& file, const std::function<bool()>&) {
-          opened.wait();
-          return threeMillimeters(file);
-        });
+    gui::offerRecovery(rig.window(), {"bad.insertion"},
+                       [opened](const std::filesystem::path& file, const std::function<bool()>&) {
+                         opened.wait();
+                         return threeMillimeters(file);
+                       });
     Q_EMIT rig.window().firstFrameShown();
     rig.click("startButton");
     EXPECT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.1; }));
@@ -208,12 +207,12 @@ TEST(AnInterruptedInsertion, WhoseRecordingNeedsTooMuchMemoryLetsTheWindowLive)
 {
   WindowRig rig;
   std::atomic<bool> wasRead{false};
-  gui::offerInterrupted(rig.window(), {"bad.insertion"},
-                        [&wasRead](const std::filesystem::path&,
-                                   const std::function<bool()>&) -> session::SessionSummary {
-                          wasRead = true;
-                          throw std::bad_alloc();
-                        });
+  gui::offerRecovery(rig.window(), {"bad.insertion"},
+                     [&wasRead](const std::filesystem::path&,
+                                const std::function<bool()>&) -> session::SessionSummary {
+                       wasRead = true;
+                       throw std::bad_alloc();
+                     });
   Q_EMIT rig.window().firstFrameShown();
   rig.click("startButton");
   EXPECT_TRUE(WindowRig::comes([&] { return wasRead && rig.travel_mm() > 0.1; }));

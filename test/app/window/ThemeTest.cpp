@@ -39,12 +39,12 @@ TEST(Contrast, OfBlackOnWhiteIsTwentyOne)
   EXPECT_NEAR(contrast(Qt::black, Qt::white), 21.0, 1e-9);
 }
 
-class EveryLook : public testing::TestWithParam<gui::Look> {
+class EveryColorScheme : public testing::TestWithParam<gui::ColorScheme> {
 protected:
-  ~EveryLook() override { gui::setShownLook(gui::Look::dark); }
+  ~EveryColorScheme() override { gui::setShownColorScheme(gui::ColorScheme::dark); }
 };
 
-TEST_P(EveryLook, WritesSoThatItCanBeRead)
+TEST_P(EveryColorScheme, WritesSoThatItCanBeRead)
 {
   const gui::Theme& theme = gui::themeOf(GetParam());
   const std::pair<const char*, QColor> inks[] = {
@@ -68,15 +68,15 @@ TEST_P(EveryLook, WritesSoThatItCanBeRead)
   EXPECT_GE(contrast(theme.ahead, theme.panel), ofMarks);
 }
 
-TEST_P(EveryLook, NamesEveryColorOfItsStyleSheet)
+TEST_P(EveryColorScheme, NamesEveryColorOfItsStyleSheet)
 {
-  gui::setShownLook(GetParam());
+  gui::setShownColorScheme(GetParam());
   EXPECT_FALSE(gui::windowStyle().contains(QLatin1Char('%')));
 }
 
-TEST_P(EveryLook, HasNoOtherColorsInItsStyleSheet)
+TEST_P(EveryColorScheme, HasNoOtherColorsInItsStyleSheet)
 {
-  gui::setShownLook(GetParam());
+  gui::setShownColorScheme(GetParam());
   const gui::Theme& theme = gui::themeOf(GetParam());
   QStringList own;
   for (const QColor& color : {theme.ground, theme.panel, theme.raised, theme.pressed, theme.line,
@@ -91,20 +91,20 @@ TEST_P(EveryLook, HasNoOtherColorsInItsStyleSheet)
   }
 }
 
-TEST_P(EveryLook, IsThatOfPicturesAndChartsToo)
+TEST_P(EveryColorScheme, IsThatOfPicturesAndChartsToo)
 {
-  gui::setShownLook(GetParam());
+  gui::setShownColorScheme(GetParam());
   WindowRig rig;
   const QImage window = rig.window().grab().toImage();
-  const bool isLight = GetParam() == gui::Look::light;
+  const bool isLight = GetParam() == gui::ColorScheme::light;
   // corners of the picture and of the chart column
   EXPECT_EQ(qGray(rig.picture().pixel(3, 3)) > 128, isLight);
   EXPECT_EQ(qGray(window.pixel(window.width() - 4, window.height() / 2)) > 128, isLight);
   EXPECT_EQ(qGray(window.pixel(4, window.height() / 2)) > 128, isLight);
 }
 
-INSTANTIATE_TEST_SUITE_P(OfTheWindow, EveryLook,
-                         testing::Values(gui::Look::dark, gui::Look::light));
+INSTANTIATE_TEST_SUITE_P(OfTheWindow, EveryColorScheme,
+                         testing::Values(gui::ColorScheme::dark, gui::ColorScheme::light));
 
 }  // namespace
 }  // namespace perilymph::test

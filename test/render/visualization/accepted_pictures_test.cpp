@@ -4,13 +4,13 @@
 #include <vtkUnsignedCharArray.h>
 
 #include "SceneOnScreen.h"
+#include "perilymph/charts/ColorScheme.h"
 #include "perilymph/charts/ContactDistances.h"
 #include "perilymph/charts/FigurePicture.h"
-#include "perilymph/charts/Look.h"
 #include "perilymph/charts/TipSection.h"
 #include "perilymph/charts/UnrolledScala.h"
 #include "perilymph/test/TemporaryFolder.h"
-#include "perilymph/visualization/Look.h"
+#include "perilymph/visualization/SceneColorScheme.h"
 
 namespace perilymph::visualization {
 namespace {
@@ -27,12 +27,12 @@ haptics::Snapshot pressed()
 
 /// Light for the length of a test.
 struct Light {
-  Light() { show(Look::light, charts::Look::light); }
-  ~Light() { show(Look::dark, charts::Look::dark); }
-  static void show(Look look, charts::Look ofCharts)
+  Light() { show(ColorScheme::light, charts::ColorScheme::light); }
+  ~Light() { show(ColorScheme::dark, charts::ColorScheme::dark); }
+  static void show(ColorScheme look, charts::ColorScheme ofCharts)
   {
-    setLook(look);
-    charts::setLook(ofCharts);
+    setColorScheme(look);
+    charts::setColorScheme(ofCharts);
   }
 };
 

@@ -4,10 +4,10 @@
 
 namespace perilymph::visualization {
 
-enum class Look { dark, light };
+enum class ColorScheme { dark, light };
 
 /// Scenes made from now on have these colors; dark if nobody asks. Not while one is drawn in
 /// another thread.
-void setLook(Look look);
+void setColorScheme(ColorScheme look);
 
 }  // namespace perilymph::visualization

@@ -19,7 +19,7 @@ using Summarize = std::function<session::SessionSummary(const std::filesystem::p
 /// Says, once the window is on the screen, what is kept of the insertions that ended with the
 /// program, and offers to show them. A recording is read beside the UI thread: one that cannot be
 /// read keeps the window from nothing.
-void offerInterrupted(MainWindow& window, const std::vector<std::filesystem::path>& recordings,
-                      const Summarize& summarize = session::summarize);
+void offerRecovery(MainWindow& window, const std::vector<std::filesystem::path>& recordings,
+                   const Summarize& summarize = session::summarize);
 
 }  // namespace perilymph::gui

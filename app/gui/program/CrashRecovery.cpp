@@ -1,4 +1,4 @@
-#include "Interrupted.h"
+#include "CrashRecovery.h"
 
 #include <spdlog/spdlog.h>
 
@@ -44,8 +44,8 @@ void offer(MainWindow& window, const session::SessionSummary& left)
 
 }  // namespace
 
-void offerInterrupted(MainWindow& window, const std::vector<std::filesystem::path>& recordings,
-                      const Summarize& summarize)
+void offerRecovery(MainWindow& window, const std::vector<std::filesystem::path>& recordings,
+                   const Summarize& summarize)
 {
   if (recordings.empty()) return;
   auto* reading = new Background(&window);

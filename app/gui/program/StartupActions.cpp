@@ -1,4 +1,4 @@
-#include "Errands.h"
+#include "StartupActions.h"
 
 #include <QCoreApplication>
 #include <QPixmap>
@@ -9,7 +9,7 @@
 #include "FrameMeasurement.h"
 #include "KioskWindow.h"
 #include "MainWindow.h"
-#include "ProgramAge.h"
+#include "ProcessUptime.h"
 #include "perilymph/foundation/AtomicFile.h"
 
 namespace perilymph::gui {
@@ -42,13 +42,13 @@ void takeScreenshotLater(QWidget& window, const Options& options)
 
 }  // namespace
 
-void arrangeErrands(MainWindow& window, const Options& options)
+void scheduleStartupActions(MainWindow& window, const Options& options)
 {
   const bool isDemo = options.isDemo || options.measuresFrames;
   QObject::connect(&window, &MainWindow::firstFrameShown, &window, [&window, options, isDemo] {
     if (options.plugin) window.usePlugin(*options.plugin);
     if (isDemo) {
-      std::printf("first frame after %.1f s\n", programAge_s());
+      std::printf("first frame after %.1f s\n", processUptime_s());
       std::fflush(stdout);
       if (!options.measuresFrames) window.start();
     }
@@ -57,7 +57,7 @@ void arrangeErrands(MainWindow& window, const Options& options)
   });
 }
 
-void arrangeErrands(KioskWindow& window, const Options& options)
+void scheduleStartupActions(KioskWindow& window, const Options& options)
 {
   QObject::connect(&window, &KioskWindow::firstFrameShown, &window,
                    [&window, options] { takeScreenshotLater(window, options); });

@@ -4,10 +4,10 @@
 
 namespace perilymph::charts {
 
-enum class Look { dark, light };
+enum class ColorScheme { dark, light };
 
 /// Charts made from now on have these colors; dark if nobody asks. Not while charts are drawn in
 /// other threads.
-void setLook(Look look);
+void setColorScheme(ColorScheme look);
 
 }  // namespace perilymph::charts

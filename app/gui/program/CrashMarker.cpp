@@ -1,4 +1,4 @@
-#include "RunMark.h"
+#include "CrashMarker.h"
 
 #include <signal.h>
 #include <unistd.h>
@@ -47,26 +47,26 @@ bool isThisProgram(long process)
 
 }  // namespace
 
-RunMark::RunMark(const fs::path& folder) : file_(markOf(folder, ::getpid()))
+CrashMarker::CrashMarker(const fs::path& folder) : file_(markOf(folder, ::getpid()))
 {
   std::error_code ignored;
   fs::create_directories(folder, ignored);
   setRecording(std::nullopt);
 }
 
-RunMark::~RunMark()
+CrashMarker::~CrashMarker()
 {
   std::error_code ignored;
   fs::remove(file_, ignored);
 }
 
-void RunMark::setRecording(const std::optional<fs::path>& recording)
+void CrashMarker::setRecording(const std::optional<fs::path>& recording)
 {
   // a mark that cannot be written costs the offer after a crash, nothing else
   std::ignore = writeWhole(file_, (recording ? recording->string() : std::string()) + "\n");
 }
 
-std::vector<fs::path> RunMark::takeInterrupted(const fs::path& folder)
+std::vector<fs::path> CrashMarker::takeCrashed(const fs::path& folder)
 {
   std::vector<fs::path> recordings;
   std::vector<fs::path> stale;

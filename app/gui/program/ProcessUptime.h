@@ -5,6 +5,6 @@
 namespace perilymph::gui {
 
 /// Since the process was started [s], to 10 ms. 0 where the system does not tell.
-double programAge_s();
+double processUptime_s();
 
 }  // namespace perilymph::gui

@@ -1,4 +1,4 @@
-#include "Marks.h"
+#include "CheckBoxes.h"
 
 #include <QFontMetrics>
 #include <QPainter>

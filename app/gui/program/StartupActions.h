@@ -10,8 +10,8 @@ class KioskWindow;
 class MainWindow;
 
 /// Sets the errands of a call in motion. They end the application with its exit status.
-void arrangeErrands(MainWindow& window, const Options& options);
+void scheduleStartupActions(MainWindow& window, const Options& options);
 /// The same at the booth, which can be photographed.
-void arrangeErrands(KioskWindow& window, const Options& options);
+void scheduleStartupActions(KioskWindow& window, const Options& options);
 
 }  // namespace perilymph::gui

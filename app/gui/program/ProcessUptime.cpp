@@ -1,4 +1,4 @@
-#include "ProgramAge.h"
+#include "ProcessUptime.h"
 
 #include <time.h>
 #include <unistd.h>
@@ -9,7 +9,7 @@
 
 namespace perilymph::gui {
 
-double programAge_s()
+double processUptime_s()
 {
   // Field 22 of /proc/self/stat: the start, in clock ticks since boot. Field 2, the program's name,
   // may hold spaces; the fields after it follow its closing parenthesis.

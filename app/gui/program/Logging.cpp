@@ -1,4 +1,4 @@
-#include "Logbook.h"
+#include "Logging.h"
 
 #include <spdlog/sinks/rotating_file_sink.h>
 #include <spdlog/spdlog.h>

@@ -3,7 +3,7 @@
 #include "perilymph/anatomy/ScalaVestibuli.h"
 #include "perilymph/anatomy/Surface.h"
 #if PERILYMPH_HAS_TOOLKIT
-#include "perilymph/imaging/HapticSurface.h"
+#include "perilymph/imaging/DecimatedSurface.h"
 #endif
 
 namespace perilymph::cli {

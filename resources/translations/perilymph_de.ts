@@ -2051,7 +2051,7 @@
     </message>
 </context>
 <context>
-    <name>perilymph::gui::Replay</name>
+    <name>perilymph::gui::ReplayPlayer</name>
     <message>
         <source>comparing bits…</source>
         <translation>Bits werden verglichen …</translation>

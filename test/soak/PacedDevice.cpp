@@ -11,11 +11,11 @@ device::DeviceTraits PacedDevice::traits() const
 
 device::DeviceSample PacedDevice::read() noexcept
 {
-  const bool holds = way_ == Way::in || way_ == Way::out;
+  const bool holds = direction_ == Direction::in || direction_ == Direction::out;
   // A hand that takes hold is at rest in that report and moves from the next one on.
-  if (way_ == Way::in && hadHold_) ++place_;
-  if (way_ == Way::out && hadHold_) --place_;
-  if (way_ == Way::home && place_ != 0) place_ += place_ > 0 ? -1 : 1;
+  if (direction_ == Direction::in && hadHold_) ++place_;
+  if (direction_ == Direction::out && hadHold_) --place_;
+  if (direction_ == Direction::home && place_ != 0) place_ += place_ > 0 ? -1 : 1;
   hadHold_ = holds;
 
   device::DeviceSample sample;

@@ -8,14 +8,14 @@ namespace perilymph::test {
 /// steps, so that no rounding adds up over a million of them.
 class PacedDevice final : public device::HapticDevice {
 public:
-  enum class Way { rest, in, out, home };
+  enum class Direction { rest, in, out, home };
 
   /// @param step  Along D's -z in one read() [m].
   explicit PacedDevice(double step) : step_(step) {}
 
   /// Rests with the button released; in and out with the button pressed; home, released, to where
   /// it began.
-  void go(Way way) noexcept { way_ = way; }
+  void go(Direction direction) noexcept { direction_ = direction; }
   bool isHome() const noexcept { return place_ == 0; }
 
   device::DeviceTraits traits() const override;
@@ -26,7 +26,7 @@ public:
 
 private:
   double step_;
-  Way way_ = Way::rest;
+  Direction direction_ = Direction::rest;
   long place_ = 0;  // steps in
   std::uint64_t sequence_ = 0;
   bool hadHold_ = false;

@@ -93,7 +93,7 @@ protected:
     for (int i = 0; i < restTicks; ++i)
       if (!insertion.runToEnd(count, 1)) return false;
 
-    hand.go(PacedDevice::Way::in);
+    hand.go(PacedDevice::Direction::in);
     bool isOut = false;
     const auto ran = insertion.runToEnd([&](const haptics::TickRecord& record) {
       cycle.add(record);
@@ -102,13 +102,13 @@ protected:
       if (isOut) return false;
       // The withdrawal that the scenario asks for is sent at the stop.
       isOut = true;
-      hand.go(PacedDevice::Way::out);
+      hand.go(PacedDevice::Direction::out);
       return true;
     });
     if (!ran) ADD_FAILURE() << ran.error().message;
     if (!ran || !isOut) return false;
 
-    hand.go(PacedDevice::Way::home);
+    hand.go(PacedDevice::Direction::home);
     while (!hand.isHome())
       if (!insertion.runToEnd(count, 1)) return false;
     ticksRun += ticks;

@@ -52,7 +52,7 @@ void HandSection::addChoices()
   // a consumer device's own friction is above the forces here: up to 20 times, as scenarios allow
   force_->setRange({0.0, 20.0});
   connect(force_, &NumberField::given, this, [this](double value) {
-    Q_EMIT changeAsked({Field::forceScale,
+    Q_EMIT changeAsked({SetupField::forceScale,
                         {{"force_scale", QString::number(value, 'f', 4).toStdString()}},
                         tr("force shown %1 times").arg(numberText(value, 1)),
                         {}});

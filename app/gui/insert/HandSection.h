@@ -32,7 +32,7 @@ public:
   void setStylet(const QString& text, bool canPull);
 
 Q_SIGNALS:
-  void changeAsked(const perilymph::gui::Change& change);
+  void changeAsked(const perilymph::gui::SetupChange& change);
   void handChosen(perilymph::gui::InputSource hand);
   void devicesAsked();
   void holdChanged(bool isHeld);

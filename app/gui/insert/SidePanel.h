@@ -47,7 +47,7 @@ public:
   void announceParts();
 
 Q_SIGNALS:
-  void changeAsked(const perilymph::gui::Change& change);
+  void changeAsked(const perilymph::gui::SetupChange& change);
   void undoAsked();
   void redoAsked();
   void restoreAsked();

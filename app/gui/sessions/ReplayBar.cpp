@@ -10,7 +10,7 @@
 #include <algorithm>
 
 #include "Numbers.h"
-#include "Replay.h"
+#include "ReplayPlayer.h"
 #include "Theme.h"
 
 namespace perilymph::gui {
@@ -147,7 +147,7 @@ QPushButton* ReplayBar::addButton(const QString& text, const char* name, int wid
   return button;
 }
 
-void ReplayBar::showPlace(const Replay& replay)
+void ReplayBar::showPlace(const ReplayPlayer& replay)
 {
   if (!replay.isOpen()) return;
   const double last = double(std::max<std::uint64_t>(replay.playback().ticks(), 2) - 1);

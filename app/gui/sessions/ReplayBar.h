@@ -9,7 +9,7 @@ class QPushButton;
 
 namespace perilymph::gui {
 
-class Replay;
+class ReplayPlayer;
 
 /// A line to drag along: how far the replay is, and how far it is ready.
 class Scrubber : public QWidget {
@@ -38,7 +38,7 @@ public:
   explicit ReplayBar(QWidget* parent);
 
   /// Says where a replay is.
-  void showPlace(const Replay& replay);
+  void showPlace(const ReplayPlayer& replay);
 
 Q_SIGNALS:
   void playAsked();

@@ -60,7 +60,7 @@ void ArraySection::addArrays()
     for (const CatalogArray& array : arrays_)
       if (array.name == name) title = array.title;
     Q_EMIT changeAsked(
-        {Field::array, {{"array", tomlQuoted(name)}}, tr("array %1").arg(title), {}});
+        {SetupField::array, {{"array", tomlQuoted(name)}}, tr("array %1").arg(title), {}});
   });
   rows().addWidget(array_);
   summary_ = quietLine(body(), "arraySummary");
@@ -72,7 +72,7 @@ void ArraySection::addArrays()
   technique_->addChoice(tr("Advance off stylet"), QStringLiteral("aos"),
                         tr("The stylet is held still at its depth and the array pushed off it."));
   connect(technique_, &Selector::chosen, this, [this](const QString& technique) {
-    Q_EMIT changeAsked({Field::technique,
+    Q_EMIT changeAsked({SetupField::technique,
                         {{"technique", tomlQuoted(technique)}},
                         tr("technique: %1").arg(technique_->currentText()),
                         {}});
@@ -89,8 +89,8 @@ void ArraySection::addMotion()
   stop_ = new NumberField({tr("Full depth at"), "panelStop", tr("mm"), 1,
                            tr("Travel at which the insertion is complete.")},
                           body());
-  askNumber(speed_, Field::speed, "speed_mm_s", tr("speed %1 mm/s"));
-  askNumber(stop_, Field::stopTravel, "stop_travel_mm", tr("full depth at %1 mm"));
+  askNumber(speed_, SetupField::speed, "speed_mm_s", tr("speed %1 mm/s"));
+  askNumber(stop_, SetupField::stopTravel, "stop_travel_mm", tr("full depth at %1 mm"));
   rows().addWidget(speed_);
   rows().addWidget(stop_);
 }
@@ -102,7 +102,7 @@ void ArraySection::addContact()
     friction_->addChoice(friction.title, friction.name, friction.source);
   connect(friction_, &Selector::chosen, this, [this](const QString& name) {
     Q_EMIT changeAsked(
-        {Field::friction, {{"friction", tomlQuoted(name)}}, tr("friction: %1").arg(name), {}});
+        {SetupField::friction, {{"friction", tomlQuoted(name)}}, tr("friction: %1").arg(name), {}});
   });
   rows().addWidget(namedRow(tr("Friction"), friction_, body()));
   coefficients_ = quietLine(body(), "frictionCoefficients");
@@ -118,7 +118,7 @@ void ArraySection::addContact()
                       tr("1.37 by 1.91 mm, the mean of 20 (Benha Med J 2018;35:246)."));
   opening_->addChoice(tr("No rim"), QStringLiteral("none"), tr("Nothing but the wall."));
   connect(opening_, &Selector::chosen, this, [this](const QString& opening) {
-    Q_EMIT changeAsked({Field::opening,
+    Q_EMIT changeAsked({SetupField::opening,
                         {{"opening", tomlQuoted(opening)}},
                         tr("opening: %1").arg(opening_->currentText()),
                         {}});
@@ -134,7 +134,7 @@ void ArraySection::addModel()
   model_->addChoice(tr("Point set"), QStringLiteral("points"),
                     tr("The published model: a few spheres on springs, limits and all."));
   connect(model_, &Selector::chosen, this, [this](const QString& model) {
-    Q_EMIT changeAsked({Field::model,
+    Q_EMIT changeAsked({SetupField::model,
                         {{"model", tomlQuoted(model)}},
                         tr("model: %1").arg(model_->currentText()),
                         {}});
@@ -144,7 +144,7 @@ void ArraySection::addModel()
       {tr("Nodes"), "panelNodes", QString(), 0, tr("Of the rod, or points of the set.")}, body());
   connect(nodes_, &NumberField::given, this, [this](double value) {
     const QString count = numberText(value, 0);
-    Q_EMIT changeAsked({Field::nodes,
+    Q_EMIT changeAsked({SetupField::nodes,
                         {{"nodes", QString::number(qRound(value)).toStdString()}},
                         tr("%1 nodes").arg(count),
                         {}});
@@ -152,7 +152,7 @@ void ArraySection::addModel()
   rows().addWidget(nodes_);
 }
 
-void ArraySection::askNumber(NumberField* field, Field what, const char* key,
+void ArraySection::askNumber(NumberField* field, SetupField what, const char* key,
                              const QString& caption)
 {
   connect(field, &NumberField::given, this, [this, what, key, caption](double value) {

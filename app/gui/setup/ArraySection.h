@@ -26,14 +26,14 @@ public:
   QString commit();
 
 Q_SIGNALS:
-  void changeAsked(const perilymph::gui::Change& change);
+  void changeAsked(const perilymph::gui::SetupChange& change);
 
 private:
   void addArrays();
   void addMotion();
   void addContact();
   void addModel();
-  void askNumber(NumberField* field, Field what, const char* key, const QString& caption);
+  void askNumber(NumberField* field, SetupField what, const char* key, const QString& caption);
   void showFriction(const session::Scenario& scenario);
 
   std::vector<CatalogArray> arrays_;

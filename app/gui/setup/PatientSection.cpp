@@ -41,33 +41,33 @@ std::string tomlMillimeters(Length length)
   return text.toStdString();
 }
 
-QString provenanceWord(Provenance provenance)
+QString sourceText(ValueSource sources)
 {
-  switch (provenance) {
-    case Provenance::typed:
+  switch (sources) {
+    case ValueSource::typed:
       return PatientSection::tr("typed");
-    case Provenance::ct:
+    case ValueSource::ct:
       return PatientSection::tr("from CT");
-    case Provenance::standard:
+    case ValueSource::standard:
       break;
   }
   return PatientSection::tr("default");
 }
 
-std::optional<Length> numberOf(const anatomy::Patient& patient, Field field)
+std::optional<Length> numberOf(const anatomy::Patient& patient, SetupField field)
 {
   switch (field) {
-    case Field::scalaLength:
+    case SetupField::scalaLength:
       return patient.scalaTympaniLength;
-    case Field::windowWidth:
+    case SetupField::windowWidth:
       return patient.roundWindowWidth;
-    case Field::windowHeight:
+    case SetupField::windowHeight:
       return patient.roundWindowHeight;
-    case Field::lengthA:
+    case SetupField::lengthA:
       return patient.basalTurn ? std::optional(patient.basalTurn->a) : std::nullopt;
-    case Field::widthB:
+    case SetupField::widthB:
       return patient.basalTurn ? std::optional(patient.basalTurn->b) : std::nullopt;
-    case Field::heightH:
+    case SetupField::heightH:
       return patient.basalTurn ? patient.basalTurn->h : std::nullopt;
     default:
       return std::nullopt;
@@ -93,7 +93,7 @@ PatientSection::PatientSection(QWidget* parent)
   ear_->addChoice(tr("left ear"), QStringLiteral("left"),
                   tr("A left ear is the mirror image of a right one; its forces are the same."));
   connect(ear_, &Selector::chosen, this, [this](const QString& side) {
-    Q_EMIT changeAsked({Field::side, {{"side", tomlQuoted(side)}}, ear_->currentText(), {}});
+    Q_EMIT changeAsked({SetupField::side, {{"side", tomlQuoted(side)}}, ear_->currentText(), {}});
   });
   ear_->setFixedWidth(std::max(earWidth_px, ear_->widest_px()));
   auto* who = new QWidget(body());
@@ -126,20 +126,20 @@ PatientSection::PatientSection(QWidget* parent)
     return new PopulationField(title, name, population, mayBeEmpty, body(), Width::narrow);
   };
   lengths_ = addPage({
-      {Field::scalaLength, "st_length_mm", tr("Scala length"),
+      {SetupField::scalaLength, "st_length_mm", tr("Scala length"),
        field(tr("Scala length"), "panelScalaLength", scalaLengthPopulation(), false), nullptr},
-      {Field::windowWidth, "rw_width_mm", tr("Width at window"),
+      {SetupField::windowWidth, "rw_width_mm", tr("Width at window"),
        field(tr("Width at window"), "panelWindowWidth", windowWidthPopulation(), false), nullptr},
-      {Field::windowHeight, "rw_height_mm", tr("Height at window"),
+      {SetupField::windowHeight, "rw_height_mm", tr("Height at window"),
        field(tr("Height at window"), "panelWindowHeight", windowHeightPopulation(), false),
        nullptr},
   });
   basalTurn_ = addPage({
-      {Field::lengthA, "a_mm", tr("Length A"),
+      {SetupField::lengthA, "a_mm", tr("Length A"),
        field(tr("Length A"), "panelA", lengthAPopulation(), false), nullptr},
-      {Field::widthB, "b_mm", tr("Width B"),
+      {SetupField::widthB, "b_mm", tr("Width B"),
        field(tr("Width B"), "panelB", widthBPopulation(), false), nullptr},
-      {Field::heightH, "h_mm", tr("Height H"),
+      {SetupField::heightH, "h_mm", tr("Height H"),
        field(tr("Height H"), "panelH", heightHPopulation(), true), nullptr},
   });
 
@@ -182,7 +182,7 @@ void PatientSection::show(const Setup& setup)
   for (const Number& number : numbers_) {
     if (number.page->isHidden()) continue;
     const auto value = numberOf(scenario.patient, number.field);
-    number.shown->setHeld(value, value ? provenanceWord(setup.provenanceOf(number.field)) : "");
+    number.shown->setHeld(value, value ? sourceText(setup.sourceOf(number.field)) : "");
     session::Overrides& last = number.page == lengths_ ? lastLengths_ : lastBasalTurn_;
     const std::string key = keyOf(number.key);
     last.erase(std::remove_if(last.begin(), last.end(),
@@ -211,13 +211,13 @@ void PatientSection::askNumber(const Number& number, std::optional<Length> value
   Q_EMIT changeAsked({number.field,
                       {{keyOf(number.key), value ? tomlMillimeters(*value) : std::string()}},
                       caption,
-                      Provenance::typed});
+                      ValueSource::typed});
 }
 
 void PatientSection::askKind(const QString& kind)
 {
   if (kind == heldKind_) return;
-  Change change{Field::anatomy, {}, tr("cochlea: %1").arg(kind_->currentText()), {}};
+  SetupChange change{SetupField::anatomy, {}, tr("cochlea: %1").arg(kind_->currentText()), {}};
   const bool isPublished = kind == QLatin1String(byLengths);
   const bool isClark = kind == QLatin1String(clark);
   if (isPublished) change.values = lastLengths_;
@@ -234,7 +234,7 @@ void PatientSection::askLabel()
   if (!label_->isPending()) return;
   const QString label = label_->text().trimmed();
   if (label.isEmpty()) return label_->takeBack();
-  Q_EMIT changeAsked({Field::patientLabel,
+  Q_EMIT changeAsked({SetupField::patientLabel,
                       {{keyOf("label"), tomlQuoted(label)}},
                       tr("patient %1").arg(label),
                       {}});

@@ -24,11 +24,11 @@ public:
   QString commit();
 
 Q_SIGNALS:
-  void changeAsked(const perilymph::gui::Change& change);
+  void changeAsked(const perilymph::gui::SetupChange& change);
 
 private:
   struct Number {
-    Field field;
+    SetupField field;
     const char* key;  ///< Of `patient_numbers`.
     QString title;
     PopulationField* shown;

@@ -106,8 +106,8 @@ QPushButton* ScenarioHead::addButton(const QString& text, const char* name)
 
 void ScenarioHead::show(const SetupHistory& history)
 {
-  const Origin& origin = history.origin();
-  const bool isPreset = origin.kind == Origin::Kind::preset;
+  const SetupOrigin& origin = history.origin();
+  const bool isPreset = origin.kind == SetupOrigin::Kind::preset;
   const session::Scenario& claimed = isPreset ? origin.setup.scenario : history.now().scenario;
   const QString title = QString::fromStdString(claimed.title);
   title_->setText(title.isEmpty() ? QString::fromStdString(claimed.name) : title);

@@ -94,7 +94,7 @@ Length deepestStop(const electrode::ArrayDesign& array, Length startInside)
   return stop;
 }
 
-Result<Done> followArray(Values& values, const Setup& now, const Origin& origin)
+Result<Done> followArray(Values& values, const Setup& now, const SetupOrigin& origin)
 {
   const session::Scenario& first = origin.setup.scenario;
   drop(values, [](const std::string& key) { return key == "array_fingerprint"; });
@@ -126,13 +126,13 @@ Result<Done> followArray(Values& values, const Setup& now, const Origin& origin)
   return Done{};
 }
 
-Result<Done> follow(Values& values, const Setup& now, const Origin& origin, Field field)
+Result<Done> follow(Values& values, const Setup& now, const SetupOrigin& origin, SetupField field)
 {
   const Values& first = origin.setup.scenario.values;
   switch (field) {
-    case Field::array:
+    case SetupField::array:
       return followArray(values, now, origin);
-    case Field::stopTravel: {
+    case SetupField::stopTravel: {
       const Length deepest = deepestStop(now.scenario.array, now.scenario.startInside);
       const double asked_mm = std::strtod(valueOf(values, "stop_travel_mm").c_str(), nullptr);
       const double beyond_mm = asked_mm - inMillimeters(deepest);
@@ -140,12 +140,12 @@ Result<Done> follow(Values& values, const Setup& now, const Origin& origin, Fiel
         set(values, "stop_travel_mm", millimetersText(deepest));
       break;
     }
-    case Field::friction:
+    case SetupField::friction:
       drop(values, isFrictionNumber);
       if (valueOf(values, "friction") == valueOf(first, "friction"))
         takeOver(values, first, isFrictionNumber);
       break;
-    case Field::model: {
+    case SetupField::model: {
       const auto isNodes = [](const std::string& key) { return key == "nodes"; };
       drop(values, isNodes);
       if (valueOf(values, "model") == valueOf(first, "model")) takeOver(values, first, isNodes);
@@ -158,17 +158,17 @@ Result<Done> follow(Values& values, const Setup& now, const Origin& origin, Fiel
 }
 
 /// Numbers that are nobody's any more lose the name; the origin's numbers have the origin's name.
-void followPatient(Values& values, const Origin& origin, Field field)
+void followPatient(Values& values, const SetupOrigin& origin, SetupField field)
 {
   const Values& first = origin.setup.scenario.values;
   const bool isSame = only(values, isPatientNumber) == only(first, isPatientNumber);
   const std::string firstLabel = valueOf(first, label);
-  if (isSame && valueOf(values, label) == "\"unnamed\"" && field != Field::patientLabel) {
+  if (isSame && valueOf(values, label) == "\"unnamed\"" && field != SetupField::patientLabel) {
     set(values, label, firstLabel);
     set(values, "patient", valueOf(first, "patient"));
   } else if (!isSame) {
     set(values, "patient", "\"\"");
-    if (origin.kind == Origin::Kind::preset && valueOf(values, label) == firstLabel)
+    if (origin.kind == SetupOrigin::Kind::preset && valueOf(values, label) == firstLabel)
       set(values, label, "\"unnamed\"");
   }
 }
@@ -200,15 +200,15 @@ std::string tomlQuoted(const QString& text)
   return quoted + '"';
 }
 
-Result<Setup> changed(const Setup& now, const Origin& origin, const Change& change)
+Result<Setup> changed(const Setup& now, const SetupOrigin& origin, const SetupChange& change)
 {
   const session::Scenario& first = origin.setup.scenario;
   Values values = now.scenario.values;
   Setup made;
-  made.provenance = now.provenance;
-  if (change.field == Field::anatomy) {
+  made.sources = now.sources;
+  if (change.field == SetupField::anatomy) {
     drop(values, isPatientNumber);
-    made.provenance.clear();
+    made.sources.clear();
   }
   for (const auto& [key, value] : change.values) {
     // an empty value takes a number away
@@ -217,19 +217,19 @@ Result<Setup> changed(const Setup& now, const Origin& origin, const Change& chan
     else
       set(values, key, value);
   }
-  if (change.field >= Field::scalaLength && change.field <= Field::heightH)
-    made.provenance[change.field] = change.provenance;
+  if (change.field >= SetupField::scalaLength && change.field <= SetupField::heightH)
+    made.sources[change.field] = change.sources;
   if (const auto done = follow(values, now, origin, change.field); !done) return done.error();
   followPatient(values, origin, change.field);
 
-  const bool isPreset = origin.kind == Origin::Kind::preset;
+  const bool isPreset = origin.kind == SetupOrigin::Kind::preset;
   const std::string file = first.name + (isPreset ? "-modified.toml" : ".toml");
   auto plain = read(values, file);
   if (!plain) return plain.error();
   const std::vector<std::string> caption = differingText(first, *plain);
   if (caption.empty()) {
     made.scenario = first;
-    made.provenance = origin.setup.provenance;
+    made.sources = origin.setup.sources;
     return made;
   }
   if (isPreset) {

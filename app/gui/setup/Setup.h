@@ -13,7 +13,7 @@
 namespace perilymph::gui {
 
 /// What a person may change. Consecutive changes of one field are undone together.
-enum class Field {
+enum class SetupField {
   preset,
   patientLabel,
   side,
@@ -36,34 +36,34 @@ enum class Field {
 };
 
 /// Where a number of a patient comes from.
-enum class Provenance { standard, typed, ct };
+enum class ValueSource { standard, typed, ct };
 
 /// A scenario, and where its patient's numbers come from: those not named are the standard ones.
 struct Setup {
   session::Scenario scenario;
-  std::map<Field, Provenance> provenance;
+  std::map<SetupField, ValueSource> sources;
 
-  Provenance provenanceOf(Field field) const
+  ValueSource sourceOf(SetupField field) const
   {
-    const auto found = provenance.find(field);
-    return found == provenance.end() ? Provenance::standard : found->second;
+    const auto found = sources.find(field);
+    return found == sources.end() ? ValueSource::standard : found->second;
   }
 };
 
 /// What a setup began as. A preset claims something (to be the published experiment), so that any
 /// change of it is shown; a patient's own scenario claims nothing.
-struct Origin {
+struct SetupOrigin {
   enum class Kind { preset, own };
   Setup setup;
   Kind kind = Kind::preset;
 };
 
 /// New values of a scenario's keys, as TOML writes them, for one field.
-struct Change {
-  Field field;
+struct SetupChange {
+  SetupField field;
   session::Overrides values;
   QString text;  ///< What it does, for the undo list: "speed 1.0 mm/s".
-  Provenance provenance = Provenance::typed;
+  ValueSource sources = ValueSource::typed;
 };
 
 /// A string as TOML writes it.
@@ -76,7 +76,7 @@ std::string tomlQuoted(const QString& text);
 /// - another anatomy drops the numbers of the patient before.
 /// The scenario's title says what was changed of a preset, so that no recording claims to be one
 /// that it is not. Without differences it is the origin again.
-Result<Setup> changed(const Setup& now, const Origin& origin, const Change& change);
+Result<Setup> changed(const Setup& now, const SetupOrigin& origin, const SetupChange& change);
 
 /// The keys in which two scenarios differ, but for their titles.
 std::vector<std::string> differingKeys(const session::Scenario& one,

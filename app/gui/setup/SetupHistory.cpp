@@ -9,7 +9,7 @@ namespace perilymph::gui {
 /// One change: the setup before it and after it.
 class SetupCommand : public QUndoCommand {
 public:
-  SetupCommand(SetupHistory& history, Setup before, Setup after, Field field, int epoch,
+  SetupCommand(SetupHistory& history, Setup before, Setup after, SetupField field, int epoch,
                const QString& label)
       : QUndoCommand(label),
         history_(history),
@@ -40,13 +40,13 @@ public:
 private:
   SetupHistory& history_;
   Setup before_, after_;
-  Field field_;
+  SetupField field_;
   int epoch_;
 };
 
 SetupHistory::SetupHistory(QObject* parent) : QObject(parent) {}
 
-void SetupHistory::begin(Setup setup, Origin::Kind kind)
+void SetupHistory::begin(Setup setup, SetupOrigin::Kind kind)
 {
   stack_.clear();
   now_ = setup;
@@ -54,7 +54,7 @@ void SetupHistory::begin(Setup setup, Origin::Kind kind)
   Q_EMIT setupChanged();
 }
 
-void SetupHistory::resume(const Origin& origin, Setup now)
+void SetupHistory::resume(const SetupOrigin& origin, Setup now)
 {
   stack_.clear();
   origin_ = origin;
@@ -64,7 +64,7 @@ void SetupHistory::resume(const Origin& origin, Setup now)
 
 bool SetupHistory::isModified() const
 {
-  return origin_.kind == Origin::Kind::preset &&
+  return origin_.kind == SetupOrigin::Kind::preset &&
          !differingKeys(origin_.setup.scenario, now_.scenario).empty();
 }
 
@@ -76,7 +76,7 @@ QString SetupHistory::changedText() const
   return label.join(QStringLiteral(", "));
 }
 
-void SetupHistory::change(const Change& change)
+void SetupHistory::change(const SetupChange& change)
 {
   auto made = changed(now_, origin_, change);
   if (!made) {
@@ -91,10 +91,10 @@ void SetupHistory::change(const Change& change)
 void SetupHistory::restore()
 {
   if (now_.scenario.text == origin_.setup.scenario.text) return;
-  push(origin_.setup, Field::preset, tr("back to the preset’s values"));
+  push(origin_.setup, SetupField::preset, tr("back to the preset’s values"));
 }
 
-void SetupHistory::push(Setup after, Field field, const QString& label)
+void SetupHistory::push(Setup after, SetupField field, const QString& label)
 {
   stack_.push(new SetupCommand(*this, now_, std::move(after), field, epoch_, label));
   Q_EMIT setupChanged();

@@ -16,20 +16,20 @@ public:
   explicit SetupHistory(QObject* parent);
 
   /// Begins anew; nothing is left to be undone.
-  void begin(Setup setup, Origin::Kind kind);
+  void begin(Setup setup, SetupOrigin::Kind kind);
 
   /// Goes on where another history was; nothing is left to be undone.
-  void resume(const Origin& origin, Setup now);
+  void resume(const SetupOrigin& origin, Setup now);
 
   const Setup& now() const { return now_; }
-  const Origin& origin() const { return origin_; }
+  const SetupOrigin& origin() const { return origin_; }
   /// It is a preset's, but no longer as the preset says.
   bool isModified() const;
   /// What was changed, in words: "array, speed"; empty where nothing was.
   QString changedText() const;
 
   /// Makes a change, or says why it cannot be made.
-  void change(const Change& change);
+  void change(const SetupChange& change);
   /// Back to the origin, as one change more.
   void restore();
   /// The next change stands for itself: what was tried since the last one is not to be lost in it.
@@ -49,10 +49,10 @@ Q_SIGNALS:
 
 private:
   friend class SetupCommand;
-  void push(Setup after, Field field, const QString& label);
+  void push(Setup after, SetupField field, const QString& label);
 
   QUndoStack stack_;
-  Origin origin_;
+  SetupOrigin origin_;
   Setup now_;
   int epoch_ = 0;
 };

@@ -20,8 +20,8 @@
 #include "KeyList.h"
 #include "Notice.h"
 #include "OperationView.h"
-#include "Replay.h"
 #include "ReplayBar.h"
+#include "ReplayPlayer.h"
 #include "SessionsPage.h"
 #include "SettingsSheet.h"
 #include "SetupHistory.h"
@@ -68,7 +68,7 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
       comparison_(new ComparePage(this)),
       sessions_(new SessionsPage(this)),
       replayBar_(new ReplayBar(this)),
-      replay_(new Replay(this)),
+      replay_(new ReplayPlayer(this)),
       bars_(new QStackedWidget(this)),
       reading_(this),
       modelWork_(this),
@@ -87,9 +87,9 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
   keys_ = new KeyList(keyActions_, this);
   connect(keys_, &KeyList::guideAsked, this, &MainWindow::toggleGuide);
   connectSetup();
-  setup_->begin({control_.scenario(), {}}, Origin::Kind::preset);
+  setup_->begin({control_.scenario(), {}}, SetupOrigin::Kind::preset);
   showScenario();
-  top_->setDevice(Light::off, tr("preparing"), {});
+  top_->setDevice(DeviceState::off, tr("preparing"), {});
   bottom_->setMain(BottomBar::Main::start, false);
 
   timer_.setTimerType(Qt::PreciseTimer);
@@ -154,9 +154,9 @@ void MainWindow::connectZones()
   connect(startPage_, &StartPage::patientGiven, this,
           [this](const anatomy::Patient& patient) { begin(patient); });
   connect(startPage_, &StartPage::meanAsked, this,
-          [this] { beginShipped("mean-contour", Then::rest); });
+          [this] { beginShipped("mean-contour", AfterLoading::rest); });
   connect(startPage_, &StartPage::demonstrationAsked, this,
-          [this] { beginShipped("contour-published", Then::insert); });
+          [this] { beginShipped("contour-published", AfterLoading::insert); });
   connect(top_, &TopBar::keysAsked, this, &MainWindow::toggleKeyList);
   connect(top_, &TopBar::settingsAsked, this, &MainWindow::toggleSettings);
   connect(guide_, &GuideSheet::closeAsked, this, &MainWindow::toggleGuide);

@@ -35,7 +35,7 @@ class InsertionViews;
 class KeyList;
 class Notice;
 class OperationView;
-class Replay;
+class ReplayPlayer;
 class ReplayBar;
 class SessionsPage;
 class SettingsSheet;
@@ -57,13 +57,13 @@ public:
   Result<Done> open();
 
   /// Begins anew with another scenario, its array at its start and its cochlea built meanwhile.
-  enum class Then { rest, insert };
-  void load(session::Scenario scenario, Then then);
+  enum class AfterLoading { rest, insert };
+  void load(session::Scenario scenario, AfterLoading then);
   /// The same where it is known what the patient's numbers come from.
-  void load(const Setup& setup, Origin::Kind kind, Then then);
+  void load(const Setup& setup, SetupOrigin::Kind kind, AfterLoading then);
 
   /// Goes on with the setup of a window before this one, whose scenario is this one's.
-  void resume(const Origin& origin, const Setup& now);
+  void resume(const SetupOrigin& origin, const Setup& now);
 
   /// The device of a plug-in, a shared library, becomes the hand; where it cannot, the script
   /// stays, and the window says why.
@@ -150,7 +150,7 @@ private:
   void showCochlea();
   void showPrepared();
   void begin(const anatomy::Patient& patient);
-  void beginShipped(const std::string& name, Then then);
+  void beginShipped(const std::string& name, AfterLoading then);
   void hold(bool isHeld);
   /// What a key does on the insertion page alone, or on every page.
   std::function<bool(int)> onInsertion(std::function<void(int)> act);
@@ -196,7 +196,7 @@ private:
   ComparePage* comparison_;
   SessionsPage* sessions_;
   ReplayBar* replayBar_;
-  Replay* replay_;
+  ReplayPlayer* replay_;
   InputSource handBefore_ = InputSource::scripted;  ///< Of the insertion before the replay.
   std::size_t charted_ = 0;  ///< Samples of the replay that are in the charts.
   QStackedWidget* bars_;

@@ -7,7 +7,7 @@
 #include "InsertionViews.h"
 #include "MainWindow.h"
 #include "OperationView.h"
-#include "Replay.h"
+#include "ReplayPlayer.h"
 #include "SetupHistory.h"
 #include "SidePanel.h"
 #include "StartPage.h"
@@ -29,23 +29,23 @@ QString patientText(const session::Scenario& scenario)
 }
 
 /// The numbers of a patient that were not left as they are by default: measured, as the form says.
-std::map<Field, Provenance> measuredInCt(const anatomy::Patient& patient)
+std::map<SetupField, ValueSource> measuredInCt(const anatomy::Patient& patient)
 {
   const anatomy::Patient usual;
-  std::map<Field, Provenance> provenance;
-  const auto note = [&provenance](Field field, bool isGiven) {
-    if (isGiven) provenance[field] = Provenance::ct;
+  std::map<SetupField, ValueSource> sources;
+  const auto note = [&sources](SetupField field, bool isGiven) {
+    if (isGiven) sources[field] = ValueSource::ct;
   };
   if (const auto& turn = patient.basalTurn) {
-    note(Field::lengthA, turn->a != anatomy::spreadOfA().mean);
-    note(Field::widthB, turn->b != anatomy::spreadOfB().mean);
-    note(Field::heightH, turn->h.has_value());
-    return provenance;
+    note(SetupField::lengthA, turn->a != anatomy::spreadOfA().mean);
+    note(SetupField::widthB, turn->b != anatomy::spreadOfB().mean);
+    note(SetupField::heightH, turn->h.has_value());
+    return sources;
   }
-  note(Field::scalaLength, patient.scalaTympaniLength != usual.scalaTympaniLength);
-  note(Field::windowWidth, patient.roundWindowWidth != usual.roundWindowWidth);
-  note(Field::windowHeight, patient.roundWindowHeight != usual.roundWindowHeight);
-  return provenance;
+  note(SetupField::scalaLength, patient.scalaTympaniLength != usual.scalaTympaniLength);
+  note(SetupField::windowWidth, patient.roundWindowWidth != usual.roundWindowWidth);
+  note(SetupField::windowHeight, patient.roundWindowHeight != usual.roundWindowHeight);
+  return sources;
 }
 
 }  // namespace
@@ -102,22 +102,22 @@ void MainWindow::begin(const anatomy::Patient& patient)
   if (!preset) return fail(preset.error());
   auto own = asOwn(*preset);
   if (!own) return fail(own.error());
-  load({*std::move(own), measuredInCt(patient)}, Origin::Kind::own, Then::rest);
+  load({*std::move(own), measuredInCt(patient)}, SetupOrigin::Kind::own, AfterLoading::rest);
 }
 
-void MainWindow::beginShipped(const std::string& name, Then then)
+void MainWindow::beginShipped(const std::string& name, AfterLoading then)
 {
   auto scenario = session::loadScenario(name);
   if (!scenario) return startPage_->showError(QString::fromStdString(scenario.error().message));
   load(*std::move(scenario), then);
 }
 
-void MainWindow::load(session::Scenario scenario, Then then)
+void MainWindow::load(session::Scenario scenario, AfterLoading then)
 {
-  load({std::move(scenario), {}}, Origin::Kind::preset, then);
+  load({std::move(scenario), {}}, SetupOrigin::Kind::preset, then);
 }
 
-void MainWindow::load(const Setup& setup, Origin::Kind kind, Then then)
+void MainWindow::load(const Setup& setup, SetupOrigin::Kind kind, AfterLoading then)
 {
   pause();
   closeReplay();
@@ -129,7 +129,7 @@ void MainWindow::load(const Setup& setup, Origin::Kind kind, Then then)
     showScenario();
     prepare(InputSource::scripted);
     showCochlea();
-    if (then == Then::insert) start();
+    if (then == AfterLoading::insert) start();
   });
 }
 

@@ -8,8 +8,8 @@
 #include "KeyList.h"
 #include "MainWindow.h"
 #include "OperationView.h"
-#include "Replay.h"
 #include "ReplayBar.h"
+#include "ReplayPlayer.h"
 #include "SessionsPage.h"
 #include "SettingsSheet.h"
 #include "SidePanel.h"
@@ -32,14 +32,14 @@ bool hasBegun(const haptics::TickOutput& output)
 
 void MainWindow::connectReplay()
 {
-  connect(replay_, &Replay::opened, this, &MainWindow::beginReplay);
-  connect(replay_, &Replay::failed, this,
+  connect(replay_, &ReplayPlayer::opened, this, &MainWindow::beginReplay);
+  connect(replay_, &ReplayPlayer::failed, this,
           [this](const QString& sentence) { sessions_->say(sentence, true); });
   connect(replayBar_, &ReplayBar::playAsked, this,
           [this] { replay_->isPlaying() ? replay_->pause() : replay_->play(); });
   connect(replayBar_, &ReplayBar::stepAsked, this, [this](int ticks) { replay_->stepBy(ticks); });
-  connect(replayBar_, &ReplayBar::slowerAsked, replay_, &Replay::slower);
-  connect(replayBar_, &ReplayBar::fasterAsked, replay_, &Replay::faster);
+  connect(replayBar_, &ReplayBar::slowerAsked, replay_, &ReplayPlayer::slower);
+  connect(replayBar_, &ReplayBar::fasterAsked, replay_, &ReplayPlayer::faster);
   connect(replayBar_, &ReplayBar::draggedTo, this, [this](double fraction) {
     if (replay_->isOpen())
       replay_->seek(std::uint64_t(fraction * double(replay_->playback().ticks() - 1)));
@@ -67,7 +67,7 @@ void MainWindow::beginReplay()
   bars_->setCurrentWidget(replayBar_);
   side_->hide();  // it tells of the insertion to come, not of this one
   top_->setModified(false, {});
-  top_->setDevice(Light::off, tr("replay"), tr("A recording is shown. No device is moved."));
+  top_->setDevice(DeviceState::off, tr("replay"), tr("A recording is shown. No device is moved."));
   views_->setScene(*playback.anatomy(), scenario);
   charts_->begin(playback.anatomy()->entry());
   charted_ = 0;

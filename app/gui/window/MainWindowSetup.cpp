@@ -4,7 +4,7 @@
 #include "InsertionViews.h"
 #include "MainWindow.h"
 #include "OperationView.h"
-#include "Replay.h"
+#include "ReplayPlayer.h"
 #include "SetupHistory.h"
 #include "SidePanel.h"
 
@@ -27,7 +27,7 @@ void MainWindow::connectSetup()
 {
   connect(setup_, &SetupHistory::setupChanged, this, &MainWindow::useSetup);
   connect(setup_, &SetupHistory::refused, this, &MainWindow::showError);
-  connect(side_, &SidePanel::changeAsked, this, [this](const Change& change) {
+  connect(side_, &SidePanel::changeAsked, this, [this](const SetupChange& change) {
     if (isChangeable()) setup_->change(change);
   });
   connect(side_, &SidePanel::restoreAsked, this, [this] {
@@ -38,7 +38,7 @@ void MainWindow::connectSetup()
   connect(building_, &BuildingNote::cancelAsked, this, &MainWindow::cancelBuilding);
 }
 
-void MainWindow::resume(const Origin& origin, const Setup& now)
+void MainWindow::resume(const SetupOrigin& origin, const Setup& now)
 {
   setup_->resume(origin, now);
   showScenario();

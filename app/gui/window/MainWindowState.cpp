@@ -50,17 +50,18 @@ void MainWindow::showState()
   side_->setStylet(stylet, hasStylet && hasMoved && !control_.isStyletPulled());
 
   if (!isRunning)
-    top_->setDevice(Light::off, tr("ready"), QString::fromStdString(control_.handName()));
+    top_->setDevice(DeviceState::off, tr("ready"), QString::fromStdString(control_.handName()));
   else if (workflow == Workflow::fault)
-    top_->setDevice(Light::alarm, tr("fault · no force"), errorText());
+    top_->setDevice(DeviceState::alarm, tr("fault · no force"), errorText());
   else if (now.measuredRate > 0.0)
-    top_->setDevice(Light::steady,
+    top_->setDevice(DeviceState::steady,
                     tr("%1 Hz · %2 late").arg(numberText(now.measuredRate, 0)).arg(now.lateTicks),
                     tr("%1. Ticks a second as measured, and ticks that began more than one period "
                        "late.")
                         .arg(QString::fromStdString(control_.handName())));
   else
-    top_->setDevice(Light::steady, tr("running"), QString::fromStdString(control_.handName()));
+    top_->setDevice(DeviceState::steady, tr("running"),
+                    QString::fromStdString(control_.handName()));
 
   bottom_->setStatus(statusText(), !control_.recordingError().empty());
   view_->setBanner(errorText());

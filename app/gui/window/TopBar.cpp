@@ -17,16 +17,16 @@ namespace {
 
 constexpr int pillHeight_px = 26;
 
-QColor colorOf(Light light)
+QColor colorOf(DeviceState light)
 {
   switch (light) {
-    case Light::steady:
+    case DeviceState::steady:
       return accentColor;
-    case Light::warning:
+    case DeviceState::warning:
       return warningColor;
-    case Light::alarm:
+    case DeviceState::alarm:
       return alarmColor;
-    case Light::off:
+    case DeviceState::off:
       break;
   }
   return quietTextColor;
@@ -41,7 +41,7 @@ DeviceLight::DeviceLight(QWidget* parent) : QWidget(parent)
   setAttribute(Qt::WA_NoSystemBackground);
 }
 
-void DeviceLight::show(Light light, const QString& label)
+void DeviceLight::show(DeviceState light, const QString& label)
 {
   if (light == light_ && label == text_) return;
   light_ = light;
@@ -62,8 +62,8 @@ void DeviceLight::paintEvent(QPaintEvent*)
   painter.setRenderHint(QPainter::Antialiasing);
   const QRectF pill(0.5, (height() - pillHeight_px) / 2.0 + 0.5, width() - 1.0,
                     pillHeight_px - 1.0);
-  painter.setPen(light_ == Light::off ? QPen(lineColor) : QPen(Qt::NoPen));
-  painter.setBrush(light_ == Light::off ? panelColor : raisedColor);
+  painter.setPen(light_ == DeviceState::off ? QPen(lineColor) : QPen(Qt::NoPen));
+  painter.setBrush(light_ == DeviceState::off ? panelColor : raisedColor);
   painter.drawRoundedRect(pill, pillHeight_px / 2.0, pillHeight_px / 2.0);
   painter.setPen(Qt::NoPen);
   painter.setBrush(colorOf(light_));
@@ -175,7 +175,7 @@ void TopBar::setModified(bool isModified, const QString& tip)
   modified_->setToolTip(tip);
 }
 
-void TopBar::setDevice(Light light, const QString& label, const QString& tip)
+void TopBar::setDevice(DeviceState light, const QString& label, const QString& tip)
 {
   device_->show(light, label);
   device_->setToolTip(tip);

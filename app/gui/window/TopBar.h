@@ -15,7 +15,7 @@ namespace perilymph::gui {
 enum class Page { start, insert, compare, validate, sessions };
 
 /// How the device's light shines. Every state has its word beside the color.
-enum class Light { off, steady, warning, alarm };
+enum class DeviceState { off, steady, warning, alarm };
 
 /// A dot and a few words about the hand.
 class DeviceLight : public QWidget {
@@ -23,7 +23,7 @@ class DeviceLight : public QWidget {
 public:
   explicit DeviceLight(QWidget* parent);
 
-  void show(Light light, const QString& label);
+  void show(DeviceState light, const QString& label);
   const QString& text() const { return text_; }
   QSize sizeHint() const override;
 
@@ -31,7 +31,7 @@ protected:
   void paintEvent(QPaintEvent*) override;
 
 private:
-  Light light_ = Light::off;
+  DeviceState light_ = DeviceState::off;
   QString text_;
 };
 
@@ -46,7 +46,7 @@ public:
   void setPatient(const QString& patient);
   /// A word beside the patient, while a preset is no longer what it says.
   void setModified(bool isModified, const QString& tip);
-  void setDevice(Light light, const QString& label, const QString& tip);
+  void setDevice(DeviceState light, const QString& label, const QString& tip);
 
 Q_SIGNALS:
   void pageChosen(perilymph::gui::Page page);

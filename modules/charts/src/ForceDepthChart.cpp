@@ -121,7 +121,7 @@ void ForceDepthChart::setGhost(const std::vector<std::pair<Length, Force>>& curv
   content_->ghostLow_N = columns.lowestForce_N();
   content_->ghostHigh_N = columns.highestForce_N();
   content_->ghostLabel = std::move(label);
-  columns.curve(Way::in, content_->x, content_->y);
+  columns.curve(Direction::in, content_->x, content_->y);
   content_->ghostLine.set(content_->x, content_->y);
   content_->isChanged = true;
 }
@@ -164,9 +164,9 @@ bool ForceDepthChart::update()
   if (!now.isChanged) return false;
   now.isChanged = false;
 
-  now.columns.curve(Way::in, now.x, now.y);
+  now.columns.curve(Direction::in, now.x, now.y);
   now.inLine.set(now.x, now.y);
-  now.columns.curve(Way::out, now.x, now.y);
+  now.columns.curve(Direction::out, now.x, now.y);
   now.outLine.set(now.x, now.y);
   now.ghostLine.setVisible(now.hasGhost && now.showsGhost);
   now.setRanges();

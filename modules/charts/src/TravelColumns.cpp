@@ -37,7 +37,7 @@ void TravelColumns::enter(double travel_mm, double force_N)
 {
   const std::size_t index =
       std::min(columns - 1, static_cast<std::size_t>((travel_mm - first_mm) / width_mm));
-  Column& column = (way_ == Way::in ? in_ : out_)[index];
+  Column& column = (direction_ == Direction::in ? in_ : out_)[index];
   const float x = static_cast<float>(travel_mm);
   const float y = static_cast<float>(force_N);
   if (column.pass != pass_)
@@ -50,11 +50,12 @@ void TravelColumns::enter(double travel_mm, double force_N)
 
 void TravelColumns::turnRound(double travel_mm)
 {
-  const double onward = way_ == Way::in ? travel_mm - farthest_mm_ : farthest_mm_ - travel_mm;
+  const double onward =
+      direction_ == Direction::in ? travel_mm - farthest_mm_ : farthest_mm_ - travel_mm;
   if (onward >= 0.0) {
     farthest_mm_ = travel_mm;
   } else if (onward < -turn_mm) {
-    way_ = way_ == Way::in ? Way::out : Way::in;
+    direction_ = direction_ == Direction::in ? Direction::out : Direction::in;
     farthest_mm_ = travel_mm;
     ++pass_;
   }
@@ -64,17 +65,18 @@ void TravelColumns::clear()
 {
   std::fill(in_.begin(), in_.end(), Column{});
   std::fill(out_.begin(), out_.end(), Column{});
-  way_ = Way::in;
+  direction_ = Direction::in;
   pass_ = 1;
   isEmpty_ = true;
   lowestForce_N_ = highestForce_N_ = lowestTravel_mm_ = highestTravel_mm_ = 0.0;
 }
 
-void TravelColumns::curve(Way way, std::vector<float>& travel_mm, std::vector<float>& force_N) const
+void TravelColumns::curve(Direction direction, std::vector<float>& travel_mm,
+                          std::vector<float>& force_N) const
 {
   travel_mm.clear();
   force_N.clear();
-  for (const Column& column : way == Way::in ? in_ : out_) {
+  for (const Column& column : direction == Direction::in ? in_ : out_) {
     if (column.pass == 0) continue;
     const bool lowFirst = column.lowTravel_mm <= column.highTravel_mm;
     travel_mm.push_back(lowFirst ? column.lowTravel_mm : column.highTravel_mm);

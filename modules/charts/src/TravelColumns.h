@@ -9,7 +9,7 @@
 namespace perilymph::charts {
 
 /// Way of the array.
-enum class Way { in, out };
+enum class Direction { in, out };
 
 /// Forces over travel, kept apart for the way in and the way out: friction makes them differ, and
 /// one line through both would be a band.
@@ -36,7 +36,7 @@ public:
   double highestTravel_mm() const noexcept { return highestTravel_mm_; }
 
   /// Writes the curve of one way as x and y, by travel; at most two points a column.
-  void curve(Way way, std::vector<float>& travel_mm, std::vector<float>& force_N) const;
+  void curve(Direction direction, std::vector<float>& travel_mm, std::vector<float>& force_N) const;
 
 private:
   struct Column {
@@ -50,7 +50,7 @@ private:
   void turnRound(double travel_mm);
 
   Columns in_, out_;
-  Way way_ = Way::in;
+  Direction direction_ = Direction::in;
   std::uint32_t pass_ = 1;
   double farthest_mm_ = 0.0;  ///< Extreme travel of this pass, in its direction.
   bool isEmpty_ = true;

@@ -26,9 +26,9 @@ std::string plain(double value)
   return std::string(buffer, static_cast<std::size_t>(length));
 }
 
-Provenance readProvenance(TomlReader& table)
+TableSource readTableSource(TomlReader& table)
 {
-  Provenance provenance;
+  TableSource provenance;
   provenance.source = table.text("source");
   const std::string confidence = table.choice("confidence", {"high", "medium", "low"});
   provenance.confidence = confidence == "high"     ? Confidence::high
@@ -65,7 +65,7 @@ private:
   TomlReader tableOf(const char* name)
   {
     TomlReader table = file_.table(name);
-    provenance_.emplace_back(name, readProvenance(table));
+    provenance_.emplace_back(name, readTableSource(table));
     return table;
   }
 
@@ -207,7 +207,7 @@ private:
 
   TomlReader& file_;
   double max_mm_ = 0.0;
-  std::vector<std::pair<std::string, Provenance>> provenance_;
+  std::vector<std::pair<std::string, TableSource>> provenance_;
 };
 
 }  // namespace

@@ -170,8 +170,9 @@ TEST(WindowHabits, AWindowMadeAnewStillShowsThatItsPresetWasModified)
   auto preset = session::loadScenario("contour-published");
   ASSERT_TRUE(preset);
   gui::SetupHistory before(nullptr);
-  before.begin({*preset, {}}, gui::Origin::Kind::preset);
-  before.change({gui::Field::speed, {{"speed_mm_s", "1.0"}}, "speed", gui::Provenance::typed});
+  before.begin({*preset, {}}, gui::SetupOrigin::Kind::preset);
+  before.change(
+      {gui::SetupField::speed, {{"speed_mm_s", "1.0"}}, "speed", gui::ValueSource::typed});
   ASSERT_TRUE(before.isModified());
   gui::MainWindow window(before.now().scenario, std::nullopt);
   window.resume(before.origin(), before.now());

@@ -8,8 +8,8 @@
 #include <fstream>
 
 #include "KioskWindow.h"
-#include "Picture.h"
 #include "PushPad.h"
+#include "TestPicture.h"
 #include "WindowRig.h"
 #include "perilymph/test/TemporaryFolder.h"
 

@@ -234,7 +234,7 @@ protected:
     ASSERT_TRUE(WindowRig::comes([&] { return replayBarIsShown(); }));
   }
 
-  gui::Replay& replay() { return *rig_->window().findChild<gui::Replay*>(); }
+  gui::ReplayPlayer& replay() { return *rig_->window().findChild<gui::ReplayPlayer*>(); }
 
   fs::path file_;
 };

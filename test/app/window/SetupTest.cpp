@@ -15,25 +15,26 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-Origin originOf(const char* scenario)
+SetupOrigin originOf(const char* scenario)
 {
   const auto loaded = session::loadScenario(scenario);
   EXPECT_TRUE(loaded) << loaded.error().message;
-  return {{*loaded, {}}, Origin::Kind::preset};
+  return {{*loaded, {}}, SetupOrigin::Kind::preset};
 }
 
-Setup after(const Setup& now, const Origin& origin, Field field, session::Overrides values)
+Setup after(const Setup& now, const SetupOrigin& origin, SetupField field,
+            session::Overrides values)
 {
-  const auto made = changed(now, origin, {field, std::move(values), {}, Provenance::typed});
+  const auto made = changed(now, origin, {field, std::move(values), {}, ValueSource::typed});
   EXPECT_TRUE(made) << made.error().message;
   return made ? *made : now;
 }
 
 TEST(SetupChange, EveryArrayOfTheCatalogCanReplaceThePublishedOne)
 {
-  const Origin origin = originOf("contour-published");
+  const SetupOrigin origin = originOf("contour-published");
   for (const std::string& name : shippedNames("plugins/electrodes")) {
-    const auto made = after(origin.setup, origin, Field::array, {{"array", '"' + name + '"'}});
+    const auto made = after(origin.setup, origin, SetupField::array, {{"array", '"' + name + '"'}});
     EXPECT_EQ(made.scenario.arrayName, name);
     // 18.5 mm of an array and a start 2.0 mm inside leave 16.5 mm
     EXPECT_GE(made.scenario.stopTravel + millimeters(0.002),
@@ -45,9 +46,10 @@ TEST(SetupChange, EveryArrayOfTheCatalogCanReplaceThePublishedOne)
 
 TEST(SetupChange, AnotherArrayIsAsItsFileSaysAndNotCalibrated)
 {
-  const Origin origin = originOf("contour-published");
+  const SetupOrigin origin = originOf("contour-published");
   ASSERT_FALSE(origin.setup.scenario.calibrationName.empty());
-  const auto made = after(origin.setup, origin, Field::array, {{"array", "\"contour-advance\""}});
+  const auto made =
+      after(origin.setup, origin, SetupField::array, {{"array", "\"contour-advance\""}});
   const auto file = findByName("array", "plugins/electrodes", "contour-advance");
   const auto plain = electrode::loadArray(*file);
   ASSERT_TRUE(plain);
@@ -59,57 +61,59 @@ TEST(SetupChange, AnotherArrayIsAsItsFileSaysAndNotCalibrated)
 
 TEST(SetupChange, TheFirstArrayChosenAgainIsTheFirstSetupAgain)
 {
-  const Origin origin = originOf("contour-published");
-  const auto other = after(origin.setup, origin, Field::array, {{"array", "\"medel-compressed\""}});
+  const SetupOrigin origin = originOf("contour-published");
+  const auto other =
+      after(origin.setup, origin, SetupField::array, {{"array", "\"medel-compressed\""}});
   EXPECT_LT(other.scenario.stopTravel, origin.setup.scenario.stopTravel);
-  const auto back = after(other, origin, Field::array, {{"array", "\"contour\""}});
+  const auto back = after(other, origin, SetupField::array, {{"array", "\"contour\""}});
   EXPECT_EQ(back.scenario.text, origin.setup.scenario.text);
   EXPECT_EQ(back.scenario.name, "contour-published");
 }
 
 TEST(SetupChange, AnArrayWithoutAStyletIsNotAdvancedOffOne)
 {
-  const Origin origin = originOf("contour-published");
-  const auto held = after(origin.setup, origin, Field::technique, {{"technique", "\"aos\""}});
+  const SetupOrigin origin = originOf("contour-published");
+  const auto held = after(origin.setup, origin, SetupField::technique, {{"technique", "\"aos\""}});
   EXPECT_EQ(held.scenario.technique, "aos");
-  const auto straight = after(held, origin, Field::array, {{"array", "\"flex28\""}});
+  const auto straight = after(held, origin, SetupField::array, {{"array", "\"flex28\""}});
   EXPECT_EQ(straight.scenario.technique, "standard");
 }
 
 TEST(SetupChange, ADepthThatWasChosenStaysWhereTheArrayAllowsIt)
 {
-  const Origin origin = originOf("contour-published");
-  const auto shallow = after(origin.setup, origin, Field::stopTravel, {{"stop_travel_mm", "9.5"}});
-  const auto other = after(shallow, origin, Field::array, {{"array", "\"flex28\""}});
+  const SetupOrigin origin = originOf("contour-published");
+  const auto shallow =
+      after(origin.setup, origin, SetupField::stopTravel, {{"stop_travel_mm", "9.5"}});
+  const auto other = after(shallow, origin, SetupField::array, {{"array", "\"flex28\""}});
   EXPECT_EQ(other.scenario.stopTravel, millimeters(9.5));
 }
 
 TEST(SetupChange, AnotherFrictionBringsItsOwnCoefficients)
 {
-  const Origin origin = originOf("contour-published");
-  const auto made = after(origin.setup, origin, Field::friction, {{"friction", "\"tissue\""}});
+  const SetupOrigin origin = originOf("contour-published");
+  const auto made = after(origin.setup, origin, SetupField::friction, {{"friction", "\"tissue\""}});
   // Dohr et al. 2021: 0.24 at the slowest speed
   EXPECT_DOUBLE_EQ(made.scenario.friction.staticCoefficient, 0.24);
   EXPECT_FALSE(made.scenario.friction.bySpeed.isEmpty());
-  const auto back = after(made, origin, Field::friction, {{"friction", "\"paper\""}});
+  const auto back = after(made, origin, SetupField::friction, {{"friction", "\"paper\""}});
   EXPECT_DOUBLE_EQ(back.scenario.friction.staticCoefficient, 0.0605);
   EXPECT_TRUE(back.scenario.friction.bySpeed.isEmpty());
 }
 
 TEST(SetupChange, ThePointSetHasThePublishedTwelvePoints)
 {
-  const Origin origin = originOf("contour-published");
-  const auto made = after(origin.setup, origin, Field::model, {{"model", "\"points\""}});
+  const SetupOrigin origin = originOf("contour-published");
+  const auto made = after(origin.setup, origin, SetupField::model, {{"model", "\"points\""}});
   EXPECT_EQ(made.scenario.model, mechanics::ModelKind::points);
   EXPECT_EQ(made.scenario.nodes, 12);
-  const auto back = after(made, origin, Field::model, {{"model", "\"rod\""}});
+  const auto back = after(made, origin, SetupField::model, {{"model", "\"rod\""}});
   EXPECT_EQ(back.scenario.nodes, 100);
 }
 
 TEST(SetupChange, AModifiedPresetDoesNotClaimToBeThePreset)
 {
-  const Origin origin = originOf("contour-published");
-  const auto made = after(origin.setup, origin, Field::speed, {{"speed_mm_s", "1.0"}});
+  const SetupOrigin origin = originOf("contour-published");
+  const auto made = after(origin.setup, origin, SetupField::speed, {{"speed_mm_s", "1.0"}});
   EXPECT_EQ(made.scenario.name, "contour-published-modified");
   EXPECT_THAT(made.scenario.title, HasSubstr("Modified (speed)"));
   EXPECT_THAT(made.scenario.text, HasSubstr("speed_mm_s = 1.0"));
@@ -122,60 +126,60 @@ TEST(SetupChange, AModifiedPresetDoesNotClaimToBeThePreset)
 
 TEST(SetupChange, TheSameValueAgainIsNoDifference)
 {
-  const Origin origin = originOf("contour-published");
-  const auto slow = after(origin.setup, origin, Field::speed, {{"speed_mm_s", "1.0"}});
-  const auto back = after(slow, origin, Field::speed, {{"speed_mm_s", "2.0"}});
+  const SetupOrigin origin = originOf("contour-published");
+  const auto slow = after(origin.setup, origin, SetupField::speed, {{"speed_mm_s", "1.0"}});
+  const auto back = after(slow, origin, SetupField::speed, {{"speed_mm_s", "2.0"}});
   EXPECT_THAT(differingKeys(origin.setup.scenario, back.scenario), IsEmpty());
   EXPECT_EQ(back.scenario.title, origin.setup.scenario.title);
 }
 
 TEST(SetupChange, NumbersOfNobodyLoseThePublishedName)
 {
-  const Origin origin = originOf("contour-published");
-  const auto made =
-      after(origin.setup, origin, Field::scalaLength, {{"patient_numbers.st_length_mm", "33.2"}});
+  const SetupOrigin origin = originOf("contour-published");
+  const auto made = after(origin.setup, origin, SetupField::scalaLength,
+                          {{"patient_numbers.st_length_mm", "33.2"}});
   EXPECT_EQ(made.scenario.patient.scalaTympaniLength, millimeters(33.2));
   EXPECT_EQ(made.scenario.patient.label, "unnamed");
-  EXPECT_EQ(made.provenanceOf(Field::scalaLength), Provenance::typed);
-  EXPECT_EQ(made.provenanceOf(Field::windowWidth), Provenance::standard);
+  EXPECT_EQ(made.sourceOf(SetupField::scalaLength), ValueSource::typed);
+  EXPECT_EQ(made.sourceOf(SetupField::windowWidth), ValueSource::standard);
   const auto back =
-      after(made, origin, Field::scalaLength, {{"patient_numbers.st_length_mm", "35.58"}});
+      after(made, origin, SetupField::scalaLength, {{"patient_numbers.st_length_mm", "35.58"}});
   EXPECT_EQ(back.scenario.patient.label, "published");
 }
 
 TEST(SetupChange, AAndBBuildTheMeanCochleaAndThreeLengthsThePublishedOneAgain)
 {
-  const Origin origin = originOf("contour-published");
-  const auto mean = after(origin.setup, origin, Field::anatomy,
+  const SetupOrigin origin = originOf("contour-published");
+  const auto mean = after(origin.setup, origin, SetupField::anatomy,
                           {{"anatomy", "\"mean\""},
                            {"patient", "\"\""},
                            {"patient_numbers.a_mm", "9.1"},
                            {"patient_numbers.b_mm", "6.8"}});
   ASSERT_TRUE(mean.scenario.patient.basalTurn);
   EXPECT_EQ(mean.scenario.patient.basalTurn->a, millimeters(9.1));
-  const auto taller = after(mean, origin, Field::heightH, {{"patient_numbers.h_mm", "3.9"}});
+  const auto taller = after(mean, origin, SetupField::heightH, {{"patient_numbers.h_mm", "3.9"}});
   EXPECT_EQ(*taller.scenario.patient.basalTurn->h, millimeters(3.9));
-  const auto without = after(taller, origin, Field::heightH, {{"patient_numbers.h_mm", ""}});
+  const auto without = after(taller, origin, SetupField::heightH, {{"patient_numbers.h_mm", ""}});
   EXPECT_FALSE(without.scenario.patient.basalTurn->h);
   const auto clark =
-      after(mean, origin, Field::anatomy, {{"anatomy", "\"clark\""}, {"patient", "\"\""}});
+      after(mean, origin, SetupField::anatomy, {{"anatomy", "\"clark\""}, {"patient", "\"\""}});
   EXPECT_EQ(clark.scenario.anatomy, "clark");
 }
 
 TEST(SetupChange, WhatIsOutOfRangeIsRefusedWithTheRange)
 {
-  const Origin origin = originOf("contour-published");
+  const SetupOrigin origin = originOf("contour-published");
   const auto made =
-      changed(origin.setup, origin, {Field::speed, {{"speed_mm_s", "900.0"}}, {}, {}});
+      changed(origin.setup, origin, {SetupField::speed, {{"speed_mm_s", "900.0"}}, {}, {}});
   ASSERT_FALSE(made);
   EXPECT_THAT(made.error().message, HasSubstr("200"));
 }
 
 TEST(SetupChange, ANameKeepsItsQuotesAndBackslashes)
 {
-  const Origin origin = originOf("contour-published");
+  const SetupOrigin origin = originOf("contour-published");
   const QString name = QStringLiteral("P \"7\" \\ é\n");
-  const auto made = after(origin.setup, origin, Field::patientLabel,
+  const auto made = after(origin.setup, origin, SetupField::patientLabel,
                           {{"patient_numbers.label", tomlQuoted(name)}});
   EXPECT_EQ(made.scenario.patient.label, "P \"7\" \\ é");
 }
@@ -191,8 +195,8 @@ TEST(SetupChange, APatientsOwnScenarioIsNamedAfterThePatientAndTheArray)
   ASSERT_TRUE(own) << own.error().message;
   EXPECT_EQ(own->name, "P-014");
   EXPECT_EQ(own->title, "P 014: Nucleus 24 Contour");
-  const Origin origin{{*own, {}}, Origin::Kind::own};
-  const auto other = after(origin.setup, origin, Field::array, {{"array", "\"flex28\""}});
+  const SetupOrigin origin{{*own, {}}, SetupOrigin::Kind::own};
+  const auto other = after(origin.setup, origin, SetupField::array, {{"array", "\"flex28\""}});
   EXPECT_EQ(other.scenario.title, "P 014: FLEX28");
 }
 

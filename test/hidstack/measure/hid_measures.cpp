@@ -7,7 +7,7 @@
 
 #include "FlatWallScene.h"
 #include "HandleReports.h"
-#include "Measures.h"
+#include "StackMeasures.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "Settings.h"
+#include "TrialSettings.h"
 #include "perilymph/test/Tolerance.h"
 
 namespace perilymph::test {

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-#include "Picture.h"
+#include "TestPicture.h"
 
 namespace perilymph::charts {
 namespace {

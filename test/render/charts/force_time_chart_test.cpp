@@ -6,7 +6,7 @@
 #include <vtkPlot.h>
 #include <vtkTable.h>
 
-#include "Picture.h"
+#include "TestPicture.h"
 
 namespace perilymph::charts {
 namespace {

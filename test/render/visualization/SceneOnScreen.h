@@ -7,7 +7,7 @@
 #include <cmath>
 #include <memory>
 
-#include "Picture.h"
+#include "TestPicture.h"
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/visualization/InsertionScene.h"
 

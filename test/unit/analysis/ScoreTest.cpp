@@ -16,9 +16,9 @@ constexpr double tick = 1e-3;  // [s]
 constexpr double oneStretch = 0.05 + tick;
 
 /// A motion as pieces of constant speed.
-class Way {
+class Course {
 public:
-  Way& go(double speed_mm_s, double time_s)
+  Course& go(double speed_mm_s, double time_s)
   {
     const long ticks = std::lround(time_s / tick);
     for (long i = 0; i < ticks; ++i) {
@@ -51,7 +51,7 @@ ComparedInsertion insertion(const Motion& motion, double peak)
 
 TEST(TheMotionOfAnInsertion, AtTheSpeedOfTheExperimentIsWithinTheBandAllTheWay)
 {
-  const Motion motion = Way().go(2.0, 8.0).motion();
+  const Motion motion = Course().go(2.0, 8.0).motion();
   EXPECT_NEAR(motion.wayIn, 16e-3, 2e-3 * oneStretch);
   EXPECT_DOUBLE_EQ(motion.wayInBand, motion.wayIn);
   EXPECT_EQ(motion.timeStill, 0.0);
@@ -61,19 +61,19 @@ TEST(TheMotionOfAnInsertion, AtTheSpeedOfTheExperimentIsWithinTheBandAllTheWay)
 TEST(TheMotionOfAnInsertion, CountsTheWayNotTheTimeOfWhatWasTooFast)
 {
   // 4 mm at 1 mm/s and 4 mm at 4 mm/s: half of the way, a fifth of the time
-  const Motion motion = Way().go(1.0, 4.0).go(4.0, 1.0).motion();
+  const Motion motion = Course().go(1.0, 4.0).go(4.0, 1.0).motion();
   EXPECT_NEAR(motion.wayInBand / motion.wayIn, 0.5, 4.0 * oneStretch / 8.0);
 }
 
 TEST(TheMotionOfAnInsertion, StandsStillInAPause)
 {
-  const Motion motion = Way().go(1.0, 3.0).go(0.0, 1.0).go(1.0, 4.0).motion();
+  const Motion motion = Course().go(1.0, 3.0).go(0.0, 1.0).go(1.0, 4.0).motion();
   EXPECT_NEAR(motion.timeStill / motion.time, 1.0 / 8.0, 2.0 * oneStretch / 8.0);
 }
 
 TEST(TheMotionOfAnInsertion, DoesNotStandStillBeforeItBeginsOrAfterItsDeepestPlace)
 {
-  const Motion motion = Way().go(0.0, 2.0).go(1.0, 3.0).go(0.0, 2.0).go(-1.0, 1.0).motion();
+  const Motion motion = Course().go(0.0, 2.0).go(1.0, 3.0).go(0.0, 2.0).go(-1.0, 1.0).motion();
   EXPECT_NEAR(motion.timeStill, 0.0, oneStretch);
   EXPECT_NEAR(motion.time, 3.0, 2.0 * oneStretch);
   EXPECT_EQ(motion.reversals, 0);
@@ -81,19 +81,20 @@ TEST(TheMotionOfAnInsertion, DoesNotStandStillBeforeItBeginsOrAfterItsDeepestPla
 
 TEST(TheMotionOfAnInsertion, TurnsRoundTwiceForOneStepBack)
 {
-  const Motion motion = Way().go(1.0, 3.0).go(-1.0, 0.5).go(1.0, 3.0).motion();
+  const Motion motion = Course().go(1.0, 3.0).go(-1.0, 0.5).go(1.0, 3.0).motion();
   EXPECT_EQ(motion.reversals, 2);
 }
 
 TEST(AScore, GivesEverythingToASlowSteadyGentleInsertion)
 {
-  const InsertionScore score = scoreOf(insertion(Way().go(1.0, 16.0).motion(), 0.03), patients());
+  const InsertionScore score =
+      scoreOf(insertion(Course().go(1.0, 16.0).motion(), 0.03), patients());
   EXPECT_DOUBLE_EQ(score.total, 100.0);
 }
 
 TEST(AScore, GivesHalfThePointsInTheMiddleOfThePeaksInPatients)
 {
-  const Motion steady = Way().go(1.0, 16.0).motion();
+  const Motion steady = Course().go(1.0, 16.0).motion();
   const double middle = 0.5 * (0.0448 + 0.1024);
   const InsertionScore score = scoreOf(insertion(steady, middle), patients());
   EXPECT_NEAR(score.criteria[2].fraction, 0.5, 1e-12);
@@ -102,13 +103,13 @@ TEST(AScore, GivesHalfThePointsInTheMiddleOfThePeaksInPatients)
 
 TEST(AScore, GivesNothingBeyondTheGreatestPeakInPatients)
 {
-  const Motion steady = Way().go(1.0, 16.0).motion();
+  const Motion steady = Course().go(1.0, 16.0).motion();
   EXPECT_EQ(scoreOf(insertion(steady, 0.5), patients()).criteria[2].fraction, 0.0);
 }
 
 TEST(AScore, TakesOnePartIn18Point6ForEachReversal)
 {
-  Motion motion = Way().go(1.0, 16.0).motion();
+  Motion motion = Course().go(1.0, 16.0).motion();
   motion.reversals = 2;
   EXPECT_NEAR(scoreOf(insertion(motion, 0.0), patients()).criteria[1].fraction, 1.0 - 2.0 / 18.6,
               1e-12);
@@ -116,7 +117,7 @@ TEST(AScore, TakesOnePartIn18Point6ForEachReversal)
 
 TEST(AScore, NamesNumberBandAndSourceOfEveryCriterion)
 {
-  const auto score = scoreOf(insertion(Way().go(1.0, 16.0).motion(), 0.06));
+  const auto score = scoreOf(insertion(Course().go(1.0, 16.0).motion(), 0.06));
   ASSERT_TRUE(score) << score.error().message;
   ASSERT_EQ(score->criteria.size(), 4u);
   for (const ScoreCriterion& criterion : score->criteria) {

@@ -9,7 +9,7 @@
 #include "importing/AxialSections.h"
 #include "importing/ClosedSurface.h"
 #include "importing/ModiolarAxis.h"
-#include "importing/Opening.h"
+#include "importing/SurfaceOpening.h"
 #include "perilymph/anatomy/GridLumen.h"
 #include "perilymph/foundation/Math.h"
 
@@ -61,7 +61,7 @@ struct RoundWindow {
   double outerRadius, floorHeight, roofHeight;
 };
 
-RoundWindow roundWindowAtRim(const ClosedSurface& closed, const Opening& opening,
+RoundWindow roundWindowAtRim(const ClosedSurface& closed, const SurfaceOpening& opening,
                              const AxisFrame& frame, const std::vector<AxialSection>& duct)
 {
   const Eigen::Vector3d carried = opening.leadIn * opening.inward;
@@ -140,7 +140,7 @@ Result<ImportedScala> importScala(const Surface& segmented)
     return noSpiral;
 
   // the round window
-  Opening opening;
+  SurfaceOpening opening;
   const bool isOpen = !closed->rim.empty();
   if (isOpen) opening = openingOf(*closed);
   const RoundWindow window = isOpen ? roundWindowAtRim(*closed, opening, *axis, duct)

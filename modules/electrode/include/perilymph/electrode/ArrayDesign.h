@@ -18,7 +18,7 @@ namespace perilymph::electrode {
 enum class Confidence { high, medium, low };
 
 /// Where a value comes from.
-struct Provenance {
+struct TableSource {
   std::string source;
   Confidence confidence = Confidence::low;
 };
@@ -48,7 +48,7 @@ struct Stylet {
   double residualCurvature = 0.0;  ///< Share of the free curvature that it leaves where it is.
   /// Advance off stylet: how deep past the opening its tip goes before it is held still.
   std::optional<Length> holdDepth;
-  Provenance provenance;
+  TableSource provenance;
 };
 
 /// The end of the carrier: a cap of its own radius, behind which the carrier widens in a straight
@@ -88,7 +88,7 @@ struct ArrayDesign {
   Length ribLength;                     ///< Along the array.
   bool hasStylet = false;
   Stylet stylet;
-  std::vector<std::pair<std::string, Provenance>> provenance;  ///< Per table of the file.
+  std::vector<std::pair<std::string, TableSource>> provenance;  ///< Per table of the file.
 
   /// Radius of the rounded end.
   Length tipRadius() const;

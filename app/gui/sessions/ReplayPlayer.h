@@ -13,11 +13,11 @@
 namespace perilymph::gui {
 
 /// Moves a playback on with the time of the window. No hand and no device has a part in it.
-class Replay : public QObject {
+class ReplayPlayer : public QObject {
   Q_OBJECT
 public:
-  explicit Replay(QObject* parent);
-  ~Replay() override;
+  explicit ReplayPlayer(QObject* parent);
+  ~ReplayPlayer() override;
 
   /// Opens a recording beside this thread; opened() or failed() follows. Once it is open its bits
   /// are compared, and checked() says how that ended.

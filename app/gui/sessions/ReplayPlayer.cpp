@@ -1,4 +1,4 @@
-#include "Replay.h"
+#include "ReplayPlayer.h"
 
 #include <algorithm>
 #include <array>
@@ -16,19 +16,20 @@ constexpr std::uint64_t maxAhead = 300;
 
 }  // namespace
 
-Replay::Replay(QObject* parent) : QObject(parent), opening_(this), checking_(this), speed_(ordinary)
+ReplayPlayer::ReplayPlayer(QObject* parent)
+    : QObject(parent), opening_(this), checking_(this), speed_(ordinary)
 {
 }
 
-Replay::~Replay() { close(); }
+ReplayPlayer::~ReplayPlayer() { close(); }
 
-double Replay::speed() const { return speeds[std::size_t(speed_)]; }
+double ReplayPlayer::speed() const { return speeds[std::size_t(speed_)]; }
 
-void Replay::slower() { speed_ = std::max(speed_ - 1, 0); }
+void ReplayPlayer::slower() { speed_ = std::max(speed_ - 1, 0); }
 
-void Replay::faster() { speed_ = std::min(speed_ + 1, int(speeds.size()) - 1); }
+void ReplayPlayer::faster() { speed_ = std::min(speed_ + 1, int(speeds.size()) - 1); }
 
-void Replay::open(const std::filesystem::path& file)
+void ReplayPlayer::open(const std::filesystem::path& file)
 {
   close();
   opening_.run(
@@ -45,7 +46,7 @@ void Replay::open(const std::filesystem::path& file)
       });
 }
 
-void Replay::close()
+void ReplayPlayer::close()
 {
   opening_.forget();
   checking_.forget();
@@ -55,7 +56,7 @@ void Replay::close()
   isError_ = false;
 }
 
-void Replay::check()
+void ReplayPlayer::check()
 {
   verdict_ = tr("comparing bits…");
   isError_ = false;
@@ -87,7 +88,7 @@ void Replay::check()
       });
 }
 
-void Replay::play()
+void ReplayPlayer::play()
 {
   if (!isOpen()) return;
   // from the end it begins anew
@@ -95,12 +96,12 @@ void Replay::play()
   isPlaying_ = true;
 }
 
-std::uint64_t Replay::ready() const
+std::uint64_t ReplayPlayer::ready() const
 {
   return isOpen() ? std::max(playback_->computedTicks(), place_ + 1) : 0;
 }
 
-void Replay::seek(std::uint64_t place)
+void ReplayPlayer::seek(std::uint64_t place)
 {
   if (!isOpen()) return;
   const std::uint64_t last = playback_->ticks() - 1;
@@ -110,14 +111,14 @@ void Replay::seek(std::uint64_t place)
   isNew_ = true;
 }
 
-void Replay::stepBy(std::int64_t ticks)
+void ReplayPlayer::stepBy(std::int64_t ticks)
 {
   pause();
   const auto wanted = std::max<std::int64_t>(0, std::int64_t(place_) + ticks);
   seek(std::uint64_t(wanted));
 }
 
-bool Replay::advance(double elapsed_s)
+bool ReplayPlayer::advance(double elapsed_s)
 {
   if (!isOpen()) return false;
   if (isPlaying_) {

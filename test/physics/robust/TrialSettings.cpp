@@ -1,4 +1,4 @@
-#include "Settings.h"
+#include "TrialSettings.h"
 
 namespace perilymph::test {
 namespace {

@@ -1,6 +1,6 @@
 // The measures, on logs whose answers are known beforehand.
 
-#include "Measures.h"
+#include "StackMeasures.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "importing/Opening.h"
+#include "importing/SurfaceOpening.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -45,9 +45,9 @@ std::pair<Eigen::Vector3d, double> minDirection(const Eigen::Matrix3d& scatter)
 
 }  // namespace
 
-Opening openingOf(const ClosedSurface& closed)
+SurfaceOpening openingOf(const ClosedSurface& closed)
 {
-  Opening opening;
+  SurfaceOpening opening;
   std::set<int> onRim;
   for (std::size_t i = 0; i < closed.isLid.size(); ++i)
     if (closed.isLid[i])

@@ -1,4 +1,4 @@
-#include "perilymph/imaging/HapticSurface.h"
+#include "perilymph/imaging/DecimatedSurface.h"
 
 #include <vtkQuadricDecimation.h>
 

@@ -1,4 +1,4 @@
-#include "Measures.h"
+#include "StackMeasures.h"
 
 #include <algorithm>
 #include <cmath>

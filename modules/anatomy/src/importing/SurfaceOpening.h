@@ -8,7 +8,7 @@
 namespace perilymph::anatomy {
 
 /// The opening of an open surface and the straight stretch behind it.
-struct Opening {
+struct SurfaceOpening {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< Of the rim.
   Eigen::Vector3d inward = Eigen::Vector3d::Zero();  ///< Along the wall at the rim, unit.
   double leadIn = 0.0;  ///< Length of the straight stretch along it [m].
@@ -17,7 +17,7 @@ struct Opening {
 /// The opening of a surface with a rim. The straight stretch is the part of the wall, connected
 /// with the rim, whose normals are square to one direction; none if the rim's own wall is not
 /// straight.
-Opening openingOf(const ClosedSurface& closed);
+SurfaceOpening openingOf(const ClosedSurface& closed);
 
 /// Makes an opening at the basal end of a surface without a rim: triangles that close the duct
 /// before its first section become the lid.

@@ -81,9 +81,9 @@ Json described(const FoundDevice& found)
   json["profile"] = {{"name", found.profile->name},
                      {"confidence", found.profile->confidence},
                      {"renders_force", traits.rendersForce},
-                     {"most_force_N", traits.maxForce},
+                     {"max_force_N", traits.maxForce},
                      {"nominal_period_s", traits.nominalPeriod},
-                     {"most_stiffness_N_m", traits.maxStiffness}};
+                     {"max_stiffness_N_m", traits.maxStiffness}};
   return json;
 }
 
@@ -92,7 +92,7 @@ Json describedPlugin(const TrialOutcome& trial)
 {
   return {{"name", trial.traits.name},
           {"renders_force", trial.traits.rendersForce},
-          {"most_force_N", trial.traits.maxForce},
+          {"max_force_N", trial.traits.maxForce},
           {"nominal_period_s", trial.traits.nominalPeriod},
           {"samples", trial.samples},
           {"fresh", trial.fresh},
@@ -128,7 +128,7 @@ Json described(const TrialOutcome& trial)
           {"stiffest_coupling_N_m", trial.stiffness},
           {"force_axes", trial.axes},
           {"force_axes_shown", trial.axesFelt},
-          {"trouble", health.error}};
+          {"error", health.error}};
 }
 
 void printForce(const TrialOutcome& trial)
@@ -202,7 +202,7 @@ Result<Done> devices(const DevicesOptions& options)
   json["version"] = version();
   json["devices"] = Json::array();
   for (const FoundDevice& found : survey.devices) json["devices"].push_back(described(found));
-  json["profile_mistakes"] = survey.errors;
+  json["profile_errors"] = survey.errors;
   for (const std::string& error : survey.errors) printError("{}\n", error);
 
   if (options.test) {

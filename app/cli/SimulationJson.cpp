@@ -61,7 +61,7 @@ std::string simulationJson(const session::Scenario& scenario, const analysis::Fo
   json["membrane_force_max_N"] = profile.membraneForceMax;
   json["duration_s"] = profile.duration;
   json["ticks"] = profile.ticks;
-  json["ticks_not_settled"] = profile.ticksNotConverged;
+  json["ticks_not_converged"] = profile.ticksNotConverged;
   json["overruns"] = statistics.overruns;
   return jsonText(json);
 }

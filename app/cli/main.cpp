@@ -11,6 +11,7 @@
 #include "EmptyValues.h"
 #include "Interruption.h"
 #include "Terminal.h"
+#include "perilymph/foundation/RenamedKeys.h"
 #include "perilymph/foundation/Version.h"
 
 namespace perilymph::cli {
@@ -79,6 +80,7 @@ int main(int argc, char** argv)
   using namespace perilymph;
   cli::openStandardStreams();
   cli::endOnInterruption();
+  setWarningHandler([](const std::string& warning) { cli::printError("{}\n", warning); });
   // A limit on the size of files is answered as a full disk is, instead of ending the program.
   std::signal(SIGXFSZ, SIG_IGN);
   int status = cli::couldNot;

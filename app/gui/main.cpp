@@ -26,6 +26,7 @@
 #include "TerminationSignals.h"
 #include "Theme.h"
 #include "perilymph/foundation/RealTime.h"
+#include "perilymph/foundation/RenamedKeys.h"
 #include "perilymph/foundation/Version.h"
 
 namespace {
@@ -166,6 +167,7 @@ int run(int argc, char** argv, const gui::Options& options)
   if (const auto log = gui::startLog(gui::stateFolder()); !log)
     std::cerr << log.error().message << '\n';  // the window works without one
   spdlog::info("perilymph {} begins.", buildId());
+  setWarningHandler([](const std::string& warning) { spdlog::warn("{}", warning); });
 
   applyChoices(application, options);
   if (options.isKiosk) return runKiosk(application, signals, *std::move(scenario), options);

@@ -67,7 +67,7 @@ length_mm = 0.3
 [stylet]
 from_tip_mm = 2.0
 bending_N_m2 = 1e-6
-residual_curvature_share = 0.1
+residual_curvature_fraction = 0.1
 hold_depth_mm = 8.5
 {SOURCE}"""
 
@@ -81,7 +81,7 @@ sd = 0.1
 low = 0.5
 high = 2.0
 
-[residual_curvature_share]
+[residual_curvature_fraction]
 value = 0.0
 sd = 0.0
 low = 0.0

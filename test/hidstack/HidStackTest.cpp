@@ -218,7 +218,7 @@ TEST_F(RealHidStack, MakesStartsAndFreesTheEffectsOfAPidDevice)
 
 TEST_F(RealHidStack, PushesAPidDeviceWithTheFractionOfTheForceAskedFor)
 {
-  EXPECT_NEAR(measured("pid.most_share"), 1.0 / 3.0, 2e-4);  // of 10000 steps
+  EXPECT_NEAR(measured("pid.max_fraction"), 1.0 / 3.0, 2e-4);  // of 10000 steps
 }
 
 TEST_F(RealHidStack, IsRefusedByADeviceThatNeverAnswersAFeatureReport)

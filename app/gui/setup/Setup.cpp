@@ -57,7 +57,7 @@ void takeOver(Values& values, const Values& from,
 
 bool isCalibration(const std::string& key)
 {
-  return key == "calibration" || key == "stiffness_scale" || key == "residual_curvature_share";
+  return key == "calibration" || key == "stiffness_scale" || key == "residual_curvature_fraction";
 }
 
 bool isFrictionNumber(const std::string& key) { return startsWith(key, "friction_"); }

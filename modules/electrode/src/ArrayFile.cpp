@@ -198,7 +198,7 @@ private:
     design.hasStylet = true;
     design.stylet.fromTip = millimeters(table.number("from_tip_mm", {0.0, max_mm_}));
     design.stylet.bending = newtonSquareMeters(table.number("bending_N_m2", bending_N_m2));
-    design.stylet.residualCurvature = table.number("residual_curvature_share", {0.0, 1.0}, 0.0);
+    design.stylet.residualCurvature = table.number("residual_curvature_fraction", {0.0, 1.0}, 0.0);
     if (table.has("hold_depth_mm"))
       design.stylet.holdDepth =
           millimeters(table.number("hold_depth_mm", {0.0, inMillimeters(design.insertable)}));

@@ -14,6 +14,7 @@
 
 #include "Suggestion.h"
 #include "TomlText.h"
+#include "perilymph/foundation/RenamedKeys.h"
 #include "perilymph/foundation/TomlReader.h"
 
 namespace perilymph {
@@ -34,6 +35,7 @@ struct TomlReader::Content {
       changed;  ///< By set(): the value as it was given.
   std::optional<KeptError> error;
   std::vector<std::shared_ptr<Content>> inner;
+  std::vector<RenamedKeyUse> renamed;  ///< Keys given under their old names, inner tables' too.
 
   /// The node of a key, which counts as asked for.
   const toml::node* ask(std::string_view key)

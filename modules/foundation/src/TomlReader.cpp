@@ -9,6 +9,7 @@
 #include "TomlContent.h"
 #include "TomlText.h"
 #include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/RenamedKeys.h"
 
 namespace perilymph {
 
@@ -47,6 +48,40 @@ double anyWithin(Range allowed)
   return std::isfinite(allowed.high) ? allowed.high : 0.0;
 }
 
+/// Gives the keys of a table and of those in it today's names, and notes which were old. An error
+/// where a key is given under both names.
+Result<Done> renameKeys(toml::table& table, const std::string& name, const std::string& path,
+                        std::vector<RenamedKeyUse>& renamed)
+{
+  std::vector<std::string> old;
+  for (auto&& [key, node] : table)
+    if (currentKey(key.str()) != key.str()) old.emplace_back(key.str());
+  for (const std::string& before : old) {
+    const auto entry = table.find(before);
+    const std::string now(currentKey(before));
+    const toml::source_region source = entry->first.source();
+    const std::string place = name + ":" + std::to_string(source.begin.line) + ": ";
+    if (table.contains(now))
+      return Error{place + "the key '" + path + before + "' is the old name of '" + now +
+                   "', which is given, too. Remove '" + before + "'."};
+    table.insert(toml::key(now, source), std::move(entry->second));
+    table.erase(before);
+    renamed.push_back({place, path + before, now});
+  }
+  for (auto&& [key, node] : table) {
+    const std::string inner = path + std::string(key.str());
+    if (toml::table* const one = node.as_table())
+      if (const auto done = renameKeys(*one, name, inner + ".", renamed); !done) return done;
+    toml::array* const list = node.as_array();
+    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i)
+      if (toml::table* const one = (*list)[i].as_table()) {
+        const std::string numbered = inner + "[" + std::to_string(i + 1) + "].";
+        if (const auto done = renameKeys(*one, name, numbered, renamed); !done) return done;
+      }
+  }
+  return Done{};
+}
+
 }  // namespace
 
 TomlReader::TomlReader(std::shared_ptr<Content> content) : content_(std::move(content)) {}
@@ -58,7 +93,10 @@ Result<TomlReader> TomlReader::open(const std::filesystem::path& file)
 {
   const Result<std::string> text = readWhole(file);
   if (!text) return text.error();
-  return parse(*text, file.string());
+  auto reader = parse(*text, file.string());
+  if (!reader) return reader;
+  for (const RenamedKeyUse& use : reader->content_->renamed) warn(use.warning());
+  return reader;
 }
 
 Result<TomlReader> TomlReader::parse(std::string_view text, std::string name)
@@ -82,6 +120,8 @@ Result<TomlReader> TomlReader::parse(std::string_view text, std::string name)
   } catch (const std::exception& error) {
     return Error{name + ": this is not TOML: " + error.what() + "."};
   }
+  const auto renamed = renameKeys(content->table, name, "", content->renamed);
+  if (!renamed) return renamed.error();
   content->name = std::move(name);
   return TomlReader(std::move(content));
 }
@@ -236,8 +276,19 @@ void TomlReader::refuse(std::string_view key, const std::string& sentence)
 
 void TomlReader::remove(std::string_view key) { content_->table.erase(key); }
 
-void TomlReader::set(const std::string& key, const std::string& value)
+void TomlReader::set(const std::string& given, const std::string& value)
 {
+  std::string key;
+  for (std::size_t begin = 0; begin <= given.size();) {
+    const std::size_t end = std::min(given.find('.', begin), given.size());
+    const std::string part = given.substr(begin, end - begin);
+    const std::string now(currentKey(part));
+    if (now != part)
+      warn(RenamedKeyUse{"--set " + given + "=" + value + ": ", given, now}.warning());
+    key += (begin > 0 ? "." : "") + now;
+    begin = end + 1;
+  }
+
   if (tomltext::lineNotUtf8(value)) {
     content_->keep("--set " + shown(key) + "=" + shown(value) + ": this is not UTF-8 text.");
     return;

@@ -98,7 +98,7 @@ Result<Calibration> loadCalibration(const std::filesystem::path& file)
   calibration.array = reader->text("array");
   calibration.source = reader->text("source");
   calibration.stiffnessScale = readValue(*reader, "stiffness_scale");
-  calibration.residualCurvature = readValue(*reader, "residual_curvature_share");
+  calibration.residualCurvature = readValue(*reader, "residual_curvature_fraction");
   for (TomlReader& table : reader->tables("force")) {
     FittedForce force;
     force.travel = millimeters(table.number("travel_mm", {0.0, 60.0})).si();
@@ -119,7 +119,7 @@ std::string calibrationText(const Calibration& calibration)
       tomlText(calibration.label) + "\narray = " + tomlText(calibration.array) +
       "\nsource = " + tomlText(calibration.source) + "\n";
   text += valueText("stiffness_scale", calibration.stiffnessScale);
-  text += valueText("residual_curvature_share", calibration.residualCurvature);
+  text += valueText("residual_curvature_fraction", calibration.residualCurvature);
   for (const FittedForce& force : calibration.forces)
     text += "\n[[force]]  # used by the fit\ntravel_mm = " +
             tomlNumber(exactMillimeters(meters(force.travel))) +

@@ -5,6 +5,7 @@
 
 #include "RecordedContent.h"
 #include "TickBlob.h"
+#include "perilymph/foundation/RenamedKeys.h"
 
 namespace perilymph::session {
 
@@ -49,7 +50,10 @@ Result<Done> RecordedInsertion::Content::readMeta()
       std::numeric_limits<std::int64_t>::min(), [&](const Statement& row) -> Result<bool> {
         if (row.type(1) != Statement::Type::text || row.type(2) != Statement::Type::text)
           return damaged("a fact about it is no text");
-        const std::string key = row.text(1);
+        // Version 1 gave some facts other names.
+        const std::string key = database.version() < firstVersionWithHash
+                                    ? std::string(currentKey(row.text(1)))
+                                    : row.text(1);
         const std::string value = row.text(2);
         bytes += key.size() + value.size();
         if (meta.size() >= maxMetaRows || bytes > maxMetaBytes)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "RecordedContent.h"
 #include "RecordingEvents.h"
@@ -20,6 +21,17 @@ bool holds(const Statement& row, int column, double expected)
 {
   if (std::isnan(expected)) return row.type(column) == Type::null;
   return row.type(column) == Type::real && row.real(column) == expected;
+}
+
+/// A list of statuses in the words of version 1.
+std::string inFirstWords(std::string statuses)
+{
+  const std::pair<std::string, std::string> words[] = {{"notConverged", "notSettled"},
+                                                       {"sampleRejected", "sampleDoubted"}};
+  for (const auto& [now, before] : words)
+    if (const auto place = statuses.find(now); place != std::string::npos)
+      statuses.replace(place, now.size(), before);
+  return statuses;
 }
 
 struct HoldsValue {
@@ -91,6 +103,9 @@ Result<RecordingCheck> RecordedInsertion::check() const
   const auto done = content.forEachRising(
       "SELECT rowid, tick, time_s, kind, value FROM event WHERE rowid >= ? ORDER BY rowid", 1,
       [&](const Statement& row) -> Result<bool> {
+        if (next < survey.events.size() && content.database.version() < firstVersionWithHash)
+          if (auto* words = std::get_if<std::string>(&survey.events[next].value))
+            *words = inFirstWords(*words);
         eventsHold = eventsHold && next < survey.events.size() && holds(row, survey.events[next]);
         ++next;
         return eventsHold;

@@ -34,12 +34,12 @@ struct MetaKey {
   static constexpr const char* device = "device";
   static constexpr const char* timeStep = "dt_s";
   static constexpr const char* samplePeriod = "sample_period_s";
-  static constexpr const char* maxForce = "most_force_N";
+  static constexpr const char* maxForce = "max_force_N";
   static constexpr const char* offTime = "off_time_s";
   static constexpr const char* reach = "reach_m";
   static constexpr const char* feelsForce = "feels_force";
-  static constexpr const char* maxStiffness = "most_stiffness_N_m";
-  static constexpr const char* maxDamping = "most_damping_N_s_m";
+  static constexpr const char* maxStiffness = "max_stiffness_N_m";
+  static constexpr const char* maxDamping = "max_damping_N_s_m";
   static constexpr const char* deviceDelay = "device_delay_s";
   static constexpr const char* deviceReport = "device_report";
   static constexpr const char* seed = "seed";

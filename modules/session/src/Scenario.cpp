@@ -51,7 +51,7 @@ void forgetCalibrationOfOtherArray(TomlReader& reader, const Overrides& override
   const std::string* array = overrideOf(overrides, "array");
   if (array == nullptr || *array == reader.text("array", "contour")) return;
   // a recorded text gives the numbers themselves, too
-  for (const char* key : {"calibration", "stiffness_scale", "residual_curvature_share"})
+  for (const char* key : {"calibration", "stiffness_scale", "residual_curvature_fraction"})
     if (overrideOf(overrides, key) == nullptr) reader.remove(key);
 }
 

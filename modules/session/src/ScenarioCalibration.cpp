@@ -9,8 +9,9 @@ Result<AskedCalibration> readCalibration(TomlReader& reader, ScenarioKeys& keys,
 {
   AskedCalibration asked;
   scenario.calibrationName = keys.text("calibration", "");
-  const bool needsFile = !scenario.calibrationName.empty() &&
-                         !(reader.has("stiffness_scale") && reader.has("residual_curvature_share"));
+  const bool needsFile =
+      !scenario.calibrationName.empty() &&
+      !(reader.has("stiffness_scale") && reader.has("residual_curvature_fraction"));
   if (needsFile) {
     const auto file = findByName("calibration", "resources/calibration", scenario.calibrationName);
     if (!file) return file.error();
@@ -23,9 +24,9 @@ Result<AskedCalibration> readCalibration(TomlReader& reader, ScenarioKeys& keys,
   // A wire or a carrier of half or double its diameter has a sixteenth or sixteen times the
   // stiffness; a tenth and ten times are more than any uncertainty here.
   asked.stiffnessScale = keys.number("stiffness_scale", {0.1, 10.0}, asked.stiffnessScale);
-  if (asked.residualCurvature || reader.has("residual_curvature_share"))
-    asked.residualCurvature =
-        keys.number("residual_curvature_share", {0.0, 1.0}, asked.residualCurvature.value_or(0.0));
+  if (asked.residualCurvature || reader.has("residual_curvature_fraction"))
+    asked.residualCurvature = keys.number("residual_curvature_fraction", {0.0, 1.0},
+                                          asked.residualCurvature.value_or(0.0));
   return asked;
 }
 

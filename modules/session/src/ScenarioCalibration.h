@@ -17,7 +17,7 @@ struct AskedCalibration {
 };
 
 /// Reads `calibration` (a shipped name or a file), and `stiffness_scale` and
-/// `residual_curvature_share`, which go before what a calibration says. A text that gives both
+/// `residual_curvature_fraction`, which go before what a calibration says. A text that gives both
 /// numbers needs no file.
 Result<AskedCalibration> readCalibration(TomlReader& reader, ScenarioKeys& keys,
                                          Scenario& scenario);

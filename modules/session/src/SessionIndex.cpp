@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 // Raised whenever the keys or their meaning change; an index of another number is not read.
-constexpr int format = 2;
+constexpr int format = 3;
 
 constexpr std::pair<const char*, std::string SessionSummary::*> texts[] = {
     {"started_utc", &SessionSummary::startedUtc},

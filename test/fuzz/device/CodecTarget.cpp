@@ -61,7 +61,7 @@ double anyNumber(InputReader& input)
 
 /// Its numbers begin at odd bits and are as long as they may be.
 const std::string vectorProfile = test::profileHead("vector") + R"(nominal_period_ms = 1.0
-most_force_N = 2.0
+max_force_N = 2.0
 [mount]
 grasp_button = 32
 [input]

@@ -103,7 +103,7 @@ void print(const std::string& scene, const Stick& stick)
   measure("started", count("start"));
   measure("freed", count("free"));
   measure("forces", count("force"));
-  measure("most_share", stick.maxShown());
+  measure("max_fraction", stick.maxShown());
   measure("actuators_on", stick.firmware().actuatorsOn ? 1 : 0);
   const auto enabled = std::find(story.begin(), story.end(), "enable");
   measure("starts_after_enable", std::count(enabled, story.end(), "start"));

@@ -171,8 +171,8 @@ TEST_F(ForgedSession, WithFactsThatNoDeviceHasIsRefusedOrRunsWithinTheLimits)
   ASSERT_TRUE(model);
   const double maxForce = scenario->engine.safety.maxForce;
 
-  for (const char* key : {"dt_s", "sample_period_s", "most_force_N", "reach_m",
-                          "most_stiffness_N_m", "most_damping_N_s_m", "device_delay_s"})
+  for (const char* key : {"dt_s", "sample_period_s", "max_force_N", "reach_m", "max_stiffness_N_m",
+                          "max_damping_N_s_m", "device_delay_s"})
     for (const char* value : {"nan", "inf", "-inf", "-1", "0", "1e308", "", "x"}) {
       SCOPED_TRACE(std::string(key) + " = '" + value + "'");
       runSql(std::string("UPDATE meta SET value = '") + value + "' WHERE key = '" + key + "'");

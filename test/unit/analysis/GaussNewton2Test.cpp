@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "perilymph/analysis/CalibrationFit.h"
+#include "perilymph/analysis/GaussNewton2.h"
 
 namespace perilymph::analysis {
 namespace {

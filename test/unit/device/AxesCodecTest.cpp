@@ -62,7 +62,7 @@ turn_y = "-rz"
 turn_z = "ry"
 speed_mm_s = 20.0
 turn_deg_s = 45.0
-dead_share = 0.05
+dead_zone = 0.05
 )");
 }
 

@@ -129,7 +129,7 @@ TEST(FaultyProfile, CannotTurnTheHandInsideOut)
 }
 
 const std::string vector = perilymph::test::profileHead("vector") + R"(nominal_period_ms = 1.0
-most_force_N = 1.0
+max_force_N = 1.0
 [input]
 report = 1
 bytes = 6
@@ -175,7 +175,7 @@ std::string stickThatSays(const std::string& line)
 {
   const auto file = findByName("device profile", "plugins/devices", "pid");
   EXPECT_TRUE(file);
-  return with(*readWhole(*file), "most_force_N = 3.0\n", "most_force_N = 3.0\n" + line + "\n");
+  return with(*readWhole(*file), "max_force_N = 3.0\n", "max_force_N = 3.0\n" + line + "\n");
 }
 
 TEST(DeviceProfile, SaysWhatIsKnownOfTheHandle)

@@ -20,7 +20,7 @@ DeviceProfile profileWith(const std::string& pid)
 {
   const auto profile = parseProfile(
       perilymph::test::profileHead("pid", "contains_page = 0x0f\ncontains_usage = 0x21") +
-          R"(most_force_N = 4.0
+          R"(max_force_N = 4.0
 nominal_period_ms = 1.0
 [axes]
 motion = "place"

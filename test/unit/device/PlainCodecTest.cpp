@@ -18,7 +18,7 @@ using testing::HasSubstr;
 DeviceProfile vectorProfile(const std::string& more = "")
 {
   const auto profile = parseProfile(test::profileHead("vector") + R"(nominal_period_ms = 1.0
-most_force_N = 2.0
+max_force_N = 2.0
 [input]
 report = 2
 bytes = 9

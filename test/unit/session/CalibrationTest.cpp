@@ -54,7 +54,7 @@ TEST(ScenarioCalibration, ScalesTheArrayAndStandsInTheScenariosText)
   const auto plain = loadScenario("contour-published", {{"calibration", ""}});
   const auto scaled = loadScenario(
       "contour-published",
-      {{"calibration", ""}, {"stiffness_scale", "1.5"}, {"residual_curvature_share", "0.1"}});
+      {{"calibration", ""}, {"stiffness_scale", "1.5"}, {"residual_curvature_fraction", "0.1"}});
   ASSERT_TRUE(plain && scaled);
   EXPECT_DOUBLE_EQ(scaled->array.stylet.bending.si(), 1.5 * plain->array.stylet.bending.si());
   EXPECT_EQ(scaled->array.stylet.residualCurvature, 0.1);

@@ -1,4 +1,5 @@
 #include "perilymph/analysis/CalibrationFit.h"
+#include "perilymph/analysis/GaussNewton2.h"
 
 #include <cmath>
 

@@ -1,9 +1,7 @@
-// Damped Gauss-Newton for two numbers between bounds.
+#include "perilymph/analysis/GaussNewton2.h"
 
 #include <algorithm>
 #include <cmath>
-
-#include "perilymph/analysis/CalibrationFit.h"
 
 namespace perilymph::analysis {
 

@@ -54,7 +54,7 @@ Json json(const ArraySummary& array, const PrintedRange* end, const PrintedRange
 
 std::string predictionCsv(const PredictionResult& result)
 {
-  std::string csv = "array,patient,apical_deg,depth_mm,end_N,peak_N,trouble\n";
+  std::string csv = "array,patient,apical_deg,depth_mm,end_N,peak_N,error\n";
   for (const PredictedInsertion& each : result.insertions) {
     csv += csvField(each.array) + "," + csvField(each.patient);
     for (const double value :

@@ -164,7 +164,7 @@ std::string summaryJson(const ValidationRequest& request, const ValidationResult
   page["experiment"] = request.experiment.source;
   page["experiment_insertions"] = request.experiment.insertions;
   page["ticks"] = result.ticks;
-  page["ticks_not_settled"] = result.ticksNotConverged;
+  page["ticks_not_converged"] = result.ticksNotConverged;
   page["basal_turn_peak"] = json(result.basalTurn.peak);
   page["basal_turn_dip"] = json(result.basalTurn.dip);
   page["early_peak"] = json(result.earlyPeak);
@@ -186,7 +186,7 @@ std::string summaryJson(const ValidationRequest& request, const ValidationResult
   for (const SourceSpread& spread : result.spreads)
     page["spread"].push_back({{"source", spreadSourceName(spread.source)},
                               {"rms_sd_alone_N", spread.standardDeviation},
-                              {"share_of_variance", spread.fraction}});
+                              {"fraction_of_variance", spread.fraction}});
   page["verdicts"] = Json::array();
   for (const Verdict& verdict : verdictsOf(result, request.experiment))
     page["verdicts"].push_back({{"what", verdict.what},

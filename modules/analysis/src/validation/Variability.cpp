@@ -91,13 +91,13 @@ Result<Variability> loadVariability(const std::filesystem::path& file)
   v.tiltDeviation = degrees(alignment.number("tilt_sd_deg", {0.0, 8.0}));
   v.turnDeviation = degrees(alignment.number("turn_sd_deg", {0.0, 8.0}));
   TomlReader motion = sourceTable(reader, "motion", v);
-  v.speedDeviation = motion.number("speed_sd_share", {0.0, 0.3});
+  v.speedDeviation = motion.number("speed_sd_fraction", {0.0, 0.3});
   v.tremorFrequency = motion.number("tremor_Hz", {0.0, 30.0});
   v.tremorAmplitude = millimeters(motion.number("tremor_amplitude_mm", {0.0, 0.5}));
   TomlReader curvature = sourceTable(reader, "curvature", v);
-  v.curvatureDeviation = curvature.number("residual_sd_share", {0.0, 0.5});
+  v.curvatureDeviation = curvature.number("residual_sd_fraction", {0.0, 0.5});
   TomlReader friction = sourceTable(reader, "friction", v);
-  v.frictionDeviation = friction.number("sd_share", {0.0, 1.0});
+  v.frictionDeviation = friction.number("sd_fraction", {0.0, 1.0});
   TomlReader noise = sourceTable(reader, "noise", v);
   v.noiseDeviation = newtons(noise.number("sd_N", {0.0, 0.1}));
   if (const auto done = reader.finish(); !done) return done.error();

@@ -78,26 +78,26 @@ DeviceTraits readCapability(TomlReader& table, CodecKind kind)
     traits.polledReport = static_cast<std::uint8_t>(table.integer("polled_report", 0, 255, 0));
 
   const bool mayRender = isPlain(kind) || kind == CodecKind::pid;
-  traits.rendersForce = table.has("most_force_N");
+  traits.rendersForce = table.has("max_force_N");
   if (traits.rendersForce && !mayRender)
-    table.refuse("most_force_N",
-                 "most_force_N does not fit this kind of device, which renders no "
+    table.refuse("max_force_N",
+                 "max_force_N does not fit this kind of device, which renders no "
                  "force; leave it out.");
   if (!traits.rendersForce && kind == CodecKind::pid)
     table.refuse("nominal_period_ms",
-                 "most_force_N is missing; a device of the kind \"pid\" must "
+                 "max_force_N is missing; a device of the kind \"pid\" must "
                  "say how many newtons its greatest magnitude is.");
   if (traits.rendersForce) {
-    traits.maxForce = table.number("most_force_N", {0.01, 50.0});
-    traits.maxStiffness = table.number("most_stiffness_N_m", {0.0, 1e5}, 0.0);
-    traits.maxDamping = table.number("most_damping_N_s_m", {0.0, 1000.0}, 0.0);
+    traits.maxForce = table.number("max_force_N", {0.01, 50.0});
+    traits.maxStiffness = table.number("max_stiffness_N_m", {0.0, 1e5}, 0.0);
+    traits.maxDamping = table.number("max_damping_N_s_m", {0.0, 1000.0}, 0.0);
     traits.handleDamping = table.number("handle_damping_N_s_m", {0.01, 100.0}, 0.0);
     traits.handleMass = table.number("handle_mass_kg", {1e-3, 10.0}, 0.0);
     traits.watchdog = 1e-3 * table.number("watchdog_ms", {0.0, 10000.0}, 0.0);
     if (reporting == "on_change")
       table.refuse("reporting",
                    "reporting is \"on_change\"; a device that renders force must report all the "
-                   "time: silence could not be told from a broken line. Leave most_force_N out.");
+                   "time: silence could not be told from a broken line. Leave max_force_N out.");
   }
   return traits;
 }

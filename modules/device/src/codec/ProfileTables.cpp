@@ -97,7 +97,7 @@ Linkage readLinkage(TomlReader& table)
   const auto sign = signs(table, "signs");
   for (std::size_t i = 0; i < 3; ++i) linkage.bodyTurnsPerTurn[i] = sign[i] * capstan[i] / body[i];
   linkage.torqueConstant = three(table, "torque_constant_N_m_A", {1e-4, 10.0});
-  linkage.maxCurrent = table.number("most_current_A", {0.01, 20.0});
+  linkage.maxCurrent = table.number("max_current_A", {0.01, 20.0});
   return linkage;
 }
 
@@ -221,7 +221,7 @@ AxesLayout readAxesLayout(TomlReader& file, CodecKind kind)
     table.refuse("motion",
                  "motion is \"rate\"; it must be \"place\" where a force is rendered, because the "
                  "force belongs to a place.");
-  layout.deadZone = table.number("dead_share", {0.0, 0.5}, 0.0);
+  layout.deadZone = table.number("dead_zone", {0.0, 0.5}, 0.0);
   layout.fullCounts = table.integer("full_counts", 0, 1L << 30, 0);
   return layout;
 }
@@ -239,7 +239,7 @@ PidLayout readPidLayout(TomlReader& file, const AxesLayout& axes)
     for (double& direction : pid.directions) direction = radians(direction);
   }
   pid.signs = signs(table, "signs");
-  pid.gain = table.number("gain_share", {0.01, 1.0}, 1.0);
+  pid.gain = table.number("gain_fraction", {0.01, 1.0}, 1.0);
   pid.resetFirst = table.flag("reset_first", true);
 
   int moved = 0;

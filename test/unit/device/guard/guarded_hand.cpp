@@ -16,7 +16,7 @@ namespace {
 using namespace perilymph;
 
 /// A device of bare numbers that wants to be told when it is left.
-const std::string guarded = test::profileHead("vector") + R"(most_force_N = 3.0
+const std::string guarded = test::profileHead("vector") + R"(max_force_N = 3.0
 nominal_period_ms = 1.0
 reporting = "periodic"
 [mount]

@@ -33,25 +33,4 @@ using CalibrationProgress = std::function<bool(std::size_t trials)>;
 Result<CalibrationResult> fitCalibration(const CalibrationRequest& request,
                                          const CalibrationProgress& progress);
 
-/// The two numbers that minimize the squares of two residuals within bounds. For tests and for
-/// fitCalibration().
-struct TwoNumbers {
-  double a = 0.0, b = 0.0;
-};
-struct TwoBounds {
-  TwoNumbers low, high;
-  TwoNumbers step;  ///< For differences; also the scale on which they matter.
-  int raster = 1;   ///< So many even places of each number are tried first; the best one begins.
-};
-struct GaussNewton2 {
-  TwoNumbers at;
-  TwoNumbers residual;
-  /// Standard errors for residuals of unit variance; 0 where a bound holds the number.
-  TwoNumbers standardDeviation;
-  int trials = 0;
-};
-using TwoResiduals = std::function<Result<TwoNumbers>(const TwoNumbers&)>;
-Result<GaussNewton2> gaussNewton2(const TwoResiduals& residuals, TwoNumbers start,
-                                  const TwoBounds& bounds);
-
 }  // namespace perilymph::analysis

@@ -29,9 +29,11 @@ struct Range {
 /// Keys of physical values wear their unit (`length_mm`): a key asked for without one cannot exist.
 class TomlReader {
 public:
-  /// Opens a file. Nothing is wrong yet if it is well-formed TOML of at most 16 MiB.
+  /// Opens a file. Nothing is wrong yet if it is well-formed TOML of at most 16 MiB. Keys that it
+  /// gives under an old name (RenamedKeys.h) are read under the new one, with a warning.
   static Result<TomlReader> open(const std::filesystem::path& file);
-  /// The same for text that came another way; `name` stands for the file in messages.
+  /// The same for text that came another way, without warnings; `name` stands for the file in
+  /// messages.
   static Result<TomlReader> parse(std::string_view text, std::string name);
 
   TomlReader(TomlReader&&) noexcept;
@@ -67,7 +69,7 @@ public:
 
   /// Changes or adds one value before it is read: `--set key=value` of the command line. The value
   /// is TOML ("2.0", "true") or, failing that, text.
-  void set(const std::string& key, const std::string& value);
+  void set(const std::string& given, const std::string& value);
 
   /// Takes a value of this table away before it is read, as if the text did not give it.
   void remove(std::string_view key);

@@ -17,7 +17,7 @@ struct TrialOutcome {
   int axesFelt = 0;        ///< Axes on which the force was shown.
   int axes = 0;            ///< Axes that show a force.
   int samples = 0;         ///< Read while listening.
-  int fresh = 0;           ///< Of them, those that were new and valid.
+  int fresh = 0;           ///< Samples that were new and valid.
 };
 
 /// Opens the device, listens for three seconds, then shows at most 0.5 N on each axis while the

@@ -78,7 +78,7 @@ struct Beginning {
   gui::Page page = gui::Page::start;
   gui::Options options;  ///< Startup actions are for the first window only.
   std::vector<std::filesystem::path> interrupted;
-  std::optional<std::pair<gui::SetupOrigin, gui::Setup>> setup;  ///< Of the window before.
+  std::optional<std::pair<gui::SetupOrigin, gui::Setup>> setup;  ///< Setup of the window before.
 };
 
 /// How a window ended: with a status, or wishing to be made anew.

@@ -19,7 +19,7 @@ using namespace perilymph;
 
 constexpr const char* scenarioName = "contour-published";
 
-/// Of 16.5 mm at 2 mm/s, 1 ms each; the whole insertion, from few contacts to all of them.
+/// Ticks of 16.5 mm at 2 mm/s in steps of 1 ms: the whole insertion, with few contacts and with all.
 constexpr int ticksOfInsertion = 8250;
 
 /// One insertion in virtual time.

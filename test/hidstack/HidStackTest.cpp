@@ -21,7 +21,7 @@ namespace {
 struct Results {
   std::string skipped;  ///< Why there was no machine.
   std::map<std::string, double> measures;
-  std::map<std::string, int> statuses;  ///< Of the programs, by scene and side.
+  std::map<std::string, int> statuses;  ///< Exit statuses of the programs, by scene and side.
   std::vector<std::string> notes;
 };
 

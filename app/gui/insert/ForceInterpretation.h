@@ -16,7 +16,7 @@ struct ForceThresholds {
   /// Median force that ten otologic surgeons feel: Kratchman 2016, Audiol Neurotol 21:244.
   Force felt = millinewtons(20.4);
   std::optional<analysis::PrintedRange> peaks;    ///< On the hand, in patients.
-  std::optional<analysis::PrintedRange> rupture;  ///< Of the partition, normal to it.
+  std::optional<analysis::PrintedRange> rupture;  ///< Rupture of the partition, normal to it.
 
   /// With the shipped references; a missing one leaves its threshold out.
   static ForceThresholds shipped();
@@ -28,9 +28,9 @@ struct ForceMeaning {
   bool isBeyond = false;
 };
 
-/// Of the force on the hand.
+/// Meaning of a force on the hand.
 ForceMeaning meaningOnHand(Force force, const ForceThresholds& known);
-/// Of the sum of the forces normal to the partition.
+/// Meaning of the sum of the forces normal to the partition.
 ForceMeaning meaningOnPartition(Force force, const ForceThresholds& known);
 
 /// Both on two lines, on a plate so that the picture may pass behind them. What stands out has a

@@ -91,7 +91,7 @@ private:
   visualization::Stereo stereo_ = visualization::Stereo::off;
   StereoWindow* twin_ = nullptr;
   bool isDirty_ = true;
-  int hintLift_ = 0;  ///< Of the scale bars over a hint that lies under them.
+  int hintLift_ = 0;  ///< Height of the scale bars over a hint that lies under them.
   QPoint mouse_;
   ReadOut* travel_;
   ReadOut* angle_;

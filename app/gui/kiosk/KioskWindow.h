@@ -109,7 +109,7 @@ private:
   double touchedAt_s_ = 0.0;
   double stageAt_s_ = 0.0;             ///< When this stage, or this round of attract, began.
   std::optional<double> restingAt_s_;  ///< Attract: since when the insertion is over.
-  int station_ = -1;                   ///< Of the attract tour.
+  int station_ = -1;                   ///< Station of the attract tour.
   int pushedByKey_ = 0;                ///< 1 in, -1 out, 0 not at all.
   std::pair<double, double> drawn_{};  ///< Travel and force of the picture.
   std::uint64_t frames_ = 0;

@@ -14,7 +14,7 @@ class ReadOut : public QWidget {
 public:
   /// How a read-out is set.
   struct Form {
-    int size_px = 46;  ///< Of the number.
+    int size_px = 46;  ///< Size of the number.
     QString widest;    ///< The longest number it keeps room for: "-00.0".
     QString unit;      ///< As it stands behind the number.
     Qt::Alignment side = Qt::AlignLeft;

@@ -18,7 +18,7 @@ struct Theme {
   QColor raised;   ///< Buttons.
   QColor pressed;  ///< What the mouse may drag.
   QColor line;
-  QColor ahead;  ///< Of a way, what is not yet behind; 3:1 on the ground.
+  QColor ahead;  ///< Remaining part of a progress line; 3:1 on the ground.
   QColor text, quietText;
   QColor accent;       ///< This insertion, and the primary action.
   QColor accentHover;  ///< The same under the mouse.
@@ -56,7 +56,8 @@ inline constexpr int chartColumnWidth = 431;
 inline constexpr int minChartColumnWidth = 300;  ///< Where the picture needs the room.
 inline constexpr int barHeight = 44;
 inline constexpr int spacing = 8;
-inline constexpr int plateAlpha = 185;  ///< Of the ground behind words that lie on the picture.
+inline constexpr int plateAlpha =
+    185;  ///< Opacity of the ground behind text that lies on the picture.
 
 /// Inter in a size [px], or DejaVu Sans where Inter is missing.
 QFont typeface(int size_px, QFont::Weight weight = QFont::Normal);

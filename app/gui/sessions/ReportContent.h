@@ -18,7 +18,7 @@ namespace perilymph::gui {
 struct ReportContent {
   std::filesystem::path file;
   std::uint64_t bytes = 0;
-  QString sha256;  ///< Of the recording, in hexadecimal digits.
+  QString sha256;  ///< SHA-256 of the recording, in hexadecimal digits.
   session::RecordingFacts facts;
   std::uint64_t lostRecords = 0;
   bool wasClosed = true;
@@ -28,7 +28,7 @@ struct ReportContent {
   session::Verification verification;
   std::optional<analysis::Reference> published;
   QImage picture;         ///< At the deepest place.
-  double depth_mm = 0.0;  ///< Of the tip in the picture.
+  double depth_mm = 0.0;  ///< Depth of the tip in the picture.
 };
 
 /// Replays the recording, which takes about a tenth of the time it took.

@@ -29,7 +29,7 @@ QString summaryOf(const electrode::ArrayDesign& array);
 struct CatalogFriction {
   QString name;    ///< As scenarios name it.
   QString title;   ///< "Soap solution of 10 %: alike at every speed"
-  QString source;  ///< Of its coefficients.
+  QString source;  ///< Source of its coefficients.
 };
 
 std::vector<CatalogFriction> catalogFrictions();

@@ -18,7 +18,7 @@ class NumberField : public QWidget {
 public:
   struct Form {
     QString title;
-    const char* name;  ///< Of the field: what tests find it by.
+    const char* name;  ///< Name of the field, by which tests find it.
     QString unit;
     int decimals = 1;
     QString tip;

@@ -29,7 +29,7 @@ Q_SIGNALS:
 private:
   struct Number {
     SetupField field;
-    const char* key;  ///< Of `patient_numbers`.
+    const char* key;  ///< Key of `patient_numbers`.
     QString title;
     PopulationField* shown;
     QWidget* page;

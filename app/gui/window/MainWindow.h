@@ -197,7 +197,7 @@ private:
   SessionsPage* sessions_;
   ReplayBar* replayBar_;
   ReplayPlayer* replay_;
-  InputSource handBefore_ = InputSource::scripted;  ///< Of the insertion before the replay.
+  InputSource handBefore_ = InputSource::scripted;  ///< Input of the insertion before the replay.
   std::size_t charted_ = 0;  ///< Samples of the replay that are in the charts.
   QStackedWidget* bars_;
   Background reading_;

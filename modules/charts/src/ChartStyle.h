@@ -12,7 +12,7 @@ struct Colors {
   vtkColor4ub panel, ground, gridLine, zeroLine, text, quietText, accent, blue, orange;
 };
 
-/// Of the look that is shown. The object stays where it is when the look changes.
+/// The colors of the shown scheme. The object stays where it is when the scheme changes.
 const Colors& shown();
 
 inline const vtkColor4ub& panel = shown().panel;

@@ -22,7 +22,7 @@ constexpr AxisRange usualForce_mN{-20.0, 60.0, 20.0};
 
 /// Least and greatest value of each component within one slot of time.
 struct Slot {
-  long long number = -1;  ///< Of slots since time zero; -1: empty.
+  long long number = -1;  ///< Number of slots since time zero; -1: empty.
   std::array<float, components> low{}, high{};
 };
 

@@ -12,7 +12,7 @@ struct Inks {
       silicone, platinum;
 };
 
-/// Of the look that is shown. The object stays where it is when the look changes.
+/// The inks of the shown scheme. The object stays where it is when the scheme changes.
 const Inks& shown();
 /// Called by charts::setColorScheme alone.
 void show(ColorScheme look);

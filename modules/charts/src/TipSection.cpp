@@ -19,7 +19,7 @@ namespace {
 constexpr int directions = 120;
 constexpr double side_px = 14.0;
 constexpr double top_px = 30.0, bottom_px = 58.0;  ///< For names, scale and force.
-constexpr double longestCut = 3.0;                 ///< Of a slanting array's section, in radii.
+constexpr double longestCut = 3.0;  ///< Maximum length of a slanting array's section, in radii.
 
 /// From the section's center to the wall [mm], across and up.
 std::vector<Eigen::Vector2d> outline_mm(const anatomy::ScalaTympani& scala, double angle)

@@ -89,7 +89,7 @@ struct ImageFit::Normal {
   Eigen::MatrixXd data;  ///< The matrix without the priors.
   Eigen::VectorXd right = Eigen::VectorXd::Zero(fitted);
   double cost = 0.0, misfit = 0.0;
-  std::vector<double> residuals;  ///< Of voxels with full weight.
+  std::vector<double> residuals;  ///< Residuals of the voxels with full weight.
   std::size_t voxels = 0;
 };
 

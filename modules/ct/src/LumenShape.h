@@ -44,7 +44,7 @@ struct TurnDistance {
   double angle = 0.0;                                  ///< Turns counted [rad].
   double u = 0.0, width = 0.0;                         ///< In the mean's section [mm].
   double inside = 0.0;                                 ///< Positive in the lumen [mm].
-  double curvature = 0.0;                              ///< Of the section, on average [1/mm].
+  double curvature = 0.0;                              ///< Mean curvature of the section [1/mm].
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();  ///< In W.
   double byOuter = 0.0, byMiddle = 0.0, byWidth = 0.0, byHeight = 0.0, byTilt = 0.0;
 };

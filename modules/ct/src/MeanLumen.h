@@ -30,7 +30,7 @@ public:
 
   double outerRadius(double angle) const { return at(outer_, angle); }          ///< [mm]
   double outerRadiusSlope(double angle) const { return slope(outer_, angle); }  ///< [mm/rad]
-  double height(double angle) const { return at(height_, angle); }          ///< Of the middle [mm].
+  double height(double angle) const { return at(height_, angle); }  ///< Height of the middle [mm].
   double heightSlope(double angle) const { return slope(height_, angle); }  ///< [mm/rad]
   double width(double angle) const { return at(width_, angle); }            ///< Radial [mm].
   double halfHeight(double angle) const { return at(halfHeight_, angle); }  ///< [mm]

@@ -27,7 +27,7 @@ struct TomlReader::Content {
   };
 
   std::string name;
-  std::string path;  ///< Of this table in the file, such as "stylet."; empty for the file itself.
+  std::string path;  ///< Path of this table in the file, such as "stylet."; empty for the file.
   int line = 0;      ///< Where the table starts; 0 for the file itself.
   toml::table table;
   std::set<std::string, std::less<>> asked;

@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 /// Between two nodes of the array.
 struct Place {
   std::size_t node;  ///< The one nearer to the tweezers.
-  double fraction;   ///< Of the way to the next.
+  double fraction;   ///< Fraction of the way to the next node.
 };
 
 Place placeOf(const electrode::ArrayDesign& array, std::size_t nodes, double fromTip)

@@ -80,7 +80,7 @@ struct Recording::Content {
   bool isCut = false;  ///< A drain could not be kept.
 
   MetaRows meta;   ///< As in the file.
-  Sha256 records;  ///< Of all ticks so far.
+  Sha256 records;  ///< Hash of all ticks so far.
   EventDetector events;
   Highlights highlights;
 

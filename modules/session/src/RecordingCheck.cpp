@@ -61,7 +61,7 @@ struct TickSurvey {
   Sha256 records;
   std::vector<Event> events;
   std::uint64_t missingTicks = 0;
-  std::string damage;  ///< Of the columns; the first.
+  std::string damage;  ///< First damage of the columns.
 };
 
 std::string selectTicks()

@@ -11,7 +11,7 @@
 namespace perilymph::visualization {
 namespace {
 
-constexpr int sides = 24;  ///< Of tube, ribs and stylet.
+constexpr int sides = 24;  ///< Sides of tube, ribs and stylet.
 constexpr double ringSpacing_mm = 0.12;
 constexpr int capRings = 6;
 constexpr double leadStub_mm = 1.4;

@@ -20,7 +20,7 @@ struct CameraPose {
 struct CameraSubject {
   Eigen::Vector3d low, high;     ///< Box around the wall [mm].
   Eigen::Vector3d opening;       ///< [mm]
-  Eigen::Vector3d out, outward;  ///< Of the entry, unit.
+  Eigen::Vector3d out, outward;  ///< Axes of the entry, unit.
   bool mirrors = false;          ///< A left ear.
 };
 

@@ -56,7 +56,7 @@ public:
 private:
   vtkNew<vtkPolyData> data_;
   vtkNew<vtkFloatArray> points_, normals_;
-  vtkNew<vtkPoints> places_;  ///< Of points_.
+  vtkNew<vtkPoints> places_;  ///< Positions of points_.
   vtkNew<vtkUnsignedCharArray> colors_;
   vtkNew<vtkCellArray> triangles_;
   vtkNew<vtkOpenGLPolyDataMapper> mapper_;

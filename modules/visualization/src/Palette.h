@@ -17,7 +17,7 @@ struct Colors {
       forceLow, forceHigh, ground, groundLight, text, quietText;
 };
 
-/// Of the look that is shown. The object stays where it is when the look changes.
+/// The colors of the shown scheme. The object stays where it is when the scheme changes.
 const Colors& shown();
 
 inline const Rgba& bone = shown().bone;

@@ -13,7 +13,7 @@
 namespace perilymph::visualization {
 namespace {
 
-constexpr double patchReach_mm = 0.45;  ///< Of a contact's color on the wall.
+constexpr double patchReach_mm = 0.45;  ///< Reach of a contact's color on the wall.
 constexpr double shortestEdge_mm = 1.0;
 constexpr double edgeOpacity = 0.9;
 // A thin shell shows least where it faces the viewer and most where it turns away.

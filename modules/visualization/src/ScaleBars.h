@@ -21,7 +21,7 @@ public:
   bool showsArrows = true;
   double pixelRatio = 1.0;
   int bottom_px = 34;       ///< From the lower edge, at pixel ratio 1.
-  double pixel_mm = 0.025;  ///< Of the picture.
+  double pixel_mm = 0.025;  ///< Size of a pixel of the picture.
 
   /// The longest of 1, 2 and 5 times a power of ten that is at most 110 pixels long.
   double barLength_mm() const;

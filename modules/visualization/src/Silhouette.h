@@ -35,7 +35,7 @@ private:
   std::vector<Eigen::Vector3d> points_, normals_;
   std::vector<Triangle> triangles_;
   std::vector<Edge> edges_;
-  std::vector<std::array<int, 3>> edgesOf_;  ///< Of each triangle.
+  std::vector<std::array<int, 3>> edgesOf_;  ///< Edges of each triangle.
 };
 
 /// Normals at the points of a surface: the mean of the triangles around, by their angle-free area.

@@ -94,7 +94,7 @@ TEST(Background, DoesNotAnswerWhatWasForgotten)
 TEST(Background, EndsThoughItsWorkDoesNot)
 {
   std::promise<void> begun, gate;
-  auto opened = gate.get_future().uniform();
+  auto opened = gate.get_future().share();
   auto background = std::make_unique<Background>(nullptr);
   bool isAnswered = false;
   background->run(

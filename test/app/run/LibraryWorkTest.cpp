@@ -30,8 +30,8 @@ class SlowLibrary : public testing::Test {
 protected:
   SlowLibrary()
       : work_(nullptr,
-              [let = let_.get_future().uniform()](const auto&, const auto&, const auto& progress,
-                                                  const auto& listed) -> Result<Sessions> {
+              [let = let_.get_future().share()](const auto&, const auto&, const auto& progress,
+                                                const auto& listed) -> Result<Sessions> {
                 progress(0, 2);
                 listed(good());
                 progress(1, 2);

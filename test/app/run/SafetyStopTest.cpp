@@ -72,7 +72,7 @@ class TheSafetyStop : public testing::Test {
 protected:
   TheSafetyStop() : control_(scenario(), folder_ / "it.insertion"), safety_(control_) {}
 
-  void begin(Hand hand)
+  void begin(InputSource hand)
   {
     ASSERT_TRUE(control_.prepare(hand));
     ASSERT_TRUE(control_.begin());
@@ -100,7 +100,7 @@ TEST_F(TheSafetyStop, AtTheEndLeavesTheDeviceWithoutForceAndTheLoopStopped)
     return Result<std::unique_ptr<device::HapticDevice>>(
         std::make_unique<PushingDevice>(control_.scenario(), told_));
   });
-  begin(Hand::device);
+  begin(InputSource::device);
   ASSERT_TRUE(comes([&] { return told_.hasPushed.load(); }));
   safety_.end();
   EXPECT_TRUE(told_.isZero);
@@ -112,10 +112,11 @@ TEST_F(TheSafetyStop, AtTheEndLeavesTheDeviceWithoutForceAndTheLoopStopped)
 
 TEST_F(TheSafetyStop, AtTheEndKeepsTheRecordingWhole)
 {
-  begin(Hand::scripted);
+  begin(InputSource::scripted);
   ASSERT_TRUE(comes([&] { return control_.now().output.travel > 1e-4; }));
   safety_.end();
-  ASSERT_TRUE(control_.prepare(Hand::scripted));  // the insertion goes as it goes with the window
+  ASSERT_TRUE(
+      control_.prepare(InputSource::scripted));  // the insertion goes as it goes with the window
   const auto recorded = session::RecordedInsertion::open(folder_ / "it.insertion");
   ASSERT_TRUE(recorded) << recorded.error().message;
   EXPECT_TRUE(recorded->wasClosed());
@@ -132,7 +133,7 @@ TEST_F(TheSafetyStop, WithoutAnInsertionDoesNothing)
 
 TEST_F(TheSafetyStop, LetsGoOfAnArrayHeldByTheMouseWhenTheKeyboardIsLost)
 {
-  begin(Hand::pointer);
+  begin(InputSource::pointer);
   control_.hold(true);
   ASSERT_TRUE(control_.isHeld());
   safety_.loseKeyboard();
@@ -141,19 +142,19 @@ TEST_F(TheSafetyStop, LetsGoOfAnArrayHeldByTheMouseWhenTheKeyboardIsLost)
 
 TEST_F(TheSafetyStop, LetsTheScriptGoOnWhenTheKeyboardIsLost)
 {
-  begin(Hand::scripted);
+  begin(InputSource::scripted);
   safety_.loseKeyboard();
   EXPECT_TRUE(control_.isMoving());
 }
 
 TEST_F(TheSafetyStop, RestsWhatMovesWhenNobodySeesIt)
 {
-  begin(Hand::scripted);
+  begin(InputSource::scripted);
   ASSERT_TRUE(control_.isMoving());
   EXPECT_TRUE(safety_.leaveSight());
   EXPECT_FALSE(control_.isMoving());
 
-  begin(Hand::pointer);
+  begin(InputSource::pointer);
   control_.hold(true);
   EXPECT_TRUE(safety_.leaveSight());
   EXPECT_FALSE(control_.isHeld());

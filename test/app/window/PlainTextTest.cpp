@@ -23,7 +23,7 @@ constexpr auto bold = "<b>bold</b>";
 /// A window about a patient and a scenario whose names are markup.
 class NamesOfMarkup : public testing::Test {
 protected:
-  NamesOfMarkup() { rig_.window().load(scenario(), gui::MainWindow::Then::rest); }
+  NamesOfMarkup() { rig_.window().load(scenario(), gui::MainWindow::AfterLoading::rest); }
 
   session::Scenario scenario() const
   {

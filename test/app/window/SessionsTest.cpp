@@ -12,8 +12,8 @@
 #include <future>
 
 #include "DataFolder.h"
-#include "Replay.h"
 #include "ReplayBar.h"
+#include "ReplayPlayer.h"
 #include "SessionTable.h"
 #include "SessionsPage.h"
 #include "Thumbnails.h"
@@ -173,7 +173,7 @@ TEST_F(Sessions, ThatAreReadAreListedWhileAnotherOneDoesNotEnd)
 {
   std::promise<void> end;
   gui::SessionsPage page(nullptr,
-                         [ended = end.get_future().fraction()](
+                         [ended = end.get_future().share()](
                              const auto&, const auto&, const auto& progress,
                              const auto& listed) -> Result<std::vector<session::SessionSummary>> {
                            session::SessionSummary good;

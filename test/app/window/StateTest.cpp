@@ -188,7 +188,7 @@ TEST(AnInterruptedInsertion, IsOfferedWithItsDepth)
 TEST(AnInterruptedInsertion, WhoseRecordingBlocksItsReaderLetsTheWindowLive)
 {
   std::promise<void> gate;
-  auto opened = gate.get_future().uniform();
+  auto opened = gate.get_future().share();
   {
     WindowRig rig;
     gui::offerRecovery(rig.window(), {"bad.insertion"},

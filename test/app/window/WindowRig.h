@@ -40,7 +40,8 @@ public:
   /// Turns the wheel over the picture; positive away from oneself.
   void turnWheel(int notches);
 
-  static constexpr int patience_ms = 60'000;  ///< Of a busy machine; nothing is timed by it.
+  static constexpr int patience_ms =
+      60'000;  ///< Patience with a busy machine; nothing is timed by it.
   /// Lets the window live until something is true. False when it takes longer than anybody waits.
   static bool comes(const std::function<bool()>& claim, int longest_ms = patience_ms);
   /// Lets the loop run on for some of its ticks.

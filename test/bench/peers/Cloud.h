@@ -45,7 +45,7 @@ const Cloud& cloud();
 struct Facets {
   anatomy::Surface surface_mm;
   double surfaceDistance =
-      0.0;  ///< Of the true wall from the triangles, the most of 4000 places [m].
+      0.0;  ///< Maximum distance of the true wall from the triangles, over 4000 places [m].
 };
 
 /// The wall in at most so many triangles, cut once. The scala must have been built.

@@ -27,7 +27,7 @@ struct Passage {
   double duration = 0.0;  ///< [s]; 0: until the first output report, that is: the host listens.
   Grip grip = Grip::held;
   bool isButtonPressed = false;
-  double push = 0.0;  ///< Of the hand, toward the cochlea [N].
+  double push = 0.0;  ///< Push of the hand toward the cochlea [N].
   Wire wire = Wire::reporting;
 };
 

@@ -7,7 +7,7 @@ namespace perilymph::hidstack {
 /// What the handle is made of.
 struct HandleBody {
   double mass = 0.090;     ///< [kg]
-  double damping = 0.5;    ///< Of its bearings [N.s/m].
+  double damping = 0.5;    ///< Damping of its bearings [N.s/m].
   double reach = 80e-3;    ///< Where it meets its end stops, on both sides of zero [m].
   double watchdog = 0.02;  ///< A force nobody renews for so long is switched off [s].
 };
@@ -36,7 +36,7 @@ public:
 
   double position() const { return position_; }
   double velocity() const { return velocity_; }
-  /// Of the actuator, now [N].
+  /// Force of the actuator now [N].
   double force() const { return force_; }
   /// The watchdog switched a force off that was not renewed.
   bool hasTimedOut() const { return hasTimedOut_; }

@@ -9,7 +9,7 @@
 
 namespace perilymph::hidstack {
 
-/// Of the coupling [N/m]: that of the wall in the published simulator.
+/// Stiffness of the coupling [N/m]: that of the wall in the published simulator.
 inline constexpr double couplingStiffness = 441.0;
 
 /// How far the hand goes from where it takes hold until the rod touches the wall [m].

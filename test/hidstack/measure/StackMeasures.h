@@ -18,7 +18,7 @@ struct StreamMeasure {
   std::int64_t repeated = 0;  ///< That came again, or after a newer one.
   double rate = 0.0;          ///< [1/s]
 };
-/// Of a counter of 16 bits that wraps.
+/// Stream of a counter of 16 bits that wraps.
 StreamMeasure streamIn(const std::vector<ReportRow>& rows);
 
 /// How a set of times is spread [s].
@@ -32,7 +32,7 @@ Spread spreadOf(std::vector<double> values);
 struct AnswerMeasure {
   std::int64_t ticks = 0;     ///< With a report.
   std::int64_t answered = 0;  ///< Before the next stroke, by exactly one output report.
-  std::int64_t caused = 0;    ///< Of these: with the force of the tick that read this report.
+  std::int64_t caused = 0;    ///< Those with the force of the tick that read this report.
   Spread fromTick;            ///< Stroke to force [s].
   Spread fromReport;          ///< Report handed over to force [s].
   Spread engine;              ///< Sample taken to force ready, in the loop [s].

@@ -16,9 +16,9 @@ struct HandleTick {
   std::int64_t due = 0;       ///< When the device's clock struck.
   std::int64_t sent = 0;      ///< When its report was handed over; 0: none was.
   std::int64_t answered = 0;  ///< When the first output report after the tick came; 0: none did.
-  std::int64_t force = 0;     ///< Of that output report, along z [quanta].
+  std::int64_t force = 0;     ///< Force of that output report along z [quanta].
   std::int64_t outputs = 0;   ///< Output reports until the next tick.
-  std::int64_t sequence = 0;  ///< Of its report.
+  std::int64_t sequence = 0;  ///< Sequence number of the report.
   double position = 0.0;      ///< Toward the cochlea [m].
   std::string passage;        ///< Which of the script's.
 };
@@ -27,8 +27,8 @@ struct HandleTick {
 struct LoopTick {
   std::int64_t read = 0;      ///< When the newest sample had been taken.
   std::int64_t written = 0;   ///< When the force was about to be handed over.
-  std::int64_t sequence = 0;  ///< Of the sample.
-  std::int64_t isValid = 0;   ///< Of the sample.
+  std::int64_t sequence = 0;  ///< Sequence number of the report.
+  std::int64_t isValid = 0;   ///< Whether the sample was valid.
   double force = 0.0;         ///< Along D's z [N].
 };
 

@@ -12,9 +12,10 @@ namespace perilymph::test {
 /// What an array's energy depends on.
 struct ArrayPose {
   std::vector<Eigen::Vector3d> nodes_W;  ///< [m]
-  std::vector<Eigen::Vector3d> curl_W;   ///< Of each edge, unit: to where the material curls.
-  double styletWithdrawal = 0.0;         ///< [m]
-  double released = 1.0;                 ///< Share of its rest curvature it has taken on.
+  std::vector<Eigen::Vector3d>
+      curl_W;                     ///< Unit direction of each edge in which the material curls.
+  double styletWithdrawal = 0.0;  ///< [m]
+  double released = 1.0;          ///< Share of its rest curvature it has taken on.
 };
 
 /// Energy of bending and twist [J]: the sum over the inner nodes of

@@ -32,10 +32,10 @@ enum class StyletUse {
 
 /// How wild the hand is.
 struct HandLimits {
-  double fastest = 0.2;     ///< Of pushing and pulling [m/s].
+  double fastest = 0.2;     ///< Maximum speed of pushing and pulling [m/s].
   double lateral = 0.5e-3;  ///< Beside the axis of the opening [m].
   double tremor = 0.1e-3;   ///< Amplitude at 8 Hz [m] (Muerbe 2001: 8.1 Hz).
-  double tilt = 0.17;       ///< Of the axis about the opening [rad].
+  double tilt = 0.17;       ///< Tilt of the axis about the opening [rad].
   double roll = 1.0;        ///< About the axis [rad].
   double before = 2e-3;     ///< How far the tip may be drawn out of the opening [m].
 };

@@ -41,16 +41,16 @@ struct Findings {
   double deepest = 0.0;            ///< Greatest penetration of a node.
   double unexplained = 0.0;        ///< Greatest penetration beyond what the node's force explains.
   bool startsRelaxed = false;      ///< A straight array.
-  double minEnergy = 0.0;          ///< Of hand, stylet and start together, at any time.
-  double minHandEnergy = 0.0;      ///< Of the hand alone, at any time.
+  double minEnergy = 0.0;          ///< Minimum energy of hand, stylet and start together.
+  double minHandEnergy = 0.0;      ///< Minimum energy of the hand alone.
   long notConverged = 0;           ///< Ticks with more than 2 uN left where no contact changed.
   double maxResidualAtRest = 0.0;  ///< The most left in one of them.
   long toggles = 0;                ///< Ticks in which a contact came, went, stuck or slid anew.
-  long togglesNotConverged = 0;    ///< Of them those with more than 1 mN left.
+  long togglesNotConverged = 0;    ///< Toggles with more than 1 mN left.
   double worstToggle = 0.0;        ///< The most left in one of them.
   long unbalanced = 0;             ///< Ticks of either kind with more than 1 mN left.
   double greatestForce = 0.0;      ///< On the hand.
-  double iterations = 0.0;         ///< Of Newton's method, mean of a tick.
+  double iterations = 0.0;         ///< Newton iterations, mean of a tick.
 };
 
 /// Runs insertions of 20,000 ticks, each from the start and with a hand of its own, until `ticks`

@@ -70,7 +70,7 @@ private:
   std::vector<Ball> cells_;
   std::array<Eigen::Vector4d, 6> waves_;
   double capsule_, modiolus_, niche_, canal_, window_, recess_;
-  Eigen::Vector3d lean_;              ///< Of the round-window niche.
+  Eigen::Vector3d lean_;              ///< Lean of the round-window niche.
   std::vector<KidneySection> table_;  ///< Every 2 degrees from the first angle.
 };
 

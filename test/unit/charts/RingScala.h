@@ -12,7 +12,7 @@
 namespace perilymph::test {
 
 inline constexpr double lumen_mm = 1.0;     ///< Radius of every section.
-inline constexpr double diameter_mm = 0.6;  ///< Of the array.
+inline constexpr double diameter_mm = 0.6;  ///< Diameter of the array.
 inline constexpr double turns_deg = 900.0;
 
 /// From the axis to the sections' centers: a ring of 3 mm with a hook at its beginning, as cochleae

@@ -33,10 +33,10 @@ std::vector<Kind> all(const Drawing& drawing, const Ink& ink)
   return found;
 }
 
-std::optional<Labels> label(const Drawing& drawing, const std::string& text)
+std::optional<Label> label(const Drawing& drawing, const std::string& text)
 {
   for (const analysis::Mark& mark : drawing.marks)
-    if (const auto* one = std::get_if<Labels>(&mark); one != nullptr && one->text == text)
+    if (const auto* one = std::get_if<Label>(&mark); one != nullptr && one->text == text)
       return *one;
   return std::nullopt;
 }

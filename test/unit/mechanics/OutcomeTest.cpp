@@ -52,7 +52,7 @@ struct LaidArray {
   std::shared_ptr<const anatomy::ScalaTympani> scala = *anatomy::buildMean(millimeters(1));
   std::shared_ptr<const InsertionModel> model;
   std::vector<Eigen::Vector3d> nodes_W;
-  std::vector<double> angles;  ///< Of each node [rad].
+  std::vector<double> angles;  ///< Angle of each node [rad].
 };
 
 TEST(Outcome, SaysWhereEveryContactLies)

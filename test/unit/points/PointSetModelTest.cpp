@@ -28,10 +28,10 @@ ModelParts parts(int points = 12)
   return parts;
 }
 
-std::string refusal(const ModelParts& error)
+std::string refusal(const ModelParts& parts)
 {
   try {
-    InsertionModel::build(error);
+    InsertionModel::build(parts);
     return "accepted";
   } catch (const std::invalid_argument& error) {
     return error.what();

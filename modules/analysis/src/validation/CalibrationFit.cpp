@@ -7,7 +7,7 @@ namespace perilymph::analysis {
 
 namespace {
 
-/// Of the experiment's mean: its deviation over the square root of its insertions.
+/// Standard error of the experiment's mean: standard deviation / sqrt(insertions).
 double standardError(const Reference& experiment, const PrintedForce& point)
 {
   return point.standardDeviation / std::sqrt(std::max(1.0, experiment.insertions));

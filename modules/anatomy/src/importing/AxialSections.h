@@ -24,7 +24,7 @@ struct AxisFrame {
 /// One closed line in which a plane through the axis cuts the surface, on the side of its angle.
 struct AxialSection {
   double angle = 0.0;         ///< From the frame's x [rad], turns counted once followed.
-  double centerRadius = 0.0;  ///< Of the area's center from the axis [m].
+  double centerRadius = 0.0;  ///< Distance of the area's center from the axis [m].
   double centerHeight = 0.0;  ///< [m]
   double area = 0.0;          ///< [m^2]
   double innerRadius = 0.0, outerRadius = 0.0, floorHeight = 0.0, roofHeight = 0.0;  ///< [m]

@@ -9,7 +9,7 @@ namespace perilymph::anatomy {
 
 /// The opening of an open surface and the straight stretch behind it.
 struct SurfaceOpening {
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< Of the rim.
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< Center of the rim.
   Eigen::Vector3d inward = Eigen::Vector3d::Zero();  ///< Along the wall at the rim, unit.
   double leadIn = 0.0;  ///< Length of the straight stretch along it [m].
 };

@@ -13,7 +13,7 @@ namespace perilymph::anatomy {
 /// What a source of anatomy knows of one half-plane.
 struct OutlineAtAngle {
   Outline outline;
-  double planRadius;     ///< Of the organ-of-Corti path from the axis [m].
+  double planRadius;     ///< Distance of the organ-of-Corti path from the axis [m].
   double membraneWidth;  ///< [m]
 };
 using OutlineSource = std::function<OutlineAtAngle(double angle)>;

@@ -28,7 +28,7 @@ private:
   };
   struct ButtonSlot {
     ReportSlot slot;
-    std::uint32_t bit = 0;  ///< Of DeviceSample::buttons.
+    std::uint32_t bit = 0;  ///< Bit of DeviceSample::buttons.
   };
   static constexpr std::size_t maxButtons = 32;
 
@@ -39,7 +39,7 @@ private:
   AxesLayout layout_;
   std::array<double, 9> mount_DB_{};
   double period_ = 0.0;
-  double bound_ = 0.0;  ///< Of each coordinate that drifts [m]; 0: none.
+  double bound_ = 0.0;  ///< Bound of each coordinate that drifts [m]; 0: none.
   std::array<Axis, 6> axes_{};
   // What the reports said so far: each tells a part of the hand.
   std::array<double, 6> deflections_{};
@@ -48,7 +48,7 @@ private:
   std::uint32_t pressed_ = 0;
   std::array<ButtonSlot, maxButtons> buttonSlots_{};
   int buttons_ = 0;
-  std::array<std::uint16_t, 256> reportBytes_{};  ///< Of input reports; 0: none of ours.
+  std::array<std::uint16_t, 256> reportBytes_{};  ///< Sizes of the input reports; 0: not read here.
 };
 
 /// A device that has axes and shows no force.

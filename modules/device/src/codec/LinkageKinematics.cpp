@@ -15,7 +15,7 @@ struct Directions {
   SineCosine a;
   SineCosine b;
   SineCosine c;
-  double reach;  ///< Of the handle from the base's axis [m].
+  double reach;  ///< Distance of the handle from the base's axis [m].
 };
 
 Directions directions(const Linkage& linkage, const std::array<double, 3>& angles) noexcept

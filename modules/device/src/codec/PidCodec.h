@@ -30,7 +30,7 @@ public:
 private:
   struct Effect {
     std::int64_t block = 0;
-    std::size_t axis = 0;  ///< Of D, before the mount; unused for the one that turns.
+    std::size_t axis = 0;  ///< Axis of D before the mount; unused for rotations.
   };
 
   Result<Done> create(Transport& transport);

@@ -46,7 +46,7 @@ private:
   /// One report, with its length.
   struct Place {
     ReportSlot slot;
-    std::size_t bytes = 0;  ///< Of the report behind its number.
+    std::size_t bytes = 0;  ///< Size of the report after its number.
   };
   struct Said {
     UsageChoice choice;

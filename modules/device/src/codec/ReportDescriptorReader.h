@@ -18,7 +18,7 @@ private:
   struct Item {
     std::uint8_t tag = 0;
     std::uint8_t type = 0;
-    std::uint32_t size = 0;  ///< Of the data [bytes].
+    std::uint32_t size = 0;  ///< Size of the data [bytes].
     std::uint32_t value = 0;
     std::int64_t asSigned() const noexcept;
   };
@@ -71,7 +71,7 @@ private:
   std::int32_t collection_ = -1;
   std::size_t depth_ = 0;
   bool hasUnnumbered_ = false;
-  std::array<std::array<std::uint32_t, 256>, 3> bits_{};  ///< Of each report so far.
+  std::array<std::array<std::uint32_t, 256>, 3> bits_{};  ///< Bits of each report so far.
 };
 
 }  // namespace perilymph::device

@@ -57,7 +57,7 @@ public:
 
   /// Everything, for the pipe.
   std::span<const std::uint8_t> bytes() const noexcept { return {bytes_.data(), size_}; }
-  /// Of a head that was read; 0 if it is none.
+  /// Size of what follows a head that was read; 0 if the head is invalid.
   static std::size_t sizeBehind(std::span<const std::uint8_t> headBytes) noexcept;
   /// Takes what was read from the pipe. False if it makes no sense.
   bool take(std::span<const std::uint8_t> bytes) noexcept;
@@ -65,7 +65,7 @@ public:
   std::uint8_t patience_ms() const noexcept { return bytes_[1]; }
   std::size_t noForceLines() const noexcept { return bytes_[2]; }
   std::size_t lines() const noexcept { return noForceLines() + bytes_[3]; }
-  /// Of no force first, then those that switch off.
+  /// The lines: the one without force first, then those that switch off.
   Line line(std::size_t index) const noexcept;
 
 private:

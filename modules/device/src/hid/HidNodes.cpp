@@ -102,7 +102,7 @@ std::optional<HidNode> readNode(const fs::path& folder, const SystemRoots& roots
   return node;
 }
 
-/// Of hidraw12: 12; nothing for other names.
+/// The number of a hidraw node's folder: 12 for hidraw12; nothing for other names.
 std::optional<int> nodeNumber(const fs::path& folder)
 {
   constexpr std::string_view prefix = "hidraw";

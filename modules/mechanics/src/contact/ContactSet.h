@@ -23,7 +23,7 @@ struct SectionReach {
 struct RimStiffness {
   std::size_t first = 0;             ///< First of those nodes.
   std::size_t count = 0;             ///< How many: 0 where it does not touch, at most 3.
-  double weight[3] = {};             ///< Of each; they add up to 1.
+  double weight[3] = {};             ///< Weight of each; they add up to 1.
   SymmetricBlock<double> stiffness;  ///< [N/m]
 };
 
@@ -42,18 +42,19 @@ struct ContactSet {
   {
   }
 
-  std::vector<double> reach;                ///< Of the lumen query at each node [m].
+  std::vector<double> reach;                ///< Reach of the lumen query at each node [m].
   std::vector<unsigned char> isAsked;       ///< Whether the lumen was asked for each node.
   std::vector<unsigned char> isKnown;       ///< Whether `wall` is of this step.
   std::vector<Eigen::Vector3d> seenFrom_W;  ///< Position from which each node sees its `wall` [m].
   std::vector<double> walked;               ///< By each node since the lumen was asked [m].
   std::vector<anatomy::WallPoint> wall;     ///< As each node sees it.
-  std::vector<SectionReach> section;        ///< Of each node, if it is oval.
+  std::vector<SectionReach> section;        ///< Section of each node, if it is oval.
   std::size_t touches = 0;                  ///< Number of nodes that touch the wall.
   std::vector<std::size_t> touching;        ///< Those nodes, from the base on.
-  std::vector<SymmetricBlock<double>> wallStiffness;  ///< Of the wall at each of them [N/m].
-  RimContact rim;                                     ///< As this iteration would leave it.
-  RimStiffness rimStiffness;                          ///< Of the rim where it touches.
+  std::vector<SymmetricBlock<double>>
+      wallStiffness;          ///< Stiffness of the wall at each of them [N/m].
+  RimContact rim;             ///< As this iteration would leave it.
+  RimStiffness rimStiffness;  ///< Stiffness of the rim where it touches.
 };
 
 }  // namespace perilymph::mechanics

@@ -15,12 +15,12 @@ constexpr double minBending = 1e-6;  // [m]; only to divide by
 
 /// The place where the center line passes the plane of the opening.
 struct Crossing {
-  std::size_t first = 0;    ///< Of the nodes that carry it.
+  std::size_t first = 0;    ///< First of the nodes that carry it.
   std::size_t count = 0;    ///< 3, or 2 in the last half edge; 0: it does not cross.
-  double weight[3] = {};    ///< Of each of them; they add up to 1.
+  double weight[3] = {};    ///< Weight of each of them; they add up to 1.
   Eigen::Vector3d along_W;  ///< Derivative of the center line by its parameter [m].
   double fromTip = 0.0;     ///< [m]
-  double radius = 0.0;      ///< Of the array there [m].
+  double radius = 0.0;      ///< Radius of the array there [m].
   double radiusRate = 0.0;  ///< Its derivative by the parameter [m].
 };
 

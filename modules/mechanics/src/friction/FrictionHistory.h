@@ -23,7 +23,7 @@ struct FrictionHistory {
   double rimPressedBefore = 0.0;                ///< The same at the rim [N].
   Eigen::Vector3d rimNormalBefore_W = Eigen::Vector3d::Zero();
   std::vector<Eigen::Vector3d> spring_W;  ///< As this iteration would leave it [m].
-  std::vector<double> slip;               ///< Of each node in this step [m].
+  std::vector<double> slip;               ///< Slip of each node in this step [m].
   std::vector<unsigned char> isSliding;   ///< As this iteration would leave it.
 };
 

@@ -10,10 +10,11 @@ namespace perilymph::mechanics {
 
 /// What the wall's friction does to one node in one iteration.
 struct FrictionStep {
-  Eigen::Vector3d force_W;    ///< On the node, tangent to the wall [N].
-  Eigen::Matrix3d stiffness;  ///< Of that force against the node's motion [N/m]; semidefinite.
-  Eigen::Vector3d spring_W;   ///< What the spring would remember [m].
-  bool isSliding;             ///< What the node would remember.
+  Eigen::Vector3d force_W;  ///< On the node, tangent to the wall [N].
+  Eigen::Matrix3d
+      stiffness;  ///< Minus the force's derivative by the node's motion [N/m]; semidefinite.
+  Eigen::Vector3d spring_W;  ///< What the spring would remember [m].
+  bool isSliding;            ///< What the node would remember.
 };
 
 /// Friction on a node that has moved along the wall.

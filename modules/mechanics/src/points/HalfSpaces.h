@@ -11,7 +11,7 @@ namespace perilymph::mechanics {
 struct HalfSpace {
   Eigen::Vector3d normal;  ///< Unit.
   double bound = 0.0;      ///< [m]
-  double distance = 0.0;   ///< Of what it stands for [m]: the farthest are given up first.
+  double distance = 0.0;   ///< Distance of its triangle [m]; the farthest are dropped first.
 };
 
 /// Whether a goal is allowed, is held back, or has no allowed place near it at all.

@@ -12,12 +12,13 @@ namespace perilymph::mechanics {
 
 /// Numbers of the published carrier (Todd and Naghdy, section II.D; confidence high).
 struct PointSetLaw {
-  double radius = 0.25e-3;                   ///< Of a point: the measured tip of a Contour [m].
-  double stiffness = 350.0;                  ///< Of a point to its place [N/m].
-  double damping = 1.0;                      ///< The same [N.s/m].
-  double turningStiffness = 0.2;             ///< Of the carrier against the tweezers [N.m/rad].
-  double turningDamping = 3e-5;              ///< The same [N.m.s/rad].
-  double mass = 0.0178943;                   ///< Of array and tweezers, weighed [kg].
+  double radius = 0.25e-3;   ///< Radius of a point: the measured tip of a Contour [m].
+  double stiffness = 350.0;  ///< Stiffness of a point against its place [N/m].
+  double damping = 1.0;      ///< The same [N.s/m].
+  double turningStiffness =
+      0.2;                       ///< Rotational stiffness of the carrier in the tweezers [N.m/rad].
+  double turningDamping = 3e-5;  ///< The same [N.m.s/rad].
+  double mass = 0.0178943;       ///< Mass of array and tweezers, weighed [kg].
   Eigen::Vector3d box{30e-3, 20e-3, 20e-3};  ///< Along E's axes [m].
   double surfaceDamping = 0.01;              ///< [N.s/m]
 };
@@ -32,7 +33,7 @@ struct PointSetModel {
   ProxySurface surface;
   double pointMass = 0.0;                             ///< [kg]
   Eigen::Vector3d inertia = Eigen::Vector3d::Zero();  ///< About E's axes [kg.m^2].
-  int substeps = 1;                                   ///< Of one time step.
+  int substeps = 1;                                   ///< Substeps of one time step.
   double substep = 0.0;                               ///< [s]
   std::uint64_t fingerprint = 0;
 };

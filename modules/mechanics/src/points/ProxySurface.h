@@ -53,7 +53,7 @@ public:
                    HalfSpaces& allowed) const noexcept;
 
   std::size_t triangles() const noexcept { return triangles_.size(); }
-  /// Of everything above, for a model's own.
+  /// Fingerprint of everything above, for a model's own.
   std::uint64_t fingerprint() const noexcept { return fingerprint_; }
 
 private:
@@ -72,12 +72,12 @@ private:
 
   double maxRadius_;
   std::vector<Triangle> triangles_;
-  std::vector<int> firstAround_;  ///< Of each corner, into around_; one more at the end.
+  std::vector<int> firstAround_;  ///< First entry of each corner in around_; one more at the end.
   std::vector<int> around_;       ///< Triangles that meet in each corner.
   Eigen::Vector3d low_W_ = Eigen::Vector3d::Zero();
   double cell_ = 0.0;        ///< Width of a cell [m].
   int size_[3] = {0, 0, 0};  ///< Cells each way.
-  std::vector<int> first_;   ///< Of each cell, into inCell_; one more at the end.
+  std::vector<int> first_;   ///< First entry of each cell in inCell_; one more at the end.
   std::vector<int> inCell_;  ///< Triangles within reach of each cell.
   std::uint64_t fingerprint_ = 0;
 };

@@ -79,7 +79,7 @@ struct TurnEnergy {
   double lastStep = 0.0, nextStep = 0.0;  ///< Second derivatives: products of these two.
 };
 
-/// Of the bending 1/2 (EI/h) |w - h kappa (d + e)/2|^2.
+/// Derivatives of the bending energy 1/2 (EI/h) |w - h kappa (d + e)/2|^2 by the turn.
 TurnEnergy bendingByTurn(const InsertionModel& model, const SectionStiffness& section,
                          const RodKinematics& rod, const TurningJoint& joint,
                          std::size_t i) noexcept

@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 struct Joint {
   const RodEdge& last;
   const RodEdge& next;
-  double cosine;  ///< Of the angle between them.
+  double cosine;  ///< Cosine of the angle between them.
   double c;       ///< 1 / (1 + cosine)
 
   Joint(const RodEdge& before, const RodEdge& after) noexcept

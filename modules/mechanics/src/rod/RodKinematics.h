@@ -13,10 +13,10 @@ namespace perilymph::mechanics {
 struct StepStart {
   explicit StepStart(std::size_t nodes = 0) : position_W(nodes), curl_W(nodes), track(nodes) {}
 
-  double timeStep = 0.0;  ///< Of this step, or of the part of it that is taken [s].
-  std::vector<Eigen::Vector3d> position_W;  ///< Of each node [m].
+  double timeStep = 0.0;                    ///< Duration of this step or substep [s].
+  std::vector<Eigen::Vector3d> position_W;  ///< Position of each node [m].
   std::vector<Eigen::Vector3d> curl_W;      ///< Unit, of each edge.
-  std::vector<anatomy::LumenTrack> track;   ///< Of each node.
+  std::vector<anatomy::LumenTrack> track;   ///< The turn of the duct each node is in.
 };
 
 /// Bending stiffness and rest curvature at each node, for the place of the stylet in this step.
@@ -57,16 +57,16 @@ struct RodKinematics {
 
   std::vector<RodEdge> edge;                  ///< Edge i, between nodes i and i + 1.
   std::vector<double> inverseSum;             ///< 1 / (1 + cosine of the angle) at each node.
-  std::vector<double> lengthBefore;           ///< Of each edge at the start of the step [m].
+  std::vector<double> lengthBefore;           ///< Length of each edge at the start of the step [m].
   std::vector<Eigen::Vector3d> bendBefore_W;  ///< At each node at the start of the step.
   std::vector<Eigen::Vector3d> restBend_W;    ///< Rest bend at each node, with its direction.
   std::vector<Eigen::Vector3d> stiffer_W;     ///< At each node: direction of the greater EI.
-  std::vector<double> twist;  ///< Of the edge after each node against the last [rad].
+  std::vector<double> twist;  ///< Twist of the edge after each node against the one before [rad].
   /// Gradient of the twist at each node by the motion of the next node against that of the last
   /// [1/m].
   std::vector<Eigen::Vector3d> twistRate_W;
-  std::vector<Eigen::Vector3d> curlAcross_W;  ///< Of each edge: its tangent cross its curl.
-  double twistTorque = 0.0;                   ///< Of the array on the hand about its axis [N.m].
+  std::vector<Eigen::Vector3d> curlAcross_W;  ///< Each edge's tangent cross its curl.
+  double twistTorque = 0.0;  ///< Torque of the array on the hand about its axis [N.m].
 };
 
 /// The symmetric tridiagonal system whose solution turns every edge about itself.
@@ -74,7 +74,7 @@ struct TwistSystem {
   explicit TwistSystem(std::size_t nodes = 0) : torque(nodes), stiffness(nodes), beside(nodes) {}
 
   std::vector<double> torque;     ///< On each edge [N.m].
-  std::vector<double> stiffness;  ///< Of each edge [N.m].
+  std::vector<double> stiffness;  ///< Torsional stiffness of each edge [N.m].
   std::vector<double> beside;     ///< Between each edge and the one before [N.m].
 };
 

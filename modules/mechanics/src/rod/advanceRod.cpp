@@ -17,7 +17,7 @@ constexpr double fastestStylet = 0.1;  // [m/s]
 // What a step may leave unbalanced where contact toggles: a hundredth of an insertion's forces.
 constexpr double maxResidual = 1e-3;  // [N]
 
-/// Of the array on the hand.
+/// Wrench of the array on the hand.
 struct Wrench {
   Eigen::Vector3d force_W = Eigen::Vector3d::Zero();   ///< [N]
   Eigen::Vector3d torque_W = Eigen::Vector3d::Zero();  ///< [N.m]

@@ -16,9 +16,9 @@ struct MatrixColumn {
 /// What the columns before have taken away from the next two.
 template <class T>
 struct Taken {
-  SymmetricBlock<T> diagonal;      ///< Of the next column.
-  Block<T> beside;                 ///< Of the next column.
-  SymmetricBlock<T> nextDiagonal;  ///< Of the one after it.
+  SymmetricBlock<T> diagonal;      ///< Diagonal block of the next column.
+  Block<T> beside;                 ///< Block below the diagonal of the next column.
+  SymmetricBlock<T> nextDiagonal;  ///< Diagonal block of the column after it.
 };
 
 /// The same of a right-hand side.

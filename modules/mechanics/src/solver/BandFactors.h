@@ -44,7 +44,7 @@ private:
   /// Column k of the factors, in the order of elimination.
   template <class T>
   struct Column {
-    SymmetricBlock<T> inverse;  ///< Of the pivot.
+    SymmetricBlock<T> inverse;  ///< Inverse of the pivot.
     Block<T> beside;            ///< Block (k + 1, k).
     Block<T> beyond;            ///< Block (k + 2, k).
     Triple<T> solution;         ///< Room for solve().

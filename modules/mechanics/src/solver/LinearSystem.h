@@ -25,7 +25,7 @@ struct LinearSystem {
   std::vector<Eigen::Vector3d> right;    ///< Unbalanced force on each block [N].
   std::vector<Eigen::Vector3d> trial_W;  ///< The Newton step itself, per block [m].
   std::vector<Eigen::Vector3d> start_W;  ///< Positions of the nodes where it starts [m].
-  /// Of the last stiffness that was factored, in this time step or an earlier one: part of the
+  /// Factors of the last stiffness, from this time step or an earlier one: part of the
   /// state's value.
   BandFactors factors;
 };

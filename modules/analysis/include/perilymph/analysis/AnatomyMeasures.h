@@ -15,7 +15,7 @@ struct Measure {
   std::string key;  ///< With its unit: "A_mm".
   double value;     ///< In that unit.
   std::string formula;
-  std::string source;  ///< Of the definition or the formula.
+  std::string source;  ///< Source of the definition or the formula.
 };
 
 /// Measures a scala tympani without its lead-in: A, B, H, turns, lengths, volume, heights, the

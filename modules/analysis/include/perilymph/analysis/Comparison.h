@@ -18,7 +18,7 @@ namespace perilymph::analysis {
 
 /// What one recording says.
 struct ComparedInsertion {
-  std::string name;  ///< Of its file, without ending.
+  std::string name;  ///< Name of its file, without extension.
   std::string scenario;
   ForceProfile profile;
   int reversals = 0;  ///< From beginning to end.

@@ -40,7 +40,7 @@ struct ForceProfile {
   double finalTravel = 0.0;   ///< [m]
   double deepest = 0.0;       ///< Greatest depth past the opening [m].
   double finalDepth = 0.0;    ///< [m]
-  double finalAngle = 0.0;    ///< Of the tip from the round window [rad].
+  double finalAngle = 0.0;    ///< Angle of the tip from the round window [rad].
   double duration = 0.0;      ///< Since the array began to move [s].
   double wallForceMax = 0.0;  ///< Greatest normal force of one node in any tick [N].
   double membraneForceMax = 0.0;  ///< Greatest force on the basilar membrane in any tick [N].
@@ -56,7 +56,7 @@ class ForceProfiler {
 public:
   void add(const haptics::TickRecord& record);
 
-  /// Of the ticks so far.
+  /// The profile of the ticks so far.
   ForceProfile profile() const;
 
 private:

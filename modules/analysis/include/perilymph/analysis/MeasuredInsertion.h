@@ -13,7 +13,7 @@ namespace perilymph::analysis {
 
 /// What the load cell and the crosshead wrote down.
 struct MeasuredInsertion {
-  /// Of the crosshead since it began to move [m]: what an experiment measures. It differs from the
+  /// Crosshead travel since it began to move [m], as experiments measure it. It differs from the
   /// tip's travel where the array bends before the opening.
   std::vector<double> travel;
   std::vector<double> depth;  ///< Past the opening [m].

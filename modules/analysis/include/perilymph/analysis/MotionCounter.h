@@ -14,10 +14,10 @@ namespace perilymph::analysis {
 inline constexpr Speed slowestSpeed = millimetersPerSecond(0.1);
 inline constexpr Speed fastestSpeed = millimetersPerSecond(2.0);
 
-/// Of the tip's travel, in stretches of 50 ms, from the first motion to the greatest travel.
+/// Motion of the tip in stretches of 50 ms, from the first motion to the maximum travel.
 struct Motion {
   double wayIn = 0.0;      ///< Sum of all stretches inward [m].
-  double wayInBand = 0.0;  ///< Of those within the band of speeds [m].
+  double wayInBand = 0.0;  ///< Sum of those within the band of speeds [m].
   double time = 0.0;       ///< [s]
   double timeStill = 0.0;  ///< Slower than the band, whichever way [s].
   int reversals = 0;
@@ -49,7 +49,7 @@ private:
   void endStretch(const haptics::TickOutput& now);
 
   ReversalCounter reversals_;
-  std::optional<haptics::TickOutput> begin_;  ///< Of the stretch.
+  std::optional<haptics::TickOutput> begin_;  ///< Begin of the stretch.
   Motion sofar_, untilDeepest_;
   double deepest_ = 0.0;  ///< Travel [m].
   bool hasMoved_ = false;

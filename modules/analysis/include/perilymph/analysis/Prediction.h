@@ -28,8 +28,9 @@ Result<std::vector<ClinicalAngle>> clinicalAngles();
 struct PredictionRequest {
   std::vector<std::string> arrays;        ///< Shipped names or files.
   std::string scenario = "mean-contour";  ///< Everything but array, depth and patient.
-  Length startInside = millimeters(1);    ///< Of the tip; then in until the array's full depth.
-  int patients = 50;                      ///< Virtual ones; the mean cochlea comes first.
+  Length startInside =
+      millimeters(1);  ///< Start depth of the tip; it goes in to the array's full depth.
+  int patients = 50;   ///< Virtual ones; the mean cochlea comes first.
   std::uint64_t seed = 1;
   unsigned jobs = 0;
 };
@@ -38,7 +39,7 @@ struct PredictionRequest {
 struct PredictedInsertion {
   std::string array;    ///< As asked.
   std::string patient;  ///< "mean" or "sample 17".
-  Angle apical;         ///< Of the most apical contact from the round window.
+  Angle apical;         ///< Angle of the most apical contact from the round window.
   Length depth;         ///< Past the opening at the end.
   Force end, peak;      ///< Axial, on the hand.
   /// A sentence where the insertion could not be carried out; nothing else holds then.
@@ -50,8 +51,8 @@ struct ArraySummary {
   std::string array;
   std::optional<PredictedInsertion> mean;      ///< In the mean cochlea.
   int patients = 0;                            ///< In which it was carried out.
-  Angle median, lowerQuartile, upperQuartile;  ///< Of patients.
-  Force medianEnd, medianPeak;                 ///< Of patients.
+  Angle median, lowerQuartile, upperQuartile;  ///< Angles over all patients.
+  Force medianEnd, medianPeak;                 ///< Forces over all patients.
   std::optional<ClinicalAngle> clinical;
   bool hitsAngle = false;  ///< The patients' median lies within the clinical range.
 };

@@ -25,7 +25,7 @@ struct PrintedForce {
 struct PrintedDifference {
   double travel = 0.0;              ///< [m]
   double mean = 0.0;                ///< [N]
-  std::optional<double> low, high;  ///< Of the 95 % confidence interval [N].
+  std::optional<double> low, high;  ///< Bounds of the 95 % confidence interval [N].
   std::string source;
 };
 

@@ -14,16 +14,16 @@ struct SampleStatistics {
   double mean = 0.0;
   double standardDeviation =
       0.0;                     ///< Standard deviation of the sample, with n - 1; 0 for one value.
-  double standardError = 0.0;  ///< Of the mean: deviation over the square root of n.
+  double standardError = 0.0;  ///< Standard error of the mean: standardDeviation / sqrt(n).
 
   double low95() const { return mean - halfWidth95 * standardError; }
   double high95() const { return mean + halfWidth95 * standardError; }
 };
 
-/// Of at least one value; sums in their order, twice over (mean first).
+/// Statistics of at least one value; sums in their order, twice over (mean first).
 SampleStatistics statisticsOf(std::span<const double> values);
 
-/// Of the difference of two independent means: a - b. Deviations add as squares, errors, too.
+/// Statistics of the difference of two independent means, a - b: variances add up.
 SampleStatistics differenceOf(const SampleStatistics& a, const SampleStatistics& b);
 
 }  // namespace perilymph::analysis

@@ -17,8 +17,8 @@ struct ScoreCriterion {
   std::string name;       ///< "speed"
   std::string found;      ///< "97 % of the way in at 0.1 to 2.0 mm/s"
   std::string band;       ///< What gives all points, and what none.
-  std::string source;     ///< Of the band.
-  double fraction = 0.0;  ///< Of its points: 0 to 1.
+  std::string source;     ///< Source of the band.
+  double fraction = 0.0;  ///< Fraction of its points: 0 to 1.
 };
 
 /// The criteria weigh the same. The total is never shown without them.

@@ -53,12 +53,12 @@ struct AnchorComparison {
 struct SourceSpread {
   SpreadSource source = SpreadSource::start;
   double standardDeviation = 0.0;  ///< Root mean square over travel of the standard deviation [N].
-  double fraction = 0.0;           ///< Of the sum of the variances of all sources alone.
+  double fraction = 0.0;           ///< Fraction of the sum of the variances of all sources alone.
 };
 
 /// What the raw record says where the first marker rib meets the opening, means over insertions.
 struct RibMeeting {
-  double depth = 0.0;       ///< Of the rib from the tip [m].
+  double depth = 0.0;       ///< Depth of the rib from the tip [m].
   SampleStatistics before;  ///< Force from 1.0 to 0.5 mm before it [N].
   SampleStatistics peak;    ///< Greatest force within 0.5 mm of it [N].
 };
@@ -66,7 +66,7 @@ struct RibMeeting {
 struct ValidationResult {
   std::vector<ProfilePoint> profile;
   std::vector<AnchorComparison> anchors;
-  BasalTurn basalTurn;                  ///< Of the mean curve.
+  BasalTurn basalTurn;                  ///< Peak and dip of the mean curve.
   std::optional<CurvePoint> earlyPeak;  ///< At 3 to 7 mm, if the force falls by 1 mN behind it.
   std::optional<RibMeeting> rib;        ///< Where the array has ribs.
   double standardDeviation = 0.0;       ///< Root mean square over travel of the SD [N].

@@ -42,11 +42,11 @@ private:
 /// How an experiment varied.
 struct Variability {
   std::string label;
-  std::string scenario;                ///< Whose insertions vary.
-  Duration samplePeriod;               ///< Between force samples.
-  Duration timeStep;                   ///< Of the mechanics; a sample's period is a multiple of it.
-  Length startLow, startHigh;          ///< Of the tip inside the opening: uniform.
-  Angle tiltDeviation, turnDeviation;  ///< Of the approach: normal.
+  std::string scenario;   ///< Whose insertions vary.
+  Duration samplePeriod;  ///< Between force samples.
+  Duration timeStep;      ///< Time step of the mechanics; a sample's period is a multiple of it.
+  Length startLow, startHigh;          ///< Start depth of the tip inside the opening: uniform.
+  Angle tiltDeviation, turnDeviation;  ///< Standard deviations of the approach: normal.
   double speedDeviation = 0.0;         ///< Share of the speed: normal.
   double tremorFrequency = 0.0;        ///< [Hz]
   Length tremorAmplitude;              ///< Along each of three axes, phases uniform.
@@ -54,7 +54,7 @@ struct Variability {
   /// negative where carrier or stylet are bent the other way.
   double curvatureDeviation = 0.0;
   double frictionDeviation = 0.0;  ///< Share of all coefficients: log-normal, mean kept.
-  Force noiseDeviation;            ///< Of one force sample: normal.
+  Force noiseDeviation;            ///< Standard deviation of one force sample: normal.
   Length knotSpacing;              ///< Between the knots of the spline, nearly.
   std::vector<std::pair<std::string, std::string>> provenance;  ///< Per table of the file.
 };
@@ -65,10 +65,10 @@ Result<Variability> loadVariability(const std::filesystem::path& file);
 /// One insertion of many: what the model is built from and how the hand moves.
 struct DrawnInsertion {
   session::Scenario scenario;           ///< Start, approach, array and friction as drawn.
-  double speed = 0.0;                   ///< Of the hand [m/s].
+  double speed = 0.0;                   ///< Speed of the hand [m/s].
   double tremorAmplitude = 0.0;         ///< [m]
   double tremorFrequency = 0.0;         ///< [Hz]
-  std::array<double, 3> tremorPhase{};  ///< Of D's axes [rad].
+  std::array<double, 3> tremorPhase{};  ///< Phase along D's axes [rad].
   double noiseDeviation = 0.0;          ///< [N]
   std::uint64_t seed = 0, number = 0;   ///< Where its noise comes from.
 };

@@ -38,7 +38,7 @@ struct ImportedScala {
   Length a;         ///< Outer wall's distance from the axis at 0 degrees and that at 180, summed.
   Length b;         ///< The same at 90 and 270 degrees.
   Length h;         ///< Highest roof minus lowest floor along the axis, from 0 degrees on.
-  Angle lastAngle;  ///< Of the apical end, from the round window.
+  Angle lastAngle;  ///< Angle of the apical end from the round window.
   Length leadIn;    ///< Straight stretch before the round window, left out of all measures.
   double volume = 0.0;  ///< Enclosed, lead-in included [m^3].
   Entry entry;          ///< The opening, in W.

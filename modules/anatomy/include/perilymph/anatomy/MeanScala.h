@@ -20,8 +20,8 @@ struct MeasuredSection {
   static constexpr int harmonics = 4;
 
   double angle = 0.0;        ///< From the first section [rad].
-  double innerRadius = 0.0;  ///< Of the innermost wall from the axis [m].
-  double outerRadius = 0.0;  ///< Of the outermost wall [m].
+  double innerRadius = 0.0;  ///< Distance of the innermost wall from the axis [m].
+  double outerRadius = 0.0;  ///< Distance of the outermost wall from the axis [m].
   double height = 0.0;       ///< Floor to roof along the axis [m].
   double area = 0.0;         ///< [m^2]
   double inscribed = 0.0;    ///< Diameter of the greatest circle inside [m].

@@ -27,8 +27,9 @@ struct Patient {
   std::string label = "published";
   Side side = Side::right;
   Length scalaTympaniLength = millimeters(35.58);  ///< Along the organ-of-Corti path.
-  Length roundWindowWidth = millimeters(1.94);     ///< Of the scala's section at the round window.
-  Length roundWindowHeight = millimeters(1.85);    ///< Of the same section.
+  Length roundWindowWidth =
+      millimeters(1.94);  ///< Width of the scala's section at the round window.
+  Length roundWindowHeight = millimeters(1.85);  ///< Height of the same section.
   std::optional<BasalTurn> basalTurn = std::nullopt;
 };
 

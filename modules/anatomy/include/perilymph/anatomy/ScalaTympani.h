@@ -21,16 +21,16 @@ class LumenField;
 struct SectionTables {
   std::string name;                  ///< For people: "published, 35.58 mm".
   double step = 0.0;                 ///< Angle between sections [rad].
-  std::vector<double> centerRadius;  ///< Of the section's center from the axis [m].
-  std::vector<double> centerHeight;  ///< Of the section's center along the axis [m].
+  std::vector<double> centerRadius;  ///< Distance of the section's center from the axis [m].
+  std::vector<double> centerHeight;  ///< Height of the section's center along the axis [m].
   int directions = 0;                ///< Directions around the section, the first radially outward.
   std::vector<double> wallRadius;    ///< From the center to the wall [m], `directions` per section.
   std::vector<double>
       membraneInner;  ///< Inner edge of the basilar membrane from the center, radial [m].
   std::vector<double> membraneOuter;   ///< Its outer edge [m].
   std::vector<double> membraneHeight;  ///< Its height above the section's center [m].
-  std::vector<double> planRadius;  ///< Of the organ-of-Corti path from the axis [m], for measures.
-  double leadIn = 0.0;             ///< Straight stretch before the first section [m].
+  std::vector<double> planRadius;      ///< Distance of the organ-of-Corti path from the axis [m].
+  double leadIn = 0.0;                 ///< Straight stretch before the first section [m].
   /// The angle up to which sections were measured [rad]; beyond it they go on by a trend. 0: all
   /// were.
   double measuredTo = 0.0;
@@ -40,8 +40,8 @@ struct SectionTables {
 struct Section {
   double centerRadius;  ///< [m]
   double centerHeight;  ///< [m]
-  double innerRadius;   ///< Of the innermost wall from the axis [m].
-  double outerRadius;   ///< Of the outermost wall from the axis [m].
+  double innerRadius;   ///< Distance of the innermost wall from the axis [m].
+  double outerRadius;   ///< Distance of the outermost wall from the axis [m].
   double floorHeight;   ///< [m]
   double roofHeight;    ///< [m]
   double area;          ///< [m^2]

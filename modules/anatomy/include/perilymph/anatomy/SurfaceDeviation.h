@@ -11,7 +11,7 @@ namespace perilymph::anatomy {
 struct SurfaceDeviation {
   Length mean;
   Length p95;       ///< 95 % of both surfaces are nearer to the other than this.
-  Length greatest;  ///< Of the places asked.
+  Length greatest;  ///< Maximum over the sampled places.
 };
 
 /// Compares two surfaces at places at most `spacing` apart on each: corners, and points between.

@@ -20,7 +20,7 @@ struct SurfaceFoot {
   int triangle = -1;                                  ///< -1 where nothing lies within reach.
   double distance = 0.0;                              ///< From the point [m], 0 or more.
   Eigen::Vector3d place = Eigen::Vector3d::Zero();    ///< On the surface [m].
-  Eigen::Vector3d weights = Eigen::Vector3d::Zero();  ///< Of the triangle's corners in that place.
+  Eigen::Vector3d weights = Eigen::Vector3d::Zero();  ///< Barycentric weights of that place.
 };
 
 /// A surface sorted into a tree of boxes, for many questions. Keeps a copy of its triangles.

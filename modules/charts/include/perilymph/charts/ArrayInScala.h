@@ -21,7 +21,7 @@ struct NodePlace {
   double angle_deg = 0.0;
   double across_mm = 0.0;  ///< From the section's center, positive toward the outer wall.
   double up_mm = 0.0;      ///< From the section's center, positive toward the apex.
-  double normal_mN = 0.0;  ///< Of the wall, 0 or more.
+  double normal_mN = 0.0;  ///< Normal force of the wall, 0 or more.
   /// Force of the wall without what runs along the array, so without friction; at the tip all of
   /// it [mN].
   double pushAcross_mN = 0.0, pushUp_mN = 0.0;

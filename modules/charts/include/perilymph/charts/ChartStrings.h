@@ -27,7 +27,7 @@ struct ChartStrings {
   char decimalSign = '.';
 };
 
-/// Of all charts and views made from then on.
+/// Sets the strings of all charts and views made from then on.
 void setChartStrings(ChartStrings strings);
 const ChartStrings& chartStrings();
 

@@ -18,7 +18,7 @@ struct ContactDistance {
   double toInnerWall_mm = -1.0;
 };
 
-/// Of every contact, from the tip on.
+/// Distances of every contact, from the tip on.
 std::vector<ContactDistance> contactDistances(const ArrayInScala& now);
 
 /// The distances [mm] as pins over the contacts' numbers, 1 at the tip, with their mean.

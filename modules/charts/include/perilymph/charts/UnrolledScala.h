@@ -36,7 +36,7 @@ private:
   Width widthAt(double angle_deg) const;
 
   double lastAngle_deg_, leadIn_deg_;
-  double inner_mm_ = 0.0, outer_mm_ = 0.0;  ///< Of the widest place.
+  double inner_mm_ = 0.0, outer_mm_ = 0.0;  ///< Extent of the widest place.
   std::vector<Width> widths_;               ///< At equal angles, from the opening on.
 };
 

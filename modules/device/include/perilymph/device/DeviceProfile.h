@@ -31,8 +31,8 @@ struct DeviceMatch {
   std::optional<std::uint16_t> vendor;
   std::optional<std::uint16_t> product;
   std::optional<int> interfaceNumber;
-  std::optional<Usage> usage;     ///< Of one of the device's application collections.
-  std::optional<Usage> contains;  ///< Of any collection in the descriptor.
+  std::optional<Usage> usage;     ///< Usage of one of the device's application collections.
+  std::optional<Usage> contains;  ///< Usage of any collection in the descriptor.
 };
 
 /// How reports become a hand.
@@ -47,7 +47,7 @@ enum class CodecKind : std::uint8_t {
 /// Three numbers of equal width in a report of a known layout.
 struct VectorLayout {
   std::uint8_t report = 0;  ///< Its number; 0 where reports are not numbered.
-  std::size_t bytes = 0;    ///< Of the whole report behind its number.
+  std::size_t bytes = 0;    ///< Size of the whole report after its number.
   std::array<std::uint32_t, 3> firstBits{};
   std::uint32_t bits = 16;
 };
@@ -55,7 +55,7 @@ struct VectorLayout {
 /// Devices whose reports hold bare numbers: `encoders` and `vector`.
 struct PlainLayout {
   VectorLayout input;
-  VectorLayout output;                      ///< Of no bytes where no force is rendered.
+  VectorLayout output;  ///< Layout of the force's report; no bytes where none is rendered.
   std::array<double, 3> inputQuantum{};     ///< `vector`: [m] a count.
   std::array<double, 3> outputQuantum{};    ///< `vector`: [N] a count; `encoders`: [A] a count.
   std::optional<ReportSlot> counter;        ///< The device's own count of reports.
@@ -83,7 +83,7 @@ struct AxesLayout {
   double turn = 0.0;                 ///< `place`: [rad]
   double speed = 0.0;                ///< `rate`: at full deflection [m/s].
   double turnSpeed = 0.0;            ///< `rate`: [rad/s]
-  double deadZone = 0.0;             ///< Of full deflection around the middle that counts as none.
+  double deadZone = 0.0;             ///< Fraction of full deflection around the middle read as 0.
   std::int64_t fullCounts = 0;       ///< Counts at full deflection; 0: as the descriptor says.
 };
 
@@ -98,7 +98,7 @@ struct PidLayout {
   Effects effects = Effects::axes;
   std::array<double, 3>
       directions{};  ///< `polar`: where each axis's positive force comes from [rad].
-  std::array<double, 3> signs{1, 1, 1};  ///< Of the magnitude along each axis: 1 or -1.
+  std::array<double, 3> signs{1, 1, 1};  ///< Sign of the magnitude along each axis: 1 or -1.
   double gain = 1.0;                     ///< Device gain, as a share of the most.
   bool resetFirst = true;                ///< Send "reset" before effects are created.
 };

@@ -57,9 +57,9 @@ struct DeviceTraits {
   int buttons = 1;                ///< With the grasp button.
   double workspaceRadius = 0.0;   ///< Around D's origin [m].
   double maxTorque = 0.0;         ///< [N.m]
-  double maxStiffness = 0.0;      ///< Of a wall it renders without trembling [N/m].
+  double maxStiffness = 0.0;      ///< Stiffest wall it renders without trembling [N/m].
   double maxDamping = 0.0;        ///< [N.s/m]
-  double handleDamping = 0.0;     ///< Of the handle itself, without a force [N.s/m].
+  double handleDamping = 0.0;     ///< Damping of the handle itself, without force [N.s/m].
   double handleMass = 0.0;        ///< As felt at the handle [kg].
   double positionQuantum = 0.0;   ///< Step of a sensed position [m].
   double forceQuantum = 0.0;      ///< Step of a shown force [N].

@@ -11,15 +11,15 @@ namespace perilymph::device {
 /// in the upright plane of the arm: b from +z, c from -z, so that b = c = pi/2 stretches it out.
 /// Each body is driven by a capstan on a motor whose encoder is read.
 struct Linkage {
-  double height = 0.0;                           ///< Of the shoulder above the base [m].
+  double height = 0.0;                           ///< Height of the shoulder above the base [m].
   double lengthB = 0.0;                          ///< Shoulder to elbow [m].
   double lengthC = 0.0;                          ///< Elbow to handle [m].
   std::array<double, 3> origin_B{};              ///< D's origin in the base's frame B [m].
-  std::array<double, 3> countsPerTurn{1, 1, 1};  ///< Of the motors.
+  std::array<double, 3> countsPerTurn{1, 1, 1};  ///< Encoder counts per turn of the motors.
   std::array<double, 3> bodyTurnsPerTurn{};      ///< Signed: of the body, for one of the motor.
   std::array<double, 3> restCounts{};            ///< At the place where the device is told them.
   std::array<double, 3> torqueConstant{};        ///< [N.m/A]
-  double maxCurrent = 0.0;                       ///< Of any motor [A].
+  double maxCurrent = 0.0;                       ///< Maximum current of any motor [A].
 };
 
 /// Angles of the three bodies [rad] for encoder counts. Real-time safe.

@@ -43,7 +43,7 @@ private:
   // The haptic thread's. Advance, right, up [m]; roll [rad].
   std::array<double, 4> wanted_{};
   std::array<double, 4> place_{};
-  std::array<double, 4> velocity_{};  ///< Of place, per second.
+  std::array<double, 4> velocity_{};  ///< Velocity of the place, per second.
   DeviceSample sample_;
 };
 

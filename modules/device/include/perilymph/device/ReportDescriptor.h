@@ -38,9 +38,9 @@ struct UsageRange {
 struct ReportField {
   ReportKind kind = ReportKind::input;
   std::uint8_t report = 0;      ///< Number of the report; 0 where reports are not numbered.
-  std::uint32_t bitOffset = 0;  ///< Of the first element, from behind the report's number.
+  std::uint32_t bitOffset = 0;  ///< Offset of the first element after the report's number.
   std::uint32_t bitsEach = 0;   ///< 1 to 32.
-  std::uint32_t count = 0;      ///< Of elements.
+  std::uint32_t count = 0;      ///< Number of elements.
   bool isArray = false;         ///< Elements hold the index of a usage, not the usage's value.
   bool isConstant = false;      ///< Padding.
   bool isRelative = false;

@@ -27,7 +27,7 @@ enum class TapeEvent : std::uint8_t {
 
 struct TapeEntry {
   std::int64_t time = 0;  ///< When it began, since the tape did [ns].
-  std::int64_t took = 0;  ///< Of what the device was told or asked [ns].
+  std::int64_t took = 0;  ///< Duration of what the device was told or asked [ns].
   TapeEvent event = TapeEvent::input;
   std::vector<std::uint8_t> bytes;  ///< The report's number first, 0 if it has none.
 };

@@ -15,7 +15,7 @@ struct TapeReading {
   ReadingFigures reading;  ///< Rate and intervals over the whole tape.
   WritingFigures writing;
   double duration = 0.0;          ///< From the first entry to the last [s].
-  std::array<double, 3> min_D{};  ///< Of every coordinate [m].
+  std::array<double, 3> min_D{};  ///< Minimum of every coordinate [m].
   std::array<double, 3> max_D{};  ///< [m]
   std::uint32_t buttons = 0;      ///< All that were pressed at any time.
 };

@@ -19,7 +19,7 @@ inline constexpr std::size_t longestReport = 1024;
 /// not number its reports; what follows is the report itself.
 struct RawReport {
   std::array<std::uint8_t, longestReport> bytes{};
-  std::size_t size = 0;  ///< Of bytes that count, with the number in front.
+  std::size_t size = 0;  ///< Number of valid bytes, the report's number included.
 
   std::span<const std::uint8_t> view() const noexcept { return {bytes.data(), size}; }
 };

@@ -54,7 +54,7 @@ struct Stylet {
 /// The end of the carrier: a cap of its own radius, behind which the carrier widens in a straight
 /// line. Round by default: the cap has half the carrier's width, and nothing tapers.
 struct TipShape {
-  Length radius;  ///< Of the cap; 0 stands for half the least width at the tip.
+  Length radius;  ///< Radius of the cap; 0 stands for half the smallest width at the tip.
   Length taper;   ///< Length from the tip on over which the carrier reaches its own section.
 };
 
@@ -71,18 +71,20 @@ struct ArrayDesign {
   std::string note;   ///< For people: what this data is, and that it is no device labeling.
   Length length;      ///< From the tip to where the tweezers hold it.
   Length insertable;  ///< Greatest depth past the opening.
-  AlongArray<Length> diameter;   ///< Of a round section; of an oval one, across the plane of curl.
+  AlongArray<Length>
+      diameter;  ///< Diameter; of an oval section, the width across the plane of curl.
   AlongArray<Length> thickness;  ///< Within the plane of curl; without places: as the diameter.
   TipShape tip;
-  /// Of the carrier without stylet against bending within the plane of curl.
+  /// Bending stiffness of the carrier without stylet, within the plane of curl.
   AlongArray<BendingStiffness> bending;
   /// The same across that plane; without places: as `bending`.
   AlongArray<BendingStiffness> bendingAcross;
   /// GJ against twisting, where it is known.
   std::optional<AlongArray<BendingStiffness>> twisting;
-  AlongArray<Curvature> restCurvature;  ///< Of the free carrier without stylet; 0 where straight.
+  AlongArray<Curvature>
+      restCurvature;  ///< Curvature of the free carrier without stylet; 0: straight.
   std::vector<Length> contactsFromTip;  ///< Centers of the platinum contacts, from the tip on.
-  Length contactLength;                 ///< Of one contact along the array.
+  Length contactLength;                 ///< Length of one contact along the array.
   std::vector<Length> ribsFromTip;      ///< Centers of the marker ribs.
   Length ribHeight;                     ///< Above the carrier.
   Length ribLength;                     ///< Along the array.

@@ -32,7 +32,7 @@ struct EngineSettings {
   double stopTravel = 16.5e-3;  ///< Where an insertion is Finished [m].
   double forceScale = 1.0;      ///< Shown force over physical force.
   double motionScale = 1.0;     ///< Motion of the base over motion of the hand.
-  double styletSpeed = 5e-3;    ///< Of the stylet when it is pulled [m/s].
+  double styletSpeed = 5e-3;    ///< Speed of the stylet while it is pulled [m/s].
   /// Advance off stylet: depth of the stylet's tip past the opening from which it is held still
   /// [m].
   std::optional<double> styletHoldDepth;
@@ -66,13 +66,13 @@ public:
   void lowerMaxForce(double maxForce) noexcept { safety_.lowerMaxForce(maxForce); }
 
   Workflow workflow() const noexcept { return workflow_; }
-  /// Of the spring between hand and array as it is now, softened for the device [N/m].
+  /// Stiffness of the spring between hand and array, softened for the device [N/m].
   double couplingStiffness() const noexcept;
   const EngineSettings& settings() const noexcept { return settings_; }
   const SafetyLimits& safetyLimits() const noexcept { return safety_.limits(); }
   const mechanics::InsertionModel& model() const noexcept { return *model_; }
   const mechanics::InsertionState& state() const noexcept { return state_; }
-  /// Of everything the next tick depends on.
+  /// Fingerprint of everything the next tick depends on.
   std::uint64_t fingerprint() const noexcept;
 
 private:

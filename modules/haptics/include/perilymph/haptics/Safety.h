@@ -14,13 +14,14 @@
 namespace perilymph::haptics {
 
 struct SafetyLimits {
-  double maxForce = 3.3;   ///< Of the shown force's magnitude [N]; lower of this and the device's.
-  double maxSlew = 100.0;  ///< Of the shown force [N/s].
+  double maxForce =
+      3.3;  ///< Maximum magnitude of the shown force [N]; the device's if that is lower.
+  double maxSlew = 100.0;  ///< Maximum slew rate of the shown force [N/s].
   double rampTime = 0.5;   ///< Over which the force fades in after a pause or a fault [s].
   /// From the greatest force to none, once there shall be none: as soon as the device's own guard,
   /// which waits for at least as long [s]; 0: no faster than maxSlew.
   double offTime = 3e-3;
-  double reach = 0.0;  ///< Of the device around D's origin [m]; 0: unknown, and never an end.
+  double reach = 0.0;  ///< Reach of the device around D's origin [m]; 0: unknown, no limit.
 };
 
 /// The limits with a device's own greatest force, where it renders any.

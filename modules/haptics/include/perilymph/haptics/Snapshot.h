@@ -98,12 +98,12 @@ struct Snapshot {
   std::array<std::array<float, 3>, mechanics::maxNodes> node_W;  ///< [m], base first, tip last.
   std::array<std::array<float, 3>, mechanics::maxNodes> wallForce_W;  ///< On each node [N].
   std::array<float, mechanics::maxNodes> normalForce;                 ///< On each node [N].
-  double couplingStiffness = 0.0;  ///< Of the spring between hand and array; 0 if rigid [N/m].
+  double couplingStiffness = 0.0;  ///< Spring between hand and array [N/m]; 0 if rigid.
   // What the loop knows of itself; zero in virtual time.
   double measuredRate = 0.0;      ///< Ticks a second over the last second.
   std::uint64_t lateTicks = 0;    ///< Ticks that began more than one period late.
   std::uint64_t overruns = 0;     ///< Ticks that took longer than one period.
-  double tickTimeP99 = 0.0;       ///< Of the last second [s].
+  double tickTimeP99 = 0.0;       ///< 99th percentile over the last second [s].
   std::uint64_t lostRecords = 0;  ///< Records the recorder was too slow for.
 };
 

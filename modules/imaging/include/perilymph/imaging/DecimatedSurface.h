@@ -23,7 +23,7 @@ inline constexpr Angle hapticEnd = degrees(720.0);
 /// The haptic surface of the paper, and how far it is from what it stands for.
 struct HapticSurface {
   anatomy::Surface surface;  ///< Open at the opening and where the apex was [m, W].
-  int visualTriangles = 0;   ///< Of the whole visual surface.
+  int visualTriangles = 0;   ///< Triangles of the whole visual surface.
   /// From the visual surface without its apex, both ways, at places at most 0.05 mm apart.
   anatomy::SurfaceDeviation surfaceDistance;
 };

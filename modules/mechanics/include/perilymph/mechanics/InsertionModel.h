@@ -27,7 +27,7 @@ inline constexpr double releaseTime = 0.2;  // [s]
 
 /// The wall's compliance.
 struct WallLaw {
-  /// Of the wall under one sample point of the published simulator [N/m].
+  /// Stiffness of the wall under one sample point of the published simulator [N/m].
   Stiffness perSamplePoint = newtonsPerMeter(441.0);
   /// The same along the wall [N/m].
   Stiffness tangentialPerSamplePoint = newtonsPerMeter(200.0);
@@ -54,9 +54,10 @@ struct ModelParts {
   std::optional<Opening> opening;
   int nodes = 100;                      ///< 8 to maxNodes; of points 2 to maxPoints.
   Duration timeStep = milliseconds(1);  ///< 0.1 to 10 ms.
-  Length startInside = millimeters(2);  ///< Of the tip past the opening; negative: before it.
-  Angle approachTilt = radians(0);      ///< Of the array's axis against E.z, toward E.y.
-  Angle approachTurn = radians(0);      ///< The same, toward E.x.
+  Length startInside =
+      millimeters(2);  ///< Depth of the tip past the opening at the start; negative: outside.
+  Angle approachTilt = radians(0);  ///< Tilt of the array's axis against E.z, toward E.y.
+  Angle approachTurn = radians(0);  ///< The same, toward E.x.
   ModelKind kind = ModelKind::rod;
   /// What points touch; a rod does not need it.
   std::shared_ptr<const anatomy::Surface> hapticSurface;
@@ -79,10 +80,10 @@ struct InsertionModel {
   int nodes = 0;
   double timeStep = 0.0;               ///< [s]
   double spacing = 0.0;                ///< Between nodes [m].
-  std::vector<double> fromTip;         ///< Of each node along the array [m].
-  std::vector<double> radius;          ///< Of the array at each node, the greater [m].
-  std::vector<double> mass;            ///< Of each node [kg].
-  std::vector<double> drag;            ///< Of the perilymph on each node [N.s/m].
+  std::vector<double> fromTip;         ///< Distance of each node from the tip along the array [m].
+  std::vector<double> radius;          ///< Radius of the array at each node, the greater [m].
+  std::vector<double> mass;            ///< Mass of each node [kg].
+  std::vector<double> drag;            ///< Drag of the perilymph on each node [N.s/m].
   std::vector<double> stretching;      ///< EA of each edge [N].
   std::vector<double> bendingCarrier;  ///< EI of the carrier at each node, the lesser [N.m^2].
   std::vector<double> bendingExcess;   ///< By which the greater EI exceeds it [N.m^2].
@@ -92,17 +93,17 @@ struct InsertionModel {
   std::vector<double> halfAcross;            ///< Half an oval section, across it [m].
   bool isOval = false;                       ///< Sections, or their stiffness, are not round.
   bool twists = false;                       ///< Curled or oval: turning it about its axis counts.
-  std::vector<double> restCurvature;         ///< Of the carrier alone at each node [1/m].
-  std::vector<double> wallStiffness;         ///< At each node [N/m].
-  std::vector<double> wallTangential;        ///< At each node [N/m].
-  std::optional<MembranePlace> membrane;     ///< Where the wall is soft.
-  double styletBending = 0.0;                ///< EI of the stylet [N.m^2]; 0 without one.
-  double styletFromTip = 0.0;                ///< Of its tip when fully in [m].
+  std::vector<double> restCurvature;   ///< Rest curvature of the carrier alone at each node [1/m].
+  std::vector<double> wallStiffness;   ///< At each node [N/m].
+  std::vector<double> wallTangential;  ///< At each node [N/m].
+  std::optional<MembranePlace> membrane;  ///< Where the wall is soft.
+  double styletBending = 0.0;             ///< EI of the stylet [N.m^2]; 0 without one.
+  double styletFromTip = 0.0;   ///< Distance of its tip from the array's when fully in [m].
   double styletResidual = 0.0;  ///< Share of the rest curvature that it leaves where it is.
-  double baseMass = 0.0;        ///< Of carrier and tweezers [kg].
-  /// Of a model of points; none of a rod. Shared by copies of the model, for it is large.
+  double baseMass = 0.0;        ///< Mass of carrier and tweezers [kg].
+  /// The model of points; empty for a rod. Copies of the model share it, for it is large.
   std::shared_ptr<const PointSetModel> points;
-  std::uint64_t fingerprint = 0;  ///< Of everything above, for recordings.
+  std::uint64_t fingerprint = 0;  ///< Fingerprint of everything above, for recordings.
 };
 
 }  // namespace perilymph::mechanics

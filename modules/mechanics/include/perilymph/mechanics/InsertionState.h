@@ -34,17 +34,17 @@ struct Drive {
 /// What one step gives to the rest of the program.
 struct Readings {
   double depth = 0.0;         ///< Length of array past the plane of the opening [m].
-  double angularDepth = 0.0;  ///< Of the tip from the round window [rad]; 0 before it.
-  double speed = 0.0;         ///< Of the base, into the cochlea [m/s].
-  Eigen::Vector3d handForce_W = Eigen::Vector3d::Zero();   ///< Of the array on the hand [N].
+  double angularDepth = 0.0;  ///< Angle of the tip from the round window [rad]; 0 before it.
+  double speed = 0.0;         ///< Speed of the base into the cochlea [m/s].
+  Eigen::Vector3d handForce_W = Eigen::Vector3d::Zero();   ///< Force of the array on the hand [N].
   Eigen::Vector3d handTorque_W = Eigen::Vector3d::Zero();  ///< About the base [N.m].
   double axialForce = 0.0;      ///< handForce along E.z: positive while pushing in [N].
   double wallForceMax = 0.0;    ///< Greatest normal force of one node [N].
   double wallForceTotal = 0.0;  ///< Sum of all normal forces [N].
   double membraneForce = 0.0;   ///< Sum of those on the basilar membrane [N].
-  double rimForce = 0.0;        ///< Of the rim of the opening on the array, all normal parts [N].
+  double rimForce = 0.0;        ///< Normal force of the opening's rim on the array [N].
   int contacts = 0;             ///< Nodes that touch the wall.
-  int iterations = 0;           ///< Of Newton's method in this step.
+  int iterations = 0;           ///< Newton iterations in this step.
   double residual = 0.0;        ///< Greatest force left unbalanced on a node [N].
   bool isFinite = true;         ///< False: a number overflowed; nothing else can be trusted.
 };
@@ -52,7 +52,7 @@ struct Readings {
 /// What the wall does to an oval section at a node: it turns its thin side toward itself.
 struct WallTorque {
   double torque = 0.0;     ///< About the edge before the node [N.m].
-  double stiffness = 0.0;  ///< Of it, at most [N.m].
+  double stiffness = 0.0;  ///< Upper bound of its derivative by the turn [N.m].
 };
 
 struct StepWorkspace;
@@ -94,28 +94,28 @@ struct InsertionState {
   Eigen::Vector3d base_W;                   ///< Where the tweezers are [m].
   Eigen::Vector3d baseVelocity_W;           ///< [m/s]
   double styletWithdrawal = 0.0;            ///< [m]
-  std::vector<Eigen::Vector3d> position_W;  ///< Of each node [m].
-  std::vector<Eigen::Vector3d> velocity_W;  ///< Of each node [m/s].
+  std::vector<Eigen::Vector3d> position_W;  ///< Position of each node [m].
+  std::vector<Eigen::Vector3d> velocity_W;  ///< Velocity of each node [m/s].
   /// Unit, of each edge (the last one twice): to where the material curls.
   std::vector<Eigen::Vector3d> curl_W;
-  std::vector<Eigen::Vector3d> frictionSpring_W;  ///< Of each node: how far it is held back [m].
-  std::vector<unsigned char> isSliding;           ///< Of each node.
-  std::vector<double> slipSpeed;                  ///< Of each node along the wall [m/s].
-  std::vector<anatomy::LumenTrack> track;         ///< Of each node: which turn it is in.
-  /// Of each node: it stands over bone beside the opening, or presses into it from outside.
+  std::vector<Eigen::Vector3d> frictionSpring_W;  ///< Stretch of each node's friction spring [m].
+  std::vector<unsigned char> isSliding;           ///< Whether each node slides.
+  std::vector<double> slipSpeed;                  ///< Speed of each node along the wall [m/s].
+  std::vector<anatomy::LumenTrack> track;         ///< The turn of the duct each node is in.
+  /// Whether each node is over bone beside the opening or presses into it from outside.
   std::vector<unsigned char> isBeside;
-  std::vector<double> clearance;              ///< Of each node: it can move so far without
-                                              ///< touching, whichever way [m].
-  std::vector<double> normalForce;            ///< Of the wall on each node [N].
+  std::vector<double> clearance;              ///< Distance each node can move in any direction
+                                              ///< without touching [m].
+  std::vector<double> normalForce;            ///< Normal force of the wall on each node [N].
   std::vector<Eigen::Vector3d> wallForce_W;   ///< Normal and friction on each node [N].
   std::vector<Eigen::Vector3d> wallNormal_W;  ///< Unit, off the wall, where a node touches it.
   std::vector<WallTorque> wallTorque;         ///< On each node's section, if it is oval.
-  std::vector<double> membraneForce;          ///< Of the basilar membrane on each node [N].
+  std::vector<double> membraneForce;          ///< Force of the basilar membrane on each node [N].
   RimContact rim;
-  PointSetState points;  ///< Of a model of points; else empty.
+  PointSetState points;  ///< State of a model of points; else empty.
   Readings readings;
 
-  WorkspaceHandle workspace;  ///< Of the solver.
+  WorkspaceHandle workspace;  ///< Memory of the solver.
 };
 
 }  // namespace perilymph::mechanics

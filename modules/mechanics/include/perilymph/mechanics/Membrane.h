@@ -12,7 +12,7 @@ namespace perilymph::mechanics {
 
 /// How the membrane yields. It does not rupture.
 struct MembraneLaw {
-  /// Of the middle of the membrane under one sample point of the array. Point stiffnesses of 0.6 to
+  /// Stiffness of the membrane's middle under one sample point. Point stiffnesses of 0.6 to
   /// 9 N/m are reported; about their geometric mean (low).
   Stiffness perSamplePoint = newtonsPerMeter(2.3);
   /// At this depth it is twice as stiff as at first: F = k p (1 + (p / hardening)^2). About half
@@ -23,7 +23,7 @@ struct MembraneLaw {
 /// How much of the array's footprint on the wall is on the membrane; the rest of it is on bone.
 struct MembraneFraction {
   double fraction = 0.0;  ///< 0 to 1.
-  /// Of the share, per distance moved [1/m].
+  /// Gradient of the fraction by position [1/m].
   Eigen::Vector3d gradient_W = Eigen::Vector3d::Zero();
 };
 
@@ -51,7 +51,7 @@ private:
   double perSection_ = 0.0;    ///< Entries of the tables per angle [1/rad].
   double lastAngle_ = 0.0;     ///< [rad]
   std::vector<double> inner_;  ///< Radius of its inner edge from the modiolar axis [m].
-  std::vector<double> outer_;  ///< Of its outer edge [m].
+  std::vector<double> outer_;  ///< Distance of its outer edge [m].
 };
 
 }  // namespace perilymph::mechanics

@@ -14,7 +14,7 @@ struct Opening {
   Length width;       ///< Along E.x, toward the outer wall.
   Length height;      ///< Along E.y.
   Length edgeRadius;  ///< Radius of the rim.
-  Length outward;     ///< Of its center from the entry's origin, along E.x.
+  Length outward;     ///< Offset of its center from the entry's origin along E.x.
   Length vertical;    ///< The same along E.y.
 };
 

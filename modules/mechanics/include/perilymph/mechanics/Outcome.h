@@ -34,7 +34,7 @@ struct ArrayShape {
   Eigen::Vector3d baseCurl_W = Eigen::Vector3d::UnitX();  ///< At the tweezers.
 };
 
-/// Of every contact, from the tip on. Allocates, takes some 0.1 ms: not for the tick.
+/// Outcome of every contact, from the tip on. Allocates, takes some 0.1 ms: not for the tick.
 ///
 /// @throws std::invalid_argument if the shape has not the model's number of nodes.
 std::vector<ContactOutcome> outcomeOf(const InsertionModel& model, const ArrayShape& shape);

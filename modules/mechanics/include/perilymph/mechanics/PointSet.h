@@ -63,14 +63,15 @@ struct PointSetModel;
 
 /// What changes while it runs, beside the common parts of InsertionState.
 struct PointSetState {
-  /// Of each point: place on the carrier, and proxy on the haptic surface [m].
+  /// Place of each point on the carrier, and its proxy on the haptic surface [m].
   std::vector<Eigen::Vector3d> place_W, proxy_W;
   Eigen::Vector3d hand_W = Eigen::Vector3d::Zero();       ///< Where the hand was last [m].
   Eigen::Vector3d handAxis_W = Eigen::Vector3d::UnitZ();  ///< Unit: its axis then.
-  Eigen::Vector3d turn_W = Eigen::Vector3d::Zero();       ///< Of the carrier in the tweezers [rad].
-  Eigen::Vector3d turnRate_W = Eigen::Vector3d::Zero();   ///< [rad/s]
-  Eigen::Vector3d friction_W = Eigen::Vector3d::Zero();   ///< Added to the hand's force [N].
-  /// Of points on the carrier [N] and their moment about the tweezers [N.m], at the last step.
+  Eigen::Vector3d turn_W =
+      Eigen::Vector3d::Zero();  ///< Rotation of the carrier in the tweezers [rad].
+  Eigen::Vector3d turnRate_W = Eigen::Vector3d::Zero();  ///< [rad/s]
+  Eigen::Vector3d friction_W = Eigen::Vector3d::Zero();  ///< Added to the hand's force [N].
+  /// Force of the points on the carrier [N] and moment about the tweezers [N.m], last step.
   Eigen::Vector3d pull_W = Eigen::Vector3d::Zero(), moment_W = Eigen::Vector3d::Zero();
   double turnedAt = -1.0;      ///< Insertion distance at the basal-turn collision [m]; < 0: none.
   std::uint64_t atBounds = 0;  ///< How often a point was stopped at its bounds.

@@ -8,11 +8,11 @@
 
 namespace perilymph::mechanics {
 
-/// Of Newton's method in one step.
+/// Maximum Newton iterations per time step.
 inline constexpr int maxIterations = 32;
 /// In which a step is taken that does not settle as a whole.
 inline constexpr int maxSubsteps = 8;
-/// Of the descent that follows where Newton's method leaves too much; of each part, too.
+/// Maximum iterations of the energy minimization per time step, and per substep.
 inline constexpr int maxDescentIterations = 200;
 
 /// Moves the state one time step on, by backward Euler: predict the rod, find contacts, solve

@@ -31,7 +31,7 @@ struct Calibration {
   std::string array;  ///< Name of the array it was fitted for.
   std::string source;
   FittedValue stiffnessScale{1.0, 0.0, 1.0,
-                             1.0};  ///< Of every bending stiffness of array and stylet.
+                             1.0};  ///< Factor on every bending stiffness of array and stylet.
   /// Share of the free curvature that is left with the stylet in.
   FittedValue residualCurvature;
   std::vector<FittedForce> forces;

@@ -8,7 +8,7 @@
 
 namespace perilymph::session {
 
-/// Of the ticks since the array began to move; those before are only counted.
+/// Highlights of an insertion since the array began to move; earlier ticks are only counted.
 struct Highlights {
   std::uint64_t ticks = 0;
   double duration = 0.0;      ///< Since the array began to move, pauses included [s].

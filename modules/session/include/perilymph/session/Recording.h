@@ -38,7 +38,7 @@ struct RecordingFacts {
   double deviceDelay = 0.0;  ///< From a force to the report that shows it, measured [s].
   long seed = 1;
   std::uint64_t modelFingerprint = 0;
-  std::string version;  ///< Of the program.
+  std::string version;  ///< Version of the program.
   std::string buildId;
   std::string startedUtc;  ///< "2010-05-17T09:30:00Z".
 };

@@ -16,7 +16,7 @@ namespace perilymph::session {
 /// Where a replay left the recording.
 struct Difference {
   std::uint64_t tick = 0;
-  std::string field;     ///< Of TickOutput, such as "force_W[2]".
+  std::string field;     ///< Field of TickOutput, such as "force_W[2]".
   std::string recorded;  ///< The value, and its bits.
   std::string computed;
 };

@@ -54,8 +54,9 @@ struct Scenario {
   std::string membraneName = "rigid";
   std::optional<mechanics::MembraneLaw> membrane;
   haptics::EngineSettings engine;  ///< Coupling, force scale.
-  std::string arrayFingerprint;    ///< Of the array's file as read, 16 hexadecimal digits.
-  /// Of the array's file when this text was written (`array_fingerprint`); empty in people's files.
+  std::string
+      arrayFingerprint;  ///< Fingerprint of the array's file as read, 16 hexadecimal digits.
+  /// The same when this text was written (`array_fingerprint`); empty in people's files.
   std::string expectedArrayFingerprint;
   /// Every key as run and its value as TOML writes it (which JSON reads, too), in their order;
   /// the patient's are called "patient_numbers.st_length_mm" and so on.

@@ -18,7 +18,7 @@ namespace perilymph::session {
 struct SessionSummary {
   std::filesystem::path file;
   std::uint64_t bytes = 0;
-  std::int64_t modified_ns = 0;  ///< Of the file system's clock.
+  std::int64_t modified_ns = 0;  ///< Modification time by the file system's clock.
   std::string startedUtc;        ///< "2010-05-17T09:30:00Z".
   std::string scenario, patient, side, array, device, version;
   Highlights highlights;

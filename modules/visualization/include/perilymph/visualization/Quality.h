@@ -15,7 +15,7 @@ enum class Quality {
 struct QualityTraits {
   int wallTriangles;    ///< At most, of the scala's wall.
   bool hasSilhouettes;  ///< Lines where the wall turns away; its rims are always drawn.
-  bool hasShadow;       ///< Of the array on the wall.
+  bool hasShadow;       ///< The array casts a shadow on the wall.
   int peels;            ///< Layers of translucency sorted at every pixel; 0: by the order of parts.
   bool isSmoothed;      ///< Edges smoothed over the whole picture (FXAA).
   int frameInterval_ms;  ///< Between frames at least.

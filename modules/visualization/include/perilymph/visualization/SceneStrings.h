@@ -14,7 +14,7 @@ struct SceneStrings {
   std::string friction = "friction, × %1";
 };
 
-/// Of all scenes drawn from then on. Not while one is drawn in another thread.
+/// Sets the strings of all scenes drawn from then on. Not while one is drawn in another thread.
 void setSceneStrings(SceneStrings strings);
 const SceneStrings& sceneStrings();
 

@@ -74,7 +74,7 @@ public:
   void end(device::Transport& transport) noexcept override;
 };
 
-/// Of a FakeHid that reports every millisecond.
+/// Traits of a FakeHid that reports every millisecond.
 device::DeviceTraits fakeTraits();
 
 }  // namespace perilymph::test

@@ -18,7 +18,7 @@ public:
     std::string kernelName;  ///< "0003:1234:0006.0001", as the kernel names it
     std::string name;
     std::string node;       ///< "hidraw0"
-    std::string interface;  ///< Of USB; empty on other buses.
+    std::string interface;  ///< Interface of USB; empty on other buses.
     std::string descriptor = std::string("\x05\x01\x09\x04\xa1\x01\xc0", 7);
   };
 

@@ -10,7 +10,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from checks import arrows, documents, formatting, house, layout, sources, window, words  # noqa: E402
+from checks import arrows, documents, formatting, house, layout, sources, vocabulary, window, words  # noqa: E402
 
 TABLES = """
 <!-- arrows -->
@@ -225,6 +225,19 @@ class House(CheckCase):
 
     def test_a_missing_picture_is_noticed(self):
         self.assert_found(house.check, "house.svg is missing", {})
+
+
+class Vocabulary(CheckCase):
+    def test_an_identifier_that_was_given_up_is_found(self):
+        self.assert_found(vocabulary.check, "'mostForce'", {"modules/top/src/t.cpp": "double mostForce = 1.0;\n"})
+        self.assert_found(vocabulary.check, "'TwoFit'", {"modules/top/src/t.cpp": "TwoFit fit;\n"})
+
+    def test_least_squares_and_the_standard_library_keep_their_names(self):
+        self.assertEqual(self.complaints(vocabulary.check, {
+            "modules/top/src/t.cpp": "auto fit = leastSquares(promise.get_future().share());\n"}), [])
+
+    def test_a_doc_comment_that_is_no_sentence_is_found(self):
+        self.assert_found(vocabulary.check, "", {"modules/top/src/t.cpp": "int n;  ///< Of Newton's method.\n"})
 
 
 class Words(CheckCase):

@@ -68,7 +68,7 @@ TEST(RenamedKeys, KeepTheLineOfTheOldNameInErrors)
   reader->number("max_force_N", {0.0, 10.0});
   const auto done = reader->finish();
   ASSERT_FALSE(done);
-  EXPECT_EQ(done.error().message, "my.toml:3: max_force_N is 30.0; it must be between 0 and 10.");
+  EXPECT_EQ(done.error().message, "my.toml:3: max_force_N is 30; it must be between 0 and 10.");
 }
 
 TEST(RenamedKeys, AreReadInListsOfTablesAndAsNamesOfTables)

@@ -9,6 +9,7 @@
 #if PERILYMPH_HAS_TOOLKIT
 #include "perilymph/analysis/ClinicalEstimates.h"
 #include "perilymph/anatomy/ImportedScala.h"
+#include "perilymph/anatomy/Patient.h"
 #include "perilymph/imaging/SurfaceReader.h"
 #endif
 
@@ -38,6 +39,14 @@ std::vector<analysis::Measure> measuresOf(const anatomy::ImportedScala& scala)
   return measures;
 }
 
+/// A flat spiral or a steep helix is no cochlea, but can be a wrong unit or a stretched scan.
+std::vector<std::string> warningsOf(const anatomy::ImportedScala& scala)
+{
+  anatomy::Patient measured;
+  measured.basalTurn = anatomy::BasalTurn{scala.a, scala.b, scala.h};
+  return anatomy::unusualMeasures(measured);
+}
+
 std::string importJson(const std::string& label, const anatomy::ImportedScala& scala)
 {
   nlohmann::ordered_json json;
@@ -55,6 +64,7 @@ std::string importJson(const std::string& label, const anatomy::ImportedScala& s
   for (const analysis::Measure& measure : measuresOf(scala)) json[measure.key] = measure.value;
   for (const analysis::Measure& measure : measuresOf(scala))
     json["derived"][measure.key] = {{"formula", measure.formula}, {"source", measure.source}};
+  json["warnings"] = warningsOf(scala);
   return jsonText(json);
 }
 
@@ -83,6 +93,7 @@ Result<Done> describeImport(const AnatomyOptions& options)
   print("{}, {} ear, imported\n", label, scala->side == anatomy::Side::left ? "left" : "right");
   for (const analysis::Measure& measure : measuresOf(*scala))
     print("{:26} {}\n", measure.key, fixed(measure.value, 2));
+  for (const std::string& warning : warningsOf(*scala)) print("{}\n", warning);
   return Done{};
 }
 

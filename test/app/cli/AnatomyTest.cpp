@@ -1,6 +1,10 @@
 #include <array>
 #include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "Cli.h"
 
@@ -163,6 +167,44 @@ TEST(Anatomy, ReadsItsOwnShapesAgain)
     EXPECT_EQ(read["side"], "right");
     EXPECT_EQ(read["anatomy"], "imported");
     EXPECT_GT(contentOf(folder / "again.stl").size(), 100'000u);
+  }
+}
+
+/// A copy of a binary STL file, stretched along the modiolar axis.
+void stretchAlongAxis(const std::filesystem::path& from, const std::filesystem::path& to,
+                      float factor)
+{
+  std::string bytes = contentOf(from);
+  constexpr std::size_t header = 84, triangle = 50;
+  for (std::size_t begin = header; begin + triangle <= bytes.size(); begin += triangle)
+    for (std::size_t corner = 1; corner <= 3; ++corner) {
+      const std::size_t place = begin + 12 * corner + 8;
+      float z = 0.0f;
+      std::memcpy(&z, &bytes[place], sizeof z);
+      z *= factor;
+      std::memcpy(&bytes[place], &z, sizeof z);
+    }
+  std::ofstream(to, std::ios::binary) << bytes;
+}
+
+TEST(Anatomy, WarnsOfAnImportedShapeThatNoCochleaHas)
+{
+  const TemporaryFolder folder;
+  const auto file = folder / "scala.stl";
+  if (cli({"anatomy", "--preset", "mean", "--surface", file}).err.find("has no VTK") !=
+      std::string::npos)
+    GTEST_SKIP() << "this build has no VTK";
+  for (const auto& [factor, isUnusual] : {std::pair{1.0f, false}, {0.5f, true}, {2.2f, true}}) {
+    stretchAlongAxis(file, folder / "stretched.stl", factor);
+    const auto outcome =
+        cli({"anatomy", "--import", folder / "stretched.stl", "--json", folder / "read.json"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const auto warnings = nlohmann::json::parse(contentOf(folder / "read.json"))["warnings"];
+    bool isWarned = false;
+    for (const auto& warning : warnings)
+      isWarned = isWarned || warning.get<std::string>().find("H is ") == 0;
+    EXPECT_EQ(isWarned, isUnusual) << factor << ": " << warnings;
+    EXPECT_EQ(outcome.out.find("H is ") != std::string::npos, isUnusual) << outcome.out;
   }
 }
 

@@ -116,6 +116,20 @@ TEST(Patient, OfAnUnusualDiameterIsFlagged)
   EXPECT_TRUE(checkPatient(patient));
 }
 
+TEST(Patient, OfAHeightThatNoCochleaHasIsFlagged)
+{
+  Patient patient;
+  for (const double h_mm : {2.4, 3.9, 4.7}) {
+    patient.basalTurn = BasalTurn{millimeters(9.0), millimeters(7.0), millimeters(h_mm)};
+    EXPECT_TRUE(unusualMeasures(patient).empty()) << h_mm;
+  }
+  for (const double h_mm : {1.2, 9.9}) {  // a flat spiral, a helix
+    patient.basalTurn->h = millimeters(h_mm);
+    ASSERT_EQ(unusualMeasures(patient).size(), 1u);
+    EXPECT_THAT(unusualMeasures(patient).front(), HasSubstr("cochleae have 2.3 to 4.8 mm"));
+  }
+}
+
 TEST_F(PatientFile, ThatIsMissingIsNamed)
 {
   const Result<Patient> patient = loadPatient(folder_ / "no.toml");

@@ -198,6 +198,12 @@ std::vector<std::string> unusualMeasures(const Patient& patient)
   };
   look("A", patient.basalTurn->a, spreadOfA());
   look("B", patient.basalTurn->b, spreadOfB());
+  const Spread limits = limitsOfH();
+  if (const auto& h = patient.basalTurn->h; h && (*h < limits.low || *h > limits.high))
+    sentences.push_back("H is " + plain(inMillimeters(*h)) + " mm; cochleae have " +
+                        plain(inMillimeters(limits.low)) + " to " +
+                        plain(inMillimeters(limits.high)) +
+                        " mm (Medan; Erixon 2009). Check the measurement.");
   return sentences;
 }
 

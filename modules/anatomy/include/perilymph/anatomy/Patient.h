@@ -54,7 +54,7 @@ Result<Done> checkPatient(const Patient& patient);
 Result<Patient> samplePatient(std::uint64_t seed);
 
 /// A sentence for each of A and B that lies more than two standard deviations from the population's
-/// mean: allowed, but worth a second look at the measurement.
+/// mean, and for an H outside limitsOfH(): allowed, but worth a second look at the measurement.
 std::vector<std::string> unusualMeasures(const Patient& patient);
 
 /// The published three-parameter scala tympani of a patient, with a straight lead-in before the

@@ -3,18 +3,15 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
+#include <tuple>
 #include <utility>
 
+#include "importing/StraightStretch.h"
 #include "numerics/DenseSolvers.h"
 
 namespace perilymph::anatomy {
 namespace {
 
-constexpr double straight = 1e-3;     // sine of the angle between a wall and its direction
-constexpr double straightRim = 1e-6;  // share of the normals' scatter along that direction
-constexpr double longest = 6e-3;      // a longer stretch is no lead-in [m]
 // A lid faces out of the duct within 45 degrees and lies no deeper behind the first section.
 constexpr double lidFacing = 0.7;
 constexpr double lidDepth = 0.15e-3, lidReach = 2.5e-3;  // [m]
@@ -32,7 +29,7 @@ Eigen::Vector3d acrossOf(const Surface& surface, const std::array<int, 3>& t)
       .cross(corner(surface, t[2]) - corner(surface, t[0]));
 }
 
-/// The eigenvector of the least eigenvalue, and that value's share of all.
+/// The eigenvector of the least eigenvalue, and that value's fraction of all.
 std::pair<Eigen::Vector3d, double> minDirection(const Eigen::Matrix3d& scatter)
 {
   const Eigen3 parts(scatter);
@@ -47,82 +44,46 @@ std::pair<Eigen::Vector3d, double> minDirection(const Eigen::Matrix3d& scatter)
 
 SurfaceOpening openingOf(const ClosedSurface& closed)
 {
-  SurfaceOpening opening;
-  std::set<int> onRim;
+  RimFrame rim;
   for (std::size_t i = 0; i < closed.isLid.size(); ++i)
     if (closed.isLid[i])
-      onRim.insert(closed.surface.triangles[i].begin(), closed.surface.triangles[i].end());
+      rim.corners.insert(closed.surface.triangles[i].begin(), closed.surface.triangles[i].end());
 
   // the rim's center and its plane
   double around = 0.0;
   for (std::size_t k = 0; k < closed.rim.size(); ++k) {
     const Eigen::Vector3d& a = closed.rim[k];
     const Eigen::Vector3d& b = closed.rim[(k + 1) % closed.rim.size()];
-    opening.center += 0.5 * (b - a).norm() * (a + b);
+    rim.center += 0.5 * (b - a).norm() * (a + b);
     around += (b - a).norm();
   }
-  opening.center /= around;
+  rim.center /= around;
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const Eigen::Vector3d& p : closed.rim)
-    spread += (p - opening.center) * (p - opening.center).transpose();
-  const Eigen::Vector3d plane = minDirection(spread).first;
+    spread += (p - rim.center) * (p - rim.center).transpose();
+  rim.plane = minDirection(spread).first;
 
   // the direction square to the normals of the wall at the rim
-  std::vector<int> waiting;
-  std::vector<bool> isSeen(closed.isLid.size(), false);
   Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();
   double side = 0.0;
   for (std::size_t i = 0; i < closed.isLid.size(); ++i) {
     const auto& t = closed.surface.triangles[i];
     if (closed.isLid[i] ||
-        std::none_of(t.begin(), t.end(), [&](int k) { return onRim.count(k) > 0; }))
+        std::none_of(t.begin(), t.end(), [&](int k) { return rim.corners.count(k) > 0; }))
       continue;
     const Eigen::Vector3d across = acrossOf(closed.surface, t);
     if (across.norm() > 0.0) normals += across * across.transpose() / across.norm();
-    for (const int k : t) side += (corner(closed.surface, k) - opening.center).dot(plane);
-    waiting.push_back(static_cast<int>(i));
-    isSeen[i] = true;
+    for (const int k : t) side += (corner(closed.surface, k) - rim.center).dot(rim.plane);
   }
-  auto [direction, scatter] = minDirection(normals);
-  const double lean = direction.dot(plane);
-  if (lean * side < 0.0) direction = -direction;
-  opening.inward = direction;
-  if (std::fabs(lean) < 0.3 || scatter > straightRim) {
-    if (std::fabs(lean) < 0.3) opening.inward = side < 0.0 ? Eigen::Vector3d(-plane) : plane;
-    return opening;
-  }
+  std::tie(rim.inward, rim.scatter) = minDirection(normals);
+  const double lean = rim.inward.dot(rim.plane);
+  if (lean * side < 0.0) rim.inward = -rim.inward;
 
-  // follow the straight wall until it bends: there the round window is
-  std::map<std::pair<int, int>, std::vector<int>> edges;
-  for (std::size_t i = 0; i < closed.isLid.size(); ++i)
-    for (std::size_t k = 0; k < 3 && !closed.isLid[i]; ++k) {
-      const auto& t = closed.surface.triangles[i];
-      edges[{std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])}].push_back(
-          static_cast<int>(i));
-    }
-  double end = longest;
-  while (!waiting.empty()) {
-    const auto& t = closed.surface.triangles[static_cast<std::size_t>(waiting.back())];
-    waiting.pop_back();
-    const Eigen::Vector3d across = acrossOf(closed.surface, t);
-    double smallest = 1e9;
-    for (const int k : t)
-      smallest = std::min(
-          smallest, (corner(closed.surface, k) - opening.center).dot(plane) / direction.dot(plane));
-    if (std::fabs(across.dot(direction)) > straight * across.norm()) {
-      end = std::min(end, smallest);
-      continue;
-    }
-    if (smallest > end) continue;
-    for (std::size_t k = 0; k < 3; ++k)
-      for (const int next :
-           edges[{std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])}]) {
-        if (isSeen[static_cast<std::size_t>(next)]) continue;
-        isSeen[static_cast<std::size_t>(next)] = true;
-        waiting.push_back(next);
-      }
-  }
-  opening.leadIn = end < longest ? std::max(end, 0.0) : 0.0;
+  SurfaceOpening opening{rim.center, rim.inward, 0.0};
+  if (std::fabs(lean) < 0.3)
+    opening.inward = side < 0.0 ? Eigen::Vector3d(-rim.plane) : rim.plane;
+  else
+    opening.leadIn = straightStretch(closed, rim);
   return opening;
 }
 

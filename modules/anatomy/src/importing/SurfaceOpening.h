@@ -14,9 +14,7 @@ struct SurfaceOpening {
   double leadIn = 0.0;  ///< Length of the straight stretch along it [m].
 };
 
-/// The opening of a surface with a rim. The straight stretch is the part of the wall, connected
-/// with the rim, whose normals are square to one direction; none if the rim's own wall is not
-/// straight.
+/// The opening of a surface with a rim, and the straight stretch behind it (StraightStretch.h).
 SurfaceOpening openingOf(const ClosedSurface& closed);
 
 /// Makes an opening at the basal end of a surface without a rim: triangles that close the duct

@@ -45,11 +45,17 @@ extern "C" void askForEnd(int)
 
 void handleEnds(void (*handler)(int))
 {
+  sigset_t handled;
+  sigemptyset(&handled);
   for (const int signal : ends) {
     struct sigaction now = {};
     sigaction(signal, nullptr, &now);
-    if (now.sa_handler != SIG_IGN) handle(signal, handler);
+    if (now.sa_handler == SIG_IGN) continue;
+    handle(signal, handler);
+    sigaddset(&handled, signal);
   }
+  // A caller that blocks signals, as services do, leaves them blocked in what it starts.
+  pthread_sigmask(SIG_UNBLOCK, &handled, nullptr);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@ namespace perilymph::cli {
 
 /// From now on such a signal ends the program at once, with a sentence, status 1 and without the
 /// files that are not finished. One that is ignored stays so, as nohup and jobs in the background
-/// have it.
+/// have it; one that is blocked is not any more, and one that came before takes effect now.
 void endOnInterruption();
 
 /// From now on the first such signal only asks for an end, which the command sees in

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <functional>
 #include <thread>
 
 #include "Cli.h"
@@ -16,23 +17,28 @@ using testing::StartsWith;
 
 constexpr auto soon = std::chrono::seconds(20);
 
-/// Waits until the program has a handler for the signal; false if it ended without.
-bool waitForHandler(const ChildProcess& child, int signal)
+/// Runs the program with a signal that was sent before it began: blocked, it stays pending until the
+/// program takes signals. So no result depends on how fast a command ends.
+ProgramOutcome runWithEarlySignal(ProgramCall call, int signal)
 {
-  const std::string place = "/proc/" + std::to_string(child.id()) + "/status";
-  while (true) {
-    std::ifstream status(place);
-    std::string mask;
-    for (std::string line; std::getline(status, line);)
-      if (line.rfind("SigCgt:", 0) == 0) mask = line.substr(7);
-    if (mask.empty()) return false;
-    if ((std::stoull(mask, nullptr, 16) >> (signal - 1) & 1u) != 0) return true;
-    std::this_thread::yield();
-  }
+  std::vector<std::string> arguments = {"-c", "kill -s \"$0\" $$; exec \"$@\"",
+                                        std::to_string(signal), call.program};
+  arguments.insert(arguments.end(), call.arguments.begin(), call.arguments.end());
+  call.program = "sh";
+  call.arguments = std::move(arguments);
+  sigset_t blocked;
+  sigset_t before;
+  sigemptyset(&blocked);
+  sigaddset(&blocked, signal);
+  pthread_sigmask(SIG_BLOCK, &blocked, &before);
+  const auto outcome = run(call, soon);
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  return outcome;
 }
 
-/// Waits until the program has opened a file; false if it ended without.
-bool waitUntilOpen(const ChildProcess& child, const fs::path& file)
+/// Waits until the program has opened such a file; false if it ended without.
+template <typename Predicate>
+bool waitUntilOpen(const ChildProcess& child, Predicate isIt)
 {
   const fs::path place = "/proc/" + std::to_string(child.id()) + "/fd";
   while (true) {
@@ -40,7 +46,7 @@ bool waitUntilOpen(const ChildProcess& child, const fs::path& file)
     fs::directory_iterator entries(place, failure);
     if (failure) return false;
     for (const auto& entry : entries)
-      if (fs::read_symlink(entry.path(), failure) == file) return true;
+      if (isIt(fs::read_symlink(entry.path(), failure))) return true;
     std::this_thread::yield();
   }
 }
@@ -54,13 +60,16 @@ protected:
   }
   const TemporaryFolder folder;
   const std::string recording = folder / "run.insertion";
+  const std::function<bool(const fs::path&)> isRecording = [this](const fs::path& file) {
+    return file == recording;
+  };
 };
 
 TEST_F(InterruptedReplay, EndsOnTheFirstSignalWhileItVerifies)
 {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     ChildProcess child(cliCall({"replay", recording, "--verify"}));
-    ASSERT_TRUE(waitUntilOpen(child, recording));
+    ASSERT_TRUE(waitUntilOpen(child, isRecording));
     child.send(signal);
     const auto outcome = child.wait(soon);
     EXPECT_EQ(outcome.status, 1) << outcome.out;
@@ -72,7 +81,9 @@ TEST_F(InterruptedReplay, EndsOnTheFirstSignalWhileItVerifies)
 TEST_F(InterruptedReplay, LeavesNoHalfTable)
 {
   ChildProcess child(cliCall({"replay", recording, "--csv", folder / "rows.csv"}));
-  while (namesIn(folder.path()).size() < 2) std::this_thread::yield();
+  ASSERT_TRUE(waitUntilOpen(child, [this](const fs::path& file) {
+    return file.parent_path() == folder.path() && !isRecording(file);
+  }));
   child.send(SIGTERM);
   const auto outcome = child.wait(soon);
   EXPECT_EQ(outcome.status, 1);
@@ -87,7 +98,7 @@ TEST_F(InterruptedReplay, OfAJobThatIgnoresHangupsGoesOn)
                     "--verify"};
   call.program = "sh";
   ChildProcess child(call);
-  ASSERT_TRUE(waitUntilOpen(child, recording));
+  ASSERT_TRUE(waitUntilOpen(child, isRecording));
   child.send(SIGHUP);
   const auto outcome = child.wait(std::chrono::minutes(1));
   EXPECT_EQ(outcome.status, 0) << outcome.err;
@@ -110,10 +121,7 @@ TEST(InterruptedCommand, EndsSoonAndLeavesNothing)
       {"devices", "--plugin", PERILYMPH_EXAMPLE_PLUGIN, "--json", out}};
   for (const auto& call : calls) {
     SCOPED_TRACE(call.front());
-    ChildProcess child(cliCall(call));
-    ASSERT_TRUE(waitForHandler(child, SIGTERM));
-    child.send(SIGTERM);
-    const auto outcome = child.wait(soon);
+    const auto outcome = runWithEarlySignal(cliCall(call), SIGTERM);
     EXPECT_EQ(outcome.status, 1) << outcome.out;
     EXPECT_THAT(outcome.err, HasSubstr("Interrupted"));
     EXPECT_EQ(namesIn(folder.path()), std::vector<std::string>{"scala.stl"});

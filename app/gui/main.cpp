@@ -8,23 +8,24 @@
 #include <exception>
 #include <iostream>
 
-#include "Application.h"
-#include "Background.h"
-#include "CrashMarker.h"
-#include "CrashRecovery.h"
-#include "Display.h"
-#include "InsertionViews.h"
-#include "KioskWindow.h"
-#include "Languages.h"
-#include "Logging.h"
-#include "MainWindow.h"
-#include "Options.h"
-#include "Settings.h"
-#include "SettingsSheet.h"
-#include "SetupHistory.h"
-#include "StartupActions.h"
-#include "TerminationSignals.h"
-#include "Theme.h"
+#include "gui/kiosk/KioskWindow.h"
+#include "gui/pages/insert/InsertionViews.h"
+#include "gui/parts/StateFolder.h"
+#include "gui/parts/Theme.h"
+#include "gui/parts/UserSettings.h"
+#include "gui/program/Application.h"
+#include "gui/program/CommandLine.h"
+#include "gui/program/CrashMarker.h"
+#include "gui/program/CrashRecovery.h"
+#include "gui/program/DisplayProbe.h"
+#include "gui/program/Languages.h"
+#include "gui/program/Logging.h"
+#include "gui/program/StartupActions.h"
+#include "gui/program/TerminationSignals.h"
+#include "gui/run/Background.h"
+#include "gui/setup/SetupHistory.h"
+#include "gui/shell/MainWindow.h"
+#include "gui/shell/SettingsSheet.h"
 #include "perilymph/foundation/RealTime.h"
 #include "perilymph/foundation/RenamedKeys.h"
 #include "perilymph/foundation/Version.h"
@@ -59,7 +60,7 @@ int openAndRun(Window& window)
 int statusOf(int signal) { return 128 + signal; }
 
 int runKiosk(gui::Application& application, const gui::TerminationSignals& signals,
-             session::Scenario scenario, const gui::Options& options)
+             session::Scenario scenario, const gui::CommandLine& options)
 {
   gui::KioskWindow window(std::move(scenario), gui::kioskBoardFile());
   application.onException([](const QString&) {});  // visitors are not told; standard error is
@@ -67,7 +68,7 @@ int runKiosk(gui::Application& application, const gui::TerminationSignals& signa
                    [] { QCoreApplication::quit(); });
   QObject::connect(&signals, &gui::TerminationSignals::received, &window,
                    [](int signal) { QCoreApplication::exit(statusOf(signal)); });
-  gui::scheduleStartupActions(window, options);
+  gui::arrangeStartupActions(window, options);
   window.showFullScreen();
   return openAndRun(window);
 }
@@ -76,7 +77,7 @@ int runKiosk(gui::Application& application, const gui::TerminationSignals& signa
 struct Beginning {
   session::Scenario scenario;
   gui::Page page = gui::Page::start;
-  gui::Options options;  ///< Startup actions are for the first window only.
+  gui::CommandLine options;  ///< Startup actions are for the first window only.
   std::vector<std::filesystem::path> interrupted;
   std::optional<std::pair<gui::SetupOrigin, gui::Setup>> setup;  ///< Setup of the window before.
 };
@@ -90,14 +91,14 @@ struct WindowEnd {
 WindowEnd runWindow(gui::Application& application, const gui::TerminationSignals& signals,
                     const Beginning& beginning)
 {
-  const gui::Options& options = beginning.options;
+  const gui::CommandLine& options = beginning.options;
   QGuiApplication::setQuitOnLastWindowClosed(true);
   gui::CrashMarker mark(gui::stateFolder());
   gui::MainWindow window(beginning.scenario, options.record);
   application.onException([&window](const QString& sentence) { window.showError(sentence); });
   if (beginning.setup) window.resume(beginning.setup->first, beginning.setup->second);
   window.showPage(beginning.page);
-  gui::scheduleStartupActions(window, options);
+  gui::arrangeStartupActions(window, options);
   window.views().drawBy(gui::openGlRenderer(),
                         options.quality ? gui::qualityNamed(*options.quality) : std::nullopt);
   window.views().offerQuadBuffered(gui::quadBufferedError(gui::hasStereoBuffers()));
@@ -113,14 +114,14 @@ WindowEnd runWindow(gui::Application& application, const gui::TerminationSignals
   // a picture or a measurement is of the usual size, whatever the last person did
   const bool isPlain = !options.screenshot && !options.measuresFrames;
   const QString geometry = QStringLiteral("window/geometry");
-  if (isPlain) window.restoreGeometry(gui::Settings().value(geometry).toByteArray());
+  if (isPlain) window.restoreGeometry(gui::UserSettings().value(geometry).toByteArray());
   window.show();
   const int status = openAndRun(window);
-  if (isPlain) gui::Settings().setValue(geometry, window.saveGeometry());
+  if (isPlain) gui::UserSettings().setValue(geometry, window.saveGeometry());
   application.onException({});
   if (status != openAnew) return {status, std::nullopt};
   QGuiApplication::setQuitOnLastWindowClosed(false);  // its going is not the end
-  gui::Options kept;
+  gui::CommandLine kept;
   kept.quality = options.quality;
   kept.plugin = options.plugin;
   return {0, Beginning{window.control().scenario(),
@@ -131,9 +132,9 @@ WindowEnd runWindow(gui::Application& application, const gui::TerminationSignals
 }
 
 /// What a person chose before, or for this call alone.
-void applyChoices(gui::Application& application, const gui::Options& options)
+void applyChoices(gui::Application& application, const gui::CommandLine& options)
 {
-  const gui::Settings settings;
+  const gui::UserSettings settings;
   const QString look = settings.word(QStringLiteral("look"), gui::colorSchemeText());
   gui::setShownColorScheme(look == QLatin1String("light") ? gui::ColorScheme::light
                                                           : gui::ColorScheme::dark);
@@ -153,7 +154,7 @@ void leaveThreads(int status)
   std::_Exit(status);
 }
 
-int run(int argc, char** argv, const gui::Options& options)
+int run(int argc, char** argv, const gui::CommandLine& options)
 {
   auto scenario = session::loadScenario(options.scenario.value_or("contour-published"));
   if (!scenario) return refuse(scenario.error().message);
@@ -190,10 +191,10 @@ int run(int argc, char** argv, const gui::Options& options)
 
 int main(int argc, char** argv)
 {
-  const auto label = gui::parseOptions(argc, argv);
-  if (const auto* end = std::get_if<gui::Exit>(&label)) return end->status;
+  const auto text = gui::parseCommandLine(argc, argv);
+  if (const auto* end = std::get_if<gui::Exit>(&text)) return end->status;
   try {
-    return run(argc, argv, std::get<gui::Options>(label));
+    return run(argc, argv, std::get<gui::CommandLine>(text));
   } catch (const std::exception& thrown) {
     return refuse(std::string("The workstation could not go on: ") + thrown.what() + ".");
   }

@@ -436,6 +436,50 @@
         <source>angle from round window, °; width, mm</source>
         <translation>Winkel ab rundem Fenster, °; Breite, mm</translation>
     </message>
+    <message>
+        <source>%1 ms there and back</source>
+        <translation>%1 ms hin und zurück</translation>
+    </message>
+    <message>
+        <source>at most %1 ms there and back</source>
+        <translation>höchstens %1 ms hin und zurück</translation>
+    </message>
+    <message>
+        <source>device gone</source>
+        <translation>Gerät weg</translation>
+    </message>
+    <message>
+        <source>device %1/s, jitter %2 ms</source>
+        <translation>Gerät %1/s, Schwankung %2 ms</translation>
+    </message>
+    <message>
+        <source>below the %1 mN that surgeons feel</source>
+        <translation>unter den %1 mN, die Operateure fühlen</translation>
+    </message>
+    <message>
+        <source>felt by surgeons, above %1 mN</source>
+        <translation>fühlbar für Operateure, über %1 mN</translation>
+    </message>
+    <message>
+        <source>felt; like peaks in patients, %1 to %2 mN</source>
+        <translation>fühlbar; wie Spitzen an Patienten, %1 bis %2 mN</translation>
+    </message>
+    <message>
+        <source>felt; above the peaks in patients, %1 mN</source>
+        <translation>fühlbar; über den Spitzen an Patienten, %1 mN</translation>
+    </message>
+    <message>
+        <source>on the partition %1 mN</source>
+        <translation>auf die Trennwand %1 mN</translation>
+    </message>
+    <message>
+        <source>on the partition %1 mN; it ruptures at %2 to %3 mN</source>
+        <translation>auf die Trennwand %1 mN; sie reißt bei %2 bis %3 mN</translation>
+    </message>
+    <message>
+        <source>on the partition %1 mN: it ruptures at %2 to %3 mN</source>
+        <translation>auf die Trennwand %1 mN: Sie reißt bei %2 bis %3 mN</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::Application</name>
@@ -876,14 +920,6 @@
         <translation>%1 · %2 · ein Bericht alle %3 ms</translation>
     </message>
     <message>
-        <source>device gone</source>
-        <translation>Gerät weg</translation>
-    </message>
-    <message>
-        <source>device %1/s, jitter %2 ms</source>
-        <translation>Gerät %1/s, Schwankung %2 ms</translation>
-    </message>
-    <message>
         <source>Devices</source>
         <translation>Geräte</translation>
     </message>
@@ -930,14 +966,6 @@
     <message>
         <source>It needs no hardware and feels no force.</source>
         <translation>Sie braucht kein Gerät und fühlt keine Kraft.</translation>
-    </message>
-    <message>
-        <source>%1 ms there and back</source>
-        <translation>%1 ms hin und zurück</translation>
-    </message>
-    <message>
-        <source>at most %1 ms there and back</source>
-        <translation>höchstens %1 ms hin und zurück</translation>
     </message>
     <message>
         <source>A force is taken in %1 ms, 99 % below %2 ms; %3.</source>
@@ -1003,6 +1031,17 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::ForceLabel</name>
+    <message>
+        <source>Felt: median of ten otologic surgeons, 20.4 mN (Kratchman 2016, Audiol Neurotol 21:244).</source>
+        <translation>Fühlbar: Median von zehn Ohrchirurgen, 20,4 mN (Kratchman 2016, Audiol Neurotol 21:244).</translation>
+    </message>
+    <message>
+        <source>The force on the partition is the sum of what the whole array presses normal to it; a rupture was measured under one point. No force is known to do no harm: trauma may occur below these forces (Mirsalehi 2017).</source>
+        <translation>Die Kraft auf die Trennwand ist die Summe dessen, was der ganze Träger normal auf sie drückt; ein Riss wurde unter einem Punkt gemessen. Von keiner Kraft ist bekannt, dass sie nicht schadet: Verletzungen kommen auch unter diesen Kräften vor (Mirsalehi 2017).</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::ForceSound</name>
     <message>
         <source>no sound output was found</source>
@@ -1015,45 +1054,6 @@
     <message>
         <source>this build was made without sound</source>
         <translation>ohne Ton gebaut</translation>
-    </message>
-</context>
-<context>
-    <name>perilymph::gui::ForceInterpretation</name>
-    <message>
-        <source>below the %1 mN that surgeons feel</source>
-        <translation>unter den %1 mN, die Operateure fühlen</translation>
-    </message>
-    <message>
-        <source>felt by surgeons, above %1 mN</source>
-        <translation>fühlbar für Operateure, über %1 mN</translation>
-    </message>
-    <message>
-        <source>felt; like peaks in patients, %1 to %2 mN</source>
-        <translation>fühlbar; wie Spitzen an Patienten, %1 bis %2 mN</translation>
-    </message>
-    <message>
-        <source>felt; above the peaks in patients, %1 mN</source>
-        <translation>fühlbar; über den Spitzen an Patienten, %1 mN</translation>
-    </message>
-    <message>
-        <source>on the partition %1 mN</source>
-        <translation>auf die Trennwand %1 mN</translation>
-    </message>
-    <message>
-        <source>on the partition %1 mN; it ruptures at %2 to %3 mN</source>
-        <translation>auf die Trennwand %1 mN; sie reißt bei %2 bis %3 mN</translation>
-    </message>
-    <message>
-        <source>on the partition %1 mN: it ruptures at %2 to %3 mN</source>
-        <translation>auf die Trennwand %1 mN: Sie reißt bei %2 bis %3 mN</translation>
-    </message>
-    <message>
-        <source>Felt: median of ten otologic surgeons, 20.4 mN (Kratchman 2016, Audiol Neurotol 21:244).</source>
-        <translation>Fühlbar: Median von zehn Ohrchirurgen, 20,4 mN (Kratchman 2016, Audiol Neurotol 21:244).</translation>
-    </message>
-    <message>
-        <source>The force on the partition is the sum of what the whole array presses normal to it; a rupture was measured under one point. No force is known to do no harm: trauma may occur below these forces (Mirsalehi 2017).</source>
-        <translation>Die Kraft auf die Trennwand ist die Summe dessen, was der ganze Träger normal auf sie drückt; ein Riss wurde unter einem Punkt gemessen. Von keiner Kraft ist bekannt, dass sie nicht schadet: Verletzungen kommen auch unter diesen Kräften vor (Mirsalehi 2017).</translation>
     </message>
 </context>
 <context>
@@ -2051,29 +2051,6 @@
     </message>
 </context>
 <context>
-    <name>perilymph::gui::ReplayPlayer</name>
-    <message>
-        <source>comparing bits…</source>
-        <translation>Bits werden verglichen …</translation>
-    </message>
-    <message>
-        <source>differs from tick %1 on (%2)</source>
-        <translation>weicht ab Takt %1 ab (%2)</translation>
-    </message>
-    <message>
-        <source>is not as it was recorded: %1</source>
-        <translation>ist nicht, wie es aufgezeichnet wurde: %1</translation>
-    </message>
-    <message>
-        <source>replays bit for bit up to tick %1</source>
-        <translation>gleich bis aufs Bit bis Takt %1</translation>
-    </message>
-    <message>
-        <source>replays bit for bit</source>
-        <translation>gleich bis aufs Bit</translation>
-    </message>
-</context>
-<context>
     <name>perilymph::gui::ReplayBar</name>
     <message>
         <source>%1 ×</source>
@@ -2154,6 +2131,29 @@
     <message>
         <source>replay · %1 · not a medical device</source>
         <translation>Abspielen · %1 · kein Medizinprodukt</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::ReplayPlayer</name>
+    <message>
+        <source>comparing bits…</source>
+        <translation>Bits werden verglichen …</translation>
+    </message>
+    <message>
+        <source>is not as it was recorded: %1</source>
+        <translation>ist nicht, wie es aufgezeichnet wurde: %1</translation>
+    </message>
+    <message>
+        <source>differs from tick %1 on (%2)</source>
+        <translation>weicht ab Takt %1 ab (%2)</translation>
+    </message>
+    <message>
+        <source>replays bit for bit up to tick %1</source>
+        <translation>gleich bis aufs Bit bis Takt %1</translation>
+    </message>
+    <message>
+        <source>replays bit for bit</source>
+        <translation>gleich bis aufs Bit</translation>
     </message>
 </context>
 <context>

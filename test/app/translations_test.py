@@ -51,8 +51,8 @@ class Translations(unittest.TestCase):
             with tempfile.TemporaryDirectory() as folder:
                 copy = Path(folder) / file.name
                 shutil.copy(file, copy)
-                subprocess.run([LUPDATE, "-silent", "-no-obsolete", "-locations", "none", ROOT / "app/gui", "-ts", copy],
-                               check=True, timeout=120, capture_output=True)
+                subprocess.run([LUPDATE, "-silent", "-no-obsolete", "-locations", "none", "-I", ROOT / "app",
+                                ROOT / "app/gui", "-ts", copy], check=True, timeout=120, capture_output=True)
                 fresh = {(context, source) for context, source, *_ in messages(copy)}
             known = {(context, source) for context, source, *_ in messages(file)}
             self.assertEqual(sorted(fresh - known), [], f"not in {file.name}: ninja translations brings it up to date")

@@ -31,6 +31,19 @@ TABLES = """
 """
 
 
+GUI_TABLE = """# The window
+
+<!-- gui-arrows -->
+| Folder | May use, directly | What it knows |
+|---|---|---|
+| `run` | - | what works without widgets |
+| `pages/one` | `run` | a page |
+| `pages/two` | `run` | another page |
+| `frame` | `pages/one` `pages/two` | the frame |
+<!-- /gui-arrows -->
+"""
+
+
 def good_project():
     """Path -> text of a project every check is content with."""
     project = {
@@ -40,8 +53,15 @@ def good_project():
                      "modules/   what it knows\n  beside  others\n  ground  words\n"
                      "  top     stories\n  upper   sentences\n"
                      "packaging/  how it travels\ntest/  how we know\n```\n",
-        "app/gui/main.cpp": '#include <QWidget>\n#include "perilymph/top/t.h"\n',
+        "app/gui/main.cpp": '#include <QWidget>\n#include "perilymph/top/t.h"\n#include "gui/frame/frame.h"\n',
+        "app/gui/README.md": GUI_TABLE,
     }
+    for name, uses in (("run", ""), ("pages/one", "USES run"), ("pages/two", "USES run"),
+                       ("frame", "USES pages/one pages/two")):
+        home, leaf = f"app/gui/{name}", name.split("/")[-1]
+        project[f"{home}/CMakeLists.txt"] = f"perilymph_gui_part({name} {uses}\n  SOURCES {leaf}.cpp)\n"
+        project[f"{home}/{leaf}.h"] = "#pragma once\n"
+        project[f"{home}/{leaf}.cpp"] = f'#include "gui/{name}/{leaf}.h"\n'
     for name, uses in (("ground", ""), ("upper", "USES ground"), ("beside", "USES ground"),
                        ("top", "USES upper")):
         home = f"modules/{name}"
@@ -202,13 +222,58 @@ class Formatting(CheckCase):
 
 
 class Window(CheckCase):
+    def test_a_page_that_includes_another_is_found(self):
+        self.assert_found(window.check, 'app/gui/pages/one/one.cpp:2: includes gui/pages/two/two.h, but', {
+            "app/gui/pages/one/one.cpp": '#include "gui/pages/one/one.h"\n#include "gui/pages/two/two.h"\n'})
+
+    def test_an_include_upward_is_found(self):
+        self.assert_found(window.check, "draws no arrow to frame", {
+            "app/gui/run/run.h": '#pragma once\n#include "gui/frame/frame.h"\n'})
+
+    def test_what_a_used_folder_uses_comes_along(self):
+        self.assertEqual(self.complaints(window.check, {
+            "app/gui/frame/frame.h": '#pragma once\n#include "gui/run/run.h"\n'}), [])
+
+    def test_a_bare_include_is_found(self):
+        self.assert_found(window.check, 'write "gui/run/run.h"', {
+            "app/gui/run/run.cpp": '#include "run.h"\n'})
+
+    def test_a_widget_in_what_works_without_is_found(self):
+        for header in ("QWidget", "QtWidgets/QLabel", "QTableWidget", "QPixmap"):
+            self.assert_found(window.check, "works without widgets", {
+                "app/gui/run/run.h": f"#pragma once\n#include <{header}>\n"})
+
+    def test_uses_that_differ_from_the_table_are_found(self):
+        self.assert_found(window.check, "USES and the row in app/gui/README.md differ in run", {
+            "app/gui/pages/one/CMakeLists.txt": "perilymph_gui_part(pages/one SOURCES one.cpp)\n"})
+
+    def test_a_folder_without_its_call_is_found(self):
+        self.assert_found(window.check, "does not call perilymph_gui_part(run ...)", {
+            "app/gui/run/CMakeLists.txt": "add_library(run run.cpp)\n"})
+
+    def test_a_folder_without_a_row_is_found(self):
+        self.assert_found(window.check, "app/gui/extra has no row", {"app/gui/extra/extra.h": "#pragma once\n"})
+
+    def test_a_row_without_a_folder_is_found(self):
+        found = self.complaints(window.check, {
+            "app/gui/README.md": GUI_TABLE.replace("| `frame`", "| `attic` | - | dust |\n| `frame`")})
+        self.assertTrue(any("has a row attic, which does not exist" in each for each in found), found)
+
+    def test_an_arrow_to_a_row_below_is_found(self):
+        found = self.complaints(window.check, {
+            "app/gui/README.md": GUI_TABLE.replace("| `run` | - |", "| `run` | `frame` |")})
+        self.assertTrue(any("run may use frame, which has no row above it" in each for each in found), found)
+
+    def test_a_page_without_its_table_is_found(self):
+        self.assert_found(window.check, "no table of arrows", {"app/gui/README.md": "# The window\n"})
+
     def test_markup_outside_its_places_is_found(self):
         self.assert_found(window.check, "app/gui/main.cpp:2: 'RichText' may draw text as markup", {
             "app/gui/main.cpp": "\nlabel.setTextFormat(Qt::RichText);\n"})
 
     def test_markup_in_its_places_is_welcome(self):
         self.assertEqual(self.complaints(window.check, {
-            "app/gui/Report.cpp": "document.setHtml(text);\n"}), [])
+            "app/gui/run/Report.cpp": "document.setHtml(text);\n", "app/gui/run/Report.h": "#pragma once\n"}), [])
 
 
 class House(CheckCase):

@@ -1,12 +1,12 @@
-#include "BoardView.h"
+#include "gui/kiosk/BoardView.h"
 
 #include <QGridLayout>
 #include <QLabel>
 #include <QVBoxLayout>
 #include <QVariant>
 
-#include "Numbers.h"
-#include "Theme.h"
+#include "gui/parts/Numbers.h"
+#include "gui/parts/Theme.h"
 
 namespace perilymph::gui {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "KioskBoard.h"
+#include "gui/kiosk/KioskBoard.h"
 
 class QLabel;
 class QVBoxLayout;

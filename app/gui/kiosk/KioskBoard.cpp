@@ -1,4 +1,4 @@
-#include "KioskBoard.h"
+#include "gui/kiosk/KioskBoard.h"
 
 #include <QStringList>
 #include <algorithm>

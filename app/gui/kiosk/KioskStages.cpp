@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <array>
 
-#include "BoardView.h"
-#include "KioskWindow.h"
-#include "Numbers.h"
-#include "OperationView.h"
-#include "PushPad.h"
+#include "gui/kiosk/BoardView.h"
+#include "gui/kiosk/KioskWindow.h"
+#include "gui/kiosk/PushPad.h"
+#include "gui/parts/Numbers.h"
+#include "gui/scene/OperationView.h"
 
 namespace perilymph::gui {
 

@@ -1,9 +1,9 @@
-#include "KioskTurn.h"
+#include "gui/kiosk/KioskTurn.h"
 
 #include <QCoreApplication>
 #include <algorithm>
 
-#include "Numbers.h"
+#include "gui/parts/Numbers.h"
 #include "perilymph/foundation/Units.h"
 
 namespace perilymph::gui {

@@ -1,4 +1,4 @@
-#include "KioskWindow.h"
+#include "gui/kiosk/KioskWindow.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -10,10 +10,10 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
-#include "BoardView.h"
-#include "OperationView.h"
-#include "PushPad.h"
-#include "Theme.h"
+#include "gui/kiosk/BoardView.h"
+#include "gui/kiosk/PushPad.h"
+#include "gui/parts/Theme.h"
+#include "gui/scene/OperationView.h"
 
 namespace perilymph::gui {
 

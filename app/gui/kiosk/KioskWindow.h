@@ -9,10 +9,10 @@
 #include <filesystem>
 #include <optional>
 
-#include "InsertionControl.h"
-#include "KioskBoard.h"
-#include "KioskClock.h"
-#include "KioskTurn.h"
+#include "gui/kiosk/KioskBoard.h"
+#include "gui/kiosk/KioskClock.h"
+#include "gui/kiosk/KioskTurn.h"
+#include "gui/run/InsertionControl.h"
 #include "perilymph/session/Scenario.h"
 
 class QLabel;

@@ -1,4 +1,4 @@
-#include "PushPad.h"
+#include "gui/kiosk/PushPad.h"
 
 #include <QEvent>
 #include <QMouseEvent>
@@ -6,7 +6,7 @@
 #include <QPainterPath>
 #include <algorithm>
 
-#include "Theme.h"
+#include "gui/parts/Theme.h"
 
 namespace perilymph::gui {
 

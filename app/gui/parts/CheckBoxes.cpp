@@ -1,11 +1,11 @@
-#include "CheckBoxes.h"
+#include "gui/parts/CheckBoxes.h"
 
 #include <QFontMetrics>
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
 
-#include "Theme.h"
+#include "gui/parts/Theme.h"
 
 namespace perilymph::gui {
 

@@ -1,8 +1,8 @@
-#include "DrawingPainter.h"
+#include "gui/parts/DrawingPainter.h"
 
 #include <cmath>
 
-#include "Theme.h"
+#include "gui/parts/Theme.h"
 
 namespace perilymph::gui {
 

@@ -1,10 +1,10 @@
-#include "DrawingView.h"
+#include "gui/parts/DrawingView.h"
 
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
 
-#include "DrawingPainter.h"
+#include "gui/parts/DrawingPainter.h"
 
 namespace perilymph::gui {
 

@@ -1,11 +1,11 @@
-#include "EmptyPage.h"
+#include "gui/parts/EmptyPage.h"
 
 #include <QLabel>
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
 
-#include "Theme.h"
+#include "gui/parts/Theme.h"
 
 namespace perilymph::gui {
 

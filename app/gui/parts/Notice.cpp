@@ -1,4 +1,4 @@
-#include "Notice.h"
+#include "gui/parts/Notice.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -6,7 +6,7 @@
 #include <QPushButton>
 #include <algorithm>
 
-#include "Theme.h"
+#include "gui/parts/Theme.h"
 
 namespace perilymph::gui {
 

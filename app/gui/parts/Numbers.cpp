@@ -1,4 +1,4 @@
-#include "Numbers.h"
+#include "gui/parts/Numbers.h"
 
 #include <QLocale>
 #include <cmath>

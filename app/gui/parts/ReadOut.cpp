@@ -1,10 +1,10 @@
-#include "ReadOut.h"
+#include "gui/parts/ReadOut.h"
 
 #include <QFontMetrics>
 #include <QPainter>
 #include <algorithm>
 
-#include "Theme.h"
+#include "gui/parts/Theme.h"
 
 namespace perilymph::gui {
 

@@ -1,4 +1,4 @@
-#include "Theme.h"
+#include "gui/parts/Theme.h"
 
 #include <QStringList>
 

@@ -1,4 +1,4 @@
-#include "Application.h"
+#include "gui/program/Application.h"
 
 #include <QVTKOpenGLNativeWidget.h>
 
@@ -9,7 +9,7 @@
 #include <exception>
 #include <iostream>
 
-#include "Theme.h"
+#include "gui/parts/Theme.h"
 #include "perilymph/foundation/Version.h"
 
 namespace perilymph::gui {

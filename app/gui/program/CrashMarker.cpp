@@ -1,4 +1,4 @@
-#include "CrashMarker.h"
+#include "gui/program/CrashMarker.h"
 
 #include <signal.h>
 #include <unistd.h>

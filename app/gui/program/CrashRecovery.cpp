@@ -1,13 +1,13 @@
-#include "CrashRecovery.h"
+#include "gui/program/CrashRecovery.h"
 
 #include <spdlog/spdlog.h>
 
 #include <optional>
 
-#include "Background.h"
-#include "MainWindow.h"
-#include "Notice.h"
-#include "Numbers.h"
+#include "gui/parts/Notice.h"
+#include "gui/parts/Numbers.h"
+#include "gui/run/Background.h"
+#include "gui/shell/MainWindow.h"
 
 namespace perilymph::gui {
 

@@ -1,11 +1,11 @@
-#include "Languages.h"
+#include "gui/program/Languages.h"
 
 #include <QCoreApplication>
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QTranslator>
 
-#include "ChartLabels.h"
+#include "gui/parts/ChartLabels.h"
 
 // Outside of every namespace, where Qt looks for the resource.
 static void initializeTranslations() { Q_INIT_RESOURCE(translations); }

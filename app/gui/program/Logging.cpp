@@ -1,11 +1,9 @@
-#include "Logging.h"
+#include "gui/program/Logging.h"
 
 #include <spdlog/sinks/rotating_file_sink.h>
 #include <spdlog/spdlog.h>
 
-#include <QDir>
 #include <QString>
-#include <cstdlib>
 #include <memory>
 #include <system_error>
 
@@ -38,15 +36,6 @@ void log(QtMsgType type, const QMessageLogContext& context, const QString& messa
 }
 
 }  // namespace
-
-std::filesystem::path stateFolder()
-{
-  // The XDG rules: a relative path counts as none.
-  const char* given = std::getenv("XDG_STATE_HOME");
-  const std::filesystem::path state = given != nullptr ? given : "";
-  if (state.is_absolute()) return state / "perilymph";
-  return std::filesystem::path(QDir::homePath().toStdString()) / ".local" / "state" / "perilymph";
-}
 
 Result<Done> startLog(const std::filesystem::path& folder)
 {

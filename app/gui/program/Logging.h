@@ -8,9 +8,6 @@
 
 namespace perilymph::gui {
 
-/// $XDG_STATE_HOME/perilymph, by default below ~/.local/state.
-std::filesystem::path stateFolder();
-
 /// From now on messages of the program and of Qt go to perilymph.log in a folder, rotated at 1 MiB,
 /// three older ones kept. Qt's warnings still reach standard error.
 Result<Done> startLog(const std::filesystem::path& folder);

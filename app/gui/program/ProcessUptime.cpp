@@ -1,4 +1,4 @@
-#include "ProcessUptime.h"
+#include "gui/program/ProcessUptime.h"
 
 #include <time.h>
 #include <unistd.h>

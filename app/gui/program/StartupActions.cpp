@@ -1,4 +1,4 @@
-#include "StartupActions.h"
+#include "gui/program/StartupActions.h"
 
 #include <QCoreApplication>
 #include <QPixmap>
@@ -6,10 +6,10 @@
 #include <cstdio>
 #include <iostream>
 
-#include "FrameMeasurement.h"
-#include "KioskWindow.h"
-#include "MainWindow.h"
-#include "ProcessUptime.h"
+#include "gui/kiosk/KioskWindow.h"
+#include "gui/program/FrameBenchmark.h"
+#include "gui/program/ProcessUptime.h"
+#include "gui/shell/MainWindow.h"
 #include "perilymph/foundation/AtomicFile.h"
 
 namespace perilymph::gui {
@@ -33,7 +33,7 @@ void takeScreenshot(QWidget& window, const std::filesystem::path& file)
   QCoreApplication::exit(0);
 }
 
-void takeScreenshotLater(QWidget& window, const Options& options)
+void takeScreenshotLater(QWidget& window, const CommandLine& options)
 {
   if (!options.screenshot) return;
   QTimer::singleShot(int(options.after_s * 1e3), &window,
@@ -42,7 +42,7 @@ void takeScreenshotLater(QWidget& window, const Options& options)
 
 }  // namespace
 
-void scheduleStartupActions(MainWindow& window, const Options& options)
+void arrangeStartupActions(MainWindow& window, const CommandLine& options)
 {
   const bool isDemo = options.isDemo || options.measuresFrames;
   QObject::connect(&window, &MainWindow::firstFrameShown, &window, [&window, options, isDemo] {
@@ -57,7 +57,7 @@ void scheduleStartupActions(MainWindow& window, const Options& options)
   });
 }
 
-void scheduleStartupActions(KioskWindow& window, const Options& options)
+void arrangeStartupActions(KioskWindow& window, const CommandLine& options)
 {
   QObject::connect(&window, &KioskWindow::firstFrameShown, &window,
                    [&window, options] { takeScreenshotLater(window, options); });

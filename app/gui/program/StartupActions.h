@@ -2,7 +2,7 @@
 
 // What the window does by itself when it was called with --demo, --screenshot or --measure-frames.
 
-#include "Options.h"
+#include "gui/program/CommandLine.h"
 
 namespace perilymph::gui {
 
@@ -10,8 +10,8 @@ class KioskWindow;
 class MainWindow;
 
 /// Sets the errands of a call in motion. They end the application with its exit status.
-void scheduleStartupActions(MainWindow& window, const Options& options);
+void arrangeStartupActions(MainWindow& window, const CommandLine& options);
 /// The same at the booth, which can be photographed.
-void scheduleStartupActions(KioskWindow& window, const Options& options);
+void arrangeStartupActions(KioskWindow& window, const CommandLine& options);
 
 }  // namespace perilymph::gui

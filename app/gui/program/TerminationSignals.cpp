@@ -1,4 +1,4 @@
-#include "TerminationSignals.h"
+#include "gui/program/TerminationSignals.h"
 
 #include <fcntl.h>
 #include <signal.h>

@@ -1,4 +1,4 @@
-#include "SafetyStop.h"
+#include "gui/run/SafetyStop.h"
 
 namespace perilymph::gui {
 

@@ -2,7 +2,7 @@
 
 // How the window takes the force off the hand, whatever else it is doing.
 
-#include "InsertionControl.h"
+#include "gui/run/InsertionControl.h"
 
 namespace perilymph::gui {
 

@@ -1,13 +1,13 @@
-#include "ArraySection.h"
+#include "gui/setup/ArraySection.h"
 
 #include <QLabel>
 #include <QVBoxLayout>
 #include <QVariant>
 
-#include "NumberField.h"
-#include "Numbers.h"
-#include "Selector.h"
-#include "Theme.h"
+#include "gui/parts/Numbers.h"
+#include "gui/parts/Theme.h"
+#include "gui/setup/NumberField.h"
+#include "gui/setup/Selector.h"
 #include "perilymph/mechanics/InsertionState.h"
 #include "perilymph/mechanics/PointSet.h"
 

@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "Catalog.h"
-#include "Section.h"
-#include "Setup.h"
+#include "gui/setup/Catalog.h"
+#include "gui/setup/Section.h"
+#include "gui/setup/Setup.h"
 
 class QLabel;
 

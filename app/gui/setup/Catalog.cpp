@@ -1,10 +1,10 @@
-#include "Catalog.h"
+#include "gui/setup/Catalog.h"
 
 #include <QCoreApplication>
 #include <QStringList>
 #include <algorithm>
 
-#include "Numbers.h"
+#include "gui/parts/Numbers.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/TomlReader.h"
 

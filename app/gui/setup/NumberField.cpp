@@ -1,12 +1,12 @@
-#include "NumberField.h"
+#include "gui/setup/NumberField.h"
 
 #include <QGridLayout>
 #include <QLabel>
 #include <QVariant>
 
-#include "Numbers.h"
-#include "Theme.h"
-#include "ValueEdit.h"
+#include "gui/parts/Numbers.h"
+#include "gui/parts/Theme.h"
+#include "gui/setup/ValueEdit.h"
 
 namespace perilymph::gui {
 

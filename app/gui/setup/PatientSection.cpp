@@ -1,4 +1,4 @@
-#include "PatientSection.h"
+#include "gui/setup/PatientSection.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "Numbers.h"
-#include "Populations.h"
-#include "Selector.h"
-#include "Theme.h"
-#include "ValueEdit.h"
+#include "gui/parts/Numbers.h"
+#include "gui/parts/Theme.h"
+#include "gui/setup/Populations.h"
+#include "gui/setup/Selector.h"
+#include "gui/setup/ValueEdit.h"
 #include "perilymph/anatomy/Population.h"
 
 namespace perilymph::gui {

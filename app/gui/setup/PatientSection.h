@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "PopulationField.h"
-#include "Section.h"
-#include "Setup.h"
+#include "gui/setup/PopulationField.h"
+#include "gui/setup/Section.h"
+#include "gui/setup/Setup.h"
 
 namespace perilymph::gui {
 

@@ -1,4 +1,4 @@
-#include "ScenarioHead.h"
+#include "gui/setup/ScenarioHead.h"
 
 #include <QFontMetrics>
 #include <QHBoxLayout>
@@ -7,8 +7,8 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
-#include "SetupHistory.h"
-#include "Theme.h"
+#include "gui/parts/Theme.h"
+#include "gui/setup/SetupHistory.h"
 #include "perilymph/analysis/Reference.h"
 
 namespace perilymph::gui {

@@ -1,4 +1,4 @@
-#include "Section.h"
+#include "gui/setup/Section.h"
 
 #include <QFrame>
 #include <QHBoxLayout>
@@ -7,7 +7,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
-#include "Theme.h"
+#include "gui/parts/Theme.h"
 
 namespace perilymph::gui {
 

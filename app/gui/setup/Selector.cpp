@@ -1,4 +1,4 @@
-#include "Selector.h"
+#include "gui/setup/Selector.h"
 
 #include <QAbstractItemView>
 #include <QFontMetrics>
@@ -8,7 +8,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 
-#include "Theme.h"
+#include "gui/parts/Theme.h"
 
 namespace perilymph::gui {
 

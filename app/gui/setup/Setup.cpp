@@ -1,4 +1,4 @@
-#include "Setup.h"
+#include "gui/setup/Setup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,6 +6,7 @@
 #include <functional>
 #include <utility>
 
+#include "gui/run/ScenarioDifference.h"
 #include "perilymph/foundation/Resources.h"
 
 namespace perilymph::gui {
@@ -245,19 +246,6 @@ Result<Setup> changed(const Setup& now, const SetupOrigin& origin, const SetupCh
   if (!own) return own.error();
   made.scenario = *std::move(own);
   return made;
-}
-
-std::vector<std::string> differingKeys(const session::Scenario& one, const session::Scenario& other)
-{
-  const auto isCompared = [](const std::string& key) { return key != "title"; };
-  const Values left = only(one.values, isCompared), right = only(other.values, isCompared);
-  Values differing;
-  std::set_symmetric_difference(left.begin(), left.end(), right.begin(), right.end(),
-                                std::back_inserter(differing));
-  std::vector<std::string> keys;
-  for (const auto& [key, value] : differing)
-    if (keys.empty() || keys.back() != key) keys.push_back(key);
-  return keys;
 }
 
 std::vector<std::string> differingText(const session::Scenario& one, const session::Scenario& other)

@@ -78,11 +78,8 @@ std::string tomlQuoted(const QString& text);
 /// that it is not. Without differences it is the origin again.
 Result<Setup> changed(const Setup& now, const SetupOrigin& origin, const SetupChange& change);
 
-/// The keys in which two scenarios differ, but for their titles.
-std::vector<std::string> differingKeys(const session::Scenario& one,
-                                       const session::Scenario& other);
-
-/// The same as fields in words, each once and in a fixed order: "array", "speed".
+/// In which fields two scenarios differ, but for their titles: words, each once and in a fixed
+/// order: "array", "speed".
 std::vector<std::string> differingText(const session::Scenario& one,
                                        const session::Scenario& other);
 

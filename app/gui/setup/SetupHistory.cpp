@@ -1,8 +1,10 @@
-#include "SetupHistory.h"
+#include "gui/setup/SetupHistory.h"
 
 #include <QStringList>
 #include <algorithm>
 #include <utility>
+
+#include "gui/run/ScenarioDifference.h"
 
 namespace perilymph::gui {
 

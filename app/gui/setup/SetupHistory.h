@@ -5,7 +5,7 @@
 #include <QObject>
 #include <QUndoStack>
 
-#include "Setup.h"
+#include "gui/setup/Setup.h"
 
 namespace perilymph::gui {
 

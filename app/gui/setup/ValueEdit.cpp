@@ -1,4 +1,4 @@
-#include "ValueEdit.h"
+#include "gui/setup/ValueEdit.h"
 
 #include <QFocusEvent>
 #include <QKeyEvent>

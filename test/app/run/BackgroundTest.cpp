@@ -1,6 +1,6 @@
 // Work beside the UI thread: answered once, whatever it throws, and no reason to wait for ever.
 
-#include "Background.h"
+#include "gui/run/Background.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

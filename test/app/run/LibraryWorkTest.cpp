@@ -1,6 +1,6 @@
 // The list of recordings while it is read: a file that takes long, or for ever, hides no other.
 
-#include "LibraryWork.h"
+#include "gui/pages/sessions/LibraryWork.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // The force is off and the array rests when the window loses the keyboard, another page is shown,
 // or the window ends.
 
-#include "SafetyStop.h"
+#include "gui/run/SafetyStop.h"
 
 #include <gtest/gtest.h>
 

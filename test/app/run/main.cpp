@@ -5,7 +5,7 @@
 #include <QCoreApplication>
 #include <cstdlib>
 
-#include "Background.h"
+#include "gui/run/Background.h"
 
 int main(int argc, char** argv)
 {

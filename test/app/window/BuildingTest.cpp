@@ -8,10 +8,10 @@
 #include <QProgressBar>
 #include <QTest>
 
-#include "BuildingNote.h"
-#include "ModelWork.h"
-#include "SetupHistory.h"
 #include "WindowRig.h"
+#include "gui/pages/insert/BuildingNote.h"
+#include "gui/run/ModelBuilder.h"
+#include "gui/setup/SetupHistory.h"
 
 namespace perilymph::test {
 namespace {

@@ -11,11 +11,11 @@
 #include <algorithm>
 #include <system_error>
 
-#include "ComparePage.h"
-#include "ComparisonPlot.h"
 #include "DataFolder.h"
-#include "SessionsPage.h"
 #include "WindowRig.h"
+#include "gui/pages/compare/ComparePage.h"
+#include "gui/pages/compare/ComparisonPlot.h"
+#include "gui/pages/sessions/SessionsPage.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/Version.h"

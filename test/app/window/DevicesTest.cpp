@@ -4,8 +4,8 @@
 
 #include <QLabel>
 
-#include "DevicePage.h"
 #include "WindowRig.h"
+#include "gui/pages/devices/DevicePage.h"
 #include "perilymph/test/RecordedTree.h"
 
 namespace perilymph::test {

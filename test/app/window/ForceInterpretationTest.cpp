@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "ForceInterpretation.h"
+#include "gui/scene/ForceInterpretation.h"
 
 namespace perilymph::gui {
 namespace {

@@ -1,6 +1,6 @@
 // What is heard of a force: pitches from the rule that the menu states, samples counted.
 
-#include "ForceTone.h"
+#include "gui/pages/insert/ForceTone.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "FrameMeter.h"
+#include "gui/parts/FrameMeter.h"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include <QEvent>
 #include <QTest>
 
-#include "KeyList.h"
 #include "WindowRig.h"
+#include "gui/shell/KeyList.h"
 
 namespace perilymph::test {
 namespace {

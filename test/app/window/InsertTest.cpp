@@ -5,8 +5,8 @@
 #include <QLabel>
 #include <set>
 
-#include "PhaseLine.h"
 #include "WindowRig.h"
+#include "gui/scene/PhaseLine.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/test/TemporaryFolder.h"

@@ -10,15 +10,15 @@
 #include <QTest>
 #include <QTextBrowser>
 
-#include "BottomBar.h"
-#include "GuideSheet.h"
-#include "KeyActions.h"
-#include "KeyList.h"
-#include "Notice.h"
-#include "SettingsSheet.h"
-#include "SetupHistory.h"
-#include "TopBar.h"
 #include "WindowRig.h"
+#include "gui/pages/insert/BottomBar.h"
+#include "gui/parts/Notice.h"
+#include "gui/setup/SetupHistory.h"
+#include "gui/shell/GuideSheet.h"
+#include "gui/shell/KeyActions.h"
+#include "gui/shell/KeyList.h"
+#include "gui/shell/SettingsSheet.h"
+#include "gui/shell/TopBar.h"
 
 namespace perilymph::test {
 namespace {

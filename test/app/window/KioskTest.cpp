@@ -7,10 +7,10 @@
 #include <QTest>
 #include <fstream>
 
-#include "KioskWindow.h"
-#include "PushPad.h"
 #include "TestPicture.h"
 #include "WindowRig.h"
+#include "gui/kiosk/KioskWindow.h"
+#include "gui/kiosk/PushPad.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::test {

@@ -11,15 +11,15 @@
 #include <QTranslator>
 #include <algorithm>
 
-#include "Catalog.h"
-#include "ChartLabels.h"
-#include "InsertionViews.h"
-#include "Languages.h"
-#include "Numbers.h"
-#include "Pane.h"
-#include "Selector.h"
-#include "SidePanel.h"
 #include "WindowRig.h"
+#include "gui/pages/insert/InsertionViews.h"
+#include "gui/pages/insert/Pane.h"
+#include "gui/pages/insert/SidePanel.h"
+#include "gui/parts/ChartLabels.h"
+#include "gui/parts/Numbers.h"
+#include "gui/program/Languages.h"
+#include "gui/setup/Catalog.h"
+#include "gui/setup/Selector.h"
 #include "perilymph/analysis/Reference.h"
 #include "perilymph/charts/ChartStrings.h"
 #include "perilymph/visualization/SceneStrings.h"

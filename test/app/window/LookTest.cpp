@@ -6,8 +6,8 @@
 
 #include <QLabel>
 
-#include "ForceInterpretation.h"
 #include "WindowRig.h"
+#include "gui/scene/ForceInterpretation.h"
 
 namespace perilymph::test {
 namespace {
@@ -54,7 +54,7 @@ TEST(WindowLook, TheCaptionOfTheForceSaysWhatItIs)
 {
   WindowRig rig;
   EXPECT_EQ(rig.window().findChild<gui::ReadOut*>("forceReadOut")->caption(), "force on the hand");
-  EXPECT_TRUE(rig.window().findChild<gui::ForceInterpretation*>()->handText().contains("20 mN"));
+  EXPECT_TRUE(rig.window().findChild<gui::ForceLabel*>()->handText().contains("20 mN"));
 }
 
 TEST(WindowLook, WordsOfPictureAndChartsAreScaledOnceOnAScreenOfManyPixels)

@@ -8,10 +8,10 @@
 #include <QLineEdit>
 #include <QTest>
 
-#include "Selector.h"
-#include "SetupHistory.h"
-#include "SidePanel.h"
 #include "WindowRig.h"
+#include "gui/pages/insert/SidePanel.h"
+#include "gui/setup/Selector.h"
+#include "gui/setup/SetupHistory.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/test/TemporaryFolder.h"
 

@@ -8,11 +8,11 @@
 #include <fstream>
 
 #include "DataFolder.h"
-#include "Notice.h"
-#include "Report.h"
-#include "ReportContent.h"
-#include "SessionsPage.h"
 #include "WindowRig.h"
+#include "gui/pages/sessions/Report.h"
+#include "gui/pages/sessions/ReportContent.h"
+#include "gui/pages/sessions/SessionsPage.h"
+#include "gui/parts/Notice.h"
 
 namespace perilymph::test {
 namespace {

@@ -12,12 +12,12 @@
 #include <future>
 
 #include "DataFolder.h"
-#include "ReplayBar.h"
-#include "ReplayPlayer.h"
-#include "SessionTable.h"
-#include "SessionsPage.h"
-#include "Thumbnails.h"
 #include "WindowRig.h"
+#include "gui/pages/insert/ReplayBar.h"
+#include "gui/pages/insert/ReplayPlayer.h"
+#include "gui/pages/sessions/SessionTable.h"
+#include "gui/pages/sessions/SessionsPage.h"
+#include "gui/pages/sessions/Thumbnails.h"
 #include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/session/Insertion.h"

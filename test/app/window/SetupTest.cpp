@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "Setup.h"
+#include "gui/setup/Setup.h"
 #include "perilymph/foundation/Resources.h"
 
 namespace perilymph::gui {

@@ -13,14 +13,14 @@
 #include <future>
 #include <new>
 
-#include "CrashMarker.h"
-#include "CrashRecovery.h"
 #include "DataFolder.h"
-#include "Logging.h"
-#include "Notice.h"
-#include "Numbers.h"
-#include "Settings.h"
 #include "WindowRig.h"
+#include "gui/parts/Notice.h"
+#include "gui/parts/Numbers.h"
+#include "gui/parts/UserSettings.h"
+#include "gui/program/CrashMarker.h"
+#include "gui/program/CrashRecovery.h"
+#include "gui/program/Logging.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/test/TemporaryFolder.h"
@@ -30,11 +30,11 @@ namespace {
 
 class KeptSettings : public testing::Test {
 protected:
-  ~KeptSettings() override { gui::Settings().clear(); }
+  ~KeptSettings() override { gui::UserSettings().clear(); }
 
   static void write(const char* text)
   {
-    const QString file = gui::Settings().fileName();
+    const QString file = gui::UserSettings().fileName();
     std::ofstream(file.toStdString()) << text;
     QSettings(file, QSettings::IniFormat).sync();
   }
@@ -42,36 +42,36 @@ protected:
 
 TEST_F(KeptSettings, SayTheirFormat)
 {
-  EXPECT_EQ(gui::Settings().value("format").toInt(), gui::Settings::format);
+  EXPECT_EQ(gui::UserSettings().value("format").toInt(), gui::UserSettings::format);
 }
 
 TEST_F(KeptSettings, AreThereForTheNextStart)
 {
-  gui::Settings().setValue("look", "light");
-  EXPECT_EQ(gui::Settings().word("look", {"dark", "light"}), "light");
+  gui::UserSettings().setValue("look", "light");
+  EXPECT_EQ(gui::UserSettings().word("look", {"dark", "light"}), "light");
 }
 
 TEST_F(KeptSettings, OfAnUnknownFormatAreForgotten)
 {
   {
-    gui::Settings settings;
+    gui::UserSettings settings;
     settings.setValue("look", "light");
     settings.setValue("format", 99);
   }
-  EXPECT_EQ(gui::Settings().word("look", {"dark", "light"}), "dark");
-  EXPECT_EQ(gui::Settings().value("format").toInt(), gui::Settings::format);
+  EXPECT_EQ(gui::UserSettings().word("look", {"dark", "light"}), "dark");
+  EXPECT_EQ(gui::UserSettings().value("format").toInt(), gui::UserSettings::format);
 }
 
 TEST_F(KeptSettings, AWordThatIsNotAllowedCountsAsNotSet)
 {
-  gui::Settings().setValue("look", "plaid");
-  EXPECT_EQ(gui::Settings().word("look", {"dark", "light"}), "dark");
+  gui::UserSettings().setValue("look", "plaid");
+  EXPECT_EQ(gui::UserSettings().word("look", {"dark", "light"}), "dark");
 }
 
 TEST_F(KeptSettings, ThatAreDamagedAreForgotten)
 {
   write("\x01\x02[[[=\nnonsense");
-  EXPECT_EQ(gui::Settings().word("look", {"dark", "light"}), "dark");
+  EXPECT_EQ(gui::UserSettings().word("look", {"dark", "light"}), "dark");
 }
 
 TEST(Log, LiesInTheStateHome)

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "Theme.h"
 #include "WindowRig.h"
+#include "gui/parts/Theme.h"
 
 namespace perilymph::test {
 namespace {

@@ -7,9 +7,9 @@
 #include <QSpinBox>
 #include <QTest>
 
-#include "DrawingView.h"
-#include "ValidatePage.h"
 #include "WindowRig.h"
+#include "gui/pages/validate/ValidatePage.h"
+#include "gui/parts/DrawingView.h"
 
 namespace perilymph::test {
 namespace {

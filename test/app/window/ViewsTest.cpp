@@ -6,13 +6,13 @@
 #include <QMenu>
 #include <QTest>
 
-#include "Display.h"
-#include "InsertionViews.h"
-#include "Pane.h"
-#include "Settings.h"
-#include "StereoWindow.h"
-#include "ViewMenu.h"
 #include "WindowRig.h"
+#include "gui/pages/insert/InsertionViews.h"
+#include "gui/pages/insert/Pane.h"
+#include "gui/pages/insert/ViewMenu.h"
+#include "gui/parts/UserSettings.h"
+#include "gui/program/DisplayProbe.h"
+#include "gui/scene/StereoWindow.h"
 
 namespace perilymph::test {
 namespace {
@@ -25,8 +25,8 @@ using visualization::Stereo;
 
 /// Settings of one test are not the next one's.
 struct Views : ::testing::Test {
-  Views() { gui::Settings().clear(); }
-  ~Views() override { gui::Settings().clear(); }
+  Views() { gui::UserSettings().clear(); }
+  ~Views() override { gui::UserSettings().clear(); }
 };
 
 QWidget& pane(WindowRig& rig, const char* name)
@@ -107,7 +107,7 @@ TEST_F(Views, TheirNumberIsKeptForTheNextWindow)
 
 TEST_F(Views, ASettingThatNobodyKnowsIsLeftAside)
 {
-  gui::Settings().setValue("insert/layout", "seventeen");
+  gui::UserSettings().setValue("insert/layout", "seventeen");
   WindowRig rig;
   EXPECT_EQ(rig.window().views().arrangement(), PaneLayout::two);
 }

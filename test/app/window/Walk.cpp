@@ -15,8 +15,8 @@
 #include <QRegularExpression>
 #include <QTableView>
 
-#include "Pane.h"
-#include "ReadOut.h"
+#include "gui/pages/insert/Pane.h"
+#include "gui/parts/ReadOut.h"
 #include "perilymph/foundation/Resources.h"
 
 namespace perilymph::test {

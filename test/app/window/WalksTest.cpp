@@ -10,14 +10,14 @@
 #include <QTableView>
 #include <QTest>
 
-#include "ComparePage.h"
-#include "ComparisonPlot.h"
 #include "DataFolder.h"
-#include "KioskWindow.h"
-#include "PushPad.h"
-#include "SessionsPage.h"
 #include "Walk.h"
 #include "WindowRig.h"
+#include "gui/kiosk/KioskWindow.h"
+#include "gui/kiosk/PushPad.h"
+#include "gui/pages/compare/ComparePage.h"
+#include "gui/pages/compare/ComparisonPlot.h"
+#include "gui/pages/sessions/SessionsPage.h"
 
 namespace perilymph::test {
 namespace {

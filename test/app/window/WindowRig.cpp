@@ -9,7 +9,7 @@
 #include <QWheelEvent>
 #include <stdexcept>
 
-#include "Selector.h"
+#include "gui/setup/Selector.h"
 
 namespace perilymph::test {
 

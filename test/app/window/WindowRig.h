@@ -8,9 +8,9 @@
 #include <memory>
 #include <string>
 
-#include "MainWindow.h"
-#include "OperationView.h"
-#include "ReadOut.h"
+#include "gui/parts/ReadOut.h"
+#include "gui/scene/OperationView.h"
+#include "gui/shell/MainWindow.h"
 
 namespace perilymph::test {
 

@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "Application.h"
-#include "Background.h"
-#include "Display.h"
+#include "gui/program/Application.h"
+#include "gui/program/DisplayProbe.h"
+#include "gui/run/Background.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 int main(int argc, char** argv)

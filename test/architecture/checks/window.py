@@ -1,9 +1,13 @@
-"""The window: where text may be markup."""
+"""The window: its folders and the arrows between them, drawn in app/gui/README.md, and where text may
+be markup."""
 
 import re
 from pathlib import Path
 
 from checks import sources
+
+GUI = "app/gui"
+PAGE = f"{GUI}/README.md"
 
 # Text of a file or of a person is text: labels and tips are plain (Application.cpp). Where markup is
 # made, everything that comes from outside is escaped; these are the only places.
@@ -11,9 +15,84 @@ MARKUP = re.compile(r"\b(?:RichText|AutoText|setHtml|insertHtml|setMarkdown|QSta
                     r"QTextEdit|QTextBrowser|QTextDocument)\b")
 MARKUP_PLACES = {"Application.cpp", "GuideSheet.cpp", "Report.cpp"}
 
+# Works without a display, and so without widgets.
+WITHOUT_WIDGETS = f"{GUI}/run"
+WIDGETS = re.compile(r"Qt(?:Widgets|Gui)/|Q\w*(?:Widget|Window|Pixmap|Painter|Dialog)$")
+
+
+def drawn(root):
+    """Folder -> folders it may use directly, from the table; and complaints about it."""
+    page = root / PAGE
+    rows = sources.table(sources.read(page), "gui-arrows") if page.is_file() else None
+    if not rows:
+        return {}, [f"{PAGE} has no table of arrows between <!-- gui-arrows --> marks."]
+    arrows, wrong = {}, []
+    for row in rows:
+        name, uses = sources.quoted(row[0])[0], sources.quoted(row[1])
+        wrong += [f"{PAGE}: {name} may use {used}, which has no row above it: arrows go up in the table."
+                  for used in uses if used not in arrows]
+        arrows[name] = uses
+    return arrows, wrong
+
+
+def reachable(arrows, name):
+    """What a folder may include: itself, what it may use, and what comes along."""
+    seen, waiting = {name}, [name]
+    while waiting:
+        for used in arrows.get(waiting.pop(), []):
+            if used not in seen:
+                seen.add(used)
+                waiting.append(used)
+    return seen
+
+
+def folder_of(path):
+    return Path(path).parent.as_posix()
+
+
+def code(root):
+    """Pairs of a file of the window and its folder below app/gui; main.cpp has the folder '.'."""
+    return [(file, folder_of(file.relative_to(root / GUI)))
+            for file in sources.files(root, GUI, suffixes=sources.CODE)]
+
+
+def check_includes(root, arrows, wrong):
+    for file, folder in code(root):
+        place = file.relative_to(root)
+        allowed = reachable(arrows, folder) if folder != "." else set(arrows)
+        for line, name in sources.includes(file):
+            if name.startswith("gui/"):
+                used = folder_of(name[len("gui/"):])
+                if used not in allowed:
+                    wrong.append(f"{place}:{line}: includes {name}, but {PAGE} draws no arrow to {used}.")
+            elif "/" not in name and name.endswith(".h") and (root / GUI / folder / name).exists():
+                wrong.append(f"{place}:{line}: includes {name} bare; write \"gui/{folder}/{name}\".")
+            elif folder == "run" and WIDGETS.search(name):
+                wrong.append(f"{place}:{line}: includes {name}; {WITHOUT_WIDGETS} works without widgets.")
+
+
+def check_folders(root, arrows, wrong):
+    folders = {folder for _, folder in code(root)} - {"."}
+    wrong += [f"{GUI}/{folder} has no row in {PAGE}." for folder in sorted(folders - set(arrows))]
+    wrong += [f"{PAGE} has a row {folder}, which does not exist." for folder in sorted(set(arrows) - folders)]
+
+
+def check_cmake(root, arrows, wrong):
+    for folder in arrows:
+        file = root / GUI / folder / "CMakeLists.txt"
+        text = re.sub(r"#[^\n]*", "", sources.read(file)) if file.is_file() else ""
+        call = re.search(rf"perilymph_gui_part\(\s*{re.escape(folder)}\b([^)]*)\)", text)
+        if not call:
+            wrong.append(f"{GUI}/{folder}/CMakeLists.txt does not call perilymph_gui_part({folder} ...).")
+            continue
+        uses = re.search(r"\bUSES\b(.*?)(?=\b(?:LINKS|PRIVATE_LINKS|SOURCES)\b|$)", call.group(1), re.S)
+        listed = set(uses.group(1).split()) if uses else set()
+        for used in sorted(listed ^ set(arrows[folder])):
+            wrong.append(f"{GUI}/{folder}/CMakeLists.txt: USES and the row in {PAGE} differ in {used}.")
+
 
 def check_markup(root, wrong):
-    for file in sources.files(root, "app/gui", suffixes=sources.CODE):
+    for file, _ in code(root):
         if file.name in MARKUP_PLACES:
             continue
         text = sources.without_comments(sources.read(file))
@@ -25,6 +104,10 @@ def check_markup(root, wrong):
 
 def check(root):
     root = Path(root)
-    wrong = []
+    arrows, wrong = drawn(root)
+    if arrows:
+        check_includes(root, arrows, wrong)
+        check_folders(root, arrows, wrong)
+        check_cmake(root, arrows, wrong)
     check_markup(root, wrong)
     return wrong

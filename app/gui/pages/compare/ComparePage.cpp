@@ -1,0 +1,277 @@
+#include "gui/pages/compare/ComparePage.h"
+
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPainter>
+#include <QPixmap>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <QVariant>
+
+#include "gui/pages/compare/ComparisonPlot.h"
+#include "gui/parts/EmptyPage.h"
+#include "gui/parts/Numbers.h"
+#include "gui/parts/Theme.h"
+#include "perilymph/charts/FigurePicture.h"
+#include "perilymph/foundation/AtomicFile.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+enum Column { run, atCursor, peak, peakDepth, work, reversals, duration, angle, score, columns };
+
+constexpr int rowHeight_px = 32;
+constexpr int swatchWidth_px = 36;
+
+QLabel* text(const QString& caption, int size_px, QWidget* parent, bool isQuiet = false)
+{
+  auto* label = new QLabel(caption, parent);
+  label->setFont(typeface(size_px));
+  label->setProperty("quiet", isQuiet);
+  return label;
+}
+
+QPixmap swatch(std::size_t number)
+{
+  constexpr int fineness = 2;
+  QPixmap pixmap(fineness * swatchWidth_px, fineness * 12);
+  pixmap.setDevicePixelRatio(fineness);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setPen(penOfRun(number));
+  painter.drawLine(QPointF(0, 6), QPointF(swatchWidth_px, 6));
+  return pixmap;
+}
+
+}  // namespace
+
+ComparePage::ComparePage(QWidget* parent)
+    : QWidget(parent),
+      published_(analysis::shippedReference("todd-naghdy-experiment")),
+      stack_(new QStackedWidget(this)),
+      empty_(new EmptyPage(tr("Insertions side by side"),
+                           tr("Choose two or more on the page Sessions and press Compare: their "
+                              "forces over travel stand here on common axes, with the printed "
+                              "forces of the published experiment."),
+                           this)),
+      reading_(this)
+{
+  setObjectName(QStringLiteral("comparePage"));
+  stack_->addWidget(empty_);
+  stack_->addWidget(addRuns());
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(3 * spacing, 3 * spacing, 3 * spacing, 2 * spacing);
+  column->addWidget(stack_);
+}
+
+QWidget* ComparePage::addRuns()
+{
+  auto* page = new QWidget(this);
+  save_ = new QPushButton(tr("Export…"), page);
+  save_->setObjectName(QStringLiteral("exportButton"));
+  save_->setFont(typeface(13, QFont::Medium));
+  save_->setFixedHeight(32);
+  save_->setToolTip(tr("Table and curves as CSV, the figure as SVG and PNG, into a folder."));
+  connect(save_, &QPushButton::clicked, this, &ComparePage::save);
+  legend_ = text(tr("○  published experiment, printed values ± SD"), 11, page, true);
+  auto* top = new QHBoxLayout;
+  top->setSpacing(2 * spacing);
+  top->addWidget(text(tr("Force over travel"), 22, page));
+  top->addWidget(legend_, 0, Qt::AlignBottom);
+  top->addStretch();
+  top->addWidget(save_);
+
+  plot_ = new ComparisonPlot(page);
+  if (published_)
+    plot_->setPublished(*published_);
+  else
+    legend_->setText(QString::fromStdString(published_.error().message));
+  connect(plot_, &ComparisonPlot::cursorMoved, this, &ComparePage::showCursor);
+
+  table_ = new QTableWidget(0, columns, page);
+  table_->setObjectName(QStringLiteral("comparisonTable"));
+  table_->setAccessibleName(tr("The insertions in numbers"));
+  table_->setFont(typeface(13));
+  table_->setShowGrid(false);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setIconSize({swatchWidth_px, 12});
+  table_->setWordWrap(false);
+  table_->setTabKeyNavigation(false);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(rowHeight_px);
+  table_->horizontalHeader()->setFont(typeface(11));
+  table_->horizontalHeader()->setHighlightSections(false);
+  table_->setHorizontalHeaderLabels({tr("Insertion"), tr("At the cursor"), tr("Peak force"),
+                                     tr("at depth"), tr("Work of the hand"), tr("Reversals"),
+                                     tr("Time"), tr("Final angle"), tr("Score")});
+  const int widths_px[] = {200, 104, 96, 88, 120, 84, 76, 88, 96};
+  for (int column = 0; column < columns; ++column) {
+    table_->horizontalHeader()->resizeSection(column, widths_px[column]);
+    table_->horizontalHeaderItem(column)->setTextAlignment(
+        int(column == run ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+  }
+  table_->horizontalHeader()->setSectionResizeMode(run, QHeaderView::Stretch);
+  connect(table_, &QTableWidget::itemSelectionChanged, this, &ComparePage::showScore);
+
+  score_ = text({}, 11, page, true);
+  score_->setObjectName(QStringLiteral("scoreReasons"));
+  score_->setWordWrap(true);
+  score_->setMinimumHeight(84);
+  score_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  status_ = text({}, 11, page, true);
+  status_->setObjectName(QStringLiteral("comparisonStatus"));
+
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(spacing);
+  column->addLayout(top);
+  column->addWidget(plot_, 1);
+  column->addWidget(table_);
+  column->addWidget(score_);
+  column->addWidget(status_);
+  return page;
+}
+
+void ComparePage::compare(const std::vector<std::filesystem::path>& files)
+{
+  stack_->setCurrentIndex(0);
+  empty_->say(tr("Reading %n recording(s)…", nullptr, int(files.size())), tr("Esc ends it."));
+  reading_.run(
+      "The comparison",
+      [files](
+          const std::atomic<bool>& isCanceled) -> Result<std::vector<analysis::ComparedInsertion>> {
+        std::vector<analysis::ComparedInsertion> runs;
+        for (const std::filesystem::path& file : files) {
+          auto read = analysis::readCompared(file, [&isCanceled] { return !isCanceled; });
+          if (!read) return read.error();
+          runs.push_back(*std::move(read));
+        }
+        analysis::tellApart(runs);
+        return runs;
+      },
+      [this](Result<std::vector<analysis::ComparedInsertion>> runs) {
+        if (runs) return showRuns(*std::move(runs));
+        empty_->say(tr("They cannot be compared"), QString::fromStdString(runs.error().message));
+      });
+}
+
+void ComparePage::cancel()
+{
+  if (!isBusy()) return;
+  reading_.forget();
+  empty_->say(tr("Stopped"), tr("Choose two or more on the page Sessions and press Compare."));
+}
+
+void ComparePage::showRuns(std::vector<analysis::ComparedInsertion> runs)
+{
+  runs_ = std::move(runs);
+  scores_.clear();
+  for (const analysis::ComparedInsertion& each : runs_) scores_.push_back(analysis::scoreOf(each));
+  plot_->setRuns(runs_);
+  // where the first one pushes hardest
+  if (!runs_.empty()) plot_->setCursor_mm(inMillimeters(meters(runs_[0].profile.peak.travel)));
+  fillTable();
+  showCursor();
+  status_->clear();
+  stack_->setCurrentIndex(1);
+  plot_->setFocus();
+}
+
+void ComparePage::fillTable()
+{
+  table_->setRowCount(int(runs_.size()));
+  for (int row = 0; row < int(runs_.size()); ++row) {
+    const analysis::ComparedInsertion& each = runs_[std::size_t(row)];
+    const analysis::ForceProfile& profile = each.profile;
+    const auto& scored = scores_[std::size_t(row)];
+    const std::pair<int, QString> cells[] = {
+        {run, QString::fromStdString(each.name)},
+        {peak, tr("%1 mN").arg(numberText(inMillinewtons(newtons(profile.peak.force)), 1))},
+        {peakDepth, tr("%1 mm").arg(numberText(inMillimeters(meters(profile.peakDepth)), 1))},
+        {work, tr("%1 mJ").arg(numberText(profile.work * 1e3, 3))},
+        {reversals, QString::number(each.reversals)},
+        {duration, tr("%1 s").arg(numberText(profile.duration, 1))},
+        {angle, tr("%1°").arg(numberText(inDegrees(radians(profile.finalAngle)), 0))},
+        {score, scored ? tr("%1 of 100").arg(numberText(scored->total, 0)) : tr("none")},
+        {atCursor, QString()}};
+    for (const auto& [column, caption] : cells) {
+      auto* item = new QTableWidgetItem(caption);
+      item->setTextAlignment(int(column == run ? Qt::AlignLeft : Qt::AlignRight) |
+                             Qt::AlignVCenter);
+      if (column == run) item->setIcon(QIcon(swatch(std::size_t(row))));
+      if (column == score)
+        item->setToolTip(
+            QString::fromStdString(scored ? scored->sentence() : scored.error().message));
+      table_->setItem(row, column, item);
+    }
+  }
+  // as high as its rows, up to six of them
+  constexpr int maxColumns = 6;
+  const int rows = std::min(maxColumns, std::max(1, int(runs_.size())));
+  table_->setFixedHeight(table_->horizontalHeader()->sizeHint().height() + rows * rowHeight_px +
+                         2 * table_->frameWidth() + 2);
+  table_->selectRow(0);
+  showScore();
+}
+
+void ComparePage::showCursor()
+{
+  const double travel = millimeters(plot_->cursor_mm()).si();
+  for (int row = 0; row < int(runs_.size()) && row < table_->rowCount(); ++row) {
+    const auto force = analysis::forceAt(runs_[std::size_t(row)].profile.curve, travel);
+    table_->item(row, atCursor)
+        ->setText(force ? tr("%1 mN").arg(numberText(inMillinewtons(newtons(*force)), 1))
+                        : tr("–"));
+  }
+  if (auto* header = table_->horizontalHeaderItem(atCursor))
+    header->setText(tr("At %1 mm").arg(numberText(plot_->cursor_mm(), 1)));
+}
+
+void ComparePage::showScore()
+{
+  const int row = table_->currentRow();
+  if (row < 0 || row >= int(scores_.size())) return score_->clear();
+  const auto& scored = scores_[std::size_t(row)];
+  if (!scored) return score_->setText(QString::fromStdString(scored.error().message));
+  QStringList lines;
+  lines << tr("Score of %1. How it was done, not what it did to the ear: it knows no trauma.")
+               .arg(QString::fromStdString(runs_[std::size_t(row)].name));
+  for (const analysis::ScoreCriterion& each : scored->criteria)
+    lines << tr("%1 %2 %: %3. Band: %4. Source: %5.")
+                 .arg(QString::fromStdString(each.name), numberText(100.0 * each.fraction, 0),
+                      QString::fromStdString(each.found), QString::fromStdString(each.band),
+                      QString::fromStdString(each.source));
+  score_->setText(lines.join(QLatin1Char('\n')));
+}
+
+Result<Done> ComparePage::writeInto(const std::filesystem::path& folder) const
+{
+  const analysis::Drawing figure =
+      analysis::draw(analysis::comparisonFigure(runs_, published_ ? &*published_ : nullptr));
+  const std::pair<const char*, std::string> files[] = {
+      {"comparison.csv", analysis::comparisonCsv(runs_)},
+      {"curves.csv", analysis::curvesCsv(runs_)},
+      {"curves.svg", analysis::svg(figure)}};
+  for (const auto& [name, content] : files)
+    if (const auto written = writeWhole(folder / name, content); !written) return written;
+  return charts::writePicture(figure, folder / "curves.png");
+}
+
+void ComparePage::save()
+{
+  const QString chosen =
+      QFileDialog::getExistingDirectory(this, tr("Folder for table, curves and figure"));
+  if (chosen.isEmpty()) return;
+  const auto written = writeInto(chosen.toStdString());
+  status_->setText(written ? tr("Four files are in %1.").arg(chosen)
+                           : QString::fromStdString(written.error().message));
+}
+
+}  // namespace perilymph::gui

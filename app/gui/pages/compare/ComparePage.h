@@ -1,0 +1,58 @@
+#pragma once
+
+// Several recorded insertions over one axis: curves, a cursor through all of them, a table.
+
+#include <QWidget>
+#include <filesystem>
+#include <vector>
+
+#include "gui/run/Background.h"
+#include "perilymph/analysis/Comparison.h"
+#include "perilymph/analysis/Score.h"
+
+class QLabel;
+class QPushButton;
+class QStackedWidget;
+class QTableWidget;
+
+namespace perilymph::gui {
+
+class ComparisonPlot;
+class EmptyPage;
+
+/// Insertions side by side.
+class ComparePage : public QWidget {
+  Q_OBJECT
+public:
+  explicit ComparePage(QWidget* parent);
+
+  /// Reads recordings beside this thread and shows them.
+  void compare(const std::vector<std::filesystem::path>& files);
+  bool isBusy() const { return reading_.isBusy(); }
+  void cancel();
+  const std::vector<analysis::ComparedInsertion>& runs() const { return runs_; }
+
+  /// Writes table and curves as CSV, the figure as SVG and PNG, into a folder.
+  Result<Done> writeInto(const std::filesystem::path& folder) const;
+
+private:
+  QWidget* addRuns();
+  void showRuns(std::vector<analysis::ComparedInsertion> runs);
+  void fillTable();
+  void showCursor();
+  void showScore();
+  void save();
+
+  std::vector<analysis::ComparedInsertion> runs_;
+  std::vector<Result<analysis::InsertionScore>> scores_;
+  Result<analysis::Reference> published_;
+  QStackedWidget* stack_;
+  EmptyPage* empty_;
+  ComparisonPlot* plot_ = nullptr;
+  QTableWidget* table_ = nullptr;
+  QLabel *legend_ = nullptr, *score_ = nullptr, *status_ = nullptr;
+  QPushButton* save_ = nullptr;
+  Background reading_;
+};
+
+}  // namespace perilymph::gui

@@ -1,0 +1,133 @@
+#include "gui/pages/insert/BottomBar.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QStyle>
+#include <QVariant>
+#include <algorithm>
+
+#include "gui/parts/Numbers.h"
+#include "gui/parts/Theme.h"
+
+namespace perilymph::gui {
+
+ProgressLine::ProgressLine(QWidget* parent) : QWidget(parent)
+{
+  setObjectName(QStringLiteral("progressLine"));
+  setAttribute(Qt::WA_NoSystemBackground);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void ProgressLine::setFraction(double fraction)
+{
+  const double clamped = std::clamp(fraction, 0.0, 1.0);
+  if (clamped == fraction_) return;
+  fraction_ = clamped;
+  update();
+}
+
+void ProgressLine::paintEvent(QPaintEvent*)
+{
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  constexpr double radius = 5.0;
+  const double middle = height() / 2.0;
+  const double left = radius, right = width() - radius;
+  const double here = left + fraction_ * (right - left);
+  painter.setPen(QPen(aheadColor, 4.0, Qt::SolidLine, Qt::RoundCap));
+  painter.drawLine(QPointF(left, middle), QPointF(right, middle));
+  painter.setPen(QPen(accentColor, 4.0, Qt::SolidLine, Qt::RoundCap));
+  if (fraction_ > 0.0) painter.drawLine(QPointF(left, middle), QPointF(here, middle));
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(textColor);
+  painter.drawEllipse(QPointF(here, middle), radius, radius);
+}
+
+BottomBar::BottomBar(QWidget* parent)
+    : QWidget(parent),
+      start_(addButton(tr("Start"), "startButton", 104)),
+      withdraw_(addButton(tr("Withdraw"), "withdrawButton", 84)),
+      reset_(addButton(tr("Reset"), "resetButton", 84)),
+      progress_(new ProgressLine(this)),
+      time_(new QLabel(this)),
+      status_(new QLabel(this))
+{
+  setFixedHeight(barHeight);
+  start_->setFont(typeface(13, QFont::DemiBold));
+  setWait({});
+  withdraw_->setToolTip(tr("Pull the array out again (Backspace)"));
+  reset_->setToolTip(tr("Begin anew with a recording of its own (Ctrl+R)"));
+  withdraw_->setEnabled(false);
+
+  time_->setFont(typeface(13));
+  time_->setProperty("quiet", true);
+  time_->setMinimumWidth(56);
+  time_->setObjectName(QStringLiteral("timeLabel"));
+  status_->setFont(typeface(11));
+  status_->setProperty("quiet", true);
+  status_->setObjectName(QStringLiteral("statusLabel"));
+  status_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  status_->setWordWrap(true);  // a device has more to say than one line holds
+  status_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(2 * spacing, 0, 2 * spacing, 0);
+  row->setSpacing(spacing);
+  row->addWidget(start_);
+  row->addWidget(withdraw_);
+  row->addWidget(reset_);
+  row->addSpacing(2 * spacing);
+  row->addWidget(progress_, 5);
+  row->addWidget(time_);
+  row->addWidget(status_, 5);
+
+  connect(start_, &QPushButton::clicked, this,
+          [this] { main_ == Main::start ? Q_EMIT startAsked() : Q_EMIT pauseAsked(); });
+  connect(withdraw_, &QPushButton::clicked, this, &BottomBar::withdrawAsked);
+  connect(reset_, &QPushButton::clicked, this, &BottomBar::resetAsked);
+}
+
+QPushButton* BottomBar::addButton(const QString& text, const char* name, int width)
+{
+  auto* button = new QPushButton(text, this);
+  button->setObjectName(QLatin1String(name));
+  button->setFont(typeface(13, QFont::Medium));
+  button->setFixedHeight(28);
+  button->setMinimumWidth(width);
+  button->setFocusPolicy(Qt::TabFocus);
+  return button;
+}
+
+void BottomBar::setMain(Main action, bool isEnabled)
+{
+  main_ = action;
+  start_->setText(action == Main::start ? tr("Start") : tr("Pause"));
+  start_->setEnabled(isEnabled);
+}
+
+void BottomBar::setWait(const QString& reason)
+{
+  start_->setToolTip(reason.isEmpty() ? tr("Start or pause the insertion (Space)") : reason);
+}
+
+void BottomBar::setWithdrawEnabled(bool isEnabled) { withdraw_->setEnabled(isEnabled); }
+
+void BottomBar::setProgress(double fraction, double time_s)
+{
+  progress_->setFraction(fraction);
+  time_->setText(tr("%1 s").arg(numberText(time_s, 1)));
+}
+
+void BottomBar::setStatus(const QString& label, bool isError)
+{
+  status_->setText(label);
+  status_->setToolTip(label);
+  if (status_->property("error").toBool() == isError) return;
+  status_->setProperty("error", isError);
+  status_->style()->unpolish(status_);
+  status_->style()->polish(status_);
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,62 @@
+#include "gui/pages/insert/BuildingNote.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+
+#include "gui/parts/Theme.h"
+
+namespace perilymph::gui {
+
+BuildingNote::BuildingNote(QWidget* page) : QFrame(page), text_(new QLabel(this))
+{
+  setObjectName(QStringLiteral("buildingNote"));
+  text_->setObjectName(QStringLiteral("buildingText"));
+  text_->setFont(typeface(13));
+  auto* bar = new QProgressBar(this);  // how long it will take is not known
+  bar->setRange(0, 0);
+  bar->setTextVisible(false);
+  bar->setFixedSize(120, 6);
+  auto* cancel = new QPushButton(tr("Cancel"), this);
+  cancel->setObjectName(QStringLiteral("cancelBuildButton"));
+  cancel->setFont(typeface(13, QFont::Medium));
+  cancel->setFixedHeight(28);
+  cancel->setFocusPolicy(Qt::TabFocus);
+  cancel->setToolTip(tr("Go back to the cochlea and the array that are shown (Esc)"));
+  connect(cancel, &QPushButton::clicked, this, &BuildingNote::cancelAsked);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(2 * spacing, spacing, spacing, spacing);
+  row->setSpacing(2 * spacing);
+  row->addWidget(text_);
+  row->addWidget(bar);
+  row->addWidget(cancel);
+  page->installEventFilter(this);
+  hide();
+}
+
+void BuildingNote::show(qint64 busyFor_ms)
+{
+  const bool isWorthIt = busyFor_ms >= patience_ms;
+  if (isWorthIt) text_->setText(tr("Building the cochlea… %1 s").arg(busyFor_ms / 1000));
+  if (isWorthIt == !isHidden()) return;
+  setVisible(isWorthIt);
+  if (isWorthIt) place();
+}
+
+void BuildingNote::place()
+{
+  adjustSize();
+  const QWidget& page = *parentWidget();
+  move((page.width() - width()) / 2, page.height() / 2);
+  raise();
+}
+
+bool BuildingNote::eventFilter(QObject* target, QEvent* event)
+{
+  if (event->type() == QEvent::Resize && !isHidden()) place();
+  return QFrame::eventFilter(target, event);
+}
+
+}  // namespace perilymph::gui

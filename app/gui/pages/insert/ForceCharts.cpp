@@ -1,0 +1,104 @@
+#include "gui/pages/insert/ForceCharts.h"
+
+#include <QVTKOpenGLNativeWidget.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+#include <vtkRenderWindowInteractor.h>
+
+#include <QEvent>
+
+#include "gui/pages/insert/Pane.h"
+#include "gui/parts/ChartLabels.h"
+
+namespace perilymph::gui {
+
+ForceCharts::ForceCharts(QWidget* parent)
+    : QObject(parent), travelView_(chartView(parent)), timeView_(chartView(parent))
+{
+  travelPane_ = new Pane(tr("Force over travel"), tr("axial, N"), travelView_, parent);
+  travelPane_->setObjectName(QStringLiteral("travelPane"));
+  timePane_ = new Pane(tr("Force components"), tr("last 5 s, mN"), timeView_, parent);
+  timePane_->setObjectName(QStringLiteral("componentsPane"));
+
+  overTravel_.setScale(parent->devicePixelRatioF());
+  components_.setScale(parent->devicePixelRatioF());
+  overTravel_.attachTo(*travelView_->renderWindow());
+  components_.attachTo(*timeView_->renderWindow());
+}
+
+ForceCharts::~ForceCharts() = default;
+
+QVTKOpenGLNativeWidget* ForceCharts::chartView(QWidget* parent)
+{
+  auto* view = new QVTKOpenGLNativeWidget(parent);
+  view->setFocusPolicy(Qt::NoFocus);
+  view->setAttribute(Qt::WA_TransparentForMouseEvents);
+  view->setAttribute(Qt::WA_AcceptTouchEvents, false);
+  view->setEnableHiDPI(false);  // charts scale their words themselves; VTK would do so once more
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  window->SetMultiSamples(0);
+  view->setRenderWindow(window);
+  if (window->GetInteractor() != nullptr) window->GetInteractor()->SetInteractorStyle(nullptr);
+  view->installEventFilter(this);
+  return view;
+}
+
+bool ForceCharts::eventFilter(QObject* watched, QEvent* event)
+{
+  // what was hidden missed its frames; what has a new size shows an old one
+  if (event->type() == QEvent::Show || event->type() == QEvent::Resize)
+    (watched == travelView_ ? travelIsDirty_ : timeIsDirty_) = true;
+  return QObject::eventFilter(watched, event);
+}
+
+void ForceCharts::setExperiment(const Result<charts::ReferenceCurve>& experiment)
+{
+  if (!experiment) return travelPane_->setTip(QString::fromStdString(experiment.error().message));
+  overTravel_.setReference(experiment->points, referenceName(experiment->label).toStdString());
+  travelPane_->setTip(QString::fromStdString(experiment->source));
+}
+
+void ForceCharts::setExperimentVisible(bool isVisible)
+{
+  overTravel_.setVisible(charts::ChartLayer::reference, isVisible);
+}
+
+void ForceCharts::setGhost(const std::vector<std::pair<Length, Force>>& curve, const QString& name)
+{
+  overTravel_.setGhost(curve, name.toStdString());
+}
+
+void ForceCharts::begin(const anatomy::Entry& entry)
+{
+  entry_ = entry;
+  overTravel_.clear();
+  components_.clear();
+}
+
+void ForceCharts::append(const haptics::TickOutput& now)
+{
+  overTravel_.append(Length::fromSi(now.travel), Force::fromSi(now.axialForce));
+  const auto along = [&now](const Eigen::Vector3d& axis_W) {
+    return Force::fromSi(now.force_W[0] * axis_W.x() + now.force_W[1] * axis_W.y() +
+                         now.force_W[2] * axis_W.z());
+  };
+  components_.append(
+      Duration::fromSi(now.time),
+      {Force::fromSi(now.axialForce), along(entry_.outward_W), along(entry_.vertical_W)});
+}
+
+bool ForceCharts::renderIfDirty()
+{
+  const auto render = [](QVTKOpenGLNativeWidget& view, auto& chart, bool& isDirty) {
+    if (!view.isVisible() || !view.isValid()) return false;
+    if (!chart.update() && !isDirty) return false;
+    isDirty = false;
+    view.renderWindow()->Render();
+    return true;
+  };
+  const bool travelChanged = render(*travelView_, overTravel_, travelIsDirty_);
+  const bool timeChanged = render(*timeView_, components_, timeIsDirty_);
+  return travelChanged || timeChanged;
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,132 @@
+#include "gui/pages/insert/HandSection.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QStyle>
+#include <QVBoxLayout>
+#include <QVariant>
+
+#include "gui/parts/CheckBoxes.h"
+#include "gui/parts/Numbers.h"
+#include "gui/parts/Theme.h"
+#include "gui/setup/NumberField.h"
+
+namespace perilymph::gui {
+
+HandSection::HandSection(QWidget* parent)
+    : Section(tr("Hand"), "handFold", parent),
+      scripted_(new Choice(tr("Scripted insertion"), body())),
+      pointer_(new Choice(tr("Mouse and keyboard"), body())),
+      device_(new Choice(tr("Haptic device…"), body())),
+      hold_(new QPushButton(tr("Hold the array (Space)"), body())),
+      pullStylet_(new QPushButton(tr("Pull stylet (S)"), body())),
+      stylet_(new QLabel(body())),
+      force_(new NumberField({tr("Force shown"), "panelForceScale", tr("times"), 1,
+                              tr("Force at the hand’s device over the physical force. Script and "
+                                 "mouse feel none.")},
+                             body()))
+{
+  addChoices();
+  addButtons();
+}
+
+void HandSection::addChoices()
+{
+  scripted_->setObjectName(QStringLiteral("scriptedChoice"));
+  scripted_->setToolTip(tr("Constant speed in, constant speed out."));
+  pointer_->setObjectName(QStringLiteral("pointerChoice"));
+  pointer_->setToolTip(tr("The wheel or the up and down keys move the array while it is held."));
+  device_->setObjectName(QStringLiteral("deviceChoice"));
+  device_->setToolTip(tr("Which devices there are, and which one may be the hand (H)."));
+  scripted_->setChecked(true);
+  for (Choice* choice : {scripted_, pointer_, device_}) {
+    choice->setFocusPolicy(Qt::TabFocus);
+    rows().addWidget(choice);
+  }
+  connect(scripted_, &QAbstractButton::clicked, this,
+          [this] { Q_EMIT handChosen(InputSource::scripted); });
+  connect(pointer_, &QAbstractButton::clicked, this,
+          [this] { Q_EMIT handChosen(InputSource::pointer); });
+  connect(device_, &QAbstractButton::clicked, this, &HandSection::devicesAsked);
+
+  // a consumer device's own friction is above the forces here: up to 20 times, as scenarios allow
+  force_->setRange({0.0, 20.0});
+  connect(force_, &NumberField::given, this, [this](double value) {
+    Q_EMIT changeAsked({SetupField::forceScale,
+                        {{"force_scale", QString::number(value, 'f', 4).toStdString()}},
+                        tr("force shown %1 times").arg(numberText(value, 1)),
+                        {}});
+  });
+  rows().addWidget(force_);
+}
+
+void HandSection::addButtons()
+{
+  hold_->setObjectName(QStringLiteral("holdButton"));
+  pullStylet_->setObjectName(QStringLiteral("styletButton"));
+  for (QPushButton* button : {hold_, pullStylet_}) {
+    button->setFont(typeface(13));
+    button->setFixedHeight(28);
+    button->setFocusPolicy(Qt::NoFocus);
+    button->setEnabled(false);
+  }
+  hold_->setToolTip(tr("The array follows the wheel only while this is pressed or Space is down."));
+  stylet_->setObjectName(QStringLiteral("styletLabel"));
+  stylet_->setFont(typeface(13));
+  stylet_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  styletRow_ = namedRow(tr("Stylet"), stylet_, body());
+  rows().addWidget(styletRow_);
+  rows().addWidget(hold_);
+  rows().addWidget(pullStylet_);
+  hold_->setVisible(false);
+  connect(hold_, &QAbstractButton::pressed, this, [this] { Q_EMIT holdChanged(true); });
+  connect(hold_, &QAbstractButton::released, this, [this] { Q_EMIT holdChanged(false); });
+  connect(pullStylet_, &QAbstractButton::clicked, this, &HandSection::styletAsked);
+}
+
+void HandSection::show(const Setup& setup)
+{
+  force_->setValue(setup.scenario.engine.forceScale);
+  styletRow_->setVisible(setup.scenario.array.hasStylet);
+  pullStylet_->setVisible(setup.scenario.array.hasStylet);
+}
+
+QString HandSection::commit()
+{
+  if (force_->commit()) return {};
+  return tr("Force shown %1. Correct it, or press Esc in its field.").arg(force_->error());
+}
+
+void HandSection::setHand(InputSource hand, const QString& name)
+{
+  scripted_->setChecked(hand == InputSource::scripted);
+  pointer_->setChecked(hand == InputSource::pointer);
+  device_->setChecked(hand == InputSource::device);
+  device_->setText(hand == InputSource::device ? name : tr("Haptic device…"));
+  hold_->setVisible(hand == InputSource::pointer);
+}
+
+void HandSection::setChangeable(bool isChangeable)
+{
+  for (QWidget* field : std::initializer_list<QWidget*>{scripted_, pointer_, device_, force_})
+    field->setEnabled(isChangeable);
+}
+
+void HandSection::setHoldEnabled(bool isEnabled) { hold_->setEnabled(isEnabled); }
+
+void HandSection::setHeld(bool isHeld)
+{
+  if (hold_->property("held").toBool() == isHeld) return;
+  hold_->setProperty("held", isHeld);
+  hold_->setText(isHeld ? tr("Array held") : tr("Hold the array (Space)"));
+  hold_->style()->unpolish(hold_);
+  hold_->style()->polish(hold_);
+}
+
+void HandSection::setStylet(const QString& text, bool canPull)
+{
+  stylet_->setText(text);
+  pullStylet_->setEnabled(canPull);
+}
+
+}  // namespace perilymph::gui

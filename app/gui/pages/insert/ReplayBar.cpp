@@ -1,0 +1,171 @@
+#include "gui/pages/insert/ReplayBar.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPushButton>
+#include <QStyle>
+#include <QVariant>
+#include <algorithm>
+
+#include "gui/pages/insert/ReplayPlayer.h"
+#include "gui/parts/Numbers.h"
+#include "gui/parts/Theme.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr double knob_px = 6.0;
+
+QString speedText(double speed)
+{
+  return ReplayBar::tr("%1 ×").arg(numberText(speed, speed == 0.25 ? 2 : speed < 1.0 ? 1 : 0));
+}
+
+}  // namespace
+
+Scrubber::Scrubber(QWidget* parent) : QWidget(parent)
+{
+  setObjectName(QStringLiteral("scrubber"));
+  setAttribute(Qt::WA_NoSystemBackground);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  setCursor(Qt::PointingHandCursor);
+  setAccessibleName(tr("Place in the replay"));
+}
+
+void Scrubber::setFractions(double here, double ready)
+{
+  if (here == here_ && ready == ready_) return;
+  here_ = here;
+  ready_ = ready;
+  update();
+}
+
+void Scrubber::paintEvent(QPaintEvent*)
+{
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const double middle = height() / 2.0, left = knob_px, right = width() - knob_px;
+  const auto at = [&](double fraction) {
+    return QPointF(left + fraction * (right - left), middle);
+  };
+  const auto line = [&](double fraction, const QColor& color) {
+    painter.setPen(QPen(color, 4.0, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(at(0.0), at(fraction));
+  };
+  line(1.0, lineColor);
+  line(ready_, lineColor.lighter(170));
+  if (here_ > 0.0) line(here_, ghostColor);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(textColor);
+  painter.drawEllipse(at(here_), knob_px, knob_px);
+}
+
+void Scrubber::mousePressEvent(QMouseEvent* event)
+{
+  const double way = width() - 2.0 * knob_px;
+  Q_EMIT draggedTo(std::clamp((event->pos().x() - knob_px) / way, 0.0, 1.0));
+  event->accept();
+}
+
+void Scrubber::mouseMoveEvent(QMouseEvent* event)
+{
+  if ((event->buttons() & Qt::LeftButton) != 0) mousePressEvent(event);
+}
+
+ReplayBar::ReplayBar(QWidget* parent)
+    : QWidget(parent),
+      play_(addButton(tr("Play"), "replayPlayButton", 88, tr("Play or pause (Space)"))),
+      back_(addButton(tr("◂"), "replayBackButton", 32, tr("One tick back (Left)"))),
+      forth_(addButton(tr("▸"), "replayForthButton", 32, tr("One tick on (Right)"))),
+      slower_(addButton(tr("−"), "replaySlowerButton", 32, tr("Slower (comma)"))),
+      faster_(addButton(tr("+"), "replayFasterButton", 32, tr("Faster (point)"))),
+      close_(addButton(tr("Close replay"), "replayCloseButton", 112,
+                       tr("Back to the insertion (Esc)"))),
+      speed_(new QLabel(this)),
+      time_(new QLabel(this)),
+      status_(new QLabel(this)),
+      scrubber_(new Scrubber(this))
+{
+  setObjectName(QStringLiteral("replayBar"));
+  setFixedHeight(barHeight);
+  play_->setProperty("primary", true);
+  back_->setAccessibleName(tr("One tick back"));
+  forth_->setAccessibleName(tr("One tick on"));
+  slower_->setAccessibleName(tr("Slower"));
+  faster_->setAccessibleName(tr("Faster"));
+  speed_->setObjectName(QStringLiteral("replaySpeed"));
+  speed_->setFont(typeface(13));
+  speed_->setAlignment(Qt::AlignCenter);
+  speed_->setFixedWidth(52);
+  time_->setObjectName(QStringLiteral("replayTime"));
+  time_->setFont(typeface(13));
+  time_->setProperty("quiet", true);
+  time_->setMinimumWidth(188);
+  status_->setObjectName(QStringLiteral("replayStatus"));
+  status_->setFont(typeface(11));
+  status_->setProperty("quiet", true);
+  status_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  status_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(2 * spacing, 0, 2 * spacing, 0);
+  row->setSpacing(spacing);
+  row->addWidget(play_);
+  row->addWidget(back_);
+  row->addWidget(forth_);
+  row->addWidget(slower_);
+  row->addWidget(speed_);
+  row->addWidget(faster_);
+  row->addSpacing(spacing);
+  row->addWidget(scrubber_, 5);
+  row->addWidget(time_);
+  row->addWidget(status_, 4);
+  row->addWidget(close_);
+
+  connect(play_, &QPushButton::clicked, this, &ReplayBar::playAsked);
+  connect(back_, &QPushButton::clicked, this, [this] { Q_EMIT stepAsked(-1); });
+  connect(forth_, &QPushButton::clicked, this, [this] { Q_EMIT stepAsked(1); });
+  connect(slower_, &QPushButton::clicked, this, &ReplayBar::slowerAsked);
+  connect(faster_, &QPushButton::clicked, this, &ReplayBar::fasterAsked);
+  connect(close_, &QPushButton::clicked, this, &ReplayBar::closeAsked);
+  connect(scrubber_, &Scrubber::draggedTo, this, &ReplayBar::draggedTo);
+}
+
+QPushButton* ReplayBar::addButton(const QString& text, const char* name, int width,
+                                  const QString& tip)
+{
+  auto* button = new QPushButton(text, this);
+  button->setObjectName(QLatin1String(name));
+  button->setFont(typeface(13, QFont::Medium));
+  button->setFixedSize(width, 28);
+  if (width < 40) button->setStyleSheet(QStringLiteral("padding: 0;"));
+  button->setFocusPolicy(Qt::NoFocus);
+  button->setToolTip(tip);
+  return button;
+}
+
+void ReplayBar::showPlace(const ReplayPlayer& replay)
+{
+  if (!replay.isOpen()) return;
+  const double last = double(std::max<std::uint64_t>(replay.playback().ticks(), 2) - 1);
+  play_->setText(replay.isPlaying() ? tr("Pause") : tr("Play"));
+  speed_->setText(speedText(replay.speed()));
+  scrubber_->setFractions(double(replay.place()) / last,
+                          std::min(1.0, double(replay.ready()) / last));
+  const double end_s = replay.playback().samples().back().output.time;
+  time_->setText(tr("%1 of %2 s · tick %3")
+                     .arg(numberText(replay.now().output.time, 3), numberText(end_s, 1))
+                     .arg(replay.now().tick));
+  const QString label = tr("replay · %1 · not a medical device").arg(replay.verdict());
+  if (status_->text() == label) return;
+  status_->setText(label);
+  status_->setToolTip(label);
+  status_->setProperty("error", replay.isError());
+  status_->style()->unpolish(status_);
+  status_->style()->polish(status_);
+}
+
+}  // namespace perilymph::gui

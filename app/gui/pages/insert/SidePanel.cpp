@@ -1,0 +1,193 @@
+#include "gui/pages/insert/SidePanel.h"
+
+#include <QApplication>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QVBoxLayout>
+#include <QVariant>
+#include <QWheelEvent>
+
+#include "gui/pages/insert/HandSection.h"
+#include "gui/parts/CheckBoxes.h"
+#include "gui/parts/Theme.h"
+#include "gui/setup/ArraySection.h"
+#include "gui/setup/PatientSection.h"
+#include "gui/setup/ScenarioHead.h"
+#include "gui/setup/SetupHistory.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr int stripWidth_px = 28;
+constexpr int scrollBar_px = 8;
+
+}  // namespace
+
+SidePanel::SidePanel(QWidget* parent)
+    : QWidget(parent),
+      scroll_(new QScrollArea(this)),
+      expand_(new QPushButton(QStringLiteral("▸"), this))
+{
+  setObjectName(QStringLiteral("sidePanel"));
+  auto* content = new QWidget(scroll_);
+  // in the order of Tab
+  head_ = new ScenarioHead(content);
+  patient_ = new PatientSection(content);
+  array_ = new ArraySection(content);
+  hand_ = new HandSection(content);
+  auto* rows = new QVBoxLayout(content);
+  rows->setContentsMargins(2 * spacing, spacing, 2 * spacing - scrollBar_px, spacing);
+  rows->setSpacing(spacing);
+  rows->addWidget(head_);
+  rows->addWidget(patient_);
+  rows->addWidget(array_);
+  rows->addWidget(hand_);
+  rows->addWidget(showSection(content));
+  rows->addStretch();
+
+  scroll_->setObjectName(QStringLiteral("panelScroll"));
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setFocusPolicy(Qt::NoFocus);
+  scroll_->setWidgetResizable(true);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
+  scroll_->verticalScrollBar()->setFixedWidth(scrollBar_px);
+  content->setMaximumWidth(sidePanelWidth - scrollBar_px);
+  scroll_->setWidget(content);
+  scroll_->viewport()->installEventFilter(this);
+
+  expand_->setObjectName(QStringLiteral("expandButton"));
+  expand_->setProperty("small", true);
+  expand_->setFixedSize(22, 22);
+  expand_->setFocusPolicy(Qt::NoFocus);
+  expand_->setToolTip(tr("Show the panel (B)"));
+  expand_->setAccessibleName(tr("Show the panel"));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(scroll_);
+  column->addWidget(expand_, 0, Qt::AlignHCenter | Qt::AlignTop);
+  setCollapsed(false);
+  connectSections();
+}
+
+void SidePanel::connectSections()
+{
+  connect(head_, &ScenarioHead::undoAsked, this, &SidePanel::undoAsked);
+  connect(head_, &ScenarioHead::redoAsked, this, &SidePanel::redoAsked);
+  connect(head_, &ScenarioHead::restoreAsked, this, &SidePanel::restoreAsked);
+  connect(head_, &ScenarioHead::collapseAsked, this, [this] { setCollapsed(true); });
+  connect(expand_, &QPushButton::clicked, this, [this] { setCollapsed(false); });
+  connect(patient_, &PatientSection::changeAsked, this, &SidePanel::changeAsked);
+  connect(array_, &ArraySection::changeAsked, this, &SidePanel::changeAsked);
+  connect(hand_, &HandSection::changeAsked, this, &SidePanel::changeAsked);
+  connect(hand_, &HandSection::handChosen, this, &SidePanel::handChosen);
+  connect(hand_, &HandSection::devicesAsked, this, &SidePanel::devicesAsked);
+  connect(hand_, &HandSection::holdChanged, this, &SidePanel::holdChanged);
+  connect(hand_, &HandSection::styletAsked, this, &SidePanel::styletAsked);
+  // a field that is reached by Tab is scrolled to
+  connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
+    if (now != nullptr && scroll_->widget()->isAncestorOf(now))
+      scroll_->ensureWidgetVisible(now, 0, 3 * spacing);
+  });
+}
+
+Section* SidePanel::showSection(QWidget* parent)
+{
+  using visualization::Part;
+  auto* section = new Section(tr("Show"), "showFold", parent);
+  section->rows().setSpacing(0);
+  const std::pair<Part, QString> parts[] = {
+      {Part::wallForce, tr("Wall force")},
+      {Part::contactArrows, tr("Contact arrows")},
+      {Part::membrane, tr("Basilar membrane")},
+      {Part::styletAndTweezers, tr("Stylet and tweezers")},
+  };
+  for (const auto& [part, name] : parts) {
+    auto* box = new CheckBox(name, section->body());
+    box->setChecked(true);
+    box->setObjectName(QStringLiteral("show%1").arg(static_cast<int>(part)));
+    box->setFocusPolicy(Qt::TabFocus);
+    connect(box, &QAbstractButton::toggled, this,
+            [this, shown = part](bool isOn) { Q_EMIT partShown(shown, isOn); });
+    section->rows().addWidget(box);
+    parts_.emplace_back(part, box);
+  }
+  auto* experiment = new CheckBox(tr("Published experiment"), section->body());
+  experiment->setChecked(true);
+  experiment->setObjectName(QStringLiteral("showExperiment"));
+  experiment->setFocusPolicy(Qt::TabFocus);
+  connect(experiment, &QAbstractButton::toggled, this, &SidePanel::experimentShown);
+  section->rows().addWidget(experiment);
+  return section;
+}
+
+void SidePanel::announceParts()
+{
+  for (const auto& [part, box] : parts_) Q_EMIT partShown(part, box->isChecked());
+}
+
+void SidePanel::showSetup(const SetupHistory& history)
+{
+  head_->show(history);
+  patient_->show(history.now());
+  array_->show(history.now());
+  hand_->show(history.now());
+}
+
+QString SidePanel::commit()
+{
+  QString error = patient_->commit();
+  if (error.isEmpty()) error = array_->commit();
+  if (error.isEmpty()) error = hand_->commit();
+  return error;
+}
+
+void SidePanel::setChangeable(bool isChangeable)
+{
+  if (isChangeable == isChangeable_) return;
+  isChangeable_ = isChangeable;
+  // A field that is greyed keeps no keys to itself.
+  QWidget* focused = window()->focusWidget();
+  if (!isChangeable && focused != nullptr && isAncestorOf(focused)) window()->setFocus();
+  head_->setChangeable(isChangeable);
+  patient_->body()->setEnabled(isChangeable);
+  array_->body()->setEnabled(isChangeable);
+  hand_->setChangeable(isChangeable);
+}
+
+void SidePanel::setHand(InputSource hand, const QString& name) { hand_->setHand(hand, name); }
+
+void SidePanel::setHeld(bool isHeld)
+{
+  isHeld_ = isHeld;
+  hand_->setHeld(isHeld);
+}
+
+void SidePanel::setHoldEnabled(bool isEnabled) { hand_->setHoldEnabled(isEnabled); }
+
+void SidePanel::setStylet(const QString& text, bool canPull) { hand_->setStylet(text, canPull); }
+
+void SidePanel::setCollapsed(bool isCollapsed)
+{
+  QWidget* focused = window()->focusWidget();
+  if (isCollapsed && focused != nullptr && isAncestorOf(focused)) window()->setFocus();
+  scroll_->setVisible(!isCollapsed);
+  expand_->setVisible(isCollapsed);
+  setFixedWidth(isCollapsed ? stripWidth_px : sidePanelWidth);
+}
+
+bool SidePanel::isCollapsed() const { return scroll_->isHidden(); }
+
+bool SidePanel::eventFilter(QObject* watched, QEvent* event)
+{
+  // A wheel that moves the array scrolls nothing, wherever the mouse is.
+  if (event->type() != QEvent::Wheel || !isHeld_) return QWidget::eventFilter(watched, event);
+  event->ignore();
+  return true;
+}
+
+void SidePanel::wheelEvent(QWheelEvent* event) { event->setAccepted(!isHeld_); }
+
+}  // namespace perilymph::gui

@@ -1,0 +1,85 @@
+#include "gui/pages/sessions/LibraryWork.h"
+
+#include <mutex>
+#include <utility>
+
+namespace perilymph::gui {
+
+using session::SessionSummary;
+
+namespace {
+
+constexpr int reportInterval_ms = 100;
+
+}  // namespace
+
+/// What the thread leaves for the UI thread.
+struct LibraryWork::Reading {
+  std::atomic<bool> isEnded{false};
+  std::mutex mutex;  ///< For what follows.
+  std::vector<SessionSummary> fresh;
+  int done = 0, all = 0;
+};
+
+LibraryWork::LibraryWork(QObject* parent, Lister lister)
+    : QObject(parent), lister_(std::move(lister)), background_(this)
+{
+  timer_.setInterval(reportInterval_ms);
+  connect(&timer_, &QTimer::timeout, this, &LibraryWork::report);
+}
+
+void LibraryWork::cancel()
+{
+  if (!isBusy() || reading_->isEnded) return;
+  reading_->isEnded = true;
+  sinceCancel_.start();
+}
+
+void LibraryWork::list(const std::filesystem::path& folder,
+                       const std::filesystem::path& beingRecorded)
+{
+  reading_ = std::make_shared<Reading>();
+  sofar_.clear();
+  sinceCancel_.invalidate();
+  const auto work = [lister = lister_, folder, beingRecorded,
+                     reading = reading_](const std::atomic<bool>& isCanceled) {
+    const auto progress = [&](std::size_t done, std::size_t all) {
+      const std::lock_guard lock(reading->mutex);
+      reading->done = int(done);
+      reading->all = int(all);
+      return !isCanceled && !reading->isEnded;
+    };
+    return lister(folder, beingRecorded, progress, [&](const SessionSummary& summary) {
+      const std::lock_guard lock(reading->mutex);
+      reading->fresh.push_back(summary);
+    });
+  };
+  background_.run("The list of recordings", work,
+                  [this](const Result<std::vector<SessionSummary>>& sessions) {
+                    timer_.stop();
+                    if (sessions) return listed(*sessions, reading_->all);
+                    failed(QString::fromStdString(sessions.error().message));
+                  });
+  timer_.start();
+}
+
+void LibraryWork::report()
+{
+  std::vector<SessionSummary> fresh;
+  int done = 0, all = 0;
+  {
+    const std::lock_guard lock(reading_->mutex);
+    fresh.swap(reading_->fresh);
+    done = reading_->done;
+    all = reading_->all;
+  }
+  sofar_.insert(sofar_.end(), fresh.begin(), fresh.end());
+  if (!sinceCancel_.isValid() || sinceCancel_.elapsed() < patience_ms)
+    return progressed(done, all, fresh);
+  // A file that keeps its reader from ending: nobody waits for it any more.
+  timer_.stop();
+  background_.forget();
+  listed(sofar_, all);
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,183 @@
+#include "gui/pages/sessions/ReportText.h"
+
+// In its order: who and what, numbers, curve, how it was done, what it was computed from, what it
+// cannot say, and the marks by which the same run is known again.
+
+#include <QCoreApplication>
+
+#include "gui/parts/Numbers.h"
+#include "perilymph/foundation/Version.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+// Of pictures, in 1/96 inch: the text of an A4 page is 657 wide.
+constexpr int curveWidth_px = 480, pictureWidth_px = 320;
+
+// lupdate looks for words of free functions under the name of their namespace.
+QString tr(const char* caption) { return QCoreApplication::translate("perilymph::gui", caption); }
+
+QString from(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); }
+
+QString cell(const QString& caption, const char* kind = "")
+{
+  return QStringLiteral("<td class=\"%1\">%2</td>").arg(QLatin1String(kind), caption);
+}
+
+QString row(const QString& name, const QString& value, const QString& origin = {})
+{
+  return QStringLiteral("<tr>%1%2%3</tr>")
+      .arg(cell(name, "quiet"), cell(value), cell(origin, "quiet small"));
+}
+
+QString table(const QStringList& rows)
+{
+  return QStringLiteral("<table cellspacing=\"0\">%1</table>").arg(rows.join(QString()));
+}
+
+QString heading(const char* caption) { return QStringLiteral("<h2>%1</h2>").arg(tr(caption)); }
+
+QString mm(double length) { return tr("%1 mm").arg(numberText(inMillimeters(meters(length)), 1)); }
+
+QString mN(double force) { return tr("%1 mN").arg(numberText(inMillinewtons(newtons(force)), 1)); }
+
+QString whoAndWhat(const ReportContent& content)
+{
+  const session::Scenario& scenario = content.scenario;
+  const bool isLeft = scenario.patient.side == anatomy::Side::left;
+  return table(
+      {row(tr("Patient"),
+           tr("%1, %2 ear").arg(from(scenario.patient.label), isLeft ? tr("left") : tr("right"))),
+       row(tr("Array"), tr("%1 (%2)").arg(from(scenario.array.name), from(scenario.array.maker))),
+       row(tr("Recorded"),
+           tr("%1 (UTC), by %2").arg(from(content.facts.startedUtc), from(content.facts.device))),
+       row(tr("Scenario"), from(content.facts.scenarioName))});
+}
+
+QString numbers(const ReportContent& content)
+{
+  const analysis::ForceProfile& profile = content.insertion.profile;
+  const QString ofTicks = tr("greatest of %1 recorded ticks").arg(profile.ticks);
+  QStringList rows = {
+      row(tr("Peak force on the hand"),
+          tr("%1 at %2 of travel, %3 deep")
+              .arg(mN(profile.peak.force), mm(profile.peak.travel), mm(profile.peakDepth)),
+          tr("axial, %1").arg(ofTicks)),
+      row(tr("Greatest wall force"), mN(profile.wallForceMax),
+          tr("normal to the wall, of one node; %1").arg(ofTicks)),
+      row(tr("Greatest force on the basilar membrane"), mN(profile.membraneForceMax), ofTicks),
+      row(tr("Work of the hand"), tr("%1 mJ").arg(numberText(profile.work * 1e3, 3)),
+          tr("force over the way of the base, trapezoids over ticks")),
+      row(tr("Deepest"), mm(profile.deepest), tr("length of array past the opening")),
+      row(tr("At the end"),
+          tr("%1, %2°").arg(mm(profile.finalDepth),
+                            numberText(inDegrees(radians(profile.finalAngle)), 0)),
+          tr("depth; angle of the tip from the round window")),
+      row(tr("Time"), tr("%1 s").arg(numberText(profile.duration, 1)),
+          tr("since the array began to move, pauses included")),
+      row(tr("Reversals"), QString::number(content.insertion.reversals),
+          tr("a way back of 0.1 mm or more"))};
+  if (profile.basalTurnPeak)
+    rows.insert(1,
+                row(tr("Peak at the basal turn"),
+                    tr("%1 at %2 of travel")
+                        .arg(mN(profile.basalTurnPeak->force), mm(profile.basalTurnPeak->travel)),
+                    tr("of the curve smoothed over 0.5 mm")));
+  if (profile.ticksNotConverged > 0)
+    rows << row(tr("Ticks not settled"), QString::number(profile.ticksNotConverged),
+                tr("the solver left more than its tolerance"));
+  return table(rows);
+}
+
+QString howItWasDone(const ReportContent& content)
+{
+  if (!content.score) return {};
+  QStringList rows;
+  for (const analysis::ScoreCriterion& each : content.score->criteria)
+    rows << row(from(each.name),
+                tr("%1 %: %2").arg(numberText(100.0 * each.fraction, 0), from(each.found)),
+                tr("%1. %2").arg(from(each.band), from(each.source)));
+  return heading(QT_TRANSLATE_NOOP("perilymph::gui", "How it was done")) +
+         QStringLiteral("<p>%1</p>")
+             .arg(tr("%1 of 100, the mean of four criteria. It knows no trauma.")
+                      .arg(numberText(content.score->total, 0))) +
+         table(rows);
+}
+
+QString whatItWasComputedFrom(const ReportContent& content)
+{
+  QStringList rows;
+  for (const auto& [key, value] : content.scenario.values)
+    if (value.size() < 60) rows << row(from(key), from(value));
+  QStringList sources;
+  for (const auto& [part, provenance] : content.scenario.array.provenance)
+    sources << row(from(part), from(provenance.source));
+  return heading(QT_TRANSLATE_NOOP("perilymph::gui", "What it was computed from")) + table(rows) +
+         QStringLiteral("<p>%1</p>").arg(tr("The array, and where its values come from:")) +
+         table(sources);
+}
+
+QString limits(const ReportContent& content)
+{
+  QStringList sentences = {
+      tr("Forces are computed by a model, not measured in an ear."),
+      tr("The array is a model after published data, no labeling of the product."),
+      tr("No number here says whether an insertion is harmless; thresholds of trauma differ "
+         "between "
+         "ears and are not known for the force on the hand."),
+      tr("The published experiment is drawn as its printed values; nothing is known between "
+         "them.")};
+  for (const std::string& note : content.verification.notes) sentences << from(note);
+  for (const std::string& note : content.scenario.notes) sentences << from(note);
+  if (content.lostRecords > 0)
+    sentences << tr("%1 ticks were lost while recording.").arg(content.lostRecords);
+  return heading(QT_TRANSLATE_NOOP("perilymph::gui", "Limits")) +
+         QStringLiteral("<ul><li>%1</li></ul>").arg(sentences.join(QStringLiteral("</li><li>")));
+}
+
+QString marks(const ReportContent& content)
+{
+  const session::Verification& verification = content.verification;
+  const QString replay =
+      verification.isIdentical
+          ? tr("%1 ticks computed again, every bit the same").arg(verification.ticksCompared)
+      : verification.difference ? tr("differs from tick %1 on, in %2")
+                                      .arg(verification.difference->tick)
+                                      .arg(from(verification.difference->field))
+                                : tr("could not be compared");
+  return heading(QT_TRANSLATE_NOOP("perilymph::gui", "How to know it again")) +
+         table({row(tr("Recording"), from(content.file.filename().string()),
+                    tr("%1 bytes").arg(content.bytes)),
+                row(tr("SHA-256"), content.sha256, {}), row(tr("Replay"), replay, {}),
+                row(tr("Recorded by"), from(content.facts.buildId), {}),
+                row(tr("Report by"), from(buildId()), {}),
+                row(tr("Model"),
+                    QStringLiteral("%1").arg(content.facts.modelFingerprint, 16, 16,
+                                             QLatin1Char('0')),
+                    tr("fingerprint of cochlea, array and laws")),
+                row(tr("Array's file"), from(content.scenario.arrayFingerprint), tr("fingerprint")),
+                row(tr("Seed"), QString::number(content.facts.seed), {})});
+}
+
+}  // namespace
+
+QString reportText(const ReportContent& content)
+{
+  const QString image = QStringLiteral("<p><img src=\"%1\" width=\"%2\"></p>");
+  return QStringLiteral("<h1>%1</h1><p class=\"quiet\">%2</p>")
+             .arg(tr("Report of an insertion"),
+                  tr("Perilymph, for research and training use. Not a medical device; no patient "
+                     "may be treated by what it shows.")) +
+         whoAndWhat(content) + heading(QT_TRANSLATE_NOOP("perilymph::gui", "In numbers")) +
+         numbers(content) + heading(QT_TRANSLATE_NOOP("perilymph::gui", "Force over travel")) +
+         image.arg(QStringLiteral("curve")).arg(curveWidth_px) +
+         heading(QT_TRANSLATE_NOOP("perilymph::gui", "The array at its deepest place")) +
+         image.arg(QStringLiteral("picture")).arg(pictureWidth_px) +
+         QStringLiteral("<p class=\"quiet small\">%1</p>")
+             .arg(tr("Along the modiolus, to scale; the tip %1 mm past the opening.")
+                      .arg(numberText(content.depth_mm, 1))) +
+         howItWasDone(content) + limits(content) + marks(content) + whatItWasComputedFrom(content);
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,156 @@
+#include "gui/pages/sessions/SessionPicture.h"
+
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "gui/parts/Theme.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double step = pi / 45.0;            // between sections of the outline [rad]
+constexpr double entryDirection = 0.68 * pi;  // of a right ear's opening: to the upper left
+
+/// From the cochlear frame W [m] to a plane that looks at the apex [mm], y downward.
+class Plane {
+public:
+  Plane(const anatomy::ScalaTympani& scala, anatomy::Side side)
+      : mirror_(side == anatomy::Side::left ? -1.0 : 1.0)
+  {
+    const Eigen::Vector3d out_W = scala.entry().out_W;
+    // as in the window: a left ear is a right one in a mirror that stands upright
+    const double wanted = side == anatomy::Side::left ? pi - entryDirection : entryDirection;
+    const double turn = wanted - std::atan2(mirror_ * out_W.y(), out_W.x());
+    cosine_ = std::cos(turn);
+    sine_ = std::sin(turn);
+  }
+
+  QPointF at(double x, double y) const
+  {
+    const double px = 1e3 * x, py = 1e3 * mirror_ * y;
+    return {cosine_ * px - sine_ * py, -(sine_ * px + cosine_ * py)};
+  }
+  QPointF at(const Eigen::Vector3d& point_W) const { return at(point_W.x(), point_W.y()); }
+
+private:
+  double mirror_, cosine_ = 1.0, sine_ = 0.0;
+};
+
+struct Outline {
+  QPolygonF outer, inner;
+};
+
+Outline outlineOf(const anatomy::ScalaTympani& scala, const Plane& plane)
+{
+  Outline outline;
+  // the straight stretch before the round window, then the turns
+  const Eigen::Vector3d leadIn_W = scala.leadIn().si() * scala.entry().out_W;
+  outline.outer << plane.at(scala.wall_W(0.0, 0.0) + leadIn_W);
+  outline.inner << plane.at(scala.wall_W(0.0, pi) + leadIn_W);
+  for (double angle = 0.0; angle < scala.lastAngle().si(); angle += step) {
+    const anatomy::Section section = scala.section(angle);
+    const double x = std::cos(angle), y = std::sin(angle);
+    outline.outer << plane.at(section.outerRadius * x, section.outerRadius * y);
+    outline.inner << plane.at(section.innerRadius * x, section.innerRadius * y);
+  }
+  return outline;
+}
+
+QPolygonF arrayOf(const haptics::Snapshot& now, const Plane& plane)
+{
+  QPolygonF line;
+  for (std::uint32_t i = 0; i < now.nodes; ++i)
+    line << plane.at(now.node_W[i][0], now.node_W[i][1]);
+  return line;
+}
+
+/// The point of a line so far from its end [mm].
+QPointF fromTip(const QPolygonF& line, double length_mm)
+{
+  for (int i = line.size() - 1; i > 0; --i) {
+    const QLineF piece(line[i], line[i - 1]);
+    if (length_mm <= piece.length() && piece.length() > 0.0)
+      return piece.pointAt(length_mm / piece.length());
+    length_mm -= piece.length();
+  }
+  return line.isEmpty() ? QPointF() : line.front();
+}
+
+void paintArray(QPainter& painter, const PicturedInsertion& pictured, const Plane& plane,
+                const PictureInks& inks)
+{
+  const QPolygonF line = arrayOf(*pictured.now, plane);
+  if (line.size() < 2) return;
+  const double length_mm = inMillimeters(pictured.array.length);
+  const auto diameterAt = [&](double fromTip_mm) {
+    return inMillimeters(pictured.array.sectionAt(millimeters(fromTip_mm)).within);
+  };
+  // thick at the base, thin at the tip: stretches of one width each
+  double before_mm = 0.0;
+  for (int i = line.size() - 1; i > 0; --i) {
+    const double there_mm = std::min(before_mm, length_mm);
+    painter.setPen(QPen(inks.array, diameterAt(there_mm), Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(line[i], line[i - 1]);
+    before_mm += QLineF(line[i], line[i - 1]).length();
+  }
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(inks.contact);
+  for (const Length contact : pictured.array.contactsFromTip) {
+    const double place_mm = inMillimeters(contact);
+    const double radius = 0.3 * diameterAt(place_mm);
+    painter.drawEllipse(fromTip(line, place_mm), radius, radius);
+  }
+}
+
+}  // namespace
+
+PictureInks screenInks()
+{
+  return {QColor(0xE9, 0xDC, 0xC0), QColor(0xE9, 0xDC, 0xC0, 34), QColor(0xDC, 0xE4, 0xE9),
+          QColor(0x5C, 0x6A, 0x74)};
+}
+
+PictureInks printInks()
+{
+  return {QColor(0x6B, 0x5D, 0x42), QColor(0xE9, 0xDC, 0xC0, 110), QColor(0x8A, 0x99, 0xA4),
+          QColor(0x2F, 0x3B, 0x44)};
+}
+
+void paintInsertion(QPainter& painter, const QRectF& place, const PicturedInsertion& pictured,
+                    const PictureInks& inks)
+{
+  const Plane plane(pictured.scala, pictured.side);
+  const Outline outline = outlineOf(pictured.scala, plane);
+  constexpr double margin_mm = 0.6;
+  const QRectF whole = outline.outer.boundingRect()
+                           .united(outline.inner.boundingRect())
+                           .adjusted(-margin_mm, -margin_mm, margin_mm, margin_mm);
+  painter.save();
+  painter.setClipRect(place);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const double scale = std::min(place.width() / whole.width(), place.height() / whole.height());
+  painter.translate(place.center());
+  painter.scale(scale, scale);
+  painter.translate(-whole.center());
+
+  // quadrilaterals: a spiral that laps itself would be filled wrongly as one polygon
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(inks.lumen);
+  painter.setRenderHint(QPainter::Antialiasing, false);
+  for (int i = 0; i + 1 < outline.outer.size(); ++i)
+    painter.drawPolygon(QPolygonF{
+        {outline.outer[i], outline.outer[i + 1], outline.inner[i + 1], outline.inner[i]}});
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(inks.wall, std::max(0.08, 1.0 / scale)));
+  painter.drawPolyline(outline.outer);
+  painter.drawPolyline(outline.inner);
+  if (pictured.now != nullptr) paintArray(painter, pictured, plane, inks);
+  painter.restore();
+}
+
+}  // namespace perilymph::gui

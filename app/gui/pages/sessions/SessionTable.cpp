@@ -1,0 +1,237 @@
+#include "gui/pages/sessions/SessionTable.h"
+
+#include <QColor>
+#include <QDateTime>
+#include <QIcon>
+#include <algorithm>
+#include <iterator>
+#include <map>
+
+#include "gui/parts/Numbers.h"
+#include "gui/parts/Theme.h"
+#include "perilymph/foundation/Units.h"
+
+namespace perilymph::gui {
+
+using session::SessionSummary;
+
+namespace {
+
+QString nameOf(const SessionSummary& session)
+{
+  return QString::fromStdString(session.file.stem().string());
+}
+
+/// The same picture in a chosen row: Qt would tint it.
+QIcon plainIcon(const QPixmap& pixmap)
+{
+  QIcon icon(pixmap);
+  icon.addPixmap(pixmap, QIcon::Selected);
+  return icon;
+}
+
+bool hasNumbers(const SessionSummary& session) { return session.highlights.ticks > 0; }
+
+}  // namespace
+
+QString recordedText(const SessionSummary& session)
+{
+  const auto utc = QDateTime::fromString(QString::fromStdString(session.startedUtc), Qt::ISODate);
+  return utc.isValid() ? utc.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm")) : QString();
+}
+
+SessionTable::SessionTable(QObject* parent)
+    : QAbstractTableModel(parent), thumbnails_(new Thumbnails(this))
+{
+  connect(thumbnails_, &Thumbnails::painted, this, &SessionTable::showPicture);
+}
+
+void SessionTable::setSessions(std::vector<SessionSummary> sessions)
+{
+  beginResetModel();
+  rows_.clear();
+  rows_.reserve(sessions.size());
+  for (SessionSummary& each : sessions) rows_.push_back(rowOf(std::move(each)));
+  endResetModel();
+}
+
+void SessionTable::addSessions(std::vector<SessionSummary> sessions)
+{
+  std::map<std::filesystem::path, std::size_t> places;
+  for (std::size_t i = 0; i < rows_.size(); ++i) places.emplace(rows_[i].session.file, i);
+  std::vector<Row> added;
+  for (SessionSummary& each : sessions) {
+    const auto known = places.find(each.file);
+    if (known == places.end()) {
+      added.push_back(rowOf(std::move(each)));
+      continue;
+    }
+    rows_[known->second] = rowOf(std::move(each));
+    const int row = int(known->second);
+    Q_EMIT dataChanged(index(row, 0), index(row, columns - 1));
+  }
+  if (added.empty()) return;
+  const int first = int(rows_.size());
+  beginInsertRows({}, first, first + int(added.size()) - 1);
+  rows_.insert(rows_.end(), std::make_move_iterator(added.begin()),
+               std::make_move_iterator(added.end()));
+  endInsertRows();
+}
+
+SessionTable::Row SessionTable::rowOf(SessionSummary session) const
+{
+  Row row;
+  row.session = std::move(session);
+  row.recorded = row.session.isBeingRecorded ? tr("recording now") : recordedText(row.session);
+  QStringList label;
+  for (int column = recorded; column <= array; ++column) label << text(row, column);
+  label << QString::fromStdString(row.session.scenario)
+        << QString::fromStdString(row.session.device);
+  row.searched = label.join(QLatin1Char(' '));
+  return row;
+}
+
+void SessionTable::showPicture(const std::filesystem::path& file)
+{
+  const auto found = std::find_if(rows_.begin(), rows_.end(),
+                                  [&file](const Row& row) { return row.session.file == file; });
+  if (found == rows_.end()) return;
+  const QModelIndex cell = index(int(found - rows_.begin()), picture);
+  Q_EMIT dataChanged(cell, cell, {Qt::DecorationRole});
+}
+
+int SessionTable::rowCount(const QModelIndex& parent) const
+{
+  return parent.isValid() ? 0 : int(rows_.size());
+}
+
+int SessionTable::columnCount(const QModelIndex& parent) const
+{
+  return parent.isValid() ? 0 : columns;
+}
+
+QString SessionTable::text(const Row& row, int column) const
+{
+  const SessionSummary& session = row.session;
+  const session::Highlights& found = session.highlights;
+  switch (column) {
+    case recorded:
+      return row.recorded;
+    case name:
+      return nameOf(session);
+    case patient:
+      if (session.patient.empty()) return session.error.empty() ? QString() : tr("unreadable");
+      return tr("%1 · %2").arg(QString::fromStdString(session.patient),
+                               session.side == "left" ? tr("left") : tr("right"));
+    case array:
+      return QString::fromStdString(session.array);
+    case duration:
+      return hasNumbers(session) ? tr("%1 s").arg(numberText(found.duration, 1)) : QString();
+    case angle:
+      return hasNumbers(session)
+                 ? tr("%1°").arg(numberText(inDegrees(radians(found.deepestAngle)), 0))
+                 : QString();
+    case peak:
+      return hasNumbers(session) ? tr("%1 mN at %2 mm")
+                                       .arg(numberText(inMillinewtons(newtons(found.peakForce)), 0),
+                                            numberText(inMillimeters(meters(found.peakDepth)), 1))
+                                 : QString();
+    default:
+      return {};
+  }
+}
+
+QVariant SessionTable::sortValue(const Row& row, int column) const
+{
+  const SessionSummary& session = row.session;
+  switch (column) {
+    case duration:
+      return session.highlights.duration;
+    case angle:
+      return session.highlights.deepestAngle;
+    case peak:
+      return session.highlights.peakForce;
+    case picture:
+    case recorded:
+      // what is being recorded is the newest
+      return session.isBeingRecorded ? QStringLiteral("~")
+                                     : QString::fromStdString(session.startedUtc);
+    default:
+      return text(row, column).toLower();
+  }
+}
+
+QVariant SessionTable::data(const QModelIndex& index, int role) const
+{
+  if (!index.isValid()) return {};
+  const Row& row = rows_[std::size_t(index.row())];
+  const SessionSummary& shown = row.session;
+  switch (role) {
+    case Qt::DisplayRole:
+    case Qt::EditRole:
+      return text(row, index.column());
+    case Qt::DecorationRole:
+      return index.column() == picture ? QVariant(plainIcon(thumbnails_->find(shown))) : QVariant();
+    case Qt::ToolTipRole:
+      return shown.error.empty() ? QString::fromStdString(shown.file.string())
+                                 : QString::fromStdString(shown.error);
+    case Qt::TextAlignmentRole:
+      return index.column() >= duration ? int(Qt::AlignRight | Qt::AlignVCenter)
+                                        : int(Qt::AlignLeft | Qt::AlignVCenter);
+    case Qt::ForegroundRole:
+      if (!shown.error.empty()) return warningColor;
+      return index.column() == name ? quietTextColor : textColor;
+    case sortRole:
+      return sortValue(row, index.column());
+    case searchRole:
+      return row.searched;
+    default:
+      return {};
+  }
+}
+
+QVariant SessionTable::headerData(int section, Qt::Orientation orientation, int role) const
+{
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::TextAlignmentRole)
+    return section >= duration ? int(Qt::AlignRight | Qt::AlignVCenter)
+                               : int(Qt::AlignLeft | Qt::AlignVCenter);
+  if (role != Qt::DisplayRole) return {};
+  switch (section) {
+    case recorded:
+      return tr("Recorded");
+    case name:
+      return tr("Name");
+    case patient:
+      return tr("Patient, ear");
+    case array:
+      return tr("Array");
+    case duration:
+      return tr("Duration");
+    case angle:
+      return tr("Deepest angle");
+    case peak:
+      return tr("Peak force at depth");
+    default:
+      return {};
+  }
+}
+
+Qt::ItemFlags SessionTable::flags(const QModelIndex& index) const
+{
+  Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+  if (index.isValid() && index.column() == name && !session(index.row()).isBeingRecorded)
+    flags |= Qt::ItemIsEditable;
+  return flags;
+}
+
+bool SessionTable::setData(const QModelIndex& index, const QVariant& value, int role)
+{
+  if (role != Qt::EditRole || index.column() != name) return false;
+  const QString asked = value.toString().trimmed();
+  if (asked == nameOf(session(index.row()))) return false;
+  Q_EMIT renameAsked(session(index.row()).file, asked);
+  return true;
+}
+
+}  // namespace perilymph::gui

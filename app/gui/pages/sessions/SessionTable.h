@@ -1,0 +1,59 @@
+#pragma once
+
+// The recordings as rows: what each column says, and what it is sorted by.
+
+#include <QAbstractTableModel>
+#include <vector>
+
+#include "gui/pages/sessions/Thumbnails.h"
+#include "perilymph/session/SessionLibrary.h"
+
+namespace perilymph::gui {
+
+class SessionTable : public QAbstractTableModel {
+  Q_OBJECT
+public:
+  enum Column { picture, recorded, name, patient, array, duration, angle, peak, columns };
+  /// What a row is sorted by: a number or a text.
+  static constexpr int sortRole = Qt::UserRole;
+  /// All that can be searched in a row, as one text.
+  static constexpr int searchRole = Qt::UserRole + 1;
+
+  explicit SessionTable(QObject* parent);
+
+  void setSessions(std::vector<session::SessionSummary> sessions);
+  /// Adds recordings; of those that are there already it shows what is new.
+  void addSessions(std::vector<session::SessionSummary> sessions);
+  const session::SessionSummary& session(int row) const { return rows_[std::size_t(row)].session; }
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+
+Q_SIGNALS:
+  /// Somebody typed another name.
+  void renameAsked(const std::filesystem::path& file, const QString& name);
+
+private:
+  struct Row {
+    session::SessionSummary session;
+    QString recorded;  ///< In the user's time, made once: sorting and searching ask for it often.
+    QString searched;  ///< All that can be searched.
+  };
+
+  Row rowOf(session::SessionSummary session) const;
+  QString text(const Row& row, int column) const;
+  QVariant sortValue(const Row& row, int column) const;
+  void showPicture(const std::filesystem::path& file);
+
+  std::vector<Row> rows_;
+  Thumbnails* thumbnails_;
+};
+
+/// "2026-11-20 16:31" in the user's time.
+QString recordedText(const session::SessionSummary& session);
+
+}  // namespace perilymph::gui

@@ -1,0 +1,367 @@
+#include "gui/pages/sessions/SessionsPage.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QItemSelection>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSortFilterProxyModel>
+#include <QStackedWidget>
+#include <QStyle>
+#include <QTableView>
+#include <QVBoxLayout>
+#include <QVariant>
+#include <algorithm>
+#include <set>
+
+#include "gui/pages/sessions/SessionTable.h"
+#include "gui/parts/EmptyPage.h"
+#include "gui/parts/Theme.h"
+#include "perilymph/foundation/Resources.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr int rowHeight_px = 60;
+
+QLabel* text(const QString& caption, int size_px, QWidget* parent, bool isQuiet = false)
+{
+  auto* label = new QLabel(caption, parent);
+  label->setFont(typeface(size_px));
+  label->setProperty("quiet", isQuiet);
+  return label;
+}
+
+}  // namespace
+
+SessionsPage::SessionsPage(QWidget* parent, LibraryWork::Lister lister)
+    : QWidget(parent),
+      work_(this, std::move(lister)),
+      table_(new SessionTable(this)),
+      sorted_(new QSortFilterProxyModel(this))
+{
+  setObjectName(QStringLiteral("sessionsPage"));
+  sorted_->setSourceModel(table_);
+  sorted_->setSortRole(SessionTable::sortRole);
+  sorted_->setFilterRole(SessionTable::searchRole);
+  sorted_->setFilterKeyColumn(SessionTable::recorded);
+  sorted_->setFilterCaseSensitivity(Qt::CaseInsensitive);
+
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(3 * spacing, 3 * spacing, 3 * spacing, 2 * spacing);
+  column->setSpacing(2 * spacing);
+  column->addWidget(addTop());
+  column->addWidget(addList(), 1);
+  column->addWidget(addVerbs());
+
+  connect(&work_, &LibraryWork::progressed, this, [this](int done, int all, const auto& fresh) {
+    showFresh(fresh);
+    progress_->setVisible(true);
+    progress_->setRange(0, all);
+    progress_->setValue(done);
+    say(tr("Reading recording %1 of %2. Esc ends it.").arg(done).arg(all));
+    end_->setVisible(true);
+  });
+  connect(&work_, &LibraryWork::listed, this, &SessionsPage::showList);
+  connect(&work_, &LibraryWork::failed, this, [this](const QString& sentence) {
+    progress_->setVisible(false);
+    end_->setVisible(false);
+    say(sentence, true);
+  });
+  // After the editor has closed: the rows it stands on are made anew.
+  connect(table_, &SessionTable::renameAsked, this,
+          [this](const std::filesystem::path& file, const QString& name) {
+            QMetaObject::invokeMethod(
+                this, [this, file, name] { rename(file, name); }, Qt::QueuedConnection);
+          });
+  setFocusProxy(list_);
+  showList({}, 0);
+}
+
+QWidget* SessionsPage::addTop()
+{
+  auto* top = new QWidget(this);
+  search_ = new QLineEdit(top);
+  search_->setObjectName(QStringLiteral("sessionSearch"));
+  search_->setFont(typeface(13));
+  search_->setFixedSize(280, 32);
+  search_->setPlaceholderText(tr("Find by patient, array, date, name"));
+  search_->setAccessibleName(tr("Find recordings"));
+  search_->setClearButtonEnabled(true);
+  connect(search_, &QLineEdit::textChanged, sorted_, &QSortFilterProxyModel::setFilterFixedString);
+  connect(search_, &QLineEdit::textChanged, this, &SessionsPage::showChoice);
+  count_ = text({}, 13, top, true);
+  count_->setObjectName(QStringLiteral("sessionCount"));
+  progress_ = new QProgressBar(top);
+  progress_->setTextVisible(false);
+  progress_->setFixedSize(160, 6);
+  progress_->setVisible(false);
+  end_ = addVerb(tr("Cancel"), "cancelReadingButton", tr("List what was read so far (Esc)"));
+  end_->setVisible(false);
+  connect(end_, &QPushButton::clicked, this, &SessionsPage::cancel);
+  auto* row = new QHBoxLayout(top);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(2 * spacing);
+  row->addWidget(text(tr("Recorded insertions"), 22, top));
+  row->addWidget(count_, 0, Qt::AlignBottom);
+  row->addStretch();
+  row->addWidget(progress_);
+  row->addWidget(end_);
+  row->addWidget(search_);
+  return top;
+}
+
+QWidget* SessionsPage::addList()
+{
+  list_ = new QTableView(this);
+  list_->setObjectName(QStringLiteral("sessionList"));
+  list_->setAccessibleName(tr("Recorded insertions"));
+  list_->setModel(sorted_);
+  list_->setFont(typeface(13));
+  list_->setIconSize(Thumbnails::size);
+  list_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
+  list_->setShowGrid(false);
+  list_->setWordWrap(false);
+  list_->setTabKeyNavigation(false);
+  list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  list_->verticalHeader()->hide();
+  list_->verticalHeader()->setDefaultSectionSize(rowHeight_px);
+  list_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  QHeaderView* header = list_->horizontalHeader();
+  header->setHighlightSections(false);
+  header->setSectionsMovable(false);
+  header->setFont(typeface(11));
+  const int widths_px[] = {Thumbnails::size.width() + 16, 136, 200, 132, 190, 88, 116, 168};
+  for (int column = 0; column < SessionTable::columns; ++column)
+    header->resizeSection(column, widths_px[column]);
+  header->setSectionResizeMode(SessionTable::picture, QHeaderView::Fixed);
+  header->setSectionResizeMode(SessionTable::name, QHeaderView::Stretch);
+  list_->setSortingEnabled(true);
+  list_->sortByColumn(SessionTable::recorded, Qt::DescendingOrder);
+  connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+          &SessionsPage::showChoice);
+  connect(list_, &QTableView::doubleClicked, this,
+          [this] { askForOne(&SessionsPage::replayAsked); });
+
+  empty_ = new EmptyPage({}, {}, this);
+  stack_ = new QStackedWidget(this);
+  stack_->addWidget(empty_);
+  stack_->addWidget(list_);
+  return stack_;
+}
+
+QWidget* SessionsPage::addVerbs()
+{
+  auto* verbs = new QWidget(this);
+  replay_ = addVerb(tr("Replay"), "replayButton", tr("Look at it again, tick by tick (Enter)"));
+  replay_->setProperty("primary", true);
+  compare_ = addVerb(tr("Compare"), "compareButton", tr("Two or more over one axis"));
+  ghost_ =
+      addVerb(tr("Use as ghost"), "ghostButton", tr("Draw its curve behind the next insertions"));
+  report_ = addVerb(tr("Report…"), "reportButton", tr("Write a report as PDF"));
+  rename_ = addVerb(tr("Rename"), "renameButton", tr("Give it another name (F2)"));
+  delete_ = addVerb(tr("Delete"), "deleteButton", tr("Move it to the trash (Delete)"));
+  undo_ = addVerb(tr("Undo"), "undoDeleteButton", tr("Bring it back (Ctrl+Z)"));
+  status_ = text({}, 11, verbs, true);
+  status_->setObjectName(QStringLiteral("sessionStatus"));
+  status_->setWordWrap(true);
+
+  auto* row = new QHBoxLayout(verbs);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(spacing);
+  for (QPushButton* button : {replay_, compare_, ghost_, report_, rename_, delete_, undo_})
+    row->addWidget(button);
+  row->addSpacing(spacing);
+  row->addWidget(status_, 1);
+
+  connect(replay_, &QPushButton::clicked, this, [this] { askForOne(&SessionsPage::replayAsked); });
+  connect(ghost_, &QPushButton::clicked, this, [this] { askForOne(&SessionsPage::ghostAsked); });
+  connect(report_, &QPushButton::clicked, this, [this] { askForOne(&SessionsPage::reportAsked); });
+  connect(compare_, &QPushButton::clicked, this, [this] {
+    std::vector<std::filesystem::path> files;
+    for (const session::SessionSummary& each : chosen()) files.push_back(each.file);
+    if (!files.empty()) Q_EMIT compareAsked(files);
+  });
+  connect(rename_, &QPushButton::clicked, this, [this] {
+    const QModelIndex current = list_->currentIndex();
+    if (current.isValid()) list_->edit(current.siblingAtColumn(SessionTable::name));
+  });
+  connect(delete_, &QPushButton::clicked, this, &SessionsPage::throwAway);
+  connect(undo_, &QPushButton::clicked, this, &SessionsPage::bringBack);
+  return verbs;
+}
+
+QPushButton* SessionsPage::addVerb(const QString& caption, const char* name, const QString& tip)
+{
+  auto* button = new QPushButton(caption, this);
+  button->setObjectName(QLatin1String(name));
+  button->setFont(typeface(13, QFont::Medium));
+  button->setFixedHeight(32);
+  button->setToolTip(tip);
+  return button;
+}
+
+void SessionsPage::refresh(const std::optional<std::filesystem::path>& beingRecorded,
+                           bool isRunning)
+{
+  isRunning_ = isRunning;
+  beingRecorded_ = beingRecorded;
+  reread();
+}
+
+void SessionsPage::reread()
+{
+  work_.list(sessionFolder(), beingRecorded_.value_or(std::filesystem::path()));
+}
+
+void SessionsPage::cancel() { work_.cancel(); }
+
+void SessionsPage::say(const QString& sentence, bool isError)
+{
+  status_->setText(sentence);
+  status_->setProperty("error", isError);
+  status_->style()->unpolish(status_);
+  status_->style()->polish(status_);
+}
+
+void SessionsPage::showFresh(std::vector<session::SessionSummary> sessions)
+{
+  if (!isRunning_) std::erase_if(sessions, [](const auto& one) { return one.isBeingRecorded; });
+  if (sessions.empty()) return;
+  table_->addSessions(std::move(sessions));
+  showChoice();
+}
+
+void SessionsPage::showList(std::vector<session::SessionSummary> sessions, int all)
+{
+  const int read = int(sessions.size());
+  if (!isRunning_) std::erase_if(sessions, [](const auto& one) { return one.isBeingRecorded; });
+  // the same recordings stay chosen
+  std::set<std::filesystem::path> before;
+  for (const session::SessionSummary& each : chosen()) before.insert(each.file);
+  progress_->setVisible(false);
+  end_->setVisible(false);
+  say({});
+  table_->setSessions(std::move(sessions));
+  QItemSelection again;
+  for (int row = 0; row < table_->rowCount() && !before.empty(); ++row) {
+    if (before.count(table_->session(row).file) == 0) continue;
+    const QModelIndex here = sorted_->mapFromSource(table_->index(row, 0));
+    if (here.isValid()) again.select(here, here);
+  }
+  list_->selectionModel()->select(again, QItemSelectionModel::Select | QItemSelectionModel::Rows);
+  if (list_->selectionModel()->selectedRows().isEmpty() && sorted_->rowCount() > 0)
+    list_->setCurrentIndex(sorted_->index(0, SessionTable::recorded));
+  showChoice();
+  if (read < all)
+    say(tr("Ended early: %1 of %2 recordings are listed. Open this page again to read on.")
+            .arg(read)
+            .arg(all));
+}
+
+std::vector<session::SessionSummary> SessionsPage::chosen() const
+{
+  std::vector<session::SessionSummary> found;
+  if (list_ == nullptr) return found;
+  QModelIndexList rows = list_->selectionModel()->selectedRows();
+  std::sort(rows.begin(), rows.end());
+  for (const QModelIndex& row : rows)
+    found.push_back(table_->session(sorted_->mapToSource(row).row()));
+  return found;
+}
+
+void SessionsPage::showChoice()
+{
+  const int all = table_->rowCount(), shown = sorted_->rowCount();
+  count_->setText(all == 0       ? QString()
+                  : shown == all ? tr("%n in the library", nullptr, all)
+                                 : tr("%1 of %2").arg(shown).arg(all));
+  if (all == 0)
+    empty_->say(tr("No insertion has been recorded yet"),
+                tr("Every insertion is kept by itself. Here it can be found again, replayed, "
+                   "compared and written as a report."));
+  else
+    empty_->say(
+        tr("Nothing found"),
+        tr("No recording has “%1” in its patient, array, date or name.").arg(search_->text()));
+  stack_->setCurrentIndex(shown == 0 ? 0 : 1);
+
+  const auto rows = chosen();
+  const bool isReadable =
+      !rows.empty() && std::all_of(rows.begin(), rows.end(), [](const auto& each) {
+        return !each.isBeingRecorded && each.highlights.ticks > 0;
+      });
+  const bool isOne = rows.size() == 1;
+  for (QPushButton* button : {replay_, ghost_, report_}) button->setEnabled(isOne && isReadable);
+  compare_->setEnabled(rows.size() >= 2 && isReadable);
+  rename_->setEnabled(isOne && !rows[0].isBeingRecorded);
+  delete_->setEnabled(!rows.empty() && !rows[0].isBeingRecorded);
+  undo_->setVisible(!trashed_.empty());
+  if (isOne && !rows[0].error.empty())
+    say(QString::fromStdString(rows[0].error), true);
+  else if (isOne && rows[0].isBeingRecorded)
+    say(tr("This insertion is being recorded. Reset ends its recording."));
+  else if (!trashed_.empty())
+    say(tr("%n moved to the trash.", nullptr, int(trashed_.size())));
+  else
+    say(isOne && all > 1 ? tr("Choose several with Ctrl or Shift to compare them.") : QString());
+}
+
+void SessionsPage::askForOne(void (SessionsPage::*request)(const std::filesystem::path&))
+{
+  const auto rows = chosen();
+  if (rows.size() == 1 && !rows[0].isBeingRecorded && rows[0].highlights.ticks > 0)
+    Q_EMIT(this->*request)(rows[0].file);
+}
+
+void SessionsPage::rename(const std::filesystem::path& file, const QString& name)
+{
+  const auto renamed = session::renameSession(file, name.toStdString());
+  if (!renamed) return say(QString::fromStdString(renamed.error().message), true);
+  reread();
+}
+
+void SessionsPage::throwAway()
+{
+  trashed_.clear();
+  for (const session::SessionSummary& each : chosen()) {
+    if (each.isBeingRecorded) continue;
+    const auto trashed = session::trashSession(each.file);
+    if (!trashed) {
+      reread();
+      return say(QString::fromStdString(trashed.error().message), true);
+    }
+    trashed_.emplace_back(*trashed, each.file);
+  }
+  reread();
+}
+
+void SessionsPage::bringBack()
+{
+  for (const auto& [trashed, place] : trashed_) {
+    const auto done = session::restoreSession(trashed, place);
+    if (!done) return say(QString::fromStdString(done.error().message), true);
+  }
+  trashed_.clear();
+  reread();
+}
+
+void SessionsPage::keyPressEvent(QKeyEvent* event)
+{
+  const int key = event->key();
+  if (event->matches(QKeySequence::Find)) return search_->setFocus();
+  if (event->matches(QKeySequence::Undo)) return bringBack();
+  if (key == Qt::Key_Delete) return throwAway();
+  if (key == Qt::Key_Return || key == Qt::Key_Enter) return askForOne(&SessionsPage::replayAsked);
+  if (key == Qt::Key_Escape && work_.isBusy()) return cancel();
+  if (key == Qt::Key_Escape && !search_->text().isEmpty()) return search_->clear();
+  QWidget::keyPressEvent(event);
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,85 @@
+#pragma once
+
+// The library of recorded insertions: found, looked at, replayed, compared, thrown away.
+
+#include <QWidget>
+#include <filesystem>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "gui/pages/sessions/LibraryWork.h"
+
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+class QSortFilterProxyModel;
+class QStackedWidget;
+class QTableView;
+
+namespace perilymph::gui {
+
+class EmptyPage;
+class SessionTable;
+
+/// The recordings in the folder of sessions.
+class SessionsPage : public QWidget {
+  Q_OBJECT
+public:
+  explicit SessionsPage(QWidget* parent, LibraryWork::Lister lister = session::listSessions);
+
+  /// Reads the folder again.
+  /// @param beingRecorded  The file that this window writes, if any.
+  /// @param isRunning      Whether its insertion has begun; else the file may vanish again.
+  void refresh(const std::optional<std::filesystem::path>& beingRecorded, bool isRunning);
+  bool isBusy() const { return work_.isBusy(); }
+  /// Ends the reading early.
+  void cancel();
+
+  /// The chosen recordings that can be read, in the order of the table.
+  std::vector<session::SessionSummary> chosen() const;
+  void say(const QString& sentence, bool isError = false);
+
+Q_SIGNALS:
+  void replayAsked(const std::filesystem::path& file);
+  void compareAsked(const std::vector<std::filesystem::path>& files);
+  void ghostAsked(const std::filesystem::path& file);
+  void reportAsked(const std::filesystem::path& file);
+
+protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
+private:
+  QWidget* addTop();
+  QWidget* addList();
+  QWidget* addVerbs();
+  QPushButton* addVerb(const QString& text, const char* name, const QString& tip);
+  void showList(std::vector<session::SessionSummary> sessions, int all);
+  void showFresh(std::vector<session::SessionSummary> sessions);
+  void showChoice();
+  void askForOne(void (SessionsPage::*request)(const std::filesystem::path&));
+  void rename(const std::filesystem::path& file, const QString& name);
+  void throwAway();
+  void bringBack();
+  void reread();
+
+  LibraryWork work_;
+  SessionTable* table_;
+  QSortFilterProxyModel* sorted_;
+  std::optional<std::filesystem::path> beingRecorded_;
+  bool isRunning_ = false;
+  /// Where the last ones thrown away are, and where they were.
+  std::vector<std::pair<std::filesystem::path, std::filesystem::path>> trashed_;
+
+  QStackedWidget* stack_ = nullptr;
+  EmptyPage* empty_ = nullptr;
+  QTableView* list_ = nullptr;
+  QLineEdit* search_ = nullptr;
+  QProgressBar* progress_ = nullptr;
+  QLabel *count_ = nullptr, *status_ = nullptr;
+  QPushButton *replay_ = nullptr, *compare_ = nullptr, *ghost_ = nullptr, *report_ = nullptr,
+              *rename_ = nullptr, *delete_ = nullptr, *undo_ = nullptr, *end_ = nullptr;
+};
+
+}  // namespace perilymph::gui

@@ -1,0 +1,124 @@
+#include "gui/pages/sessions/Thumbnails.h"
+
+#include <QImage>
+#include <algorithm>
+
+#include "gui/pages/sessions/SessionPicture.h"
+#include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/session/Playback.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr int fineness = 2;  // pixels a point, for dense screens
+
+// The shape at the deepest place is computed from the beginning: some seconds at most.
+constexpr std::uint64_t maxTicks = 60'000;
+
+QString keyOf(const session::SessionSummary& summary)
+{
+  return QStringLiteral("%1-%2-%3")
+      .arg(QString::fromStdString(summary.file.stem().string()))
+      .arg(summary.bytes)
+      .arg(summary.modified_ns);
+}
+
+std::filesystem::path fileOf(const session::SessionSummary& summary, const QString& key)
+{
+  return session::libraryCache(summary.file.parent_path()) / (key.toStdString() + ".png");
+}
+
+/// Keeps a picture in the library's cache. What cannot be kept is painted again next time.
+void keep(const QImage& image, const std::filesystem::path& file)
+{
+  std::error_code ignored;
+  if (!session::makeLibraryCache(file.parent_path().parent_path()) ||
+      std::filesystem::is_symlink(file, ignored))
+    return;
+  static_cast<void>(writeWhole(file, [&image](const std::filesystem::path& place) {
+    return image.save(QString::fromStdString(place.string()), "PNG");
+  }));
+}
+
+/// Nothing where the recording cannot be replayed.
+QImage pictureOf(const std::filesystem::path& file)
+{
+  const auto playback = session::Playback::open(file);
+  if (!playback) return {};
+  const auto& samples = (*playback)->samples();
+  const auto deepest = std::max_element(
+      samples.begin(), samples.end(),
+      [](const auto& one, const auto& other) { return one.output.depth < other.output.depth; });
+  haptics::Snapshot now{};
+  const bool hasShape = deepest->place < maxTicks && bool((*playback)->show(deepest->place, now));
+  const session::Scenario& scenario = (*playback)->scenario();
+  QImage image(fineness * Thumbnails::size, QImage::Format_ARGB32_Premultiplied);
+  image.fill(Qt::transparent);
+  QPainter painter(&image);
+  paintInsertion(
+      painter, image.rect(),
+      {*(*playback)->anatomy(), scenario.array, scenario.patient.side, hasShape ? &now : nullptr},
+      screenInks());
+  painter.end();
+  return image;
+}
+
+}  // namespace
+
+QPixmap Thumbnails::find(const session::SessionSummary& summary)
+{
+  const QString key = keyOf(summary);
+  const auto found = known_.constFind(key);
+  if (found != known_.constEnd()) return *found;
+  QPixmap blank(fineness * size);
+  blank.setDevicePixelRatio(fineness);
+  blank.fill(Qt::transparent);
+  const bool canBePainted =
+      !summary.isBeingRecorded && summary.highlights.ticks > 0 && !impossible_.contains(key);
+  if (!canBePainted || key == painting_) return blank;
+  const auto wish = std::find_if(wishes_.begin(), wishes_.end(),
+                                 [&key](const Wish& each) { return each.key == key; });
+  if (wish != wishes_.end()) {
+    std::rotate(wish, wish + 1, wishes_.end());
+    return blank;
+  }
+  QPixmap kept(QString::fromStdString(fileOf(summary, key).string()));
+  if (!kept.isNull()) {
+    kept.setDevicePixelRatio(fineness);
+    return *known_.insert(key, kept);
+  }
+  wishes_.push_back({summary, key});
+  if (wishes_.size() > maxRequests) wishes_.erase(wishes_.begin());
+  if (painting_.isEmpty()) paintNext();
+  return blank;
+}
+
+void Thumbnails::paintNext()
+{
+  painting_.clear();
+  if (wishes_.empty()) return;
+  const Wish wish = std::move(wishes_.back());
+  wishes_.pop_back();
+  painting_ = wish.key;
+  background_.run(
+      "The picture",
+      [wish](const std::atomic<bool>&) -> Result<QImage> {
+        QImage image = pictureOf(wish.summary.file);
+        if (!image.isNull()) keep(image, fileOf(wish.summary, wish.key));
+        return image;
+      },
+      [this, wish](const Result<QImage>& image) {
+        if (!image || image->isNull()) {
+          impossible_.insert(wish.key);
+        } else {
+          QPixmap pixmap = QPixmap::fromImage(*image);
+          pixmap.setDevicePixelRatio(fineness);
+          known_.insert(wish.key, pixmap);
+        }
+        paintNext();
+        Q_EMIT painted(wish.summary.file);
+      });
+}
+
+}  // namespace perilymph::gui

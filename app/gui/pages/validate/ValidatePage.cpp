@@ -1,0 +1,289 @@
+#include "gui/pages/validate/ValidatePage.h"
+
+#include <QButtonGroup>
+#include <QFileDialog>
+#include <QFrame>
+#include <QGridLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSpinBox>
+#include <QStyle>
+#include <QVBoxLayout>
+#include <QVariant>
+
+#include "gui/parts/CheckBoxes.h"
+#include "gui/parts/DrawingView.h"
+#include "gui/parts/Theme.h"
+#include "perilymph/foundation/AtomicFile.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr int columnWidth_px = 480;
+constexpr int fewestRuns = 2;
+constexpr int maxRuns = 1000;
+
+QLabel* text(const QString& caption, int size_px, QWidget* parent, bool isQuiet = false)
+{
+  auto* label = new QLabel(caption, parent);
+  label->setFont(typeface(size_px));
+  label->setProperty("quiet", isQuiet);
+  return label;
+}
+
+}  // namespace
+
+ValidatePage::ValidatePage(QWidget* parent) : QWidget(parent), basis_(shippedBasis()), work_(this)
+{
+  setObjectName(QStringLiteral("validatePage"));
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(3 * spacing, 3 * spacing, 3 * spacing, 2 * spacing);
+  row->setSpacing(3 * spacing);
+  row->addWidget(addColumn());
+  row->addWidget(addFigures(), 1);
+
+  connect(&work_, &ValidationWork::progressed, this,
+          [this](int done, int all, const analysis::ValidationResult& sofar) {
+            progress_->setRange(0, std::max(all, 1));
+            progress_->setValue(done);
+            status_->setText(tr("Insertion %1 of %2").arg(done).arg(all));
+            sofar_ = sofar;
+            showFigure();
+          });
+  connect(&work_, &ValidationWork::finished, this, &ValidatePage::finish);
+  if (!basis_) status_->setText(QString::fromStdString(basis_.error().message));
+  showFigure();
+  showState();
+}
+
+QWidget* ValidatePage::addColumn()
+{
+  auto* page = new QWidget(this);
+  page->setFixedWidth(columnWidth_px);
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(spacing);
+  auto* title = text(tr("The published experiment, repeated"), 22, page);
+  title->setWordWrap(true);
+  column->addWidget(title);
+  auto* what = text(tr("Many insertions that differ as real ones do: where the tip starts, how the "
+                       "array is aligned, how curved it is, how slippery the wall. Their mean is "
+                       "held against the forces that were printed. Two forces were used to "
+                       "calibrate the array; the others are predictions."),
+                    13, page, true);
+  what->setWordWrap(true);
+  column->addWidget(what);
+  column->addSpacing(spacing);
+
+  runs_ = new QSpinBox(page);
+  runs_->setObjectName(QStringLiteral("validationRuns"));
+  runs_->setAccessibleName(tr("Insertions"));
+  runs_->setFont(typeface(13));
+  runs_->setRange(fewestRuns, maxRuns);
+  runs_->setValue(200);
+  runs_->setFixedSize(88, 32);
+  runs_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  start_ = new QPushButton(page);
+  start_->setObjectName(QStringLiteral("validateButton"));
+  save_ = new QPushButton(tr("Save…"), page);
+  save_->setObjectName(QStringLiteral("saveValidationButton"));
+  save_->setToolTip(tr("Curves as CSV, numbers as JSON, figures as SVG, into a folder."));
+  for (QPushButton* button : {start_, save_}) {
+    button->setFont(typeface(13, QFont::Medium));
+    button->setFixedHeight(32);
+  }
+  start_->setProperty("primary", true);
+  start_->setMinimumWidth(108);
+  auto* verbs = new QHBoxLayout;
+  verbs->setSpacing(spacing);
+  verbs->addWidget(runs_);
+  verbs->addWidget(text(tr("insertions"), 13, page));
+  verbs->addStretch();
+  verbs->addWidget(save_);
+  verbs->addWidget(start_);
+  column->addLayout(verbs);
+  progress_ = new QProgressBar(page);
+  progress_->setTextVisible(false);
+  progress_->setFixedHeight(6);
+  column->addWidget(progress_);
+  status_ = text({}, 11, page, true);
+  status_->setObjectName(QStringLiteral("validationStatus"));
+  status_->setWordWrap(true);
+  column->addWidget(status_);
+
+  auto* inside = new QWidget(page);
+  verdicts_ = new QGridLayout;
+  verdicts_->setContentsMargins(0, 0, spacing, 0);
+  verdicts_->setHorizontalSpacing(2 * spacing);
+  verdicts_->setVerticalSpacing(6);
+  auto* stack = new QVBoxLayout(inside);
+  stack->setContentsMargins(0, 0, 0, 0);
+  stack->addLayout(verdicts_);
+  stack->addStretch();
+  auto* scroll = new QScrollArea(page);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(inside);
+  column->addWidget(scroll, 1);
+
+  connect(start_, &QPushButton::clicked, this, [this] { isRunning() ? cancel() : start(); });
+  connect(save_, &QPushButton::clicked, this, &ValidatePage::save);
+  return page;
+}
+
+QWidget* ValidatePage::addFigures()
+{
+  auto* page = new QWidget(this);
+  auto* group = new QButtonGroup(page);
+  auto* choices = new QHBoxLayout;
+  choices->setSpacing(3 * spacing);
+  const auto add = [&](const QString& name, const char* object, Shown shown) {
+    auto* choice = new Choice(name, page);
+    choice->setObjectName(QLatin1String(object));
+    choice->setFocusPolicy(Qt::TabFocus);
+    group->addButton(choice);
+    choices->addWidget(choice);
+    connect(choice, &QAbstractButton::clicked, this, [this, shown] {
+      shown_ = shown;
+      showFigure();
+    });
+    return choice;
+  };
+  simulation_ = add(tr("Simulation"), "simulationFigure", Shown::simulation);
+  difference_ = add(tr("Difference"), "differenceFigure", Shown::difference);
+  experiment_ = add(tr("Experiment"), "experimentFigure", Shown::experiment);
+  choices->addStretch();
+  drawing_ = new DrawingView(page);
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(spacing);
+  column->addLayout(choices);
+  column->addWidget(drawing_, 1);
+  return page;
+}
+
+void ValidatePage::start()
+{
+  if (isRunning() || !basis_) return;
+  analysis::ValidationRequest request = basis_->request;
+  request.runs = runs_->value();
+  result_.reset();
+  sofar_ = {};
+  shown_ = Shown::simulation;
+  status_->setText(tr("Building the cochlea…"));
+  work_.start(std::move(request));
+  showVerdicts();
+  showFigure();
+  showState();
+}
+
+void ValidatePage::cancel()
+{
+  if (!isRunning()) return;
+  work_.cancel();
+  status_->setText(tr("Stopping…"));
+}
+
+void ValidatePage::finish(const std::optional<analysis::ValidationResult>& result,
+                          const QString& error)
+{
+  result_ = result;
+  sofar_ = result.value_or(analysis::ValidationResult{});
+  if (result) {
+    progress_->setValue(progress_->maximum());
+    status_->setText(tr("%1 insertions, seed %2. Spread over travel %3 mN.")
+                         .arg(result->runs)
+                         .arg(result->seed)
+                         .arg(1e3 * result->standardDeviation, 0, 'f', 1));
+  } else {
+    status_->setText(error);
+    progress_->reset();
+  }
+  showVerdicts();
+  showFigure();
+  showState();
+}
+
+void ValidatePage::showFigure()
+{
+  if (!basis_) return;
+  simulation_->setEnabled(sofar_.profile.size() > 1);
+  difference_->setEnabled(result_.has_value());
+  Shown shown = shown_;
+  if (shown == Shown::difference && !result_) shown = Shown::simulation;
+  if (shown == Shown::simulation && sofar_.profile.empty()) shown = Shown::experiment;
+  (shown == Shown::simulation   ? simulation_
+   : shown == Shown::difference ? difference_
+                                : experiment_)
+      ->setChecked(true);
+  const analysis::Reference& experiment = basis_->request.experiment;
+  drawing_->show(
+      analysis::draw(shown == Shown::simulation ? analysis::simulationFigure(sofar_, experiment)
+                     : shown == Shown::difference
+                         ? analysis::differenceFigure(*result_, basis_->references.difference)
+                         : analysis::experimentFigure(experiment, basis_->references.simulator)));
+}
+
+void ValidatePage::showState()
+{
+  start_->setText(isRunning() ? tr("Cancel") : tr("Repeat it"));
+  start_->setEnabled(bool(basis_));
+  runs_->setEnabled(!isRunning());
+  save_->setEnabled(result_.has_value());
+}
+
+void ValidatePage::showVerdicts()
+{
+  while (QLayoutItem* item = verdicts_->takeAt(0)) {
+    delete item->widget();
+    delete item;
+  }
+  if (!result_) return;
+  int line = 0;
+  for (const analysis::Verdict& verdict :
+       analysis::verdictsOf(*result_, basis_->request.experiment)) {
+    // a word, not only a color
+    auto* mark = text(verdict.isMet ? tr("✓ met") : tr("✗ missed"), 13, this);
+    mark->setStyleSheet(
+        QStringLiteral("color: %1;").arg((verdict.isMet ? accentColor : warningColor).name()));
+    auto* what = text(QString::fromStdString(verdict.what), 13, this);
+    what->setWordWrap(true);
+    auto* found = text(QString::fromStdString(verdict.found), 13, this);
+    found->setAlignment(Qt::AlignRight | Qt::AlignTop);
+    auto* wanted = text(QString::fromStdString(verdict.wanted), 11, this, true);
+    wanted->setWordWrap(true);
+    verdicts_->addWidget(mark, line, 0, Qt::AlignTop);
+    verdicts_->addWidget(what, line, 1);
+    verdicts_->addWidget(found, line, 2);
+    verdicts_->addWidget(wanted, ++line, 1, 1, 2);
+    ++line;
+  }
+  verdicts_->setColumnStretch(1, 1);
+}
+
+void ValidatePage::save()
+{
+  if (!result_) return;
+  const QString chosen =
+      QFileDialog::getExistingDirectory(this, tr("Folder for curves, numbers and figures"));
+  if (chosen.isEmpty()) return;
+  const std::filesystem::path folder = chosen.toStdString();
+  const analysis::ValidationFiles files =
+      analysis::validationFiles(basis_->request, *result_, basis_->references);
+  const auto keep = [&](const std::string& name, const std::string& content) {
+    const auto written = writeWhole(folder / name, content);
+    if (!written) status_->setText(QString::fromStdString(written.error().message));
+    return bool(written);
+  };
+  for (const auto& [name, content] : files.texts)
+    if (!keep(name, content)) return;
+  for (const auto& [name, figure] : files.figures)
+    if (!keep(name + ".svg", analysis::svg(figure))) return;
+  status_->setText(tr("Six files are in %1.").arg(chosen));
+}
+
+}  // namespace perilymph::gui

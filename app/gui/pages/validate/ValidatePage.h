@@ -1,0 +1,60 @@
+#pragma once
+
+// The published experiment repeated, in the window: figures as they grow, verdicts as they stand.
+
+#include <QWidget>
+#include <optional>
+
+#include "gui/pages/validate/ValidationWork.h"
+
+class QGridLayout;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+
+namespace perilymph::gui {
+
+class Choice;
+class DrawingView;
+
+/// Repeats the experiment when asked, and says what was met and what was missed.
+class ValidatePage : public QWidget {
+  Q_OBJECT
+public:
+  explicit ValidatePage(QWidget* parent);
+
+  void start();
+  void cancel();
+  bool isRunning() const { return work_.isRunning(); }
+  /// The last whole run; none before.
+  const std::optional<analysis::ValidationResult>& result() const { return result_; }
+
+private:
+  enum class Shown { simulation, experiment, difference };
+
+  QWidget* addColumn();
+  QWidget* addFigures();
+  void showFigure();
+  void showState();
+  void showVerdicts();
+  void finish(const std::optional<analysis::ValidationResult>& result, const QString& error);
+  void save();
+
+  Result<ValidationBasis> basis_;
+  ValidationWork work_;
+  std::optional<analysis::ValidationResult> result_;
+  analysis::ValidationResult sofar_;
+  Shown shown_ = Shown::experiment;
+
+  QSpinBox* runs_ = nullptr;
+  QPushButton* start_ = nullptr;
+  QPushButton* save_ = nullptr;
+  QProgressBar* progress_ = nullptr;
+  QLabel* status_ = nullptr;
+  QGridLayout* verdicts_ = nullptr;
+  Choice *simulation_ = nullptr, *experiment_ = nullptr, *difference_ = nullptr;
+  DrawingView* drawing_ = nullptr;
+};
+
+}  // namespace perilymph::gui

@@ -1,0 +1,36 @@
+# perilymph_gui_part(<folder> [USES folders...] [LINKS targets...] [PRIVATE_LINKS targets...] SOURCES files...)
+#
+# Makes the library perilymph_gui_<folder> (slashes become underscores) of a folder of app/gui.
+#   - USES names the folders it may include headers of; what they use comes along. A folder is
+#     declared behind those it uses, so that no two use each other.
+#   - Headers are included by their path: "gui/scene/OperationView.h".
+# test/architecture compares USES and the real includes with the table in README.md.
+function(perilymph_gui_part folder)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES;LINKS;PRIVATE_LINKS;SOURCES")
+  if(NOT arg_SOURCES OR arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "perilymph_gui_part(${folder}) needs SOURCES and knows no '${arg_UNPARSED_ARGUMENTS}'.")
+  endif()
+  file(GLOB found RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" CONFIGURE_DEPENDS "*.cpp")
+  list(REMOVE_ITEM found ${arg_SOURCES})
+  if(found)
+    message(FATAL_ERROR "app/gui/${folder}: ${found} is not listed in SOURCES.")
+  endif()
+  set(used_targets)
+  foreach(used IN LISTS arg_USES)
+    string(REPLACE "/" "_" used_name "${used}")
+    if(NOT TARGET perilymph_gui_${used_name})
+      message(FATAL_ERROR "app/gui/${folder} uses ${used}, which is not declared before it.")
+    endif()
+    list(APPEND used_targets perilymph_gui_${used_name})
+  endforeach()
+
+  string(REPLACE "/" "_" name "${folder}")
+  add_library(perilymph_gui_${name} STATIC ${arg_SOURCES})
+  set_target_properties(perilymph_gui_${name} PROPERTIES AUTOMOC ON)
+  target_include_directories(perilymph_gui_${name} PUBLIC "${PROJECT_SOURCE_DIR}/app")
+  # Qt's keywords collide with names in oneTBB's headers.
+  target_compile_definitions(perilymph_gui_${name} PUBLIC QT_NO_KEYWORDS)
+  target_link_libraries(perilymph_gui_${name}
+    PUBLIC ${used_targets} ${arg_LINKS} PRIVATE perilymph_flags ${arg_PRIVATE_LINKS})
+  set_property(GLOBAL APPEND PROPERTY PERILYMPH_GUI_PARTS perilymph_gui_${name})
+endfunction()

@@ -1,0 +1,37 @@
+#include "gui/parts/DeviceRate.h"
+
+#include <QCoreApplication>
+
+#include "gui/parts/Numbers.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+// lupdate looks for words of free functions under the name of their namespace.
+QString tr(const char* label) { return QCoreApplication::translate("perilymph::gui", label); }
+
+QString milliseconds(double time) { return numberText(time * 1e3, 2); }
+
+}  // namespace
+
+QString roundTripText(const device::DeviceHealth& health)
+{
+  const QString time = milliseconds(health.roundTrip);
+  return health.isRoundTripMeasured ? tr("%1 ms there and back").arg(time)
+                                    : tr("at most %1 ms there and back").arg(time);
+}
+
+QString deviceRateText(const std::optional<device::DeviceHealth>& health)
+{
+  if (!health) return {};
+  if (!health->isConnected) return tr("device gone");
+  const device::ReadingFigures& reading = health->reading;
+  QString text = tr("device %1/s, jitter %2 ms")
+                     .arg(numberText(reading.rate, 0),
+                          milliseconds(reading.intervalP99 - reading.intervalMedian));
+  if (health->roundTrip > 0.0) text += roundTripText(*health).prepend(QStringLiteral(", "));
+  return text;
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,68 @@
+#include "gui/parts/FrameMeter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace perilymph::gui {
+
+namespace {
+
+// An hour at 60 frames a second; older frames leave by half so that a long session stays small.
+constexpr std::size_t maxFrames = 216'000;
+
+}  // namespace
+
+void FrameMeter::begin(Clock::time_point now)
+{
+  began_ = now;
+  isOpen_ = true;
+}
+
+void FrameMeter::present(Clock::time_point now)
+{
+  if (!isOpen_) return;
+  isOpen_ = false;
+  if (durations_ms_.size() >= maxFrames) {
+    durations_ms_.erase(durations_ms_.begin(), durations_ms_.begin() + maxFrames / 2);
+    presented_.erase(presented_.begin(), presented_.begin() + maxFrames / 2);
+  }
+  durations_ms_.push_back(std::chrono::duration<double, std::milli>(now - began_).count());
+  presented_.push_back(now);
+}
+
+int FrameMeter::framesPerSecond(Clock::time_point now) const
+{
+  const auto first =
+      std::upper_bound(presented_.begin(), presented_.end(), now - std::chrono::seconds(1));
+  return static_cast<int>(presented_.end() - first);
+}
+
+double FrameMeter::quantile_ms(double fraction) const
+{
+  if (durations_ms_.empty()) return 0.0;
+  std::vector<double> sorted = durations_ms_;
+  std::sort(sorted.begin(), sorted.end());
+  const double rank = std::ceil(fraction * static_cast<double>(sorted.size()));
+  const std::size_t index = rank < 1.0 ? 0 : static_cast<std::size_t>(rank) - 1;
+  return sorted[std::min(index, sorted.size() - 1)];
+}
+
+double FrameMeter::span_s() const
+{
+  if (presented_.size() < 2) return 0.0;
+  return std::chrono::duration<double>(presented_.back() - presented_.front()).count();
+}
+
+std::string FrameMeter::report() const
+{
+  const double span = span_s();
+  const double perSecond = span > 0.0 ? static_cast<double>(presented_.size() - 1) / span : 0.0;
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "frame time median %.1f ms, p95 %.1f ms, %.1f frames/s over %zu frames",
+                quantile_ms(0.5), quantile_ms(0.95), perSecond, durations_ms_.size());
+  return text;
+}
+
+}  // namespace perilymph::gui

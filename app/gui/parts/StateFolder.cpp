@@ -1,0 +1,18 @@
+#include "gui/parts/StateFolder.h"
+
+#include <QDir>
+#include <QString>
+#include <cstdlib>
+
+namespace perilymph::gui {
+
+std::filesystem::path stateFolder()
+{
+  // The XDG rules: a relative path counts as none.
+  const char* given = std::getenv("XDG_STATE_HOME");
+  const std::filesystem::path state = given != nullptr ? given : "";
+  if (state.is_absolute()) return state / "perilymph";
+  return std::filesystem::path(QDir::homePath().toStdString()) / ".local" / "state" / "perilymph";
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,128 @@
+#include "gui/program/CommandLine.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <string_view>
+
+#include "perilymph/foundation/Version.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+/// Refuses a picture that no picture writer would take, before anything is started.
+std::string checkPicture(const std::string& file)
+{
+  if (std::filesystem::path(file).extension() == ".png") return {};
+  return file + " is no name for a screenshot: it must end in .png.";
+}
+
+/// True for a screenshot of a moment that can come.
+std::string checkDelay(const std::string& text)
+{
+  double seconds = -1.0;
+  if (CLI::detail::lexical_cast(text, seconds) && seconds >= 0.0 && seconds <= 3600.0) return {};
+  return "--after is " + text + "; it must be a number of seconds between 0 and 3600.";
+}
+
+/// Not a ValidationError, before which CLI11 would write the option's name once more.
+CLI::ConversionError emptyValue(const std::string& name)
+{
+  return CLI::ConversionError(name + " is empty; give it a value (is a shell variable unset?)");
+}
+
+/// Refuses empty values of every option, and `--option=`, for which CLI11 would take the next word.
+void refuseEmptyValues(CLI::App& app, int argc, const char* const* argv)
+{
+  for (CLI::Option* option : app.get_options()) {
+    if (option->get_items_expected_max() == 0) continue;  // a flag
+    const std::string name = option->get_name();
+    // A transform comes before every other check of the option.
+    option->transform([name](const std::string& value) -> std::string {
+      if (value.empty()) throw emptyValue(name);
+      return value;
+    });
+  }
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    if (word.size() > 3 && word.substr(0, 2) == "--" && word.find('=') == word.size() - 1)
+      throw emptyValue(std::string(word.substr(0, word.size() - 1)));
+  }
+}
+
+}  // namespace
+
+std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* argv)
+{
+  CommandLine options;
+  CLI::App app("Perilymph, the cochlear-implant insertion workstation. Not a medical device.",
+               "perilymph");
+  app.set_version_flag("--version", "perilymph " + buildId());
+
+  std::string record, plugin, screenshot;
+  app.add_option("--scenario", options.scenario,
+                 "What to insert where: a shipped name or a TOML file; without it, the first "
+                 "screen asks")
+      ->type_name("FILE|NAME");
+  auto* demoOption = app.add_flag("--demo", options.isDemo, "Start inserting at once");
+  auto* recordOption =
+      app.add_option("--record", record,
+                     "Where to keep the insertion; without it, among the sessions in the data home")
+          ->type_name("FILE");
+  auto* pluginOption =
+      app.add_option("--device-plugin", plugin,
+                     "A device plug-in, which becomes the hand; it runs with your rights")
+          ->type_name("FILE.so")
+          ->excludes(demoOption);
+  auto* screenshotOption =
+      app.add_option("--screenshot", screenshot, "Write a picture of the window, then exit")
+          ->type_name("FILE.png")
+          ->check(checkPicture);
+  app.add_option("--after", options.after_s,
+                 "How long after the first frame the screenshot is taken")
+      ->type_name("SECONDS")
+      ->needs(screenshotOption)
+      ->check(checkDelay)
+      ->capture_default_str();
+  app.add_option("--quality", options.quality, "How much is drawn; auto: by the machine's speed")
+      ->check(CLI::IsMember({"auto", "fast", "balanced", "full"}));
+  auto* measureOption =
+      app.add_flag("--measure-frames", options.measuresFrames,
+                   "Run the demonstration, print how long its frames took, then exit")
+          ->excludes(screenshotOption)
+          ->excludes(pluginOption);
+  app.add_option(
+         "--ticks", options.measuredTicks,
+         "Measure on, in and out, until so many ticks were recorded (3600000: an hour), and "
+         "set the last insertion beside the first")
+      ->type_name("N")
+      ->needs(measureOption)
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1000000000}));
+  app.add_option("--language", options.language,
+                 "The window's words and numbers, for this call; else as chosen in its settings")
+      ->type_name("en|de|system")
+      ->check(CLI::IsMember({"en", "de", "system"}));
+  app.add_flag("--kiosk", options.isKiosk,
+               "Fill the screen with a demonstration for visitors; Ctrl+Alt+Q ends it")
+      ->excludes(demoOption)
+      ->excludes(recordOption)
+      ->excludes(pluginOption)
+      ->excludes("--measure-frames");
+
+  try {
+    refuseEmptyValues(app, argc, argv);
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {  // --help and --version
+    app.exit(success);
+    return Exit{0};
+  } catch (const CLI::ParseError& error) {
+    std::cerr << error.what() << "\nperilymph --help lists the words it knows.\n";
+    return Exit{2};
+  }
+  if (recordOption->count() > 0) options.record = record;
+  if (pluginOption->count() > 0) options.plugin = plugin;
+  if (screenshotOption->count() > 0) options.screenshot = screenshot;
+  return options;
+}
+
+}  // namespace perilymph::gui

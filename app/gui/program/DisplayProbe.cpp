@@ -1,0 +1,112 @@
+#include "gui/program/DisplayProbe.h"
+
+#include <QCoreApplication>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <QSurfaceFormat>
+#include <cstdlib>
+#include <string>
+
+// After Qt: X11 defines names like None and Bool as macros.
+#include <X11/Xlib.h>
+
+namespace perilymph::gui {
+
+namespace {
+
+std::string environment(const char* name)
+{
+  const char* value = std::getenv(name);
+  return value != nullptr ? value : "";
+}
+
+}  // namespace
+
+Result<Done> probeDisplay()
+{
+  const std::string platform = environment("QT_QPA_PLATFORM");
+  if (!platform.empty() && platform != "xcb" && platform != "offscreen")
+    return Error{"QT_QPA_PLATFORM is " + platform +
+                 "; the window can be drawn with xcb or offscreen. Unset it, or use one of these."};
+
+  const std::string display = environment("DISPLAY");
+  if (display.empty())
+    return Error{
+        "There is no display: DISPLAY is not set. Start perilymph in a graphical session, or under "
+        "xvfb-run; perilymph-cli simulates without a window."};
+
+  Display* connection = XOpenDisplay(display.c_str());
+  if (connection == nullptr)
+    return Error{"The display " + display +
+                 " cannot be reached. Check DISPLAY and the permission to draw there, or start "
+                 "perilymph under xvfb-run."};
+  // VTK draws through GLX alone; Qt without it would start on EGL, and every picture would stay
+  // empty.
+  int opcode = 0, event = 0, error = 0;
+  const bool hasGlx = XQueryExtension(connection, "GLX", &opcode, &event, &error) != 0;
+  XCloseDisplay(connection);
+  if (!hasGlx)
+    return Error{"The display " + display +
+                 " offers no OpenGL (its GLX extension is missing). Start perilymph on another "
+                 "display, or under xvfb-run; perilymph-cli simulates without a window."};
+  return Done{};
+}
+
+Result<Done> probeOpenGl()
+{
+  const QSurfaceFormat wanted = QSurfaceFormat::defaultFormat();
+  const std::string advice =
+      " The window needs OpenGL 3.2: install a graphics driver (Debian: libgl1-mesa-dri), or set "
+      "LIBGL_ALWAYS_SOFTWARE=1 to draw without a graphics card.";
+
+  QOpenGLContext context;
+  context.setFormat(wanted);
+  if (!context.create()) return Error{"OpenGL cannot be started on this display." + advice};
+
+  QOffscreenSurface surface;
+  surface.setFormat(context.format());
+  surface.create();
+  if (!surface.isValid() || !context.makeCurrent(&surface))
+    return Error{"OpenGL cannot draw on this display." + advice};
+  const QSurfaceFormat got = context.format();
+  context.doneCurrent();
+
+  if (got.version() < qMakePair(3, 2))
+    return Error{"This display offers OpenGL " + std::to_string(got.majorVersion()) + "." +
+                 std::to_string(got.minorVersion()) + "." + advice};
+  return Done{};
+}
+
+std::string openGlRenderer()
+{
+  QOpenGLContext context;
+  context.setFormat(QSurfaceFormat::defaultFormat());
+  QOffscreenSurface surface;
+  if (!context.create()) return {};
+  surface.setFormat(context.format());
+  surface.create();
+  if (!context.makeCurrent(&surface)) return {};
+  const auto* name = context.functions()->glGetString(GL_RENDERER);
+  const std::string renderer = name != nullptr ? reinterpret_cast<const char*>(name) : "";
+  context.doneCurrent();
+  return renderer;
+}
+
+bool hasStereoBuffers()
+{
+  // Qt asks GLX for a configuration with GLX_STEREO, and says what it got.
+  QSurfaceFormat wanted = QSurfaceFormat::defaultFormat();
+  wanted.setStereo(true);
+  QOpenGLContext context;
+  context.setFormat(wanted);
+  return context.create() && context.format().stereo();
+}
+
+QString quadBufferedError(bool hasBuffers)
+{
+  if (hasBuffers) return {};
+  return QCoreApplication::translate("Display", "this display has no buffers for two eyes");
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,318 @@
+#include "gui/run/InsertionControl.h"
+
+#include <cstdio>
+#include <ctime>
+#include <utility>
+
+#include "perilymph/device/PluginDevice.h"
+#include "perilymph/foundation/Resources.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+using Kind = haptics::Command::Kind;
+using Motion = device::ScriptedDevice::Motion;
+
+/// "20260131T154502Z": sorts by time, and is a good file name everywhere.
+std::string utcNow()
+{
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  char text[24];
+  std::strftime(text, sizeof text, "%Y%m%dT%H%M%SZ", &utc);
+  return text;
+}
+
+std::filesystem::path numbered(const std::filesystem::path& file, int number)
+{
+  if (number < 2) return file;
+  std::filesystem::path other = file;
+  other.replace_filename(file.stem().string() + "-" + std::to_string(number) +
+                         file.extension().string());
+  return other;
+}
+
+}  // namespace
+
+InsertionControl::InsertionControl(session::Scenario scenario,
+                                   std::optional<std::filesystem::path> record)
+    : scenario_(std::move(scenario)), record_(std::move(record))
+{
+}
+
+InsertionControl::~InsertionControl() { discard(); }
+
+std::filesystem::path InsertionControl::nextRecording()
+{
+  // The first with a file asked for by name gets that file or none; all others find a free name.
+  if (record_ && prepared_ == 1) return *record_;
+  const std::filesystem::path file =
+      record_ ? *record_ : sessionFolder() / (utcNow() + "-" + scenario_.name + ".insertion");
+  std::error_code ignored;
+  int number = record_ ? 2 : 1;
+  while (std::filesystem::exists(numbered(file, number), ignored)) ++number;
+  return numbered(file, number);
+}
+
+void InsertionControl::use(session::Scenario scenario, const std::optional<Parts>& parts)
+{
+  scenario_ = std::move(scenario);
+  if (!parts) return;
+  anatomy_ = parts->anatomy;
+  model_ = parts->model;
+}
+
+Result<Done> InsertionControl::prepare(InputSource hand)
+{
+  // A file asked for by name waits for the first insertion that runs.
+  const bool waits = record_ && insertion_ && prepared_ == 1 && !isRunning_;
+  const auto waiting = waits ? recording() : std::nullopt;
+  discard();
+  std::error_code none;
+  if (waiting && std::filesystem::remove(*waiting, none)) --prepared_;
+  ++prepared_;
+  if (keepsNothing_) return build(hand, std::nullopt);
+  const std::filesystem::path file = nextRecording();
+  std::error_code ignored;  // what cannot be made is said when the file is opened
+  if (!record_) std::filesystem::create_directories(file.parent_path(), ignored);
+  // A recording that was asked for by name is a part of what was asked.
+  const bool isAskedFor = record_ && prepared_ == 1;
+  const Result<Done> recorded = build(hand, file);
+  if (recorded || isAskedFor) return recorded;
+
+  // Any other insertion goes on without one, and says so, rather than not at all.
+  const Result<Done> unrecorded = build(hand, std::nullopt);
+  if (!unrecorded) return unrecorded;
+  recordingError_ = recorded.error().message;
+  return Done{};
+}
+
+void InsertionControl::discard()
+{
+  // An insertion that never ran leaves no file behind, unless somebody asked for that file.
+  const auto unused = isRunning_ || record_ ? std::nullopt : recording();
+  insertion_.reset();  // closes its recording before the next one is opened
+  scripted_ = nullptr;
+  pointer_ = nullptr;
+  isRunning_ = false;
+  recordingError_.clear();
+  std::error_code ignored;
+  if (unused) std::filesystem::remove(*unused, ignored);
+}
+
+void InsertionControl::choose(const device::FoundDevice& found)
+{
+  chosen_ = [found]() -> Result<std::unique_ptr<device::HapticDevice>> {
+    auto made = device::makeHidDevice(found, device::systemRoots());
+    if (!made) return made.error();
+    return std::unique_ptr<device::HapticDevice>(*std::move(made));
+  };
+}
+
+void InsertionControl::choose(const std::filesystem::path& plugin)
+{
+  chosen_ = [plugin] { return device::loadPluginDevice(plugin); };
+}
+
+Result<Done> InsertionControl::build(InputSource hand, std::optional<std::filesystem::path> file)
+{
+  std::unique_ptr<device::HapticDevice> device;
+  device::ScriptedDevice* scripted = nullptr;
+  device::PointerDevice* pointer = nullptr;
+  const double timeStep = scenario_.timeStep.si();
+  if (hand == InputSource::scripted) {
+    auto made = std::make_unique<device::ScriptedDevice>(scenario_.speed.si(), timeStep);
+    scripted = made.get();
+    device = std::move(made);
+  } else if (hand == InputSource::device) {
+    if (!chosen_) return Error{"No device was chosen. Press H and choose one."};
+    auto made = chosen_();
+    if (!made) return made.error();
+    device = *std::move(made);
+  } else {
+    auto made = std::make_unique<device::PointerDevice>(timeStep);
+    pointer = made.get();
+    device = std::move(made);
+  }
+
+  auto prepared =
+      session::Insertion::prepare(scenario_, std::move(device), std::move(file), anatomy_, model_);
+  if (!prepared) return prepared.error();
+
+  insertion_ = *std::move(prepared);
+  anatomy_ = insertion_->sharedAnatomy();
+  model_ = insertion_->sharedModel();
+  scripted_ = scripted;
+  pointer_ = pointer;
+  hand_ = hand;
+  wish_ = Wish::rest;
+  isHeld_ = false;
+  styletTarget_.reset();
+  styletAsked_ = false;
+  askedAt_ = 0;
+  now_ = haptics::Snapshot{};
+  insertion_->loop().engine().fill(now_);  // no thread runs yet
+  return Done{};
+}
+
+Result<Done> InsertionControl::begin()
+{
+  if (!insertion_) return Error{"There is no insertion to start. Press Reset."};
+  if (!isRunning_) {
+    const Result<Done> started = insertion_->start();
+    if (!started) return started;
+    isRunning_ = true;
+  }
+  wish_ = Wish::insert;
+  pursue();
+  return Done{};
+}
+
+void InsertionControl::pause()
+{
+  wish_ = Wish::rest;
+  hold(false);
+  moveHand(Motion::hold);
+}
+
+void InsertionControl::withdraw()
+{
+  if (!isRunning_) return;
+  wish_ = Wish::withdraw;
+  pursue();
+}
+
+void InsertionControl::pullStylet()
+{
+  const bool isArmed = isRunning_ && now_.output.workflow != haptics::Workflow::idle;
+  if (!isArmed || !scenario_.array.hasStylet) return;
+  styletTarget_ = scenario_.array.length.si();
+  pursue();
+}
+
+void InsertionControl::hold(bool isHeld)
+{
+  if (pointer_ == nullptr) return;
+  isHeld_ = isHeld && isRunning_;
+  pointer_->grasp(isHeld_);
+}
+
+void InsertionControl::advanceBy(Length distance)
+{
+  if (pointer_ == nullptr || !isHeld_) return;
+  if (distance.si() > 0.0 && isAtDepth()) return;
+  pointer_->advanceBy(distance.si());
+}
+
+bool InsertionControl::update()
+{
+  if (!isRunning_) return false;
+  const bool isNew = insertion_->refresh();
+  if (isNew) now_ = insertion_->latest();
+  pursue();
+  return isNew;
+}
+
+bool InsertionControl::ask(Kind kind, double value)
+{
+  haptics::Command command;
+  command.kind = kind;
+  command.value = value;
+  return insertion_->send(command);
+}
+
+void InsertionControl::pursue()
+{
+  const haptics::Workflow workflow = now_.output.workflow;
+  if (workflow == haptics::Workflow::fault) {
+    moveHand(Motion::hold);
+    wish_ = Wish::rest;
+    return;
+  }
+  if (wish_ == Wish::rest && !styletTarget_) return;
+
+  if (workflow == haptics::Workflow::idle) {
+    if (now_.tick >= askedAt_ && ask(Kind::arm)) askedAt_ = now_.tick + 1;
+    return;
+  }
+  if (styletTarget_ && !styletAsked_) styletAsked_ = ask(Kind::pullStylet, *styletTarget_);
+
+  if (wish_ == Wish::insert) {
+    const bool isDone = workflow == haptics::Workflow::finished || isAtDepth();
+    moveHand(isDone ? Motion::hold : Motion::insert);
+    if (isDone) wish_ = Wish::rest;
+  } else if (wish_ == Wish::withdraw) {
+    pursueWithdrawal();
+  }
+}
+
+void InsertionControl::pursueWithdrawal()
+{
+  const haptics::TickOutput& now = now_.output;
+  // At full depth the loop wants to be asked; on the way there the hand may turn back by itself.
+  if (now.workflow == haptics::Workflow::finished && isAtDepth()) {
+    if (now_.tick >= askedAt_ && ask(Kind::withdraw)) askedAt_ = now_.tick + 1;
+    return;
+  }
+  const bool isOut = now.travel <= 0.0 || now.workflow == haptics::Workflow::finished;
+  moveHand(isOut ? Motion::hold : Motion::withdraw);
+  if (isOut) wish_ = Wish::rest;
+}
+
+bool InsertionControl::isAtDepth() const noexcept
+{
+  // Also after a withdrawal from full depth, when the loop holds no stop any more. A finished
+  // withdrawal is finished, too, but near the start.
+  const double stop = scenario_.stopTravel.si();
+  const bool isFinished = now_.output.workflow == haptics::Workflow::finished;
+  return now_.output.travel >= stop || (isFinished && now_.output.travel > 0.5 * stop);
+}
+
+void InsertionControl::moveHand(Motion motion)
+{
+  if (scripted_ != nullptr) scripted_->move(motion);
+}
+
+bool InsertionControl::isMoving() const noexcept
+{
+  if (hand_ == InputSource::device) return now_.output.workflow == haptics::Workflow::inserting;
+  return hand_ == InputSource::pointer ? isHeld_ : wish_ != Wish::rest;
+}
+
+std::string InsertionControl::handName() const
+{
+  return insertion_ ? insertion_->hand().traits().name : std::string();
+}
+
+std::optional<device::DeviceHealth> InsertionControl::deviceHealth()
+{
+  return insertion_ ? insertion_->hand().health() : std::nullopt;
+}
+
+haptics::LoopStatistics InsertionControl::halt()
+{
+  if (!insertion_) return {};
+  wish_ = Wish::rest;
+  insertion_->stop();
+  return insertion_->loop().statistics();
+}
+
+std::string InsertionControl::couplingText() const
+{
+  return insertion_ ? insertion_->couplingText() : std::string();
+}
+
+std::optional<std::filesystem::path> InsertionControl::recording() const
+{
+  return insertion_ && recordingError().empty() ? insertion_->recording() : std::nullopt;
+}
+
+std::string InsertionControl::recordingError() const
+{
+  if (!recordingError_.empty() || !insertion_) return recordingError_;
+  return insertion_->recordingError();
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,40 @@
+#include "gui/run/ModelBuilder.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+using Parts = InsertionControl::Parts;
+
+Result<Parts> partsOf(const session::Scenario& scenario,
+                      std::shared_ptr<const anatomy::ScalaTympani> anatomy,
+                      const std::atomic<bool>& isCanceled)
+{
+  const Error canceled{"Nobody waits for " + scenario.name + " any more."};
+  if (isCanceled) return canceled;
+  if (!anatomy) {
+    auto built = session::buildAnatomy(scenario);
+    if (!built) return built.error();
+    anatomy = *std::move(built);
+  }
+  if (isCanceled) return canceled;
+  auto model = session::buildModel(scenario, anatomy);
+  if (!model) return model.error();
+  return Parts{std::move(anatomy), *std::move(model)};
+}
+
+}  // namespace
+
+void ModelBuilder::build(const session::Scenario& scenario,
+                         std::shared_ptr<const anatomy::ScalaTympani> anatomy, Answer answer)
+{
+  if (!isBusy()) since_.start();  // who waits has waited since the first request
+  background_.run(
+      "The cochlea",
+      [scenario, anatomy = std::move(anatomy)](const std::atomic<bool>& isCanceled) {
+        return partsOf(scenario, anatomy, isCanceled);
+      },
+      std::move(answer));
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,61 @@
+#include "gui/scene/ForceInterpretation.h"
+
+#include <QCoreApplication>
+#include <cmath>
+#include <optional>
+
+#include "gui/parts/Numbers.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+// lupdate looks for words of free functions under the name of their namespace.
+QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
+
+QString millinewtonsText(double force_N) { return numberText(force_N * 1e3, 0); }
+
+std::optional<analysis::PrintedRange> rangeOf(const char* reference, const char* quantity)
+{
+  const auto loaded = analysis::shippedReference(reference);
+  if (!loaded) return std::nullopt;
+  const analysis::PrintedRange* range = loaded->findRange(quantity);
+  return range == nullptr ? std::nullopt : std::optional(*range);
+}
+
+}  // namespace
+
+ForceThresholds ForceThresholds::shipped()
+{
+  ForceThresholds known;
+  known.peaks = rangeOf("in-vivo", "peak");
+  known.rupture = rangeOf("in-vitro", "rupture of the partition");
+  return known;
+}
+
+ForceMeaning meaningOnHand(Force force, const ForceThresholds& known)
+{
+  const double size = std::fabs(force.si());
+  const QString felt = numberText(inMillinewtons(known.felt), 0);
+  if (size < known.felt.si()) return {tr("below the %1 mN that surgeons feel").arg(felt), false};
+  if (!known.peaks || size < known.peaks->low)
+    return {tr("felt by surgeons, above %1 mN").arg(felt), false};
+  const QString low = millinewtonsText(known.peaks->low);
+  const QString high = millinewtonsText(known.peaks->high);
+  if (size <= known.peaks->high)
+    return {tr("felt; like peaks in patients, %1 to %2 mN").arg(low, high), false};
+  return {tr("felt; above the peaks in patients, %1 mN").arg(high), true};
+}
+
+ForceMeaning meaningOnPartition(Force force, const ForceThresholds& known)
+{
+  const QString now = numberText(inMillinewtons(force), 0);
+  if (!known.rupture) return {tr("on the partition %1 mN").arg(now), false};
+  const QString low = millinewtonsText(known.rupture->low);
+  const QString high = millinewtonsText(known.rupture->high);
+  if (force.si() < known.rupture->low)
+    return {tr("on the partition %1 mN; it ruptures at %2 to %3 mN").arg(now, low, high), false};
+  return {tr("on the partition %1 mN: it ruptures at %2 to %3 mN").arg(now, low, high), true};
+}
+
+}  // namespace perilymph::gui

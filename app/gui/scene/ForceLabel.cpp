@@ -1,0 +1,80 @@
+#include "gui/scene/ForceLabel.h"
+
+#include <QFontMetrics>
+#include <QPainter>
+#include <algorithm>
+#include <utility>
+
+#include "gui/parts/Theme.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr int lineHeight_px = 18;
+constexpr int plate_px = 6;
+
+QString marked(const ForceMeaning& meaning)
+{
+  return meaning.isBeyond ? QStringLiteral("▲ ") + meaning.text : meaning.text;
+}
+
+}  // namespace
+
+ForceLabel::ForceLabel(QWidget* parent) : QWidget(parent), known_(ForceThresholds::shipped())
+{
+  setObjectName(QStringLiteral("forceWords"));
+  setFont(typeface(12));
+  setAttribute(Qt::WA_NoSystemBackground);
+  QStringList sources{
+      tr("Felt: median of ten otologic surgeons, 20.4 mN (Kratchman 2016, Audiol "
+         "Neurotol 21:244).")};
+  if (known_.peaks) sources << QString::fromStdString(known_.peaks->source);
+  if (known_.rupture) sources << QString::fromStdString(known_.rupture->source);
+  sources << tr(
+      "The force on the partition is the sum of what the whole array presses normal to "
+      "it; a rupture was measured under one point. No force is known to do no harm: "
+      "trauma may occur below these forces (Mirsalehi 2017).");
+  setToolTip(sources.join(QStringLiteral("\n\n")));
+  show({}, {});
+}
+
+void ForceLabel::show(Force onHand, Force onPartition)
+{
+  ForceMeaning hand = meaningOnHand(onHand, known_);
+  ForceMeaning partition = meaningOnPartition(onPartition, known_);
+  if (hand.text == hand_.text && partition.text == partition_.text) return;
+  hand_ = std::move(hand);
+  partition_ = std::move(partition);
+  setAccessibleName(hand_.text + QStringLiteral("; ") + partition_.text);
+  updateGeometry();
+  update();
+}
+
+QSize ForceLabel::sizeHint() const
+{
+  const QFontMetrics metrics(font());
+  const int widest = std::max(metrics.horizontalAdvance(marked(hand_)),
+                              metrics.horizontalAdvance(marked(partition_)));
+  return {widest + 2 * plate_px, 2 * lineHeight_px + plate_px};
+}
+
+void ForceLabel::paintEvent(QPaintEvent*)
+{
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  QColor plate = groundColor;
+  plate.setAlpha(plateAlpha);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(plate);
+  painter.drawRoundedRect(rect(), 6, 6);
+  painter.setFont(font());
+  QRect line(plate_px, plate_px / 2, width() - 2 * plate_px, lineHeight_px);
+  for (const ForceMeaning* meaning : {&hand_, &partition_}) {
+    painter.setPen(meaning->isBeyond ? warningColor : quietTextColor);
+    painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, marked(*meaning));
+    line.translate(0, lineHeight_px);
+  }
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,377 @@
+#include "gui/scene/OperationView.h"
+
+#include <vtkCamera.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+
+#include <QEvent>
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QVBoxLayout>
+#include <QVariant>
+#include <algorithm>
+#include <cmath>
+
+#include "gui/parts/Numbers.h"
+#include "gui/parts/ReadOut.h"
+#include "gui/parts/Theme.h"
+#include "gui/scene/ForceLabel.h"
+#include "gui/scene/PhaseLine.h"
+#include "gui/scene/StereoWindow.h"
+#include "gui/scene/ViewNames.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+using visualization::CameraPreset;
+
+// A drag over the whole height of the picture turns the model half around.
+constexpr double turnPerHeight_deg = 180.0;
+
+// What the view writes below the scale bars: two labels and the phase line.
+constexpr int footHeight_px = 100;
+
+QLabel* quietLabel(QWidget* parent, const char* name)
+{
+  auto* label = new QLabel(parent);
+  label->setObjectName(QLatin1String(name));
+  label->setFont(typeface(12));
+  label->setProperty("onPicture", true);
+  label->setAttribute(Qt::WA_TransparentForMouseEvents);
+  return label;
+}
+
+}  // namespace
+
+OperationView::OperationView(QWidget* parent)
+    : QVTKOpenGLNativeWidget(parent),
+      travel_(new ReadOut({46, QStringLiteral("00.0"), tr("mm"), Qt::AlignLeft}, this)),
+      angle_(new ReadOut({46, QStringLiteral("000"), QStringLiteral("°"), Qt::AlignLeft}, this)),
+      force_(new ReadOut({46, QStringLiteral("-000"), tr("mN"), Qt::AlignRight}, this)),
+      forceLabel_(new ForceLabel(this)),
+      speed_(new ReadOut({20, QStringLiteral("-00.0"), tr("mm/s"), Qt::AlignRight}, this)),
+      banner_(new QFrame(this)),
+      bannerText_(new QLabel(banner_)),
+      hint_(quietLabel(this, "hintLabel")),
+      magnification_(quietLabel(this, "magnificationLabel")),
+      viewName_(quietLabel(this, "viewLabel")),
+      phase_(new PhaseLine(this))
+{
+  setObjectName(QStringLiteral("operationView"));
+  setFocusPolicy(Qt::NoFocus);
+  setAttribute(Qt::WA_AcceptTouchEvents, false);  // VTK 9.1 would see each touch twice
+  setEnableHiDPI(false);  // the scene scales its words itself; VTK would do so once more
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  window->SetMultiSamples(0);
+  setRenderWindow(window);
+  // The mouse is ours: styles would bring their own keys and their own ideas of a drag.
+  if (window->GetInteractor() != nullptr) window->GetInteractor()->SetInteractorStyle(nullptr);
+  addReadOuts();
+  showNumbers({}, millimeters(1));
+}
+
+OperationView::~OperationView() = default;
+
+void OperationView::addReadOuts()
+{
+  travel_->setObjectName(QStringLiteral("travelReadOut"));
+  angle_->setObjectName(QStringLiteral("angleReadOut"));
+  force_->setObjectName(QStringLiteral("forceReadOut"));
+  speed_->setObjectName(QStringLiteral("speedReadOut"));
+  angle_->setCaption(tr("from round window"));
+  force_->setCaption(tr("force on the hand"));
+
+  banner_->setObjectName(QStringLiteral("banner"));
+  bannerText_->setObjectName(QStringLiteral("bannerText"));
+  bannerText_->setFont(typeface(13));
+  bannerText_->setWordWrap(true);
+  auto* bannerLayout = new QHBoxLayout(banner_);
+  bannerLayout->setContentsMargins(2 * spacing, spacing, 2 * spacing, spacing);
+  bannerLayout->addWidget(bannerText_);
+  banner_->setVisible(false);
+  hint_->setVisible(false);
+  hint_->setWordWrap(true);
+  hint_->setAlignment(Qt::AlignCenter);
+
+  auto* numbers = new QHBoxLayout;
+  numbers->setSpacing(0);
+  numbers->addWidget(travel_, 0, Qt::AlignTop);
+  numbers->addSpacing(spacing);
+  numbers->addWidget(angle_, 0, Qt::AlignTop);
+  numbers->addStretch();
+  numbers->addWidget(force_, 0, Qt::AlignTop);
+
+  foot_ = new QHBoxLayout;
+  foot_->addWidget(magnification_);
+  foot_->addStretch();
+  foot_->addWidget(viewName_);
+
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(2 * spacing, spacing, 2 * spacing, spacing);
+  column->setSpacing(spacing);
+  column->addLayout(numbers);
+  column->addWidget(forceLabel_, 0, Qt::AlignRight);
+  column->addWidget(speed_, 0, Qt::AlignRight);
+  column->addWidget(banner_);
+  column->addStretch();
+  column->addLayout(foot_);
+  column->addWidget(phase_);
+}
+
+void OperationView::addToFoot(QWidget* control) { foot_->addWidget(control); }
+
+void OperationView::setScene(std::unique_ptr<visualization::InsertionScene> scene)
+{
+  take(std::move(scene));
+  scene_->lookFrom(CameraPreset::surgeon);
+  describeView();
+}
+
+void OperationView::replaceScene(std::unique_ptr<visualization::InsertionScene> scene)
+{
+  if (!scene_) return setScene(std::move(scene));
+  using visualization::Part;
+  for (const Part part :
+       {Part::wallForce, Part::contactArrows, Part::membrane, Part::styletAndTweezers, Part::scala})
+    scene->setVisible(part, scene_->isVisible(part));
+  const CameraPreset preset = scene_->preset();
+  const double magnification = scene_->magnification();
+  take(std::move(scene));
+  scene_->lookFrom(preset);
+  scene_->setMagnification(magnification);
+  describeView();
+}
+
+void OperationView::take(std::unique_ptr<visualization::InsertionScene> scene)
+{
+  if (scene_) renderWindow()->RemoveRenderer(&scene_->renderer());
+  scene_ = std::move(scene);
+  scene_->setScale(devicePixelRatioF());
+  scene_->setScaleBarMargin(footHeight_px + hintLift_);
+  scene_->attachTo(*renderWindow());
+  showStereo();
+  isDirty_ = true;
+}
+
+void OperationView::showStereo()
+{
+  using visualization::Stereo;
+  scene_->setStereo(stereo_ == Stereo::quadBuffered ? Stereo::off : stereo_);
+}
+
+void OperationView::setStereo(visualization::Stereo stereo)
+{
+  stereo_ = stereo;
+  if (!scene_) return;
+  showStereo();
+  describeView();
+  isDirty_ = true;
+}
+
+void OperationView::setTwin(StereoWindow* twin)
+{
+  twin_ = twin;
+  isDirty_ = true;
+}
+
+void OperationView::showArray(const haptics::Snapshot& now)
+{
+  if (!scene_) return;
+  scene_->show(now);
+  if (twin_ != nullptr) twin_->scene().show(now);
+  isDirty_ = true;
+}
+
+void OperationView::showNumbers(const haptics::TickOutput& now, Length stopTravel)
+{
+  travel_->setNumber(numberText(inMillimeters(Length::fromSi(now.travel)), 1));
+  travel_->setCaption(
+      tr("travel · depth %1 mm").arg(numberText(inMillimeters(Length::fromSi(now.depth)), 1)));
+  angle_->setNumber(numberText(inDegrees(Angle::fromSi(now.angularDepth)), 0));
+  force_->setNumber(numberText(inMillinewtons(Force::fromSi(now.axialForce)), 0));
+  forceLabel_->show(Force::fromSi(now.axialForce), Force::fromSi(now.membraneForce));
+  speed_->setNumber(numberText(inMillimetersPerSecond(Speed::fromSi(now.speed)), 1));
+  phase_->setPhase(analysis::phaseOf(now, stopTravel));
+}
+
+void OperationView::setPartVisible(visualization::Part part, bool isVisible)
+{
+  if (!scene_) return;
+  scene_->setVisible(part, isVisible);
+  if (twin_ != nullptr) twin_->scene().setVisible(part, isVisible);
+  isDirty_ = true;
+}
+
+void OperationView::glideTo(CameraPreset preset)
+{
+  if (!scene_) return;
+  scene_->glideTo(preset);
+  describeView();
+  isDirty_ = true;
+}
+
+void OperationView::turnModel(double azimuth_deg, double elevation_deg, double roll_deg)
+{
+  if (!scene_) return;
+  scene_->rotateModel(azimuth_deg, elevation_deg, roll_deg);
+  isDirty_ = true;
+}
+
+void OperationView::moveModel(double right, double up)
+{
+  if (!scene_) return;
+  scene_->moveModel(right * pictureHeight_mm(), up * pictureHeight_mm());
+  isDirty_ = true;
+}
+
+void OperationView::zoom(double factor)
+{
+  if (!scene_) return;
+  scene_->zoom(factor);
+  describeView();
+  isDirty_ = true;
+}
+
+void OperationView::stepCamera(double seconds)
+{
+  if (!scene_ || !scene_->stepCamera(seconds)) return;
+  describeView();
+  isDirty_ = true;
+}
+
+void OperationView::describeView()
+{
+  magnification_->setText(tr("Microscope × %1").arg(numberText(scene_->magnification(), 1)));
+  const QString eyes = nameOf(stereo_);
+  const QString name = nameOf(scene_->preset());
+  viewName_->setText(eyes.isEmpty() ? name : tr("%1 · %2").arg(name, eyes));
+  placeHint();
+  Q_EMIT presetChanged(scene_->preset());
+}
+
+double OperationView::pictureHeight_mm() const
+{
+  return 2.0 * scene_->renderer().GetActiveCamera()->GetParallelScale();
+}
+
+void OperationView::setBanner(const QString& sentence)
+{
+  if (bannerText_->text() == sentence) return;
+  bannerText_->setText(sentence);
+  banner_->setVisible(!sentence.isEmpty());
+}
+
+void OperationView::setHint(const QString& hint)
+{
+  if (hint_->text() == hint) return;
+  hint_->setText(hint);
+  placeHint();
+}
+
+void OperationView::placeHint()
+{
+  const bool isSeen = !hint_->text().isEmpty();
+  constexpr int padding = 2 * 6;  // the style's
+  const int caption = QFontMetrics(hint_->font()).horizontalAdvance(hint_->text()) + padding + 1;
+  const auto spaceBeside = [this] {
+    layout()->activate();
+    const int left = magnification_->geometry().right() + spacing;
+    const QWidget* next =
+        viewName_->isHidden() ? foot_->itemAt(foot_->count() - 1)->widget() : viewName_;
+    return QRect(left, foot_->geometry().top(), next->x() - spacing - left,
+                 foot_->geometry().height());
+  };
+  hint_->setVisible(isSeen);
+  viewName_->setVisible(true);
+  QRect beside = spaceBeside();
+  if (isSeen && caption > beside.width()) {  // what to do matters more than where one looks from
+    viewName_->setVisible(false);
+    beside = spaceBeside();
+  }
+  int lift = 0;
+  if (caption <= beside.width()) {
+    const int left =
+        std::clamp((width() - caption) / 2, beside.left(), beside.right() - caption + 1);
+    const int height = magnification_->sizeHint().height();
+    hint_->setGeometry(left, beside.center().y() - height / 2, caption, height);
+  } else if (isSeen) {
+    viewName_->setVisible(true);
+    const int widest = std::min(caption, foot_->geometry().width());
+    const int height = hint_->heightForWidth(widest);
+    hint_->setGeometry((width() - widest) / 2, beside.top() - height - spacing, widest, height);
+    lift = height + spacing;
+  }
+  if (!scene_ || lift == hintLift_) return;
+  hintLift_ = lift;
+  scene_->setScaleBarMargin(footHeight_px + hintLift_);
+  isDirty_ = true;
+}
+
+bool OperationView::renderIfDirty()
+{
+  if (!isDirty_ || !scene_ || !isValid()) return false;
+  isDirty_ = false;
+  renderWindow()->Render();
+  if (twin_ != nullptr) twin_->renderAs(*scene_);
+  return true;
+}
+
+void OperationView::resizeEvent(QResizeEvent* event)
+{
+  QVTKOpenGLNativeWidget::resizeEvent(event);
+  placeHint();
+  isDirty_ = true;
+}
+
+bool OperationView::event(QEvent* event)
+{
+  switch (event->type()) {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonRelease:
+    case QEvent::MouseButtonDblClick:
+    case QEvent::MouseMove:
+    case QEvent::Wheel:
+      // Past VTK, which would take them. NOLINTNEXTLINE(bugprone-parent-virtual-call)
+      return QOpenGLWidget::event(event);
+    default:
+      return QVTKOpenGLNativeWidget::event(event);
+  }
+}
+
+void OperationView::mousePressEvent(QMouseEvent* event)
+{
+  mouse_ = event->pos();
+  event->accept();
+}
+
+void OperationView::mouseMoveEvent(QMouseEvent* event)
+{
+  const QPoint moved = event->pos() - mouse_;
+  mouse_ = event->pos();
+  const double right = double(moved.x()) / height();
+  const double down = double(moved.y()) / height();
+  const bool isShift = (event->modifiers() & Qt::ShiftModifier) != 0;
+  if ((event->buttons() & Qt::MiddleButton) != 0 ||
+      ((event->buttons() & Qt::LeftButton) != 0 && isShift))
+    moveModel(right, -down);
+  else if ((event->buttons() & Qt::LeftButton) != 0)
+    turnModel(right * turnPerHeight_deg, down * turnPerHeight_deg, 0.0);
+  else if ((event->buttons() & Qt::RightButton) != 0)
+    zoom(std::exp(-2.0 * down));
+  event->accept();
+}
+
+void OperationView::mouseReleaseEvent(QMouseEvent* event) { event->accept(); }
+
+void OperationView::mouseDoubleClickEvent(QMouseEvent* event)
+{
+  event->accept();
+  if (event->button() == Qt::LeftButton) Q_EMIT maximizeAsked();
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,62 @@
+#include "gui/scene/StereoWindow.h"
+
+#include <QVTKInteractor.h>
+#include <QVTKOpenGLWindow.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+
+#include <QEvent>
+#include <QKeyEvent>
+
+namespace perilymph::gui {
+
+StereoWindow::StereoWindow(QObject* parent) : QObject(parent)
+{
+  vtkNew<vtkGenericOpenGLRenderWindow> buffers;
+  buffers->SetMultiSamples(0);
+  buffers->SetStereoCapableWindow(1);
+  window_ = std::make_unique<QVTKOpenGLWindow>(buffers);
+  QSurfaceFormat format = QVTKOpenGLWindow::defaultFormat(true);
+  format.setSamples(0);
+  format.setSwapInterval(0);  // the main window paces itself
+  window_->setFormat(format);
+  window_->setTitle(tr("Perilymph, for two eyes"));
+  window_->resize(960, 720);
+  window_->setEnableHiDPI(false);  // the scene scales its words itself
+  if (window_->interactor() != nullptr) window_->interactor()->SetInteractorStyle(nullptr);
+  window_->installEventFilter(this);
+}
+
+StereoWindow::~StereoWindow() = default;
+
+void StereoWindow::setScene(std::unique_ptr<visualization::InsertionScene> scene)
+{
+  if (scene_) window_->renderWindow()->RemoveRenderer(&scene_->renderer());
+  scene_ = std::move(scene);
+  scene_->setScale(window_->devicePixelRatio());
+  scene_->attachTo(*window_->renderWindow());
+  scene_->setStereo(visualization::Stereo::quadBuffered);
+  if (!window_->isVisible()) window_->show();
+}
+
+void StereoWindow::renderAs(const visualization::InsertionScene& other)
+{
+  if (!scene_ || !window_->isExposed()) return;
+  scene_->lookAs(other);
+  window_->renderWindow()->Render();
+}
+
+bool StereoWindow::isOpen() const { return window_->isVisible(); }
+
+void StereoWindow::close() const { window_->close(); }
+
+bool StereoWindow::eventFilter(QObject* watched, QEvent* event)
+{
+  const bool isEscape =
+      event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape;
+  if (event->type() == QEvent::Close || isEscape) Q_EMIT closed();
+  return QObject::eventFilter(watched, event);
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,44 @@
+#include "gui/scene/ViewNames.h"
+
+#include "gui/scene/OperationView.h"
+
+namespace perilymph::gui {
+
+using visualization::CameraPreset;
+
+QString nameOf(CameraPreset preset)
+{
+  switch (preset) {
+    case CameraPreset::surgeon:
+      return OperationView::tr("Surgeon’s view");
+    case CameraPreset::microscope:
+      return OperationView::tr("Down the opening");
+    case CameraPreset::overview:
+      return OperationView::tr("Overview");
+    case CameraPreset::followTip:
+      return OperationView::tr("Following the tip");
+    case CameraPreset::section:
+      return OperationView::tr("Across the basal turn");
+  }
+  return {};
+}
+
+QString nameOf(visualization::Stereo stereo)
+{
+  using visualization::Stereo;
+  switch (stereo) {
+    case Stereo::off:
+      return {};
+    case Stereo::anaglyph:
+      return OperationView::tr("anaglyph");
+    case Stereo::sideBySide:
+      return OperationView::tr("side by side");
+    case Stereo::interlaced:
+      return OperationView::tr("interlaced");
+    case Stereo::quadBuffered:
+      return OperationView::tr("quad-buffered");
+  }
+  return {};
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,114 @@
+#include "gui/shell/GuideSheet.h"
+
+#include <QHBoxLayout>
+#include <QImage>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+#include <QVariant>
+#include <algorithm>
+
+#include "gui/parts/Theme.h"
+#include "perilymph/foundation/Resources.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr int max_px = 920;  // lines longer than this are hard to read
+
+}  // namespace
+
+/// A browser whose pictures are as wide as the page at most.
+class GuideBrowser : public QTextBrowser {
+public:
+  using QTextBrowser::QTextBrowser;
+
+  QVariant loadResource(int type, const QUrl& name) override
+  {
+    if (type != QTextDocument::ImageResource) return QTextBrowser::loadResource(type, name);
+    const QImage image(source().resolved(name).toLocalFile());
+    const int available = viewport()->width() - 6 * spacing;
+    if (image.isNull() || image.width() <= available) return image;
+    return image.scaledToWidth(std::max(available, 1), Qt::SmoothTransformation);
+  }
+};
+
+std::filesystem::path guideFolder()
+{
+  std::error_code ignored;
+  for (const std::filesystem::path& place :
+       {resource("resources/guide"),
+        resourceRoot().parent_path() / "doc" / "perilymph" / "resources" / "guide"})
+    if (std::filesystem::exists(place / "README.md", ignored)) return place;
+  return {};
+}
+
+GuideSheet::GuideSheet(QWidget* parent) : QFrame(parent), page_(new GuideBrowser(this))
+{
+  setObjectName(QStringLiteral("guide"));
+  page_->setObjectName(QStringLiteral("guidePage"));
+  page_->setAccessibleName(tr("User guide"));
+  page_->setFrameShape(QFrame::NoFrame);
+  page_->setFont(typeface(13));
+  page_->document()->setDocumentMargin(2 * spacing);
+  QPalette inks = page_->palette();
+  inks.setColor(QPalette::Link, accentColor);
+  inks.setColor(QPalette::LinkVisited, accentColor);
+  page_->setPalette(inks);
+
+  auto* title = new QLabel(tr("User guide"), this);
+  title->setFont(typeface(15, QFont::DemiBold));
+  auto* back = new QPushButton(tr("Back"), this);
+  back->setObjectName(QStringLiteral("guideBackButton"));
+  auto* shut = new QPushButton(tr("Close"), this);
+  shut->setObjectName(QStringLiteral("guideCloseButton"));
+  shut->setToolTip(tr("Close (Esc)"));
+  auto* head = new QHBoxLayout;
+  head->addWidget(title, 1);
+  for (QPushButton* button : {back, shut}) {
+    button->setFont(typeface(13));
+    button->setFixedHeight(28);
+    button->setFocusPolicy(Qt::TabFocus);
+    head->addWidget(button);
+  }
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(2 * spacing, 2 * spacing, spacing, spacing);
+  column->setSpacing(spacing);
+  column->addLayout(head);
+  column->addWidget(page_, 1);
+
+  back->setEnabled(false);
+  connect(back, &QPushButton::clicked, page_, &QTextBrowser::backward);
+  connect(page_, &QTextBrowser::backwardAvailable, back, &QWidget::setEnabled);
+  connect(shut, &QPushButton::clicked, this, &GuideSheet::closeAsked);
+  hide();
+}
+
+void GuideSheet::fit()
+{
+  const QWidget& around = *parentWidget();
+  resize(std::min(max_px, around.width() - 4 * spacing), around.height() - 2 * barHeight);
+  move((around.width() - width()) / 2, barHeight);
+  layout()->activate();
+}
+
+void GuideSheet::open()
+{
+  fit();
+  show();
+  raise();
+  const std::filesystem::path folder = guideFolder();
+  if (folder.empty()) {
+    page_->setPlainText(
+        tr("The guide is not installed. It stands in the folder resources/guide of the source."));
+  } else {
+    page_->setSource(QUrl::fromLocalFile(QString::fromStdString((folder / "README.md").string())));
+    page_->clearHistory();
+  }
+  page_->setFocus();
+}
+
+}  // namespace perilymph::gui

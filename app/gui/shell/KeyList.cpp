@@ -1,0 +1,76 @@
+#include "gui/shell/KeyList.h"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <QVariant>
+#include <utility>
+#include <vector>
+
+#include "gui/parts/Theme.h"
+#include "gui/shell/KeyActions.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+void addHeading(QGridLayout& grid, const QString& text, QWidget* parent)
+{
+  auto* heading = new QLabel(text, parent);
+  heading->setFont(typeface(13, QFont::DemiBold));
+  grid.addWidget(heading, grid.rowCount(), 0, 1, 2);
+}
+
+void addRow(QGridLayout& grid, const QString& keys, const QString& meaning, QWidget* parent)
+{
+  auto* keysLabel = new QLabel(keys, parent);
+  keysLabel->setFont(typeface(13, QFont::Medium));
+  auto* meaningLabel = new QLabel(meaning, parent);
+  meaningLabel->setFont(typeface(13));
+  meaningLabel->setProperty("quiet", true);
+  const int row = grid.rowCount();
+  grid.addWidget(keysLabel, row, 0);
+  grid.addWidget(meaningLabel, row, 1);
+}
+
+}  // namespace
+
+KeyList::KeyList(const KeyActions& actions, QWidget* parent) : QFrame(parent)
+{
+  setObjectName(QStringLiteral("keys"));
+  auto* guide = new QPushButton(tr("User guide"), this);
+  guide->setObjectName(QStringLiteral("guideButton"));
+  guide->setFont(typeface(13, QFont::Medium));
+  guide->setFixedHeight(28);
+  guide->setFocusPolicy(Qt::TabFocus);
+  guide->setToolTip(tr("Three walks through the workstation, step by step (Shift+F1)"));
+  connect(guide, &QPushButton::clicked, this, &KeyList::guideAsked);
+  auto* columns = new QHBoxLayout(this);
+  columns->setContentsMargins(3 * spacing, 2 * spacing, 3 * spacing, 2 * spacing);
+  columns->setSpacing(4 * spacing);
+  const std::vector<std::pair<KeySection, QString>> halves[] = {
+      {{KeySection::insertion, tr("Insertion")}, {KeySection::picture, tr("Picture")}},
+      {{KeySection::replay, tr("Replay")}, {KeySection::window, tr("Window")}}};
+  for (const auto& half : halves) {
+    auto* column = new QVBoxLayout;
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(3 * spacing);
+    grid->setVerticalSpacing(6);
+    column->addLayout(grid);
+    column->addStretch(1);
+    columns->addLayout(column);
+    for (const auto& [section, title] : half) {
+      addHeading(*grid, title, this);
+      for (const KeyAction& action : actions.actions())
+        if (action.section == section) addRow(*grid, keysText(action), action.meaning, this);
+      for (const Gesture& gesture : actions.gestures())
+        if (gesture.section == section) addRow(*grid, gesture.what, gesture.meaning, this);
+    }
+    if (&half == std::end(halves) - 1) column->addWidget(guide, 0, Qt::AlignRight);
+  }
+  hide();
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,109 @@
+#include "gui/shell/SettingsSheet.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <QVariant>
+
+#include "gui/parts/CheckBoxes.h"
+#include "gui/parts/StateFolder.h"
+#include "gui/parts/Theme.h"
+#include "gui/parts/UserSettings.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr int width_px = 420;
+
+QLabel* label(const QString& text, int size_px, bool isQuiet, QWidget* parent)
+{
+  auto* made = new QLabel(text, parent);
+  made->setFont(typeface(size_px));
+  made->setProperty("quiet", isQuiet);
+  made->setWordWrap(true);
+  return made;
+}
+
+}  // namespace
+
+QStringList colorSchemeText() { return {QStringLiteral("dark"), QStringLiteral("light")}; }
+
+QStringList languageText()
+{
+  return {QStringLiteral("system"), QStringLiteral("en"), QStringLiteral("de")};
+}
+
+SettingsSheet::SettingsSheet(QWidget* parent) : QFrame(parent), note_(label({}, 12, true, this))
+{
+  setObjectName(QStringLiteral("settings"));
+  setFixedWidth(width_px);
+  auto* title = label(tr("Settings"), 15, false, this);
+  title->setFont(typeface(15, QFont::DemiBold));
+  auto* shut = new QPushButton(tr("Close"), this);
+  shut->setObjectName(QStringLiteral("settingsCloseButton"));
+  shut->setFont(typeface(13));
+  shut->setFixedHeight(28);
+  shut->setFocusPolicy(Qt::TabFocus);
+  connect(shut, &QPushButton::clicked, this, &SettingsSheet::closeAsked);
+  auto* head = new QHBoxLayout;
+  head->addWidget(title, 1);
+  head->addWidget(shut);
+
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(3 * spacing, 2 * spacing, 3 * spacing, 2 * spacing);
+  column->setSpacing(spacing);
+  column->addLayout(head);
+  addGroup(*column, tr("Colors"), QStringLiteral("look"), colorSchemeText(),
+           {tr("dark"), tr("light")});
+  addGroup(*column, tr("Language"), QStringLiteral("language"), languageText(),
+           {tr("as the system"), QStringLiteral("English"), QStringLiteral("Deutsch")});
+  column->addWidget(note_);
+  column->addWidget(
+      label(tr("What the program notes about itself: %1")
+                .arg(QString::fromStdString((stateFolder() / "perilymph.log").string())),
+            12, true, this));
+  setChangeable(true);
+  hide();
+}
+
+void SettingsSheet::addGroup(QVBoxLayout& column, const QString& title, const QString& key,
+                             const QStringList& caption, const QStringList& names)
+{
+  auto* heading = label(title, 13, false, this);
+  heading->setFont(typeface(13, QFont::DemiBold));
+  column.addWidget(heading);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(3 * spacing);
+  auto* group = new QButtonGroup(this);
+  const QString now = UserSettings().word(key, caption);
+  for (int i = 0; i < caption.size(); ++i) {
+    auto* choice = new Choice(names[i], this);
+    choice->setObjectName(key + QLatin1Char('-') + caption[i]);
+    choice->setFocusPolicy(Qt::TabFocus);
+    choice->setChecked(caption[i] == now);
+    group->addButton(choice);
+    row->addWidget(choice);
+    connect(choice, &QAbstractButton::clicked, this, [this, key, word = caption[i]] {
+      UserSettings settings;
+      if (settings.value(key).toString() == word) return;
+      settings.setValue(key, word);
+      settings.sync();
+      Q_EMIT chosen();
+    });
+  }
+  row->addStretch();
+  column.addLayout(row);
+}
+
+void SettingsSheet::setChangeable(bool isChangeable)
+{
+  for (Choice* choice : findChildren<Choice*>()) choice->setEnabled(isChangeable);
+  note_->setText(isChangeable ? tr("A choice opens the window anew.")
+                              : tr("While the array is in the cochlea nothing can be chosen here. "
+                                   "Reset first."));
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,184 @@
+#include "gui/shell/TopBar.h"
+
+#include <QFontMetrics>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QVariant>
+#include <algorithm>
+
+#include "gui/parts/Theme.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr int pillHeight_px = 26;
+
+QColor colorOf(DeviceState light)
+{
+  switch (light) {
+    case DeviceState::steady:
+      return accentColor;
+    case DeviceState::warning:
+      return warningColor;
+    case DeviceState::alarm:
+      return alarmColor;
+    case DeviceState::off:
+      break;
+  }
+  return quietTextColor;
+}
+
+}  // namespace
+
+DeviceLight::DeviceLight(QWidget* parent) : QWidget(parent)
+{
+  setFont(typeface(13));
+  setObjectName(QStringLiteral("deviceLight"));
+  setAttribute(Qt::WA_NoSystemBackground);
+}
+
+void DeviceLight::show(DeviceState light, const QString& label)
+{
+  if (light == light_ && label == text_) return;
+  light_ = light;
+  text_ = label;
+  setAccessibleName(label);
+  updateGeometry();
+  update();
+}
+
+QSize DeviceLight::sizeHint() const
+{
+  return {QFontMetrics(font()).horizontalAdvance(text_) + 38, pillHeight_px};
+}
+
+void DeviceLight::paintEvent(QPaintEvent*)
+{
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QRectF pill(0.5, (height() - pillHeight_px) / 2.0 + 0.5, width() - 1.0,
+                    pillHeight_px - 1.0);
+  painter.setPen(light_ == DeviceState::off ? QPen(lineColor) : QPen(Qt::NoPen));
+  painter.setBrush(light_ == DeviceState::off ? panelColor : raisedColor);
+  painter.drawRoundedRect(pill, pillHeight_px / 2.0, pillHeight_px / 2.0);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colorOf(light_));
+  painter.drawEllipse(QPointF(15.0, height() / 2.0), 4.0, 4.0);
+  painter.setPen(textColor);
+  painter.drawText(rect().adjusted(26, 0, -8, 0), Qt::AlignVCenter | Qt::AlignLeft, text_);
+}
+
+TopBar::TopBar(QWidget* parent)
+    : QWidget(parent),
+      patient_(new QLabel(this)),
+      modified_(new QLabel(tr("MODIFIED"), this)),
+      device_(new DeviceLight(this))
+{
+  setFixedHeight(barHeight);
+  auto* name = new QPushButton(tr("Perilymph"), this);
+  name->setObjectName(QStringLiteral("startPageButton"));
+  name->setFont(typeface(15, QFont::DemiBold));
+  name->setFocusPolicy(Qt::TabFocus);
+  name->setToolTip(tr("Begin anew (Alt+Home)"));
+  connect(name, &QPushButton::clicked, this, [this] { Q_EMIT pageChosen(Page::start); });
+
+  patient_->setFont(typeface(13, QFont::Medium));
+  patient_->setAlignment(Qt::AlignCenter);
+  patient_->setObjectName(QStringLiteral("patientLabel"));
+
+  modified_->setObjectName(QStringLiteral("modifiedLabel"));
+  modified_->setProperty("badge", true);
+  modified_->setFont(typeface(11, QFont::DemiBold));
+  modified_->setFixedHeight(20);
+  modified_->hide();
+
+  auto* keys = new QPushButton(QStringLiteral("?"), this);
+  keys->setObjectName(QStringLiteral("keysButton"));
+  keys->setFont(typeface(15));
+  keys->setFixedSize(32, 28);
+  keys->setFocusPolicy(Qt::TabFocus);
+  keys->setToolTip(tr("Keys and mouse (F1)"));
+  keys->setAccessibleName(tr("Keys and mouse"));
+  connect(keys, &QPushButton::clicked, this, &TopBar::keysAsked);
+  auto* settings = new QPushButton(QStringLiteral("☰"), this);
+  settings->setObjectName(QStringLiteral("settingsButton"));
+  settings->setFont(typeface(15));
+  settings->setFixedSize(32, 28);
+  settings->setFocusPolicy(Qt::TabFocus);
+  settings->setToolTip(tr("Settings (Ctrl+,)"));
+  settings->setAccessibleName(tr("Settings"));
+  connect(settings, &QPushButton::clicked, this, &TopBar::settingsAsked);
+
+  auto* left = new QHBoxLayout;
+  left->setSpacing(3 * spacing);
+  left->addWidget(name);
+  auto* pages = new QHBoxLayout;
+  pages->setSpacing(spacing);
+  pages->addWidget(addPage(Page::insert, tr("Insert"), "insertPageButton"));
+  pages->addWidget(addPage(Page::compare, tr("Compare"), "comparePageButton"));
+  pages->addWidget(addPage(Page::validate, tr("Validate"), "validatePageButton"));
+  pages->addWidget(addPage(Page::sessions, tr("Sessions"), "sessionsPageButton"));
+  left->addLayout(pages);
+  left->addStretch();
+  auto* right = new QHBoxLayout;
+  right->setSpacing(2 * spacing);
+  right->addStretch();
+  right->addWidget(device_);
+  right->addWidget(keys);
+  right->addWidget(settings);
+
+  // Both sides take the same share, so that the patient stands in the middle of the window.
+  auto* columns = new QGridLayout(this);
+  columns->setContentsMargins(2 * spacing, 0, 2 * spacing, 0);
+  columns->addLayout(left, 0, 0);
+  auto* middle = new QHBoxLayout;
+  middle->setSpacing(spacing);
+  middle->addWidget(patient_);
+  middle->addWidget(modified_);
+  columns->addLayout(middle, 0, 1);
+  columns->addLayout(right, 0, 2);
+  columns->setColumnStretch(0, 1);
+  columns->setColumnStretch(2, 1);
+}
+
+QPushButton* TopBar::addPage(Page page, const QString& text, const char* name)
+{
+  auto* button = new QPushButton(text, this);
+  button->setObjectName(QLatin1String(name));
+  button->setProperty("page", true);
+  button->setFont(typeface(13, QFont::Medium));
+  button->setFixedHeight(28);
+  // the window's style, which makes the hint, comes later
+  const int label = QFontMetrics(button->font()).horizontalAdvance(text);
+  button->setMinimumWidth(std::max(84, label + 2 * spacing + 4));
+  button->setCheckable(true);
+  button->setFocusPolicy(Qt::TabFocus);
+  connect(button, &QPushButton::clicked, this, [this, page] { Q_EMIT pageChosen(page); });
+  pages_.emplace_back(page, button);
+  return button;
+}
+
+void TopBar::setPage(Page page)
+{
+  for (const auto& [own, button] : pages_) button->setChecked(own == page);
+}
+
+void TopBar::setPatient(const QString& patient) { patient_->setText(patient); }
+
+void TopBar::setModified(bool isModified, const QString& tip)
+{
+  modified_->setVisible(isModified);
+  modified_->setToolTip(tip);
+}
+
+void TopBar::setDevice(DeviceState light, const QString& label, const QString& tip)
+{
+  device_->show(light, label);
+  device_->setToolTip(tip);
+}
+
+}  // namespace perilymph::gui

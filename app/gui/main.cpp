@@ -106,7 +106,7 @@ WindowEnd runWindow(gui::Application& application, const gui::TerminationSignals
   QObject::connect(&window, &gui::MainWindow::recordingChanged, &window,
                    [&window, &mark] { mark.setRecording(window.control().recording()); });
   QObject::connect(&signals, &gui::TerminationSignals::received, &window, [&window](int signal) {
-    window.end();
+    window.insertion().end();
     QCoreApplication::exit(statusOf(signal));
   });
   QObject::connect(&window, &gui::MainWindow::anewAsked, &window,

@@ -437,6 +437,118 @@
         <translation>Winkel ab rundem Fenster, °; Breite, mm</translation>
     </message>
     <message>
+        <source>Press Start, then hold the device’s button and push.</source>
+        <translation>Start drücken, dann den Knopf des Geräts halten und schieben.</translation>
+    </message>
+    <message>
+        <source>Coupling %1 N/m, softer than asked: Devices (H).</source>
+        <translation>Kopplung %1 N/m, weicher als gewünscht: Geräte (H).</translation>
+    </message>
+    <message>
+        <source>Hold the device’s button: the array follows the hand.</source>
+        <translation>Knopf des Geräts halten: Der Träger folgt der Hand.</translation>
+    </message>
+    <message>
+        <source>Array held. Letting go of the button lets it rest.</source>
+        <translation>Träger gehalten. Loslassen lässt ihn ruhen.</translation>
+    </message>
+    <message>
+        <source>NOT recording</source>
+        <translation>KEINE Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>recording, %1 ticks lost</source>
+        <translation>Aufzeichnung, %1 Takte verloren</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>not started</source>
+        <translation>nicht gestartet</translation>
+    </message>
+    <message>
+        <source>late ticks: %1</source>
+        <translation>verspätete Takte: %1</translation>
+    </message>
+    <message>
+        <source>%1 overruns</source>
+        <translation>%1 zu lang</translation>
+    </message>
+    <message>
+        <source>coupling %1 N/m</source>
+        <translation>Kopplung %1 N/m</translation>
+    </message>
+    <message>
+        <source>%1 fps</source>
+        <translation>%1 Bilder/s</translation>
+    </message>
+    <message>
+        <source>not a medical device</source>
+        <translation>kein Medizinprodukt</translation>
+    </message>
+    <message>
+        <source>The hand stopped answering.</source>
+        <translation>Die Hand antwortet nicht mehr.</translation>
+    </message>
+    <message>
+        <source>The computed motion left every bound.</source>
+        <translation>Die berechnete Bewegung verließ jede Grenze.</translation>
+    </message>
+    <message>
+        <source>The insertion was stopped.</source>
+        <translation>Die Einführung wurde angehalten.</translation>
+    </message>
+    <message>
+        <source> The force is off and the array rests. Press Reset to begin anew.</source>
+        <translation> Die Kraft ist aus, und der Träger ruht. Mit „Neu“ beginnt es von vorn.</translation>
+    </message>
+    <message>
+        <source>This insertion is not being recorded: %1</source>
+        <translation>Diese Einführung wird nicht aufgezeichnet: %1</translation>
+    </message>
+    <message>
+        <source>Full depth. Withdraw or Reset.</source>
+        <translation>Volle Tiefe. Zurückziehen oder Neu.</translation>
+    </message>
+    <message>
+        <source>The array is out. Reset to insert again.</source>
+        <translation>Der Träger ist draußen. Neu, um wieder einzuführen.</translation>
+    </message>
+    <message>
+        <source>Press Start, then hold Space and turn the wheel.</source>
+        <translation>Start drücken, dann Leertaste halten und am Rad drehen.</translation>
+    </message>
+    <message>
+        <source>Hold Space, then turn the wheel or press Down.</source>
+        <translation>Leertaste halten, dann am Rad drehen oder Ab drücken.</translation>
+    </message>
+    <message>
+        <source>Array held. Wheel or Down advances, Up withdraws.</source>
+        <translation>Träger gehalten. Rad oder Ab schiebt vor, Auf zieht zurück.</translation>
+    </message>
+    <message>
+        <source>Building the cochlea; then the insertion starts…</source>
+        <translation>Die Cochlea wird gebaut; danach beginnt die Einführung …</translation>
+    </message>
+    <message>
+        <source>Building the cochlea…</source>
+        <translation>Die Cochlea wird gebaut …</translation>
+    </message>
+    <message>
+        <source>no stylet</source>
+        <translation>kein Stilett</translation>
+    </message>
+    <message>
+        <source>%1 mm out</source>
+        <translation>%1 mm heraus</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>drin</translation>
+    </message>
+    <message>
         <source>%1 ms there and back</source>
         <translation>%1 ms hin und zurück</translation>
     </message>
@@ -479,6 +591,178 @@
     <message>
         <source>on the partition %1 mN: it ruptures at %2 to %3 mN</source>
         <translation>auf die Trennwand %1 mN: Sie reißt bei %2 bis %3 mN</translation>
+    </message>
+    <message>
+        <source>start or pause; hold the array with mouse and keyboard</source>
+        <translation>starten oder anhalten; Träger halten mit Maus und Tastatur</translation>
+    </message>
+    <message>
+        <source>advance or withdraw the array while it is held</source>
+        <translation>Träger vor oder zurück, solange er gehalten wird</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Mausrad</translation>
+    </message>
+    <message>
+        <source>the same</source>
+        <translation>dasselbe</translation>
+    </message>
+    <message>
+        <source>withdraw</source>
+        <translation>zurückziehen</translation>
+    </message>
+    <message>
+        <source>reset: a fresh insertion and recording</source>
+        <translation>neu: eine frische Einführung und Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>undo and redo a change of the setup</source>
+        <translation>eine Änderung des Aufbaus zurücknehmen und wiederholen</translation>
+    </message>
+    <message>
+        <source>pull the stylet</source>
+        <translation>Stilett ziehen</translation>
+    </message>
+    <message>
+        <source>surgeon’s view, down the opening, overview, section</source>
+        <translation>Sicht des Operateurs, in die Öffnung, Übersicht, Schnitt</translation>
+    </message>
+    <message>
+        <source>follow the tip</source>
+        <translation>der Spitze folgen</translation>
+    </message>
+    <message>
+        <source>stereo: off, anaglyph, side by side, interlaced</source>
+        <translation>Stereo: aus, Anaglyphe, nebeneinander, zeilenweise</translation>
+    </message>
+    <message>
+        <source>turn the model</source>
+        <translation>Modell drehen</translation>
+    </message>
+    <message>
+        <source>move the model</source>
+        <translation>Modell verschieben</translation>
+    </message>
+    <message>
+        <source>magnify</source>
+        <translation>vergrößern</translation>
+    </message>
+    <message>
+        <source>Drag; Shift+drag</source>
+        <translation>Ziehen; Umschalt+Ziehen</translation>
+    </message>
+    <message>
+        <source>turn the model; move it</source>
+        <translation>Modell drehen; verschieben</translation>
+    </message>
+    <message>
+        <source>Wheel, Ctrl+wheel</source>
+        <translation>Rad, Strg+Rad</translation>
+    </message>
+    <message>
+        <source>Space; Esc</source>
+        <translation>Leertaste; Esc</translation>
+    </message>
+    <message>
+        <source>play or pause; back to the insertion</source>
+        <translation>abspielen oder anhalten; zurück zur Einführung</translation>
+    </message>
+    <message>
+        <source>Left, Right; with Shift</source>
+        <translation>Links, Rechts; mit Umschalt</translation>
+    </message>
+    <message>
+        <source>step by 1 tick; by 100</source>
+        <translation>um 1 Takt; um 100</translation>
+    </message>
+    <message>
+        <source>Home, End</source>
+        <translation>Pos1, Ende</translation>
+    </message>
+    <message>
+        <source>to the beginning, to the end</source>
+        <translation>zum Anfang, zum Ende</translation>
+    </message>
+    <message>
+        <source>,  .</source>
+        <translation>,  .</translation>
+    </message>
+    <message>
+        <source>slower, faster</source>
+        <translation>langsamer, schneller</translation>
+    </message>
+    <message>
+        <source>one, two or four views in turn</source>
+        <translation>eine, zwei oder vier Ansichten im Wechsel</translation>
+    </message>
+    <message>
+        <source>one, two, four views</source>
+        <translation>eine, zwei, vier Ansichten</translation>
+    </message>
+    <message>
+        <source>Double click</source>
+        <translation>Doppelklick</translation>
+    </message>
+    <message>
+        <source>enlarge a view, and back</source>
+        <translation>eine Ansicht vergrößern und zurück</translation>
+    </message>
+    <message>
+        <source>begin anew: the first screen</source>
+        <translation>von vorn: die erste Seite</translation>
+    </message>
+    <message>
+        <source>insert, compare, validate, sessions</source>
+        <translation>Einführen, Vergleichen, Prüfen, Sitzungen</translation>
+    </message>
+    <message>
+        <source>devices: which there are, and how the hand is doing</source>
+        <translation>Geräte: welche es gibt und wie es der Hand geht</translation>
+    </message>
+    <message>
+        <source>hide or show the panel</source>
+        <translation>das Feld links verbergen oder zeigen</translation>
+    </message>
+    <message>
+        <source>out of the panel’s fields</source>
+        <translation>aus den Feldern links heraus</translation>
+    </message>
+    <message>
+        <source>settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>full screen, and back</source>
+        <translation>ganzer Bildschirm und zurück</translation>
+    </message>
+    <message>
+        <source>keep a picture of the window</source>
+        <translation>ein Bild des Fensters behalten</translation>
+    </message>
+    <message>
+        <source>this list</source>
+        <translation>diese Liste</translation>
+    </message>
+    <message>
+        <source>user guide</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>leave what lies on the page; let go of the array</source>
+        <translation>verlassen, was auf der Seite liegt; Träger loslassen</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>to the next button or field</source>
+        <translation>zum nächsten Knopf oder Feld</translation>
+    </message>
+    <message>
+        <source>The picture is kept: %1</source>
+        <translation>Das Bild liegt hier: %1</translation>
     </message>
 </context>
 <context>
@@ -727,6 +1011,10 @@
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>The cochlea is being built; then the insertion can start.</source>
+        <translation>Die Cochlea wird gebaut; danach kann die Einführung beginnen.</translation>
     </message>
 </context>
 <context>
@@ -1185,6 +1473,41 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::KioskScreen</name>
+    <message>
+        <source>A simulation for research and training; not a medical device.</source>
+        <translation>Eine Simulation für Forschung und Übung; kein Medizinprodukt.</translation>
+    </message>
+    <message>
+        <source>Touch anywhere to try it yourself</source>
+        <translation>Berühren und selbst versuchen</translation>
+    </message>
+    <message>
+        <source>Hold to pull back</source>
+        <translation>Halten: zurück</translation>
+    </message>
+    <message>
+        <source>Use the handle</source>
+        <translation>Mit dem Griff</translation>
+    </message>
+    <message>
+        <source>Start over</source>
+        <translation>Von vorn</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>Use the screen</source>
+        <translation>Am Bildschirm</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::KioskWindow</name>
     <message>
         <source>A cochlear implant gives hearing back by an electrode array in the inner ear. A surgeon pushes it in by hand, through an opening of a millimeter or two.</source>
@@ -1209,14 +1532,6 @@
     <message>
         <source>The staff of the booth can help.</source>
         <translation>Fragen Sie bitte am Stand.</translation>
-    </message>
-    <message>
-        <source>Use the screen</source>
-        <translation>Am Bildschirm</translation>
-    </message>
-    <message>
-        <source>Use the handle</source>
-        <translation>Mit dem Griff</translation>
     </message>
     <message>
         <source>Your turn</source>
@@ -1254,30 +1569,6 @@
         <source>Perilymph</source>
         <translation>Perilymph</translation>
     </message>
-    <message>
-        <source>Touch anywhere to try it yourself</source>
-        <translation>Berühren und selbst versuchen</translation>
-    </message>
-    <message>
-        <source>Hold to pull back</source>
-        <translation>Halten: zurück</translation>
-    </message>
-    <message>
-        <source>Start over</source>
-        <translation>Von vorn</translation>
-    </message>
-    <message>
-        <source>Done</source>
-        <translation>Fertig</translation>
-    </message>
-    <message>
-        <source>Try again</source>
-        <translation>Noch einmal</translation>
-    </message>
-    <message>
-        <source>A simulation for research and training; not a medical device.</source>
-        <translation>Eine Simulation für Forschung und Übung; kein Medizinprodukt.</translation>
-    </message>
 </context>
 <context>
     <name>perilymph::gui::MainWindow</name>
@@ -1290,384 +1581,12 @@
         <translation>Sitzungen zeigen</translation>
     </message>
     <message>
-        <source>preparing</source>
-        <translation>wird vorbereitet</translation>
-    </message>
-    <message>
-        <source>no stylet</source>
-        <translation>kein Stilett</translation>
-    </message>
-    <message>
-        <source>ready</source>
-        <translation>bereit</translation>
-    </message>
-    <message>
-        <source>fault · no force</source>
-        <translation>Fehler · keine Kraft</translation>
-    </message>
-    <message>
-        <source>%1 Hz · %2 late</source>
-        <translation>%1 Hz · %2 verspätet</translation>
-    </message>
-    <message>
-        <source>%1. Ticks a second as measured, and ticks that began more than one period late.</source>
-        <translation>%1. Takte je Sekunde, gemessen, und Takte, die über eine Periode zu spät begannen.</translation>
-    </message>
-    <message>
-        <source>running</source>
-        <translation>läuft</translation>
-    </message>
-    <message>
-        <source>NOT recording</source>
-        <translation>KEINE Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>recording, %1 ticks lost</source>
-        <translation>Aufzeichnung, %1 Takte verloren</translation>
-    </message>
-    <message>
-        <source>recording</source>
-        <translation>Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>not started</source>
-        <translation>nicht gestartet</translation>
-    </message>
-    <message>
-        <source>late ticks: %1</source>
-        <translation>verspätete Takte: %1</translation>
-    </message>
-    <message>
-        <source>%1 overruns</source>
-        <translation>%1 zu lang</translation>
-    </message>
-    <message>
-        <source>coupling %1 N/m</source>
-        <translation>Kopplung %1 N/m</translation>
-    </message>
-    <message>
-        <source>%1 fps</source>
-        <translation>%1 Bilder/s</translation>
-    </message>
-    <message>
-        <source>not a medical device</source>
-        <translation>kein Medizinprodukt</translation>
-    </message>
-    <message>
-        <source>The hand stopped answering.</source>
-        <translation>Die Hand antwortet nicht mehr.</translation>
-    </message>
-    <message>
-        <source>The computed motion left every bound.</source>
-        <translation>Die berechnete Bewegung verließ jede Grenze.</translation>
-    </message>
-    <message>
-        <source>The insertion was stopped.</source>
-        <translation>Die Einführung wurde angehalten.</translation>
-    </message>
-    <message>
-        <source> The force is off and the array rests. Press Reset to begin anew.</source>
-        <translation> Die Kraft ist aus, und der Träger ruht. Mit „Neu“ beginnt es von vorn.</translation>
-    </message>
-    <message>
-        <source>This insertion is not being recorded: %1</source>
-        <translation>Diese Einführung wird nicht aufgezeichnet: %1</translation>
-    </message>
-    <message>
-        <source>Press Start, then hold the device’s button and push.</source>
-        <translation>Start drücken, dann den Knopf des Geräts halten und schieben.</translation>
-    </message>
-    <message>
-        <source>Hold the device’s button: the array follows the hand.</source>
-        <translation>Knopf des Geräts halten: Der Träger folgt der Hand.</translation>
-    </message>
-    <message>
-        <source>Array held. Letting go of the button lets it rest.</source>
-        <translation>Träger gehalten. Loslassen lässt ihn ruhen.</translation>
-    </message>
-    <message>
-        <source>Building the cochlea…</source>
-        <translation>Die Cochlea wird gebaut …</translation>
-    </message>
-    <message>
-        <source>Full depth. Withdraw or Reset.</source>
-        <translation>Volle Tiefe. Zurückziehen oder Neu.</translation>
-    </message>
-    <message>
-        <source>The array is out. Reset to insert again.</source>
-        <translation>Der Träger ist draußen. Neu, um wieder einzuführen.</translation>
-    </message>
-    <message>
-        <source>Press Start, then hold Space and turn the wheel.</source>
-        <translation>Start drücken, dann Leertaste halten und am Rad drehen.</translation>
-    </message>
-    <message>
-        <source>Hold Space, then turn the wheel or press Down.</source>
-        <translation>Leertaste halten, dann am Rad drehen oder Ab drücken.</translation>
-    </message>
-    <message>
-        <source>Array held. Wheel or Down advances, Up withdraws.</source>
-        <translation>Träger gehalten. Rad oder Ab schiebt vor, Auf zieht zurück.</translation>
-    </message>
-    <message>
-        <source>start or pause; hold the array with mouse and keyboard</source>
-        <translation>starten oder anhalten; Träger halten mit Maus und Tastatur</translation>
-    </message>
-    <message>
-        <source>advance or withdraw the array while it is held</source>
-        <translation>Träger vor oder zurück, solange er gehalten wird</translation>
-    </message>
-    <message>
-        <source>Wheel</source>
-        <translation>Mausrad</translation>
-    </message>
-    <message>
-        <source>the same</source>
-        <translation>dasselbe</translation>
-    </message>
-    <message>
-        <source>withdraw</source>
-        <translation>zurückziehen</translation>
-    </message>
-    <message>
-        <source>reset: a fresh insertion and recording</source>
-        <translation>neu: eine frische Einführung und Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>pull the stylet</source>
-        <translation>Stilett ziehen</translation>
-    </message>
-    <message>
-        <source>surgeon’s view, down the opening, overview, section</source>
-        <translation>Sicht des Operateurs, in die Öffnung, Übersicht, Schnitt</translation>
-    </message>
-    <message>
-        <source>follow the tip</source>
-        <translation>der Spitze folgen</translation>
-    </message>
-    <message>
-        <source>turn the model</source>
-        <translation>Modell drehen</translation>
-    </message>
-    <message>
-        <source>move the model</source>
-        <translation>Modell verschieben</translation>
-    </message>
-    <message>
-        <source>magnify</source>
-        <translation>vergrößern</translation>
-    </message>
-    <message>
-        <source>Drag; Shift+drag</source>
-        <translation>Ziehen; Umschalt+Ziehen</translation>
-    </message>
-    <message>
-        <source>turn the model; move it</source>
-        <translation>Modell drehen; verschieben</translation>
-    </message>
-    <message>
-        <source>Wheel, Ctrl+wheel</source>
-        <translation>Rad, Strg+Rad</translation>
-    </message>
-    <message>
-        <source>begin anew: the first screen</source>
-        <translation>von vorn: die erste Seite</translation>
-    </message>
-    <message>
-        <source>insert, compare, validate, sessions</source>
-        <translation>Einführen, Vergleichen, Prüfen, Sitzungen</translation>
-    </message>
-    <message>
-        <source>devices: which there are, and how the hand is doing</source>
-        <translation>Geräte: welche es gibt und wie es der Hand geht</translation>
-    </message>
-    <message>
-        <source>settings</source>
-        <translation>Einstellungen</translation>
-    </message>
-    <message>
-        <source>full screen, and back</source>
-        <translation>ganzer Bildschirm und zurück</translation>
-    </message>
-    <message>
-        <source>keep a picture of the window</source>
-        <translation>ein Bild des Fensters behalten</translation>
-    </message>
-    <message>
-        <source>this list</source>
-        <translation>diese Liste</translation>
-    </message>
-    <message>
-        <source>leave what lies on the page; let go of the array</source>
-        <translation>verlassen, was auf der Seite liegt; Träger loslassen</translation>
-    </message>
-    <message>
-        <source>Tab</source>
-        <translation>Tab</translation>
-    </message>
-    <message>
-        <source>to the next button or field</source>
-        <translation>zum nächsten Knopf oder Feld</translation>
-    </message>
-    <message>
-        <source>The picture is kept: %1</source>
-        <translation>Das Bild liegt hier: %1</translation>
-    </message>
-    <message>
-        <source>Patient %1 · %2 ear</source>
-        <translation>Patient %1 · %2es Ohr</translation>
-    </message>
-    <message>
-        <source>%1 anatomy · %2 ear</source>
-        <translation>Anatomie %1 · %2es Ohr</translation>
-    </message>
-    <message>
-        <source>left</source>
-        <translation>link</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>recht</translation>
-    </message>
-    <message>
         <source>Perilymph · %1</source>
         <translation>Perilymph · %1</translation>
     </message>
     <message>
-        <source>%1 mm out</source>
-        <translation>%1 mm heraus</translation>
-    </message>
-    <message>
-        <source>in</source>
-        <translation>drin</translation>
-    </message>
-    <message>
-        <source>undo and redo a change of the setup</source>
-        <translation>eine Änderung des Aufbaus zurücknehmen und wiederholen</translation>
-    </message>
-    <message>
-        <source>hide or show the panel</source>
-        <translation>das Feld links verbergen oder zeigen</translation>
-    </message>
-    <message>
-        <source>out of the panel’s fields</source>
-        <translation>aus den Feldern links heraus</translation>
-    </message>
-    <message>
-        <source>Not the preset’s values: %1.</source>
-        <translation>Nicht die Werte der Vorlage: %1.</translation>
-    </message>
-    <message>
-        <source>Coupling %1 N/m, softer than asked: Devices (H).</source>
-        <translation>Kopplung %1 N/m, weicher als gewünscht: Geräte (H).</translation>
-    </message>
-    <message>
-        <source>stereo: off, anaglyph, side by side, interlaced</source>
-        <translation>Stereo: aus, Anaglyphe, nebeneinander, zeilenweise</translation>
-    </message>
-    <message>
-        <source>Space; Esc</source>
-        <translation>Leertaste; Esc</translation>
-    </message>
-    <message>
-        <source>play or pause; back to the insertion</source>
-        <translation>abspielen oder anhalten; zurück zur Einführung</translation>
-    </message>
-    <message>
-        <source>Left, Right; with Shift</source>
-        <translation>Links, Rechts; mit Umschalt</translation>
-    </message>
-    <message>
-        <source>step by 1 tick; by 100</source>
-        <translation>um 1 Takt; um 100</translation>
-    </message>
-    <message>
-        <source>Home, End</source>
-        <translation>Pos1, Ende</translation>
-    </message>
-    <message>
-        <source>to the beginning, to the end</source>
-        <translation>zum Anfang, zum Ende</translation>
-    </message>
-    <message>
-        <source>,  .</source>
-        <translation>,  .</translation>
-    </message>
-    <message>
-        <source>slower, faster</source>
-        <translation>langsamer, schneller</translation>
-    </message>
-    <message>
-        <source>one, two or four views in turn</source>
-        <translation>eine, zwei oder vier Ansichten im Wechsel</translation>
-    </message>
-    <message>
-        <source>one, two, four views</source>
-        <translation>eine, zwei, vier Ansichten</translation>
-    </message>
-    <message>
-        <source>Double click</source>
-        <translation>Doppelklick</translation>
-    </message>
-    <message>
-        <source>enlarge a view, and back</source>
-        <translation>eine Ansicht vergrößern und zurück</translation>
-    </message>
-    <message>
-        <source>Opening %1…</source>
-        <translation>%1 wird geöffnet …</translation>
-    </message>
-    <message>
-        <source>replay</source>
-        <translation>Abspielen</translation>
-    </message>
-    <message>
-        <source>A recording is shown. No device is moved.</source>
-        <translation>Eine Aufzeichnung wird gezeigt. Kein Gerät wird bewegt.</translation>
-    </message>
-    <message>
         <source>Perilymph · replay of %1</source>
         <translation>Perilymph · %1 wird abgespielt</translation>
-    </message>
-    <message>
-        <source>Space plays. Left and Right step by one tick.</source>
-        <translation>Leertaste spielt ab. Links und Rechts gehen um einen Takt.</translation>
-    </message>
-    <message>
-        <source>Reading %1…</source>
-        <translation>%1 wird gelesen …</translation>
-    </message>
-    <message>
-        <source>%1 stands behind the next insertions as their ghost.</source>
-        <translation>%1 steht als Geist hinter den nächsten Einführungen.</translation>
-    </message>
-    <message>
-        <source>Report as PDF</source>
-        <translation>Bericht als PDF</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>Replaying %1 for its report…</source>
-        <translation>%1 wird für den Bericht abgespielt …</translation>
-    </message>
-    <message>
-        <source>The report is %1.</source>
-        <translation>Der Bericht ist %1.</translation>
-    </message>
-    <message>
-        <source>The cochlea is being built; then the insertion can start.</source>
-        <translation>Die Cochlea wird gebaut; danach kann die Einführung beginnen.</translation>
-    </message>
-    <message>
-        <source>Building the cochlea; then the insertion starts…</source>
-        <translation>Die Cochlea wird gebaut; danach beginnt die Einführung …</translation>
-    </message>
-    <message>
-        <source>user guide</source>
-        <translation>Handbuch</translation>
     </message>
 </context>
 <context>
@@ -2134,6 +2053,13 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::ReplayControl</name>
+    <message>
+        <source>Space plays. Left and Right step by one tick.</source>
+        <translation>Leertaste spielt ab. Links und Rechts gehen um einen Takt.</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::ReplayPlayer</name>
     <message>
         <source>comparing bits…</source>
@@ -2301,6 +2227,25 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::SessionTasks</name>
+    <message>
+        <source>Reading %1…</source>
+        <translation>%1 wird gelesen …</translation>
+    </message>
+    <message>
+        <source>%1 stands behind the next insertions as their ghost.</source>
+        <translation>%1 steht als Geist hinter den nächsten Einführungen.</translation>
+    </message>
+    <message>
+        <source>Replaying %1 for its report…</source>
+        <translation>%1 wird für den Bericht abgespielt …</translation>
+    </message>
+    <message>
+        <source>The report is %1.</source>
+        <translation>Der Bericht ist %1.</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::SessionsPage</name>
     <message>
         <source>No insertion has been recorded yet</source>
@@ -2427,6 +2372,18 @@
     <message>
         <source>Ended early: %1 of %2 recordings are listed. Open this page again to read on.</source>
         <translation>Vorzeitig beendet: %1 von %2 Aufzeichnungen sind aufgelistet. Diese Seite erneut öffnen, um weiterzulesen.</translation>
+    </message>
+    <message>
+        <source>Opening %1…</source>
+        <translation>%1 wird geöffnet …</translation>
+    </message>
+    <message>
+        <source>Report as PDF</source>
+        <translation>Bericht als PDF</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
     </message>
 </context>
 <context>
@@ -2605,6 +2562,58 @@
     <message>
         <source>MODIFIED</source>
         <translation>GEÄNDERT</translation>
+    </message>
+    <message>
+        <source>Patient %1 · %2 ear</source>
+        <translation>Patient %1 · %2es Ohr</translation>
+    </message>
+    <message>
+        <source>%1 anatomy · %2 ear</source>
+        <translation>Anatomie %1 · %2es Ohr</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>link</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>recht</translation>
+    </message>
+    <message>
+        <source>Not the preset’s values: %1.</source>
+        <translation>Nicht die Werte der Vorlage: %1.</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>bereit</translation>
+    </message>
+    <message>
+        <source>fault · no force</source>
+        <translation>Fehler · keine Kraft</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>%1 Hz · %2 late</source>
+        <translation>%1 Hz · %2 verspätet</translation>
+    </message>
+    <message>
+        <source>%1. Ticks a second as measured, and ticks that began more than one period late.</source>
+        <translation>%1. Takte je Sekunde, gemessen, und Takte, die über eine Periode zu spät begannen.</translation>
+    </message>
+    <message>
+        <source>preparing</source>
+        <translation>wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>replay</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>A recording is shown. No device is moved.</source>
+        <translation>Eine Aufzeichnung wird gezeigt. Kein Gerät wird bewegt.</translation>
     </message>
 </context>
 <context>

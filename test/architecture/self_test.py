@@ -267,6 +267,14 @@ class Window(CheckCase):
     def test_a_page_without_its_table_is_found(self):
         self.assert_found(window.check, "no table of arrows", {"app/gui/README.md": "# The window\n"})
 
+    def test_a_source_without_its_header_is_found(self):
+        self.assert_found(window.check, "app/gui/run/more.cpp has no header of its name", {
+            "app/gui/run/more.cpp": "\n"})
+
+    def test_two_headers_of_one_name_are_found(self):
+        self.assert_found(window.check, "app/gui/run/t.h has the name of modules/top", {
+            "app/gui/run/t.h": "#pragma once\n"})
+
     def test_markup_outside_its_places_is_found(self):
         self.assert_found(window.check, "app/gui/main.cpp:2: 'RichText' may draw text as markup", {
             "app/gui/main.cpp": "\nlabel.setTextFormat(Qt::RichText);\n"})

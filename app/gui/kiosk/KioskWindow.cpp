@@ -2,16 +2,13 @@
 
 #include <QApplication>
 #include <QCloseEvent>
-#include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QLabel>
-#include <QPushButton>
-#include <QStackedWidget>
 #include <QVBoxLayout>
-#include <QVariant>
+#include <algorithm>
+#include <array>
 
 #include "gui/kiosk/BoardView.h"
-#include "gui/kiosk/PushPad.h"
+#include "gui/parts/Numbers.h"
 #include "gui/parts/Theme.h"
 #include "gui/scene/OperationView.h"
 
@@ -19,9 +16,29 @@ namespace perilymph::gui {
 
 namespace {
 
+using haptics::Workflow;
+using visualization::CameraPreset;
+
 constexpr int frameInterval_ms = 16;
-constexpr int buttonHeight_px = 96;  // twice what a finger needs
-constexpr int headHeight_px = 112;
+constexpr int slowInterval_ms = 66;
+constexpr double longestStep_s = 0.1;
+constexpr double station_s = 6.0;  // how long the tour stays at one place
+constexpr double rest_s = 4.0;     // at full depth, before the insertion repeats
+constexpr Speed byKey = millimetersPerSecond(2);
+
+/// Where the tour looks from, one after the other.
+constexpr std::array tour{CameraPreset::surgeon, CameraPreset::overview, CameraPreset::followTip};
+
+std::array<QString, tour.size()> tourSentences()
+{
+  return {KioskWindow::tr("A cochlear implant gives hearing back by an electrode array in the "
+                          "inner ear. A surgeon pushes it in by hand, through an opening of a "
+                          "millimeter or two."),
+          KioskWindow::tr("The cochlea winds up like a snail’s shell. The array has to follow it "
+                          "without pressing on the delicate membrane along its way."),
+          KioskWindow::tr("What the hand feels are thousandths of a newton. Here the force is "
+                          "computed a thousand times a second, and can be practiced.")};
+}
 
 }  // namespace
 
@@ -30,11 +47,7 @@ KioskWindow::KioskWindow(session::Scenario scenario, std::filesystem::path board
       clock_(std::move(clock)),
       board_(std::move(board)),
       inVivo_(analysis::shippedReference("in-vivo")),
-      title_(new QLabel(this)),
-      sentence_(new QLabel(this)),
-      view_(new OperationView(this)),
-      boardView_(new BoardView(this)),
-      foot_(new QStackedWidget(this))
+      screen_(new KioskScreen(this))
 {
   control_.keepNothing();
   setObjectName(QStringLiteral("kioskWindow"));
@@ -45,113 +58,21 @@ KioskWindow::KioskWindow(session::Scenario scenario, std::filesystem::path board
   resize(1280, 800);
   setFocusPolicy(Qt::StrongFocus);
   setContextMenuPolicy(Qt::PreventContextMenu);
-  layOut();
-  boardView_->setSource(peakSource(inVivo_));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(screen_);
+  screen_->board().setSource(peakSource(inVivo_));
+  connect(screen_, &KioskScreen::startOverAsked, this, [this] { beginTurn(control_.hand()); });
+  connect(screen_, &KioskScreen::handleAsked, this, &KioskWindow::chooseHandle);
+  connect(screen_, &KioskScreen::leaveAsked, this, &KioskWindow::beginAttract);
   timer_.setTimerType(Qt::PreciseTimer);
   timer_.setInterval(frameInterval_ms);
   connect(&timer_, &QTimer::timeout, this, &KioskWindow::onFrame);
-  connect(view_, &QOpenGLWidget::frameSwapped, this, &KioskWindow::onPresented);
+  connect(&screen_->view(), &QOpenGLWidget::frameSwapped, this, &KioskWindow::onPresented);
   qApp->installEventFilter(this);
 }
 
 KioskWindow::~KioskWindow() = default;
-
-QPushButton* KioskWindow::addButton(const QString& text, const char* name, QWidget* parent)
-{
-  auto* button = new QPushButton(text, parent);
-  button->setObjectName(QLatin1String(name));
-  button->setFont(typeface(22, QFont::Medium));
-  button->setFixedHeight(buttonHeight_px);
-  button->setMinimumWidth(2 * buttonHeight_px);
-  button->setFocusPolicy(Qt::NoFocus);
-  return button;
-}
-
-QWidget* KioskWindow::addInvitation()
-{
-  auto* page = new QWidget(foot_);
-  auto* row = new QHBoxLayout(page);
-  auto* invite = addButton(tr("Touch anywhere to try it yourself"), "inviteButton", page);
-  invite->setProperty("primary", true);
-  invite->setFont(typeface(28, QFont::DemiBold));
-  row->addWidget(invite, 1);
-  return page;
-}
-
-QWidget* KioskWindow::addTurnFoot()
-{
-  auto* page = new QWidget(foot_);
-  auto* row = new QHBoxLayout(page);
-  row->setSpacing(2 * spacing);
-  pull_ = addButton(tr("Hold to pull back"), "pullButton", page);
-  pad_ = new PushPad(page);
-  handle_ = addButton(tr("Use the handle"), "handleButton", page);
-  auto* again = addButton(tr("Start over"), "startOverButton", page);
-  row->addWidget(pull_);
-  row->addWidget(pad_, 1);
-  row->addWidget(handle_);
-  row->addWidget(again);
-  handle_->hide();
-  connect(again, &QPushButton::clicked, this, [this] { beginTurn(control_.hand()); });
-  connect(handle_, &QPushButton::clicked, this, &KioskWindow::chooseHandle);
-  return page;
-}
-
-QWidget* KioskWindow::addResultFoot()
-{
-  auto* page = new QWidget(foot_);
-  auto* row = new QHBoxLayout(page);
-  row->setSpacing(2 * spacing);
-  auto* leave = addButton(tr("Done"), "doneButton", page);
-  auto* again = addButton(tr("Try again"), "againButton", page);
-  again->setProperty("primary", true);
-  row->addWidget(leave);
-  row->addWidget(again, 1);
-  connect(again, &QPushButton::clicked, this, [this] { beginTurn(control_.hand()); });
-  connect(leave, &QPushButton::clicked, this, &KioskWindow::beginAttract);
-  return page;
-}
-
-void KioskWindow::layOut()
-{
-  title_->setObjectName(QStringLiteral("kioskTitle"));
-  title_->setFont(typeface(34, QFont::Light));
-  sentence_->setObjectName(QStringLiteral("kioskSentence"));
-  sentence_->setFont(typeface(20));
-  sentence_->setProperty("quiet", true);
-  sentence_->setWordWrap(true);
-  auto* head = new QWidget(this);
-  head->setFixedHeight(headHeight_px);
-  auto* label = new QVBoxLayout(head);
-  label->setContentsMargins(4 * spacing, 2 * spacing, 4 * spacing, spacing);
-  label->setSpacing(4);
-  label->addWidget(title_);
-  label->addWidget(sentence_);
-  label->addStretch();
-
-  auto* middle = new QHBoxLayout;
-  middle->setSpacing(0);
-  middle->addWidget(view_, 1);
-  middle->addWidget(boardView_);
-
-  foot_->addWidget(addInvitation());
-  foot_->addWidget(addTurnFoot());
-  foot_->addWidget(addResultFoot());
-  foot_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-  auto* quiet =
-      new QLabel(tr("A simulation for research and training; not a medical device."), this);
-  quiet->setFont(typeface(13));
-  quiet->setProperty("quiet", true);
-  quiet->setAlignment(Qt::AlignCenter);
-
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, spacing);
-  column->setSpacing(0);
-  column->addWidget(head);
-  column->addLayout(middle, 1);
-  column->addWidget(foot_);
-  column->addWidget(quiet);
-}
 
 bool KioskWindow::eventFilter(QObject* target, QEvent* event)
 {
@@ -211,6 +132,189 @@ void KioskWindow::closeEvent(QCloseEvent* event)
 {
   // a visitor's Alt+F4 closes nothing
   event->ignore();
+}
+
+Result<Done> KioskWindow::open()
+{
+  const Result<Done> prepared = control_.prepare(InputSource::scripted);
+  if (!prepared) return prepared;
+  const session::Scenario& scenario = control_.scenario();
+  screen_->view().setScene(std::make_unique<visualization::InsertionScene>(
+      control_.anatomy(), scenario.array, scenario.patient.side));
+  sinceFrame_.start();
+  sinceSlow_.start();
+  timer_.start();
+  beginAttract();
+  return Done{};
+}
+
+void KioskWindow::setStage(KioskStage stage)
+{
+  stage_ = stage;
+  stageAt_s_ = now_s();
+  touchedAt_s_ = now_s();
+  screen_->showFoot(stage);
+  setFocus();
+}
+
+void KioskWindow::showBoard(std::optional<int> chosen)
+{
+  const std::vector<KioskEntry>& entries = board_.entriesOf(clock_.today().date());
+  QStringList text;
+  for (const KioskEntry& entry : entries)
+    text << peakText(millinewtons(entry.peak_mN).si(), inVivo_);
+  screen_->board().show(entries, text, chosen);
+}
+
+bool KioskWindow::prepare(InputSource hand)
+{
+  letGo();
+  turn_ = {};
+  const Result<Done> prepared = control_.prepare(hand);
+  const Result<Done> begun = prepared ? control_.begin() : prepared;
+  screen_->view().setBanner(begun ? QString() : QString::fromStdString(begun.error().message));
+  if (prepared) screen_->view().showArray(control_.now());
+  return static_cast<bool>(begun);
+}
+
+void KioskWindow::beginAttract()
+{
+  restingAt_s_.reset();
+  // what cannot be prepared now is tried again when the rest is over
+  if (!prepare(InputSource::scripted)) restingAt_s_ = now_s();
+  const bool isAnew = stage_ != KioskStage::attract || station_ < 0;
+  if (!isAnew) return;
+  setStage(KioskStage::attract);
+  station_ = -1;
+  showBoard(std::nullopt);
+}
+
+void KioskWindow::stepAttract()
+{
+  const int station = int((now_s() - stageAt_s_) / station_s) % int(tour.size());
+  if (station != station_) {
+    station_ = station;
+    screen_->view().glideTo(tour[std::size_t(station)]);
+    screen_->say(tr("Inserting a cochlear implant"), tourSentences()[std::size_t(station)]);
+  }
+  const Workflow workflow = control_.now().output.workflow;
+  const bool isOver = control_.isAtDepth() || workflow == Workflow::fault;
+  if (isOver && !restingAt_s_) restingAt_s_ = now_s();
+  if (restingAt_s_ && now_s() - *restingAt_s_ >= rest_s) beginAttract();
+}
+
+void KioskWindow::chooseHandle()
+{
+  if (control_.hand() == InputSource::device) return beginTurn(InputSource::pointer);
+  const device::DeviceSurvey survey = device::surveyDevices(device::systemRoots());
+  const auto found = std::find_if(survey.devices.begin(), survey.devices.end(),
+                                  [](const device::FoundDevice& hand) { return hand.isUsable(); });
+  if (found == survey.devices.end()) return beginTurn(InputSource::pointer);
+  control_.choose(*found);
+  beginTurn(InputSource::device);
+}
+
+void KioskWindow::beginTurn(InputSource hand)
+{
+  const device::DeviceSurvey survey = device::surveyDevices(device::systemRoots());
+  screen_->offerHandle(
+      std::any_of(survey.devices.begin(), survey.devices.end(),
+                  [](const device::FoundDevice& found) { return found.isUsable(); }));
+  if (hand == InputSource::scripted) hand = InputSource::pointer;
+  setStage(KioskStage::turn);
+  if (!prepare(hand)) {
+    if (hand == InputSource::device) return beginTurn(InputSource::pointer);
+    screen_->say(tr("This cannot be tried now"), tr("The staff of the booth can help."));
+    return setStage(KioskStage::result);
+  }
+  const bool isHandle = hand == InputSource::device;
+  screen_->useHandle(isHandle);
+  screen_->view().glideTo(CameraPreset::surgeon);
+  screen_->say(
+      tr("Your turn"),
+      isHandle ? tr("Hold the handle’s button and push gently. Keep the force low until the array "
+                    "is in.")
+               : tr("Hold the green plate and the array moves in, the farther right the faster. "
+                    "Keep the force low until it is at full depth."));
+  showBoard(std::nullopt);
+}
+
+void KioskWindow::endTurn()
+{
+  letGo();
+  if (control_.now().output.workflow == Workflow::fault) {
+    screen_->say(tr("The array had to be stopped"),
+                 tr("The motion left what can be computed. The force is off. Try again."));
+    return setStage(KioskStage::result);
+  }
+  const QDateTime today = clock_.today();
+  const KioskEntry entry{today.time(), inMillinewtons(Force::fromSi(turn_.peakForce())),
+                         turn_.duration(), turn_.reversals()};
+  const std::optional<int> place = board_.enter(today.date(), entry);
+  const QString peak = numberText(entry.peak_mN, 0);
+  screen_->say(place ? tr("Full depth · peak force %1 mN · place %2 today").arg(peak).arg(*place)
+                     : tr("Full depth · peak force %1 mN").arg(peak),
+               tr("%1, in %2 s; turned back: %3.")
+                   .arg(peakText(turn_.peakForce(), inVivo_), numberText(entry.duration_s, 1))
+                   .arg(entry.reversals));
+  setStage(KioskStage::result);
+  showBoard(place);
+  if (!board_.error().empty()) screen_->view().setBanner(QString::fromStdString(board_.error()));
+}
+
+void KioskWindow::letGo()
+{
+  pushedByKey_ = 0;
+  screen_->release();
+  control_.pause();
+}
+
+bool KioskWindow::isTouched() const { return screen_->isPressed() || pushedByKey_ != 0; }
+
+void KioskWindow::stepTurn(double elapsed_s)
+{
+  const bool isHeld = isTouched();
+  if (isHeld || (control_.hand() == InputSource::device && control_.isMoving()))
+    touchedAt_s_ = now_s();
+  if (control_.hand() == InputSource::pointer) {
+    if (isHeld != control_.isHeld()) control_.hold(isHeld);
+    const double speed = screen_->isPressed() ? screen_->speed().si() : pushedByKey_ * byKey.si();
+    if (isHeld && control_.now().output.workflow == Workflow::inserting)
+      control_.advanceBy(Length::fromSi(speed * elapsed_s));
+  }
+  turn_.follow(control_.now().output);
+  if (control_.isAtDepth() || control_.now().output.workflow == Workflow::fault) endTurn();
+}
+
+void KioskWindow::showPicture()
+{
+  const haptics::TickOutput& now = control_.now().output;
+  const std::pair<double, double> seen{now.travel, now.axialForce};
+  if (seen == drawn_) return;
+  drawn_ = seen;
+  screen_->view().showArray(control_.now());
+}
+
+void KioskWindow::onFrame()
+{
+  ++frames_;
+  const double elapsed_s = std::min(double(sinceFrame_.restart()) / 1e3, longestStep_s);
+  if (control_.update()) showPicture();
+  if (stage_ == KioskStage::attract) stepAttract();
+  if (stage_ == KioskStage::turn) stepTurn(elapsed_s);
+  if (stage_ != KioskStage::attract && now_s() - touchedAt_s_ >= patience_s) beginAttract();
+  screen_->view().stepCamera(elapsed_s);
+  screen_->view().renderIfDirty();
+  if (sinceSlow_.elapsed() < slowInterval_ms) return;
+  sinceSlow_.restart();
+  screen_->view().showNumbers(control_.now().output, control_.scenario().stopTravel);
+}
+
+void KioskWindow::onPresented()
+{
+  if (!isFirstFrame_ || !timer_.isActive()) return;
+  isFirstFrame_ = false;
+  Q_EMIT firstFrameShown();
 }
 
 }  // namespace perilymph::gui

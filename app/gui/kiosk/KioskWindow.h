@@ -11,26 +11,12 @@
 
 #include "gui/kiosk/KioskBoard.h"
 #include "gui/kiosk/KioskClock.h"
+#include "gui/kiosk/KioskScreen.h"
 #include "gui/kiosk/KioskTurn.h"
 #include "gui/run/InsertionControl.h"
 #include "perilymph/session/Scenario.h"
 
-class QLabel;
-class QPushButton;
-class QStackedWidget;
-
 namespace perilymph::gui {
-
-class BoardView;
-class OperationView;
-class PushPad;
-
-/// What the booth is doing.
-enum class KioskStage {
-  attract,  ///< An insertion that repeats, until a touch.
-  turn,     ///< A visitor inserts.
-  result    ///< The visitor is at full depth, or the insertion could not go on.
-};
 
 /// One full-screen window without menus, files or settings. Only Ctrl+Alt+Q ends it. It keeps no
 /// recordings: a booth runs for days.
@@ -63,12 +49,6 @@ protected:
   void closeEvent(QCloseEvent* event) override;
 
 private:
-  QWidget* addInvitation();
-  QWidget* addTurnFoot();
-  QWidget* addResultFoot();
-  QPushButton* addButton(const QString& text, const char* name, QWidget* parent);
-  void layOut();
-
   bool takeKey(QKeyEvent* event);
   void beginAttract();
   void beginTurn(InputSource hand);
@@ -76,7 +56,6 @@ private:
   bool prepare(InputSource hand);
   void chooseHandle();
   void setStage(KioskStage stage);
-  void say(const QString& title, const QString& sentence);
   void showBoard(std::optional<int> chosen);
 
   void onFrame();
@@ -95,15 +74,7 @@ private:
   KioskTurn turn_;
   KioskStage stage_ = KioskStage::attract;
 
-  QLabel* title_;
-  QLabel* sentence_;
-  OperationView* view_;
-  BoardView* boardView_;
-  QStackedWidget* foot_;
-  PushPad* pad_ = nullptr;
-  QPushButton* pull_ = nullptr;
-  QPushButton* handle_ = nullptr;
-
+  KioskScreen* screen_;
   QTimer timer_;
   QElapsedTimer sinceFrame_, sinceSlow_;
   double touchedAt_s_ = 0.0;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "gui/pages/insert/FrameLoop.h"
 #include "gui/shell/MainWindow.h"
 #include "perilymph/foundation/Units.h"
 
@@ -30,8 +31,8 @@ public:
   FrameBenchmark(MainWindow& window, std::optional<std::uint64_t> ticks)
       : window_(window), ticks_(ticks)
   {
-    window_.restartMeter();
-    window_.start();
+    window_.insertion().frames().restartMeter();
+    window_.insertion().start();
   }
 
   /// False once the application is to end.
@@ -59,7 +60,7 @@ public:
     const double fraction = now.output.travel / window_.control().scenario().stopTravel.si();
     if (!isMeasuring_ && fraction >= shallowFraction) {  // the first way in begins farther out
       isMeasuring_ = true;
-      window_.restartMeter();
+      window_.insertion().frames().restartMeter();
     }
     if (isGoingIn_ && fraction >= deepFraction) turnBack(now);
     if (!isGoingIn_ && fraction <= shallowFraction) goIn();
@@ -69,8 +70,8 @@ public:
   int end()
   {
     if (status_ != 0) return status_;
-    if (!ticks_) std::printf("%s\n", window_.meter().report().c_str());
-    const haptics::LoopStatistics loop = window_.halt();
+    if (!ticks_) std::printf("%s\n", window_.insertion().frames().meter().report().c_str());
+    const haptics::LoopStatistics loop = window_.insertion().halt();
     std::printf("ticks %llu, late by more than a period %llu (%.2f %%), %s real-time priority\n",
                 static_cast<unsigned long long>(loop.ticks),
                 static_cast<unsigned long long>(loop.lateTicks),
@@ -89,7 +90,8 @@ private:
   void turnBack(const haptics::Snapshot& now)
   {
     isGoingIn_ = false;
-    const WayIn way{window_.meter().report(), window_.meter().quantile_ms(0.5)};
+    const WayIn way{window_.insertion().frames().meter().report(),
+                    window_.insertion().frames().meter().quantile_ms(0.5)};
     isEnough_ = now.tick >= *ticks_ && first_;
     if (!first_ || isEnough_)
       std::printf("after %llu ticks: %s\n", static_cast<unsigned long long>(now.tick),
@@ -99,14 +101,14 @@ private:
                   100.0 * (way.median_ms / first_->median_ms - 1.0));
     std::fflush(stdout);
     if (!first_) first_ = way;
-    window_.withdraw();
+    window_.insertion().withdraw();
   }
 
   void goIn()
   {
     isGoingIn_ = true;
-    window_.start();
-    window_.restartMeter();
+    window_.insertion().start();
+    window_.insertion().frames().restartMeter();
   }
 
   MainWindow& window_;

@@ -46,11 +46,11 @@ void arrangeStartupActions(MainWindow& window, const CommandLine& options)
 {
   const bool isDemo = options.isDemo || options.measuresFrames;
   QObject::connect(&window, &MainWindow::firstFrameShown, &window, [&window, options, isDemo] {
-    if (options.plugin) window.usePlugin(*options.plugin);
+    if (options.plugin) window.insertion().usePlugin(*options.plugin);
     if (isDemo) {
       std::printf("first frame after %.1f s\n", processUptime_s());
       std::fflush(stdout);
-      if (!options.measuresFrames) window.start();
+      if (!options.measuresFrames) window.insertion().start();
     }
     if (options.measuresFrames) measureFrames(window, options.measuredTicks);
     takeScreenshotLater(window, options);

@@ -1,79 +1,39 @@
 #include "gui/shell/MainWindow.h"
 
-#include <spdlog/spdlog.h>
-
 #include <QEvent>
 #include <QFrame>
-#include <QHBoxLayout>
-#include <QStackedWidget>
+#include <QKeyEvent>
 #include <QVBoxLayout>
-#include <algorithm>
-#include <cstring>
+#include <QWheelEvent>
+#include <utility>
 
 #include "gui/pages/compare/ComparePage.h"
-#include "gui/pages/devices/DevicePage.h"
-#include "gui/pages/insert/BottomBar.h"
-#include "gui/pages/insert/BuildingNote.h"
-#include "gui/pages/insert/ForceCharts.h"
-#include "gui/pages/insert/InsertionViews.h"
-#include "gui/pages/insert/ReplayBar.h"
-#include "gui/pages/insert/ReplayPlayer.h"
-#include "gui/pages/insert/SidePanel.h"
+#include "gui/pages/insert/FrameLoop.h"
+#include "gui/pages/insert/ReplayControl.h"
 #include "gui/pages/sessions/SessionsPage.h"
 #include "gui/pages/start/StartPage.h"
 #include "gui/pages/validate/ValidatePage.h"
 #include "gui/parts/Notice.h"
 #include "gui/parts/Theme.h"
-#include "gui/scene/OperationView.h"
-#include "gui/setup/SetupHistory.h"
-#include "gui/shell/GuideSheet.h"
-#include "gui/shell/KeyList.h"
-#include "gui/shell/SettingsSheet.h"
+#include "gui/shell/Help.h"
+#include "gui/shell/InsertKeys.h"
+#include "gui/shell/Sheets.h"
 #include "gui/shell/TopBar.h"
+#include "gui/shell/WindowKeys.h"
+#include "gui/shell/WindowPicture.h"
 
 namespace perilymph::gui {
 
-namespace {
-
-using haptics::Workflow;
-
-constexpr int slowInterval_ms = 66;    // charts and numbers: 15 Hz
-constexpr double longestStep_s = 0.1;  // after a stall, keys do not catch up
-
-QFrame* line(QWidget* parent)
-{
-  auto* made = new QFrame(parent);
-  made->setObjectName(QStringLiteral("line"));
-  return made;
-}
-
-}  // namespace
-
 MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem::path> record)
-    : control_(std::move(scenario), std::move(record)),
-      safety_(control_),
-      setup_(new SetupHistory(this)),
-      top_(new TopBar(this)),
-      side_(new SidePanel(this)),
-      views_(new InsertionViews(this)),
-      view_(views_->operation()),
-      charts_(views_->charts()),
-      bottom_(new BottomBar(this)),
-      guide_(new GuideSheet(this)),
-      settings_(new SettingsSheet(this)),
+    : top_(new TopBar(this)),
+      insert_(new InsertPage(std::move(scenario), std::move(record), this)),
+      sheets_(new Sheets(*insert_, this)),
       notice_(new Notice(this)),
-      devices_(new DevicePage(view_)),
-      startPage_(new StartPage(this)),
-      validation_(new ValidatePage(this)),
-      comparison_(new ComparePage(this)),
+      start_(new StartPage(this)),
+      validate_(new ValidatePage(this)),
+      compare_(new ComparePage(this)),
       sessions_(new SessionsPage(this)),
-      replayBar_(new ReplayBar(this)),
-      replay_(new ReplayPlayer(this)),
-      bars_(new QStackedWidget(this)),
-      reading_(this),
-      modelBuilder_(this),
-      building_(new BuildingNote(view_)),
-      pages_(new QStackedWidget(this))
+      pages_(new PageStack({start_, insert_, compare_, validate_, sessions_}, Page::insert, this))
 {
   setObjectName(QStringLiteral("mainWindow"));
   setFont(typeface(13));
@@ -82,211 +42,160 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
   resize(1280, 800);
   setFocusPolicy(Qt::StrongFocus);
   layOut();
-  connectZones();
-  addKeys();
-  keys_ = new KeyList(keyActions_, this);
-  connect(keys_, &KeyList::guideAsked, this, &MainWindow::toggleGuide);
-  connectSetup();
-  setup_->begin({control_.scenario(), {}}, SetupOrigin::Kind::preset);
-  showScenario();
-  top_->setDevice(DeviceState::off, tr("preparing"), {});
-  bottom_->setMain(BottomBar::Main::start, false);
-
-  timer_.setTimerType(Qt::PreciseTimer);
-  timer_.setInterval(visualization::traitsOf(views_->quality()).frameInterval_ms);
-  connect(views_, &InsertionViews::qualityChanged, this, [this] {
-    timer_.setInterval(visualization::traitsOf(views_->quality()).frameInterval_ms);
-  });
-  connect(&timer_, &QTimer::timeout, this, &MainWindow::onFrame);
+  connectInsertion();
+  connectPages();
+  addInsertKeys(keys_, *insert_);
+  addWindowKeys(keys_, *this, *insert_);
+  sheets_->help().listKeys(keys_);
+  showSubject();
+  top_->showPreparing();
 }
 
 MainWindow::~MainWindow() = default;
 
-QWidget* MainWindow::insertPage()
-{
-  auto* page = new QWidget(this);
-  auto* middle = new QHBoxLayout;
-  middle->setSpacing(0);
-  QFrame* leftLine = line(this);
-  leftLine->setFixedWidth(1);
-  middle->addWidget(side_);
-  middle->addWidget(leftLine);
-  middle->addWidget(views_, 1);
-
-  QFrame* bottomLine = line(this);
-  bottomLine->setFixedHeight(1);
-  auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  column->addLayout(middle, 1);
-  column->addWidget(bottomLine);
-  bars_->addWidget(bottom_);
-  bars_->addWidget(replayBar_);
-  bars_->setFixedHeight(barHeight);
-  column->addWidget(bars_);
-  return page;
-}
-
 void MainWindow::layOut()
 {
-  // in the order of Page
-  pages_->addWidget(startPage_);
-  pages_->addWidget(insertPage());
-  pages_->addWidget(comparison_);
-  pages_->addWidget(validation_);
-  pages_->addWidget(sessions_);
-
-  QFrame* topLine = line(this);
-  topLine->setFixedHeight(1);
+  auto* line = new QFrame(this);
+  line->setObjectName(QStringLiteral("line"));
+  line->setFixedHeight(1);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(top_);
-  column->addWidget(topLine);
+  column->addWidget(line);
   column->addWidget(pages_, 1);
-  top_->setPage(page_);
-  pages_->setCurrentIndex(static_cast<int>(page_));
+  top_->setPage(page());
 }
 
-void MainWindow::connectZones()
+void MainWindow::connectInsertion()
+{
+  connect(&insert_->frames(), &FrameLoop::firstFrameShown, this, &MainWindow::firstFrameShown);
+  connect(insert_, &InsertPage::recordingChanged, this, &MainWindow::recordingChanged);
+  connect(insert_, &InsertPage::subjectChanged, this, &MainWindow::showSubject);
+  connect(insert_, &InsertPage::stateShown, this, [this] {
+    top_->showInsertion(control(), insert_->error());
+    sheets_->showState();
+  });
+  connect(insert_, &InsertPage::devicesAsked, sheets_, &Sheets::toggleDevices);
+  connect(insert_, &InsertPage::replayOpened, this, [this] {
+    showPage(Page::insert);
+    top_->showReplay();
+  });
+  connect(insert_, &InsertPage::replayFailed, this,
+          [this](const QString& sentence) { sessions_->say(sentence, true); });
+}
+
+void MainWindow::connectPages()
 {
   connect(top_, &TopBar::pageChosen, this, &MainWindow::showPage);
-  connect(startPage_, &StartPage::patientGiven, this,
-          [this](const anatomy::Patient& patient) { begin(patient); });
-  connect(startPage_, &StartPage::meanAsked, this,
-          [this] { beginShipped("mean-contour", AfterLoading::rest); });
-  connect(startPage_, &StartPage::demonstrationAsked, this,
-          [this] { beginShipped("contour-published", AfterLoading::insert); });
-  connect(top_, &TopBar::keysAsked, this, &MainWindow::toggleKeyList);
-  connect(top_, &TopBar::settingsAsked, this, &MainWindow::toggleSettings);
-  connect(guide_, &GuideSheet::closeAsked, this, &MainWindow::toggleGuide);
-  connect(settings_, &SettingsSheet::closeAsked, this, &MainWindow::toggleSettings);
-  connect(settings_, &SettingsSheet::chosen, this, &MainWindow::anewAsked);
-  connect(side_, &SidePanel::handChosen, this, &MainWindow::chooseHand);
-  connect(side_, &SidePanel::devicesAsked, this, &MainWindow::toggleDevices);
-  connect(devices_, &DevicePage::closeAsked, this, &MainWindow::toggleDevices);
-  connect(devices_, &DevicePage::deviceChosen, this, &MainWindow::useDevice);
-  connect(side_, &SidePanel::holdChanged, this, &MainWindow::hold);
-  connect(side_, &SidePanel::styletAsked, this, [this] { control_.pullStylet(); });
-  connect(side_, &SidePanel::partShown, view_, &OperationView::setPartVisible);
-  connect(side_, &SidePanel::experimentShown, charts_, &ForceCharts::setExperimentVisible);
-  connect(bottom_, &BottomBar::startAsked, this, &MainWindow::start);
-  connect(bottom_, &BottomBar::pauseAsked, this, &MainWindow::pause);
-  connect(bottom_, &BottomBar::withdrawAsked, this, &MainWindow::withdraw);
-  connect(bottom_, &BottomBar::resetAsked, this, &MainWindow::reset);
-  connect(view_, &QOpenGLWidget::frameSwapped, this, &MainWindow::onPresented);
-  connectSessions();
+  connect(top_, &TopBar::keysAsked, &sheets_->help(), &Help::toggleKeys);
+  connect(top_, &TopBar::settingsAsked, sheets_, &Sheets::toggleSettings);
+  connect(sheets_, &Sheets::settingChosen, this, &MainWindow::anewAsked);
+  connect(start_, &StartPage::setupChosen, this,
+          [this](const Setup& setup, SetupOrigin::Kind kind, bool isWatched) {
+            load(setup, kind, isWatched ? AfterLoading::insert : AfterLoading::rest);
+          });
+  connect(sessions_, &SessionsPage::replayAsked, insert_, &InsertPage::openReplay);
+  connect(sessions_, &SessionsPage::ghostRead, insert_, &InsertPage::setGhost);
+  connect(sessions_, &SessionsPage::compareAsked, this,
+          [this](const std::vector<std::filesystem::path>& files) {
+            showPage(Page::compare);
+            compare_->compare(files);
+          });
 }
 
-void MainWindow::start()
+void MainWindow::load(session::Scenario scenario, AfterLoading then)
 {
-  // What is typed counts, and is built first.
-  const QString error = isChangeable() ? side_->commit() : QString();
-  if (!error.isEmpty()) return showError(error);
-  setup_->seal();
-  isStartAsked_ = modelBuilder_.isBusy();
-  if (isStartAsked_) return showState();
-  const Result<Done> begun = control_.begin();
-  if (!begun) showError(QString::fromStdString(begun.error().message));
-  showState();
+  load({std::move(scenario), {}}, SetupOrigin::Kind::preset, then);
 }
 
-void MainWindow::pause()
+void MainWindow::load(const Setup& setup, SetupOrigin::Kind kind, AfterLoading then)
 {
-  pressed_.clear();
-  isStartAsked_ = false;
-  control_.pause();
-  side_->setHeld(false);
-  showState();
+  insert_->load(setup, kind, then);
+  showPage(Page::insert);
 }
 
-void MainWindow::withdraw()
+void MainWindow::showPage(Page page)
 {
-  control_.withdraw();
-  showState();
+  top_->setPage(page);
+  if (page == pages_->page()) return;
+  if (pages_->page() == Page::insert) insert_->leaveSight();
+  pages_->showPage(page);
+  showSubject();
+  if (page == Page::start)
+    start_->showCards();
+  else
+    setFocus();
+  if (page != Page::sessions) return;
+  sessions_->refresh(control().recording(), control().isRunning());
+  sessions_->setFocus();
 }
 
-void MainWindow::reset() { prepare(control_.hand()); }
-
-void MainWindow::chooseHand(InputSource hand)
+void MainWindow::showSubject()
 {
-  if (hand != control_.hand()) prepare(hand);
+  const ReplayControl& replay = insert_->replay();
+  setWindowTitle(replay.isOpen()
+                     ? tr("Perilymph · replay of %1")
+                           .arg(QString::fromStdString(replay.playback().file().stem().string()))
+                     : tr("Perilymph · %1").arg(QString::fromStdString(control().scenario().name)));
+  if (page() == Page::start) return top_->showNobody();  // nobody's turn yet
+  if (page() == Page::insert && replay.isOpen())
+    return top_->showSubject(replay.playback().scenario(), {});
+  top_->showSubject(control().scenario(), setup().isModified() ? setup().changedText() : QString());
 }
 
-void MainWindow::hold(bool isHeld)
+void MainWindow::takePicture() { notice_->say(keepPicture(*this)); }
+
+void MainWindow::leave()
 {
-  if (control_.hand() != InputSource::pointer) return;
-  control_.hold(isHeld);
-  side_->setHeld(control_.isHeld());
+  if (insert_->cancelBuilding() || sheets_->help().leaveGuide() || insert_->leavePanel()) return;
+  if (sheets_->leave()) return;
+  if (page() == Page::insert && insert_->rest()) return;
+  if (notice_->isVisible()) return notice_->hide();
+  if (page() == Page::validate) validate_->cancel();
+  if (page() == Page::compare) compare_->cancel();
+  const bool isElsewhere = focusWidget() != nullptr && focusWidget() != this;
+  if (isElsewhere && page() != Page::start) return setFocus();
+  if (isFullScreen()) setWindowState(windowState() & ~Qt::WindowFullScreen);
 }
 
-void MainWindow::showError(const QString& sentence)
+void MainWindow::keyPressEvent(QKeyEvent* event)
 {
-  spdlog::warn("{}", sentence.toStdString());
-  error_ = sentence;
-  view_->setBanner(errorText());
+  const bool isForSheet = event->key() == Qt::Key_Escape && sheets_->wantsEscape();
+  if (page() == Page::insert && !isForSheet && insert_->takeReplayKey(*event)) return;
+  if (!keys_.take(*event)) QWidget::keyPressEvent(event);
 }
 
-bool MainWindow::isNewToTheEye(const haptics::Snapshot& now)
+void MainWindow::keyReleaseEvent(QKeyEvent* event)
 {
-  const std::size_t nodes = now.nodes;
-  const bool isSame =
-      nodes == drawn_.nodes && now.output.styletWithdrawal == drawn_.output.styletWithdrawal &&
-      std::memcmp(now.node_W.data(), drawn_.node_W.data(), nodes * sizeof now.node_W[0]) == 0 &&
-      std::memcmp(now.normalForce.data(), drawn_.normalForce.data(),
-                  nodes * sizeof now.normalForce[0]) == 0;
-  if (!isSame) drawn_ = now;
-  return !isSame;
+  if (!event->isAutoRepeat()) insert_->held().release(event->key());
 }
 
-void MainWindow::onFrame()
+void MainWindow::wheelEvent(QWheelEvent* event)
 {
-  meter_.begin(FrameMeter::Clock::now());
-  const double elapsed_s = std::min(double(sinceFrame_.restart()) / 1e3, longestStep_s);
-
-  const int direction = int(pressed_.count(Qt::Key_Down)) - int(pressed_.count(Qt::Key_Up));
-  if (direction != 0)
-    control_.advanceBy(Length::fromSi(direction * control_.scenario().speed.si() * elapsed_s));
-
-  if (!frameOfReplay(elapsed_s) && control_.update()) {
-    const haptics::Snapshot& now = control_.now();
-    if (isNewToTheEye(now)) view_->showArray(now);
-    if (now.output.workflow != Workflow::idle && now.output.workflow != Workflow::armed)
-      charts_->append(now.output);
-  }
-  view_->stepCamera(elapsed_s);
-
-  const bool isSeen = page_ == Page::insert;
-  bool isDrawn = isSeen && view_->renderIfDirty();
-  if (sinceSlow_.elapsed() >= slowInterval_ms) {
-    sinceSlow_.restart();
-    showSlowly();
-    if (isSeen && charts_->renderIfDirty()) isDrawn = true;
-  }
-  if (!isDrawn) meter_.cancel();
-  if (!isSeen && isFirstFrame_) {
-    isFirstFrame_ = false;
-    Q_EMIT firstFrameShown();
-  }
+  if (page() != Page::insert) return QWidget::wheelEvent(event);
+  insert_->turnWheel(event->angleDelta().y() / 120.0,
+                     (event->modifiers() & Qt::ControlModifier) != 0);
+  event->accept();
 }
 
-void MainWindow::onPresented()
+bool MainWindow::event(QEvent* event)
 {
-  meter_.present(FrameMeter::Clock::now());
-  if (!isFirstFrame_ || !timer_.isActive() || meter_.frames() == 0) return;
-  isFirstFrame_ = false;
-  Q_EMIT firstFrameShown();
+  // A key released in another window is never told to this one: let go of the array at once.
+  if (event->type() == QEvent::WindowDeactivate) insert_->loseKeyboard();
+  return QWidget::event(event);
 }
 
-void MainWindow::showSlowly()
+void MainWindow::closeEvent(QCloseEvent* event)
 {
-  if (replay_->isOpen()) return showReplay();
-  const haptics::TickOutput& now = control_.now().output;
-  view_->showNumbers(now, control_.scenario().stopTravel);
-  views_->showSlowly(control_.now());
-  views_->weigh(meter_);
-  bottom_->setProgress(now.travel / control_.scenario().stopTravel.si(), now.time);
-  showState();
+  insert_->end();
+  QWidget::closeEvent(event);
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event)
+{
+  QWidget::resizeEvent(event);
+  sheets_->place();
 }
 
 }  // namespace perilymph::gui

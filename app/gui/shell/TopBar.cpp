@@ -9,6 +9,7 @@
 #include <QVariant>
 #include <algorithm>
 
+#include "gui/parts/Numbers.h"
 #include "gui/parts/Theme.h"
 
 namespace perilymph::gui {
@@ -32,6 +33,15 @@ QColor colorOf(DeviceState light)
   return quietTextColor;
 }
 
+QString patientText(const session::Scenario& scenario)
+{
+  const bool isLeft = scenario.patient.side == anatomy::Side::left;
+  const bool isPatient = scenario.anatomy == "published" || scenario.patient.basalTurn;
+  return (isPatient ? TopBar::tr("Patient %1 · %2 ear") : TopBar::tr("%1 anatomy · %2 ear"))
+      .arg(QString::fromStdString(isPatient ? scenario.patient.label : scenario.anatomy),
+           isLeft ? TopBar::tr("left") : TopBar::tr("right"));
+}
+
 }  // namespace
 
 DeviceLight::DeviceLight(QWidget* parent) : QWidget(parent)
@@ -41,12 +51,12 @@ DeviceLight::DeviceLight(QWidget* parent) : QWidget(parent)
   setAttribute(Qt::WA_NoSystemBackground);
 }
 
-void DeviceLight::show(DeviceState light, const QString& label)
+void DeviceLight::show(DeviceState light, const QString& caption)
 {
-  if (light == light_ && label == text_) return;
+  if (light == light_ && caption == text_) return;
   light_ = light;
-  text_ = label;
-  setAccessibleName(label);
+  text_ = caption;
+  setAccessibleName(caption);
   updateGeometry();
   update();
 }
@@ -153,8 +163,8 @@ QPushButton* TopBar::addPage(Page page, const QString& text, const char* name)
   button->setFont(typeface(13, QFont::Medium));
   button->setFixedHeight(28);
   // the window's style, which makes the hint, comes later
-  const int label = QFontMetrics(button->font()).horizontalAdvance(text);
-  button->setMinimumWidth(std::max(84, label + 2 * spacing + 4));
+  const int caption = QFontMetrics(button->font()).horizontalAdvance(text);
+  button->setMinimumWidth(std::max(84, caption + 2 * spacing + 4));
   button->setCheckable(true);
   button->setFocusPolicy(Qt::TabFocus);
   connect(button, &QPushButton::clicked, this, [this, page] { Q_EMIT pageChosen(page); });
@@ -167,17 +177,43 @@ void TopBar::setPage(Page page)
   for (const auto& [own, button] : pages_) button->setChecked(own == page);
 }
 
-void TopBar::setPatient(const QString& patient) { patient_->setText(patient); }
-
-void TopBar::setModified(bool isModified, const QString& tip)
+void TopBar::showSubject(const session::Scenario& scenario, const QString& changed)
 {
-  modified_->setVisible(isModified);
-  modified_->setToolTip(tip);
+  patient_->setText(patientText(scenario));
+  modified_->setVisible(!changed.isEmpty());
+  modified_->setToolTip(tr("Not the preset’s values: %1.").arg(changed));
 }
 
-void TopBar::setDevice(DeviceState light, const QString& label, const QString& tip)
+void TopBar::showNobody()
 {
-  device_->show(light, label);
+  patient_->clear();
+  modified_->hide();
+}
+
+void TopBar::showInsertion(const InsertionControl& control, const QString& error)
+{
+  const haptics::Snapshot& now = control.now();
+  const QString hand = QString::fromStdString(control.handName());
+  if (!control.isRunning()) return setDevice(DeviceState::off, tr("ready"), hand);
+  if (now.output.workflow == haptics::Workflow::fault)
+    return setDevice(DeviceState::alarm, tr("fault · no force"), error);
+  if (now.measuredRate <= 0.0) return setDevice(DeviceState::steady, tr("running"), hand);
+  setDevice(DeviceState::steady,
+            tr("%1 Hz · %2 late").arg(numberText(now.measuredRate, 0)).arg(now.lateTicks),
+            tr("%1. Ticks a second as measured, and ticks that began more than one period late.")
+                .arg(hand));
+}
+
+void TopBar::showPreparing() { setDevice(DeviceState::off, tr("preparing"), {}); }
+
+void TopBar::showReplay()
+{
+  setDevice(DeviceState::off, tr("replay"), tr("A recording is shown. No device is moved."));
+}
+
+void TopBar::setDevice(DeviceState light, const QString& caption, const QString& tip)
+{
+  device_->show(light, caption);
   device_->setToolTip(tip);
 }
 

@@ -6,13 +6,13 @@
 #include <utility>
 #include <vector>
 
+#include "gui/run/InsertionControl.h"
+#include "gui/shell/PageStack.h"
+
 class QLabel;
 class QPushButton;
 
 namespace perilymph::gui {
-
-/// The pages of the window, in the order of their buttons.
-enum class Page { start, insert, compare, validate, sessions };
 
 /// How the device's light shines. Every state has its word beside the color.
 enum class DeviceState { off, steady, warning, alarm };
@@ -23,7 +23,7 @@ class DeviceLight : public QWidget {
 public:
   explicit DeviceLight(QWidget* parent);
 
-  void show(DeviceState light, const QString& label);
+  void show(DeviceState light, const QString& caption);
   const QString& text() const { return text_; }
   QSize sizeHint() const override;
 
@@ -43,10 +43,19 @@ public:
 
   /// Marks the page that is shown.
   void setPage(Page page);
-  void setPatient(const QString& patient);
-  /// A word beside the patient, while a preset is no longer what it says.
-  void setModified(bool isModified, const QString& tip);
-  void setDevice(DeviceState light, const QString& label, const QString& tip);
+
+  /// Whose ear this is.
+  /// @param changed  What is no longer as the preset says, in words; empty where nothing is.
+  void showSubject(const session::Scenario& scenario, const QString& changed);
+  /// It is nobody's turn yet.
+  void showNobody();
+
+  /// How the hand answers.
+  /// @param error  What went wrong, for the tip.
+  void showInsertion(const InsertionControl& control, const QString& error);
+  /// There is no insertion yet, or a recording in its place.
+  void showPreparing();
+  void showReplay();
 
 Q_SIGNALS:
   void pageChosen(perilymph::gui::Page page);
@@ -55,6 +64,7 @@ Q_SIGNALS:
 
 private:
   QPushButton* addPage(Page page, const QString& text, const char* name);
+  void setDevice(DeviceState light, const QString& caption, const QString& tip);
 
   std::vector<std::pair<Page, QPushButton*>> pages_;
   QLabel* patient_;

@@ -11,6 +11,7 @@
 #include "WindowRig.h"
 #include "gui/pages/insert/BuildingNote.h"
 #include "gui/run/ModelBuilder.h"
+#include "gui/run/ScenarioDifference.h"
 #include "gui/setup/SetupHistory.h"
 
 namespace perilymph::test {

@@ -105,7 +105,7 @@ TEST_F(DevicesOfTheWindow, ThatCannotRenderTheCouplingAreSaidToBeSoftened)
 TEST_F(DevicesOfTheWindow, OfAPlugInBecomesTheHandAndMovesTheArray)
 {
   open();
-  rig_->window().usePlugin(PERILYMPH_EXAMPLE_PLUGIN);
+  rig_->window().insertion().usePlugin(PERILYMPH_EXAMPLE_PLUGIN);
   EXPECT_EQ(rig_->window().control().handName(), "Example handle");
   EXPECT_TRUE(rig_->button("deviceChoice").text().contains("Example handle"));
   // An invisible hand pushes it inward with 0.2 N and never lets go.
@@ -116,7 +116,7 @@ TEST_F(DevicesOfTheWindow, OfAPlugInBecomesTheHandAndMovesTheArray)
 TEST_F(DevicesOfTheWindow, OfAFileThatIsNoPlugInLeaveTheScriptAndSayWhy)
 {
   open();
-  rig_->window().usePlugin(tree_.root() / "none.so");
+  rig_->window().insertion().usePlugin(tree_.root() / "none.so");
   EXPECT_EQ(rig_->window().control().hand(), gui::InputSource::scripted);
   EXPECT_TRUE(rig_->label("bannerText").contains(QLatin1String("none.so")));
 }

@@ -7,7 +7,7 @@
 #include <QLabel>
 
 #include "WindowRig.h"
-#include "gui/scene/ForceInterpretation.h"
+#include "gui/scene/ForceLabel.h"
 
 namespace perilymph::test {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "DataFolder.h"
 #include "WindowRig.h"
-#include "gui/pages/sessions/Report.h"
 #include "gui/pages/sessions/ReportContent.h"
+#include "gui/pages/sessions/ReportText.h"
 #include "gui/pages/sessions/SessionsPage.h"
 #include "gui/parts/Notice.h"
 

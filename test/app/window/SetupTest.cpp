@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "gui/run/ScenarioDifference.h"
 #include "gui/setup/Setup.h"
 #include "perilymph/foundation/Resources.h"
 

@@ -17,6 +17,7 @@
 #include "WindowRig.h"
 #include "gui/parts/Notice.h"
 #include "gui/parts/Numbers.h"
+#include "gui/parts/StateFolder.h"
 #include "gui/parts/UserSettings.h"
 #include "gui/program/CrashMarker.h"
 #include "gui/program/CrashRecovery.h"

@@ -91,6 +91,20 @@ def check_cmake(root, arrows, wrong):
             wrong.append(f"{GUI}/{folder}/CMakeLists.txt: USES and the row in {PAGE} differ in {used}.")
 
 
+def check_names(root, wrong):
+    """A source has its header's name, and no header has another one's."""
+    others = {file.name: file.relative_to(root)
+              for file in sources.files(root, "modules", "app/cli", "plugins", "test", suffixes={".h"})}
+    for file, folder in code(root):
+        place = file.relative_to(root)
+        if file.suffix == ".cpp" and folder != "." and not file.with_suffix(".h").exists():
+            wrong.append(f"{place} has no header of its name.")
+        if file.suffix == ".h":
+            if file.name in others:
+                wrong.append(f"{place} has the name of {others[file.name]}.")
+            others[file.name] = place
+
+
 def check_markup(root, wrong):
     for file, _ in code(root):
         if file.name in MARKUP_PLACES:
@@ -109,5 +123,6 @@ def check(root):
         check_includes(root, arrows, wrong)
         check_folders(root, arrows, wrong)
         check_cmake(root, arrows, wrong)
+    check_names(root, wrong)
     check_markup(root, wrong)
     return wrong

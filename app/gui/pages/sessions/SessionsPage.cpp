@@ -1,5 +1,6 @@
 #include "gui/pages/sessions/SessionsPage.h"
 
+#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QItemSelection>
@@ -18,6 +19,7 @@
 #include <set>
 
 #include "gui/pages/sessions/SessionTable.h"
+#include "gui/pages/sessions/SessionTasks.h"
 #include "gui/parts/EmptyPage.h"
 #include "gui/parts/Theme.h"
 #include "perilymph/foundation/Resources.h"
@@ -41,6 +43,7 @@ QLabel* text(const QString& caption, int size_px, QWidget* parent, bool isQuiet 
 SessionsPage::SessionsPage(QWidget* parent, LibraryWork::Lister lister)
     : QWidget(parent),
       work_(this, std::move(lister)),
+      tasks_(new SessionTasks(this)),
       table_(new SessionTable(this)),
       sorted_(new QSortFilterProxyModel(this))
 {
@@ -146,8 +149,7 @@ QWidget* SessionsPage::addList()
   list_->sortByColumn(SessionTable::recorded, Qt::DescendingOrder);
   connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &SessionsPage::showChoice);
-  connect(list_, &QTableView::doubleClicked, this,
-          [this] { askForOne(&SessionsPage::replayAsked); });
+  connect(list_, &QTableView::doubleClicked, this, &SessionsPage::replayChosen);
 
   empty_ = new EmptyPage({}, {}, this);
   stack_ = new QStackedWidget(this);
@@ -180,9 +182,13 @@ QWidget* SessionsPage::addVerbs()
   row->addSpacing(spacing);
   row->addWidget(status_, 1);
 
-  connect(replay_, &QPushButton::clicked, this, [this] { askForOne(&SessionsPage::replayAsked); });
-  connect(ghost_, &QPushButton::clicked, this, [this] { askForOne(&SessionsPage::ghostAsked); });
-  connect(report_, &QPushButton::clicked, this, [this] { askForOne(&SessionsPage::reportAsked); });
+  connect(replay_, &QPushButton::clicked, this, &SessionsPage::replayChosen);
+  connect(report_, &QPushButton::clicked, this, &SessionsPage::reportChosen);
+  connect(ghost_, &QPushButton::clicked, this, [this] {
+    if (const auto file = oneChosen()) tasks_->readGhost(*file);
+  });
+  connect(tasks_, &SessionTasks::said, this, &SessionsPage::say);
+  connect(tasks_, &SessionTasks::ghostRead, this, &SessionsPage::ghostRead);
   connect(compare_, &QPushButton::clicked, this, [this] {
     std::vector<std::filesystem::path> files;
     for (const session::SessionSummary& each : chosen()) files.push_back(each.file);
@@ -313,11 +319,35 @@ void SessionsPage::showChoice()
     say(isOne && all > 1 ? tr("Choose several with Ctrl or Shift to compare them.") : QString());
 }
 
-void SessionsPage::askForOne(void (SessionsPage::*request)(const std::filesystem::path&))
+std::optional<std::filesystem::path> SessionsPage::oneChosen() const
 {
   const auto rows = chosen();
-  if (rows.size() == 1 && !rows[0].isBeingRecorded && rows[0].highlights.ticks > 0)
-    Q_EMIT(this->*request)(rows[0].file);
+  const bool isOne = rows.size() == 1 && !rows[0].isBeingRecorded && rows[0].highlights.ticks > 0;
+  return isOne ? std::optional(rows[0].file) : std::nullopt;
+}
+
+void SessionsPage::replayChosen()
+{
+  const auto file = oneChosen();
+  if (!file) return;
+  say(tr("Opening %1…").arg(QString::fromStdString(file->stem().string())));
+  Q_EMIT replayAsked(*file);
+}
+
+void SessionsPage::reportChosen()
+{
+  const auto file = oneChosen();
+  if (!file) return;
+  const QString suggested = QString::fromStdString((file->parent_path() / file->stem()).string()) +
+                            QStringLiteral(".pdf");
+  const QString asked =
+      QFileDialog::getSaveFileName(this, tr("Report as PDF"), suggested, tr("PDF (*.pdf)"));
+  if (!asked.isEmpty()) saveReport(*file, asked.toStdString());
+}
+
+void SessionsPage::saveReport(const std::filesystem::path& file, const std::filesystem::path& pdf)
+{
+  tasks_->writeReportOf(file, pdf);
 }
 
 void SessionsPage::rename(const std::filesystem::path& file, const QString& name)
@@ -358,7 +388,7 @@ void SessionsPage::keyPressEvent(QKeyEvent* event)
   if (event->matches(QKeySequence::Find)) return search_->setFocus();
   if (event->matches(QKeySequence::Undo)) return bringBack();
   if (key == Qt::Key_Delete) return throwAway();
-  if (key == Qt::Key_Return || key == Qt::Key_Enter) return askForOne(&SessionsPage::replayAsked);
+  if (key == Qt::Key_Return || key == Qt::Key_Enter) return replayChosen();
   if (key == Qt::Key_Escape && work_.isBusy()) return cancel();
   if (key == Qt::Key_Escape && !search_->text().isEmpty()) return search_->clear();
   QWidget::keyPressEvent(event);

@@ -22,6 +22,7 @@ namespace perilymph::gui {
 
 class EmptyPage;
 class SessionTable;
+class SessionTasks;
 
 /// The recordings in the folder of sessions.
 class SessionsPage : public QWidget {
@@ -41,11 +42,14 @@ public:
   std::vector<session::SessionSummary> chosen() const;
   void say(const QString& sentence, bool isError = false);
 
+  /// Writes a report of a recording as PDF, beside this thread; the page says how it went.
+  void saveReport(const std::filesystem::path& file, const std::filesystem::path& pdf);
+
 Q_SIGNALS:
   void replayAsked(const std::filesystem::path& file);
   void compareAsked(const std::vector<std::filesystem::path>& files);
-  void ghostAsked(const std::filesystem::path& file);
-  void reportAsked(const std::filesystem::path& file);
+  void ghostRead(const std::vector<std::pair<perilymph::Length, perilymph::Force>>& curve,
+                 const QString& name);
 
 protected:
   void keyPressEvent(QKeyEvent* event) override;
@@ -58,13 +62,17 @@ private:
   void showList(std::vector<session::SessionSummary> sessions, int all);
   void showFresh(std::vector<session::SessionSummary> sessions);
   void showChoice();
-  void askForOne(void (SessionsPage::*request)(const std::filesystem::path&));
+  /// The one recording that is chosen and can be read; none otherwise.
+  std::optional<std::filesystem::path> oneChosen() const;
+  void replayChosen();
+  void reportChosen();
   void rename(const std::filesystem::path& file, const QString& name);
   void throwAway();
   void bringBack();
   void reread();
 
   LibraryWork work_;
+  SessionTasks* tasks_;
   SessionTable* table_;
   QSortFilterProxyModel* sorted_;
   std::optional<std::filesystem::path> beingRecorded_;

@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "gui/pages/start/PatientForm.h"
+#include "gui/pages/start/PatientSetup.h"
 #include "gui/parts/Theme.h"
 #include "perilymph/foundation/Resources.h"
 
@@ -93,10 +94,25 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent), stages_(new QStackedWid
     form_->showError({});
     form_->setFocus();
   });
-  connect(mean_, &QPushButton::clicked, this, &StartPage::meanAsked);
-  connect(demonstration_, &QPushButton::clicked, this, &StartPage::demonstrationAsked);
+  connect(mean_, &QPushButton::clicked, this, [this] { beginShipped("mean-contour", false); });
+  connect(demonstration_, &QPushButton::clicked, this,
+          [this] { beginShipped("contour-published", true); });
   connect(form_, &PatientForm::leaveAsked, this, &StartPage::showCards);
-  connect(form_, &PatientForm::patientGiven, this, &StartPage::patientGiven);
+  connect(form_, &PatientForm::patientGiven, this, &StartPage::beginPatient);
+}
+
+void StartPage::beginPatient(const anatomy::Patient& patient)
+{
+  const auto setup = setupOfPatient(patient);
+  if (!setup) return showError(QString::fromStdString(setup.error().message));
+  Q_EMIT setupChosen(*setup, SetupOrigin::Kind::own, false);
+}
+
+void StartPage::beginShipped(const std::string& name, bool isWatched)
+{
+  auto scenario = session::loadScenario(name);
+  if (!scenario) return showError(QString::fromStdString(scenario.error().message));
+  Q_EMIT setupChosen({*std::move(scenario), {}}, SetupOrigin::Kind::preset, isWatched);
 }
 
 QWidget* StartPage::cards()

@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QWidget>
 
+#include "gui/setup/Setup.h"
 #include "perilymph/anatomy/Patient.h"
 
 class QLabel;
@@ -43,9 +44,10 @@ public:
   void showError(const QString& sentence);
 
 Q_SIGNALS:
-  void patientGiven(const perilymph::anatomy::Patient& patient);
-  void meanAsked();
-  void demonstrationAsked();
+  /// What to begin with.
+  /// @param isWatched  The insertion starts by itself.
+  void setupChosen(const perilymph::gui::Setup& setup, perilymph::gui::SetupOrigin::Kind kind,
+                   bool isWatched);
 
 protected:
   void keyPressEvent(QKeyEvent* event) override;
@@ -53,6 +55,8 @@ protected:
 
 private:
   QWidget* cards();
+  void beginPatient(const anatomy::Patient& patient);
+  void beginShipped(const std::string& name, bool isWatched);
 
   QStackedWidget* stages_;
   StartCard* patient_ = nullptr;

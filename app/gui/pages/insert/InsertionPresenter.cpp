@@ -1,0 +1,115 @@
+#include "gui/pages/insert/InsertionPresenter.h"
+
+#include <spdlog/spdlog.h>
+
+#include <cstring>
+
+#include "gui/pages/insert/BottomBar.h"
+#include "gui/pages/insert/BuildingNote.h"
+#include "gui/pages/insert/ForceCharts.h"
+#include "gui/pages/insert/InsertionText.h"
+#include "gui/pages/insert/InsertionViews.h"
+#include "gui/pages/insert/SetupControl.h"
+#include "gui/pages/insert/SidePanel.h"
+#include "gui/parts/DeviceRate.h"
+#include "gui/parts/FrameMeter.h"
+#include "gui/run/WorkflowPredicates.h"
+#include "gui/scene/OperationView.h"
+
+namespace perilymph::gui {
+
+InsertionPresenter::InsertionPresenter(InsertionControl& control, const SetupControl& setup,
+                                       Zones zones)
+    : control_(control), setup_(setup), zones_(zones)
+{
+}
+
+void InsertionPresenter::showCochlea()
+{
+  zones_.views->setScene(control_.anatomy(), control_.scenario());
+  zones_.side->announceParts();
+  zones_.views->operation()->showArray(control_.now());
+}
+
+void InsertionPresenter::showPrepared()
+{
+  showInput();
+  zones_.side->setHeld(false);
+  zones_.views->charts()->begin(control_.anatomy().entry());
+  zones_.views->operation()->showArray(control_.now());
+  drawn_ = control_.now();
+}
+
+void InsertionPresenter::showInput()
+{
+  zones_.side->setHand(control_.hand(), QString::fromStdString(control_.handName()));
+}
+
+bool InsertionPresenter::isNew(const haptics::Snapshot& now)
+{
+  const std::size_t nodes = now.nodes;
+  const bool isSame =
+      nodes == drawn_.nodes && now.output.styletWithdrawal == drawn_.output.styletWithdrawal &&
+      std::memcmp(now.node_W.data(), drawn_.node_W.data(), nodes * sizeof now.node_W[0]) == 0 &&
+      std::memcmp(now.normalForce.data(), drawn_.normalForce.data(),
+                  nodes * sizeof now.normalForce[0]) == 0;
+  if (!isSame) drawn_ = now;
+  return !isSame;
+}
+
+void InsertionPresenter::step()
+{
+  if (!control_.update()) return;
+  const haptics::Snapshot& now = control_.now();
+  if (isNew(now)) zones_.views->operation()->showArray(now);
+  if (hasBegun(now.output.workflow)) zones_.views->charts()->append(now.output);
+}
+
+void InsertionPresenter::stepSlowly(const FrameMeter& meter)
+{
+  const haptics::TickOutput& now = control_.now().output;
+  const Length stopTravel = control_.scenario().stopTravel;
+  zones_.views->operation()->showNumbers(now, stopTravel);
+  zones_.views->showSlowly(control_.now());
+  zones_.views->weigh(meter);
+  zones_.bottom->setProgress(now.travel / stopTravel.si(), now.time);
+}
+
+void InsertionPresenter::showState(const FrameMeter& meter, bool maySetUp)
+{
+  const InsertionState state = stateOf(control_);
+  zones_.building->show(setup_.buildingFor_ms());
+  showButtons(state);
+  zones_.side->setChangeable(maySetUp);
+  zones_.side->setHoldEnabled(mayHold(state));
+  zones_.side->setStylet(styletText(control_), mayPullStylet(state));
+  zones_.bottom->setStatus(statusText(control_, deviceRateText(control_.deviceHealth()),
+                                      meter.framesPerSecond(FrameMeter::Clock::now())),
+                           !control_.recordingError().empty());
+  zones_.views->operation()->setBanner(error());
+  zones_.views->operation()->setHint(setup_.isBuilding() ? buildingHint(setup_.isStartAsked())
+                                                         : hintText(control_));
+}
+
+void InsertionPresenter::showButtons(const InsertionState& state)
+{
+  const bool isBusy = setup_.isBuilding();
+  const bool isPausing = state.input == InputSource::scripted && state.isMoving;
+  zones_.bottom->setMain(isPausing ? BottomBar::Main::pause : BottomBar::Main::start,
+                         mayStart(state) && !isBusy);
+  zones_.bottom->setWait(isBusy ? BottomBar::tr("The cochlea is being built; then the insertion "
+                                                "can start.")
+                                : QString());
+  zones_.bottom->setWithdrawEnabled(mayWithdraw(state));
+}
+
+void InsertionPresenter::showError(const QString& sentence)
+{
+  spdlog::warn("{}", sentence.toStdString());
+  error_ = sentence;
+  zones_.views->operation()->setBanner(error());
+}
+
+QString InsertionPresenter::error() const { return errorText(control_, error_); }
+
+}  // namespace perilymph::gui

@@ -1,0 +1,55 @@
+#include "gui/pages/insert/SetupControl.h"
+
+#include <utility>
+
+#include "gui/run/ScenarioDifference.h"
+
+namespace perilymph::gui {
+
+SetupControl::SetupControl(const InsertionControl& control, QObject* parent)
+    : QObject(parent), control_(control), history_(new SetupHistory(this)), builder_(this)
+{
+}
+
+void SetupControl::follow()
+{
+  const session::Scenario& wanted = history_->now().scenario;
+  const session::Scenario& shown = control_.scenario();
+  if (wanted.text == shown.text) {
+    builder_.forget();
+    return followed();
+  }
+  if (haveSameModel(wanted, shown)) {
+    builder_.forget();
+    return ready(wanted, std::nullopt);
+  }
+  build(wanted, [this, wanted](const InsertionControl::Parts& parts) { ready(wanted, parts); });
+}
+
+void SetupControl::build(const session::Scenario& scenario,
+                         std::function<void(const InsertionControl::Parts&)> use)
+{
+  const bool isSameCochlea = haveSameCochlea(scenario, control_.scenario());
+  builder_.build(scenario, isSameCochlea ? control_.sharedAnatomy() : nullptr,
+                 [this, use = std::move(use)](const Result<InsertionControl::Parts>& built) {
+                   if (built) return use(*built);
+                   cancel();
+                   failed(QString::fromStdString(built.error().message));
+                 });
+  Q_EMIT followed();
+}
+
+void SetupControl::cancel()
+{
+  forget();
+  history_->goTo(control_.scenario().text);  // the panel goes on telling the truth
+  Q_EMIT followed();
+}
+
+void SetupControl::forget()
+{
+  builder_.forget();
+  isStartAsked_ = false;
+}
+
+}  // namespace perilymph::gui

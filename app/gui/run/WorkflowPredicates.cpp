@@ -1,0 +1,59 @@
+#include "gui/run/WorkflowPredicates.h"
+
+namespace perilymph::gui {
+
+using haptics::Workflow;
+
+InsertionState stateOf(const InsertionControl& control)
+{
+  const haptics::TickOutput& now = control.now().output;
+  return {now.workflow,
+          control.hand(),
+          control.isRunning(),
+          control.isMoving(),
+          now.travel,
+          control.scenario().array.hasStylet,
+          control.isStyletPulled()};
+}
+
+bool hasBegun(Workflow workflow)
+{
+  return workflow != Workflow::idle && workflow != Workflow::armed;
+}
+
+bool isOver(Workflow workflow)
+{
+  return workflow == Workflow::finished || workflow == Workflow::fault;
+}
+
+bool isUnderway(const InsertionState& state) { return state.isRunning && hasBegun(state.workflow); }
+
+bool isBetweenInsertions(const InsertionState& state)
+{
+  return !isUnderway(state) || isOver(state.workflow);
+}
+
+bool maySetUp(const InsertionState& state) { return isBetweenInsertions(state) && !state.isMoving; }
+
+bool mayStart(const InsertionState& state)
+{
+  return state.input == InputSource::scripted ? !isOver(state.workflow) : !state.isRunning;
+}
+
+bool mayWithdraw(const InsertionState& state)
+{
+  const bool isAsked = state.input == InputSource::scripted || state.workflow == Workflow::finished;
+  return isUnderway(state) && state.workflow != Workflow::fault && state.travel > 0.0 && isAsked;
+}
+
+bool mayPullStylet(const InsertionState& state)
+{
+  return state.hasStylet && isUnderway(state) && !state.isStyletPulled;
+}
+
+bool mayHold(const InsertionState& state)
+{
+  return state.isRunning && state.workflow != Workflow::fault;
+}
+
+}  // namespace perilymph::gui

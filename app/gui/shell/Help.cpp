@@ -1,0 +1,56 @@
+#include "gui/shell/Help.h"
+
+#include "gui/shell/GuideSheet.h"
+#include "gui/shell/KeyList.h"
+
+namespace perilymph::gui {
+
+Help::Help(QWidget* window) : QObject(window), window_(window), guide_(new GuideSheet(window))
+{
+  connect(guide_, &GuideSheet::closeAsked, this, &Help::toggleGuide);
+}
+
+void Help::listKeys(const KeyActions& actions)
+{
+  keys_ = new KeyList(actions, window_);
+  connect(keys_, &KeyList::guideAsked, this, &Help::toggleGuide);
+}
+
+void Help::toggleKeys()
+{
+  keys_->adjustSize();
+  keys_->move(window_->rect().center() - keys_->rect().center());
+  keys_->setVisible(!keys_->isVisible());
+  keys_->raise();
+}
+
+void Help::toggleGuide()
+{
+  keys_->hide();
+  if (guide_->isHidden()) return guide_->open();
+  guide_->hide();
+  window_->setFocus();
+}
+
+bool Help::areKeysShown() const { return keys_->isVisible(); }
+
+bool Help::leaveGuide()
+{
+  if (!guide_->isVisible()) return false;
+  toggleGuide();
+  return true;
+}
+
+bool Help::leaveKeys()
+{
+  if (!areKeysShown()) return false;
+  toggleKeys();
+  return true;
+}
+
+void Help::place()
+{
+  if (areKeysShown()) keys_->move(window_->rect().center() - keys_->rect().center());
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,133 @@
+#include "gui/shell/InsertKeys.h"
+
+#include <QCoreApplication>
+#include <array>
+#include <utility>
+
+#include "gui/pages/insert/InsertPage.h"
+#include "gui/pages/insert/InsertionViews.h"
+#include "gui/scene/OperationView.h"
+#include "gui/shell/KeyActions.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+using visualization::CameraPreset;
+
+constexpr double turn_deg = 5.0;       // per press of A, D, W, X
+constexpr double moveFraction = 0.03;  // per press of Shift and an arrow, of the picture's height
+constexpr double magnify = 1.1;        // per press of + or −
+
+// lupdate looks for words of free functions under the name of their namespace.
+QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
+
+void addInsertionSection(KeyActions& keys, InsertPage& page)
+{
+  const auto section = KeySection::insertion;
+  keys.add({section,
+            {Qt::Key_Space},
+            tr("start or pause; hold the array with mouse and keyboard"),
+            onPage(page, [&page](int) { page.pressSpace(); })});
+  keys.add({section,
+            {Qt::Key_Down, Qt::Key_Up},
+            tr("advance or withdraw the array while it is held"),
+            onPage(page, [&page](int which) {
+              page.held().press(which == 0 ? Qt::Key_Down : Qt::Key_Up);
+            })});
+  keys.add(Gesture{section, tr("Wheel"), tr("the same")});
+  keys.add({section, {Qt::Key_Backspace}, tr("withdraw"), onPage(page, [&page](int) {
+              page.withdraw();
+            })});
+  keys.add({section,
+            {with(Qt::ControlModifier, Qt::Key_R)},
+            tr("reset: a fresh insertion and recording"),
+            onPage(page, [&page](int) { page.reset(); })});
+  keys.add({section,
+            {with(Qt::ControlModifier, Qt::Key_Z),
+             with(Qt::ControlModifier | Qt::ShiftModifier, Qt::Key_Z)},
+            tr("undo and redo a change of the setup"),
+            onPage(page, [&page](int which) { which == 0 ? page.undo() : page.redo(); })});
+  keys.add({section, {Qt::Key_S}, tr("pull the stylet"), onPage(page, [&page](int) {
+              page.pullStylet();
+            })});
+}
+
+void addPictureSection(KeyActions& keys, InsertPage& page)
+{
+  const auto section = KeySection::picture;
+  static constexpr std::array views{CameraPreset::surgeon, CameraPreset::microscope,
+                                    CameraPreset::overview, CameraPreset::section};
+  keys.add({section,
+            {Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_4},
+            tr("surgeon’s view, down the opening, overview, section"),
+            onPage(page, [&page](int which) { page.view().glideTo(views[std::size_t(which)]); })});
+  keys.add({section, {Qt::Key_F}, tr("follow the tip"), onPage(page, [&page](int) {
+              page.view().glideTo(CameraPreset::followTip);
+            })});
+  keys.add({section,
+            {Qt::Key_G},
+            tr("stereo: off, anaglyph, side by side, interlaced"),
+            onPage(page, [&page](int) { page.views().nextStereo(); })});
+  static constexpr std::array<std::pair<double, double>, 4> turns{
+      {{-turn_deg, 0.0}, {turn_deg, 0.0}, {0.0, -turn_deg}, {0.0, turn_deg}}};
+  keys.add({section,
+            {Qt::Key_A, Qt::Key_D, Qt::Key_W, Qt::Key_X},
+            tr("turn the model"),
+            onPage(page,
+                   [&page](int which) {
+                     const auto [azimuth_deg, elevation_deg] = turns[std::size_t(which)];
+                     page.view().turnModel(azimuth_deg, elevation_deg, 0.0);
+                   }),
+            true});
+  static constexpr std::array<std::pair<double, double>, 4> moves{
+      {{-moveFraction, 0.0}, {moveFraction, 0.0}, {0.0, moveFraction}, {0.0, -moveFraction}}};
+  keys.add({section,
+            {with(Qt::ShiftModifier, Qt::Key_Left), with(Qt::ShiftModifier, Qt::Key_Right),
+             with(Qt::ShiftModifier, Qt::Key_Up), with(Qt::ShiftModifier, Qt::Key_Down)},
+            tr("move the model"),
+            onPage(page,
+                   [&page](int which) {
+                     const auto [right, up] = moves[std::size_t(which)];
+                     page.view().moveModel(right, up);
+                   }),
+            true});
+  keys.add(
+      {section,
+       {Qt::Key_Plus, Qt::Key_Minus, Qt::Key_Equal},
+       tr("magnify"),
+       onPage(page, [&page](int which) { page.view().zoom(which == 1 ? 1.0 / magnify : magnify); }),
+       true});
+  keys.add(Gesture{section, tr("Drag; Shift+drag"), tr("turn the model; move it")});
+  keys.add(Gesture{section, tr("Wheel, Ctrl+wheel"), tr("magnify")});
+}
+
+void addReplaySection(KeyActions& keys)
+{
+  // They act before all others while a recording is open: ReplayControl::takeKey().
+  const auto section = KeySection::replay;
+  keys.add(Gesture{section, tr("Space; Esc"), tr("play or pause; back to the insertion")});
+  keys.add(Gesture{section, tr("Left, Right; with Shift"), tr("step by 1 tick; by 100")});
+  keys.add(Gesture{section, tr("Home, End"), tr("to the beginning, to the end")});
+  keys.add(Gesture{section, tr(",  ."), tr("slower, faster")});
+}
+
+}  // namespace
+
+std::function<bool(int)> onPage(InsertPage& page, std::function<void(int)> act)
+{
+  return [&page, act = std::move(act)](int which) {
+    if (!page.isShown()) return false;
+    act(which);
+    return true;
+  };
+}
+
+void addInsertKeys(KeyActions& keys, InsertPage& page)
+{
+  addInsertionSection(keys, page);
+  addPictureSection(keys, page);
+  addReplaySection(keys);
+}
+
+}  // namespace perilymph::gui

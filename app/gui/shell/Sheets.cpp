@@ -1,0 +1,80 @@
+#include "gui/shell/Sheets.h"
+
+#include "gui/pages/devices/DevicePage.h"
+#include "gui/pages/insert/InsertPage.h"
+#include "gui/run/WorkflowPredicates.h"
+#include "gui/scene/OperationView.h"
+#include "gui/shell/Help.h"
+#include "gui/shell/SettingsSheet.h"
+
+namespace perilymph::gui {
+
+Sheets::Sheets(InsertPage& insertion, QWidget* window)
+    : QObject(window),
+      window_(window),
+      insertion_(insertion),
+      help_(new Help(window)),
+      settings_(new SettingsSheet(window)),
+      devices_(new DevicePage(&insertion.view()))
+{
+  connect(settings_, &SettingsSheet::closeAsked, this, &Sheets::toggleSettings);
+  connect(settings_, &SettingsSheet::chosen, this, &Sheets::settingChosen);
+  connect(devices_, &DevicePage::closeAsked, this, &Sheets::toggleDevices);
+  connect(devices_, &DevicePage::deviceChosen, &insertion, &InsertPage::useDevice);
+}
+
+void Sheets::toggleDevices()
+{
+  devices_->setVisible(!devices_->isVisible());
+  if (devices_->isVisible()) {
+    showState();
+    devices_->refresh();
+    place();
+    devices_->raise();
+  }
+  insertion_.showInput();  // asking for the page checks its choice
+}
+
+void Sheets::toggleSettings()
+{
+  settings_->setVisible(!settings_->isVisible());
+  if (!settings_->isVisible()) return window_->setFocus();
+  settings_->adjustSize();
+  place();
+  settings_->raise();
+}
+
+void Sheets::showState()
+{
+  const InsertionControl& control = insertion_.control();
+  const bool isChangeable = isBetweenInsertions(stateOf(control));
+  settings_->setChangeable(isChangeable);
+  devices_->setChangeable(isChangeable);
+  if (!devices_->isVisible()) return;
+  devices_->showHand(QString::fromStdString(control.handName()), insertion_.deviceHealth(),
+                     control.now(), QString::fromStdString(control.couplingText()));
+}
+
+void Sheets::place()
+{
+  const QRect picture = insertion_.view().rect(), window = window_->rect();
+  if (devices_->isVisible()) devices_->move(picture.center() - devices_->rect().center());
+  if (settings_->isVisible()) settings_->move(window.center() - settings_->rect().center());
+  help_->place();
+}
+
+bool Sheets::leave()
+{
+  if (help_->leaveKeys()) return true;
+  if (settings_->isVisible())
+    toggleSettings();
+  else if (devices_->isVisible())
+    toggleDevices();
+  else
+    return false;
+  return true;
+}
+
+bool Sheets::wantsEscape() const { return help_->areKeysShown() || settings_->isVisible(); }
+
+}  // namespace perilymph::gui

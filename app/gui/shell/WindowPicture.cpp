@@ -1,0 +1,31 @@
+#include "gui/shell/WindowPicture.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QPixmap>
+#include <QStandardPaths>
+#include <QWidget>
+
+#include "perilymph/foundation/AtomicFile.h"
+
+namespace perilymph::gui {
+
+QString keepPicture(QWidget& window)
+{
+  const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
+  QDir().mkpath(pictures);  // what cannot be made is said when the file is written
+  const QString name = QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss"));
+  QString file = QStringLiteral("%1/perilymph-%2.png").arg(pictures, name);
+  for (int number = 2; QFile::exists(file); ++number)
+    file = QStringLiteral("%1/perilymph-%2-%3.png").arg(pictures, name).arg(number);
+  const QPixmap picture = window.grab();
+  const Result<Done> written =
+      writeWhole(file.toStdString(), [&picture](const std::filesystem::path& place) {
+        return picture.save(QString::fromStdString(place.string()), "PNG");
+      });
+  if (!written) return QString::fromStdString(written.error().message);
+  return QCoreApplication::translate("perilymph::gui", "The picture is kept: %1").arg(file);
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,115 @@
+// What may be done with an insertion in each of its states.
+
+#include "gui/run/WorkflowPredicates.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace perilymph::test {
+namespace {
+
+using gui::InputSource;
+using gui::InsertionState;
+using haptics::Workflow;
+
+constexpr std::array all{Workflow::idle,   Workflow::armed,    Workflow::inserting,
+                         Workflow::paused, Workflow::finished, Workflow::fault};
+
+/// The loop runs, the array is 5 mm in, and nothing is asked to move.
+InsertionState at(Workflow workflow, InputSource input = InputSource::scripted)
+{
+  InsertionState state;
+  state.workflow = workflow;
+  state.input = input;
+  state.isRunning = true;
+  state.travel = 5e-3;
+  state.hasStylet = true;
+  return state;
+}
+
+TEST(TheSetup, MayBeChangedBeforeAnInsertionAndAfterIt)
+{
+  for (const Workflow workflow : all) {
+    const bool isBetween = workflow == Workflow::idle || workflow == Workflow::armed ||
+                           workflow == Workflow::finished || workflow == Workflow::fault;
+    EXPECT_EQ(gui::maySetUp(at(workflow)), isBetween) << int(workflow);
+    EXPECT_EQ(gui::isBetweenInsertions(at(workflow)), isBetween) << int(workflow);
+  }
+}
+
+TEST(TheSetup, MayNotBeChangedWhileTheHandMoves)
+{
+  InsertionState state = at(Workflow::armed);
+  state.isMoving = true;
+  EXPECT_FALSE(gui::maySetUp(state));
+  EXPECT_TRUE(gui::isBetweenInsertions(state));
+}
+
+TEST(TheSetup, MayBeChangedWhileNoLoopRuns)
+{
+  for (const Workflow workflow : all) {
+    InsertionState state = at(workflow);
+    state.isRunning = false;
+    EXPECT_TRUE(gui::maySetUp(state)) << int(workflow);
+  }
+}
+
+TEST(TheScript, MayStartUntilTheInsertionIsOver)
+{
+  for (const Workflow workflow : all)
+    EXPECT_EQ(gui::mayStart(at(workflow)), !gui::isOver(workflow)) << int(workflow);
+}
+
+TEST(MouseAndDevice, StartOnceAndThenMoveTheArrayThemselves)
+{
+  for (const InputSource input : {InputSource::pointer, InputSource::device}) {
+    InsertionState state = at(Workflow::armed, input);
+    EXPECT_FALSE(gui::mayStart(state));
+    state.isRunning = false;
+    EXPECT_TRUE(gui::mayStart(state));
+  }
+}
+
+TEST(Withdrawal, IsForAnArrayThatIsIn)
+{
+  EXPECT_TRUE(gui::mayWithdraw(at(Workflow::inserting)));
+  EXPECT_TRUE(gui::mayWithdraw(at(Workflow::finished)));
+  EXPECT_FALSE(gui::mayWithdraw(at(Workflow::armed)));
+  EXPECT_FALSE(gui::mayWithdraw(at(Workflow::fault)));
+  InsertionState out = at(Workflow::finished);
+  out.travel = 0.0;
+  EXPECT_FALSE(gui::mayWithdraw(out));
+}
+
+TEST(Withdrawal, IsAskedOfMouseAndDeviceOnlyAtTheEnd)
+{
+  for (const InputSource input : {InputSource::pointer, InputSource::device}) {
+    EXPECT_FALSE(gui::mayWithdraw(at(Workflow::inserting, input)));
+    EXPECT_TRUE(gui::mayWithdraw(at(Workflow::finished, input)));
+  }
+}
+
+TEST(TheStylet, IsPulledOnceAndOnlyOutOfAnArrayThatHasOne)
+{
+  InsertionState state = at(Workflow::inserting);
+  EXPECT_TRUE(gui::mayPullStylet(state));
+  state.isStyletPulled = true;
+  EXPECT_FALSE(gui::mayPullStylet(state));
+  state.isStyletPulled = false;
+  state.hasStylet = false;
+  EXPECT_FALSE(gui::mayPullStylet(state));
+  EXPECT_FALSE(gui::mayPullStylet(at(Workflow::armed)));
+}
+
+TEST(TheArray, IsHeldWhileTheLoopRunsWithoutAFault)
+{
+  EXPECT_TRUE(gui::mayHold(at(Workflow::armed)));
+  EXPECT_FALSE(gui::mayHold(at(Workflow::fault)));
+  InsertionState state = at(Workflow::idle);
+  state.isRunning = false;
+  EXPECT_FALSE(gui::mayHold(state));
+}
+
+}  // namespace
+}  // namespace perilymph::test

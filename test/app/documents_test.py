@@ -94,6 +94,13 @@ class CommandsOfTheDocuments(unittest.TestCase):
                         seen += 1
         self.assertGreater(seen, 20)
 
+    def test_the_map_lists_the_commands_that_the_program_has(self):
+        listed = re.search(r"^  cli +the command line: ([\w, ]+); no Qt$", (ROOT / "README.md").read_text(), re.MULTILINE)
+        help_text = subprocess.run([PROGRAMS / "perilymph-cli", "--help"], capture_output=True, text=True, check=True).stdout
+        has = re.findall(r"^  ([a-z]+) {2,}", help_text.split("Subcommands:")[1], re.MULTILINE)
+        self.assertGreater(len(has), 8)
+        self.assertEqual(listed.group(1).split(", "), has)
+
     def test_every_indented_command_of_a_guide_is_known_here(self):
         for file in sorted((ROOT / "resources/guide").glob("*.md")):
             text = file.read_text()

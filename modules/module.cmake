@@ -1,5 +1,5 @@
 # perilymph_module(<name> LAYER engine|toolkit SUMMARY "..." [USES modules...] [LINKS targets...]
-#                  [PRIVATE_LINKS targets...] [SOURCES files...])
+#                  [PRIVATE_LINKS targets...] [OPTIONS options...] [SOURCES files...])
 #
 # Defines the library Perilymph::<Name> of modules/<name> and keeps the law of the map:
 #   - an engine module uses engine modules only, and neither VTK nor Qt;
@@ -9,7 +9,7 @@
 # Headers below include/ are the module's API. Those below src/ are reachable from tests only, through
 # the target perilymph_<name>_internal.
 function(perilymph_module name)
-  cmake_parse_arguments(arg "" "LAYER;SUMMARY" "USES;LINKS;PRIVATE_LINKS;SOURCES" ${ARGN})
+  cmake_parse_arguments(arg "" "LAYER;SUMMARY" "USES;LINKS;PRIVATE_LINKS;OPTIONS;SOURCES" ${ARGN})
   if(NOT arg_LAYER MATCHES "^(engine|toolkit)$")
     message(FATAL_ERROR "modules/${name}: LAYER is '${arg_LAYER}'; it must be engine or toolkit.")
   endif()
@@ -33,6 +33,16 @@ function(perilymph_module name)
     add_library(perilymph_${name} STATIC ${arg_SOURCES})
     set(scope PUBLIC)
     target_link_libraries(perilymph_${name} PRIVATE perilymph_flags ${arg_PRIVATE_LINKS})
+    target_compile_options(perilymph_${name} PRIVATE ${arg_OPTIONS})
+    set(set engine)
+    if("${arg_LINKS};${arg_PRIVATE_LINKS}" MATCHES "nlohmann_json")
+      set(set documents)
+    endif()
+    if(arg_OPTIONS)
+      perilymph_precompile(perilymph_${name} ${set} OWN)
+    else()
+      perilymph_precompile(perilymph_${name} ${set})
+    endif()
   else()
     add_library(perilymph_${name} INTERFACE)
     set(scope INTERFACE)

@@ -1,4 +1,4 @@
-# perilymph_gui_part(<folder> [USES folders...] [LINKS targets...] [PRIVATE_LINKS targets...] SOURCES files...)
+# perilymph_gui_part(<folder> [WITHOUT_WIDGETS] [USES folders...] [LINKS targets...] [PRIVATE_LINKS targets...] SOURCES files...)
 #
 # Makes the library perilymph_gui_<folder> (slashes become underscores) of a folder of app/gui.
 #   - USES names the folders it may include headers of; what they use comes along. A folder is
@@ -6,7 +6,7 @@
 #   - Headers are included by their path: "gui/scene/OperationView.h".
 # test/architecture compares USES and the real includes with the table in README.md.
 function(perilymph_gui_part folder)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES;LINKS;PRIVATE_LINKS;SOURCES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "WITHOUT_WIDGETS" "" "USES;LINKS;PRIVATE_LINKS;SOURCES")
   if(NOT arg_SOURCES OR arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "perilymph_gui_part(${folder}) needs SOURCES and knows no '${arg_UNPARSED_ARGUMENTS}'.")
   endif()
@@ -32,5 +32,10 @@ function(perilymph_gui_part folder)
   target_compile_definitions(perilymph_gui_${name} PUBLIC QT_NO_KEYWORDS)
   target_link_libraries(perilymph_gui_${name}
     PUBLIC ${used_targets} ${arg_LINKS} PRIVATE perilymph_flags ${arg_PRIVATE_LINKS})
+  if(arg_WITHOUT_WIDGETS)
+    perilymph_precompile(perilymph_gui_${name} engine OWN)
+  else()
+    perilymph_precompile(perilymph_gui_${name} window)
+  endif()
   set_property(GLOBAL APPEND PROPERTY PERILYMPH_GUI_PARTS perilymph_gui_${name})
 endfunction()

@@ -76,7 +76,7 @@ std::string streamed(const Value& value)
 /// A value on one line; tables as { a = 1, b = 2 }.
 std::string writtenValue(const toml::node& node)
 {
-  if (const auto* text = node.as_string()) return quoted(text->get());
+  if (const auto* text = node.as_string()) return tomltext::quoted(text->get());
   if (const auto* whole = node.as_integer()) return std::to_string(whole->get());
   if (const auto* number = node.as_floating_point()) return tomlNumber(number->get());
   if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";

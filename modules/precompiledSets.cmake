@@ -1,0 +1,25 @@
+# The sets of headers that are compiled once: see precompile.cmake. CLI11 is in none: what it defines
+# would be compiled into every source.
+set(standard
+  algorithm array atomic bit charconv chrono cmath cstdint filesystem fstream functional limits map memory
+  optional span sstream stdexcept string string_view utility variant vector)
+set(eigen Eigen/Cholesky Eigen/Core Eigen/Geometry)
+
+perilymph_precompiled_headers(engine
+  LINKS Eigen3::Eigen HEADERS ${standard} ${eigen})
+perilymph_precompiled_headers(documents
+  LINKS Eigen3::Eigen nlohmann_json::nlohmann_json HEADERS ${standard} ${eigen} nlohmann/json.hpp)
+if(PERILYMPH_WINDOW AND PERILYMPH_TOOLKIT)
+  perilymph_precompiled_headers(window
+    LINKS Eigen3::Eigen ${PERILYMPH_QT}::Widgets
+    DEFINITIONS QT_NO_KEYWORDS
+    HEADERS ${standard} ${eigen}
+      QCoreApplication QElapsedTimer QEvent QFont QFontMetrics QFrame QGridLayout QHBoxLayout QKeyEvent
+      QLabel QMouseEvent QObject QPainter QPainterPath QPixmap QPushButton QString QStringList QStyle QTimer
+      QVBoxLayout QVariant QWidget)
+endif()
+if(PERILYMPH_TESTS)
+  perilymph_precompiled_headers(tests
+    LINKS Eigen3::Eigen GTest::gmock GTest::gtest
+    HEADERS ${standard} ${eigen} gmock/gmock.h gtest/gtest.h)
+endif()

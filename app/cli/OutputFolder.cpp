@@ -8,6 +8,7 @@
 #include "FileOptions.h"
 #include "Interruption.h"
 #include "Terminal.h"
+#include "perilymph/figures/Svg.h"
 #include "perilymph/foundation/AtomicFile.h"
 #if PERILYMPH_HAS_TOOLKIT
 #include "perilymph/charts/FigurePicture.h"
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-Result<Done> writePicture(const fs::path& file, const analysis::Drawing& drawing)
+Result<Done> writePicture(const fs::path& file, const figures::Drawing& drawing)
 {
 #if PERILYMPH_HAS_TOOLKIT
   return charts::writePicture(drawing, file);
@@ -79,7 +80,7 @@ Result<Done> writeFolder(const CallFiles& files, const std::string& folder,
     names.push_back(name);
   }
   for (const auto& [name, drawing] : content.figures) {
-    if (const auto done = writeWhole(place / (name + ".svg"), analysis::svg(drawing)); !done)
+    if (const auto done = writeWhole(place / (name + ".svg"), figures::svg(drawing)); !done)
       return done.error();
     if (const auto done = writePicture(place / (name + ".png"), drawing); !done)
       return done.error();

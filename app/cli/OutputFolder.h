@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "CallFiles.h"
-#include "perilymph/analysis/Drawing.h"
+#include "perilymph/figures/Drawing.h"
 #include "perilymph/foundation/Result.h"
 
 namespace perilymph::cli {
@@ -20,8 +20,8 @@ Result<Done> checkFolder(const std::string& folder);
 
 /// What will stand in the folder.
 struct FolderContent {
-  std::vector<std::pair<std::string, std::string>> texts;          ///< Name and content.
-  std::vector<std::pair<std::string, analysis::Drawing>> figures;  ///< Name without ending.
+  std::vector<std::pair<std::string, std::string>> texts;         ///< Name and content.
+  std::vector<std::pair<std::string, figures::Drawing>> figures;  ///< Name without ending.
 };
 
 /// Makes the folder if it is not there and writes every file, each whole or not at all; figures as

@@ -8,6 +8,7 @@
 #include <array>
 
 #include "gui/kiosk/BoardView.h"
+#include "gui/parts/ChartLabels.h"
 #include "gui/parts/Numbers.h"
 #include "gui/parts/Theme.h"
 #include "gui/scene/OperationView.h"
@@ -140,7 +141,8 @@ Result<Done> KioskWindow::open()
   if (!prepared) return prepared;
   const session::Scenario& scenario = control_.scenario();
   screen_->view().setScene(std::make_unique<visualization::InsertionScene>(
-      control_.anatomy(), scenario.array, scenario.patient.side));
+      control_.anatomy(), scenario.array, scenario.patient.side, visualization::Quality::software,
+      sceneStyle()));
   sinceFrame_.start();
   sinceSlow_.start();
   timer_.start();

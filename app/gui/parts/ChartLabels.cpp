@@ -4,8 +4,7 @@
 #include <QLocale>
 #include <QString>
 
-#include "perilymph/charts/ChartStrings.h"
-#include "perilymph/visualization/SceneStrings.h"
+#include "gui/parts/Theme.h"
 
 namespace perilymph::gui {
 
@@ -17,11 +16,20 @@ std::string tr(const char* text)
   return QCoreApplication::translate("perilymph::gui", text).toStdString();
 }
 
+char decimalSign() { return QString(QLocale().decimalPoint()).toStdString().front(); }
+
+figures::ColorScheme shownScheme()
+{
+  return shownColorScheme() == ColorScheme::light ? figures::ColorScheme::light
+                                                  : figures::ColorScheme::dark;
+}
+
 }  // namespace
 
-void translateCharts()
+charts::ChartStyle chartStyle()
 {
-  charts::setChartStrings({
+  charts::ChartStyle style{shownScheme(), {}};
+  style.strings = {
       .travel = tr("travel, mm"),
       .axialForce = tr("axial force, N"),
       .force = tr("force, mN"),
@@ -40,13 +48,21 @@ void translateCharts()
       .tipIsOutside = tr("the tip is outside"),
       .noContactInside = tr("no contact is inside yet"),
       .meanAndInside = tr("mean %1 mm, %2 inside"),
-      .decimalSign = QString(QLocale().decimalPoint()).toStdString().front(),
-  });
-  visualization::setSceneStrings({
+      .decimalSign = decimalSign(),
+  };
+  return style;
+}
+
+visualization::SceneStyle sceneStyle()
+{
+  visualization::SceneStyle style{shownScheme(), {}};
+  style.strings = {
       .wallForce = tr("wall force, mN per mm"),
       .normalForce = tr("normal force, %1 mm for %2 mN"),
       .friction = tr("friction, × %1"),
-  });
+      .decimalSign = decimalSign(),
+  };
+  return style;
 }
 
 QString referenceName(const std::string& label)

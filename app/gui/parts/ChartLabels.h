@@ -5,11 +5,14 @@
 #include <QString>
 #include <string>
 
+#include "perilymph/charts/ChartStyle.h"
+#include "perilymph/visualization/SceneStyle.h"
+
 namespace perilymph::gui {
 
-/// Gives the charts and the picture their words; after the language was chosen, before a window is
-/// made.
-void translateCharts();
+/// Colors of the shown look and texts of the chosen language, for charts and scenes made now.
+charts::ChartStyle chartStyle();
+visualization::SceneStyle sceneStyle();
 
 /// The name of a reference; as its file calls it where no translation is known.
 QString referenceName(const std::string& label);

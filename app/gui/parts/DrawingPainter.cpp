@@ -8,17 +8,17 @@ namespace perilymph::gui {
 
 namespace {
 
-QColor colorOf(const analysis::Ink& ink)
+QColor colorOf(const figures::Ink& ink)
 {
   QColor color(ink.rgb[0], ink.rgb[1], ink.rgb[2]);
   color.setAlphaF(ink.opacity);
   return color;
 }
 
-QPolygonF polygonOf(const std::vector<analysis::PagePoint>& points)
+QPolygonF polygonOf(const std::vector<figures::PagePoint>& points)
 {
   QPolygonF polygon;
-  for (const analysis::PagePoint& point : points) polygon << QPointF(point.x, point.y);
+  for (const figures::PagePoint& point : points) polygon << QPointF(point.x, point.y);
   return polygon;
 }
 
@@ -27,14 +27,14 @@ struct MarkPainter {
   QPainter& painter;
   Lettering lettering;
 
-  void operator()(const analysis::Area& area) const
+  void operator()(const figures::Area& area) const
   {
     painter.setPen(Qt::NoPen);
     painter.setBrush(colorOf(area.ink));
     painter.drawPolygon(polygonOf(area.points));
   }
 
-  void operator()(const analysis::Stroke& stroke) const
+  void operator()(const figures::Stroke& stroke) const
   {
     QPen pen(colorOf(stroke.ink), stroke.width, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
     if (stroke.dash > 0.0)
@@ -44,14 +44,14 @@ struct MarkPainter {
     painter.drawPolyline(polygonOf(stroke.points));
   }
 
-  void operator()(const analysis::Disk& disk) const
+  void operator()(const figures::Disk& disk) const
   {
     painter.setPen(QPen(colorOf(disk.outline), 1.0));
     painter.setBrush(colorOf(disk.fill));
     painter.drawEllipse(QPointF(disk.center.x, disk.center.y), disk.radius, disk.radius);
   }
 
-  void operator()(const analysis::Label& label) const
+  void operator()(const figures::Label& label) const
   {
     const double fine = lettering == Lettering::scaled ? 16.0 : 1.0;
     const QFont font = typeface(int(std::lround(label.size * fine)),
@@ -59,14 +59,14 @@ struct MarkPainter {
     const QString text = QString::fromStdString(label.text);
     painter.save();
     painter.translate(label.at.x, label.at.y);
-    if (label.direction == analysis::Direction::upward) painter.rotate(-90.0);
+    if (label.direction == figures::Direction::upward) painter.rotate(-90.0);
     if (fine != 1.0) painter.scale(1.0 / fine, 1.0 / fine);
     painter.setFont(font);
     painter.setPen(colorOf(label.ink));
     const double width = QFontMetricsF(font).horizontalAdvance(text);
-    const double left = label.anchor == analysis::Anchor::start    ? 0.0
-                        : label.anchor == analysis::Anchor::middle ? -0.5 * width
-                                                                   : -width;
+    const double left = label.anchor == figures::Anchor::start    ? 0.0
+                        : label.anchor == figures::Anchor::middle ? -0.5 * width
+                                                                  : -width;
     painter.drawText(QPointF(left, 0.0), text);
     painter.restore();
   }
@@ -74,10 +74,9 @@ struct MarkPainter {
 
 }  // namespace
 
-void paintMarks(QPainter& painter, const analysis::Drawing& drawing, Lettering lettering)
+void paintMarks(QPainter& painter, const figures::Drawing& drawing, Lettering lettering)
 {
-  for (const analysis::Mark& mark : drawing.marks)
-    std::visit(MarkPainter{painter, lettering}, mark);
+  for (const figures::Mark& mark : drawing.marks) std::visit(MarkPainter{painter, lettering}, mark);
 }
 
 }  // namespace perilymph::gui

@@ -4,7 +4,7 @@
 
 #include <QPainter>
 
-#include "perilymph/analysis/Drawing.h"
+#include "perilymph/figures/Drawing.h"
 
 namespace perilymph::gui {
 
@@ -15,6 +15,6 @@ enum class Lettering {
 };
 
 /// Paints the marks where the painter stands; a page point is its unit.
-void paintMarks(QPainter& painter, const analysis::Drawing& drawing, Lettering lettering);
+void paintMarks(QPainter& painter, const figures::Drawing& drawing, Lettering lettering);
 
 }  // namespace perilymph::gui

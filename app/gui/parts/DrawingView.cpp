@@ -20,7 +20,7 @@ DrawingView::DrawingView(QWidget* parent) : QWidget(parent)
   setMinimumSize(5 * dotsPerInch, 4 * dotsPerInch);
 }
 
-void DrawingView::show(analysis::Drawing drawing)
+void DrawingView::show(figures::Drawing drawing)
 {
   drawing_ = std::move(drawing);
   update();

@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "perilymph/analysis/Drawing.h"
+#include "perilymph/figures/Drawing.h"
 
 class QPainter;
 
@@ -16,14 +16,14 @@ class DrawingView : public QWidget {
 public:
   explicit DrawingView(QWidget* parent);
 
-  void show(analysis::Drawing drawing);
-  const analysis::Drawing& drawing() const { return drawing_; }
+  void show(figures::Drawing drawing);
+  const figures::Drawing& drawing() const { return drawing_; }
 
 protected:
   void paintEvent(QPaintEvent*) override;
 
 private:
-  analysis::Drawing drawing_;
+  figures::Drawing drawing_;
 };
 
 }  // namespace perilymph::gui

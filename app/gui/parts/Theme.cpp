@@ -2,9 +2,6 @@
 
 #include <QStringList>
 
-#include "perilymph/charts/ColorScheme.h"
-#include "perilymph/visualization/SceneColorScheme.h"
-
 namespace perilymph::gui {
 
 namespace {
@@ -191,14 +188,7 @@ const Theme& themeOf(ColorScheme look)
 ColorScheme shownColorScheme() { return shown().look; }
 const Theme& shownTheme() { return shown().theme; }
 
-void setShownColorScheme(ColorScheme look)
-{
-  shown() = {look, themeOf(look)};
-  charts::setColorScheme(look == ColorScheme::light ? charts::ColorScheme::light
-                                                    : charts::ColorScheme::dark);
-  visualization::setColorScheme(look == ColorScheme::light ? visualization::ColorScheme::light
-                                                           : visualization::ColorScheme::dark);
-}
+void setShownColorScheme(ColorScheme look) { shown() = {look, themeOf(look)}; }
 
 QString windowStyle()
 {

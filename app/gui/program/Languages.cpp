@@ -5,8 +5,6 @@
 #include <QLocale>
 #include <QTranslator>
 
-#include "gui/parts/ChartLabels.h"
-
 // Outside of every namespace, where Qt looks for the resource.
 static void initializeTranslations() { Q_INIT_RESOURCE(translations); }
 
@@ -21,8 +19,7 @@ void useLanguage(QCoreApplication& application, const QString& word)
 
   const QLocale locale = word == QLatin1String("system") ? QLocale::system() : QLocale(word);
   QLocale::setDefault(locale);
-  if (locale.language() == QLocale::English || locale.language() == QLocale::C)
-    return translateCharts();
+  if (locale.language() == QLocale::English || locale.language() == QLocale::C) return;
   const auto add = [&](const QString& name, const QString& folder) {
     auto* translator = new QTranslator(&application);
     if (translator->load(locale, name, QStringLiteral("_"), folder))
@@ -37,7 +34,6 @@ void useLanguage(QCoreApplication& application, const QString& word)
   add(QStringLiteral("qtbase"), QLibraryInfo::path(QLibraryInfo::TranslationsPath));
 #endif
   add(QStringLiteral("perilymph"), QStringLiteral(":/translations"));
-  translateCharts();
 }
 
 }  // namespace perilymph::gui

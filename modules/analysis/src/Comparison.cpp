@@ -6,11 +6,16 @@
 #include <map>
 
 #include "CsvField.h"
-#include "NumberFormat.h"
+#include "RoundedTravel.h"
 #include "perilymph/session/Csv.h"
 #include "perilymph/session/RecordedInsertion.h"
 
 namespace perilymph::analysis {
+
+using figures::Figure;
+using figures::FigureCurve;
+using figures::FigureValues;
+namespace ink = figures::ink;
 
 namespace {
 
@@ -95,7 +100,7 @@ Figure comparisonFigure(const std::vector<ComparedInsertion>& insertions,
                         const Reference* published)
 {
   // Told apart by ink and by dashes; from the fifth on also by longer dashes.
-  constexpr Ink inks[] = {ink::blue, ink::vermilion, ink::green, ink::purple};
+  constexpr figures::Ink inks[] = {ink::blue, ink::vermilion, ink::green, ink::purple};
   Figure figure;
   figure.title = "Recorded insertions: axial force over travel";
   double farthest = 0.0, nearest = 0.0, highest = 0.0, lowest = 0.0;
@@ -118,7 +123,7 @@ Figure comparisonFigure(const std::vector<ComparedInsertion>& insertions,
     FigureValues printed;
     printed.label = published->label;
     printed.ink = ink::black;
-    printed.shape = MarkerShape::ring;
+    printed.shape = figures::MarkerShape::ring;
     for (const PrintedForce& point : published->points) {
       printed.x.push_back(inMillimeters(meters(point.travel)));
       printed.y.push_back(point.mean);
@@ -129,8 +134,8 @@ Figure comparisonFigure(const std::vector<ComparedInsertion>& insertions,
     }
     figure.values.push_back(std::move(printed));
   }
-  figure.x = axisOver("travel of the tip from its start, mm", nearest, farthest);
-  figure.y = axisOver("axial force on the hand, N", lowest, highest);
+  figure.x = figures::axisOver("travel of the tip from its start, mm", nearest, farthest);
+  figure.y = figures::axisOver("axial force on the hand, N", lowest, highest);
   return figure;
 }
 

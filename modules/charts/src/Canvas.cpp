@@ -15,11 +15,11 @@ Canvas::Canvas(int width, int height)
 {
 }
 
-void Canvas::outline(const std::vector<analysis::PagePoint>& polygon)
+void Canvas::outline(const std::vector<figures::PagePoint>& polygon)
 {
   if (polygon.size() < 3) return;
   double low = polygon.front().y, high = low;
-  for (const analysis::PagePoint& point : polygon) {
+  for (const figures::PagePoint& point : polygon) {
     low = std::min(low, point.y);
     high = std::max(high, point.y);
   }
@@ -34,8 +34,8 @@ void Canvas::outline(const std::vector<analysis::PagePoint>& polygon)
     const double y = (row + 0.5) / fine;
     crossings.clear();
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const analysis::PagePoint& a = polygon[i];
-      const analysis::PagePoint& b = polygon[(i + 1) % polygon.size()];
+      const figures::PagePoint& a = polygon[i];
+      const figures::PagePoint& b = polygon[(i + 1) % polygon.size()];
       if ((a.y <= y) != (b.y <= y))
         crossings.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
     }
@@ -51,7 +51,7 @@ void Canvas::outline(const std::vector<analysis::PagePoint>& polygon)
   }
 }
 
-void Canvas::paint(const analysis::Ink& ink)
+void Canvas::paint(const figures::Ink& ink)
 {
   const std::size_t columns = static_cast<std::size_t>(width_) * fine;
   for (int y = std::max(0, firstRow_ / fine); y <= lastRow_ / fine && y < height_; ++y) {
@@ -71,7 +71,7 @@ void Canvas::paint(const analysis::Ink& ink)
   lastRow_ = -1;
 }
 
-void Canvas::blend(int x, int y, const analysis::Ink& ink, double fraction)
+void Canvas::blend(int x, int y, const figures::Ink& ink, double fraction)
 {
   if (x < 0 || y < 0 || x >= width_ || y >= height_) return;
   const double cover = std::clamp(ink.opacity * fraction, 0.0, 1.0);

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "perilymph/analysis/Drawing.h"
+#include "perilymph/figures/Drawing.h"
 
 namespace perilymph::charts {
 
@@ -19,11 +19,11 @@ public:
   int height() const { return height_; }
 
   /// Adds a polygon to the stencil: even-odd inside each polygon, the union of all of them.
-  void outline(const std::vector<analysis::PagePoint>& polygon);
+  void outline(const std::vector<figures::PagePoint>& polygon);
   /// Paints what the stencil holds, and empties it.
-  void paint(const analysis::Ink& ink);
+  void paint(const figures::Ink& ink);
   /// Paints one pixel in part.
-  void blend(int x, int y, const analysis::Ink& ink, double fraction);
+  void blend(int x, int y, const figures::Ink& ink, double fraction);
 
   const std::uint8_t* row(int y) const;
 

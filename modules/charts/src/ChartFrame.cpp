@@ -19,9 +19,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "ChartStyle.h"
-#include "perilymph/charts/ChartStrings.h"
-#include "perilymph/charts/Typeface.h"
+#include "ChartColors.h"
+#include "TextStyle.h"
+#include "perilymph/figures/Strings.h"
 
 namespace perilymph::charts {
 namespace {
@@ -31,12 +31,12 @@ void setColor(vtkTextProperty& text, const vtkColor4ub& color)
   text.SetColor(color.GetRed() / 255.0, color.GetGreen() / 255.0, color.GetBlue() / 255.0);
 }
 
-std::string written(double value, int decimals)
+std::string tickLabel(double value, int decimals, char decimalSign)
 {
   if (std::abs(value) < 1e-12) value = 0.0;  // no "-0.00"
   char text[32];
   std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return withDecimalSign(text);
+  return figures::withDecimalSign(text, decimalSign);
 }
 
 }  // namespace
@@ -79,10 +79,13 @@ void ChartLine::setScale(double pixelRatio)
   plot_->SetWidth(static_cast<float>(width_ * pixelRatio));
 }
 
-ChartFrame::ChartFrame(const std::string& xTitle, const std::string& yTitle)
+ChartFrame::ChartFrame(const std::string& xTitle, const std::string& yTitle,
+                       const ChartStyle& style)
+    : inks_(figures::inksOf(style.scheme)), decimalSign_(style.strings.decimalSign)
 {
-  renderer_->SetBackground(style::panel.GetRed() / 255.0, style::panel.GetGreen() / 255.0,
-                           style::panel.GetBlue() / 255.0);
+  overlay_->setInks(inks_);
+  renderer_->SetBackground(inks_.panel.rgb[0] / 255.0, inks_.panel.rgb[1] / 255.0,
+                           inks_.panel.rgb[2] / 255.0);
   renderer_->AddActor(actor_);
   actor_->GetScene()->SetRenderer(renderer_);
   actor_->GetScene()->AddItem(chart_);
@@ -98,7 +101,7 @@ ChartFrame::ChartFrame(const std::string& xTitle, const std::string& yTitle)
   chart_->ForceAxesToBoundsOff();
   chart_->SetBorders(8, 8, 8, 8);
   vtkNew<vtkBrush> ground;
-  ground->SetColor(style::ground);
+  ground->SetColor(colorOf(inks_.ground));
   chart_->SetBackgroundBrush(ground);
   styleAxis(vtkAxis::BOTTOM, xTitle);
   styleAxis(vtkAxis::LEFT, yTitle);
@@ -120,12 +123,12 @@ void ChartFrame::styleAxis(int position, const std::string& title)
   axis.SetTitle(title);
   axis.SetBehavior(vtkAxis::FIXED);
   axis.SetTicksVisible(false);
-  axis.GetPen()->SetColor(style::gridLine);
-  axis.GetGridPen()->SetColor(style::gridLine);
+  axis.GetPen()->SetColor(colorOf(inks_.grid));
+  axis.GetGridPen()->SetColor(colorOf(inks_.grid));
   axis.SetGridVisible(true);
   for (vtkTextProperty* text : {axis.GetLabelProperties(), axis.GetTitleProperties()}) {
     setTypeface(*text);
-    setColor(*text, style::quietText);
+    setColor(*text, colorOf(inks_.quiet));
     text->SetBold(false);
     text->SetItalic(false);
   }
@@ -133,7 +136,7 @@ void ChartFrame::styleAxis(int position, const std::string& title)
 
 void ChartFrame::setScale(double pixelRatio)
 {
-  const int size = static_cast<int>(std::lround(style::labelSize * pixelRatio));
+  const int size = static_cast<int>(std::lround(figures::labelSize * pixelRatio));
   for (const int position : {vtkAxis::BOTTOM, vtkAxis::LEFT}) {
     vtkAxis& axis = *chart_->GetAxis(position);
     axis.GetLabelProperties()->SetFontSize(size);
@@ -147,14 +150,15 @@ void ChartFrame::setScale(double pixelRatio)
 void ChartFrame::setXRange(const AxisRange& range)
 {
   std::vector<std::string> labels;
-  for (const double place : tickPlaces(range)) labels.push_back(written(place, 0));
+  for (const double place : tickPlaces(range)) labels.push_back(tickLabel(place, 0, decimalSign_));
   setRange(vtkAxis::BOTTOM, range, labels);
 }
 
 void ChartFrame::setYRange(const AxisRange& range, int decimals)
 {
   std::vector<std::string> labels;
-  for (const double place : tickPlaces(range)) labels.push_back(written(place, decimals));
+  for (const double place : tickPlaces(range))
+    labels.push_back(tickLabel(place, decimals, decimalSign_));
   setRange(vtkAxis::LEFT, range, labels);
 }
 

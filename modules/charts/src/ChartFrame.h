@@ -1,6 +1,6 @@
 #pragma once
 
-// What all charts share: a renderer with a dark chart of two titled axes and quiet grid lines.
+// What all charts share: a renderer with a chart of two titled axes and quiet grid lines.
 
 #include <vtkColor.h>
 #include <vtkNew.h>
@@ -9,6 +9,7 @@
 
 #include "AxisRange.h"
 #include "ChartOverlay.h"
+#include "perilymph/charts/ChartStyle.h"
 
 class vtkChartXY;
 class vtkContextActor;
@@ -42,7 +43,7 @@ private:
 /// Renderer, chart, axes, grid and overlay.
 class ChartFrame {
 public:
-  ChartFrame(const std::string& xTitle, const std::string& yTitle);
+  ChartFrame(const std::string& xTitle, const std::string& yTitle, const ChartStyle& style);
   ~ChartFrame();
   ChartFrame(const ChartFrame&) = delete;
   ChartFrame& operator=(const ChartFrame&) = delete;
@@ -62,6 +63,8 @@ private:
   void styleAxis(int position, const std::string& title);
   void setRange(int position, const AxisRange& range, const std::vector<std::string>& labels);
 
+  const figures::SchemeInks& inks_;
+  char decimalSign_;
   vtkNew<vtkRenderer> renderer_;
   vtkNew<vtkContextActor> actor_;
   vtkNew<vtkChartXY> chart_;

@@ -12,8 +12,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "ChartStyle.h"
-#include "perilymph/charts/Typeface.h"
+#include "ChartColors.h"
+#include "TextStyle.h"
 
 namespace perilymph::charts {
 
@@ -102,7 +102,7 @@ void ChartOverlay::setText(vtkContext2D& painter, const vtkColor4ub& color, int 
 {
   vtkTextProperty& text = *painter.GetTextProp();
   setTypeface(text);
-  text.SetFontSize(static_cast<int>(std::lround(style::labelSize * scale_)));
+  text.SetFontSize(static_cast<int>(std::lround(figures::labelSize * scale_)));
   text.SetColor(color.GetRed() / 255.0, color.GetGreen() / 255.0, color.GetBlue() / 255.0);
   text.SetOpacity(1.0);
   text.SetBold(false);
@@ -114,7 +114,7 @@ void ChartOverlay::setText(vtkContext2D& painter, const vtkColor4ub& color, int 
 void ChartOverlay::paintZero(vtkContext2D& painter, const Area& area) const
 {
   if (!(area.yLow < 0.0 && area.yHigh > 0.0)) return;
-  fillWith(painter, style::zeroLine);
+  fillWith(painter, colorOf(inks_->zero));
   bar(painter, area.left, area.y(0.0), area.right - area.left, scale_);
 }
 
@@ -138,14 +138,14 @@ void ChartOverlay::paintBars(vtkContext2D& painter, const Area& area) const
     const float low = std::max(area.bottom, area.y(point.mean_N - point.sd_N));
     const float high = std::min(area.top, area.y(point.mean_N + point.sd_N));
     const float cap = 4.0f * scale_;
-    vtkColor4ub quiet = style::text;
+    vtkColor4ub quiet = colorOf(inks_->text);
     quiet.SetAlpha(200);
     fillWith(painter, quiet);
     bar(painter, x - 0.5f * scale_, low, scale_, high - low);
     bar(painter, x - cap, low, 2.0f * cap, scale_);
     bar(painter, x - cap, high, 2.0f * cap, scale_);
-    disc(painter, x, area.y(point.mean_N), 4.0f * scale_, style::text);
-    disc(painter, x, area.y(point.mean_N), 2.4f * scale_, style::ground);
+    disc(painter, x, area.y(point.mean_N), 4.0f * scale_, colorOf(inks_->text));
+    disc(painter, x, area.y(point.mean_N), 2.4f * scale_, colorOf(inks_->ground));
   }
 }
 
@@ -165,13 +165,13 @@ void ChartOverlay::paintSwatch(vtkContext2D& painter, const LegendEntry& entry, 
   const float middle = x + 0.5f * swatchWidth * scale_;
   bar(painter, middle - 0.5f * scale_, y - 6.0f * scale_, scale_, 12.0f * scale_);
   disc(painter, middle, y, 3.5f * scale_, entry.color);
-  disc(painter, middle, y, 2.0f * scale_, style::ground);
+  disc(painter, middle, y, 2.0f * scale_, colorOf(inks_->ground));
 }
 
 float ChartOverlay::widthOf(vtkContext2D& painter, const std::string& label) const
 {
   float bounds[4];  // left, bottom, width, height
-  setText(painter, style::text, VTK_TEXT_LEFT);
+  setText(painter, colorOf(inks_->text), VTK_TEXT_LEFT);
   painter.ComputeStringBounds(label, bounds);
   return bounds[2];
 }
@@ -203,7 +203,7 @@ void ChartOverlay::paintLegend(vtkContext2D& painter, const Area& area) const
   for (const LegendEntry& entry : legend) {
     paintSwatch(painter, entry, x, y);
     for (const std::string& line : wrapped(painter, entry.text, available)) {
-      setText(painter, style::text, VTK_TEXT_LEFT);
+      setText(painter, colorOf(inks_->text), VTK_TEXT_LEFT);
       painter.DrawString(label, y, line);
       y -= 15.0f * scale_;
     }
@@ -222,7 +222,7 @@ void ChartOverlay::paintLegendAbove(vtkContext2D& painter, const Area& area) con
       y = y > area.top ? area.top - 10.0f * scale_ : y - 15.0f * scale_;
     }
     paintSwatch(painter, entry, x, y);
-    setText(painter, style::text, VTK_TEXT_LEFT);
+    setText(painter, colorOf(inks_->text), VTK_TEXT_LEFT);
     painter.DrawString(x + (swatchWidth + 7.0f) * scale_, y, entry.text);
     x += width + 16.0f * scale_;
   }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "perilymph/charts/ReferenceCurve.h"
+#include "perilymph/figures/Style.h"
 
 class vtkChartXY;
 
@@ -49,6 +50,8 @@ public:
   {
     chart_ = chart;
   }
+  /// Colors of what is drawn; the dark scheme's by default.
+  void setInks(const figures::SchemeInks& inks) { inks_ = &inks; }
   void setScale(double pixelRatio);
 
   std::vector<LegendEntry> legend;
@@ -72,12 +75,13 @@ private:
   void paintLegend(vtkContext2D& painter, const Area& area) const;
   void paintLegendAbove(vtkContext2D& painter, const Area& area) const;
   float widthOf(vtkContext2D& painter, const std::string& label) const;
-  /// Words in lines that are no wider than the room, unless one word is.
+  /// The text in lines that are no wider than the room, unless one word is.
   std::vector<std::string> wrapped(vtkContext2D& painter, const std::string& label,
                                    float available) const;
   void paintSwatch(vtkContext2D& painter, const LegendEntry& entry, float x, float y) const;
   void setText(vtkContext2D& painter, const vtkColor4ub& color, int justification) const;
 
+  const figures::SchemeInks* inks_ = &figures::inksOf(figures::ColorScheme::dark);
   vtkChartXY* chart_ = nullptr;  // the frame owns both
   float scale_ = 1.0f;
 };

@@ -4,15 +4,15 @@
 #include <cmath>
 
 #include "PlotSheet.h"
-#include "perilymph/charts/ChartStrings.h"
+#include "perilymph/figures/Strings.h"
 #include "perilymph/foundation/Units.h"
 #include "perilymph/mechanics/Outcome.h"
 
 namespace perilymph::charts {
 
-using analysis::Anchor;
-using analysis::Disk;
-using analysis::Stroke;
+using figures::Anchor;
+using figures::Disk;
+using figures::Stroke;
 
 namespace {
 
@@ -36,9 +36,11 @@ std::vector<ContactDistance> contactDistances(const ArrayInScala& now)
   return contacts;
 }
 
-analysis::Drawing drawContactDistances(const std::vector<ContactDistance>& contacts, double width,
-                                       double height)
+figures::Drawing drawContactDistances(const std::vector<ContactDistance>& contacts, double width,
+                                      double height, const ChartStyle& style)
 {
+  const figures::SchemeInks& ink = figures::inksOf(style.scheme);
+  const ChartStrings& strings = style.strings;
   double max_mm = 0.0, sum_mm = 0.0;
   int inside = 0;
   for (const ContactDistance& contact : contacts) {
@@ -49,15 +51,16 @@ analysis::Drawing drawContactDistances(const std::vector<ContactDistance>& conta
   }
   const double count = std::max(1.0, static_cast<double>(contacts.size()));
   const AxisRange numbers{0.0, count + 1.0, count > 12.0 ? 5.0 : 2.0};
-  const std::string mean = inside > 0
-                               ? filled(chartStrings().meanAndInside,
-                                        {written(sum_mm / inside, 2), std::to_string(inside)})
-                               : chartStrings().noContactInside;
+  const std::string mean =
+      inside > 0 ? figures::filled(
+                       strings.meanAndInside,
+                       {written(sum_mm / inside, 2, strings.decimalSign), std::to_string(inside)})
+                 : strings.noContactInside;
   const bool fits = widthOfLabel(mean) <= width - leftMargin_px;
   const std::vector<std::string> text = linesOfLabel(mean, width);
   const double above = line_px * static_cast<double>(text.size()) + 8.0;
   PlotSheet sheet(width, height, {leftMargin_px, 4.0, above, 22.0}, numbers,
-                  grown(usualDistance_mm, 0.0, max_mm));
+                  grown(usualDistance_mm, 0.0, max_mm), style);
   sheet.addYTicks(1);
   sheet.addXTicks(1, "");
 
@@ -65,17 +68,17 @@ analysis::Drawing drawContactDistances(const std::vector<ContactDistance>& conta
     const ContactDistance& contact = contacts[i];
     const double number = static_cast<double>(i + 1);
     if (!contact.isInside || contact.toInnerWall_mm < 0.0) continue;
-    const analysis::PagePoint head = sheet.at(number, contact.toInnerWall_mm);
-    sheet.add(Stroke{{sheet.at(number, 0.0), head}, ink::faded(ink::silicone, 0.5), 1.5, 0.0});
-    sheet.add(Disk{head, 2.5, ink::silicone, ink::silicone});
+    const figures::PagePoint head = sheet.at(number, contact.toInnerWall_mm);
+    sheet.add(Stroke{{sheet.at(number, 0.0), head}, figures::faded(ink.silicone, 0.5), 1.5, 0.0});
+    sheet.add(Disk{head, 2.5, ink.silicone, ink.silicone});
   }
   if (inside > 0) {
     const double y = sheet.y(sum_mm / inside);
-    sheet.add(Stroke{{{sheet.left(), y}, {sheet.right(), y}}, ink::accent, 1.0, 4.0});
+    sheet.add(Stroke{{{sheet.left(), y}, {sheet.right(), y}}, ink.accent, 1.0, 4.0});
   }
   for (std::size_t i = 0; i < text.size(); ++i)
     sheet.write({fits ? sheet.left() : 0.0, line_px * static_cast<double>(i + 1)}, text[i],
-                inside > 0 ? ink::accent : ink::quiet);
+                inside > 0 ? ink.accent : ink.quiet);
   return sheet.take();
 }
 

@@ -11,7 +11,7 @@
 #include <cmath>
 
 #include "Canvas.h"
-#include "perilymph/charts/Typeface.h"
+#include "TextStyle.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Utf8.h"
 
@@ -19,7 +19,7 @@ namespace perilymph::charts {
 
 namespace {
 
-using analysis::PagePoint;
+using figures::PagePoint;
 
 constexpr double pixelsPerPoint = 3.0;
 constexpr int dotsPerInch = 216;
@@ -41,13 +41,13 @@ class Painter {
 public:
   explicit Painter(Canvas& canvas) : canvas_(canvas) {}
 
-  void operator()(const analysis::Area& area)
+  void operator()(const figures::Area& area)
   {
     canvas_.outline(scaled(area.points));
     canvas_.paint(area.ink);
   }
 
-  void operator()(const analysis::Stroke& stroke)
+  void operator()(const figures::Stroke& stroke)
   {
     const double half = 0.5 * stroke.width * pixelsPerPoint;
     for (const auto& [from, to] : pieces(stroke)) {
@@ -63,7 +63,7 @@ public:
     canvas_.paint(stroke.ink);
   }
 
-  void operator()(const analysis::Disk& disk)
+  void operator()(const figures::Disk& disk)
   {
     const PagePoint center = scaled(disk.center);
     const double radius = disk.radius * pixelsPerPoint;
@@ -74,7 +74,7 @@ public:
     canvas_.paint(disk.fill);
   }
 
-  void operator()(const analysis::Label& label)
+  void operator()(const figures::Label& label)
   {
     vtkNew<vtkTextProperty> property;
     setTypeface(*property);
@@ -84,7 +84,7 @@ public:
     property->SetColor(1.0, 1.0, 1.0);
     // VTK's font sizes are in points of 72 dots an inch, scaled by the dots asked for.
     property->SetFontSize(static_cast<int>(std::lround(label.size)));
-    const bool isUpward = label.direction == analysis::Direction::upward;
+    const bool isUpward = label.direction == figures::Direction::upward;
     property->SetOrientation(isUpward ? 90.0 : 0.0);
     // On the base line: descenders hang below it, so lines of different letters stand level.
     property->SetVerticalJustificationToBottom();
@@ -113,7 +113,7 @@ private:
   }
 
   /// The straight pieces of a line, cut into dashes where it is dashed.
-  static std::vector<std::pair<PagePoint, PagePoint>> pieces(const analysis::Stroke& stroke)
+  static std::vector<std::pair<PagePoint, PagePoint>> pieces(const figures::Stroke& stroke)
   {
     std::vector<std::pair<PagePoint, PagePoint>> result;
     const double dash = stroke.dash * pixelsPerPoint;
@@ -140,15 +140,15 @@ private:
     return result;
   }
 
-  void place(const analysis::Label& label, vtkImageData& image, const int (&size)[2], bool isUpward)
+  void place(const figures::Label& label, vtkImageData& image, const int (&size)[2], bool isUpward)
   {
     const PagePoint at = scaled(label.at);
     // A share of the letters' height hangs below the base line.
     const double below = 0.25 * label.size * pixelsPerPoint;
     const double length = isUpward ? size[1] : size[0];
-    const double before = label.anchor == analysis::Anchor::start    ? 0.0
-                          : label.anchor == analysis::Anchor::middle ? 0.5 * length
-                                                                     : length;
+    const double before = label.anchor == figures::Anchor::start    ? 0.0
+                          : label.anchor == figures::Anchor::middle ? 0.5 * length
+                                                                    : length;
     // left edge and bottom edge of the image on the page
     const double left = isUpward ? at.x + below - size[0] : at.x - before;
     const double bottom = isUpward ? at.y + before : at.y + below;
@@ -169,13 +169,13 @@ private:
 
 }  // namespace
 
-Result<Done> writePicture(const analysis::Drawing& drawing, const std::filesystem::path& file)
+Result<Done> writePicture(const figures::Drawing& drawing, const std::filesystem::path& file)
 {
   const int width = static_cast<int>(std::lround(drawing.width * pixelsPerPoint));
   const int height = static_cast<int>(std::lround(drawing.height * pixelsPerPoint));
   Canvas canvas(width, height);
   Painter painter(canvas);
-  for (const analysis::Mark& mark : drawing.marks) std::visit(painter, mark);
+  for (const figures::Mark& mark : drawing.marks) std::visit(painter, mark);
 
   vtkNew<vtkImageData> image;
   image->SetDimensions(width, height, 1);

@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ChartColors.h"
 #include "ChartFrame.h"
-#include "ChartStyle.h"
 #include "TravelColumns.h"
-#include "perilymph/charts/ChartStrings.h"
 
 namespace perilymph::charts {
 namespace {
@@ -28,10 +27,20 @@ vtkColor4ub faded(vtkColor4ub color, unsigned char alpha)
 }  // namespace
 
 struct ForceDepthChart::Content {
-  ChartFrame frame{chartStrings().travel, chartStrings().axialForce};
-  ChartLine ghostLine{frame.chart(), style::blue, style::thinWidth};
-  ChartLine outLine{frame.chart(), faded(style::accent, 150), style::thinWidth};
-  ChartLine inLine{frame.chart(), style::accent, style::lineWidth};
+  explicit Content(const ChartStyle& given)
+      : strings(given.strings),
+        inks(figures::inksOf(given.scheme)),
+        frame(strings.travel, strings.axialForce, given),
+        ghostLine(frame.chart(), colorOf(inks.blue), thinWidth),
+        outLine(frame.chart(), faded(colorOf(inks.accent), 150), thinWidth),
+        inLine(frame.chart(), colorOf(inks.accent), lineWidth)
+  {
+  }
+
+  ChartStrings strings;
+  const figures::SchemeInks& inks;
+  ChartFrame frame;
+  ChartLine ghostLine, outLine, inLine;
   TravelColumns columns;
   std::vector<float> x, y;  // room for one curve
 
@@ -79,22 +88,28 @@ void ForceDepthChart::Content::setMarks()
 {
   ChartOverlay& overlay = frame.overlay();
   overlay.legend.clear();
-  overlay.legend.push_back({Swatch::line, style::accent, chartStrings().thisInsertion});
-  if (hasGhost && showsGhost) overlay.legend.push_back({Swatch::line, style::blue, ghostLabel});
+  overlay.legend.push_back({Swatch::line, colorOf(inks.accent), strings.thisInsertion});
+  if (hasGhost && showsGhost)
+    overlay.legend.push_back({Swatch::line, colorOf(inks.blue), ghostLabel});
   if (!reference.empty() && showsReference)
-    overlay.legend.push_back({Swatch::bar, style::text, referenceLabel});
+    overlay.legend.push_back({Swatch::bar, colorOf(inks.text), referenceLabel});
 
   overlay.bars = showsReference ? reference : std::vector<ReferencePoint>();
   overlay.threshold.reset();
   if (showsThreshold)
-    overlay.threshold = Threshold{feltBySurgeons_N, chartStrings().feltBySurgeons, style::orange};
+    overlay.threshold = Threshold{feltBySurgeons_N, strings.feltBySurgeons, colorOf(inks.orange)};
   overlay.now.reset();
   if (!columns.isEmpty())
-    overlay.now = Dot{columns.lastTravel_mm(), columns.lastForce_N(), style::accent};
+    overlay.now = Dot{columns.lastTravel_mm(), columns.lastForce_N(), colorOf(inks.accent)};
   overlay.Modified();
 }
 
-ForceDepthChart::ForceDepthChart() : content_(std::make_unique<Content>()) { update(); }
+ForceDepthChart::ForceDepthChart(const ChartStyle& style)
+    : content_(std::make_unique<Content>(style))
+{
+  update();
+}
+
 ForceDepthChart::~ForceDepthChart() = default;
 
 void ForceDepthChart::attachTo(vtkRenderWindow& window) { content_->frame.attachTo(window); }

@@ -7,9 +7,8 @@
 #include <cmath>
 #include <vector>
 
+#include "ChartColors.h"
 #include "ChartFrame.h"
-#include "ChartStyle.h"
-#include "perilymph/charts/ChartStrings.h"
 
 namespace perilymph::charts {
 namespace {
@@ -29,10 +28,20 @@ struct Slot {
 }  // namespace
 
 struct ForceTimeChart::Content {
-  ChartFrame frame{"", chartStrings().force};
-  std::array<ChartLine, components> lines{ChartLine{frame.chart(), style::accent, style::thinWidth},
-                                          ChartLine{frame.chart(), style::orange, style::thinWidth},
-                                          ChartLine{frame.chart(), style::blue, style::thinWidth}};
+  explicit Content(const ChartStyle& given)
+      : strings(given.strings),
+        inks(figures::inksOf(given.scheme)),
+        frame("", strings.force, given),
+        lines{ChartLine{frame.chart(), colorOf(inks.accent), thinWidth},
+              ChartLine{frame.chart(), colorOf(inks.orange), thinWidth},
+              ChartLine{frame.chart(), colorOf(inks.blue), thinWidth}}
+  {
+  }
+
+  ChartStrings strings;
+  const figures::SchemeInks& inks;
+  ChartFrame frame;
+  std::array<ChartLine, components> lines;
   std::array<Slot, slots + 1> ring{};
   double now_s = -1.0;
   long long newest = -1;
@@ -52,7 +61,7 @@ void ForceTimeChart::Content::setRange()
     high = std::max(high, *std::max_element(slot.high.begin(), slot.high.end()));
   }
   frame.setYRange(grown(usualForce_mN, low, high, 5), 0);
-  frame.setXLabels({-inSeconds(span), 0.0, inSeconds(span)}, {"−5 s", chartStrings().now});
+  frame.setXLabels({-inSeconds(span), 0.0, inSeconds(span)}, {"−5 s", strings.now});
 }
 
 void ForceTimeChart::Content::setLine(std::size_t component)
@@ -72,13 +81,15 @@ void ForceTimeChart::Content::setLine(std::size_t component)
   lines[component].set(x, y);
 }
 
-ForceTimeChart::ForceTimeChart() : content_(std::make_unique<Content>())
+ForceTimeChart::ForceTimeChart(const ChartStyle& style) : content_(std::make_unique<Content>(style))
 {
+  const ChartStrings& strings = content_->strings;
+  const figures::SchemeInks& inks = content_->inks;
   ChartOverlay& overlay = content_->frame.overlay();
   overlay.legendPlace = ChartOverlay::LegendPlace::above;
-  overlay.legend = {{Swatch::line, style::accent, chartStrings().axial},
-                    {Swatch::line, style::orange, chartStrings().lateral},
-                    {Swatch::line, style::blue, chartStrings().vertical}};
+  overlay.legend = {{Swatch::line, colorOf(inks.accent), strings.axial},
+                    {Swatch::line, colorOf(inks.orange), strings.lateral},
+                    {Swatch::line, colorOf(inks.blue), strings.vertical}};
   update();
 }
 

@@ -5,15 +5,14 @@
 #include <cstdio>
 #include <sstream>
 
-#include "ChartStyle.h"
-#include "perilymph/charts/ChartStrings.h"
+#include "perilymph/figures/Strings.h"
 
 namespace perilymph::charts {
 
-using analysis::Anchor;
-using analysis::Area;
-using analysis::PagePoint;
-using analysis::Stroke;
+using figures::Anchor;
+using figures::Area;
+using figures::PagePoint;
+using figures::Stroke;
 
 namespace {
 
@@ -28,18 +27,20 @@ double sharp(double place) { return std::floor(place) + 0.5; }
 }  // namespace
 
 PlotSheet::PlotSheet(double width, double height, const SheetMargins& margins, const AxisRange& x,
-                     const AxisRange& y)
+                     const AxisRange& y, const ChartStyle& style)
     : left_(margins.left),
       right_(std::max(margins.left + 1.0, width - margins.right)),
       top_(margins.top),
       bottom_(std::max(margins.top + 1.0, height - margins.bottom)),
       x_(x),
-      y_(y)
+      y_(y),
+      inks_(figures::inksOf(style.scheme)),
+      decimalSign_(style.strings.decimalSign)
 {
   drawing_.width = width;
   drawing_.height = height;
-  add(Area{rectangle(0.0, 0.0, width, height), ink::panel});
-  add(Area{rectangle(left_, top_, right_, bottom_), ink::ground});
+  add(Area{rectangle(0.0, 0.0, width, height), inks_.panel});
+  add(Area{rectangle(left_, top_, right_, bottom_), inks_.ground});
 }
 
 double PlotSheet::x(double value) const
@@ -56,27 +57,28 @@ void PlotSheet::addXTicks(int every, const std::string& unit)
 {
   int count = 0;
   for (const double place : tickPlaces(x_)) {
-    add(Stroke{{{sharp(x(place)), top_}, {sharp(x(place)), bottom_}}, ink::grid, 1.0, 0.0});
+    add(Stroke{{{sharp(x(place)), top_}, {sharp(x(place)), bottom_}}, inks_.grid, 1.0, 0.0});
     const bool isNamed = count++ % every == 0;
     if (!isNamed) continue;
     const bool isAtEnd = x(place) > right_ - 12.0;
-    write({isAtEnd ? right_ : x(place), bottom_ + 15.0}, written(place, 0) + unit, ink::quiet,
-          isAtEnd ? Anchor::end : Anchor::middle);
+    write({isAtEnd ? right_ : x(place), bottom_ + 15.0}, written(place, 0, decimalSign_) + unit,
+          inks_.quiet, isAtEnd ? Anchor::end : Anchor::middle);
   }
 }
 
 void PlotSheet::addYTicks(int decimals)
 {
   for (const double place : tickPlaces(y_)) {
-    add(Stroke{{{left_, sharp(y(place))}, {right_, sharp(y(place))}}, ink::grid, 1.0, 0.0});
-    write({left_ - 6.0, y(place) + 4.0}, written(place, decimals), ink::quiet, Anchor::end);
+    add(Stroke{{{left_, sharp(y(place))}, {right_, sharp(y(place))}}, inks_.grid, 1.0, 0.0});
+    write({left_ - 6.0, y(place) + 4.0}, written(place, decimals, decimalSign_), inks_.quiet,
+          Anchor::end);
   }
 }
 
-void PlotSheet::write(PagePoint at, std::string text, const analysis::Ink& ink, Anchor anchor)
+void PlotSheet::write(PagePoint at, std::string text, const figures::Ink& ink, Anchor anchor)
 {
-  add(analysis::Label{at, std::move(text), style::labelSize, ink, anchor,
-                      analysis::Direction::across, false});
+  add(figures::Label{at, std::move(text), figures::labelSize, ink, anchor,
+                     figures::Direction::across, false});
 }
 
 double widthOfLabel(const std::string& label)
@@ -84,7 +86,7 @@ double widthOfLabel(const std::string& label)
   constexpr double perLetter = 0.53;  // of the type's size: Inter's mean, and a little more
   const auto isFirstByte = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
   const auto letters = std::count_if(label.begin(), label.end(), isFirstByte);
-  return perLetter * style::labelSize * static_cast<double>(letters);
+  return perLetter * figures::labelSize * static_cast<double>(letters);
 }
 
 std::vector<std::string> linesOfLabel(const std::string& label, double width_px)
@@ -101,11 +103,11 @@ std::vector<std::string> linesOfLabel(const std::string& label, double width_px)
   return lines;
 }
 
-std::string written(double value, int decimals)
+std::string written(double value, int decimals, char decimalSign)
 {
   char text[64];
   std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  const std::string result = withDecimalSign(text);
+  const std::string result = figures::withDecimalSign(text, decimalSign);
   const bool isZero = result.find_first_not_of("-0.,") == std::string::npos;
   std::string shown = isZero && result.front() == '-' ? result.substr(1) : result;
   if (!shown.empty() && shown.front() == '-') shown = "\u2212" + shown.substr(1);

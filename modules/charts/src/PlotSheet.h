@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "AxisRange.h"
-#include "SheetInk.h"
-#include "perilymph/analysis/Drawing.h"
+#include "perilymph/charts/ChartStyle.h"
+#include "perilymph/figures/Drawing.h"
 
 namespace perilymph::charts {
 
@@ -22,11 +22,11 @@ class PlotSheet {
 public:
   /// Fills the sheet and the plot's ground. A size without room for a plot gives a plot of 1 pixel.
   PlotSheet(double width, double height, const SheetMargins& margins, const AxisRange& x,
-            const AxisRange& y);
+            const AxisRange& y, const ChartStyle& style);
 
   double x(double value) const;
   double y(double value) const;
-  analysis::PagePoint at(double xValue, double yValue) const { return {x(xValue), y(yValue)}; }
+  figures::PagePoint at(double xValue, double yValue) const { return {x(xValue), y(yValue)}; }
   double left() const { return left_; }
   double right() const { return right_; }
   double top() const { return top_; }
@@ -41,23 +41,25 @@ public:
   {
     drawing_.marks.emplace_back(std::in_place_type<Mark>, std::move(mark));
   }
-  /// Words of the size of labels.
-  void write(analysis::PagePoint at, std::string text, const analysis::Ink& ink,
-             analysis::Anchor anchor = analysis::Anchor::start);
-  analysis::Drawing take() { return std::move(drawing_); }
+  /// A text of the size of labels.
+  void write(figures::PagePoint at, std::string text, const figures::Ink& ink,
+             figures::Anchor anchor = figures::Anchor::start);
+  figures::Drawing take() { return std::move(drawing_); }
 
 private:
   double left_, right_, top_, bottom_;
   AxisRange x_, y_;
-  analysis::Drawing drawing_;
+  const figures::SchemeInks& inks_;
+  char decimalSign_;
+  figures::Drawing drawing_;
 };
 
-/// About how wide words of the size of labels are [px]: a drawing knows no typeface.
+/// About how wide a text of the size of labels is [px]: a drawing knows no typeface.
 double widthOfLabel(const std::string& label);
-/// Words in lines that have room, unless one word has none.
+/// The text in lines that are no wider than the room, unless one word is.
 std::vector<std::string> linesOfLabel(const std::string& label, double width_px);
 
 /// A number with so many decimals; never "-0".
-std::string written(double value, int decimals);
+std::string written(double value, int decimals, char decimalSign);
 
 }  // namespace perilymph::charts

@@ -2,17 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "PlotSheet.h"
-#include "perilymph/charts/ChartStrings.h"
+#include "perilymph/figures/Strings.h"
 #include "perilymph/foundation/Units.h"
 
 namespace perilymph::charts {
 
-using analysis::Anchor;
-using analysis::Area;
-using analysis::PagePoint;
-using analysis::Stroke;
+using figures::Anchor;
+using figures::Area;
+using figures::PagePoint;
+using figures::Stroke;
 
 namespace {
 
@@ -45,7 +46,8 @@ struct Frame {
   }
 };
 
-void drawArray(PlotSheet& sheet, const Frame& frame, const ArrayInScala& now)
+void drawArray(PlotSheet& sheet, const Frame& frame, const ArrayInScala& now,
+               const figures::SchemeInks& ink)
 {
   const NodePlace cut = now.at(inMillimeters(cutBehindTip(now)));
   const double radius_mm = 0.5 * inMillimeters(now.array().sectionAt(cutBehindTip(now)).within);
@@ -63,12 +65,13 @@ void drawArray(PlotSheet& sheet, const Frame& frame, const ArrayInScala& now)
         frame.at(Eigen::Vector2d(cut.across_mm, cut.up_mm) +
                  radius_mm * (stretch * std::cos(turn) * longAxis + std::sin(turn) * shortAxis)));
   }
-  sheet.add(Area{ring, ink::silicone});
-  sheet.add(Stroke{ring, ink::platinum, 1.5, 0.0});
+  sheet.add(Area{ring, ink.silicone});
+  sheet.add(Stroke{ring, ink.platinum, 1.5, 0.0});
 }
 
 /// @return The size of the force [mN].
-double drawForce(PlotSheet& sheet, const Frame& frame, const ArrayInScala& now)
+double drawForce(PlotSheet& sheet, const Frame& frame, const ArrayInScala& now,
+                 const figures::SchemeInks& ink)
 {
   Eigen::Vector2d force_mN = Eigen::Vector2d::Zero();
   for (const NodePlace& node : now.nodes())
@@ -88,28 +91,31 @@ double drawForce(PlotSheet& sheet, const Frame& frame, const ArrayInScala& now)
     return PagePoint{from.x + px * way.x() + aside * way.y(),
                      from.y - px * way.y() + aside * way.x()};
   };
-  sheet.add(Stroke{{along(0.0, 0.0), along(length - head, 0.0)}, ink::ground, 5.0, 0.0});
-  sheet.add(Stroke{{along(0.0, 0.0), along(length - head, 0.0)}, ink::orange, 2.5, 0.0});
+  sheet.add(Stroke{{along(0.0, 0.0), along(length - head, 0.0)}, ink.ground, 5.0, 0.0});
+  sheet.add(Stroke{{along(0.0, 0.0), along(length - head, 0.0)}, ink.orange, 2.5, 0.0});
   sheet.add(Area{
       {along(length, 0.0), along(length - head, 0.5 * head), along(length - head, -0.5 * head)},
-      ink::orange});
+      ink.orange});
   return size_mN;
 }
 
-void drawScaleBar(PlotSheet& sheet, const Frame& frame)
+void drawScaleBar(PlotSheet& sheet, const Frame& frame, const ChartStyle& style)
 {
+  const figures::SchemeInks& ink = figures::inksOf(style.scheme);
   constexpr double bar_mm = 0.5;
   const double right = sheet.right() - 10.0, y = sheet.top() + 13.0;
   const double left = right - bar_mm * frame.px_mm;
   for (const double end : {left, right})
-    sheet.add(Stroke{{{end, y - 4.0}, {end, y + 4.0}}, ink::text, 1.4, 0.0});
-  sheet.add(Stroke{{{left, y}, {right, y}}, ink::text, 1.4, 0.0});
-  sheet.write({left - 8.0, y + 4.0}, withDecimalSign("0.5 mm"), ink::quiet, Anchor::end);
+    sheet.add(Stroke{{{end, y - 4.0}, {end, y + 4.0}}, ink.text, 1.4, 0.0});
+  sheet.add(Stroke{{{left, y}, {right, y}}, ink.text, 1.4, 0.0});
+  sheet.write({left - 8.0, y + 4.0}, figures::withDecimalSign("0.5 mm", style.strings.decimalSign),
+              ink.quiet, Anchor::end);
 }
 
 }  // namespace
 
-TipSection::TipSection(const anatomy::ScalaTympani& scala) : scala_(scala)
+TipSection::TipSection(const anatomy::ScalaTympani& scala, ChartStyle style)
+    : scala_(scala), style_(std::move(style))
 {
   const double last = scala.lastAngle().si();
   for (double angle = 0.0; angle <= last; angle += degrees(10).si())
@@ -125,9 +131,11 @@ double TipSection::angle_deg(const ArrayInScala& now)
   return std::max(0.0, now.at(inMillimeters(cutBehindTip(now))).angle_deg);
 }
 
-analysis::Drawing TipSection::draw(const ArrayInScala& now, double width, double height) const
+figures::Drawing TipSection::draw(const ArrayInScala& now, double width, double height) const
 {
-  PlotSheet sheet(width, height, {0.0, 0.0, 0.0, 0.0}, {0.0, 1.0, 1.0}, {0.0, 1.0, 1.0});
+  const figures::SchemeInks& ink = figures::inksOf(style_.scheme);
+  const ChartStrings& strings = style_.strings;
+  PlotSheet sheet(width, height, {0.0, 0.0, 0.0, 0.0}, {0.0, 1.0, 1.0}, {0.0, 1.0, 1.0}, style_);
   const double angle = degrees(angle_deg(now)).si();
   const double space_x = std::max(20.0, width - 2.0 * side_px);
   const double space_y = std::max(20.0, height - top_px - bottom_px);
@@ -141,9 +149,9 @@ analysis::Drawing TipSection::draw(const ArrayInScala& now, double width, double
     inner_mm = std::min(inner_mm, place_mm.x());
     outer_mm = std::max(outer_mm, place_mm.x());
   }
-  sheet.add(Area{wall, ink::lumen});
+  sheet.add(Area{wall, ink.lumen});
   wall.push_back(wall.front());
-  sheet.add(Stroke{wall, ink::bone, 2.0, 0.0});
+  sheet.add(Stroke{wall, ink.bone, 2.0, 0.0});
 
   const Eigen::Vector3d center_W = scala_.center_W(angle);
   const auto membraneAt = [&](double across) {
@@ -152,29 +160,29 @@ analysis::Drawing TipSection::draw(const ArrayInScala& now, double width, double
                            1e3 * (place_W.z() - center_W.z()));
   };
   const PagePoint membrane[] = {frame.at(membraneAt(0.0)), frame.at(membraneAt(1.0))};
-  sheet.add(Stroke{{membrane[0], membrane[1]}, ink::membrane, 4.0, 0.0});
+  sheet.add(Stroke{{membrane[0], membrane[1]}, ink.membrane, 4.0, 0.0});
   const double above = std::min({membrane[0].y, membrane[1].y, frame.at({0.0, 0.0}).y}) - 8.0;
-  sheet.write({0.5 * (membrane[0].x + membrane[1].x), above}, chartStrings().basilarMembrane,
-              ink::membrane, Anchor::middle);
+  sheet.write({0.5 * (membrane[0].x + membrane[1].x), above}, strings.basilarMembrane, ink.membrane,
+              Anchor::middle);
   const double names = frame.at({0.0, -halfHeight_mm_}).y + 16.0;
-  const std::string inward = "← " + chartStrings().modiolus,
-                    outward = chartStrings().outerWall + " →";
+  const std::string inward = "← " + strings.modiolus, outward = strings.outerWall + " →";
   const double left = std::max(8.0, frame.at({inner_mm, 0.0}).x);
   const double right = std::min(width - 8.0, frame.at({outer_mm, 0.0}).x);
   const bool areBeside = widthOfLabel(inward) + widthOfLabel(outward) + 8.0 <= right - left;
-  sheet.write({left, names}, inward, ink::quiet);
-  sheet.write({right, areBeside ? names : names + 14.0}, outward, ink::quiet, Anchor::end);
+  sheet.write({left, names}, inward, ink.quiet);
+  sheet.write({right, areBeside ? names : names + 14.0}, outward, ink.quiet, Anchor::end);
 
   double force_mN = 0.0;
   if (now.isInside()) {
-    drawArray(sheet, frame, now);
-    force_mN = drawForce(sheet, frame, now);
+    drawArray(sheet, frame, now, ink);
+    force_mN = drawForce(sheet, frame, now, ink);
   }
   sheet.write({10.0, height - 10.0},
-              now.isInside() ? filled(chartStrings().wallForce, {written(force_mN, 0)})
-                             : chartStrings().tipIsOutside,
-              now.isInside() && force_mN >= 1.0 ? ink::orange : ink::quiet);
-  drawScaleBar(sheet, frame);
+              now.isInside()
+                  ? figures::filled(strings.wallForce, {written(force_mN, 0, strings.decimalSign)})
+                  : strings.tipIsOutside,
+              now.isInside() && force_mN >= 1.0 ? ink.orange : ink.quiet);
+  drawScaleBar(sheet, frame, style_);
   return sheet.take();
 }
 

@@ -2,19 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "ChartStyle.h"
 #include "PlotSheet.h"
-#include "perilymph/charts/ChartStrings.h"
 #include "perilymph/foundation/Units.h"
 
 namespace perilymph::charts {
 
-using analysis::Anchor;
-using analysis::Area;
-using analysis::Disk;
-using analysis::PagePoint;
-using analysis::Stroke;
+using figures::Anchor;
+using figures::Area;
+using figures::Disk;
+using figures::PagePoint;
+using figures::Stroke;
 
 namespace {
 
@@ -50,7 +49,7 @@ std::vector<Stretch> stretches(const ArrayInScala& now)
   return all;
 }
 
-void drawContacts(PlotSheet& sheet, const ArrayInScala& now)
+void drawContacts(PlotSheet& sheet, const ArrayInScala& now, const figures::SchemeInks& ink)
 {
   const electrode::ArrayDesign& array = now.array();
   const double half_mm = 0.5 * inMillimeters(array.contactLength);
@@ -65,11 +64,11 @@ void drawContacts(PlotSheet& sheet, const ArrayInScala& now)
         Area{{sheet.at(back.angle_deg, back.across_mm - radius_mm),
               sheet.at(front.angle_deg, front.across_mm - radius_mm),
               sheet.at(front.angle_deg, front.across_mm), sheet.at(back.angle_deg, back.across_mm)},
-             ink::platinum});
+             ink.platinum});
   }
 }
 
-void drawArray(PlotSheet& sheet, const ArrayInScala& now)
+void drawArray(PlotSheet& sheet, const ArrayInScala& now, const figures::SchemeInks& ink)
 {
   std::vector<PagePoint> upper, lower;
   for (const NodePlace& node : now.nodes()) {
@@ -81,16 +80,17 @@ void drawArray(PlotSheet& sheet, const ArrayInScala& now)
   }
   if (upper.size() < 2) return;
   upper.insert(upper.end(), lower.rbegin(), lower.rend());
-  sheet.add(Area{upper, ink::silicone});
-  drawContacts(sheet, now);
+  sheet.add(Area{upper, ink.silicone});
+  drawContacts(sheet, now, ink);
   upper.push_back(upper.front());
-  sheet.add(Stroke{upper, ink::ground, 1.0, 0.0});
+  sheet.add(Stroke{upper, ink.ground, 1.0, 0.0});
 }
 
 }  // namespace
 
-UnrolledScala::UnrolledScala(const anatomy::ScalaTympani& scala)
-    : lastAngle_deg_(inDegrees(scala.lastAngle())),
+UnrolledScala::UnrolledScala(const anatomy::ScalaTympani& scala, ChartStyle style)
+    : style_(std::move(style)),
+      lastAngle_deg_(inDegrees(scala.lastAngle())),
       leadIn_deg_(inDegrees(radians(scala.leadIn().si() / scala.center_W(0.0).head<2>().norm())))
 {
   for (double angle_deg = 0.0; angle_deg <= lastAngle_deg_; angle_deg += step_deg) {
@@ -120,13 +120,15 @@ UnrolledScala::Width UnrolledScala::widthAt(double angle_deg) const
           a.outer_mm + fraction * (b.outer_mm - a.outer_mm)};
 }
 
-analysis::Drawing UnrolledScala::draw(const ArrayInScala& now, double width, double height) const
+figures::Drawing UnrolledScala::draw(const ArrayInScala& now, double width, double height) const
 {
+  const figures::SchemeInks& ink = figures::inksOf(style_.scheme);
+  const ChartStrings& strings = style_.strings;
   const double tip_deg = now.nodes().empty() ? 0.0 : now.nodes().back().angle_deg;
   AxisRange angle_deg = grown({-outside_deg, usualEnd_deg, tick_deg}, 0.0, tip_deg + ahead_deg, 99);
   angle_deg.high = std::min(angle_deg.high, lastAngle_deg_);
   const AxisRange across_mm{inner_mm_ - innerMargin_mm, outer_mm_ + outerMargin_mm, 1.0};
-  PlotSheet sheet(width, height, {40.0, 8.0, 4.0, 22.0}, angle_deg, across_mm);
+  PlotSheet sheet(width, height, {40.0, 8.0, 4.0, 22.0}, angle_deg, across_mm, style_);
   sheet.addXTicks(2, "°");
   sheet.addYTicks(0);
 
@@ -140,12 +142,12 @@ analysis::Drawing UnrolledScala::draw(const ArrayInScala& now, double width, dou
   }
   std::vector<PagePoint> lumen = outer;
   lumen.insert(lumen.end(), inner.rbegin(), inner.rend());
-  sheet.add(Area{lumen, ink::lumen});
-  sheet.add(Stroke{outer, ink::bone, 1.5, 0.0});
-  sheet.add(Stroke{inner, ink::bone, 1.5, 0.0});
-  sheet.add(Stroke{{outer.front(), inner.front()}, ink::faded(ink::bone, 0.5), 1.0, 4.0});
+  sheet.add(Area{lumen, ink.lumen});
+  sheet.add(Stroke{outer, ink.bone, 1.5, 0.0});
+  sheet.add(Stroke{inner, ink.bone, 1.5, 0.0});
+  sheet.add(Stroke{{outer.front(), inner.front()}, figures::faded(ink.bone, 0.5), 1.0, 4.0});
 
-  drawArray(sheet, now);
+  drawArray(sheet, now, ink);
   const double length_px = bar_px / bar_mN_mm;
   for (const Stretch& here : stretches(now)) {
     if (here.normal_mN < minShown_mN || here.from_deg < -leadIn_deg_) continue;
@@ -154,7 +156,7 @@ analysis::Drawing UnrolledScala::draw(const ArrayInScala& now, double width, dou
     if (std::abs(here.up_mN) > std::abs(here.across_mN)) {
       const NodePlace node = now.at(here.fromTip_mm + 0.5);
       sheet.add(Disk{sheet.at(node.angle_deg, node.across_mm), 1.5 + 0.2 * bar,
-                     ink::faded(ink::orange, 0.35), ink::orange});
+                     figures::faded(ink.orange, 0.35), ink.orange});
       continue;
     }
     const Width at = widthAt(middle_deg);
@@ -162,16 +164,15 @@ analysis::Drawing UnrolledScala::draw(const ArrayInScala& now, double width, dou
     const double wall = sheet.y(isOuter ? at.outer_mm : at.inner_mm);
     const double end = isOuter ? wall - 1.5 - bar : wall + 1.5 + bar;
     const double left = sheet.x(here.from_deg), right = std::max(sheet.x(here.to_deg), left + 2.0);
-    sheet.add(Area{{{left, wall}, {right, wall}, {right, end}, {left, end}}, ink::orange});
+    sheet.add(Area{{{left, wall}, {right, wall}, {right, end}, {left, end}}, ink.orange});
   }
 
   // what the bars mean, at the end of the scala, where it is narrow
   const double x = sheet.right() - 6.0;
-  const double shared =
-      widthOfLabel(chartStrings().wallForceScale) + widthOfLabel(chartStrings().modiolus);
+  const double shared = widthOfLabel(strings.wallForceScale) + widthOfLabel(strings.modiolus);
   const bool areBeside = shared + 30.0 <= sheet.right() - sheet.left();
-  sheet.write({x, sheet.top() + 14.0}, chartStrings().outerWall, ink::quiet, Anchor::end);
-  sheet.write({x, sheet.bottom() - (areBeside ? 6.0 : 22.0)}, chartStrings().modiolus, ink::quiet,
+  sheet.write({x, sheet.top() + 14.0}, strings.outerWall, ink.quiet, Anchor::end);
+  sheet.write({x, sheet.bottom() - (areBeside ? 6.0 : 22.0)}, strings.modiolus, ink.quiet,
               Anchor::end);
   const double legend = sheet.left() + 8.0;
   const double foot = sheet.bottom() - 4.0;
@@ -179,27 +180,26 @@ analysis::Drawing UnrolledScala::draw(const ArrayInScala& now, double width, dou
                   {legend + 5.0, foot},
                   {legend + 5.0, foot - bar_px},
                   {legend, foot - bar_px}},
-                 ink::orange});
-  sheet.write({legend + 11.0, foot - 4.0}, chartStrings().wallForceScale, ink::quiet);
+                 ink.orange});
+  sheet.write({legend + 11.0, foot - 4.0}, strings.wallForceScale, ink.quiet);
   return sheet.take();
 }
 
-analysis::Drawing UnrolledScala::drawPage(const ArrayInScala& now, double width,
-                                          double height) const
+figures::Drawing UnrolledScala::drawPage(const ArrayInScala& now, double width, double height) const
 {
   constexpr double line_px = 20.0;
-  PlotSheet page(width, height, {}, {}, {});
-  analysis::Drawing whole = page.take();
+  PlotSheet page(width, height, {}, {}, {}, style_);
+  figures::Drawing whole = page.take();
   whole.marks.resize(1);  // the ground alone
-  analysis::Drawing view = draw(now, width, height - line_px);
+  figures::Drawing view = draw(now, width, height - line_px);
   whole.marks.insert(whole.marks.end(), view.marks.begin(), view.marks.end());
-  whole.marks.emplace_back(analysis::Label{{0.5 * width, height - 8.0},
-                                           chartStrings().unrolledAxes,
-                                           style::labelSize,
-                                           ink::quiet,
-                                           Anchor::middle,
-                                           analysis::Direction::across,
-                                           false});
+  whole.marks.emplace_back(figures::Label{{0.5 * width, height - 8.0},
+                                          style_.strings.unrolledAxes,
+                                          figures::labelSize,
+                                          figures::inksOf(style_.scheme).quiet,
+                                          Anchor::middle,
+                                          figures::Direction::across,
+                                          false});
   return whole;
 }
 

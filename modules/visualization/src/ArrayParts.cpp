@@ -47,8 +47,8 @@ std::vector<Triangle> ringTriangles(int count, int around, bool isClosed, int fi
 
 }  // namespace
 
-ArrayParts::ArrayParts(const electrode::ArrayDesign& array)
-    : array_(array), tweezers_(inMillimeters(array.length))
+ArrayParts::ArrayParts(const electrode::ArrayDesign& array, const Palette& palette)
+    : array_(array), palette_(palette), tweezers_(inMillimeters(array.length), palette)
 {
   if (array_.diameter.fromTip.empty() || array_.length <= millimeters(0)) {
     // No array: an empty scene. Everything below stays without points.
@@ -88,7 +88,7 @@ void ArrayParts::planTube()
   tubeRings_.push_back({length_mm + leadStub_mm, 1e-4, -1.0});
   const int rings = static_cast<int>(tubeRings_.size());
   tube_.shape(rings * sides, ringTriangles(rings, sides, true));
-  tube_.paint(withOpacity(palette::silicone, siliconeOpacity));
+  tube_.paint(withOpacity(palette_.silicone, siliconeOpacity));
   vtkActor& actor = tube_.actor();
   actor.GetProperty()->SetSpecular(0.35);
   actor.GetProperty()->SetSpecularPower(30.0);
@@ -114,7 +114,7 @@ void ArrayParts::planContacts()
     for (int a = 0; a < contactAlong; ++a)
       for (int c = 0; c < contactAcross; ++c, ++index) {
         const bool isRim = a == 0 || a == contactAlong - 1 || c == 0 || c == contactAcross - 1;
-        contacts_.setColor(index, isRim ? palette::platinumRim : palette::platinum);
+        contacts_.setColor(index, isRim ? palette_.platinumRim : palette_.platinum);
       }
   contacts_.colorsChanged();
   contacts_.actor().GetProperty()->SetSpecular(0.4);
@@ -139,7 +139,7 @@ void ArrayParts::planRibs()
     triangles.insert(triangles.end(), one.begin(), one.end());
   }
   ribs_.shape(static_cast<int>(ribRings_.size()) * sides, triangles);
-  ribs_.paint(palette::rib);
+  ribs_.paint(palette_.rib);
   ribs_.actor().GetProperty()->SetSpecular(0.2);
 }
 
@@ -154,7 +154,7 @@ void ArrayParts::planStylet()
     styletRings_.push_back({0.05 + reach_mm * i / count, styletRadius_mm, 0.0});
   const int rings = static_cast<int>(styletRings_.size());
   stylet_.shape(rings * sides, ringTriangles(rings, sides, true));
-  stylet_.paint(palette::steel);
+  stylet_.paint(palette_.steel);
   stylet_.actor().GetProperty()->SetSpecular(0.7);
   stylet_.actor().GetProperty()->SetSpecularPower(40.0);
 }
@@ -260,8 +260,8 @@ void ArrayParts::lookFrom(const ViewFrame& view)
       const double visible = side.norm();  // 0 where the array runs toward the viewer
       if (visible < 1e-6) continue;
       const Eigen::Vector3d edge = point.place + (outlineRadius_mm_[i] / visible) * side;
-      shadow_.add({edge, withOpacity(palette::outline, 0.55 * visible), shadowWidth_mm});
-      outline_.add({edge, withOpacity(palette::outline, 0.75 * visible), 0.8 * view.pixel_mm});
+      shadow_.add({edge, withOpacity(palette_.outline, 0.55 * visible), shadowWidth_mm});
+      outline_.add({edge, withOpacity(palette_.outline, 0.75 * visible), 0.8 * view.pixel_mm});
     }
   }
   shadow_.build(view, 0.0);

@@ -19,7 +19,7 @@ namespace perilymph::visualization {
 /// All that moves with the array. Meshes are shaped once; show() moves their points.
 class ArrayParts {
 public:
-  explicit ArrayParts(const electrode::ArrayDesign& array);
+  ArrayParts(const electrode::ArrayDesign& array, const Palette& palette);
 
   /// Adds what is solid, in the order it must be drawn.
   void addSolid(vtkRenderer& renderer);
@@ -50,6 +50,7 @@ private:
   void showContacts(const ArrayPath& path);
 
   electrode::ArrayDesign array_;
+  const Palette& palette_;
   double tipRadius_mm_ = 0.0;
   std::vector<Ring> tubeRings_, ribRings_, styletRings_;
   Mesh tube_{Mesh::Coloring::uniform};

@@ -17,7 +17,7 @@ double fraction(int i) { return 2.0 * i / cells - 1.0; }
 
 }  // namespace
 
-Backdrop::Backdrop()
+Backdrop::Backdrop(const Palette& palette)
 {
   std::vector<Triangle> triangles;
   for (int y = 0; y < cells; ++y)
@@ -32,10 +32,10 @@ Backdrop::Backdrop()
     for (int x = 0; x <= cells; ++x, ++index) {
       const double away = std::min(1.0, std::hypot(fraction(x), fraction(y)) / 1.15);
       const double light = 0.5 * (1.0 + std::cos(pi * away));
-      Rgba color = palette::ground;
+      Rgba color = palette.ground;
       for (std::size_t i = 0; i < 3; ++i)
         color[i] = static_cast<unsigned char>(
-            std::lround(color[i] + light * (palette::groundLight[i] - color[i])));
+            std::lround(color[i] + light * (palette.groundLight[i] - color[i])));
       mesh_.setColor(index, color);
     }
   mesh_.colorsChanged();

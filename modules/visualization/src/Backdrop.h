@@ -10,7 +10,7 @@ namespace perilymph::visualization {
 /// A plane far behind the scene that fills the picture, colored at its points.
 class Backdrop {
 public:
-  Backdrop();
+  explicit Backdrop(const Palette& palette);
 
   /// Fills a picture of this size [mm] whose middle lies at `center`.
   void place(const ViewFrame& view, const Eigen::Vector3d& center, double width_mm,

@@ -42,7 +42,7 @@ void ContactMarks::build(const ContactField& field, const ArrayParts& array, con
   for (const ContactStation& station : field.stations()) {
     if (station.fromTip_mm >= end_mm || &station == &field.stations().back()) {
       if (force_mN.norm() > minShown_mN) {
-        addArrow(moment / total_mN, arrow_mm_mN * force_mN, palette::arrow, view);
+        addArrow(moment / total_mN, arrow_mm_mN * force_mN, palette_.arrow, view);
         ++arrowCount_;
       }
       if (std::abs(friction_mN) > minFriction_mN) {
@@ -51,7 +51,7 @@ void ContactMarks::build(const ContactField& field, const ArrayParts& array, con
         const PathPoint middle = path.at(middle_mm);
         const Eigen::Vector3d wall = -array.radius_mm(middle_mm) * force_mN.normalized();
         addArrow(middle.place + wall, frictionArrow_mm_mN * friction_mN * middle.along,
-                 palette::frictionArrow, view);
+                 palette_.frictionArrow, view);
       }
       force_mN.setZero();
       moment.setZero();

@@ -13,6 +13,8 @@ namespace perilymph::visualization {
 /// Glow and arrows. The glow faces the viewer: a wall seen from its edge shows its force, too.
 class ContactMarks {
 public:
+  explicit ContactMarks(const Palette& palette) : palette_(palette) {}
+
   /// Length of an arrow for one millinewton.
   static constexpr double arrow_mm_mN = 0.025;
   /// The same for friction, which is some 20 times smaller.
@@ -34,6 +36,7 @@ private:
   void addArrow(const Eigen::Vector3d& from, const Eigen::Vector3d& arrow_mm, const Rgba& color,
                 const ViewFrame& view);
 
+  const Palette& palette_;
   SoftDots glow_;
   SoftLines arrows_;
   int arrowCount_ = 0;

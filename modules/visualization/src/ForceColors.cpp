@@ -60,7 +60,9 @@ Rgba fromOkLab(const Eigen::Vector3d& lab)
 std::array<Rgba, steps> makeTable()
 {
   std::array<Rgba, steps> table;
-  const Eigen::Vector3d low = okLab(palette::forceLow), high = okLab(palette::forceHigh);
+  // both schemes have the same map, so that their pictures compare
+  const Palette& palette = paletteOf(figures::ColorScheme::dark);
+  const Eigen::Vector3d low = okLab(palette.forceLow), high = okLab(palette.forceHigh);
   for (int i = 0; i < steps; ++i) {
     const double fraction = static_cast<double>(i) / (steps - 1);
     // transparent to yellow over the first fifth, then yellow to red

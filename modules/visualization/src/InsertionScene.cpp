@@ -44,10 +44,10 @@ void addLight(vtkRenderer& renderer, double x, double y, double z, double intens
 
 struct InsertionScene::Content {
   Content(const anatomy::ScalaTympani& scala, const electrode::ArrayDesign& array,
-          anatomy::Side side, Quality quality);
+          anatomy::Side side, Quality quality, const SceneStyle& style);
   ~Content() { renderer->RemoveObserver(prepareObserver); }
 
-  void addActors(const QualityTraits& traits);
+  void addActors(const QualityTraits& traits, const Palette& palette);
   void applyStereo();
   void applyVisibility();
   void placeCamera();
@@ -84,12 +84,14 @@ struct InsertionScene::Content {
 
 InsertionScene::Content::Content(const anatomy::ScalaTympani& scala,
                                  const electrode::ArrayDesign& array, anatomy::Side side,
-                                 Quality quality)
+                                 Quality quality, const SceneStyle& style)
     : space(side),
-      scalaParts(scala, space, traitsOf(quality)),
-      arrayParts(array),
+      scalaParts(scala, space, traitsOf(quality), paletteOf(style.scheme)),
+      arrayParts(array, paletteOf(style.scheme)),
       path(arrayParts.design().length),
-      field(arrayParts.design().length)
+      field(arrayParts.design().length),
+      marks(paletteOf(style.scheme)),
+      backdrop(paletteOf(style.scheme))
 {
   const anatomy::Entry entry = scala.entry();
   subject = {scalaParts.low(),
@@ -99,7 +101,8 @@ InsertionScene::Content::Content(const anatomy::ScalaTympani& scala,
              space.direction(entry.outward_W),
              space.mirrors()};
   isVisible.fill(true);
-  addActors(traitsOf(quality));
+  bars->setStyle(style);
+  addActors(traitsOf(quality), paletteOf(style.scheme));
   applyVisibility();
 
   prepareCommand->SetClientData(this);
@@ -109,10 +112,10 @@ InsertionScene::Content::Content(const anatomy::ScalaTympani& scala,
   prepareObserver = renderer->AddObserver(vtkCommand::StartEvent, prepareCommand);
 }
 
-void InsertionScene::Content::addActors(const QualityTraits& traits)
+void InsertionScene::Content::addActors(const QualityTraits& traits, const Palette& palette)
 {
-  renderer->SetBackground(palette::ground[0] / 255.0, palette::ground[1] / 255.0,
-                          palette::ground[2] / 255.0);
+  renderer->SetBackground(palette.ground[0] / 255.0, palette.ground[1] / 255.0,
+                          palette.ground[2] / 255.0);
   renderer->AddActor(&backdrop.actor());
   renderer->AutomaticLightCreationOff();
   addLight(*renderer, -0.5, 0.75, 1.0, 1.0);  // one key light, from above left
@@ -209,8 +212,8 @@ void InsertionScene::Content::prepare()
 
 InsertionScene::InsertionScene(const anatomy::ScalaTympani& scala,
                                const electrode::ArrayDesign& array, anatomy::Side side,
-                               Quality quality)
-    : content_(std::make_unique<Content>(scala, array, side, quality))
+                               Quality quality, const SceneStyle& style)
+    : content_(std::make_unique<Content>(scala, array, side, quality, style))
 {
   lookFrom(CameraPreset::surgeon);
 }

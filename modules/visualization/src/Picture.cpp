@@ -31,7 +31,7 @@ Result<Done> check(const PictureRequest& request)
 Result<Done> draw(const PictureRequest& request)
 {
   InsertionScene scene(*request.scala, request.array.value_or(electrode::ArrayDesign{}),
-                       request.side);
+                       request.side, Quality::software, request.style);
   if (request.now != nullptr) scene.show(*request.now);
   scene.lookFrom(request.view);
   scene.setScale(request.height / 960.0);

@@ -73,8 +73,8 @@ void addAll(SoftLines& lines, const std::vector<Polyline>& all, const Rgba& colo
 }  // namespace
 
 ScalaParts::ScalaParts(const anatomy::ScalaTympani& scala, const PictureSpace& space,
-                       const QualityTraits& traits)
-    : traits_(traits)
+                       const QualityTraits& traits, const Palette& palette)
+    : traits_(traits), palette_(palette)
 {
   plan(scala, space);
   planMembrane(scala, space);
@@ -89,7 +89,7 @@ void ScalaParts::plan(const anatomy::ScalaTympani& scala, const PictureSpace& sp
   const std::vector<Eigen::Vector3d> normals = pointNormals(places_, triangles);
   fill(wall_, places_, normals, triangles);
   normals_ = normals;
-  shell_.assign(places_.size(), withOpacity(palette::bone, facingOpacity));
+  shell_.assign(places_.size(), withOpacity(palette_.bone, facingOpacity));
   force_mN_mm_.assign(places_.size(), 0.0f);
 
   low_ = high_ = places_.front();
@@ -117,7 +117,7 @@ void ScalaParts::planMembrane(const anatomy::ScalaTympani& scala, const PictureS
   const std::vector<Eigen::Vector3d> places = placesOf(surface, space);
   const std::vector<Eigen::Vector3d> normals = pointNormals(places, triangles);
   fill(membrane_, places, normals, triangles);
-  membrane_.paint(withOpacity(palette::membrane, membraneOpacity));
+  membrane_.paint(withOpacity(palette_.membrane, membraneOpacity));
   membrane_.actor().GetProperty()->LightingOff();
   membraneRims_ = Silhouette(places, normals, triangles).rims();
 }
@@ -155,7 +155,7 @@ void ScalaParts::light(const ViewFrame& view)
     const double lit = facing < 0.0 ? -normals_[i].dot(key) : normals_[i].dot(key);
     const double light = ambient + diffuse * std::max(0.0, lit);
     const double turn = 1.0 - std::abs(facing);
-    Rgba color = withOpacity(palette::bone,
+    Rgba color = withOpacity(palette_.bone,
                              facingOpacity + (turnedOpacity - facingOpacity) * turn * turn * turn);
     for (std::size_t k = 0; k < 3; ++k) color[k] = static_cast<unsigned char>(light * color[k]);
     shell_[i] = color;
@@ -179,13 +179,13 @@ void ScalaParts::lookFrom(const ViewFrame& view)
     litFrom_ = view;
   }
   edges_.clear();
-  const Rgba color = withOpacity(palette::bone, edgeOpacity);
+  const Rgba color = withOpacity(palette_.bone, edgeOpacity);
   addAll(edges_, silhouettes_, color, 0.8 * view.pixel_mm);
   addAll(edges_, rims_, color, 0.8 * view.pixel_mm);
   edges_.build(view, 0.02);
 
   membraneEdges_.clear();
-  addAll(membraneEdges_, membraneRims_, withOpacity(palette::membrane, 0.55), 0.5 * view.pixel_mm);
+  addAll(membraneEdges_, membraneRims_, withOpacity(palette_.membrane, 0.55), 0.5 * view.pixel_mm);
   membraneEdges_.build(view, 0.01);
 }
 

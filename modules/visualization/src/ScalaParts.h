@@ -23,7 +23,7 @@ namespace perilymph::visualization {
 class ScalaParts {
 public:
   ScalaParts(const anatomy::ScalaTympani& scala, const PictureSpace& space,
-             const QualityTraits& traits);
+             const QualityTraits& traits, const Palette& palette);
 
   void addFarWall(vtkRenderer& renderer);
   void addMembrane(vtkRenderer& renderer);
@@ -47,6 +47,7 @@ private:
   long bin(int x, int y, int z) const;
 
   QualityTraits traits_;
+  const Palette& palette_;
   Mesh wall_{Mesh::Coloring::perPoint};
   Mesh membrane_{Mesh::Coloring::uniform};
   vtkSmartPointer<vtkActor> nearWall_;

@@ -14,9 +14,8 @@
 
 #include "ContactMarks.h"
 #include "ForceColors.h"
-#include "perilymph/charts/ChartStrings.h"
-#include "perilymph/charts/Typeface.h"
-#include "perilymph/visualization/SceneStrings.h"
+#include "perilymph/figures/Strings.h"
+#include "perilymph/figures/Typeface.h"
 
 namespace perilymph::visualization {
 namespace {
@@ -36,13 +35,6 @@ void fillWith(vtkContext2D& painter, const Rgba& color)
   painter.GetBrush()->SetColor(color[0], color[1], color[2], color[3]);
 }
 
-std::string rounded(double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", value);
-  return charts::withDecimalSign(text);
-}
-
 }  // namespace
 
 vtkStandardNewMacro(ScaleBars)
@@ -56,6 +48,20 @@ vtkStandardNewMacro(ScaleBars)
   return power;
 }
 
+void ScaleBars::setStyle(const SceneStyle& style)
+{
+  palette_ = &paletteOf(style.scheme);
+  strings_ = style.strings;
+  Modified();
+}
+
+std::string ScaleBars::rounded(double value) const
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return figures::withDecimalSign(text, strings_.decimalSign);
+}
+
 bool ScaleBars::Paint(vtkContext2D* painter)
 {
   paintLength(*painter);
@@ -66,10 +72,15 @@ bool ScaleBars::Paint(vtkContext2D* painter)
 void ScaleBars::setText(vtkContext2D& painter, int justification)
 {
   vtkTextProperty& text = *painter.GetTextProp();
-  charts::setTypeface(text);
+  if (const std::string& file = figures::typefaceFile(); file.empty()) {
+    text.SetFontFamilyToArial();
+  } else {
+    text.SetFontFamily(VTK_FONT_FILE);
+    text.SetFontFile(file.c_str());
+  }
   text.SetFontSize(static_cast<int>(std::lround(labelSize * pixelRatio)));
-  text.SetColor(palette::quietText[0] / 255.0, palette::quietText[1] / 255.0,
-                palette::quietText[2] / 255.0);
+  text.SetColor(palette_->quietText[0] / 255.0, palette_->quietText[1] / 255.0,
+                palette_->quietText[2] / 255.0);
   text.SetBold(false);
   text.SetJustification(justification);
   text.SetVerticalJustificationToCentered();
@@ -77,7 +88,7 @@ void ScaleBars::setText(vtkContext2D& painter, int justification)
 
 void ScaleBars::paintPlate(vtkContext2D& painter, float left, float bottom, float right, float top)
 {
-  fillWith(painter, withOpacity(palette::ground, plateOpacity));
+  fillWith(painter, withOpacity(palette_->ground, plateOpacity));
   painter.DrawRect(std::round(left), std::round(bottom), std::round(right - left),
                    std::round(top - bottom));
 }
@@ -101,7 +112,7 @@ void ScaleBars::paintLength(vtkContext2D& painter)
   const float cap = std::round(8.0f * scale);
   const float rim = static_cast<float>(plateRim_px) * scale;
   paintPlate(painter, right - length - rim, y - cap, right + rim, y + 26.0f * scale);
-  fillWith(painter, palette::text);
+  fillWith(painter, palette_->text);
   painter.DrawRect(right - length, y, length, line);
   painter.DrawRect(right - length, y - 0.5f * cap, line, cap + line);
   painter.DrawRect(right - line, y - 0.5f * cap, line, cap + line);
@@ -120,7 +131,7 @@ void ScaleBars::paintForce(vtkContext2D& painter)
   const float width = cell * cells;
   const float above = y + height + 11.0f * scale;
   const float below = y - 10.0f * scale;
-  const std::string label = sceneStrings().wallForce;
+  const std::string& label = strings_.wallForce;
   const std::vector<ArrowKind> arrows = showsArrows ? arrowKinds() : std::vector<ArrowKind>{};
 
   // model and words share this corner in some views
@@ -128,7 +139,7 @@ void ScaleBars::paintForce(vtkContext2D& painter)
   const float row = static_cast<float>(row_px) * scale;
   float widest = std::max(width, widthOf(painter, label));
   for (const ArrowKind& kind : arrows)
-    widest = std::max(widest, static_cast<float>(swatch_px) * scale + widthOf(painter, kind.text));
+    widest = std::max(widest, static_cast<float>(swatch_px) * scale + widthOf(painter, kind.label));
   const float top = arrows.empty() ? above : above + 2.0f * scale + row * float(arrows.size());
   paintPlate(painter, left - rim, below - rim, left + widest + rim, top + rim);
 
@@ -146,13 +157,13 @@ void ScaleBars::paintForce(vtkContext2D& painter)
   paintArrows(painter, arrows, left, top);
 }
 
-std::vector<ScaleBars::ArrowKind> ScaleBars::arrowKinds()
+std::vector<ScaleBars::ArrowKind> ScaleBars::arrowKinds() const
 {
   const double shown_mm = ContactMarks::arrow_mm_mN * namedForce_mN;
   const double times = ContactMarks::frictionArrow_mm_mN / ContactMarks::arrow_mm_mN;
-  return {{palette::arrow,
-           charts::filled(sceneStrings().normalForce, {rounded(shown_mm), rounded(namedForce_mN)})},
-          {palette::frictionArrow, charts::filled(sceneStrings().friction, {rounded(times)})}};
+  return {{palette_->arrow,
+           figures::filled(strings_.normalForce, {rounded(shown_mm), rounded(namedForce_mN)})},
+          {palette_->frictionArrow, figures::filled(strings_.friction, {rounded(times)})}};
 }
 
 void ScaleBars::paintArrows(vtkContext2D& painter, const std::vector<ArrowKind>& kinds, float left,
@@ -163,7 +174,7 @@ void ScaleBars::paintArrows(vtkContext2D& painter, const std::vector<ArrowKind>&
     fillWith(painter, kind.color);
     painter.DrawRect(left, y - scale, 16.0f * scale, 2.0f * scale);
     setText(painter, VTK_TEXT_LEFT);
-    painter.DrawString(left + static_cast<float>(swatch_px) * scale, y, kind.text);
+    painter.DrawString(left + static_cast<float>(swatch_px) * scale, y, kind.label);
     y -= static_cast<float>(row_px) * scale;
   }
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "Palette.h"
+#include "perilymph/visualization/SceneStyle.h"
 
 namespace perilymph::visualization {
 
@@ -23,6 +24,9 @@ public:
   int bottom_px = 34;       ///< From the lower edge, at pixel ratio 1.
   double pixel_mm = 0.025;  ///< Size of a pixel of the picture.
 
+  /// Colors and texts; those of a default SceneStyle until it is called.
+  void setStyle(const SceneStyle& style);
+
   /// The longest of 1, 2 and 5 times a power of ten that is at most 110 pixels long.
   double barLength_mm() const;
 
@@ -37,13 +41,17 @@ private:
   void paintForce(vtkContext2D& painter);
   struct ArrowKind {
     Rgba color;
-    std::string text;
+    std::string label;
   };
-  static std::vector<ArrowKind> arrowKinds();
+  std::vector<ArrowKind> arrowKinds() const;
+  std::string rounded(double value) const;
   void paintArrows(vtkContext2D& painter, const std::vector<ArrowKind>& kinds, float left, float y);
   void paintPlate(vtkContext2D& painter, float left, float bottom, float right, float top);
   float widthOf(vtkContext2D& painter, const std::string& label);
   void setText(vtkContext2D& painter, int justification);
+
+  const Palette* palette_ = &paletteOf(figures::ColorScheme::dark);
+  SceneStrings strings_;
 };
 
 }  // namespace perilymph::visualization

@@ -73,7 +73,7 @@ void SoftDots::build(const ViewFrame& view, double toward_mm)
       }
   }
   const int points = mesh_.points();
-  while (index < points) put(Eigen::Vector3d::Zero(), palette::ground, 0.0);
+  while (index < points) put(Eigen::Vector3d::Zero(), Rgba{}, 0.0);
   mesh_.pointsChanged();
   mesh_.colorsChanged();
 }

@@ -27,7 +27,7 @@ constexpr double lift = 0.35;
 
 }  // namespace
 
-Tweezers::Tweezers(double heldAt_mm) : heldAt_mm_(heldAt_mm)
+Tweezers::Tweezers(double heldAt_mm, const Palette& palette) : heldAt_mm_(heldAt_mm)
 {
   std::vector<Triangle> triangles;
   for (int i = 0; i + 1 < stationCount; ++i)
@@ -41,7 +41,7 @@ Tweezers::Tweezers(double heldAt_mm) : heldAt_mm_(heldAt_mm)
   for (int k = 1; k + 1 < sides; ++k) triangles.push_back({0, k + 1, k});
   for (Mesh& jaw : jaws_) {
     jaw.shape(stationCount * sides, triangles);
-    jaw.paint(palette::steel);
+    jaw.paint(palette.steel);
     vtkProperty& look = *jaw.actor().GetProperty();
     look.SetSpecular(0.6);
     look.SetSpecularPower(25.0);

@@ -13,7 +13,7 @@ namespace perilymph::visualization {
 class Tweezers {
 public:
   /// @param heldAt_mm  Place on the array, from the tip, where the jaws close.
-  explicit Tweezers(double heldAt_mm);
+  Tweezers(double heldAt_mm, const Palette& palette);
 
   void show(const ArrayPath& path);
   std::array<vtkActor*, 2> actors() { return {&jaws_[0].actor(), &jaws_[1].actor()}; }

@@ -21,8 +21,6 @@
 #include "gui/setup/Catalog.h"
 #include "gui/setup/Selector.h"
 #include "perilymph/analysis/Reference.h"
-#include "perilymph/charts/ChartStrings.h"
-#include "perilymph/visualization/SceneStrings.h"
 
 namespace perilymph::test {
 namespace {
@@ -192,16 +190,16 @@ TEST(German, IsSpokenWhenAskedFor)
     EXPECT_EQ(rig.button("resetButton").text(), "Neu");
     EXPECT_TRUE(rig.readOut("travelReadOut").contains(QLatin1Char(',')));
     // what VTK writes into the picture and the charts
-    EXPECT_EQ(visualization::sceneStrings().wallForce, "Wandkraft, mN je mm");
-    EXPECT_EQ(visualization::sceneStrings().friction, "Reibung, × %1");
-    EXPECT_EQ(charts::chartStrings().outerWall, "Außenwand");
-    EXPECT_EQ(charts::withDecimalSign("0.5"), "0,5");
+    EXPECT_EQ(gui::sceneStyle().strings.wallForce, "Wandkraft, mN je mm");
+    EXPECT_EQ(gui::sceneStyle().strings.friction, "Reibung, × %1");
+    EXPECT_EQ(gui::chartStyle().strings.outerWall, "Außenwand");
+    EXPECT_EQ(gui::chartStyle().strings.decimalSign, ',');
     const auto reference = analysis::shippedReference("todd-naghdy-experiment");
     ASSERT_TRUE(reference);
     EXPECT_TRUE(gui::referenceName(reference->label).startsWith("veröffentlichter Versuch"));
   }
   gui::useLanguage(*QCoreApplication::instance(), "en");
-  EXPECT_EQ(visualization::sceneStrings().wallForce, visualization::SceneStrings().wallForce);
+  EXPECT_EQ(gui::sceneStyle().strings.wallForce, visualization::SceneStrings().wallForce);
   WindowRig rig;
   EXPECT_EQ(rig.button("resetButton").text(), "Reset");
   QLocale::setDefault(QLocale::c());

@@ -23,8 +23,8 @@ protected:
   /// Words of a figure.
   bool figureSays(const std::string& caption)
   {
-    for (const analysis::Mark& mark : rig_.window().findChild<gui::DrawingView*>()->drawing().marks)
-      if (const auto* said = std::get_if<analysis::Label>(&mark))
+    for (const figures::Mark& mark : rig_.window().findChild<gui::DrawingView*>()->drawing().marks)
+      if (const auto* said = std::get_if<figures::Label>(&mark))
         if (said->text.find(caption) != std::string::npos) return true;
     return false;
   }

@@ -14,14 +14,14 @@ if __name__ == "__main__":
 from checks import arrows, sources  # noqa: E402
 
 PICTURE = "resources/pictures/house.svg"
-WIDTH, MARGIN, BOX, STEP, SPACE, SWEEPS = 1180, 20, (190, 44), 92, 250, 12
+WIDTH, MARGIN, BOX, STEP, SPACE, SWEEPS = 1180, 20, (190, 44), 92, 232, 12
 INK, LINE, PAPER = "#1c2733", "#8a97a5", "#ffffff"
 FILL = {"engine": "#dcebf7", "toolkit": "#e3f0dd", "app": "#f6e7cf"}
 SAID = {"engine": "engine: C++ and Eigen, no VTK, no Qt", "toolkit": "toolkit: may use VTK", "app": "what people start"}
 
 
 def kind(layer):
-    return "engine" if layer <= 5 else "toolkit" if layer <= 7 else "app"
+    return "engine" if layer <= 5 else "toolkit" if layer <= 6 else "app"
 
 
 def places(rows):

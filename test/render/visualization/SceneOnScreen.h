@@ -84,8 +84,9 @@ inline Eigen::Vector3d node_mm(const haptics::Snapshot& now, int node)
 
 /// A scene in an offscreen window of 640 x 400 pixels.
 struct SceneOnScreen {
-  explicit SceneOnScreen(anatomy::Side side = anatomy::Side::right)
-      : scene(*publishedScala(), plainArray(), side)
+  explicit SceneOnScreen(anatomy::Side side = anatomy::Side::right,
+                         const visualization::SceneStyle& style = {})
+      : scene(*publishedScala(), plainArray(), side, visualization::Quality::software, style)
   {
     window->SetOffScreenRendering(true);
     window->SetSize(640, 400);

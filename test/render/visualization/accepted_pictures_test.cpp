@@ -4,13 +4,11 @@
 #include <vtkUnsignedCharArray.h>
 
 #include "SceneOnScreen.h"
-#include "perilymph/charts/ColorScheme.h"
 #include "perilymph/charts/ContactDistances.h"
 #include "perilymph/charts/FigurePicture.h"
 #include "perilymph/charts/TipSection.h"
 #include "perilymph/charts/UnrolledScala.h"
 #include "perilymph/test/TemporaryFolder.h"
-#include "perilymph/visualization/SceneColorScheme.h"
 
 namespace perilymph::visualization {
 namespace {
@@ -25,19 +23,10 @@ haptics::Snapshot pressed()
   return now;
 }
 
-/// Light for the length of a test.
-struct Light {
-  Light() { show(ColorScheme::light, charts::ColorScheme::light); }
-  ~Light() { show(ColorScheme::dark, charts::ColorScheme::dark); }
-  static void show(ColorScheme look, charts::ColorScheme ofCharts)
-  {
-    setColorScheme(look);
-    charts::setColorScheme(ofCharts);
-  }
-};
+const charts::ChartStyle lightCharts{figures::ColorScheme::light, {}};
 
 /// A flat view painted at three pixels a point.
-test::DrawnPicture painted(const analysis::Drawing& drawing)
+test::DrawnPicture painted(const figures::Drawing& drawing)
 {
   const test::TemporaryFolder folder;
   const auto written = charts::writePicture(drawing, folder / "view.png");
@@ -58,8 +47,7 @@ TEST_F(FlatView, UnrolledScalaLooksAsAccepted)
 
 TEST_F(FlatView, UnrolledScalaLooksAsAcceptedOnAPageOfItsOwn)
 {
-  const Light light;
-  const charts::UnrolledScala view(*test::publishedScala());
+  const charts::UnrolledScala view(*test::publishedScala(), lightCharts);
   EXPECT_EQ(
       test::comparedWithAccepted(painted(view.drawPage(array, 360.0, 220.0)), "unrolled-light"),
       "");
@@ -73,7 +61,7 @@ TEST_F(FlatView, TipSectionLooksAsAccepted)
 
 TEST_F(FlatView, ContactDistancesLookAsAccepted)
 {
-  const analysis::Drawing view =
+  const figures::Drawing view =
       charts::drawContactDistances(charts::contactDistances(array), 200.0, 240.0);
   EXPECT_EQ(test::comparedWithAccepted(painted(view), "contact-distances"), "");
 }
@@ -89,8 +77,7 @@ TEST(WallForce, LooksAsAcceptedOnTheTranslucentWall)
 
 TEST(LightLook, LooksAsAccepted)
 {
-  const Light light;
-  SceneOnScreen screen;
+  SceneOnScreen screen(anatomy::Side::right, {figures::ColorScheme::light, {}});
   screen.scene.show(pressed());
   EXPECT_EQ(test::comparedWithAccepted(screen.picture(), "surgeon-view-light"), "");
 }

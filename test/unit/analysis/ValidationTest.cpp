@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "perilymph/analysis/ValidationReport.h"
+#include "perilymph/figures/Svg.h"
 #include "perilymph/foundation/Resources.h"
 
 namespace perilymph::analysis {
@@ -40,8 +41,8 @@ TEST(Validation, GivesTheSameBytesWhateverTheJobs)
   EXPECT_EQ(profileCsv(*one), profileCsv(*three));
   EXPECT_EQ(differenceCsv(*one), differenceCsv(*three));
   EXPECT_EQ(summaryJson(request, *one), summaryJson(request, *three));
-  EXPECT_EQ(svg(draw(simulationFigure(*one, request.experiment))),
-            svg(draw(simulationFigure(*three, request.experiment))));
+  EXPECT_EQ(figures::svg(figures::draw(simulationFigure(*one, request.experiment))),
+            figures::svg(figures::draw(simulationFigure(*three, request.experiment))));
 }
 
 TEST(Validation, WithAnotherSeedIsAnotherStudyOfTheSameThing)

@@ -61,10 +61,10 @@ TEST(ContactDistances, TheirMeanIsWrittenOverThem)
 {
   const std::vector<ContactDistance> contacts{
       {true, 90.0, 0.5}, {true, 80.0, 1.0}, {false, 0.0, -1.0}};
-  const analysis::Drawing drawing = drawContactDistances(contacts, 200.0, 180.0);
+  const figures::Drawing drawing = drawContactDistances(contacts, 200.0, 180.0);
   bool isSaid = false;
-  for (const analysis::Mark& mark : drawing.marks)
-    if (const auto* label = std::get_if<analysis::Label>(&mark))
+  for (const figures::Mark& mark : drawing.marks)
+    if (const auto* label = std::get_if<figures::Label>(&mark))
       isSaid = isSaid || label->text == "mean 0.75 mm, 2 inside";
   EXPECT_TRUE(isSaid);
 }

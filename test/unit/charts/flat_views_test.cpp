@@ -13,11 +13,11 @@
 namespace perilymph::charts {
 namespace {
 
-using analysis::Area;
-using analysis::Drawing;
-using analysis::Ink;
-using analysis::Label;
-using analysis::Stroke;
+using figures::Area;
+using figures::Drawing;
+using figures::Ink;
+using figures::Label;
+using figures::Stroke;
 
 constexpr Ink silicone{{0xDC, 0xE4, 0xE9}, 1.0};
 constexpr Ink orange{{0xE6, 0x9F, 0x00}, 1.0};
@@ -27,7 +27,7 @@ template <class Kind>
 std::vector<Kind> all(const Drawing& drawing, const Ink& ink)
 {
   std::vector<Kind> found;
-  for (const analysis::Mark& mark : drawing.marks)
+  for (const figures::Mark& mark : drawing.marks)
     if (const auto* one = std::get_if<Kind>(&mark); one != nullptr && one->ink == ink)
       found.push_back(*one);
   return found;
@@ -35,7 +35,7 @@ std::vector<Kind> all(const Drawing& drawing, const Ink& ink)
 
 std::optional<Label> label(const Drawing& drawing, const std::string& text)
 {
-  for (const analysis::Mark& mark : drawing.marks)
+  for (const figures::Mark& mark : drawing.marks)
     if (const auto* one = std::get_if<Label>(&mark); one != nullptr && one->text == text)
       return *one;
   return std::nullopt;
@@ -47,10 +47,10 @@ struct Box {
   double height() const { return bottom - top; }
 };
 
-Box boxOf(const std::vector<analysis::PagePoint>& points)
+Box boxOf(const std::vector<figures::PagePoint>& points)
 {
   Box box;
-  for (const analysis::PagePoint& point : points) {
+  for (const figures::PagePoint& point : points) {
     box.left = std::min(box.left, point.x);
     box.right = std::max(box.right, point.x);
     box.top = std::min(box.top, point.y);

@@ -17,6 +17,7 @@
 #include "gui/parts/Numbers.h"
 #include "gui/parts/Theme.h"
 #include "perilymph/charts/FigurePicture.h"
+#include "perilymph/figures/Svg.h"
 #include "perilymph/foundation/AtomicFile.h"
 
 namespace perilymph::gui {
@@ -253,12 +254,12 @@ void ComparePage::showScore()
 
 Result<Done> ComparePage::writeInto(const std::filesystem::path& folder) const
 {
-  const analysis::Drawing figure =
-      analysis::draw(analysis::comparisonFigure(runs_, published_ ? &*published_ : nullptr));
+  const figures::Drawing figure =
+      figures::draw(analysis::comparisonFigure(runs_, published_ ? &*published_ : nullptr));
   const std::pair<const char*, std::string> files[] = {
       {"comparison.csv", analysis::comparisonCsv(runs_)},
       {"curves.csv", analysis::curvesCsv(runs_)},
-      {"curves.svg", analysis::svg(figure)}};
+      {"curves.svg", figures::svg(figure)}};
   for (const auto& [name, content] : files)
     if (const auto written = writeWhole(folder / name, content); !written) return written;
   return charts::writePicture(figure, folder / "curves.png");

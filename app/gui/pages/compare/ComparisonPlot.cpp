@@ -71,8 +71,8 @@ void ComparisonPlot::fitAxes()
       lowest = std::min(lowest, point.force);
       highest = std::max(highest, point.force);
     }
-  x_ = analysis::axisOver({}, nearest, farthest);
-  y_ = analysis::axisOver({}, lowest, highest);
+  x_ = figures::axisOver({}, nearest, farthest);
+  y_ = figures::axisOver({}, lowest, highest);
   cursor_mm_ = std::clamp(cursor_mm_, x_.low, x_.high);
 }
 
@@ -119,7 +119,7 @@ void ComparisonPlot::paintAxes(QPainter& painter) const
 {
   painter.setFont(typeface(11));
   const QRectF inside = place();
-  const auto ticksOf = [](const analysis::FigureAxis& axis) {
+  const auto ticksOf = [](const figures::FigureAxis& axis) {
     return int(std::lround((axis.high - axis.low) / axis.tick));
   };
   for (int i = 0; i <= ticksOf(y_); ++i) {

@@ -45,7 +45,7 @@ private:
 
   std::vector<analysis::ComparedInsertion> runs_;
   std::optional<analysis::Reference> published_;
-  analysis::FigureAxis x_, y_;
+  figures::FigureAxis x_, y_;
   double cursor_mm_ = 0.0;
 };
 

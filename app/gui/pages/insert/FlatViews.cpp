@@ -5,6 +5,7 @@
 
 #include "gui/pages/insert/Pane.h"
 #include "gui/pages/insert/PlotView.h"
+#include "gui/parts/ChartLabels.h"
 #include "gui/parts/Numbers.h"
 #include "perilymph/charts/ContactDistances.h"
 
@@ -12,10 +13,11 @@ namespace perilymph::gui {
 
 struct FlatViews::Scene {
   Scene(const anatomy::ScalaTympani& scala, const electrode::ArrayDesign& design)
-      : array(scala, design), unrolled(scala), section(scala)
+      : array(scala, design), style(chartStyle()), unrolled(scala, style), section(scala, style)
   {
   }
   charts::ArrayInScala array;
+  charts::ChartStyle style;
   charts::UnrolledScala unrolled;
   charts::TipSection section;
 };
@@ -24,19 +26,19 @@ FlatViews::FlatViews(QWidget* parent) : QObject(parent)
 {
   unrolledView_ = new PlotView(
       [this](double width, double height) {
-        return scene_ ? scene_->unrolled.draw(scene_->array, width, height) : analysis::Drawing{};
+        return scene_ ? scene_->unrolled.draw(scene_->array, width, height) : figures::Drawing{};
       },
       parent);
   sectionView_ = new PlotView(
       [this](double width, double height) {
-        return scene_ ? scene_->section.draw(scene_->array, width, height) : analysis::Drawing{};
+        return scene_ ? scene_->section.draw(scene_->array, width, height) : figures::Drawing{};
       },
       parent);
   distancesView_ = new PlotView(
       [this](double width, double height) {
         return scene_ ? charts::drawContactDistances(charts::contactDistances(scene_->array), width,
-                                                     height)
-                      : analysis::Drawing{};
+                                                     height, scene_->style)
+                      : figures::Drawing{};
       },
       parent);
   unrolledPane_ = new Pane(tr("Unrolled scala tympani"), tr("angle from round window; width, mm"),

@@ -13,7 +13,11 @@
 namespace perilymph::gui {
 
 ForceCharts::ForceCharts(QWidget* parent)
-    : QObject(parent), travelView_(chartView(parent)), timeView_(chartView(parent))
+    : QObject(parent),
+      overTravel_(chartStyle()),
+      components_(chartStyle()),
+      travelView_(chartView(parent)),
+      timeView_(chartView(parent))
 {
   travelPane_ = new Pane(tr("Force over travel"), tr("axial, N"), travelView_, parent);
   travelPane_->setObjectName(QStringLiteral("travelPane"));

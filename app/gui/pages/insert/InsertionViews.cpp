@@ -5,6 +5,7 @@
 #include "gui/pages/insert/ForceSound.h"
 #include "gui/pages/insert/Pane.h"
 #include "gui/pages/insert/ViewMenu.h"
+#include "gui/parts/ChartLabels.h"
 #include "gui/parts/FrameMeter.h"
 #include "gui/parts/Theme.h"
 #include "gui/parts/UserSettings.h"
@@ -127,7 +128,8 @@ void InsertionViews::offerQuadBuffered(const QString& error)
 
 std::unique_ptr<visualization::InsertionScene> InsertionViews::madeScene() const
 {
-  return std::make_unique<visualization::InsertionScene>(*scala_, array_, side_, pilot_.quality());
+  return std::make_unique<visualization::InsertionScene>(*scala_, array_, side_, pilot_.quality(),
+                                                         sceneStyle());
 }
 
 void InsertionViews::openTwin()

@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <functional>
 
-#include "perilymph/analysis/Drawing.h"
+#include "perilymph/figures/Drawing.h"
 
 namespace perilymph::gui {
 
@@ -13,7 +13,7 @@ namespace perilymph::gui {
 class PlotView : public QWidget {
   Q_OBJECT
 public:
-  using Draw = std::function<analysis::Drawing(double width, double height)>;
+  using Draw = std::function<figures::Drawing(double width, double height)>;
 
   PlotView(Draw draw, QWidget* parent);
 

@@ -23,7 +23,7 @@ constexpr int footHeight = 34;  // below the text of a page [dots]
 /// The curve as it is written elsewhere, too, painted fine enough for print.
 QImage curveOf(const ReportContent& content)
 {
-  const analysis::Drawing drawing = analysis::draw(analysis::comparisonFigure(
+  const figures::Drawing drawing = figures::draw(analysis::comparisonFigure(
       {content.insertion}, content.published ? &*content.published : nullptr));
   constexpr double fineness = 3.0;
   QImage image(int(fineness * drawing.width), int(fineness * drawing.height), QImage::Format_RGB32);

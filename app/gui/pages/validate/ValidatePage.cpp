@@ -16,6 +16,7 @@
 #include "gui/parts/CheckBoxes.h"
 #include "gui/parts/DrawingView.h"
 #include "gui/parts/Theme.h"
+#include "perilymph/figures/Svg.h"
 #include "perilymph/foundation/AtomicFile.h"
 
 namespace perilymph::gui {
@@ -222,10 +223,10 @@ void ValidatePage::showFigure()
       ->setChecked(true);
   const analysis::Reference& experiment = basis_->request.experiment;
   drawing_->show(
-      analysis::draw(shown == Shown::simulation ? analysis::simulationFigure(sofar_, experiment)
-                     : shown == Shown::difference
-                         ? analysis::differenceFigure(*result_, basis_->references.difference)
-                         : analysis::experimentFigure(experiment, basis_->references.simulator)));
+      figures::draw(shown == Shown::simulation ? analysis::simulationFigure(sofar_, experiment)
+                    : shown == Shown::difference
+                        ? analysis::differenceFigure(*result_, basis_->references.difference)
+                        : analysis::experimentFigure(experiment, basis_->references.simulator)));
 }
 
 void ValidatePage::showState()
@@ -282,7 +283,7 @@ void ValidatePage::save()
   for (const auto& [name, content] : files.texts)
     if (!keep(name, content)) return;
   for (const auto& [name, figure] : files.figures)
-    if (!keep(name + ".svg", analysis::svg(figure))) return;
+    if (!keep(name + ".svg", figures::svg(figure))) return;
   status_->setText(tr("Six files are in %1.").arg(chosen));
 }
 

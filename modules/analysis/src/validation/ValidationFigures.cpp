@@ -2,10 +2,20 @@
 
 #include <algorithm>
 
-#include "NumberFormat.h"
 #include "perilymph/analysis/ValidationReport.h"
+#include "perilymph/figures/Strings.h"
 
 namespace perilymph::analysis {
+
+using figures::Figure;
+using figures::FigureAxis;
+using figures::FigureBand;
+using figures::FigureCurve;
+using figures::FigureValues;
+using figures::fixed;
+using figures::Ink;
+using figures::MarkerShape;
+namespace ink = figures::ink;
 
 namespace {
 
@@ -140,7 +150,7 @@ Figure differenceFigure(const ValidationResult& result, const Reference& publish
     theirs.low.push_back(difference.low.value_or(difference.mean));
     theirs.high.push_back(difference.high.value_or(difference.mean));
   }
-  figure.y = axisOver("difference of mean axial force, N", lowest, highest);
+  figure.y = figures::axisOver("difference of mean axial force, N", lowest, highest);
   figure.levels = {{"felt by surgeons, ± 20.4 mN", feltBySurgeons, ink::gray, 3.0},
                    {"", -feltBySurgeons, ink::gray, 3.0}};
   figure.values = {theirs, ours};

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "NumberFormat.h"
+#include "RoundedTravel.h"
+#include "perilymph/figures/Strings.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/session/Csv.h"
 
@@ -24,9 +25,9 @@ constexpr Length peakSlack = millimeters(0.8);
 constexpr Length dipSlack = millimeters(0.6);
 constexpr double minSpread = 0.010, maxSpread = 0.040;
 
-std::string newtonsOf(double force) { return fixed(force, 4) + " N"; }
+std::string newtonsOf(double force) { return figures::fixed(force, 4) + " N"; }
 
-std::string mm(double travel) { return fixed(inMillimeters(meters(travel)), 1) + " mm"; }
+std::string mm(double travel) { return figures::fixed(inMillimeters(meters(travel)), 1) + " mm"; }
 
 double largestDifference(const ValidationResult& result)
 {
@@ -65,7 +66,7 @@ Verdict rangeVerdict(const char* what, const std::optional<double>& found,
   verdict.what = what;
   verdict.found = found ? newtonsOf(*found) : "none";
   if (!wanted) return verdict;
-  verdict.wanted = fixed(wanted->low, 4) + " to " + newtonsOf(wanted->high);
+  verdict.wanted = figures::fixed(wanted->low, 4) + " to " + newtonsOf(wanted->high);
   verdict.isMet = found && *found >= wanted->low && *found <= wanted->high;
   return verdict;
 }
@@ -103,10 +104,11 @@ std::vector<Verdict> verdictsOf(const ValidationResult& result, const Reference&
   std::vector<Verdict> verdicts;
   for (const AnchorComparison& anchor : result.anchors) {
     const PrintedForce& printed = anchor.experiment;
-    verdicts.push_back({"force at " + mm(printed.travel) + ", " + printed.feature,
-                        newtonsOf(anchor.simulator.mean),
-                        fixed(printed.mean, 4) + " ± " + newtonsOf(printed.standardDeviation),
-                        anchor.isWithinStandardDeviation});
+    verdicts.push_back(
+        {"force at " + mm(printed.travel) + ", " + printed.feature,
+         newtonsOf(anchor.simulator.mean),
+         figures::fixed(printed.mean, 4) + " ± " + newtonsOf(printed.standardDeviation),
+         anchor.isWithinStandardDeviation});
   }
   const double largest = largestDifference(result);
   verdicts.push_back({"largest of these differences", newtonsOf(largest),
@@ -130,7 +132,7 @@ std::vector<Verdict> verdictsOf(const ValidationResult& result, const Reference&
       rangeVerdict("raw force at the first rib", peak, experiment.findRange("first rib, raw")));
   const double spread = spreadAtAnchors(result);
   verdicts.push_back({"standard deviation at the printed values", newtonsOf(spread),
-                      fixed(minSpread, 4) + " to " + newtonsOf(maxSpread),
+                      figures::fixed(minSpread, 4) + " to " + newtonsOf(maxSpread),
                       spread >= minSpread && spread <= maxSpread});
   return verdicts;
 }

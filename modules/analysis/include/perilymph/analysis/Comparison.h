@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "perilymph/analysis/Figure.h"
 #include "perilymph/analysis/ForceProfile.h"
 #include "perilymph/analysis/MotionCounter.h"
 #include "perilymph/analysis/Reference.h"
+#include "perilymph/figures/Figure.h"
 #include "perilymph/foundation/Result.h"
 
 namespace perilymph::analysis {
@@ -38,8 +38,8 @@ std::string comparisonCsv(const std::vector<ComparedInsertion>& insertions);
 std::string curvesCsv(const std::vector<ComparedInsertion>& insertions);
 
 /// The curves over one axis, and the printed values of a reference where one is given.
-Figure comparisonFigure(const std::vector<ComparedInsertion>& insertions,
-                        const Reference* published = nullptr);
+figures::Figure comparisonFigure(const std::vector<ComparedInsertion>& insertions,
+                                 const Reference* published = nullptr);
 
 /// The force of a curve at a travel [m], straight lines between points; nothing outside it.
 std::optional<double> forceAt(const std::vector<CurvePoint>& curve, double travel);

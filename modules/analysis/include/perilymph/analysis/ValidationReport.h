@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "perilymph/analysis/CalibrationFit.h"
-#include "perilymph/analysis/Figure.h"
 #include "perilymph/analysis/Validation.h"
+#include "perilymph/figures/Figure.h"
 
 namespace perilymph::analysis {
 
@@ -37,7 +37,7 @@ Result<ValidationRequest> shippedValidation(const ValidationReferences& referenc
 /// Everything a validation writes: names with ending and text, names without ending and figures.
 struct ValidationFiles {
   std::vector<std::pair<std::string, std::string>> texts;
-  std::vector<std::pair<std::string, Drawing>> figures;
+  std::vector<std::pair<std::string, figures::Drawing>> figures;
 };
 ValidationFiles validationFiles(const ValidationRequest& request, const ValidationResult& result,
                                 const ValidationReferences& references);
@@ -52,12 +52,14 @@ std::string differenceCsv(const ValidationResult& result);
 std::string summaryJson(const ValidationRequest& request, const ValidationResult& result);
 
 /// The experiment as its printed values, beside it the published simulator's.
-Figure experimentFigure(const Reference& experiment, const Reference& publishedSimulator);
+figures::Figure experimentFigure(const Reference& experiment, const Reference& publishedSimulator);
 /// The simulation: mean, its confidence and its spread, beside it the experiment's printed values.
-Figure simulationFigure(const ValidationResult& result, const Reference& experiment);
+figures::Figure simulationFigure(const ValidationResult& result, const Reference& experiment);
 /// The same for a calibration: which printed values it used, and which it predicts.
-Figure calibrationFigure(const CalibrationResult& calibration, const Reference& experiment);
+figures::Figure calibrationFigure(const CalibrationResult& calibration,
+                                  const Reference& experiment);
 /// Simulator minus experiment where the experiment is printed, beside it the published simulator's.
-Figure differenceFigure(const ValidationResult& result, const Reference& publishedDifference);
+figures::Figure differenceFigure(const ValidationResult& result,
+                                 const Reference& publishedDifference);
 
 }  // namespace perilymph::analysis

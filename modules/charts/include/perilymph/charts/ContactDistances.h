@@ -4,8 +4,9 @@
 
 #include <vector>
 
-#include "perilymph/analysis/Drawing.h"
 #include "perilymph/charts/ArrayInScala.h"
+#include "perilymph/charts/ChartStyle.h"
+#include "perilymph/figures/Drawing.h"
 
 namespace perilymph::charts {
 
@@ -22,7 +23,7 @@ struct ContactDistance {
 std::vector<ContactDistance> contactDistances(const ArrayInScala& now);
 
 /// The distances [mm] as pins over the contacts' numbers, 1 at the tip, with their mean.
-analysis::Drawing drawContactDistances(const std::vector<ContactDistance>& contacts, double width,
-                                       double height);
+figures::Drawing drawContactDistances(const std::vector<ContactDistance>& contacts, double width,
+                                      double height, const ChartStyle& style = {});
 
 }  // namespace perilymph::charts

@@ -4,12 +4,12 @@
 
 #include <filesystem>
 
-#include "perilymph/analysis/Drawing.h"
+#include "perilymph/figures/Drawing.h"
 #include "perilymph/foundation/Result.h"
 
 namespace perilymph::charts {
 
 /// Writes a drawing as PNG with 216 pixels an inch; the file appears whole or not at all.
-Result<Done> writePicture(const analysis::Drawing& drawing, const std::filesystem::path& file);
+Result<Done> writePicture(const figures::Drawing& drawing, const std::filesystem::path& file);
 
 }  // namespace perilymph::charts

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "perilymph/charts/ChartStyle.h"
 #include "perilymph/charts/ReferenceCurve.h"
 #include "perilymph/foundation/Units.h"
 
@@ -23,7 +24,7 @@ enum class ChartLayer { ghost, reference, threshold };
 /// pulls.
 class ForceDepthChart {
 public:
-  ForceDepthChart();
+  explicit ForceDepthChart(const ChartStyle& style = {});
   ~ForceDepthChart();
   ForceDepthChart(const ForceDepthChart&) = delete;
   ForceDepthChart& operator=(const ForceDepthChart&) = delete;

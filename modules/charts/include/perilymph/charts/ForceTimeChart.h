@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "perilymph/charts/ChartStyle.h"
 #include "perilymph/foundation/Units.h"
 
 class vtkChartXY;
@@ -24,7 +25,7 @@ class ForceTimeChart {
 public:
   static constexpr Duration span = seconds(5);
 
-  ForceTimeChart();
+  explicit ForceTimeChart(const ChartStyle& style = {});
   ~ForceTimeChart();
   ForceTimeChart(const ForceTimeChart&) = delete;
   ForceTimeChart& operator=(const ForceTimeChart&) = delete;

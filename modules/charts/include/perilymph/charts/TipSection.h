@@ -2,8 +2,9 @@
 
 // The section through the scala tympani where the tip is, with the array in it.
 
-#include "perilymph/analysis/Drawing.h"
 #include "perilymph/charts/ArrayInScala.h"
+#include "perilymph/charts/ChartStyle.h"
+#include "perilymph/figures/Drawing.h"
 
 namespace perilymph::charts {
 
@@ -16,16 +17,17 @@ public:
   static constexpr double arrow_px_mN = 1.0;
   static constexpr double longestArrow_px = 60.0;
 
-  explicit TipSection(const anatomy::ScalaTympani& scala);
+  explicit TipSection(const anatomy::ScalaTympani& scala, ChartStyle style = {});
 
   /// The view in so many pixels. Before the tip is in, the section at the round window.
-  analysis::Drawing draw(const ArrayInScala& now, double width, double height) const;
+  figures::Drawing draw(const ArrayInScala& now, double width, double height) const;
 
   /// The angle of the section drawn for an array.
   static double angle_deg(const ArrayInScala& now);
 
 private:
   const anatomy::ScalaTympani& scala_;
+  ChartStyle style_;
   double halfWidth_mm_ = 0.0, halfHeight_mm_ = 0.0;  ///< That hold every section.
 };
 

@@ -4,8 +4,9 @@
 
 #include <vector>
 
-#include "perilymph/analysis/Drawing.h"
 #include "perilymph/charts/ArrayInScala.h"
+#include "perilymph/charts/ChartStyle.h"
+#include "perilymph/figures/Drawing.h"
 
 namespace perilymph::charts {
 
@@ -21,13 +22,13 @@ public:
   /// Length of a bar for so much force per length.
   static constexpr double bar_px = 18.0, bar_mN_mm = 50.0;
 
-  explicit UnrolledScala(const anatomy::ScalaTympani& scala);
+  explicit UnrolledScala(const anatomy::ScalaTympani& scala, ChartStyle style = {});
 
   /// The view in so many pixels. The range, 0 to 540 degrees, grows by quarter turns with the tip.
-  analysis::Drawing draw(const ArrayInScala& now, double width, double height) const;
+  figures::Drawing draw(const ArrayInScala& now, double width, double height) const;
 
   /// The same as a picture that stands alone: with a line that names the axes.
-  analysis::Drawing drawPage(const ArrayInScala& now, double width, double height) const;
+  figures::Drawing drawPage(const ArrayInScala& now, double width, double height) const;
 
 private:
   struct Width {
@@ -35,6 +36,7 @@ private:
   };
   Width widthAt(double angle_deg) const;
 
+  ChartStyle style_;
   double lastAngle_deg_, leadIn_deg_;
   double inner_mm_ = 0.0, outer_mm_ = 0.0;  ///< Extent of the widest place.
   std::vector<Width> widths_;               ///< At equal angles, from the opening on.

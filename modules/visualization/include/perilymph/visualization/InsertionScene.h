@@ -9,6 +9,7 @@
 #include "perilymph/electrode/ArrayDesign.h"
 #include "perilymph/haptics/Snapshot.h"
 #include "perilymph/visualization/Quality.h"
+#include "perilymph/visualization/SceneStyle.h"
 
 class vtkRenderer;
 class vtkRenderWindow;
@@ -47,7 +48,8 @@ inline constexpr double eyeAngle_deg = 5.5;
 class InsertionScene {
 public:
   InsertionScene(const anatomy::ScalaTympani& scala, const electrode::ArrayDesign& array,
-                 anatomy::Side side, Quality quality = Quality::software);
+                 anatomy::Side side, Quality quality = Quality::software,
+                 const SceneStyle& style = {});
   ~InsertionScene();
   InsertionScene(const InsertionScene&) = delete;
   InsertionScene& operator=(const InsertionScene&) = delete;

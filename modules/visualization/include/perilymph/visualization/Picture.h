@@ -23,6 +23,7 @@ struct PictureRequest {
   int width = 1280;            ///< Pixels, 64 to 8192.
   int height = 960;            ///< Pixels, 64 to 8192.
   std::filesystem::path file;  ///< Ends in .png.
+  SceneStyle style;
 };
 
 /// Draws a picture into its file, which appears whole or not at all. Without a display it starts a

@@ -1,9 +1,11 @@
-#include "perilymph/analysis/Figure.h"
+#include "perilymph/figures/Figure.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace perilymph::analysis {
+#include "perilymph/figures/Svg.h"
+
+namespace perilymph::figures {
 namespace {
 
 using testing::HasSubstr;
@@ -75,4 +77,4 @@ TEST(FigureAxis, HoldsItsRangeWithRoundTicks)
 }
 
 }  // namespace
-}  // namespace perilymph::analysis
+}  // namespace perilymph::figures

@@ -1,17 +1,14 @@
-#include "perilymph/charts/Typeface.h"
-
-#include <vtkTextProperty.h>
+#include "perilymph/figures/Typeface.h"
 
 #include <filesystem>
-#include <string>
 #include <system_error>
 
 #include "perilymph/foundation/Resources.h"
 
-namespace perilymph::charts {
+namespace perilymph::figures {
 namespace {
 
-std::string fontFile()
+std::string findTypeface()
 {
   const std::filesystem::path candidates[] = {
       resource("resources/fonts/Inter-Regular.otf"),
@@ -27,15 +24,10 @@ std::string fontFile()
 
 }  // namespace
 
-void setTypeface(vtkTextProperty& text)
+const std::string& typefaceFile()
 {
-  static const std::string file = fontFile();
-  if (file.empty()) {
-    text.SetFontFamilyToArial();
-    return;
-  }
-  text.SetFontFamily(VTK_FONT_FILE);
-  text.SetFontFile(file.c_str());
+  static const std::string file = findTypeface();
+  return file;
 }
 
-}  // namespace perilymph::charts
+}  // namespace perilymph::figures

@@ -1,11 +1,11 @@
-#include "perilymph/analysis/Drawing.h"
+#include "perilymph/figures/Svg.h"
 
 #include <charconv>
 #include <cstdio>
 
 #include "perilymph/foundation/Utf8.h"
 
-namespace perilymph::analysis {
+namespace perilymph::figures {
 
 namespace {
 
@@ -113,4 +113,4 @@ std::string svg(const Drawing& drawing)
   return text + "</svg>\n";
 }
 
-}  // namespace perilymph::analysis
+}  // namespace perilymph::figures

@@ -1,13 +1,14 @@
 #pragma once
 
-// What charts and flat views say, in the language of whoever shows them.
+// How charts and flat views look and what they say, given to each when it is made.
 
 #include <string>
-#include <vector>
+
+#include "perilymph/figures/Style.h"
 
 namespace perilymph::charts {
 
-/// Words on charts and flat views; English until others are set. %1 and %2 stand for numbers.
+/// Texts on charts and flat views, English by default. %1 and %2 stand for numbers.
 struct ChartStrings {
   std::string travel = "travel, mm";
   std::string axialForce = "axial force, N";
@@ -27,13 +28,9 @@ struct ChartStrings {
   char decimalSign = '.';
 };
 
-/// Sets the strings of all charts and views made from then on.
-void setChartStrings(ChartStrings strings);
-const ChartStrings& chartStrings();
-
-/// Words with numbers in place of %1, %2.
-std::string filled(std::string text, const std::vector<std::string>& numbers);
-/// A number as printf writes it, with the sign that people read.
-std::string withDecimalSign(std::string number);
+struct ChartStyle {
+  figures::ColorScheme scheme = figures::ColorScheme::dark;
+  ChartStrings strings;
+};
 
 }  // namespace perilymph::charts

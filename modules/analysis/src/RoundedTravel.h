@@ -1,22 +1,12 @@
 #pragma once
 
-// Numbers for people and for tables.
+// Travels for people and for tables.
 
-#include <charconv>
 #include <cmath>
-#include <string>
 
 #include "perilymph/foundation/Units.h"
 
 namespace perilymph::analysis {
-
-/// With so many digits behind the point.
-inline std::string fixed(double value, int digits)
-{
-  char text[400];
-  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, digits);
-  return {text, end.ptr};
-}
 
 /// A travel in millimeters without the rounding errors of a multiple of the step.
 inline double roundedMillimeters(double travel)

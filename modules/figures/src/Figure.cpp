@@ -1,10 +1,11 @@
-#include "perilymph/analysis/Figure.h"
+#include "perilymph/figures/Figure.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
-namespace perilymph::analysis {
+#include "perilymph/figures/Strings.h"
+
+namespace perilymph::figures {
 
 namespace {
 
@@ -14,10 +15,7 @@ constexpr double titleSize = 11.0, textSize = 9.0, smallSize = 8.0, lineSpacing 
 
 std::string written(double value, int decimals)
 {
-  char text[400];
-  const auto end =
-      std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals);
-  std::string result(text, end.ptr);
+  const std::string result = fixed(value, decimals);
   return result.find_first_not_of("-0.") == std::string::npos && result.front() == '-'
              ? result.substr(1)
              : result;
@@ -271,4 +269,4 @@ Drawing draw(const Figure& figure)
   return page;
 }
 
-}  // namespace perilymph::analysis
+}  // namespace perilymph::figures

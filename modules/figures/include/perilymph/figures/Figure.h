@@ -1,14 +1,14 @@
 #pragma once
 
-// A figure for print: two axes, curves, bands and printed values, each told apart by more than its
-// color.
+// A figure for print: two axes, curves, bands and printed values, each different from the others by
+// more than its color.
 
 #include <string>
 #include <vector>
 
-#include "perilymph/analysis/Drawing.h"
+#include "perilymph/figures/Drawing.h"
 
-namespace perilymph::analysis {
+namespace perilymph::figures {
 
 /// An axis with even ticks.
 struct FigureAxis {
@@ -80,4 +80,4 @@ Drawing draw(const Figure& figure);
 /// ten.
 FigureAxis axisOver(std::string title, double low, double high);
 
-}  // namespace perilymph::analysis
+}  // namespace perilymph::figures

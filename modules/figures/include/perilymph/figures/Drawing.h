@@ -1,6 +1,6 @@
 #pragma once
 
-// A picture of lines, areas, disks and words for print, and as SVG: the same bytes each time.
+// A picture of lines, areas, disks and labels.
 
 #include <array>
 #include <cstdint>
@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-namespace perilymph::analysis {
+namespace perilymph::figures {
 
 /// A place on the page: points (1/72 inch) from its upper left corner.
 struct PagePoint {
@@ -46,7 +46,7 @@ struct Disk {
 enum class Anchor { start, middle, end };
 enum class Direction { across, upward };
 
-/// Words on their base line.
+/// A text on its base line.
 struct Label {
   PagePoint at;
   std::string text;
@@ -65,7 +65,4 @@ struct Drawing {
   std::vector<Mark> marks;
 };
 
-/// The drawing as an SVG file. No dates and no names of machines: the same drawing, the same bytes.
-std::string svg(const Drawing& drawing);
-
-}  // namespace perilymph::analysis
+}  // namespace perilymph::figures

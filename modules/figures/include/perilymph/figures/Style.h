@@ -1,0 +1,30 @@
+#pragma once
+
+// Colors of everything drawn on a screen: dark or light.
+
+#include "perilymph/figures/Drawing.h"
+
+namespace perilymph::figures {
+
+enum class ColorScheme { dark, light };
+
+/// Colors of one scheme.
+struct SchemeInks {
+  Ink panel, ground, grid, zero, text, quiet, accent, blue, orange, bone, lumen, membrane, silicone,
+      platinum;
+};
+
+/// The colors of a scheme: constants of the program.
+const SchemeInks& inksOf(ColorScheme scheme);
+
+/// The ink with another opacity.
+constexpr Ink faded(Ink ink, double opacity)
+{
+  ink.opacity = opacity;
+  return ink;
+}
+
+/// Size of labels on screen at pixel ratio 1 [px].
+inline constexpr int labelSize = 11;
+
+}  // namespace perilymph::figures

@@ -4,12 +4,12 @@
 #include <chrono>
 #include <ctime>
 
-#include "DeviceReport.h"
 #include "MakeEngine.h"
-#include "Recorder.h"
 #include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/haptics/CouplingLimit.h"
+#include "recording/DeviceReport.h"
+#include "recording/Recorder.h"
 
 namespace perilymph::session {
 

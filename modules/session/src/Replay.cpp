@@ -6,9 +6,9 @@
 
 #include "MakeEngine.h"
 #include "ReplayPass.h"
-#include "TickFields.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/session/Csv.h"
+#include "recording/TickFields.h"
 
 namespace perilymph::session {
 

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "FuzzTarget.h"
-#include "TickBlob.h"
 #include "perilymph/anatomy/PlainLumens.h"
 #include "perilymph/haptics/InsertionEngine.h"
+#include "recording/TickBlob.h"
 
 namespace perilymph::fuzz {
 

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <string>
 
-#include "RecordingFormat.h"
+#include "recording/RecordingFormat.h"
 
 namespace perilymph::test {
 

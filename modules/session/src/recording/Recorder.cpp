@@ -1,4 +1,4 @@
-#include "Recorder.h"
+#include "recording/Recorder.h"
 
 #include <algorithm>
 #include <chrono>

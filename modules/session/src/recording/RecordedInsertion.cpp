@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "RecordedContent.h"
-#include "TickBlob.h"
 #include "perilymph/foundation/RenamedKeys.h"
+#include "recording/RecordedContent.h"
+#include "recording/TickBlob.h"
 
 namespace perilymph::session {
 

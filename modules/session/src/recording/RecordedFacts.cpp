@@ -1,11 +1,11 @@
-#include "RecordedFacts.h"
+#include "recording/RecordedFacts.h"
 
 #include <charconv>
 #include <string>
 #include <utility>
 
-#include "HighlightKeys.h"
 #include "perilymph/session/Csv.h"
+#include "recording/HighlightKeys.h"
 
 namespace perilymph::session {
 

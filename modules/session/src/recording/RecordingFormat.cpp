@@ -1,4 +1,4 @@
-#include "RecordingFormat.h"
+#include "recording/RecordingFormat.h"
 
 #include "perilymph/session/Csv.h"
 #include "perilymph/session/Recording.h"

@@ -1,8 +1,8 @@
-#include "ScenarioFriction.h"
+#include "scenario/ScenarioFriction.h"
 
 #include <stdexcept>
 
-#include "FrictionPreset.h"
+#include "scenario/FrictionPreset.h"
 
 namespace perilymph::session {
 

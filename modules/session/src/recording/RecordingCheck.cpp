@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "RecordedContent.h"
-#include "RecordingEvents.h"
-#include "TickBlob.h"
 #include "perilymph/session/Csv.h"
+#include "recording/RecordedContent.h"
+#include "recording/RecordingEvents.h"
+#include "recording/TickBlob.h"
 
 namespace perilymph::session {
 

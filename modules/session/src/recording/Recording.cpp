@@ -13,13 +13,13 @@
 #include <variant>
 #include <vector>
 
-#include "HighlightKeys.h"
-#include "RecordedFacts.h"
-#include "RecordingEvents.h"
-#include "RecordingFormat.h"
-#include "TickBlob.h"
 #include "perilymph/database/Database.h"
 #include "perilymph/session/Csv.h"
+#include "recording/HighlightKeys.h"
+#include "recording/RecordedFacts.h"
+#include "recording/RecordingEvents.h"
+#include "recording/RecordingFormat.h"
+#include "recording/TickBlob.h"
 
 namespace perilymph::session {
 

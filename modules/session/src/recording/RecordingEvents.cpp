@@ -1,4 +1,4 @@
-#include "RecordingEvents.h"
+#include "recording/RecordingEvents.h"
 
 #include <array>
 #include <utility>

@@ -1,9 +1,9 @@
-#include "TickBlob.h"
+#include "recording/TickBlob.h"
 
 #include <bit>
 #include <type_traits>
 
-#include "TickFields.h"
+#include "recording/TickFields.h"
 
 namespace perilymph::session {
 

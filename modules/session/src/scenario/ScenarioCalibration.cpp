@@ -1,4 +1,4 @@
-#include "ScenarioCalibration.h"
+#include "scenario/ScenarioCalibration.h"
 
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/session/Calibration.h"

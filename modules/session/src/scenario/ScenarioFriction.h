@@ -5,8 +5,8 @@
 #include <functional>
 #include <string>
 
-#include "EffectiveText.h"
 #include "perilymph/mechanics/FrictionLaw.h"
+#include "scenario/EffectiveText.h"
 
 namespace perilymph::session {
 

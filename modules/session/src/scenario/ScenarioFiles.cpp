@@ -1,4 +1,4 @@
-#include "ScenarioFiles.h"
+#include "scenario/ScenarioFiles.h"
 
 #include "perilymph/foundation/Resources.h"
 

@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "EffectiveText.h"
 #include "perilymph/session/Scenario.h"
+#include "scenario/EffectiveText.h"
 
 namespace perilymph::session {
 

@@ -1,4 +1,4 @@
-#include "EffectiveText.h"
+#include "scenario/EffectiveText.h"
 
 #include <cmath>
 #include <limits>

@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "RecordingFormat.h"
 #include "perilymph/foundation/FileIdentity.h"
+#include "recording/RecordingFormat.h"
 
 namespace perilymph::session {
 

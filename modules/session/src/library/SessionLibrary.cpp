@@ -7,7 +7,7 @@
 #include <set>
 #include <system_error>
 
-#include "SessionIndex.h"
+#include "library/SessionIndex.h"
 #include "perilymph/foundation/CallNoThrow.h"
 #include "perilymph/foundation/TomlReader.h"
 #include "perilymph/session/RecordedInsertion.h"

@@ -6,9 +6,9 @@
 #include <functional>
 #include <optional>
 
-#include "RecordedFacts.h"
 #include "perilymph/database/Database.h"
 #include "perilymph/session/RecordedInsertion.h"
+#include "recording/RecordedFacts.h"
 
 namespace perilymph::session {
 

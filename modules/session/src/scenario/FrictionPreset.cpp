@@ -1,10 +1,10 @@
-#include "FrictionPreset.h"
+#include "scenario/FrictionPreset.h"
 
 #include <algorithm>
 
-#include "ScenarioFriction.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/TomlReader.h"
+#include "scenario/ScenarioFriction.h"
 
 namespace perilymph::session {
 

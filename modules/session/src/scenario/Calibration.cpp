@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "EffectiveText.h"
 #include "perilymph/foundation/TomlReader.h"
+#include "scenario/EffectiveText.h"
 
 namespace perilymph::session {
 

@@ -4,14 +4,14 @@
 #include <cstdio>
 #include <limits>
 
-#include "EffectiveText.h"
-#include "ScenarioCalibration.h"
-#include "ScenarioFiles.h"
-#include "ScenarioFriction.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Hash.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/TomlReader.h"
+#include "scenario/EffectiveText.h"
+#include "scenario/ScenarioCalibration.h"
+#include "scenario/ScenarioFiles.h"
+#include "scenario/ScenarioFriction.h"
 
 namespace perilymph::session {
 

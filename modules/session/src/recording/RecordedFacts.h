@@ -4,9 +4,9 @@
 
 #include <optional>
 
-#include "RecordingFormat.h"
 #include "perilymph/session/Highlights.h"
 #include "perilymph/session/Recording.h"
+#include "recording/RecordingFormat.h"
 
 namespace perilymph::session {
 

@@ -1,4 +1,4 @@
-#include "SessionIndex.h"
+#include "library/SessionIndex.h"
 
 #include <nlohmann/json.hpp>
 #include <utility>

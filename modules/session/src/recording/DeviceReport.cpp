@@ -1,4 +1,4 @@
-#include "DeviceReport.h"
+#include "recording/DeviceReport.h"
 
 #include <nlohmann/json.hpp>
 

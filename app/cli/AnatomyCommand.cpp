@@ -6,7 +6,7 @@
 #include "Terminal.h"
 #include "perilymph/analysis/AnatomyMeasures.h"
 #include "perilymph/analysis/ErrorBand.h"
-#include "perilymph/anatomy/Patient.h"
+#include "perilymph/anatomy/AnatomySource.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Resources.h"
 
@@ -19,15 +19,10 @@ constexpr const char* sectionCredit =
     "Sections: mean of 15 scalae tympani, Froehlich et al. 2024, PLOS ONE, doi "
     "10.1371/journal.pone.0295121, CC BY 4.0, adapted.";
 
-/// The cochlea that the options name, as a scenario without an array.
-Result<session::Scenario> chooseCochlea(const AnatomyOptions& options)
+/// The cochlea that the options name.
+Result<anatomy::Cochlea> chooseCochlea(const AnatomyOptions& options)
 {
-  session::Scenario scenario;
-  anatomy::Patient& patient = scenario.patient;
-  if (!options.preset.empty()) {
-    scenario.anatomy = options.preset;
-    patient.label = options.preset;
-  }
+  anatomy::Patient patient;
   if (!options.patient.empty()) {
     const auto file = findByName("patient", "resources/patients", options.patient);
     if (!file) return file.error();
@@ -51,10 +46,13 @@ Result<session::Scenario> chooseCochlea(const AnatomyOptions& options)
     if (!drawn) return drawn.error();
     patient = *drawn;
   }
-  if (patient.basalTurn) scenario.anatomy = "mean";
-  scenario.name = patient.label;
+  anatomy::AnatomySource source = sourceScaledBy(measuresOf(patient));
+  if (const auto preset = anatomy::anatomySourceNamed(options.preset)) {
+    source = *preset;
+    patient.label = options.preset;
+  }
   if (const auto done = anatomy::checkPatient(patient); !done) return done.error();
-  return scenario;
+  return anatomy::Cochlea{source, patient};
 }
 
 void tell(nlohmann::ordered_json& json, const HapticSurfaceNumbers& haptic)
@@ -67,15 +65,15 @@ void tell(nlohmann::ordered_json& json, const HapticSurfaceNumbers& haptic)
 }
 
 /// The numbers from which the anatomy was built; none for one that is as measured.
-nlohmann::ordered_json givenNumbers(const session::Scenario& scenario)
+nlohmann::ordered_json givenNumbers(const anatomy::Cochlea& cochlea)
 {
-  const anatomy::Patient& patient = scenario.patient;
+  const anatomy::Patient& patient = cochlea.patient;
   nlohmann::ordered_json given = nlohmann::ordered_json::object();
   if (patient.basalTurn) {
     given["a_mm"] = inMillimeters(patient.basalTurn->a);
     given["b_mm"] = inMillimeters(patient.basalTurn->b);
     if (patient.basalTurn->h) given["h_mm"] = inMillimeters(*patient.basalTurn->h);
-  } else if (scenario.anatomy == "published") {
+  } else if (isScaledBy(cochlea.source, patient)) {
     given["st_length_mm"] = inMillimeters(patient.scalaTympaniLength);
     given["rw_width_mm"] = inMillimeters(patient.roundWindowWidth);
     given["rw_height_mm"] = inMillimeters(patient.roundWindowHeight);
@@ -83,18 +81,18 @@ nlohmann::ordered_json givenNumbers(const session::Scenario& scenario)
   return given;
 }
 
-std::string anatomyJson(const session::Scenario& scenario,
+std::string anatomyJson(const anatomy::Cochlea& cochlea,
                         const std::vector<analysis::Measure>& measures,
                         const std::vector<double>& bands,
                         const std::optional<HapticSurfaceNumbers>& haptic)
 {
-  const anatomy::Patient& patient = scenario.patient;
+  const anatomy::Patient& patient = cochlea.patient;
   nlohmann::ordered_json json;
   json["label"] = patient.label;
   json["side"] = patient.side == anatomy::Side::left ? "left" : "right";
-  json["anatomy"] = scenario.anatomy;
+  json["anatomy"] = nameOf(cochlea.source);
   json["credit"] = sectionCredit;
-  json["given"] = givenNumbers(scenario);
+  json["given"] = givenNumbers(cochlea);
   if (const auto unusual = anatomy::unusualMeasures(patient); !unusual.empty())
     json["unusual"] = unusual;
   for (const analysis::Measure& measure : measures) json[measure.key] = measure.value;
@@ -113,13 +111,13 @@ std::string anatomyJson(const session::Scenario& scenario,
 Result<Done> describeAnatomy(const AnatomyOptions& options)
 {
   if (!options.import.empty()) return describeImport(options);
-  const auto scenario = chooseCochlea(options);
-  if (!scenario) return scenario.error();
-  const anatomy::Patient& patient = scenario->patient;
-  const auto scala = session::buildAnatomy(*scenario);
+  const auto cochlea = chooseCochlea(options);
+  if (!cochlea) return cochlea.error();
+  const anatomy::Patient& patient = cochlea->patient;
+  const auto scala = anatomy::buildAnatomy(*cochlea, patient.label);
   if (!scala) return scala.error();
   const auto measures = analysis::measure(**scala);
-  const auto bands = analysis::errorBands(*scenario, measures);
+  const auto bands = analysis::errorBands(*cochlea, measures);
   if (!bands) return bands.error();
 
   // The shape first: it is the one that a wrong ending may refuse.
@@ -139,13 +137,12 @@ Result<Done> describeAnatomy(const AnatomyOptions& options)
       return done.error();
   }
   if (!options.json.empty())
-    if (const auto done =
-            writeWhole(options.json, anatomyJson(*scenario, measures, *bands, haptic));
+    if (const auto done = writeWhole(options.json, anatomyJson(*cochlea, measures, *bands, haptic));
         !done)
       return done.error();
 
   print("{}, {} ear, {} anatomy\n", patient.label,
-        patient.side == anatomy::Side::left ? "left" : "right", scenario->anatomy);
+        patient.side == anatomy::Side::left ? "left" : "right", nameOf(cochlea->source));
   print("{}\n", sectionCredit);
   for (const std::string& sentence : anatomy::unusualMeasures(patient)) print("{}\n", sentence);
   for (std::size_t i = 0; i < measures.size(); ++i)

@@ -6,6 +6,7 @@
 
 #include "EmptyValues.h"
 #include "FileOptions.h"
+#include "perilymph/anatomy/AnatomySource.h"
 
 namespace perilymph::cli {
 
@@ -82,12 +83,21 @@ void addSimulate(CLI::App& app, FileOptions& files, SimulateOptions& options)
       command.add_option("--record", options.record, "Keeps the session as an .insertion file"));
 }
 
+/// The option that names an anatomy as it is, without a patient.
+CLI::Option* addPreset(CLI::App& command, std::string& preset)
+{
+  const std::vector<std::string> names = anatomy::anatomySourceNames();
+  std::string listed;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    listed += (i == 0 ? "" : i + 1 < names.size() ? ", " : " or ") + names[i];
+  return command.add_option("--preset", preset, listed)->check(CLI::IsMember(names));
+}
+
 void addAnatomy(CLI::App& app, FileOptions& files, AnatomyOptions& options)
 {
   CLI::App& command = *app.add_subcommand("anatomy", "Measures a cochlea and writes its shape");
   CLI::Option_group& source = *command.add_option_group("anatomy");
-  source.add_option("--preset", options.preset, "published, mean or clark")
-      ->check(CLI::IsMember({"published", "mean", "clark"}));
+  addPreset(source, options.preset);
   files.reads(source.add_option("--patient", options.patient, "A patient's file or shipped name"),
               patientsFolder);
   CLI::Option* length =
@@ -205,8 +215,7 @@ void addRender(CLI::App& app, FileOptions& files, RenderOptions& options)
       command.add_option("--scenario", options.scenario, "A scenario's file or shipped name");
   CLI::Option* patient =
       command.add_option("--patient", options.patient, "A patient's file or shipped name");
-  CLI::Option* preset = command.add_option("--preset", options.preset, "published")
-                            ->check(CLI::IsMember({"published", "mean", "clark"}));
+  CLI::Option* preset = addPreset(command, options.preset);
   preset->excludes(scenario)->excludes(patient);
   files.reads(scenario, scenarioFolder);
   files.reads(patient, patientsFolder);

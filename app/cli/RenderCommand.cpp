@@ -59,24 +59,23 @@ Result<Done> draw(const RenderOptions& options, const visualization::PictureRequ
 /// The cochlea alone.
 Result<Done> drawAnatomy(const RenderOptions& options, visualization::PictureRequest request)
 {
-  session::Scenario scenario;
-  if (!options.preset.empty()) {
-    scenario.anatomy = options.preset;
-    scenario.patient.label = options.preset;
+  anatomy::Cochlea cochlea;
+  if (const auto preset = anatomy::anatomySourceNamed(options.preset)) {
+    cochlea.source = *preset;
+    cochlea.patient.label = options.preset;
   }
   if (!options.patient.empty()) {
     const auto file = findByName("patient", "resources/patients", options.patient);
     if (!file) return file.error();
     const auto patient = anatomy::loadPatient(*file);
     if (!patient) return patient.error();
-    scenario.patient = *patient;
-    if (patient->basalTurn) scenario.anatomy = "mean";
+    cochlea.patient = *patient;
+    cochlea.source = sourceScaledBy(measuresOf(*patient));
   }
-  scenario.name = scenario.patient.label;
-  const auto scala = session::buildAnatomy(scenario);
+  const auto scala = anatomy::buildAnatomy(cochlea, cochlea.patient.label);
   if (!scala) return scala.error();
   request.scala = *scala;
-  request.side = scenario.patient.side;
+  request.side = cochlea.patient.side;
   return draw(options, request);
 }
 

@@ -22,14 +22,24 @@ constexpr int earWidth_px = 92;
 
 constexpr auto byLengths = "lengths";
 constexpr auto byBasalTurn = "basalTurn";
-constexpr auto asMeasured = "mean";
-constexpr auto clark = "clark";
 
-QString kindOf(const session::Scenario& scenario)
+using anatomy::AnatomySource;
+using anatomy::PatientMeasures;
+
+/// Name of a choice: the measures that scale the anatomy, or the anatomy's own without any.
+QString kindOf(AnatomySource source, PatientMeasures scaledBy)
 {
-  if (scenario.anatomy == "clark") return QLatin1String(clark);
-  if (scenario.anatomy == "published") return QLatin1String(byLengths);
-  return QLatin1String(scenario.patient.basalTurn ? byBasalTurn : asMeasured);
+  const QString name = QLatin1String(nameOf(source));
+  if (scaledBy == PatientMeasures::none) return name;
+  if (sourceScaledBy(scaledBy) != source) return name + QLatin1String("-scaled");
+  return QLatin1String(scaledBy == PatientMeasures::threeLengths ? byLengths : byBasalTurn);
+}
+
+/// The measures that scale a scenario's anatomy.
+PatientMeasures scaledBy(const session::Scenario& scenario)
+{
+  const bool isScaled = isScaledBy(scenario.anatomy, scenario.patient);
+  return isScaled ? traitsOf(scenario.anatomy).takes : PatientMeasures::none;
 }
 
 std::string keyOf(const char* name) { return std::string("patient_numbers.") + name; }
@@ -106,17 +116,10 @@ PatientSection::PatientSection(QWidget* parent)
   row->addWidget(ear_);
   rows().addWidget(who);
 
-  kind_->addChoice(tr("Three lengths"), QLatin1String(byLengths),
-                   tr("The published scala tympani, scaled by three lengths from CT."));
-  kind_->addChoice(tr("A, B and H"), QLatin1String(byBasalTurn),
-                   tr("The mean of fifteen human scalae, scaled by the diameters of the basal "
-                      "turn. Adapted from Froehlich et al. 2024, CC BY 4.0."));
-  kind_->addChoice(tr("Mean of 15"), QLatin1String(asMeasured),
-                   tr("The mean of fifteen human scalae as measured. Adapted from Froehlich, "
-                      "Schurzig, Rau, Lenarz (2024), PLOS ONE, doi 10.1371/journal.pone.0295121, "
-                      "CC BY 4.0."));
-  kind_->addChoice(tr("Clark’s spiral"), QLatin1String(clark),
-                   tr("A spiral of constant section, for comparison with older models."));
+  for (const anatomy::AnatomySourceTraits& traits : anatomy::anatomySources()) {
+    if (traits.takes != PatientMeasures::none) addKind(traits, traits.takes);
+    if (!traits.alwaysTakes) addKind(traits, PatientMeasures::none);
+  }
   connect(kind_, &Selector::chosen, this, [this](const QString& kind) { askKind(kind); });
   rows().addWidget(namedRow(tr("Cochlea"), kind_, body()));
 
@@ -151,6 +154,34 @@ PatientSection::PatientSection(QWidget* parent)
                     {keyOf("b_mm"), tomlMillimeters(anatomy::spreadOfB().mean)}};
 }
 
+void PatientSection::addKind(const anatomy::AnatomySourceTraits& traits, PatientMeasures measures)
+{
+  struct Known {
+    AnatomySource source;
+    PatientMeasures measures;
+    QString title, tip;
+  };
+  const Known known[] = {
+      {AnatomySource::published, PatientMeasures::threeLengths, tr("Three lengths"),
+       tr("The published scala tympani, scaled by three lengths from CT.")},
+      {AnatomySource::mean, PatientMeasures::basalTurn, tr("A, B and H"),
+       tr("The mean of fifteen human scalae, scaled by the diameters of the basal "
+          "turn. Adapted from Froehlich et al. 2024, CC BY 4.0.")},
+      {AnatomySource::mean, PatientMeasures::none, tr("Mean of 15"),
+       tr("The mean of fifteen human scalae as measured. Adapted from Froehlich, "
+          "Schurzig, Rau, Lenarz (2024), PLOS ONE, doi 10.1371/journal.pone.0295121, "
+          "CC BY 4.0.")},
+      {AnatomySource::clark, PatientMeasures::none, tr("Clark’s spiral"),
+       tr("A spiral of constant section, for comparison with older models.")},
+  };
+  const QString kind = kindOf(traits.source, measures);
+  kinds_.push_back({kind, traits.source, measures});
+  for (const Known& each : known)
+    if (each.source == traits.source && each.measures == measures)
+      return kind_->addChoice(each.title, kind, each.tip);
+  kind_->addChoice(QString::fromUtf8(traits.title), kind);
+}
+
 QWidget* PatientSection::addPage(std::vector<Number> numbers)
 {
   auto* page = new QWidget(body());
@@ -175,10 +206,11 @@ void PatientSection::show(const Setup& setup)
   ear_->show(scenario.patient.side == anatomy::Side::left ? QStringLiteral("left")
                                                           : QStringLiteral("right"),
              {});
-  heldKind_ = kindOf(scenario);
+  const PatientMeasures measures = scaledBy(scenario);
+  heldKind_ = kindOf(scenario.anatomy, measures);
   kind_->show(heldKind_, {});
-  lengths_->setVisible(heldKind_ == QLatin1String(byLengths));
-  basalTurn_->setVisible(heldKind_ == QLatin1String(byBasalTurn));
+  lengths_->setVisible(measures == PatientMeasures::threeLengths);
+  basalTurn_->setVisible(measures == PatientMeasures::basalTurn);
   for (const Number& number : numbers_) {
     if (number.page->isHidden()) continue;
     const auto value = numberOf(scenario.patient, number.field);
@@ -218,13 +250,12 @@ void PatientSection::askKind(const QString& kind)
 {
   if (kind == heldKind_) return;
   SetupChange change{SetupField::anatomy, {}, tr("cochlea: %1").arg(kind_->currentText()), {}};
-  const bool isPublished = kind == QLatin1String(byLengths);
-  const bool isClark = kind == QLatin1String(clark);
-  if (isPublished) change.values = lastLengths_;
-  if (kind == QLatin1String(byBasalTurn)) change.values = lastBasalTurn_;
-  change.values.emplace_back("anatomy", isPublished ? "\"published\""
-                                        : isClark   ? "\"clark\""
-                                                    : "\"mean\"");
+  const auto asked = std::find_if(kinds_.begin(), kinds_.end(),
+                                  [&kind](const Kind& each) { return each.id == kind; });
+  if (asked == kinds_.end()) return;
+  if (asked->measures == PatientMeasures::threeLengths) change.values = lastLengths_;
+  if (asked->measures == PatientMeasures::basalTurn) change.values = lastBasalTurn_;
+  change.values.emplace_back("anatomy", tomlQuoted(QString::fromUtf8(nameOf(asked->source))));
   change.values.emplace_back("patient", "\"\"");
   Q_EMIT changeAsked(change);
 }

@@ -35,6 +35,13 @@ private:
     QWidget* page;
   };
 
+  struct Kind {
+    QString id;
+    anatomy::AnatomySource source;
+    anatomy::PatientMeasures measures;  ///< Measures that scale it.
+  };
+
+  void addKind(const anatomy::AnatomySourceTraits& traits, anatomy::PatientMeasures measures);
   QWidget* addPage(std::vector<Number> numbers);
   void askNumber(const Number& number, std::optional<Length> value);
   void askKind(const QString& kind);
@@ -46,6 +53,7 @@ private:
   QWidget* lengths_;
   QWidget* basalTurn_;
   std::vector<Number> numbers_;
+  std::vector<Kind> kinds_;
   session::Overrides lastLengths_, lastBasalTurn_;  ///< As TOML, for coming back to a kind.
   QString heldKind_;
 };

@@ -73,7 +73,7 @@ bool isName(const QString& text, WindowRig& rig)
   const QStringList names{QString::fromStdString(scenario.array.name),
                           QString::fromStdString(scenario.array.note),
                           QString::fromStdString(scenario.patient.label),
-                          QString::fromStdString(scenario.anatomy),
+                          QString::fromUtf8(nameOf(scenario.anatomy)),
                           QString::fromStdString(rig.window().control().handName()),
                           QStringLiteral("English"),
                           QStringLiteral("Deutsch")};

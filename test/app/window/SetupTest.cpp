@@ -164,7 +164,7 @@ TEST(SetupChange, AAndBBuildTheMeanCochleaAndThreeLengthsThePublishedOneAgain)
   EXPECT_FALSE(without.scenario.patient.basalTurn->h);
   const auto clark =
       after(mean, origin, SetupField::anatomy, {{"anatomy", "\"clark\""}, {"patient", "\"\""}});
-  EXPECT_EQ(clark.scenario.anatomy, "clark");
+  EXPECT_EQ(clark.scenario.anatomy, anatomy::AnatomySource::clark);
 }
 
 TEST(SetupChange, WhatIsOutOfRangeIsRefusedWithTheRange)

@@ -47,7 +47,7 @@ TEST_F(FirstScreen, OneClickShowsAMovingArray)
 TEST_F(FirstScreen, TheMeanCochleaIsOneClickAway)
 {
   rig_->click("meanCard");
-  EXPECT_TRUE(WindowRig::comes([&] { return scenario().anatomy == "mean"; }));
+  EXPECT_TRUE(WindowRig::comes([&] { return scenario().anatomy == anatomy::AnatomySource::mean; }));
   EXPECT_EQ(rig_->travel_mm(), 0.0);
   EXPECT_TRUE(rig_->button("startButton").isEnabled());
 }
@@ -62,7 +62,7 @@ TEST_F(FirstScreen, APatientsThreeLengthsMakeThePatientsCochlea)
   rig_->click("leftEar");
   rig_->click("usePatientButton");
   ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient.label == "P 014"; }));
-  EXPECT_EQ(scenario().anatomy, "published");
+  EXPECT_EQ(scenario().anatomy, anatomy::AnatomySource::published);
   EXPECT_EQ(scenario().patient.side, anatomy::Side::left);
   EXPECT_EQ(scenario().patient.scalaTympaniLength, millimeters(34.2));
   EXPECT_EQ(scenario().patient.roundWindowWidth, millimeters(2.05));
@@ -81,7 +81,7 @@ TEST_F(FirstScreen, AAndBMakeAMeanCochleaOfThatSize)
   type("bValue", "6.5");
   rig_->click("usePatientButton");
   ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient.basalTurn.has_value(); }));
-  EXPECT_EQ(scenario().anatomy, "mean");
+  EXPECT_EQ(scenario().anatomy, anatomy::AnatomySource::mean);
   EXPECT_EQ(scenario().patient.basalTurn->a, millimeters(9.0));
   EXPECT_EQ(scenario().patient.basalTurn->b, millimeters(6.5));
   EXPECT_FALSE(scenario().patient.basalTurn->h);

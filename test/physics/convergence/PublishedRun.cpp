@@ -32,7 +32,7 @@ session::Scenario scenarioOf(const Resolution& resolution)
 std::shared_ptr<const mechanics::InsertionModel> modelOf(const session::Scenario& scenario)
 {
   // the same at every resolution
-  static std::map<std::string, decltype(session::buildAnatomy(scenario))> scalas;
+  static std::map<anatomy::AnatomySource, decltype(session::buildAnatomy(scenario))> scalas;
   const auto& scala =
       scalas.try_emplace(scenario.anatomy, session::buildAnatomy(scenario)).first->second;
   if (!scala) throw std::runtime_error(scala.error().message);

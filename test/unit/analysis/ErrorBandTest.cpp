@@ -11,10 +11,10 @@
 namespace perilymph::analysis {
 namespace {
 
-std::map<std::string, double> bandsOf(const session::Scenario& scenario)
+std::map<std::string, double> bandsOf(const anatomy::Cochlea& cochlea)
 {
-  const auto measures = measure(**session::buildAnatomy(scenario));
-  const auto bands = errorBands(scenario, measures);
+  const auto measures = measure(**buildAnatomy(cochlea, "the test"));
+  const auto bands = errorBands(cochlea, measures);
   EXPECT_TRUE(bands);
   std::map<std::string, double> named;
   for (std::size_t i = 0; i < bands->size(); ++i) named[measures[i].key] = (*bands)[i];
@@ -32,10 +32,10 @@ TEST(ErrorBands, OfTheThreeLengthsAreTheLengthsOwn)
 
 TEST(ErrorBands, OfDiametersFollowTheClinicsFormulas)
 {
-  session::Scenario scenario;
-  scenario.anatomy = "mean";
-  scenario.patient.basalTurn = {millimeters(9.2), millimeters(6.8), std::nullopt};
-  auto bands = bandsOf(scenario);
+  anatomy::Cochlea cochlea;
+  cochlea.source = anatomy::AnatomySource::mean;
+  cochlea.patient.basalTurn = {millimeters(9.2), millimeters(6.8), std::nullopt};
+  auto bands = bandsOf(cochlea);
   // A and B measure back within 0.02 mm, so their bands do within a few hundredths
   EXPECT_NEAR(bands["A_mm"], 0.1, test::tolerance(0.02, "measured back"));
   EXPECT_NEAR(bands["B_mm"], 0.1, test::tolerance(0.02, "measured back"));
@@ -45,16 +45,16 @@ TEST(ErrorBands, OfDiametersFollowTheClinicsFormulas)
 
 TEST(ErrorBands, HoldAtTheEdgeOfWhatIsAllowed)
 {
-  session::Scenario scenario;
-  scenario.patient.scalaTympaniLength = anatomy::patientLimits().lengthHigh;
-  EXPECT_NEAR(bandsOf(scenario)["st_length_mm"], 0.1, test::tolerance(3e-3, "rebuilt"));
+  anatomy::Cochlea cochlea;
+  cochlea.patient.scalaTympaniLength = anatomy::patientLimits().lengthHigh;
+  EXPECT_NEAR(bandsOf(cochlea)["st_length_mm"], 0.1, test::tolerance(3e-3, "rebuilt"));
 }
 
 TEST(ErrorBands, AreNotClaimedForAnAnatomyAsMeasured)
 {
-  session::Scenario scenario;
-  scenario.anatomy = "mean";
-  EXPECT_TRUE(bandsOf(scenario).empty());
+  anatomy::Cochlea cochlea;
+  cochlea.source = anatomy::AnatomySource::mean;
+  EXPECT_TRUE(bandsOf(cochlea).empty());
 }
 
 }  // namespace

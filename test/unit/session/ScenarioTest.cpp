@@ -225,8 +225,9 @@ TEST(Scenario, RefusesAnAnatomyThatItDoesNotKnow)
 
 TEST(ScenarioAnatomy, IsThePublishedOneUnlessAnotherIsNamed)
 {
-  EXPECT_EQ(parseScenario("", "empty")->anatomy, "mean");
-  EXPECT_EQ(loadScenario("contour-published", {{"anatomy", "mean"}})->anatomy, "mean");
+  EXPECT_EQ(parseScenario("", "empty")->anatomy, anatomy::AnatomySource::mean);
+  EXPECT_EQ(loadScenario("contour-published", {{"anatomy", "mean"}})->anatomy,
+            anatomy::AnatomySource::mean);
 }
 
 TEST(ScenarioAnatomy, GivesTheLumenOfItsName)
@@ -254,7 +255,7 @@ TEST_F(PatientOfTheBasalTurn, BuildsTheMeanAnatomy)
 {
   const auto scenario = parseScenario("", "empty", {{"patient", file}});
   ASSERT_TRUE(scenario) << scenario.error().message;
-  EXPECT_EQ(scenario->anatomy, "mean");
+  EXPECT_EQ(scenario->anatomy, anatomy::AnatomySource::mean);
   const auto scala = buildAnatomy(*scenario);
   ASSERT_TRUE(scala);
   const double a =
@@ -289,7 +290,7 @@ TEST(ScenarioText, OfTheMeanAnatomyReadAgainIsTheSame)
     const auto second = parseScenario(first->text, "recording");
     ASSERT_TRUE(second) << second.error().message;
     EXPECT_EQ(second->text, first->text);
-    EXPECT_EQ(second->anatomy, anatomy);
+    EXPECT_STREQ(nameOf(second->anatomy), anatomy);
   }
 }
 

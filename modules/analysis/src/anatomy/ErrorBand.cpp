@@ -37,17 +37,15 @@ std::vector<anatomy::Patient> movedByOne(const anatomy::Patient& patient, Length
 
 }  // namespace
 
-Result<std::vector<double>> errorBands(const session::Scenario& scenario,
+Result<std::vector<double>> errorBands(const anatomy::Cochlea& cochlea,
                                        const std::vector<Measure>& measures, Length error)
 {
-  const bool isGiven = scenario.anatomy == "published" || scenario.patient.basalTurn;
-  if (!isGiven) return std::vector<double>{};
+  if (!isScaledBy(cochlea.source, cochlea.patient)) return std::vector<double>{};
 
   std::vector<double> bands(measures.size(), 0.0);
-  for (const anatomy::Patient& patient : movedByOne(scenario.patient, error)) {
-    session::Scenario other = scenario;
-    other.patient = patient;
-    const auto scala = session::buildAnatomy(other);
+  for (const anatomy::Patient& patient : movedByOne(cochlea.patient, error)) {
+    const auto scala =
+        anatomy::buildAnatomy({cochlea.source, patient, cochlea.leadIn}, patient.label);
     if (!scala) return scala.error();
     const std::vector<Measure> moved = measure(**scala);
     for (std::size_t i = 0; i < bands.size() && i < moved.size(); ++i) {

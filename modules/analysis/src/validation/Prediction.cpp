@@ -47,7 +47,7 @@ Result<session::Scenario> withCochlea(const session::Scenario& nominal, std::uin
                                       std::size_t number)
 {
   session::Scenario scenario = nominal;
-  scenario.anatomy = "mean";
+  scenario.anatomy = anatomy::AnatomySource::mean;
   if (number == 0) {
     scenario.patient = {};
     return scenario;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lumen/OutlineTables.h"
+#include "perilymph/anatomy/AnatomySource.h"
 #include "sources/CohenSpiral.h"
 #include "sources/MeanOutlines.h"
 
@@ -99,7 +100,8 @@ Result<std::shared_ptr<const ScalaTympani>> buildClark(Length leadIn)
     }
     return here;
   };
-  return std::make_shared<const ScalaTympani>(tablesFrom(source, "clark", last, leadIn.si()));
+  return std::make_shared<const ScalaTympani>(
+      tablesFrom(source, nameOf(AnatomySource::clark), last, leadIn.si()));
 }
 
 }  // namespace perilymph::anatomy

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lumen/OutlineTables.h"
+#include "perilymph/anatomy/AnatomySource.h"
 #include "perilymph/anatomy/Population.h"
 #include "sources/MeanOutlines.h"
 
@@ -138,7 +139,7 @@ Result<std::shared_ptr<const ScalaTympani>> buildMean(Length leadIn)
     return OutlineAtAngle{mean.outline(angle), mean.organOfCorti(angle),
                           membraneWidth(angle, last) * MeanOutlines::capFraction(angle)};
   };
-  return measuredScala(mean, tablesFrom(source, "mean", last, leadIn.si()));
+  return measuredScala(mean, tablesFrom(source, nameOf(AnatomySource::mean), last, leadIn.si()));
 }
 
 Result<std::shared_ptr<const ScalaTympani>> buildMean(const std::string& label,

@@ -47,10 +47,11 @@ Subject subjectOf(const std::string& text, const std::string& name)
   }
   subject.side = keys->text("side", "right");
   subject.array = keys->text("array", "contour");
-  const std::string anatomy = keys->text("anatomy", "published");
+  const std::string anatomy = keys->text("anatomy", nameOf(anatomy::AnatomySource::published));
+  const auto source = anatomy::anatomySourceNamed(anatomy);
   auto patient = keys->table("patient_numbers");
   // an anatomy that is nobody's has no patient
-  const bool isPatient = anatomy == "published" || patient.has("a_mm");
+  const bool isPatient = (source && traitsOf(*source).alwaysTakes) || patient.has("a_mm");
   subject.patient = isPatient ? patient.text("label", anatomy) : anatomy + " anatomy";
   const auto scenario = parseScenario(text, name);
   if (scenario)

@@ -90,7 +90,7 @@ std::string ScenarioKeys::text(const char* key, const std::string& fallback)
   return value;
 }
 
-void ScenarioKeys::notePatient(const anatomy::Patient& patient, const std::string& anatomy)
+void ScenarioKeys::notePatient(const anatomy::Patient& patient, anatomy::AnatomySource anatomy)
 {
   const auto noteLength = [this](const char* key, Length length) {
     note(std::string("patient_numbers.") + key, tomlNumber(exactMillimeters(length)));
@@ -100,7 +100,7 @@ void ScenarioKeys::notePatient(const anatomy::Patient& patient, const std::strin
     noteLength("a_mm", patient.basalTurn->a);
     noteLength("b_mm", patient.basalTurn->b);
     if (patient.basalTurn->h) noteLength("h_mm", *patient.basalTurn->h);
-  } else if (anatomy == "published") {
+  } else if (isScaledBy(anatomy, patient)) {
     noteLength("st_length_mm", patient.scalaTympaniLength);
     noteLength("rw_width_mm", patient.roundWindowWidth);
     noteLength("rw_height_mm", patient.roundWindowHeight);

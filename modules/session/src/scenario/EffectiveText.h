@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "perilymph/anatomy/Patient.h"
+#include "perilymph/anatomy/AnatomySource.h"
 #include "perilymph/foundation/TomlReader.h"
 
 namespace perilymph::session {
@@ -37,7 +37,7 @@ public:
   /// Adds a value that was not read from a key of the same name.
   void note(const std::string& key, const std::string& toml) { values_.emplace_back(key, toml); }
   /// Adds the numbers from which an anatomy is built, a table of their own.
-  void notePatient(const anatomy::Patient& patient, const std::string& anatomy);
+  void notePatient(const anatomy::Patient& patient, anatomy::AnatomySource anatomy);
 
   /// Keys and values in their order; keys of a table wear its name: "table.key".
   const std::vector<std::pair<std::string, std::string>>& values() const { return values_; }

@@ -37,6 +37,14 @@ std::string shortLength_mm(Length length)
 // The published number of sample points (Todd and Naghdy, section II.C).
 constexpr int publishedPoints = 12;
 
+/// "one, two, three"
+std::string joined(const std::vector<std::string>& names)
+{
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
 /// The last override of a key; none if it keeps the file's value.
 const std::string* overrideOf(const Overrides& overrides, const char* key)
 {
@@ -200,26 +208,35 @@ Result<anatomy::Patient> readPatient(TomlReader& reader, const std::string& name
 /// The anatomy that the key names, by default the one that the patient's numbers build, and the
 /// mean one without a patient.
 void readAnatomy(TomlReader& reader, ScenarioKeys& keys, const anatomy::Patient& patient,
-                 bool hasPatient, std::string& anatomy)
+                 bool hasPatient, anatomy::AnatomySource& anatomy)
 {
-  const bool isPublished = hasPatient && !patient.basalTurn;
-  anatomy = keys.text("anatomy", isPublished ? "published" : "mean");
-  if (anatomy != "published" && anatomy != "mean" && anatomy != "clark")
-    return reader.refuse("anatomy",
-                         "anatomy is '" + anatomy + "'; it must be one of published, mean, clark.");
-  const std::string who = "the patient '" + patient.label + "' ";
-  if (anatomy == "published" && patient.basalTurn)
-    reader.refuse("anatomy", "anatomy is 'published', but " + who +
-                                 "gives a_mm and b_mm, from which the mean anatomy is built; set "
-                                 "anatomy to 'mean'.");
-  if (anatomy == "mean" && hasPatient && !patient.basalTurn)
-    reader.refuse("anatomy", "anatomy is 'mean', but " + who +
-                                 "gives st_length_mm, from which the published anatomy is built; "
-                                 "name a patient with a_mm and b_mm, or none.");
-  if (anatomy == "clark" && hasPatient)
-    reader.refuse("anatomy",
-                  "anatomy is 'clark', which is not built from a patient's numbers; "
-                  "leave 'patient' out.");
+  using anatomy::PatientMeasures;
+  const PatientMeasures given =
+      hasPatient || patient.basalTurn ? measuresOf(patient) : PatientMeasures::none;
+  const anatomy::AnatomySource usual =
+      given == PatientMeasures::none ? anatomy::defaultAnatomy : sourceScaledBy(given);
+  const std::string name = keys.text("anatomy", nameOf(usual));
+  const auto named = anatomy::anatomySourceNamed(name);
+  if (!named)
+    return reader.refuse("anatomy", "anatomy is '" + name + "'; it must be one of " +
+                                        joined(anatomy::anatomySourceNames()) + ".");
+  anatomy = *named;
+  const anatomy::AnatomySourceTraits& traits = traitsOf(anatomy);
+  const std::string head = "anatomy is '" + name + "', ";
+  if (traits.takes == PatientMeasures::none) {
+    if (hasPatient)
+      reader.refuse("anatomy", head +
+                                   "which is not built from a patient's numbers; leave 'patient' "
+                                   "out.");
+    return;
+  }
+  if (given == PatientMeasures::none || given == traits.takes) return;
+  const std::string other = nameOf(sourceScaledBy(given));
+  reader.refuse("anatomy", head + "but the patient '" + patient.label + "' gives " + keysOf(given) +
+                               ", from which the " + other + " anatomy is built; " +
+                               (traits.alwaysTakes ? "set anatomy to '" + other + "'."
+                                                   : std::string("name a patient with ") +
+                                                         keysOf(traits.takes) + ", or none."));
 }
 
 void readSide(TomlReader& reader, ScenarioKeys& keys, anatomy::Patient& patient)

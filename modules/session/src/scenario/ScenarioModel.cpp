@@ -2,26 +2,15 @@
 
 #include <stdexcept>
 
-#include "perilymph/anatomy/ClarkScala.h"
 #include "perilymph/anatomy/HapticSurface.h"
-#include "perilymph/anatomy/MeanScala.h"
 #include "perilymph/session/Scenario.h"
 
 namespace perilymph::session {
 
 Result<std::shared_ptr<const anatomy::ScalaTympani>> buildAnatomy(const Scenario& scenario)
 {
-  const anatomy::Patient& patient = scenario.patient;
-  try {
-    if (scenario.anatomy == "clark") return anatomy::buildClark(scenario.leadIn);
-    if (scenario.anatomy == "mean")
-      return patient.basalTurn
-                 ? anatomy::buildMean(patient.label, *patient.basalTurn, scenario.leadIn)
-                 : anatomy::buildMean(scenario.leadIn);
-    return anatomy::buildPublished(scenario.patient, scenario.leadIn);
-  } catch (const std::invalid_argument& error) {
-    return Error{"The cochlea of " + scenario.name + " cannot be built: " + error.what()};
-  }
+  return anatomy::buildAnatomy({scenario.anatomy, scenario.patient, scenario.leadIn},
+                               scenario.name);
 }
 
 Result<std::shared_ptr<const mechanics::InsertionModel>> buildModel(

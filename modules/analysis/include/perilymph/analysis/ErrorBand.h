@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "perilymph/analysis/AnatomyMeasures.h"
+#include "perilymph/anatomy/AnatomySource.h"
 #include "perilymph/foundation/Result.h"
-#include "perilymph/session/Scenario.h"
 
 namespace perilymph::analysis {
 
@@ -23,8 +23,8 @@ inline constexpr Length measuringError = millimeters(0.1);
 /// anatomy that was built from no patient's numbers. Takes as long as building two or three
 /// anatomies.
 ///
-/// @param measures  Of the scenario's anatomy, from measure().
-Result<std::vector<double>> errorBands(const session::Scenario& scenario,
+/// @param measures  Measures of the cochlea as built, from measure().
+Result<std::vector<double>> errorBands(const anatomy::Cochlea& cochlea,
                                        const std::vector<Measure>& measures,
                                        Length error = measuringError);
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "perilymph/anatomy/AnatomySource.h"
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/electrode/ArrayDesign.h"
 #include "perilymph/foundation/Result.h"
@@ -24,8 +25,8 @@ namespace perilymph::session {
 struct Scenario {
   std::string name;
   std::string title;  ///< For people: one line.
-  /// "published", "mean" or "clark"; by default what the patient's numbers build.
-  std::string anatomy = "published";
+  /// By default the one that the patient's numbers build.
+  anatomy::AnatomySource anatomy = anatomy::AnatomySource::published;
   anatomy::Patient patient;  ///< From `patient` (a file or a shipped name), else published.
   std::string patientName;   ///< What `patient` said; empty without one.
   std::string arrayName = "contour";

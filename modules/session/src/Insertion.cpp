@@ -25,6 +25,24 @@ std::string utcNow()
   return text;
 }
 
+RecordingFacts factsOf(const Scenario& scenario, const mechanics::InsertionModel& model,
+                       const device::DeviceTraits& traits, const RunParameters& run)
+{
+  RecordingFacts facts;
+  facts.scenarioName = scenario.name;
+  facts.scenarioText = scenario.text;
+  facts.device = traits.name;
+  facts.timeStep = model.timeStep;
+  facts.run = run;
+  facts.deviceDelay = traits.transportDelay;
+  facts.seed = scenario.seed;
+  facts.modelFingerprint = model.fingerprint;
+  facts.version = version();
+  facts.buildId = buildId();
+  facts.startedUtc = utcNow();
+  return facts;
+}
+
 /// A hand that moves by itself needs to be told; a person's hand does not.
 void tell(device::HapticDevice& hand, device::ScriptedDevice::Motion motion)
 {
@@ -91,38 +109,18 @@ Result<std::unique_ptr<Insertion>> Insertion::prepare(
   content.file = std::move(record);
 
   const device::DeviceTraits traits = content.hand->traits();
-  RecordingFacts facts;
-  facts.scenarioName = scenario.name;
-  facts.scenarioText = scenario.text;
-  facts.device = traits.name;
-  facts.timeStep = content.model->timeStep;
-  facts.samplePeriod = traits.nominalPeriod;
-  const haptics::SafetyLimits safety = haptics::limitsFor(scenario.engine.safety, traits);
-  facts.maxForce = safety.maxForce;
-  facts.offTime = safety.offTime;
-  facts.reach = safety.reach;
-  const haptics::CouplingLimit limit = haptics::couplingLimit(traits, facts.timeStep);
-  facts.feelsForce = traits.rendersForce;
-  facts.maxStiffness = limit.stiffness;
-  facts.maxDamping = limit.damping;
-  facts.deviceDelay = traits.transportDelay;
-  facts.seed = scenario.seed;
-  facts.modelFingerprint = content.model->fingerprint;
-  facts.version = version();
-  facts.buildId = buildId();
-  facts.startedUtc = utcNow();
-
+  const RunParameters run = runParameters(scenario.engine.safety, traits, content.model->timeStep);
   if (traits.rendersForce)
-    content.couplingText =
-        haptics::couplingSentence(scenario.engine.forceScale * scenario.engine.motionScale *
-                                      scenario.engine.couplingStiffness,
-                                  limit, traits.name);
+    content.couplingText = haptics::couplingSentence(
+        scenario.engine.forceScale * scenario.engine.motionScale *
+            scenario.engine.couplingStiffness,
+        haptics::couplingLimit(traits, content.model->timeStep), traits.name);
 
-  auto engine = makeEngine(scenario, content.model, facts);
+  auto engine = makeEngine(scenario, content.model, run);
   if (!engine) return engine.error();
   std::unique_ptr<Recording> recording;
   if (content.file) {
-    auto created = Recording::create(*content.file, facts);
+    auto created = Recording::create(*content.file, factsOf(scenario, *content.model, traits, run));
     if (!created) return created.error();
     recording = std::move(*created);
   }

@@ -115,7 +115,7 @@ Result<std::unique_ptr<Playback>> Playback::open(const std::filesystem::path& fi
   auto model = buildModel(content.scenario, content.anatomy);
   if (!model) return model.error();
   content.model = *model;
-  auto engine = makeEngine(content.scenario, content.model, content.recorded.facts());
+  auto engine = makeEngine(content.scenario, content.model, content.recorded.facts().run);
   if (!engine) return engine.error();
   content.states[0] = std::make_shared<const InsertionEngine>(**engine);
   content.shown = *std::move(engine);
@@ -151,7 +151,7 @@ Result<Verification> Playback::compute(
   // A connection of its own: the other thread reads, too.
   const auto recorded = RecordedInsertion::open(content.file);
   if (!recorded) return recorded.error();
-  auto engine = makeEngine(content.scenario, content.model, recorded->facts());
+  auto engine = makeEngine(content.scenario, content.model, recorded->facts().run);
   if (!engine) return engine.error();
   auto begun = beginVerification(*recorded);
   if (!begun) return begun.error();

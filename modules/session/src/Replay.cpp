@@ -148,7 +148,7 @@ Result<Verification> verify(const std::filesystem::path& file, const VerifyProgr
   if (!anatomy) return anatomy.error();
   const auto model = buildModel(*scenario, *anatomy);
   if (!model) return model.error();
-  auto engine = makeEngine(*scenario, *model, facts);
+  auto engine = makeEngine(*scenario, *model, facts.run);
   if (!engine) return engine.error();
   for (const std::string& note : whatChanged(*recorded, *scenario, (*model)->fingerprint))
     verification->notes.push_back(note);

@@ -38,7 +38,7 @@ void use(const session::RecordedInsertion& recorded)
   const auto check = recorded.check();
   if (!check) promise(!check.error().message.empty(), "a refusal has a sentence");
 
-  auto engine = session::makeEngine(prepared().scenario, prepared().model, recorded.facts());
+  auto engine = session::makeEngine(prepared().scenario, prepared().model, recorded.facts().run);
   if (!engine) promise(!engine.error().message.empty(), "a refusal has a sentence");
   std::uint64_t seen = 0;
   const auto read = recorded.forEach([&](const haptics::TickRecord& record) {

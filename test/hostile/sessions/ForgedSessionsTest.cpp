@@ -179,7 +179,7 @@ TEST_F(ForgedSession, WithFactsThatNoDeviceHasIsRefusedOrRunsWithinTheLimits)
       rehash();
       const auto opened = RecordedInsertion::open(file);
       if (!opened) continue;
-      const auto engine = makeEngine(*scenario, *model, opened->facts());
+      const auto engine = makeEngine(*scenario, *model, opened->facts().run);
       if (!engine) {
         EXPECT_THAT(engine.error().message, HasSubstr("cannot be run"));
         continue;

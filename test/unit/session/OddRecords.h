@@ -90,8 +90,8 @@ inline session::RecordingFacts someFacts()
   facts.scenarioText = "nodes = 20\n";
   facts.device = "Scripted insertion";
   facts.timeStep = 0.1 + 0.2;
-  facts.samplePeriod = 1.0 / 3.0;
-  facts.maxForce = 3.3;
+  facts.run.samplePeriod = 1.0 / 3.0;
+  facts.run.maxForce = 3.3;
   facts.seed = 7;
   facts.modelFingerprint = 0xffffffffffffffffu;
   facts.version = "0.1.0";

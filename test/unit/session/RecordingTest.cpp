@@ -72,7 +72,7 @@ TEST(Recording, GivesBackItsFactsToTheLastBit)
   ASSERT_TRUE(recorded) << recorded.error().message;
   EXPECT_EQ(recorded->facts().scenarioText, facts.scenarioText);
   EXPECT_EQ(recorded->facts().timeStep, facts.timeStep);
-  EXPECT_EQ(recorded->facts().samplePeriod, facts.samplePeriod);
+  EXPECT_EQ(recorded->facts().run.samplePeriod, facts.run.samplePeriod);
   EXPECT_EQ(recorded->facts().modelFingerprint, facts.modelFingerprint);
   EXPECT_EQ(recorded->facts().seed, facts.seed);
   EXPECT_EQ(recorded->lostRecords(), 3u);

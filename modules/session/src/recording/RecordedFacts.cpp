@@ -31,13 +31,13 @@ MetaRows metaRowsOf(const RecordingFacts& facts)
           {MetaKey::scenario, facts.scenarioText},
           {MetaKey::device, facts.device},
           {MetaKey::timeStep, shortestDecimal(facts.timeStep)},
-          {MetaKey::samplePeriod, shortestDecimal(facts.samplePeriod)},
-          {MetaKey::maxForce, shortestDecimal(facts.maxForce)},
-          {MetaKey::offTime, shortestDecimal(facts.offTime)},
-          {MetaKey::reach, shortestDecimal(facts.reach)},
-          {MetaKey::feelsForce, facts.feelsForce ? "1" : "0"},
-          {MetaKey::maxStiffness, shortestDecimal(facts.maxStiffness)},
-          {MetaKey::maxDamping, shortestDecimal(facts.maxDamping)},
+          {MetaKey::samplePeriod, shortestDecimal(facts.run.samplePeriod)},
+          {MetaKey::maxForce, shortestDecimal(facts.run.maxForce)},
+          {MetaKey::offTime, shortestDecimal(facts.run.offTime)},
+          {MetaKey::reach, shortestDecimal(facts.run.reach)},
+          {MetaKey::feelsForce, facts.run.feelsForce ? "1" : "0"},
+          {MetaKey::maxStiffness, shortestDecimal(facts.run.maxStiffness)},
+          {MetaKey::maxDamping, shortestDecimal(facts.run.maxDamping)},
           {MetaKey::deviceDelay, shortestDecimal(facts.deviceDelay)},
           {MetaKey::seed, std::to_string(facts.seed)},
           {MetaKey::modelFingerprint, std::to_string(facts.modelFingerprint)},
@@ -70,15 +70,16 @@ std::optional<RecordingFacts> factsIn(const MetaRows& rows)
   const auto fingerprint = numberIn<std::uint64_t>(rows, MetaKey::modelFingerprint);
   if (!timeStep || !samplePeriod || !maxForce || !seed || !fingerprint) return std::nullopt;
   facts.timeStep = *timeStep;
-  facts.samplePeriod = *samplePeriod;
-  facts.maxForce = *maxForce;
+  facts.run.samplePeriod = *samplePeriod;
+  facts.run.maxForce = *maxForce;
   // Early recordings lack the rest. Without an off time, a force that was switched off fell as
   // slowly as any other.
-  facts.offTime = numberIn<double>(rows, MetaKey::offTime).value_or(0.0);
-  facts.reach = numberIn<double>(rows, MetaKey::reach).value_or(facts.reach);
-  facts.feelsForce = numberIn<int>(rows, MetaKey::feelsForce).value_or(0) != 0;
-  facts.maxStiffness = numberIn<double>(rows, MetaKey::maxStiffness).value_or(facts.maxStiffness);
-  facts.maxDamping = numberIn<double>(rows, MetaKey::maxDamping).value_or(facts.maxDamping);
+  facts.run.offTime = numberIn<double>(rows, MetaKey::offTime).value_or(0.0);
+  facts.run.reach = numberIn<double>(rows, MetaKey::reach).value_or(facts.run.reach);
+  facts.run.feelsForce = numberIn<int>(rows, MetaKey::feelsForce).value_or(0) != 0;
+  facts.run.maxStiffness =
+      numberIn<double>(rows, MetaKey::maxStiffness).value_or(facts.run.maxStiffness);
+  facts.run.maxDamping = numberIn<double>(rows, MetaKey::maxDamping).value_or(facts.run.maxDamping);
   facts.deviceDelay = numberIn<double>(rows, MetaKey::deviceDelay).value_or(facts.deviceDelay);
   facts.seed = *seed;
   facts.modelFingerprint = *fingerprint;

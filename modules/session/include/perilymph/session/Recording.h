@@ -8,13 +8,13 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <span>
 #include <string>
 
 #include "perilymph/foundation/Result.h"
 #include "perilymph/haptics/Snapshot.h"
+#include "perilymph/session/RunParameters.h"
 
 namespace perilymph::session {
 
@@ -24,17 +24,10 @@ inline constexpr int newestRecordingVersion = 2;
 /// What a recording says about itself. Numbers that replay needs are kept to the last bit.
 struct RecordingFacts {
   std::string scenarioName;
-  std::string scenarioText;    ///< Scenario::text.
-  std::string device;          ///< DeviceTraits::name.
-  double timeStep = 1e-3;      ///< [s]
-  double samplePeriod = 1e-3;  ///< EngineSettings::samplePeriod [s].
-  double maxForce = 3.3;       ///< SafetyLimits::maxForce [N].
-  double offTime = 3e-3;       ///< SafetyLimits::offTime [s].
-  double reach = 0.0;          ///< SafetyLimits::reach [m].
-  bool feelsForce = false;     ///< The hand feels forces: the coupling is a spring.
-  /// EngineSettings of the same names [N/m], [N.s/m].
-  double maxStiffness = std::numeric_limits<double>::infinity();
-  double maxDamping = std::numeric_limits<double>::infinity();
+  std::string scenarioText;  ///< Scenario::text.
+  std::string device;        ///< DeviceTraits::name.
+  double timeStep = 1e-3;    ///< [s]
+  RunParameters run;
   double deviceDelay = 0.0;  ///< From a force to the report that shows it, measured [s].
   long seed = 1;
   std::uint64_t modelFingerprint = 0;

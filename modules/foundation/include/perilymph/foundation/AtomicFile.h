@@ -1,6 +1,6 @@
 #pragma once
 
-// Files that appear whole or not at all.
+// Atomic file writing: a file appears complete or not at all.
 
 #include <cstddef>
 #include <filesystem>
@@ -12,29 +12,29 @@
 
 namespace perilymph {
 
-/// Whether a file could be written, asked before the work that fills it: its folder exists and may
-/// be written to, and the file is no folder and not read-only.
+/// Checks, before any work is done, that a file can be written: its folder exists and is writable,
+/// and the file is neither a folder nor read-only.
 Result<Done> checkWritable(const std::filesystem::path& file);
 
-/// Writes a file so that it appears whole or not at all: into a neighbor first, then renamed over
-/// the place. On failure nothing is left behind and an older file stays as it was;
-/// a read-only one is never replaced.
+/// Writes a file atomically: first into a temporary file in the same folder, which is then renamed.
+/// On failure nothing is left behind and an existing file is unchanged; a read-only file is never
+/// replaced.
 Result<Done> writeWhole(const std::filesystem::path& file, std::string_view content);
 
-/// The same for content that a library writes by itself (pictures, surfaces): `write` is given the
-/// neighbor's path, with the same extension, and says whether it succeeded.
+/// The same for content that a library writes (pictures, surfaces): `write` receives the path of
+/// the temporary file, which has the same extension, and returns true on success.
 Result<Done> writeWhole(const std::filesystem::path& file,
                         const std::function<bool(const std::filesystem::path&)>& write);
 
-/// Removes the neighbors of all files that are being written, before the process is ended by a
-/// signal. May be called from a signal handler.
+/// Removes the temporary files of all writes in progress, before a signal ends the process.
+/// Async-signal-safe.
 void removeUnfinishedFiles() noexcept;
 
-/// Size up to which text files are read.
+/// Maximum size of a text file that is read [bytes].
 inline constexpr std::size_t maxTextBytes = std::size_t{16} << 20;
 
-/// Reads a whole file. Pipes, devices and folders are refused, and so is what is larger than
-/// `maxBytes`; it never waits for another program.
+/// Reads a whole file. Refuses pipes, devices, folders and files larger than `maxBytes`. Never
+/// blocks on another program.
 Result<std::string> readWhole(const std::filesystem::path& file,
                               std::size_t maxBytes = maxTextBytes);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// The boundary where exceptions end: one that leaves a thread ends the program.
+// Converts exceptions to errors: an exception that leaves a thread would terminate the program.
 
 #include <string>
 #include <type_traits>
@@ -9,9 +9,9 @@
 
 namespace perilymph {
 
-/// The Error for the exception that is being handled. Only inside a catch block.
+/// The Error for the exception being handled. Call only inside a catch block.
 ///
-/// @param subject  What could not be done, as the sentence begins: "The recording a.insertion".
+/// @param subject  Beginning of the message: "The recording a.insertion".
 Error currentExceptionError(const std::string& subject) noexcept;
 
 /// Calls `work`, which returns a Result. An exception that leaves it becomes the Result's Error.

@@ -1,8 +1,8 @@
 #pragma once
 
-// Transcendental functions that give the same bits on every x86-64 machine. The C library's choose
-// their instructions at run time (with or without FMA) and may differ in the last place; anything
-// that reaches a result calls these instead. Only + - * / and sqrt inside.
+// Transcendental functions that give the same bits on every x86-64 machine. Those of the C library
+// select instructions at run time (with or without FMA) and may differ in the last place; every
+// computation that affects a result calls these instead. They use only + - * / and sqrt.
 
 #include <cmath>
 
@@ -27,7 +27,7 @@ SineCosine sineCosine(double angle) noexcept;
 /// 2e-15 for coordinates below 1e300. 0 at the origin. Real-time safe.
 inline double arcTangent(double y, double x) noexcept
 {
-  // One eighth of the plane first, without branches: neighboring nodes lie anywhere.
+  // Reduce to one octant, without branches: the octants of successive calls are unpredictable.
   const double width = std::fabs(x);
   const double height = std::fabs(y);
   const bool isSteep = height > width;
@@ -42,7 +42,7 @@ inline double arcTangent(double y, double x) noexcept
   const double ratio = (small - turned * large) / (divisor > 0.0 ? divisor : 1.0);
 
   // atan(r) / r - 1 = z P(z), z = r^2; interpolated at Chebyshev points of 0 <= z <= tan(pi/8)^2
-  // with 60 digits, within 6e-17 there. Summed as a tree, which shortens the wait between products.
+  // with 60 digits, error below 6e-17 there. Summed as a tree for a shorter dependency chain.
   const double z = ratio * ratio;
   const double z2 = z * z;
   const double z4 = z2 * z2;
@@ -54,7 +54,7 @@ inline double arcTangent(double y, double x) noexcept
   const double tree = low + z4 * (middle + z4 * high);
   const double reduced = ratio + ratio * (z * tree);
 
-  // Back to where the point was: angle = corner +- reduced.
+  // Undo the reductions: angle = corner +- reduced.
   constexpr double eighth = 0x1.921fb54442d18p-1;  // pi/4
   const double inEighth = turned * eighth + reduced;
   const double inQuarter = isSteep ? 2.0 * eighth - inEighth : inEighth;

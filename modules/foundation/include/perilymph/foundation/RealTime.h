@@ -1,6 +1,6 @@
 #pragma once
 
-// Marks of the haptic tick, and the roles of threads.
+// Real-time annotation of functions, and the roles of threads.
 
 #if defined(__clang__) && __clang_major__ >= 20
 /// Marks a function of the tick: it neither allocates, locks, waits, logs nor throws.
@@ -12,10 +12,10 @@
 
 namespace perilymph {
 
-/// What a thread is for. Each thread says so once, when it starts.
+/// The role of a thread. Each thread registers its role once, when it starts.
 enum class ThreadRole { none, haptic, recorder, worker, ui };
 
-/// Tells which role the calling thread has from now on.
+/// Sets the role of the calling thread.
 void registerThreadRole(ThreadRole role) noexcept;
 
 /// The role the calling thread registered; none before that.
@@ -25,8 +25,8 @@ ThreadRole threadRole() noexcept;
 
 #include <cassert>
 
-/// In debug builds, stops a thread that has registered another role. A thread without a role (a
-/// test, a command-line run in virtual time) may play any.
+/// In debug builds, asserts that the calling thread has this role. A thread without a role (a test,
+/// a command-line run in virtual time) may take any.
 #define PERILYMPH_EXPECTS_ROLE(role)                                   \
   assert(::perilymph::threadRole() == ::perilymph::ThreadRole::none || \
          ::perilymph::threadRole() == ::perilymph::ThreadRole::role)

@@ -1,6 +1,6 @@
 #pragma once
 
-// Where the things that ship with the program are, and where people's own things go.
+// Locations of shipped files and of the user's own files.
 
 #include <filesystem>
 #include <string>
@@ -11,26 +11,25 @@
 
 namespace perilymph {
 
-/// The folder that holds `resources/` and `plugins/`: the environment's PERILYMPH_RESOURCES, else
-/// the installed place, else the source tree this program was built from.
+/// The folder that contains `resources/` and `plugins/`: the environment variable
+/// PERILYMPH_RESOURCES, else the installation, else the source tree this program was built from.
 std::filesystem::path resourceRoot();
 
-/// The place of a shipped file, such as "resources/scenarios/contour-published.toml".
+/// Path of a shipped file, such as "resources/scenarios/contour-published.toml".
 std::filesystem::path resource(std::string_view relative);
 
-/// Finds a shipped TOML file by a folder and either a bare name or the path of a file: what
-/// `--scenario FILE|NAME` means. Names are looked for in the folder and one level below.
-/// An unknown name is answered with the names there are.
+/// Resolves `FILE|NAME`, as in `--scenario FILE|NAME`, to the path of a TOML file. Bare names are
+/// searched in the folder and one level below. The error for an unknown name lists the known ones.
 Result<std::filesystem::path> findByName(std::string_view kind, std::string_view folder,
                                          const std::string& nameOrFile);
 
-/// The names that findByName() knows in a folder, sorted.
+/// The names that findByName() accepts in a folder, sorted.
 std::vector<std::string> shippedNames(std::string_view folder);
 
-/// Where sessions are kept: $XDG_DATA_HOME/perilymph/sessions, by default below ~/.local/share.
+/// Folder of recorded sessions: $XDG_DATA_HOME/perilymph/sessions, by default in ~/.local/share.
 std::filesystem::path sessionFolder();
 
-/// Where the patients that were typed in are kept: the folder `patients` beside it.
+/// Folder of the patients entered by the user: `patients` beside the session folder.
 std::filesystem::path patientFolder();
 
 }  // namespace perilymph

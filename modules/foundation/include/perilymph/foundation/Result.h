@@ -1,6 +1,6 @@
 #pragma once
 
-// What a call to the outside world gives: a value, or one sentence that says what to do.
+// The result of an operation that can fail: a value, or an error with a message for the user.
 
 #include <string>
 #include <type_traits>
@@ -9,16 +9,16 @@
 
 namespace perilymph {
 
-/// Why the world (a file, a device, a scan) did not give what was asked: one or two sentences
-/// that name the thing, the value with its unit, what is allowed and what to do.
+/// Why an operation on a file, device or scan failed: one or two sentences that name the object,
+/// the value with its unit, the allowed range and the remedy.
 struct Error {
   std::string message;
 };
 
-/// The value of a call that has nothing to give but success.
+/// The value of an operation that only succeeds or fails.
 struct Done {};
 
-/// A value, or the Error that stands in its place.
+/// A value or an Error.
 template <class Value>
 class [[nodiscard]] Result {
 public:

@@ -1,6 +1,6 @@
 #pragma once
 
-// SHA-256, to tell whether a file still holds what was written into it.
+// SHA-256, to detect files that were changed after they were written.
 
 #include <array>
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace perilymph {
 
-/// The SHA-256 hash (FIPS 180-4) of bytes that come piece by piece.
+/// Incremental SHA-256 hash (FIPS 180-4).
 class Sha256 {
 public:
   Sha256();
@@ -21,10 +21,10 @@ public:
 
   void add(std::span<const unsigned char> bytes);
   void add(std::string_view text);
-  /// Adds a number as eight bytes, the lowest first.
+  /// Adds a number as eight bytes, little-endian.
   void add(std::uint64_t number);
 
-  /// The hash of everything added so far as 64 hexadecimal digits; more may be added afterwards.
+  /// Hash of all data added so far, as 64 hexadecimal digits; more may be added afterwards.
   std::string hex() const;
 
 private:

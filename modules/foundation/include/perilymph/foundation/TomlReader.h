@@ -1,7 +1,7 @@
 #pragma once
 
-// Reads people's text files (scenarios, patients, arrays, devices) and says in one sentence what is
-// wrong with them: file, line, key, value, range.
+// Reads the TOML files of users (scenarios, patients, arrays, devices) and reports an error in
+// one sentence: file, line, key, value, range.
 
 #include <cstddef>
 #include <filesystem>
@@ -16,24 +16,24 @@
 
 namespace perilymph {
 
-/// The values a number may take, ends included. The unit is part of the key's name.
+/// Allowed values of a number, limits included. The unit is part of the key's name.
 struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
 };
 
-/// One table of a TOML file that is being read. Every key must be asked for by name; finish()
-/// refuses the keys nobody asked for. The first mistake found is kept and later calls give
-/// fallbacks, so a reader asks for all its keys in a row and looks at finish() once.
+/// One table of a TOML file being read. Every key is requested by name; finish() refuses keys that
+/// were never requested. The first error is kept and later calls return fallbacks, so that a caller
+/// requests all its keys in a row and checks finish() once.
 ///
-/// Keys of physical values wear their unit (`length_mm`): a key asked for without one cannot exist.
+/// Keys of physical values end with their unit (`length_mm`).
 class TomlReader {
 public:
-  /// Opens a file. Nothing is wrong yet if it is well-formed TOML of at most 16 MiB. Keys that it
-  /// gives under an old name (RenamedKeys.h) are read under the new one, with a warning.
+  /// Opens a file, which must be well-formed TOML of at most 16 MiB. Keys with an old name
+  /// (RenamedKeys.h) are read under the new one, with a warning.
   static Result<TomlReader> open(const std::filesystem::path& file);
-  /// The same for text that came another way, without warnings; `name` stands for the file in
-  /// messages.
+  /// The same for text from another source, without warnings; messages show `name` in place of the
+  /// file.
   static Result<TomlReader> parse(std::string_view text, std::string name);
 
   TomlReader(TomlReader&&) noexcept;
@@ -42,51 +42,50 @@ public:
 
   bool has(std::string_view key) const;
 
-  /// A finite number within the range; missing is a mistake.
+  /// A finite number within the range; a missing key is an error.
   double number(std::string_view key, Range allowed);
   /// A finite number within the range, or the fallback when the key is absent.
   double number(std::string_view key, Range allowed, double fallback);
   /// A whole number within the range, or the fallback when the key is absent.
   long integer(std::string_view key, long low, long high, long fallback);
   bool flag(std::string_view key, bool fallback);
-  /// Text; missing is a mistake.
+  /// Text; a missing key is an error.
   std::string text(std::string_view key);
   std::string text(std::string_view key, std::string fallback);
-  /// Text that must be one of the choices; missing is a mistake unless a fallback is given.
+  /// Text that must be one of the choices; a missing key is an error unless a fallback is given.
   std::string choice(std::string_view key, const std::vector<std::string>& choices,
                      std::optional<std::string> fallback = std::nullopt);
   /// A list of finite numbers, each within the range, of at least `fewest` entries.
   std::vector<double> numbers(std::string_view key, Range allowed, std::size_t fewest);
 
-  /// The tables of `[[key]]`, each to be read and finished like a file of its own; empty if absent.
+  /// The tables of `[[key]]`, each to be read and finished separately; empty if absent.
   std::vector<TomlReader> tables(std::string_view key);
   /// The table `[key]`; an empty one if absent.
   TomlReader table(std::string_view key);
 
-  /// Keeps a mistake that only the caller can see, at the line of `key`, unless one is kept
-  /// already.
+  /// Records an error found by the caller, at the line of `key`, unless there is one already.
   void refuse(std::string_view key, const std::string& sentence);
 
-  /// Changes or adds one value before it is read: `--set key=value` of the command line. The value
-  /// is TOML ("2.0", "true") or, failing that, text.
+  /// Changes or adds one value before it is read: `--set key=value` of the command line. A value
+  /// that is not TOML ("2.0", "true") is taken as text.
   void set(const std::string& given, const std::string& value);
 
-  /// Takes a value of this table away before it is read, as if the text did not give it.
+  /// Removes a value of this table before it is read.
   void remove(std::string_view key);
 
-  /// The first mistake, an unknown key being one; or success. Child tables report here, too.
+  /// Success, or the first error in this table and its child tables; unknown keys are errors.
   Result<Done> finish();
 
-  /// The file, or what stands for it.
+  /// The file, or the name given to parse().
   const std::string& name() const;
-  /// The table as TOML text, keys sorted: what a recording keeps of a scenario.
+  /// The table as TOML text, keys sorted, as recordings store a scenario.
   std::string dump() const;
 
 private:
   struct Content;
   explicit TomlReader(std::shared_ptr<Content> content);
 
-  // Shared with the reader of the table around this one, whose finish() looks at both.
+  // Shared with the reader of the enclosing table, whose finish() checks both.
   std::shared_ptr<Content> content_;
 };
 

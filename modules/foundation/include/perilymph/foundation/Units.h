@@ -1,13 +1,13 @@
 #pragma once
 
-// Quantities with a dimension, for every door of the program: files, windows, plug-ins, catalogs.
-// Inside, numbers are SI doubles; a number that is not SI wears its unit in its name.
+// Quantities with a dimension, for every interface of the program: files, windows, plug-ins,
+// catalogs. Internally numbers are SI doubles; the name of any other number ends with its unit.
 
 #include <compare>
 
 namespace perilymph {
 
-/// A number that knows its dimension. Held in SI; every way in and out names its unit.
+/// A number with a dimension, stored in SI. Every conversion names its unit.
 template <class Dimension>
 class Quantity {
 public:

@@ -1,6 +1,6 @@
 #pragma once
 
-// UTF-8 text from files, devices and other programs, which may hold anything.
+// Untrusted UTF-8 text from files, devices and other programs.
 
 #include <cstddef>
 #include <string>
@@ -8,22 +8,21 @@
 
 namespace perilymph {
 
-/// The character at the front of a text.
+/// The first character of a text.
 struct Utf8Character {
   char32_t code = 0;
-  std::size_t length = 0;  ///< Bytes; 0 where the first byte begins no valid character.
+  std::size_t length = 0;  ///< Bytes; 0 if the first byte begins no valid character.
 };
 
-/// Reads the first character of a text that is not empty. Overlong forms, surrogates and code
-/// points above U+10FFFF are not valid.
+/// Reads the first character of a nonempty text. Overlong forms, surrogates and code points above
+/// U+10FFFF are invalid.
 Utf8Character firstCharacter(std::string_view text);
 
-/// The text with U+FFFD in place of every byte that belongs to no valid character: what JSON and
-/// CSV may hold.
+/// The text with U+FFFD in place of every byte that belongs to no valid character (JSON, CSV).
 std::string validUtf8(std::string_view text);
 
-/// The same on one line: a space in place of every control character. For titles and comments in
-/// files, and for XML, which has no control characters.
+/// The same with every control character replaced by a space. For titles and comments in files, and
+/// for XML, which allows no control characters.
 std::string onOneLine(std::string_view text);
 
 }  // namespace perilymph

@@ -18,10 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the system says about an error number, such as "Permission denied".
+/// The system's message for an error number, such as "Permission denied".
 std::string reason(int errorNumber) { return std::generic_category().message(errorNumber); }
 
-/// An open file that closes itself.
+/// An open file, closed by the destructor.
 class Descriptor {
 public:
   explicit Descriptor(int number) : number_(number) {}
@@ -32,7 +32,7 @@ public:
   explicit operator bool() const { return number_ >= 0; }
   int number() const { return number_; }
 
-  /// Closes now; false if the system reports that writing had failed.
+  /// Closes the file; false if the system reports that writing failed.
   bool close()
   {
     if (number_ < 0) return true;
@@ -61,14 +61,14 @@ Error cannotWrite(const fs::path& file, const std::string& why)
   return Error{"Cannot write " + file.string() + ": " + why};
 }
 
-/// The file that will be replaced: where a symbolic link points, so that the link stays.
+/// The file to be replaced: the target of a symbolic link, so that the link is kept.
 fs::path placeOf(const fs::path& file)
 {
   std::error_code ignored;
   return fs::is_symlink(file, ignored) ? identityOf(file).place : file;
 }
 
-/// True for what has no content of its own to keep whole: a pipe, a terminal, /dev/null.
+/// True for a pipe, a terminal or /dev/null, which are written directly.
 bool isStream(const fs::path& place)
 {
   std::error_code ignored;
@@ -76,8 +76,8 @@ bool isStream(const fs::path& place)
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-/// True for an existing file that its owner marked read-only, which binds the superuser, too, and
-/// for one that this process may not write to.
+/// True for an existing file that its owner made read-only, which applies to the superuser too, and
+/// for one that this process may not write.
 bool isWriteProtected(const fs::path& place)
 {
   struct stat status = {};
@@ -86,7 +86,7 @@ bool isWriteProtected(const fs::path& place)
   return isMarked || ::faccessat(AT_FDCWD, place.c_str(), W_OK, AT_EACCESS) != 0;
 }
 
-/// Why a file cannot appear at a place, as far as that can be seen before writing.
+/// Why a file cannot be created at a path, as far as it is known before writing.
 std::optional<Error> obstacle(const fs::path& file, const fs::path& place)
 {
   std::error_code ignored;
@@ -104,7 +104,8 @@ std::optional<Error> obstacle(const fs::path& file, const fs::path& place)
   return std::nullopt;
 }
 
-/// A new, empty file beside the place, with the same extension; removed again unless it is kept.
+/// A new, empty temporary file in the same folder, with the same extension; removed unless it is
+/// kept.
 class Neighbor {
 public:
   explicit Neighbor(const fs::path& place)
@@ -131,10 +132,11 @@ public:
   int errorNumber() const { return errorNumber_; }
   const fs::path& path() const { return path_; }
 
-  /// The descriptor of the empty file, to be closed by the caller.
+  /// Descriptor of the empty file, closed by the caller.
   int descriptor() const { return descriptor_; }
 
-  /// Puts the file in its place, with the permissions of an older one; 0 or an error number.
+  /// Renames the file to its final path, with the permissions of an older one; 0 or an error
+  /// number.
   int moveTo(const fs::path& place)
   {
     struct stat older = {};
@@ -160,7 +162,7 @@ Result<Done> writeStream(const fs::path& file, std::string_view content)
   return Done{};
 }
 
-/// Runs the writer of a library; an exception counts as failure, with its own words.
+/// Runs a library's writer; an exception counts as failure and supplies the message.
 std::optional<std::string> failureOf(const std::function<bool(const fs::path&)>& write,
                                      const fs::path& path)
 {
@@ -219,7 +221,7 @@ Result<Done> writeWhole(const fs::path& file, const std::function<bool(const fs:
   Descriptor(neighbor.descriptor()).close();
   if (const auto failure = failureOf(write, neighbor.path())) return cannotWrite(file, *failure);
 
-  // The library may have closed its file without telling the disk.
+  // The library may have closed its file without flushing it to the disk.
   Descriptor written(::open(neighbor.path().c_str(), O_RDONLY | O_CLOEXEC));
   if (!written || ::fsync(written.number()) != 0) return cannotWrite(file, reason(errno) + ".");
   if (const int failure = neighbor.moveTo(place)) return cannotWrite(file, reason(failure) + ".");
@@ -234,11 +236,11 @@ Result<std::string> readWhole(const fs::path& file, std::size_t maxBytes)
     return Error{"Cannot read " + file.string() + ": " + why};
   };
   if (file.empty()) return Error{"No file is named. Give the path of a file."};
-  // Without O_NONBLOCK opening a pipe waits until somebody writes into it.
+  // Without O_NONBLOCK, opening a pipe would block until it has a writer.
   const Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
   if (!descriptor && errno == ENOENT) return cannotRead("there is no such file. Check the path.");
   if (!descriptor) return cannotRead(reason(errno) + ". Check its permissions.");
-  // What was opened is asked, not the path: another file may have its name by now.
+  // Query the descriptor, not the path, which may name another file by now.
   struct stat status = {};
   if (::fstat(descriptor.number(), &status) != 0) return cannotRead(reason(errno) + ".");
   if (S_ISDIR(status.st_mode)) return cannotRead("it is a folder. Give the name of a file in it.");
@@ -258,7 +260,7 @@ Result<std::string> readWhole(const fs::path& file, std::size_t maxBytes)
     if (count < 0) return cannotRead(reason(errno) + ".");
     if (count == 0) return content;
     content.append(block, static_cast<std::size_t>(count));
-    if (isTooLarge(content.size())) return tooLarge;  // it grows, or belongs to /proc
+    if (isTooLarge(content.size())) return tooLarge;  // the file grows, or belongs to /proc
   }
 }
 

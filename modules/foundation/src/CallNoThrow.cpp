@@ -19,7 +19,7 @@ Error currentExceptionError(const std::string& subject) noexcept
       return Error{subject + " failed for an unknown reason."};
     }
   } catch (...) {
-    return Error{"Out of memory."};  // short enough to need none
+    return Error{"Out of memory."};  // short enough to need no allocation
   }
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The end of a chain of symbolic links. A chain longer than the kernel follows ends where it is.
+/// Resolves a chain of symbolic links, up to the kernel's maximum length.
 fs::path targetOf(fs::path file)
 {
   constexpr int maxLinks = 40;  // Linux follows 40 (path_resolution(7))
@@ -19,7 +19,7 @@ fs::path targetOf(fs::path file)
     const fs::path target = fs::read_symlink(file, failure);
     if (failure) break;
     fs::path next = target.is_absolute() ? target : file.parent_path() / target;
-    // An open pipe below /proc/self/fd is a link whose text names no file.
+    // An open pipe in /proc/self/fd is a link whose text names no file.
     if (fs::exists(file, failure) && !fs::exists(next, failure)) break;
     file = std::move(next);
   }

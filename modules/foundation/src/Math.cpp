@@ -19,7 +19,7 @@ constexpr double quarterHigh = 0x1.921fb544p+0;
 constexpr double quarterMiddle = 0x1.0b4611a6p-34;
 constexpr double quarterLow = 0x1.3198a2e037073p-69;
 
-/// The nearest whole number, for |x| < 2^51: numbers beside 1.5 * 2^52 have no fraction bits.
+/// The nearest integer, for |x| < 2^51: numbers near 1.5 * 2^52 have no fraction bits.
 double nearestWhole(double x) noexcept
 {
   constexpr double shift = 0x1.8p52;
@@ -99,7 +99,7 @@ double exponential(double x) noexcept
                                                                            87178291200))))))))))));
   const double power = 1.0 + (rest + rest * rest * series);
 
-  // In two steps: the first factor alone may be out of range for results near the ends.
+  // In two factors: 2^count alone may be out of range for results near the limits.
   const auto exponent = static_cast<std::int64_t>(count);
   const std::int64_t half = exponent / 2;
   return power * powerOfTwo(half) * powerOfTwo(exponent - half);

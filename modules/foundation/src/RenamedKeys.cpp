@@ -14,7 +14,8 @@ struct RenamedKey {
   std::string_view before, now;
 };
 
-/// Device profiles, arrays, calibrations, scenarios, variabilities, and the facts of recordings.
+/// Keys of device profiles, arrays, calibrations, scenarios, variabilities and of the metadata of
+/// recordings.
 constexpr std::array<RenamedKey, 10> renamedKeys = {{
     {"dead_share", "dead_zone"},
     {"gain_share", "gain_fraction"},
@@ -31,7 +32,7 @@ constexpr std::array<RenamedKey, 10> renamedKeys = {{
 struct Warnings {
   std::mutex mutex;
   WarningHandler handler;
-  std::vector<std::string> waiting;  ///< Given before there was a handler.
+  std::vector<std::string> waiting;  ///< Issued before there was a handler.
   std::set<std::string> known;
 };
 

@@ -12,14 +12,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A variable of the environment; empty if it is not set.
+/// An environment variable; empty if it is not set.
 std::string environment(const char* name)
 {
   const char* value = std::getenv(name);
   return value == nullptr ? std::string() : std::string(value);
 }
 
-/// The TOML files of a folder and of the folders in it, sorted.
+/// The TOML files in a folder and its direct subfolders, sorted.
 std::vector<fs::path> tomlFiles(const fs::path& folder)
 {
   std::vector<fs::path> files;
@@ -53,7 +53,7 @@ fs::path resourceRoot()
 {
   const std::string chosen = environment("PERILYMPH_RESOURCES");
   if (!chosen.empty()) return chosen;
-  // Beside the program, wherever the whole was installed or unpacked.
+  // Beside the program, wherever it was installed or unpacked.
   std::error_code failure;
   const fs::path program = fs::read_symlink("/proc/self/exe", failure);
   const fs::path installed =
@@ -76,7 +76,7 @@ std::vector<std::string> shippedNames(std::string_view folder)
 Result<fs::path> findByName(std::string_view kind, std::string_view folder,
                             const std::string& nameOrFile)
 {
-  // A bare name is a shipped one first; anything else is a path.
+  // Prefer a shipped file of that name; everything else is a path.
   std::vector<fs::path> shipped;
   for (const fs::path& file : tomlFiles(resource(folder)))
     if (file.stem() == nameOrFile) shipped.push_back(file);
@@ -102,7 +102,7 @@ Result<fs::path> findByName(std::string_view kind, std::string_view folder,
 
 fs::path sessionFolder()
 {
-  // The XDG rules: a relative path counts as none.
+  // XDG Base Directory Specification: relative paths are ignored.
   const fs::path data = environment("XDG_DATA_HOME");
   if (data.is_absolute()) return data / "perilymph" / "sessions";
   fs::path home = environment("HOME");

@@ -6,7 +6,7 @@
 namespace perilymph {
 namespace {
 
-/// Letters to insert, remove or exchange to make one word from the other (Levenshtein's distance).
+/// Levenshtein distance of two words: letters to insert, remove or substitute.
 std::size_t lettersApart(std::string_view a, std::string_view b)
 {
   std::vector<std::size_t> row(b.size() + 1);

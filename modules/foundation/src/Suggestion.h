@@ -1,6 +1,6 @@
 #pragma once
 
-// "Did you mean": the known word nearest to one that was mistyped.
+// "Did you mean": the known word nearest to a misspelled one.
 
 #include <string>
 #include <string_view>
@@ -8,8 +8,8 @@
 
 namespace perilymph {
 
-/// The candidate that differs from `word` by few letters, or by its unit alone (`speed` for
-/// `speed_mm_s`); empty if none is near.
+/// The candidate that differs from `word` by few letters or only by its unit (`speed` for
+/// `speed_mm_s`); empty if there is none.
 std::string nearestWord(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace perilymph

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a TomlReader keeps of one table: its values, what was asked of it, the first mistake.
+// The data of a TomlReader for one table: values, requested keys, first error.
 
 #include <toml++/toml.h>
 #include <map>
@@ -19,32 +19,31 @@
 
 namespace perilymph {
 
-/// One table, what was asked of it and the first mistake in it.
+/// One table, its requested keys and its first error.
 struct TomlReader::Content {
   struct KeptError {
     std::string sentence;
-    std::string missingKey;  ///< The key whose absence it is; empty for others.
+    std::string missingKey;  ///< The missing key; empty for other errors.
   };
 
   std::string name;
   std::string path;  ///< Path of this table in the file, such as "stylet."; empty for the file.
-  int line = 0;      ///< Where the table starts; 0 for the file itself.
+  int line = 0;      ///< Line where the table starts; 0 for the file itself.
   toml::table table;
   std::set<std::string, std::less<>> asked;
-  std::map<std::string, std::string, std::less<>>
-      changed;  ///< By set(): the value as it was given.
+  std::map<std::string, std::string, std::less<>> changed;  ///< Values given to set().
   std::optional<KeptError> error;
   std::vector<std::shared_ptr<Content>> inner;
-  std::vector<RenamedKeyUse> renamed;  ///< Keys given under their old names, inner tables' too.
+  std::vector<RenamedKeyUse> renamed;  ///< Keys with an old name, also in inner tables.
 
-  /// The node of a key, which counts as asked for.
+  /// The node of a key; marks the key as requested.
   const toml::node* ask(std::string_view key)
   {
     asked.emplace(key);
     return table.get(key);
   }
 
-  /// Where a key stands, to begin a sentence: "my.toml:7: ".
+  /// Place of a key, to begin a message: "my.toml:7: ".
   std::string place(std::string_view key) const
   {
     const auto change = changed.find(key);
@@ -54,7 +53,7 @@ struct TomlReader::Content {
     return placeOfLine(keyLine != 0 ? keyLine : line);
   }
 
-  /// The line of a key; 0 if it is not there or did not come from the file.
+  /// The line of a key; 0 if it is absent or did not come from the file.
   int lineOf(std::string_view key) const
   {
     const auto entry = table.find(key);
@@ -85,7 +84,7 @@ struct TomlReader::Content {
          mustBe + ".");
   }
 
-  /// The keys of the file that nobody asked for.
+  /// The keys of the file that were never requested.
   std::vector<std::string> unknownKeys() const
   {
     std::vector<std::string> unknown;
@@ -103,12 +102,12 @@ struct TomlReader::Content {
     return sentence + "known are " + tomltext::listed({asked.begin(), asked.end()}) + ".";
   }
 
-  /// The first mistake in this table and those in it; empty if there is none.
+  /// The first error in this table and its inner tables; empty if there is none.
   std::string firstError() const
   {
     const std::vector<std::string> unknown = unknownKeys();
 
-    // A misspelled key is why the right one is missing: the misspelling says more.
+    // A misspelled key explains why the correct one is missing: report the misspelling.
     if (error && !error->missingKey.empty())
       for (const std::string& key : unknown)
         if (!nearestWord(key, {error->missingKey}).empty()) return unknownKey(key);
@@ -121,8 +120,8 @@ struct TomlReader::Content {
     return unknown.empty() ? std::string() : unknownKey(unknown.front());
   }
 
-  /// A table in this one, which keeps its own mistakes and is looked at by firstError() of this.
-  /// Asked for twice, it is the same.
+  /// An inner table with its own errors, included in firstError() of this one. Requesting it twice
+  /// returns the same object.
   std::shared_ptr<Content> addInner(const toml::table& innerTable, const std::string& innerPath,
                                     std::string_view key)
   {

@@ -19,7 +19,7 @@ using tomltext::shown;
 
 namespace {
 
-/// What a range allows, as the end of a sentence.
+/// The allowed range, as the end of a sentence.
 std::string allowedText(Range allowed)
 {
   const bool hasLow = std::isfinite(allowed.low);
@@ -31,7 +31,7 @@ std::string allowedText(Range allowed)
   return "a finite number";
 }
 
-/// A number of TOML's, integer or float; nothing if it is neither or not finite.
+/// A TOML number, integer or float; empty if it is neither or not finite.
 std::optional<double> finiteNumber(const toml::node& node)
 {
   const std::optional<double> value = node.value<double>();
@@ -41,15 +41,15 @@ std::optional<double> finiteNumber(const toml::node& node)
 
 bool isWithin(double value, Range allowed) { return value >= allowed.low && value <= allowed.high; }
 
-/// Something finite and within the range, to go on with after a mistake.
+/// A finite value within the range, returned after an error.
 double anyWithin(Range allowed)
 {
   if (std::isfinite(allowed.low)) return allowed.low;
   return std::isfinite(allowed.high) ? allowed.high : 0.0;
 }
 
-/// Gives the keys of a table and of those in it today's names, and notes which were old. An error
-/// where a key is given under both names.
+/// Renames the keys of a table and its inner tables to their current names and lists the old ones.
+/// A key given under both names is an error.
 Result<Done> renameKeys(toml::table& table, const std::string& name, const std::string& path,
                         std::vector<RenamedKeyUse>& renamed)
 {
@@ -179,7 +179,7 @@ std::string TomlReader::text(std::string_view key, std::string fallback)
   if (node == nullptr) return fallback;
   if (const auto value = node->value_exact<std::string>()) return *value;
 
-  // On the command line nobody quotes: --set label=12 means the text.
+  // On the command line values are not quoted: --set label=12 means the text.
   const auto change = content_->changed.find(key);
   if (change != content_->changed.end()) return change->second;
   content_->keepInvalid(key, *node, "text in quotation marks");
@@ -293,7 +293,7 @@ void TomlReader::set(const std::string& given, const std::string& value)
     content_->keep("--set " + shown(key) + "=" + shown(value) + ": this is not UTF-8 text.");
     return;
   }
-  // The tables on the way, for a key such as stylet.from_tip_mm.
+  // The intermediate tables, for a key such as stylet.from_tip_mm.
   toml::table* table = &content_->table;
   std::size_t begin = 0;
   for (std::size_t dot = key.find('.'); dot != std::string::npos; dot = key.find('.', begin)) {
@@ -311,7 +311,7 @@ void TomlReader::set(const std::string& given, const std::string& value)
   const std::string last = key.substr(begin);
   content_->changed[key] = value;
 
-  // TOML if it is exactly one value, else text.
+  // TOML if the text is exactly one value, else text.
   Result<TomlReader> parsed = parse("value = " + value, "value");
   if (parsed && parsed->content_->table.size() == 1)
     table->insert_or_assign(last, *parsed->content_->table.get("value"));

@@ -17,7 +17,7 @@ bool isBareKey(char c)
          c == '-';
 }
 
-/// The end of the string that starts at `begin` with a quotation mark; line breaks are counted.
+/// End of the string whose opening quotation mark is at `begin`; counts line breaks.
 std::size_t endOfString(std::string_view text, std::size_t begin, int& line)
 {
   const char mark = text[begin];
@@ -149,7 +149,7 @@ std::string shortest(double value)
   if (std::isnan(value)) return "nan";
   if (std::isinf(value)) return value < 0 ? "-inf" : "inf";
 
-  // Without an exponent where people would write none.
+  // Without an exponent in the usual range of magnitudes.
   const double size = std::fabs(value);
   const bool isPlain = value == 0.0 || (size >= 1e-4 && size < 1e9);
   char buffer[32];

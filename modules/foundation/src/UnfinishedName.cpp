@@ -13,7 +13,7 @@ struct UnfinishedName::Slot {
   std::atomic<bool> isNamed{false};
   char name[4096] = {};  // PATH_MAX of Linux
 
-  // A signal handler is given nothing but a number: what it needs has to be static.
+  // A signal handler receives only a number, so its data must be static.
   static Slot all[16];
 };
 

@@ -1,13 +1,13 @@
 #pragma once
 
-// Files that are being written, as a signal handler finds them.
+// Names of the files being written, for a signal handler.
 
 #include <filesystem>
 
 namespace perilymph {
 
-/// The name of a file that is being written; kept as long as this object lives. Up to sixteen files
-/// may be written at a time, by any threads; of more, the names are not kept.
+/// The name of a file being written, registered during the lifetime of this object. Thread-safe; at
+/// most sixteen names are registered at a time, further ones are ignored.
 class UnfinishedName {
 public:
   UnfinishedName() = default;
@@ -15,10 +15,10 @@ public:
   UnfinishedName(const UnfinishedName&) = delete;
   UnfinishedName& operator=(const UnfinishedName&) = delete;
 
-  /// Keeps this name in place of the one before.
+  /// Replaces the registered name.
   void keep(const std::filesystem::path& file);
 
-  /// Removes every file whose name is kept. Safe in a signal handler.
+  /// Removes all registered files. Async-signal-safe.
   static void removeAll() noexcept;
 
 private:

@@ -7,7 +7,7 @@ constexpr std::string_view replacement = "\xef\xbf\xbd";  // U+FFFD
 
 bool isControl(char32_t code) { return code < 0x20 || (code >= 0x7f && code < 0xa0); }
 
-/// Calls `each` with the bytes of every character, and with U+FFFD for every byte that is none.
+/// Calls `each` with the bytes of every character, and with U+FFFD for every invalid byte.
 template <class Each>
 void forEachCharacter(std::string_view text, const Each& each)
 {

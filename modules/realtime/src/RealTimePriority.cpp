@@ -7,7 +7,7 @@ namespace perilymph::realtime {
 
 RealTimePriority requestRealTimePriority(Rank rank) noexcept
 {
-  // Interrupt threads of a preemptible kernel run at 50; the USB one must come before us.
+  // Interrupt threads of a preemptible kernel run at 50; USB interrupts must precede this thread.
   const int priority = rank == Rank::tick ? 45 : 44;
   sched_param wanted{};
   wanted.sched_priority = priority;

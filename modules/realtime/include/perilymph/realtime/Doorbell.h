@@ -1,6 +1,6 @@
 #pragma once
 
-// How a thread that must not wait wakes one that may.
+// Wakes a sleeping thread from one that must not wait.
 
 #include <semaphore.h>
 #include <time.h>
@@ -13,8 +13,8 @@
 
 namespace perilymph::realtime {
 
-/// One thread rings, one thread sleeps until it does. Rings while nobody sleeps are remembered as
-/// one. A ring never waits; it enters the kernel only to wake a sleeper.
+/// One thread sleeps until another rings. Rings while nobody sleeps count as one. A ring never
+/// blocks and enters the kernel only to wake a sleeper.
 class Doorbell {
 public:
   Doorbell() noexcept { sem_init(&bell_, 0, 0); }
@@ -22,14 +22,14 @@ public:
   Doorbell(const Doorbell&) = delete;
   Doorbell& operator=(const Doorbell&) = delete;
 
-  /// Wakes the sleeper. Any thread. Real-time safe.
+  /// Wakes the sleeping thread. Any thread. Real-time safe.
   PERILYMPH_REALTIME void ring() noexcept
   {
     if (!isRung_.exchange(true, std::memory_order_acq_rel)) sem_post(&bell_);
   }
 
-  /// Sleeps until it rings, at most until `deadline` on the monotonic clock [ns]. False if it did
-  /// not ring. One thread only.
+  /// Sleeps until a ring, at most until `deadline` on the monotonic clock [ns]. False on timeout.
+  /// One thread only.
   bool waitUntil(std::int64_t deadline) noexcept
   {
     constexpr std::int64_t second = 1'000'000'000;
@@ -39,7 +39,7 @@ public:
     while (sem_clockwait(&bell_, CLOCK_MONOTONIC, &until) != 0) {
       if (errno != EINTR) return false;
     }
-    // What was written before the ring is seen after it.
+    // Acquire: what was written before the ring is visible after it.
     isRung_.exchange(false, std::memory_order_acq_rel);
     return true;
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-// The beat of the haptic thread. The clock is read here and nowhere in the engine.
+// Period of the haptic thread. The engine reads the clock only here.
 
 #include <cstdint>
 
@@ -9,17 +9,17 @@
 
 namespace perilymph::realtime {
 
-/// Time since an arbitrary start, never running backward [ns].
+/// Time since an arbitrary start, never decreasing [ns].
 PERILYMPH_REALTIME std::int64_t monotonicNanoseconds() noexcept;
 
 /// Wakes its thread at a fixed period.
 ///
-/// A tick that is a little late leaves the grid as it is, so that the rate holds on average. A tick
-/// more than `patience` periods late starts a new grid: the ticks between are counted as missed and
-/// not made up for, because a burst of them would be motion no hand made.
+/// A tick that is slightly late leaves the grid of due times unchanged, so that the mean rate is
+/// kept. A tick more than `patience` periods late starts a new grid: the ticks between are counted
+/// as missed and not made up for, because a burst of ticks would be motion the hand did not make.
 class Pacer {
 public:
-  /// Periods by which a tick may be late before the grid is given up.
+  /// Maximum lateness of a tick before a new grid is started [periods].
   static constexpr std::int64_t patience = 10;
 
   /// @throws std::invalid_argument for a period outside 10 us to 1 s.
@@ -31,18 +31,18 @@ public:
   /// When the next tick is due [ns].
   std::int64_t due() const noexcept { return due_; }
 
-  /// Counts a tick that begins at `now` [ns] and moves `due` on.
+  /// Counts a tick that begins at `now` [ns] and advances due().
   PERILYMPH_REALTIME void begin(std::int64_t now) noexcept;
 
-  /// Counts a tick that somebody else's clock began `now` [ns]; the grid goes on from it.
+  /// Counts a tick that an external clock began at `now` [ns]; the grid continues from there.
   PERILYMPH_REALTIME void follow(std::int64_t now) noexcept;
 
-  /// Sleeps until the next tick is due, then begins it. Returns when that was [ns].
+  /// Sleeps until the next tick is due, then begins it. Returns the time at which it began [ns].
   std::int64_t wait() noexcept;
 
   /// Ticks that began more than one period late.
   std::uint64_t lateTicks() const noexcept { return lateTicks_; }
-  /// Ticks of a given-up grid that never took place.
+  /// Ticks of abandoned grids that never took place.
   std::uint64_t missedTicks() const noexcept { return missedTicks_; }
 
 private:

@@ -1,20 +1,20 @@
 #pragma once
 
-// Going before everybody else on the machine, where the system allows it.
+// Real-time scheduling priority of a thread, where the system grants it.
 
 namespace perilymph::realtime {
 
-/// Whether the system lets the calling thread go first.
+/// Whether the system granted real-time priority.
 enum class RealTimePriority { granted, refused };
 
-/// Who of a program's own threads goes first.
+/// Priority order of the program's own real-time threads.
 enum class Rank {
   tick,   ///< The haptic thread.
-  write,  ///< Those that wait for a device on its behalf: behind it.
+  write,  ///< Threads that wait for a device on its behalf: lower priority.
 };
 
-/// Asks for SCHED_FIFO for the calling thread: below the kernel's own threads (50), above all
-/// ordinary ones. Never fails: a refused thread goes on as it was.
+/// Requests SCHED_FIFO for the calling thread, below the kernel's own threads (50) and above all
+/// ordinary ones. Never fails: if refused, the thread keeps its priority.
 RealTimePriority requestRealTimePriority(Rank rank = Rank::tick) noexcept;
 
 }  // namespace perilymph::realtime

@@ -1,6 +1,6 @@
 #pragma once
 
-// The channel where every value matters: records for the file, requests for the loop.
+// Queue for values that must all arrive: records for the file, commands for the loop.
 
 #include <atomic>
 #include <cstddef>
@@ -14,13 +14,13 @@
 namespace perilymph::realtime {
 
 /// A queue of fixed capacity from one writer thread to one reader thread. Values arrive complete
-/// and in order. Neither side ever waits: a full ring refuses, an empty one has nothing.
+/// and in order. Neither side ever blocks: push() fails if the ring is full, take() if it is empty.
 template <class Value>
 class SpscRing {
   static_assert(std::is_trivially_copyable_v<Value>, "push() must not allocate or throw");
 
 public:
-  /// @param capacity  Values it can hold, 1 or more. All memory is taken here.
+  /// @param capacity  Capacity [values], 1 or more. All memory is allocated here.
   explicit SpscRing(std::size_t capacity) : slots_(capacity)
   {
     if (capacity == 0) throw std::invalid_argument("A ring of 0 values holds nothing; give it 1.");
@@ -56,10 +56,10 @@ public:
 
 private:
   std::vector<Value> slots_;
-  alignas(64) std::atomic<std::uint64_t> written_{0};  // how many, ever
-  alignas(64) std::uint64_t readSeen_ = 0;             // the writer's memory of read_
-  alignas(64) std::atomic<std::uint64_t> read_{0};     // how many, ever
-  alignas(64) std::uint64_t writtenSeen_ = 0;          // the reader's memory of written_
+  alignas(64) std::atomic<std::uint64_t> written_{0};  // number of values ever written
+  alignas(64) std::uint64_t readSeen_ = 0;             // the writer's last read of read_
+  alignas(64) std::atomic<std::uint64_t> read_{0};     // number of values ever read
+  alignas(64) std::uint64_t writtenSeen_ = 0;          // the reader's last read of written_
 };
 
 }  // namespace perilymph::realtime

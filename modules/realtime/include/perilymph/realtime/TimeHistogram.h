@@ -1,6 +1,6 @@
 #pragma once
 
-// How long ticks took, without keeping every one of them.
+// Distribution of tick durations in constant memory.
 
 #include <array>
 #include <cstdint>
@@ -9,23 +9,23 @@
 
 namespace perilymph::realtime {
 
-/// Counts durations in fixed bins: exact below 32 ns, above that 32 bins an octave, so that a
-/// quantile is at most 3.2 % above the true one. One thread; real-time safe.
+/// Counts durations in fixed bins: exact below 32 ns, above that 32 bins per octave, so that a
+/// quantile is at most 3.2 % above the true one. Single-threaded; real-time safe.
 class TimeHistogram {
 public:
-  /// Counts one duration [ns]; negative ones count as 0.
+  /// Counts one duration [ns]; negative values count as 0.
   PERILYMPH_REALTIME void add(std::int64_t nanoseconds) noexcept;
 
   PERILYMPH_REALTIME void clear() noexcept { *this = TimeHistogram(); }
 
   std::uint64_t count() const noexcept { return count_; }
-  /// The longest duration [s]; 0 without any.
+  /// Maximum duration [s]; 0 if there is none.
   double longest() const noexcept { return static_cast<double>(longest_) * 1e-9; }
 
-  /// The duration that a share of all do not exceed [s], rounded up to its bin's edge but never
-  /// above the longest; 0 without any.
+  /// Quantile of the durations [s], rounded up to the edge of its bin but never above the maximum;
+  /// 0 if there is none.
   ///
-  /// @param share  0 to 1; 0.5 gives the median.
+  /// @param fraction  0 to 1; 0.5 gives the median.
   PERILYMPH_REALTIME double quantile(double fraction) const noexcept;
 
 private:

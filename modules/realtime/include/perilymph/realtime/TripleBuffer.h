@@ -1,6 +1,6 @@
 #pragma once
 
-// The channel where only the newest value matters: pictures for the eyes.
+// Channel for values of which only the newest matters, such as pictures for the screen.
 
 #include <array>
 #include <atomic>
@@ -11,8 +11,8 @@
 
 namespace perilymph::realtime {
 
-/// Hands the newest value from one writer thread to one reader thread.
-/// Neither side ever waits; values the reader was too slow for are dropped.
+/// Passes the newest value from one writer thread to one reader thread. Neither side ever blocks;
+/// values that the reader does not take in time are dropped.
 template <class Value>
 class TripleBuffer {
   static_assert(std::is_trivially_copyable_v<Value>, "publish() must not allocate or throw");
@@ -25,8 +25,8 @@ public:
     publishDraft();
   }
 
-  /// Where the writer may build the next value in place, for values too large to copy each tick.
-  /// It holds an older value, and another one after each publication. Writer thread only.
+  /// The value the writer may build in place, for values too large to copy each tick. It holds an
+  /// older value, a different one after each publication. Writer thread only.
   PERILYMPH_REALTIME Value& draft() noexcept { return slots_[back_]; }
 
   /// Makes the draft the newest. Writer thread only. Real-time safe.
@@ -36,7 +36,7 @@ public:
     back_ = middle_.exchange(offered, std::memory_order_acq_rel) & slotMask;
   }
 
-  /// Takes the newest value, if there is one the reader has not seen. Reader thread only.
+  /// Takes the newest value if the reader has not taken it yet. Reader thread only.
   bool refresh() noexcept
   {
     if ((middle_.load(std::memory_order_relaxed) & isFresh) == 0) return false;
@@ -44,7 +44,7 @@ public:
     return true;
   }
 
-  /// The value the last refresh() took. Stays put until the next one. Reader thread only.
+  /// The value that the last refresh() took; unchanged until the next one. Reader thread only.
   const Value& latest() const noexcept { return slots_[front_]; }
 
 private:
@@ -53,8 +53,8 @@ private:
 
   std::array<Value, 3> slots_{};
   alignas(64) std::atomic<std::uint8_t> middle_{1};
-  alignas(64) std::uint8_t back_ = 0;   // the writer's
-  alignas(64) std::uint8_t front_ = 2;  // the reader's
+  alignas(64) std::uint8_t back_ = 0;   // owned by the writer
+  alignas(64) std::uint8_t front_ = 2;  // owned by the reader
 };
 
 }  // namespace perilymph::realtime

@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The end of a journal that names a further file.
+/// Last bytes of a journal that names a further file.
 constexpr std::array<unsigned char, 8> journalMagic = {0xd9, 0xd5, 0x05, 0xf9,
                                                        0x20, 0xa1, 0x63, 0xd7};
 
@@ -20,7 +20,7 @@ bool namesFurtherFile(const fs::path& journal)
   stream.seekg(-static_cast<std::streamoff>(journalMagic.size()), std::ios::end);
   std::array<unsigned char, journalMagic.size()> last{};
   stream.read(reinterpret_cast<char*>(last.data()), last.size());
-  // A header alone ends in zeros: SQLite pads it to a sector.
+  // A journal with only a header ends in zeros: SQLite pads it to a sector.
   return stream.gcount() == static_cast<std::streamsize>(last.size()) && last == journalMagic;
 }
 

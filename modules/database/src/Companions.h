@@ -1,6 +1,6 @@
 #pragma once
 
-// What lies beside a database: SQLite reads these files, too, and believes what they say.
+// The files beside a database, which SQLite reads and trusts.
 
 #include <filesystem>
 
@@ -8,14 +8,15 @@
 
 namespace perilymph::database {
 
-/// The files that a database which was not closed leaves beside itself.
+/// The files left beside a database that was not closed.
 struct Companions {
-  bool hasLog = false;     ///< A `-wal` file with something in it.
-  bool areToRead = false;  ///< There is something to recover: SQLite must be allowed to write.
+  bool hasLog = false;     ///< There is a nonempty `-wal` file.
+  bool areToRead = false;  ///< Recovery is needed: SQLite must be allowed to write.
 };
 
-/// Looks at them before SQLite does. Refused is what no database of ours ever has: companions that
-/// are links or no regular files, and a `-journal` that names a further file (see OwnFilesOnly.h).
+/// Inspects the companion files before SQLite opens them. Refuses what no database of this program
+/// has: companions that are links or no regular files, and a `-journal` that names a further file
+/// (see OwnFilesOnly.h).
 Result<Companions> companionsOf(const std::filesystem::path& database);
 
 }  // namespace perilymph::database

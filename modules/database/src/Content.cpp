@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 constexpr int instructionsBetween = 1000;
 constexpr std::chrono::milliseconds questionPeriod{20};
 
-/// SQLite's progress handler: other than 0 ends the query.
+/// SQLite's progress handler: a nonzero result interrupts the query.
 int progressed(void* context)
 {
   Watch& watch = *static_cast<Watch*>(context);
@@ -32,8 +32,8 @@ int progressed(void* context)
   return watch.isExhausted || watch.wasStopped ? 1 : 0;
 }
 
-/// A file may come from anybody: nothing its schema says is run, and no value is so long that
-/// memory ends. (SQLite's advice for files from others, "Defense Against The Dark Arts".)
+/// Hardens SQLite against an untrusted file: nothing in its schema is executed, and the length of
+/// values is bounded. (SQLite, "Defense Against The Dark Arts".)
 void distrust(sqlite3* database)
 {
   const std::pair<int, int> limits[] = {{SQLITE_LIMIT_LENGTH, 4 << 20},
@@ -56,7 +56,7 @@ void distrust(sqlite3* database)
                nullptr, nullptr, nullptr);
 }
 
-/// A name of the form file: with every letter escaped means this file, whatever it contains.
+/// A file: URI with every character escaped, so that the name is taken literally.
 std::string uriOf(const fs::path& file)
 {
   std::string uri = "file:";
@@ -98,7 +98,7 @@ Result<Done> Database::Content::open(const fs::path& place, Access access)
                                       &opened, flags, vfs);
   database.reset(opened);
   if (outcome != SQLITE_OK) return Error{opened ? sqlite3_errmsg(opened) : "out of memory"};
-  // Another program that looks into a running recording holds it for moments only.
+  // Another program that reads a recording in progress locks it only briefly.
   sqlite3_busy_timeout(opened, 2000);
   sqlite3_progress_handler(opened, instructionsBetween, progressed, watch.get());
   distrust(opened);
@@ -132,7 +132,7 @@ Result<Done> Database::Content::check(const FileKind& kind)
       const unsigned char* letters = sqlite3_column_text(prepared, column);
       return letters ? std::string(reinterpret_cast<const char*>(letters)) : std::string();
     };
-    // SQLite's own index of a primary key; it has no statement.
+    // SQLite's automatic index of a primary key has no statement.
     if (text(0) == "index" && sqlite3_column_type(prepared, 1) == SQLITE_NULL) continue;
     const auto found = std::find(missing.begin(), missing.end(), text(1));
     if (text(0) != "table" || found == missing.end())

@@ -1,6 +1,6 @@
 #pragma once
 
-// What an open database consists of.
+// The data of an open database.
 
 #include <sqlite3.h>
 
@@ -13,11 +13,11 @@
 
 namespace perilymph::database {
 
-/// Bounds the work of one query. SQLite asks it every so many of its instructions.
+/// Bounds the work of one query; called by SQLite at regular numbers of instructions.
 struct Watch {
   ShouldStop shouldStop;
-  std::int64_t maxInstructions = 0;  ///< 0: no bound.
-  std::int64_t instructions = 0;     ///< So far, in this query.
+  std::int64_t maxInstructions = 0;  ///< 0: unbounded.
+  std::int64_t instructions = 0;     ///< Executed so far in this query.
   std::chrono::steady_clock::time_point nextQuestion{};
   bool wasStopped = false;
   bool isExhausted = false;
@@ -32,15 +32,15 @@ struct Database::Content {
   std::string remedy;  ///< FileKind::remedy.
   std::string note;
   std::int64_t version = 0;
-  std::unique_ptr<Watch> watch = std::make_unique<Watch>();  ///< SQLite knows its address.
+  std::unique_ptr<Watch> watch = std::make_unique<Watch>();  ///< SQLite keeps its address.
   std::unique_ptr<sqlite3, Close> database;
 
   enum class Access {
-    readWrite,  ///< Recovers what a crash left in the `-wal` file.
-    immutable,  ///< Reads the file alone, as if nobody could change it; needs no other file.
+    readWrite,  ///< Recovers the content of a `-wal` file after a crash.
+    immutable,  ///< Reads the file alone, without locks or other files.
   };
   Result<Done> open(const std::filesystem::path& place, Access access);
-  /// Refuses what is not exactly the kind's.
+  /// Refuses a schema that differs from the kind's.
   Result<Done> check(const FileKind& kind);
   Error error(const std::string& reason) const;
 };

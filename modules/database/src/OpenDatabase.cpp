@@ -1,4 +1,4 @@
-// A file is looked at before SQLite opens it.
+// Opens a database; checks the file before SQLite reads it.
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -16,10 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the first bytes of a file say.
+/// Content of the header of a file.
 struct FileHeader {
   bool isDatabase = false;
-  bool isWhole = true;  ///< As long as it says.
+  bool isWhole = true;  ///< The file has the length its header states.
 };
 
 std::uint64_t bigEndian(const std::array<unsigned char, 100>& bytes, std::size_t first,
@@ -30,7 +30,7 @@ std::uint64_t bigEndian(const std::array<unsigned char, 100>& bytes, std::size_t
   return value;
 }
 
-/// Reads SQLite's header of 100 bytes (its file format, section 1.3).
+/// Reads SQLite's header of 100 bytes (SQLite file format, section 1.3).
 FileHeader readHeader(const fs::path& file)
 {
   std::array<unsigned char, 100> bytes{};
@@ -55,7 +55,7 @@ FileHeader readHeader(const fs::path& file)
   return header;
 }
 
-/// With the rights this process acts with, not those it was started with.
+/// Checks with the effective user and group, not the real ones.
 bool mayAccess(const fs::path& place, int mode)
 {
   return ::faccessat(AT_FDCWD, place.c_str(), mode, AT_EACCESS) == 0;
@@ -67,8 +67,8 @@ bool mayWrite(const fs::path& file)
   return mayAccess(file, W_OK) && mayAccess(folder, W_OK);
 }
 
-/// More instructions than any query needs over a file of that size: a row of some twenty bytes, the
-/// smallest of ours, takes ten. A tree of pages that point to one another could go on for ever.
+/// Upper bound of the SQLite instructions that a query over a file of this size needs: a row of
+/// about twenty bytes, the smallest of this program, takes ten. A cycle of pages could run forever.
 std::int64_t maxInstructionsFor(const fs::path& file)
 {
   std::error_code ignored;
@@ -98,7 +98,7 @@ Result<Database> Database::open(const fs::path& file, const FileKind& kind, Shou
   if (!fs::exists(file, problem)) return Error{name + " does not exist. Check the name."};
   if (!mayAccess(file, R_OK)) return Error{name + " may not be read. Check its permissions."};
 
-  // The companions of a file lie beside it, not beside a link to it.
+  // Companion files lie beside the file itself, not beside a link to it.
   const fs::path place = fs::canonical(file, problem);
   if (problem) return Error{name + " cannot be found: " + problem.message() + "."};
   const FileHeader header = fs::is_regular_file(place, problem) ? readHeader(place) : FileHeader{};
@@ -124,10 +124,10 @@ Result<Database> Database::open(const fs::path& file, const FileKind& kind, Shou
       return content->error(done.error().message);
     return content->check(kind);
   };
-  // With nothing to recover nothing is written, not even a lock.
+  // Without recovery nothing is written, not even a lock.
   const bool recovers = isWritable && companions->areToRead;
   auto done = read(recovers ? Content::Access::readWrite : Content::Access::immutable);
-  // Where a full disk has no space for recovering, what was folded into the file is there still.
+  // If the disk is too full for recovery, checkpointed content can still be read.
   if (!done && recovers && header.isWhole && !content->watch->wasStopped) {
     if (const auto again = read(Content::Access::immutable); again) {
       done = again;

@@ -25,7 +25,7 @@ int openOwn(sqlite3_vfs*, const char* name, sqlite3_file* file, int flags, int* 
 
 const char* ownFilesOnly()
 {
-  // Everything but opening is the system's: its functions work on a copy as on the original.
+  // Only opening differs: all other functions are those of the system's VFS.
   static sqlite3_vfs vfs = [] {
     sqlite3_vfs copy = *systemVfs();
     copy.pNext = nullptr;

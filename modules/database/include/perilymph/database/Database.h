@@ -1,7 +1,7 @@
 #pragma once
 
-// The one door to SQLite: files are checked before and while they are read, because they may come
-// from anybody.
+// The only access to SQLite files. Files are untrusted: they are checked before and while they are
+// read.
 
 #include <cstdint>
 #include <filesystem>
@@ -18,7 +18,7 @@ struct sqlite3_stmt;
 
 namespace perilymph::database {
 
-/// Asked some fifty times a second while a file is read; true ends the reading.
+/// Called about fifty times a second while a file is read; true stops reading.
 using ShouldStop = std::function<bool()>;
 
 /// A prepared statement. Columns and parameters count from 0.
@@ -33,7 +33,7 @@ public:
   void bind(int parameter, std::span<const unsigned char> bytes);
 
   Step step();
-  /// Makes the statement ready to be bound and stepped again.
+  /// Resets the statement for new bindings and steps.
   void reset();
 
   Type type(int column) const;
@@ -54,16 +54,16 @@ private:
 /// An open file. One thread at a time.
 class Database {
 public:
-  /// Opens an empty file of the caller's for writing.
+  /// Opens an empty file, created by the caller, for writing.
   static Result<Database> openNew(const std::filesystem::path& file);
 
-  /// Opens a file of a kind to read it. Refused, in one sentence each: what is no regular file, no
-  /// file of that kind or of a newer version; a file cut short; companion files that are links or
-  /// that name further files; tables that are not exactly the kind's. A file that was not closed is
-  /// recovered with its `-wal` file; where it cannot be written, only what was folded into it is
-  /// read, and note() says so. Any other file is read without a byte being written.
+  /// Opens a file of a given kind for reading. Refuses, with one sentence each: anything but a
+  /// regular file; files of another kind or a newer version; truncated files; companion files that
+  /// are links or name further files; tables that differ from those of the kind. A file that was
+  /// not closed is recovered with its `-wal` file; if the file is not writable, only checkpointed
+  /// content is read, and note() says so. Any other file is opened without writing to it.
   ///
-  /// No query runs longer than a file of that size can need; `shouldStop` ends it earlier.
+  /// The work per query is bounded by the size of the file; `shouldStop` ends it earlier.
   static Result<Database> open(const std::filesystem::path& file, const FileKind& kind,
                                ShouldStop shouldStop = {});
 
@@ -71,28 +71,27 @@ public:
   Database& operator=(Database&&) noexcept;
   ~Database();
 
-  /// A sentence about what could not be read, or empty.
+  /// A sentence about content that could not be read, or empty.
   const std::string& note() const noexcept;
-  /// The version of its kind that the file says it has.
+  /// The version of its kind that the file states.
   std::int64_t version() const noexcept;
 
-  /// Runs statements that give no rows.
+  /// Runs statements that return no rows.
   Result<Done> run(const std::string& sql);
   Result<Statement> prepare(const std::string& sql) const;
 
-  /// Walks through every page, row and index of the file; an error where they contradict one
-  /// another.
+  /// Checks every page, row and index of the file; an error if they are inconsistent.
   Result<Done> checkPages() const;
 
-  /// Closes a file that is not at its place any more: folds its log into it, and touches no file by
-  /// name, where somebody else's may be by now.
+  /// Closes a file that was moved or replaced: checkpoints its log and accesses no file by name,
+  /// since the name may belong to another file by now.
   void abandon();
 
-  /// The reason of the last failure, in SQLite's words or ours.
+  /// The cause of the last failure, from SQLite or from this module.
   std::string lastError() const;
   /// True once `shouldStop` ended a query.
   bool wasStopped() const noexcept;
-  /// The sentence for a file whose reading failed: damaged, for that reason, or stopped.
+  /// Message for a file that could not be read: damaged, with the reason, or stopped.
   Error readingError(const std::string& reason) const;
 
 private:

@@ -8,7 +8,7 @@
 namespace perilymph::electrode {
 namespace {
 
-// What any array may be. Wider than every device known, narrower than a slip of the unit.
+// Ranges of any array: wider than every known device, narrow enough to detect an error of the unit.
 constexpr Range length_mm{5.0, 60.0};
 constexpr Range diameter_mm{0.1, 2.0};
 constexpr Range bending_N_m2{1e-9, 1e-4};
@@ -18,7 +18,7 @@ constexpr Range ribHeight_mm{0.01, 1.0};
 constexpr Range ribLength_mm{0.05, 3.0};
 constexpr double minTipRadius_mm = 0.02;
 
-/// A number as people write it: "0.4", not "0.400000".
+/// A number in its shortest form: "0.4", not "0.400000".
 std::string plain(double value)
 {
   char buffer[32];
@@ -37,7 +37,7 @@ TableSource readTableSource(TomlReader& table)
   return provenance;
 }
 
-/// Reads the tables of one file; what is wrong stays in the reader.
+/// Reads the tables of one file; errors are kept in the reader.
 class ArrayReader {
 public:
   explicit ArrayReader(TomlReader& file) : file_(file) {}
@@ -78,7 +78,7 @@ private:
     design.insertable = millimeters(insertable.number("value_mm", {1.0, max_mm_}));
   }
 
-  /// Places along the array: within it, each greater than the one before.
+  /// Positions along the array: within its length and strictly increasing.
   std::vector<double> places(TomlReader& table)
   {
     const std::vector<double> places = table.numbers("from_tip_mm", {0.0, max_mm_}, 1);
@@ -90,7 +90,7 @@ private:
     return places;
   }
 
-  /// Values at places; `quantity` makes one of a number in the file's unit.
+  /// Values at positions; `quantity` converts a number in the file's unit.
   template <class Value>
   AlongArray<Value> along(TomlReader& table, const char* key, Range allowed,
                           Value (*quantity)(double))
@@ -177,7 +177,7 @@ private:
     const auto refuse = [&](const std::string& what) {
       table.refuse("from_tip_mm", "a contact of " + plain(contact) + " mm at " + what);
     };
-    // Decimal fractions are not exact: a nanometer of overlap is none.
+    // Decimal fractions are inexact: an overlap below a nanometer is ignored.
     constexpr double slack_mm = 1e-6;
     for (std::size_t i = 1; i < centers.size(); ++i)
       if (centers[i] - centers[i - 1] < contact - slack_mm)

@@ -1,6 +1,7 @@
 #pragma once
 
-// An electrode array as data: what its maker or its measurer published, with source and confidence.
+// An electrode array as data: values published by its maker or measured, with source and
+// confidence.
 
 #include <cstddef>
 #include <filesystem>
@@ -14,17 +15,17 @@
 
 namespace perilymph::electrode {
 
-/// How well a value is known.
+/// Confidence in a value.
 enum class Confidence { high, medium, low };
 
-/// Where a value comes from.
+/// Source of a value.
 struct TableSource {
   std::string source;
   Confidence confidence = Confidence::low;
 };
 
-/// A value at a place along the array, counted from the tip. Between places: straight lines; beyond
-/// the last one: the last value.
+/// A quantity along the array, by distance from the tip: linear between knots, constant beyond the
+/// last one.
 template <class Value>
 struct AlongArray {
   std::vector<Length> fromTip;
@@ -41,62 +42,66 @@ struct AlongArray {
   }
 };
 
-/// What keeps the array straight until it is drawn back: a stylet in its lumen, or a sheath.
+/// The element that keeps the array straight until it is withdrawn: a stylet in its lumen, or a
+/// sheath.
 struct Stylet {
-  Length fromTip;                  ///< Where its own tip lies when it is fully in.
-  BendingStiffness bending;        ///< What it adds to the array's stiffness.
-  double residualCurvature = 0.0;  ///< Share of the free curvature that it leaves where it is.
-  /// Advance off stylet: how deep past the opening its tip goes before it is held still.
+  Length fromTip;                  ///< Distance of its tip from the array's tip when fully
+                                   ///< inserted.
+  BendingStiffness bending;        ///< Bending stiffness that it adds to the array's.
+  double residualCurvature = 0.0;  ///< Fraction of the free curvature that remains along it.
+  /// Advance off stylet: depth of the tip past the opening from which the stylet is held still.
   std::optional<Length> holdDepth;
   TableSource provenance;
 };
 
-/// The end of the carrier: a cap of its own radius, behind which the carrier widens in a straight
-/// line. Round by default: the cap has half the carrier's width, and nothing tapers.
+/// Shape of the array's end: a cap of its own radius, behind which the carrier widens linearly. By
+/// default the cap has half the carrier's width and there is no taper.
 struct TipShape {
-  Length radius;  ///< Radius of the cap; 0 stands for half the smallest width at the tip.
-  Length taper;   ///< Length from the tip on over which the carrier reaches its own section.
+  Length radius;  ///< Radius of the cap; 0: half the smallest width at the tip.
+  Length taper;   ///< Distance from the tip at which the carrier reaches its full section.
 };
 
-/// The section at a place: two diameters of an ellipse.
+/// An elliptic cross-section: two diameters.
 struct Section {
-  Length across;  ///< Across the plane of curl: along the turns' axis in the cochlea.
+  Length across;  ///< Across the plane of curl: along the modiolar axis in the cochlea.
   Length within;  ///< Within the plane of curl: toward the modiolus.
 };
 
-/// An electrode array with everything the mechanics and the pictures need.
+/// An electrode array with all data that mechanics and visualization need.
 struct ArrayDesign {
   std::string name;  ///< "Nucleus 24 Contour"
   std::string maker;
-  std::string note;   ///< For people: what this data is, and that it is no device labeling.
-  Length length;      ///< From the tip to where the tweezers hold it.
-  Length insertable;  ///< Greatest depth past the opening.
+  std::string note;   ///< For the user: origin of the data; not device labeling.
+  Length length;      ///< From the tip to the grip of the tweezers.
+  Length insertable;  ///< Maximum depth past the opening.
   AlongArray<Length>
       diameter;  ///< Diameter; of an oval section, the width across the plane of curl.
-  AlongArray<Length> thickness;  ///< Within the plane of curl; without places: as the diameter.
+  AlongArray<Length> thickness;  ///< Within the plane of curl; without knots: equal to the
+                                 ///< diameter.
   TipShape tip;
   /// Bending stiffness of the carrier without stylet, within the plane of curl.
   AlongArray<BendingStiffness> bending;
-  /// The same across that plane; without places: as `bending`.
+  /// Bending stiffness across the plane of curl; without knots: equal to `bending`.
   AlongArray<BendingStiffness> bendingAcross;
-  /// GJ against twisting, where it is known.
+  /// Torsional stiffness GJ, where known.
   std::optional<AlongArray<BendingStiffness>> twisting;
   AlongArray<Curvature>
       restCurvature;  ///< Curvature of the free carrier without stylet; 0: straight.
-  std::vector<Length> contactsFromTip;  ///< Centers of the platinum contacts, from the tip on.
+  std::vector<Length> contactsFromTip;  ///< Distance of the platinum contacts' centers from the
+                                        ///< tip.
   Length contactLength;                 ///< Length of one contact along the array.
-  std::vector<Length> ribsFromTip;      ///< Centers of the marker ribs.
+  std::vector<Length> ribsFromTip;      ///< Distance of the marker ribs' centers from the tip.
   Length ribHeight;                     ///< Above the carrier.
   Length ribLength;                     ///< Along the array.
   bool hasStylet = false;
   Stylet stylet;
-  std::vector<std::pair<std::string, TableSource>> provenance;  ///< Per table of the file.
+  std::vector<std::pair<std::string, TableSource>> provenance;  ///< For each table of the file.
 
-  /// Radius of the rounded end.
+  /// Radius of the tip cap.
   Length tipRadius() const;
-  /// The section at a place, with the taper of the tip. Ribs are no part of it.
+  /// The section at a distance from the tip, including the taper but not the ribs.
   Section sectionAt(Length place) const;
-  /// True if the sections are round everywhere.
+  /// True if all sections are round.
   bool isRound() const;
   /// EI of the carrier across the plane of curl.
   BendingStiffness bendingAcrossAt(Length place) const;

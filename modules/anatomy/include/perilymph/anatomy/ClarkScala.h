@@ -10,22 +10,23 @@
 
 namespace perilymph::anatomy {
 
-/// A place on the template spiral, in a half-plane through the modiolar axis.
+/// A point of the template spiral, in a half-plane through the modiolar axis.
 struct SpiralPoint {
-  double radius;  ///< From the axis [m].
-  double height;  ///< Along the axis [m], 0 at the round window.
+  double radius;  ///< Distance from the axis [m].
+  double height;  ///< Height along the axis [m], 0 at the round window.
 };
 
-/// The template spiral by its own angle, from 6.8 to 910.3 degrees; the round window is at 10.3.
+/// The template spiral as a function of its own angle, 6.8 to 910.3 degrees; the round window is at
+/// 10.3.
 SpiralPoint clarkSpiral(Angle spiral);
 
-/// From the spiral to the center of the section, by the spiral's own angle: inward and down
-/// (Leon et al. 2014, Table 3).
+/// Offset from the spiral to the center of the section, inward and down, as a function of the
+/// spiral's own angle (Leon et al. 2014, Table 3).
 SpiralPoint medialShift(Angle spiral);
 
-/// Clark's scala tympani: its centers on the template spiral, shifted medially; its sections those
-/// of the mean scala tympani at the same angle. With a straight lead-in before the round window.
-/// Not real-time safe.
+/// Clark's scala tympani: section centers on the template spiral, shifted medially; sections of the
+/// mean scala tympani at the same angle; a straight lead-in before the round window. Not real-time
+/// safe.
 Result<std::shared_ptr<const ScalaTympani>> buildClark(Length leadIn);
 
 }  // namespace perilymph::anatomy

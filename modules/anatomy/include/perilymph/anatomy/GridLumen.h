@@ -1,6 +1,6 @@
 #pragma once
 
-// A lumen of any shape: signed distances to its wall on a grid in space.
+// A lumen of arbitrary shape: signed distance to its wall on a spatial grid.
 
 #include <vector>
 
@@ -9,21 +9,22 @@
 
 namespace perilymph::anatomy {
 
-/// The wall of a surface that no tables describe, behind the same question as every other lumen.
+/// A lumen whose wall is a triangle surface without section tables.
 ///
-/// Signed distances 0.05 mm apart are the coefficients of a tricubic B-spline: the distance has
-/// continuous second derivatives even along ridges, which are rounded over one step of the grid.
-/// The angle of a point is followed about the z axis of W. Where the basilar membrane is, a surface
-/// does not tell: `onMembrane` is always false.
+/// Signed distances at 0.05 mm spacing are the coefficients of a tricubic B-spline: the distance
+/// has continuous second derivatives even along ridges, which are rounded over one grid step. The
+/// angle of a point is counted about the z axis of W. A surface does not contain the location of
+/// the basilar membrane: `onMembrane` is always false.
 class GridLumen final : public Lumen {
 public:
   static constexpr double spacing = 0.05e-3;  ///< [m]
 
   /// @param wall    The wall in W, open at the opening, facing outward.
-  /// @param closed  The same with a lid over the opening.
-  /// @param entry   The opening. Points behind its plane in the first quarter turn see no wall.
+  /// @param closed  The same, closed by a lid over the opening.
+  /// @param entry   The opening. Points behind its plane in the first quarter turn have no wall
+  /// nearby.
   ///
-  /// Takes seconds and some 10 MB; not real-time safe.
+  /// Takes seconds and about 10 MB; not real-time safe.
   GridLumen(const Surface& wall, const Surface& closed, const Entry& entry);
 
   Entry entry() const noexcept override { return entry_; }
@@ -37,8 +38,8 @@ private:
               WallPoint& wall) const noexcept;
 
   Entry entry_;
-  Eigen::Vector3d low_W_;        ///< Place of the first sample.
-  int size_[3] = {0, 0, 0};      ///< Samples each way.
+  Eigen::Vector3d low_W_;        ///< Position of the first sample.
+  int size_[3] = {0, 0, 0};      ///< Samples along each axis.
   std::vector<float> distance_;  ///< [x][y][z], [m].
 };
 

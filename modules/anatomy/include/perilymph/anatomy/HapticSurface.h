@@ -1,7 +1,7 @@
 #pragma once
 
-// The coarse wall that a point-set hand feels, made without a mesh library: what the engine builds
-// its proxies on.
+// The coarse wall with which the proxies of a point-set model collide, built without a mesh
+// library.
 
 #include "perilymph/anatomy/ScalaTympani.h"
 #include "perilymph/anatomy/Surface.h"
@@ -9,8 +9,8 @@
 
 namespace perilymph::anatomy {
 
-/// Triangles of the visual surface that the haptic one stands beside, of this project's pictures
-/// and files (the paper gives no number of its own).
+/// Triangles of the visual surface to which the haptic one is related, in pictures and files of
+/// this project (the paper gives no number).
 inline constexpr int visualTriangles = 20'000;
 
 /// Triangles of the haptic surface: "95 % polygon reduction was applied" (Todd and Naghdy, section
@@ -18,12 +18,12 @@ inline constexpr int visualTriangles = 20'000;
 inline constexpr int hapticTriangles = visualTriangles / 20;
 
 /// The wall from the opening to two turns, at most `hapticTriangles`, open at both ends: "the apex
-/// data is removed from the haptic model" (same section; where it begins is our choice, and that
-/// of imaging's surface).
+/// data is removed from the haptic model" (same section; the limit of two turns is our choice, as
+/// for the surface in imaging).
 ///
-/// Rings stand where the edges between them cut off equally much; their corners lie where straight
-/// edges would leave the outlines most. Corners lie on the wall, so edges cut across its hollows.
-/// Not real-time safe.
+/// Rings are placed so that the edges between them have equal chord errors; corners are placed
+/// where straight edges would deviate most from the outlines. Corners lie on the wall, so edges cut
+/// across its hollows. Not real-time safe.
 Surface hapticSurface(const ScalaTympani& scala);
 
 }  // namespace perilymph::anatomy

@@ -1,13 +1,14 @@
 #pragma once
 
-// The question the mechanics asks of any anatomy: how far is the wall, and which way is in?
+// The interface of every anatomy to the mechanics: signed distance to the wall and the way in.
 
 #include <Eigen/Core>
 #include <span>
 
 namespace perilymph::anatomy {
 
-/// The opening and the way in: frame E. Right-handed, columns of unit vectors in W.
+/// The opening and the direction of insertion: frame E. Right-handed, columns are unit vectors in
+/// W.
 struct Entry {
   Eigen::Vector3d origin_W = Eigen::Vector3d::Zero();     ///< Center of the opening [m].
   Eigen::Vector3d out_W = Eigen::Vector3d::UnitZ();       ///< E.z: out of the cochlea.
@@ -15,26 +16,27 @@ struct Entry {
   Eigen::Vector3d vertical_W = Eigen::Vector3d::UnitY();  ///< E.y = E.z cross E.x.
 };
 
-/// What one point remembers between queries: which turn it is in. Queries update it.
+/// State of one point between queries: the turn it is in. Queries update it.
 struct LumenTrack {
-  bool inLeadIn = true;  ///< In the straight stretch before the round window.
-  double angle = 0.0;    ///< Angle from the round window [rad], turns counted; 0 in the lead-in.
+  bool inLeadIn = true;  ///< In the straight section before the round window.
+  double angle = 0.0;    ///< Angle from the round window [rad], full turns included; 0 in the
+                         ///< lead-in.
   double direction[2] = {1.0, 0.0};  ///< Unit vector (x, y) of that angle in W.
 };
 
-/// The wall as one point sees it: the signed distance D and how it changes.
+/// The wall near a point: signed distance D and its derivatives.
 struct WallPoint {
-  bool isNear = false;  ///< Within reach. If not, only the clearance below is set.
-  /// Not near: how far the point can move, whichever way, and still not be near [m]; 0 or less
-  /// where that is not known.
+  bool isNear = false;  ///< Within reach. If false, only the clearance below is set.
+  /// If not near: distance the point can move in any direction without being near [m]; 0 or less if
+  /// unknown.
   double clearance = 0.0;
   bool onMembrane = false;  ///< The nearest wall is the basilar membrane.
   double distance = 0.0;    ///< D, from the point to the wall [m]; negative outside.
   /// Gradient of D: unit, from the wall into the lumen. Shorter where two walls are equally near,
-  /// as in a groove narrower than the array: there their pushes cancel.
+  /// as in a groove narrower than the array: there their forces cancel.
   Eigen::Vector3d normal_W = Eigen::Vector3d::Zero();
-  /// The positive part of minus the second derivative of D [1/m]: how fast the normal turns back as
-  /// the point moves along a concave wall. Symmetric, positive semidefinite.
+  /// Positive part of minus the Hessian of D [1/m]: the rate at which the normal rotates as the
+  /// point moves along a concave wall. Symmetric, positive semidefinite.
   Eigen::Matrix3d shapeOperator_W = Eigen::Matrix3d::Zero();
 };
 
@@ -45,15 +47,15 @@ public:
 
   virtual Entry entry() const noexcept = 0;
 
-  /// The track of a point near the opening, to start queries from.
+  /// Initial track of a point near the opening.
   virtual LumenTrack startTrack() const noexcept = 0;
 
-  /// Finds the wall nearest to each point [m, W]. Points outside the opening see no wall.
+  /// Finds the nearest wall of each point [m, W]. Points outside the opening have no wall nearby.
   ///
   /// @param points_W  The points.
-  /// @param reach     For each, the distance beyond which the wall need not be found [m].
-  /// @param tracks    For each, its memory; brought up to date.
-  /// @param walls     For each, the answer.
+  /// @param reach     For each point, the distance beyond which the wall need not be found [m].
+  /// @param tracks    State of each point; updated.
+  /// @param walls     The result for each point.
   ///
   /// Real-time safe.
   virtual void nearestWall(std::span<const Eigen::Vector3d> points_W, std::span<const double> reach,

@@ -1,13 +1,13 @@
 #pragma once
 
-// Scenes whose answers are known in closed form: for tests of the mechanics and checks of devices.
+// Lumens with closed-form solutions: for tests of the mechanics and checks of devices.
 
 #include "perilymph/anatomy/Lumen.h"
 
 namespace perilymph::anatomy {
 
-/// Half space behind a flat wall: the opening at the origin, the array enters along -z of W (E =
-/// W), the wall stands at z = -depth and faces the opening.
+/// Half space before a flat wall: the opening at the origin, insertion along -z of W (E = W), the
+/// wall at z = -depth, facing the opening.
 class FlatWall final : public Lumen {
 public:
   explicit FlatWall(double depth) : depth_(depth) {}
@@ -21,7 +21,7 @@ private:
   double depth_;
 };
 
-/// A straight round tube along -z of W, its opening at the origin (E = W), endless.
+/// An infinite straight round tube along -z of W, its opening at the origin (E = W).
 class StraightTube final : public Lumen {
 public:
   explicit StraightTube(double radius) : radius_(radius) {}
@@ -35,9 +35,10 @@ private:
   double radius_;
 };
 
-/// A straight round tube that goes over into a ring-shaped one: the straight part of length `lead`
-/// along -z from the origin, then a circle of radius `bend` in the x-z plane, curving toward -x,
-/// around (-bend, 0, -lead). Both have the section radius `radius`. Angles count along the circle.
+/// A straight round tube that joins a toroidal one: the straight part has length `lead` along -z
+/// from the origin; the circle has radius `bend` in the x-z plane, curves toward -x and has its
+/// center at (-bend, 0, -lead). Both have section radius `radius`. Angles are counted along the
+/// circle.
 class CircularDuct final : public Lumen {
 public:
   CircularDuct(double radius, double bend, double lead) : radius_(radius), bend_(bend), lead_(lead)

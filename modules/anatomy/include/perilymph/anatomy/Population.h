@@ -1,8 +1,8 @@
 #pragma once
 
-// How human cochleae vary: the four half-diameters of the basal turn over 138 cochleae, and the
-// spiral that follows from them (Pietsch et al. 2017, Sci Rep; confidence medium: constants
-// seen in public code that cites them).
+// Variation of human cochleae: the four half-diameters of the basal turn over 138 cochleae, and the
+// spiral derived from them (Pietsch et al. 2017, Sci Rep; confidence medium: constants taken from
+// public code that cites them).
 
 #include <array>
 #include <cstdint>
@@ -13,8 +13,8 @@
 
 namespace perilymph::anatomy {
 
-/// From the modiolar axis to the outer wall at quarter turns of the basal turn: A1 at 0, B1 at 90,
-/// A2 at 180 and B2 at 270 degrees [m].
+/// Distances from the modiolar axis to the outer wall at quarter turns of the basal turn: A1 at 0,
+/// B1 at 90, A2 at 180 and B2 at 270 degrees [m].
 struct HalfDiameters {
   double a1, b1, a2, b2;
 
@@ -22,33 +22,34 @@ struct HalfDiameters {
   Length b() const { return Length::fromSi(b1 + b2); }
 };
 
-/// The mean cochlea.
+/// Half-diameters of the mean cochlea.
 HalfDiameters meanHalfDiameters();
 
 /// Covariance of A1, B1, A2, B2 [m^2].
 std::array<std::array<double, 4>, 4> halfDiameterCovariance();
 
-/// The likeliest half-diameters of a cochlea of which A and B are known: their conditional mean.
+/// The most likely half-diameters of a cochlea with known A and B: their conditional mean.
 HalfDiameters likeliestHalfDiameters(Length a, Length b);
 
 /// Radius of the outer wall at an angle from the round window, up to the turn angle [m].
 double outerWallRadius(const HalfDiameters& half, Angle angle);
 
-/// The angle over which the cochlea turns.
+/// Total angle of the cochlea.
 Angle turnAngle(const HalfDiameters& half);
 
-/// Half-diameters drawn at random from the population, normally distributed: the same for the same
-/// seed on every machine.
+/// Half-diameters drawn from the population's normal distribution: the same for the same seed on
+/// every machine.
 HalfDiameters sampleHalfDiameters(std::uint64_t seed);
 
 /// Mean, standard deviation and limits of one diameter over the population.
 struct Spread {
-  Length mean, standardDeviation, low, high;  ///< Limits four deviations off.
+  Length mean, standardDeviation, low, high;  ///< Limits are four standard deviations from the
+                                              ///< mean.
 };
 Spread spreadOfA();
 Spread spreadOfB();
 
-/// The height H varies with its definition, so only limits are given: from four deviations below a
+/// Limits of the height H, which depends on its definition: from four standard deviations below a
 /// clinical mean (3.26, SD 0.24 mm, Medan) to the highest whole cochlea (4.8 mm, Erixon 2009).
 Spread limitsOfH();
 

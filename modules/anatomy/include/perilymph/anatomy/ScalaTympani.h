@@ -1,8 +1,8 @@
 #pragma once
 
-// The scala tympani as tables over the angle from the round window: where the section's center is,
-// and how far the wall is from it in every direction. Every anatomy becomes this, whatever its
-// source.
+// The scala tympani as tables over the angle from the round window: center of the section and
+// distance of the wall from it in every direction. Every source of anatomy is converted to these
+// tables.
 
 #include <Eigen/Core>
 #include <memory>
@@ -16,10 +16,10 @@ namespace perilymph::anatomy {
 
 class LumenField;
 
-/// What a source of anatomy must deliver. Sections stand in half-planes through the modiolar axis,
-/// at equal angles; the last one closes the apex.
+/// Tables that a source of anatomy provides. Sections lie in half-planes through the modiolar axis
+/// at equal angular spacing; the last one closes the apex.
 struct SectionTables {
-  std::string name;                  ///< For people: "published, 35.58 mm".
+  std::string name;                  ///< For display: "published, 35.58 mm".
   double step = 0.0;                 ///< Angle between sections [rad].
   std::vector<double> centerRadius;  ///< Distance of the section's center from the axis [m].
   std::vector<double> centerHeight;  ///< Height of the section's center along the axis [m].
@@ -30,18 +30,18 @@ struct SectionTables {
   std::vector<double> membraneOuter;   ///< Its outer edge [m].
   std::vector<double> membraneHeight;  ///< Its height above the section's center [m].
   std::vector<double> planRadius;      ///< Distance of the organ-of-Corti path from the axis [m].
-  double leadIn = 0.0;                 ///< Straight stretch before the first section [m].
-  /// The angle up to which sections were measured [rad]; beyond it they go on by a trend. 0: all
-  /// were.
+  double leadIn = 0.0;                 ///< Straight length before the first section [m].
+  /// Angle up to which sections were measured [rad]; those beyond are extrapolated. 0: all were
+  /// measured.
   double measuredTo = 0.0;
 };
 
-/// One point of the tables, between them interpolated.
+/// Values interpolated between the tables at one angle.
 struct Section {
   double centerRadius;  ///< [m]
   double centerHeight;  ///< [m]
-  double innerRadius;   ///< Distance of the innermost wall from the axis [m].
-  double outerRadius;   ///< Distance of the outermost wall from the axis [m].
+  double innerRadius;   ///< Minimum distance of the wall from the axis [m].
+  double outerRadius;   ///< Maximum distance of the wall from the axis [m].
   double floorHeight;   ///< [m]
   double roofHeight;    ///< [m]
   double area;          ///< [m^2]
@@ -50,13 +50,13 @@ struct Section {
 /// The lumen of a scala tympani in the cochlear frame W: z along the modiolus toward the apex,
 /// angle zero at the center of the round window on the x axis, right ear.
 ///
-/// Between the tables, uniform cubic B-splines: twice continuously differentiable in the angle and
-/// around the section. The wall query reads a table of distances made from them (LumenField).
-/// Before the round window the first section goes on straight, along the tangent of the center
-/// line, for the length of the lead-in; there the opening is.
+/// Values between the table entries are uniform cubic B-splines: twice continuously differentiable
+/// in the angle and around the section. The wall query reads a distance table built from them
+/// (LumenField). Before the round window the first section continues straight, along the tangent of
+/// the center line, for the length of the lead-in, where the opening is.
 class ScalaTympani : public Lumen {
 public:
-  /// Builds the lumen. @throws std::invalid_argument if the tables do not fit each other.
+  /// @throws std::invalid_argument if the tables are inconsistent.
   explicit ScalaTympani(SectionTables tables);
   ~ScalaTympani() override;
 
@@ -70,21 +70,23 @@ public:
                    std::span<WallPoint> walls) const noexcept override;
 
   Angle lastAngle() const noexcept { return Angle::fromSi(lastAngle_); }
-  /// Where measured sections end and a trend begins; the last angle if there is none.
+  /// Angle at which measured sections end and extrapolation begins; the last angle if all are
+  /// measured.
   Angle measuredAngle() const noexcept
   {
     return tables_.measuredTo > 0.0 ? Angle::fromSi(tables_.measuredTo) : lastAngle();
   }
   Length leadIn() const noexcept { return Length::fromSi(tables_.leadIn); }
 
-  /// Center of the section at an angle [rad]; negative angles give the start of the lead-in's axis.
+  /// Center of the section at an angle [rad]; for negative angles the start of the lead-in's axis.
   Eigen::Vector3d center_W(double angle) const noexcept;
-  /// The wall at an angle and a direction around the section [rad], 0 radially outward, pi/2
-  /// apical.
+  /// Point of the wall at an angle and a direction around the section [rad], 0 radially outward,
+  /// pi/2 apical.
   Eigen::Vector3d wall_W(double angle, double direction) const noexcept;
   /// The measures of the section at an angle [rad].
   Section section(double angle) const;
-  /// Inner (0) to outer (1) edge of the basilar membrane at an angle [rad].
+  /// Point of the basilar membrane at an angle [rad]; `across` from 0 (inner edge) to 1 (outer
+  /// edge).
   Eigen::Vector3d membrane_W(double angle, double across) const noexcept;
 
   const SectionTables& tables() const noexcept { return tables_; }
@@ -93,11 +95,12 @@ private:
   SectionTables tables_;
   double lastAngle_ = 0.0;
   Entry entry_;
-  // Spline coefficients over the angle, two more than sections.
+  // Spline coefficients over the angle; two more than sections.
   std::vector<double> centerRadius_, centerHeight_;
   std::vector<double> membraneInner_, membraneOuter_, membraneHeight_;
-  std::vector<double> wallRadius_;  ///< Rows over the angle of `rowLength_` around the section.
-  std::size_t rowLength_ = 0;       ///< Directions and three that repeat the first.
+  std::vector<double> wallRadius_;  ///< Rows over the angle, each of `rowLength_` values around the
+                                    ///< section.
+  std::size_t rowLength_ = 0;       ///< Number of directions plus three that repeat the first.
   std::unique_ptr<const LumenField> field_;
 };
 

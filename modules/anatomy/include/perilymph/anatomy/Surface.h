@@ -1,6 +1,6 @@
 #pragma once
 
-// Triangles for the eye and for files, cut from the same tables the mechanics uses.
+// Triangle surfaces for display and files, from the tables used by the mechanics.
 
 #include <array>
 #include <filesystem>
@@ -12,24 +12,24 @@
 
 namespace perilymph::anatomy {
 
-/// A triangle mesh in W [m], with the outward normal by the order of the corners.
+/// A triangle mesh in W [m]; the order of the corners defines the outward normal.
 struct Surface {
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<int, 3>> triangles;
 };
 
-/// The wall from the opening to the apex, closed at the apex and open at the opening, of at most
+/// The wall from the opening to the apex, closed at the apex and open at the opening, with at most
 /// `maxTriangles` triangles (200 or more).
 Surface wallSurface(const ScalaTympani& scala, int maxTriangles);
 
-/// The triangles of wallSurface() without those that go beyond an angle: open at both ends.
+/// The triangles of wallSurface() up to an angle: open at both ends.
 Surface wallSurfaceBefore(const ScalaTympani& scala, int maxTriangles, Angle end);
 
 /// The basilar membrane as a ribbon.
 Surface membraneSurface(const ScalaTympani& scala, int maxTriangles);
 
-/// Writes a surface in millimeters, by the file's ending: stl (binary), ply, obj, wrl (VRML 2.0) or
-/// vtp. The file appears whole or not at all.
+/// Writes a surface in millimeters, in the format of the file extension: stl (binary), ply, obj,
+/// wrl (VRML 2.0) or vtp. The file is written atomically.
 Result<Done> writeSurface(const Surface& surface, const std::string& title,
                           const std::filesystem::path& file);
 

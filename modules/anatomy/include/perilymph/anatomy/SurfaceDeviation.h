@@ -1,20 +1,21 @@
 #pragma once
 
-// How far two surfaces are apart.
+// Distance between two surfaces.
 
 #include "perilymph/anatomy/Surface.h"
 #include "perilymph/foundation/Units.h"
 
 namespace perilymph::anatomy {
 
-/// Distances between two surfaces, both ways, each place weighted by its area.
+/// Distances between two surfaces in both directions, weighted by area.
 struct SurfaceDeviation {
   Length mean;
-  Length p95;       ///< 95 % of both surfaces are nearer to the other than this.
-  Length greatest;  ///< Maximum over the sampled places.
+  Length p95;       ///< 95th percentile over both surfaces.
+  Length greatest;  ///< Maximum over the sampled points.
 };
 
-/// Compares two surfaces at places at most `spacing` apart on each: corners, and points between.
+/// Compares two surfaces at points at most `spacing` apart on each: corners and intermediate
+/// points.
 SurfaceDeviation surfaceDistance(const Surface& one, const Surface& other, Length spacing);
 
 }  // namespace perilymph::anatomy

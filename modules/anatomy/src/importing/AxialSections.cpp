@@ -14,18 +14,18 @@ namespace {
 
 constexpr double stride_deg = 3.0;
 constexpr double endPrecision_deg = 0.05;
-constexpr double farthestStep = 0.45e-3;  // the center moves at most so far from cut to cut [m]
+constexpr double farthestStep = 0.45e-3;  // maximum distance of the centers of successive cuts [m]
 constexpr double maxTurns = 4.0;
-constexpr double minArea = 0.05e-6;  // below this a cut is no duct [m^2]
-// A section whose area is this much less or more than the one before is another one.
+constexpr double minArea = 0.05e-6;  // a smaller cut is not the duct [m^2]
+// Maximum relative change of the area between successive sections of the same duct.
 constexpr double likeness = 0.55;
 
 struct Cut {
   double r, z;
 };
 
-/// The part of a closed line's area on the near side of the axis: at the apex a duct may reach
-/// across an axis that is a little off.
+/// The part of a closed line on the near side of the axis: at the apex a duct may reach across a
+/// slightly misplaced axis.
 std::vector<Cut> clipped(const std::vector<Cut>& line)
 {
   std::vector<Cut> kept;
@@ -38,7 +38,7 @@ std::vector<Cut> clipped(const std::vector<Cut>& line)
   return kept;
 }
 
-/// Measures of a closed line, by the divergence theorem.
+/// Measures of the area enclosed by a closed line, by the divergence theorem.
 AxialSection measured(const std::vector<Cut>& line, double angle)
 {
   AxialSection section;
@@ -66,7 +66,7 @@ AxialSection measured(const std::vector<Cut>& line, double angle)
   return section;
 }
 
-/// The section at an angle that goes on from one before it.
+/// The section at an angle that continues the previous one.
 std::optional<AxialSection> next(const Surface& closed, const AxisFrame& frame,
                                  const AxialSection& before, double angle)
 {
@@ -84,7 +84,7 @@ std::optional<AxialSection> next(const Surface& closed, const AxisFrame& frame,
   return best;
 }
 
-/// Follows the duct one way; the last section is where it ends.
+/// Follows the duct in one direction; the last section is at its end.
 std::vector<AxialSection> followOneWay(const Surface& closed, const AxisFrame& frame,
                                        const AxialSection& seed, double stride)
 {
@@ -116,10 +116,10 @@ std::vector<AxialSection> sectionsAt(const Surface& closed, const AxisFrame& fra
     const auto& p = closed.points[i];
     const Eigen::Vector3d e = Eigen::Vector3d(p[0], p[1], p[2]) - frame.origin;
     const double off = e.dot(across);
-    side[i] = off >= 0.0 ? std::max(off, 1e-12) : off;  // no corner lies in the plane
+    side[i] = off >= 0.0 ? std::max(off, 1e-12) : off;  // no corner may lie in the plane
     place[i] = {e.dot(outward), e.dot(up)};
   }
-  // each triangle leads from one crossed edge to another
+  // each triangle connects one crossed edge to another
   using Edge = std::pair<int, int>;
   std::multimap<Edge, Edge> leads;
   for (const auto& t : closed.triangles) {
@@ -148,7 +148,7 @@ std::vector<AxialSection> sectionsAt(const Surface& closed, const AxisFrame& fra
     for (auto step = leads.begin(); step != leads.end(); step = leads.find(here)) {
       const Edge to = step->second;
       leads.erase(step);
-      // the same piece of line, the other way
+      // the same segment, in the opposite direction
       const auto [low, high] = leads.equal_range(to);
       for (auto back = low; back != high; ++back)
         if (back->second == here) {
@@ -168,7 +168,7 @@ std::vector<AxialSection> sectionsAt(const Surface& closed, const AxisFrame& fra
 
 std::vector<AxialSection> followDuct(const Surface& closed, const AxisFrame& frame)
 {
-  // a place of the first turn: where the outermost of all lines is least far out
+  // start in the first turn: at the angle where the maximum radius of all lines is smallest
   constexpr int tries = 24;
   std::optional<AxialSection> seed;
   for (int i = 0; i < tries; ++i) {

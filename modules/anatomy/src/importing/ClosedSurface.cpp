@@ -11,15 +11,14 @@ namespace perilymph::anatomy {
 namespace {
 
 constexpr int minTriangles = 200;
-// A cochlea's A is 7.9 to 10.8 mm (numbers of three surveys); with its height and an opening before
-// it the longest side of its box stays within these.
+// A cochlea's A is 7.9 to 10.8 mm (numbers of three surveys); with its height and a lead-in, the
+// longest side of its bounding box is within these limits.
 constexpr double minSide = 5e-3, maxSide = 20e-3;
-// 23 to 50 mm3 in 30 micro-CTs (Dhanasingh 2021), widened for unlike borders of the segmentation.
+// 23 to 50 mm3 in 30 micro-CTs (Dhanasingh 2021), widened for differences in segmentation.
 constexpr double minVolume = 12e-9, maxVolume = 90e-9;
-// A rim longer than this is the opening, a shorter one a hole of the segmentation [m].
+// A longer rim is the opening, a shorter one a hole of the segmentation [m].
 constexpr double openingRim = 2e-3;
-constexpr double maxOddFraction =
-    0.01;  // this share of edges may be odd before a surface is refused
+constexpr double maxOddFraction = 0.01;  // maximum fraction of non-manifold edges
 
 using Edge = std::pair<int, int>;
 
@@ -36,7 +35,7 @@ Eigen::Vector3d corner(const Surface& surface, int index)
   return {p[0], p[1], p[2]};
 }
 
-/// Equal corners made one, triangles without area left out.
+/// Merges equal corners and removes triangles without area.
 Surface merged(const Surface& soup)
 {
   Surface result;
@@ -57,7 +56,7 @@ Surface merged(const Surface& soup)
   return result;
 }
 
-/// Triangles at each edge, by its corners in ascending order.
+/// The triangles of each edge, by its corners in ascending order.
 std::map<Edge, std::vector<int>> trianglesAtEdges(const Surface& surface)
 {
   std::map<Edge, std::vector<int>> edges;
@@ -76,7 +75,8 @@ bool runsAlong(const std::array<int, 3>& triangle, int from, int to)
   return false;
 }
 
-/// Turns neighbors the same way round, from the first triangle of each piece on; counts the pieces.
+/// Orients neighboring triangles consistently, starting from the first one of each component;
+/// counts the components.
 int turnOneWay(Surface& surface, const std::map<Edge, std::vector<int>>& edges)
 {
   std::vector<bool> isSeen(surface.triangles.size(), false);
@@ -115,7 +115,7 @@ double volumeOf(const Surface& surface)
   return sum;
 }
 
-/// The rims of holes, each in the order in which a lid's triangles go round.
+/// The rims of holes, each in the order of a lid's triangles.
 std::vector<std::vector<int>> rimsOf(const Surface& surface,
                                      const std::map<Edge, std::vector<int>>& edges)
 {

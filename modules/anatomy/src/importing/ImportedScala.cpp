@@ -16,11 +16,11 @@
 namespace perilymph::anatomy {
 namespace {
 
-constexpr int axisRounds = 6;  // the duct is followed anew about each better axis
-// The hook at the base is no spiral: the axis is fitted from here on.
+constexpr int axisRounds = 6;  // the duct is tracked again about each improved axis
+// The hook region at the base is not a spiral: the axis is fitted from this angle on.
 constexpr double spiralFrom_deg = 20.0;
-constexpr double minTurns = 1.25;  // fewer leave 270 degrees or the axis open
-// Human scalae have up to three; what winds on is a ring or a ball that comes back into itself.
+constexpr double minTurns = 1.25;  // fewer do not determine the axis and the radius at 270 degrees
+// Human scalae have up to three turns; more indicates a closed ring or a ball.
 constexpr double maxTurns = 3.5;
 
 double polar(const Eigen::Vector3d& point) { return arcTangent(point.y(), point.x()); }
@@ -30,13 +30,13 @@ double radius(const Eigen::Vector3d& point)
   return std::sqrt(point.x() * point.x() + point.y() * point.y());
 }
 
-/// The angle nearest to another that differs from `angle` by whole turns.
+/// The angle equal to `angle` modulo full turns that is nearest to `other`.
 double inTurnOf(double angle, double other)
 {
   return angle + 2.0 * pi * std::round((other - angle) / (2.0 * pi));
 }
 
-/// Distance of the outer wall from the axis at an angle, between sections in straight lines.
+/// Distance of the outer wall from the axis at an angle, linear between sections.
 double outerRadius(const std::vector<AxialSection>& duct, double angle)
 {
   std::size_t i = 1;
@@ -54,7 +54,7 @@ std::string inText(double value, const char* format)
   return text;
 }
 
-/// The section at zero degrees: where the spiral begins.
+/// The section at zero degrees, where the spiral begins.
 struct RoundWindow {
   Eigen::Vector3d center;  ///< In the file's frame.
   double angle;            ///< In the axis frame, in the turn of the duct's sections.

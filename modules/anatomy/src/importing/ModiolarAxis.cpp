@@ -9,9 +9,9 @@
 namespace perilymph::anatomy {
 namespace {
 
-constexpr double unit = 1e-3;  // lengths near 1 keep the problem well posed
+constexpr double unit = 1e-3;  // lengths near 1 keep the problem well conditioned
 
-/// Unit vectors across a direction, which becomes the frame's z.
+/// An orthonormal frame with the given z and its x near `nearX`.
 Eigen::Matrix3d axesAround(const Eigen::Vector3d& z, const Eigen::Vector3d& nearX)
 {
   Eigen::Matrix3d axes;
@@ -21,13 +21,13 @@ Eigen::Matrix3d axesAround(const Eigen::Vector3d& z, const Eigen::Vector3d& near
   return axes;
 }
 
-/// A piece of the surface, in millimeters from its middle.
+/// A patch of the surface, in millimeters from the centroid.
 struct Patch {
   Eigen::Vector3d place, normal;
-  double area;  // share of the whole
+  double area;  // fraction of the total area
 };
 
-/// Turning about the direction c, sliding and growing at once.
+/// Simultaneous rotation about the direction c, translation and scaling.
 struct SpiralMotion {
   Eigen::Vector3d turning;  // unit
   Eigen::Vector3d sliding;
@@ -39,10 +39,10 @@ struct SpiralMotion {
   }
 };
 
-/// The motion whose weighted mean square across the surface is least.
+/// The motion with the smallest weighted mean square normal velocity over the surface.
 SpiralMotion fittedMotion(const std::vector<Patch>& patches, const std::vector<double>& weights)
 {
-  // for each direction of turning alone, the sliding and growing that fit it best
+  // for each direction of rotation, the best-fitting translation and scaling
   std::array<LeastSquares, 3> best{LeastSquares(4), LeastSquares(4), LeastSquares(4)};
   for (std::size_t i = 0; i < patches.size(); ++i) {
     const Eigen::Vector3d& p = patches[i].place;
@@ -56,7 +56,7 @@ SpiralMotion fittedMotion(const std::vector<Patch>& patches, const std::vector<d
     const std::vector<double> x = best[static_cast<std::size_t>(k)].solve();
     for (int i = 0; i < 4; ++i) follows(i, k) = x[static_cast<std::size_t>(i)];
   }
-  // the direction whose best motion leaves the least
+  // the direction of rotation with the smallest residual
   Eigen::Matrix3d left = Eigen::Matrix3d::Zero();
   for (std::size_t i = 0; i < patches.size(); ++i) {
     const Eigen::Vector3d& p = patches[i].place;
@@ -79,8 +79,8 @@ SpiralMotion fittedMotion(const std::vector<Patch>& patches, const std::vector<d
 std::optional<AxisFrame> spiralAxis(const Surface& closed)
 {
   constexpr int rounds = 40;
-  // The hook at the base and the ends follow no spiral: a place counts half where the motion leaves
-  // the surface at this sine.
+  // The hook region and the ends do not follow the spiral: a patch has half its weight if the
+  // motion leaves the surface at this sine.
   constexpr double half = 0.1;
 
   const auto at = [&](int index) -> Eigen::Vector3d {
@@ -118,10 +118,10 @@ std::optional<AxisFrame> spiralAxis(const Surface& closed)
     }
     motion = fittedMotion(patches, weights);
   }
-  if (motion.growth > 0.0)  // as angles grow the surface is to shrink
+  if (motion.growth > 0.0)  // angles must increase as the surface shrinks
     motion = {-motion.turning, -motion.sliding, -motion.growth};
 
-  // the point that the motion keeps on the axis: v + c x p + g p has no part across the axis
+  // the point that the motion keeps on the axis: v + c x p + g p is parallel to the axis
   const Eigen::Vector3d& c = motion.turning;
   const Eigen::Vector3d across = motion.sliding - motion.sliding.dot(c) * c;
   const Eigen::Vector3d onAxis =
@@ -136,7 +136,7 @@ AxisFrame straightened(const AxisFrame& frame, const std::vector<AxialSection>& 
                        double to)
 {
   constexpr int degree = 4;
-  constexpr int steps = 12;  // of Gauss and Newton; the shifts are small
+  constexpr int steps = 12;  // Gauss-Newton; the shifts are small
   constexpr std::size_t terms = degree + 1;
 
   double shiftX = 0.0, shiftY = 0.0, tiltX = 0.0, tiltY = 0.0;  // of the axis at z = 0

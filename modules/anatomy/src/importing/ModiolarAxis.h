@@ -1,6 +1,6 @@
 #pragma once
 
-// The axis about which a scala winds.
+// Estimation of the modiolar axis.
 
 #include <optional>
 #include <vector>
@@ -9,17 +9,18 @@
 
 namespace perilymph::anatomy {
 
-/// The axis of the spiral motion (turning, sliding, shrinking at once) that moves a surface most
-/// nearly along itself: at every place p with normal n, n . (v + c x p + g p) is least in the mean
-/// square over the area (kinematic surface fitting). Turned so that the surface shrinks as angles
-/// grow: they grow toward the apex. None where no motion leaves the surface in place.
+/// The axis of the spiral motion (simultaneous rotation, translation and scaling) that best maps a
+/// surface onto itself: the area-weighted mean square of n . (v + c x p + g p) at the points p with
+/// normal n is minimal (kinematic surface fitting). Oriented so that the surface shrinks with
+/// increasing angle, toward the apex. Empty if no motion maps the surface onto itself.
 std::optional<AxisFrame> spiralAxis(const Surface& closed);
 
-/// A better axis from the duct's center line: the one about which log r and z of the center line
-/// are most nearly polynomials of fourth degree in the angle. A wrong axis adds waves of one turn's
-/// length to both, which such polynomials cannot follow.
+/// An axis refined by the duct's center line: the one about which log r and z of the center line
+/// are best fitted by polynomials of fourth degree in the angle. An axis error adds waves with a
+/// period of one turn to both, which such polynomials cannot represent.
 ///
-/// @param duct  Sections in the frame, as of followDuct(); those from `from` to `to` [rad] count.
+/// @param duct  Sections in the frame, as from followDuct(); those from `from` to `to` [rad] are
+/// used.
 AxisFrame straightened(const AxisFrame& frame, const std::vector<AxialSection>& duct, double from,
                        double to);
 

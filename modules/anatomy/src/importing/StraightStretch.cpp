@@ -15,17 +15,18 @@ namespace {
 
 constexpr double straight = 1e-3;     // sine of the angle between a wall and its direction
 constexpr double straightRim = 1e-6;  // of RimFrame::scatter
-constexpr double longest = 6e-3;      // a longer stretch is no lead-in [m]
+constexpr double longest = 6e-3;      // a longer straight stretch is not a lead-in [m]
 
-// Rings of corners, as a surface that is swept along a duct has them. Between two of them the wall
-// is straight if they are parallel: if their planes turn by less than a radius of 14 mm would have
-// it, where a scala's is 7 mm. A ring is flat within a fifth of its distance from the one before.
+// Rings of corners, as on a surface swept along a duct. The wall between two rings is straight if
+// they are parallel: if their planes differ by less than on a duct with a radius of curvature of 14
+// mm, where a scala has 7 mm. The points of a ring deviate from its plane by less than a fifth of
+// its distance from the previous one.
 constexpr double parallel = 1.0 / 14e-3;  // [rad/m]
 constexpr double flat = 0.2;
 
-// A noisy stretch: tilts are means over this length of wall, and count above four standard errors,
-// but at the latest at this sine. A scala that is curved from its rim on, with a radius of 7 mm,
-// reaches it after 0.035 mm.
+// A noisy stretch: tilts are averaged over this length of wall and are significant above four
+// standard errors, or above this sine in any case. A scala curved from its rim on, with a radius of
+// 7 mm, reaches it after 0.035 mm.
 constexpr double bandLength = 0.2e-3;  // [m]
 constexpr double standardErrors = 4.0;
 constexpr double maxTilt = 5e-3;
@@ -36,7 +37,7 @@ Eigen::Vector3d corner(const Surface& surface, int index)
   return {p[0], p[1], p[2]};
 }
 
-/// Twice the area times the normal.
+/// Normal scaled by twice the area.
 Eigen::Vector3d acrossOf(const Surface& surface, const std::array<int, 3>& t)
 {
   return (corner(surface, t[1]) - corner(surface, t[0]))
@@ -49,7 +50,7 @@ bool touches(const std::array<int, 3>& triangle, const std::set<int>& corners)
                      [&](int index) { return corners.count(index) > 0; });
 }
 
-/// The wall's triangles, their neighbors, and those that were visited.
+/// The wall's triangles, their neighbors, and the visited ones.
 class WallWalk {
 public:
   WallWalk(const ClosedSurface& closed, const RimFrame& rim)
@@ -65,7 +66,7 @@ public:
 
   bool isOver() const { return waiting_.empty(); }
 
-  /// The next triangle, which is no longer waited for.
+  /// Removes the next triangle from the queue.
   int pop()
   {
     const int triangle = waiting_.back();
@@ -100,7 +101,7 @@ private:
   std::vector<int> waiting_;
 };
 
-/// A stretch without noise: where the first triangle is not straight.
+/// A stretch without noise: depth of the first triangle that is not straight.
 double exactStretch(const ClosedSurface& closed, const RimFrame& rim)
 {
   const Surface& surface = closed.surface;
@@ -121,16 +122,17 @@ double exactStretch(const ClosedSurface& closed, const RimFrame& rim)
   return end < longest ? std::max(end, 0.0) : 0.0;
 }
 
-/// The plane that is nearest to a ring of corners, as depth = mean + tilt . place.
+/// The best-fitting plane of a ring of corners, as depth = mean + tilt . position.
 struct RingPlane {
-  double depth = 0.0;                              ///< Mean of the ring [m].
+  double depth = 0.0;                              ///< Mean over the ring [m].
   Eigen::Vector2d tilt = Eigen::Vector2d::Zero();  ///< [rad]
-  double roughness = 0.0;                          ///< Root mean square off the plane [m].
+  double roughness = 0.0;                          ///< Root mean square distance from the plane
+                                                   ///< [m].
 };
 
 RingPlane planeOf(const std::set<int>& ring, const Surface& surface, const RimFrame& rim)
 {
-  constexpr double unit = 1e-3;  // lengths near 1 keep the problem well posed
+  constexpr double unit = 1e-3;  // lengths near 1 keep the problem well conditioned
   const Eigen::Vector3d x = rim.inward.unitOrthogonal();
   const Eigen::Vector3d y = rim.inward.cross(x);
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
@@ -155,7 +157,7 @@ RingPlane planeOf(const std::set<int>& ring, const Surface& surface, const RimFr
   return plane;
 }
 
-/// Corners of the wall's triangles that touch the last ring, without those of the rings so far.
+/// Corners of the wall's triangles that touch the last ring, except those of earlier rings.
 std::set<int> nextRing(const ClosedSurface& closed, const std::set<int>& last,
                        const std::set<int>& soFar)
 {
@@ -169,7 +171,7 @@ std::set<int> nextRing(const ClosedSurface& closed, const std::set<int>& last,
   return ring;
 }
 
-/// Planes of the rings behind a rim, as far as the corners form rings.
+/// Planes of the rings behind a rim, as long as the corners form rings.
 class Rings {
 public:
   Rings(const ClosedSurface& closed, const RimFrame& rim)
@@ -179,7 +181,7 @@ public:
     planes_.front().depth = 0.0;
   }
 
-  /// The plane of a ring, the rim's own for 0; none where the corners form no rings any more.
+  /// The plane of a ring, 0 for the rim; null if the corners form no further rings.
   const RingPlane* plane(std::size_t ring)
   {
     while (planes_.size() <= ring && !isOver_) {
@@ -206,12 +208,12 @@ private:
   bool isOver_ = false;
 };
 
-/// The stretch of a surface of rings: up to the last ring that is parallel to all before it. None
-/// where the corners form no rings.
+/// Straight stretch of a surface of rings: up to the last ring parallel to all before it. Empty if
+/// the corners form no rings.
 std::optional<double> stretchOfRings(const ClosedSurface& closed, const RimFrame& rim)
 {
   Rings rings(closed, rim);
-  Eigen::Vector2d tilts = Eigen::Vector2d::Zero();  // of the parallel rings, summed
+  Eigen::Vector2d tilts = Eigen::Vector2d::Zero();  // sum over the parallel rings
   const auto turnsAside = [&](const RingPlane& ring, const RingPlane& last, std::size_t count) {
     const double turn = (ring.tilt - tilts / static_cast<double>(count)).norm();
     return turn > parallel * (ring.depth - last.depth);
@@ -221,17 +223,17 @@ std::optional<double> stretchOfRings(const ClosedSurface& closed, const RimFrame
     const RingPlane* const next = rings.plane(i + 1);
     const RingPlane* const afterNext = rings.plane(i + 2);
     if (next == nullptr || afterNext == nullptr || here->depth > longest) return std::nullopt;
-    // noise may turn one ring aside, hardly two
+    // noise may tilt one ring, but hardly two
     if (turnsAside(*next, *here, i + 1) && turnsAside(*afterNext, *here, i + 1)) return here->depth;
   }
   return std::nullopt;
 }
 
-/// How a band of wall leans out of the direction inward, as n . inward = tilt . n + growth: a band
-/// may turn aside and may widen.
+/// Inclination of a band of wall against the inward direction, n . inward = tilt . n + growth: a
+/// band may bend aside and may widen.
 struct Lean {
-  double depth = 0.0;  ///< Mean of the band [m].
-  double sine = 0.0;   ///< Tilt and growth together.
+  double depth = 0.0;  ///< Mean over the band [m].
+  double sine = 0.0;   ///< Tilt and growth combined.
   double error = 0.0;  ///< Standard error of the sine.
 };
 
@@ -270,7 +272,7 @@ Lean leanOf(const std::vector<int>& band, const Surface& surface, const RimFrame
   return lean;
 }
 
-/// A stretch with noise: band after band until one leans.
+/// A stretch with noise: adds bands until one is inclined.
 double noisyStretch(const ClosedSurface& closed, const RimFrame& rim)
 {
   WallWalk walk(closed, rim);
@@ -299,7 +301,7 @@ double noisyStretch(const ClosedSurface& closed, const RimFrame& rim)
       if (!last) return 0.0;
       const double fraction = (allowed - last->sine) / (here.sine - last->sine);
       const double end = last->depth + std::clamp(fraction, 0.0, 1.0) * (here.depth - last->depth);
-      // the direction inward is that of the first band
+      // the inward direction is that of the first band
       return std::max(end - first->depth, 0.0);
     }
     last = here;

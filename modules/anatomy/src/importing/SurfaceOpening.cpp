@@ -12,7 +12,7 @@
 namespace perilymph::anatomy {
 namespace {
 
-// A lid faces out of the duct within 45 degrees and lies no deeper behind the first section.
+// A lid faces out of the duct within 45 degrees and is at most this deep behind the first section.
 constexpr double lidFacing = 0.7;
 constexpr double lidDepth = 0.15e-3, lidReach = 2.5e-3;  // [m]
 
@@ -22,14 +22,14 @@ Eigen::Vector3d corner(const Surface& surface, int index)
   return {p[0], p[1], p[2]};
 }
 
-/// Twice the area times the normal.
+/// Normal scaled by twice the area.
 Eigen::Vector3d acrossOf(const Surface& surface, const std::array<int, 3>& t)
 {
   return (corner(surface, t[1]) - corner(surface, t[0]))
       .cross(corner(surface, t[2]) - corner(surface, t[0]));
 }
 
-/// The eigenvector of the least eigenvalue, and that value's fraction of all.
+/// The eigenvector of the smallest eigenvalue, and that eigenvalue's fraction of the trace.
 std::pair<Eigen::Vector3d, double> minDirection(const Eigen::Matrix3d& scatter)
 {
   const Eigen3 parts(scatter);
@@ -63,7 +63,7 @@ SurfaceOpening openingOf(const ClosedSurface& closed)
     spread += (p - rim.center) * (p - rim.center).transpose();
   rim.plane = minDirection(spread).first;
 
-  // the direction square to the normals of the wall at the rim
+  // the direction perpendicular to the wall's normals at the rim
   Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();
   double side = 0.0;
   for (std::size_t i = 0; i < closed.isLid.size(); ++i) {

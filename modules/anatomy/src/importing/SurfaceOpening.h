@@ -1,6 +1,6 @@
 #pragma once
 
-// Where a segmented scala begins.
+// The opening of a segmented scala.
 
 #include "importing/AxialSections.h"
 #include "importing/ClosedSurface.h"
@@ -14,10 +14,11 @@ struct SurfaceOpening {
   double leadIn = 0.0;  ///< Length of the straight stretch along it [m].
 };
 
-/// The opening of a surface with a rim, and the straight stretch behind it (StraightStretch.h).
+/// Finds the opening of a surface with a rim, and the straight stretch behind it
+/// (StraightStretch.h).
 SurfaceOpening openingOf(const ClosedSurface& closed);
 
-/// Makes an opening at the basal end of a surface without a rim: triangles that close the duct
+/// Creates an opening at the basal end of a surface without a rim: triangles that close the duct
 /// before its first section become the lid.
 ///
 /// @param first   Center of the first section.

@@ -13,11 +13,13 @@
 namespace perilymph::anatomy {
 namespace {
 
-constexpr double outside = 0.3e-3;  // the table goes this far beyond the wall [m]
-constexpr double deepest = 0.9e-3;  // the widest circle in a mean section is 1.25 mm across [m]
-constexpr double nearLid = 2.5e-3;  // so far from the opening its lid may be the nearest [m]
+constexpr double outside = 0.3e-3;  // the table extends this far beyond the wall [m]
+constexpr double deepest = 0.9e-3;  // the largest circle in a mean section has a diameter of 1.25
+                                    // mm [m]
+constexpr double nearLid = 2.5e-3;  // within this distance of the opening its lid may be nearest
+                                    // [m]
 
-/// Minus a second derivative, without the directions in which it is negative.
+/// The negative of a second derivative, projected onto its positive semidefinite part.
 Eigen::Matrix3d positivePart(const Eigen::Matrix3d& bend) noexcept
 {
   const Eigen3 parts(-bend);
@@ -56,7 +58,7 @@ GridLumen::GridLumen(const Surface& wall, const Surface& closed, const Entry& en
       for (int k = 0; k < size_[2]; ++k) {
         const Eigen::Vector3d point = low_W_ + spacing * Eigen::Vector3d(i, j, k);
         double distance = side.at(point, deepest, -outside);
-        // the lid tells the side but is no wall
+        // the lid determines the side but is not wall
         if ((point - entry_.origin_W).norm() < nearLid) {
           const SurfaceFoot foot = toWall.nearest(point, deepest);
           const double off = foot.triangle < 0 ? deepest : foot.distance;
@@ -81,12 +83,12 @@ void GridLumen::locate(const Eigen::Vector3d& point_W, double reach, LumenTrack&
   wall.onMembrane = false;
   const bool isFirstQuarter = track.angle < 0.5 * pi;
   const double behind = (point_W - entry_.origin_W).dot(entry_.out_W);
-  if (!(behind <= 0.0) && (isFirstQuarter || !std::isfinite(behind))) {  // outside, or no number
+  if (!(behind <= 0.0) && (isFirstQuarter || !std::isfinite(behind))) {  // outside or not finite
     track = LumenTrack{};
     return;
   }
 
-  // the angle, in the turn the point remembers
+  // the angle, in the turn stored in the track
   if (isFirstQuarter && point_W.x() > 0.0 && point_W.y() < 0.0) {
     track = LumenTrack{};
   } else {
@@ -102,12 +104,12 @@ void GridLumen::locate(const Eigen::Vector3d& point_W, double reach, LumenTrack&
     }
   }
 
-  // the spline's value, gradient and second derivatives, by the index
+  // the spline's value, gradient and second derivatives by the indices
   std::size_t first[3];
   double fraction[3];
   for (int axis = 0; axis < 3; ++axis) {
     const double index = (point_W[axis] - low_W_[axis]) / spacing - 1.0;
-    if (!(index >= 0.0 && index < size_[axis] - 3)) return;  // beyond the table there is no wall
+    if (!(index >= 0.0 && index < size_[axis] - 3)) return;  // no wall beyond the table
     first[axis] = static_cast<std::size_t>(index);
     fraction[axis] = index - static_cast<double>(first[axis]);
   }

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double joint_deg = 12.0;
 
-/// Where the line from a point of the first section along `tangent` meets the half-plane at an
-/// angle.
+/// Intersection of the line from a point of the first section along `tangent` with the half-plane
+/// at an angle.
 HalfPlanePoint carried(const HalfPlanePoint& from, const Eigen::Vector3d& tangent,
                        const SineCosine& turn)
 {

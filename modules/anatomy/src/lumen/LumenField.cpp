@@ -10,16 +10,16 @@
 namespace perilymph::anatomy {
 namespace {
 
-// Lead-in and spiral both describe the wall this far beyond their joint. A point changes over only
-// where it leaves that overlap, so it never changes back within a step.
+// Lead-in and spiral overlap by this length beyond their joint. A point switches only when it
+// leaves the overlap, so it never switches back within a step.
 constexpr double joint = 0.05e-3;  // [m]
 
-// The table's distance changes by less than this per distance moved (measured: at most 1.06 but for
-// one point in 500), so that a point may safely move by its inverse.
+// Bound of the slope of the table's distance (measured: at most 1.06 except for one point in 500):
+// a point may safely move by a distance divided by it.
 constexpr double steepest = 1.25;
 
-/// Angle from one unit vector to another [rad]. Between two ticks it is small: then the first terms
-/// of the arc sine are exact to 1e-15.
+/// Angle from one unit vector to another [rad]. Between two ticks it is small: the first terms of
+/// the arcsine series are then exact to 1e-15.
 double angleBetween(const double from[2], const double to[2]) noexcept
 {
   const double sine = to[1] * from[0] - to[0] * from[1];
@@ -51,21 +51,22 @@ void keepPositive(double& a, double& b, double& c) noexcept
 
 }  // namespace
 
-/// A point in the section's coordinates, with their gradients in space.
+/// A point in the section's coordinates, with their spatial gradients.
 struct LumenField::Unrolled {
   explicit Unrolled(double sectionFraction) : weights(sectionFraction) {}
 
   std::size_t section = 0;   // first of four coefficients over the angle
   CubicWeights weights;      // of those four
   double u = 0, v = 0;       // from the section's center, outward and apical [m]
-  double p = 0, q = 0;       // the same as shares of half width and half height
-  double width = 0;          // half of the section's [m]
-  double height = 0;         // half of the section's [m]
+  double p = 0, q = 0;       // the same relative to half width and half height
+  double width = 0;          // half width of the section [m]
+  double height = 0;         // half height of the section [m]
   Eigen::Vector3d byAngle;   // gradient of the angle [1/m]
-  Eigen::Vector3d byP, byQ;  // gradients of the shares [1/m]
+  Eigen::Vector3d byP, byQ;  // gradients of p and q [1/m]
 };
 
-// The angle of a point, in the turn it remembers. False on the modiolar axis, where there is none.
+// The angle of a point, in the turn stored in its track. False on the modiolar axis, where it is
+// undefined.
 bool LumenField::track(const Eigen::Vector3d& point_W, LumenTrack& track) const noexcept
 {
   const bool isFirstTurn = track.angle < 0.5 * pi && point_W.x() > 0.0;
@@ -110,7 +111,7 @@ LumenField::Unrolled LumenField::unroll(const Eigen::Vector3d& point_W,
   const double perHeight = 1.0 / at.height;
 
   if (track.inLeadIn) {
-    // the section slides along the straight axis
+    // the section moves along the straight axis
     const double slantX = inward_W_.x() / inward_W_.y();
     const double slantZ = inward_W_.z() / inward_W_.y();
     at.u = point_W.x() - point_W.y() * slantX - value[centerRadius];
@@ -122,7 +123,7 @@ LumenField::Unrolled LumenField::unroll(const Eigen::Vector3d& point_W,
     at.byQ = {0.0, -slantZ * perHeight, perHeight};
     return at;
   }
-  // the section turns with the angle, and changes with it
+  // the section rotates and changes with the angle
   const double* outward = track.direction;
   const double r = point_W.x() * outward[0] + point_W.y() * outward[1];
   at.u = r - value[centerRadius];
@@ -152,7 +153,7 @@ CubicBlock LumenField::distanceAt(const Unrolled& at) const noexcept
 
   CubicBlock spline(distance_.data() + (at.section * across + pFirst) * across + qFirst, page,
                     across, at.weights, p, q);
-  // beyond the table the distance goes on as it left it
+  // beyond the table: linear extrapolation
   spline.value += (pAsked - pIndex) * spline.byP + (qAsked - qIndex) * spline.byQ;
   return spline;
 }
@@ -163,7 +164,7 @@ void LumenField::locate(const Eigen::Vector3d& point_W, double reach, LumenTrack
   wall.isNear = false;
   wall.clearance = 0.0;
   const double inside = (point_W - entry_.origin_W).dot(inward_W_);
-  if (!(inside >= 0.0)) {  // outside, or not a number
+  if (!(inside >= 0.0)) {  // outside or NaN
     memory = LumenTrack{};
     wall.clearance = -inside;
     return;
@@ -171,13 +172,13 @@ void LumenField::locate(const Eigen::Vector3d& point_W, double reach, LumenTrack
   if (!track(point_W, memory)) return;  // no wall is near the axis
   const Unrolled here = unroll(point_W, memory);
 
-  // far from every wall of the section: that is all anyone asks
+  // farther than `reach` from every wall of the section: only the clearance is needed
   const double toEnd = (lastAngle_ - memory.angle) *
                        std::sqrt(point_W.x() * point_W.x() + point_W.y() * point_W.y());
   const double slant = minSlant_[here.section];
   const double clear = 0.95 * minRadius_[here.section] - reach / slant;
   const double off2 = here.u * here.u + here.v * here.v;
-  // a chord to the end is at least 2/pi of the arc, up to half a turn
+  // the chord to the end is at least 2/pi of the arc, up to half a turn
   const double clearOfEnd = 0.5 * toEnd - reach;
   if (clear > 0.0 && off2 < clear * clear && toEnd > reach) {
     wall.clearance = std::min((clear - std::sqrt(off2)) * slant, clearOfEnd);
@@ -206,7 +207,8 @@ void LumenField::locate(const Eigen::Vector3d& point_W, double reach, LumenTrack
   }
 }
 
-// How the normal turns: in the section by the spline, along the duct by the circle around the axis.
+// Sets the shape operator: within the section from the spline, along the duct from the circle
+// around the axis.
 void LumenField::setTurning(const Eigen::Vector3d& point_W, const LumenTrack& track,
                             const Unrolled& at, const CubicBlock& spline,
                             WallPoint& wall) const noexcept
@@ -236,7 +238,7 @@ void LumenField::setTurning(const Eigen::Vector3d& point_W, const LumenTrack& tr
     }
 }
 
-// Whether the nearest point of the wall lies on the basilar membrane.
+// True if the nearest point of the wall lies on the basilar membrane.
 bool LumenField::isOnMembrane(const LumenTrack& track, const Unrolled& at,
                               const WallPoint& wall) const noexcept
 {

@@ -1,7 +1,7 @@
 #pragma once
 
-// The wall query of a scala tympani: a table of distances in unrolled coordinates, smooth in all
-// three, read in the tick.
+// The wall query of a scala tympani: a table of signed distances in unrolled coordinates, smooth in
+// all three, read in the tick.
 
 #include <array>
 #include <vector>
@@ -12,18 +12,18 @@ namespace perilymph::anatomy {
 
 struct CubicBlock;
 
-/// Signed distance to the wall over (angle, radial, axial), the last two as shares of the section's
+/// Signed distance to the wall over (angle, radial, axial), the last two relative to the section's
 /// half width and half height, as a uniform tricubic B-spline.
 ///
-/// The samples are the spline's coefficients. That smooths over one grid step (0.03 to 0.06 mm), so
-/// the distance has continuous second derivatives even along the ridges where two walls are equally
-/// near; elsewhere it is off by a few micrometers (measured in the tests).
+/// The samples are the spline's coefficients. This smooths over one grid step (0.03 to 0.06 mm), so
+/// that the distance has continuous second derivatives even along the ridges where two walls are
+/// equally near; elsewhere its error is a few micrometers (measured in the tests).
 class LumenField {
 public:
   /// Builds the table. Takes a tenth of a second.
   explicit LumenField(const ScalaTympani& scala);
 
-  /// The wall nearest to one point. Real-time safe.
+  /// Finds the wall nearest to one point. Real-time safe.
   void locate(const Eigen::Vector3d& point_W, double reach, LumenTrack& track,
               WallPoint& wall) const noexcept;
 
@@ -43,26 +43,25 @@ private:
 
   struct Unrolled;
 
-  // how the table is made
+  // construction of the table
   void fillSection(const ScalaTympani& scala, int section);
   void continueIntoLeadIn();
   double along(Column column, std::size_t section, const double weights[4]) const noexcept;
 
-  // how it is read
+  // evaluation of the table
   bool track(const Eigen::Vector3d& point_W, LumenTrack& track) const noexcept;
   Unrolled unroll(const Eigen::Vector3d& point_W, const LumenTrack& track) const noexcept;
-  /// The distance and its derivatives by the angle's index and by those of p and q [m].
+  /// The distance and its derivatives by the index of the angle and by those of p and q [m].
   CubicBlock distanceAt(const Unrolled& at) const noexcept;
   void setTurning(const Eigen::Vector3d& point_W, const LumenTrack& track, const Unrolled& at,
                   const CubicBlock& spline, WallPoint& wall) const noexcept;
   bool isOnMembrane(const LumenTrack& track, const Unrolled& at,
                     const WallPoint& wall) const noexcept;
 
-  static constexpr int across = 46;                     // samples over a section, each way
-  static constexpr std::size_t page = across * across;  // samples of a section
-  static constexpr double margin = 1.25;  // the table goes this many half widths and heights out
-  static constexpr double samplesPerUnit =
-      (across - 3) / (2.0 * margin);  // samples per unit of share
+  static constexpr int across = 46;                     // samples over a section, along each axis
+  static constexpr std::size_t page = across * across;  // samples per section
+  static constexpr double margin = 1.25;  // extent of the table in half widths and half heights
+  static constexpr double samplesPerUnit = (across - 3) / (2.0 * margin);  // samples per half width
 
   Entry entry_;
   Eigen::Vector3d inward_W_;
@@ -70,9 +69,11 @@ private:
   int sections_ = 0;
   /// Spline coefficients over the angle, two more than sections.
   std::vector<std::array<double, columns>> along_;
-  std::vector<double> minRadius_;  ///< Per section: the wall's least distance from the center [m].
+  std::vector<double> minRadius_;  ///< Per section: minimum distance of the wall from the center
+                                   ///< [m].
   std::vector<double>
-      minSlant_;                 ///< Per section: least distance in space over that in the section.
+      minSlant_;                 ///< Per section: minimum ratio of the distance in space to that in
+                                 ///< the section.
   std::vector<float> distance_;  ///< [section][radial][axial], [m].
 };
 

@@ -71,14 +71,14 @@ LumenField::LumenField(const ScalaTympani& scala) : entry_(scala.entry()), inwar
   distance_.resize((static_cast<std::size_t>(sections_) + 2) * page);
   for (int i = 0; i < sections_; ++i) fillSection(scala, i);
   continueIntoLeadIn();
-  // beyond the last section the distances go on as parabolas through the last three
+  // beyond the last section: quadratic extrapolation of the last three
   float* last = distance_.data() + (static_cast<std::size_t>(sections_) + 1) * page;
   for (std::size_t k = 0; k < page; ++k)
     last[k] = 3.0f * ((last - page)[k] - (last - 2 * page)[k]) + (last - 3 * page)[k];
 }
 
-// The page before the first section, so that there the distance changes with the angle as it does
-// in the straight lead-in: not at all along its axis.
+// The page before the first section, chosen so that the derivative by the angle there equals that
+// of the straight lead-in, along whose axis the distance is constant.
 void LumenField::continueIntoLeadIn()
 {
   const CubicWeights start(0.0);
@@ -108,7 +108,7 @@ void LumenField::continueIntoLeadIn()
     }
 }
 
-// The distances of one section, from its outline and the direction in which the wall runs on.
+// The distances of one section, from its outline and the wall's lengthwise direction.
 void LumenField::fillSection(const ScalaTympani& scala, int section)
 {
   const double angle = section / perSection_;
@@ -118,7 +118,7 @@ void LumenField::fillSection(const ScalaTympani& scala, int section)
   minRadius_[row] = lines.minRadius();
   minSlant_[row] = lines.minSlant();
 
-  // the last section is the far end of the last piece
+  // the last section is at the end of the last piece
   const std::size_t piece = std::min(row, static_cast<std::size_t>(sections_) - 2);
   const CubicWeights here(static_cast<double>(row - piece));
   const double width = along(halfWidth, piece, here.value);

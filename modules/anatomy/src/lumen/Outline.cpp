@@ -6,7 +6,7 @@ namespace perilymph::anatomy {
 
 HalfPlanePoint centroid(const Outline& outline)
 {
-  // about the first corner, so that small outlines far away lose no digits
+  // relative to the first corner, so that small outlines far away lose no precision
   const HalfPlanePoint& first = outline.front();
   double area = 0.0, r = 0.0, z = 0.0;
   for (std::size_t k = 0; k < outline.size(); ++k) {

@@ -14,7 +14,7 @@ struct HalfPlanePoint {
   double r, z;
 };
 
-/// From a to b by a share of the way.
+/// Linear interpolation from a to b.
 inline HalfPlanePoint mix(const HalfPlanePoint& a, const HalfPlanePoint& b, double fraction)
 {
   return {a.r + fraction * (b.r - a.r), a.z + fraction * (b.z - a.z)};
@@ -26,14 +26,14 @@ using Outline = std::vector<HalfPlanePoint>;
 /// The centroid of the outline's area.
 HalfPlanePoint centroid(const Outline& outline);
 
-/// Distance from `center` to the outline in a direction [m]; 0 if nothing is there.
+/// Distance from `center` to the outline in a direction [m]; 0 if there is none.
 ///
-/// @param near  Corner at which the search begins; afterwards the one before the crossing.
+/// @param near  Corner at which the search begins; set to the one before the intersection.
 double radiusIn(const Outline& outline, const HalfPlanePoint& center, const SineCosine& direction,
                 std::size_t& near);
 
 /// Height of the outline's highest point at a distance from the axis [m]; that of its highest
-/// corner where the outline does not reach.
+/// corner if the outline does not extend to it.
 double roofAt(const Outline& outline, double r);
 
 }  // namespace perilymph::anatomy

@@ -24,9 +24,9 @@ void requireSeenWhole(double radius, double angle)
   throw std::invalid_argument(sentence);
 }
 
-/// Around a section the tables are a spline's coefficients, which rounds corners off. Measured
-/// outlines have none: coefficients a sixth of the second difference farther out make the spline
-/// pass through them, up to fourth order.
+/// Around a section the table values are spline coefficients, which rounds corners. Measured
+/// outlines have no corners: subtracting a sixth of the second difference from the coefficients
+/// makes the spline interpolate them, up to fourth order.
 void passThroughOutlines(SectionTables& tables)
 {
   const std::vector<double> radii = tables.wallRadius;

@@ -1,6 +1,6 @@
 #pragma once
 
-// From outlines at every angle to the tables of a scala tympani.
+// Conversion of outlines, given at every angle, to the tables of a scala tympani.
 
 #include <functional>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace perilymph::anatomy {
 
-/// What a source of anatomy knows of one half-plane.
+/// A source's description of one half-plane.
 struct OutlineAtAngle {
   Outline outline;
   double planRadius;     ///< Distance of the organ-of-Corti path from the axis [m].
@@ -18,10 +18,10 @@ struct OutlineAtAngle {
 };
 using OutlineSource = std::function<OutlineAtAngle(double angle)>;
 
-/// Sections every 1.5 degrees, each seen from its centroid, bent into the lead-in. The basilar
-/// membrane lies in the roof, its inner edge above the centroid.
+/// Sections every 1.5 degrees in polar coordinates about their centroids, eased into the lead-in.
+/// The basilar membrane lies in the roof, its inner edge above the centroid.
 ///
-/// @throws std::invalid_argument if an outline is not seen whole from its centroid.
+/// @throws std::invalid_argument if an outline is not star-shaped about its centroid.
 SectionTables tablesFrom(const OutlineSource& source, const std::string& name, double lastAngle,
                          double leadIn);
 

@@ -12,7 +12,7 @@
 namespace perilymph::anatomy {
 namespace {
 
-/// A place in a table over the angle: the first of four coefficients, and the fraction.
+/// A position in a table over the angle: the first of four coefficients, and the fraction.
 struct Place {
   std::size_t first;
   double fraction;
@@ -63,9 +63,8 @@ ScalaTympani::ScalaTympani(SectionTables tables) : tables_(std::move(tables))
   membraneOuter_ = interpolatingCoefficients(tables_.membraneOuter);
   membraneHeight_ = interpolatingCoefficients(tables_.membraneHeight);
 
-  // Over the angle the wall passes through the tables. Around the section the tables' values are
-  // the coefficients themselves, which rounds corners over about one direction and never
-  // overshoots.
+  // Over the angle the wall interpolates the tables. Around the section the table values are the
+  // coefficients themselves, which rounds corners over about one direction and never overshoots.
   rowLength_ = directions + 3;
   wallRadius_.resize((sections + 2) * rowLength_);
   std::vector<double> column(sections);
@@ -80,7 +79,7 @@ ScalaTympani::ScalaTympani(SectionTables tables) : tables_(std::move(tables))
     }
   }
 
-  // the lead-in goes on along the tangent of the center line; the opening is at its far end
+  // the lead-in continues along the tangent of the center line; the opening is at its far end
   const CubicWeights start(0.0);
   const double r = weighted(centerRadius_.data(), start.value);
   const Eigen::Vector3d inward_W =

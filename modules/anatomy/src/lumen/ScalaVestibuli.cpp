@@ -17,14 +17,14 @@ Surface vestibuliSurface(const ScalaTympani& scala, int maxTriangles)
   double mirror = 0.0;
   for (int i = 0; i < rings; ++i) {
     const double angle = last * i / (rings - 1);
-    // the membrane, or the roof where that is higher, so that the two scalae never cross
+    // the membrane, or the roof if that is higher, so that the two scalae never intersect
     mirror = std::max(scala.section(angle).roofHeight, scala.membrane_W(angle, 0.5).z());
     for (int k = 0; k < around; ++k) {
       const Eigen::Vector3d wall = scala.wall_W(angle, 2.0 * pi * k / around);
       surface.points.push_back({wall.x(), wall.y(), 2.0 * mirror - wall.z()});
     }
   }
-  // mirrored, so the corners go round the other way than those of the scala tympani
+  // mirrored, so the order of corners is opposite to that of the scala tympani
   for (int i = 0; i + 1 < rings; ++i)
     for (int k = 0; k < around; ++k) {
       const int a = i * around + k;

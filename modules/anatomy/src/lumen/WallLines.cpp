@@ -9,7 +9,7 @@
 namespace perilymph::anatomy {
 namespace {
 
-// A parabola follows a lengthwise line this far: half its radius of curvature, so 0.5 rad of arc.
+// A parabola approximates a lengthwise line up to half its radius of curvature (0.5 rad of arc).
 constexpr double parabolaReach = 0.5;
 
 }  // namespace
@@ -20,7 +20,7 @@ WallLines::WallLines(const ScalaTympani& scala, double angle)
   const Eigen::Vector3d outward(turn.cosine, turn.sine, 0.0);
   const Eigen::Vector3d center = scala.center_W(angle);
   constexpr double nudge = 1e-3;  // [rad]
-  // the first and the last section borrow the direction of a neighboring angle
+  // at the first and the last section use the direction at a neighboring angle
   const double middle = std::clamp(angle, nudge, scala.lastAngle().si() - nudge);
 
   for (int k = 0; k < points; ++k) {
@@ -42,7 +42,7 @@ WallLines::WallLines(const ScalaTympani& scala, double angle)
 }
 
 // Squared distance in space to a parabola with the line's tangent t and curvature c, at the arc
-// length s of one Newton step, with e the way from the outline's point:
+// length s of one Newton step, where e is the vector from the outline's point:
 //
 //     s = e.t / (1 - e.c),   d^2 = |e - s t - s^2 c / 2|^2
 double WallLines::Line::squaredDistance(double atU, double atV) const noexcept
@@ -62,7 +62,7 @@ double WallLines::distance(double u, double v) const noexcept
   const auto squaredTo = [&](int k) {
     return lines_[static_cast<std::size_t>(k)].squaredDistance(u, v);
   };
-  // every third point first, then those beside the nearest
+  // every third point first, then the neighbors of the nearest
   constexpr int stride = 3;
   int nearest = 0;
   double minimum = 1e9;

@@ -1,6 +1,6 @@
 #pragma once
 
-// How the wall runs on from one section to the next: what the table of distances is made from.
+// Lengthwise lines of the wall, from which the distance table is computed.
 
 #include <array>
 
@@ -8,25 +8,25 @@
 
 namespace perilymph::anatomy {
 
-/// The points of a section's outline, and the wall's lengthwise line through each of them.
+/// The points of a section's outline and the lengthwise line of the wall through each of them.
 class WallLines {
 public:
   static constexpr int points = 120;
 
   WallLines(const ScalaTympani& scala, double angle);
 
-  /// Distance in space from (u, v) in the section, from its center [m], to the wall, by the nearest
-  /// line and a parabola through its neighbors.
+  /// Distance in space from (u, v) in the section, relative to its center [m], to the wall, by the
+  /// nearest line and a parabola through its neighbors.
   double distance(double u, double v) const noexcept;
 
-  /// The outline's least distance from the center [m].
+  /// Minimum distance of the outline from the center [m].
   double minRadius() const noexcept { return minRadius_; }
-  /// The least ratio of distance in space to distance in the section.
+  /// Minimum ratio of the distance in space to the distance in the section.
   double minSlant() const noexcept { return minSlant_; }
 
 private:
   /// A point (u, v) of the outline; unit tangent and curvature [1/m] of its lengthwise line, their
-  /// parts in the section, and the size of the curvature.
+  /// components in the section, and the magnitude of the curvature.
   struct Line {
     double u, v;
     double alongU, alongV;

@@ -8,15 +8,15 @@ namespace perilymph::anatomy {
 namespace {
 
 constexpr Angle end = degrees(720.0);
-/// Corners of a ring. With 14, what edges around and edges along cut off is of one size.
+/// Corners of a ring. With 14, the chord errors around and along the duct are about equal.
 constexpr int corners = 14;
-/// Directions in which a corner may lie.
+/// Candidate directions of a corner.
 constexpr int directions = 112;
 
 double directionOf(int index) { return 2.0 * pi * index / directions; }
 
-/// Angles from the round window to `end` between which straight edges cut off equally much: edges
-/// of length s on a wall of radius r cut off s^2 / (8 r), so s goes with the root of r.
+/// Angles from the round window to `end` at which straight edges have equal chord errors: an edge
+/// of length s on a wall of radius r has the error s^2 / (8 r), so s is proportional to sqrt(r).
 std::vector<double> ringAngles(const ScalaTympani& scala, int rings)
 {
   constexpr int fine = 2000;
@@ -48,7 +48,7 @@ double distanceToEdge(const Eigen::Vector3d& point, const Eigen::Vector3d& from,
   return (point - from - fraction * edge).norm();
 }
 
-/// The direction between two corners in which the outlines leave the edge between them most.
+/// The direction between two corners at which the outlines deviate most from the edge between them.
 struct Bulge {
   int direction = -1;
   double height = 0.0;  ///< [m]
@@ -68,7 +68,7 @@ Bulge greatestBulge(const std::vector<std::vector<Eigen::Vector3d>>& outlines, i
   return greatest;
 }
 
-/// Where the corners lie, the same for all rings, growing from zero to less than one turn.
+/// The directions of the corners, equal for all rings, increasing from zero to less than one turn.
 std::vector<int> cornerDirections(const std::vector<std::vector<Eigen::Vector3d>>& outlines)
 {
   std::vector<int> chosen{0, directions / 4, 2 * directions / 4, 3 * directions / 4};
@@ -90,7 +90,7 @@ std::vector<int> cornerDirections(const std::vector<std::vector<Eigen::Vector3d>
 
 Surface hapticSurface(const ScalaTympani& scala)
 {
-  constexpr int rings = hapticTriangles / (2 * corners);  // and one more at the opening
+  constexpr int rings = hapticTriangles / (2 * corners);  // one more at the opening
   std::vector<double> angles = ringAngles(scala, rings);
   std::vector<std::vector<Eigen::Vector3d>> outlines;
   for (const double angle : angles) {
@@ -111,7 +111,7 @@ Surface hapticSurface(const ScalaTympani& scala)
     for (int k = 0; k < around; ++k) {
       const int a = i * around + k;
       const int b = i * around + (k + 1) % around;
-      // of a skew four-sided patch the shorter diagonal
+      // split a skew quadrilateral along its shorter diagonal
       const auto far = [&](int p, int q) {
         const auto& u = surface.points[static_cast<std::size_t>(p)];
         const auto& v = surface.points[static_cast<std::size_t>(q)];

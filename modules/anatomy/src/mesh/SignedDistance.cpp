@@ -10,7 +10,8 @@
 namespace perilymph::anatomy {
 namespace {
 
-constexpr double onEdge = 1e-9;  // a corner's share below this: the place is on the edge across
+constexpr double onEdge = 1e-9;  // barycentric weight of a corner below which the point lies on the
+                                 // opposite edge
 
 }  // namespace
 

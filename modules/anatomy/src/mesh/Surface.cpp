@@ -11,7 +11,7 @@ std::array<double, 3> corner(const Eigen::Vector3d& point)
   return {point.x(), point.y(), point.z()};
 }
 
-/// The angles at which rings are cut: the opening, then from the round window to the apex in equal
+/// The angles of the rings: the opening, then from the round window to the apex at equal arc
 /// lengths along the outer wall, so that the wide basal turn is as smooth as the narrow apical one.
 std::vector<double> ringAngles(const ScalaTympani& scala, int rings)
 {
@@ -34,9 +34,9 @@ std::vector<double> ringAngles(const ScalaTympani& scala, int rings)
   return angles;
 }
 
-/// Where a wall of at most so many triangles is cut: the opening, then from the round window to the
-/// apex, and the corners of each ring. About six times as many rings as a ring has corners: the
-/// duct is long.
+/// Rings of a wall with a limited number of triangles: the opening, then from the round window to
+/// the apex, and the corners of each ring. About six times as many rings as corners per ring,
+/// because the duct is long.
 struct Rings {
   std::vector<double> angles;
   int around;
@@ -50,7 +50,7 @@ Rings ringsOf(const ScalaTympani& scala, int maxTriangles)
   return {ringAngles(scala, rings), around};
 }
 
-/// The wall through rings, open at both ends.
+/// The wall between rings, open at both ends.
 Surface tube(const ScalaTympani& scala, const std::vector<double>& angles, int around)
 {
   Surface surface;
@@ -74,7 +74,7 @@ Surface wallSurface(const ScalaTympani& scala, int maxTriangles)
   const Rings cut = ringsOf(scala, maxTriangles);
   Surface surface = tube(scala, cut.angles, cut.around);
 
-  // the apex is closed by a fan around the last section's center
+  // the apex is closed by a triangle fan around the last section's center
   const int center = static_cast<int>(surface.points.size());
   const int ring = center - cut.around;
   surface.points.push_back(corner(scala.center_W(scala.lastAngle().si())));

@@ -10,11 +10,11 @@
 namespace perilymph::anatomy {
 namespace {
 
-constexpr int maxPieces = 64;  // a triangle's side is cut into at most so many
+constexpr int maxPieces = 64;  // maximum subdivisions of a triangle's side
 
 struct Sample {
   double distance;  // [m]
-  double weight;    // area it stands for [m^2]
+  double weight;    // area it represents [m^2]
 };
 
 void sampleOneWay(const Surface& from, const SurfaceDistance& to, double spacing,

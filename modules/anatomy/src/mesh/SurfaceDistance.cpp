@@ -10,7 +10,7 @@ namespace perilymph::anatomy {
 namespace {
 
 constexpr int maxTrianglesPerBox = 4;
-constexpr int deepest = 64;  // boxes halve, so a tree of 2^31 triangles has 31 levels
+constexpr int deepest = 64;  // boxes halve: a tree of 2^31 triangles has 31 levels
 
 Eigen::Vector3d corner(const Surface& surface, int index)
 {
@@ -126,7 +126,7 @@ SurfaceFoot SurfaceDistance::nearest(const Eigen::Vector3d& point, double reach)
     const Box& box = boxes_[static_cast<std::size_t>(self)];
     if (squaredDistance(point, box.low, box.high) > nearest) continue;
     if (box.count == 0) {
-      // the nearer box is looked into first
+      // search the nearer box first
       const Box& one = boxes_[static_cast<std::size_t>(self) + 1];
       const Box& other = boxes_[static_cast<std::size_t>(box.second)];
       const bool oneIsNearer = squaredDistance(point, one.low, one.high) <=

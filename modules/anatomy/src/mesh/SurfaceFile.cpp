@@ -1,5 +1,4 @@
-// Surfaces as files, in millimeters: the formats of printers, modelers, VTK, and of the paper
-// (VRML).
+// Surface files in millimeters: the formats of 3D printers, modelers, VTK, and of the paper (VRML).
 
 #include <Eigen/Geometry>
 #include <charconv>
@@ -14,7 +13,7 @@
 namespace perilymph::anatomy {
 namespace {
 
-/// Collects text with numbers in shortest form, whatever the locale.
+/// Text with numbers in shortest form, in any locale.
 class Text {
 public:
   Text& operator<<(const char* text)
@@ -118,7 +117,7 @@ std::string vrml(const Surface& surface, const std::string& title)
 std::string vtp(const Surface& surface, const std::string& title)
 {
   Text text;
-  std::string comment = title;  // in which XML allows no two hyphens in a row
+  std::string comment = title;  // XML comments must not contain two consecutive hyphens
   for (std::size_t at = comment.find("--"); at != std::string::npos; at = comment.find("--"))
     comment.replace(at, 2, "- -");
   text << "<?xml version=\"1.0\"?>\n<!-- " << comment << ", mm -->\n"

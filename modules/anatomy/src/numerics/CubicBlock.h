@@ -1,6 +1,6 @@
 #pragma once
 
-// 4 x 4 x 4 coefficients of a uniform tricubic B-spline, summed four neighbors at a time.
+// 4 x 4 x 4 coefficients of a uniform tricubic B-spline, summed four at a time.
 
 #include <cstddef>
 #include <cstring>
@@ -9,13 +9,13 @@
 
 namespace perilymph::anatomy {
 
-/// Four neighbors of the last axis, in two registers that every x86-64 processor has.
+/// Four neighbors along the last axis, in two SSE2 registers, which every x86-64 processor has.
 struct FourNeighbors {
   using Two [[gnu::vector_size(16)]] = double;
 
   Two low{}, high{};
 
-  /// Adds weight times four values in a row.
+  /// Adds weight times four consecutive values.
   void add(double weight, const FourNeighbors& other) noexcept
   {
     low += weight * other.low;
@@ -36,13 +36,13 @@ struct FourNeighbors {
   }
 };
 
-/// Value and derivatives of the spline by the indices of its axes: a, p and q, the fastest last.
+/// Value and derivatives of the spline by the indices of its axes: a, p and q, the last contiguous.
 struct CubicBlock {
   double value, byA, byP, byQ, byPp, byPq, byQq;
 
-  /// @param corner  The first of the coefficients.
-  /// @param aStep   From one coefficient to the next along a.
-  /// @param pStep   The same along p.
+  /// @param corner  The first coefficient.
+  /// @param aStep   Stride along a.
+  /// @param pStep   Stride along p.
   CubicBlock(const float* corner, std::size_t aStep, std::size_t pStep, const CubicWeights& a,
              const CubicWeights& p, const CubicWeights& q) noexcept
   {

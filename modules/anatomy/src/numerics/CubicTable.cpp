@@ -7,7 +7,7 @@ std::vector<double> interpolatingCoefficients(const std::vector<double>& samples
   const std::size_t n = samples.size();
   const auto& y = samples;
 
-  // slopes per index at both ends, third order
+  // slopes per index at both ends, third-order differences
   const double startSlope = (-11.0 * y[0] + 18.0 * y[1] - 9.0 * y[2] + 2.0 * y[3]) / 6.0;
   const double endSlope =
       (11.0 * y[n - 1] - 18.0 * y[n - 2] + 9.0 * y[n - 3] - 2.0 * y[n - 4]) / 6.0;
@@ -18,7 +18,7 @@ std::vector<double> interpolatingCoefficients(const std::vector<double>& samples
   right[0] += 2.0 * startSlope;
   right[n - 1] -= 2.0 * endSlope;
 
-  // forward elimination; the off-diagonals are 1 but for the folded ends
+  // forward elimination; the off-diagonals are 1 except in the modified end rows
   std::vector<double> upper(n, 1.0);
   upper[0] = 2.0;
   for (std::size_t i = 1; i < n; ++i) {

@@ -1,14 +1,14 @@
 #pragma once
 
-// Uniform cubic B-splines: twice continuously differentiable tables, four coefficients a look-up.
+// Uniform cubic B-splines: twice continuously differentiable tables, four coefficients per lookup.
 
 #include <cstddef>
 #include <vector>
 
 namespace perilymph::anatomy {
 
-/// Weights of the four coefficients around a place in a table, for the value and its derivatives by
-/// the index.
+/// Weights of the four coefficients around a position in a table, for the value and its derivatives
+/// by the index.
 struct CubicWeights {
   double value[4];
   double slope[4];
@@ -33,15 +33,15 @@ struct CubicWeights {
   }
 };
 
-/// The four weighted coefficients that start at `first`.
+/// Weighted sum of the four coefficients that start at `first`.
 inline double weighted(const double* first, const double weights[4]) noexcept
 {
   return first[0] * weights[0] + first[1] * weights[1] + first[2] * weights[2] +
          first[3] * weights[3];
 }
 
-/// Coefficients (two more than samples) of the spline that passes through the samples, with slopes
-/// at the ends estimated from the first and last four. At least four samples.
+/// Coefficients (two more than samples) of the interpolating spline, with end slopes estimated from
+/// the first and last four samples. At least four samples.
 std::vector<double> interpolatingCoefficients(const std::vector<double>& samples);
 
 }  // namespace perilymph::anatomy

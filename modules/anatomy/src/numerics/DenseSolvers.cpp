@@ -7,7 +7,7 @@ namespace perilymph::anatomy {
 
 Eigen3::Eigen3(const Eigen::Matrix3d& matrix) noexcept : vectors(Eigen::Matrix3d::Identity())
 {
-  constexpr int sweeps = 8;  // convergence is quadratic: 5 suffice for every double
+  constexpr int sweeps = 8;  // convergence is quadratic: 5 suffice in double precision
   double a[3][3];
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k) a[i][k] = matrix(i, k);
@@ -15,7 +15,7 @@ Eigen3::Eigen3(const Eigen::Matrix3d& matrix) noexcept : vectors(Eigen::Matrix3d
     for (int p = 0; p < 2; ++p)
       for (int q = p + 1; q < 3; ++q) {
         if (a[p][q] == 0.0) continue;
-        // the rotation in the plane of p and q that makes their product vanish
+        // the rotation in the p-q plane that makes the off-diagonal element zero
         const double half = 0.5 * (a[q][q] - a[p][p]) / a[p][q];
         const double sign = half < 0.0 ? -1.0 : 1.0;
         const double t = sign / (std::fabs(half) + std::sqrt(half * half + 1.0));
@@ -57,7 +57,7 @@ void LeastSquares::add(const std::vector<double>& row, double right)
 
 std::vector<double> LeastSquares::solve() const
 {
-  // elimination with the largest pivot of each column
+  // Gaussian elimination with partial pivoting
   const std::size_t width = unknowns_ + 1;
   std::vector<double> m = matrix_;
   std::vector<double> x(unknowns_, 0.0);

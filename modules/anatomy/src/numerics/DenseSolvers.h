@@ -1,7 +1,7 @@
 #pragma once
 
-// Small symmetric problems by hand: the same bits on every machine, whatever a library would
-// choose.
+// Solvers of small dense symmetric problems, with the same bits on every machine, independent of a
+// library.
 
 #include <Eigen/Core>
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace perilymph::anatomy {
 
-/// Eigenvalues and unit eigenvectors (columns) of a symmetric 3 x 3 matrix, in no order, by a fixed
+/// Eigenvalues and unit eigenvectors (columns) of a symmetric 3 x 3 matrix, unsorted, by a fixed
 /// number of Jacobi sweeps. Real-time safe.
 struct Eigen3 {
   Eigen::Vector3d values;
@@ -17,19 +17,19 @@ struct Eigen3 {
   explicit Eigen3(const Eigen::Matrix3d& matrix) noexcept;
 };
 
-/// Least squares by normal equations: takes rows one by one.
+/// Least squares by normal equations; rows are added one by one.
 class LeastSquares {
 public:
   explicit LeastSquares(std::size_t unknowns);
 
   void add(const std::vector<double>& row, double right);
 
-  /// The unknowns. Directions that no row tells anything about stay 0.
+  /// The solution. Directions that no row determines are 0.
   std::vector<double> solve() const;
 
 private:
   std::size_t unknowns_;
-  std::vector<double> matrix_;  ///< [row][column], the right-hand side last in each row.
+  std::vector<double> matrix_;  ///< [row][column], the right-hand side as the last column.
 };
 
 }  // namespace perilymph::anatomy

@@ -10,7 +10,7 @@ KnotSpline::KnotSpline(std::vector<double> x, std::vector<double> y, SplineEnds 
 {
   const std::size_t n = x_.size();
   const auto gap = [&](std::size_t i) { return x_[i + 1] - x_[i]; };
-  // With ends that are no knots, the bend at an end follows from the next two in a straight line:
+  // Not-a-knot ends: the second derivative at an end is extrapolated linearly from the next two:
   // bend[0] = (1 + s) bend[1] - s bend[2].
   const bool isNatural = ends == SplineEnds::natural;
   const double s = isNatural ? 0.0 : gap(0) / gap(1);

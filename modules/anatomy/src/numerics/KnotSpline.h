@@ -1,19 +1,19 @@
 #pragma once
 
-// Cubic splines through unevenly spaced knots: what lies between measured sections.
+// Cubic splines through unevenly spaced knots, to interpolate between measured sections.
 
 #include <vector>
 
 namespace perilymph::anatomy {
 
-/// What a spline does at its ends, where there is no neighbor to bend toward.
+/// End conditions of a spline.
 enum class SplineEnds {
-  natural,   ///< No bend at the first and the last knot.
+  natural,   ///< Zero second derivative at the first and the last knot.
   notAKnot,  ///< The first two pieces are one cubic, and so are the last two.
 };
 
-/// Cubic spline through knots, twice continuously differentiable. Beyond the knots its outermost
-/// cubics go on. At least four knots.
+/// Interpolating cubic spline, twice continuously differentiable, extrapolated by its outermost
+/// cubics. At least four knots.
 class KnotSpline {
 public:
   KnotSpline(std::vector<double> x, std::vector<double> y, SplineEnds ends = SplineEnds::natural);

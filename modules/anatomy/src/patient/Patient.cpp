@@ -20,12 +20,12 @@ std::string plain(double value)
 constexpr Range length_mm{25.0, 45.0};
 
 // Sections vary by a relative standard deviation of 9 to 15 % (Avci et al. 2014): three of the
-// larger around 1.94 x 1.85 mm are 1.07 to 2.81 and 1.02 to 2.68 mm, rounded outward. The low end
-// is what the 0.8 mm base of an array still enters. Reasoned, not measured.
+// larger around 1.94 x 1.85 mm are 1.07 to 2.81 and 1.02 to 2.68 mm, rounded outward. The lower
+// limit still admits the 0.8 mm base of an array. Reasoned, not measured.
 constexpr Range width_mm{1.0, 3.0};
 constexpr Range height_mm{1.0, 2.8};
 
-/// As TOML quotes it; what cannot be seen becomes a space.
+/// The text quoted for TOML; control characters become spaces.
 std::string quoted(const std::string& text)
 {
   std::string inside;
@@ -36,7 +36,7 @@ std::string quoted(const std::string& text)
   return '"' + inside + '"';
 }
 
-/// `key = value` in millimeters, to a picometer, as a number that TOML takes for a real one.
+/// `key = value` in millimeters, to a picometer, as a TOML float.
 std::string line(const char* key, Length value)
 {
   char digits[40];
@@ -46,7 +46,7 @@ std::string line(const char* key, Length value)
   return std::string(key) + " = " + text + '\n';
 }
 
-/// The sentence about a length that is out of its limits; empty if it is within.
+/// The error for a length out of its limits; empty if it is within.
 std::string complaint(const char* name, const char* key, Length value, Range limits_mm)
 {
   if (value >= millimeters(limits_mm.low) && value <= millimeters(limits_mm.high)) return {};
@@ -78,7 +78,7 @@ std::string place(Length value, const Spread& spread)
          rounded(spread.standardDeviation) + ", n = 138, Pietsch et al. 2017)";
 }
 
-/// The sentence about a diameter that no cochlea has; empty if one may have it.
+/// The error for a diameter outside the population; empty if it is within.
 std::string complaint(const char* name, Length value, const Spread& spread)
 {
   if (value >= spread.low && value <= spread.high) return {};
@@ -98,7 +98,8 @@ Result<Done> checkBasalTurn(const BasalTurn& turn)
   return Done{};
 }
 
-/// A, B and perhaps H. The numbers a mouse or a ruler can give; the population decides afterwards.
+/// Reads A, B and optionally H. Accepts any measurable value; the population limits are checked
+/// later.
 BasalTurn readBasalTurn(TomlReader& reader)
 {
   for (const char* key : {"st_length_mm", "rw_width_mm", "rw_height_mm"})
@@ -180,7 +181,7 @@ Result<Patient> samplePatient(std::uint64_t seed)
   Patient patient;
   patient.label = "sample " + std::to_string(seed);
   patient.basalTurn = BasalTurn{half.a(), half.b(), std::nullopt};
-  // one in ten thousand lies beyond what a patient may have
+  // one in ten thousand samples is outside the allowed range
   if (const auto done = checkPatient(patient); !done)
     return Error{"The cochlea drawn with seed " + std::to_string(seed) +
                  " is out of limits: " + done.error().message + " Use another seed."};

@@ -59,7 +59,7 @@ double sumOf(const Four& sum, const Four& values)
   return sum[0] * values[0] + sum[1] * values[1] + sum[2] * values[2] + sum[3] * values[3];
 }
 
-/// Whole numbers without a pattern, by a seed: SplitMix64 (Steele, Lea and Flood 2014).
+/// Pseudorandom integers from a seed: SplitMix64 (Steele, Lea and Flood 2014).
 class Shuffled {
 public:
   explicit Shuffled(std::uint64_t seed) : state_(seed) { state_ = next(); }
@@ -93,7 +93,7 @@ Four normalDeviates(Shuffled& shuffled)
   return deviates;
 }
 
-/// The lower triangle whose square is the correlation (Cholesky).
+/// Cholesky factor (lower triangle) of the correlation matrix.
 std::array<Four, count> rootOfCorrelation()
 {
   std::array<Four, count> root{};

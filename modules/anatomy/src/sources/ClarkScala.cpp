@@ -11,13 +11,13 @@
 namespace perilymph::anatomy {
 namespace {
 
-// Clark, Warren and Abbott 2011 (confidence medium: seen in public code that cites them). Cohen
+// Clark, Warren and Abbott 2011 (confidence medium: taken from public code that cites them). Cohen
 // puts the round window at 13.47 degrees.
 constexpr double roundWindow_deg = 10.3;
 constexpr double climb_mm_deg = 0.003056;
 
 // Medial shift of the section's center, Leon et al. 2014, J Med Devices 8:041010, Table 3
-// (confidence medium: seen in public code that cites it).
+// (confidence medium: taken from public code that cites it).
 struct Shift {
   double angle_deg, direction, size_mm;  // direction in radians, from medial toward the base
 };
@@ -42,7 +42,7 @@ SpiralPoint shiftAt(std::size_t row)
   return {-size * direction.cosine, -size * direction.sine};
 }
 
-/// Straight lines between the rows, the first and the last going on.
+/// Linear interpolation between the rows, extrapolated beyond the first and the last.
 SpiralPoint shiftBetween(double angle_deg)
 {
   if (angle_deg <= shifts.front().angle_deg) return shiftAt(0);

@@ -8,18 +8,19 @@ namespace perilymph::anatomy {
 namespace {
 
 // Cohen 1996 as restated by Clark, Warren and Abbott 2011, J Med Devices 5:014501 (confidence
-// medium: constants seen in public code that cites them).
+// medium: constants taken from public code that cites them).
 constexpr double planA = 3.762e-3;  // [m]
 constexpr double planB = 0.001317;  // [1/deg]
 constexpr double planC = 7.967e-3;  // [m]
 constexpr double planD = 0.1287;
 constexpr double planStart_deg = 5.0;
 constexpr double planBranch_deg = 100.0;
-// The two branches meet with a kink; a fifth-degree blend over this half-width takes its place
+// The two branches meet with a kink, which a fifth-degree blend over this half-width replaces
 // (ours; confidence medium).
 constexpr double planBlend_deg = 15.0;
 
-/// A polynomial of fifth degree that takes over value, slope and bend at both ends of [0, 1].
+/// A polynomial of fifth degree that matches value, first and second derivative at both ends of [0,
+/// 1].
 double blend5(double x, const double from[3], const double to[3])
 {
   const double a0 = from[0], a1 = from[1], a2 = 0.5 * from[2];
@@ -32,7 +33,8 @@ double blend5(double x, const double from[3], const double to[3])
   return a0 + x * (a1 + x * (a2 + x * (a3 + x * (a4 + x * a5))));
 }
 
-/// Plan radius, slope and bend [m, m/deg, m/deg^2] on the logarithmic branch at the base ...
+/// Plan radius and its first and second derivatives [m, m/deg, m/deg^2] on the logarithmic branch
+/// at the base ...
 std::array<double, 3> basalBranch(double spiral_deg)
 {
   const double x = spiral_deg - planStart_deg;

@@ -1,6 +1,6 @@
 #pragma once
 
-// The spiral that the published and the Clark anatomy share.
+// The template spiral of the published and the Clark anatomy.
 
 namespace perilymph::anatomy {
 

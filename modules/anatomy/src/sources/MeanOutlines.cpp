@@ -8,22 +8,22 @@
 namespace perilymph::anatomy {
 namespace {
 
-// The measured sections count from the first one. That it stands at the center of the round window
-// is an assumption (confidence medium: A, B and the lengths come out right with it). A negative
+// The measured angles are counted from the first section. That this section is at the center of the
+// round window is an assumption (confidence medium: it reproduces A, B and the lengths). A negative
 // angle would put the round window beyond the first section.
 constexpr double firstSection_deg = 0.0;
 
-// Beyond the last measured section at 675 degrees: to 2.5 turns by the trend of the last turn,
-// ending in a cap (ours; confidence low).
+// Beyond the last measured section at 675 degrees: extrapolated to 2.5 turns by the trend of the
+// last turn and closed by a cap (ours; confidence low).
 constexpr double last_deg = 900.0;
 constexpr double trendStep_deg = 22.5;
-// The cap: an ellipsoid about as long as half the section is wide there, cut off where it has
+// The cap: an ellipsoid about as long as half the section's width there, truncated where it has
 // shrunk to 31 %.
 constexpr double cap_deg = 50.0;
 constexpr double capCut = 0.95;
 
-// The organ-of-Corti path runs this far inside the outermost wall: then it is 31.0 mm long to 675
-// degrees, as the organ-of-Corti path of the same cochleae (Schurzig et al. 2021, Life 11:373).
+// Distance of the organ-of-Corti path inside the outermost wall: with it the path is 31.0 mm long
+// to 675 degrees, as in the same cochleae (Schurzig et al. 2021, Life 11:373).
 constexpr double organOfCortiInside = 0.176e-3;
 
 constexpr double membraneWidthBase = 0.15e-3;
@@ -31,8 +31,8 @@ constexpr double membraneWidthApex = 0.52e-3;
 
 constexpr int corners = 240;
 
-/// Sections that go on by the trend of the last measured turn: everything shrinks as the outer wall
-/// did, and the rise shrinks with it.
+/// Extrapolates sections by the trend of the last measured turn: all dimensions shrink with the
+/// radius of the outer wall, and the rise with them.
 std::vector<MeasuredSection> continued(std::vector<MeasuredSection> sections)
 {
   const MeasuredSection last = sections.back();
@@ -69,8 +69,8 @@ MeanOutlines::MeanOutlines(const std::vector<MeasuredSection>& measured)
   angles.reserve(sections.size());
   for (const MeasuredSection& section : sections)
     angles.push_back(section.angle + degrees(firstSection_deg).si());
-  // Ends that are no knots: the wall sweeps in so fast at the round window that an end without bend
-  // would be 40 um off on average at 8 degrees, and this one is 15.
+  // Not-a-knot ends: the wall curves in so fast at the round window that a natural end has a mean
+  // error of 40 um at 8 degrees, this one 15.
   for (std::size_t k = 0; k < sections.front().real.size(); ++k) {
     std::vector<double> real, imaginary;
     for (const MeasuredSection& section : sections) {
@@ -126,7 +126,7 @@ Outline MeanOutlines::outline(double angle, double fraction) const
 
 double MeanOutlines::organOfCorti(double angle) const
 {
-  // the path does not turn into the cap
+  // the path does not follow the cap
   double outermost = 0.0;
   for (const HalfPlanePoint& corner : outline(angle, 1.0))
     outermost = std::max(outermost, corner.r);

@@ -1,6 +1,6 @@
 #pragma once
 
-// The mean scala tympani between and beyond its measured sections.
+// The mean scala tympani, interpolated between and extrapolated beyond its measured sections.
 
 #include <vector>
 
@@ -10,20 +10,20 @@
 
 namespace perilymph::anatomy {
 
-/// Outlines of the mean scala tympani at any angle, before any patient's scale.
+/// Outlines of the mean scala tympani at any angle, before scaling to a patient.
 class MeanOutlines {
 public:
   explicit MeanOutlines(const std::vector<MeasuredSection>& sections);
 
-  /// The angle at which the lumen ends [rad].
+  /// Angle of the end of the lumen [rad].
   static double lastAngle();
 
-  /// The angle of the last measured section [rad].
+  /// Angle of the last measured section [rad].
   double measuredAngle() const { return measured_; }
 
   /// The outline at an angle from the round window, counter-clockwise.
   Outline outline(double angle) const;
-  /// Share of the section that the rounded cap at the apex leaves: 1 before it.
+  /// Scale of the section within the rounded cap at the apex; 1 before it.
   static double capFraction(double angle);
   /// Distance of the organ-of-Corti path from the axis [m].
   double organOfCorti(double angle) const;

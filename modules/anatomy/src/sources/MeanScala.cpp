@@ -32,7 +32,7 @@ Extent heights(const Outline& outline)
   return extent;
 }
 
-/// A patient's scala tympani as the mean one scaled.
+/// The mean scala tympani scaled to a patient.
 class ScaledMean {
 public:
   ScaledMean(const MeanOutlines& mean, const BasalTurn& wanted)
@@ -40,7 +40,7 @@ public:
         typical_(likeliestHalfDiameters(diameter(mean, 0.0), diameter(mean, 90.0))),
         patient_(likeliestHalfDiameters(wanted.a, wanted.b))
   {
-    // (1 + even + odd cos 2 angle) is 1 + even + odd along A and 1 + even - odd along B
+    // 1 + even + odd cos 2 angle equals 1 + even + odd along A and 1 + even - odd along B
     const double alongA = wanted.a.si() / scaledDiameter(0.0);
     const double alongB = wanted.b.si() / scaledDiameter(90.0);
     even_ = 0.5 * (alongA + alongB) - 1.0;
@@ -49,7 +49,7 @@ public:
     if (wanted.h) fitHeight(wanted.h->si());
   }
 
-  /// How much larger than the mean's radii the patient's are.
+  /// Ratio of the patient's radius to the mean's.
   double fraction(double angle) const
   {
     const double spiral =
@@ -84,7 +84,7 @@ private:
     return sum;
   }
 
-  // The height grows with the rise: halve the interval in which the wanted one lies.
+  // The height increases with the rise: bisection.
   void fitHeight(double wanted)
   {
     struct Row {

@@ -47,11 +47,11 @@ Result<std::vector<MeasuredSection>> loadMeasuredSections()
     if (!sections.empty() && section.angle <= sections.back().angle)
       table.refuse("angle_deg", "angle_deg must grow from section to section.");
     sections.push_back(section);
-    // a mistake is kept by the reader of the whole file, which says it below
+    // the reader of the whole file keeps the error, which is reported below
     if (!table.finish()) break;
   }
   if (const auto done = reader->finish(); !done) return done.error();
-  // four knots make a spline; the trend is that of a whole turn
+  // a spline needs four knots, the trend a whole turn
   if (sections.size() < 8 || sections.back().angle - sections.front().angle < 2.0 * pi)
     return Error{reader->name() + ": there are " + std::to_string(sections.size()) +
                  " sections; at least 8 over a full turn are needed. Install the program again."};

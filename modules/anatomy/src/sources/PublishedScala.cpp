@@ -1,7 +1,7 @@
 // The published three-parameter scala tympani (Todd and Naghdy, section II.B): quarter-turn
 // sections as percentages of the one at the round window, inner wall as percentages of the
-// organ-of-Corti length, parabolic sides, flat basilar membrane. Where the paper leaves a gap, a
-// named constant with its source closes it.
+// organ-of-Corti length, parabolic sides, flat basilar membrane. Each gap in the paper is filled by
+// a named constant with its source.
 
 #include <algorithm>
 #include <array>
@@ -42,10 +42,10 @@ constexpr std::array<Quarter, 9> quarters{{{0.0, 1.94, 1.85, 4.30},
                                            {540.0, 1.46, 0.88, 0.25},
                                            {630.0, 1.42, 0.90, 0.10},
                                            {675.0, 1.39, 0.90, 0.09}}};
-// Beyond the last measured section width and height shrink to this share of it at the apex
+// Beyond the last measured section width and height decrease to this fraction of it at the apex
 // (ours; confidence low).
 constexpr double apexTaper = 0.6;
-// The stretch after the first turn over which the 10 degree rise goes over into the tilt (ours;
+// The stretch after the first turn over which the 10 degree rise changes to the tilt (ours;
 // confidence low).
 constexpr double tiltBlend_deg = 90.0;
 
@@ -71,9 +71,9 @@ double lastAngle_deg()
   return angle_deg;
 }
 
-/// The published section: sides are parabolas that reach from the walls at half height to the edges
-/// of a flat roof, the basilar membrane, whose inner edge is at the section's center; the floor is
-/// as the roof. From the center to that outline, in a direction.
+/// Distance from the center to the outline of the published section in a direction. The sides are
+/// parabolas from the walls at half height to the edges of a flat roof, the basilar membrane, whose
+/// inner edge is at the section's center; the floor mirrors the roof.
 double outlineRadius(double direction, double halfWidth, double halfHeight, double membrane)
 {
   const SineCosine d = sineCosine(direction);
@@ -93,8 +93,8 @@ double outlineRadius(double direction, double halfWidth, double halfHeight, doub
   return inside;
 }
 
-/// The rise of the center line: 10 degrees along the inner wall over the first turn, then a tilt
-/// that brings the whole to the published height. Heights [m] at each section.
+/// Heights of the center line at each section [m]: a rise of 10 degrees along the inner wall over
+/// the first turn, then a tilt that yields the published total height.
 std::vector<double> centerHeights(const std::vector<double>& innerRadius, double step,
                                   double height)
 {
@@ -102,9 +102,9 @@ std::vector<double> centerHeights(const std::vector<double>& innerRadius, double
   const double turn = 2.0 * pi;
   const double blend = tiltBlend_deg * pi / 180.0;
 
-  // slope over the first turn; `base` ends where the tilt has taken over
+  // slope over the first turn; `base` ends where the tilt has replaced it
   std::vector<double> rise(sections, 0.0);
-  std::vector<double> weight(sections, 0.0);  // of the tilt in the slope
+  std::vector<double> weight(sections, 0.0);  // weight of the tilt in the slope
   double lastSlope = 0.0;
   for (std::size_t i = 0; i < sections; ++i) {
     const std::size_t before = i > 0 ? i - 1 : 0;
@@ -118,7 +118,7 @@ std::vector<double> centerHeights(const std::vector<double>& innerRadius, double
     weight[i] = x * x * x * (10.0 + x * (-15.0 + 6.0 * x));
     rise[i] = past <= 0.0 ? slope : lastSlope * (1.0 - weight[i]);
   }
-  // trapezoids of both parts; the tilt's slope follows from the total
+  // trapezoidal integration of both parts; the tilt's slope follows from the total
   double risen = 0.0, tilted = 0.0;
   for (std::size_t i = 1; i < sections; ++i) {
     risen += 0.5 * step * (rise[i] + rise[i - 1]);
@@ -147,8 +147,8 @@ std::shared_ptr<const ScalaTympani> buildPublished(const Patient& patient, Lengt
     angles.push_back(quarter.angle_deg);
     widthRatio.push_back(quarter.width_mm / quarters[0].width_mm);
     heightRatio.push_back(quarter.height_mm / quarters[0].height_mm);
-    // as a share of the plan curve at the same angle, so that between quarter turns the inner wall
-    // bends as the spiral does
+    // relative to the plan curve at the same angle, so that between quarter turns the inner wall
+    // curves as the spiral does
     innerRatio.push_back(quarter.inner_mm / 1e3 / cohenRadius(startSpiral_deg + quarter.angle_deg));
   }
   angles.push_back(end_deg);

@@ -34,7 +34,7 @@ HalfDiameters likeliestHalfDiameters(Length a, Length b);
 /// Radius of the outer wall at an angle from the round window, up to the turn angle [m].
 double outerWallRadius(const HalfDiameters& half, Angle angle);
 
-/// Total angle of the cochlea.
+/// Total angle through which the cochlea turns.
 Angle turnAngle(const HalfDiameters& half);
 
 /// Half-diameters drawn from the population's normal distribution: the same for the same seed on

@@ -1,6 +1,6 @@
 #pragma once
 
-// Friction that rises and falls with speed, as measured point by point.
+// Kinetic friction as a tabulated function of speed.
 
 #include <array>
 #include <cstddef>
@@ -11,23 +11,23 @@
 
 namespace perilymph::mechanics {
 
-/// The coefficient of friction of a sliding node by its speed: through every given point, between
-/// two of them monotone (a cubic with the slopes of Fritsch and Butland 1984), so that no hump
-/// appears that was not measured. Below the first speed and above the last one it stays.
+/// Coefficient of kinetic friction by sliding speed: interpolates the given points with monotone
+/// cubics (slopes of Fritsch and Butland 1984), so that no extremum appears that was not measured.
+/// Constant below the first and above the last speed.
 class FrictionBySpeed {
 public:
   static constexpr std::size_t maxPoints = 8;
 
-  /// No points: the speed follows the two coefficients of FrictionLaw.
+  /// No points: the coefficient follows from the two coefficients of FrictionLaw.
   FrictionBySpeed() = default;
-  /// @throws std::invalid_argument with a sentence unless there are 1 to 8 points with growing
-  /// speeds from 0 on and coefficients from 0 to 2.
+  /// @throws std::invalid_argument with a message unless there are 1 to 8 points with strictly
+  /// increasing speeds of 0 or more and coefficients from 0 to 2.
   FrictionBySpeed(const std::vector<Speed>& speeds, const std::vector<double>& coefficients);
 
   bool isEmpty() const noexcept { return points_ == 0; }
-  /// The coefficient at a speed of 0 or more [m/s]; only with points. Real-time safe.
+  /// Coefficient at a speed of 0 or more [m/s]; requires points. Real-time safe.
   double at(double speed) const noexcept;
-  /// The least and the greatest one; only with points.
+  /// Minimum and maximum coefficient; require points.
   double minimum() const noexcept;
   double maximum() const noexcept;
   void addTo(Hash& hash) const noexcept;
@@ -36,7 +36,7 @@ private:
   std::size_t points_ = 0;
   std::array<double, maxPoints> speed_{};        // [m/s]
   std::array<double, maxPoints> coefficient_{};  // at each speed
-  std::array<double, maxPoints> slope_{};        // of the coefficient there [s/m]
+  std::array<double, maxPoints> slope_{};        // of the coefficient at each speed [s/m]
 };
 
 }  // namespace perilymph::mechanics

@@ -1,6 +1,6 @@
 #pragma once
 
-// Everything about one insertion that changes while it runs.
+// The variable data of an insertion.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -13,56 +13,59 @@
 
 namespace perilymph::mechanics {
 
-/// How the hand holds the base of the array.
+/// Coupling of the hand to the base of the array.
 enum class Coupling : std::uint32_t {
-  rigid,   ///< The base is where the hand is: scripts, published runs.
-  spring,  ///< A spring-damper between them: hands that feel.
+  rigid,   ///< The base follows the hand exactly: scripts, published runs.
+  spring,  ///< A spring-damper between them: haptic devices.
 };
 
-/// All that enters one step.
+/// Input of one step.
 struct Drive {
-  Eigen::Vector3d handPosition_W = Eigen::Vector3d::Zero();  ///< Where the hand wants the base [m].
+  Eigen::Vector3d handPosition_W = Eigen::Vector3d::Zero();  ///< Position of the base commanded by
+                                                             ///< the hand [m].
   Eigen::Vector3d handVelocity_W = Eigen::Vector3d::Zero();  ///< [m/s]
-  Eigen::Vector3d handAxis_W = Eigen::Vector3d::UnitZ();  ///< Unit: which way the array leaves it.
-  Eigen::Vector3d handCurl_W = Eigen::Vector3d::UnitX();  ///< Unit, across: where it curls to.
-  double styletWithdrawal = 0.0;                          ///< [m]; 0 fully in.
+  Eigen::Vector3d handAxis_W = Eigen::Vector3d::UnitZ();     ///< Unit: direction in which the array
+                                                             ///< leaves the hand.
+  Eigen::Vector3d handCurl_W = Eigen::Vector3d::UnitX();     ///< Unit, perpendicular to the axis:
+                                                             ///< direction of curl.
+  double styletWithdrawal = 0.0;                             ///< [m]; 0: fully inserted.
   Coupling coupling = Coupling::rigid;
   double couplingStiffness = 0.0;  ///< [N/m]
   double couplingDamping = 0.0;    ///< [N.s/m]
 };
 
-/// What one step gives to the rest of the program.
+/// Output of one step.
 struct Readings {
-  double depth = 0.0;         ///< Length of array past the plane of the opening [m].
+  double depth = 0.0;         ///< Array length past the plane of the opening [m].
   double angularDepth = 0.0;  ///< Angle of the tip from the round window [rad]; 0 before it.
   double speed = 0.0;         ///< Speed of the base into the cochlea [m/s].
   Eigen::Vector3d handForce_W = Eigen::Vector3d::Zero();   ///< Force of the array on the hand [N].
   Eigen::Vector3d handTorque_W = Eigen::Vector3d::Zero();  ///< About the base [N.m].
   double axialForce = 0.0;      ///< handForce along E.z: positive while pushing in [N].
-  double wallForceMax = 0.0;    ///< Greatest normal force of one node [N].
+  double wallForceMax = 0.0;    ///< Maximum normal force on one node [N].
   double wallForceTotal = 0.0;  ///< Sum of all normal forces [N].
-  double membraneForce = 0.0;   ///< Sum of those on the basilar membrane [N].
+  double membraneForce = 0.0;   ///< Sum of the normal forces on the basilar membrane [N].
   double rimForce = 0.0;        ///< Normal force of the opening's rim on the array [N].
-  int contacts = 0;             ///< Nodes that touch the wall.
+  int contacts = 0;             ///< Number of nodes that touch the wall.
   int iterations = 0;           ///< Newton iterations in this step.
-  double residual = 0.0;        ///< Greatest force left unbalanced on a node [N].
-  bool isFinite = true;         ///< False: a number overflowed; nothing else can be trusted.
+  double residual = 0.0;        ///< Maximum unbalanced force on a node [N].
+  bool isFinite = true;         ///< False: a value overflowed; all others are unreliable.
 };
 
-/// What the wall does to an oval section at a node: it turns its thin side toward itself.
+/// Torque of the wall on an oval section at a node, which turns its thin side toward the wall.
 struct WallTorque {
   double torque = 0.0;     ///< About the edge before the node [N.m].
-  double stiffness = 0.0;  ///< Upper bound of its derivative by the turn [N.m].
+  double stiffness = 0.0;  ///< Upper bound of its derivative by the rotation [N.m].
 };
 
 struct StepWorkspace;
 
-/// Owns the solver's memory: intermediate results of a step, and the factors of the last stiffness
-/// that was factored, which are part of the state's value. A copy has memory of its own; assigning
-/// between states of one model does not allocate.
+/// Owns the solver's memory: intermediate results of a step, and the last factorization of the
+/// stiffness, which is part of the state's value. Copies have their own memory; assignment between
+/// states of one model does not allocate.
 class WorkspaceHandle {
 public:
-  /// @param rodNodes  0 for a model of points.
+  /// @param rodNodes  0 for a point set.
   explicit WorkspaceHandle(std::size_t rodNodes);
   WorkspaceHandle(const WorkspaceHandle& other);
   WorkspaceHandle(WorkspaceHandle&& other) noexcept;
@@ -76,43 +79,44 @@ public:
   const StepWorkspace* operator->() const noexcept { return workspace_.get(); }
 
 private:
-  std::unique_ptr<StepWorkspace> workspace_;  ///< Null only after a move.
+  std::unique_ptr<StepWorkspace> workspace_;  ///< Null only in a moved-from handle.
 };
 
-/// The state, sized once from the model. Copies compare equal and hash equal.
+/// The state of an insertion, sized once from the model. Copies compare equal and hash equal.
 struct InsertionState {
-  /// The array straight at its start, at rest.
+  /// Initial state: the array straight and at rest.
   explicit InsertionState(const InsertionModel& model);
 
-  /// Back to the start, without allocating. Real-time safe.
+  /// Restores the initial state without allocating. Real-time safe.
   void reset(const InsertionModel& model) noexcept;
 
-  /// A fingerprint of all that the next step depends on.
+  /// A fingerprint of all data that the next step depends on.
   std::uint64_t fingerprint() const noexcept;
 
   std::uint64_t tick = 0;
-  Eigen::Vector3d base_W;                   ///< Where the tweezers are [m].
+  Eigen::Vector3d base_W;                   ///< Position of the tweezers [m].
   Eigen::Vector3d baseVelocity_W;           ///< [m/s]
   double styletWithdrawal = 0.0;            ///< [m]
   std::vector<Eigen::Vector3d> position_W;  ///< Position of each node [m].
   std::vector<Eigen::Vector3d> velocity_W;  ///< Velocity of each node [m/s].
-  /// Unit, of each edge (the last one twice): to where the material curls.
+  /// Unit direction of curl of each edge (the last one twice).
   std::vector<Eigen::Vector3d> curl_W;
   std::vector<Eigen::Vector3d> frictionSpring_W;  ///< Stretch of each node's friction spring [m].
   std::vector<unsigned char> isSliding;           ///< Whether each node slides.
   std::vector<double> slipSpeed;                  ///< Speed of each node along the wall [m/s].
   std::vector<anatomy::LumenTrack> track;         ///< The turn of the duct each node is in.
-  /// Whether each node is over bone beside the opening or presses into it from outside.
+  /// Whether each node is over bone beside the opening or in contact with it from outside.
   std::vector<unsigned char> isBeside;
   std::vector<double> clearance;              ///< Distance each node can move in any direction
                                               ///< without touching [m].
   std::vector<double> normalForce;            ///< Normal force of the wall on each node [N].
   std::vector<Eigen::Vector3d> wallForce_W;   ///< Normal and friction on each node [N].
-  std::vector<Eigen::Vector3d> wallNormal_W;  ///< Unit, off the wall, where a node touches it.
-  std::vector<WallTorque> wallTorque;         ///< On each node's section, if it is oval.
+  std::vector<Eigen::Vector3d> wallNormal_W;  ///< Unit normal of the wall at each node that touches
+                                              ///< it.
+  std::vector<WallTorque> wallTorque;         ///< On each node's section, if oval.
   std::vector<double> membraneForce;          ///< Force of the basilar membrane on each node [N].
   RimContact rim;
-  PointSetState points;  ///< State of a model of points; else empty.
+  PointSetState points;  ///< State of a point set; empty for a rod.
   Readings readings;
 
   WorkspaceHandle workspace;  ///< Memory of the solver.

@@ -13,30 +13,31 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double maxTurn = 0.2;  // [rad] of an edge in a step
+constexpr double maxTurn = 0.2;  // maximum rotation of an edge in a step [rad]
 
-/// The angle whose sine and cosine these are. A series where it is small, as between two edges.
+/// Angle with the given sine and cosine; a series for small angles, as between two edges.
 double angleOf(double sine, double cosine) noexcept
 {
   const double x = sine * sine;
-  // left out is less than 3e-10 of the angle
+  // truncation error below 3e-10 of the angle
   if (cosine > 0.0 && x < 0.01)
     return sine * (1.0 + x * (1.0 / 6.0 + x * (3.0 / 40.0 + x * (5.0 / 112.0))));
   return arcTangent(sine, cosine);
 }
 
-/// What is left of d across t, of unit length.
+/// The component of d perpendicular to t, normalized.
 Vector3d across(const Vector3d& d, const Vector3d& t) noexcept
 {
   const Vector3d rest = d - d.dot(t) * t;
   const double size = rest.squaredNorm();
-  // from step to step next to nothing is along t, and the root's first terms do
+  // from step to step the component along t is tiny: the first terms of the root suffice
   const double scale =
       std::fabs(size - 1.0) < 1e-5 ? 1.5 - 0.5 * size : 1.0 / std::sqrt(std::max(size, 1e-12));
   return scale * rest;
 }
 
-/// The two edges that meet at a node: their tangents, their curls, and what is across both.
+/// The two edges that meet at a node: tangents, directions of curl, and the directions
+/// perpendicular to both.
 struct TurningJoint {
   const Vector3d& p;
   const Vector3d& t;
@@ -56,7 +57,7 @@ struct TurningJoint {
   }
 };
 
-/// The angle from d, turned along with p into t by the least rotation, to e.
+/// Angle from d, rotated with p into t by the smallest rotation, to e.
 double twistOf(const TurningJoint& joint, double inverseSum) noexcept
 {
   const double back = joint.d.dot(joint.t) * inverseSum;
@@ -65,21 +66,22 @@ double twistOf(const TurningJoint& joint, double inverseSum) noexcept
   return angleOf(sine, cosine);
 }
 
-/// The direction in which an oval section resists more: that of the curl, or across it.
+/// Direction of the larger EI of an oval section: that of the curl, or perpendicular to it.
 Vector3d stifferWay(const InsertionModel& model, const TurningJoint& joint, std::size_t i) noexcept
 {
   if (model.stifferAcross[i] == 0) return 0.5 * (joint.d + joint.e);
   return 0.5 * (joint.p.cross(joint.d) + joint.t.cross(joint.e));
 }
 
-/// Energy of the joint at node i by the turning of its two edges.
+/// Derivatives of the energy of the joint at node i by the rotation of its two edges.
 struct TurnEnergy {
   double last = 0.0, next = 0.0;          ///< First derivatives [N.m].
-  double both = 0.0;                      ///< Second derivative by a turn of both, a quarter of it.
-  double lastStep = 0.0, nextStep = 0.0;  ///< Second derivatives: products of these two.
+  double both = 0.0;                      ///< A quarter of the second derivative by a common
+                                          ///< rotation.
+  double lastStep = 0.0, nextStep = 0.0;  ///< Second derivatives are products of these two.
 };
 
-/// Derivatives of the bending energy 1/2 (EI/h) |w - h kappa (d + e)/2|^2 by the turn.
+/// Derivatives of the bending energy 1/2 (EI/h) |w - h kappa (d + e)/2|^2 by the rotation.
 TurnEnergy bendingByTurn(const InsertionModel& model, const SectionStiffness& section,
                          const RodKinematics& rod, const TurningJoint& joint,
                          std::size_t i) noexcept
@@ -95,7 +97,7 @@ TurnEnergy bendingByTurn(const InsertionModel& model, const SectionStiffness& se
   return energy;
 }
 
-/// Adds the same of what makes an oval section stiffer in one direction.
+/// Adds the derivatives of the excess bending energy of an oval section.
 void addOval(const InsertionModel& model, const SectionStiffness& section, const RodKinematics& rod,
              const TurningJoint& joint, std::size_t i, TurnEnergy& energy) noexcept
 {
@@ -122,8 +124,8 @@ TurnEnergy energyByTurn(const InsertionModel& model, const SectionStiffness& sec
   return energy;
 }
 
-/// Adds k b b^T for a twist that grows by b with the motion of the node after i against that
-/// before.
+/// Adds k b b^T for a twist with gradient b by the motion of the node after i relative to the node
+/// before it.
 void addTwist(BandMatrix& matrix, std::size_t i, const Vector3d& b, double k) noexcept
 {
   const Vector3d l = k * b;
@@ -137,7 +139,7 @@ void addTwist(BandMatrix& matrix, std::size_t i, const Vector3d& b, double k) no
       {block.xx, block.xy, block.xz, block.xy, block.yy, block.yz, block.xz, block.yz, block.zz};
 }
 
-/// Adds k g g^T for the gradients of a joint by its three nodes.
+/// Adds k g g^T for the gradients g of a joint by its three nodes.
 void addRankOne(BandMatrix& matrix, std::size_t i, const std::array<Vector3d, 3>& g,
                 double k) noexcept
 {
@@ -151,7 +153,7 @@ void addRankOne(BandMatrix& matrix, std::size_t i, const std::array<Vector3d, 3>
       if (row == column) {
         matrix.diagonal[row] += {block.xx, 0.5 * (block.xy + block.yx), 0.5 * (block.xz + block.zx),
                                  block.yy, 0.5 * (block.yz + block.zy), block.zz};
-        // two nodes of the base: what the one does to the other counts both ways
+        // both nodes belong to the base: their coupling counts twice
         if (a != b)
           matrix.diagonal[row] +=
               {block.xx, 0.5 * (block.xy + block.yx), 0.5 * (block.xz + block.zx),
@@ -164,7 +166,7 @@ void addRankOne(BandMatrix& matrix, std::size_t i, const std::array<Vector3d, 3>
     }
 }
 
-/// Where each edge's own curl is once it has followed its edge, and what is across it.
+/// Transports each edge's direction of curl with the edge, and computes the perpendicular.
 void followEdges(const Vector3d& handCurl_W, InsertionState& state, RodKinematics& rod) noexcept
 {
   const std::size_t edges = state.curl_W.size() - 1;
@@ -176,7 +178,7 @@ void followEdges(const Vector3d& handCurl_W, InsertionState& state, RodKinematic
   }
 }
 
-/// Torque on each edge and its stiffness; those between neighbors in `turns.beside`.
+/// Computes the torque on each edge and its stiffness; coupling of neighbors in `turns.beside`.
 void findTorques(const InsertionModel& model, const InsertionState& state,
                  const SectionStiffness& section, RodKinematics& rod, TwistSystem& turns) noexcept
 {
@@ -202,7 +204,8 @@ void findTorques(const InsertionModel& model, const InsertionState& state,
   }
 }
 
-/// Turns every edge but the first, which is in the hand: tridiagonal elimination from the tip.
+/// Rotates every edge except the first, which is held by the hand: tridiagonal elimination from the
+/// tip.
 void turnEdges(InsertionState& state, RodKinematics& rod, TwistSystem& turns) noexcept
 {
   const std::size_t edges = state.curl_W.size() - 1;

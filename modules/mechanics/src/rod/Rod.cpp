@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Two links that follow each other, and how the rod bends from the first to the second.
+/// Two successive links and the discrete curvature between them.
 struct Joint {
   const RodEdge& last;
   const RodEdge& next;
@@ -28,17 +28,17 @@ struct Joint {
   Vector3d bend_W() const noexcept { return (2.0 * c) * (next.tangent_W - last.tangent_W); }
 };
 
-/// Force that stretches an edge, positive where it is longer than at rest [N].
+/// Tensile force of an edge, positive if it is longer than at rest [N].
 double tensionOf(double stiffness, double rest, double length, double before,
                  double damping) noexcept
 {
   return stiffness * ((length - rest) + damping * (length - before));
 }
 
-/// Moments that the bend of a joint puts on its two links, as forces on their far ends.
+/// Moments of a bent joint on its two links, as forces on their far ends.
 struct JointForces {
-  Vector3d onNext_W;  ///< Taken away from the node after.
-  Vector3d onLast_W;  ///< Taken away from the node before.
+  Vector3d onNext_W;  ///< Subtracted from the node after.
+  Vector3d onLast_W;  ///< Subtracted from the node before.
 };
 
 /// The exact gradient of the bending energy, whose derivative by the bend is `stress`: the
@@ -54,8 +54,8 @@ JointForces forcesOf(const Joint& joint, const Vector3d& bend_W, const Vector3d&
           b * (stress - p * (p.dot(stress) + half * joint.cosine) + half * t)};
 }
 
-/// EI at a node with the stylet in a share of its stretch of array. Where the stylet ends, a piece
-/// without it and a piece with it yield one after the other.
+/// EI at a node whose segment is partly covered by the stylet: a part with and a part without it in
+/// series.
 double bendingOf(double carrier, double stylet, double covered) noexcept
 {
   const double both = carrier + stylet;
@@ -64,7 +64,7 @@ double bendingOf(double carrier, double stylet, double covered) noexcept
   return carrier * both / (both - covered * stylet);
 }
 
-/// scale (1 - t t^T): takes away what is along t.
+/// scale (1 - t t^T): the projection perpendicular to t, scaled.
 SymmetricBlock<double> across(const Vector3d& t, double scale) noexcept
 {
   const double x = scale * t[0], y = scale * t[1], z = scale * t[2];
@@ -83,8 +83,8 @@ Block<double> acrossBoth(const Vector3d& t, const Vector3d& p, double cosine, do
           scale + t[2] * u[2] - v[2] * p[2]};
 }
 
-/// Derivative of an edge's force by the motion of one of its ends: along it the material, across it
-/// the tension.
+/// Derivative of an edge's force by the position of one of its ends: along it from the material,
+/// across it from the tension.
 SymmetricBlock<double> stiffnessOf(const RodEdge& edge, double along, double sideways) noexcept
 {
   SymmetricBlock<double> block = across(edge.tangent_W, sideways - along);
@@ -103,7 +103,7 @@ SymmetricBlock<double> withMirror(const Block<double>& a) noexcept
   return {2.0 * a.xx, a.xy + a.yx, a.xz + a.zx, 2.0 * a.yy, a.yz + a.zy, 2.0 * a.zz};
 }
 
-/// The stretching of the edge between the nodes i and i + 1.
+/// Adds the stretching stiffness of the edge between the nodes i and i + 1.
 void addStretching(const InsertionModel& model, std::size_t i, double damping,
                    Compression compression, const RodKinematics& rod, BandMatrix& matrix) noexcept
 {
@@ -118,9 +118,9 @@ void addStretching(const InsertionModel& model, std::size_t i, double damping,
   matrix.beside[a + 1] -= asBlock(block);
 }
 
-/// The bending at node i, to first order in the angle between its links: w changes by a P_t dx_next
-/// at the far end of the one and by b P_p dx_last at that of the other, where P_t takes away what
-/// is along t.
+/// Adds the bending stiffness at node i, to first order in the angle between its links: w changes
+/// by a P_t dx_next at the far end of one link and by b P_p dx_last at that of the other, where P_t
+/// is the projection perpendicular to t.
 void addBending(const InsertionModel& model, std::size_t i, double damping,
                 const SectionStiffness& section, const RodKinematics& rod,
                 BandMatrix& matrix) noexcept
@@ -134,7 +134,7 @@ void addBending(const InsertionModel& model, std::size_t i, double damping,
   const Block<double> nextLast =
       acrossBoth(joint.next.tangent_W, joint.last.tangent_W, joint.cosine, k * a * b);
 
-  // the node itself moves against both far ends
+  // the node itself moves relative to both far ends
   SymmetricBlock<double> hereHere = withMirror(nextLast);
   hereHere += nextNext;
   hereHere += lastLast;
@@ -149,7 +149,7 @@ void addBending(const InsertionModel& model, std::size_t i, double damping,
   matrix.diagonal[last] += lastLast;
   matrix.beside[next] -= nextHere;
   if (here == last) {
-    // both belong to the base: what they do to each other is inside it
+    // both belong to the base: their interaction is internal
     matrix.diagonal[here] -= withMirror(hereLast);
     matrix.beside[next] += nextLast;
   } else {
@@ -194,9 +194,9 @@ void setRestShape(const InsertionModel& model, const std::vector<Vector3d>& posi
     const Vector3d& t = joint.next.tangent_W;
     rod.bendBefore_W[i] = joint.bend_W();
     rod.inverseSum[i] = joint.c;
-    // an array that twists carries its own directions
+    // a twisting array has its own material directions
     if (model.twists) continue;
-    // the least rotation that takes p to t
+    // the smallest rotation from p to t
     const Vector3d next = d - (d.dot(t) * joint.c) * (p + t);
     rod.restBend_W[i] = (0.5 * section.restBend[i]) * (d + next);
     d = next;

@@ -1,6 +1,6 @@
 #pragma once
 
-// The geometry of the rod in one iteration, and what its material is made of at this step.
+// Geometry of the rod in one iteration, and its section properties in this step.
 
 #include <Eigen/Core>
 #include <vector>
@@ -9,7 +9,8 @@
 
 namespace perilymph::mechanics {
 
-/// The start of a time step: where a step that failed returns to, and what motion is measured from.
+/// The start of a time step, to which a rejected step returns and relative to which motion is
+/// computed.
 struct StepStart {
   explicit StepStart(std::size_t nodes = 0) : position_W(nodes), curl_W(nodes), track(nodes) {}
 
@@ -19,15 +20,15 @@ struct StepStart {
   std::vector<anatomy::LumenTrack> track;   ///< The turn of the duct each node is in.
 };
 
-/// Bending stiffness and rest curvature at each node, for the place of the stylet in this step.
+/// Bending stiffness and rest curvature at each node for the position of the stylet in this step.
 struct SectionStiffness {
   explicit SectionStiffness(std::size_t nodes = 0)
       : bending(nodes), bendingExcess(nodes), restBend(nodes)
   {
   }
 
-  std::vector<double> bending;        ///< EI at each node, the lesser [N.m^2].
-  std::vector<double> bendingExcess;  ///< By which the greater exceeds it [N.m^2].
+  std::vector<double> bending;        ///< EI at each node, the smaller one [N.m^2].
+  std::vector<double> bendingExcess;  ///< Amount by which the larger EI exceeds it [N.m^2].
   std::vector<double> restBend;       ///< Spacing times rest curvature at each node.
 };
 
@@ -39,8 +40,8 @@ struct RodEdge {
   double tension = 0.0;                                 ///< [N]
 };
 
-/// Edges, bends and twist of the rod: those of the current iteration, and those at the start of the
-/// step, from which damping and twist count.
+/// Edges, bends and twist of the rod in the current iteration, and at the start of the step,
+/// relative to which damping and twist are computed.
 struct RodKinematics {
   explicit RodKinematics(std::size_t nodes = 0)
       : edge(nodes),
@@ -60,22 +61,22 @@ struct RodKinematics {
   std::vector<double> lengthBefore;           ///< Length of each edge at the start of the step [m].
   std::vector<Eigen::Vector3d> bendBefore_W;  ///< At each node at the start of the step.
   std::vector<Eigen::Vector3d> restBend_W;    ///< Rest bend at each node, with its direction.
-  std::vector<Eigen::Vector3d> stiffer_W;     ///< At each node: direction of the greater EI.
+  std::vector<Eigen::Vector3d> stiffer_W;     ///< Direction of the larger EI at each node.
   std::vector<double> twist;  ///< Twist of the edge after each node against the one before [rad].
-  /// Gradient of the twist at each node by the motion of the next node against that of the last
+  /// Gradient of the twist at each node by the motion of the next node relative to the previous one
   /// [1/m].
   std::vector<Eigen::Vector3d> twistRate_W;
   std::vector<Eigen::Vector3d> curlAcross_W;  ///< Each edge's tangent cross its curl.
   double twistTorque = 0.0;  ///< Torque of the array on the hand about its axis [N.m].
 };
 
-/// The symmetric tridiagonal system whose solution turns every edge about itself.
+/// The symmetric tridiagonal system for the rotation of every edge about its axis.
 struct TwistSystem {
   explicit TwistSystem(std::size_t nodes = 0) : torque(nodes), stiffness(nodes), beside(nodes) {}
 
   std::vector<double> torque;     ///< On each edge [N.m].
   std::vector<double> stiffness;  ///< Torsional stiffness of each edge [N.m].
-  std::vector<double> beside;     ///< Between each edge and the one before [N.m].
+  std::vector<double> beside;     ///< Coupling of each edge and the one before [N.m].
 };
 
 }  // namespace perilymph::mechanics

@@ -1,6 +1,6 @@
 #pragma once
 
-// The memory of the rod's solver, allocated once with the state.
+// Memory of the rod's solver, allocated once with the state.
 
 #include <Eigen/Core>
 #include <vector>
@@ -12,18 +12,18 @@
 
 namespace perilymph::mechanics {
 
-/// How inertia and drag hold each node in a time step.
+/// Inertia and drag of each node in a time step, as a linear spring.
 struct NodeInertia {
   explicit NodeInertia(std::size_t nodes = 0) : hold(nodes), goal_W(nodes, Eigen::Vector3d::Zero())
   {
   }
 
-  std::vector<double> hold;             ///< Stiffness with which they hold a node [N/m] ...
-  std::vector<Eigen::Vector3d> goal_W;  ///< ... and the position at which they do [m].
+  std::vector<double> hold;             ///< Stiffness of that spring [N/m] ...
+  std::vector<Eigen::Vector3d> goal_W;  ///< ... and its rest position [m].
 };
 
-/// Intermediate results of one time step. Nothing outlives it but `system.factors`. Functions that
-/// need one part of it take that part; the solver's loops take it whole.
+/// Intermediate results of one time step; only `system.factors` is kept between steps. Functions
+/// that need one part take that part; the solver's loops take the whole workspace.
 struct RodWorkspace {
   explicit RodWorkspace(std::size_t nodes = 0)
       : start(nodes),
@@ -45,7 +45,7 @@ struct RodWorkspace {
   ContactSet contacts;
   FrictionHistory friction;
   NodeInertia inertia;
-  std::vector<Eigen::Vector3d> force_W;  ///< On each node, of rod, wall and rim [N].
+  std::vector<Eigen::Vector3d> force_W;  ///< Force of rod, wall and rim on each node [N].
   LinearSystem system;
 };
 

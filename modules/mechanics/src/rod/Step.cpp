@@ -8,8 +8,8 @@
 namespace perilymph::mechanics {
 namespace {
 
-/// First guess: while the hand goes on as it did, every node goes on as it did, faster or slower by
-/// the same share; else every node slides along the array by as much as the base advances.
+/// Initial guess: while the hand continues its motion, every node continues its own, scaled by the
+/// same factor; otherwise every node slides along the array by the advance of the base.
 void predict(const InsertionModel& model, InsertionState& state, const Drive& drive,
              const Base& base, SolveStrategy strategy, const RodWorkspace& work) noexcept
 {
@@ -32,7 +32,7 @@ void predict(const InsertionModel& model, InsertionState& state, const Drive& dr
   state.position_W[1] = to_W + model.spacing * drive.handAxis_W;
 }
 
-/// What the step starts from.
+/// Stores the state at the start of the step.
 void remember(const InsertionState& state, RodWorkspace& work) noexcept
 {
   for (std::size_t i = 0; i < state.position_W.size(); ++i) {

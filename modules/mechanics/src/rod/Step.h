@@ -1,33 +1,33 @@
 #pragma once
 
-// One step of time, or a part of one: tried, and then kept or undone.
+// One time step or substep: attempted, then committed or rolled back.
 
 #include "solver/Newton.h"
 
 namespace perilymph::mechanics {
 
-/// How a step is settled.
+/// Solution strategy of a step.
 enum class SolveStrategy {
-  newton,   ///< By Newton's method from where things would go by themselves.
-  descent,  ///< By descent in energy from where they are.
+  newton,   ///< Newton's method from the predicted positions.
+  descent,  ///< Energy minimization from the current positions.
 };
 
-/// A step that has been tried.
+/// An attempted step.
 struct Step {
   Base base;
   SolveResult result;
 };
 
-/// Predicts the rod and settles it against the wall, a time [s] on. Needs `work.section`. The
-/// state's positions, tracks and curls are those of the end of the step, the rest still that of its
-/// start.
+/// Predicts the rod and solves for its equilibrium with the wall after a time step [s]. Needs
+/// `work.section`. Afterwards positions, tracks and directions of curl are those of the end of the
+/// step, all other parts of the state those of its start.
 Step attemptStep(const InsertionModel& model, InsertionState& state, const Drive& drive,
                  double timeStep, SolveStrategy strategy, RodWorkspace& work) noexcept;
 
-/// Makes the end of the step that was tried the start of the next.
+/// Makes the end of the attempted step the start of the next.
 void commitStep(InsertionState& state, const RodWorkspace& work) noexcept;
 
-/// Back to where the step that was tried started.
+/// Restores the state at the start of the attempted step.
 void rollBackStep(InsertionState& state, RodWorkspace& work) noexcept;
 
 }  // namespace perilymph::mechanics

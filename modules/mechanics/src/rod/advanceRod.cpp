@@ -12,9 +12,9 @@
 namespace perilymph::mechanics {
 namespace {
 
-// Faster than a hand pulls a stylet by itself (choice, low).
+// Faster than a hand pulls a stylet (choice, low).
 constexpr double fastestStylet = 0.1;  // [m/s]
-// What a step may leave unbalanced where contact toggles: a hundredth of an insertion's forces.
+// Maximum residual of a step where contact toggles: a hundredth of the forces of an insertion.
 constexpr double maxResidual = 1e-3;  // [N]
 
 /// Wrench of the array on the hand.
@@ -23,7 +23,7 @@ struct Wrench {
   Eigen::Vector3d torque_W = Eigen::Vector3d::Zero();  ///< [N.m]
 };
 
-/// The hand holds nodes 0 and 1; in spring coupling it holds them through the spring.
+/// The hand holds nodes 0 and 1; with spring coupling, through the spring.
 Wrench wrenchOf(const InsertionModel& model, const InsertionState& state, const Drive& drive,
                 const Base& base, const RodWorkspace& work) noexcept
 {
@@ -37,7 +37,7 @@ Wrench wrenchOf(const InsertionModel& model, const InsertionState& state, const 
   return wrench;
 }
 
-/// Length of array past the plane of the opening.
+/// Length of array past the plane of the opening [m].
 double depthOf(const InsertionModel& model, const InsertionState& state) noexcept
 {
   const auto inside = [&](std::size_t i) {
@@ -56,7 +56,7 @@ double depthOf(const InsertionModel& model, const InsertionState& state) noexcep
   return model.fromTip[0];
 }
 
-/// What the rest of the program wants to know of the step.
+/// Fills the readings of the step.
 void read(const InsertionModel& model, InsertionState& state, const Wrench& wrench,
           const SolveResult& result) noexcept
 {
@@ -86,7 +86,7 @@ void read(const InsertionModel& model, InsertionState& state, const Wrench& wren
   r.isFinite = std::isfinite(sum);
 }
 
-/// Where the hand was when the step began.
+/// The drive at the start of the step.
 Drive handBefore(const InsertionModel& model, const InsertionState& state,
                  const Drive& drive) noexcept
 {
@@ -99,7 +99,7 @@ Drive handBefore(const InsertionModel& model, const InsertionState& state,
   return before;
 }
 
-/// The hand on its way, after a share of it.
+/// The drive interpolated by a fraction of the step.
 Drive between(const Drive& from, const Drive& to, double fraction) noexcept
 {
   const auto mix = [fraction](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
@@ -113,9 +113,9 @@ Drive between(const Drive& from, const Drive& to, double fraction) noexcept
   return there;
 }
 
-/// The step in parts of equal time, with the hand on its way.
+/// Divides the step into equal substeps, with the hand interpolated.
 ///
-/// @return The mean wrench: the hand's work in the parts is that of the mean over the step.
+/// @return The mean wrench: its work on the hand equals that of the substeps.
 Wrench advanceInSubsteps(const InsertionModel& model, InsertionState& state, const Drive& drive,
                          SolveResult& result, RodWorkspace& work) noexcept
 {
@@ -141,7 +141,7 @@ Wrench advanceInSubsteps(const InsertionModel& model, InsertionState& state, con
 void advanceRod(const InsertionModel& model, InsertionState& state, const Drive& drive,
                 RodWorkspace& work) noexcept
 {
-  // a stylet pulled at once, or a curled array let go at once, is released over some time
+  // the release of a stylet pulled at once, or of a precurved array, is spread over some time
   const double pulled = fastestStylet * model.timeStep;
   state.styletWithdrawal +=
       std::clamp(drive.styletWithdrawal - state.styletWithdrawal, -pulled, pulled);

@@ -1,6 +1,6 @@
 #pragma once
 
-// One time step of the elastic rod: what advance() does for a model of a rod.
+// One time step of the elastic rod: advance() for a rod model.
 
 #include "perilymph/foundation/RealTime.h"
 #include "perilymph/mechanics/InsertionModel.h"
@@ -9,7 +9,7 @@
 
 namespace perilymph::mechanics {
 
-/// Moves the rod one time step on, as advance() describes it. Real-time safe.
+/// Advances the rod by one time step, as described at advance(). Real-time safe.
 PERILYMPH_REALTIME void advanceRod(const InsertionModel& model, InsertionState& state,
                                    const Drive& drive, RodWorkspace& work) noexcept;
 

@@ -13,7 +13,7 @@ struct MatrixColumn {
   Block<T> beyond;
 };
 
-/// What the columns before have taken away from the next two.
+/// Contribution of eliminated columns to the next two.
 template <class T>
 struct Taken {
   SymmetricBlock<T> diagonal;      ///< Diagonal block of the next column.
@@ -21,7 +21,7 @@ struct Taken {
   SymmetricBlock<T> nextDiagonal;  ///< Diagonal block of the column after it.
 };
 
-/// The same of a right-hand side.
+/// The same for a right-hand side.
 template <class T>
 struct TakenRight {
   Triple<T> next;
@@ -35,7 +35,8 @@ bool isPositive(Wide a) noexcept
   return a[0] > 0.0 && a[1] > 0.0;
 }
 
-/// The inverse of a symmetric block by its cofactors. Not positive definite: false, and no inverse.
+/// The inverse of a symmetric block by its cofactors. False, without inverse, if it is not positive
+/// definite.
 template <class T>
 bool invert(SymmetricBlock<T>& a) noexcept
 {
@@ -55,7 +56,7 @@ bool invert(SymmetricBlock<T>& a) noexcept
   return isDefinite;
 }
 
-/// Eliminates one unknown: leaves the factors' column and what it takes away from the next two.
+/// Eliminates one unknown: computes the column of the factors and its contribution to the next two.
 template <class T, class Column>
 bool eliminate(MatrixColumn<T> a, Taken<T>& taken, Column& factors) noexcept
 {
@@ -98,7 +99,7 @@ SymmetricBlock<Wide> pair(const SymmetricBlock<double>& a, const SymmetricBlock<
           Wide{a.yy, b.yy}, Wide{a.yz, b.yz}, Wide{a.zz, b.zz}};
 }
 
-/// The block of the one chain beside the mirrored block of the other.
+/// The block of one chain beside the mirrored block of the other.
 template <class Wide>
 Block<Wide> pairMirrored(const Block<double>& a, const Block<double>& b) noexcept
 {
@@ -162,7 +163,7 @@ bool BandFactors::factorize(const BandMatrix& matrix) noexcept
     isDefinite = eliminate(column, taken, ends_[k]) && isDefinite;
   }
 
-  // the ends meet: both have taken away from the blocks in the middle
+  // the chains meet: both contribute to the blocks in the middle
   MatrixColumn<double> middle[3];
   for (std::size_t k = 0; k < left_; ++k) {
     middle[k].diagonal = diagonal[steps_ + k];

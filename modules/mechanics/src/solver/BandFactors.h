@@ -1,6 +1,6 @@
 #pragma once
 
-// The factors of a band matrix, for any number of solutions.
+// Factorization of a band matrix, for any number of right-hand sides.
 
 #include <Eigen/Core>
 #include <cstddef>
@@ -15,30 +15,29 @@ class Hash;
 
 namespace perilymph::mechanics {
 
-/// Block LDL^T, O(blocks). The chain is eliminated from both its ends at once, and what is left in
-/// the middle (one to three blocks) last. The two ends do not depend on each other, so they run
-/// side by side in the two lanes of a register that every x86-64 processor has.
+/// Block LDL^T, O(blocks). The chain is eliminated from both ends at once, and the one to three
+/// blocks in the middle last. The two ends are independent, so they are computed in parallel in the
+/// two lanes of an SSE2 register, which every x86-64 processor has.
 class BandFactors {
 public:
   explicit BandFactors(std::size_t blocks = 0);
 
-  /// Finds the factors of a matrix. False if it is not positive definite: then there are none.
-  /// Real-time safe.
+  /// Factorizes a matrix. False, without factors, if it is not positive definite. Real-time safe.
   bool factorize(const BandMatrix& matrix) noexcept;
 
   bool exist() const noexcept { return exist_; }
   void forget() noexcept { exist_ = false; }
-  /// Whether the first unknown was held when they were found.
+  /// Whether the first unknown was held in the factorized matrix.
   bool firstIsHeld() const noexcept { return firstIsHeld_; }
 
   /// Replaces `right` by the solution. Real-time safe.
   void solve(std::vector<Eigen::Vector3d>& right) noexcept;
 
-  /// Adds all that solutions depend on.
+  /// Adds all data that solutions depend on.
   void addTo(Hash& hash) const noexcept;
 
 private:
-  /// Two numbers side by side: of the chain from the base, and of the chain from the tip.
+  /// Two numbers: one for the chain from the base, one for the chain from the tip.
   using Lanes [[gnu::vector_size(16)]] = double;
 
   /// Column k of the factors, in the order of elimination.
@@ -47,7 +46,7 @@ private:
     SymmetricBlock<T> inverse;  ///< Inverse of the pivot.
     Block<T> beside;            ///< Block (k + 1, k).
     Block<T> beyond;            ///< Block (k + 2, k).
-    Triple<T> solution;         ///< Room for solve().
+    Triple<T> solution;         ///< Workspace of solve().
   };
 
   std::size_t blocks_;

@@ -1,6 +1,6 @@
 #pragma once
 
-// The matrix of a Newton step: symmetric, 3x3 blocks, two beside the diagonal on each side.
+// The matrix of a Newton step: symmetric, 3x3 blocks, two off-diagonals on each side.
 
 #include <cstddef>
 #include <vector>
@@ -18,7 +18,7 @@ struct BandMatrix {
   /// All blocks zero.
   void clear() noexcept;
 
-  /// Makes block 0 the identity, coupled to nothing: an unknown whose value is given.
+  /// Makes block 0 the identity, uncoupled from all others: an unknown with a prescribed value.
   void holdFirst() noexcept;
 
   std::vector<SymmetricBlock<double>> diagonal;  ///< Block (j, j).

@@ -1,12 +1,12 @@
 #pragma once
 
-// 3x3 blocks as plain numbers. T is a double, or a pair of doubles that are worked on at once
-// (BandFactors). Everything is written out: the compiler keeps a whole block in registers, and the
-// order of the sums, and with it the last bit, is ours.
+// 3x3 blocks as plain numbers. T is a double, or a pair of doubles processed in parallel
+// (BandFactors). Everything is written out, so that the compiler keeps a whole block in registers
+// and the order of the sums, and with it the last bit, is fixed.
 
 namespace perilymph::mechanics {
 
-/// Three numbers, as of a force or a motion.
+/// Three numbers, such as a force or a displacement.
 template <class T>
 struct Triple {
   T x{}, y{}, z{};
@@ -40,7 +40,7 @@ struct SymmetricBlock {
   }
 };
 
-/// A block without symmetry, by rows.
+/// A general block, by rows.
 template <class T>
 struct Block {
   T xx{}, xy{}, xz{}, yx{}, yy{}, yz{}, zx{}, zy{}, zz{};
@@ -89,7 +89,7 @@ Block<T> productWithTransposed(const Block<T>& a, const Block<T>& b) noexcept
           a.zx * b.zx + a.zy * b.zy + a.zz * b.zz};
 }
 
-/// a b^T where that is known to be symmetric.
+/// a b^T if the result is known to be symmetric.
 template <class T>
 SymmetricBlock<T> symmetricProduct(const Block<T>& a, const Block<T>& b) noexcept
 {

@@ -9,12 +9,12 @@
 namespace perilymph::mechanics {
 namespace {
 
-constexpr int maxTries = 12;            // along one step
-constexpr double longestStep = 0.1e-3;  // [m] of one node in one step
-// Of what drove a step, forces may still pull by so much at its end, either way.
+constexpr int maxTries = 12;            // evaluations per line search
+constexpr double longestStep = 0.1e-3;  // maximum displacement of one node in one step [m]
+// Maximum slope at the end of a line search, relative to that at its start, of either sign.
 constexpr double slopeTolerance = 0.1;
 
-/// The forces where a share of the step has been gone, of the wall as it is there.
+/// The residual after a fraction of the step, with the wall evaluated there.
 Residual residualAt(const InsertionModel& model, InsertionState& state, const Base& base,
                     double alpha, RodWorkspace& work) noexcept
 {
@@ -24,13 +24,14 @@ Residual residualAt(const InsertionModel& model, InsertionState& state, const Ba
   return residual(model, state, base, work);
 }
 
-/// A place on the step: share of it, pull along it there [J].
+/// A point on the step: its fraction and the directional derivative there [J].
 struct Place {
   double alpha;
   double slope;
 };
 
-/// Goes along the step at most to `maxAlpha` of it, to where the forces hardly pull on or back.
+/// Searches along the step, up to the fraction `maxAlpha`, for a point where the slope nearly
+/// vanishes.
 Residual lineSearch(const InsertionModel& model, InsertionState& state, const Base& base,
                     double start, double maxAlpha, RodWorkspace& work) noexcept
 {
@@ -39,7 +40,7 @@ Residual lineSearch(const InsertionModel& model, InsertionState& state, const Ba
   Place high{maxAlpha, 0.0};
   Residual there = residualAt(model, state, base, maxAlpha, work);
   high.slope = directionalDerivativeAt(work.system, maxAlpha);
-  // false position, which halves the weight of an end that stays
+  // Illinois method: regula falsi that halves the weight of a retained end
   double lowSlope = low.slope, highSlope = high.slope;
   for (int k = 0; k < maxTries && !(high.slope >= -enough); ++k) {
     double alpha = 0.5 * (low.alpha + high.alpha);

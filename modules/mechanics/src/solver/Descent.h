@@ -1,20 +1,21 @@
 #pragma once
 
-// The slow and certain way to the balance of forces.
+// Energy minimization: slower than Newton's method, but globally convergent.
 
 #include "solver/Newton.h"
 
 namespace perilymph::mechanics {
 
-/// Moves the nodes from state.position_W downhill in energy until no force is left unbalanced.
+/// Moves the nodes from state.position_W downhill in energy until the forces are balanced.
 ///
-/// Every force of a step is that of an energy: friction's, too, for its bound is the pressure of
-/// the step before. Newton's direction with a positive matrix goes downhill; along it the place is
-/// sought where forces hardly pull on any more. That ends in a balance also where the residual
-/// first has to grow: where the array snaps, or where contacts and friction toggle each other.
-/// Costs several balances and one factorization an iteration; after maxDescentIterations it gives up.
+/// Every force in a step derives from an energy, including friction, because its bound is the
+/// pressure of the previous step. Newton's direction with a positive definite matrix is a descent
+/// direction; a line search finds a point along it where the directional derivative nearly
+/// vanishes. This converges also where the residual first has to grow: where the array snaps, or
+/// where contacts and friction toggle each other. Costs several residuals and one factorization per
+/// iteration; gives up after maxDescentIterations.
 ///
-/// @param settled  How the iteration before ended.
+/// @param settled  Result of the preceding iteration.
 SolveResult minimizeEnergy(const InsertionModel& model, InsertionState& state, const Base& base,
                            SolveResult result, RodWorkspace& work) noexcept;
 

@@ -10,7 +10,7 @@
 
 namespace perilymph::mechanics {
 
-/// Stiffness, unbalanced forces and the step they give, per block of the matrix.
+/// Stiffness, unbalanced forces and the resulting step, per block of the matrix.
 struct LinearSystem {
   explicit LinearSystem(std::size_t nodes = 0)
       : matrix(nodes > 0 ? nodes - 1 : 0),
@@ -23,9 +23,9 @@ struct LinearSystem {
 
   BandMatrix matrix;
   std::vector<Eigen::Vector3d> right;    ///< Unbalanced force on each block [N].
-  std::vector<Eigen::Vector3d> trial_W;  ///< The Newton step itself, per block [m].
-  std::vector<Eigen::Vector3d> start_W;  ///< Positions of the nodes where it starts [m].
-  /// Factors of the last stiffness, from this time step or an earlier one: part of the
+  std::vector<Eigen::Vector3d> trial_W;  ///< The Newton step, per block [m].
+  std::vector<Eigen::Vector3d> start_W;  ///< Positions of the nodes at its start [m].
+  /// Factors of the last factorized stiffness, from this time step or an earlier one: part of the
   /// state's value.
   BandFactors factors;
 };

@@ -12,41 +12,42 @@ namespace perilymph::mechanics {
 namespace {
 
 constexpr int maxHalvings = 3;
-// What the nodes still would move: forces alone do not show it, for a rod bends under very little.
+// Maximum remaining displacement of a node: small forces alone do not suffice, because a rod bends
+// under very little.
 constexpr double motionTolerance = 0.2e-9;  // [m]
-// Nothing moves at all.
+// Residual below which nothing moves.
 constexpr double atRest = 1e-9;  // [N]
-// A step so short that goes on for nothing: contact toggles.
+// Step length below which iteration has no effect: contact toggles.
 constexpr double stuck = 1e-9;          // [m]
-constexpr double minGain = 0.9;         // of the squares of all forces
-constexpr double longestStep = 0.5e-3;  // [m] of one node in one Newton step
-// Friction is bounded by an older pressure, renewed while it may be wrong by more than this [N].
+constexpr double minGain = 0.9;         // of the sum of squared forces
+constexpr double longestStep = 0.5e-3;  // maximum displacement of one node in one Newton step [m]
+// Friction is bounded by an earlier pressure, renewed while its error may exceed this [N].
 constexpr double maxLag = 0.1e-3;
 constexpr int maxPasses = 2;
-// A step that takes more iterations than this is left with the pressure it started from.
+// A step that takes more iterations than this keeps the pressure at its start.
 constexpr int maxIterationsToRenew = 6;
-// Oval sections are looked at anew until steps are as short as this.
+// Oval sections are re-evaluated until steps are shorter than this.
 constexpr double nearStep = 20e-6;  // [m]
-// A Newton step with good factors leaves less than this share of the unbalanced forces.
+// A Newton step with good factors reduces the unbalanced forces below this fraction.
 constexpr double goodRatio = 0.1;
-// A step is too long where forces then pull back with more than this share of what drove it.
+// A step is too long if the opposing slope at its end exceeds this fraction of that at its start.
 constexpr double slopeTolerance = 0.3;
 
-/// Whether a step has left only a good share of the unbalanced forces.
+/// Whether a step reduced the unbalanced forces sufficiently.
 bool wasGood(const Residual& before, const Residual& after) noexcept
 {
   return after.squaredNorm < goodRatio * goodRatio * before.squaredNorm;
 }
 
-/// Newton's method from state.position_W, where the forces are `now`.
+/// Newton's method from state.position_W, where the residual is `now`.
 SolveResult iterate(const InsertionModel& model, InsertionState& state, const Base& base,
                     SolveResult result, RodWorkspace& work) noexcept
 {
-  // Factors of an earlier step serve as long as their steps are good: the rod hardly changes from
-  // one tick to the next. Where a contact toggles they are found anew.
+  // Factors of an earlier step are reused while they give good steps: the rod hardly changes from
+  // one tick to the next. Where a contact toggles, the matrix is factorized again.
   BandFactors& factors = work.system.factors;
   if (factors.firstIsHeld() != base.isHeld) factors.forget();
-  bool areOwn = false;  // found in this step of time
+  bool areOwn = false;  // factorized in this time step
 
   auto& [now, iterations] = result;
   for (; iterations < maxIterations && now.maxNorm > atRest; ++iterations) {
@@ -65,7 +66,7 @@ SolveResult iterate(const InsertionModel& model, InsertionState& state, const Ba
     moveBy(work.system, alpha, state.position_W);
     Residual next = residual(model, state, base, work);
     if (!areOwn && !(next.squaredNorm < now.squaredNorm)) {
-      // old factors led astray: back, and try with new ones
+      // the old factors gave a bad step: go back and factorize again
       factors.forget();
       moveBy(work.system, 0.0, state.position_W);
       now = residual(model, state, base, work);
@@ -77,7 +78,8 @@ SolveResult iterate(const InsertionModel& model, InsertionState& state, const Ba
       moveBy(work.system, alpha, state.position_W);
       next = residual(model, state, base, work);
     }
-    // forces are those of an energy: if they now pull back along the step, its least is in between
+    // forces derive from an energy: if the slope changes sign along the step, the minimum is in
+    // between
     if (!wasGood(now, next)) {
       const double slopeThere = directionalDerivative(work.system);
       if (slopeThere < -slopeTolerance * slope) {
@@ -118,7 +120,7 @@ SolveResult solveNewton(const InsertionModel& model, InsertionState& state, cons
     if (pass == maxPasses || result.iterations > maxIterationsToRenew) break;
     const double before = lag;
     lag = frictionLag(model, state, work.contacts, work.friction);
-    // where friction and pressure drive each other up, each step takes the pressure it started from
+    // where friction and pressure amplify each other, each step keeps the pressure at its start
     if (lag <= maxLag || !(lag < 0.5 * before) || result.residual.maxNorm > forceTolerance) break;
     renewFriction(state, work.contacts, work.friction);
     result.residual = residual(model, state, base, work);

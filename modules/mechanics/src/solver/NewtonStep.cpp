@@ -6,10 +6,10 @@
 namespace perilymph::mechanics {
 namespace {
 
-/// One over the root of 1 + q.
+/// 1 / sqrt(1 + q).
 double inverseRoot(double q) noexcept
 {
-  // left out is less than a rounding
+  // truncation error below rounding
   if (q < 1e-4) return 1.0 - q * (0.5 - q * (0.375 - q * 0.3125));
   return 1.0 / std::sqrt(1.0 + q);
 }
@@ -40,7 +40,7 @@ double directionalDerivativeAt(const LinearSystem& system, double alpha) noexcep
   for (std::size_t i = 1; i + 1 < system.start_W.size(); ++i) {
     const Eigen::Vector3d edge = system.start_W[i + 1] - system.start_W[i];
     const Eigen::Vector3d change = system.trial_W[i] - system.trial_W[i - 1];
-    // the edge keeps the direction of `way`, and is `stretched` times as long as it was
+    // the edge has the direction of `way` and `stretched` times its previous length
     const Eigen::Vector3d way = edge + alpha * change;
     const double length = edge.norm();
     const double longer = edge.dot(change) / (length * length);
@@ -58,7 +58,7 @@ bool factorize(const InsertionModel& model, const Base& base, RodWorkspace& work
 {
   assembleStiffness(model, base, Compression::included, work);
   if (work.system.factors.factorize(work.system.matrix)) return true;
-  // past its buckling load the exact matrix has no positive pivots; the safe one always has
+  // past its buckling load the exact matrix is indefinite; this one is always positive definite
   assembleStiffness(model, base, Compression::leftOut, work);
   return work.system.factors.factorize(work.system.matrix);
 }

@@ -15,11 +15,12 @@ SymmetricBlock<double> uniform(double stiffness) noexcept
   return {stiffness, 0.0, 0.0, stiffness, 0.0, stiffness};
 }
 
-/// Greatest and sum of squares over all blocks; a number that is none is kept, not lost.
+/// Maximum and sum of squares over all blocks; NaN is propagated.
 Residual normsOf(const std::vector<Eigen::Vector3d>& right) noexcept
 {
   double maxNorm = 0.0;
-  double sums[3] = {0.0, 0.0, 0.0};  // one sum an axis: three short chains instead of a long one
+  double sums[3] = {0.0, 0.0, 0.0};  // one sum per axis: three short dependency chains instead of a
+                                     // long one
   for (const Eigen::Vector3d& force : right)
     for (int k = 0; k < 3; ++k) {
       maxNorm = std::max(maxNorm, std::fabs(force[k]));
@@ -55,7 +56,7 @@ void setHold(const InsertionModel& model, const InsertionState& state, const Ste
   for (std::size_t i = 2; i < state.position_W.size(); ++i) {
     const double momentum = model.mass[i] * inverseTimeStep;
     inertia.hold[i] = (momentum + model.drag[i]) * inverseTimeStep;
-    // inertia takes it on as fast as it was; drag would leave it where it is
+    // rest position: inertia continues the motion, drag holds the node
     inertia.goal_W[i] = start.position_W[i] + (momentum / inertia.hold[i]) * state.velocity_W[i];
   }
 }
@@ -69,14 +70,14 @@ Residual residual(const InsertionModel& model, InsertionState& state, const Base
   addWallForces(model, state, work.start, work.rod, work.contacts, work.friction, work.force_W);
   addRimForces(model, state, work.start, work.friction, work.contacts, work.force_W);
 
-  // the base has inertia only where a spring holds it
+  // the base has inertia only with spring coupling
   work.system.right[0].setZero();
   if (!base.isHeld) {
     const Eigen::Vector3d& at = state.position_W[0];
     work.system.right[0] = work.force_W[0] + work.force_W[1] - base.inertia * (at - base.free_W) -
                            base.effectiveStiffness * (at - base.couplingTarget_W);
   }
-  // every other node has its own, and the perilymph's drag
+  // every other node has its own inertia and the perilymph's drag
   for (std::size_t i = 2; i < n; ++i)
     work.system.right[i - 1] =
         work.force_W[i] - work.inertia.hold[i] * (state.position_W[i] - work.inertia.goal_W[i]);

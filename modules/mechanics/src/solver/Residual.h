@@ -1,6 +1,6 @@
 #pragma once
 
-// The balance of forces that ends a step, and its derivative.
+// Force balance at the end of a step, and its derivative.
 
 #include <Eigen/Core>
 
@@ -11,35 +11,35 @@
 
 namespace perilymph::mechanics {
 
-/// Where the base would go by itself in spring coupling, and how hard it is held.
+/// Free position of the base with spring coupling, and its stiffness.
 struct Base {
   bool isHeld;                       ///< Rigid coupling.
   double inertia;                    ///< m / dt^2 [N/m]
   double effectiveStiffness;         ///< Spring and damper [N/m]
-  Eigen::Vector3d free_W;            ///< Where inertia alone takes it [m].
-  Eigen::Vector3d couplingTarget_W;  ///< Where the coupling pulls it [m].
+  Eigen::Vector3d free_W;            ///< Position due to inertia alone [m].
+  Eigen::Vector3d couplingTarget_W;  ///< Position to which the coupling pulls it [m].
 };
 
-/// @param timeStep  Of the step, or of the part of it that is taken [s].
+/// @param timeStep  Of the step or substep [s].
 Base baseOf(const InsertionModel& model, const InsertionState& state, const Drive& drive,
             double timeStep) noexcept;
 
-/// How inertia and drag hold each node in this step.
+/// Sets inertia and drag of each node for this step.
 void setHold(const InsertionModel& model, const InsertionState& state, const StepStart& start,
              NodeInertia& inertia) noexcept;
 
-/// What is left unbalanced.
+/// Norms of the unbalanced forces.
 struct Residual {
-  double maxNorm;      ///< Greatest unbalanced force on a block, along one axis [N].
+  double maxNorm;      ///< Maximum unbalanced force on a block, along one axis [N].
   double squaredNorm;  ///< Sum of their squares [N^2].
 };
 
-/// All forces at state.position_W. Leaves those that are unbalanced in work.system.right.
+/// Computes all forces at state.position_W; stores the unbalanced ones in work.system.right.
 Residual residual(const InsertionModel& model, InsertionState& state, const Base& base,
                   RodWorkspace& work) noexcept;
 
-/// Fills work.system.matrix with the derivative of the last balance: minus the unbalanced forces by
-/// the positions.
+/// Fills work.system.matrix with the derivative of the last residual: minus the unbalanced forces
+/// by the positions.
 void assembleStiffness(const InsertionModel& model, const Base& base, Compression compression,
                        RodWorkspace& work) noexcept;
 

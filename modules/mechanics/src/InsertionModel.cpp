@@ -12,17 +12,17 @@
 namespace perilymph::mechanics {
 namespace {
 
-// The published simulator put twelve sample points on a carrier that goes 22 mm deep: one point's
-// stiffness stands for this length of wall (the paper's own numbers; the spacing is ours, medium).
+// The published simulator has twelve sample points on a carrier inserted 22 mm deep: the stiffness
+// of one point represents this length of wall (the paper's numbers; the spacing is ours, medium).
 constexpr double samplePointSpacing = 22e-3 / 12;
-// Of array and tweezers together, weighed for the paper (high).
+// Mass of array and tweezers, weighed for the paper (high).
 constexpr double carrierAndTweezers = 0.0178943;  // [kg]
-// Silicone rubber with platinum wires in it (medium): density, and drag in perilymph (low).
+// Silicone rubber with platinum wires (medium): density, and drag in perilymph (low).
 constexpr double siliconeDensity = 1150.0;  // [kg/m^3]
 constexpr double dragPerLength = 0.05;      // [N.s/m^2]
 
-// Bone is 2,000 to 10,000 N/m. What is held (choices, low): ten times that where the wall is rough;
-// where it is not, as much as a device's check needs of a wall that does not yield.
+// Bone is 2,000 to 10,000 N/m. Upper limits (choices, low): ten times that for a rough wall; for a
+// frictionless one, what a device check needs for an unyielding wall.
 constexpr Stiffness stiffestWall = newtonsPerMeter(1e5);
 constexpr Stiffness stiffestSmoothWall = newtonsPerMeter(1e6);
 
@@ -152,12 +152,12 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
   m.spacing = length / (m.nodes - 1);
   m.baseMass = carrierAndTweezers;
 
-  // the approach: along E.z, tilted toward E.y and turned toward E.x
+  // the approach: along E.z, rotated toward E.y and toward E.x
   const SineCosine tilt = sineCosine(m.parts.approachTilt.si());
   const SineCosine turn = sineCosine(m.parts.approachTurn.si());
   m.startAxis_W = -(tilt.cosine * turn.cosine) * m.entry.out_W + tilt.sine * m.entry.vertical_W +
                   (tilt.cosine * turn.sine) * m.entry.outward_W;
-  // a precurved array curls toward the modiolus: away from the outer wall
+  // a precurved array curls toward the modiolus, away from the outer wall
   const Eigen::Vector3d inner_W = -m.entry.outward_W;
   m.startCurl_W = (inner_W - inner_W.dot(m.startAxis_W) * m.startAxis_W).normalized();
   m.openingCenter_W = m.entry.origin_W;
@@ -188,7 +188,7 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
     m.isOval = m.isOval || within != across || bendingWithin != bendingAcross;
     m.twists = m.twists || m.isOval || array.restCurvature.at(place).si() != 0.0;
     m.restCurvature.push_back(array.restCurvature.at(place).si());
-    // the rounded tip is a sample point of its own, however short its stretch of array
+    // the rounded tip is a sample point of its own, whatever the length of its segment
     const double pressedLength = isTip ? samplePointSpacing : ownLength;
     m.wallStiffness.push_back(m.parts.wall.perSamplePoint.si() * pressedLength /
                               samplePointSpacing);
@@ -196,7 +196,8 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
                                samplePointSpacing);
   }
   for (int i = 0; i + 1 < m.nodes; ++i) {
-    // EA of a section of the same material as its EI: 4 EI / r^2, r the half it bends over
+    // EA of a section of the same material as its EI: 4 EI / r^2, with r half the section in the
+    // plane of bending
     const auto k = static_cast<std::size_t>(i);
     const double half = 0.5 * (m.halfWithin[k] + m.halfWithin[k + 1]);
     const double bending = 0.5 * (array.bending.at(Length::fromSi(m.fromTip[k])).si() +

@@ -85,7 +85,7 @@ void InsertionState::reset(const InsertionModel& model) noexcept
   }
   rim = RimContact{};
   RodWorkspace& rod = workspace->rod;
-  // nodes farther from the wall than this do not touch it
+  // nodes farther from the wall than this cannot touch it
   for (std::size_t i = 0; i < rod.contacts.reach.size(); ++i)
     rod.contacts.reach[i] = model.radius[i];
   rod.system.factors.forget();

@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Between two nodes of the array.
+/// A point between two nodes of the array.
 struct Place {
   std::size_t node;  ///< The one nearer to the tweezers.
   double fraction;   ///< Fraction of the way to the next node.
@@ -28,7 +28,7 @@ Place placeOf(const electrode::ArrayDesign& array, std::size_t nodes, double fro
   return {static_cast<std::size_t>(node), std::clamp(index - node, 0.0, 1.0)};
 }
 
-/// The curl of each node, carried along without turning.
+/// Direction of curl at each node, transported without twist.
 std::vector<Vector3d> carried(const ArrayShape& shape)
 {
   std::vector<Vector3d> curl(shape.nodes_W.size());
@@ -54,14 +54,13 @@ anatomy::WallPoint wallAt(const anatomy::Lumen& lumen, const Vector3d& at,
   return wall;
 }
 
-/// How far the wall on the other side of the lumen is in a direction: steps as long as the distance
-/// to the wall allows. From beyond a wall, the lumen may begin a little farther on. Negative if it
-/// does not.
+/// Distance to the opposite wall in a direction, by sphere tracing. From a point beyond a wall, the
+/// lumen may begin a short distance ahead. Negative if there is none.
 double distanceAlong(const anatomy::Lumen& lumen, const Vector3d& from, const Vector3d& direction,
                      anatomy::LumenTrack track)
 {
   constexpr double farthest = 10e-3;  // [m]
-  constexpr double deepest = 0.5e-3;  // that an array is pressed beyond a wall [m]
+  constexpr double deepest = 0.5e-3;  // maximum depth of an array pressed beyond a wall [m]
   constexpr double onWall = 0.1e-6;   // [m]
   double gone = 0.0;
   bool isInside = false;
@@ -99,7 +98,7 @@ std::vector<ContactOutcome> outcomeOf(const anatomy::Lumen& lumen,
                                 " nodes; an array has 2 or more.");
   const anatomy::Entry entry = lumen.entry();
 
-  // the turn every node is in, followed along the array from the opening
+  // the turn of each node, tracked along the array from the opening
   std::vector<anatomy::LumenTrack> track(shape.nodes_W.size(), lumen.startTrack());
   for (std::size_t i = 0; i < track.size(); ++i) {
     if (i > 0) track[i] = track[i - 1];
@@ -127,7 +126,7 @@ std::vector<ContactOutcome> outcomeOf(const anatomy::Lumen& lumen,
       if (o.toModiolarAxis > 0.0) {
         const Vector3d toAxis = inward / o.toModiolarAxis;
         o.toInnerWall = distanceAlong(lumen, o.position_W, toAxis, here);
-        // both seen along the array
+        // both projected across the array
         const Vector3d t = edge.normalized();
         const Vector3d face =
             (1.0 - place.fraction) * curl[place.node] + place.fraction * curl[place.node + 1];

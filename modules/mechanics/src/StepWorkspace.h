@@ -1,7 +1,7 @@
 #pragma once
 
-// The memory of both models' solvers. A state has one; the model it does not belong to is of size
-// 0.
+// Memory of the solvers of both models. A state has one workspace; the part of the other model has
+// size 0.
 
 #include "points/PointWorkspace.h"
 #include "rod/RodWorkspace.h"
@@ -9,7 +9,7 @@
 namespace perilymph::mechanics {
 
 struct StepWorkspace {
-  /// @param rodNodes  0 for a model of points.
+  /// @param rodNodes  0 for a point set.
   explicit StepWorkspace(std::size_t rodNodes) : rod(rodNodes) {}
 
   RodWorkspace rod;

@@ -7,16 +7,16 @@
 namespace perilymph::mechanics {
 namespace {
 
-// Over this the wall is as curved as where it was asked, and less far where it presses harder:
-// where it is convex, its normal is off by the way over its radius of some 0.5 mm, its force by 1
-// uN.
+// Maximum displacement over which the stored wall is extrapolated by its curvature; smaller for
+// larger forces. On a convex wall with a radius of about 0.5 mm, the normal is off by the
+// displacement over the radius, the force by 1 uN.
 constexpr double farthestSeen = 0.2e-6;  // [m]
-constexpr double maxSeen = 5e-10;        // force times way [N.m]
+constexpr double maxSeen = 5e-10;        // force times displacement [N.m]
 
-// A node farther outside than this does not come in within a step (faster than any hand).
+// A node farther outside than this cannot enter within a step (faster than any hand).
 constexpr double farthestOutside = 2e-3;  // [m]
 constexpr double justBehind = 1e-6;       // [m]
-// What the opening leads to is less far around the modiolus than this.
+// Maximum angle around the modiolus of the duct right behind the opening.
 constexpr double farthestTurn = 0.8;  // [rad]
 
 double squaredMotion(const StepStart& start, const InsertionState& state, std::size_t i) noexcept
@@ -25,7 +25,8 @@ double squaredMotion(const StepStart& start, const InsertionState& state, std::s
   return moved[0] * moved[0] + moved[1] * moved[1] + moved[2] * moved[2];
 }
 
-/// Bone beside the opening, met by a node from outside: a plane that holds up its center line.
+/// Contact of a node from outside with the bone beside the opening: a plane that supports its
+/// center line.
 void seeBone(const InsertionModel& model, const InsertionState& state, std::size_t i,
              ContactSet& contacts) noexcept
 {
@@ -40,8 +41,9 @@ void seeBone(const InsertionModel& model, const InsertionState& state, std::size
   contacts.isKnown[i] = 0;
 }
 
-/// Whether the wall as it was seen in this step serves at a place, too: if the node may touch it
-/// and has hardly moved, brought up to date by its curvature; if not, as long as it may not.
+/// Whether the wall found earlier in this step is still valid at a position, updated by its
+/// curvature: for a node near the wall, if it has hardly moved; for a distant one, while it cannot
+/// touch.
 bool isStillSeen(const Eigen::Vector3d& at_W, double force, ContactSet& contacts,
                  std::size_t i) noexcept
 {
@@ -77,7 +79,7 @@ void findWall(const InsertionModel& model, const StepStart& start, InsertionStat
       contacts.isKnown[i] = 0;
       continue;
     }
-    const bool isTip = i + 1 == n;  // always asked: its angle is a reading
+    const bool isTip = i + 1 == n;  // always queried: its angle is a reading
     if (!isTip && contacts.isKnown[i] != 0 &&
         isStillSeen(state.position_W[i], state.normalForce[i], contacts, i))
       continue;
@@ -88,7 +90,7 @@ void findWall(const InsertionModel& model, const StepStart& start, InsertionStat
     contacts.wall[i].isNear = false;
   }
 
-  // neighbors in one question
+  // neighboring nodes in one query
   for (std::size_t first = 0; first < n;) {
     std::size_t count = 0;
     while (first + count < n && contacts.isAsked[first + count] != 0) ++count;
@@ -108,20 +110,20 @@ void findBone(const InsertionModel& model, InsertionState& state) noexcept
     const double height = from_W.dot(model.entry.out_W);
     const double radius = model.radius[i];
     if (height > 0.0) state.isBeside[i] = 0;
-    // what is farther inside stays what it was when it passed the plane
+    // a node farther inside keeps the state it had when it passed the plane
     if (state.isBeside[i] != 0 || height < -radius || height > farthestOutside) continue;
     const bool isInside = height <= 0.0;
     if (isInside && !(state.normalForce[i] > 0.0)) continue;
     const double squared = from_W.squaredNorm() - height * height;
     if (squared < 4.0 * radius * radius) continue;
-    // the wall as the node would see it, right behind the plane if it is still outside
+    // the wall at the node, or right behind the plane if the node is still outside
     const Eigen::Vector3d behind_W =
         state.position_W[i] - (std::max(height, 0.0) + justBehind) * model.entry.out_W;
     const anatomy::LumenTrack start = model.parts.lumen->startTrack();
     anatomy::LumenTrack track = isInside ? state.track[i] : start;
     anatomy::WallPoint wall;
     model.parts.lumen->nearestWall({&behind_W, 1}, {&radius, 1}, {&track, 1}, {&wall, 1});
-    // the plane passes other turns of the duct, too; before the first there is none
+    // the plane also intersects other turns of the duct; before the first turn there is no wall
     const double turned = track.angle - start.angle;
     const bool isElsewhere = turned < -farthestTurn || (!isInside && turned > farthestTurn);
     if (isElsewhere || (wall.isNear && wall.distance < -radius)) state.isBeside[i] = 1;

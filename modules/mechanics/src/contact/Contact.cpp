@@ -12,7 +12,7 @@
 namespace perilymph::mechanics {
 namespace {
 
-/// How far an oval section reaches toward a wall: its support function along the wall's normal.
+/// Extent of an oval section toward a wall: its support function along the wall's normal.
 SectionReach reachToward(const InsertionModel& model, const InsertionState& state,
                          const RodKinematics& rod, std::size_t i,
                          const Eigen::Vector3d& normal_W) noexcept
@@ -36,7 +36,7 @@ SymmetricBlock<double> asBlock(const Eigen::Matrix3d& m) noexcept
   return {m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)};
 }
 
-/// The push of the wall on a node near it, and its stiffness. False where it does not reach it.
+/// Normal force of the wall on a node near it, and its stiffness. False if they do not touch.
 bool normalContact(const InsertionModel& model, InsertionState& state, const RodKinematics& rod,
                    std::size_t i, ContactSet& contacts) noexcept
 {
@@ -44,7 +44,7 @@ bool normalContact(const InsertionModel& model, InsertionState& state, const Rod
   const anatomy::WallPoint& wall = contacts.wall[i];
   double half = model.radius[i];
   const Eigen::Vector3d& gradient_W = wall.normal_W;
-  // bone beside the opening holds up the center line, however the section is turned
+  // bone beside the opening supports the center line, whatever the orientation of the section
   const bool isOval = model.isOval && state.isBeside[i] == 0;
   if (isOval) {
     SectionReach& reach = contacts.section[i];
@@ -55,8 +55,8 @@ bool normalContact(const InsertionModel& model, InsertionState& state, const Rod
   if (penetration <= 0.0) return false;
   const double onset = model.parts.wall.onset.si();
 
-  // Right behind the opening the wall sets in over one node spacing, so that a node passing the
-  // edge does not meet it all at once.
+  // Behind the opening the wall sets in over one node spacing, so that a node passing the edge does
+  // not hit it abruptly.
   const double inside = (model.entry.origin_W - at_W).dot(model.entry.out_W);
   const double fraction = std::clamp(inside / model.spacing, 0.0, 1.0);
   NormalForce push = normalForce(penetration, fraction * model.wallStiffness[i], onset);
@@ -73,14 +73,15 @@ bool normalContact(const InsertionModel& model, InsertionState& state, const Rod
   }
   force_W += push.force * gradient_W;
   if (isOval) {
-    // A section turns by the same energy; how fast its reach turns back is at most its own excess.
+    // The torque on a section derives from the same energy; the second derivative of its reach is
+    // at most its own excess.
     const double rate = contacts.section[i].rate;
     state.wallTorque[i] = {-push.force * rate,
                            push.slope * rate * rate +
                                push.force * std::fabs(model.halfWithin[i] - model.halfAcross[i])};
   }
 
-  // on a concave wall a node that moves along it also meets the normal turning back
+  // on a concave wall the normal rotates as the node moves along it
   const double slope = push.slope, force = push.force;
   const Eigen::Vector3d& g = gradient_W;
   const Eigen::Matrix3d& k = wall.shapeOperator_W;
@@ -95,8 +96,8 @@ bool normalContact(const InsertionModel& model, InsertionState& state, const Rod
   return true;
 }
 
-/// Friction on a node that was pressed to the wall at the end of the last step. It knows the whole
-/// pressure, also where two walls' pushes cancel.
+/// Friction on a node that touched the wall at the end of the last step. Its bound is the total
+/// pressure, even where the forces of two walls cancel.
 void friction(const InsertionModel& model, InsertionState& state, const StepStart& start,
               std::size_t i, bool isPressed, ContactSet& contacts,
               FrictionHistory& history) noexcept
@@ -113,7 +114,7 @@ void friction(const InsertionModel& model, InsertionState& state, const StepStar
   SymmetricBlock<double>& stiffness = contacts.wallStiffness[contacts.touches];
   if (!isPressed) stiffness = {};
   stiffness += asBlock(friction.stiffness);
-  if (!isPressed) return;  // what has left the wall remembers nothing
+  if (!isPressed) return;  // a node that left the wall has no friction history
   history.spring_W[i] = friction.spring_W;
   history.isSliding[i] = friction.isSliding ? 1 : 0;
   history.slip[i] = slip.norm();

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which nodes touch the wall or the rim, and how it pushes back.
+// The contacts of the array with the wall and the rim.
 
 #include <Eigen/Core>
 #include <cstddef>
@@ -12,18 +12,18 @@
 
 namespace perilymph::mechanics {
 
-/// How far an oval section reaches toward the wall, where it first was near it in this step.
+/// Extent of an oval section toward the wall, evaluated where it first comes near it in a step.
 struct SectionReach {
   bool isKnown = false;
   double length = 0.0;  ///< [m]
-  double rate = 0.0;    ///< Derivative by a turn of the section [m].
+  double rate = 0.0;    ///< Derivative by the rotation of the section [m].
 };
 
-/// The derivative of the rim's force, distributed over the nodes that carry it.
+/// Derivative of the rim's force, distributed to the nodes near it.
 struct RimStiffness {
   std::size_t first = 0;             ///< First of those nodes.
-  std::size_t count = 0;             ///< How many: 0 where it does not touch, at most 3.
-  double weight[3] = {};             ///< Weight of each; they add up to 1.
+  std::size_t count = 0;             ///< Number of nodes: 0 without contact, at most 3.
+  double weight[3] = {};             ///< Weight of each node; they add up to 1.
   SymmetricBlock<double> stiffness;  ///< [N/m]
 };
 
@@ -43,18 +43,19 @@ struct ContactSet {
   }
 
   std::vector<double> reach;                ///< Reach of the lumen query at each node [m].
-  std::vector<unsigned char> isAsked;       ///< Whether the lumen was asked for each node.
-  std::vector<unsigned char> isKnown;       ///< Whether `wall` is of this step.
-  std::vector<Eigen::Vector3d> seenFrom_W;  ///< Position from which each node sees its `wall` [m].
-  std::vector<double> walked;               ///< By each node since the lumen was asked [m].
-  std::vector<anatomy::WallPoint> wall;     ///< As each node sees it.
+  std::vector<unsigned char> isAsked;       ///< Whether the lumen was queried for each node.
+  std::vector<unsigned char> isKnown;       ///< Whether `wall` is from this step.
+  std::vector<Eigen::Vector3d> seenFrom_W;  ///< Position for which `wall` is valid at each node
+                                            ///< [m].
+  std::vector<double> walked;               ///< Displacement of each node since the last query [m].
+  std::vector<anatomy::WallPoint> wall;     ///< Wall at each node.
   std::vector<SectionReach> section;        ///< Section of each node, if it is oval.
   std::size_t touches = 0;                  ///< Number of nodes that touch the wall.
-  std::vector<std::size_t> touching;        ///< Those nodes, from the base on.
+  std::vector<std::size_t> touching;        ///< Indices of those nodes, from the base on.
   std::vector<SymmetricBlock<double>>
       wallStiffness;          ///< Stiffness of the wall at each of them [N/m].
-  RimContact rim;             ///< As this iteration would leave it.
-  RimStiffness rimStiffness;  ///< Stiffness of the rim where it touches.
+  RimContact rim;             ///< State of the rim contact after this iteration.
+  RimStiffness rimStiffness;  ///< Stiffness of the rim contact.
 };
 
 }  // namespace perilymph::mechanics

@@ -9,7 +9,7 @@ namespace {
 constexpr double sectionStep = 2.0 * pi / 180.0;  // [rad]
 constexpr double fading = 5.0 * pi / 180.0;       // [rad]
 
-/// 0 to 1 without a kink, and its derivative.
+/// Smooth step from 0 to 1 with its derivative.
 struct Ramp {
   double value, slope;
   explicit Ramp(double q)
@@ -63,7 +63,8 @@ MembraneFraction MembranePlace::fractionAt(const Eigen::Vector3d& at_W, double r
   const double r = std::max(at_W.dot(outward_W), 1e-5);
   const Entry inner(inner_, track.angle * perSection_);
   const Entry outer(outer_, track.angle * perSection_);
-  // the footprint, half a radius to either side, beyond the inner edge less that beyond the outer
+  // the footprint, half a radius to either side: the part beyond the inner edge minus that beyond
+  // the outer
   const double inverseFootprint = 1.0 / radius;
   const Ramp pastInner(0.5 + (r - inner.value) * inverseFootprint);
   const Ramp pastOuter(0.5 + (r - outer.value) * inverseFootprint);

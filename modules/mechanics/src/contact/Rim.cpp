@@ -11,20 +11,20 @@
 namespace perilymph::mechanics {
 namespace {
 
-constexpr double minBending = 1e-6;  // [m]; only to divide by
+constexpr double minBending = 1e-6;  // [m]; avoids division by zero
 
-/// The place where the center line passes the plane of the opening.
+/// Intersection of the center line with the plane of the opening.
 struct Crossing {
-  std::size_t first = 0;    ///< First of the nodes that carry it.
-  std::size_t count = 0;    ///< 3, or 2 in the last half edge; 0: it does not cross.
-  double weight[3] = {};    ///< Weight of each of them; they add up to 1.
+  std::size_t first = 0;    ///< First of the nodes that define it.
+  std::size_t count = 0;    ///< 3, or 2 in the last half edge; 0: no intersection.
+  double weight[3] = {};    ///< Weight of each node; they add up to 1.
   Eigen::Vector3d along_W;  ///< Derivative of the center line by its parameter [m].
   double fromTip = 0.0;     ///< [m]
   double radius = 0.0;      ///< Radius of the array there [m].
   double radiusRate = 0.0;  ///< Its derivative by the parameter [m].
 };
 
-/// One push on the array: energy grows with `overlap`, whose gradient by the crossing is given.
+/// A force on the array: energy grows with `overlap`, whose gradient by the crossing is given.
 struct ContactForce {
   NormalForce law{0.0, 0.0};
   Eigen::Vector3d gradient_W = Eigen::Vector3d::Zero();
@@ -51,7 +51,7 @@ void fill(Crossing& crossing, const InsertionModel& model, const std::vector<Eig
   crossing.radiusRate -= model.spacing * rib.slope;
 }
 
-/// Where the center line goes in between the middles of the edges before and after node i.
+/// Intersection between the midpoints of the edges before and after node i.
 Crossing crossingAt(const InsertionModel& model, const std::vector<Eigen::Vector3d>& x,
                     std::size_t i, double before, double here, double after) noexcept
 {
@@ -71,7 +71,7 @@ Crossing crossingAt(const InsertionModel& model, const std::vector<Eigen::Vector
   return crossing;
 }
 
-/// Where it goes in on the straight half edge behind the tip.
+/// Intersection on the straight half edge behind the tip.
 Crossing crossingAtTip(const InsertionModel& model, const std::vector<Eigen::Vector3d>& x,
                        double before, double here) noexcept
 {
@@ -85,8 +85,9 @@ Crossing crossingAtTip(const InsertionModel& model, const std::vector<Eigen::Vec
   return crossing;
 }
 
-/// Where the array goes in. Not while its tip is outside: what is below the plane then only bends
-/// down to the bone. Of several places it is the one nearest to where it went in before.
+/// Intersection at which the array enters. Not while its tip is outside: any part below the plane
+/// is then only bent onto the bone. Of several intersections, the one nearest to the previous
+/// entry.
 Crossing crossingOf(const InsertionModel& model, const std::vector<Eigen::Vector3d>& x,
                     double fromTip) noexcept
 {
@@ -111,14 +112,15 @@ Crossing crossingOf(const InsertionModel& model, const std::vector<Eigen::Vector
   return nearest;
 }
 
-/// The normal part of a contact with the rim.
+/// Normal component of a rim contact.
 struct RimPush {
   ContactForce near, opposite;
-  Eigen::Vector3d normal_W;                           ///< Unit, that friction lies across.
-  Eigen::Matrix3d shape_W = Eigen::Matrix3d::Zero();  ///< Stiffness by the turning normal [N/m].
+  Eigen::Vector3d normal_W;                           ///< Unit; friction is perpendicular to it.
+  Eigen::Matrix3d shape_W = Eigen::Matrix3d::Zero();  ///< Stiffness due to the rotation of the
+                                                      ///< normal [N/m].
 };
 
-/// What rim and array do to each other at a crossing: pushes, stiffness, friction.
+/// Computes normal forces, stiffness and friction between rim and array at a crossing.
 void rimContact(const InsertionModel& model, const InsertionState& state, const StepStart& start,
                 const FrictionHistory& history, const Crossing& crossing, const RimPush& contact,
                 ContactSet& contacts, std::vector<Eigen::Vector3d>& force_W) noexcept
@@ -132,7 +134,7 @@ void rimContact(const InsertionModel& model, const InsertionState& state, const 
   }
   const double normal =
       near.law.force * near.gradient_W.norm() + opposite.law.force * opposite.gradient_W.norm();
-  // friction by the pressure that the last step left, as along the wall
+  // the bound of friction is the pressure of the previous step, as at the wall
   const Eigen::Vector3d& across_W = history.rimNormalBefore_W;
   const Eigen::Vector3d slip = moved - across_W * across_W.dot(moved);
   const Eigen::Vector3d& spring = state.rim.spring_W;
@@ -169,7 +171,7 @@ void rimContact(const InsertionModel& model, const InsertionState& state, const 
   contacts.rim.force_W = pushed_W;
 }
 
-/// A tip that is still outside: a sphere before the rounded rim and the bone around it.
+/// Contact of a tip that is still outside: a sphere against the rounded rim and the bone around it.
 void tipContact(const InsertionModel& model, const InsertionState& state, const StepStart& start,
                 const FrictionHistory& history, double above, ContactSet& contacts,
                 std::vector<Eigen::Vector3d>& force_W) noexcept
@@ -211,7 +213,8 @@ void tipContact(const InsertionModel& model, const InsertionState& state, const 
 
 EllipseFoot nearestOnEllipse(double x, double y, double a, double b) noexcept
 {
-  // from the normal of the concentric ellipse through the point; from the short side at the center
+  // start from the normal of the concentric ellipse through the point; at the center, from the
+  // short axis
   double u0 = x / (a * a), u1 = y / (b * b);
   const double size = std::sqrt(u0 * u0 + u1 * u1);
   if (size * std::min(a, b) > 1e-9) {
@@ -248,7 +251,7 @@ RibProfile ribsAt(const InsertionModel& model, double fromTip) noexcept
   const double height = array.ribHeight.si();
   RibProfile profile{0.0, 0.0};
   if (!(height > 0.0)) return profile;
-  // the rounded rim meets the rib by its own radius earlier
+  // the rounded rim touches the rib earlier by its own radius
   const double reach = 0.5 * array.ribLength.si() + model.parts.opening->edgeRadius.si();
   for (const Length& rib : array.ribsFromTip) {
     const double q = (fromTip - rib.si()) / reach;
@@ -294,7 +297,7 @@ void addRimForces(const InsertionModel& model, const InsertionState& state, cons
       foot.normal[0] * model.entry.outward_W + foot.normal[1] * model.entry.vertical_W;
   const Eigen::Vector3d b_W = n_W.cross(u_W);
   const double bending = std::max(foot.bending, minBending);
-  // along the array the plane is crossed at this rate; an array lying in the plane is no crossing
+  // rate at which the array crosses the plane; an array lying in the plane does not cross it
   const double steep = std::min(n_W.dot(crossing.along_W), -0.1 * model.spacing);
   const auto gradientOf = [&](const Eigen::Vector3d& across_W, double radiusRate) {
     return Eigen::Vector3d(across_W -
@@ -306,7 +309,7 @@ void addRimForces(const InsertionModel& model, const InsertionState& state, cons
   ContactForce& opposite = contact.opposite;
   near.law = normalForce(overlap, stiffness, onset);
   near.gradient_W = gradientOf(u_W, crossing.radiusRate);
-  // the place opposite moves along with the nearest one
+  // the opposite point moves with the nearest one
   const double alongNormal = out.dot(u_W);
   const double overlapThere = crossing.radius - foot.distance - 2.0 * alongNormal;
   opposite.law = normalForce(overlapThere, stiffness, onset);
@@ -314,7 +317,7 @@ void addRimForces(const InsertionModel& model, const InsertionState& state, cons
     opposite.gradient_W =
         gradientOf(-u_W - (2.0 * foot.reachRate / bending) * b_W, crossing.radiusRate);
 
-  // friction feels a flank tilted; between two flanks the tilts cancel
+  // friction acts along a tilted flank; between two flanks the tilts cancel
   const double both = near.law.force + opposite.law.force;
   const double tilt =
       near.gradient_W.dot(n_W) * near.law.force - opposite.gradient_W.dot(n_W) * opposite.law.force;
@@ -340,7 +343,7 @@ void addRimStiffness(const ContactSet& contacts, BandMatrix& matrix) noexcept
       const std::size_t row = blockOf(rim.first + i), column = blockOf(rim.first + j);
       if (row == column) {
         matrix.diagonal[row] += both;
-        if (i != j) matrix.diagonal[row] += both;  // both nodes are the base's
+        if (i != j) matrix.diagonal[row] += both;  // both nodes belong to the base
       } else if (row == column + 1) {
         matrix.beside[row] += full;
       } else {

@@ -29,7 +29,7 @@ FrictionBySpeed::FrictionBySpeed(const std::vector<Speed>& speeds,
                                   std::to_string(i + 1) + "; it must be 0 to 2.");
   }
 
-  // Slopes: 0 where the curve turns and at both ends, else a harmonic mean of both sides.
+  // Slopes: 0 at extrema and at both ends, else a weighted harmonic mean of the adjacent secants.
   for (std::size_t i = 1; i + 1 < points_; ++i) {
     const double before = speed_[i] - speed_[i - 1], after = speed_[i + 1] - speed_[i];
     const double rise = (coefficient_[i] - coefficient_[i - 1]) / before;

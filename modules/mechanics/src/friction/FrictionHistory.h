@@ -1,13 +1,14 @@
 #pragma once
 
-// What friction remembers from the step before, and what it would remember after this one.
+// Friction state of the previous step and the tentative one of this step.
 
 #include <Eigen/Core>
 #include <vector>
 
 namespace perilymph::mechanics {
 
-/// Friction of a step is bounded by the pressure at its start, and lies across the normal there.
+/// Friction in a step is bounded by the pressure at its start, and perpendicular to the normal
+/// there.
 struct FrictionHistory {
   explicit FrictionHistory(std::size_t nodes = 0)
       : pressedBefore(nodes),
@@ -22,9 +23,9 @@ struct FrictionHistory {
   std::vector<Eigen::Vector3d> normalBefore_W;  ///< Unit: friction is perpendicular to it.
   double rimPressedBefore = 0.0;                ///< The same at the rim [N].
   Eigen::Vector3d rimNormalBefore_W = Eigen::Vector3d::Zero();
-  std::vector<Eigen::Vector3d> spring_W;  ///< As this iteration would leave it [m].
+  std::vector<Eigen::Vector3d> spring_W;  ///< After this iteration [m].
   std::vector<double> slip;               ///< Slip of each node in this step [m].
-  std::vector<unsigned char> isSliding;   ///< As this iteration would leave it.
+  std::vector<unsigned char> isSliding;   ///< After this iteration.
 };
 
 }  // namespace perilymph::mechanics

@@ -23,7 +23,7 @@ FrictionStep frictionStep(const Eigen::Vector3d& stretch_W, double normal, doubl
     step.isSliding = isSliding && trial > law.stoppingCoefficient * normal;
     return step;
   }
-  // slides: the spring keeps what the cone allows, the rest is lost to heat
+  // slides: the spring keeps what the friction cone allows, the rest is dissipated
   const Eigen::Vector3d direction = stretch_W / length;
   step.force_W = -limit * direction;
   step.stiffness = (limit / length) * (tangential - direction * direction.transpose());

@@ -1,6 +1,6 @@
 #pragma once
 
-// Stick and slip of one node by return mapping on a spring.
+// Stick and slip of one node by return mapping of a friction spring.
 
 #include <Eigen/Core>
 
@@ -8,19 +8,20 @@
 
 namespace perilymph::mechanics {
 
-/// What the wall's friction does to one node in one iteration.
+/// Friction of the wall on one node in one iteration.
 struct FrictionStep {
   Eigen::Vector3d force_W;  ///< On the node, tangent to the wall [N].
   Eigen::Matrix3d
-      stiffness;  ///< Minus the force's derivative by the node's motion [N/m]; semidefinite.
-  Eigen::Vector3d spring_W;  ///< What the spring would remember [m].
-  bool isSliding;            ///< What the node would remember.
+      stiffness;  ///< Minus the force's derivative by the node's position [N/m]; positive
+                  ///< semidefinite.
+  Eigen::Vector3d spring_W;  ///< New deflection of the spring [m].
+  bool isSliding;            ///< Whether the node slides.
 };
 
-/// Friction on a node that has moved along the wall.
+/// Friction on a node that moved along the wall.
 ///
-/// @param stretch_W  Remembered spring plus this step's motion, tangent to the wall [m].
-/// @param normal     Force that presses node and wall together [N], 0 or more.
+/// @param stretch_W  Stored spring deflection plus this step's motion, tangent to the wall [m].
+/// @param normal     Normal force between node and wall [N], 0 or more.
 /// @param stiffness  Of the spring [N/m].
 /// @param isSliding  Whether the node slid at the end of the last step.
 /// @param slipSpeed  Its speed along the wall in the last step [m/s].

@@ -5,9 +5,9 @@
 namespace perilymph::mechanics {
 namespace {
 
-// A half of a micronewton on the published wall; what two planes that count as one may differ by.
+// Half a micronewton on the published wall; tolerance for planes regarded as equal.
 constexpr double allowance = 1e-9;  // [m]
-constexpr double singular = 1e-13;  // of a determinant of unit vectors: 0.3 microradians apart
+constexpr double singular = 1e-13;  // determinant of unit vectors: 0.3 microradians apart
 constexpr int maxRounds = 16;
 
 }  // namespace
@@ -38,7 +38,7 @@ int HalfSpaces::maxViolated(const Eigen::Vector3d& place) const noexcept
   return index;
 }
 
-/// The place nearest to the goal on all planes of the set; false if one of them would have to pull.
+/// Point nearest to the goal on all planes of the set; false if a plane would have to pull.
 bool HalfSpaces::holds(const Holding& set, const Eigen::Vector3d& goal,
                        Eigen::Vector3d& place) const noexcept
 {
@@ -61,7 +61,7 @@ bool HalfSpaces::holds(const Holding& set, const Eigen::Vector3d& goal,
     place = goal + onFirst * first.normal + onSecond * second.normal;
     return true;
   }
-  // three planes meet in one place; what pushes there is found by Cramer's rule
+  // three planes intersect in one point; their multipliers follow from Cramer's rule
   const HalfSpace& third = at(set.index[2]);
   const double z = third.bound - third.normal.dot(goal);
   const double xz = first.normal.dot(third.normal);
@@ -87,8 +87,8 @@ Allowed HalfSpaces::project(const Eigen::Vector3d& goal, Eigen::Vector3d& place)
     const int added = maxViolated(place);
     if (added < 0) return now.count > 0 ? Allowed::heldBack : Allowed::yes;
 
-    // the added one with none, one or two of those before: the first set that pushes only and
-    // breaks none of the others is the answer for these
+    // the added one with none, one or two of the previous: the first set with nonnegative
+    // multipliers that violates none of the others is the solution for these
     Holding best;
     const auto attempt = [&](int one, int two) {
       if (best.count > 0) return;

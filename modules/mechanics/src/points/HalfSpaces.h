@@ -1,34 +1,33 @@
 #pragma once
 
-// The place nearest to a goal that a few planes allow.
+// Projection of a goal onto the intersection of a few half-spaces.
 
 #include <Eigen/Core>
 #include <array>
 
 namespace perilymph::mechanics {
 
-/// A place x is allowed where normal . x >= bound.
+/// A point x is allowed if normal . x >= bound.
 struct HalfSpace {
   Eigen::Vector3d normal;  ///< Unit.
   double bound = 0.0;      ///< [m]
   double distance = 0.0;   ///< Distance of its triangle [m]; the farthest are dropped first.
 };
 
-/// Whether a goal is allowed, is held back, or has no allowed place near it at all.
+/// Whether a goal is allowed, is constrained, or has no allowed point near it.
 enum class Allowed { yes, heldBack, nowhere };
 
-/// At most 32 half-spaces, and where a goal may come to lie among them.
+/// At most 32 half-spaces, and the projection onto their intersection.
 class HalfSpaces {
 public:
   void clear() noexcept { count_ = 0; }
-  /// If there are more than fit, the nearest stay.
+  /// Adds a half-space. If the capacity is exceeded, the nearest ones are kept.
   void add(const HalfSpace& space) noexcept;
 
-  /// Moves `place` from the goal to the allowed place nearest to it.
+  /// Moves `place` from the goal to the nearest allowed point.
   ///
-  /// Adds the half-space violated most, and keeps of it and those that held so far the at most
-  /// three that push (an active set; the answer is the projection onto a convex set, so it is the
-  /// only one). Bounded; real-time safe.
+  /// Adds the most violated half-space and keeps at most three active ones (an active-set method;
+  /// the result is the projection onto a convex set and therefore unique). Bounded; real-time safe.
   Allowed project(const Eigen::Vector3d& goal, Eigen::Vector3d& place) const noexcept;
 
 private:

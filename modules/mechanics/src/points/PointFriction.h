@@ -1,6 +1,6 @@
 #pragma once
 
-// Stick and slip of one sample point, by the three published coefficients.
+// Stick and slip of one sample point, with the three published coefficients.
 
 #include <Eigen/Core>
 
@@ -8,23 +8,23 @@
 
 namespace perilymph::mechanics {
 
-/// What the surface's friction does to one point in one step.
+/// Friction of the surface on one point in one step.
 struct PointFriction {
   Eigen::Vector3d force_W;   ///< On the point, along the surface [N].
-  Eigen::Vector3d spring_W;  ///< How far it is held back from here on [m].
+  Eigen::Vector3d spring_W;  ///< New deflection of the friction spring [m].
   bool isSliding;
 };
 
 /// Friction on a point on a tangential spring.
 ///
-/// At rest it starts to slide when the spring's force exceeds *starting* times the normal force.
-/// Sliding, the spring keeps *dynamic* times the normal force, at any speed (the published law has
-/// no other). It rests again when the spring's force has fallen below *stopping* times the normal
-/// force. That the three coefficients of the published interface mean this is a reading of it
-/// (confidence medium).
+/// A resting point starts to slide when the spring's force exceeds the static coefficient times the
+/// normal force. While it slides, the spring keeps the kinetic coefficient times the normal force
+/// at any speed (the published law has no dependence on speed). It sticks again when the spring's
+/// force has fallen below the stopping coefficient times the normal force. This meaning of the
+/// three coefficients of the published interface is an interpretation (confidence medium).
 ///
-/// @param stretch_W  How far the point is from where it was held, along the surface [m].
-/// @param normal     Force that presses point and surface together [N], 0 or more.
+/// @param stretch_W  Displacement of the point from where it stuck, along the surface [m].
+/// @param normal     Normal force between point and surface [N], 0 or more.
 /// @param stiffness  Of the spring [N/m].
 ///
 /// Real-time safe.

@@ -24,7 +24,7 @@ PointSetModel::PointSetModel(const anatomy::Surface& hapticSurface, int points, 
     const double other = box[(axis + 2) % 3];
     inertia[axis] = law.mass / 12.0 * (one * one + other * other);
   }
-  // a hair less than a step more is not a step more
+  // tolerance for rounding errors
   substeps = std::max(1, static_cast<int>(std::ceil(timeStep / publishedStep - 1e-9)));
   substep = timeStep / substeps;
 

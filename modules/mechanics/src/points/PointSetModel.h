@@ -1,6 +1,6 @@
 #pragma once
 
-// The constant part of a point set: its carrier's numbers and the surface it touches.
+// Constant data of a point set: the carrier's parameters and the surface that it touches.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -10,10 +10,10 @@
 
 namespace perilymph::mechanics {
 
-/// Numbers of the published carrier (Todd and Naghdy, section II.D; confidence high).
+/// Parameters of the published carrier (Todd and Naghdy, section II.D; confidence high).
 struct PointSetLaw {
   double radius = 0.25e-3;   ///< Radius of a point: the measured tip of a Contour [m].
-  double stiffness = 350.0;  ///< Stiffness of a point against its place [N/m].
+  double stiffness = 350.0;  ///< Stiffness between a point and its anchor [N/m].
   double damping = 1.0;      ///< The same [N.s/m].
   double turningStiffness =
       0.2;                       ///< Rotational stiffness of the carrier in the tweezers [N.m/rad].
@@ -23,9 +23,9 @@ struct PointSetLaw {
   double surfaceDamping = 0.01;              ///< [N.s/m]
 };
 
-/// What a model of points has beside the common parts of InsertionModel.
+/// Constant data of a point set, in addition to the common parts of InsertionModel.
 struct PointSetModel {
-  /// @throws std::invalid_argument with a sentence for a surface that cannot hold anything.
+  /// @throws std::invalid_argument with a message for an invalid surface.
   PointSetModel(const anatomy::Surface& hapticSurface, int points, double timeStep,
                 const PointSetLaw& law = {});
 

@@ -1,14 +1,14 @@
 #pragma once
 
-// The memory of the point set's solver.
+// Memory of the point set's solver.
 
 #include "points/HalfSpaces.h"
 
 namespace perilymph::mechanics {
 
-/// Intermediate results of one time step. Nothing outlives it.
+/// Intermediate results of one time step, not kept between steps.
 struct PointWorkspace {
-  HalfSpaces allowed;  ///< What the triangles near a proxy allow it.
+  HalfSpaces allowed;  ///< Constraints by the triangles near a proxy.
 };
 
 }  // namespace perilymph::mechanics

@@ -17,7 +17,7 @@ namespace perilymph::mechanics {
 namespace {
 
 constexpr double usualCell = 0.4e-3;      // [m]; about as long as the triangles of a haptic surface
-constexpr int maxCells = 64;              // each way
+constexpr int maxCells = 64;              // along each axis
 constexpr double largestSurface = 50e-3;  // [m]; a cochlea is 10 mm wide
 constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
 
@@ -48,7 +48,7 @@ ProxySurface::ProxySurface(const anatomy::Surface& surface, double maxRadius)
                       {-1, -1, -1}};
     const Eigen::Vector3d outward = (triangle.b - triangle.a).cross(triangle.c - triangle.a);
     const double size = outward.norm();
-    if (!(size > 0.0)) continue;  // without area it holds nothing that its neighbors do not hold
+    if (!(size > 0.0)) continue;  // a degenerate triangle constrains nothing beyond its neighbors
     triangle.inward = -outward / size;
     for (const Eigen::Vector3d* corner : {&triangle.a, &triangle.b, &triangle.c})
       for (int axis = 0; axis < 3; ++axis) {
@@ -82,7 +82,7 @@ ProxySurface::ProxySurface(const anatomy::Surface& surface, double maxRadius)
         const Eigen::Vector3d center = low_W_ + cell_ * Eigen::Vector3d(x + 0.5, y + 0.5, z + 0.5);
         for (std::size_t i = 0; i < triangles_.size(); ++i) {
           const Triangle& t = triangles_[i];
-          // The plane alone sends most away.
+          // The distance to the plane alone excludes most triangles.
           if (std::fabs(t.inward.dot(center - t.a)) > fromCenter) continue;
           const Eigen::Vector3d weights = anatomy::barycentricWeights(center, t.a, t.b, t.c);
           const Eigen::Vector3d near = weights[0] * t.a + weights[1] * t.b + weights[2] * t.c;
@@ -94,7 +94,7 @@ ProxySurface::ProxySurface(const anatomy::Surface& surface, double maxRadius)
 
 void ProxySurface::findNeighbors(std::size_t corners)
 {
-  // the first triangle at an edge waits for the second; a third finds nobody
+  // an edge joins the first two triangles that share it; a third one is ignored
   std::map<std::pair<int, int>, std::pair<std::size_t, std::size_t>> waiting;
   std::vector<std::vector<int>> around(corners);
   for (std::size_t i = 0; i < triangles_.size(); ++i)
@@ -123,8 +123,7 @@ bool ProxySurface::isInFrontOf(const Eigen::Vector3d& place_W, int triangle) con
   return t.inward.dot(place_W - t.a) >= 0.0;
 }
 
-/// Whether all triangles that meet in a triangle's place nearest to `place_W` are seen from the
-/// front.
+/// Whether all triangles that share the point nearest to `place_W` are seen from the front.
 bool ProxySurface::sees(const Eigen::Vector3d& place_W, const Triangle& triangle,
                         const Eigen::Vector3d& weights) const noexcept
 {
@@ -145,7 +144,7 @@ std::size_t ProxySurface::cellOf(const Eigen::Vector3d& place_W) const noexcept
   std::size_t index = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const double at = (place_W[axis] - low_W_[axis]) / cell_;
-    // written so that a not-a-number is nowhere
+    // written so that NaN is outside
     if (!(at >= 0.0 && at < size_[axis])) return nowhere;
     index = index * static_cast<std::size_t>(size_[axis]) + static_cast<std::size_t>(at);
   }
@@ -184,7 +183,7 @@ ProxyHold ProxySurface::follow(const Eigen::Vector3d& proxy_W, const Eigen::Vect
     Eigen::Vector3d nearest_W = goal_W;
     const Allowed answer = allowed.project(goal_W, nearest_W);
     hold.touches = answer != Allowed::yes;
-    // Narrower than the sphere: the proxy stays where it is.
+    // Narrower than the sphere: the proxy stays.
     if (answer == Allowed::nowhere) nearest_W = hold.place_W;
     hold.pressed_W = nearest_W - goal_W;
     const Eigen::Vector3d step = nearest_W - hold.place_W;

@@ -11,7 +11,8 @@
 namespace perilymph::mechanics {
 namespace {
 
-/// Cosine of 45 degrees: a wall whose normal is nearer to the way out than this stands across.
+/// Cosine of 45 degrees: a wall whose normal is closer to the outward direction is across the way
+/// in.
 constexpr double halfway = 0.70710678118654752;
 
 /// The components of a vector along E's axes: x toward the outer wall, z out.
@@ -25,24 +26,24 @@ Eigen::Vector3d fromEntry(const anatomy::Entry& entry, const Eigen::Vector3d& v_
   return v_E.x() * entry.outward_W + v_E.y() * entry.vertical_W + v_E.z() * entry.out_W;
 }
 
-/// How far a place lies past the plane of the opening [m].
+/// Depth of a point past the plane of the opening [m].
 double inside(const anatomy::Entry& entry, const Eigen::Vector3d& place_W) noexcept
 {
   return (entry.origin_W - place_W).dot(entry.out_W);
 }
 
-/// Length of a straight carrier past the opening [m]: what the paper calls the insertion distance.
+/// Length of a straight carrier past the opening [m]: the insertion distance of the paper.
 double insertionDistance(const InsertionModel& model, const Eigen::Vector3d& base_W,
                          const Eigen::Vector3d& axis_W) noexcept
 {
   const double length = model.parts.array.length.si();
   const double inward = -axis_W.dot(model.entry.out_W);
-  if (!(inward > 0.1)) return 0.0;  // held across or away: none of it can be said to be in
+  if (!(inward > 0.1)) return 0.0;  // held across or pointing outward: depth undefined
   return std::clamp(length + inside(model.entry, base_W) / inward, 0.0, length);
 }
 
-/// Length of the carrier that carries points [m]: all of it, after the basal-turn collision what
-/// stands before the place of that collision.
+/// Length of the carrier that carries points [m]: the whole carrier; after the basal-turn collision
+/// the part before the position of that collision.
 double pointedLength(const InsertionModel& model, const PointSetState& set,
                      double insertion) noexcept
 {
@@ -56,8 +57,8 @@ Eigen::Vector3d carrierAxis(const PointSetState& set, const Eigen::Vector3d& han
   return (handAxis_W + set.turn_W.cross(handAxis_W)).normalized();
 }
 
-/// Where the tweezers go in one step. A rigid hand has them; a spring hand pulls the frame, which
-/// weighs nothing, against the springs of all points.
+/// Next position of the tweezers. With rigid coupling it is the hand's; with spring coupling the
+/// hand pulls the massless frame against the springs of all points.
 Eigen::Vector3d nextBase(const InsertionModel& model, const InsertionState& state,
                          const Drive& drive, const Eigen::Vector3d& hand_W) noexcept
 {
@@ -76,8 +77,8 @@ Eigen::Vector3d nextBase(const InsertionModel& model, const InsertionState& stat
   return state.base_W + force_W / hold;
 }
 
-/// The surface on one point: moves its proxy, leaves normal force, friction and their sum in the
-/// state. Says whether the wall stands across the way in there.
+/// Contact of one point with the surface: moves its proxy and stores normal force, friction and
+/// their sum in the state. Returns whether the wall there is across the way in.
 bool meetSurface(const InsertionModel& model, InsertionState& state, std::size_t i,
                  PointWorkspace& workspace) noexcept
 {
@@ -103,7 +104,7 @@ bool meetSurface(const InsertionModel& model, InsertionState& state, std::size_t
 
   const Eigen::Vector3d normal_W = hold.pressed_W / pressed;
   const WallLaw& wall = model.parts.wall;
-  // a surface pushes, it never pulls, however fast the point leaves
+  // a surface pushes and never pulls, however fast the point moves away
   const double normal =
       std::max(0.0, wall.perSamplePoint.si() * pressed -
                         law.law.surfaceDamping * state.velocity_W[i].dot(normal_W));
@@ -120,7 +121,7 @@ bool meetSurface(const InsertionModel& model, InsertionState& state, std::size_t
   return normal_W.dot(model.entry.out_W) >= halfway;
 }
 
-/// Moves one point by the forces on it. Returns what it does to the carrier [N].
+/// Moves one point under the forces on it. Returns its force on the carrier [N].
 Eigen::Vector3d movePoint(const InsertionModel& model, InsertionState& state, std::size_t i,
                           const Eigen::Vector3d& placeVelocity_W) noexcept
 {
@@ -143,8 +144,8 @@ Eigen::Vector3d movePoint(const InsertionModel& model, InsertionState& state, st
   return -spring_W;
 }
 
-/// Turns the carrier in the tweezers, as the points' moment and its own spring have it: implicitly,
-/// because its inertia is small beside what the points' dampers do to it in one step.
+/// Rotates the carrier in the tweezers under the points' moment and its own spring: implicitly,
+/// because its inertia is small compared with the effect of the points' dampers in one step.
 ///
 /// @param armSquares  Sum over the points of their squared distance from the tweezers [m^2].
 void turnCarrier(const InsertionModel& model, PointSetState& set, double armSquares) noexcept
@@ -164,7 +165,7 @@ void turnCarrier(const InsertionModel& model, PointSetState& set, double armSqua
   }
   set.turnRate_W = fromEntry(model.entry, rate_E);
   set.turn_W += step * set.turnRate_W;
-  // the tip stays in the bounds of its movement, too
+  // the tip also stays within the bounds of movement
   const double maximum = 0.5 * law.law.box[2] / model.parts.array.length.si();
   const double size = set.turn_W.norm();
   if (size > maximum) {
@@ -174,13 +175,13 @@ void turnCarrier(const InsertionModel& model, PointSetState& set, double armSqua
   }
 }
 
-/// The published addition: friction by the force across, in the direction told from the carrier's
-/// proxy against the device.
+/// Adds the published friction: proportional to the transverse force, with the direction given by
+/// the carrier's proxy relative to the device.
 void addPublishedFriction(const InsertionModel& model, InsertionState& state) noexcept
 {
   PointSetState& set = state.points;
   set.friction_W.setZero();
-  double ahead = 0.0;  // of the proxy along E.z, the number of points over
+  double ahead = 0.0;  // displacement of the proxy along E.z, times the number of points
   double pushed = 0.0;
   for (std::size_t i = 0; i < state.position_W.size(); ++i) {
     ahead += (state.position_W[i] - set.place_W[i]).dot(model.entry.out_W);
@@ -201,7 +202,7 @@ void advanceOnce(const InsertionModel& model, InsertionState& state, const Drive
   PointSetState& set = state.points;
   const std::size_t n = state.position_W.size();
 
-  // the carrier first: where the hand takes it, and where that puts the places of the points
+  // first the carrier: new base position and anchors of the points
   const Eigen::Vector3d base_W = nextBase(model, state, drive, hand_W);
   state.baseVelocity_W = inverseTimeStep * (base_W - state.base_W);
   state.base_W = base_W;
@@ -226,7 +227,7 @@ void advanceOnce(const InsertionModel& model, InsertionState& state, const Drive
     armSquares += arm_W.squaredNorm();
   }
 
-  // last what the carrier makes of it
+  // finally the rotation of the carrier
   turnCarrier(model, set, armSquares);
   addPublishedFriction(model, state);
   if (set.turnedAt < 0.0 && meetsTurn && set.pull_W.dot(model.entry.out_W) != 0.0)
@@ -253,7 +254,7 @@ void read(const InsertionModel& model, InsertionState& state) noexcept
     r.wallForceTotal += force;
     r.wallForceMax = std::max(r.wallForceMax, force);
   }
-  // one number that is finite only if all are
+  // one value that is finite only if all are
   const Eigen::Vector3d all_W =
       r.handForce_W + r.handTorque_W + state.base_W + foremost_W + set.turn_W;
   const double sum = all_W.x() + all_W.y() + all_W.z() + r.depth + r.wallForceTotal;
@@ -278,7 +279,7 @@ void resetPoints(const InsertionModel& model, InsertionState& state,
     set.place_W[i] = at_W;
     set.proxy_W[i] = at_W;
     if (!(inside(model.entry, at_W) > 0.0)) continue;
-    // A proxy comes in through the opening, also where a script starts a point beyond a wall.
+    // A proxy enters through the opening, even if a script starts a point beyond a wall.
     set.proxy_W[i] = model.entry.origin_W;
     constexpr int calls = 16;  // of some millimeter each
     for (int call = 0; call < calls; ++call)

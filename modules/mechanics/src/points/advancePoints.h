@@ -1,6 +1,6 @@
 #pragma once
 
-// One time step of the published point set: what advance() does for a model of points.
+// One time step of the published point set: advance() for a point-set model.
 
 #include "perilymph/foundation/RealTime.h"
 #include "perilymph/mechanics/InsertionModel.h"
@@ -9,14 +9,14 @@
 
 namespace perilymph::mechanics {
 
-/// Puts the points where the state's nodes are: at rest on the carrier, their proxies inside the
-/// surface. `state.points` is sized. Real-time safe.
+/// Puts the points at the positions of the state's nodes: at rest on the carrier, their proxies
+/// inside the surface. `state.points` must be sized. Real-time safe.
 PERILYMPH_REALTIME void resetPoints(const InsertionModel& model, InsertionState& state,
                                     PointWorkspace& workspace) noexcept;
 
-/// Moves points, proxies and carrier one time step on, and fills what pictures and recordings read.
-/// The same promises as advance(); no Newton iterations, so `residual` is 0 and `iterations` counts
-/// equal steps within this one.
+/// Advances points, proxies and carrier by one time step and fills the data read by snapshots and
+/// recordings. Same guarantees as advance(); without Newton iterations, so `residual` is 0 and
+/// `iterations` counts the substeps.
 PERILYMPH_REALTIME void advancePoints(const InsertionModel& model, InsertionState& state,
                                       const Drive& drive, PointWorkspace& workspace) noexcept;
 

@@ -8,10 +8,10 @@ namespace perilymph::haptics {
 
 namespace {
 
-// A handle of 90 g that moves as freely as 0.5 N.s/m: lighter and freer than the devices in use.
+// A handle of 90 g with damping 0.5 N.s/m: lighter and less damped than the devices in use.
 constexpr double lightHandle = 0.09;   // [kg]
 constexpr double freeHandle = 0.5;     // [N.s/m]
-constexpr double usedFraction = 0.75;  // of the damping, by the spring
+constexpr double usedFraction = 0.75;  // of the damping, used by the spring
 constexpr double velocityLag = 2e-3;   // of SampleValidator [s]
 constexpr double eulersNumber = 2.718281828459045;
 
@@ -37,7 +37,7 @@ CouplingLimit couplingLimit(const device::DeviceTraits& traits, double timeStep)
   const double damping = traits.handleDamping > 0.0 ? traits.handleDamping : freeHandle;
   const double mass = traits.handleMass > 0.0 ? traits.handleMass : lightHandle;
 
-  // A tick that a report begins uses it at once; else it has waited for half a period on average.
+  // A report that triggers a tick is used at once; otherwise it waits half a period on average.
   const double wait = followsReports(traits, timeStep) ? 0.0 : 0.5 * traits.nominalPeriod;
   const double late = 0.5 * timeStep + std::max(0.0, traits.transportDelay) + wait;
   limit.stiffness = usedFraction * damping / late;

@@ -11,7 +11,7 @@ SafetyLimits limitsOfTrial(const device::DeviceTraits& traits, double greatest) 
   SafetyLimits limits = limitsFor({}, traits);
   limits.maxForce = greatest;
   limits.maxSlew = 10.0;
-  // The force itself rises slowly from nothing.
+  // The force profile itself rises slowly from zero.
   limits.rampTime = 0.1;
   return limits;
 }
@@ -39,7 +39,7 @@ device::Wrench ForceTrial::step(const device::DeviceSample& sample) noexcept
   isHeld_ = hand.isHeld && !hand.isStale;
   if (isOver()) isHeld_ = false;
 
-  // 0 at both ends of the second, 1 in its middle, without a corner
+  // 0 at both ends of the second, 1 in its middle, smooth
   const double fraction = time_ / timeForAxis;
   const double hump = 16.0 * fraction * fraction * (1.0 - fraction) * (1.0 - fraction);
   Eigen::Vector3d wanted_D = Eigen::Vector3d::Zero();

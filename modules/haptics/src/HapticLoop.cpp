@@ -18,7 +18,7 @@ namespace perilymph::haptics {
 
 namespace {
 
-// Eight seconds at 1 kHz: a recorder that waits for a slow disk loses nothing.
+// Eight seconds at 1 kHz: a recorder that waits for a slow disk loses no record.
 constexpr std::size_t recordsKept = 8192;
 constexpr std::int64_t second = 1'000'000'000;  // [ns]
 
@@ -55,10 +55,10 @@ struct HapticLoop::Content {
   std::thread thread;
   std::atomic<bool> isStopping{false};
 
-  // The haptic thread's own; others read it once the thread has ended.
+  // Written by the haptic thread; others read it after the thread has ended.
   realtime::Pacer pacer;
   std::int64_t period;         // [ns]
-  bool followsDevice = false;  // its reports may begin ticks
+  bool followsDevice = false;  // reports may trigger ticks
   bool isHandFresh = false;    // the last tick had a fresh sample
   std::uint64_t sequence = 0;  // of that sample
   std::int64_t lastBegan = 0;  // [ns]
@@ -114,8 +114,8 @@ void HapticLoop::runOnce() noexcept
   record.output = loop.engine->tick(record.sample, record.commands);
   loop.device.write(record.output.wrench_D);
 
-  loop.publish();                                      // for the eyes: newest wins
-  if (!loop.records.push(record)) ++loop.lostRecords;  // for the file: nothing lost, or counted
+  loop.publish();                                      // for display: only the newest matters
+  if (!loop.records.push(record)) ++loop.lostRecords;  // for the file: complete, or counted as lost
 }
 
 void HapticLoop::start()
@@ -140,16 +140,16 @@ void HapticLoop::start()
   });
 }
 
-/// Returns when the next tick is to begin, and when that was [ns].
+/// Returns the time at which the next tick begins [ns].
 std::int64_t HapticLoop::Content::waitForTick() noexcept
 {
   auto awaited = device::Awaited::cannot;
-  // Only a device in time is waited for; one that stalls must not hold up the ticks.
+  // Wait only for a device that is on time; a stalled one must not delay the ticks.
   if (followsDevice && isHandFresh)
     awaited = device.await(Duration::fromSi(engine->model().timeStep));
   const std::int64_t now = realtime::monotonicNanoseconds();
 
-  // A report behind a tick that could not wait for it belongs to the next one.
+  // A report that arrives right after a tick by the clock belongs to the next tick.
   const bool isTooSoon = awaited == device::Awaited::fresh && now - lastBegan < period / 2;
   if (awaited == device::Awaited::cannot || isTooSoon) {
     lastBegan = pacer.wait();

@@ -12,9 +12,9 @@ namespace perilymph::haptics {
 
 namespace {
 
-// A thousandth of the forces of an insertion (0.1 N); fifty times what the solver aims at.
+// A thousandth of the forces of an insertion (0.1 N); fifty times the solver's tolerance.
 constexpr double maxResidual = 1e-4;  // [N]
-// Far below what anybody measures; above the rounding of a depth.
+// Far below measurable depths; above rounding errors.
 constexpr double arrived = 1e-9;  // [m]
 constexpr double infinitelyFar = std::numeric_limits<double>::infinity();
 
@@ -67,11 +67,11 @@ TickOutput InsertionEngine::tick(const device::DeviceSample& sample,
   const HandState& hand = validator_.take(sample);
   validate(hand, output_.status);
 
-  // An overflowed state stays as it is, to be looked at.
+  // After an overflow the state is kept for inspection.
   if (workflow_ != Workflow::idle && isFinite()) moveMechanics(hand);
   updateOutput();
 
-  // Force on the hand, after the mechanics: it belongs to this tick's pose.
+  // The force is computed after the mechanics, so that it belongs to this tick's pose.
   const Eigen::Vector3d force_D = registration_.toDevice(forceScale_ * state_.readings.handForce_W);
   const Eigen::Vector3d shown_D = safety_.show(force_D, conditionOf(hand), output_.status);
   output_.wrench_D.force_D = asArray(shown_D);
@@ -94,14 +94,14 @@ void InsertionEngine::applyCommand(const Command& command) noexcept
       startWithdrawing();
       break;
     case Command::Kind::clearFault:
-      // Nothing can go on from an overflow; only a reset leaves it.
+      // Only a reset leaves an overflow.
       if (isFinite()) transition(WorkflowEvent::clearFault);
       break;
     case Command::Kind::requestFault:
       transition(WorkflowEvent::error);
       break;
     case Command::Kind::pullStylet:
-      // A stylet once pulled is never pushed back into an array.
+      // A withdrawn stylet is never pushed back into the array.
       if (workflow_ != Workflow::idle && workflow_ != Workflow::fault && command.value >= 0.0)
         styletTarget_ = std::clamp(command.value, styletWithdrawal_,
                                    std::max(styletWithdrawal_, model_->parts.array.length.si()));
@@ -117,11 +117,11 @@ void InsertionEngine::transition(WorkflowEvent event) noexcept
   const Workflow before = workflow_;
   workflow_ = next(before, event);
   if (workflow_ == before || !isFinite()) return;
-  // The base is held where the last tick left it, and goes on from there.
+  // The base is held where the last tick left it and continues from there.
   base_.position_W = state_.base_W;
   if (workflow_ != Workflow::inserting) return;
   needsAnchor_ = true;
-  // A spring begins in balance with the force it takes over: hand - base = -F / K.
+  // The spring starts in equilibrium with the force it takes over: hand - base = -F / K.
   if (settings_.coupling == mechanics::Coupling::spring)
     base_.position_W -= state_.readings.handForce_W / couplingStiffness();
 }
@@ -162,7 +162,7 @@ void InsertionEngine::validate(const HandState& hand, std::uint32_t& status) noe
   }
   if (!isFinite()) transition(WorkflowEvent::error);
 
-  // A hand that nobody has heard of lately takes no hold.
+  // A stale hand cannot grasp.
   const bool holds = hand.isHeld && !hand.isStale;
   if (holds) transition(WorkflowEvent::grasp);
   if (!hand.isHeld) transition(WorkflowEvent::release);
@@ -204,8 +204,8 @@ void InsertionEngine::moveStylet() noexcept
   styletWithdrawal_ =
       std::min(styletTarget_, styletWithdrawal_ + settings_.styletSpeed * model_->timeStep);
   if (!settings_.styletHoldDepth || model_->styletBending <= 0.0) return;
-  // Held still in the cochlea: what the array went on since then, it left the stylet. Drawn back,
-  // the array takes the stylet along.
+  // The stylet is held in the cochlea: the array's further advance withdraws it relatively. When
+  // the array is withdrawn, it takes the stylet along.
   const double held = state_.readings.depth - model_->styletFromTip - *settings_.styletHoldDepth;
   styletWithdrawal_ = std::clamp(held, styletWithdrawal_,
                                  std::max(styletWithdrawal_, model_->parts.array.length.si()));
@@ -223,8 +223,8 @@ mechanics::Drive InsertionEngine::hold() const noexcept
   return drive;
 }
 
-/// What is left of the coupling's stiffness or damping where the device renders so much at the
-/// hand: there it is felt times the scales of force and motion.
+/// Coupling stiffness or damping reduced to what the device can render at the hand, where it is
+/// multiplied by the force and motion scales.
 double InsertionEngine::softened(double asked, double maximum) const noexcept
 {
   const double atHand = forceScale_ * settings_.motionScale * asked;
@@ -250,7 +250,7 @@ mechanics::Drive InsertionEngine::follow(const HandState& hand) noexcept
   mechanics::Drive drive;
   if (settings_.coupling == mechanics::Coupling::spring) {
     const double ahead = inward_W.dot(state_.baseVelocity_W) * model_->timeStep;
-    // Two ticks ahead of the stop, because the base may still speed up.
+    // Two ticks before the stop, because the base may still accelerate.
     if (2.0 * ahead < remaining) {
       drive = hold();
       drive.coupling = mechanics::Coupling::spring;
@@ -260,11 +260,11 @@ mechanics::Drive InsertionEngine::follow(const HandState& hand) noexcept
       drive.handVelocity_W = registration_.toCochlea(registration_.motionScale() * hand.velocity_D);
       return drive;
     }
-    // The base is about to arrive: led by hand, at its speed, it does not swing past the stop.
+    // Near the stop the base is moved directly, at its speed, so that it does not overshoot.
     base_.position_W = state_.base_W + std::min(ahead, remaining) * inward_W;
   }
 
-  // Not past the stop, not by one tick's motion.
+  // Limit the motion of one tick to the stop.
   const double ahead = inward_W.dot(base_.position_W - state_.base_W);
   if (ahead > remaining) base_.position_W -= (ahead - remaining) * inward_W;
   drive = hold();
@@ -300,7 +300,7 @@ void InsertionEngine::updateOutput() noexcept
   output_.styletWithdrawal = styletWithdrawal_;
   if (!isFinite()) {
     output_.status |= notFinite;
-    return;  // the figures stay those of the last good tick
+    return;  // the values of the last valid tick are kept
   }
   const mechanics::Readings& now = state_.readings;
   output_.contacts = static_cast<std::uint32_t>(now.contacts);

@@ -24,7 +24,7 @@ void Registration::anchor(const HandState& hand, const BasePose& pose) noexcept
   handAtAnchor_D_ = hand.position_D;
   rotationAtAnchor_D_ = hand.rotation_D;
   anchor_ = pose;
-  // Many clutches must not add up rounding: keep the frame unit and square.
+  // Rounding errors must not accumulate over many clutches: keep the frame orthonormal.
   anchor_.axis_W.normalize();
   anchor_.curl_W -= anchor_.axis_W.dot(anchor_.curl_W) * anchor_.axis_W;
   anchor_.curl_W.normalize();

@@ -11,7 +11,7 @@ namespace perilymph::haptics {
 
 namespace {
 
-/// The length of a vector that is not zero, without overflow for any finite one.
+/// Length of a nonzero vector, without overflow for finite components.
 double length(const Eigen::Vector3d& vector) noexcept
 {
   const double largest = std::max({std::abs(vector[0]), std::abs(vector[1]), std::abs(vector[2])});
@@ -19,7 +19,7 @@ double length(const Eigen::Vector3d& vector) noexcept
   return largest * std::sqrt(scaled[0] * scaled[0] + scaled[1] * scaled[1] + scaled[2] * scaled[2]);
 }
 
-/// The vector, shortened to `maximum` if it is longer.
+/// The vector, shortened to length `maximum` if longer.
 Eigen::Vector3d shortened(const Eigen::Vector3d& vector, double maximum) noexcept
 {
   const double largest = std::max({std::abs(vector[0]), std::abs(vector[1]), std::abs(vector[2])});
@@ -105,14 +105,14 @@ Eigen::Vector3d Safety::show(const Eigen::Vector3d& wanted_D, const HandConditio
   if (fraction < 1.0) status |= nearWorkspaceEnd;
   force_D *= fraction;
 
-  // give back no more than came in
+  // passivity: return no more energy than was supplied
   if (!isOff) {
     const Eigen::Vector3d passive_D = passivity_.control(force_D, hand.moved_D);
     if (passive_D != force_D) status |= passivityActed;
     force_D = shortened(passive_D, limits_.maxForce);
   }
 
-  // no step
+  // slew limit
   const Eigen::Vector3d step_D = force_D - shown_D_;
   const double slew = isOff && limits_.offTime > 0.0
                           ? std::max(limits_.maxSlew, limits_.maxForce / limits_.offTime)

@@ -7,10 +7,10 @@ namespace perilymph::haptics {
 
 namespace {
 
-constexpr double farthest = 10.0;    // [m]; no device has such an arm
-constexpr double maxSpeed = 1.0;     // [m/s]; five times the fastest motion of this work
+constexpr double farthest = 10.0;    // [m]; beyond the reach of any device
+constexpr double maxSpeed = 1.0;     // [m/s]; five times the fastest motion in use
 constexpr double maxTurning = 30.0;  // [rad/s]
-// Smooths the steps of an encoder (0.055 mm in 1 ms reads as 55 mm/s) at the cost of this lag.
+// Smooths encoder quantization (0.055 mm in 1 ms reads as 55 mm/s) at the cost of this lag.
 constexpr double velocityLag = 2e-3;  // [s]
 
 bool isPlausible(const device::DeviceSample& sample) noexcept
@@ -61,7 +61,7 @@ void SampleValidator::follow(const Eigen::Vector3d& position_D,
   const double elapsed = static_cast<double>(ticksWithout_ + 1) * timeStep_;
   const Eigen::Vector3d moved_D = position_D - hand_.position_D;
   const double alike = hand_.rotation_D.dot(rotation_D);
-  // of the angle turned, half: its sine squared
+  // sine squared of half the rotation angle
   const double turnedSquared = std::max(0.0, 1.0 - alike * alike);
   const double maxHalfTurn = std::min(0.5 * maxTurning * elapsed, 1.0);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a device can render of a virtual spring without trembling.
+// Stiffness and damping that a device can render stably.
 
 #include <limits>
 #include <string>
@@ -9,37 +9,38 @@
 
 namespace perilymph::haptics {
 
-/// The stiffest spring and the strongest damper at the hand.
+/// Maximum stiffness and damping of the coupling at the hand.
 struct CouplingLimit {
   double stiffness = std::numeric_limits<double>::infinity();  ///< [N/m]
   double damping = std::numeric_limits<double>::infinity();    ///< [N.s/m]
-  std::string reason;  ///< What sets the stiffness, as words for a sentence; empty without limit.
+  std::string reason;  ///< What limits the stiffness, as part of a sentence; empty if unlimited.
 };
 
-/// Whether a device sends one report a tick by its own clock, within 10 %, so that reports may
-/// begin the ticks.
+/// Whether a device sends one report per tick by its own clock, within 10 %, so that reports may
+/// trigger the ticks.
 bool followsReports(const device::DeviceTraits& traits, double timeStep) noexcept;
 
-/// The limit of a device; none for a hand that feels no force.
+/// The limit of a device; infinite if it renders no force.
 ///
-///     late = T/2 + td           td: to the device and back, and half a period of its reports
-///                               where they do not begin the ticks
+///     late = T/2 + td           td: delay to the device and back, plus half a report period if
+///                               reports do not trigger the ticks
 ///     K <= 3/4 b / late         K <= b / late is passive (Colgate and Schenkel 1997) but lets an
-///                               oscillation go on; a quarter of the damping is left to end it
-///     B <= m / (e (late + lag)) a damper that acts late lets a mass m swing beyond this: the first
+///                               oscillation persist; a quarter of the damping remains to damp it
+///     B <= m / (e (late + lag)) above this a delayed damper makes a mass m oscillate: the first
 ///                               roots of s + (B/m) exp(-s late) = 0 become complex; lag is the
-///                               smoothing of the hand's speed (SampleValidator)
+///                               smoothing of the hand's velocity (SampleValidator)
 ///
-/// b is the handle's own damping and m its mass; where nobody knows them, those of a light handle
-/// stand in (0.5 N.s/m, 90 g). The maker's own bounds of stiffness and damping hold besides.
+/// b is the handle's own damping and m its mass; if unknown, those of a light handle are assumed
+/// (0.5 N.s/m, 90 g). The maker's limits of stiffness and damping apply as well.
 ///
-/// @param traits    Of the open device: with its measured delay.
+/// @param traits    Of the open device, with its measured delay.
 /// @param timeStep  Of the loop [s].
 CouplingLimit couplingLimit(const device::DeviceTraits& traits, double timeStep);
 
-/// The sentence for people: what was asked, what is given, why. Empty if all is given.
+/// A message about the limit: requested and applied stiffness, and the reason. Empty if not
+/// limited.
 ///
-/// @param asked  Stiffness of the scenario at the hand, scales included [N/m].
+/// @param asked  Stiffness of the scenario at the hand, including scales [N/m].
 std::string couplingSentence(double asked, const CouplingLimit& limit, const std::string& device);
 
 }  // namespace perilymph::haptics

@@ -1,6 +1,6 @@
 #pragma once
 
-// A small force on every axis of a device, for whoever holds it to feel.
+// A force test of a device: a small force on every axis.
 
 #include <Eigen/Core>
 
@@ -10,27 +10,28 @@
 
 namespace perilymph::haptics {
 
-/// Tries a device's force, one axis after the other: up to `maxForce` and back to zero within a second,
-/// only while the dead-man's button is held, and through the safety chain of an insertion. Letting
-/// go takes the force away at once and begins the axis anew. No clock: one step a tick.
+/// Tests a device's force, one axis after the other: up to `maxForce` and back to zero within a
+/// second, only while the dead-man's button is held, and through the safety chain of an insertion.
+/// Releasing the button removes the force at once and restarts the axis. No clock: one step per
+/// tick.
 class ForceTrial {
 public:
-  static constexpr double maxForce = 0.5;     ///< [N]; a fifth of the device's own, if less.
-  static constexpr double timeForAxis = 1.0;  ///< [s]
+  static constexpr double maxForce = 0.5;     ///< [N]; at most a fifth of the device's maximum.
+  static constexpr double timeForAxis = 1.0;  ///< Duration of one axis [s].
 
   /// @param traits    Of the open device.
   /// @param timeStep  Between steps [s].
   ForceTrial(const device::DeviceTraits& traits, double timeStep);
 
-  /// The force to show for this sample.
+  /// The force to render for this sample.
   PERILYMPH_REALTIME device::Wrench step(const device::DeviceSample& sample) noexcept;
 
-  /// Every axis was shown.
+  /// True after the last axis.
   bool isOver() const noexcept { return axis_ >= axes_; }
-  /// The axis being tried: 0, 1, 2 for D's x, y, z.
+  /// The current axis: 0, 1, 2 for D's x, y, z.
   int axis() const noexcept { return axis_; }
   bool isHeld() const noexcept { return isHeld_; }
-  /// Greatest force that the trial shows [N].
+  /// Maximum force of the test [N].
   double greatest() const noexcept { return greatest_; }
 
 private:
@@ -40,7 +41,7 @@ private:
   SampleValidator validator_;
   Safety safety_;
   int axis_ = 0;
-  double time_ = 0.0;  // of the axis [s]
+  double time_ = 0.0;  // within the axis [s]
   bool isHeld_ = false;
 };
 

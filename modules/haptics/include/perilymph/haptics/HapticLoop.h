@@ -1,6 +1,6 @@
 #pragma once
 
-// The loop around the tick: device in, device out, one thread, four channels.
+// The haptic loop: device input, tick, device output; one thread, four channels.
 
 #include <memory>
 
@@ -11,11 +11,11 @@
 
 namespace perilymph::haptics {
 
-/// What the loop measured of itself since it started.
+/// Timing statistics of the loop since its start.
 struct LoopStatistics {
   std::uint64_t ticks = 0;
   std::uint64_t lateTicks = 0;    ///< Began more than one period late.
-  std::uint64_t missedTicks = 0;  ///< Never took place: the thread stood still for too long.
+  std::uint64_t missedTicks = 0;  ///< Never took place: the thread was blocked for too long.
   std::uint64_t overruns = 0;     ///< Took longer than one period.
   std::uint64_t lostRecords = 0;
   double tickTimeMedian = 0.0;       ///< [s]
@@ -24,40 +24,40 @@ struct LoopStatistics {
   bool hasRealTimePriority = false;  ///< SCHED_FIFO was granted.
 };
 
-/// Runs an engine against a device, either on a thread of its own by the clock or, tick by tick, in
-/// the caller's thread (virtual time: command line, tests, validation).
+/// Runs an engine with a device, either by the clock on a thread of its own or tick by tick in the
+/// caller's thread (virtual time: command line, tests, validation).
 class HapticLoop {
 public:
-  /// Lowers the engine's greatest force to the device's own.
+  /// Limits the engine's maximum force to that of the device.
   ///
-  /// @param device  Open. Outlives the loop.
+  /// @param device  Open. Must outlive the loop.
   /// @throws std::invalid_argument without an engine.
   HapticLoop(device::HapticDevice& device, std::unique_ptr<InsertionEngine> engine);
-  ~HapticLoop();  ///< Stops the thread; the device is shown zero force.
+  ~HapticLoop();  ///< Stops the thread; sets the device's force to zero.
   HapticLoop(const HapticLoop&) = delete;
   HapticLoop& operator=(const HapticLoop&) = delete;
 
-  /// Starts the haptic thread. Asks for SCHED_FIFO and goes on without it. Where the device reports
-  /// once a tick, within 10 %, each tick begins when a report comes, so that a force is as young as
-  /// it can be; without reports, and with every other hand, ticks begin by the machine's clock.
+  /// Starts the haptic thread. Requests SCHED_FIFO and continues without it. If the device reports
+  /// once per tick, within 10 %, each tick is triggered by a report, which minimizes latency;
+  /// otherwise, and while reports are missing, by the machine's clock.
   /// @throws std::system_error if the system has no more threads.
   void start();
-  /// Stops it and shows zero force.
+  /// Stops the thread and sets the force to zero.
   void stop() noexcept;
 
-  /// One tick in the caller's thread, while no thread runs.
+  /// Runs one tick in the caller's thread, while no thread runs.
   PERILYMPH_REALTIME void runOnce() noexcept;
 
-  /// UI thread: asks for something. False when eight requests are waiting: try again.
+  /// UI thread: sends a command. False if eight commands are waiting: try again later.
   bool send(const Command& command) noexcept;
-  /// UI thread: takes the newest picture, if there is one it has not seen.
+  /// UI thread: takes the newest snapshot; false if it was already taken.
   bool refresh() noexcept;
-  /// UI thread: the picture the last refresh() took.
+  /// UI thread: the snapshot of the last refresh().
   const Snapshot& latest() const noexcept;
   /// Recorder thread: takes the oldest record not yet taken.
   bool take(TickRecord& record) noexcept;
 
-  /// After stop(), or between runOnce() calls.
+  /// Statistics; only after stop(), or between runOnce() calls.
   LoopStatistics statistics() const;
   const InsertionEngine& engine() const noexcept;
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// The tick without its thread: sample and commands in, wrench and pictures out. A recording replays
-// through the very same function.
+// The tick, independent of threads: sample and commands in, wrench and snapshot out. Replay of a
+// recording uses the same function.
 
 #include <limits>
 #include <memory>
@@ -20,59 +20,59 @@
 
 namespace perilymph::haptics {
 
-/// What the engine is told once.
+/// Constant settings of the engine.
 struct EngineSettings {
   mechanics::Coupling coupling = mechanics::Coupling::rigid;
   double couplingStiffness = 441.0;  ///< [N/m]; of the wall in the published simulator.
   double couplingDamping = 1.0;      ///< [N.s/m]
-  /// Most that the device renders at the hand (CouplingLimit): the coupling gives way to it, all
-  /// the more where forces are magnified or motions are scaled up.
+  /// Maximum that the device can render at the hand (CouplingLimit). The coupling is reduced to it,
+  /// taking force and motion scales into account.
   double maxStiffness = std::numeric_limits<double>::infinity();  ///< [N/m]
   double maxDamping = std::numeric_limits<double>::infinity();    ///< [N.s/m]
-  double stopTravel = 16.5e-3;  ///< Where an insertion is Finished [m].
-  double forceScale = 1.0;      ///< Shown force over physical force.
+  double stopTravel = 16.5e-3;  ///< Travel at which an insertion is Finished [m].
+  double forceScale = 1.0;      ///< Rendered force over physical force.
   double motionScale = 1.0;     ///< Motion of the base over motion of the hand.
   double styletSpeed = 5e-3;    ///< Speed of the stylet while it is pulled [m/s].
   /// Advance off stylet: depth of the stylet's tip past the opening from which it is held still
   /// [m].
   std::optional<double> styletHoldDepth;
-  double samplePeriod = 1e-3;  ///< Nominal, of the device [s].
+  double samplePeriod = 1e-3;  ///< Nominal report period of the device [s].
   SafetyLimits safety;
 };
 
 /// One insertion: workflow, registration, coupling, mechanics and safety. No thread, no clock, no
-/// file. Owned by whoever ticks it.
+/// file. Used by one thread at a time.
 ///
-/// While the workflow is Inserting the base follows the hand; in every other state it is held where
-/// it is. In Idle the mechanics stands still, in every other state time runs. At the stop travel
-/// the base stops and the insertion is Finished; because travel is measured along an array that
-/// bends, it may end some ten nanometers beyond. After `withdraw` (from Finished, Inserting or
-/// Paused) the stop no longer holds, and it is Finished again when the tip is back at its starting
+/// In the state Inserting the base follows the hand; in every other state it is held. In Idle the
+/// mechanics is suspended, in every other state time advances. At the stop travel the base stops
+/// and the insertion is Finished; because travel is measured along a bending array, it may exceed
+/// the limit by about ten nanometers. After `withdraw` (from Finished, Inserting or Paused) the
+/// stop no longer applies, and the insertion is Finished again when the tip is back at its initial
 /// depth.
 class InsertionEngine {
 public:
-  /// @throws std::invalid_argument with a sentence for settings out of range.
+  /// @throws std::invalid_argument with a message for settings out of range.
   InsertionEngine(std::shared_ptr<const mechanics::InsertionModel> model, EngineSettings settings);
 
-  /// One time step. Real-time safe.
+  /// Computes one time step. Real-time safe.
   PERILYMPH_REALTIME TickOutput tick(const device::DeviceSample& sample,
                                      const CommandList& commands) noexcept;
 
-  /// Fills the picture of the last tick (all but the loop's own figures). If the mechanics
-  /// overflowed, the shape in the picture stays as it was. Real-time safe.
+  /// Fills the snapshot of the last tick, except for the loop's own statistics. After an overflow
+  /// of the mechanics the shape in the snapshot is left unchanged. Real-time safe.
   PERILYMPH_REALTIME void fill(Snapshot& snapshot) const noexcept;
 
-  /// Lowers the greatest force shown to a device's own [N]; before the first tick.
+  /// Limits the maximum rendered force to that of a device [N]; before the first tick.
   void lowerMaxForce(double maxForce) noexcept { safety_.lowerMaxForce(maxForce); }
 
   Workflow workflow() const noexcept { return workflow_; }
-  /// Stiffness of the spring between hand and array, softened for the device [N/m].
+  /// Stiffness of the coupling spring, reduced for the device [N/m].
   double couplingStiffness() const noexcept;
   const EngineSettings& settings() const noexcept { return settings_; }
   const SafetyLimits& safetyLimits() const noexcept { return safety_.limits(); }
   const mechanics::InsertionModel& model() const noexcept { return *model_; }
   const mechanics::InsertionState& state() const noexcept { return state_; }
-  /// Fingerprint of everything the next tick depends on.
+  /// Fingerprint of all data that the next tick depends on.
   std::uint64_t fingerprint() const noexcept;
 
 private:
@@ -100,17 +100,17 @@ private:
   Registration registration_;
   Safety safety_;
   double startDepth_;              // of the tip [m]
-  BasePose base_;                  // what the mechanics was told last
+  BasePose base_;                  // last pose given to the mechanics
   double styletTarget_ = 0.0;      // [m]
   double styletWithdrawal_ = 0.0;  // [m]
   double forceScale_;
-  bool needsAnchor_ = true;     // the hand takes hold anew
-  bool isWithdrawing_ = false;  // the stop depth no longer holds
-  bool isWithdrawn_ = false;    // out again: nothing left to withdraw
-  bool hasBegun_ = false;       // there was an Inserting tick
+  bool needsAnchor_ = true;     // the hand takes a new anchor
+  bool isWithdrawing_ = false;  // the stop travel no longer applies
+  bool isWithdrawn_ = false;    // back at the initial depth
+  bool hasBegun_ = false;       // there was a tick in Inserting
   std::uint64_t ticks_ = 0;     // of this engine
   std::uint64_t ticksSinceBegin_ = 0;
-  TickOutput output_;  // of the last tick; its figures outlive an overflow
+  TickOutput output_;  // of the last tick; values remain after an overflow
 };
 
 }  // namespace perilymph::haptics

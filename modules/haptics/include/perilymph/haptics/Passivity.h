@@ -1,6 +1,6 @@
 #pragma once
 
-// Nothing virtual may push a hand with energy it was not given.
+// Passivity control: the virtual environment must not generate energy at the hand.
 
 #include <Eigen/Core>
 
@@ -13,32 +13,32 @@ namespace perilymph::haptics {
 ///
 ///     E(k) = E(k-1) - f(k-1) . (x(k) - x(k-1))
 ///
-/// is what the hand put in and has not got back: exact, because the force is held between ticks.
-/// The next force is chosen so that E stays at or above zero if the hand goes on as it does:
+/// is the net energy supplied by the hand; exact, because the force is held between ticks. The next
+/// force is chosen so that E stays nonnegative if the hand continues its motion:
 ///
-///     f = wanted - b v,   b = -(E - wanted . v dt) / (v . v dt)   where that is above 0
+///     f = wanted - b v,   b = -(E - wanted . v dt) / (v . v dt)   if positive
 ///
-/// b is bounded: a sampled damper above m / dt shakes a handle of mass m by itself.
+/// b is bounded: a sampled damper above m / dt makes a handle of mass m oscillate.
 class Passivity {
 public:
-  /// Bound of b [N.s/m]: a ninth of m / dt of the lightest handle (90 g) at 1 kHz.
+  /// Upper bound of b [N.s/m]: a ninth of m / dt of the lightest handle (90 g) at 1 kHz.
   static constexpr double maxDamping = 10.0;
 
   /// @param timeStep  [s]
   explicit Passivity(double timeStep) : timeStep_(timeStep) {}
 
-  /// Accounts for a hand that moved while a force was shown to it.
+  /// Updates the energy for a hand displacement under the rendered force.
   PERILYMPH_REALTIME void observe(const Eigen::Vector3d& shown_D,
                                   const Eigen::Vector3d& moved_D) noexcept;
 
-  /// The force to show in place of the wanted one to a hand that moves by so much each tick.
+  /// The force to render instead of the wanted one, for a hand that moves by `moved_D` each tick.
   PERILYMPH_REALTIME Eigen::Vector3d control(const Eigen::Vector3d& wanted_D,
                                              const Eigen::Vector3d& moved_D) const noexcept;
 
-  /// What the hand put in and has not got back [J].
+  /// Net energy supplied by the hand [J].
   double energy() const noexcept { return energy_; }
 
-  /// Forgets the past.
+  /// Resets the energy to zero.
   PERILYMPH_REALTIME void reset() noexcept { energy_ = 0.0; }
 
   void addTo(Hash& hash) const noexcept { hash.add(energy_); }

@@ -1,6 +1,6 @@
 #pragma once
 
-// Where the hand's motion takes the array: from the device's frame D to the cochlea's frame W.
+// Mapping of the hand's motion from the device's frame D to the cochlear frame W.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -12,29 +12,31 @@
 
 namespace perilymph::haptics {
 
-/// Where the tweezers are and how they point.
+/// Pose of the tweezers.
 struct BasePose {
   Eigen::Vector3d position_W = Eigen::Vector3d::Zero();  ///< [m]
-  Eigen::Vector3d axis_W = Eigen::Vector3d::UnitZ();     ///< Unit: which way the array leaves them.
-  Eigen::Vector3d curl_W = Eigen::Vector3d::UnitX();  ///< Unit, across: where the array curls to.
+  Eigen::Vector3d axis_W = Eigen::Vector3d::UnitZ();     ///< Unit: direction in which the array
+                                                         ///< leaves them.
+  Eigen::Vector3d curl_W = Eigen::Vector3d::UnitX();     ///< Unit, perpendicular to the axis:
+                                                         ///< direction of curl.
 };
 
-/// Ties the hand to the base of the array like a clutch. D stands parallel to E: the user pushes
-/// away from herself (-z) into the cochlea.
+/// Couples the hand to the base of the array like a clutch. D is parallel to E: pushing away from
+/// the user (-z) moves into the cochlea.
 ///
 ///     position_W = anchor_W + scale X_WD (hand_D - handAtAnchor_D)
 ///
-/// The rotation since the anchor turns axis and curl. All calls are real-time safe.
+/// The rotation since the anchor is applied to axis and curl. All functions are real-time safe.
 class Registration {
 public:
   /// @param entry        The opening of the model.
   /// @param motionScale  Motion of the base over motion of the hand.
   Registration(const anatomy::Entry& entry, double motionScale);
 
-  /// From now on the base goes on from `pose`, whatever the hand did before.
+  /// Sets the anchor: from now on the base moves from `pose`, relative to the current hand.
   PERILYMPH_REALTIME void anchor(const HandState& hand, const BasePose& pose) noexcept;
 
-  /// Where the hand wants the base.
+  /// Pose of the base commanded by the hand.
   PERILYMPH_REALTIME BasePose pose(const HandState& hand) const noexcept;
 
   Eigen::Vector3d toCochlea(const Eigen::Vector3d& vector_D) const noexcept;
@@ -42,7 +44,7 @@ public:
 
   double motionScale() const noexcept { return motionScale_; }
 
-  /// Adds all that the next tick depends on.
+  /// Adds all data that the next tick depends on.
   void addTo(Hash& hash) const noexcept;
 
 private:

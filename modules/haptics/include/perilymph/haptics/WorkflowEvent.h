@@ -1,6 +1,6 @@
 #pragma once
 
-// The one workflow of an insertion: which state follows which.
+// The state machine of an insertion.
 
 #include <cstdint>
 
@@ -9,19 +9,19 @@
 
 namespace perilymph::haptics {
 
-/// What may change the workflow.
+/// Events of the workflow.
 enum class WorkflowEvent : std::uint32_t {
-  arm,         ///< The user makes ready.
-  grasp,       ///< The hand takes hold.
-  release,     ///< The hand lets go.
-  arrive,      ///< The stop depth, or on the way out the start, is reached.
-  withdraw,    ///< The user asks to pull the array out.
-  error,       ///< Device lost, numbers not finite, emergency stop.
-  clearFault,  ///< The user says the trouble is over.
-  reset,       ///< The user starts anew.
+  arm,         ///< The user arms the insertion.
+  grasp,       ///< The hand grasps.
+  release,     ///< The hand releases.
+  arrive,      ///< The stop travel, or on withdrawal the initial depth, is reached.
+  withdraw,    ///< The user requests withdrawal of the array.
+  error,       ///< Device lost, values not finite, emergency stop.
+  clearFault,  ///< The user acknowledges the fault.
+  reset,       ///< The user restarts.
 };
 
-/// The state that follows; the same one where an event means nothing.
+/// The next state; unchanged if the event does not apply.
 ///
 ///     Idle -arm-> Armed -grasp-> Inserting -release-> Paused -grasp-> Inserting
 ///     Inserting -arrive-> Finished -withdraw-> Inserting

@@ -1,6 +1,6 @@
 #pragma once
 
-// What turns raw reports into a hand and a force into raw reports, for one kind of device.
+// Conversion between raw reports and samples or forces, for one kind of device.
 
 #include <array>
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace perilymph::device {
 
-/// The output reports that show one force. Fixed room: filled on the writer's thread without
+/// The output reports that render one force. Fixed capacity: filled on the writer's thread without
 /// allocating.
 struct ReportList {
   static constexpr std::size_t capacity = 4;
@@ -23,44 +23,44 @@ struct ReportList {
   std::size_t count = 0;
 };
 
-/// What takes a force away when nobody is left who could compute one.
+/// The reports that remove the force when the program can no longer compute one.
 struct Farewell {
-  std::vector<FixedReport> noForce;    ///< Every actuator at zero; the device goes on.
-  std::vector<FixedReport> switchOff;  ///< Effects stopped, actuators off: nothing follows.
+  std::vector<FixedReport> noForce;    ///< Every actuator at zero; the device stays enabled.
+  std::vector<FixedReport> switchOff;  ///< Effects stopped, actuators off; the last reports.
 };
 
-/// A codec is built from a device profile and, where the device describes itself, from its report
-/// descriptor. decode() belongs to the reading thread, encode(), begin() and end() to the writing
-/// one; decode() and encode() may run at the same time.
+/// Built from a device profile and, if the device describes itself, from its report descriptor.
+/// decode() is called by the reading thread, encode(), begin() and end() by the writing thread;
+/// decode() and encode() may run concurrently.
 class DeviceCodec {
 public:
   virtual ~DeviceCodec() = default;
 
-  /// Takes what an input report says into `hand` (SI, frame D), all but `sequence` and `isValid`.
-  /// @return the device's own counter of reports where it has one, else 0; nothing for a report
-  ///         that is not this hand's or is malformed: `hand` then stays as it was. Real-time safe.
+  /// Decodes an input report into `hand` (SI, frame D), except `sequence` and `isValid`.
+  /// @return the device's own report counter if it has one, else 0; empty for a report of another
+  ///         collection or a malformed one: `hand` is then unchanged. Real-time safe.
   virtual std::optional<std::uint64_t> decode(const RawReport& report,
                                               DeviceSample& hand) noexcept = 0;
 
-  /// The output reports that make the device show this wrench. Real-time safe.
+  /// The output reports that render this wrench. Real-time safe.
   virtual void encode(const Wrench& wrench_D, ReportList& reports) noexcept = 0;
 
-  /// Makes the device ready to show forces, with zero force: enables actuators, creates effects.
-  /// Blocks. The sentence says what the device refused.
+  /// Prepares the device to render forces, with zero force: enables actuators, creates effects.
+  /// Blocks. The error names the step that the device refused.
   virtual Result<Done> begin(Transport& transport) = 0;
-  /// Stops every effect and disables the actuators, as far as the device still listens. Blocks.
+  /// Stops every effect and disables the actuators, as far as the device still responds. Blocks.
   virtual void end(Transport& transport) noexcept = 0;
-  /// The reports of end(), for somebody else to send; after begin(). Empty for a device that shows
-  /// no force.
+  /// The reports of end(), to be sent by another process; valid after begin(). Empty for a device
+  /// that renders no force.
   virtual Farewell farewell() const { return {}; }
 };
 
 struct DeviceProfile;
 class ReportDescriptor;
 
-/// The codec for a device of this profile that describes itself so. An empty descriptor will do
-/// where the profile says by itself where everything stands (`encoders`, `vector`). The sentence
-/// says what does not fit.
+/// Makes the codec of a device with this profile and report descriptor. The descriptor may be empty
+/// for profiles that define all positions themselves (`encoders`, `vector`). An error if they are
+/// inconsistent.
 Result<std::unique_ptr<DeviceCodec>> makeCodec(const DeviceProfile& profile,
                                                const ReportDescriptor& descriptor);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Every HID device of the system, and what the program makes of it.
+// The HID devices of the system and their profiles.
 
 #include <memory>
 #include <optional>
@@ -13,37 +13,38 @@
 
 namespace perilymph::device {
 
-/// One device, known or not.
+/// One HID device, with or without a profile.
 struct FoundDevice {
   HidNode node;
-  ReportDescriptor descriptor;           ///< Empty where it cannot be read.
-  std::optional<DeviceProfile> profile;  ///< None: the program does not know it.
-  std::string kind;      ///< In words: "mouse", "joystick", "vendor-defined (usage page 0xff00)".
-  std::string obstacle;  ///< A sentence: why it cannot be a hand; empty if it can.
+  ReportDescriptor descriptor;           ///< Empty if it cannot be read.
+  std::optional<DeviceProfile> profile;  ///< Empty for an unknown device.
+  std::string kind;      ///< Description: "mouse", "joystick", "vendor-defined (usage page
+                         ///< 0xff00)".
+  std::string obstacle;  ///< A sentence: why it cannot be used; empty if it can.
 
-  /// What people call it: the profile's name, else the device's own, else its numbers.
+  /// Display name: the profile's, else the device's own, else vendor and product numbers.
   std::string name() const;
   bool isUsable() const noexcept { return obstacle.empty(); }
 };
 
 struct DeviceSurvey {
   std::vector<FoundDevice> devices;  ///< In the order of their nodes.
-  std::vector<std::string> errors;   ///< Profiles that cannot be read: sentences.
+  std::vector<std::string> errors;   ///< Profiles that cannot be read: messages.
 };
 
-/// Looks at every HID device without opening any.
+/// Surveys all HID devices without opening any.
 DeviceSurvey surveyDevices(const SystemRoots& roots = {});
 
-/// The same with profiles of the caller's.
+/// The same with the caller's profiles.
 DeviceSurvey surveyDevices(const std::vector<DeviceProfile>& profiles, const SystemRoots& roots);
 
-/// The usable device of that name, node ("hidraw3" or its path) or numbers ("256f:c635"). A
-/// sentence with those there are if none fits.
+/// The usable device with that name, node ("hidraw3" or its path) or identity ("256f:c635"). The
+/// error lists the available ones.
 Result<FoundDevice> findDevice(const DeviceSurvey& survey, const std::string& nameOrNode);
 
-/// The hand of a usable device; not yet open.
+/// Makes a usable device; not yet open.
 ///
-/// @param tape  Where to keep all its reports (ReportTape); nowhere without.
+/// @param tape  File that all its reports are recorded to (ReportTape); none if empty.
 Result<std::unique_ptr<HidDevice>> makeHidDevice(const FoundDevice& found,
                                                  const SystemRoots& roots = {},
                                                  const std::filesystem::path& tape = {});

@@ -1,6 +1,6 @@
 #pragma once
 
-// A report that is always the same.
+// A constant report.
 
 #include <cstdint>
 #include <vector>
@@ -9,10 +9,10 @@
 
 namespace perilymph::device {
 
-/// A report to be sent as it is.
+/// A report to be sent unchanged.
 struct FixedReport {
   ReportKind kind = ReportKind::output;  ///< Output or feature.
-  std::vector<std::uint8_t> bytes;       ///< The report's number first, 0 if it has none.
+  std::vector<std::uint8_t> bytes;       ///< Report number first, 0 if unnumbered.
 };
 
 }  // namespace perilymph::device

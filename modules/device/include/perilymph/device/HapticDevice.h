@@ -1,6 +1,6 @@
 #pragma once
 
-// The port of every hand: haptic devices, the mouse, scripts and recordings.
+// The interface of all input devices: haptic devices, mouse, scripts and recordings.
 
 #include <array>
 #include <cstdint>
@@ -16,16 +16,16 @@ namespace perilymph::device {
 
 /// Bits of DeviceSample::buttons.
 enum Button : std::uint32_t {
-  graspButton = 1u << 0,  ///< The dead-man's button: the carrier follows while it is held.
+  graspButton = 1u << 0,  ///< The dead-man's button: the array follows while it is held.
 };
 
-/// What a device tells in one report, in its own frame D: x right, y up, z toward the user.
+/// Content of one report, in the device's frame D: x right, y up, z toward the user.
 struct DeviceSample {
-  std::uint64_t sequence = 0;                            ///< Grows by one with each fresh report.
+  std::uint64_t sequence = 0;                            ///< Incremented with each fresh report.
   std::array<double, 3> position_D{};                    ///< [m]
   std::array<double, 4> rotation_D{1.0, 0.0, 0.0, 0.0};  ///< Unit quaternion w, x, y, z.
   std::uint32_t buttons = 0;                             ///< Button bits.
-  std::uint32_t isValid = 0;                             ///< 0 once the device stopped answering.
+  std::uint32_t isValid = 0;                             ///< 0 after the device stopped responding.
 };
 
 /// A force and a torque in the device's frame.
@@ -36,17 +36,17 @@ struct Wrench {
 
 /// When a device sends input reports.
 enum class Reporting : std::uint8_t {
-  periodic,  ///< By its own clock, moved or not.
-  onChange,  ///< While it is moved: silence means that it stands still.
-  onWrite,   ///< One for each output report; the first one has to be asked for.
-  polled,    ///< Never by itself: the host asks with a feature report.
+  periodic,  ///< By its own clock, whether moved or not.
+  onChange,  ///< Only while it moves: silence means no motion.
+  onWrite,   ///< One for each output report; the first one must be requested.
+  polled,    ///< Never unsolicited: the host requests a feature report.
 };
 
-/// What the hardware can do. Known before open(). A value of 0 means that nobody knows.
+/// Capabilities of the hardware. Known before open(). 0 means unknown.
 struct DeviceTraits {
-  std::string name;             ///< For people: "Scripted insertion".
-  bool rendersForce = false;    ///< Shows a force to a hand.
-  double maxForce = 0.0;        ///< [N]; 0 where no force is rendered.
+  std::string name;             ///< Display name: "Scripted insertion".
+  bool rendersForce = false;    ///< The device renders forces.
+  double maxForce = 0.0;        ///< [N]; 0 if no force is rendered.
   double nominalPeriod = 1e-3;  ///< Between reports [s].
 
   Reporting reporting = Reporting::periodic;
@@ -54,52 +54,52 @@ struct DeviceTraits {
   int sensedRotations = 0;        ///< 0 to 3.
   int actuatedTranslations = 0;   ///< Axes of D along which it can push, 0 to 3.
   int actuatedRotations = 0;      ///< 0 to 3.
-  int buttons = 1;                ///< With the grasp button.
+  int buttons = 1;                ///< Including the grasp button.
   double workspaceRadius = 0.0;   ///< Around D's origin [m].
   double maxTorque = 0.0;         ///< [N.m]
-  double maxStiffness = 0.0;      ///< Stiffest wall it renders without trembling [N/m].
+  double maxStiffness = 0.0;      ///< Stiffest wall that it renders stably [N/m].
   double maxDamping = 0.0;        ///< [N.s/m]
   double handleDamping = 0.0;     ///< Damping of the handle itself, without force [N.s/m].
   double handleMass = 0.0;        ///< As felt at the handle [kg].
   double positionQuantum = 0.0;   ///< Step of a sensed position [m].
   double forceQuantum = 0.0;      ///< Step of a shown force [N].
   double transportDelay = 0.0;    ///< From a force to the report that shows its effect [s].
-  double watchdog = 0.0;          ///< After which the device itself drops an old force [s].
-  std::uint8_t polledReport = 0;  ///< Number of the feature report to ask for when polled.
+  double watchdog = 0.0;          ///< Time after which the device itself drops an old force [s].
+  std::uint8_t polledReport = 0;  ///< Number of the feature report to request if polled.
 };
 
-/// How a wait for a report ended.
+/// Result of waiting for a report.
 enum class Awaited : std::uint8_t {
-  fresh,    ///< A fresh report came.
-  nothing,  ///< None came in the time given.
-  cannot,   ///< This hand cannot be waited for, at least not now.
+  fresh,    ///< A fresh report arrived.
+  nothing,  ///< None arrived in time.
+  cannot,   ///< This device cannot be waited for, at least not now.
 };
 
-/// A handle that senses the surgeon's motion and pushes back.
+/// A device that senses the user's motion and may render forces.
 ///
 /// open() and close() run on the UI thread and may block. read() and write() run on the haptic
-/// thread, a thousand times a second, and may not.
+/// thread, a thousand times a second, and must not block.
 class HapticDevice {
 public:
   virtual ~HapticDevice() = default;
 
-  /// What the hardware can do. Known before open().
+  /// Capabilities of the hardware. Known before open().
   virtual DeviceTraits traits() const = 0;
 
   virtual Result<Done> open() = 0;
   virtual void close() noexcept = 0;
 
-  /// The newest sample; `isValid` is 0 once the device stopped answering. Real-time safe.
+  /// The newest sample; `isValid` is 0 after the device stopped responding. Real-time safe.
   virtual DeviceSample read() noexcept = 0;
 
-  /// Leaves the wrench in the writer's mailbox; shown until the next call. Real-time safe.
+  /// Stores the wrench for the writer; rendered until the next call. Real-time safe.
   virtual void write(const Wrench& wrench_D) noexcept = 0;
 
   /// Waits for the next fresh report, so that a loop can tick by the device's clock. Haptic thread,
   /// between ticks.
   virtual Awaited await(Duration /*most*/) noexcept { return Awaited::cannot; }
 
-  /// How the device is doing; nothing for a hand without hardware. UI thread.
+  /// Health of the device; empty without hardware. UI thread.
   virtual std::optional<DeviceHealth> health() { return std::nullopt; }
 };
 

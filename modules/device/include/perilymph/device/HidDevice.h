@@ -1,6 +1,6 @@
 #pragma once
 
-// A hand on a HID device: read by the haptic thread, written by a thread of its own, watched by a
+// A HID device as input: read by the haptic thread, written by a thread of its own, supervised by a
 // third.
 
 #include <memory>
@@ -12,30 +12,31 @@
 
 namespace perilymph::device {
 
-/// Threads and what passes between them:
+/// Threads and their communication:
 ///
-///     haptic      reads, decodes; leaves forces in a mailbox of one slot        never waits
-///     writer      takes the newest force, encodes, sends                        may wait for
-///     seconds supervisor  when the device is gone: closes the handles, opens new ones   may wait
+///     haptic      reads and decodes; stores forces in a mailbox of one slot         never waits
+///     writer      takes the newest force, encodes and sends it                      may wait for
+///                                                                                   seconds
+///     supervisor  if the device is gone: closes the handles, opens new ones         may wait
 ///
-/// It shows no force to a hand it has not heard of for three periods (3 ms to 30 ms), nor while the
-/// device takes none: a force under way for 5 ms (or three periods) means the device is blocked,
-/// and the hand is not valid until it has taken a zero force. If the haptic thread falls silent for
-/// as long, the writer sends zero by itself.
+/// It renders no force without a fresh report for three periods (3 ms to 30 ms), nor while the
+/// device accepts none: a force pending for 5 ms (or three periods) means that the device is
+/// blocked, and the sample is invalid until a zero force was accepted. If the haptic thread is
+/// silent for as long, the writer sends zero by itself.
 class HidDevice final : public HapticDevice {
 public:
-  /// @param traits  What the device's profile says.
-  /// @param clock   A test's own time, else the monotonic clock.
+  /// @param traits  From the device's profile.
+  /// @param clock   Time source of a test, else the monotonic clock.
   HidDevice(DeviceTraits traits, std::unique_ptr<DeviceCodec> codec, std::unique_ptr<HidPort> port,
             Clock clock = nullptr);
-  ~HidDevice() override;  ///< Closes.
+  ~HidDevice() override;  ///< Closes the device.
 
-  /// Once open with the period and the delay that were measured.
+  /// Once open, with the measured period and delay.
   DeviceTraits traits() const override;
-  /// Opens the device, makes it ready and listens to it for at most 0.1 s.
+  /// Opens and prepares the device and listens to it for at most 0.1 s.
   Result<Done> open() override;
-  /// Zero force, actuators off, as far as the device still takes anything. A write that is stuck in
-  /// the system holds this up, for 5 s at most.
+  /// Sets the force to zero and switches the actuators off, as far as the device still responds. A
+  /// write blocked in the system delays this by at most 5 s.
   void close() noexcept override;
   DeviceSample read() noexcept override;
   void write(const Wrench& wrench_D) noexcept override;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which HID devices the system has, read from sysfs: nothing is opened to find out.
+// The HID devices of the system, read from sysfs without opening them.
 
 #include <cstdint>
 #include <filesystem>
@@ -14,45 +14,44 @@ namespace perilymph::device {
 /// Whether this user may open a node for reading and writing.
 enum class NodeAccess : std::uint8_t {
   allowed,
-  denied,  ///< The node is there, but not for this user: a udev rule is missing.
-  absent,  ///< sysfs knows the device, /dev has no node for it (a container).
+  denied,  ///< The node exists, but not for this user: a udev rule is missing.
+  absent,  ///< Known to sysfs, but without a node in /dev (a container).
 };
 
 /// One hidraw node.
 struct HidNode {
   std::filesystem::path path;  ///< /dev/hidraw0
-  std::uint32_t bus = 0;       ///< 3 is USB, 5 Bluetooth, 6 a program's (uhid).
+  std::uint32_t bus = 0;       ///< 3: USB, 5: Bluetooth, 6: virtual (uhid).
   HidIdentity identity;
-  std::string name;                      ///< As the device calls itself.
-  std::string serial;                    ///< Empty where it has none.
-  std::vector<std::uint8_t> descriptor;  ///< Empty where it cannot be read.
+  std::string name;                      ///< Name reported by the device.
+  std::string serial;                    ///< Empty if it has none.
+  std::vector<std::uint8_t> descriptor;  ///< Empty if it cannot be read.
   NodeAccess access = NodeAccess::absent;
 };
 
-/// Where the system keeps its devices.
+/// Root folders of sysfs and /dev.
 struct SystemRoots {
   std::filesystem::path sysfs = "/sys";
   std::filesystem::path dev = "/dev";
 };
 
-/// The system's own; with PERILYMPH_SYSTEM_ROOT in the environment the folders `sys` and `dev` in
-/// that one: a tree recorded elsewhere. A file there in place of a node is a ReportTape, and is
-/// played.
+/// The system's own; if the environment variable PERILYMPH_SYSTEM_ROOT is set, the folders `sys`
+/// and `dev` in that folder: a tree recorded elsewhere. A file in place of a node is a ReportTape
+/// and is played.
 SystemRoots systemRoots();
 
-/// Every hidraw node, in the order of their numbers. Nodes that vanish while they are looked at are
-/// left out.
+/// Every hidraw node, in numerical order. Nodes that vanish meanwhile are omitted.
 std::vector<HidNode> findHidNodes(const SystemRoots& roots = {});
 
-/// The udev rule that lets whoever sits at the machine open devices of this vendor and product, on
-/// whatever bus.
+/// The udev rule that lets the user at the machine open devices of this vendor and product, on any
+/// bus.
 std::string udevRule(std::uint16_t vendor, std::uint16_t product);
 
-/// "1234:0006", as lsusb writes it.
+/// "1234:0006", as printed by lsusb.
 std::string identityText(const HidIdentity& identity);
 
-/// Whether two nodes are the same device, before and after it was plugged in again: vendor,
-/// product, interface and descriptor agree, and the serial number where both have one.
+/// Whether two nodes are the same device, before and after it was reconnected: vendor, product,
+/// interface and descriptor are equal, and the serial number if both have one.
 bool isSameDevice(const HidNode& one, const HidNode& other);
 
 }  // namespace perilymph::device

@@ -1,6 +1,6 @@
 #pragma once
 
-// Where a device is plugged in: it gives handles on the device as often as the device comes back.
+// The connection of a device, which opens handles to it again after it was reconnected.
 
 #include <memory>
 
@@ -9,24 +9,24 @@
 
 namespace perilymph::device {
 
-/// One thread at a time.
+/// Used by one thread at a time.
 class HidPort {
 public:
   virtual ~HidPort() = default;
 
-  /// A new handle on the device, wherever it is now. Blocks for a moment.
+  /// A new handle to the device, at its current node. Blocks briefly.
   virtual Result<std::unique_ptr<Transport>> open() = 0;
 
-  /// A descriptor of the device open() found, that only writes: for another process that shall
-  /// outlive this one. The caller closes it. -1 where there is none.
+  /// A write-only descriptor of the device found by open(), for a guard process that outlives this
+  /// one. The caller closes it. -1 if there is none.
   virtual int fileForGuard() noexcept { return -1; }
 
-  /// Waits until something was plugged in or out, at most so long; it may also return early.
+  /// Waits until a device was connected or disconnected, at most `timeout`; may return early.
   virtual void awaitChange(Duration timeout) noexcept = 0;
 };
 
-/// The port of a device found by findHidNodes(). After it was plugged in again it is found by what
-/// it is, whatever the number of its node; changes are told by udev, where there is a udev.
+/// The port of a device found by findHidNodes(). After reconnection it is found by its identity,
+/// whatever its node number; changes are reported by udev, if available.
 std::unique_ptr<HidPort> hidPort(HidNode node, SystemRoots roots = {});
 
 }  // namespace perilymph::device

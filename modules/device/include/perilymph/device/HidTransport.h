@@ -1,6 +1,6 @@
 #pragma once
 
-// A handle on a real HID device: a hidraw node of Linux, through hidapi.
+// A handle to a real HID device: a Linux hidraw node, through hidapi.
 
 #include <filesystem>
 #include <memory>
@@ -12,9 +12,9 @@ namespace perilymph::device {
 /// Whether the reports of a device begin with their number (ReportDescriptor::isNumbered).
 enum class ReportNumbers : std::uint8_t { none, inFront };
 
-/// Opens a node such as /dev/hidraw0. Each call makes a handle of its own: one that is read and one
-/// that is written never share anything, because hidapi does not lock its error texts. Reading
-/// allocates nothing until the device is gone.
+/// Opens a node such as /dev/hidraw0. Each call makes an independent handle: a reading and a
+/// writing handle share nothing, because hidapi does not lock its error texts. Reading does not
+/// allocate until the device is gone.
 Result<std::unique_ptr<Transport>> openHidTransport(const std::filesystem::path& node,
                                                     ReportNumbers numbers);
 

@@ -1,14 +1,14 @@
 #pragma once
 
-/* The boundary to devices of a new kind that are built outside the project: C functions and plain
- * structs. A plug-in is a shared library that exports perilymph_device_v1(). No exception and no
- * ownership crosses: what a plug-in makes it destroys, what it is lent it does not keep.
+/* C interface for devices implemented outside the project: C functions and plain structs. A plug-in
+ * is a shared library that exports perilymph_device_v1(). Neither exceptions nor ownership cross
+ * this interface: a plug-in destroys what it creates and keeps no pointer that it receives.
  *
  * Lengths in meters, forces in newtons, times in seconds; frame D is right-handed: x right, y up,
  * z toward the user. Inserting is motion along -z.
  *
- * Every struct begins with its size. Later versions only add members at the end: look at `size`
- * before you read or write one that was not there in version 1. */
+ * Every struct begins with its size. Later versions only append members: check `size` before you
+ * read or write a member that was added after version 1. */
 
 #include <stdint.h>
 
@@ -16,11 +16,11 @@
 extern "C" {
 #endif
 
-/* What the device can do. 0 means that nobody knows. */
+/* Capabilities of the device. 0 means unknown. */
 typedef struct PerilymphDeviceTraitsV1 {
   uint32_t size; /* Set by the program. */
   uint32_t renders_force;
-  char name[64]; /* UTF-8 for people, ends with 0. */
+  char name[64]; /* Display name, UTF-8, zero-terminated. */
   double max_force_N;
   double nominal_period_s;
   double workspace_radius_m;
@@ -42,10 +42,10 @@ typedef struct PerilymphDeviceTraitsV1 {
 typedef struct PerilymphDeviceSampleV1 {
   uint32_t size;     /* Set by the program. */
   uint32_t buttons;  /* Bit 0: the dead-man's button is held. */
-  uint64_t sequence; /* Grows by one with each fresh sample. */
+  uint64_t sequence; /* Incremented with each fresh sample. */
   double position_D_m[3];
   double rotation_D[4]; /* Unit quaternion w, x, y, z. */
-  uint32_t is_valid;    /* 0 once the device stopped answering. */
+  uint32_t is_valid;    /* 0 after the device stopped responding. */
   uint32_t reserved;
 } PerilymphDeviceSampleV1;
 
@@ -56,28 +56,28 @@ typedef struct PerilymphDeviceWrenchV1 {
   double torque_D_N_m[3];
 } PerilymphDeviceWrenchV1;
 
-/* The functions of a plug-in, all of which must be there. `device` is what create() gave.
- * create, destroy, traits, open and close may block and are called by one thread. read and write
- * are called by the haptic thread, a thousand times a second and more: they may not block, lock,
- * allocate or log. Nothing but 0 is success. */
+/* The functions of a plug-in; all are required. `device` is the result of create(). create,
+ * destroy, traits, open and close may block and are called by one thread. read and write are called
+ * by the haptic thread, a thousand times a second or more: they must not block, lock, allocate or
+ * log. 0 means success, any other result failure. */
 typedef struct PerilymphDeviceV1 {
   uint32_t size;    /* sizeof(PerilymphDeviceV1), set by the plug-in. */
   uint32_t version; /* 1 */
-  /* The device, not yet opened; a null pointer where there is none. */
+  /* The device, not yet opened; a null pointer if there is none. */
   void* (*create)(void);
   void (*destroy)(void* device);
   int32_t (*traits)(void* device, PerilymphDeviceTraitsV1* traits);
-  /* On failure writes a sentence for people, ending with 0, into `sentence` of `room` bytes. */
+  /* On failure writes a zero-terminated message of at most `capacity` bytes into `sentence`. */
   int32_t (*open)(void* device, char* sentence, uint32_t capacity);
   void (*close)(void* device);
   /* The newest sample, whether fresh or not. */
   int32_t (*read)(void* device, PerilymphDeviceSampleV1* sample);
-  /* Shown until the next call. */
+  /* Rendered until the next call. */
   int32_t (*write)(void* device, const PerilymphDeviceWrenchV1* wrench);
 } PerilymphDeviceV1;
 
-/* Exported by the plug-in under the name perilymph_device_v1. What it gives stays as it is while
- * the library is loaded. */
+/* Exported by the plug-in under the name perilymph_device_v1. The result must stay valid while the
+ * library is loaded. */
 typedef const PerilymphDeviceV1* (*PerilymphDeviceEntryV1)(void);
 
 #ifdef __cplusplus

@@ -1,6 +1,6 @@
 #pragma once
 
-// Devices of a new kind, built outside the project as shared libraries: see PluginApi.h.
+// Devices implemented outside the project as shared libraries: see PluginApi.h.
 
 #include <filesystem>
 #include <memory>
@@ -11,12 +11,12 @@
 
 namespace perilymph::device {
 
-/// Loads a plug-in and wraps its device; the library stays loaded as long as the device lives. The
-/// sentence says why a library is not taken: not there, not a plug-in, another version, incomplete,
-/// impossible traits. Loading runs the library's code: load what you trust.
+/// Loads a plug-in and wraps its device; the library stays loaded as long as the device exists. The
+/// error states why a library is refused: not found, not a plug-in, another version, incomplete,
+/// invalid traits. Loading executes the library's code: load only trusted libraries.
 Result<std::unique_ptr<HapticDevice>> loadPluginDevice(const std::filesystem::path& library);
 
-/// The shared libraries in a folder and the folders in it, sorted.
+/// The shared libraries in a folder and its subfolders, sorted.
 std::vector<std::filesystem::path> pluginLibraries(const std::filesystem::path& folder);
 
 }  // namespace perilymph::device

@@ -1,7 +1,7 @@
 #pragma once
 
-// Mouse and keyboard as a hand: the window says where the hand wants to be, a smooth motion
-// follows.
+// Mouse and keyboard as input device: the window sets a target, which the position follows
+// smoothly.
 
 #include <atomic>
 
@@ -9,24 +9,24 @@
 
 namespace perilymph::device {
 
-/// The hand moves toward the place asked for like a critically damped spring, with bounds:
+/// The position follows the target like a critically damped spring, with limits:
 ///
 ///     a = w^2 (wanted - place) - 2 w v,   |a| <= 0.4 m/s^2,   |v| <= 20 mm/s
 ///
-/// so that wheel clicks and key presses become motion a rod can follow. What is asked for while the
-/// array is let go is dropped: the array never moves by itself when it is held again.
+/// so that wheel clicks and key presses become motion that a rod can follow. Requests while the
+/// array is released are dropped: the array never moves on its own when it is grasped again.
 class PointerDevice final : public HapticDevice {
 public:
   /// @param timeStep  Between reads [s].
   explicit PointerDevice(double timeStep);
 
-  /// UI thread: moves the place asked for, along the insertion axis [m], positive into the cochlea.
+  /// UI thread: moves the target along the insertion axis [m], positive into the cochlea.
   void advanceBy(double distance) noexcept;
-  /// UI thread: moves the place asked for across the axis, along D's x and y [m].
+  /// UI thread: moves the target across the axis, along D's x and y [m].
   void shiftBy(double right, double up) noexcept;
-  /// UI thread: turns the array about its axis [rad].
+  /// UI thread: rotates the array about its axis [rad].
   void rollBy(double angle) noexcept;
-  /// UI thread: holds or lets go of the array (the dead-man's button).
+  /// UI thread: grasps or releases the array (the dead-man's button).
   void grasp(bool held) noexcept;
 
   DeviceTraits traits() const override;
@@ -36,14 +36,14 @@ public:
   void write(const Wrench& wrench_D) noexcept override;
 
 private:
-  /// What the window asked for and read() has not taken yet.
+  /// Requests of the window not yet taken by read().
   std::atomic<double> askedAdvance_{0.0}, askedRight_{0.0}, askedUp_{0.0}, askedRoll_{0.0};
   std::atomic<bool> isHeld_{false};
   double timeStep_;
-  // The haptic thread's. Advance, right, up [m]; roll [rad].
+  // Owned by the haptic thread. Advance, right, up [m]; roll [rad].
   std::array<double, 4> wanted_{};
   std::array<double, 4> place_{};
-  std::array<double, 4> velocity_{};  ///< Velocity of the place, per second.
+  std::array<double, 4> velocity_{};  ///< Velocity of the position, per second.
   DeviceSample sample_;
 };
 

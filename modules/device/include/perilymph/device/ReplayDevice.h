@@ -1,6 +1,6 @@
 #pragma once
 
-// A recording as a hand.
+// A recording as input device.
 
 #include <vector>
 
@@ -8,19 +8,19 @@
 
 namespace perilymph::device {
 
-/// Gives recorded samples one after the other, as they were, faults included. After the last one it
-/// repeats it: nothing fresh comes any more, and the force goes to zero as with a stale device.
+/// Returns recorded samples one after the other, unchanged, including faults. After the last one it
+/// repeats it: no sample is fresh, and the force goes to zero as for a stale device.
 class ReplayDevice final : public HapticDevice {
 public:
-  /// @param samples   One for each read.
+  /// @param samples   One per read.
   /// @param timeStep  Between reads [s].
   ReplayDevice(std::vector<DeviceSample> samples, double timeStep);
 
-  /// Every sample was given.
+  /// True after the last sample.
   bool isOver() const noexcept { return next_ >= samples_.size(); }
 
   DeviceTraits traits() const override;
-  /// Fails if there is nothing to play. Starts from the first sample.
+  /// Starts from the first sample. Fails if there are no samples.
   Result<Done> open() override;
   void close() noexcept override {}
   DeviceSample read() noexcept override;

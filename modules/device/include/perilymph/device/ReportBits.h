@@ -1,6 +1,6 @@
 #pragma once
 
-// Numbers of 1 to 32 bits in a report. HID packs them without gaps, lowest bit first.
+// Numbers of 1 to 32 bits in a report. HID packs them without gaps, least significant bit first.
 
 #include <cstdint>
 #include <span>
@@ -9,12 +9,12 @@
 
 namespace perilymph::device {
 
-/// The number in a slot of a report whose number (first byte) is not part of `report`. Bits beyond
+/// The number in a slot of a report; `report` excludes the report number (first byte). Bits beyond
 /// the report's end read 0. Real-time safe.
 std::int64_t numberAt(std::span<const std::uint8_t> report, const ReportSlot& slot) noexcept;
 
-/// Puts a number into a slot, limited to what the slot's bits can hold; the rest of the report
-/// stays as it is, and nothing is written beyond its end. Real-time safe.
+/// Writes a number into a slot, clamped to the range of its bits; the rest of the report is
+/// unchanged, and nothing is written beyond its end. Real-time safe.
 void putNumber(std::span<std::uint8_t> report, const ReportSlot& slot,
                std::int64_t number) noexcept;
 

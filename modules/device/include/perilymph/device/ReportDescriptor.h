@@ -1,7 +1,7 @@
 #pragma once
 
-// What a HID device says about its own reports: the report descriptor, read by the rules of
-// "Device Class Definition for HID 1.11", section 6.2.2.
+// The HID report descriptor, parsed by the rules of "Device Class Definition for HID 1.11", section
+// 6.2.2.
 
 #include <cstdint>
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace perilymph::device {
 
-/// A usage with its page: what a field or a collection is for ("HID Usage Tables").
+/// A usage with its page: the purpose of a field or a collection ("HID Usage Tables").
 struct Usage {
   std::uint16_t page = 0;
   std::uint16_t id = 0;
@@ -21,31 +21,31 @@ struct Usage {
 
 enum class ReportKind : std::uint8_t { input, output, feature };
 
-/// A group of fields; groups stand in groups.
+/// A group of fields; groups are nested.
 struct ReportCollection {
   Usage usage;
   std::uint8_t type = 0;     ///< 0 physical, 1 application, 2 logical, ...
-  std::int32_t parent = -1;  ///< Index of the collection around it; -1 at the top.
+  std::int32_t parent = -1;  ///< Index of the enclosing collection; -1 at the top.
 };
 
-/// Usages of consecutive elements, ends included.
+/// Usages of consecutive elements, both ends included.
 struct UsageRange {
   Usage first;
   std::uint16_t last = 0;  ///< On the page of `first`.
 };
 
-/// Elements of equal layout that one main item declares.
+/// Elements of equal layout declared by one main item.
 struct ReportField {
   ReportKind kind = ReportKind::input;
-  std::uint8_t report = 0;      ///< Number of the report; 0 where reports are not numbered.
+  std::uint8_t report = 0;      ///< Report number; 0 if reports are not numbered.
   std::uint32_t bitOffset = 0;  ///< Offset of the first element after the report's number.
   std::uint32_t bitsEach = 0;   ///< 1 to 32.
   std::uint32_t count = 0;      ///< Number of elements.
-  bool isArray = false;         ///< Elements hold the index of a usage, not the usage's value.
+  bool isArray = false;         ///< Elements contain the index of a usage, not the usage's value.
   bool isConstant = false;      ///< Padding.
   bool isRelative = false;
   std::int64_t logicalLow = 0;
-  std::int64_t logicalHigh = 0;  ///< A field is signed where logicalLow is below 0.
+  std::int64_t logicalHigh = 0;  ///< A field is signed if logicalLow is negative.
   std::int64_t physicalLow = 0;
   std::int64_t physicalHigh = 0;
   int unitExponent = 0;          ///< Power of ten, -8 to 7.
@@ -54,17 +54,17 @@ struct ReportField {
   std::vector<UsageRange> usages;
 };
 
-/// Where one number stands in a report.
+/// Position of one number in a report.
 struct ReportSlot {
   std::uint8_t report = 0;
-  std::uint32_t bitOffset = 0;  ///< From behind the report's number.
+  std::uint32_t bitOffset = 0;  ///< After the report number.
   std::uint32_t bits = 0;       ///< 1 to 32.
   bool isSigned = false;
   std::int64_t low = 0;   ///< Logical range.
-  std::int64_t high = 0;  ///< 0 together with `low` where nobody said.
+  std::int64_t high = 0;  ///< 0 together with `low` if not declared.
 };
 
-/// A slot and the value that means a usage there: 1 in a slot of its own, its index in an array.
+/// A slot and the value that selects a usage there: 1 in a slot of its own, its index in an array.
 struct UsageChoice {
   ReportSlot slot;
   std::int64_t value = 1;
@@ -72,32 +72,32 @@ struct UsageChoice {
 
 class ReportDescriptor {
 public:
-  /// Longest descriptor that is read [bytes]; Linux takes no longer one.
+  /// Maximum length of a descriptor [bytes]; the limit of Linux.
   static constexpr std::size_t longest = 4096;
 
   ReportDescriptor() = default;
 
-  /// Reads a descriptor. The sentence for a malformed one names the byte where it stopped making
-  /// sense. Memory and time grow with the descriptor's length alone, whatever it claims to hold.
+  /// Parses a descriptor. The error for a malformed one names the offending byte. Memory and time
+  /// are bounded by the descriptor's length, whatever it declares.
   static Result<ReportDescriptor> parse(std::span<const std::uint8_t> bytes);
 
   const std::vector<ReportField>& fields() const noexcept { return fields_; }
   const std::vector<ReportCollection>& collections() const noexcept { return collections_; }
-  /// The usage of the first application collection: what the device is.
+  /// Usage of the first application collection: the type of the device.
   std::optional<Usage> application() const noexcept;
   bool hasApplication(Usage usage) const noexcept;
-  /// Reports begin with their number.
+  /// Whether reports begin with their number.
   bool isNumbered() const noexcept { return isNumbered_; }
 
-  /// Length of a report behind its number [bytes]; 0 for a report that does not exist.
+  /// Length of a report without its number [bytes]; 0 for a report that does not exist.
   std::size_t reportBytes(ReportKind kind, std::uint8_t report) const noexcept;
 
-  /// The slot of a variable of this usage; where `within` is given, inside a collection of that
-  /// usage, however deep. The first one that was declared.
+  /// The slot of a variable with this usage; if `within` is given, inside a collection of that
+  /// usage, at any depth. The first one declared.
   std::optional<ReportSlot> find(ReportKind kind, Usage usage,
                                  std::optional<Usage> within = std::nullopt) const noexcept;
 
-  /// How to say `usage` inside a collection of the usage `within`: as an array's element or as a
+  /// How to select `usage` inside a collection of the usage `within`: as an array's element or as a
   /// variable of its own. An array's value follows the order in which its usages are declared.
   std::optional<UsageChoice> choice(ReportKind kind, Usage usage, Usage within) const noexcept;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// The reading half of a HID hand: out of all waiting reports, the newest true one.
+// The reading side of a HID device: keeps the newest valid one of all waiting reports.
 
 #include <cstdint>
 
@@ -12,41 +12,42 @@
 
 namespace perilymph::device {
 
-/// Time on the monotonic clock, or a test's own [ns].
+/// Time on the monotonic clock, or that of a test [ns].
 using Clock = std::int64_t (*)() noexcept;
 
-/// Drains a transport and keeps what the newest report said. The system keeps 63 waiting reports
-/// and, when they are not taken, drops the *new* ones: a queue found full is old, and nothing in it
-/// is believed. One thread; real-time safe but for what the transport does.
+/// Drains a transport and keeps the content of the newest report. The kernel queues 63 reports and
+/// drops *new* ones when the queue is full: a full queue is old, and its content is rejected.
+/// Single-threaded; real-time safe as far as the transport is.
 class ReportReader {
 public:
-  /// Reports that Linux keeps for one handle (HIDRAW_BUFFER_SIZE less one).
+  /// Number of reports that Linux queues for one handle (HIDRAW_BUFFER_SIZE less one).
   static constexpr int queueLength = 63;
 
-  /// @param codec   Outlives the reader.
+  /// @param codec   Must outlive the reader.
   /// @param period  Between reports [s].
   ReportReader(DeviceCodec& codec, double period, Clock clock) noexcept;
 
-  /// Takes every waiting report without waiting. `done` if one was fresh, `gone` if the device is.
+  /// Takes all waiting reports without blocking. `done` if one was fresh, `gone` if the device is
+  /// gone.
   PERILYMPH_REALTIME Transfer drain(Transport& transport) noexcept;
-  /// Waits for one report at most so long, and keeps it for the next drain().
+  /// Waits for one report at most `timeout`, and keeps it for the next drain().
   Transfer await(Transport& transport, Duration timeout) noexcept;
-  /// Takes a report that came another way. True if it was fresh.
+  /// Takes a report from another source. True if it was fresh.
   PERILYMPH_REALTIME bool accept(const RawReport& report) noexcept;
 
-  /// What the newest fresh report said. `sequence` counts fresh reports.
+  /// Content of the newest fresh report. `sequence` counts fresh reports.
   const DeviceSample& newest() const noexcept { return sample_; }
-  /// When it came [ns]; 0 before the first.
+  /// Arrival time of the newest fresh report [ns]; 0 before the first.
   std::int64_t lastFresh() const noexcept { return lastFresh_; }
-  /// For a device whose silence means that it stands still: calls the last report fresh again.
+  /// For a device whose silence means no motion: counts the last report as fresh again.
   PERILYMPH_REALTIME void repeat() noexcept
   {
     if (lastFresh_ != 0) ++sample_.sequence;
   }
-  /// Another handle: counts and times begin anew, figures and sequence go on.
+  /// Restarts with another handle: counters and times restart, figures and sequence continue.
   PERILYMPH_REALTIME void startOver() noexcept;
 
-  /// Counts so far; rate and intervals of the last full second.
+  /// Counters so far; rate and intervals of the last full second.
   const ReadingFigures& figures() const noexcept { return figures_; }
 
 private:
@@ -54,10 +55,11 @@ private:
 
   DeviceCodec* codec_;
   Clock clock_;
-  std::int64_t emptyAt_ = ReportCount::never;  ///< When the queue was last seen empty [ns].
+  std::int64_t emptyAt_ = ReportCount::never;  ///< Time at which the queue was last seen empty
+                                               ///< [ns].
   ReportCount count_;
   RawReport report_;
-  bool isHolding_ = false;  // report_ was awaited and not looked at yet
+  bool isHolding_ = false;  // report_ was awaited and is not yet processed
   DeviceSample sample_;
   std::int64_t lastFresh_ = 0;
   std::int64_t secondBegan_ = 0;     // [ns]

@@ -1,6 +1,6 @@
 #pragma once
 
-// A hand that needs no hardware: constant speed in, stop, constant speed out.
+// An input device without hardware: constant speed in, stop, constant speed out.
 
 #include <atomic>
 
@@ -8,7 +8,7 @@
 
 namespace perilymph::device {
 
-/// Moves along D's -z at a constant speed while told to. One read() is one time step.
+/// Moves along D's -z at a constant speed while commanded. One read() is one time step.
 class ScriptedDevice final : public HapticDevice {
 public:
   enum class Motion { hold, insert, withdraw };
@@ -17,10 +17,10 @@ public:
   /// @param timeStep  Between reads [s].
   ScriptedDevice(double speed, double timeStep);
 
-  /// From any thread: holds still with the button released, or moves with it pressed.
+  /// Any thread: stops with the button released, or moves with it pressed.
   void move(Motion motion) noexcept { motion_ = motion; }
   Motion motion() const noexcept { return motion_; }
-  /// From any thread [m/s].
+  /// Any thread [m/s].
   void setSpeed(double speed) noexcept { speed_ = speed; }
   double speed() const noexcept { return speed_; }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// A port that writes a tape of all that passes through it, and one that plays a tape back.
+// A port that records all its reports on a tape, and one that plays a tape.
 
 #include <filesystem>
 #include <functional>
@@ -12,27 +12,28 @@
 
 namespace perilymph::device {
 
-/// Passes everything on to `port` and keeps it in `file`. Handles note in memory of their own and
-/// never wait for the disk, so reading stays real-time safe; a thread writes every 20 ms. What a
-/// slow disk had no room for is counted in the tape.
+/// Forwards everything to `port` and records it in `file`. Handles buffer in their own memory and
+/// never wait for the disk, so that reading stays real-time safe; a thread writes every 20 ms.
+/// Entries dropped because the disk is too slow are counted in the tape.
 ///
 /// @param head  Name, identity and descriptor of the device; its entries are not used.
-/// @return a sentence if the file cannot be written.
+///
+/// @return an error if the file cannot be written.
 Result<std::unique_ptr<HidPort>> recordingPort(std::unique_ptr<HidPort> port,
                                                const std::filesystem::path& file,
                                                const ReportTape& head, Clock clock = nullptr);
 
-/// The time by which a tape is played.
+/// The time source for playing a tape.
 struct TapeTime {
   Clock now;                                  ///< [ns]
-  std::function<void(std::int64_t)> advance;  ///< Lets so much time pass [ns].
+  std::function<void(std::int64_t)> advance;  ///< Lets time pass [ns].
 };
 
-/// A device that says again what it said on the tape, when it said it. What it is told ends as the
-/// same number of reports ended on the tape; features answer as they did. After the last entry it
-/// is silent. Time begins with the first handle.
+/// A device that repeats the input reports of a tape at their times. Writes end with the result of
+/// the corresponding write on the tape; feature requests are answered as recorded. It is silent
+/// after the last entry. Time starts with the first handle.
 ///
-/// @param time  The machine's own without.
+/// @param time  By default the machine's clock.
 std::unique_ptr<HidPort> playingPort(ReportTape tape, TapeTime time = {});
 
 }  // namespace perilymph::device

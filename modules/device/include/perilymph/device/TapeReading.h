@@ -1,6 +1,6 @@
 #pragma once
 
-// What a tape tells when its reports are read as a hand.
+// Evaluation of a tape: its reports decoded as samples.
 
 #include <array>
 #include <cstdint>
@@ -17,12 +17,12 @@ struct TapeReading {
   double duration = 0.0;          ///< From the first entry to the last [s].
   std::array<double, 3> min_D{};  ///< Minimum of every coordinate [m].
   std::array<double, 3> max_D{};  ///< [m]
-  std::uint32_t buttons = 0;      ///< All that were pressed at any time.
+  std::uint32_t buttons = 0;      ///< All buttons that were pressed at any time.
 };
 
-/// Reads every input report with the codec, at the time it came.
+/// Decodes every input report with the codec, at the time of its arrival.
 ///
-/// @param period  Between reports [s], as the profile says.
+/// @param period  Between reports [s], from the profile.
 TapeReading readTape(const ReportTape& tape, DeviceCodec& codec, double period);
 
 }  // namespace perilymph::device

@@ -10,7 +10,7 @@ using Quaternion = std::array<double, 4>;
 
 constexpr std::uint16_t buttonPage = 0x09;
 
-/// The rotation by a vector's length [rad] about its direction.
+/// The rotation about a vector by its length [rad].
 Quaternion rotationBy(const Vector3& turn) noexcept
 {
   const double angle = std::sqrt(turn[0] * turn[0] + turn[1] * turn[1] + turn[2] * turn[2]);
@@ -20,7 +20,7 @@ Quaternion rotationBy(const Vector3& turn) noexcept
   return {half.cosine, scale * turn[0], scale * turn[1], scale * turn[2]};
 }
 
-/// First b, then a; of unit length again.
+/// First b, then a; normalized.
 Quaternion product(const Quaternion& a, const Quaternion& b) noexcept
 {
   Quaternion q{a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
@@ -80,7 +80,7 @@ Result<AxesReader> AxesReader::make(const DeviceProfile& profile,
     const auto slot =
         descriptor.find(ReportKind::input, {buttonPage, static_cast<std::uint16_t>(button)});
     if (!slot) continue;
-    // The grasp button comes first; those before it make room.
+    // The grasp button comes first; buttons before it are shifted by one.
     const std::uint32_t grasp = profile.graspButton;
     const std::uint32_t bit = button == grasp ? 0u : button < grasp ? button : button - 1u;
     reader.buttonSlots_[static_cast<std::size_t>(reader.buttons_++)] = {*slot, bit};
@@ -109,7 +109,7 @@ void AxesReader::place() noexcept
 
 void AxesReader::drift(std::uint8_t report) noexcept
 {
-  // Only what this report brought moves on: others have reports of their own.
+  // Only the axes in this report are advanced: others have reports of their own.
   std::array<double, 6> d{};
   for (std::size_t i = 0; i < 6; ++i)
     if (axes_[i].half > 0.0 && axes_[i].slot.report == report) d[i] = deflections_[i];

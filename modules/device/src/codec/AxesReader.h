@@ -1,7 +1,7 @@
 #pragma once
 
-// Turns the axes and buttons that a descriptor names into a hand: joysticks, SpaceMouse, the input
-// side of PID devices.
+// Decodes the axes and buttons named by a descriptor: joysticks, SpaceMouse, the input side of PID
+// devices.
 
 #include "codec/CodecParts.h"
 
@@ -9,21 +9,21 @@ namespace perilymph::device {
 
 class AxesReader {
 public:
-  /// Finds the profile's axes and the buttons; the sentence names what is missing.
+  /// Finds the profile's axes and buttons; the error names what is missing.
   static Result<AxesReader> make(const DeviceProfile& profile, const ReportDescriptor& descriptor);
 
-  /// As DeviceCodec::decode(). Real-time safe.
+  /// See DeviceCodec::decode(). Real-time safe.
   std::optional<std::uint64_t> decode(const RawReport& report, DeviceSample& hand) noexcept;
 
   int buttons() const noexcept { return buttons_; }
-  /// Counts from the middle of an axis to its end; 0 for an axis that nothing moves.
+  /// Counts from the center of an axis to its end; 0 for an undriven axis.
   double halfRange(std::size_t axis) const noexcept { return axes_[axis].half; }
 
 private:
   struct Axis {
     ReportSlot slot;
     double middle = 0.0;
-    double half = 0.0;  ///< Counts from the middle to the end; 0: nothing moves this axis.
+    double half = 0.0;  ///< Counts from the center to the end; 0: undriven axis.
     double sign = 1.0;
   };
   struct ButtonSlot {
@@ -39,19 +39,19 @@ private:
   AxesLayout layout_;
   std::array<double, 9> mount_DB_{};
   double period_ = 0.0;
-  double bound_ = 0.0;  ///< Bound of each coordinate that drifts [m]; 0: none.
+  double bound_ = 0.0;  ///< Maximum magnitude of each integrated coordinate [m]; 0: unlimited.
   std::array<Axis, 6> axes_{};
-  // What the reports said so far: each tells a part of the hand.
+  // State accumulated from reports: each contains a part of the sample.
   std::array<double, 6> deflections_{};
   Vector3 position_D_{};
   std::array<double, 4> rotation_D_{1.0, 0.0, 0.0, 0.0};
   std::uint32_t pressed_ = 0;
   std::array<ButtonSlot, maxButtons> buttonSlots_{};
   int buttons_ = 0;
-  std::array<std::uint16_t, 256> reportBytes_{};  ///< Sizes of the input reports; 0: not read here.
+  std::array<std::uint16_t, 256> reportBytes_{};  ///< Sizes of the input reports; 0: not used here.
 };
 
-/// A device that has axes and shows no force.
+/// A device with axes that renders no force.
 class AxesCodec final : public DeviceCodec {
 public:
   AxesCodec(const DeviceProfile& profile, const AxesReader& reader)

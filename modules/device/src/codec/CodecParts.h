@@ -1,6 +1,6 @@
 #pragma once
 
-// What codecs share: rotating into D, limiting a force, sending reports that are always the same.
+// Common parts of codecs: rotation into D, force limit, constant reports.
 
 #include <algorithm>
 #include <array>
@@ -24,15 +24,15 @@ inline Vector3 rotated(const std::array<double, 9>& m, const Vector3& v) noexcep
           m[6] * v[0] + m[7] * v[1] + m[8] * v[2]};
 }
 
-/// M^T v: the way back.
+/// M^T v: the inverse rotation.
 inline Vector3 rotatedBack(const std::array<double, 9>& m, const Vector3& v) noexcept
 {
   return {m[0] * v[0] + m[3] * v[1] + m[6] * v[2], m[1] * v[0] + m[4] * v[1] + m[7] * v[2],
           m[2] * v[0] + m[5] * v[1] + m[8] * v[2]};
 }
 
-/// The force in the device's own axes, shortened to the most it can make; zero where it is no
-/// number. The codec is the last to touch a force, so it trusts nobody.
+/// The force in the device's own axes, limited to its maximum; zero if not finite. The codec is the
+/// last to handle a force, so it validates its input.
 inline Vector3 limitedForce_B(const DeviceProfile& profile, const Vector3& force_D) noexcept
 {
   Vector3 force_B = rotatedBack(profile.mount_DB, force_D);
@@ -46,7 +46,7 @@ inline Vector3 limitedForce_B(const DeviceProfile& profile, const Vector3& force
   return force_B;
 }
 
-/// Nearest whole number, halves upward; 0 for what is no number. For values that a slot can hold.
+/// Nearest integer, halves rounded up; 0 for NaN. For values that fit into a slot.
 inline std::int64_t nearest(double value) noexcept
 {
   if (std::isnan(value)) return 0;
@@ -54,7 +54,7 @@ inline std::int64_t nearest(double value) noexcept
   return static_cast<std::int64_t>(std::floor(std::clamp(value, -limit, limit) + 0.5));
 }
 
-/// An empty report of this number and length behind the number.
+/// An empty report with this number and length (without the number).
 inline void clear(RawReport& report, std::uint8_t number, std::size_t bytes) noexcept
 {
   report.size = std::min(bytes + 1, longestReport);
@@ -74,20 +74,20 @@ inline std::span<std::uint8_t> body(RawReport& report) noexcept
   return std::span(report.bytes).first(std::min(report.size, longestReport)).subspan(1);
 }
 
-/// The same report, to be kept.
+/// A copy of the report as a constant report.
 inline FixedReport fixed(const RawReport& report)
 {
   const auto bytes = report.view();
   return {ReportKind::output, {bytes.begin(), bytes.end()}};
 }
 
-/// Sends output or feature reports in a row; the sentence says which was not taken.
+/// Sends several output or feature reports; the error names the one that was refused.
 Result<Done> sendAll(Transport& transport, std::span<const FixedReport> reports,
                      const std::string& device);
-/// Sends one report. @param what  For people: "the device gain".
+/// Sends one report. @param what  For messages: "the device gain".
 Result<Done> sendOne(Transport& transport, ReportKind kind, const RawReport& report,
                      const std::string& device, const std::string& what);
-/// The same where nobody is left to be told.
+/// The same without error reporting.
 void sendQuietly(Transport& transport, std::span<const FixedReport> reports) noexcept;
 
 }  // namespace perilymph::device

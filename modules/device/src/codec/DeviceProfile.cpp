@@ -102,7 +102,7 @@ DeviceTraits readCapability(TomlReader& table, CodecKind kind)
   return traits;
 }
 
-/// A proper rotation: rows of length one, at right angles, right-handed.
+/// A proper rotation: orthonormal and right-handed rows.
 void readMount(TomlReader& table, DeviceProfile& profile)
 {
   profile.graspButton = static_cast<std::uint32_t>(table.integer("grasp_button", 1, 32, 1));
@@ -183,7 +183,7 @@ Result<DeviceProfile> finished(Result<TomlReader> reader)
   return profile;
 }
 
-/// How well a rule fits: 0 not at all, else the more the more it asks for.
+/// Quality of a match: 0 for none, larger for more specific criteria.
 int fit(const DeviceMatch& match, const HidIdentity& identity, const ReportDescriptor& descriptor)
 {
   const auto& groups = descriptor.collections();

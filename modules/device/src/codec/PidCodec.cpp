@@ -9,7 +9,7 @@ namespace {
 using Effects = PidLayout::Effects;
 using Control = PidReports::Control;
 
-// A device may need a moment to make room; each question takes one USB transfer.
+// A device may need time to allocate an effect; each poll takes one USB transfer.
 constexpr int maxQuestions = 20;
 
 }  // namespace
@@ -40,8 +40,8 @@ void PidCodec::encode(const Wrench& wrench_D, ReportList& reports) noexcept
 
 void PidCodec::encodeDirection(const Vector3& magnitude, ReportList& reports) const noexcept
 {
-  // Where the force comes from, clockwise from north, which is the negative second axis. The axes
-  // are the device's own, in the order of their usages: X before Y before Z.
+  // The direction that the force comes from, clockwise from north, which is the negative second
+  // axis. The axes are the device's own, in the order of their usages: X before Y before Z.
   std::array<std::size_t, 2> axes{};
   std::size_t found = 0;
   for (std::size_t i = 0; i < 3 && found < 2; ++i)
@@ -60,7 +60,7 @@ void PidCodec::encodeDirection(const Vector3& magnitude, ReportList& reports) co
 
 Result<Done> PidCodec::tell(Transport& transport, std::optional<RawReport> report, const char* what)
 {
-  if (!report) return Done{};  // the device does not list it: there is nothing to tell
+  if (!report) return Done{};  // not listed by the device: nothing to send
   return sendOne(transport, ReportKind::output, *report, profile_.name, what);
 }
 
@@ -89,7 +89,7 @@ Result<Done> PidCodec::addEffect(Transport& transport, std::size_t axis)
   const std::int64_t block = reports_.loadedBlock(answer);
   effects_[effectCount_++] = {block, axis};
 
-  // the effect, with zero force, running
+  // create the effects with zero force and start them
   const PidLayout& pid = profile_.pid;
   RawReport report;
   const bool byAxis = pid.effects == Effects::axes;
@@ -117,7 +117,7 @@ Result<Done> PidCodec::create(Transport& transport)
     for (std::size_t axis = 0; axis < 3 && sent; ++axis)
       if (isMoved(axis)) sent = addEffect(transport, axis);
   }
-  // Last, when nothing old is left that could move the hand.
+  // Last, when no old effect is left that could move the hand.
   if (sent) sent = tell(transport, reports_.control(Control::enable), "to enable its actuators");
   return sent;
 }
@@ -135,7 +135,7 @@ void PidCodec::end(Transport& transport) noexcept
   const auto quietly = [&](const std::optional<RawReport>& report) {
     if (report) transport.write(*report);
   };
-  // First what takes the force away at once.
+  // First remove the force at once.
   RawReport zero;
   for (std::size_t i = 0; i < effectCount_; ++i) {
     reports_.constantForce(zero, effects_[i].block, 0.0);

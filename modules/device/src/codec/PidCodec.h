@@ -1,7 +1,7 @@
 #pragma once
 
-// Forces on USB physical interface devices: constant-force effects that live in the device and are
-// told new magnitudes.
+// Forces on USB physical interface devices: constant-force effects stored in the device, whose
+// magnitudes are updated.
 
 #include "codec/AxesReader.h"
 #include "codec/PidReports.h"
@@ -19,10 +19,10 @@ public:
   {
     return reader_.decode(report, hand);
   }
-  /// No reports before begin() made the effects, or after end() freed them.
+  /// Returns no reports before begin() created the effects, or after end() released them.
   void encode(const Wrench& wrench_D, ReportList& reports) noexcept override;
-  /// Stops what other programs left behind, resets, creates the effects with zero force and starts
-  /// them; the actuators are enabled last.
+  /// Stops effects of other programs, resets, creates the effects with zero force and starts them;
+  /// the actuators are enabled last.
   Result<Done> begin(Transport& transport) override;
   void end(Transport& transport) noexcept override;
   Farewell farewell() const override;
@@ -30,7 +30,7 @@ public:
 private:
   struct Effect {
     std::int64_t block = 0;
-    std::size_t axis = 0;  ///< Axis of D before the mount; unused for rotations.
+    std::size_t axis = 0;  ///< Axis of D before the mount; unused for variable directions.
   };
 
   Result<Done> create(Transport& transport);
@@ -42,7 +42,7 @@ private:
   const DeviceProfile profile_;
   AxesReader reader_;
   const PidReports reports_;
-  // Writing thread only.
+  // Used by the writing thread only.
   std::array<Effect, 3> effects_{};
   std::size_t effectCount_ = 0;
 };

@@ -103,7 +103,7 @@ Result<PidReports> PidReports::find(const DeviceProfile& profile,
     if (const auto said = descriptor.choice(output, controlUsages[i], deviceControl))
       found.controls_[i] = Said{*said, bytesOf(output, said->slot)};
 
-  // what the profile's way of telling a direction needs
+  // requirements of the profile's representation of directions
   const bool needsDirection = profile.pid.effects != PidLayout::Effects::axes;
   if (needsDirection && (!found.direction_ || !found.directionEnable_))
     lacks("a direction (usages 0x56 and 0x57) in Set Effect; try effects = \"axes\"");
@@ -150,7 +150,7 @@ void PidReports::setEffect(RawReport& report, std::int64_t block, unsigned axes,
   const auto bytes = body(report);
   putNumber(bytes, effectBlock_.slot, block);
   if (effectType_) putNumber(bytes, effectType_->slot, effectType_->value);
-  // The greatest value of the field is "without end", and as a trigger "no button".
+  // The maximum value of the field means "infinite", and as a trigger "no button".
   if (duration_) putNumber(bytes, *duration_, allOnes(*duration_));
   if (trigger_) putNumber(bytes, *trigger_, allOnes(*trigger_));
   if (effectGain_) putNumber(bytes, *effectGain_, effectGain_->high);
@@ -203,7 +203,7 @@ RawReport PidReports::blockLoad() const noexcept
 PidReports::Load PidReports::loadStatus(const RawReport& answer) const noexcept
 {
   if (holds(body(answer), loadFull_)) return Load::full;
-  // Without a status field the block's index alone tells.
+  // Without a status field the block's index alone decides.
   const bool isDone = loadDone_ ? holds(body(answer), loadDone_) : true;
   return isDone && loadedBlock(answer) > 0 ? Load::done : Load::failed;
 }

@@ -1,34 +1,34 @@
 #pragma once
 
-// Where a PID device keeps what is needed for constant forces ("Device Class Definition for
+// Positions of the fields of a PID device that constant forces need ("Device Class Definition for
 // Physical Interface Devices 1.0").
 
 #include "codec/CodecParts.h"
 
 namespace perilymph::device {
 
-/// Places found in the report descriptor, and reports filled by them. Reports are whole: what is
-/// not set is zero.
+/// Positions found in the report descriptor, and the reports built with them. Fields that are not
+/// set are zero.
 class PidReports {
 public:
-  /// Things to do with actuators; how each is said follows the order in which the device lists
-  /// them.
+  /// Commands for the actuators; their encoding follows the order in which the device lists them.
   enum class Control : std::uint8_t { enable, disable, stopAll, reset };
-  /// What the device says about an effect that it was asked to make room for.
+  /// The device's answer to the allocation of an effect.
   enum class Load : std::uint8_t { done, full, failed };
 
-  /// @return the places, or a sentence about the report that is missing.
+  /// @return the positions, or an error naming the missing report.
   static Result<PidReports> find(const DeviceProfile& profile, const ReportDescriptor& descriptor);
 
-  /// Nothing for a control that the device does not list. Output reports, all of these.
+  /// Empty for a control that the device does not list. These are output reports.
   std::optional<RawReport> control(Control what) const noexcept;
   std::optional<RawReport> gain(double fraction) const noexcept;
-  /// An effect without end along one axis, several or a direction; see PidLayout::Effects.
+  /// An effect of infinite duration along one axis, several or a direction; see PidLayout::Effects.
   /// @param axes       Bits of D's axes that are enabled.
-  /// @param direction  Where the force comes from [rad]; nothing where axes are enabled instead.
+  /// @param direction  Direction that the force comes from [rad]; empty if axes are enabled
+  /// instead.
   void setEffect(RawReport& report, std::int64_t block, unsigned axes,
                  std::optional<double> direction) const noexcept;
-  /// @param share  Of the greatest magnitude, -1 to 1.
+  /// @param fraction  Of the maximum magnitude, -1 to 1.
   void constantForce(RawReport& report, std::int64_t block, double fraction) const noexcept;
   RawReport start(std::int64_t block) const noexcept;
   RawReport free(std::int64_t block) const noexcept;
@@ -39,14 +39,14 @@ public:
   Load loadStatus(const RawReport& answer) const noexcept;
   std::int64_t loadedBlock(const RawReport& answer) const noexcept;
 
-  /// Steps of the magnitude from 0 to the most.
+  /// Maximum value of the magnitude [counts].
   std::int64_t maxMagnitude() const noexcept { return magnitude_.high; }
 
 private:
-  /// One report, with its length.
+  /// One report and its length.
   struct Place {
     ReportSlot slot;
-    std::size_t bytes = 0;  ///< Size of the report after its number.
+    std::size_t bytes = 0;  ///< Size of the report without its number.
   };
   struct Said {
     UsageChoice choice;

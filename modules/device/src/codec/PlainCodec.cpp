@@ -85,7 +85,7 @@ void PlainCodec::encode(const Wrench& wrench_D, ReportList& reports) noexcept
   if (!profile_.traits.rendersForce) return;
   RawReport& report = reports.reports[0];
   clear(report, profile_.plain.output.report, profile_.plain.output.bytes);
-  // A report that sets the counts makes no force: its places for currents stay zero.
+  // A report that sets the counts renders no force: its current fields stay zero.
   if (profile_.plain.command && asksForCounts_.exchange(false))
     putCounts(report);
   else
@@ -107,7 +107,7 @@ void PlainCodec::end(Transport& transport) noexcept
   if (profile_.traits.rendersForce) {
     RawReport zero;
     clear(zero, profile_.plain.output.report, profile_.plain.output.bytes);
-    // Twice: the first may meet a device that is busy with the force before it.
+    // Twice: the device may be busy with the previous force at the first one.
     for (int i = 0; i < 2; ++i)
       if (transport.write(zero) == Transfer::gone) return;
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-// Devices whose reports hold bare numbers at places that the profile gives: encoder counts and
+// Devices whose reports contain plain numbers at positions given by the profile: encoder counts and
 // motor currents, or positions and forces.
 
 #include <atomic>
@@ -26,8 +26,8 @@ private:
   void putCounts(RawReport& report) const noexcept;
 
   const DeviceProfile profile_;
-  // Angles of the newest report, for the Jacobian on the writing thread. Each is whole by itself;
-  // angles of two reports a millisecond apart differ by less than the force's own step.
+  // Angles of the newest report, for the Jacobian on the writing thread. Each is atomic by itself;
+  // angles of two reports a millisecond apart change the force by less than its resolution.
   std::array<std::atomic<double>, 3> angles_{};
   std::atomic<bool> asksForCounts_{false};
 };

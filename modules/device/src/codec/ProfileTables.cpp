@@ -12,7 +12,8 @@ constexpr double turn = 0x1.921fb54442d18p+2;  // 2 pi
 constexpr long maxBytes = static_cast<long>(longestReport) - 1;
 constexpr double maxBits = 8.0 * (longestReport - 1);
 
-// What any device may be: wider than those known, narrower than a slip of the unit.
+// Ranges of any device: wider than every known device, narrow enough to detect an error of the
+// unit.
 constexpr Range quantum_mm{1e-6, 10.0};
 constexpr Range quantum_N{1e-6, 1.0};
 constexpr Range quantum_mA{1e-3, 1000.0};
@@ -43,7 +44,7 @@ std::array<double, 3> signs(TomlReader& table, const char* key)
   return result;
 }
 
-/// Refuses a slot that the report has no room for.
+/// Refuses a slot outside its report.
 void checkFits(TomlReader& table, const char* key, std::int64_t firstBit, std::int64_t bits,
                std::size_t bytes)
 {
@@ -116,8 +117,8 @@ void readCalibration(TomlReader& table, PlainLayout& plain)
   }
 }
 
-/// "x", "-rz", "slider", "none": a usage of the Generic Desktop page, "-" where it runs the other
-/// way (HID Usage Tables, page 0x01).
+/// "x", "-rz", "slider", "none": a usage of the Generic Desktop page (HID Usage Tables, page 0x01),
+/// with "-" if reversed.
 AxisSource readAxis(TomlReader& table, const char* key)
 {
   constexpr std::array<const char*, 9> names{"x",  "y",      "z",    "rx",   "ry",

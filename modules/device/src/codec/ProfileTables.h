@@ -1,6 +1,6 @@
 #pragma once
 
-// Reads the tables of a device profile that say where things stand in the reports.
+// Reads the tables of a device profile that define positions in reports.
 
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace perilymph::device {
 
-/// Whole numbers within a range, exactly `count` of them.
+/// Exactly `count` integers within a range.
 std::vector<std::int64_t> wholeNumbers(TomlReader& table, const char* key, double low, double high,
                                        std::size_t count);
 

@@ -17,7 +17,7 @@ std::int64_t numberAt(std::span<const std::uint8_t> report, const ReportSlot& sl
   const std::uint32_t bits = usedBits(slot);
   if (bits == 0) return 0;
 
-  // 32 bits that begin anywhere in a byte touch five bytes at most.
+  // 32 bits at an arbitrary offset span at most five bytes.
   const std::size_t first = slot.bitOffset / 8;
   const std::uint32_t shift = slot.bitOffset % 8;
   std::uint64_t window = 0;
@@ -35,7 +35,7 @@ void putNumber(std::span<std::uint8_t> report, const ReportSlot& slot, std::int6
   const std::uint32_t bits = usedBits(slot);
   if (bits == 0) return;
 
-  // what the bits can hold
+  // range of the bits
   const std::int64_t half = std::int64_t{1} << (bits - 1);
   const std::int64_t low = slot.isSigned ? -half : 0;
   const std::int64_t high = slot.isSigned ? half - 1 : 2 * half - 1;

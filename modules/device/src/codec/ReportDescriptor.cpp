@@ -11,7 +11,7 @@ std::uint32_t sizeOf(const UsageRange& range) noexcept
   return std::uint32_t{range.last} - range.first.id + 1u;
 }
 
-/// Where a usage stands among the usages of a field.
+/// Index of a usage among the usages of a field.
 std::optional<std::uint32_t> indexOf(const ReportField& field, Usage usage) noexcept
 {
   std::uint32_t before = 0;
@@ -23,8 +23,8 @@ std::optional<std::uint32_t> indexOf(const ReportField& field, Usage usage) noex
   return std::nullopt;
 }
 
-/// Whether one element stands for several usages. Some devices (wheels by Moza) declare such an
-/// array as a variable by mistake.
+/// Whether one element represents several usages. Some devices (wheels by Moza) erroneously declare
+/// such an array as a variable.
 bool isArrayAtHeart(const ReportField& field) noexcept
 {
   if (field.isArray || field.count != 1) return field.isArray;

@@ -64,7 +64,7 @@ Result<ReportDescriptor> ReportDescriptorReader::read(std::span<const std::uint8
   std::size_t at = 0;
   while (at < bytes.size()) {
     const std::uint8_t prefix = bytes[at];
-    if (prefix == longItemPrefix) {  // no long item has ever been given a meaning
+    if (prefix == longItemPrefix) {  // HID defines no long items
       if (at + 2 >= bytes.size()) return atByte(at, "a long item is cut off.");
       const std::size_t length = 3u + bytes[at + 1];
       if (length > bytes.size() - at) return atByte(at, "a long item is cut off.");
@@ -149,9 +149,9 @@ std::string ReportDescriptorReader::openCollection(const Item& item)
 
 std::string ReportDescriptorReader::addField(ReportKind kind, const Item& item)
 {
-  if (globals_.count == 0 || globals_.bitsEach == 0) return {};  // declares nothing
+  if (globals_.count == 0 || globals_.bitsEach == 0) return {};  // declares no field
 
-  // The report grows even by what is not used: padding moves what comes behind it.
+  // Unused fields also extend the report: padding moves the fields after it.
   std::uint32_t& bits = bitsOf(kind, globals_.report);
   const std::uint64_t grown = bits + std::uint64_t{globals_.bitsEach} * globals_.count;
   if (grown > maxReportBits)
@@ -177,8 +177,8 @@ std::string ReportDescriptorReader::addField(ReportKind kind, const Item& item)
   field.unit = globals_.unit;
   field.collection = collection_;
 
-  // Many devices write an unsigned maximum into too few bytes, such as 255 as one byte: where the
-  // minimum is not negative, the maximum is not either.
+  // Many devices encode an unsigned maximum in too few bytes, such as 255 in one byte: if the
+  // minimum is not negative, the maximum is taken as unsigned.
   const auto high = [](const Item& value, std::int64_t low) {
     return low < 0 ? value.asSigned() : std::int64_t{value.value};
   };
@@ -189,7 +189,8 @@ std::string ReportDescriptorReader::addField(ReportKind kind, const Item& item)
            " is below its least, " + std::to_string(field.logicalLow) + ".";
   field.physicalLow = globals_.physicalLow.asSigned();
   field.physicalHigh = high(globals_.physicalHigh, field.physicalLow);
-  if (field.physicalLow == 0 && field.physicalHigh == 0) {  // both absent: the logical ones
+  if (field.physicalLow == 0 && field.physicalHigh == 0) {  // both absent: equal to the logical
+                                                            // ones
     field.physicalLow = field.logicalLow;
     field.physicalHigh = field.logicalHigh;
   }
@@ -225,7 +226,7 @@ std::string ReportDescriptorReader::readGlobal(const Item& item)
       globals_.physicalHigh = item;
       return {};
     case 5: {
-      // Four bits in two's complement, though some write a whole signed byte.
+      // Four bits in two's complement, although some devices use a whole signed byte.
       const auto nibble = static_cast<int>(item.value & 0xfu);
       globals_.unitExponent = nibble < 8 ? nibble : nibble - 16;
       return {};
@@ -282,16 +283,16 @@ std::string ReportDescriptorReader::readLocal(const Item& item)
       hasAlternative_ = false;
       return {};
     default:
-      return {};  // designators and strings: of no use here
+      return {};  // designators and strings: not used
   }
 }
 
 void ReportDescriptorReader::addUsage(LocalUsage first, LocalUsage last)
 {
-  // Of a delimited set of alternatives the first is the preferred one.
+  // Of a delimited set of alternatives the first is preferred.
   if (inDelimiter_ && hasAlternative_) return;
   hasAlternative_ = true;
-  // In a range, the page of either end is the page of both.
+  // In a range, a page given at one end applies to both.
   if (last.hasPage && !first.hasPage) first = {(last.value & 0xffff0000u) | first.value, true};
   if (first.hasPage && !last.hasPage) last = {(first.value & 0xffff0000u) | last.value, true};
   usages_.push_back({first, last});

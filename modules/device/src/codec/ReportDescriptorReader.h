@@ -23,7 +23,7 @@ private:
     std::int64_t asSigned() const noexcept;
   };
 
-  /// What stays until it is said anew (HID 1.11, 6.2.2.7).
+  /// State that persists until redefined (HID 1.11, 6.2.2.7).
   struct Globals {
     std::uint16_t usagePage = 0;
     Item logicalLow;
@@ -37,7 +37,7 @@ private:
     std::uint8_t report = 0;
   };
 
-  /// A usage of a local item; its page is filled in by the main item unless it brings one.
+  /// A usage of a local item; without a page of its own it takes that of the main item.
   struct LocalUsage {
     std::uint32_t value = 0;
     bool hasPage = false;
@@ -71,7 +71,7 @@ private:
   std::int32_t collection_ = -1;
   std::size_t depth_ = 0;
   bool hasUnnumbered_ = false;
-  std::array<std::array<std::uint32_t, 256>, 3> bits_{};  ///< Bits of each report so far.
+  std::array<std::array<std::uint32_t, 256>, 3> bits_{};  ///< Size of each report so far [bits].
 };
 
 }  // namespace perilymph::device

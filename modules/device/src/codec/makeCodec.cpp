@@ -8,7 +8,7 @@ namespace {
 
 using CodecResult = Result<std::unique_ptr<DeviceCodec>>;
 
-/// Whether the reports of a profile with fixed places are as long as the device says.
+/// Whether reports with fixed positions have the length declared by the device.
 Result<Done> checkLengths(const DeviceProfile& profile, const ReportDescriptor& descriptor)
 {
   if (descriptor.fields().empty()) return Done{};
@@ -43,7 +43,7 @@ int movedAxes(const DeviceProfile& profile, std::size_t from)
   return moved;
 }
 
-/// How fine a joystick's steps are, of its coarsest axis.
+/// Adds the resolution of a joystick, that of its coarsest axis.
 void addSteps(const DeviceProfile& profile, const ReportDescriptor& descriptor,
               DeviceTraits& traits)
 {
@@ -60,7 +60,7 @@ void addSteps(const DeviceProfile& profile, const ReportDescriptor& descriptor,
   if (reports) traits.forceQuantum = traits.maxForce / static_cast<double>(reports->maxMagnitude());
 }
 
-/// How far the handle moves for one count of its coarsest encoder, with the arm stretched out.
+/// Handle displacement per count of the coarsest encoder, with the arm stretched out.
 double linkageStep(const Linkage& linkage)
 {
   constexpr double turn = 0x1.921fb54442d18p+2;  // 2 pi

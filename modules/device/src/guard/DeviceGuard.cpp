@@ -27,10 +27,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* programName = "perilymph-device-guard";
-constexpr int patienceForEnd_ms = 200;  // of a guard that was told goodbye
-constexpr int firstFreeFile = 10;       // above the places where the guard looks for its files
+constexpr int patienceForEnd_ms = 200;  // for the end of a guard after goodbye
+constexpr int firstFreeFile = 10;       // above the descriptors that the guard uses
 
-/// A file descriptor with an owner.
+/// A file descriptor with ownership.
 class OwnedFile {
 public:
   explicit OwnedFile(int file = -1) noexcept : file_(file) {}
@@ -50,7 +50,7 @@ private:
   int file_;
 };
 
-/// Beside this program, where packages put it, or beside the programs of the build tree.
+/// Path of the guard program: beside this program, where packages install it, or in the build tree.
 fs::path guardProgram()
 {
   std::error_code failure;
@@ -62,14 +62,14 @@ fs::path guardProgram()
   return {};
 }
 
-/// Starts the guard with its files. 0 if the system does not.
+/// Starts the guard with its descriptors; 0 if that fails.
 pid_t start(const fs::path& program, int wire, int device, int pulse)
 {
   posix_spawn_file_actions_t actions;
   posix_spawnattr_t attributes;
   if (::posix_spawn_file_actions_init(&actions) != 0) return 0;
   ::posix_spawnattr_init(&attributes);
-  // A session of its own: what a terminal sends to a program's group does not reach it.
+  // A session of its own, so that it does not receive the signals of a terminal's process group.
   ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID);
   ::posix_spawn_file_actions_adddup2(&actions, wire, guard::wire);
   ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
@@ -85,7 +85,7 @@ pid_t start(const fs::path& program, int wire, int device, int pulse)
   return failure == 0 ? id : 0;
 }
 
-/// A process that was started, and the wire to it.
+/// A started guard process, and the pipe to it.
 class Guard {
 public:
   Guard(pid_t id, OwnedFile wire, guard::Pulse* pulse) noexcept
@@ -96,7 +96,7 @@ public:
   Guard& operator=(const Guard&) = delete;
   ~Guard()
   {
-    // A guard that is gone leaves a broken pipe: writing to it must not end the program.
+    // If the guard is gone, writing to the pipe must not raise SIGPIPE.
     sigset_t broken, before;
     ::sigemptyset(&broken);
     ::sigaddset(&broken, SIGPIPE);
@@ -114,13 +114,13 @@ public:
   guard::Pulse& pulse() noexcept { return *pulse_; }
 
 private:
-  /// It goes at once, unless the device holds it up in a write.
+  /// Ends the guard; it exits at once unless a write blocks it.
   void bury() noexcept
   {
     const OwnedFile life(static_cast<int>(::syscall(SYS_pidfd_open, id_, 0)));
     pollfd end{life.get(), POLLIN, 0};
     if (life.get() >= 0 && ::poll(&end, 1, patienceForEnd_ms) <= 0) ::kill(id_, SIGKILL);
-    // One that a write holds up still goes when the write comes back; nobody waits for it.
+    // A guard blocked in a write exits when the write returns; do not wait for it.
     ::waitpid(id_, nullptr, life.get() >= 0 ? WNOHANG : 0);
   }
 
@@ -129,7 +129,7 @@ private:
   guard::Pulse* pulse_;
 };
 
-/// Counts what the device takes into the guard's pulse.
+/// Counts the writes to the device in the guard's pulse.
 class WatchedTransport final : public Transport {
 public:
   WatchedTransport(std::unique_ptr<Transport> handle, std::unique_ptr<Guard> guard,
@@ -144,7 +144,7 @@ public:
   }
   Transfer write(const RawReport& report) noexcept override
   {
-    // Said before, because the process may end while the device takes it.
+    // Set before the write, because the process may die while it blocks.
     if (!isNoForce(report)) {
       calm_ = 0;
       guard_->pulse().isPushing = 1;
@@ -170,11 +170,11 @@ private:
     });
   }
 
-  // The guard is told goodbye when the handle is closed.
+  // Closing the handle sends goodbye to the guard.
   std::unique_ptr<Transport> handle_;
   std::unique_ptr<Guard> guard_;
   std::vector<FixedReport> noForce_;
-  std::size_t calm_ = 0;  // reports of no force in a row
+  std::size_t calm_ = 0;  // consecutive reports of no force
 };
 
 Result<std::unique_ptr<Guard>> post(int device, const guard::Script& script)
@@ -206,7 +206,7 @@ Result<std::unique_ptr<Guard>> post(int device, const guard::Script& script)
     return refused(std::string("No guard for the device: ") + std::strerror(errno) + ".");
   auto* const pulse = new (place) guard::Pulse;
 
-  // The script lies in the pipe before anybody reads it: a death from here on is noticed.
+  // The script is in the pipe before the guard reads it: any later death is detected.
   const auto bytes = script.bytes();
   const bool isWritten =
       ::write(wire.get(), bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size());

@@ -1,6 +1,6 @@
 #pragma once
 
-// Somebody who takes the force away when this program cannot: a second, small process.
+// Starts a second, small process that removes the force if this program cannot.
 
 #include <memory>
 
@@ -9,20 +9,19 @@
 
 namespace perilymph::device {
 
-/// A handle to write with, watched over as long as it lives, or the handle as it was and why not.
+/// A guarded handle for writing, or the unguarded handle and the reason.
 struct GuardedHandle {
   std::unique_ptr<Transport> handle;
   std::string obstacle;  ///< A sentence; empty if it is guarded.
 };
 
-/// Starts `perilymph-device-guard` for a device. It holds the device open too and sends the
-/// farewell if this process ends in any way before the handle was destroyed: kill -9 included. A
-/// process that stands still while it pushes loses its force after `patience`.
+/// Starts `perilymph-device-guard` for a device. The guard also has the device open and sends the
+/// farewell if this process ends before the handle was destroyed, even by kill -9. If this process
+/// is stopped while it renders a force, the guard removes the force after `patience`.
 ///
 /// @param handle    Open for writing.
-/// @param file      A descriptor of the device's node (HidPort::fileForGuard), taken over; -1:
-/// none.
-/// @param farewell  What takes the force away.
+/// @param file      Descriptor of the device's node (HidPort::fileForGuard), taken over; -1: none.
+/// @param farewell  The reports that remove the force.
 GuardedHandle guarded(std::unique_ptr<Transport> handle, int file, const Farewell& farewell,
                       Duration patience);
 

@@ -1,10 +1,11 @@
-// A program of its own that outlives the one that holds a haptic device, by a moment:
+// A separate process that briefly outlives the one that uses a haptic device:
 //
 //   perilymph-device-guard    started by that program with the files of GuardScript.h
 //
-// It waits for the other's end. If that comes without a goodbye (a crash, a kill, an abort), it
-// sends the reports that take the force away and switch the actuators off. If the other merely
-// stands still while the device pushes (stopped in a terminal, frozen), it sends those of no force.
+// It waits for the end of that process. If it ends without goodbye (a crash, a kill, an abort), the
+// guard sends the reports that remove the force and switch the actuators off. If it is only stopped
+// while the device renders a force (stopped in a terminal, frozen), the guard sends the reports of
+// no force.
 
 #include <fcntl.h>
 #include <linux/hidraw.h>
@@ -25,7 +26,7 @@ using namespace perilymph::device;
 
 constexpr int looksAPatience = 3;
 
-/// All bytes or nothing, however many pieces they come in.
+/// Reads the whole buffer or fails, however many pieces arrive.
 bool readWhole(std::span<std::uint8_t> buffer)
 {
   while (!buffer.empty()) {
@@ -47,7 +48,7 @@ bool readScript(guard::Script& script)
 
 void send(const guard::Line& line)
 {
-  // A device that refuses one may still take the next: nobody is left to be told.
+  // A device that refuses one report may accept the next; errors cannot be reported.
   if (line.isFeature) {
     auto* const bytes = const_cast<std::uint8_t*>(line.bytes.data());  // the ioctl only reads it
     ::ioctl(guard::device, HIDIOCSFEATURE(line.bytes.size()), bytes);
@@ -61,14 +62,15 @@ void send(const guard::Script& script, std::size_t first, std::size_t end)
   for (std::size_t i = first; i < end; ++i) send(script.line(i));
 }
 
-/// Nothing that ends its neighbors may end it, nothing of theirs is kept open by it.
+/// Detaches the process: signals of its group do not end it, and it keeps no file of the group
+/// open.
 void standApart()
 {
   for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE, SIGTSTP, SIGTTIN, SIGTTOU})
     ::signal(signal, SIG_IGN);
   ::close_range(guard::pulse + 1, ~0u, 0);
   if (::chdir("/") != 0) return;
-  // First when it is needed. Without the right to it, it comes when it is its turn.
+  // Real-time priority if permitted, else normal priority.
   sched_param wanted{};
   wanted.sched_priority = 40;  // below the haptic thread and the writer
   ::sched_setscheduler(0, SCHED_FIFO, &wanted);
@@ -103,7 +105,7 @@ int main()
     }
     if (woken < 0 || !isWatching) continue;
 
-    // The pulse: a force that stands, and nobody who renews it.
+    // The pulse: a force is rendered and not renewed.
     const std::uint64_t now = pulse->forces;
     looksWithout = now == forces ? looksWithout + 1 : 0;
     forces = now;

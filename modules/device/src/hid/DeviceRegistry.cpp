@@ -13,7 +13,7 @@ namespace perilymph::device {
 
 namespace {
 
-/// HID Usage Tables 1.4, chapters 3 and 4: what a main collection is for.
+/// Type of a main collection (HID Usage Tables 1.4, chapters 3 and 4).
 std::string kindOf(const ReportDescriptor& descriptor)
 {
   constexpr std::array<std::pair<Usage, const char*>, 9> label = {

@@ -32,7 +32,7 @@ ForceWriter::ForceWriter(DeviceChannels& channels, DeviceCodec& codec, const Dev
 Transfer ForceWriter::send(Transport& transport, const Wrench& wrench_D) noexcept
 {
   const std::int64_t began = clock_();
-  // A force that was refused before is still under way.
+  // A force that was refused before is still pending.
   if (channels_.busySince == 0) channels_.busySince = began;
   codec_.encode(wrench_D, reports_);
   const std::size_t count = std::min(reports_.count, ReportList::capacity);
@@ -64,14 +64,14 @@ const WritingFigures& ForceWriter::latestFigures() noexcept
 
 void ForceWriter::run() noexcept
 {
-  // Refused, it takes its turn among all others: a force may then be late, and the figures say so.
+  // Without the priority a force may be late; the figures report it.
   figures_.hasRealTimePriority = realtime::requestRealTimePriority(realtime::Rank::write) ==
                                  realtime::RealTimePriority::granted;
   Transport* transport = nullptr;
   bool isUsable = false;
   while (!channels_.isStopping) {
     const bool isPaced = traits_.reporting == Reporting::polled;
-    // Sleeping goes by the machine's clock, also where a test's clock stands still.
+    // Sleep by the machine's clock, even if a test's clock stands still.
     const std::int64_t sleep = isPaced ? period_ : longestSleep;
     channels_.writerBell.waitUntil(realtime::monotonicNanoseconds() + sleep);
     if (channels_.isStopping) break;
@@ -103,7 +103,7 @@ void ForceWriter::serve(Transport& transport) noexcept
   if (isNew) lastNew_ = now;
   if (isNew) isSilent_ = false;
 
-  // Nobody leaves forces any more: the last one does not stand.
+  // If no new forces arrive, the last one must not persist.
   const bool hasFallenSilent = !isNew && !isSilent_ && now - lastNew_ > patience_;
   if (hasFallenSilent) isSilent_ = true;
   const bool isOwing = channels_.busySince != 0 || channels_.isBlocked;
@@ -113,7 +113,7 @@ void ForceWriter::serve(Transport& transport) noexcept
   const Wrench wrench_D = isZero ? Wrench{} : channels_.wrenches.latest();
   const Transfer transfer = send(transport, wrench_D);
   if (transfer == Transfer::gone) lose();
-  // Blocked no more once it has taken a force of zero.
+  // No longer blocked once it has accepted a force of zero.
   if (transfer == Transfer::done && isZero) channels_.isBlocked = false;
 
   if (now - published_ < betweenFigures) return;

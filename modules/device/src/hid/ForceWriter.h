@@ -1,6 +1,6 @@
 #pragma once
 
-// The writing half of a HID hand: its thread.
+// The writing side of a HID device: its thread.
 
 #include <atomic>
 #include <cstdint>
@@ -15,36 +15,38 @@
 
 namespace perilymph::device {
 
-/// What the threads of one hand share. Every member says who writes it.
+/// Data shared by the threads of one device, with the writer of each member.
 struct DeviceChannels {
   realtime::Handoff<Transport> reading;         ///< Supervisor lends, haptic thread uses.
   realtime::Handoff<Transport> writing;         ///< Supervisor lends, writer uses.
   realtime::TripleBuffer<Wrench> wrenches;      ///< Haptic thread to writer.
   realtime::TripleBuffer<RawReport> polled;     ///< Writer to haptic thread.
   realtime::Doorbell writerBell;                ///< Haptic thread and supervisor ring.
-  realtime::Doorbell supervisorBell;            ///< Whoever finds the device gone rings.
-  std::atomic<bool> isGone{false};              ///< Set by whoever finds it, cleared by supervisor.
+  realtime::Doorbell supervisorBell;            ///< Rung by the thread that finds the device gone.
+  std::atomic<bool> isGone{false};              ///< Set by the thread that finds it, cleared by
+                                                ///< supervisor.
   std::atomic<bool> isBlocked{false};           ///< Set by haptic thread, cleared by writer.
   std::atomic<bool> isStopping{false};          ///< UI thread.
-  std::atomic<std::int64_t> busySince{0};       ///< Writer: a force not yet taken [ns]; 0: none.
+  std::atomic<std::int64_t> busySince{0};       ///< Writer: since when a force is pending [ns]; 0:
+                                                ///< none.
   std::atomic<std::uint64_t> blockedWrites{0};  ///< Haptic thread counts.
 };
 
-/// Sends forces until it is told to stop, then zero and the codec's end.
+/// Sends forces until stopped, then zero and the codec's end reports.
 class ForceWriter {
 public:
-  /// All outlive the writer. @param traits  Of the open device.
+  /// All references must outlive the writer. @param traits  Of the open device.
   ForceWriter(DeviceChannels& channels, DeviceCodec& codec, const DeviceTraits& traits,
               Clock clock);
 
-  /// The writer's thread.
+  /// Main function of the writer's thread.
   void run() noexcept;
 
-  /// Sends one force; what it took is counted. Also for the thread that opens the device.
+  /// Sends one force and counts its duration. Also used by the thread that opens the device.
   Transfer send(Transport& transport, const Wrench& wrench_D) noexcept;
   const WritingFigures& figures() noexcept;
 
-  /// UI thread: the figures of some moments ago.
+  /// UI thread: recent figures.
   const WritingFigures& latestFigures() noexcept;
 
 private:
@@ -56,7 +58,7 @@ private:
   DeviceCodec& codec_;
   const DeviceTraits& traits_;
   Clock clock_;
-  std::int64_t patience_;  // how long the haptic thread may be silent [ns]
+  std::int64_t patience_;  // maximum silence of the haptic thread [ns]
   std::int64_t period_;    // [ns]
   std::int64_t lastNew_ = 0;
   std::int64_t published_ = 0;

@@ -18,17 +18,17 @@ namespace {
 
 constexpr std::int64_t betweenFigures = 100'000'000;  // [ns]
 constexpr std::int64_t betweenLooks = 20'000'000;     // of the supervisor [ns]
-// A device that took no force for this long is blocked, unless its periods are longer.
+// A device that accepted no force for this long is blocked, unless its period is longer.
 constexpr double blockedTime = 5e-3;  // [s]
-// More than the writer's own patience with a silent haptic thread: the guard is the last resort.
+// Longer than the writer's own timeout for the haptic thread: the guard is the last resort.
 constexpr double patienceOfGuard = 50e-3;  // [s]
 
 std::int64_t nanoseconds(double seconds) noexcept { return std::llround(seconds * 1e9); }
 
-/// A device opened twice, because hidapi's handles serve one thread each.
+/// A device opened twice, because a hidapi handle is used by one thread.
 struct Handles {
   std::unique_ptr<Transport> reading;
-  std::unique_ptr<Transport> writing;  ///< None for a device that is never written.
+  std::unique_ptr<Transport> writing;  ///< Null for a device that is never written.
 };
 
 }  // namespace
@@ -64,7 +64,7 @@ struct HidDevice::Content {
   DeviceTraits profile;
   std::unique_ptr<DeviceCodec> codec;
   std::unique_ptr<HidPort> port;
-  DeviceTraits traits;  ///< With what was measured on opening.
+  DeviceTraits traits;  ///< With the values measured on opening.
   bool isOpen = false;
   bool isPeriodMeasured = false;
   double roundTrip = 0.0;  // [s]
@@ -76,13 +76,13 @@ struct HidDevice::Content {
   std::unique_ptr<ForceWriter> writer;
   std::thread writerThread, supervisorThread;
 
-  // The haptic thread's.
+  // Owned by the haptic thread.
   ReportReader reader;
   Transport* reading = nullptr;
   std::int64_t figuresShown = 0;
   realtime::TripleBuffer<ReadingFigures> figures;
 
-  // The supervisor's.
+  // Owned by the supervisor.
   bool isReadingLent = false, isWritingLent = false;
   std::atomic<std::uint64_t> reconnections{0};
   std::atomic<bool> isGuarded{false};
@@ -125,7 +125,7 @@ Result<Done> HidDevice::open()
   return Done{};
 }
 
-/// Opens and makes ready, while no other thread uses the codec's writing half.
+/// Opens and prepares the device, while no other thread uses the codec's writing side.
 Result<Done> HidDevice::Content::openHandles(Handles& handles)
 {
   auto forReading = port->open();
@@ -140,7 +140,7 @@ Result<Done> HidDevice::Content::openHandles(Handles& handles)
   if (!begun) codec->end(*handles.writing);
   if (!begun || !traits.rendersForce) return begun;
 
-  // Without a guard the hand works all the same; the doctor and the session say so.
+  // The device works without a guard, too; the doctor and the session report it.
   GuardedHandle watched = guarded(std::move(handles.writing), port->fileForGuard(),
                                   codec->farewell(), Duration::fromSi(patienceOfGuard));
   handles.writing = std::move(watched.handle);
@@ -156,7 +156,7 @@ void HidDevice::Content::listen(const Handles& handles)
       listenFirst(*handles.reading, handles.writing.get(), profile, *writer, clock);
   isPeriodMeasured = heard.period > 0.0;
   if (isPeriodMeasured) traits.nominalPeriod = heard.period;
-  // Where nothing answers, a report takes as long to come as a force to go.
+  // Without answers the delay of a report is assumed equal to that of a write.
   isRoundTripMeasured = heard.answerTime > 0.0;
   const double way = isRoundTripMeasured ? heard.answerTime : 2.0 * heard.writeTime;
   traits.transportDelay = std::max(profile.transportDelay, way);
@@ -293,7 +293,7 @@ void HidDevice::Content::supervise()
   }
 }
 
-/// Takes back what was lent, once its user has let go of it, and closes it.
+/// Takes back the lent handles once they are released, and closes them.
 bool HidDevice::Content::hasHandlesBack()
 {
   const bool hasReading = channels->reading.withdraw() || channels->reading.reclaim();

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// At most what a kernel writes into a file of sysfs: one page.
+/// Content of a sysfs file, at most one page, the kernel's limit.
 std::string contentOf(const fs::path& file)
 {
   std::ifstream stream(file, std::ios::binary);
@@ -28,7 +28,7 @@ std::string contentOf(const fs::path& file)
   return content;
 }
 
-/// The value of KEY=value in a uevent file; empty without.
+/// Value of KEY=value in a uevent file; empty if absent.
 std::string valueOf(const std::string& uevent, std::string_view key)
 {
   std::size_t from = 0;
@@ -66,7 +66,7 @@ bool readIdentity(const std::string& text, HidNode& node)
   return true;
 }
 
-/// The interface's number stands in the folder around the HID device; USB only.
+/// Number of the USB interface, from the parent folder of the HID device.
 int interfaceNumber(const fs::path& hidDevice)
 {
   std::error_code error;
@@ -102,7 +102,7 @@ std::optional<HidNode> readNode(const fs::path& folder, const SystemRoots& roots
   return node;
 }
 
-/// The number of a hidraw node's folder: 12 for hidraw12; nothing for other names.
+/// Number of a hidraw node from its folder: 12 for hidraw12; empty for other names.
 std::optional<int> nodeNumber(const fs::path& folder)
 {
   constexpr std::string_view prefix = "hidraw";
@@ -145,8 +145,8 @@ std::vector<HidNode> findHidNodes(const SystemRoots& roots)
 
 std::string udevRule(std::uint16_t vendor, std::uint16_t product)
 {
-  // The kernel names a HID device bus:vendor:product.number, in capital hexadecimal digits, on
-  // every bus alike.
+  // The kernel names a HID device bus:vendor:product.number, in uppercase hexadecimal digits, on
+  // every bus.
   char text[128];
   std::snprintf(text, sizeof text,
                 R"(SUBSYSTEM=="hidraw", KERNELS=="*:%04X:%04X.*", TAG+="uaccess")", vendor,

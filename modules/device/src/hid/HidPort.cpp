@@ -28,7 +28,7 @@ public:
 
   Result<std::unique_ptr<Transport>> open() override
   {
-    // Where it was, if it is still there: of two equal devices each keeps its own.
+    // Prefer the previous node if still present: of two equal devices each keeps its own.
     const HidNode* found = nullptr;
     const std::vector<HidNode> nodes = findHidNodes(roots_);
     for (const HidNode& node : nodes) {
@@ -67,7 +67,7 @@ private:
     return name + " " + identityText(node_.identity);
   }
 
-  /// A tree that was recorded elsewhere may hold a tape where the system has a node.
+  /// A recorded tree may contain a tape in place of a node.
   bool isTape() const noexcept
   {
     std::error_code ignored;

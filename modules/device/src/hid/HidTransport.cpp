@@ -18,15 +18,15 @@ namespace perilymph::device {
 
 namespace {
 
-/// hidapi keeps the text of its last error of opening in one place for the whole process.
+/// hidapi keeps the text of its last error of opening in a global of the process.
 std::mutex& openingMutex()
 {
   static std::mutex mutex;
   return mutex;
 }
 
-/// Whether a node can be opened and speaks HID. hidapi 0.13 must not be asked to open another: it
-/// then frees memory that it never set.
+/// Whether a node can be opened and is a HID device. hidapi 0.13 must not open any other: it then
+/// frees uninitialized memory.
 bool isHidraw(const std::filesystem::path& node)
 {
   const int file = ::open(node.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK);
@@ -43,7 +43,7 @@ int inWholeMilliseconds(Duration timeout) noexcept
   return static_cast<int>(std::max(milliseconds, 0.0));
 }
 
-// hidapi waits in whole milliseconds, too long for a device of 10 kHz.
+// hidapi waits in whole milliseconds, too coarse for a device of 10 kHz.
 constexpr double shortestWait = 0.9e-3;  // [s]
 
 class HidTransport final : public Transport {
@@ -66,7 +66,7 @@ public:
     int count = timeout.si() > 0.0 && timeout.si() < shortestWait
                     ? takeSoon(report, timeout)
                     : take(report, inWholeMilliseconds(timeout));
-    // A signal ends the wait just as a pulled plug does; only the plug does it twice.
+    // A signal interrupts the wait like a disconnection; only the latter fails twice.
     if (count < 0) count = take(report, 0);
     if (count < 0) {
       isGone_ = true;
@@ -99,7 +99,7 @@ public:
 private:
   int take(RawReport& report, int milliseconds) noexcept
   {
-    // hidapi gives no number where the device uses none.
+    // hidapi omits the number if the device uses none.
     const std::size_t front = numbers_ == ReportNumbers::none ? 1 : 0;
     const int count =
         hid_read_timeout(handle_, report.bytes.data() + front, longestReport - front, milliseconds);
@@ -109,7 +109,7 @@ private:
     return count;
   }
 
-  /// Within less than hidapi can wait for: looks again and again.
+  /// Waits for less than a millisecond by polling.
   int takeSoon(RawReport& report, Duration timeout) noexcept
   {
     constexpr timespec betweenLooks{0, 20'000};
@@ -126,7 +126,7 @@ private:
   Transfer outcome(int count) noexcept
   {
     if (count >= 0) return Transfer::done;
-    // Refused, or unplugged? A node whose device is gone cannot be read either.
+    // Refused or disconnected? A node whose device is gone cannot be read either.
     RawReport ignored;
     if (take(ignored, 0) >= 0) return Transfer::failed;
     isGone_ = true;

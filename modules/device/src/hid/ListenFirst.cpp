@@ -11,10 +11,11 @@ constexpr int enoughReports = 64;
 constexpr int fewestReports = 6;
 constexpr int maxReads = 10 * enoughReports;
 constexpr int writesToTime = 16;
-// A period measured on a busy machine is not believed against the profile's beyond this.
+// Maximum ratio between measured and profile period; others are measurement errors of a busy
+// machine.
 constexpr double maxRatio = 2.0;
 
-/// What waited since a handle was opened has no time of its own.
+/// Discards reports that waited since the handle was opened: their arrival times are unknown.
 void discardWaiting(Transport& reading) noexcept
 {
   RawReport report;
@@ -22,7 +23,7 @@ void discardWaiting(Transport& reading) noexcept
     if (reading.read(report, Duration{}) != Transfer::done) break;
 }
 
-/// The report that answers a force: the next one, or the one it is asked for.
+/// Waits for the report that answers a force: the next one, or the polled one.
 bool awaitAnswer(Transport& reading, Transport& writing, const DeviceTraits& profile) noexcept
 {
   RawReport report;
@@ -33,7 +34,7 @@ bool awaitAnswer(Transport& reading, Transport& writing, const DeviceTraits& pro
   return writing.getFeature(report) == Transfer::done;
 }
 
-/// The median; 0 if the device does not answer.
+/// Median time to an answer [s]; 0 if the device does not answer.
 double timeToAnswer(Transport& reading, Transport& writing, const DeviceTraits& profile,
                     ForceWriter& writer, Clock clock)
 {

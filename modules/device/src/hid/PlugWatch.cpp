@@ -20,7 +20,7 @@ PlugWatch::PlugWatch() : content_(std::make_unique<Content>())
 {
   content_->context.reset(udev_new());
   if (!content_->context) return;
-  // "udev" speaks after the rules have run, when the node may be opened.
+  // "udev" events come after the rules have run, when the node may be opened.
   content_->monitor.reset(udev_monitor_new_from_netlink(content_->context.get(), "udev"));
   udev_monitor* const monitor = content_->monitor.get();
   if (monitor == nullptr) return;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Tells when a hidraw node comes or goes, by udev's monitor.
+// Waits for hidraw nodes to appear or disappear, by udev's monitor.
 
 #include <memory>
 
@@ -10,13 +10,13 @@ namespace perilymph::device {
 
 class PlugWatch {
 public:
-  /// Without a udev (a container) it only waits.
+  /// Without udev (a container) it only waits.
   PlugWatch();
   ~PlugWatch();
   PlugWatch(const PlugWatch&) = delete;
   PlugWatch& operator=(const PlugWatch&) = delete;
 
-  /// Waits until a node came or went, at most so long. False if nothing did.
+  /// Waits until a node appeared or disappeared, at most `timeout`. False on timeout.
   bool await(Duration timeout) noexcept;
 
 private:

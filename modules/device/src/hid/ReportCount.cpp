@@ -9,11 +9,11 @@ namespace perilymph::device {
 
 namespace {
 
-// More reports than any pause leaves in a queue; a step back beyond this is a device that counts
-// anew.
+// More reports than any pause leaves in a queue: a larger step back means that the device restarted
+// its counter.
 constexpr std::uint64_t maxBack = 200;
 
-/// How many reports on a counter is, over a wrap at 8, 16 or 32 bits.
+/// Increment of a counter, across a wrap at 8, 16 or 32 bits.
 std::optional<std::uint64_t> stepsOverWrap(std::uint64_t from, std::uint64_t to) noexcept
 {
   constexpr std::array<std::uint64_t, 3> ends = {std::uint64_t{1} << 8, std::uint64_t{1} << 16,
@@ -27,7 +27,7 @@ std::optional<std::uint64_t> stepsOverWrap(std::uint64_t from, std::uint64_t to)
 
 ReportCount::ReportCount(double period) noexcept
     : period_(std::llround(std::clamp(period, 1e-5, 1.0) * 1e9)),
-      // as a hand goes stale: three periods, at least 3 ms, at most 30 ms
+      // as for a stale hand: three periods, at least 3 ms, at most 30 ms
       maxAge_(std::clamp<std::int64_t>(3 * period_, 3'000'000, 30'000'000))
 {
 }

@@ -4,7 +4,7 @@ namespace perilymph::device {
 
 namespace {
 
-// Twice what the system keeps: a device that fills its queue while it is drained holds nobody up.
+// Twice the kernel's queue: a device that sends while it is drained cannot block the loop.
 constexpr int maxReportsAtOnce = 128;
 constexpr std::int64_t second = 1'000'000'000;  // [ns]
 
@@ -17,7 +17,7 @@ ReportReader::ReportReader(DeviceCodec& codec, double period, Clock clock) noexc
 
 bool ReportReader::accept(const RawReport& report) noexcept
 {
-  // A report that is not used leaves no trace, so it is read into a copy.
+  // Decode into a copy, so that a rejected report has no effect.
   DeviceSample told = sample_;
   const auto counter = codec_->decode(report, told);
   if (!counter) {
@@ -82,8 +82,8 @@ Transfer ReportReader::drain(Transport& transport) noexcept
 
   const std::uint64_t fresh = figures_.fresh - freshBefore;
   if (taken >= queueLength && fresh > 0) {
-    // The queue had run over, so what came after its last report is missing: how old that is,
-    // nobody knows. The next one tells.
+    // The queue had overflowed, so reports after its last one are missing and its age is unknown
+    // until the next report.
     figures_.old += fresh;
     figures_.fresh = freshBefore;
     sample_ = before;

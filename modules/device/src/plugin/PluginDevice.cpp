@@ -23,7 +23,7 @@ struct CloseLibrary {
 };
 using Library = std::unique_ptr<void, CloseLibrary>;
 
-/// Text of at most `room` characters, which the plug-in may have left open at the end.
+/// Text of at most `capacity` characters, possibly without a terminating zero.
 std::string text(const char* characters, std::size_t capacity)
 {
   return std::string(characters, ::strnlen(characters, capacity));
@@ -41,7 +41,7 @@ bool isComplete(const PerilymphDeviceV1& functions)
          functions.read != nullptr && functions.write != nullptr;
 }
 
-/// Lets a plug-in's device stand where the program expects one of its own.
+/// Adapter of a plug-in's device to HapticDevice.
 class PluginDevice final : public HapticDevice {
 public:
   PluginDevice(Library library, const PerilymphDeviceV1& functions, void* device,
@@ -109,7 +109,7 @@ public:
     told.size = sizeof told;
     std::copy_n(wrench_D.force_D.begin(), 3, told.force_D_N);
     std::copy_n(wrench_D.torque_D.begin(), 3, told.torque_D_N_m);
-    // A device that does not take its force does not answer: the next samples say so.
+    // A device that refuses its force is regarded as not responding, as the next samples report.
     hasFailed_ = functions_.write(device_, &told) != 0;
   }
 
@@ -122,14 +122,14 @@ private:
   bool hasFailed_ = false;
 };
 
-/// Checks what a plug-in says about its device; an impossible one could ask for any force.
+/// Validates the traits of a plug-in; invalid ones could permit any force.
 Result<DeviceTraits> checked(const PerilymphDeviceTraitsV1& said)
 {
   DeviceTraits traits;
   traits.name = text(said.name, sizeof said.name);
   if (traits.name.empty()) return Error{"its device has no name."};
   const auto within = [](double value, double minimum, double maximum) {
-    return value >= minimum && value <= maximum;  // false for what is no number
+    return value >= minimum && value <= maximum;  // false for NaN
   };
   if (!within(said.nominal_period_s, 1e-4, 0.1))
     return Error{"its period between samples is " + std::to_string(said.nominal_period_s) +
@@ -170,7 +170,7 @@ Result<DeviceTraits> checked(const PerilymphDeviceTraitsV1& said)
 
 Result<std::unique_ptr<HapticDevice>> loadPluginDevice(const fs::path& file)
 {
-  // An absolute path: a bare name would be looked for among the system's libraries.
+  // An absolute path: a bare name would be searched in the system's library folders.
   std::error_code failure;
   const fs::path path = fs::absolute(file, failure);
   if (failure || !fs::is_regular_file(path, failure))

@@ -13,16 +13,16 @@ namespace perilymph::device {
 
 namespace {
 
-/// A tape that is played, shared by the handles on it.
+/// A tape in playback, shared by its handles.
 struct Playing {
   ReportTape tape;
   TapeTime time;
   std::mutex mutex;                        // between handles
   std::optional<std::int64_t> began = {};  // [ns]
-  std::size_t told = 0;                    // entries up to the last report that was written
-  std::size_t asked = 0;                   // up to the last feature that was got
+  std::size_t told = 0;                    // entries up to the last written report
+  std::size_t asked = 0;                   // entries up to the last requested feature
 
-  /// Since the tape was started [ns].
+  /// Time since playback started [ns].
   std::int64_t now() noexcept
   {
     const std::lock_guard lock(mutex);

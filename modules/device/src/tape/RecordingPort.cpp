@@ -26,13 +26,13 @@ struct Note {
   RawReport report;
 };
 
-/// What one handle notes: its thread writes, the tape's reads.
+/// Entries of one handle: written by its thread, read by the tape's thread.
 struct Notes {
   realtime::SpscRing<Note> ring{notesKept};
   std::atomic<std::uint64_t> lost{0};
 };
 
-/// The file and its thread.
+/// The file and its writing thread.
 class TapeWriter {
 public:
   TapeWriter(std::ofstream file, Clock clock) : file_(std::move(file)), clock_(clock)
@@ -85,7 +85,7 @@ private:
   Clock clock_;
   std::int64_t began_ = 0;  // [ns]
   Note note_;
-  std::mutex mutex_;  // whoever opens a handle, and the thread
+  std::mutex mutex_;  // between threads that open handles and the writing thread
   std::vector<std::shared_ptr<Notes>> all_;
   realtime::Doorbell bell_;
   std::atomic<bool> isStopping_{false};

@@ -21,7 +21,7 @@ constexpr std::array<std::pair<char, TapeEvent>, 6> letters = {{{'E', TapeEvent:
 constexpr std::size_t maxTapeBytes = std::size_t{256} << 20;
 constexpr const char* lostMark = "# lost ";
 
-/// Words of a line, one after the other.
+/// Splits a line into words.
 class Tokens {
 public:
   explicit Tokens(std::string_view line) : rest_(line) {}
@@ -64,7 +64,7 @@ public:
     if (!seconds || !nanoseconds) return std::nullopt;
     return static_cast<std::int64_t>(*seconds * 1'000'000'000 + *nanoseconds);
   }
-  /// Their number, then bytes.
+  /// A count followed by that many bytes.
   std::optional<std::vector<std::uint8_t>> bytes(std::size_t maximum)
   {
     const auto size = number(10, maximum);
@@ -90,7 +90,7 @@ public:
   {
     while (!text.empty()) {
       const std::size_t end = text.find('\n');
-      // A tape that was cut off ends within a line.
+      // An incomplete last line of a truncated tape is ignored.
       if (end == std::string_view::npos && !tape_.entries.empty()) break;
       std::string_view line = text.substr(0, end);
       text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
@@ -110,7 +110,7 @@ public:
   }
 
 private:
-  /// Gives what is wrong with the line; nothing if all is well.
+  /// Parses a line; returns an error message, empty if there is none.
   std::string take(std::string_view line)
   {
     if (line.starts_with(lostMark)) {
@@ -128,7 +128,7 @@ private:
     if (letter == 'R') return takeDescriptor(tokens);
     for (const auto& [known, event] : letters)
       if (known == letter) return takeEntry(event, tokens);
-    return {};  // a newer hid-recorder knows more letters
+    return {};  // newer versions of hid-recorder have more letters
   }
 
   static std::string takeDevice(Tokens& tokens)

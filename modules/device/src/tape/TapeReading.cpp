@@ -9,7 +9,7 @@ namespace perilymph::device {
 
 namespace {
 
-// The time on the tape that this thread reads.
+// Current time on the tape, for this thread.
 thread_local std::int64_t timeOnTape = 0;  // [ns]
 std::int64_t tapeClock() noexcept { return timeOnTape; }
 
@@ -21,7 +21,7 @@ RawReport reportOf(const TapeEntry& entry) noexcept
   return report;
 }
 
-/// Widens the room the hand was in.
+/// Extends the bounding box of the positions.
 void note(const DeviceSample& hand, bool isFirst, TapeReading& result) noexcept
 {
   for (std::size_t i = 0; i < 3; ++i) {
@@ -42,7 +42,7 @@ TapeReading readTape(const ReportTape& tape, DeviceCodec& codec, double period)
   std::int64_t first = 0, last = 0;
   std::uint64_t fresh = 0;
   for (const TapeEntry& entry : tape.entries) {
-    // Never 0, which is before any report.
+    // Never 0, which means before any report.
     timeOnTape = entry.time + 1;
     if (entry.event == TapeEvent::refused) ++result.writing.refused;
     if (entry.event == TapeEvent::gone) reader.startOver();

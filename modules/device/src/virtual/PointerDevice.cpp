@@ -10,16 +10,16 @@ namespace perilymph::device {
 
 namespace {
 
-// Ten times the published insertion speed: quick enough to work with, slow enough for the rod.
+// Ten times the published insertion speed: fast enough for work, slow enough for the rod.
 constexpr double maxSpeed = 20e-3;  // [m/s]
-// Quickness of the follow. It settles in about 6 / w = 0.3 s.
+// Natural frequency of the motion; settling time about 6 / w = 0.3 s.
 constexpr double quickness = 20.0;  // [1/s]
-// Enough to brake from full speed without overshoot: w times the greatest speed.
+// Sufficient to brake from maximum speed without overshoot: w times the maximum speed.
 constexpr double maxAcceleration = quickness * maxSpeed;  // [m/s^2]
 constexpr double maxRollSpeed = 2.0;                      // [rad/s]
 constexpr double maxRollAcceleration = quickness * maxRollSpeed;
 
-/// Shortens a vector of three to a length it may have at most.
+/// Limits the length of a 3-vector.
 void limit(std::array<double, 3>& vector, double limit) noexcept
 {
   const double squared = vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2];
@@ -77,7 +77,7 @@ DeviceSample PointerDevice::read() noexcept
   for (std::size_t i = 0; i < asked.size(); ++i)
     wanted_[i] = held ? wanted_[i] + asked[i] : place_[i];
 
-  // translation: the bounds hold for the vector, not for each axis
+  // translation: the limits apply to the vector, not to each axis
   std::array<double, 3> acceleration{};
   for (std::size_t i = 0; i < 3; ++i) acceleration[i] = pull(wanted_[i], place_[i], velocity_[i]);
   limit(acceleration, maxAcceleration);

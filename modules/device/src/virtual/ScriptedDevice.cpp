@@ -11,7 +11,7 @@ namespace perilymph::device {
 
 namespace {
 
-/// Faster than any hand at this work; keeps a mistyped speed from throwing the array [m/s].
+/// Faster than any insertion; limits the effect of a mistyped speed [m/s].
 constexpr double maxSpeed = 1.0;
 
 }  // namespace
@@ -43,7 +43,7 @@ DeviceSample ScriptedDevice::read() noexcept
   const double asked = speed_;
   const double speed = std::isfinite(asked) ? std::clamp(asked, 0.0, maxSpeed) : 0.0;
 
-  // A hand that takes hold is at rest in that report and moves from the next one on.
+  // A hand that grasps is at rest in that report and moves from the next one on.
   const bool hasHold = (sample_.buttons & graspButton) != 0;
   if (motion != Motion::hold && hasHold) {
     const double step = speed * timeStep_;

@@ -1,11 +1,10 @@
 #pragma once
 
-// The time between two reads of a hand that has no hardware.
+// Time step of an input device without hardware.
 
 namespace perilymph::device {
 
-/// Gives back a time step [s] that a hand can run at. @throws std::invalid_argument outside 0.1 ms
-/// to 10 ms.
+/// Returns a valid time step [s]. @throws std::invalid_argument outside 0.1 ms to 10 ms.
 double checkedTimeStep(double timeStep);
 
 }  // namespace perilymph::device

@@ -76,7 +76,8 @@ Insertion::Insertion() : content_(std::make_unique<Content>()) {}
 Insertion::~Insertion()
 {
   stop();
-  // The recorder asks the loop what was lost, the loop shows zero force to the hand.
+  // Stop the recorder first, because it reads losses from the loop; the loop then sets the force to
+  // zero.
   content_->recorder.reset();
   content_->loop.reset();
   if (content_->hand) content_->hand->close();
@@ -169,7 +170,7 @@ Result<Done> Insertion::runToEnd(const std::function<bool(const haptics::TickRec
 
 Result<Done> Insertion::start()
 {
-  // Recorder first: its thread must be there before the channel begins to fill.
+  // Start the recorder first: its thread must run before the channel fills.
   content_->recorder->start();
   content_->loop->start();
   return Done{};

@@ -1,6 +1,6 @@
 #pragma once
 
-// From a scenario to the engine: the same for a run and for its replay.
+// Makes the engine of a scenario, the same for a run and for its replay.
 
 #include <memory>
 #include <stdexcept>

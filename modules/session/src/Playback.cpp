@@ -14,8 +14,8 @@ namespace {
 
 using haptics::InsertionEngine;
 
-// A state of 100 nodes takes some tenths of a megabyte: at most a thousand are kept, and where a
-// recording is short, one every 100 ticks, some milliseconds of computing apart.
+// A state of 100 nodes takes some tenths of a megabyte: at most a thousand are kept; for a short
+// recording one every 100 ticks, which take some milliseconds to compute.
 constexpr std::uint64_t maxStates = 1000;
 constexpr std::uint64_t fewestBetween = 100;
 
@@ -43,14 +43,14 @@ struct Playback::Content {
   std::uint64_t between = fewestBetween;
   std::vector<Sample> samples;
 
-  /// By the number of ticks they have behind them; the first has none.
+  /// By number of computed ticks; the first has none.
   mutable std::mutex mutex;
   std::map<std::uint64_t, std::shared_ptr<const InsertionEngine>> states;
   std::uint64_t computed = 0;
 
-  // of the thread that shows
+  // Used by the thread that calls show()
   std::unique_ptr<InsertionEngine> shown;
-  std::uint64_t shownTicks = 0;  ///< Behind it.
+  std::uint64_t shownTicks = 0;  ///< Ticks computed by it.
 };
 
 Result<Done> Playback::Content::survey()
@@ -91,7 +91,7 @@ std::shared_ptr<const InsertionEngine> Playback::Content::stateBefore(std::uint6
 {
   const std::lock_guard lock(mutex);
   auto after = states.upper_bound(wanted);
-  --after;  // the state of no tick is always there
+  --after;  // the initial state is always present
   place = after->first;
   return after->second;
 }
@@ -148,7 +148,7 @@ Result<Verification> Playback::compute(
     const std::function<bool(std::uint64_t, std::uint64_t)>& progress)
 {
   Content& content = *content_;
-  // A connection of its own: the other thread reads, too.
+  // A separate connection: the other thread reads concurrently.
   const auto recorded = RecordedInsertion::open(content.file);
   if (!recorded) return recorded.error();
   auto engine = makeEngine(content.scenario, content.model, recorded->facts().run);
@@ -182,7 +182,8 @@ std::uint64_t Playback::computedTicks() const noexcept
 Result<Done> Playback::show(std::uint64_t place, haptics::Snapshot& picture)
 {
   Content& content = *content_;
-  const std::uint64_t wanted = std::min(place, content.ticks - 1) + 1;  // ticks behind it
+  const std::uint64_t wanted = std::min(place, content.ticks - 1) + 1;  // number of ticks to
+                                                                        // compute
   std::uint64_t kept = 0;
   const auto state = content.stateBefore(wanted, kept);
   if (content.shownTicks > wanted || content.shownTicks < kept) {

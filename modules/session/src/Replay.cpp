@@ -14,7 +14,7 @@ namespace perilymph::session {
 
 namespace {
 
-/// One field of an output as a name, its bits and words for people.
+/// One field of an output: name, bits and display text.
 struct FieldValue {
   const char* name;
   int index;
@@ -47,7 +47,7 @@ void flatten(const haptics::TickOutput& output, std::vector<FieldValue>& fields)
   });
 }
 
-/// Compares outputs, keeping the room for their fields.
+/// Compares outputs, reusing the memory of their fields.
 class Comparison {
 public:
   std::optional<Difference> difference(const haptics::TickRecord& recorded,

@@ -1,6 +1,6 @@
 #pragma once
 
-// One pass of a recording through the engine: the same for a verification and for a playback.
+// One pass of a recording through the engine, shared by verification and playback.
 
 #include <functional>
 #include <string>
@@ -13,16 +13,16 @@
 
 namespace perilymph::session {
 
-/// Sentences about what is not as it was when the recording was made.
+/// Messages about changes since the recording was made.
 std::vector<std::string> whatChanged(const RecordedInsertion& recorded, const Scenario& scenario,
                                      std::uint64_t modelFingerprint);
 
-/// Checks that the file holds what was recorded; begins the answer of a verification with it.
+/// Checks the consistency of the file and fills the first part of a verification.
 Result<Verification> beginVerification(const RecordedInsertion& recorded);
 
-/// Feeds recorded samples and commands through an engine that has not ticked yet, and compares
-/// every output field bit by bit until one differs. Ends where ticks were lost, where the recording
-/// ends, or where `after` gives false; it is called after every tick.
+/// Feeds recorded samples and commands through a new engine and compares every output field bit by
+/// bit up to the first difference. Ends at lost ticks, at the end of the recording, or when
+/// `after`, called after every tick, returns false.
 Result<Done> replayThrough(const RecordedInsertion& recorded, haptics::InsertionEngine& engine,
                            Verification& verification, const std::function<bool()>& after);
 

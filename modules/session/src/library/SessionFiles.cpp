@@ -1,4 +1,4 @@
-// Recordings renamed, thrown away and put back: with the log that belongs to an unclosed one.
+// Renames, trashes and restores recordings, with the log of an unclosed one.
 
 #include <system_error>
 
@@ -18,7 +18,7 @@ Result<Done> moveTo(const fs::path& from, const fs::path& to)
   if (fs::exists(to, failure))
     return Error{to.filename().string() + " exists already in " + to.parent_path().string() +
                  ". Choose another name."};
-  // The log first: without the recording it means nothing, the recording without it loses ticks.
+  // The log first: alone it is useless, but a recording without it loses ticks.
   for (const char* tail : {"-wal", "-shm", ""}) {
     const fs::path part = from.string() + tail;
     if (*tail != '\0' && !fs::exists(part, failure)) continue;

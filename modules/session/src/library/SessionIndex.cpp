@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-// Raised whenever the keys or their meaning change; an index of another number is not read.
+// Incremented when the keys or their meaning change; an index with another number is ignored.
 constexpr int format = 3;
 
 constexpr std::pair<const char*, std::string SessionSummary::*> texts[] = {
@@ -44,7 +44,7 @@ json toJson(const SessionSummary& summary)
   return entry;
 }
 
-/// Throws nlohmann's exceptions where the entry is none of ours.
+/// Throws nlohmann's exceptions for an invalid entry.
 SessionSummary fromJson(const json& entry)
 {
   SessionSummary summary;
@@ -115,7 +115,7 @@ void SessionIndex::close()
   // A link in its place is removed, not followed.
   std::error_code ignored;
   if (fs::is_symlink(fs::symlink_status(file_, ignored))) fs::remove(file_, ignored);
-  // The index may be missing; a name that is no UTF-8 only has its recording read again.
+  // The index is optional; a name that is not UTF-8 only causes its recording to be read again.
   static_cast<void>(writeWhole(file_, index.dump(-1, ' ', false, json::error_handler_t::ignore)));
   hasChanged_ = false;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// The summaries of recordings that were read before, in a file that may be deleted.
+// Cached summaries of recordings, in a file that may be deleted.
 
 #include <filesystem>
 #include <map>
@@ -12,26 +12,26 @@
 
 namespace perilymph::session {
 
-/// A JSON file in the library's cache, read at once and replaced at once. Whatever fails only costs
-/// time: recordings are then read again. One thread at a time.
+/// A JSON file in the library's cache, read and replaced as a whole. Errors only cost time:
+/// recordings are then read again. One thread at a time.
 class SessionIndex {
 public:
-  /// Reads the index of a folder; empty where it is missing, damaged or of another format.
+  /// Reads the index of a folder; empty if it is missing, damaged or of another format.
   explicit SessionIndex(const std::filesystem::path& folder);
 
-  /// The summary of a file that still has this size and time.
+  /// The summary of a file, if its size and time are unchanged.
   std::optional<SessionSummary> find(const std::string& name, std::uint64_t bytes,
                                      std::int64_t modified_ns) const;
   void keep(const SessionSummary& summary);
-  /// Forgets the files that are not there any more.
+  /// Removes the files that no longer exist.
   void forget(const std::set<std::string>& present);
-  /// Writes the index, if it has changed.
+  /// Writes the index if it has changed.
   void close();
 
 private:
   void read();
 
-  std::filesystem::path file_;  ///< Empty where the folder can have no cache.
+  std::filesystem::path file_;  ///< Empty if the folder can have no cache.
   std::map<std::string, SessionSummary> known_;
   bool hasChanged_ = false;
 };

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What identifies a version of a file.
+/// Fills what identifies a version of a file.
 void stamp(SessionSummary& summary)
 {
   std::error_code ignored;
@@ -31,12 +31,12 @@ void stamp(SessionSummary& summary)
         std::chrono::duration_cast<std::chrono::nanoseconds>(time.time_since_epoch()).count();
 }
 
-/// Who and what a scenario's text speaks of.
+/// The entities named in a scenario's text.
 struct Subject {
   std::string patient, side, array, error;
 };
 
-/// From the text alone, so that a recording whose array has left the catalog can still be listed.
+/// From the text alone, so that a recording whose array was removed from the catalog can be listed.
 Subject subjectOf(const std::string& text, const std::string& name)
 {
   Subject subject;
@@ -61,7 +61,7 @@ Subject subjectOf(const std::string& text, const std::string& name)
   return subject;
 }
 
-/// What was understood so far: many recordings are of one scenario.
+/// Subjects by scenario text: many recordings share a scenario.
 using Subjects = std::map<std::string, Subject>;
 
 void describeScenario(SessionSummary& summary, const std::string& text, Subjects& known)
@@ -73,18 +73,18 @@ void describeScenario(SessionSummary& summary, const std::string& text, Subjects
   summary.side = subject.side;
   summary.array = subject.array;
   summary.error = subject.error;
-  // a trouble names its file
+  // an error message names its file
   if (found == known.end() && subject.error.empty()) known.emplace(text, subject);
 }
 
-/// A recording with a log may grow without its file being touched.
+/// A recording with a log may grow without a change of the file itself.
 bool hasLog(const fs::path& file)
 {
   std::error_code ignored;
   return fs::exists(file.string() + "-wal", ignored);
 }
 
-/// Trouble may be mended by what the file does not show: its permissions, the catalog of arrays.
+/// Errors may depend on more than the file: on permissions, on the catalog of arrays.
 bool isWorthKeeping(const SessionSummary& summary)
 {
   return summary.error.empty() || (!summary.startedUtc.empty() && !summary.wasClosed);
@@ -132,12 +132,12 @@ SessionSummary summarize(const fs::path& file, Subjects& known,
     summary.error = "It was not closed: it ends where the program did.";
   if (summary.error.empty() && highlights && highlights->ticks == 0)
     summary.error = "It holds no tick: the insertion never ran.";
-  // Last: opening one that was not closed may have folded its log into it.
+  // Last, because opening an unclosed recording may have changed the file.
   stamp(summary);
   return summary;
 }
 
-/// A file that makes the reading throw (it asks for too much memory) hides no other.
+/// Summarizes a file; an exception (it requests too much memory) does not hide other files.
 SessionSummary summarizeNoThrow(const fs::path& file, Subjects& known,
                                 const std::function<bool()>& shouldStop)
 {
@@ -167,7 +167,7 @@ Result<std::vector<SessionSummary>> listSessions(const fs::path& folder,
 {
   std::vector<SessionSummary> sessions;
   std::error_code failure;
-  if (!fs::exists(folder, failure)) return sessions;  // nothing was ever recorded
+  if (!fs::exists(folder, failure)) return sessions;  // nothing was recorded yet
   fs::directory_iterator entries(folder, failure);
   if (failure)
     return Error{"The folder of sessions " + folder.string() +

@@ -66,8 +66,7 @@ std::string csvRow(const haptics::TickRecord& record)
 
 bool CsvPeriod::keeps(double time)
 {
-  // Times are multiples of the step with rounding errors; a millionth of the period is none of
-  // ours.
+  // Times are multiples of the step with rounding errors, which a millionth of the period exceeds.
   if (time < next_ - 1e-6 * period_) return false;
   while (period_ > 0.0 && next_ <= time + 1e-6 * period_)
     next_ = static_cast<double>(++count_) * period_;

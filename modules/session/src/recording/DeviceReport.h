@@ -1,6 +1,6 @@
 #pragma once
 
-// How a device and the loop did during an insertion, to be kept with it.
+// Report on the performance of device and loop during an insertion, stored with it.
 
 #include <string>
 
@@ -9,8 +9,8 @@
 
 namespace perilymph::session {
 
-/// As JSON: rate and jitter of the reports, what was lost, the time a force takes, the delay there
-/// and back, the loop's late ticks and overruns. Keys wear their units.
+/// The report as JSON: rate and jitter of reports, losses, duration of writing a force, round-trip
+/// delay, the loop's late ticks and overruns. Keys end with their units.
 std::string deviceReport(const device::DeviceHealth& health,
                          const haptics::LoopStatistics& statistics);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Under which keys of the table `meta` a closed recording notes what it was like.
+// Keys of the table `meta` for the key figures of a closed recording.
 
 #include <array>
 #include <utility>
@@ -9,7 +9,7 @@
 
 namespace perilymph::session {
 
-/// SI with its unit, to the last bit; the count of ticks is beside them.
+/// In SI with the unit, exact; the number of ticks is stored separately.
 inline constexpr std::array<std::pair<const char*, double Highlights::*>, 6> highlightKeys = {
     {{"duration_s", &Highlights::duration},
      {"deepest_m", &Highlights::deepest},

@@ -1,6 +1,6 @@
 #pragma once
 
-// An open recording, for the files that read it.
+// An open recording, shared by the files that read it.
 
 #include <filesystem>
 #include <functional>
@@ -24,14 +24,14 @@ struct RecordedInsertion::Content {
   RecordingFacts facts;
   bool wasClosed = false;
   std::uint64_t lostRecords = 0;
-  std::optional<Highlights> highlights;  ///< As noted in the file.
+  std::optional<Highlights> highlights;  ///< As stored in the file.
 
   Error damaged(const std::string& reason) const { return database.readingError(reason); }
 
   Result<Done> readMeta();
   Result<Done> readFacts();
-  /// Shows the rows of a query whose first column is a key that must rise, until `each` gives
-  /// false. A damaged tree can show the same rows again and again.
+  /// Calls `each` for the rows of a query whose first column is an increasing key, until it returns
+  /// false. A damaged tree could return the same rows forever.
   Result<Done> forEachRising(
       const std::string& sql, std::int64_t firstKey,
       const std::function<Result<bool>(const database::Statement&)>& each) const;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a recording says about itself, between its table `meta` and the program's own types.
+// Conversion between the table `meta` of a recording and the program's types.
 
 #include <optional>
 
@@ -10,17 +10,16 @@
 
 namespace perilymph::session {
 
-/// The rows of a recording that has just begun.
+/// The metadata rows of a new recording.
 MetaRows metaRowsOf(const RecordingFacts& facts);
 
-/// The facts in the rows; nothing if one is missing or is not what it must be.
+/// The facts in the rows; empty if one is missing or invalid.
 std::optional<RecordingFacts> factsIn(const MetaRows& rows);
 
-/// The highlights that were noted when the recording was closed; nothing in one from before they
-/// were noted.
+/// The key figures stored when the recording was closed; empty in older recordings.
 std::optional<Highlights> highlightsIn(const MetaRows& rows);
 
-/// A count in the rows; nothing if it is missing or is no number.
+/// A count in the rows; empty if missing or not a number.
 std::optional<std::uint64_t> countIn(const MetaRows& rows, const char* key);
 
 }  // namespace perilymph::session

@@ -50,7 +50,7 @@ Result<Done> RecordedInsertion::Content::readMeta()
       std::numeric_limits<std::int64_t>::min(), [&](const Statement& row) -> Result<bool> {
         if (row.type(1) != Statement::Type::text || row.type(2) != Statement::Type::text)
           return damaged("a fact about it is no text");
-        // Version 1 gave some facts other names.
+        // Format 1 had other names for some facts.
         const std::string key = database.version() < firstVersionWithHash
                                     ? std::string(currentKey(row.text(1)))
                                     : row.text(1);
@@ -75,7 +75,7 @@ Result<Done> RecordedInsertion::Content::readFacts()
   wasClosed = meta[MetaKey::closed] == "1";
   if (wasClosed) highlights = highlightsIn(meta);
   lostRecords = countIn(meta, MetaKey::lostRecords).value_or(0);
-  // One that was not closed has not summed up its losses yet.
+  // A recording that was not closed does not contain the sum of its losses.
   std::uint64_t missing = 0;
   const auto done =
       forEachRising("SELECT rowid, kind, value FROM event WHERE rowid >= ? ORDER BY rowid", 1,
@@ -109,7 +109,7 @@ const RecordingFacts& RecordedInsertion::facts() const noexcept { return content
 
 std::uint64_t RecordedInsertion::ticks() const
 {
-  // Counted row by row: SQLite's own count is one instruction, which nothing could end.
+  // Counted row by row: SQLite's own count is one instruction, which cannot be interrupted.
   std::uint64_t count = 0;
   static_cast<void>(content_->forEachRising("SELECT tick FROM tick WHERE tick >= ? ORDER BY tick",
                                             0, [&count](const Statement&) -> Result<bool> {

@@ -11,7 +11,7 @@ namespace perilymph::session {
 
 namespace {
 
-/// Between two drains: a crash loses no more than this and what the loop did meanwhile.
+/// Interval of drains: a crash loses at most this plus the duration of a drain.
 constexpr std::chrono::milliseconds drainPeriod{20};
 
 }  // namespace
@@ -79,7 +79,7 @@ void Recorder::flush()
   if (recording_ && !waiting_.empty()) {
     if (const auto done = recording_->append(waiting_); !done) {
       setError(done.error().message);
-      // Closing may still fold what was written into one file; that it was cut off stays said.
+      // Closing may still merge the written part into one file; the error is kept.
       recording_.reset();
     }
   }

@@ -1,8 +1,7 @@
 #pragma once
 
-// Carries ticks from the loop's channel into a recording: on a thread of its own by the clock, or
-// in the caller's thread in virtual time. What goes wrong with the file never reaches the
-// insertion.
+// Transfers ticks from the loop's channel to a recording: on a thread of its own by the clock, or
+// in the caller's thread in virtual time. File errors never affect the insertion.
 
 #include <condition_variable>
 #include <memory>
@@ -18,31 +17,31 @@ namespace perilymph::session {
 
 class Recorder {
 public:
-  /// @param recording  Nothing: records are taken and dropped, so that the channel never fills.
+  /// @param recording  Null: records are discarded, so that the channel never fills.
   Recorder(haptics::HapticLoop& loop, std::unique_ptr<Recording> recording, double timeStep);
   ~Recorder();  ///< Stops and closes the recording.
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
   // --- by the clock ---
-  /// Starts the recorder thread: a drain every 20 ms.
+  /// Starts the recorder thread, which drains every 20 ms.
   void start();
-  /// Ends the thread; what the loop still held is kept. The loop has stopped before.
+  /// Ends the thread; remaining records are stored. The loop must have stopped.
   void stop() noexcept;
 
   // --- virtual time, while no thread runs ---
-  /// Keeps one record; committed with the others of its 20 ms.
+  /// Adds one record; committed together with the others of its 20 ms.
   void keep(const haptics::TickRecord& record);
-  /// Commits what was kept.
+  /// Commits the added records.
   void flush();
 
-  /// What closing adds to the recording: how the device did. While nothing runs.
+  /// Sets the device report that closing stores. Only while nothing runs.
   void describeDevice(std::string report) { deviceReport_ = std::move(report); }
 
-  /// Flushes and closes the recording. Nothing is recorded after it.
+  /// Flushes and closes the recording. Nothing is recorded afterwards.
   void close() noexcept;
 
-  /// Why nothing is recorded any more; empty while all is well. Any thread.
+  /// Why recording stopped; empty if there is no error. Any thread.
   std::string error() const;
 
 private:

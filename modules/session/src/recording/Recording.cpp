@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 using database::Database;
 using database::Statement;
 
-/// Claims the name of a new file, so that two recordings never meet in one.
+/// Creates a new file exclusively, so that two recordings never share one.
 Result<Done> claim(const fs::path& file)
 {
   const int descriptor = ::open(file.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0644);
@@ -60,7 +60,7 @@ std::string insertTick()
   return values + ",?)";
 }
 
-/// What tells a file from another one at the same place; {0, 0} where there is none.
+/// Identity of the file at a path; {0, 0} if there is none.
 std::pair<dev_t, ino_t> identityOf(const fs::path& file)
 {
   struct stat found = {};
@@ -77,7 +77,7 @@ struct Recording::Content {
   std::optional<Statement> insertTick, insertEvent, setMeta;
   std::vector<unsigned char> blob;
   bool isClosed = false;
-  bool isCut = false;  ///< A drain could not be kept.
+  bool isCut = false;  ///< A drain failed.
 
   MetaRows meta;   ///< As in the file.
   Sha256 records;  ///< Hash of all ticks so far.
@@ -113,7 +113,7 @@ struct Recording::Content {
   bool addTick(const haptics::TickRecord& record);
   bool keepHighlights();
   bool keepEnding(std::uint64_t lostRecords, const std::string& deviceReport);
-  /// Runs `write` in one transaction; nothing of it is kept where it fails.
+  /// Runs `write` in one transaction, rolled back on failure.
   Result<Done> transact(const std::function<bool()>& write);
   Result<Done> begin(const RecordingFacts& facts);
 };
@@ -175,8 +175,8 @@ Result<Done> Recording::Content::transact(const std::function<bool()>& write)
 
 Result<Done> Recording::Content::begin(const RecordingFacts& facts)
 {
-  // Tables and facts go into the file itself before the log begins, so that a copy without its
-  // `-wal` is a recording, too.
+  // Tables and metadata are written to the file itself before the log begins, so that a copy
+  // without its `-wal` file is a valid recording.
   if (const auto done = database->run(creationOf(recordingKind())); !done) return done.error();
 
   const std::pair<std::optional<Statement>&, std::string> statements[] = {
@@ -197,8 +197,8 @@ Result<Done> Recording::Content::begin(const RecordingFacts& facts)
   if (!isKept) return Error{database->lastError()};
   if (const auto done = database->run("COMMIT"); !done) return done.error();
 
-  // A commit is in the hands of the system when it returns (the end of the process loses nothing);
-  // waiting for the disk as well, at every drain, would only guard against a loss of power.
+  // After a commit the data are with the operating system and survive the end of the process;
+  // waiting for the disk at every drain would only protect against a power failure.
   return database->run("PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL");
 }
 
@@ -216,7 +216,7 @@ Result<std::unique_ptr<Recording>> Recording::create(const fs::path& file,
   std::unique_ptr<Recording> recording(new Recording);
   Content& content = *recording->content_;
   content.file = file;
-  content.isClosed = true;  // until it is begun
+  content.isClosed = true;  // until it has begun
 
   const auto begun = [&]() -> Result<Done> {
     content.identity = identityOf(file);
@@ -262,7 +262,7 @@ Result<Done> Recording::close(std::uint64_t lostRecords, const std::string& devi
   if (content.isClosed) return Done{};
   content.isClosed = true;
   const bool isGone = !content.isAtItsPlace();
-  // One that was cut off never says that it was closed, even where there is space for the word.
+  // An incomplete recording is never marked as closed, even if there is space to do so.
   Result<Done> done = Done{};
   if (!content.isCut && !isGone)
     done = content.transact([&] { return content.keepEnding(lostRecords, deviceReport); });
@@ -274,7 +274,7 @@ Result<Done> Recording::close(std::uint64_t lostRecords, const std::string& devi
     return content.isGone();
   }
   if (!done) return content.cannotRecord(done.error().message);
-  // Leaving the log folds it into the file and removes it.
+  // Leaving WAL mode merges the log into the file and removes it.
   done = content.database->run("PRAGMA journal_mode=DELETE");
   content.database.reset();
   if (!done)

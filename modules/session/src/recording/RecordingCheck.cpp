@@ -1,4 +1,4 @@
-// Whether a recording holds what was recorded: counts, gaps, columns, events, hash.
+// Consistency check of a recording: counts, gaps, columns, events, hash.
 
 #include <algorithm>
 #include <cmath>
@@ -16,14 +16,14 @@ namespace {
 using database::Statement;
 using Type = Statement::Type;
 
-/// SQLite keeps NaN as NULL, and -0.0 may come back as 0.0.
+/// SQLite stores NaN as NULL, and may return -0.0 as 0.0.
 bool holds(const Statement& row, int column, double expected)
 {
   if (std::isnan(expected)) return row.type(column) == Type::null;
   return row.type(column) == Type::real && row.real(column) == expected;
 }
 
-/// A list of statuses in the words of version 1.
+/// A list of status names as in format 1.
 std::string inFirstWords(std::string statuses)
 {
   const std::pair<std::string, std::string> words[] = {{"notConverged", "notSettled"},
@@ -55,13 +55,13 @@ bool holds(const Statement& row, const Event& event)
          HoldsValue{row, 3}(event.kind) && std::visit(HoldsValue{row, 4}, event.value);
 }
 
-/// What the ticks of a recording tell.
+/// Data collected from the ticks of a recording.
 struct TickSurvey {
   std::uint64_t ticks = 0;
   Sha256 records;
   std::vector<Event> events;
   std::uint64_t missingTicks = 0;
-  std::string damage;  ///< First damage of the columns.
+  std::string damage;  ///< First inconsistency of the columns.
 };
 
 std::string selectTicks()

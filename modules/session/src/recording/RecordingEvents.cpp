@@ -85,7 +85,7 @@ std::vector<Event> EventDetector::add(const haptics::TickRecord& record)
     workflow_ = record.output.workflow;
     add("workflow", workflowWord(workflow_));
   }
-  // Only a status that appears is an event; that it went away is in the ticks.
+  // Only a new status bit is an event; its end is visible in the ticks.
   const std::uint32_t appeared = record.output.status & ~status_;
   status_ = record.output.status;
   if (appeared != 0) add("status", statusText(appeared));

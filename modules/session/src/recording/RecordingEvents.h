@@ -1,7 +1,6 @@
 #pragma once
 
-// The rows of the table `event`. They follow from the ticks, so a reader can tell whether they are
-// right.
+// The rows of the table `event`. They follow from the ticks, so that a reader can check them.
 
 #include <cstdint>
 #include <optional>
@@ -13,7 +12,7 @@
 
 namespace perilymph::session {
 
-/// One row: something that happened in a tick.
+/// One row: an event in a tick.
 struct Event {
   std::uint64_t tick = 0;
   double time = 0.0;  ///< [s]
@@ -21,14 +20,14 @@ struct Event {
   std::variant<std::int64_t, double, std::string> value;
 };
 
-/// Finds the events in a sequence of ticks: commands, changes of workflow, statuses that appear,
-/// and ticks that are missing.
+/// Derives the events from a sequence of ticks: commands, changes of workflow, new status bits, and
+/// missing ticks.
 class EventDetector {
 public:
   /// The events of the next tick, in the order of their rows.
   std::vector<Event> add(const haptics::TickRecord& record);
 
-  /// Ticks missing so far between those that were added.
+  /// Ticks missing so far between the added ones.
   std::uint64_t missingTicks() const noexcept { return missingTicks_; }
 
 private:

@@ -1,6 +1,6 @@
 #pragma once
 
-// What writer and reader of a recording agree on.
+// The file format shared by writer and reader of a recording.
 
 #include <cstdint>
 #include <map>
@@ -11,20 +11,20 @@
 
 namespace perilymph::session {
 
-/// What a recording consists of.
+/// The schema of a recording.
 ///
 ///   version 1   meta, tick, event
 ///   version 2   adds `content_sha256` to meta, renewed with every transaction
 const database::FileKind& recordingKind();
 
-/// From this version on a recording holds its hash.
+/// First format with a hash of the content.
 inline constexpr std::int64_t firstVersionWithHash = 2;
 
 /// All rows of the table `meta`, by their keys.
 using MetaRows = std::map<std::string, std::string>;
 
-/// The hash of a whole recording: what `meta` says, less the hash itself, and the records of all
-/// ticks in their order. The columns and events follow from the records.
+/// Hash of a whole recording: the metadata except the hash itself, and the records of all ticks in
+/// order. The columns and events follow from the records.
 std::string contentHash(const MetaRows& meta, const Sha256& records);
 
 /// Keys of the table `meta`.

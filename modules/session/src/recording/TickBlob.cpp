@@ -9,7 +9,7 @@ namespace perilymph::session {
 
 namespace {
 
-/// The unsigned number that carries a field's bits.
+/// The unsigned integer type with a field's bits.
 template <class Field>
 using Bits = std::conditional_t<sizeof(Field) == 8, std::uint64_t, std::uint32_t>;
 
@@ -69,7 +69,7 @@ public:
     bytes_ = bytes_.subspan(sizeof bits);
   }
 
-  /// Every byte was asked for, and none was missing.
+  /// True if all bytes were read and none was missing.
   bool isExact() const { return !isShort_ && bytes_.empty(); }
 
 private:
@@ -77,7 +77,7 @@ private:
   bool isShort_ = false;
 };
 
-/// Everything between the version and the output.
+/// All fields between version and output.
 template <class Record, class Each>
 void forEachInput(Record& record, Each& each)
 {

@@ -1,7 +1,7 @@
 #pragma once
 
-// One tick as bytes: what replay reads. Little-endian, field by field, no padding, so that -0.0,
-// NaN and every last bit survive.
+// Binary format of one tick, for replay. Little-endian, field by field, without padding, so that
+// -0.0, NaN and every bit are preserved.
 
 #include <cstdint>
 #include <optional>
@@ -12,13 +12,13 @@
 
 namespace perilymph::session {
 
-/// First number of every blob.
+/// First number in every blob.
 inline constexpr std::uint32_t tickBlobVersion = 1;
 
-/// Replaces `bytes` by the record's.
+/// Encodes a record into `bytes`.
 void writeTick(const haptics::TickRecord& record, std::vector<unsigned char>& bytes);
 
-/// Nothing if the bytes are not those of a record of this version.
+/// Empty if the bytes are not a record of this version.
 std::optional<haptics::TickRecord> readTick(std::span<const unsigned char> bytes);
 
 }  // namespace perilymph::session

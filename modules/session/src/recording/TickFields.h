@@ -1,13 +1,13 @@
 #pragma once
 
-// The one list of what a tick's output consists of: written, read and compared in this order.
+// The list of a tick's output fields, used for writing, reading and comparing.
 
 #include "perilymph/haptics/Snapshot.h"
 
 namespace perilymph::session {
 
 /// Calls `visit(name, index, value)` for every number of an output; arrays element by element, with
-/// -1 as the index of what is no array.
+/// index -1 for scalars.
 template <class Output, class Visit>
 void forEachField(Output& output, Visit&& visit)
 {

@@ -12,13 +12,13 @@ namespace {
 // [N.m^2]; see uncalibrated().
 constexpr double styletLow = 0.82e-6, styletHigh = 4.2e-6;
 constexpr double carrierLow = 0.2e-6, carrierHigh = 3e-6;
-// Of the whole array with its stylet in: it passes for straight, though "slightly curved" (Todd and
-// Naghdy, section IV). How slightly is not printed; a choice.
+// Of the whole array with its stylet in: it appears straight, though "slightly curved" (Todd and
+// Naghdy, section IV). The angle is not printed; a choice.
 constexpr Angle maxBend = degrees(10);
 
 using Bending = electrode::AlongArray<BendingStiffness>;
 
-/// By which angle the free carrier turns where the stylet is [rad].
+/// Angle by which the free carrier bends along the stylet [rad].
 double freeBend(const electrode::ArrayDesign& array)
 {
   constexpr int pieces = 1000;
@@ -62,7 +62,7 @@ Calibration uncalibrated(const electrode::ArrayDesign& array)
   const auto [minimum, maximum] =
       std::minmax_element(array.bending.value.begin(), array.bending.value.end());
   FittedValue& scale = calibration.stiffnessScale;
-  // What the array's file says is possible by itself, so 1 always lies between the bounds.
+  // The array's own value is always possible, so the bounds include 1.
   scale.low = std::min(1.0, carrierLow / minimum->si());
   scale.high = std::max(1.0, carrierHigh / maximum->si());
   if (array.hasStylet && array.stylet.bending.si() > 0.0) {

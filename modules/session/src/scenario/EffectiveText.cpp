@@ -10,7 +10,7 @@ namespace perilymph::session {
 std::string tomlNumber(double value)
 {
   std::string text = shortestDecimal(value);
-  // TOML takes a number without point and exponent for a whole one.
+  // TOML regards a number without decimal point and exponent as an integer.
   if (text.find_first_of(".en") == std::string::npos) text += ".0";
   return text;
 }
@@ -44,7 +44,7 @@ std::string tomlText(const std::string& text)
 
 double exactMillimeters(Length length)
 {
-  // A length that came from millimeters() has its number within two steps of the product.
+  // For a length made by millimeters(), its number is within two ulps of the product.
   double number = inMillimeters(length);
   constexpr int steps = 2;
   for (int i = 0; i < steps; ++i) number = std::nextafter(number, -HUGE_VAL);
@@ -109,7 +109,7 @@ void ScenarioKeys::notePatient(const anatomy::Patient& patient, anatomy::Anatomy
 
 std::string ScenarioKeys::asToml() const
 {
-  // Keys of the file itself first: what follows the head of a table belongs to it.
+  // First the keys outside tables: keys after a table's header belong to that table.
   std::string own, tables, table;
   for (const auto& [key, value] : values_) {
     const std::size_t dot = key.find('.');

@@ -1,7 +1,7 @@
 #pragma once
 
-// Writes a scenario as it was run: every value, in the units of its file, so that reading the text
-// again gives the same bits.
+// Writes a scenario as run: every value, in the units of its file, so that reading the text gives
+// the same bits.
 
 #include <string>
 #include <utility>
@@ -12,7 +12,7 @@
 
 namespace perilymph::session {
 
-/// The shortest decimal that reads back as the same number, marked as a float for TOML ("2.0").
+/// The shortest decimal that reads back as the same number, as a TOML float ("2.0").
 std::string tomlNumber(double value);
 
 /// Numbers as a TOML array.
@@ -21,10 +21,10 @@ std::string tomlNumbers(const std::vector<double>& values);
 /// A TOML basic string, quoted and escaped.
 std::string tomlText(const std::string& text);
 
-/// The shortest number of millimeters that millimeters() turns into exactly this length.
+/// The shortest number that millimeters() converts to exactly this length.
 double exactMillimeters(Length length);
 
-/// Reads keys from a scenario's file and writes each value down as it was read.
+/// Reads keys from a scenario's file and records each value as read.
 class ScenarioKeys {
 public:
   explicit ScenarioKeys(TomlReader& reader) : reader_(reader) {}
@@ -34,12 +34,12 @@ public:
   bool flag(const char* key, bool fallback);
   std::string text(const char* key, const std::string& fallback);
 
-  /// Adds a value that was not read from a key of the same name.
+  /// Adds a value without a key of the same name.
   void note(const std::string& key, const std::string& toml) { values_.emplace_back(key, toml); }
   /// Adds the numbers from which an anatomy is built, a table of their own.
   void notePatient(const anatomy::Patient& patient, anatomy::AnatomySource anatomy);
 
-  /// Keys and values in their order; keys of a table wear its name: "table.key".
+  /// Keys and values in order; keys in a table are prefixed with its name: "table.key".
   const std::vector<std::pair<std::string, std::string>>& values() const { return values_; }
   /// The same as TOML.
   std::string asToml() const;

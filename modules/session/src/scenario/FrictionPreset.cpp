@@ -10,7 +10,7 @@ namespace perilymph::session {
 
 namespace {
 
-/// A table that says where its values come from.
+/// A table with the sources of its values.
 TomlReader tableOf(TomlReader& file, const char* name)
 {
   TomlReader table = file.table(name);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Friction as a text file: what a scenario's `friction` names.
+// A friction preset: the text file named by a scenario's `friction`.
 
 #include <string>
 #include <vector>
@@ -9,18 +9,18 @@
 
 namespace perilymph::session {
 
-/// Coefficients of friction in the units of their file. In `resources/friction/`, each with source
-/// and confidence.
+/// Coefficients of friction in the units of their file. The files in `resources/friction/` state
+/// source and confidence of each.
 struct FrictionPreset {
   double staticCoefficient = 0.0;
-  double kineticCoefficient = 0.0;  ///< With a table by speed: its least value.
+  double kineticCoefficient = 0.0;  ///< With a table by speed: its minimum.
   double stoppingCoefficient = 0.0;
-  double stribeck_mm_s = 0.1;  ///< Choice: below the speeds of hands and of the published rig.
+  double stribeck_mm_s = 0.1;  ///< Choice: below the speeds of hands and of the published test rig.
   std::vector<double> speed_mm_s;
   std::vector<double> coefficient;  ///< At each speed.
 };
 
-/// Reads a preset by a shipped name or a file's path.
+/// Reads a preset by a shipped name or a path.
 Result<FrictionPreset> loadFriction(const std::string& nameOrFile);
 
 }  // namespace perilymph::session

@@ -26,7 +26,7 @@ std::string hexadecimal(std::uint64_t value)
   return digits;
 }
 
-/// Millimeters for a sentence: 27, 18.5.
+/// Millimeters for a message: 27, 18.5.
 std::string shortLength_mm(Length length)
 {
   char digits[32];
@@ -53,17 +53,17 @@ const std::string* overrideOf(const Overrides& overrides, const char* key)
   return last == overrides.rend() ? nullptr : &last->second;
 }
 
-/// An array named anew does not take over the calibration that a file gives for its own.
+/// A new array does not inherit the calibration that a file specifies for another one.
 void forgetCalibrationOfOtherArray(TomlReader& reader, const Overrides& overrides)
 {
   const std::string* array = overrideOf(overrides, "array");
   if (array == nullptr || *array == reader.text("array", "contour")) return;
-  // a recorded text gives the numbers themselves, too
+  // the text of a recording also contains the numbers themselves
   for (const char* key : {"calibration", "stiffness_scale", "residual_curvature_fraction"})
     if (overrideOf(overrides, key) == nullptr) reader.remove(key);
 }
 
-/// A model named anew does not take over the number of nodes that a file gives for its own.
+/// A new model does not inherit the number of nodes that a file specifies for another one.
 void forgetNodesOfOtherModel(TomlReader& reader, const Overrides& overrides)
 {
   const std::string* model = overrideOf(overrides, "model");
@@ -79,12 +79,12 @@ void readModel(TomlReader& reader, ScenarioKeys& keys, Scenario& scenario)
     reader.refuse("model", "model is '" + model + "'; it must be 'rod' or 'points'.");
   if (model == "points") {
     scenario.model = mechanics::ModelKind::points;
-    // Two ends make a line; beyond eighteen points the published one shakes at 1 kHz.
+    // Two points define a line; with more than eighteen the published model oscillates at 1 kHz.
     scenario.nodes =
         static_cast<int>(keys.integer("nodes", 2, mechanics::maxPoints, publishedPoints));
     return;
   }
-  // Above 1024 nodes a picture no longer fits its channel; below 8 a rod cannot follow the spiral.
+  // More than 1024 nodes do not fit into a snapshot; fewer than 8 cannot follow the spiral.
   scenario.nodes = static_cast<int>(keys.integer("nodes", 8, mechanics::maxNodes, 100));
 }
 
@@ -94,43 +94,43 @@ void readMotion(TomlReader& reader, ScenarioKeys& keys, Scenario& scenario)
   if (scenario.technique != "standard" && scenario.technique != "aos")
     reader.refuse("technique", "technique is '" + scenario.technique +
                                    "'; it must be 'standard' or 'aos' (advance off stylet).");
-  // Robots move at 0.1 to 1 mm/s, hands at 0.9, the published rig at 2 (Todd and Naghdy, section
-  // II.A; Kesler 2017); a slip of the hand reaches 200.
+  // Robots move at 0.1 to 1 mm/s, hands at 0.9, the published test rig at 2 (Todd and Naghdy,
+  // section II.A; Kesler 2017); a slip of the hand reaches 200.
   scenario.speed = millimetersPerSecond(keys.number("speed_mm_s", {0.01, 200.0}, 2.0));
-  // The published rig starts 1 to 3 mm inside; a free hand 5 mm before the opening.
+  // The published test rig starts 1 to 3 mm inside; a free hand 5 mm before the opening.
   scenario.startInside = millimeters(keys.number("start_inside_mm", {-10.0, 10.0}, 2.0));
   // No array is longer than 31.5 mm (MED-EL Standard).
   scenario.stopTravel = millimeters(keys.number("stop_travel_mm", {0.1, 35.0}, 16.5));
   scenario.withdraws = keys.flag("withdraw", false);
-  // The published text gives no speed; pulled by hand, so of the order of hand speeds.
+  // The publication gives no speed; the stylet is pulled by hand, so of the order of hand speeds.
   scenario.styletSpeed = millimetersPerSecond(keys.number("stylet_pull_mm_s", {0.1, 50.0}, 5.0));
-  // Straight stretch before the spiral: 0 to 2 mm fit the published forces; longer ones are
+  // Straight section before the spiral: 0 to 2 mm fit the published forces; longer ones are
   // drilled.
   scenario.leadIn = millimeters(keys.number("lead_in_mm", {0.0, 5.0}, 1.0));
-  // Beyond this the array meets the edge of the opening first.
+  // Beyond this the array hits the edge of the opening first.
   scenario.approachTilt = degrees(keys.number("approach_tilt_deg", {-30.0, 30.0}, 0.0));
   scenario.approachTurn = degrees(keys.number("approach_turn_deg", {-30.0, 30.0}, 0.0));
 }
 
-/// The roof: Teflon in the published experiment, a membrane in a cochlea.
+/// Reads the roof: Teflon in the published experiment, a membrane in a cochlea.
 void readMembrane(TomlReader& reader, ScenarioKeys& keys, Scenario& scenario)
 {
   scenario.membraneName = keys.text("membrane", "rigid");
   if (scenario.membraneName != "rigid" && scenario.membraneName != "soft")
     reader.refuse("membrane",
                   "membrane is '" + scenario.membraneName + "'; it must be 'rigid' or 'soft'.");
-  // Point stiffnesses of 0.6 to 9 N/m are reported.
+  // Reported point stiffnesses are 0.6 to 9 N/m.
   mechanics::MembraneLaw law;
   law.perSamplePoint =
       newtonsPerMeter(keys.number("membrane_stiffness_N_m", {0.1, 100.0}, law.perSamplePoint.si()));
   if (scenario.membraneName == "soft") scenario.membrane = law;
 }
 
-/// The rim that the array passes and its ribs meet.
+/// Reads the rim of the opening, which the array passes and its ribs touch.
 void readOpening(TomlReader& reader, ScenarioKeys& keys, Scenario& scenario)
 {
   scenario.openingName = keys.text("opening", "none");
-  // Drilled openings are 0.8 to 1.5 mm wide; the published rig's passed a carrier of 0.8 mm.
+  // Drilled openings are 0.8 to 1.5 mm wide; the published one passed a carrier of 0.8 mm.
   const double diameter = keys.number("cochleostomy_diameter_mm", {0.5, 3.0}, 1.0);
   if (scenario.openingName == "round-window") scenario.opening = mechanics::roundWindow();
   if (scenario.openingName == "cochleostomy")
@@ -142,8 +142,8 @@ void readOpening(TomlReader& reader, ScenarioKeys& keys, Scenario& scenario)
 
 void readWallAndCoupling(TomlReader& reader, ScenarioKeys& keys, Scenario& scenario)
 {
-  // 441 and 200 N/m are the published simulator's, under each of its sample points (Todd and
-  // Naghdy, section II.D); bone is nearer to 2,000 to 10,000, where the solver is still stable.
+  // 441 and 200 N/m are those of the published simulator, under each of its sample points (Todd and
+  // Naghdy, section II.D); bone has about 2,000 to 10,000, where the solver is still stable.
   scenario.wall.perSamplePoint =
       newtonsPerMeter(keys.number("wall_stiffness_N_m", {10.0, 10'000.0}, 441.0));
   scenario.wall.tangentialPerSamplePoint =
@@ -157,22 +157,21 @@ void readWallAndCoupling(TomlReader& reader, ScenarioKeys& keys, Scenario& scena
   // Devices stay stable up to a few hundred N/m; a virtual hand may be stiffer.
   engine.couplingStiffness = keys.number("coupling_stiffness_N_m", {1.0, 10'000.0}, 441.0);
   engine.couplingDamping = keys.number("coupling_damping_N_s_m", {0.0, 100.0}, 1.0);
-  // A consumer device's own friction (0.26 N) is above the forces here (0.1 N): up to 20 times
-  // shown.
+  // A consumer device's own friction (0.26 N) exceeds the forces here (0.1 N): scale by up to 20.
   engine.forceScale = keys.number("force_scale", {0.0, 20.0}, 1.0);
   engine.stopTravel = scenario.stopTravel.si();
   engine.styletSpeed = scenario.styletSpeed.si();
   engine.samplePeriod = scenario.timeStep.si();
 }
 
-/// The patient that an effective text carries: three lengths, or A, B and perhaps H, or a label
-/// alone where an anatomy needs no numbers.
+/// The patient in an effective text: three lengths, or A, B and optionally H, or only a label if
+/// the anatomy needs no numbers.
 anatomy::Patient patientFromNumbers(TomlReader numbers)
 {
   anatomy::Patient patient;
   patient.label = numbers.text("label", patient.label);
   if (numbers.has("a_mm")) {
-    // the population's limits are checked with the whole patient
+    // the population's limits are checked later, for the whole patient
     const auto diameter = [&numbers](const char* key) {
       return millimeters(numbers.number(key, {0.0, 20.0}));
     };
@@ -192,7 +191,7 @@ anatomy::Patient patientFromNumbers(TomlReader numbers)
   return patient;
 }
 
-/// @param isNamedAnew  The patient came as an override, so numbers in the text no longer hold.
+/// @param isNamedAnew  The patient came as an override, so numbers in the text are ignored.
 Result<anatomy::Patient> readPatient(TomlReader& reader, const std::string& name,
                                      const fs::path& folder, bool isNamedAnew)
 {
@@ -205,8 +204,8 @@ Result<anatomy::Patient> readPatient(TomlReader& reader, const std::string& name
   return anatomy::loadPatient(*file);
 }
 
-/// The anatomy that the key names, by default the one that the patient's numbers build, and the
-/// mean one without a patient.
+/// Reads the anatomy; by default the one that the patient's numbers define, or the mean one without
+/// a patient.
 void readAnatomy(TomlReader& reader, ScenarioKeys& keys, const anatomy::Patient& patient,
                  bool hasPatient, anatomy::AnatomySource& anatomy)
 {
@@ -264,7 +263,7 @@ Result<Done> readArray(const std::string& name, Scenario& scenario)
   return Done{};
 }
 
-/// Says so if the array is to go deeper than it fits through the opening.
+/// Adds a note if the insertion is deeper than the array fits through the opening.
 void noteSeat(Scenario& scenario, Length deepest)
 {
   if (!scenario.opening) return;
@@ -308,10 +307,10 @@ Result<Scenario> readScenario(TomlReader& reader, const std::string& name, const
         !scenario.patientName.empty() || reader.table("patient_numbers").has("st_length_mm");
     readAnatomy(reader, keys, *patient, hasPatient, scenario.anatomy);
   } else {
-    reader.text("anatomy", "");  // known, but without its patient nothing to compare with
+    reader.text("anatomy", "");  // a known key; without its patient there is nothing to compare
   }
   readModel(reader, keys, scenario);
-  // Forces change by less than 0.4 mN over this range of steps.
+  // Forces change by less than 0.4 mN over this range of time steps.
   scenario.timeStep = milliseconds(keys.number("dt_ms", {0.1, 10.0}, 1.0));
   scenario.seed = keys.integer("seed", 0, std::numeric_limits<long>::max(), 1);
   readMotion(reader, keys, scenario);
@@ -330,7 +329,7 @@ Result<Scenario> readScenario(TomlReader& reader, const std::string& name, const
   scenario.expectedArrayFingerprint = reader.text("array_fingerprint", "");
   const auto calibration = readCalibration(reader, keys, scenario);
 
-  // What the file says itself comes before what the files it names say.
+  // Report errors of the file itself before those of the files it names.
   if (const auto done = reader.finish(); !done) return done.error();
   if (!patient) return patient.error();
   if (const auto done = anatomy::checkPatient(scenario.patient); !done) return done.error();
@@ -348,7 +347,7 @@ Result<Scenario> readScenario(TomlReader& reader, const std::string& name, const
   }
 
   const Length deepest = scenario.startInside + scenario.stopTravel;
-  // 2.0 mm + 16.5 mm is a rounding above 18.5 mm.
+  // Because of rounding, 2.0 mm + 16.5 mm exceeds 18.5 mm.
   const Length rounding = Length::fromSi(1e-9);
   if (deepest > scenario.array.insertable + rounding)
     return Error{reader.name() + ": start_inside_mm + stop_travel_mm is " +

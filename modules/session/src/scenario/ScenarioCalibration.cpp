@@ -21,8 +21,8 @@ Result<AskedCalibration> readCalibration(TomlReader& reader, ScenarioKeys& keys,
     asked.stiffnessScale = calibration->stiffnessScale.value;
     asked.residualCurvature = calibration->residualCurvature.value;
   }
-  // A wire or a carrier of half or double its diameter has a sixteenth or sixteen times the
-  // stiffness; a tenth and ten times are more than any uncertainty here.
+  // Half or twice the diameter of a wire or carrier changes the stiffness by a factor of sixteen; a
+  // factor of ten exceeds all uncertainties here.
   asked.stiffnessScale = keys.number("stiffness_scale", {0.1, 10.0}, asked.stiffnessScale);
   if (asked.residualCurvature || reader.has("residual_curvature_fraction"))
     asked.residualCurvature = keys.number("residual_curvature_fraction", {0.0, 1.0},

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a scenario says about the calibration of its array.
+// Calibration of a scenario's array.
 
 #include <optional>
 
@@ -9,20 +9,20 @@
 
 namespace perilymph::session {
 
-/// The fitted numbers that a scenario asks for.
+/// The calibration parameters requested by a scenario.
 struct AskedCalibration {
-  std::string array;  ///< That a named calibration was fitted for; empty without one.
+  std::string array;  ///< Array of the named calibration; empty without one.
   double stiffnessScale = 1.0;
-  std::optional<double> residualCurvature;  ///< Without a value the array's own holds.
+  std::optional<double> residualCurvature;  ///< If empty, the array's own value is used.
 };
 
 /// Reads `calibration` (a shipped name or a file), and `stiffness_scale` and
-/// `residual_curvature_fraction`, which go before what a calibration says. A text that gives both
-/// numbers needs no file.
+/// `residual_curvature_fraction`, which take precedence over it. A text with both numbers needs no
+/// file.
 Result<AskedCalibration> readCalibration(TomlReader& reader, ScenarioKeys& keys,
                                          Scenario& scenario);
 
-/// Sets the array's stiffness and curvature as asked. Refuses a calibration of another array.
+/// Applies stiffness scale and curvature to the array. Refuses a calibration of another array.
 Result<Done> applyCalibration(const AskedCalibration& asked, Scenario& scenario);
 
 }  // namespace perilymph::session

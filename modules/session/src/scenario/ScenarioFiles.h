@@ -1,6 +1,6 @@
 #pragma once
 
-// The files that a scenario names.
+// The files named by a scenario.
 
 #include <filesystem>
 #include <string>
@@ -11,13 +11,13 @@
 
 namespace perilymph::session {
 
-/// The file that `patient` means: beside the scenario, else a shipped name or a path.
+/// Finds the file of a patient: beside the scenario, else by a shipped name or a path.
 ///
 /// @param folder  Folder of the scenario's file; empty without one.
 Result<std::filesystem::path> findPatient(const std::string& patient,
                                           const std::filesystem::path& folder);
 
-/// Files of the patient, the array, the friction and the calibration that a scenario names.
+/// Files of patient, array, friction and calibration that a scenario names.
 std::vector<std::filesystem::path> filesOf(const Scenario& scenario, const std::string& friction,
                                            const std::filesystem::path& folder);
 

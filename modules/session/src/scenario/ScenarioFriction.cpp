@@ -48,7 +48,7 @@ void readFriction(TomlReader& reader, ScenarioKeys& keys,
     return reader.has(key) && (!isNamedAnew || isOverridden(key));
   };
 
-  // A text that has all the numbers needs no preset: a recording outlives the file.
+  // A text with all the numbers needs no preset: a recording does not depend on the file.
   FrictionPreset preset;
   if (!isGiven("friction_static") || !isGiven("friction_dynamic") ||
       !isGiven("friction_stopping")) {
@@ -60,7 +60,7 @@ void readFriction(TomlReader& reader, ScenarioKeys& keys,
                                     " Or give friction_static, friction_dynamic and "
                                     "friction_stopping.");
   }
-  // A coefficient given without its table means friction that follows the coefficients alone.
+  // A coefficient given without a table means friction by the coefficients alone.
   if (isGiven("friction_dynamic")) {
     preset.speed_mm_s.clear();
     preset.coefficient.clear();

@@ -1,6 +1,6 @@
 #pragma once
 
-// The keys of a scenario that say how the array slides.
+// Friction keys of a scenario.
 
 #include <functional>
 #include <string>
@@ -10,17 +10,17 @@
 
 namespace perilymph::session {
 
-// Measured on tissue-like lining: 0.24 to 0.59 (Dohr 2021); 1 leaves room and keeps the solver
-// safe.
+// Measured on tissue-like lining: 0.24 to 0.59 (Dohr 2021); 1 leaves a margin and keeps the solver
+// stable.
 inline constexpr Range frictionRange{0.0, 1.0};
-// Hands slip at up to 200 mm/s.
+// Hands reach up to 200 mm/s when they slip.
 inline constexpr Range frictionSpeed_mm_s{0.0, 200.0};
 inline constexpr Range stribeckRange_mm_s{0.001, 100.0};
 
-/// Reads `friction`, a preset, and the keys whose values stand before its own.
+/// Reads `friction`, a preset, and the keys that take precedence over it.
 ///
-/// @param isOverridden  Whether a key was given anew; a preset named anew replaces all values of
-///                      the text but those.
+/// @param isOverridden  Whether a key was overridden; a preset given as an override replaces all
+///                      values of the text except overridden ones.
 void readFriction(TomlReader& reader, ScenarioKeys& keys,
                   const std::function<bool(const std::string&)>& isOverridden,
                   mechanics::FrictionLaw& law);

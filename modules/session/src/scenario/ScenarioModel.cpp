@@ -1,4 +1,4 @@
-// From a scenario to what the engine needs. Bad parts become sentences here and go no further.
+// Builds the model of a scenario. Exceptions for invalid parts become error messages here.
 
 #include <stdexcept>
 

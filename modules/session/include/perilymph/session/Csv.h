@@ -1,6 +1,6 @@
 #pragma once
 
-// The columns people read an insertion in: the same in CSV files and in recordings.
+// The readable columns of an insertion, the same in CSV files and in recordings.
 
 #include <array>
 #include <string>
@@ -11,14 +11,14 @@ namespace perilymph::session {
 
 inline constexpr int columnCount = 21;
 
-/// Names of the columns, with their units, in their order.
+/// Column names with units, in order.
 extern const std::array<const char*, columnCount> columnNames;
 
-/// The values of one tick in the units of columnNames. x, y, z are in W (a right ear); the axial
+/// The values of one tick in the units of columnNames. x, y, z are in W (right ear); the axial
 /// force is that on the hand, positive while pushing in.
 std::array<double, columnCount> columnValues(const haptics::TickRecord& record);
 
-/// The shortest decimal that reads back as the same number, with a point whatever the locale.
+/// The shortest decimal that reads back as the same number, with a decimal point in any locale.
 std::string shortestDecimal(double value);
 
 /// "time_s,travel_mm,...\n".
@@ -27,14 +27,14 @@ std::string csvHeader();
 /// One row of shortest decimals with its line end.
 std::string csvRow(const haptics::TickRecord& record);
 
-/// Which ticks of a file with one row every so many seconds are kept: the first at or after each
-/// multiple of the period.
+/// Selects the ticks for a file with a fixed row period: the first at or after each multiple of the
+/// period.
 class CsvPeriod {
 public:
   /// @param period  Between rows [s]; 0 keeps every tick.
   explicit CsvPeriod(double period) : period_(period) {}
 
-  /// True if the tick at this time [s] is kept. Times must not fall.
+  /// True if the tick at this time [s] is selected. Times must not decrease.
   bool keeps(double time);
 
 private:

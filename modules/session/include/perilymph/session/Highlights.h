@@ -1,6 +1,6 @@
 #pragma once
 
-// An insertion in the few numbers a list of many shows.
+// Key figures of an insertion, for lists.
 
 #include <cstdint>
 
@@ -8,17 +8,17 @@
 
 namespace perilymph::session {
 
-/// Highlights of an insertion since the array began to move; earlier ticks are only counted.
+/// Key figures since the array began to move; earlier ticks are only counted.
 struct Highlights {
   std::uint64_t ticks = 0;
-  double duration = 0.0;      ///< Since the array began to move, pauses included [s].
-  double deepest = 0.0;       ///< Greatest depth past the opening [m].
-  double deepestAngle = 0.0;  ///< Greatest angle of the tip from the round window [rad].
-  double peakForce = 0.0;     ///< Greatest axial force on the hand [N].
-  double peakTravel = 0.0;    ///< Where that was [m].
+  double duration = 0.0;      ///< Since the first motion, pauses included [s].
+  double deepest = 0.0;       ///< Maximum depth past the opening [m].
+  double deepestAngle = 0.0;  ///< Maximum angle of the tip from the round window [rad].
+  double peakForce = 0.0;     ///< Maximum axial force on the hand [N].
+  double peakTravel = 0.0;    ///< Travel at that force [m].
   double peakDepth = 0.0;     ///< [m]
 
-  /// Adds one more tick, in their order.
+  /// Adds the next tick.
   void add(const haptics::TickRecord& record) noexcept;
 
   friend bool operator==(const Highlights&, const Highlights&) = default;

@@ -1,7 +1,7 @@
 #pragma once
 
-// The only way to run an insertion: scenario -> model -> engine -> recorder, by the clock or in
-// virtual time. The window, the command line, validation and tests share it.
+// The common way to run an insertion: scenario -> model -> engine -> recorder, by the clock or in
+// virtual time. Used by the window, the command line, validation and tests.
 
 #include <filesystem>
 #include <functional>
@@ -21,21 +21,21 @@ class Insertion {
 public:
   /// Prepares an insertion.
   ///
-  /// @param hand    Who moves the array; opened here.
-  /// @param record  Where to keep it (an `.insertion` file); nothing is kept without.
-  /// @param anatomy The scenario's cochlea if it is built already, to share it between insertions.
-  /// @param model   The scenario's model in that cochlea, the same way.
+  /// @param hand    The device that moves the array; opened here.
+  /// @param record  File of the recording (`.insertion`); not recorded if empty.
+  /// @param anatomy The scenario's cochlea if already built, to share it between insertions.
+  /// @param model   The scenario's model in that cochlea, likewise.
   static Result<std::unique_ptr<Insertion>> prepare(
       const Scenario& scenario, std::unique_ptr<device::HapticDevice> hand,
       std::optional<std::filesystem::path> record,
       std::shared_ptr<const anatomy::ScalaTympani> anatomy = nullptr,
       std::shared_ptr<const mechanics::InsertionModel> model = nullptr);
-  ~Insertion();  ///< Stops, closes the recording, closes the hand.
+  ~Insertion();  ///< Stops, closes the recording, closes the device.
 
   // --- virtual time: the caller's thread is the loop ---
-  /// Arms, then runs tick after tick until the insertion is finished (and withdrawn, if the
-  /// scenario says so), has faulted, or `maxTicks` ticks have passed. `each` sees every record; false
-  /// stops.
+  /// Arms, then runs until the insertion is finished (and withdrawn, if the scenario says so), has
+  /// faulted, or `maxTicks` ticks have passed. `each` receives every record and returns false to
+  /// stop.
   Result<Done> runToEnd(const std::function<bool(const haptics::TickRecord&)>& each,
                         std::uint64_t maxTicks = 10'000'000);
 
@@ -45,13 +45,13 @@ public:
   bool send(const haptics::Command& command) noexcept;
   bool refresh() noexcept;
   const haptics::Snapshot& latest() const noexcept;
-  /// A sentence once the recording could not be kept (disk full); empty while all is well.
+  /// A message if the recording failed (disk full); empty if there is no error.
   std::string recordingError() const;
-  /// Ends the recording and folds it into one file, while nothing runs. The sentence of
-  /// recordingError() if it could not be kept. Without a call the destructor does it silently.
+  /// Ends the recording and merges its log into one file, while nothing runs. Returns the error of
+  /// recordingError() if it failed. Otherwise the destructor closes it silently.
   Result<Done> closeRecording();
 
-  /// A sentence where the device cannot render the coupling asked for: what it renders, and why.
+  /// A message if the device cannot render the requested coupling: what it renders, and why.
   const std::string& couplingText() const noexcept;
 
   const Scenario& scenario() const noexcept;

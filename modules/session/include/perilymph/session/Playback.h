@@ -1,6 +1,6 @@
 #pragma once
 
-// A recording that can be looked at, at any of its ticks, with the shape of the array.
+// Playback of a recording: any tick with the shape of the array.
 
 #include <cstdint>
 #include <filesystem>
@@ -17,14 +17,14 @@
 
 namespace perilymph::session {
 
-/// Numbers come from the file, shapes are computed again by the very same tick. No device is
-/// involved anywhere: what moved the array are the recorded samples.
+/// Values come from the file; shapes are recomputed by the same tick function from the recorded
+/// samples, without a device.
 ///
-/// Places count ticks from the first in the file, 0. Two threads may use one playback: one calls
-/// compute(), one everything else.
+/// Ticks are indexed from the first in the file, 0. Two threads may use one playback: one calls
+/// compute(), the other all other functions.
 class Playback {
 public:
-  /// Opens a recording and builds its cochlea and model: some tenths of a second.
+  /// Opens a recording and builds its cochlea and model: takes some tenths of a second.
   static Result<std::unique_ptr<Playback>> open(const std::filesystem::path& file);
   ~Playback();
 
@@ -33,27 +33,27 @@ public:
   const Scenario& scenario() const noexcept;
   std::shared_ptr<const anatomy::ScalaTympani> anatomy() const noexcept;
 
-  /// How many ticks can be shown: all up to the first that was lost, at least one.
+  /// Number of ticks that can be shown: up to the first lost one, at least one.
   std::uint64_t ticks() const noexcept;
   double timeStep() const noexcept;  ///< [s]
-  /// The place of the first tick in which the array moves.
+  /// Index of the first tick in which the array moves.
   std::uint64_t beginning() const noexcept;
 
-  /// Recorded outputs in even steps, at most some thousand: for curves.
+  /// Recorded outputs at equal steps, at most some thousand: for curves.
   struct Sample {
     std::uint64_t place = 0;
     haptics::TickOutput output;
   };
   const std::vector<Sample>& samples() const noexcept;
 
-  /// Computes the whole recording again, compares it bit by bit, and leaves states on the way from
-  /// which show() goes on. `progress(done, all)` stops it by giving false.
+  /// Recomputes the whole recording, compares it bit by bit, and stores states from which show()
+  /// can continue. `progress(done, all)` returns false to stop.
   Result<Verification> compute(
       const std::function<bool(std::uint64_t, std::uint64_t)>& progress = {});
-  /// Up to here show() is quick.
+  /// Number of ticks for which show() is fast.
   std::uint64_t computedTicks() const noexcept;
 
-  /// The picture of a tick; the last one where there are fewer ticks.
+  /// The snapshot of a tick; of the last one if the index is too large.
   Result<Done> show(std::uint64_t place, haptics::Snapshot& picture);
 
 private:

@@ -1,6 +1,6 @@
 #pragma once
 
-// An insertion that was written down, to be read.
+// Reading of a recorded insertion.
 
 #include <cstdint>
 #include <filesystem>
@@ -15,24 +15,25 @@
 
 namespace perilymph::session {
 
-/// Whether a recording holds what was recorded.
+/// Result of the integrity check of a recording.
 struct RecordingCheck {
   std::uint64_t ticks = 0;         ///< In the file.
-  std::uint64_t missingTicks = 0;  ///< Between those in the file; the recording says so itself.
-  bool hasHash = false;            ///< False in recordings of version 1.
-  /// Empty, or what is not as it was recorded: counts, columns that differ from their record,
-  /// events that do not follow from the ticks, the hash over everything.
+  std::uint64_t missingTicks = 0;  ///< Missing between those in the file, as stated by the
+                                   ///< recording.
+  bool hasHash = false;            ///< False in recordings of format 1.
+  /// Empty, or the first inconsistency: counts, columns that differ from their record, events that
+  /// do not follow from the ticks, the hash of the content.
   std::string damage;
 };
 
-/// The reading end of an `.insertion` file.
+/// Reader of an `.insertion` file.
 class RecordedInsertion {
 public:
-  /// Opens a recording. One that was not closed is recovered with its `-wal` file; where the folder
-  /// is read-only, only what had been folded into the file can be read, and note() says so.
+  /// Opens a recording. One that was not closed is recovered with its `-wal` file; in a read-only
+  /// folder only checkpointed content can be read, and note() says so.
   ///
-  /// @param shouldStop  Asked some fifty times a second by this call and all that read later; true
-  ///                    ends them with an error.
+  /// @param shouldStop  Called about fifty times a second by this and all later reads; true ends
+  ///                    them with an error.
   static Result<RecordedInsertion> open(const std::filesystem::path& file,
                                         std::function<bool()> shouldStop = {});
   RecordedInsertion(RecordedInsertion&&) noexcept;
@@ -40,19 +41,20 @@ public:
   ~RecordedInsertion();
 
   const RecordingFacts& facts() const noexcept;
-  std::uint64_t ticks() const;               ///< Rows in the file, counted one by one.
+  std::uint64_t ticks() const;               ///< Rows in the file, counted individually.
   std::uint64_t lostRecords() const;         ///< Ticks that ran but are not in the file.
-  bool wasClosed() const noexcept;           ///< False after a crash, or while it is being written.
-  const std::string& note() const noexcept;  ///< A sentence about what could not be read, or empty.
+  bool wasClosed() const noexcept;           ///< False after a crash, or during recording.
+  const std::string& note() const noexcept;  ///< A sentence about content that could not be read,
+                                             ///< or empty.
 
-  /// What the insertion was like in a few numbers: as noted when the recording was closed, else
-  /// found among the ticks.
+  /// Key figures of the insertion: as stored when the recording was closed, else computed from the
+  /// ticks.
   Result<Highlights> highlights() const;
 
-  /// Reads the whole file and compares it with itself. An error where a row cannot be read.
+  /// Reads the whole file and checks its consistency. An error if a row cannot be read.
   Result<RecordingCheck> check() const;
 
-  /// Shows every tick in its order, from one on; `each` stops by giving false.
+  /// Calls `each` for every tick in order, from a given one on; `each` returns false to stop.
   Result<Done> forEach(const std::function<bool(const haptics::TickRecord&)>& each,
                        std::uint64_t firstTick = 0) const;
 

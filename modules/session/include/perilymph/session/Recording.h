@@ -1,10 +1,10 @@
 #pragma once
 
-// An insertion being written down: one SQLite database, readable at any moment, even after a crash.
+// Recording of an insertion: one SQLite database, readable at any time, even after a crash.
 //
 //   meta(key, value)                   scenario, version, device, step: see RecordingFacts
-//   tick(tick, <columns>, record)      one row a tick: columns to read, and a BLOB for replay
-//   event(tick, time_s, kind, value)   commands taken, changes of workflow and status, losses
+//   tick(tick, <columns>, record)      one row per tick: readable columns, and a BLOB for replay
+//   event(tick, time_s, kind, value)   commands, changes of workflow and status, lost ticks
 
 #include <cstdint>
 #include <filesystem>
@@ -18,10 +18,10 @@
 
 namespace perilymph::session {
 
-/// Newest format of the file that this program writes and reads.
+/// Newest file format that this program writes and reads.
 inline constexpr int newestRecordingVersion = 2;
 
-/// What a recording says about itself. Numbers that replay needs are kept to the last bit.
+/// Metadata of a recording. Numbers needed for replay are stored exactly.
 struct RecordingFacts {
   std::string scenarioName;
   std::string scenarioText;  ///< Scenario::text.
@@ -36,27 +36,27 @@ struct RecordingFacts {
   std::string startedUtc;  ///< "2010-05-17T09:30:00Z".
 };
 
-/// The writing end. One thread at a time.
+/// Writer of a recording. One thread at a time.
 class Recording {
 public:
-  /// Begins a recording in a new file; a file that is there already is refused, never replaced.
+  /// Begins a recording in a new file; an existing file is refused, never replaced.
   static Result<std::unique_ptr<Recording>> create(const std::filesystem::path& file,
                                                    const RecordingFacts& facts);
-  /// Closes as if nothing had been lost, unless close() was called.
+  /// Closes without lost ticks, unless close() was called.
   ~Recording();
   Recording(const Recording&) = delete;
   Recording& operator=(const Recording&) = delete;
 
-  /// Adds ticks in one transaction: after a return they survive the end of the process. On failure
-  /// none of them is kept.
+  /// Adds ticks in one transaction: after return they survive the end of the process. On failure
+  /// none of them is stored.
   Result<Done> append(std::span<const haptics::TickRecord> records);
 
-  /// Marks the recording as closed properly and folds it into one file.
+  /// Marks the recording as closed and merges its log into one file.
   ///
-  /// @param lostRecords  Ticks that never came to append(); gaps in the numbers of the ticks are
-  ///                     counted by the recording itself, the larger count is kept.
-  /// @param deviceReport  How the device did, as JSON (`device_report` in meta); empty: nothing
-  /// kept.
+  /// @param lostRecords   Ticks that never reached append(); the recording itself counts gaps in
+  ///                      the tick numbers, and the larger count is stored.
+  /// @param deviceReport  Performance of the device, as JSON (`device_report` in meta); not stored
+  ///                      if empty.
   Result<Done> close(std::uint64_t lostRecords = 0, const std::string& deviceReport = {});
 
   const std::filesystem::path& file() const noexcept;
@@ -67,7 +67,7 @@ private:
   std::unique_ptr<Content> content_;
 };
 
-/// A status as words: "forceClamped rampingIn"; empty when all is well.
+/// Names of the status bits: "forceClamped rampingIn"; empty if none is set.
 std::string statusText(std::uint32_t status);
 /// "idle", "armed", ...
 std::string workflowWord(haptics::Workflow workflow);

@@ -1,6 +1,6 @@
 #pragma once
 
-// How a recording is recognized without opening it.
+// Recognition of a recording without opening it.
 
 #include <array>
 #include <filesystem>
@@ -8,12 +8,12 @@
 
 namespace perilymph::session {
 
-/// What SQLite appends to a recording's name for the files beside it.
+/// Suffixes of the files that SQLite creates beside a recording.
 inline constexpr std::array<std::string_view, 3> recordingCompanions = {"-wal", "-journal", "-shm"};
 
-/// True for an existing file that is a recording or belongs to one: it ends in `.insertion`, or its
-/// SQLite header carries the application id of recordings, or it is the `-wal`, `-journal` or
-/// `-shm` file of such a file.
+/// True for an existing file that is a recording or belongs to one: its name ends with
+/// `.insertion`, or its SQLite header has the application id of recordings, or it is the `-wal`,
+/// `-journal` or `-shm` file of such a file.
 bool isRecording(const std::filesystem::path& file);
 
 }  // namespace perilymph::session

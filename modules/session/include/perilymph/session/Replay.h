@@ -1,6 +1,6 @@
 #pragma once
 
-// A recording run again through the very same tick: the same bits, or where they begin to differ.
+// Verification of a recording by replay: the same bits, or the first difference.
 
 #include <cstdint>
 #include <filesystem>
@@ -13,33 +13,32 @@
 
 namespace perilymph::session {
 
-/// Where a replay left the recording.
+/// First difference between a replay and its recording.
 struct Difference {
   std::uint64_t tick = 0;
   std::string field;     ///< Field of TickOutput, such as "force_W[2]".
-  std::string recorded;  ///< The value, and its bits.
+  std::string recorded;  ///< The value and its bits.
   std::string computed;
 };
 
 struct Verification {
   std::uint64_t ticks = 0;          ///< In the file.
-  std::uint64_t ticksCompared = 0;  ///< Up to the first difference, or the first that was lost.
-  std::uint64_t missingTicks = 0;   ///< Lost while recording, as the recording itself says.
-  /// The file holds what was recorded, and every field of every tick in it was computed again to
-  /// the same bits.
+  std::uint64_t ticksCompared = 0;  ///< Up to the first difference or the first lost tick.
+  std::uint64_t missingTicks = 0;   ///< Lost during recording, as stated by the recording.
+  /// The file is consistent, and every field of every tick in it was recomputed with the same bits.
   bool isIdentical = false;
   std::optional<Difference> difference;  ///< The first one.
-  /// What of the file is not as it was recorded (RecordingCheck::damage); then nothing is compared.
+  /// Inconsistency of the file (RecordingCheck::damage); nothing is compared then.
   std::string damage;
-  std::vector<std::string> notes;  ///< Sentences: another build, a changed array file, lost ticks.
+  std::vector<std::string> notes;  ///< Messages: another build, a changed array file, lost ticks.
 };
 
-/// Told how many ticks of how many were compared; false stops.
+/// Receives the number of compared ticks and of all ticks; returns false to stop.
 using VerifyProgress = std::function<bool(std::uint64_t done, std::uint64_t all)>;
 
-/// Checks that the file holds what was recorded, builds the model from the recording's own
-/// scenario, feeds the recorded samples and commands through InsertionEngine::tick and compares
-/// every output field bit by bit. After ticks that were lost, nothing can be compared.
+/// Checks the consistency of the file, builds the model from the recording's own scenario, feeds
+/// the recorded samples and commands through InsertionEngine::tick and compares every output field
+/// bit by bit. Ticks after lost ones cannot be compared.
 Result<Verification> verify(const std::filesystem::path& file, const VerifyProgress& progress = {});
 
 }  // namespace perilymph::session

@@ -19,7 +19,7 @@ namespace ink = figures::ink;
 
 namespace {
 
-/// Which multiple of the step a point lies on.
+/// The multiple of the step at which a point lies.
 long stepOf(const CurvePoint& point) { return std::lround(point.travel / profileStep().si()); }
 
 }  // namespace

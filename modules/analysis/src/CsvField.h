@@ -7,8 +7,8 @@
 
 namespace perilymph::analysis {
 
-/// A text in quotation marks, as a field of a CSV file (RFC 4180). U+FFFD stands in place of bytes
-/// that are not UTF-8.
+/// A text in quotation marks, as a field of a CSV file (RFC 4180). Invalid UTF-8 bytes are replaced
+/// by U+FFFD.
 inline std::string csvQuoted(const std::string& text)
 {
   std::string quoted = "\"";
@@ -17,7 +17,7 @@ inline std::string csvQuoted(const std::string& text)
   return quoted + "\"";
 }
 
-/// The same, with quotation marks only where the text holds a comma, one of them or a control
+/// The same, with quotation marks only if the text contains a comma, a quotation mark or a control
 /// character.
 inline std::string csvField(const std::string& text)
 {

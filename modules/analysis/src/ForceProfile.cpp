@@ -7,13 +7,13 @@ namespace perilymph::analysis {
 
 namespace {
 
-/// The mean over five points, fewer at the ends.
+/// Moving average over five points, fewer at the ends.
 std::vector<CurvePoint> smoothed(const std::vector<CurvePoint>& curve)
 {
   constexpr std::size_t half = 2;
   std::vector<CurvePoint> result = curve;
   for (std::size_t i = 0; i < curve.size(); ++i) {
-    // At the ends the window shrinks on both sides alike: a straight line stays what it is.
+    // At the ends the window shrinks symmetrically, so that a straight line is preserved.
     const std::size_t reach = std::min({half, i, curve.size() - 1 - i});
     double sum = 0.0;
     for (std::size_t j = i - reach; j <= i + reach; ++j) sum += curve[j].force;
@@ -24,7 +24,7 @@ std::vector<CurvePoint> smoothed(const std::vector<CurvePoint>& curve)
 
 enum class Extremum { maximum, minimum };
 
-/// The strongest local extremum with low <= travel <= high.
+/// The largest local extremum with low <= travel <= high.
 std::optional<CurvePoint> strongest(const std::vector<CurvePoint>& curve, Extremum kind, double low,
                                     double high)
 {
@@ -49,7 +49,7 @@ void ForceProfiler::add(const haptics::TickRecord& record)
   const haptics::TickOutput& now = record.output;
   ++profile_.ticks;
   if (now.status & haptics::notConverged) ++profile_.ticksNotConverged;
-  // Idle: the array was put back to its start, and that way took no work.
+  // Idle: the array was reset to its start, which is not work of the hand.
   if (now.workflow == haptics::Workflow::idle) {
     before_.reset();
     return;
@@ -79,7 +79,7 @@ void ForceProfiler::follow(const haptics::TickOutput& now)
       profile_.work -=
           0.5 * (now.force_W[i] + before_->force_W[i]) * (now.proxy_W[i] - before_->proxy_W[i]);
 
-  // A point every step, where the tip passes it for the first time.
+  // A point per step where the tip first passes it.
   const double step = profileStep().si();
   const double slack = 1e-6 * step;
   if (isFirst && profile_.curve.empty())

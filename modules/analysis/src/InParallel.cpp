@@ -15,11 +15,11 @@ namespace perilymph::analysis {
 
 namespace {
 
-/// What the threads share.
+/// Data shared by the threads.
 struct Board {
   std::atomic<std::size_t> next{0};
-  std::atomic<bool> isAsked{false};  ///< To stop.
-  std::mutex lock;                   ///< For what follows.
+  std::atomic<bool> isAsked{false};  ///< Request to stop.
+  std::mutex lock;                   ///< Protects the following members.
   std::condition_variable changed;
   std::size_t done = 0;
   std::size_t working = 0;
@@ -45,7 +45,7 @@ Result<Done> doInParallel(
           callNoThrow("The calculation", [&] { return work(piece, board.isAsked); });
       const std::lock_guard guard(board.lock);
       ++board.done;
-      // A piece that ends because it was asked to has no error of its own.
+      // A piece stopped on request is not an error.
       if (!result && !board.isAsked) {
         board.errors[piece] = result.error();
         board.isAsked = true;
@@ -62,7 +62,7 @@ Result<Done> doInParallel(
   bool wasStopped = false;
   std::unique_lock guard(board.lock);
   while (board.working > 0) {
-    // A tenth of a second, so that a wish to stop is heard although nothing is done.
+    // A tenth of a second, so that a request to stop is noticed even if no piece completes.
     board.changed.wait_for(guard, std::chrono::milliseconds(100));
     const std::size_t done = board.done;
     guard.unlock();

@@ -1,7 +1,7 @@
 #pragma once
 
-// Many independent pieces of work on a few threads. Which thread does which piece leaves no trace:
-// each piece writes to a place of its own.
+// Runs independent pieces of work on several threads. The assignment of pieces to threads does not
+// affect results: each piece writes to its own memory.
 
 #include <atomic>
 #include <functional>
@@ -10,14 +10,14 @@
 
 namespace perilymph::analysis {
 
-/// Told, in the caller's thread, how many pieces are done; stops the work by giving false.
+/// Receives the number of done pieces in the caller's thread; returns false to stop.
 using PieceProgress = std::function<bool(std::size_t done)>;
 
-/// Does the pieces 0 to count - 1. The error of the first piece, in their order, that failed; or
+/// Runs the pieces 0 to count - 1. Returns the error of the first failed piece, in their order, or
 /// that the work was stopped.
 ///
-/// @param jobs  Threads; 0 for as many as the machine has.
-/// @param work  Called in any thread; should end early once the flag is set.
+/// @param jobs  Threads; 0: one per processor.
+/// @param work  Called in any thread; should end early when the flag is set.
 Result<Done> doInParallel(
     std::size_t count, unsigned jobs,
     const std::function<Result<Done>(std::size_t, const std::atomic<bool>& isAsked)>& work,

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double stretch = 0.05;  // [s]; the period of the published experiment's samples
 
-// Speeds are quotients of rounded numbers: one that is asked for exactly lies within the band.
+// Tolerance for rounding errors of speeds at the limits of the range.
 constexpr double slack = 1e-3;
 
 }  // namespace
@@ -38,7 +38,7 @@ void ReversalCounter::add(double travel)
 
 void MotionCounter::add(const haptics::TickOutput& now)
 {
-  // Idle: the array was put back to its start, which is no motion of the hand.
+  // Idle: the array was reset to its start, which is not motion of the hand.
   if (now.workflow == haptics::Workflow::idle) return begin_.reset();
   reversals_.add(now.travel);
   if (!begin_) {
@@ -55,7 +55,7 @@ void MotionCounter::endStretch(const haptics::TickOutput& now)
   const double speed = way / time;
   begin_ = now;
   const bool isStill = std::fabs(speed) < slowestSpeed.si() * (1.0 - slack);
-  if (!hasMoved_ && isStill) return;  // waiting to begin is not standing still
+  if (!hasMoved_ && isStill) return;  // waiting for the start is not a stop
   hasMoved_ = true;
   sofar_.time += time;
   if (isStill) sofar_.timeStill += time;

@@ -4,7 +4,8 @@ namespace perilymph::analysis {
 
 Phase phaseOf(const haptics::TickOutput& now, Length stopTravel) noexcept
 {
-  // A finished withdrawal ends near the start: only the depth tells that from a finished insertion.
+  // A finished withdrawal ends near the start: only the depth distinguishes it from a finished
+  // insertion.
   const bool hasArrived =
       now.travel >= stopTravel.si() ||
       (now.workflow == haptics::Workflow::finished && now.travel > 0.5 * stopTravel.si());

@@ -12,7 +12,7 @@ namespace {
 
 constexpr Range forces_N{-5.0, 5.0};
 
-/// The next place on the axis of travel, which must be behind the one before.
+/// The next travel, which must be greater than the previous one.
 template <class Printed>
 double travelBehind(TomlReader& table, const std::vector<Printed>& before, const char* plural)
 {

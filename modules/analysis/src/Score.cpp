@@ -8,7 +8,7 @@ namespace perilymph::analysis {
 
 namespace {
 
-// What hands do that are asked to go slower than hands can: at 15 mm/min (Kesler 2017).
+// Reversals of hands asked to move slower than they can, at 15 mm/min (Kesler 2017).
 constexpr double reversalsOfTooSlowHands = 18.6;
 constexpr double restFractionOfTooSlowHands = 0.157;
 
@@ -21,7 +21,7 @@ std::string fixed(double value, int decimals)
 
 std::string percent(double fraction) { return fixed(100.0 * fraction, 0) + " %"; }
 
-/// 1 at the best value, 0 at the worst, evenly in between.
+/// 1 at the best value, 0 at the worst, linear in between.
 double between(double value, double best, double worst)
 {
   return std::clamp((worst - value) / (worst - best), 0.0, 1.0);

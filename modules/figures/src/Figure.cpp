@@ -21,7 +21,7 @@ std::string written(double value, int decimals)
              : result;
 }
 
-/// From values to the page.
+/// Maps values to page coordinates.
 class Plot {
 public:
   explicit Plot(const Figure& figure) : figure_(figure) {}
@@ -187,7 +187,7 @@ void Plot::values(Drawing& page, const FigureValues& values) const
   }
 }
 
-/// Samples of everything that has a label, below the axes.
+/// The legend below the axes.
 double legend(Drawing& page, const Figure& figure, double y)
 {
   const double begin = left, sample = 22.0;

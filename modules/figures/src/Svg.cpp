@@ -9,7 +9,7 @@ namespace perilymph::figures {
 
 namespace {
 
-/// Hundredths of a point are finer than any printer.
+/// Hundredths of a point exceed any printer's resolution.
 std::string number(double value)
 {
   char text[64];
@@ -43,7 +43,7 @@ std::string color(const Ink& ink)
   return text;
 }
 
-/// fill="#..." with its opacity where it is not full.
+/// fill="#..." with its opacity if not 1.
 std::string painted(const char* what, const Ink& ink)
 {
   std::string result = std::string(" ") + what + "=\"" + color(ink) + "\"";

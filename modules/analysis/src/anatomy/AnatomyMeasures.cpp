@@ -58,11 +58,11 @@ PathPoint outermost(const anatomy::ScalaTympani& scala, double angle)
   return best;
 }
 
-// The distance of the sections of the mean scala tympani (Froehlich et al. 2024): lengths along the
-// wall are then comparable with those measured on it.
+// The spacing of the sections of the mean scala tympani (Froehlich et al. 2024), for lengths
+// comparable with those measured on it.
 constexpr double outerWallStep_deg = 22.5;
 
-/// The outermost points of sections at equal angles, straight between them in radius and height.
+/// The outermost points of sections at equal angles, linearly interpolated in radius and height.
 Path outerWall(const anatomy::ScalaTympani& scala)
 {
   const double step = degrees(outerWallStep_deg).si();
@@ -81,7 +81,7 @@ Path outerWall(const anatomy::ScalaTympani& scala)
   };
 }
 
-/// The organ-of-Corti path in the plan, straight lines between the tables.
+/// The organ-of-Corti path in the plan view, linear between the table entries.
 Path organOfCortiPlan(const anatomy::ScalaTympani& scala)
 {
   return [&scala](double angle) {
@@ -93,7 +93,7 @@ Path organOfCortiPlan(const anatomy::ScalaTympani& scala)
   };
 }
 
-/// Integral of r over the area of the section at an angle [m^3]: what it sweeps per radian.
+/// Integral of r over the area of the section at an angle [m^3]: volume per radian.
 double sweptPerRadian(const anatomy::ScalaTympani& scala, double angle)
 {
   constexpr int corners = 360;
@@ -102,7 +102,7 @@ double sweptPerRadian(const anatomy::ScalaTympani& scala, double angle)
   for (int k = 0; k <= corners; ++k) {
     const Eigen::Vector3d wall = scala.wall_W(angle, 2.0 * pi * k / corners);
     const PathPoint now{std::sqrt(wall.x() * wall.x() + wall.y() * wall.y()), wall.z()};
-    // Green: the integral of r over an area is that of r^2/2 dz around it.
+    // Green's theorem: the integral of r over an area is that of r^2/2 dz around it.
     if (k > 0)
       sum +=
           (now.height - before.height) *

@@ -6,14 +6,14 @@ namespace perilymph::analysis {
 
 namespace {
 
-/// The patients that differ from one in a single number, moved by `step`.
+/// The patients that differ from a given one in a single length, changed by `step`.
 std::vector<anatomy::Patient> movedByOne(const anatomy::Patient& patient, Length step)
 {
   std::vector<anatomy::Patient> moved;
   const auto move = [&](auto change) {
     anatomy::Patient other = patient;
     change(other);
-    // up where that is allowed, else down
+    // upward if allowed, else downward
     if (!anatomy::checkPatient(other)) {
       other = patient;
       step = -step;

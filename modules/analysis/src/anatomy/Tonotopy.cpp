@@ -9,8 +9,8 @@
 namespace perilymph::analysis {
 namespace {
 
-// Spiral ganglion, a value each quarter turn from 0 to 720 degrees: Stakhovskaya et al. 2007
-// (confidence medium: seen in public code that cites them).
+// Spiral ganglion, a value per quarter turn from 0 to 720 degrees: Stakhovskaya et al. 2007
+// (confidence medium: taken from public code that cites them).
 constexpr std::array<double, 9> quarterTurns_Hz{17225.0, 6193.0, 3174.0, 1539.0, 785.0,
                                                 550.0,   366.0,  215.0,  58.0};
 

@@ -9,7 +9,7 @@ namespace perilymph::analysis {
 
 namespace {
 
-constexpr std::size_t order = 4;  // B-splines that are not zero at a place
+constexpr std::size_t order = 4;  // number of nonzero B-splines at a point
 
 /// An interval and the four B-splines there.
 struct Basis {
@@ -30,7 +30,7 @@ Basis basisAt(double place, std::size_t intervals)
   return basis;
 }
 
-/// Symmetric, three diagonals below the main one: row i holds (i, i - 3) to (i, i).
+/// Symmetric band matrix, three diagonals below the main one: row i holds (i, i - 3) to (i, i).
 struct Band {
   explicit Band(std::size_t size) : rows(size), right(size, 0.0) {}
 
@@ -45,7 +45,7 @@ struct Band {
 
   double& at(std::size_t row, std::size_t column) { return rows[row][order - 1 - (row - column)]; }
 
-  /// Replaces `right` by the solution; false if the points left something open.
+  /// Replaces `right` by the solution; false if the points do not determine it.
   bool solve()
   {
     const std::size_t size = rows.size();
@@ -59,7 +59,7 @@ struct Band {
         at(i, j) = entry / at(j, j);
         at(i, i) -= at(i, j) * at(i, j) * at(j, j);
       }
-      // A pivot that cancels down to rounding means that nothing determines this coefficient.
+      // A pivot that cancels to rounding errors means that this coefficient is undetermined.
       if (!(at(i, i) > 1e-9 * before) || !(before > 0.0)) return false;
       for (std::size_t j = first; j < i; ++j) right[i] -= at(i, j) * right[j];
     }

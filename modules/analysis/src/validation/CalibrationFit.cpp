@@ -44,7 +44,7 @@ Result<CalibrationResult> fitCalibration(const CalibrationRequest& request,
   trial.anatomy = *anatomy;
 
   CalibrationResult result;
-  // Residuals in standard errors of the experiment, so that the fit gives standard errors, too.
+  // Residuals in standard errors of the experiment, so that the fit yields standard errors.
   const auto residuals = [&](const TwoNumbers& at) -> Result<TwoNumbers> {
     trial.scenario.array = session::calibrated(request.scenario.array, at.a, at.b);
     auto run = validate(trial, [&](std::size_t, std::size_t) {
@@ -73,7 +73,7 @@ Result<CalibrationResult> fitCalibration(const CalibrationRequest& request,
 
   const auto fit = gaussNewton2(residuals, {1.0, curvature.value}, bounds);
   if (!fit) return fit.error();
-  const auto there = residuals(fit->at);  // leaves the curve of the fit in the result
+  const auto there = residuals(fit->at);  // the result then holds the curve of the fit
   if (!there) return there.error();
   result.cost = cost(*there, request.experiment.insertions);
   scale.value = fit->at.a;

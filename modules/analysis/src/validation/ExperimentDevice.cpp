@@ -24,7 +24,7 @@ device::DeviceTraits ExperimentDevice::traits() const
 
 device::DeviceSample ExperimentDevice::read() noexcept
 {
-  // At rest in the report in which it takes hold; the base is anchored there.
+  // At rest in the report in which it grasps; the base is anchored there.
   if (sample_.buttons != 0) {
     steps_ += 1.0;
     const double time = steps_ * timeStep_;

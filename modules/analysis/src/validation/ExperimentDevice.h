@@ -1,13 +1,13 @@
 #pragma once
 
-// The machine that pushes the array in an experiment: constant speed and what trembling is left.
+// The test rig that pushes the array in an experiment: constant speed and residual tremor.
 
 #include "perilymph/analysis/Variability.h"
 #include "perilymph/device/HapticDevice.h"
 
 namespace perilymph::analysis {
 
-/// Moves along D's -z from its first report on, with a sine of its own along each axis of D. One
+/// Moves along D's -z from its first report on, with a sinusoidal tremor along each axis of D. One
 /// read() is one time step.
 class ExperimentDevice final : public device::HapticDevice {
 public:
@@ -23,7 +23,7 @@ private:
   double speed_, timeStep_, amplitude_, frequency_;
   std::array<double, 3> phase_;
   device::DeviceSample sample_;
-  double steps_ = 0.0;  // since it took hold
+  double steps_ = 0.0;  // since it grasped
 };
 
 }  // namespace perilymph::analysis

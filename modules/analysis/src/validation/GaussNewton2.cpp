@@ -8,7 +8,7 @@ namespace perilymph::analysis {
 namespace {
 
 constexpr int maxRounds = 10;
-constexpr double stepTolerance = 0.02;  // of a step: closer than any uncertainty
+constexpr double stepTolerance = 0.02;  // of a step: below all uncertainties
 constexpr double negligible = 1e-6;     // of the cost
 
 double costOf(const TwoNumbers& residual)
@@ -16,7 +16,7 @@ double costOf(const TwoNumbers& residual)
   return residual.a * residual.a + residual.b * residual.b;
 }
 
-/// Places spread evenly between the bounds, half a mesh off them.
+/// Grid points, equally spaced between the bounds and half a spacing off them.
 std::vector<TwoNumbers> rasterOf(const TwoBounds& bounds)
 {
   std::vector<TwoNumbers> places;
@@ -31,7 +31,7 @@ std::vector<TwoNumbers> rasterOf(const TwoBounds& bounds)
   return places;
 }
 
-/// How the residuals change with each number, per step.
+/// Derivatives of the residuals by each unknown, per step.
 struct Slopes {
   TwoNumbers byA, byB;
 };
@@ -42,13 +42,13 @@ TwoNumbers clamped(TwoNumbers at, const TwoBounds& bounds)
           std::clamp(at.b, bounds.low.b, bounds.high.b)};
 }
 
-/// A number that stands at a bound and would be pushed on through it.
+/// True for an unknown at a bound that the step would violate.
 bool isHeld(double at, double low, double high, double downhill)
 {
   return (at <= low && downhill < 0.0) || (at >= high && downhill > 0.0);
 }
 
-/// Where to go, in steps; a held number stays.
+/// The step direction, in units of `step`; held unknowns do not move.
 TwoNumbers direction(const TwoNumbers& at, const TwoNumbers& residual, const Slopes& slopes,
                      const TwoBounds& bounds, double damping)
 {
@@ -92,7 +92,7 @@ Result<GaussNewton2> gaussNewton2(const TwoResiduals& residuals, TwoNumbers star
   Slopes slopes;
   double damping = 1e-3;
   for (int round = 0; round < maxRounds; ++round) {
-    // Differences are taken into the inside of the bounds.
+    // Finite differences are taken toward the interior of the bounds.
     const double signA = fit.at.a + bounds.step.a > bounds.high.a ? -1.0 : 1.0;
     const double signB = fit.at.b + bounds.step.b > bounds.high.b ? -1.0 : 1.0;
     const auto besideA = tried({fit.at.a + signA * bounds.step.a, fit.at.b});
@@ -121,7 +121,7 @@ Result<GaussNewton2> gaussNewton2(const TwoResiduals& residuals, TwoNumbers star
     if (!hasImproved || isConverged || costOf(fit.residual) < negligible) break;
   }
 
-  // The inverse of the normal matrix of what is free.
+  // Inverse of the normal matrix of the free unknowns.
   const double aa = costOf(slopes.byA), bb = costOf(slopes.byB);
   const double ab = slopes.byA.a * slopes.byB.a + slopes.byA.b * slopes.byB.b;
   const bool holdsA = fit.at.a <= bounds.low.a || fit.at.a >= bounds.high.a;

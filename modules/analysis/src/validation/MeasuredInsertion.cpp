@@ -45,7 +45,7 @@ Result<MeasuredInsertion> measure(const DrawnInsertion& drawn,
     }
     return !isAsked;
   };
-  // Twice the time that the way takes, and a second to begin.
+  // Twice the time for the travel, plus a second to start.
   const double ticks =
       2.0 * stop.si() / (drawn.speed * scenario.timeStep.si()) + 1.0 / scenario.timeStep.si();
   const auto ran = (*insertion)->runToEnd(each, static_cast<std::uint64_t>(ticks));

@@ -15,11 +15,11 @@ namespace perilymph::analysis {
 
 namespace {
 
-/// A fifth of the ticks of a live insertion; forces move by less than 0.4 mN.
+/// A fifth of the ticks of a live insertion; forces change by less than 0.4 mN.
 constexpr Duration timeStep = milliseconds(5);
 
-/// Angle from the round window of the place at a distance from the tip, counted along the array
-/// from the opening on, so that turns add up; 0 before the round window.
+/// Angle from the round window of the point at a distance from the tip, tracked along the array
+/// from the opening, so that turns add up; 0 before the round window.
 double angleAlong(const mechanics::InsertionModel& model, const mechanics::InsertionState& state,
                   double fromTip)
 {
@@ -31,7 +31,7 @@ double angleAlong(const mechanics::InsertionModel& model, const mechanics::Inser
     if (isInside)
       angle += arcTangent(before.x() * now.y() - before.y() * now.x(),
                           before.x() * now.x() + before.y() * now.y());
-    // The round window's plane is that of the angle zero: y = 0 on the side of positive x.
+    // The plane of the round window is that of angle zero: y = 0 at positive x.
     if (!isInside && now.x() > 0.0 && now.y() > 0.0 &&
         (now - model.entry.origin_W).dot(model.entry.out_W) < 0.0) {
       isInside = true;
@@ -42,7 +42,7 @@ double angleAlong(const mechanics::InsertionModel& model, const mechanics::Inser
   return angle;
 }
 
-/// The cochlea of a number: 0 is the mean one, the others are drawn.
+/// The cochlea with a given number: 0 is the mean one, the others are drawn.
 Result<session::Scenario> withCochlea(const session::Scenario& nominal, std::uint64_t seed,
                                       std::size_t number)
 {
@@ -130,7 +130,7 @@ ArraySummary summaryOf(const std::string& array, const std::vector<PredictedInse
   return summary;
 }
 
-/// The array in the scenario, to be pushed in as deep as it may go.
+/// The scenario with the array, to be inserted to its full depth.
 Result<session::Scenario> withArray(const PredictionRequest& request, const std::string& array)
 {
   const auto file = findByName("array", "plugins/electrodes", array);
@@ -192,7 +192,7 @@ Result<PredictionResult> predict(const PredictionRequest& request,
     scenarios.push_back(std::move(*scenario));
   }
 
-  // One piece a cochlea, so that it is built once for all arrays.
+  // One piece per cochlea, so that each is built once for all arrays.
   const std::size_t arrays = scenarios.size();
   const std::size_t cochleae = static_cast<std::size_t>(request.patients) + 1;
   std::vector<PredictedInsertion> insertions(arrays * cochleae);

@@ -13,12 +13,12 @@ namespace perilymph::analysis {
 namespace {
 
 constexpr std::size_t pointsOfProfile = 166;
-// Of the raw record at the first rib: far enough before it not to touch yet, and around it.
+// Intervals of the raw record at the first rib: before contact, and around it.
 constexpr Length ribFar = millimeters(1.0);
 constexpr Length ribNear = millimeters(0.5);
 
-/// The published simulator's axis begins so deep past the opening (Todd and Naghdy, section III):
-/// its own device's z was shifted by this length. Only its own model is put on that axis.
+/// Depth past the opening at which the published simulator's axis begins (Todd and Naghdy, section
+/// III): its device's z was shifted by this length. Applied to the published model only.
 constexpr Length publishedShift = millimeters(2.661);
 
 bool isPublishedModel(const session::Scenario& scenario)
@@ -26,7 +26,7 @@ bool isPublishedModel(const session::Scenario& scenario)
   return scenario.model == mechanics::ModelKind::points;
 }
 
-/// What is kept of one insertion.
+/// Data kept of one insertion.
 struct Kept {
   std::vector<double> curve;
   std::optional<double> beforeRib, ribPeak;
@@ -42,11 +42,11 @@ std::optional<Length> firstRib(const session::Scenario& scenario)
   return ribs.front();
 }
 
-/// Past the end of the published axis, and past the first rib if there is one.
+/// Beyond the end of the published axis, and beyond the first rib if there is one.
 Length stopOf(const session::Scenario& scenario)
 {
-  // The tip may be ahead of the crosshead by what the array bends outside; half a millimeter more
-  // lets the last sample lie at the end.
+  // The tip may be ahead of the crosshead, because the array bends outside; half a millimeter more
+  // makes the last sample reach the end.
   Length stop = profileEnd() + millimeters(0.5);
   if (isPublishedModel(scenario)) stop = stop + publishedShift - scenario.startInside;
   if (const auto rib = firstRib(scenario))
@@ -93,7 +93,7 @@ Result<Done> runOne(const ValidationRequest& request, SpreadSources sources, std
   return Done{};
 }
 
-/// Statistics at one point of the axis over some insertions.
+/// Statistics over some insertions at one point of the axis.
 SampleStatistics statisticsAt(const std::vector<Kept>& kept, std::size_t first, std::size_t count,
                               std::size_t point)
 {
@@ -147,7 +147,7 @@ std::optional<RibMeeting> meetRib(const ValidationRequest& request, const std::v
   return RibMeeting{rib->si(), statisticsOf(before), statisticsOf(peak)};
 }
 
-/// Sources that need insertions of their own; the noise of the cell is added to a curve at rest.
+/// Sources that need insertions of their own; noise is added to a curve at rest instead.
 std::vector<SpreadSource> mechanicalSources(const ValidationRequest& request)
 {
   std::vector<SpreadSource> sources;
@@ -158,15 +158,15 @@ std::vector<SpreadSource> mechanicalSources(const ValidationRequest& request)
   return sources;
 }
 
-/// Insertions that show one source alone.
+/// Number of insertions with a single source.
 std::size_t runsForSources(const ValidationRequest& request)
 {
   const int asked = request.runsPerSource.value_or(std::max(10, request.runs / 10));
   return asked <= 0 ? 0 : static_cast<std::size_t>(std::max(2, asked));
 }
 
-/// What the noise alone leaves on the splines: it does not touch the mechanics, so samples at rest
-/// show it.
+/// Spread of the splines due to noise alone: noise does not affect the mechanics, so samples at
+/// rest suffice.
 double noiseSpread(const ValidationRequest& request, std::size_t count)
 {
   const double way =
@@ -205,10 +205,10 @@ std::vector<SourceSpread> sourceSpreads(const ValidationRequest& request,
   return spreads;
 }
 
-/// The greatest local maximum of the mean curve before the basal turn, where the paper's experiment
-/// has a small peak: near 4 mm in its raw record, near 6 mm in its spline, the dip near 8 mm. One
-/// millimeter is left on both sides. It counts if the force falls by more than the cell's noise
-/// could make it.
+/// The largest local maximum of the mean curve before the basal turn, where the paper's experiment
+/// has a small peak: near 4 mm in its raw record, near 6 mm in its spline, the dip near 8 mm. The
+/// range is one millimeter wider on both sides. It counts if the force falls by more than noise
+/// explains.
 std::optional<CurvePoint> findEarlyPeak(const std::vector<CurvePoint>& curve)
 {
   constexpr double minFall = 0.001;  // [N]

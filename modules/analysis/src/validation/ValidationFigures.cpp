@@ -1,4 +1,4 @@
-// The three figures of the paper, with what is known today.
+// The three figures of the paper, with current data.
 
 #include <algorithm>
 

@@ -1,5 +1,4 @@
-// What a validation starts from and what it leaves behind: the same for the command line and the
-// window.
+// Input and output files of a validation, the same for the command line and the window.
 
 #include "perilymph/analysis/ValidationReport.h"
 #include "perilymph/foundation/Resources.h"

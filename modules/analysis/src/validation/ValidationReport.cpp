@@ -15,10 +15,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// What counts as good. Half of the published simulator's worst difference, 0.0536 N; surgeons feel
-// a median of 0.0204 N (Kratchman 2016); positions to a half and a third of the way between the
-// experiment's peak and dip and the published simulator's; a spread of the experiment's order,
-// whose printed deviations are 13 to 39 mN.
+// Acceptance limits. Half of the published simulator's maximum difference, 0.0536 N; surgeons feel
+// a median of 0.0204 N (Kratchman 2016); positions to a half and a third of the distance between
+// the experiment's peak and dip and those of the published simulator; a spread of the order of the
+// experiment's, whose printed deviations are 13 to 39 mN.
 constexpr double maxDifference = 0.027;
 constexpr double felt = 0.020;
 constexpr Length peakSlack = millimeters(0.8);

@@ -13,7 +13,7 @@ namespace {
 
 std::uint32_t bitOf(SpreadSource source) { return 1u << static_cast<std::uint32_t>(source); }
 
-/// A table that describes one source of spread, with where its numbers come from.
+/// A table of one source of variation, with the provenance of its values.
 TomlReader sourceTable(TomlReader& file, const char* key, Variability& variability)
 {
   TomlReader table = file.table(key);
@@ -116,7 +116,8 @@ DrawnInsertion drawInsertion(const session::Scenario& nominal, const Variability
   const auto stream = [&](SpreadSource source) {
     return RandomStream(seed, number, static_cast<std::uint64_t>(source));
   };
-  constexpr double maxDeviates = 3.0;  // deviations off: what lies beyond would have been put right
+  constexpr double maxDeviates = 3.0;  // in standard deviations: a larger misalignment would have
+                                       // been corrected
 
   if (sources.has(SpreadSource::start)) {
     const double fraction = stream(SpreadSource::start).uniform();
@@ -146,7 +147,7 @@ DrawnInsertion drawInsertion(const session::Scenario& nominal, const Variability
     residual += variability.curvatureDeviation * random.normal(0.0, 1.0, -maxDeviates, maxDeviates);
   }
   if (sources.has(SpreadSource::friction)) {
-    // log-normal with the mean 1 and the deviation asked for
+    // log-normal with mean 1 and the given deviation
     const double variance =
         logarithm(1.0 + variability.frictionDeviation * variability.frictionDeviation);
     const double deviate =

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a surgeon reads off a cochlea, measured from the lumen the mechanics uses.
+// Clinical measures of a cochlea, computed from the lumen used by the mechanics.
 
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace perilymph::analysis {
 
-/// One measure with the way it was found.
+/// One measure and how it was obtained.
 struct Measure {
   std::string key;  ///< With its unit: "A_mm".
   double value;     ///< In that unit.
@@ -19,30 +19,31 @@ struct Measure {
 };
 
 /// Measures a scala tympani without its lead-in: A, B, H, turns, lengths, volume, heights, the
-/// section at the round window, and beside them what the clinic's formulas make of A and B.
+/// section at the round window, and for comparison the clinical estimates from A and B.
 ///
-/// The outer wall's length goes through the outermost points of sections 22.5 degrees apart, radius
-/// and height linear in the angle between them. It and the volume end with the last measured
-/// section; where a model goes on by a trend, those to the apex are told apart.
+/// The outer wall's length is measured through the outermost points of sections 22.5 degrees apart,
+/// radius and height linear in the angle between them. It and the volume end at the last measured
+/// section; if a model extrapolates, those to the apex are listed separately.
 std::vector<Measure> measure(const anatomy::ScalaTympani& scala);
 
-/// One section in a half-plane through the modiolar axis, as numbers for a table.
+/// One section in a half-plane through the modiolar axis, for a table.
 struct SectionRow {
   double angle;  ///< From the round window [rad].
   anatomy::Section section;
   double outerWallLength;     ///< Along the outer wall from the round window [m].
   double centerLength;        ///< Along the sections' centers [m].
   double innerWallLength;     ///< Along the inner wall [m].
-  double organOfCortiLength;  ///< Along the organ of Corti's path in the plan [m].
+  double organOfCortiLength;  ///< Along the organ of Corti, in the plan view [m].
 };
 
 /// Sections at equal angles from the round window to the apex.
 ///
-/// @param most  The greatest angle between two sections; made smaller to end at the apex.
+/// @param maxStep  Maximum angle between two sections; reduced so that the last one is at the apex.
 std::vector<SectionRow> sectionRows(const anatomy::ScalaTympani& scala, Angle maxStep);
 
-/// "angle_deg,center_r_mm,...\n" and a row per section, with the tone of its place by Greenwood
-/// (the path's share of its length to the last row) and by the spiral ganglion (the angle).
+/// "angle_deg,center_r_mm,...\n" and a row per section, with its characteristic frequency by
+/// Greenwood (from the fraction of the path's length to the last row) and by the spiral ganglion
+/// (from the angle).
 std::string sectionsCsv(const std::vector<SectionRow>& rows);
 
 }  // namespace perilymph::analysis

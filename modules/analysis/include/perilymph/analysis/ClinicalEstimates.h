@@ -1,7 +1,6 @@
 #pragma once
 
-// What the clinic's formulas make of A and B, side by side: they differ, and the reader should see
-// it.
+// Clinical formulas based on A and B, side by side because their results differ.
 
 #include <vector>
 
@@ -19,11 +18,11 @@ Length escudeOuterWall(Length a, Angle angle);
 /// Length of the outer wall of the basal turn, by its ellipse and circle: 1.18 A + 2.69 B -
 /// sqrt(0.72 A B) (Schurzig 2018). With A and B each 1 mm shorter, along the organ of Corti.
 Length ellipticCircularBasalTurn(Length a, Length b);
-/// Length of the cochlear duct along the organ of Corti: 1.71 of its basal turn + 0.18 mm (Schurzig
-/// 2018).
+/// Length of the cochlear duct along the organ of Corti: 1.71 times its basal turn + 0.18 mm
+/// (Schurzig 2018).
 Length ellipticCircularDuctLength(Length a, Length b);
 
-/// All of them and the turns that A and B foretell, each with formula and source.
+/// All of them and the number of turns predicted from A and B, each with formula and source.
 std::vector<Measure> clinicalEstimates(Length a, Length b);
 
 }  // namespace perilymph::analysis

@@ -1,6 +1,6 @@
 #pragma once
 
-// How far the measures of a patient's cochlea may be off because the numbers from CT were.
+// Uncertainty of a patient's cochlear measures due to errors of the CT measurements.
 
 #include <vector>
 
@@ -10,18 +10,18 @@
 
 namespace perilymph::analysis {
 
-/// The error of one length measured in CT that bands are given for: about a voxel of a cone-beam
-/// scan. Ours; confidence low.
+/// Assumed error of one length measured in CT: about a voxel of a cone-beam scan. Ours; confidence
+/// low.
 inline constexpr Length measuringError = millimeters(0.1);
 
-/// For each measure its band, plus or minus, in the measure's own unit. Every number given is moved
-/// by the error, the model built and measured again; independent errors add as squares:
+/// Uncertainty (plus or minus) of each measure, in the measure's own unit. Each given length is
+/// changed by the error, and the model is built and measured again; independent errors add as
+/// squares:
 ///
 ///     band(m) = sqrt(sum over i of (m(x + e_i) - m(x))^2)
 ///
-/// It holds the error of the numbers given and no other: not that of the model. Empty for an
-/// anatomy that was built from no patient's numbers. Takes as long as building two or three
-/// anatomies.
+/// It covers only the error of the given lengths, not that of the model. Empty for an anatomy
+/// without patient measures. Takes as long as building two or three anatomies.
 ///
 /// @param measures  Measures of the cochlea as built, from measure().
 Result<std::vector<double>> errorBands(const anatomy::Cochlea& cochlea,

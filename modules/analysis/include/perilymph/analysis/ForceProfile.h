@@ -1,6 +1,6 @@
 #pragma once
 
-// Force over travel, and the few numbers an insertion is compared by.
+// Force over travel, and the key figures of an insertion.
 
 #include <cstdint>
 #include <optional>
@@ -11,47 +11,46 @@
 
 namespace perilymph::analysis {
 
-/// A place on the curve of force over travel.
+/// A point of the force-travel curve.
 struct CurvePoint {
   double travel = 0.0;  ///< [m]
   double force = 0.0;   ///< Axial force on the hand, positive while pushing in [N].
 };
 
-/// Where a basal-turn peak is looked for. The experiment's is at 10.6 mm with raw peaks at 9 to 12
-/// mm, the published simulator's at 11.2 mm; the dips behind them at 11.8 and 13.4 mm (Todd and
-/// Naghdy, section III). One millimeter is left on both sides of each.
+/// Search range of a basal-turn peak. The experiment's peak is at 10.6 mm with raw peaks at 9 to 12
+/// mm, the published simulator's at 11.2 mm; the dips behind them are at 11.8 and 13.4 mm (Todd and
+/// Naghdy, section III). The range is one millimeter wider on both sides.
 struct BasalTurnWindow {
   Length peakLow = millimeters(8), peakHigh = millimeters(13);
   Length dipHigh = millimeters(14.4);
 };
 
-/// What is left of an insertion when its ticks are gone.
+/// Summary of an insertion.
 struct ForceProfile {
-  /// Force at every multiple of profileStep() that the tip passed for the first time, on its way
-  /// in: straight lines between ticks. Starts at the first multiple at or after the starting
-  /// travel.
+  /// Force at every multiple of profileStep() where the tip first passed it on insertion, linearly
+  /// interpolated between ticks. Starts at the first multiple at or after the initial travel.
   std::vector<CurvePoint> curve;
 
-  CurvePoint peak;                          ///< Greatest force of any tick.
+  CurvePoint peak;                          ///< Maximum force of any tick.
   double peakDepth = 0.0;                   ///< Depth past the opening at that tick [m].
   std::optional<CurvePoint> basalTurnPeak;  ///< See findBasalTurn().
   std::optional<CurvePoint> basalTurnDip;
-  double work = 0.0;          ///< Done by the hand on the array [J]: minus the integral of F.dx.
+  double work = 0.0;          ///< Work of the hand on the array [J]: minus the integral of F.dx.
   double finalTravel = 0.0;   ///< [m]
-  double deepest = 0.0;       ///< Greatest depth past the opening [m].
+  double deepest = 0.0;       ///< Maximum depth past the opening [m].
   double finalDepth = 0.0;    ///< [m]
   double finalAngle = 0.0;    ///< Angle of the tip from the round window [rad].
-  double duration = 0.0;      ///< Since the array began to move [s].
-  double wallForceMax = 0.0;  ///< Greatest normal force of one node in any tick [N].
-  double membraneForceMax = 0.0;  ///< Greatest force on the basilar membrane in any tick [N].
+  double duration = 0.0;      ///< Since the first motion [s].
+  double wallForceMax = 0.0;  ///< Maximum normal force on one node in any tick [N].
+  double membraneForceMax = 0.0;  ///< Maximum force on the basilar membrane in any tick [N].
   std::uint64_t ticks = 0;
-  std::uint64_t ticksNotConverged = 0;  ///< In which Newton's method left more than its tolerance.
+  std::uint64_t ticksNotConverged = 0;  ///< Ticks in which the residual exceeded the tolerance.
 };
 
-/// Between points of ForceProfile::curve: that of the published curves.
+/// Spacing of the points of ForceProfile::curve: that of the published curves.
 constexpr Length profileStep() { return millimeters(0.1); }
 
-/// Builds a profile tick by tick, in their order.
+/// Builds a profile tick by tick, in order.
 class ForceProfiler {
 public:
   void add(const haptics::TickRecord& record);
@@ -65,15 +64,15 @@ private:
   ForceProfile profile_;
   std::optional<haptics::TickOutput> before_;
   bool hasPeak_ = false;
-  long nextPoint_ = 0;  ///< Multiple of profileStep() that the curve waits for.
+  long nextPoint_ = 0;  ///< Multiple of profileStep() of the next point.
 };
 
 /// The peak at the basal turn and the dip behind it.
 ///
-/// The curve is smoothed by the mean over five points (0.5 mm). The peak is the greatest local
-/// maximum of the smoothed curve within the window, the dip the least local minimum after it, both
-/// with their smoothed forces. A local extremum differs from its neighbors on both sides, plateaus
-/// counting as one point (their first). Nothing is found on a curve that only rises.
+/// The curve is smoothed by the mean over five points (0.5 mm). The peak is the largest local
+/// maximum of the smoothed curve within the window, the dip the smallest local minimum after it,
+/// both with their smoothed forces. A local extremum differs from its neighbors on both sides; a
+/// plateau counts as one point (its first). A monotonically rising curve has neither.
 struct BasalTurn {
   std::optional<CurvePoint> peak, dip;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-// Two unknowns by two residuals: the Gauss-Newton method with bounds.
+// Bounded Gauss-Newton method for two unknowns and two residuals.
 
 #include <functional>
 
@@ -13,26 +13,27 @@ struct TwoNumbers {
   double a = 0.0, b = 0.0;
 };
 
-/// Where the solution is looked for.
+/// Bounds of the solution.
 struct TwoBounds {
   TwoNumbers low, high;
-  TwoNumbers step;  ///< For differences; also the scale on which they matter.
-  int raster = 1;   ///< So many even places of each number are tried first; the best one begins.
+  TwoNumbers step;  ///< Step of finite differences; also the scale of the tolerance.
+  int raster = 1;   ///< Number of equally spaced start values of each unknown; the best one is
+                    ///< used.
 };
 
-/// What the fit found.
+/// Result of the fit.
 struct GaussNewton2 {
   TwoNumbers at;
   TwoNumbers residual;
-  /// Standard errors for residuals of unit variance; 0 where a bound holds the number.
+  /// Standard errors for residuals of unit variance; 0 for an unknown at a bound.
   TwoNumbers standardDeviation;
   int trials = 0;
 };
 
 using TwoResiduals = std::function<Result<TwoNumbers>(const TwoNumbers&)>;
 
-/// The two numbers that minimize the sum of squares of two residuals within bounds, by the damped
-/// Gauss-Newton method from the best place of a raster.
+/// Minimizes the sum of squares of two residuals within bounds, by the damped Gauss-Newton method
+/// from the best point of a grid.
 Result<GaussNewton2> gaussNewton2(const TwoResiduals& residuals, TwoNumbers start,
                                   const TwoBounds& bounds);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// A smooth curve through scattered measurements: what the paper did with every insertion.
+// Least-squares cubic spline, which the paper fitted to every insertion.
 
 #include <cstddef>
 #include <optional>
@@ -9,14 +9,14 @@
 
 namespace perilymph::analysis {
 
-/// A cubic spline with evenly spaced knots, in B-splines.
+/// A uniform cubic spline in B-spline form.
 class CubicSpline {
 public:
-  /// @param low, high     Where it holds.
-  /// @param coefficients  Of the B-splines: intervals + 3, at least 4.
+  /// @param low, high     Its range.
+  /// @param coefficients  B-spline coefficients: intervals + 3, at least 4.
   CubicSpline(double low, double high, std::vector<double> coefficients);
 
-  /// The value at x; beyond the ends the first and the last interval's cubic goes on.
+  /// Value at x; extrapolated by the first and the last cubic.
   double at(double x) const noexcept;
 
 private:
@@ -24,11 +24,11 @@ private:
   std::vector<double> coefficients_;
 };
 
-/// The cubic spline over [low, high] with so many even intervals that minimizes the sum of squared
-/// distances to the points (x, y). Points outside [low, high] do not count. Nothing if the points
-/// do not determine it: a stretch of some intervals has too few.
+/// Fits a cubic spline over [low, high] with a number of equal intervals, by least squares to the
+/// points (x, y). Points outside [low, high] are ignored. Empty if the points do not determine it,
+/// because some intervals have too few.
 ///
-/// Sums in the order of the points, banded Cholesky (L D L^T): the same bits on every machine.
+/// Sums in the order of the points; banded L D L^T: the same bits on every machine.
 std::optional<CubicSpline> fitSpline(std::span<const double> x, std::span<const double> y,
                                      double low, double high, std::size_t intervals);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// One insertion of an experiment, measured as the load cell does: a force every 50 ms.
+// One insertion of an experiment, as measured by a load cell: a force every 50 ms.
 
 #include <atomic>
 #include <memory>
@@ -11,10 +11,10 @@
 
 namespace perilymph::analysis {
 
-/// What the load cell and the crosshead wrote down.
+/// Samples of load cell and crosshead.
 struct MeasuredInsertion {
-  /// Crosshead travel since it began to move [m], as experiments measure it. It differs from the
-  /// tip's travel where the array bends before the opening.
+  /// Crosshead travel since the first motion [m], as experiments measure it. It differs from the
+  /// tip's travel if the array bends before the opening.
   std::vector<double> travel;
   std::vector<double> depth;  ///< Past the opening [m].
   std::vector<double> force;  ///< Axial on the hand, with the cell's noise [N].
@@ -22,11 +22,11 @@ struct MeasuredInsertion {
   std::uint64_t ticksNotConverged = 0;
 };
 
-/// Runs a drawn insertion to a travel in virtual time and samples its force.
+/// Runs a drawn insertion up to a travel in virtual time and samples its force.
 ///
 /// @param anatomy  The cochlea of its scenario, shared between insertions.
-/// @param stop     Travel at which it ends.
-/// @param isAsked  Ends it early, with an error, once true.
+/// @param stop     Travel at the end.
+/// @param isAsked  Ends it early, with an error, when true.
 Result<MeasuredInsertion> measure(const DrawnInsertion& drawn,
                                   std::shared_ptr<const anatomy::ScalaTympani> anatomy,
                                   Duration samplePeriod, Length stop,

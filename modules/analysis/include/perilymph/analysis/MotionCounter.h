@@ -1,6 +1,6 @@
 #pragma once
 
-// How evenly an array was pushed in: way and time at which speed, until the deepest place.
+// Smoothness of an insertion: distance and time by speed, up to the maximum depth.
 
 #include <optional>
 
@@ -9,22 +9,21 @@
 
 namespace perilymph::analysis {
 
-/// The band of speeds: the slowest of a robot for insertions (iotaSOFT, 0.1 to 1.0 mm/s) to the
-/// fastest of the published experiment and of measured phantoms (2.0 mm/s; Froehlich 2024).
+/// The speed range: from the minimum of an insertion robot (iotaSOFT, 0.1 to 1.0 mm/s) to the
+/// maximum of the published experiment and of measured phantoms (2.0 mm/s; Froehlich 2024).
 inline constexpr Speed slowestSpeed = millimetersPerSecond(0.1);
 inline constexpr Speed fastestSpeed = millimetersPerSecond(2.0);
 
-/// Motion of the tip in stretches of 50 ms, from the first motion to the maximum travel.
+/// Motion of the tip in intervals of 50 ms, from the first motion to the maximum travel.
 struct Motion {
-  double wayIn = 0.0;      ///< Sum of all stretches inward [m].
-  double wayInBand = 0.0;  ///< Sum of those within the band of speeds [m].
+  double wayIn = 0.0;      ///< Sum of all inward motion [m].
+  double wayInBand = 0.0;  ///< Inward motion within the speed range [m].
   double time = 0.0;       ///< [s]
-  double timeStill = 0.0;  ///< Slower than the band, whichever way [s].
+  double timeStill = 0.0;  ///< Slower than the range, in either direction [s].
   int reversals = 0;
 };
 
-/// Counts how often a motion turns round. A way back of less than 0.1 mm is trembling, not a
-/// reversal.
+/// Counts reversals of a motion. A return of less than 0.1 mm is tremor, not a reversal.
 class ReversalCounter {
 public:
   /// @param travel  [m]
@@ -32,24 +31,24 @@ public:
   int reversals() const { return reversals_; }
 
 private:
-  double extreme_ = 0.0;  ///< The farthest in the present direction [m].
-  int direction_ = 0;     ///< +1 in, -1 out, 0 not known yet.
+  double extreme_ = 0.0;  ///< Extreme travel in the current direction [m].
+  int direction_ = 0;     ///< +1 in, -1 out, 0 unknown.
   bool hasBegun_ = false;
   int reversals_ = 0;
 };
 
-/// Adds up a motion tick by tick, in their order.
+/// Accumulates a motion tick by tick, in order.
 class MotionCounter {
 public:
   void add(const haptics::TickOutput& now);
-  /// Up to the deepest place so far.
+  /// Up to the maximum depth so far.
   const Motion& motion() const { return untilDeepest_; }
 
 private:
   void endStretch(const haptics::TickOutput& now);
 
   ReversalCounter reversals_;
-  std::optional<haptics::TickOutput> begin_;  ///< Begin of the stretch.
+  std::optional<haptics::TickOutput> begin_;  ///< Begin of the interval.
   Motion sofar_, untilDeepest_;
   double deepest_ = 0.0;  ///< Travel [m].
   bool hasMoved_ = false;

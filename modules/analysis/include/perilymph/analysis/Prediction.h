@@ -1,7 +1,7 @@
 #pragma once
 
-// What arrays do in cochleae that nothing was fitted to: how far around they come, and with what
-// force, beside what clinics report.
+// Predictions without fitting: angular insertion depths and forces of arrays in cochleae, compared
+// with clinical reports.
 
 #include <functional>
 #include <optional>
@@ -14,68 +14,68 @@
 
 namespace perilymph::analysis {
 
-/// Angular insertion depths that clinics report for an array.
+/// Clinically reported angular insertion depths of an array.
 struct ClinicalAngle {
-  std::string array;  ///< Its file's name.
+  std::string array;  ///< Name of its file.
   Angle median, low, high;
   std::string source;
 };
 
-/// The shipped ones: resources/clinical/insertion-angles.toml.
+/// The shipped data: resources/clinical/insertion-angles.toml.
 Result<std::vector<ClinicalAngle>> clinicalAngles();
 
-/// What is asked of a prediction.
+/// Input of a prediction.
 struct PredictionRequest {
   std::vector<std::string> arrays;        ///< Shipped names or files.
-  std::string scenario = "mean-contour";  ///< Everything but array, depth and patient.
+  std::string scenario = "mean-contour";  ///< Defines everything but array, depth and patient.
   Length startInside =
-      millimeters(1);  ///< Start depth of the tip; it goes in to the array's full depth.
-  int patients = 50;   ///< Virtual ones; the mean cochlea comes first.
+      millimeters(1);  ///< Initial depth of the tip; inserted to the array's full depth.
+  int patients = 50;   ///< Number of virtual patients; the mean cochlea comes first.
   std::uint64_t seed = 1;
   unsigned jobs = 0;
 };
 
 /// One array in one cochlea.
 struct PredictedInsertion {
-  std::string array;    ///< As asked.
+  std::string array;    ///< As in the request.
   std::string patient;  ///< "mean" or "sample 17".
   Angle apical;         ///< Angle of the most apical contact from the round window.
-  Length depth;         ///< Past the opening at the end.
+  Length depth;         ///< Final depth past the opening.
   Force end, peak;      ///< Axial, on the hand.
-  /// A sentence where the insertion could not be carried out; nothing else holds then.
+  /// A message if the insertion failed; the other values are then undefined.
   std::string error;
 };
 
-/// One array in all cochleae, beside what clinics report.
+/// One array in all cochleae, compared with clinical reports.
 struct ArraySummary {
   std::string array;
   std::optional<PredictedInsertion> mean;      ///< In the mean cochlea.
-  int patients = 0;                            ///< In which it was carried out.
+  int patients = 0;                            ///< Number of patients with a successful insertion.
   Angle median, lowerQuartile, upperQuartile;  ///< Angles over all patients.
   Force medianEnd, medianPeak;                 ///< Forces over all patients.
   std::optional<ClinicalAngle> clinical;
-  bool hitsAngle = false;  ///< The patients' median lies within the clinical range.
+  bool hitsAngle = false;  ///< The median is within the clinical range.
 };
 
 struct PredictionResult {
-  std::vector<PredictedInsertion> insertions;  ///< Array by array, the mean cochlea first.
+  std::vector<PredictedInsertion> insertions;  ///< By array, the mean cochlea first.
   std::vector<ArraySummary> arrays;
 };
 
 /// Runs every array in the mean cochlea and in virtual patients. The same request gives the same
-/// bits whatever `jobs` is. `progress` is told how many insertions of how many are done; false
-/// stops.
+/// bits for any `jobs`. `progress` receives the numbers of done and of all insertions and returns
+/// false to stop.
 Result<PredictionResult> predict(const PredictionRequest& request,
                                  const std::function<bool(std::size_t, std::size_t)>& progress);
 
-/// `array, patient, apical_deg, depth_mm, end_N, peak_N, error`, a row an insertion.
+/// `array, patient, apical_deg, depth_mm, end_N, peak_N, error`, one row per insertion.
 std::string predictionCsv(const PredictionResult& result);
 
 /// The same with summaries, references and verdicts.
 std::string predictionJson(const PredictionRequest& request, const PredictionResult& result,
                            const Reference& inVivo);
 
-/// A quantile of values by straight lines between the ordered ones.
+/// A quantile, linearly interpolated between the sorted values.
 double quantile(std::vector<double> values, double fraction);
 
 }  // namespace perilymph::analysis

@@ -1,7 +1,6 @@
 #pragma once
 
-// Forces that others measured or computed, as printed, with their sources. Nothing is known between
-// printed values.
+// Published forces, measured or computed, with their sources. They are not interpolated.
 
 #include <filesystem>
 #include <optional>
@@ -12,12 +11,12 @@
 
 namespace perilymph::analysis {
 
-/// One printed value of a force-depth curve.
+/// One printed value of a force-travel curve.
 struct PrintedForce {
   double travel = 0.0;             ///< [m]
   double mean = 0.0;               ///< Axial force [N].
   double standardDeviation = 0.0;  ///< Standard deviation between insertions [N].
-  std::string feature;  ///< What it is on the curve: "peak", "dip", "maximum", "end"; or empty.
+  std::string feature;  ///< Its feature on the curve: "peak", "dip", "maximum", "end"; or empty.
   std::string source;
 };
 
@@ -29,7 +28,7 @@ struct PrintedDifference {
   std::string source;
 };
 
-/// A force known as a range, or by mean and deviation, without a place on the axis of travel.
+/// A force given as a range, or by mean and deviation, without a position on the travel axis.
 struct PrintedRange {
   std::string quantity;  ///< "end of insertion", "peak".
   double low = 0.0;      ///< [N]
@@ -37,29 +36,29 @@ struct PrintedRange {
   std::string source;
 };
 
-/// What one publication says about forces.
+/// Forces from one publication.
 struct Reference {
-  std::string label;  ///< For legends.
+  std::string label;  ///< Legend entry.
   std::string kind;   ///< "experiment", "simulator", "in vivo" or "in vitro".
   std::string source;
-  double insertions = 0.0;  ///< Behind each mean; 0 where unknown.
+  double insertions = 0.0;  ///< Number of insertions per mean; 0 if unknown.
   std::vector<PrintedForce> points;
   std::vector<PrintedDifference> differences;
   std::vector<PrintedRange> ranges;
 
-  /// The point of a feature, if there is one.
+  /// The point of a feature; null if absent.
   const PrintedForce* find(const std::string& feature) const;
-  /// The range of a quantity, if there is one.
+  /// The range of a quantity; null if absent.
   const PrintedRange* findRange(const std::string& quantity) const;
 };
 
 /// Reads a reference: keys `label, kind, source, insertions` and tables `[[point]]` (travel_mm,
 /// mean_N, sd_N, feature, source), `[[difference]]` (travel_mm, mean_N, ci95_low_N, ci95_high_N,
-/// source) and `[[range]]` (quantity, low_N, high_N, source). Points and differences are in the
+/// source) and `[[range]]` (quantity, low_N, high_N, source). Points and differences must be in
 /// order of travel.
 Result<Reference> loadReference(const std::filesystem::path& file);
 
-/// A shipped one by its name: "todd-naghdy-experiment".
+/// A shipped reference by its name: "todd-naghdy-experiment".
 Result<Reference> shippedReference(const std::string& name);
 
 }  // namespace perilymph::analysis

@@ -1,7 +1,7 @@
 #pragma once
 
-// How an insertion was done, criterion by criterion: each with its number, its band and where the
-// band comes from. It says nothing about trauma.
+// Rating of an insertion by several criteria, each with its value, range and source. It says
+// nothing about trauma.
 
 #include <optional>
 #include <string>
@@ -12,16 +12,16 @@
 
 namespace perilymph::analysis {
 
-/// One thing that was looked at.
+/// One criterion.
 struct ScoreCriterion {
   std::string name;       ///< "speed"
   std::string found;      ///< "97 % of the way in at 0.1 to 2.0 mm/s"
-  std::string band;       ///< What gives all points, and what none.
-  std::string source;     ///< Source of the band.
-  double fraction = 0.0;  ///< Fraction of its points: 0 to 1.
+  std::string band;       ///< Values for full and for zero points.
+  std::string source;     ///< Source of the range.
+  double fraction = 0.0;  ///< Fraction of the maximum points: 0 to 1.
 };
 
-/// The criteria weigh the same. The total is never shown without them.
+/// All criteria have equal weight. The total is never shown without them.
 struct InsertionScore {
   std::vector<ScoreCriterion> criteria;
   double total = 0.0;  ///< 0 to 100.
@@ -30,13 +30,13 @@ struct InsertionScore {
   std::string sentence() const;
 };
 
-/// Speed, reversals, peak force and stops of an insertion on its way to the deepest place.
+/// Rates speed, reversals, peak force and stops of an insertion up to the maximum depth.
 ///
-/// @param peakBand  Peak forces measured in patients: all points up to the least of them, none from
-///                  the greatest on, evenly in between.
+/// @param peakBand  Peak forces measured in patients: full points up to the minimum, zero from the
+///                  maximum on, linear in between.
 InsertionScore scoreOf(const ComparedInsertion& insertion, const PrintedRange& peakBand);
 
-/// The same against the shipped range of peaks in patients.
+/// The same with the shipped range of peak forces in patients.
 Result<InsertionScore> scoreOf(const ComparedInsertion& insertion);
 
 }  // namespace perilymph::analysis

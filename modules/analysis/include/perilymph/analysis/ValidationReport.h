@@ -1,6 +1,6 @@
 #pragma once
 
-// What a validation leaves for people: verdicts, tables, numbers and three figures.
+// Output of a validation: verdicts, tables, numbers and three figures.
 
 #include <string>
 #include <utility>
@@ -12,7 +12,7 @@
 
 namespace perilymph::analysis {
 
-/// One thing that was wanted and what came out.
+/// One expected value compared with the result.
 struct Verdict {
   std::string what;    ///< "force at 10.6 mm, peak"
   std::string found;   ///< "0.0912 N"
@@ -20,21 +20,21 @@ struct Verdict {
   bool isMet = false;
 };
 
-/// Every printed value and feature of the experiment, hits and misses alike.
+/// Verdicts on every printed value and feature of the experiment, met or not.
 std::vector<Verdict> verdictsOf(const ValidationResult& result, const Reference& experiment);
 
-/// What others printed about the experiment: what verdicts and figures are held against.
+/// Published data that verdicts and figures compare with.
 struct ValidationReferences {
   Reference experiment, simulator, difference;
 };
-/// The shipped ones.
+/// The shipped references.
 Result<ValidationReferences> validationReferences();
 
-/// What a validation starts from by default: the shipped experiment and how it varied. The number
-/// of insertions, the seed and the jobs stay as the request has them.
+/// The default request: the shipped experiment and its variability. The number of insertions, the
+/// seed and the jobs have their defaults.
 Result<ValidationRequest> shippedValidation(const ValidationReferences& references);
 
-/// Everything a validation writes: names with ending and text, names without ending and figures.
+/// All output of a validation: texts with their file names, figures with names without extension.
 struct ValidationFiles {
   std::vector<std::pair<std::string, std::string>> texts;
   std::vector<std::pair<std::string, figures::Drawing>> figures;
@@ -48,7 +48,7 @@ std::string profileCsv(const ValidationResult& result);
 /// The same columns for simulator minus experiment, at the printed values.
 std::string differenceCsv(const ValidationResult& result);
 
-/// All numbers: what was run, features, anchors, shares of the spread, verdicts.
+/// All numbers: request, features, anchors, contributions to the spread, verdicts.
 std::string summaryJson(const ValidationRequest& request, const ValidationResult& result);
 
 /// The experiment as its printed values, beside it the published simulator's.

@@ -1,7 +1,7 @@
 #pragma once
 
-// What differs from one insertion of an experiment to the next, as data with its sources, and one
-// insertion drawn from it.
+// Variation between the insertions of an experiment, as data with sources, and the drawing of one
+// insertion.
 
 #include <array>
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace perilymph::analysis {
 
-/// One reason why two insertions differ.
+/// A source of variation between insertions.
 enum class SpreadSource : std::uint32_t { start, alignment, motion, curvature, friction, noise };
 
 inline constexpr std::array<SpreadSource, 6> allSpreadSources = {
@@ -26,7 +26,7 @@ inline constexpr std::array<SpreadSource, 6> allSpreadSources = {
 /// "start", "alignment", "motion", "curvature", "friction", "noise".
 const char* spreadSourceName(SpreadSource source) noexcept;
 
-/// Which sources act; one bit each.
+/// The set of active sources; one bit each.
 class SpreadSources {
 public:
   static SpreadSources all();
@@ -39,30 +39,30 @@ private:
   std::uint32_t bits_ = 0;
 };
 
-/// How an experiment varied.
+/// Variability of an experiment.
 struct Variability {
   std::string label;
-  std::string scenario;   ///< Whose insertions vary.
+  std::string scenario;   ///< The nominal scenario.
   Duration samplePeriod;  ///< Between force samples.
-  Duration timeStep;      ///< Time step of the mechanics; a sample's period is a multiple of it.
-  Length startLow, startHigh;          ///< Start depth of the tip inside the opening: uniform.
+  Duration timeStep;      ///< Time step of the mechanics; the sample period is a multiple of it.
+  Length startLow, startHigh;          ///< Initial depth of the tip past the opening: uniform.
   Angle tiltDeviation, turnDeviation;  ///< Standard deviations of the approach: normal.
-  double speedDeviation = 0.0;         ///< Share of the speed: normal.
+  double speedDeviation = 0.0;         ///< Fraction of the speed: normal.
   double tremorFrequency = 0.0;        ///< [Hz]
   Length tremorAmplitude;              ///< Along each of three axes, phases uniform.
-  /// Share of the free curvature that is left with the stylet in: normal about the array's value,
-  /// negative where carrier or stylet are bent the other way.
+  /// Deviation of the fraction of free curvature that remains with the stylet in: normal about the
+  /// array's value, negative if carrier or stylet are bent the opposite way.
   double curvatureDeviation = 0.0;
-  double frictionDeviation = 0.0;  ///< Share of all coefficients: log-normal, mean kept.
+  double frictionDeviation = 0.0;  ///< Fraction of all coefficients: log-normal, mean preserved.
   Force noiseDeviation;            ///< Standard deviation of one force sample: normal.
-  Length knotSpacing;              ///< Between the knots of the spline, nearly.
-  std::vector<std::pair<std::string, std::string>> provenance;  ///< Per table of the file.
+  Length knotSpacing;              ///< Approximate spacing of the spline's knots.
+  std::vector<std::pair<std::string, std::string>> provenance;  ///< For each table of the file.
 };
 
-/// Reads how an experiment varied from its TOML file.
+/// Reads a variability from its TOML file.
 Result<Variability> loadVariability(const std::filesystem::path& file);
 
-/// One insertion of many: what the model is built from and how the hand moves.
+/// One drawn insertion: its model and the motion of the hand.
 struct DrawnInsertion {
   session::Scenario scenario;           ///< Start, approach, array and friction as drawn.
   double speed = 0.0;                   ///< Speed of the hand [m/s].
@@ -70,11 +70,11 @@ struct DrawnInsertion {
   double tremorFrequency = 0.0;         ///< [Hz]
   std::array<double, 3> tremorPhase{};  ///< Phase along D's axes [rad].
   double noiseDeviation = 0.0;          ///< [N]
-  std::uint64_t seed = 0, number = 0;   ///< Where its noise comes from.
+  std::uint64_t seed = 0, number = 0;   ///< Seed of its noise.
 };
 
-/// Insertion `number` of a study. A source that does not act leaves the scenario's own value; one
-/// that acts draws the same numbers whichever others act.
+/// Insertion `number` of a study. An inactive source leaves the scenario's value; an active one
+/// draws the same numbers whichever other sources are active.
 DrawnInsertion drawInsertion(const session::Scenario& nominal, const Variability& variability,
                              SpreadSources sources, std::uint64_t seed, std::uint64_t number);
 

@@ -10,7 +10,7 @@
 
 namespace perilymph::figures {
 
-/// A place on the page: points (1/72 inch) from its upper left corner.
+/// A point on the page [1/72 inch], from the upper left corner.
 struct PagePoint {
   double x = 0.0, y = 0.0;
 };
@@ -22,12 +22,12 @@ struct Ink {
   friend bool operator==(const Ink&, const Ink&) = default;
 };
 
-/// A line through points.
+/// A polyline.
 struct Stroke {
   std::vector<PagePoint> points;
   Ink ink;
   double width = 1.0;
-  double dash = 0.0;  ///< Length of dashes and of the gaps between them; 0 for a solid line.
+  double dash = 0.0;  ///< Length of dashes and gaps; 0: solid.
 };
 
 /// A filled polygon.
@@ -36,7 +36,7 @@ struct Area {
   Ink ink;
 };
 
-/// A filled circle, with an outline of another ink.
+/// A filled circle, with an outline of another color.
 struct Disk {
   PagePoint center;
   double radius = 3.0;
@@ -59,7 +59,7 @@ struct Label {
 
 using Mark = std::variant<Area, Stroke, Disk, Label>;
 
-/// What is drawn, the first mark undermost, on white.
+/// The content of a drawing in painting order, on white.
 struct Drawing {
   double width = 480.0, height = 320.0;
   std::vector<Mark> marks;

@@ -10,16 +10,16 @@
 
 namespace perilymph::figures {
 
-/// An axis with even ticks.
+/// An axis with equally spaced ticks.
 struct FigureAxis {
   std::string title;  ///< With its unit.
   double low = 0.0, high = 1.0, tick = 0.5;
   int decimals = 1;
 };
 
-/// A line through known points.
+/// A polyline through data points.
 struct FigureCurve {
-  std::string label;  ///< For the legend; none if empty.
+  std::string label;  ///< Legend entry; none if empty.
   std::vector<double> x, y;
   Ink ink;
   double width = 1.5;
@@ -35,7 +35,7 @@ struct FigureBand {
 
 enum class MarkerShape { disk, ring, square, diamond };
 
-/// Single values with an interval each; nothing is drawn between them.
+/// Single values with intervals, not connected.
 struct FigureValues {
   std::string label;
   std::vector<double> x, y, low, high;
@@ -43,9 +43,9 @@ struct FigureValues {
   MarkerShape shape = MarkerShape::disk;
 };
 
-/// A level across the whole figure.
+/// A horizontal line across the figure.
 struct FigureLevel {
-  std::string label;  ///< Written at the line.
+  std::string label;  ///< Text at the line.
   double y = 0.0;
   Ink ink;
   double dash = 3.0;
@@ -69,14 +69,14 @@ inline constexpr Ink blue{{0, 90, 160}, 1.0};
 inline constexpr Ink vermilion{{190, 70, 0}, 1.0};
 inline constexpr Ink green{{0, 120, 90}, 1.0};
 inline constexpr Ink purple{{130, 60, 140}, 1.0};
-/// An ink as a tint that lets the grid through.
+/// A transparent tint of a color.
 constexpr Ink tint(Ink full, double opacity) { return {full.rgb, opacity}; }
 }  // namespace ink
 
-/// The figure on its page. What lies outside the axes is cut off at them.
+/// Draws the figure on its page. Content outside the axes is clipped.
 Drawing draw(const Figure& figure);
 
-/// An axis from 0 or below that holds a range, with about six ticks of 1, 2 or 5 times a power of
+/// An axis that contains 0 and the given range, with about six ticks of 1, 2 or 5 times a power of
 /// ten.
 FigureAxis axisOver(std::string title, double low, double high);
 

@@ -28,7 +28,7 @@ NodePlace ArrayInScala::place(const Eigen::Vector3d& node_W, anatomy::LumenTrack
                               Eigen::Vector3d& across_W, Eigen::Vector3d& duct_W) const
 {
   const anatomy::Entry entry = scala_.entry();
-  constexpr double reach = 0.0;  // where it is, not how far the wall is
+  constexpr double reach = 0.0;  // the angle is needed, not the wall
   anatomy::WallPoint wall;
   scala_.nearestWall({&node_W, 1}, {&reach, 1}, {&track, 1}, {&wall, 1});
 
@@ -36,7 +36,7 @@ NodePlace ArrayInScala::place(const Eigen::Vector3d& node_W, anatomy::LumenTrack
   const double outside = (node_W - entry.origin_W).dot(entry.out_W);
   found.isInside = outside < 0.0;
   if (track.inLeadIn) {
-    // the first section slides along the straight axis
+    // the first section moves along the straight axis
     const Eigen::Vector3d first_W = scala_.center_W(0.0);
     const Eigen::Vector3d perForward = entry.out_W / entry.out_W.y();
     const Eigen::Vector3d off_W = node_W - node_W.y() * perForward - first_W;
@@ -81,7 +81,7 @@ void ArrayInScala::follow(const haptics::Snapshot& now)
                                   now.wallForce_W[i][2]);
     const double normal = static_cast<double>(now.normalForce[i]);
     if (force_W.allFinite() && std::isfinite(normal) && normal > 0.0) {
-      // a tip may meet the wall head on: there all of the force counts
+      // a tip may hit the wall head on: there the whole force counts
       const Eigen::Vector3d push_W =
           i + 1 < count ? Eigen::Vector3d(force_W - force_W.dot(along_W) * along_W) : force_W;
       found.normal_mN = perMilli * normal;

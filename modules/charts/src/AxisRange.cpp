@@ -5,7 +5,7 @@
 namespace perilymph::charts {
 namespace {
 
-/// A curve that only touches a tick need not push the range to the next one.
+/// A curve that only touches a tick must not extend the range to the next one.
 constexpr double tolerance = 1e-9;
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-// Ranges that stand still until a curve leaves them, then grow by whole ticks.
+// Axis ranges that are fixed until a curve exceeds them, then extended by whole ticks.
 
 #include <vector>
 
@@ -15,14 +15,14 @@ struct AxisRange {
   friend bool operator==(const AxisRange&, const AxisRange&) = default;
 };
 
-/// The range `start`, grown by whole ticks until it holds `low` and `high`. The ticks grow with it
-/// in the sequence 1, 2, 5 so that there are never more than `maxTicks` steps.
+/// The range `start`, extended by whole ticks until it contains `low` and `high`. The tick spacing
+/// follows the sequence 1, 2, 5 so that there are at most `maxTicks` steps.
 AxisRange grown(const AxisRange& start, double low, double high, int maxTicks = 7);
 
-/// The places of the ticks within the range, multiples of the tick.
+/// The positions of the ticks within the range, multiples of the spacing.
 std::vector<double> tickPlaces(const AxisRange& range);
 
-/// The next greater number of the sequence ... 0.1, 0.2, 0.5, 1, 2, 5 ...
+/// The next larger number of the sequence ... 0.1, 0.2, 0.5, 1, 2, 5 ...
 double nextNice(double value);
 
 }  // namespace perilymph::charts

@@ -1,6 +1,6 @@
 #pragma once
 
-// Pixels that polygons are painted on, smoothed at their edges.
+// Polygon rasterization with antialiasing.
 
 #include <array>
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace perilymph::charts {
 
-/// A white page in RGB. Places are pixels from the upper left corner.
+/// A white RGB page. Positions are pixels from the upper left corner.
 class Canvas {
 public:
   Canvas(int width, int height);
@@ -28,12 +28,12 @@ public:
   const std::uint8_t* row(int y) const;
 
 private:
-  static constexpr int fine = 4;  // parts of a pixel in each direction
+  static constexpr int fine = 4;  // subpixels in each direction
 
   int width_, height_;
   std::vector<std::uint8_t> pixels_;
-  std::vector<std::uint8_t> stencil_;  // fine parts, 1 inside
-  int firstRow_, lastRow_;             // fine rows in use
+  std::vector<std::uint8_t> stencil_;  // subpixels, 1 inside
+  int firstRow_, lastRow_;             // subpixel rows in use
 };
 
 }  // namespace perilymph::charts

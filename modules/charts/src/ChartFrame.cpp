@@ -66,7 +66,7 @@ void ChartLine::set(const std::vector<float>& x, const std::vector<float>& y)
   x_->Modified();
   y_->Modified();
   table_->Modified();
-  setVisible(count > 1);  // a line plot of no points complains
+  setVisible(count > 1);  // a line plot without points issues a warning
 }
 
 void ChartLine::setVisible(bool visible)

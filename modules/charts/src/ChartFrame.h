@@ -21,7 +21,7 @@ class vtkTable;
 
 namespace perilymph::charts {
 
-/// One line of a chart with the table behind it.
+/// One line of a chart with its table.
 class ChartLine {
 public:
   ChartLine(vtkChartXY& chart, const vtkColor4ub& color, float width);
@@ -53,7 +53,7 @@ public:
 
   void setXRange(const AxisRange& range);
   void setYRange(const AxisRange& range, int decimals);
-  /// Replaces the numbers at the x ticks by words.
+  /// Replaces the numbers at the x ticks by texts.
   void setXLabels(const AxisRange& range, const std::vector<std::string>& labels);
 
   vtkChartXY& chart() { return *chart_; }

@@ -19,7 +19,7 @@ namespace perilymph::charts {
 
 vtkStandardNewMacro(ChartOverlay)
 
-    /// The plot area in pixels, and what it shows.
+    /// The plot area in pixels, and its ranges.
     struct ChartOverlay::Area {
   float left, bottom, right, top;
   double xLow, xHigh, yLow, yHigh;
@@ -36,7 +36,7 @@ vtkStandardNewMacro(ChartOverlay)
 
 namespace {
 
-/// A horizontal or vertical line as a filled rectangle on whole pixels: sharp without smoothing.
+/// A horizontal or vertical line as a filled rectangle on whole pixels: sharp without antialiasing.
 void bar(vtkContext2D& painter, float x, float y, float width, float height)
 {
   painter.DrawRect(std::round(x), std::round(y), std::max(1.0f, std::round(width)),
@@ -51,9 +51,9 @@ void fillWith(vtkContext2D& painter, const vtkColor4ub& color)
 }
 
 constexpr float swatchWidth = 20.0f;  // of a legend, at pixel ratio 1
-constexpr float narrow_px = 260.0f;   // a plot without room for long words beside its curve
+constexpr float narrow_px = 260.0f;   // a plot without space for long labels beside its curve
 
-/// A disc with a soft rim, drawn as three shells: software rendering does not smooth edges.
+/// A disk with a soft edge, drawn as three shells: software rendering does not antialias.
 void disc(vtkContext2D& painter, float x, float y, float radius, const vtkColor4ub& color)
 {
   painter.GetPen()->SetLineType(vtkPen::NO_PEN);
@@ -196,7 +196,7 @@ void ChartOverlay::paintLegend(vtkContext2D& painter, const Area& area) const
   if (legendPlace == LegendPlace::above) return paintLegendAbove(painter, area);
   const float x = area.left + 12.0f * scale_;
   const float label = x + (swatchWidth + 7.0f) * scale_;
-  // in a narrow chart the words stay off the curve's end
+  // in a narrow chart the label avoids the end of the curve
   const float fraction = area.right - area.left < narrow_px * scale_ ? 0.82f : 1.0f;
   const float available = area.left + fraction * (area.right - area.left) - label;
   float y = area.top - 18.0f * scale_;
@@ -217,7 +217,8 @@ void ChartOverlay::paintLegendAbove(vtkContext2D& painter, const Area& area) con
   float y = area.top + 11.0f * scale_;
   for (const LegendEntry& entry : legend) {
     const float width = (swatchWidth + 7.0f) * scale_ + widthOf(painter, entry.text);
-    if (x > area.left && x + width > area.right + 8.0f * scale_) {  // a second row, in the chart
+    if (x > area.left && x + width > area.right + 8.0f * scale_) {  // a second row, inside the
+                                                                    // chart
       x = area.left + 12.0f * scale_;
       y = y > area.top ? area.top - 10.0f * scale_ : y - 15.0f * scale_;
     }

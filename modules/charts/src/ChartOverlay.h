@@ -1,7 +1,7 @@
 #pragma once
 
-// What is drawn over the lines of a chart: printed values with their bars, thresholds, the point
-// that is now, and the legend.
+// Overlay of a chart: printed values with error bars, thresholds, the current point, and the
+// legend.
 
 #include <vtkColor.h>
 #include <vtkContextItem.h>
@@ -17,7 +17,7 @@ class vtkChartXY;
 
 namespace perilymph::charts {
 
-/// How a legend shows what it names.
+/// Symbol of a legend entry.
 enum class Swatch { line, bar };
 
 /// One line of the legend.
@@ -27,20 +27,20 @@ struct LegendEntry {
   std::string text;
 };
 
-/// A dashed line across the chart with a word at its right end.
+/// A dashed line across the chart with a label at its right end.
 struct Threshold {
   double y;
   std::string text;
   vtkColor4ub color;
 };
 
-/// A dot at a place of the chart.
+/// A dot at a point of the chart.
 struct Dot {
   double x, y;
   vtkColor4ub color;
 };
 
-/// Drawn after the chart, in pixels; finds its places from the chart's axes.
+/// Drawn after the chart, in pixels; computes positions from the chart's axes.
 class ChartOverlay : public vtkContextItem {
 public:
   static ChartOverlay* New();

@@ -24,7 +24,7 @@ using figures::PagePoint;
 constexpr double pixelsPerPoint = 3.0;
 constexpr int dotsPerInch = 216;
 
-/// A circle of so many corners that none is seen.
+/// A circle as a polygon with invisible corners.
 std::vector<PagePoint> circle(PagePoint center, double radius)
 {
   constexpr int corners = 32;
@@ -36,7 +36,7 @@ std::vector<PagePoint> circle(PagePoint center, double radius)
   return points;
 }
 
-/// Paints marks one after the other.
+/// Paints marks in order.
 class Painter {
 public:
   explicit Painter(Canvas& canvas) : canvas_(canvas) {}
@@ -82,11 +82,11 @@ public:
     property->SetItalic(false);
     property->SetShadow(false);
     property->SetColor(1.0, 1.0, 1.0);
-    // VTK's font sizes are in points of 72 dots an inch, scaled by the dots asked for.
+    // VTK's font sizes are in points, scaled by the resolution in dots per inch.
     property->SetFontSize(static_cast<int>(std::lround(label.size)));
     const bool isUpward = label.direction == figures::Direction::upward;
     property->SetOrientation(isUpward ? 90.0 : 0.0);
-    // On the base line: descenders hang below it, so lines of different letters stand level.
+    // Align by base line: lines with different letters then have equal height.
     property->SetVerticalJustificationToBottom();
     property->SetUseTightBoundingBox(false);
 
@@ -117,7 +117,7 @@ private:
   {
     std::vector<std::pair<PagePoint, PagePoint>> result;
     const double dash = stroke.dash * pixelsPerPoint;
-    double done = 0.0;  // of the line's length
+    double done = 0.0;  // of the polyline's length
     for (std::size_t i = 1; i < stroke.points.size(); ++i) {
       const PagePoint a = scaled(stroke.points[i - 1]);
       const PagePoint b = scaled(stroke.points[i]);
@@ -143,7 +143,7 @@ private:
   void place(const figures::Label& label, vtkImageData& image, const int (&size)[2], bool isUpward)
   {
     const PagePoint at = scaled(label.at);
-    // A share of the letters' height hangs below the base line.
+    // Part of the text height is below the base line.
     const double below = 0.25 * label.size * pixelsPerPoint;
     const double length = isUpward ? size[1] : size[0];
     const double before = label.anchor == figures::Anchor::start    ? 0.0
@@ -180,7 +180,7 @@ Result<Done> writePicture(const figures::Drawing& drawing, const std::filesystem
   vtkNew<vtkImageData> image;
   image->SetDimensions(width, height, 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  for (int y = 0; y < height; ++y)  // VTK's pictures begin below
+  for (int y = 0; y < height; ++y)  // VTK's images start at the bottom
     std::copy_n(canvas.row(height - 1 - y), static_cast<std::size_t>(width) * 3,
                 static_cast<unsigned char*>(image->GetScalarPointer(0, y, 0)));
   return writeWhole(file, [&](const std::filesystem::path& neighbor) {

@@ -13,7 +13,8 @@ namespace perilymph::charts {
 namespace {
 
 constexpr AxisRange usualTravel_mm{0.0, 17.0, 4.0};
-/// A little below zero: a free array hangs on its tweezers with some millinewtons of either sign.
+/// Slightly below zero: a free array has forces of some millinewtons of either sign at the
+/// tweezers.
 constexpr AxisRange usualForce_N{-0.01, 0.20, 0.05};
 /// Median force that surgeons detect: 20.4 mN, Kratchman et al. 2016.
 constexpr double feltBySurgeons_N = 0.020;
@@ -42,7 +43,7 @@ struct ForceDepthChart::Content {
   ChartFrame frame;
   ChartLine ghostLine, outLine, inLine;
   TravelColumns columns;
-  std::vector<float> x, y;  // room for one curve
+  std::vector<float> x, y;  // memory of one curve
 
   bool hasGhost = false;
   double ghostTravel_mm = 0.0, ghostLow_N = 0.0, ghostHigh_N = 0.0;
@@ -76,7 +77,7 @@ void ForceDepthChart::Content::setRanges()
     for (const ReferencePoint& point : reference)
       include(0.0, point.travel_mm, point.mean_N - point.sd_N, point.mean_N + point.sd_N);
 
-  // A device that trembles at the start is no reason to move the axis.
+  // Tremor at the start must not move the axis.
   if (left_mm > -0.5) left_mm = 0.0;
   travel_mm = grown(usualTravel_mm, left_mm, right_mm);
   force_N = grown(usualForce_N, low_N, high_N);

@@ -13,13 +13,13 @@
 namespace perilymph::charts {
 namespace {
 
-/// Time is cut into slots of about one pixel; of each the least and greatest values are kept.
+/// Time is divided into slots of about one pixel; for each the minimum and maximum are kept.
 constexpr int slots = 400;
 constexpr double slotTime_s = inSeconds(ForceTimeChart::span) / slots;
 constexpr int components = 3;
 constexpr AxisRange usualForce_mN{-20.0, 60.0, 20.0};
 
-/// Least and greatest value of each component within one slot of time.
+/// Minimum and maximum of each component within one time slot.
 struct Slot {
   long long number = -1;  ///< Number of slots since time zero; -1: empty.
   std::array<float, components> low{}, high{};
@@ -46,7 +46,7 @@ struct ForceTimeChart::Content {
   double now_s = -1.0;
   long long newest = -1;
   bool isChanged = true;
-  std::vector<float> x, y;  // room for one line
+  std::vector<float> x, y;  // memory of one line
 
   void setRange();
   void setLine(std::size_t component);

@@ -21,7 +21,7 @@ std::vector<PagePoint> rectangle(double left, double top, double right, double b
   return {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
 }
 
-/// On the middle of a pixel: a line of one pixel stays sharp.
+/// At the center of a pixel, so that a line of one pixel is sharp.
 double sharp(double place) { return std::floor(place) + 0.5; }
 
 }  // namespace
@@ -83,7 +83,7 @@ void PlotSheet::write(PagePoint at, std::string text, const figures::Ink& ink, A
 
 double widthOfLabel(const std::string& label)
 {
-  constexpr double perLetter = 0.53;  // of the type's size: Inter's mean, and a little more
+  constexpr double perLetter = 0.53;  // of the font size: slightly more than Inter's mean width
   const auto isFirstByte = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
   const auto letters = std::count_if(label.begin(), label.end(), isFirstByte);
   return perLetter * figures::labelSize * static_cast<double>(letters);

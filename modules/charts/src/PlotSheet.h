@@ -1,6 +1,6 @@
 #pragma once
 
-// A sheet with two axes that flat views are drawn on.
+// A page with two axes for flat views.
 
 #include <string>
 #include <utility>
@@ -12,15 +12,15 @@
 
 namespace perilymph::charts {
 
-/// Pixels around the plot.
+/// Margins of the plot [px].
 struct SheetMargins {
   double left = 40.0, right = 8.0, top = 8.0, bottom = 22.0;
 };
 
-/// The plot of a drawing, in pixels from its upper left corner; y grows upward in values.
+/// The plot of a drawing, in pixels from its upper left corner; values increase upward.
 class PlotSheet {
 public:
-  /// Fills the sheet and the plot's ground. A size without room for a plot gives a plot of 1 pixel.
+  /// Fills the page and the plot's background. If there is no space, the plot has 1 pixel.
   PlotSheet(double width, double height, const SheetMargins& margins, const AxisRange& x,
             const AxisRange& y, const ChartStyle& style);
 
@@ -32,7 +32,7 @@ public:
   double top() const { return top_; }
   double bottom() const { return bottom_; }
 
-  /// Grid lines and numbers at the ticks; `unit` stands behind each number.
+  /// Grid lines and numbers at the ticks; `unit` follows each number.
   void addXTicks(int every, const std::string& unit);
   void addYTicks(int decimals);
 

@@ -20,7 +20,8 @@ namespace {
 constexpr int directions = 120;
 constexpr double side_px = 14.0;
 constexpr double top_px = 30.0, bottom_px = 58.0;  ///< For names, scale and force.
-constexpr double longestCut = 3.0;  ///< Maximum length of a slanting array's section, in radii.
+constexpr double longestCut = 3.0;  ///< Maximum length of an oblique cut through the array, in
+                                    ///< radii.
 
 /// From the section's center to the wall [mm], across and up.
 std::vector<Eigen::Vector2d> outline_mm(const anatomy::ScalaTympani& scala, double angle)
@@ -37,7 +38,7 @@ std::vector<Eigen::Vector2d> outline_mm(const anatomy::ScalaTympani& scala, doub
 
 Length cutBehindTip(const ArrayInScala& now) { return now.array().tipRadius(); }
 
-/// Places of the section on the sheet, to scale.
+/// Maps positions of the section to the page, to scale.
 struct Frame {
   double x, y, px_mm;  // of the section's center
   PagePoint at(const Eigen::Vector2d& place_mm) const
@@ -51,7 +52,7 @@ void drawArray(PlotSheet& sheet, const Frame& frame, const ArrayInScala& now,
 {
   const NodePlace cut = now.at(inMillimeters(cutBehindTip(now)));
   const double radius_mm = 0.5 * inMillimeters(now.array().sectionAt(cutBehindTip(now)).within);
-  // a slanting tube leaves an ellipse in the plane
+  // an oblique cut through a tube is an ellipse
   const Eigen::Vector2d lean = cut.along.head<2>();
   const double stretch =
       std::min(longestCut, 1.0 / std::max(std::abs(cut.along.z()), 1.0 / longestCut));
@@ -81,7 +82,7 @@ double drawForce(PlotSheet& sheet, const Frame& frame, const ArrayInScala& now,
   const double length = std::min(TipSection::longestArrow_px, TipSection::arrow_px_mN * size_mN);
   if (length < 3.0) return size_mN;
 
-  // from the array's edge at the wall, through the array, the way the wall pushes
+  // from the array's edge at the wall, through the array, in the direction of the wall's force
   const NodePlace cut = now.at(inMillimeters(cutBehindTip(now)));
   const double radius_mm = 0.5 * inMillimeters(now.array().sectionAt(cutBehindTip(now)).within);
   const Eigen::Vector2d way = force_mN / size_mN;

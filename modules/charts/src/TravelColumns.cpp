@@ -22,7 +22,7 @@ void TravelColumns::append(double travel_mm, double force_N)
     isEmpty_ = false;
   }
   turnRound(travel_mm);
-  // What lies behind the front of this pass is trembling, or a turn not yet certain.
+  // Values behind the front of this pass are tremor, or a reversal not yet certain.
   if (std::abs(travel_mm - farthest_mm_) <= width_mm) enter(travel_mm, force_N);
 
   lastTravel_mm_ = travel_mm;

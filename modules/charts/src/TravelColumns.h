@@ -1,29 +1,29 @@
 #pragma once
 
-// A curve over travel that never grows: of each column of the picture the least and the greatest
-// value of the newest pass.
+// A curve over travel with constant memory: for each pixel column the minimum and maximum of the
+// latest pass.
 
 #include <cstdint>
 #include <vector>
 
 namespace perilymph::charts {
 
-/// Way of the array.
+/// Direction of motion.
 enum class Direction { in, out };
 
-/// Forces over travel, kept apart for the way in and the way out: friction makes them differ, and
-/// one line through both would be a band.
+/// Forces over travel, separate for insertion and withdrawal: friction makes them differ, and a
+/// single line through both would be a band.
 class TravelColumns {
 public:
   static constexpr double first_mm = -10.0;
   static constexpr double last_mm = 70.0;
   static constexpr double width_mm = 0.04;
-  /// The array has turned round once it came back by this much; trembling is no withdrawal.
+  /// Return after which the direction is regarded as reversed; less is tremor.
   static constexpr double turn_mm = 0.1;
 
   TravelColumns();
 
-  /// Adds a value. Values outside first_mm to last_mm or not finite are left out.
+  /// Adds a value. Values outside first_mm to last_mm or not finite are ignored.
   void append(double travel_mm, double force_N);
   void clear();
 
@@ -35,12 +35,12 @@ public:
   double lowestTravel_mm() const noexcept { return lowestTravel_mm_; }
   double highestTravel_mm() const noexcept { return highestTravel_mm_; }
 
-  /// Writes the curve of one way as x and y, by travel; at most two points a column.
+  /// Writes the curve of one direction as x and y, by travel; at most two points per column.
   void curve(Direction direction, std::vector<float>& travel_mm, std::vector<float>& force_N) const;
 
 private:
   struct Column {
-    std::uint32_t pass = 0;  ///< 0: nothing passed here yet.
+    std::uint32_t pass = 0;  ///< 0: no value yet.
     float lowTravel_mm, low_N;
     float highTravel_mm, high_N;
   };

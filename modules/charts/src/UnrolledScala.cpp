@@ -21,13 +21,13 @@ constexpr double step_deg = 5.0;
 constexpr int directions = 72;
 constexpr double outside_deg = 20.0;  ///< Shown before the round window.
 constexpr double usualEnd_deg = 540.0, tick_deg = 90.0;
-constexpr double ahead_deg = 30.0;                              ///< Kept free before the tip.
+constexpr double ahead_deg = 30.0;                              ///< Space kept free before the tip.
 constexpr double outerMargin_mm = 0.95, innerMargin_mm = 0.65;  ///< Beyond the walls, for the bars.
 constexpr double minShown_mN = 1.0;
 
-/// Forces on one millimeter of array.
+/// Forces on one millimeter of the array.
 struct Stretch {
-  int fromTip_mm = 0;  ///< Its end nearer to the tip.
+  int fromTip_mm = 0;  ///< Distance of its distal end from the tip.
   double normal_mN = 0.0, across_mN = 0.0, up_mN = 0.0;
   double from_deg = 0.0, to_deg = 0.0;
 };
@@ -59,7 +59,7 @@ void drawContacts(PlotSheet& sheet, const ArrayInScala& now, const figures::Sche
     const NodePlace front = now.at(place_mm - half_mm);
     if (back.angle_deg < -outside_deg) continue;
     const double radius_mm = 0.5 * inMillimeters(array.sectionAt(contact).within);
-    // on the side that looks at the modiolus
+    // on the side facing the modiolus
     sheet.add(
         Area{{sheet.at(back.angle_deg, back.across_mm - radius_mm),
               sheet.at(front.angle_deg, front.across_mm - radius_mm),
@@ -167,7 +167,7 @@ figures::Drawing UnrolledScala::draw(const ArrayInScala& now, double width, doub
     sheet.add(Area{{{left, wall}, {right, wall}, {right, end}, {left, end}}, ink.orange});
   }
 
-  // what the bars mean, at the end of the scala, where it is narrow
+  // scale of the bars, at the end of the scala, where it is narrow
   const double x = sheet.right() - 6.0;
   const double shared = widthOfLabel(strings.wallForceScale) + widthOfLabel(strings.modiolus);
   const bool areBeside = shared + 30.0 <= sheet.right() - sheet.left();

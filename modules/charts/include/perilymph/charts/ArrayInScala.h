@@ -1,7 +1,6 @@
 #pragma once
 
-// Where the array lies in the scala, in the scala's own coordinates: what flat views are drawn
-// from.
+// Position of the array in the scala's own coordinates, for flat views.
 
 #include <Eigen/Core>
 #include <vector>
@@ -12,36 +11,36 @@
 
 namespace perilymph::charts {
 
-/// One node of the array in the half-plane through the modiolar axis that it lies in.
+/// One node of the array, in its half-plane through the modiolar axis.
 struct NodePlace {
   double fromTip_mm = 0.0;
   bool isInside = false;  ///< Past the plane of the opening.
-  /// From the round window, turns counted. Before it, along the straight lead-in: negative, as if
-  /// the first section's circle went on.
+  /// Angle from the round window, full turns included. Negative in the straight lead-in, as if the
+  /// circle of the first section continued.
   double angle_deg = 0.0;
   double across_mm = 0.0;  ///< From the section's center, positive toward the outer wall.
   double up_mm = 0.0;      ///< From the section's center, positive toward the apex.
   double normal_mN = 0.0;  ///< Normal force of the wall, 0 or more.
-  /// Force of the wall without what runs along the array, so without friction; at the tip all of
-  /// it [mN].
+  /// Components of the wall's force perpendicular to the array, so without friction; at the tip the
+  /// whole force [mN].
   double pushAcross_mN = 0.0, pushUp_mN = 0.0;
-  /// Direction of the array toward the tip: across and up as above, and along the duct.
+  /// Direction of the array toward the tip: across, up, and along the duct.
   Eigen::Vector3d along = Eigen::Vector3d::Zero();
 };
 
-/// Follows an array through a scala. Keeps the scala by reference: it must outlive this.
+/// Tracks an array through a scala. Keeps a reference to the scala, which must outlive it.
 class ArrayInScala {
 public:
   ArrayInScala(const anatomy::ScalaTympani& scala, const electrode::ArrayDesign& array);
 
-  /// Finds every node. A snapshot with fewer than 2 nodes, or with one that is not finite, leaves
+  /// Locates every node. A snapshot with fewer than 2 nodes or with a non-finite one results in
   /// none.
   void follow(const haptics::Snapshot& now);
 
   const std::vector<NodePlace>& nodes() const { return nodes_; }  ///< Base first, tip last.
-  /// Where they are [m]: as many as nodes().
+  /// Their positions [m]: as many as nodes().
   const std::vector<Eigen::Vector3d>& nodes_W() const { return nodes_W_; }
-  /// Between nodes, by straight lines; the tip's place for 0 or less. Only where nodes() has some.
+  /// Linear interpolation between nodes; the tip for 0 or less. Requires nodes.
   NodePlace at(double fromTip_mm) const;
   /// Whether the tip is past the plane of the opening.
   bool isInside() const { return !nodes_.empty() && nodes_.back().isInside; }

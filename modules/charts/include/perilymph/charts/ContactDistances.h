@@ -1,6 +1,6 @@
 #pragma once
 
-// How near the contacts come to the modiolus: what a perimodiolar array is judged by.
+// Distance of the electrode contacts from the modiolus, a quality measure of perimodiolar arrays.
 
 #include <vector>
 
@@ -12,14 +12,14 @@ namespace perilymph::charts {
 
 /// One contact of the array.
 struct ContactDistance {
-  bool isInside = false;  ///< If not, nothing below is set.
+  bool isInside = false;  ///< If false, nothing below is set.
   double angle_deg = 0.0;
-  /// From the array's center line to the inner wall on the way to the modiolar axis; negative where
-  /// the array lies beyond the wall or no wall is on that way.
+  /// Distance from the array's center line to the inner wall in the direction of the modiolar axis;
+  /// negative if the array is beyond the wall or there is none.
   double toInnerWall_mm = -1.0;
 };
 
-/// Distances of every contact, from the tip on.
+/// Distances of all contacts, from the tip.
 std::vector<ContactDistance> contactDistances(const ArrayInScala& now);
 
 /// The distances [mm] as pins over the contacts' numbers, 1 at the tip, with their mean.

@@ -1,6 +1,6 @@
 #pragma once
 
-// A figure for print as a PNG file. Needs neither a display nor OpenGL.
+// Writes a print figure as a PNG file, without display or OpenGL.
 
 #include <filesystem>
 

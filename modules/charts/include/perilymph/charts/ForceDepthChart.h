@@ -1,6 +1,6 @@
 #pragma once
 
-// Axial force over travel: this insertion, another one as its ghost, and the published experiment.
+// Axial force over travel: the current insertion, a previous one, and the published experiment.
 
 #include <memory>
 #include <string>
@@ -16,12 +16,11 @@ class vtkRenderWindow;
 
 namespace perilymph::charts {
 
-/// What of the chart can be switched off.
+/// Optional parts of the chart.
 enum class ChartLayer { ghost, reference, threshold };
 
-/// A chart of axial force [N] over travel [mm]. Its ranges stand still (0 to 17 mm,
-/// -0.01 to 0.20 N) and grow in steps when a curve leaves them, also downward: a withdrawn array
-/// pulls.
+/// A chart of axial force [N] over travel [mm]. Its ranges are fixed (0 to 17 mm, -0.01 to 0.20 N)
+/// and extended in steps if a curve exceeds them, also downward: a withdrawn array pulls.
 class ForceDepthChart {
 public:
   explicit ForceDepthChart(const ChartStyle& style = {});
@@ -29,31 +28,32 @@ public:
   ForceDepthChart(const ForceDepthChart&) = delete;
   ForceDepthChart& operator=(const ForceDepthChart&) = delete;
 
-  /// Adds the chart's renderer to a window and turns its multisampling off, which would cost ten
-  /// times the chart. Needs no interactor.
+  /// Adds the chart's renderer to a window and disables multisampling, which would cost ten times
+  /// as much as the chart. Needs no interactor.
   void attachTo(vtkRenderWindow& window);
 
-  /// Adds one value of this insertion. Its cost does not grow with the length of the curve: of each
-  /// column of pixels the least and the greatest force are kept. Not finite values are left out.
+  /// Adds one value of the current insertion. The cost is independent of the curve's length: for
+  /// each pixel column the minimum and maximum force are kept. Non-finite values are ignored.
   void append(Length travel, Force axial);
-  /// Forgets this insertion; ghost and reference stay.
+  /// Removes the current insertion; ghost and reference remain.
   void clear();
 
-  /// Another run to compare with; an empty curve removes it.
+  /// Sets another insertion for comparison; an empty curve removes it.
   void setGhost(const std::vector<std::pair<Length, Force>>& curve, std::string label);
-  /// Printed values, drawn as points with one standard deviation up and down; no points remove
-  /// them.
+  /// Printed values, drawn as points with error bars of one standard deviation; an empty list
+  /// removes them.
   void setReference(std::vector<ReferencePoint> points, std::string label);
   void setVisible(ChartLayer layer, bool visible);
 
-  /// Sizes of type and lines for a screen's pixel ratio; 1 by default.
+  /// Scales fonts and lines for a screen's pixel ratio; 1 by default.
   void setScale(double pixelRatio);
 
-  /// Brings what was appended and set into the picture.
-  /// @return Whether the picture changed, so that the window needs a Render().
+  /// Updates the drawing after changes.
+  ///
+  /// @return Whether it changed, so that the window needs a Render().
   bool update();
 
-  /// The chart itself, for tests and for pictures.
+  /// The chart itself, for tests and pictures.
   vtkChartXY& chart();
 
 private:

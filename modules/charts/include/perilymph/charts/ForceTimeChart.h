@@ -1,6 +1,6 @@
 #pragma once
 
-// The three components of the force at the hand over the last seconds.
+// The force components at the hand over the last seconds.
 
 #include <memory>
 
@@ -19,8 +19,8 @@ struct ForceComponents {
   Force vertical;  ///< Along E.y.
 };
 
-/// A chart of the force components [mN] over the last 5 s. The range grows and shrinks in steps
-/// with what is in view.
+/// A chart of the force components [mN] over the last 5 s. The range adapts in steps to the visible
+/// values.
 class ForceTimeChart {
 public:
   static constexpr Duration span = seconds(5);
@@ -30,22 +30,23 @@ public:
   ForceTimeChart(const ForceTimeChart&) = delete;
   ForceTimeChart& operator=(const ForceTimeChart&) = delete;
 
-  /// Adds the chart's renderer to a window and turns its multisampling off.
+  /// Adds the chart's renderer to a window and disables multisampling.
   void attachTo(vtkRenderWindow& window);
 
-  /// Adds one value. Time may not run backward: an earlier time than the last starts the chart
-  /// anew. Not finite values are left out.
+  /// Adds one value. A time earlier than the last one clears the chart. Non-finite values are
+  /// ignored.
   void append(Duration time, const ForceComponents& force);
   void clear();
 
-  /// Sizes of type and lines for a screen's pixel ratio; 1 by default.
+  /// Scales fonts and lines for a screen's pixel ratio; 1 by default.
   void setScale(double pixelRatio);
 
-  /// Brings what was appended into the picture.
-  /// @return Whether the picture changed, so that the window needs a Render().
+  /// Updates the drawing after changes.
+  ///
+  /// @return Whether it changed, so that the window needs a Render().
   bool update();
 
-  /// The chart itself, for tests and for pictures.
+  /// The chart itself, for tests and pictures.
   vtkChartXY& chart();
 
 private:

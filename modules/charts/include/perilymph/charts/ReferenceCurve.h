@@ -1,6 +1,6 @@
 #pragma once
 
-// The published experiment: the few values that were printed, and where.
+// Printed values of the published experiment.
 
 #include <filesystem>
 #include <string>
@@ -17,18 +17,18 @@ struct ReferencePoint {
   double sd_N = 0.0;    ///< Standard deviation between insertions.
 };
 
-/// Printed values of one experiment. Nothing is known between them.
+/// Printed values of one experiment, not interpolated.
 struct ReferenceCurve {
-  std::string label;   ///< For the legend.
-  std::string source;  ///< For the tooltip: who measured what, how.
+  std::string label;   ///< Legend entry.
+  std::string source;  ///< Tooltip: authors and method.
   std::vector<ReferencePoint> points;
 };
 
-/// Reads the points of a reference (analysis/Reference.h says what its file holds); a file without
-/// points is refused.
+/// Reads the points of a reference (file format: analysis/Reference.h); a file without points is
+/// refused.
 Result<ReferenceCurve> loadReference(const std::filesystem::path& file);
 
-/// The printed values of Todd and Naghdy's experiment that ship with the program.
+/// The shipped printed values of Todd and Naghdy's experiment.
 Result<ReferenceCurve> publishedExperiment();
 
 }  // namespace perilymph::charts

@@ -1,6 +1,6 @@
 #pragma once
 
-// The section through the scala tympani where the tip is, with the array in it.
+// Section through the scala tympani at the tip, with the array.
 
 #include "perilymph/charts/ArrayInScala.h"
 #include "perilymph/charts/ChartStyle.h"
@@ -8,9 +8,9 @@
 
 namespace perilymph::charts {
 
-/// The half-plane through the modiolar axis at the tip: modiolus at the left, apex up, to scale.
-/// The array is cut where its rounded tip ends and it has its full width. The arrow is the sum of
-/// the wall's normal forces on the last millimeter of array, as long as arrow_px_mN says.
+/// The half-plane through the modiolar axis at the tip: modiolus on the left, apex up, to scale.
+/// The array is cut at the end of its rounded tip, where it has its full width. The arrow is the
+/// sum of the wall's normal forces on the last millimeter of the array, with the scale arrow_px_mN.
 class TipSection {
 public:
   static constexpr double forceReach_mm = 1.0;
@@ -22,7 +22,7 @@ public:
   /// The view in so many pixels. Before the tip is in, the section at the round window.
   figures::Drawing draw(const ArrayInScala& now, double width, double height) const;
 
-  /// The angle of the section drawn for an array.
+  /// Angle of the section drawn for an array.
   static double angle_deg(const ArrayInScala& now);
 
 private:

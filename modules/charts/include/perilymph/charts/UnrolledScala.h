@@ -1,6 +1,6 @@
 #pragma once
 
-// The scala tympani rolled out: angle along, width across, with the array and its contacts in it.
+// The scala tympani unrolled: angle along, width across, with the array and its contacts.
 
 #include <vector>
 
@@ -10,16 +10,16 @@
 
 namespace perilymph::charts {
 
-/// The scala seen along the modiolus and rolled out: angle from the round window [degrees] to the
-/// right, radial distance from the section's center [mm] upward, outer wall at the top. The two
-/// scales differ. The lumen is drawn as wide as its widest place, so an array on the floor may
-/// touch where it seems free.
+/// The scala seen along the modiolus and unrolled: angle from the round window [degrees] to the
+/// right, radial distance from the section's center [mm] upward, outer wall at the top. The scales
+/// differ. The lumen is drawn with its maximum width, so an array on the floor may touch where it
+/// appears free.
 ///
-/// The normal force of the wall on each millimeter of array stands as a bar on the wall that
-/// presses; forces of floor and roof stand as rings on the array.
+/// The normal force of the wall on each millimeter of the array is a bar at the wall; forces of
+/// floor and roof are rings on the array.
 class UnrolledScala {
 public:
-  /// Length of a bar for so much force per length.
+  /// Length of a bar [px] for this force per length.
   static constexpr double bar_px = 18.0, bar_mN_mm = 50.0;
 
   explicit UnrolledScala(const anatomy::ScalaTympani& scala, ChartStyle style = {});
@@ -38,7 +38,7 @@ private:
 
   ChartStyle style_;
   double lastAngle_deg_, leadIn_deg_;
-  double inner_mm_ = 0.0, outer_mm_ = 0.0;  ///< Extent of the widest place.
+  double inner_mm_ = 0.0, outer_mm_ = 0.0;  ///< Maximum extent.
   std::vector<Width> widths_;               ///< At equal angles, from the opening on.
 };
 

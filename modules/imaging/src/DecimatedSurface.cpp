@@ -11,7 +11,7 @@ namespace {
 
 constexpr Length sampleSpacing = millimeters(0.05);
 
-/// Points that no triangle uses are left out.
+/// Removes points that no triangle uses.
 anatomy::Surface withoutSparePoints(const anatomy::Surface& surface)
 {
   anatomy::Surface packed;

@@ -42,7 +42,7 @@ struct Element {
 struct Header {
   Format format = Format::text;
   std::vector<Element> elements;
-  std::size_t end = 0;  // where the numbers begin
+  std::size_t end = 0;  // offset of the data
 };
 
 std::optional<Type> typeNamed(const std::string& name)
@@ -52,7 +52,7 @@ std::optional<Type> typeNamed(const std::string& name)
   return found->second;
 }
 
-/// One line of the header; false where it is none.
+/// Parses one line of the header; false if it is invalid.
 bool take(const std::string& line, Header& header)
 {
   std::istringstream words(line);
@@ -108,7 +108,7 @@ std::optional<Header> readHeader(const std::string& content)
   return std::nullopt;
 }
 
-/// Reads number after number; none once the content has come to its end or holds no number.
+/// Reads number after number; empty at the end of the content or if there is no number.
 class Numbers {
 public:
   Numbers(const std::string& content, const Header& header)
@@ -153,7 +153,7 @@ private:
   std::size_t place_;
 };
 
-/// The corners of one polygon as a fan; false where they are no corners.
+/// Adds one polygon as a triangle fan; false if the corners are invalid.
 bool addPolygon(const std::vector<double>& corners, anatomy::Surface& surface)
 {
   const auto count = static_cast<double>(surface.points.size());

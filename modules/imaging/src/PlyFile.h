@@ -1,6 +1,6 @@
 #pragma once
 
-// PLY by hand: VTK's reader ends the program on a file that was cut off.
+// PLY reader: VTK's reader terminates the program on a truncated file.
 
 #include <optional>
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace perilymph::imaging {
 
-/// The polygons of a PLY file's content in millimeters, as triangles; text or binary of both byte
-/// orders. Nothing where the content is no whole PLY file of a surface.
+/// The polygons of a PLY file's content in millimeters, as triangles; text or binary of either byte
+/// order. Empty if the content is not a complete PLY surface.
 std::optional<anatomy::Surface> readPly(const std::string& content);
 
 }  // namespace perilymph::imaging

@@ -1,6 +1,6 @@
 #pragma once
 
-// Surfaces as VTK wants them, and back.
+// Conversion of surfaces to and from VTK.
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -12,7 +12,7 @@ namespace perilymph::imaging {
 /// A surface in millimeters, in double precision.
 vtkSmartPointer<vtkPolyData> toPolyData(const anatomy::Surface& surface);
 
-/// The triangles of VTK's millimeters. Cells of another kind are left out.
+/// The triangles of VTK data in millimeters. Other cells are ignored.
 anatomy::Surface fromPolyData(vtkPolyData& data);
 
 }  // namespace perilymph::imaging

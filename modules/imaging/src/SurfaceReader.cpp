@@ -22,10 +22,10 @@
 namespace perilymph::imaging {
 namespace {
 
-// 256 MiB hold five million triangles, a hundred times what a cochlea needs.
+// 256 MiB contain five million triangles, a hundred times what a cochlea needs.
 constexpr std::size_t maxBytes = 256u << 20;
 
-/// Keeps VTK's complaints from the terminal and remembers that there was one.
+/// Suppresses VTK's error output and records that there was an error.
 class Complaints : public vtkCommand {
 public:
   static Complaints* New() { return new Complaints; }
@@ -33,8 +33,8 @@ public:
   bool isAny = false;
 };
 
-/// Whether VTK will read it as words, too: where a share of the bytes is of another kind, control
-/// characters among them, it takes it for binary and its words for a number of triangles.
+/// Whether VTK also regards the content as text: above a fraction of other bytes, such as control
+/// characters, it takes the file for binary and its text for a number of triangles.
 bool isPlainText(const std::string& content)
 {
   return std::all_of(content.begin(), content.end(), [](char c) {
@@ -42,7 +42,7 @@ bool isPlainText(const std::string& content)
   });
 }
 
-/// Whether a file begins as its ending says; VTK's readers trust it.
+/// Whether the content matches the extension; VTK's readers do not check it.
 bool beginsRight(const std::string& content, const std::string& ending)
 {
   if (ending == ".vtp") return content.find("<VTKFile") != std::string::npos;
@@ -55,7 +55,7 @@ bool beginsRight(const std::string& content, const std::string& ending)
   return content.size() == 84 + 50 * static_cast<std::size_t>(count);
 }
 
-/// Whether the cells name only points that there are; VTK's filters trust them.
+/// Whether the cells only refer to existing points; VTK's filters do not check it.
 bool cornersExist(vtkPolyData& data)
 {
   const vtkIdType points = data.GetNumberOfPoints();
@@ -73,7 +73,7 @@ bool cornersExist(vtkPolyData& data)
   return true;
 }
 
-/// What a reader of VTK makes of a file; nothing where it complains.
+/// The output of a VTK reader for a file; empty if it reports an error.
 template <class Reader>
 vtkSmartPointer<vtkPolyData> readWith(const std::filesystem::path& file)
 {
@@ -122,7 +122,7 @@ Result<anatomy::Surface> readSurface(const std::filesystem::path& file)
         ending == ".stl" ? readWith<vtkSTLReader>(file) : readWith<vtkXMLPolyDataReader>(file);
     if (!data || data->GetNumberOfPolys() == 0) return damaged;
     return fromPolyData(*data);
-  } catch (const std::exception&) {  // sizes no memory holds
+  } catch (const std::exception&) {  // sizes beyond the available memory
     return damaged;
   }
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// The coarse surface that a hand is shown, beside the fine one that the eye sees.
+// The coarse haptic surface derived from the fine visual one.
 
 #include "perilymph/anatomy/ScalaTympani.h"
 #include "perilymph/anatomy/Surface.h"
@@ -10,26 +10,26 @@
 
 namespace perilymph::imaging {
 
-/// Share of the visual surface's triangles that the haptic one keeps: "95 % polygon reduction was
+/// Fraction of the visual surface's triangles in the haptic one: "95 % polygon reduction was
 /// applied" (Todd and Naghdy, section II.C).
 inline constexpr double hapticFraction = 0.05;
 
-/// The apex, from this angle on, is not part of the haptic surface, "since the carrier will never
-/// reach this point" (same section). The longest array in use, 31.5 mm, covers 74 % of the duct
-/// (standard deviation 7.4 %, Breitsprecher 2021); two deviations more are 89 %, and on the spiral
-/// of Cohen 90 % of the length lie before two turns (32.28 of 35.85 mm).
+/// Angle at which the haptic surface ends: the apex is removed "since the carrier will never reach
+/// this point" (same section). The longest array in use, 31.5 mm, covers 74 % of the duct (standard
+/// deviation 7.4 %, Breitsprecher 2021); plus two deviations this is 89 %, and on Cohen's spiral 90
+/// % of the length lies before two turns (32.28 of 35.85 mm).
 inline constexpr Angle hapticEnd = degrees(720.0);
 
-/// The haptic surface of the paper, and how far it is from what it stands for.
+/// The haptic surface of the paper, and its distance from the visual one.
 struct HapticSurface {
-  anatomy::Surface surface;  ///< Open at the opening and where the apex was [m, W].
+  anatomy::Surface surface;  ///< Open at the opening and at the removed apex [m, W].
   int visualTriangles = 0;   ///< Triangles of the whole visual surface.
-  /// From the visual surface without its apex, both ways, at places at most 0.05 mm apart.
+  /// Distance from the visual surface without its apex, both ways, at points at most 0.05 mm apart.
   anatomy::SurfaceDeviation surfaceDistance;
 };
 
-/// Cuts the visual surface of `maxTriangles`, takes its apex away and merges triangles by quadric
-/// error until 5 % of the visual surface's are left. Takes seconds; not real-time safe.
+/// Computes the visual surface of `maxTriangles`, removes its apex and decimates it by quadric
+/// error to 5 % of the visual surface's triangles. Takes seconds; not real-time safe.
 Result<HapticSurface> hapticSurface(const anatomy::ScalaTympani& scala, int maxTriangles);
 
 }  // namespace perilymph::imaging

@@ -1,6 +1,6 @@
 #pragma once
 
-// Segmented surfaces, as other programs write them.
+// Reading of segmented surfaces from other programs.
 
 #include <filesystem>
 
@@ -9,8 +9,8 @@
 
 namespace perilymph::imaging {
 
-/// Reads a surface in millimeters, by the file's ending: stl, ply (text or binary) or vtp. Polygons
-/// become triangles. A sentence where the file is no such surface.
+/// Reads a surface in millimeters, in the format of the file extension: stl, ply (text or binary)
+/// or vtp. Polygons are triangulated. An error if the file is not such a surface.
 Result<anatomy::Surface> readSurface(const std::filesystem::path& file);
 
 }  // namespace perilymph::imaging

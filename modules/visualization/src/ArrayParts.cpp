@@ -15,9 +15,9 @@ constexpr int sides = 24;  ///< Sides of tube, ribs and stylet.
 constexpr double ringSpacing_mm = 0.12;
 constexpr int capRings = 6;
 constexpr double leadStub_mm = 1.4;
-constexpr double siliconeOpacity = 0.88;  ///< So that the stylet shines through.
+constexpr double siliconeOpacity = 0.88;  ///< So that the stylet is visible.
 
-// Contacts: half-bands on the inner side, a little over the silicone, with a light rim.
+// Contacts: half-bands on the inner side, slightly above the silicone, with a bright rim.
 constexpr double contactLift_mm = 0.012;
 constexpr double contactHalfAngle = 0.5 * pi;
 constexpr int contactAcross = 14, contactAlong = 6;
@@ -25,12 +25,12 @@ constexpr int contactAcross = 14, contactAlong = 6;
 constexpr double ribHalfLength_mm = 0.17;
 constexpr double ribHeight_mm = 0.16;
 constexpr double styletRadius_mm = 0.06;  ///< As the platinum wire of the published array.
-constexpr double styletSpare_mm = 6.0;    ///< What sticks out behind the tweezers.
+constexpr double styletSpare_mm = 6.0;    ///< Length protruding behind the tweezers.
 
 constexpr double shadowWidth_mm = 0.16;
-constexpr double outlineLift_mm = 1.2;  ///< Over the array, below the arrows.
+constexpr double outlineLift_mm = 1.2;  ///< Above the array, below the arrows.
 
-/// Triangles between `count` rings of `around` points; rings closed or open.
+/// Triangles between `count` rings of `around` points; rings are closed or open.
 std::vector<Triangle> ringTriangles(int count, int around, bool isClosed, int firstPoint = 0)
 {
   std::vector<Triangle> triangles;
@@ -51,7 +51,7 @@ ArrayParts::ArrayParts(const electrode::ArrayDesign& array, const Palette& palet
     : array_(array), palette_(palette), tweezers_(inMillimeters(array.length), palette)
 {
   if (array_.diameter.fromTip.empty() || array_.length <= millimeters(0)) {
-    // No array: an empty scene. Everything below stays without points.
+    // No array: an empty scene without points.
     array_.length = millimeters(0);
     return;
   }
@@ -73,7 +73,7 @@ double ArrayParts::radius_mm(double fromTip_mm) const
 void ArrayParts::planTube()
 {
   for (int i = 0; i < capRings; ++i) {
-    const double angle = 0.5 * pi * i / capRings;  // 0 at the very tip
+    const double angle = 0.5 * pi * i / capRings;  // 0 at the tip
     const double fromTip_mm = tipRadius_mm_ * (1.0 - std::cos(angle));
     tubeRings_.push_back({fromTip_mm, std::max(1e-4, radius_mm(fromTip_mm)), std::cos(angle)});
   }
@@ -83,7 +83,7 @@ void ArrayParts::planTube()
     const double fromTip_mm = tipRadius_mm_ + (length_mm - tipRadius_mm_) * i / count;
     tubeRings_.push_back({fromTip_mm, radius_mm(fromTip_mm), 0.0});
   }
-  // behind the tweezers the lead goes on a little and ends flat
+  // behind the tweezers the lead continues a short distance and ends flat
   tubeRings_.push_back({length_mm + leadStub_mm, radius_mm(length_mm), 0.0});
   tubeRings_.push_back({length_mm + leadStub_mm, 1e-4, -1.0});
   const int rings = static_cast<int>(tubeRings_.size());
@@ -95,7 +95,7 @@ void ArrayParts::planTube()
   actor.GetProperty()->SetAmbient(0.35);
   actor.GetProperty()->SetDiffuse(0.65);
   actor.GetProperty()->BackfaceCullingOn();
-  // Blended over the stylet drawn before it, yet hiding what is drawn later and lies behind.
+  // Blended over the stylet drawn before it, but hiding what is drawn later behind it.
   actor.ForceOpaqueOn();
 }
 
@@ -123,7 +123,7 @@ void ArrayParts::planContacts()
 
 void ArrayParts::planRibs()
 {
-  // A rib is a collar with a round profile.
+  // A rib is a collar with a rounded profile.
   constexpr int profile = 7;
   std::vector<Triangle> triangles;
   for (const Length rib : array_.ribsFromTip) {
@@ -148,7 +148,7 @@ void ArrayParts::planStylet()
   if (!array_.hasStylet) return;
   const double reach_mm = inMillimeters(array_.length - array_.stylet.fromTip) + styletSpare_mm;
   const int count = static_cast<int>(std::ceil(reach_mm / (2.0 * ringSpacing_mm)));
-  // Places count from the stylet's own tip here; show() moves them.
+  // Positions are relative to the stylet's tip here; show() moves them.
   styletRings_.push_back({0.0, 1e-4, 1.0});
   for (int i = 0; i <= count; ++i)
     styletRings_.push_back({0.05 + reach_mm * i / count, styletRadius_mm, 0.0});
@@ -200,7 +200,7 @@ void ArrayParts::writeRings(Mesh& mesh, const std::vector<Ring>& rings, const Ar
 
 void ArrayParts::showContacts(const ArrayPath& path)
 {
-  // Rows and columns stand close together at the rim, so that the rim is a line.
+  // Rows and columns are close together at the rim, so that the rim appears as a line.
   const double rimFraction = 0.10;
   const auto spread = [&](int i, int count) {
     if (i == 0) return -1.0;
@@ -257,7 +257,7 @@ void ArrayParts::lookFrom(const ViewFrame& view)
     for (std::size_t i = 0; i < outlinePath_.size(); ++i) {
       const PathPoint& point = outlinePath_[i];
       const Eigen::Vector3d side = sign * point.along.cross(view.back);
-      const double visible = side.norm();  // 0 where the array runs toward the viewer
+      const double visible = side.norm();  // 0 where the array points toward the viewer
       if (visible < 1e-6) continue;
       const Eigen::Vector3d edge = point.place + (outlineRadius_mm_[i] / visible) * side;
       shadow_.add({edge, withOpacity(palette_.outline, 0.55 * visible), shadowWidth_mm});

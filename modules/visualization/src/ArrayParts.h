@@ -1,6 +1,6 @@
 #pragma once
 
-// The array as it looks: a tapered silicone tube with platinum half-bands, marker ribs and a
+// Visual model of the array: a tapered silicone tube with platinum half-bands, marker ribs and a
 // stylet.
 
 #include <memory>
@@ -16,19 +16,19 @@ class vtkRenderer;
 
 namespace perilymph::visualization {
 
-/// All that moves with the array. Meshes are shaped once; show() moves their points.
+/// The parts that move with the array. Meshes are created once; show() moves their points.
 class ArrayParts {
 public:
   ArrayParts(const electrode::ArrayDesign& array, const Palette& palette);
 
-  /// Adds what is solid, in the order it must be drawn.
+  /// Adds the solid parts, in drawing order.
   void addSolid(vtkRenderer& renderer);
   /// Adds the shadow below and the outline over the array.
   void addShadow(vtkRenderer& renderer);
   void addOutline(vtkRenderer& renderer);
 
   void show(const ArrayPath& path, double styletWithdrawal_mm);
-  /// Shadow and outline depend on the view, too.
+  /// Updates shadow and outline, which depend on the view.
   void lookFrom(const ViewFrame& view);
   void setVisible(bool array, bool styletAndTweezers);
 
@@ -40,7 +40,7 @@ private:
   struct Ring {
     double fromTip_mm;
     double radius_mm;
-    double lean;  ///< Part of the normal that points to the tip.
+    double lean;  ///< Component of the normal toward the tip.
   };
   void planTube();
   void planContacts();

@@ -18,7 +18,7 @@ void ArrayPath::follow(const haptics::Snapshot& now, const PictureSpace& space)
   for (std::uint32_t i = 0; i < count; ++i) {
     const std::array<float, 3>& node = now.node_W[i];
     const Eigen::Vector3d place_W(node[0], node[1], node[2]);
-    if (!place_W.allFinite()) {  // a fault: nothing that could be shown is known
+    if (!place_W.allFinite()) {  // a fault: nothing valid to show
       nodes_.clear();
       return;
     }
@@ -57,7 +57,7 @@ PathPoint ArrayPath::withFrame(const Eigen::Vector3d& place, const Eigen::Vector
   const Eigen::Vector3d toAxis(-place.x(), -place.y(), 0.0);
   Eigen::Vector3d inner = toAxis - toAxis.dot(along) * along;
   if (inner.norm() < 1e-6 * (1.0 + toAxis.norm())) {
-    // heading straight for the modiolus: any direction across is as good
+    // pointing straight at the modiolus: any perpendicular direction will do
     inner = Eigen::Vector3d::UnitZ() - along.z() * along;
     if (inner.norm() < 1e-6) inner = Eigen::Vector3d::UnitX();
   }

@@ -11,15 +11,15 @@
 
 namespace perilymph::visualization {
 
-/// A place on the center line with its frame; unit vectors in the picture's space.
+/// A point on the center line with its frame; unit vectors in picture space.
 struct PathPoint {
   Eigen::Vector3d place;
   Eigen::Vector3d along;  ///< Toward the tip.
-  Eigen::Vector3d inner;  ///< Across, toward the modiolus: where the contacts look.
+  Eigen::Vector3d inner;  ///< Perpendicular, toward the modiolus: facing direction of the contacts.
   Eigen::Vector3d side;   ///< along cross inner.
 };
 
-/// A Catmull-Rom curve through the nodes; beyond its ends it goes on straight.
+/// A Catmull-Rom curve through the nodes, extended by straight lines.
 class ArrayPath {
 public:
   explicit ArrayPath(Length length);
@@ -27,7 +27,7 @@ public:
   void follow(const haptics::Snapshot& now, const PictureSpace& space);
   bool isEmpty() const { return nodes_.size() < 2; }
 
-  /// The path at a distance from the tip; negative before the tip, above the length behind the
+  /// The point at a distance from the tip; negative beyond the tip, above the length behind the
   /// base.
   PathPoint at(double fromTip_mm) const;
   double length_mm() const { return length_mm_; }

@@ -1,18 +1,18 @@
 #pragma once
 
-// The quiet ground of the operation view: dark, a little lighter in the middle.
+// The background of the 3D view: dark, slightly brighter in the center.
 
 #include "Mesh.h"
 #include "PictureSpace.h"
 
 namespace perilymph::visualization {
 
-/// A plane far behind the scene that fills the picture, colored at its points.
+/// A plane far behind the scene that fills the picture, with vertex colors.
 class Backdrop {
 public:
   explicit Backdrop(const Palette& palette);
 
-  /// Fills a picture of this size [mm] whose middle lies at `center`.
+  /// Fills a picture of this size [mm] whose center is at `center`.
   void place(const ViewFrame& view, const Eigen::Vector3d& center, double width_mm,
              double height_mm);
   vtkActor& actor() { return mesh_.actor(); }

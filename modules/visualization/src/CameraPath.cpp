@@ -8,8 +8,8 @@
 namespace perilymph::visualization {
 namespace {
 
-/// The paper turns the scala by 110 degrees so that its opening can be seen. Counted clockwise from
-/// the round window straight down, that puts the opening at the left.
+/// The paper rotates the scala by 110 degrees so that its opening is visible. Counted clockwise
+/// from the round window straight down, this puts the opening on the left.
 constexpr double surgeonTurn_deg = 110.0;
 constexpr double microscopeTilt_deg = 40.0;  ///< Off the approach, so that the array hides less.
 constexpr double overviewElevation_deg = 38.0;
@@ -21,7 +21,7 @@ constexpr double overviewMagnification = 8.0;
 constexpr double followMagnification = 24.0;
 constexpr double sectionMagnification = 14.0;
 
-/// Looks against `back`, with `up` upward as far as it can.
+/// Looks against `back`, with `up` as far upward as possible.
 Eigen::Quaterniond looking(const Eigen::Vector3d& back, const Eigen::Vector3d& up)
 {
   Eigen::Matrix3d axes;
@@ -36,10 +36,10 @@ Eigen::Vector3d mirrored(const Eigen::Vector3d& vector)
   return {vector.x(), -vector.y(), vector.z()};
 }
 
-/// The up that shows the round window, on the x axis, turned from straight down.
+/// The up vector that shows the round window (on the x axis) rotated from straight down.
 Eigen::Vector3d surgeonUp()
 {
-  // The x axis appears at -90 - 110 degrees of the picture, so up is 90 degrees on from there.
+  // The x axis appears at -90 - 110 degrees in the picture; up is 90 degrees further.
   const double upFromX = degrees(90.0 - (-90.0 - surgeonTurn_deg)).si();
   return {std::cos(upFromX), std::sin(upFromX), 0.0};
 }
@@ -81,7 +81,7 @@ CameraPose presetPose(CameraPreset preset, const CameraSubject& subject, const E
 {
   if (!subject.mirrors) return rightEarPose(preset, subject, tip);
 
-  // To the right ear, from there the preset, and back: the picture is the mirror image.
+  // Mirror to a right ear, apply the preset, and mirror back: the picture is the mirror image.
   CameraSubject right = subject;
   right.low = {subject.low.x(), -subject.high.y(), subject.low.z()};
   right.high = {subject.high.x(), -subject.low.y(), subject.high.z()};

@@ -1,6 +1,6 @@
 #pragma once
 
-// Where the camera is, and how it goes from one place to another.
+// Camera pose and its motion between poses.
 
 #include <Eigen/Geometry>
 
@@ -9,14 +9,14 @@
 
 namespace perilymph::visualization {
 
-/// A place to look from. The projection is parallel.
+/// A camera pose. The projection is parallel.
 struct CameraPose {
   Eigen::Quaterniond axes = Eigen::Quaterniond::Identity();  ///< Camera's right, up, back.
-  Eigen::Vector3d focus = Eigen::Vector3d::Zero();           ///< In the middle of the picture [mm].
+  Eigen::Vector3d focus = Eigen::Vector3d::Zero();           ///< At the center of the picture [mm].
   double magnification = 10.0;
 };
 
-/// What presets are made from, in the picture's space.
+/// The geometry that presets depend on, in picture space.
 struct CameraSubject {
   Eigen::Vector3d low, high;     ///< Box around the wall [mm].
   Eigen::Vector3d opening;       ///< [mm]
@@ -24,16 +24,16 @@ struct CameraSubject {
   bool mirrors = false;          ///< A left ear.
 };
 
-/// Height of the picture at magnification 1 [mm]: about the field of a surgical microscope.
+/// Height of the picture at magnification 1 [mm]: about the field of view of a surgical microscope.
 inline constexpr double fieldHeight_mm = 170.0;
 inline constexpr double minMagnification = 4.0;
 inline constexpr double maxMagnification = 32.0;
 
-/// The pose of a preset. A left ear's is the mirror image of the right one's.
+/// The pose of a preset. A left ear's is the mirror image of a right ear's.
 CameraPose presetPose(CameraPreset preset, const CameraSubject& subject,
                       const Eigen::Vector3d& tip);
 
-/// A camera that glides.
+/// A moving camera.
 class CameraPath {
 public:
   static constexpr double glideTime_s = 0.25;
@@ -44,9 +44,9 @@ public:
   bool step(double seconds);
 
   const CameraPose& pose() const { return now_; }
-  /// Changes the pose by hand; ends a glide.
+  /// Changes the pose directly; ends a motion.
   CameraPose& take();
-  /// Moves the goal of a glide, or the pose itself: what follows the tip.
+  /// Moves the target of a motion, or the pose itself, to follow the tip.
   void follow(const Eigen::Vector3d& focus, double seconds);
   bool isGliding() const { return progress_ < 1.0; }
 

@@ -33,8 +33,9 @@ void ContactField::follow(const haptics::Snapshot& now, const PictureSpace& spac
     if (!(force_mN > 0.0) || !std::isfinite(force_mN)) continue;
     const double fromTip_mm = path.length_mm() * (1.0 - static_cast<double>(i) / (nodes - 1));
 
-    // The wall's force is normal and friction; friction runs along the array, so what lies across
-    // it is the normal's direction. At the tip, which may meet the wall head on, all of it counts.
+    // The wall's force is normal and friction; friction acts along the array, so the perpendicular
+    // component has the direction of the normal. At the tip, which may hit the wall head on, the
+    // whole force counts.
     const std::array<float, 3>& whole = now.wallForce_W[i];
     Eigen::Vector3d inward = space.direction({whole[0], whole[1], whole[2]});
     double friction = 0.0;
@@ -69,7 +70,8 @@ void ContactField::spread(double fromTip_mm, double force_mN, double friction_mN
     sum += bell(stations_[static_cast<std::size_t>(i)].fromTip_mm - fromTip_mm, reach_mm);
   if (sum <= 0.0) return;
 
-  // What the array's end cuts off is shared by the rest: the stations carry the whole force.
+  // The part beyond the array's end is distributed to the other stations, so that they carry the
+  // whole force.
   for (int i = from; i <= to; ++i) {
     ContactStation& station = stations_[static_cast<std::size_t>(i)];
     const double weight = bell(station.fromTip_mm - fromTip_mm, reach_mm) / sum;

@@ -1,7 +1,7 @@
 #pragma once
 
-// Where and how hard the array presses on the wall, spread along the array so that the number of
-// nodes does not change the picture.
+// Contact forces of the array on the wall, distributed along the array so that the picture does not
+// depend on the number of nodes.
 
 #include <vector>
 
@@ -12,20 +12,20 @@
 
 namespace perilymph::visualization {
 
-/// The wall's force on a short stretch of array.
+/// Force of the wall on a short segment of the array.
 struct ContactStation {
   double fromTip_mm = 0.0;
   double force_mN_mm = 0.0;     ///< Normal force per length of array.
   double friction_mN_mm = 0.0;  ///< Along the array per length of it, positive toward the tip.
-  Eigen::Vector3d wall = Eigen::Vector3d::Zero();    ///< Where the array touches.
+  Eigen::Vector3d wall = Eigen::Vector3d::Zero();    ///< Contact point.
   Eigen::Vector3d inward = Eigen::Vector3d::Zero();  ///< Unit, from the wall into the lumen.
 };
 
-/// Normal forces of nodes as force per length on fixed stations along the array.
+/// Normal forces of nodes as force per length at fixed stations along the array.
 class ContactField {
 public:
   static constexpr double spacing_mm = 0.1;
-  /// A node's force is spread over this distance to either side; wider than any node spacing used.
+  /// A node's force is distributed over this distance to either side; larger than any node spacing.
   static constexpr double reach_mm = 0.5;
 
   explicit ContactField(Length arrayLength);
@@ -35,7 +35,7 @@ public:
   void clear();
 
   const std::vector<ContactStation>& stations() const { return stations_; }
-  /// Whether anything touches.
+  /// Whether there is any contact.
   bool isTouching() const { return isTouching_; }
 
 private:
@@ -46,7 +46,7 @@ private:
   bool isTouching_ = false;
 };
 
-/// A bell of finite reach with its greatest value 1 at 0: (1 - (d/r)^2)^2.
+/// A bell function of finite support with maximum 1 at 0: (1 - (d/r)^2)^2.
 inline double bell(double distance, double reach)
 {
   const double x = distance / reach;

@@ -12,10 +12,10 @@ namespace perilymph::visualization {
 namespace {
 
 constexpr double glowRadius_mm = 0.24;
-constexpr double minShown_mN = 2.0;  ///< Below this an arrow is only a speck.
+constexpr double minShown_mN = 2.0;  ///< Smaller arrows would be specks.
 constexpr double minFriction_mN = 0.4;
 constexpr double longestArrow_mm = 2.0;
-constexpr double arrowLift_mm = 2.5;  ///< Over array and outline.
+constexpr double arrowLift_mm = 2.5;  ///< Above array and outline.
 
 }  // namespace
 
@@ -36,7 +36,7 @@ void ContactMarks::build(const ContactField& field, const ArrayParts& array, con
   arrows_.clear();
   arrowCount_ = 0;
   Eigen::Vector3d force_mN = Eigen::Vector3d::Zero();
-  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // of places, weighted by force
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // of positions, weighted by force
   double total_mN = 0.0, friction_mN = 0.0;
   double end_mm = arrowEvery_mm;
   for (const ContactStation& station : field.stations()) {
@@ -46,7 +46,7 @@ void ContactMarks::build(const ContactField& field, const ArrayParts& array, con
         ++arrowCount_;
       }
       if (std::abs(friction_mN) > minFriction_mN) {
-        // beside the array, where the wall rubs
+        // beside the array, at the contact
         const double middle_mm = end_mm - 0.5 * arrowEvery_mm;
         const PathPoint middle = path.at(middle_mm);
         const Eigen::Vector3d wall = -array.radius_mm(middle_mm) * force_mN.normalized();
@@ -62,7 +62,7 @@ void ContactMarks::build(const ContactField& field, const ArrayParts& array, con
     const double station_mN = station.force_mN_mm * ContactField::spacing_mm;
     force_mN += station_mN * station.inward;
     friction_mN += station.friction_mN_mm * ContactField::spacing_mm;
-    // arrows start where the force leaves the array, on the side away from the wall
+    // arrows start on the side of the array opposite the wall
     const double across_mm = 2.0 * array.radius_mm(station.fromTip_mm);
     moment += station_mN * (station.wall + across_mm * station.inward);
     total_mN += station_mN;
@@ -75,7 +75,7 @@ void ContactMarks::buildGlow(const ContactField& field, const ViewFrame& view)
   glow_.clear();
   for (const ContactStation& station : field.stations()) {
     if (station.force_mN_mm <= 0.0) continue;
-    // Dots overlap: with this opacity each, together they come near the map's.
+    // Dots overlap: with this opacity each, their sum is close to the map's.
     Rgba color = forceColor(station.force_mN_mm);
     color[3] = static_cast<unsigned char>(0.42 * color[3]);
     glow_.add(station.wall, color, glowRadius_mm);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the eye gets of a contact: a glow along the wall and arrows of the wall's force.
+// Visual representation of contacts: a glow along the wall and arrows of the wall's force.
 
 #include "ContactField.h"
 #include "SoftDots.h"
@@ -10,16 +10,16 @@ class vtkRenderer;
 
 namespace perilymph::visualization {
 
-/// Glow and arrows. The glow faces the viewer: a wall seen from its edge shows its force, too.
+/// Glow and arrows. The glow faces the viewer, so that forces on an edge-on wall are visible, too.
 class ContactMarks {
 public:
   explicit ContactMarks(const Palette& palette) : palette_(palette) {}
 
   /// Length of an arrow for one millinewton.
   static constexpr double arrow_mm_mN = 0.025;
-  /// The same for friction, which is some 20 times smaller.
+  /// The same for friction, which is about 20 times smaller.
   static constexpr double frictionArrow_mm_mN = 0.25;
-  /// One arrow stands for the force on this length of array.
+  /// One arrow represents the force on this length of the array.
   static constexpr double arrowEvery_mm = 1.0;
 
   void addGlow(vtkRenderer& renderer);
@@ -28,7 +28,7 @@ public:
 
   void build(const ContactField& field, const ArrayParts& array, const ArrayPath& path,
              const ViewFrame& view);
-  /// Arrows of normal force in the last picture built.
+  /// Number of arrows of normal force in the last picture.
   int arrows() const { return arrowCount_; }
 
 private:

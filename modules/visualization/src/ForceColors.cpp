@@ -11,7 +11,7 @@ namespace {
 
 constexpr int steps = 256;
 
-/// Linear light of one sRGB channel, IEC 61966-2-1.
+/// Linear value of one sRGB channel, IEC 61966-2-1.
 double linearLight(unsigned char channel)
 {
   const double value = channel / 255.0;
@@ -26,7 +26,7 @@ unsigned char channelOf(double light)
   return static_cast<unsigned char>(std::lround(255.0 * value));
 }
 
-// Oklab (B. Ottosson, 2020): equal steps look equal.
+// Oklab (B. Ottosson, 2020): perceptually uniform.
 Eigen::Matrix3d toCones()
 {
   return (Eigen::Matrix3d() << 0.4122214708, 0.5363325363, 0.0514459929,  //

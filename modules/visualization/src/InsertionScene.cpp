@@ -27,7 +27,7 @@
 namespace perilymph::visualization {
 namespace {
 
-constexpr double cameraDistance_mm = 100.0;  ///< Parallel: it only has to be outside.
+constexpr double cameraDistance_mm = 100.0;  ///< Parallel projection: only has to be outside.
 constexpr std::size_t partCount = 5;
 
 void addLight(vtkRenderer& renderer, double x, double y, double z, double intensity)
@@ -51,7 +51,7 @@ struct InsertionScene::Content {
   void applyStereo();
   void applyVisibility();
   void placeCamera();
-  void prepare();  ///< Before each picture: what depends on the view.
+  void prepare();  ///< Before each picture: updates what depends on the view.
   Eigen::Vector3d tip() const;
 
   PictureSpace space;
@@ -79,7 +79,7 @@ struct InsertionScene::Content {
   int preparedWidth = 0;
   bool arrayMoved = true;
   Stereo stereo = Stereo::off;
-  vtkRenderWindow* window = nullptr;  // the renderer's; it outlives what the scene asks of it
+  vtkRenderWindow* window = nullptr;  // owned with the renderer; outlives its use here
 };
 
 InsertionScene::Content::Content(const anatomy::ScalaTympani& scala,
@@ -119,9 +119,9 @@ void InsertionScene::Content::addActors(const QualityTraits& traits, const Palet
   renderer->AddActor(&backdrop.actor());
   renderer->AutomaticLightCreationOff();
   addLight(*renderer, -0.5, 0.75, 1.0, 1.0);  // one key light, from above left
-  renderer->GetCullers()->RemoveAllItems();   // a dozen actors, always in sight
+  renderer->GetCullers()->RemoveAllItems();   // a dozen actors, always visible
 
-  // Solid things first; then what is translucent, from the far side to the near one.
+  // Solid parts first, then translucent ones from far to near.
   arrayParts.addSolid(*renderer);
   scalaParts.addFarWall(*renderer);
   if (traits.hasShadow) arrayParts.addShadow(*renderer);
@@ -176,7 +176,7 @@ void InsertionScene::Content::placeCamera()
 
 void InsertionScene::Content::prepare()
 {
-  // The camera learns of two eyes only when it is rendered, and a pass of one's own never does so.
+  // The camera is told about stereo only by Render(), which a custom pass never calls.
   vtkCamera& eyes = *renderer->GetActiveCamera();
   if (eyes.GetStereo() != renderer->GetRenderWindow()->GetStereoRender()) {
     eyes.Render(renderer);
@@ -249,7 +249,7 @@ void InsertionScene::Content::applyStereo()
       window->SetStereoTypeToCrystalEyes();
       break;
   }
-  // so far behind, its shades would lie apart for the two eyes
+  // at its distance its shading would have a large disparity
   backdrop.actor().SetVisibility(stereo == Stereo::off);
 }
 
@@ -354,7 +354,7 @@ void InsertionScene::rotateModel(double azimuth_deg, double elevation_deg, doubl
 {
   using Turn = Eigen::AngleAxisd;
   CameraPose& pose = content_->camera.take();
-  // Turning the model one way is turning the camera the other way.
+  // Rotating the model one way is rotating the camera the other way.
   pose.axes = pose.axes * Turn(-degrees(azimuth_deg).si(), Eigen::Vector3d::UnitY()) *
               Turn(degrees(elevation_deg).si(), Eigen::Vector3d::UnitX()) *
               Turn(-degrees(roll_deg).si(), Eigen::Vector3d::UnitZ());

@@ -23,7 +23,7 @@ Mesh::Mesh(Coloring coloring)
   data_->GetPointData()->SetNormals(normals_);
   data_->SetPolys(triangles_);
   mapper_->SetInputData(data_);
-  // Millimeters near the origin: nothing to shift, and no pass over the points to find that out.
+  // Millimeters near the origin: no shift needed, and no pass over the points to determine it.
   mapper_->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
   mapper_->SetScalarVisibility(coloring == Coloring::perPoint);
   if (coloring == Coloring::perPoint) {
@@ -63,7 +63,7 @@ void Mesh::connect(const std::vector<Triangle>& triangles)
     triangles_->InsertNextCell(3, corners);
   }
   triangles_->Modified();
-  // Of points without triangles VTK would time the drawing without having begun, and warn each
+  // For points without triangles VTK would stop a timer that it never started, with a warning each
   // time.
   data_->SetPoints(triangles.empty() ? nullptr : places_.Get());
   data_->Modified();

@@ -1,6 +1,6 @@
 #pragma once
 
-// Triangles whose corners move but whose order stays: written in place, drawn by one actor.
+// A triangle mesh with moving points and fixed topology, updated in place and drawn by one actor.
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -21,10 +21,10 @@ class vtkUnsignedCharArray;
 
 namespace perilymph::visualization {
 
-/// Three corners by their numbers, counterclockwise seen from outside.
+/// Indices of three corners, counterclockwise seen from outside.
 using Triangle = std::array<int, 3>;
 
-/// A triangle mesh of points with normals and, if asked for, a color each.
+/// A triangle mesh of points with normals and optional vertex colors.
 class Mesh {
 public:
   enum class Coloring { uniform, perPoint };
@@ -44,13 +44,13 @@ public:
   Eigen::Map<Eigen::Vector3f> normal(int index);
   void setColor(int index, const Rgba& color);
 
-  /// Tells VTK that points and normals, or colors, were written.
+  /// Marks points and normals, or colors, as modified.
   void pointsChanged();
   void colorsChanged();
 
-  void paint(const Rgba& color);  ///< The uniform color.
+  void paint(const Rgba& color);  ///< Sets a uniform color.
   vtkActor& actor() { return *actor_; }
-  /// A second actor of the same triangles, for a look of its own.
+  /// A second actor of the same triangles with its own properties.
   vtkSmartPointer<vtkActor> anotherActor() const;
 
 private:

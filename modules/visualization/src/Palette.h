@@ -1,6 +1,6 @@
 #pragma once
 
-// Colors of what is seen in the operation view.
+// Colors of the 3D view.
 
 #include <array>
 #include <cmath>

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int startTimeout_ms = 10000;
 
-/// Reads the number of the display that Xvfb writes when it is ready; empty if it does not.
+/// Reads the display number that Xvfb writes when it is ready; empty if it does not.
 std::string readDisplayNumber(int pipe)
 {
   std::string number;
@@ -45,7 +45,7 @@ int noteError(Display*, XErrorEvent*)
   return 0;
 }
 
-/// Tries to make a context of OpenGL 3.2, which is what VTK needs.
+/// Tries to create an OpenGL 3.2 context, which VTK needs.
 bool offersOpenGl(Display* display)
 {
   const auto createContext = reinterpret_cast<PFNGLXCREATECONTEXTATTRIBSARBPROC>(

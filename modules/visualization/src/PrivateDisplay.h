@@ -1,6 +1,6 @@
 #pragma once
 
-// An X server for the time of a picture, on machines without a screen.
+// A temporary X server for pictures on machines without a screen.
 
 #include <sys/types.h>
 
@@ -12,10 +12,10 @@
 
 namespace perilymph::visualization {
 
-/// Runs Xvfb as a child and points DISPLAY at it; once destroyed, DISPLAY is as before.
+/// Runs Xvfb as a child process and sets DISPLAY; the destructor restores DISPLAY.
 class PrivateDisplay {
 public:
-  /// Starts one; an Error says what is missing.
+  /// Starts a server; an Error names what is missing.
   static Result<PrivateDisplay> start();
 
   PrivateDisplay(PrivateDisplay&& other) noexcept;
@@ -31,8 +31,8 @@ private:
   std::optional<std::string> before_;  ///< DISPLAY, if it was set.
 };
 
-/// Whether the display that DISPLAY names answers and offers OpenGL 3.2. Asks libX11 and libGL by
-/// themselves: VTK would end the program where it fails.
+/// Whether the display named by DISPLAY responds and supports OpenGL 3.2. Queries libX11 and libGL
+/// directly, because VTK would terminate the program on failure.
 Result<Done> probeDisplay();
 
 }  // namespace perilymph::visualization

@@ -13,16 +13,17 @@
 namespace perilymph::visualization {
 namespace {
 
-constexpr double patchReach_mm = 0.45;  ///< Reach of a contact's color on the wall.
+constexpr double patchReach_mm = 0.45;  ///< Radius of a contact's color on the wall.
 constexpr double shortestEdge_mm = 1.0;
 constexpr double edgeOpacity = 0.9;
-// A thin shell shows least where it faces the viewer and most where it turns away.
+// A thin shell is most transparent where it faces the viewer and least where it turns away.
 constexpr double facingOpacity = 0.07, turnedOpacity = 0.46;
 constexpr double ambient = 0.42, diffuse = 0.58;
-constexpr double keyLight[] = {-0.5, 0.75};  ///< To the right and up, for one toward the viewer.
+constexpr double keyLight[] = {-0.5, 0.75};  ///< To the right and up, for a light toward the
+                                             ///< viewer.
 constexpr double membraneOpacity = 0.42;
 
-/// Puts a force's color over the shell's.
+/// Blends a force's color over the shell's.
 Rgba over(const Rgba& shell, const Rgba& force)
 {
   const double cover = force[3] / 255.0;
@@ -100,7 +101,7 @@ void ScalaParts::plan(const anatomy::ScalaTympani& scala, const PictureSpace& sp
   silhouette_.emplace(places_, normals, triangles);
   rims_ = silhouette_->rims();
 
-  // Lit here, once a view, instead of at every pixel: saves a CPU a fifth of a frame.
+  // Lit at the vertices once per view instead of at every pixel: saves a fifth of a frame on a CPU.
   vtkActor& farWall = wall_.actor();
   farWall.GetProperty()->LightingOff();
   farWall.ForceTranslucentOn();
@@ -150,7 +151,7 @@ void ScalaParts::light(const ViewFrame& view)
   const Eigen::Vector3d key =
       (view.back + keyLight[0] * view.right + keyLight[1] * view.up).normalized();
   for (std::size_t i = 0; i < places_.size(); ++i) {
-    // the side that is seen, inner or outer
+    // the visible side, inner or outer
     const double facing = normals_[i].dot(view.back);
     const double lit = facing < 0.0 ? -normals_[i].dot(key) : normals_[i].dot(key);
     const double light = ambient + diffuse * std::max(0.0, lit);
@@ -209,8 +210,8 @@ void ScalaParts::color(const ContactField& field)
   }
   touched_.clear();
 
-  // The bell's integral along a straight contact is 16/15 of its reach: scaled by that, the middle
-  // of a long even contact shows its force per length.
+  // The bell's integral along a straight contact is 16/15 of its reach: with this scale the center
+  // of a long uniform contact shows its force per length.
   const double scale = ContactField::spacing_mm * 15.0 / (16.0 * patchReach_mm);
   for (const ContactStation& station : field.stations()) {
     if (station.force_mN_mm <= 0.0) continue;

@@ -1,6 +1,6 @@
 #pragma once
 
-// The scala tympani as it looks: a shell of bone, its edges, and the basilar membrane.
+// Visual model of the scala tympani: a shell of bone, its edges, and the basilar membrane.
 
 #include <vtkSmartPointer.h>
 
@@ -19,7 +19,7 @@ class vtkRenderer;
 
 namespace perilymph::visualization {
 
-/// Wall, edges and membrane. The wall is drawn twice, far side first, so that no sorting is needed.
+/// Wall, edges and membrane. The wall is drawn twice, far side first, which avoids sorting.
 class ScalaParts {
 public:
   ScalaParts(const anatomy::ScalaTympani& scala, const PictureSpace& space,
@@ -29,12 +29,12 @@ public:
   void addMembrane(vtkRenderer& renderer);
   void addNearWall(vtkRenderer& renderer);
 
-  /// Colors the wall by the force on it.
+  /// Colors the wall by its force.
   void color(const ContactField& field);
   void lookFrom(const ViewFrame& view);
   void setVisible(bool wall, bool membrane);
 
-  /// Corners of the box around the wall [mm].
+  /// Corners of the wall's bounding box [mm].
   Eigen::Vector3d low() const { return low_; }
   Eigen::Vector3d high() const { return high_; }
 
@@ -56,11 +56,11 @@ private:
   std::vector<Polyline> silhouettes_, rims_, membraneRims_;
   ViewFrame litFrom_{.back = Eigen::Vector3d::Zero()};  ///< None yet.
   std::vector<Eigen::Vector3d> normals_;
-  std::vector<Rgba> shell_;  ///< Color of each point where nothing touches.
+  std::vector<Rgba> shell_;  ///< Color of each point without contact.
   Eigen::Vector3d low_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d high_ = Eigen::Vector3d::Zero();
 
-  // For coloring: points of the wall in cubes of the bell's reach, and the points colored last.
+  // For coloring: points of the wall in a grid with the bell's reach, and the points colored last.
   std::vector<Eigen::Vector3d> places_;
   std::unordered_map<long, std::vector<int>> bins_;
   std::vector<float> force_mN_mm_;

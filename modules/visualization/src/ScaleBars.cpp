@@ -23,11 +23,11 @@ namespace {
 constexpr double longestBar_px = 110.0;
 constexpr double margin_px = 24.0;
 constexpr double swatch_px = 23.0;     // of an arrow's line and the gap behind it
-constexpr double row_px = 17.0;        // from one line of words to the next
-constexpr double plateRim_px = 8.0;    // around what stands on a plate
-constexpr double plateOpacity = 0.72;  // as behind the window's words on the picture
+constexpr double row_px = 17.0;        // line spacing of text
+constexpr double plateRim_px = 8.0;    // around the content of a plate
+constexpr double plateOpacity = 0.72;  // as behind the window's text on the picture
 constexpr int labelSize = 12;
-constexpr double namedForce_mN = 20.0;  // what the legend of arrows names
+constexpr double namedForce_mN = 20.0;  // the force shown in the legend of arrows
 
 void fillWith(vtkContext2D& painter, const Rgba& color)
 {
@@ -134,7 +134,7 @@ void ScaleBars::paintForce(vtkContext2D& painter)
   const std::string& label = strings_.wallForce;
   const std::vector<ArrowKind> arrows = showsArrows ? arrowKinds() : std::vector<ArrowKind>{};
 
-  // model and words share this corner in some views
+  // model and text share this corner in some views
   const float rim = static_cast<float>(plateRim_px) * scale;
   const float row = static_cast<float>(row_px) * scale;
   float widest = std::max(width, widthOf(painter, label));

@@ -1,6 +1,6 @@
 #pragma once
 
-// What makes the picture a measurement: a bar in millimeters and the scale of the wall's force.
+// A scale bar in millimeters and the scale of the wall's force.
 
 #include <vtkContextItem.h>
 
@@ -12,7 +12,7 @@
 
 namespace perilymph::visualization {
 
-/// Drawn over the scene in pixels, at the lower edge, on plates: the model may lie behind.
+/// Drawn over the scene in pixels, at the lower edge, on plates because the model may be behind.
 class ScaleBars : public vtkContextItem {
 public:
   static ScaleBars* New();
@@ -21,7 +21,7 @@ public:
       bool showsForce = true;
   bool showsArrows = true;
   double pixelRatio = 1.0;
-  int bottom_px = 34;       ///< From the lower edge, at pixel ratio 1.
+  int bottom_px = 34;       ///< Distance from the lower edge, at pixel ratio 1.
   double pixel_mm = 0.025;  ///< Size of a pixel of the picture.
 
   /// Colors and texts; those of a default SceneStyle until it is called.

@@ -67,7 +67,7 @@ Eigen::Vector3d Silhouette::crossing(int edge, const std::vector<double>& facing
 void Silhouette::walk(int triangle, int edge, const std::vector<double>& facing,
                       std::vector<unsigned char>& isDone, Polyline& line) const
 {
-  // Leave each triangle by its other crossed edge until the surface or the line ends.
+  // Leave each triangle by its other intersected edge until the surface or the line ends.
   while (triangle >= 0 && isDone[static_cast<std::size_t>(triangle)] == 0) {
     isDone[static_cast<std::size_t>(triangle)] = 1;
     int next = -1;
@@ -90,7 +90,7 @@ std::vector<Polyline> Silhouette::lines(const Eigen::Vector3d& back, double shor
   std::vector<double> facing(points_.size());
   for (std::size_t i = 0; i < points_.size(); ++i) {
     facing[i] = normals_[i].dot(back);
-    if (facing[i] == 0.0) facing[i] = 1e-12;  // no crossing exactly at a point
+    if (facing[i] == 0.0) facing[i] = 1e-12;  // no intersection exactly at a point
   }
 
   std::vector<Polyline> found;

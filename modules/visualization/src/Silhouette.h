@@ -1,6 +1,6 @@
 #pragma once
 
-// The lines where a surface turns away from the viewer, and its open rim.
+// Silhouettes and open rims of a surface.
 
 #include <Eigen/Core>
 #include <vector>
@@ -11,16 +11,16 @@ namespace perilymph::visualization {
 
 using Polyline = std::vector<Eigen::Vector3d>;
 
-/// Finds silhouettes of a smooth triangle surface: along them its normal is square to the view.
+/// Finds silhouettes of a smooth triangle surface, where the normal is perpendicular to the view.
 class Silhouette {
 public:
   Silhouette(std::vector<Eigen::Vector3d> points, std::vector<Eigen::Vector3d> normals,
              std::vector<Triangle> triangles);
 
-  /// The silhouettes seen from far away in the direction `back`, as chains of points; those shorter
-  /// than `shortest_mm` are left out.
+  /// The silhouettes seen from infinity in the direction `back`, as polylines; those shorter than
+  /// `shortest_mm` are omitted.
   std::vector<Polyline> lines(const Eigen::Vector3d& back, double shortest_mm) const;
-  /// The edges that belong to one triangle only, as chains.
+  /// The edges that belong to only one triangle, as polylines.
   std::vector<Polyline> rims() const;
 
 private:
@@ -38,7 +38,7 @@ private:
   std::vector<std::array<int, 3>> edgesOf_;  ///< Edges of each triangle.
 };
 
-/// Normals at the points of a surface: the mean of the triangles around, by their angle-free area.
+/// Vertex normals of a surface: the area-weighted mean of adjacent triangles.
 std::vector<Eigen::Vector3d> pointNormals(const std::vector<Eigen::Vector3d>& points,
                                           const std::vector<Triangle>& triangles);
 

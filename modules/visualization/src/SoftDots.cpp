@@ -11,7 +11,7 @@
 namespace perilymph::visualization {
 namespace {
 
-/// Rings of a dot: share of its radius and of its opacity, a bell.
+/// Rings of a dot: fractions of its radius and of its opacity.
 constexpr std::array<std::pair<double, double>, 3> rings{{{0.35, 0.82}, {0.7, 0.28}, {1.0, 0.0}}};
 constexpr int around = 14;
 constexpr int pointsPerDot = 1 + around * static_cast<int>(rings.size());
@@ -47,7 +47,7 @@ void SoftDots::add(const Eigen::Vector3d& place, const Rgba& color, double radiu
 void SoftDots::reserveDots()
 {
   if (dots_.size() <= capacity_ && dots_.size() + 64 > capacity_) return;
-  capacity_ = (dots_.size() + 31) / 32 * 32;  // in steps, so that it seldom changes
+  capacity_ = (dots_.size() + 31) / 32 * 32;  // in steps, so that it rarely changes
   std::vector<Triangle> triangles;
   for (std::size_t i = 0; i < capacity_; ++i) addDot(triangles, static_cast<int>(i) * pointsPerDot);
   mesh_.shape(static_cast<int>(capacity_) * pointsPerDot, triangles);

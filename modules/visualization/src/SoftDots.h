@@ -1,6 +1,6 @@
 #pragma once
 
-// Round dots that face the viewer and fade toward their rim.
+// Round dots that face the viewer and fade toward their edge.
 
 #include <Eigen/Core>
 #include <vector>
@@ -10,14 +10,14 @@
 
 namespace perilymph::visualization {
 
-/// Clear, add dots, then build for the view; again whenever dots or view change.
+/// Clear, add dots, then build for the view; repeat when dots or view change.
 class SoftDots {
 public:
   SoftDots();
 
   void clear() { dots_.clear(); }
   void add(const Eigen::Vector3d& place, const Rgba& color, double radius_mm);
-  /// Writes the dots, lifted toward the viewer by `toward_mm`.
+  /// Builds the dots, offset toward the viewer by `toward_mm`.
   void build(const ViewFrame& view, double toward_mm);
 
   vtkActor& actor() { return mesh_.actor(); }
@@ -31,7 +31,8 @@ private:
   void reserveDots();
 
   std::vector<Dot> dots_;
-  std::size_t capacity_ = 0;  ///< Dots the mesh has points for; those not used lie in one point.
+  std::size_t capacity_ = 0;  ///< Number of dots that the mesh has points for; unused ones are
+                              ///< degenerate.
   Mesh mesh_{Mesh::Coloring::perPoint};
 };
 

@@ -9,11 +9,11 @@
 namespace perilymph::visualization {
 namespace {
 
-/// Points across a strip: faded, full, full, faded.
+/// Points across a strip: transparent, opaque, opaque, transparent.
 constexpr int across = 4;
 
-/// Unit vector across the line in the plane of the picture; that of the point before where the line
-/// runs toward the viewer.
+/// Unit vector across the line in the picture plane; that of the previous point where the line
+/// points toward the viewer.
 Eigen::Vector3d sideways(const Eigen::Vector3d& along, const ViewFrame& view,
                          const Eigen::Vector3d& before)
 {

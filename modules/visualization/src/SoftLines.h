@@ -1,7 +1,7 @@
 #pragma once
 
-// Lines and glowing bands that face the viewer, with edges that fade out: smooth on a CPU that
-// draws without multisampling.
+// Lines and glowing bands that face the viewer, with fading edges: smooth on a CPU without
+// multisampling.
 
 #include <Eigen/Core>
 #include <vector>
@@ -18,20 +18,20 @@ struct LinePoint {
   double halfWidth_mm;
 };
 
-/// How a line fades across: over one pixel at its rim, or all the way from its middle.
+/// Profile of a line: fading over one pixel at its edge, or from its center.
 enum class LineEdge { firm, glow };
 
-/// Polylines as strips of triangles in the plane of the picture. Clear, add lines, then build for
-/// the view; again whenever lines or view change.
+/// Polylines as triangle strips in the picture plane. Clear, add lines, then build for the view;
+/// repeat when lines or view change.
 class SoftLines {
 public:
   SoftLines();
 
   void clear();
-  /// Begins a line; points follow.
+  /// Begins a line; its points follow.
   void begin(LineEdge edge);
   void add(const LinePoint& point) { points_.push_back(point); }
-  /// Writes the strips. `toward_mm` lifts them toward the viewer, over what they belong to.
+  /// Builds the strips, offset by `toward_mm` toward the viewer.
   void build(const ViewFrame& view, double toward_mm);
 
   vtkActor& actor() { return mesh_.actor(); }

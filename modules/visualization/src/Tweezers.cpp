@@ -9,12 +9,12 @@
 namespace perilymph::visualization {
 namespace {
 
-/// One cross-section of a jaw: how far behind the place held, how far from the middle, how thick.
+/// A cross-section of a jaw: distance behind the grip, distance from the center, thickness.
 struct Station {
   double back_mm, apart_mm, halfThickness_mm, halfHeight_mm;
 };
 
-// Slender at the grip, then opening and growing: watchmaker's tweezers.
+// Slender at the grip, then opening and widening: watchmaker's tweezers.
 constexpr Station stations[] = {
     {-0.9, 0.42, 0.06, 0.14}, {-0.6, 0.46, 0.10, 0.20}, {0.0, 0.50, 0.13, 0.28},
     {1.5, 0.62, 0.17, 0.40},  {4.0, 0.95, 0.24, 0.60},  {9.0, 1.75, 0.34, 0.85},
@@ -22,7 +22,7 @@ constexpr Station stations[] = {
 };
 constexpr int stationCount = static_cast<int>(std::size(stations));
 constexpr int sides = 12;
-/// The hand stands off the array's axis, toward the viewer, so that the jaws leave the view free.
+/// The hand is off the array's axis, toward the viewer, so that the jaws leave the view free.
 constexpr double lift = 0.35;
 
 }  // namespace
@@ -37,7 +37,7 @@ Tweezers::Tweezers(double heldAt_mm, const Palette& palette) : heldAt_mm_(heldAt
       triangles.push_back({a, b, a + sides});
       triangles.push_back({b, b + sides, a + sides});
     }
-  // the tip of the jaw is closed by a fan
+  // the tip of the jaw is closed by a triangle fan
   for (int k = 1; k + 1 < sides; ++k) triangles.push_back({0, k + 1, k});
   for (Mesh& jaw : jaws_) {
     jaw.shape(stationCount * sides, triangles);
@@ -52,7 +52,7 @@ Tweezers::Tweezers(double heldAt_mm, const Palette& palette) : heldAt_mm_(heldAt
 void Tweezers::show(const ArrayPath& path)
 {
   const PathPoint held = path.at(heldAt_mm_);
-  // Jaws lie left and right of the array seen along the modiolus.
+  // Jaws are left and right of the array seen along the modiolus.
   Eigen::Vector3d across = held.along.cross(Eigen::Vector3d::UnitZ());
   if (across.norm() < 1e-6) across = held.inner;
   across.normalize();

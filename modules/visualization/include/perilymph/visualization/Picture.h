@@ -1,6 +1,6 @@
 #pragma once
 
-// One picture of an insertion into a file, without a window.
+// Renders a picture of an insertion into a file, without a window.
 
 #include <filesystem>
 #include <memory>
@@ -11,14 +11,13 @@
 
 namespace perilymph::visualization {
 
-/// What to draw, from where, and into which file.
+/// Content, view and file of a picture.
 struct PictureRequest {
-  // Shared, because models own their anatomy together with whoever draws it.
+  // Shared, because models share ownership of their anatomy.
   std::shared_ptr<const anatomy::ScalaTympani> scala;
   std::optional<electrode::ArrayDesign> array;
   anatomy::Side side = anatomy::Side::right;
-  const haptics::Snapshot* now =
-      nullptr;  ///< Where the array is; without it only the scala is drawn.
+  const haptics::Snapshot* now = nullptr;  ///< The array; if null, only the scala is drawn.
   CameraPreset view = CameraPreset::surgeon;
   int width = 1280;            ///< Pixels, 64 to 8192.
   int height = 960;            ///< Pixels, 64 to 8192.
@@ -26,11 +25,11 @@ struct PictureRequest {
   SceneStyle style;
 };
 
-/// Draws a picture into its file, which appears whole or not at all. Without a display it starts a
-/// private X server (Xvfb) for the time of the call if that is installed, and says so if not.
+/// Renders a picture into its file, atomically. Without a display it starts a private X server
+/// (Xvfb) for the duration of the call; an error if that is not installed.
 Result<Done> renderPicture(const PictureRequest& request);
 
-/// Whether pictures can be drawn here and now: a display that answers and offers OpenGL 3.2.
+/// Whether pictures can be rendered: a display responds and supports OpenGL 3.2.
 Result<Done> canRender();
 
 }  // namespace perilymph::visualization

@@ -1,24 +1,24 @@
 #pragma once
 
-// How much of the picture is drawn, for machines of different speed.
+// Rendering quality, for machines of different speed.
 
 namespace perilymph::visualization {
 
-/// A tier. What it switches is in QualityTraits.
+/// A quality tier; see QualityTraits.
 enum class Quality {
-  fast,      ///< A slow CPU draws: what shows where the array is, and no more.
-  software,  ///< A CPU draws: ordered translucency, edges smoothed by geometry.
-  gpu        ///< A graphics card draws.
+  fast,      ///< Slow CPU rendering: only what shows the position of the array.
+  software,  ///< CPU rendering: ordered translucency, edges smoothed by geometry.
+  gpu        ///< GPU rendering.
 };
 
-/// What a tier draws, and how often.
+/// Rendering options of a tier.
 struct QualityTraits {
-  int wallTriangles;    ///< At most, of the scala's wall.
-  bool hasSilhouettes;  ///< Lines where the wall turns away; its rims are always drawn.
-  bool hasShadow;       ///< The array casts a shadow on the wall.
-  int peels;            ///< Layers of translucency sorted at every pixel; 0: by the order of parts.
-  bool isSmoothed;      ///< Edges smoothed over the whole picture (FXAA).
-  int frameInterval_ms;  ///< Between frames at least.
+  int wallTriangles;     ///< Maximum for the scala's wall.
+  bool hasSilhouettes;   ///< Contour lines of the wall; its rims are always drawn.
+  bool hasShadow;        ///< The array casts a shadow on the wall.
+  int peels;             ///< Number of depth peels; 0: translucent parts in fixed order.
+  bool isSmoothed;       ///< Full-screen antialiasing (FXAA).
+  int frameInterval_ms;  ///< Minimum interval between frames.
 };
 
 constexpr QualityTraits traitsOf(Quality quality)

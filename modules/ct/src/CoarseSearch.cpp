@@ -16,11 +16,11 @@ constexpr int rolls = 16;
 constexpr double offsetStep = 1.4;  // [mm]
 constexpr std::size_t polished = 1200;
 
-/// The middle of the basal turn in W: what a click "in the cochlea" is near to.
+/// The center of the basal turn in W, near which a click into the cochlea is expected.
 const Eigen::Vector3d middle_W(0.8, 0.0, 0.8);
 
-/// How much a grid point looks like lumen: 1 at its level, 0 at bone's and where it is something
-/// else again, as air is in an ear filled with fluid.
+/// Similarity of a grid point to lumen: 1 at its level, 0 at bone's and at other levels, such as
+/// air in an ear filled with fluid.
 class Likeness {
 public:
   Likeness(const Region& region, double bone, double lumen)
@@ -32,7 +32,7 @@ public:
       const double fraction = (static_cast<double>(region.value(i)) - bone) / (lumen - bone);
       double likeness = std::clamp(fraction, 0.0, 1.0);
       if (fraction > 1.25) likeness = std::max(0.0, 1.0 - 4.0 * (fraction - 1.25));
-      // Beyond the volume nothing speaks for or against.
+      // Unknown points outside the volume are neutral.
       values_[i] = region.isKnown(i) ? static_cast<float>(likeness) : 0.5F;
     }
   }
@@ -69,7 +69,7 @@ double score(const Likeness& image, const Template& points, const Pose& pose, st
   return inside / static_cast<double>(insideCount) - outside / static_cast<double>(outsideCount);
 }
 
-/// Axes whose z is a direction of a Fibonacci sphere, turned about it.
+/// Axes whose z is a direction of a Fibonacci sphere, rolled about it.
 Eigen::Matrix3d axesOf(int direction, int roll, bool isRight)
 {
   const double z = 1.0 - (2.0 * direction + 1.0) / axisDirections;
@@ -89,7 +89,7 @@ Eigen::Matrix3d axesOf(int direction, int roll, bool isRight)
   return axes;
 }
 
-/// Climbs to a better pose by steps along and about the axes of W.
+/// Improves a pose by hill climbing in steps along and about the axes of W.
 Candidate climb(const Likeness& image, const Template& points, Candidate candidate)
 {
   candidate.score = score(image, points, candidate.pose, 1);
@@ -172,7 +172,7 @@ std::vector<Candidate> searchPoses(const Region& region, double bone, double lum
     for (int roll = 0; roll < rolls; ++roll)
       for (const bool isRight : {true, false}) {
         const Eigen::Matrix3d axes = axesOf(direction, roll, isRight);
-        // The best place of every orientation.
+        // The best position of every orientation.
         Candidate best{{}, -10.0};
         for (const Eigen::Vector3d& offset : offsets) {
           const Pose pose{axes, near_P + offset - axes * middle_W};

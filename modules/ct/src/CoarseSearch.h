@@ -1,7 +1,7 @@
 #pragma once
 
-// Where a cochlea of mean shape may lie: every pose near a point is tried with a few points inside
-// and outside the wall.
+// Exhaustive search for a cochlea of mean shape near a point, with a few points inside and outside
+// the wall.
 
 #include <functional>
 #include <vector>
@@ -12,14 +12,14 @@
 
 namespace perilymph::ct {
 
-/// A pose and how well it fits: the mean of the points inside less that of those outside, where 1
-/// is the lumen's level and 0 the bone's.
+/// A pose and its score: mean of the points inside minus that of the points outside, where 1 is the
+/// lumen's level and 0 the bone's.
 struct Candidate {
   Pose pose;
   double score = 0.0;
 };
 
-/// Points in W that must lie in the lumen or in bone.
+/// Points in W expected in the lumen or in bone.
 struct Template {
   std::vector<Eigen::Vector3d> inside_W, outside_W;
 };
@@ -27,8 +27,8 @@ Template meanTemplate(const LumenShape& family);
 
 /// Finds distinct poses of both handednesses within `reach_mm` of a point, best first.
 ///
-/// @param lumen      Intensity of what fills the lumen.
-/// @param isStopped  Asked now and then; true ends the search early.
+/// @param lumen      Intensity of the lumen's content.
+/// @param isStopped  Called from time to time; true ends the search early.
 std::vector<Candidate> searchPoses(const Region& region, double bone, double lumen,
                                    const Template& points, const Eigen::Vector3d& near_P,
                                    double reach_mm, std::size_t count,

@@ -9,17 +9,18 @@
 namespace perilymph::ct {
 namespace {
 
-// Standard deviation of what no fitted shape follows [mm]: constant, and in proportion to the
-// voxel's geometric mean length. Calibrated on phantoms (the module's page has the coverage).
+// Standard deviation due to the limits of the fitted shape [mm]: a constant, and a part
+// proportional to the geometric mean of the voxel size. Calibrated on phantoms (the module's README
+// has the coverage).
 struct ModelError {
   double constant, perVoxel;
 };
 constexpr ModelError modelOfA{0.06, 0.08}, modelOfB{0.045, 0.08}, modelOfH{0.10, 0.22};
 
-constexpr double hFirst_deg = 20.0;  // up to here the vestibule opens into the lumen
+constexpr double hFirst_deg = 20.0;  // below this angle the vestibule opens into the lumen
 
 // Elliptic-circular approximation (Schurzig et al. 2018; confidence medium): the basal turn's
-// length along the organ of Corti, 1 mm inside A and B, and from it the whole duct's.
+// length along the organ of Corti, 1 mm inside A and B, and from it that of the whole duct.
 double organOfCorti(double a_mm, double b_mm)
 {
   const double a = std::max(1.0, a_mm - 1.0), b = std::max(1.0, b_mm - 1.0);
@@ -55,7 +56,7 @@ void fillMeasures(const LumenShape& family, const FitResult& fit, const RoundWin
   const ShapeVector& shape = fit.state.shape;
   const Values best = valuesOf(family, shape, window, axis_W, 0.0);
 
-  // Slopes by every number of the shape.
+  // Derivatives by every parameter of the shape.
   constexpr double step = 0.02;
   Eigen::Matrix<double, 3, shape::count> slopes;
   for (int i = 0; i < shape::count; ++i) {
@@ -70,7 +71,7 @@ void fillMeasures(const LumenShape& family, const FitResult& fit, const RoundWin
   double correlated = 1.0;
   for (int i = 0; i < 3; ++i)
     correlated *= std::max(1.0, 2.0 * std::sqrt(pi) * blur[i] / spacing_mm[i]);
-  // Of voxels left out, none is a neighbor.
+  // Subsampled voxels are not neighbors.
   correlated = 1.0 + (correlated - 1.0) * fit.sampled;
   const Eigen::Matrix3d propagated = slopes * covariance * slopes.transpose();
 

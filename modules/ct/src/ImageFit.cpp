@@ -14,15 +14,16 @@ namespace perilymph::ct {
 namespace {
 
 constexpr double freedomOfStudent = 3.0;  // nu of the residuals' distribution
-constexpr double innerWallWeight = 0.25;  // porous bone and the auditory canal lie behind it
-constexpr double innerWall = -0.62;       // as a share of the section's width from the outer wall
-constexpr double vestibule_deg = 14.0;    // up to here vestibule and round window change the wall
+constexpr double innerWallWeight = 0.25;  // porous bone and the auditory canal are behind it
+constexpr double innerWall = -0.62;       // in section widths from the outer wall
+constexpr double vestibule_deg = 14.0;    // below this angle vestibule and round window change the
+                                          // wall
 constexpr double blurSpread = 0.25;       // prior of log sigma
-constexpr double misfitScale = 0.3;       // residual that counts as not explained [contrast]
-// Model errors reach over patches of wall, so that many voxels say one thing.
+constexpr double misfitScale = 0.3;       // residual that counts as unexplained [contrast]
+// Model errors extend over patches of wall, so that voxels are not independent.
 constexpr double dataWeight = 0.35;
 
-/// A row of derivatives of which few are not 0.
+/// A sparse row of derivatives.
 class SparseRow {
 public:
   double& operator[](int i)
@@ -33,7 +34,7 @@ public:
     }
     return values_[static_cast<std::size_t>(i)];
   }
-  /// The row from an index on, for those that count from there.
+  /// A view of the row from an index on.
   struct From {
     SparseRow& row;
     int first;
@@ -71,7 +72,7 @@ private:
 constexpr int levels = 6 + shape::count;  // bone, lumen
 constexpr int blurs = levels + 2;         // log sigma in plane, axial
 
-/// What a state says of one voxel.
+/// Predicted intensity of one voxel.
 struct Prediction {
   double intensity, weight, nearest;
 };
@@ -86,7 +87,7 @@ double regionWeight(const TurnDistance& turn)
 
 struct ImageFit::Normal {
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(fitted, fitted);  ///< Lower triangle.
-  Eigen::MatrixXd data;  ///< The matrix without the priors.
+  Eigen::MatrixXd data;                                            ///< The matrix without priors.
   Eigen::VectorXd right = Eigen::VectorXd::Zero(fitted);
   double cost = 0.0, misfit = 0.0;
   std::vector<double> residuals;  ///< Residuals of the voxels with full weight.
@@ -105,7 +106,7 @@ ImageFit::ImageFit(const LumenShape& family, const Eigen::Vector3d& sliceNormal_
 
 namespace {
 
-/// Evaluates the image model at one point; fills the row where there is one.
+/// Evaluates the image model at one point; fills the row if given.
 Prediction synthesize(const LumenShape& family, const ShapedLumen& lumen, const FitState& state,
                       const FitSettings& settings, const Eigen::Vector3d& slice_W,
                       const Eigen::Vector3d& point_P, SparseRow* row)
@@ -128,7 +129,7 @@ Prediction synthesize(const LumenShape& family, const ShapedLumen& lumen, const 
     const double variance =
         inPlane * inPlane * std::max(0.0, 1.0 - along * along) + axial * axial * along * along;
     const double sigma = std::sqrt(variance);
-    // The blur of a convex lumen moves its half maximum inward, by sigma^2 / (2 R) of a cylinder.
+    // Blur moves the half maximum of a convex lumen inward, by sigma^2 / (2 R) for a cylinder.
     const double x = (turn.inside - 0.5 * variance * turn.curvature) / sigma;
     occupancy += normalCumulative(x);
     if (row == nullptr) continue;
@@ -188,7 +189,7 @@ ImageFit::Normal ImageFit::assemble(const FitState& state, const Observations& o
   normal.misfit = weightSum > 0.0 ? normal.misfit / weightSum : 1.0;
 
   normal.data = normal.matrix;
-  // What is known before the voxels are seen.
+  // Contribution of the prior.
   const Eigen::VectorXd off = state.shape - priorMean_;
   normal.matrix.block<shape::count, shape::count>(6, 6) += prior_;
   normal.right.segment<shape::count>(6) -= prior_ * off;
@@ -247,13 +248,15 @@ FitResult ImageFit::run(const FitState& start, const Observations& observations,
   const std::array<bool, fitted> can = movable(settings.freedom);
   FitResult result;
   result.state = start;
-  constexpr double toDeviation = 1.4826;  // of a normal distribution, from the median
+  constexpr double toDeviation = 1.4826;  // standard deviation of a normal distribution from the
+                                          // median
   const double contrast = std::fabs(start.lumen - start.bone);
   double scale = 0.15 * contrast;
   Normal normal = assemble(result.state, observations, settings, scale);
   double damping = 1e-3;
   for (; result.iterations < settings.maxIterations; ++result.iterations) {
-    // The scale follows the residuals for some rounds, then rests, so that the cost has a minimum.
+    // The scale follows the residuals for some iterations and is then fixed, so that the cost has a
+    // minimum.
     if (result.iterations % 3 == 0 && result.iterations < 10) {
       scale = std::clamp(toDeviation * medianOf(normal.residuals), 0.03 * contrast, 0.3 * contrast);
       normal = assemble(result.state, observations, settings, scale);
@@ -277,7 +280,7 @@ FitResult ImageFit::run(const FitState& start, const Observations& observations,
     step *= std::min(1.0, std::min(0.2 / std::max(turn, 1e-9), 0.6 / std::max(shift, 1e-9)));
     const FitState next = stepped(result.state, step);
     Normal nextNormal = assemble(next, observations, settings, scale);
-    // Voxels that leave the band take their cost along: compare means.
+    // Voxels leaving the band change the total cost: compare means.
     const double before = normal.cost / std::max<double>(1.0, static_cast<double>(normal.voxels));
     const double after =
         nextNormal.cost / std::max<double>(1.0, static_cast<double>(nextNormal.voxels));
@@ -296,7 +299,7 @@ FitResult ImageFit::run(const FitState& start, const Observations& observations,
   result.voxels = normal.voxels;
   result.sampled = observations.sampled;
   result.residual = toDeviation * medianOf(normal.residuals);
-  // Noise alone moves the numbers by H^-1 J^T W n: with W J^T J = D of one scale,
+  // The covariance due to noise: parameters change by H^-1 J^T W n; with W J^T J = D of one scale,
   Eigen::MatrixXd matrix = normal.matrix.selfadjointView<Eigen::Lower>();
   matrix.diagonal().array() += 1e-9;
   const Eigen::MatrixXd data = normal.data.selfadjointView<Eigen::Lower>();
@@ -337,7 +340,7 @@ Observations observe(const CtVolume& volume, const LumenShape& family, const Fit
   std::vector<Observation> some;
   const double keep = static_cast<double>(maxCount) / static_cast<double>(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
-    // Multiples of the golden ratio lie evenly in [0, 1).
+    // Multiples of the golden ratio are equally distributed in [0, 1).
     const double x = 0.6180339887498949 * static_cast<double>(i);
     if (x - std::floor(x) < keep) some.push_back(all[i]);
   }

@@ -1,14 +1,13 @@
 #pragma once
 
-// Analysis by synthesis: the shape, the pose, the intensity levels and the blur that explain the
-// voxels near the wall best.
+// Analysis by synthesis: fits shape, pose, intensity levels and blur to the voxels near the wall.
 //
 //     I(x) = b + (f - b) min(1, sum over turns of Phi((d - sigma_n^2 / 2R) / sigma_n)),
 //     sigma_n^2 = sigma_xy^2 (1 - n_z^2) + sigma_z^2 n_z^2
 //
 // with d the distance from the wall, positive in the lumen, R the section's mean radius of
-// curvature, b and f the levels of bone and lumen, and n_z the wall normal's part along the slices'
-// normal.
+// curvature, b and f the levels of bone and lumen, and n_z the component of the wall normal along
+// the slice normal.
 
 #include <Eigen/Core>
 #include <functional>
@@ -20,7 +19,7 @@
 
 namespace perilymph::ct {
 
-/// One voxel that the fit must explain.
+/// One voxel of the fit.
 struct Observation {
   Eigen::Vector3d point_P;
   double intensity;
@@ -29,10 +28,10 @@ struct Observation {
 /// The voxels of a fit.
 struct Observations {
   std::vector<Observation> voxels;
-  double sampled = 1.0;  ///< Share of the voxels near the wall that they are.
+  double sampled = 1.0;  ///< Fraction of the voxels near the wall.
 };
 
-/// What is fitted.
+/// The fitted parameters.
 struct FitState {
   Pose pose;
   ShapeVector shape = LumenShape::priorMean();
@@ -40,9 +39,9 @@ struct FitState {
   double blurInPlane = 0.2, blurAxial = 0.2;  ///< Standard deviations of the PSF [mm].
 };
 
-/// What may move in a stage of the fit.
+/// Free parameters of a stage of the fit.
 enum class Freedom {
-  poseAndSize,  ///< Pose, the population's four numbers, rise, mean height of sections, levels.
+  poseAndSize,  ///< Pose, the population's four parameters, rise, mean height of sections, levels.
   shape,        ///< Everything but the blur.
   everything,
 };
@@ -50,8 +49,8 @@ enum class Freedom {
 struct FitSettings {
   Freedom freedom = Freedom::everything;
   int maxIterations = 20;
-  double minBlur = 0.0;  ///< The blur is held at least this wide: annealing [mm].
-  double band_mm = 1.0;  ///< Voxels farther from the wall are left out.
+  double minBlur = 0.0;  ///< Lower bound of the blur, for annealing [mm].
+  double band_mm = 1.0;  ///< Voxels farther from the wall are ignored.
 };
 
 struct FitResult {
@@ -60,23 +59,23 @@ struct FitResult {
   double residual = 0.0;  ///< Robust standard deviation of r [intensity].
   double cost = 0.0;
   int iterations = 0;
-  std::size_t voxels = 0;  ///< In the band, with a weight.
-  double sampled = 1.0;    ///< Share of the band's voxels that were taken.
-  /// Covariance of turn and shift in W (6), then of the shape, by residuals that are independent
-  /// from voxel to voxel.
+  std::size_t voxels = 0;  ///< In the band, with nonzero weight.
+  double sampled = 1.0;    ///< Fraction of the band's voxels that were used.
+  /// Covariance of rotation and translation in W (6), then of the shape, assuming that residuals
+  /// are independent between voxels.
   Eigen::MatrixXd covariance;
 };
 
-/// Number of fitted numbers: 6 of the pose, the shape, 4 nuisances.
+/// Number of parameters: 6 of the pose, the shape, 4 nuisance parameters.
 inline constexpr int fitted = 6 + shape::count + 4;
 
 class ImageFit {
 public:
-  /// @param sliceNormal_P  Unit vector along which the blur is axial.
+  /// @param sliceNormal_P  Unit vector of the axial blur.
   ImageFit(const LumenShape& family, const Eigen::Vector3d& sliceNormal_P,
            const Eigen::Vector2d& blurGuess_mm);
 
-  /// Levenberg-Marquardt with Student-t weights from a start.
+  /// Levenberg-Marquardt with Student-t weights from an initial state.
   FitResult run(const FitState& start, const Observations& observations,
                 const FitSettings& settings) const;
 
@@ -92,8 +91,8 @@ private:
   ShapeVector priorMean_;
 };
 
-/// The voxels within `reach_mm` of a state's wall, at most about `maxCount`: of more, every n-th in
-/// an order without a pattern.
+/// The voxels within `reach_mm` of a state's wall, at most about `maxCount`: if there are more, a
+/// quasi-random subset.
 Observations observe(const CtVolume& volume, const LumenShape& family, const FitState& state,
                      double reach_mm, std::size_t maxCount);
 

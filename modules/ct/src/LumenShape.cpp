@@ -13,8 +13,9 @@ namespace {
 
 constexpr double tableStep = 2.0 * pi / 180.0;
 
-// Prior standard deviations of what the population's four numbers leave open. Sections vary by 9 to
-// 15 % between individuals; the rest was chosen on phantoms and real ears left out in turn.
+// Prior standard deviations of what the population's four parameters do not determine. Sections
+// vary by 9 to 15 % between individuals; the other values were chosen on phantoms and by
+// leave-one-out on real ears.
 constexpr double riseSpread = 0.15;
 constexpr double widthSpread = 0.10;
 constexpr double tiltSpread = 0.25;
@@ -22,7 +23,8 @@ constexpr double heightSpread = 0.12, heightBend = 0.10;
 constexpr double radialSpread = 0.18, radialBend = 0.12;  // [mm] at a radius of 4 mm
 constexpr double axialSpread = 0.15, axialBend = 0.10;    // [mm]
 
-// Bony lumens are lower than the scala tympani with its mirror image: the scala vestibuli is.
+// Bony lumens are lower than the scala tympani with its mirror image, because the scala vestibuli
+// is lower.
 constexpr double meanHeightChange = -0.15;
 
 void addSpline(Eigen::MatrixXd& precision, int first, int count, double spread, double bend)
@@ -53,7 +55,7 @@ LumenShape::LumenShape(const MeanLumen& mean) : mean_(mean)
 {
   const anatomy::HalfDiameters center = anatomy::meanHalfDiameters();
   for (int i = 0; MeanLumen::firstAngle() + (i - 1) * tableStep <= mean.lastAngle(); ++i) {
-    // The population's polynomial holds from the round window on.
+    // The population's polynomial is valid from the round window on.
     const Angle angle = radians(std::max(0.0, MeanLumen::firstAngle() + i * tableStep));
     const double base = anatomy::outerWallRadius(center, angle);
     for (std::size_t k = 0; k < 4; ++k) {
@@ -140,7 +142,7 @@ NearTurns ShapedLumen::distances(const Eigen::Vector3d& point_W, double reach) c
   double angle = arcTangent(point_W.y(), point_W.x());
   while (angle < MeanLumen::firstAngle()) angle += 2.0 * pi;
   for (; angle < mean_.lastAngle() && near.count < 4; angle += 2.0 * pi) {
-    // A turn out of reach is told by the mean alone, with room for individuals.
+    // Turns out of reach are excluded by the mean shape alone, with a margin for individuals.
     if (std::fabs(r - mean_.outerRadius(angle) + 0.5 * mean_.width(angle)) >
         0.5 * mean_.width(angle) + reach + 1.6)
       continue;

@@ -1,7 +1,7 @@
 #pragma once
 
-// One individual's bony lumen: the mean one with radii, rise and sections changed by a few numbers,
-// and what each of them does to the distance from the wall. Frame W, lengths in mm.
+// An individual's bony lumen: the mean one with radii, rise and sections changed by parameters, and
+// the derivatives of the wall distance by them. Frame W, lengths in mm.
 
 #include <Eigen/Core>
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace perilymph::ct {
 
-/// The numbers of a shape, in one vector. All 0 is the mean cochlea.
+/// The parameters of a shape, in one vector. All 0 is the mean cochlea.
 namespace shape {
 inline constexpr int half = 0;    ///< A1, B1, A2, B2 minus the population's mean [mm].
 inline constexpr int rise = 4;    ///< Relative change of the center line's heights.
@@ -22,7 +22,8 @@ inline constexpr int heightKnots = 14;
 inline constexpr int radial =
     height + heightKnots;  ///< Outer wall outward [4 mm radius], a spline.
 inline constexpr int knots = 25;
-inline constexpr int axial = radial + knots;  ///< Sections toward the apex [mm], a spline.
+inline constexpr int axial = radial + knots;  ///< Displacement of sections toward the apex [mm], a
+                                              ///< spline.
 inline constexpr int count = axial + knots;
 
 inline constexpr double firstKnot_deg = -90.0;
@@ -32,38 +33,38 @@ inline constexpr double heightStep_deg = 90.0;
 
 using ShapeVector = Eigen::Matrix<double, shape::count, 1>;
 
-/// Where one turn's section is at an angle, and its slopes.
+/// Position of one turn's section at an angle, and its derivatives.
 struct SectionPlace {
-  double outer, outerSlope;    ///< Outermost radius [mm], [mm/rad].
-  double middle, middleSlope;  ///< Height of the section's middle [mm], [mm/rad].
+  double outer, outerSlope;    ///< Maximum radius [mm], [mm/rad].
+  double middle, middleSlope;  ///< Height of the section's center [mm], [mm/rad].
   double width, height, tilt;  ///< Factors on u and v, shear.
 };
 
-/// The distance of a point from the wall of one turn, with its derivatives.
+/// Distance of a point from the wall of one turn, with its derivatives.
 struct TurnDistance {
-  double angle = 0.0;                                  ///< Turns counted [rad].
-  double u = 0.0, width = 0.0;                         ///< In the mean's section [mm].
+  double angle = 0.0;                                  ///< Full turns included [rad].
+  double u = 0.0, width = 0.0;                         ///< In the mean section [mm].
   double inside = 0.0;                                 ///< Positive in the lumen [mm].
   double curvature = 0.0;                              ///< Mean curvature of the section [1/mm].
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();  ///< In W.
   double byOuter = 0.0, byMiddle = 0.0, byWidth = 0.0, byHeight = 0.0, byTilt = 0.0;
 };
 
-/// The turns whose wall is near a point: at most as many as the cochlea has.
+/// The turns whose wall is near a point.
 struct NearTurns {
   std::array<TurnDistance, 4> turn;
   int count = 0;
-  int nearest = -1;  ///< The one the point is deepest in, or nearest to.
+  int nearest = -1;  ///< The turn that contains the point, or the nearest one.
 };
 
-/// Four neighbors of a uniform cubic B-spline and their weights.
+/// Weights of four neighbors of a uniform cubic B-spline.
 struct SplineWeights {
   int first;
   std::array<double, 4> weight;
 };
 SplineWeights splineWeights(double angle, double step_deg, int count);
 
-/// The family of shapes. Refers to the mean lumen, which must live longer.
+/// The family of shapes. Keeps a reference to the mean lumen, which must outlive it.
 class LumenShape {
 public:
   explicit LumenShape(const MeanLumen& mean);
@@ -72,16 +73,16 @@ public:
 
   SectionPlace place(const ShapeVector& q, double angle) const;
 
-  /// Adds `factor` times a turn's derivatives by the shape's numbers to a row.
+  /// Adds `factor` times a turn's derivatives by the shape's parameters to a row.
   template <class Row>
   void addDerivatives(const TurnDistance& turn, double factor, Row&& row) const;
 
-  /// Effect of A1, B1, A2, B2 on the outermost radius at an angle, relative to the mean's [1/mm].
+  /// Effect of A1, B1, A2, B2 on the maximum radius at an angle, relative to the mean's [1/mm].
   std::array<double, 4> populationModes(double angle) const;
 
-  /// Precision of the prior: population covariance, amplitudes and smoothness.
+  /// Precision matrix of the prior: population covariance, amplitudes and smoothness.
   Eigen::MatrixXd priorPrecision() const;
-  /// The prior's center: the mean cochlea with sections as low as bony lumens have them.
+  /// Center of the prior: the mean cochlea with the section height of bony lumens.
   static ShapeVector priorMean();
 
 private:
@@ -89,7 +90,7 @@ private:
   std::array<std::vector<double>, 4> modes_;  ///< Every 2 degrees from the first angle.
 };
 
-/// One shape of the family with its lines tabulated, for many queries.
+/// One shape of the family with tabulated lines, for many queries.
 class ShapedLumen {
 public:
   ShapedLumen(const LumenShape& family, const ShapeVector& q);

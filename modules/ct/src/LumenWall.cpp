@@ -11,10 +11,10 @@ namespace perilymph::ct {
 namespace {
 
 constexpr double cupola_mm = 0.5;
-// The middle of the modiolus in the basal turn lies on W's axis.
+// The center of the modiolus in the basal turn is on W's axis.
 constexpr double basalMiddle_mm = 0.4;
 
-/// Where the wall of one turn is on a ray from the middle of its section: halves an interval.
+/// Distance to the wall of one turn on a ray from the center of its section, by bisection.
 double distanceToWall(const MeanLumen& mean, const SectionPlace& place, double angle,
                       const SineCosine& direction)
 {
@@ -31,7 +31,7 @@ double distanceToWall(const MeanLumen& mean, const SectionPlace& place, double a
   return low;
 }
 
-/// Outermost radius of a ring about the frame's axis, and the angle at which it is.
+/// Maximum radius of a ring about the frame's axis, and its angle.
 struct Outermost {
   double angle, radius;
 };

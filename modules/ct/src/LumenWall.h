@@ -1,6 +1,6 @@
 #pragma once
 
-// The wall of a fitted lumen as points in W, and what is measured on it. Lengths in mm.
+// The wall of a fitted lumen as points in W, and its measures. Lengths in mm.
 
 #include <Eigen/Core>
 #include <vector>
@@ -15,7 +15,7 @@ struct LumenWall {
   static constexpr double step = 4.0 * 3.14159265358979323846 / 180.0;  ///< Between rings [rad].
 
   double firstAngle = 0.0;
-  std::vector<Eigen::Vector3d> points_W;  ///< `around` per ring, the first radially outward.
+  std::vector<Eigen::Vector3d> points_W;  ///< `around` per ring, the first one radially outward.
 
   int rings() const { return static_cast<int>(points_W.size()) / around; }
   const Eigen::Vector3d& at(int ring, int k) const
@@ -27,10 +27,11 @@ struct LumenWall {
 /// The wall from an angle to the apex.
 LumenWall wallOf(const ShapedLumen& lumen, double firstAngle);
 
-/// The frame in which the clinic measures: z along the clinical axis, x toward the round window.
+/// The frame of clinical measures: z along the clinical axis, x toward the round window.
 /// Right-handed in W.
 struct ClinicalFrame {
-  Eigen::Vector3d origin_W = Eigen::Vector3d::Zero();  ///< On the axis, as high as the window.
+  Eigen::Vector3d origin_W = Eigen::Vector3d::Zero();  ///< On the axis, at the height of the
+                                                       ///< window.
   Eigen::Matrix3d axes_W = Eigen::Matrix3d::Identity();
 
   Eigen::Vector3d from_W(const Eigen::Vector3d& point_W) const
@@ -39,11 +40,11 @@ struct ClinicalFrame {
   }
 };
 
-/// The middle of the cupola: the mean of the wall's points within 0.5 mm of its highest one.
+/// Center of the cupola: the mean of the wall's points within 0.5 mm of its highest one.
 Eigen::Vector3d cupola_W(const LumenWall& wall);
 
-/// The clinical axis, from the modiolus' middle in the basal turn to the middle of the cupola, of a
-/// wall of mean shape. An individual's cupola would add more error than it takes: its sections
+/// The clinical axis, from the modiolus' center in the basal turn to the center of the cupola, of a
+/// wall of mean shape. An individual's cupola would add more error than it removes: its sections
 /// there are the least certain.
 Eigen::Vector3d clinicalAxis_W(const LumenWall& mean);
 
@@ -54,8 +55,8 @@ ClinicalFrame clinicalFrame(const Eigen::Vector3d& axis_W, const Eigen::Vector3d
 struct WallMeasures {
   double a, b, h;
 };
-/// A: from the round window through the axis to the far wall. B: across it. H: from the lowest
-/// floor to the highest roof of the wall given.
+/// A: from the round window through the axis to the opposite wall. B: perpendicular to it. H: from
+/// the lowest floor to the highest roof of the given wall.
 WallMeasures measureWall(const LumenWall& wall, const ClinicalFrame& frame,
                          const Eigen::Vector3d& roundWindow_W);
 

@@ -18,7 +18,7 @@ constexpr double fieldStep = 7.5 * pi / 180.0;  // between sections of the dista
 constexpr double cell = 0.08;                   // of the distance field [mm]
 constexpr double uLow = -3.3, vLow = -2.0;      // its corner [mm]
 constexpr int uCount = 56, vCount = 51;
-constexpr double apex_deg = 900.0, cap_deg = 50.0;  // as the product's mean anatomy has them
+constexpr double apex_deg = 900.0, cap_deg = 50.0;  // as in the mean anatomy of the module anatomy
 constexpr int corners = 96;
 
 struct Point {
@@ -28,7 +28,7 @@ using Polygon = std::vector<Point>;
 constexpr std::size_t coefficients = 2 * anatomy::MeasuredSection::harmonics + 1;
 
 /// Fourier coefficients of the outline at an angle: Catmull-Rom between the measured sections,
-/// linear before the first, the trend of the last turn beyond the last.
+/// linear before the first, extrapolated by the trend of the last turn.
 class Outlines {
 public:
   explicit Outlines(const std::vector<anatomy::MeasuredSection>& sections) : sections_(sections)
@@ -125,7 +125,7 @@ Polygon hull(Polygon points)
   return chain;
 }
 
-/// The scala tympani's outline with its mirror image in its roof.
+/// Union of the scala tympani's outline and its mirror image in its roof.
 Polygon joined(Polygon tympani)
 {
   double roof = tympani.front().z;
@@ -228,7 +228,7 @@ SectionDistance MeanLumen::distance(double angle, double u, double v) const
   result.inside = (1.0 - fy) * ((1.0 - fx) * a + fx * b) + fy * ((1.0 - fx) * c + fx * d);
   result.du = ((1.0 - fy) * (b - a) + fy * (d - c)) / cell;
   result.dv = ((1.0 - fx) * (c - a) + fx * (d - b)) / cell;
-  // Beyond the tables the distance grows by what was cut off.
+  // Beyond the tables the distance increases by the clipped part.
   const double beyondU = u - (uLow + x * cell), beyondV = v - (vLow + y * cell);
   if (beyondU != 0.0 || beyondV != 0.0)
     result.inside -= std::sqrt(beyondU * beyondU + beyondV * beyondV);

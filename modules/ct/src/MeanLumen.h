@@ -1,7 +1,7 @@
 #pragma once
 
-// The bony lumen of the mean cochlea as CT sees it: scala tympani, media and vestibuli in one, at
-// every angle of the half-plane through the modiolar axis. Lengths in mm, angles in rad.
+// The bony lumen of the mean cochlea in CT: scala tympani, media and vestibuli as one, at every
+// angle of the half-plane through the modiolar axis. Lengths in mm, angles in rad.
 
 #include <vector>
 
@@ -9,33 +9,33 @@
 
 namespace perilymph::ct {
 
-/// Signed distance to a section's outline in its half-plane, and its slope.
+/// Signed distance to a section's outline in its half-plane, and its gradient.
 struct SectionDistance {
   double inside;  ///< Distance from the outline, positive inside [mm].
   double du, dv;  ///< Its derivatives along u and v.
 };
 
-/// Sections of the mean scala tympani, each joined with its mirror image in its roof (the scala
+/// Sections of the mean scala tympani, each united with its mirror image in its roof (the scala
 /// vestibuli is not measured) and made convex: the spiral ligament fills the notch between both,
-/// and CT does not tell it from fluid.
+/// and CT does not distinguish it from fluid.
 ///
-/// In a section, u counts radially outward from the outermost wall and v along the axis from the
-/// middle of the section.
+/// In a section, u is the distance radially outward from the outermost wall and v that along the
+/// axis from the center of the section.
 class MeanLumen {
 public:
   static Result<MeanLumen> make();
 
-  static constexpr double firstAngle() { return -0.35; }  ///< Tables begin here [rad].
-  double lastAngle() const { return lastAngle_; }         ///< The apex [rad].
+  static constexpr double firstAngle() { return -0.35; }  ///< Start of the tables [rad].
+  double lastAngle() const { return lastAngle_; }         ///< Angle of the apex [rad].
 
   double outerRadius(double angle) const { return at(outer_, angle); }          ///< [mm]
   double outerRadiusSlope(double angle) const { return slope(outer_, angle); }  ///< [mm/rad]
-  double height(double angle) const { return at(height_, angle); }  ///< Height of the middle [mm].
+  double height(double angle) const { return at(height_, angle); }  ///< Height of the center [mm].
   double heightSlope(double angle) const { return slope(height_, angle); }  ///< [mm/rad]
   double width(double angle) const { return at(width_, angle); }            ///< Radial [mm].
   double halfHeight(double angle) const { return at(halfHeight_, angle); }  ///< [mm]
 
-  /// Distance in the section at an angle; far outside the tables a lower bound of it.
+  /// Distance in the section at an angle; a lower bound far outside the tables.
   SectionDistance distance(double angle, double u, double v) const;
 
 private:

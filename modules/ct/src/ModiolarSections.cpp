@@ -54,7 +54,7 @@ SectionCheck checkSections(const CtVolume& volume, const ShapedLumen& lumen, con
         ++missing;
         continue;
       }
-      // A ray along the half-plane meets a slanted wall a little later; here that does not matter.
+      // A ray in the half-plane meets a slanted wall slightly later, which is negligible here.
       ++found;
       const Eigen::Vector3d point_W = start_W + *wall * ray_W;
       const NearTurns near = lumen.distances(point_W, 1.0);

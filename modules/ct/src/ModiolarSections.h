@@ -1,6 +1,6 @@
 #pragma once
 
-// Cross-check of a fit: the wall at half maximum in sections through the modiolus.
+// Cross-check of a fit: the half-maximum wall in sections through the modiolus.
 
 #include <optional>
 
@@ -10,13 +10,13 @@
 
 namespace perilymph::ct {
 
-/// Half-maximum wall against the fitted one, along rays from the sections' middles.
+/// Half-maximum wall compared with the fitted one, along rays from the sections' centers.
 struct SectionCheck {
-  double rms_mm = 0.0;   ///< Root mean square of their distance, those over 0.8 mm left out.
-  double bias_mm = 0.0;  ///< Mean, positive where the half-maximum wall lies outside.
-  double missing = 0.0;  ///< Share of the rays that meet no wall within 0.8 mm.
-  double clipped = 0.0;  ///< Share of the rays that leave the volume.
-  /// Axis of the spiral motion nearest to the half-maximum wall, in W.
+  double rms_mm = 0.0;   ///< Root mean square distance, excluding those over 0.8 mm.
+  double bias_mm = 0.0;  ///< Mean, positive if the half-maximum wall is outside.
+  double missing = 0.0;  ///< Fraction of the rays without a wall within 0.8 mm.
+  double clipped = 0.0;  ///< Fraction of the rays that leave the volume.
+  /// Axis of the best-fitting spiral motion of the half-maximum wall, in W.
   std::optional<SpiralAxis> kinematic;
 };
 

@@ -41,7 +41,7 @@ double normalCumulative(double x)
   auto i = static_cast<std::size_t>(s);
   if (i >= count - 1) i = count - 2;
   const double t = s - static_cast<double>(i);
-  // Third order: the density's slopes are known.
+  // Third-order interpolation: the density is the known derivative.
   const double a = -last + step * static_cast<double>(i);
   const double h = t * step;
   return table[i] + h * normalDensity(a) * (1.0 - h * (0.5 * a - h * (a * a - 1.0) / 6.0));

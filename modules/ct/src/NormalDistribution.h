@@ -1,6 +1,6 @@
 #pragma once
 
-// The normal distribution from foundation's exponential: the same bits on every machine.
+// The normal distribution, based on foundation's exponential: the same bits on every machine.
 
 namespace perilymph::ct {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Where the cochlear frame W lies in the patient.
+// Pose of the cochlear frame W in the patient.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -23,8 +23,8 @@ struct Pose {
   }
   bool isRight() const { return axes_PW.col(0).cross(axes_PW.col(1)).dot(axes_PW.col(2)) > 0.0; }
 
-  /// The pose turned by a small rotation vector [rad] and shifted, both in W. Rational in its
-  /// arguments: no sines.
+  /// The pose after a small rotation [rad] and a translation, both in W. A rational function of its
+  /// arguments, without sines.
   Pose moved(const Eigen::Vector3d& turn_W, const Eigen::Vector3d& shift_W) const
   {
     const Eigen::Quaterniond small =

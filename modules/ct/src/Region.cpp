@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t bins = 256;
 
-/// Otsu's threshold: the bin that splits a histogram into two classes of least variance.
+/// Otsu's threshold: the bin that splits a histogram into two classes of minimum variance.
 std::size_t otsu(const std::array<double, bins>& histogram)
 {
   double total = 0.0, sum = 0.0;
@@ -49,7 +49,7 @@ Region::Region(const CtVolume& volume, const Eigen::Vector3d& center_P, double r
           values_[index(i, j, k)] = static_cast<float>(*value);
           known_[index(i, j, k)] = 1;
         }
-  // One pass of (1 2 1)/4 along every axis against the noise.
+  // One pass of (1 2 1)/4 along every axis, to reduce noise.
   for (const std::size_t stride : {std::size_t{1}, n, n * n}) {
     std::vector<float> smooth = values_;
     for (std::size_t at = stride; at + stride < values_.size(); ++at)
@@ -101,7 +101,7 @@ Levels findLevels(const Region& region, const Eigen::Vector3d& center_P, double 
                    bone.end());
   levels.bone = static_cast<double>(bone[bone.size() * 6 / 10]);
 
-  // Peaks among homogeneous places below the threshold.
+  // Peaks among homogeneous points below the threshold.
   const double contrast = levels.bone - low;
   std::array<double, bins> quiet{};
   double counted = 0.0;

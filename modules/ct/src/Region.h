@@ -1,7 +1,7 @@
 #pragma once
 
-// The neighborhood of a point, resampled on an isotropic grid aligned with the patient, and the
-// intensity levels found in it.
+// The neighborhood of a point, resampled on an isotropic grid aligned with the patient, and its
+// intensity levels.
 
 #include <Eigen/Core>
 #include <cstddef>
@@ -16,8 +16,8 @@ class Region {
 public:
   static constexpr double step = 0.3;  ///< Between grid points [mm].
 
-  /// Takes what lies within `radius_mm` of a point along every axis of P. Outside the volume the
-  /// grid has no values.
+  /// Samples a cube of half width `radius_mm` aligned with P. Outside the volume the grid has no
+  /// values.
   Region(const CtVolume& volume, const Eigen::Vector3d& center_P, double radius_mm);
 
   int count() const { return count_; }
@@ -42,14 +42,14 @@ private:
   std::vector<unsigned char> known_;
 };
 
-/// Intensities of what matters in a temporal bone; not HU in a cone-beam scan.
+/// Intensity levels in a temporal bone; not HU in a cone-beam scan.
 struct Levels {
   double bone = 0.0;               ///< Otic capsule.
-  std::vector<double> candidates;  ///< What the lumen may be filled with: fluid, air.
+  std::vector<double> candidates;  ///< Possible contents of the lumen: fluid, air.
 };
 
-/// Finds the levels within `radius_mm` of a point: bone above the threshold that splits the
-/// histogram best (Otsu 1979), the others as peaks of the histogram of homogeneous places.
+/// Finds the levels within `radius_mm` of a point: bone above Otsu's threshold (1979), the others
+/// as peaks of the histogram of homogeneous points.
 Levels findLevels(const Region& region, const Eigen::Vector3d& center_P, double radius_mm);
 
 }  // namespace perilymph::ct

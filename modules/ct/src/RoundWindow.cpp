@@ -14,24 +14,25 @@
 namespace perilymph::ct {
 namespace {
 
-// The map: a degree by 0.05 mm.
+// The map has a resolution of a degree by 0.05 mm.
 constexpr int columns = 76, rows = 80;
 constexpr double firstAngle_deg = -32.0, lowest_mm = -1.6, rowStep_mm = 0.05;
 constexpr double degree_mm = 0.1;  // along the wall, at a radius of 5.7 mm
-constexpr double beyond_mm = 1.0;  // how far bone is looked for behind the fitted wall
+constexpr double beyond_mm = 1.0;  // search range of bone behind the fitted wall
 
-// Over ten real ears the marked round window lies about here in W (6.8 degrees, spread 8).
+// In ten real ears the marked round window is about here in W (6.8 degrees, spread 8).
 constexpr double usual_deg = 5.0, usualSpread_deg = 10.0;
-constexpr double usualDepth_mm = 0.9, usualDepthSpread_mm = 0.5;  // below the section's middle
-// Seen from the axis, the niche's opening lies ahead of the marked center: of ten real ears, each
-// left out in turn, by 2.2 to 2.9 degrees, with a spread of 2.1.
+constexpr double usualDepth_mm = 0.9, usualDepthSpread_mm = 0.5;  // below the section's center
+// Seen from the axis, the niche's opening is ahead of the marked center: by 2.2 to 2.9 degrees in
+// leave-one-out on ten real ears, with a spread of 2.1.
 constexpr double niche_deg = 2.5;
 constexpr double foundSpread_deg = 2.5;
-// The membrane's center lies behind the plane of the bony rim: by 0.11 mm on phantoms, and by 0.18
-// on ten real ears (but -0.03 on the four with fluid); the smallest that both allow is taken.
+// The membrane's center is behind the plane of the bony rim: by 0.11 mm on phantoms, and by 0.18 on
+// ten real ears (but -0.03 on the four with fluid); the smallest value consistent with both is
+// used.
 constexpr double recess_mm = 0.05;
 
-/// For every angle and height, how far from the axis bone begins; NaN where it does not.
+/// Distance from the axis at which bone begins, for every angle and height; NaN if there is none.
 using BoneMap = std::vector<double>;
 
 double angleOf(double column) { return degrees(firstAngle_deg + column).si(); }
@@ -69,11 +70,11 @@ BoneMap mapOf(const CtVolume& volume, const ShapedLumen& lumen, const FitState& 
   return map;
 }
 
-/// Pixels without bone that hang together.
+/// A connected component of pixels without bone.
 struct Opening {
   std::vector<int> pixels;
-  double column = 0.0, row = 0.0;  ///< Their middle.
-  bool isCut = false;              ///< Reaches the map's edge.
+  double column = 0.0, row = 0.0;  ///< Its center.
+  bool isCut = false;              ///< It reaches the map's edge.
 };
 
 Opening grow(const BoneMap& map, int seed, std::vector<bool>& isTaken)
@@ -103,8 +104,8 @@ Opening grow(const BoneMap& map, int seed, std::vector<bool>& isTaken)
   return opening;
 }
 
-/// The opening likeliest to be the window: of a window's size and near its usual place. Empty where
-/// there is none.
+/// The opening most likely to be the window: of a window's size and near its usual position. Empty
+/// if there is none.
 Opening likeliestOpening(const BoneMap& map, double usualHeight_mm)
 {
   constexpr double minArea_mm2 = 0.15, maxArea_mm2 = 5.0, maxCost = 12.0, cutCost = 4.0;
@@ -129,7 +130,7 @@ Opening likeliestOpening(const BoneMap& map, double usualHeight_mm)
   return best;
 }
 
-/// Radius of the wall at a place of the map: a plane through what bone there is around the opening.
+/// Radius of the wall at a point of the map: a plane fitted to the bone around the opening.
 double radiusAcross(const BoneMap& map, const Opening& opening, double column, double row)
 {
   Eigen::Matrix3d left = Eigen::Matrix3d::Identity() * 1e-6;
@@ -143,7 +144,7 @@ double radiusAcross(const BoneMap& map, const Opening& opening, double column, d
       const double up = rowStep_mm * (i / columns - hole / columns);
       minimum = std::min(minimum, along * along + up * up);
     }
-    // Next to the hole the niche rounds the edge; far from it the wall is another.
+    // Near the hole the niche rounds the edge; far from it the wall differs.
     if (minimum < 0.14 * 0.14 || minimum > 0.4 * 0.4) continue;
     const Eigen::Vector3d term(1.0, degree_mm * (i % columns - column),
                                rowStep_mm * (i / columns - row));
@@ -170,7 +171,8 @@ RoundWindow findRoundWindow(const CtVolume& volume, const ShapedLumen& lumen, co
     row = opening.row;
     const double across = radiusAcross(map, opening, column, row);
     const double byShape = lumen.place(angleOf(column)).outer;
-    // A rim far from the fitted wall is another's: the wall itself is the better guess.
+    // A rim far from the fitted wall is a different structure: the wall itself is the better
+    // estimate.
     radius = (std::fabs(across - byShape) < 0.8 ? across : byShape) - recess_mm;
     window.isFound = true;
     window.angleError = degrees(foundSpread_deg).si();

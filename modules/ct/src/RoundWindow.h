@@ -1,6 +1,7 @@
 #pragma once
 
-// The round window in a fitted cochlea: the hole in the bone at the basal end of the outer wall.
+// Detection of the round window in a fitted cochlea: the hole in the bone at the basal end of the
+// outer wall.
 
 #include <optional>
 
@@ -14,11 +15,11 @@ struct RoundWindow {
   Eigen::Vector3d center_W;
   double angle = 0.0;       ///< In W [rad].
   double angleError = 0.0;  ///< Standard deviation [rad].
-  bool isFound = false;     ///< False: the spiral alone says where it may be.
+  bool isFound = false;     ///< False: estimated from the spiral only.
 };
 
-/// Looks outward from the lumen for bone. Where no ray meets bone is the window's opening; its
-/// center is the opening's, and its distance from the axis that of the bony rim, by a plane.
+/// Searches outward from the lumen for bone. The window's opening is where no ray meets bone; its
+/// center is that of the opening, and its distance from the axis that of the bony rim, by a plane.
 RoundWindow findRoundWindow(const CtVolume& volume, const ShapedLumen& lumen,
                             const FitState& state);
 

@@ -10,9 +10,9 @@ namespace {
 
 constexpr double seedStep_mm = 4.0;
 constexpr double sphere_mm = 4.5, sphereStep_mm = 1.3;
-constexpr double bothSides_mm = 100.0;  // a volume this wide shows both ears
+constexpr double bothSides_mm = 100.0;  // a volume this wide contains both ears
 
-/// The intensity below which a share of the voxels lies.
+/// A quantile of the intensities.
 double quantile(const CtVolume& volume, double fraction)
 {
   std::vector<std::uint32_t> histogram(65536);
@@ -52,7 +52,7 @@ std::optional<double> midline_P(const CtVolume& volume)
 std::vector<Eigen::Vector3d> findSeeds(const CtVolume& volume, std::optional<anatomy::Side> side,
                                        std::size_t count)
 {
-  // Dense bone is told by the volume's own brightest hundredth: levels are not fixed.
+  // Dense bone is defined by the volume's own 99th percentile: levels are not fixed.
   const double bright = quantile(volume, 0.99), dark = quantile(volume, 0.02);
   const double dense = dark + 0.8 * (bright - dark), hollow = dark + 0.55 * (bright - dark);
   std::vector<Eigen::Vector3d> sphere;
@@ -87,7 +87,7 @@ std::vector<Eigen::Vector3d> findSeeds(const CtVolume& volume, std::optional<ana
         if (known * 2 < static_cast<int>(sphere.size())) continue;
         const double boneFraction = static_cast<double>(bone) / known;
         const double holeFraction = static_cast<double>(hole) / known;
-        // A third of the sphere around a cochlea's middle is lumen and canal.
+        // A third of the sphere around a cochlea's center is lumen and canal.
         scored.push_back({boneFraction - 2.0 * std::fabs(holeFraction - 0.33), place_P});
       }
   std::stable_sort(scored.begin(), scored.end(),

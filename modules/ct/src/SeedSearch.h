@@ -1,6 +1,6 @@
 #pragma once
 
-// Where in a volume a cochlea may be, when nobody has clicked.
+// Automatic search for cochleae in a volume.
 
 #include <Eigen/Core>
 #include <optional>
@@ -11,13 +11,14 @@
 
 namespace perilymph::ct {
 
-/// The middle of the head, if the volume is wide enough to show both sides: its center along x.
+/// The x coordinate of the head's midline, if the volume is wide enough to contain both sides: its
+/// center.
 std::optional<double> midline_P(const CtVolume& volume);
 
-/// Places 4 mm apart where the densest bone of the volume surrounds something else, as the otic
-/// capsule surrounds the labyrinth; best first.
+/// Points 4 mm apart where the densest bone surrounds lower intensities, as the otic capsule
+/// surrounds the labyrinth; best first.
 ///
-/// @param side  If known and the volume shows both sides, places of the other are left out.
+/// @param side  If known and the volume contains both sides, points of the other are omitted.
 std::vector<Eigen::Vector3d> findSeeds(const CtVolume& volume, std::optional<anatomy::Side> side,
                                        std::size_t count);
 

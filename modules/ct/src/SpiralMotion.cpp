@@ -23,7 +23,7 @@ Seven constraint(const Eigen::Vector3d& p, const Eigen::Vector3d& n)
   return phi;
 }
 
-/// J J^T for errors of the point and of the normal.
+/// J J^T for the errors of the point and of the normal.
 Seven2 uncertainty(const Eigen::Vector3d& p, const Eigen::Vector3d& n)
 {
   Eigen::Matrix<double, 7, 6> derivative = Eigen::Matrix<double, 7, 6>::Zero();
@@ -84,8 +84,7 @@ std::optional<SpiralAxis> fitSpiralMotion(const std::vector<SurfacePoint>& point
   Eigen::Matrix3d still = motion[6] * Eigen::Matrix3d::Identity();
   still +=
       (Eigen::Matrix3d() << 0.0, -r.z(), r.y(), r.z(), 0.0, -r.x(), -r.y(), r.x(), 0.0).finished();
-  // Without growth the velocity stands still nowhere: take the point of the axis nearest the
-  // middle.
+  // Without growth the velocity has no zero: take the point of the axis nearest to the center.
   Eigen::Vector3d center = r.cross(c) / r.squaredNorm();
   if (std::fabs(motion[6]) > 1e-3 * r.norm()) center = -still.fullPivLu().solve(c);
   return SpiralAxis{r.normalized(), middle + size * center};

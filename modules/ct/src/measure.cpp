@@ -1,4 +1,4 @@
-// The way from voxels to measures: levels, coarse search, fit, round window, read-out.
+// The measurement pipeline: levels, coarse search, fit, round window, measures.
 
 #include <algorithm>
 #include <cmath>
@@ -22,17 +22,17 @@ namespace {
 
 constexpr double maxVoxel_mm = 1.0, coarseVoxel_mm = 0.65;
 constexpr double clickReach_mm =
-    4.5;  // from a click in the cochlea to the middle of its basal turn
+    4.5;  // from a click in the cochlea to the center of its basal turn
 constexpr double seedReach_mm = 2.9;
 constexpr double regionRadius_mm = 11.5, levelRadius_mm = 6.5;
 constexpr std::size_t seeds = 24, startsPerLevel = 6;
 constexpr std::size_t fewVoxels = 3000, someVoxels = 8000, manyVoxels = 14000;
 
-// Misfits of phantoms and of ten real ears are up to 0.25; of places that are no cochlea, among the
-// starts, mostly 0.3 and more.
+// Misfits of phantoms and of ten real ears are up to 0.25; starts without a cochlea mostly have 0.3
+// and more.
 constexpr double poorMisfit = 0.30, refusedMisfit = 0.42;
 constexpr double sectionLimit_mm = 0.25, sectionMissing = 0.25;
-constexpr double axisError_deg = 3.0;  // against the frames of real ears and of phantoms
+constexpr double axisError_deg = 3.0;  // compared with the frames of real ears and of phantoms
 
 const char* const canceled = "The measurement was canceled.";
 
@@ -54,7 +54,7 @@ public:
     report(0.3);
     FitResult best, bestMirrored;
     if (const auto done = chooseStart(*started, best, bestMirrored); !done) return done.error();
-    // The voxels are chosen again each time: the wall has moved.
+    // The voxels are selected again each time, because the wall has moved.
     for (int round = 0; round < 4; ++round) {
       if (isStopped()) return Error{canceled};
       const auto voxels =
@@ -82,7 +82,7 @@ private:
 
   static Eigen::Vector3d sliceNormal(const CtVolume& volume)
   {
-    // The slices' normal is the axis with the longest step; equal steps leave the third.
+    // The slice normal is the axis with the largest spacing; for equal spacings the third.
     const Eigen::Vector3d spacing = volume.spacing_mm();
     Eigen::Index axis = 2;
     for (Eigen::Index i = 0; i < 3; ++i)
@@ -107,7 +107,7 @@ private:
     if (request_.onProgress) request_.onProgress(fraction);
   }
 
-  /// Poses at one place, for every level that the lumen may have.
+  /// Poses near one point, for every possible level of the lumen.
   void searchAt(const Eigen::Vector3d& place_P, double reach_mm, std::size_t count,
                 std::vector<Start>& found) const
   {
@@ -176,7 +176,7 @@ private:
           "Too few voxels lie near the place given to measure a cochlea. Click into the cochlea, "
           "and "
           "take a series that shows all of it."};
-    // The best few go on with their shape set free before one is chosen.
+    // The shape of the best few is fitted before one is selected.
     constexpr std::size_t finalists = 3;
     const bool isRight = results.front().state.pose.isRight();
     for (std::size_t i = 0; i < results.size(); ++i) {
@@ -245,7 +245,7 @@ private:
     return measures;
   }
 
-  /// A click is one more observation of the window's angle, 0.5 mm precise.
+  /// A click is an additional observation of the window's angle with a precision of 0.5 mm.
   static void useClick(const Eigen::Vector3d& click_P, const FitState& state, RoundWindow& window)
   {
     const Eigen::Vector3d click_W = state.pose.into_W(click_P);
@@ -313,8 +313,8 @@ private:
     raise(Flag::clipped, check.clipped > 0.02);
   }
 
-  /// Air is told from fluid by Hounsfield units: of the measures, only this flag needs a scanner
-  /// whose fluid lies within 400 of water. Ten ears had -760 to -910 and 30 to 150.
+  /// Distinguishes air from fluid by Hounsfield units: only this flag requires a scanner whose
+  /// fluid is within 400 of water. Ten ears had -760 to -910 and 30 to 150.
   static bool isAir(const CochleaMeasures& measures)
   {
     constexpr double airBelow = -400.0;

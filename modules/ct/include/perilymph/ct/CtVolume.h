@@ -1,6 +1,6 @@
 #pragma once
 
-// A CT as the engine sees it: voxels, and where they lie in the patient. Knows no file format.
+// CT data: voxels and their position in the patient. Independent of file formats.
 
 #include <Eigen/Core>
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace perilymph::ct {
 
-/// Where a volume came from. Never a patient's name, number or date of birth.
+/// Origin of a volume. Never contains a patient's name, number or date of birth.
 struct CtProvenance {
   std::string seriesKey;  ///< Fingerprint of the series, empty if unknown.
   std::string scanner;    ///< Maker and model, empty if unknown.
@@ -22,8 +22,8 @@ struct CtProvenance {
 };
 
 /// Voxels of 16 bits on a regular grid. Frame P is the patient's, LPS in mm, as in DICOM: x toward
-/// the patient's left, y posterior, z superior. Frame I is the voxel index (i, j, k), voxel centers
-/// at whole numbers. The grid may be oblique; it may be left-handed, as the file has it.
+/// the patient's left, y posterior, z superior. Frame I is the voxel index (i, j, k) with voxel
+/// centers at integers. The grid may be oblique and may be left-handed, as in the file.
 class CtVolume {
 public:
   /// @param size    Voxels along i, j, k; i runs fastest.
@@ -48,7 +48,7 @@ public:
   {
     return inverse_ * (point_P - origin_);
   }
-  /// True where trilinear interpolation has all its eight voxels.
+  /// True if all eight voxels of a trilinear interpolation are in the volume.
   bool contains(const Eigen::Vector3d& point_P) const;
 
   std::int16_t voxel(int i, int j, int k) const
@@ -59,7 +59,7 @@ public:
                    static_cast<std::size_t>(i)];
   }
 
-  /// Intensity at a point in P [mm], trilinear; none outside the volume.
+  /// Intensity at a point in P [mm], trilinear; empty outside the volume.
   std::optional<double> sample(const Eigen::Vector3d& point_P) const;
 
   /// The part of the volume within `radius_mm` of a point along every index axis. Refuses points

@@ -1,6 +1,6 @@
 #pragma once
 
-// From a temporal-bone CT to A, B and H of the patient's cochlea, each with its error.
+// Measures A, B and H of the patient's cochlea from a temporal-bone CT, each with its error.
 
 #include <Eigen/Core>
 #include <array>
@@ -15,21 +15,21 @@
 
 namespace perilymph::ct {
 
-/// What a reader of the measures must know. Each has a name and a sentence.
+/// Warnings about the measures. Each has a name and a sentence.
 enum class Flag {
-  coarseVoxels,       ///< A voxel is longer than the fit was tried with.
+  coarseVoxels,       ///< A voxel is longer than those the fit was tested with.
   airInCochlea,       ///< The lumen is filled with air, as in a dried specimen.
   mirrored,           ///< The spiral's handedness contradicts the side.
-  outsidePopulation,  ///< A or B is more than two standard deviations from the population's mean.
-  poorFit,            ///< The voxels near the wall are badly explained.
-  sectionsDisagree,   ///< Half-maximum walls and fitted ones lie apart.
-  roundWindowUnsure,  ///< The round window was not found; 0 degrees follows from the spiral alone.
-  clipped,            ///< Part of the cochlea lies outside the volume.
+  outsidePopulation,  ///< A or B is more than two standard deviations from the population mean.
+  poorFit,            ///< The model explains the voxels near the wall poorly.
+  sectionsDisagree,   ///< Half-maximum walls and fitted ones differ.
+  roundWindowUnsure,  ///< The round window was not found; 0 degrees is estimated from the spiral.
+  clipped,            ///< Part of the cochlea is outside the volume.
 };
 
 /// Name of a flag as in files: "air_in_cochlea".
 const char* nameOf(Flag flag);
-/// One sentence that says what it means and what to do.
+/// One sentence with the meaning and the recommended action.
 const char* sentenceOf(Flag flag);
 /// All flags, for help texts.
 std::vector<Flag> allFlags();
@@ -37,18 +37,18 @@ std::vector<Flag> allFlags();
 /// A measure with the standard deviations of its error, by source.
 struct Measure {
   double value = 0.0;
-  double statistical = 0.0;  ///< From noise, voxels and blur.
-  double model = 0.0;        ///< From what no fitted shape can follow.
-  double definition = 0.0;   ///< From where 0 degrees, the round window's center, is.
+  double statistical = 0.0;  ///< Due to noise, voxels and blur.
+  double model = 0.0;        ///< Due to the limits of the fitted shape.
+  double definition = 0.0;   ///< Due to the position of 0 degrees, the round window's center.
 
   double sd() const;                         ///< Square root of the sum of squares.
   std::array<double, 2> interval95() const;  ///< value -+ 1.96 sd.
 };
 
-/// What was found. Lengths in mm, positions and directions in P (LPS).
+/// Result of a measurement. Lengths in mm, positions and directions in P (LPS).
 struct CochleaMeasures {
   /// Diameters of the bony lumen's outer wall (half maximum) through the axis: A from 0 to 180
-  /// degrees, B from 90 to 270, 0 at the round window's center.
+  /// degrees, B from 90 to 270, with 0 at the round window's center.
   Measure a, b;
   /// Along the axis, from the lowest floor to the highest roof of the lumen.
   Measure h;
@@ -56,9 +56,8 @@ struct CochleaMeasures {
   Measure cdlOc;
 
   Eigen::Vector3d axis_P;  ///< Modiolar axis, from the base to the apex, unit.
-  /// Tilt of the axis against that of the spiral motion nearest to the half-maximum wall, found
-  /// without the shape's prior [deg]; the two are defined differently and lie 4 to 12 degrees
-  /// apart.
+  /// Angle between the axis and that of the best-fitting spiral motion of the half-maximum wall,
+  /// found without the shape prior [deg]; the two definitions differ by 4 to 12 degrees.
   double kinematicTilt_deg = 0.0;
   double axisError_deg = 0.0;     ///< Standard deviation of its tilt.
   Eigen::Vector3d center_P;       ///< On the axis, at the height of the round window's center.
@@ -67,18 +66,20 @@ struct CochleaMeasures {
   /// Determinant -1 for a left ear, whose W is mirrored.
   Eigen::Matrix3d axes_PW = Eigen::Matrix3d::Identity();
 
-  anatomy::Side side = anatomy::Side::right;  ///< By the handedness of the spiral.
-  double handednessMargin = 0.0;  ///< Misfit of the best mirror image less that of the fit.
+  anatomy::Side side = anatomy::Side::right;  ///< From the handedness of the spiral.
+  double handednessMargin = 0.0;  ///< Misfit of the best mirror image minus that of the fit.
 
   double boneLevel = 0.0, lumenLevel = 0.0;         ///< Intensities.
   double blurInPlane_mm = 0.0, blurAxial_mm = 0.0;  ///< Standard deviations of the PSF.
-  double misfit = 0.0;         ///< Share of the voxels near the wall that is not explained, 0 to 1.
-  double sectionRms_mm = 0.0;  ///< Half-maximum wall in mid-modiolar sections against the fit.
+  double misfit = 0.0;         ///< Fraction of the voxels near the wall that is not explained, 0 to
+                               ///< 1.
+  double sectionRms_mm = 0.0;  ///< Distance of the half-maximum wall in mid-modiolar sections from
+                               ///< the fit.
 
   /// Points of the lumen's wall: rings 4 degrees apart, from the spiral's 0 degrees on.
   std::vector<Eigen::Vector3d> wall_P;
   std::size_t wallPointsPerRing = 0;
-  std::vector<std::array<int, 3>> wallTriangles;  ///< Between them.
+  std::vector<std::array<int, 3>> wallTriangles;  ///< Triangles between these points.
   std::vector<Flag> flags;
   CtProvenance provenance;
 
@@ -86,20 +87,20 @@ struct CochleaMeasures {
 };
 
 struct MeasureRequest {
-  std::optional<Eigen::Vector3d> click_P;  ///< Anywhere in the cochlea; none: search the volume.
-  /// Weak priors, never truth: the round window's center, as clicked.
+  std::optional<Eigen::Vector3d> click_P;  ///< Any point in the cochlea; empty: search the volume.
+  /// Weak priors, never ground truth: the round window's center, as clicked.
   std::optional<Eigen::Vector3d> roundWindow_P;
-  std::optional<anatomy::Side> side;  ///< What is known of the ear, to be compared.
-  /// Told the share done, 0 to 1, on the calling thread.
+  std::optional<anatomy::Side> side;  ///< Known side of the ear, for comparison.
+  /// Receives the completed fraction, 0 to 1, on the calling thread.
   std::function<void(double)> onProgress;
-  /// Asked several times a second on the calling thread; true cancels.
+  /// Called several times a second on the calling thread; true cancels.
   std::function<bool()> isCanceled;
 };
 
 /// Finds the cochlea, fits the anatomy to the voxels and measures it. Deterministic; takes seconds.
 /// Not real-time safe.
 ///
-/// Refuses with a sentence: a volume without a cochlea, voxels over 1 mm, a cochlea so far from the
+/// Refuses with a message: a volume without a cochlea, voxels over 1 mm, a cochlea so far from the
 /// population that A, B and H do not apply (malformation), and a canceled search.
 Result<CochleaMeasures> measureCochlea(const CtVolume& volume, const MeasureRequest& request);
 

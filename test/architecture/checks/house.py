@@ -17,7 +17,7 @@ PICTURE = "resources/pictures/house.svg"
 WIDTH, MARGIN, BOX, STEP, SPACE, SWEEPS = 1180, 20, (190, 44), 92, 232, 12
 INK, LINE, PAPER = "#1c2733", "#8a97a5", "#ffffff"
 FILL = {"engine": "#dcebf7", "toolkit": "#e3f0dd", "app": "#f6e7cf"}
-SAID = {"engine": "engine: C++ and Eigen, no VTK, no Qt", "toolkit": "toolkit: may use VTK", "app": "what people start"}
+SAID = {"engine": "engine: C++ and Eigen, no VTK, no Qt", "toolkit": "toolkit: may use VTK", "app": "programs"}
 
 
 def kind(layer):
@@ -75,7 +75,7 @@ def draw(root):
     return "\n".join([
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{height:g}" viewBox="0 0 {WIDTH} {height:g}" '
         f'font-family="Inter, DejaVu Sans, sans-serif" text-anchor="middle" fill="{INK}">',
-        "<title>The modules of Perilymph: an arrow leads to what a module may use</title>",
+        "<title>The modules of Perilymph: an arrow points to what a module may use</title>",
         f'<defs><marker id="tip" viewBox="0 0 8 8" refX="8" refY="4" markerWidth="7" markerHeight="7" orient="auto">'
         f'<path d="M0 0 L8 4 L0 8 z" fill="{LINE}"/></marker></defs>',
         f'<rect width="{WIDTH}" height="{height:g}" fill="{PAPER}"/>',

@@ -14,7 +14,7 @@ namespace perilymph::cli {
 
 namespace {
 
-// Every anatomy takes its sections from there, the published one as percentages.
+// Source of the sections of every anatomy; the published one uses them as percentages.
 constexpr const char* sectionCredit =
     "Sections: mean of 15 scalae tympani, Froehlich et al. 2024, PLOS ONE, doi "
     "10.1371/journal.pone.0295121, CC BY 4.0, adapted.";
@@ -120,7 +120,7 @@ Result<Done> describeAnatomy(const AnatomyOptions& options)
   const auto bands = analysis::errorBands(*cochlea, measures);
   if (!bands) return bands.error();
 
-  // The shape first: it is the one that a wrong ending may refuse.
+  // The surface first, because its file extension may be refused.
   if (!options.surface.empty())
     if (const auto done = writePart(**scala, patient.label, patient.side, options); !done)
       return done.error();

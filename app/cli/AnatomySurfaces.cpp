@@ -10,7 +10,7 @@ namespace perilymph::cli {
 
 namespace {
 
-// Enough for the eye: the wall's triangles are then some 0.1 mm long.
+// Sufficient for display: the wall's triangles are about 0.1 mm long.
 constexpr int wallTriangles = 20'000;
 constexpr int membraneTriangles = 4'000;
 

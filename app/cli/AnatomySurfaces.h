@@ -1,6 +1,6 @@
 #pragma once
 
-// The shapes that `anatomy` writes.
+// Surface output of `anatomy`.
 
 #include <string>
 
@@ -10,22 +10,22 @@
 
 namespace perilymph::cli {
 
-/// What --json says of the haptic surface.
+/// Data of the haptic surface in the --json output.
 struct HapticSurfaceNumbers {
   int triangles = 0;
   int visualTriangles = 0;
   anatomy::SurfaceDeviation surfaceDistance;
 };
 
-/// Writes a surface in W with a title; a left ear as the mirror image of the right one inside.
+/// Writes a surface in W with a title; mirrored for a left ear.
 Result<Done> writeEar(anatomy::Surface surface, const std::string& what, const std::string& label,
                       anatomy::Side side, const std::string& file);
 
-/// Writes what --surface with --part asks for.
+/// Writes the surface of --surface with --part.
 Result<Done> writePart(const anatomy::ScalaTympani& scala, const std::string& label,
                        anatomy::Side side, const AnatomyOptions& options);
 
-/// Writes what --haptic-surface asks for.
+/// Writes the surface of --haptic-surface.
 Result<HapticSurfaceNumbers> writeHapticSurface(const anatomy::ScalaTympani& scala,
                                                 const std::string& label, anatomy::Side side,
                                                 const AnatomyOptions& options);

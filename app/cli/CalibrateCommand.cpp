@@ -54,7 +54,7 @@ Result<Done> calibrate(const CalibrateOptions& options, const CallFiles& files)
   if (!file) return file.error();
   auto variability = analysis::loadVariability(*file);
   if (!variability) return variability.error();
-  // What is fitted anew begins with the array's own data.
+  // A new fit starts from the array's own data.
   session::Overrides overrides = options.overrides;
   overrides.emplace_back("calibration", "");
   auto scenario = session::loadScenario(variability->scenario, overrides);
@@ -73,7 +73,7 @@ Result<Done> calibrate(const CalibrateOptions& options, const CallFiles& files)
   watchForInterruption();
   print("Fitting the array of {} to two printed forces.\n", request.scenario.name);
   flushOutput();
-  // How many trials there will be is not known; about thirty.
+  // The number of trials is not known in advance; about thirty.
   const auto result = analysis::fitCalibration(request, [](std::size_t trials) {
     return showProgress("trial", trials + 1, std::max<std::size_t>(trials + 2, 30));
   });

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// True for a pipe, a terminal or /dev/null: it keeps no content and may be named twice.
+/// True for a pipe, a terminal or /dev/null, which may be named twice.
 bool isStream(const fs::path& file)
 {
   std::error_code ignored;

@@ -1,7 +1,7 @@
 #pragma once
 
-// The files of one call: what it reads and what it writes, so that no output replaces an input, a
-// recording or another output.
+// Input and output files of one call, checked so that no output replaces an input, a recording or
+// another output.
 
 #include <filesystem>
 #include <string>
@@ -12,34 +12,34 @@
 
 namespace perilymph::cli {
 
-/// Inputs and outputs of one call, each with the option that names it. Files are compared by
-/// identity: canonical path, device and inode.
+/// Inputs and outputs of one call, each with its option. Files are compared by identity: canonical
+/// path, device and inode.
 class CallFiles {
 public:
-  /// Adds a file that is read; a name that is no existing file has nothing to lose.
+  /// Adds a file to be read; ignored if it does not exist.
   void addInput(const std::string& option, const std::filesystem::path& file);
   void addOutput(const std::string& option, const std::filesystem::path& file);
-  /// Adds a recording that is written, with the files that SQLite puts beside it.
+  /// Adds a recording to be written, with the files that SQLite creates beside it.
   void addRecording(const std::string& option, const std::filesystem::path& file);
-  /// Adds a folder that is filled with files of these names.
+  /// Adds a folder to be filled with files of these names.
   void addOutputFolder(const std::string& option, const std::filesystem::path& folder,
                        const std::vector<std::string>& names);
 
-  /// Checks, before any work, that every output may be written and that none is an input, a
-  /// recording, a read-only file or another output.
+  /// Checks, before any work, that every output is writable and that none is an input, a recording,
+  /// a read-only file or another output.
   Result<Done> check() const;
 
   /// Checks that no output is one of the files that a scenario was read from.
   Result<Done> checkScenarioFiles(const std::vector<std::filesystem::path>& files) const;
 
-  /// True for a file that was added as an output.
+  /// True for a file added as an output.
   bool isOutput(const std::filesystem::path& file) const;
 
 private:
   enum class Kind {
     plain,
-    inFolder,   ///< Its folder is made when it is written.
-    recording,  ///< Its writer refuses every existing file itself.
+    inFolder,   ///< Its folder is created when it is written.
+    recording,  ///< Its writer refuses every existing file.
   };
   struct NamedFile {
     std::string option;

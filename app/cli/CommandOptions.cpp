@@ -1,4 +1,4 @@
-// The options of every command, and which of them name files.
+// The options of all commands, and which of them name files.
 
 #include "CommandOptions.h"
 
@@ -26,7 +26,7 @@ std::vector<std::string> withFigures(std::vector<std::string> names,
   return names;
 }
 
-/// One option that sets a scenario's key of the same meaning.
+/// An option that sets the corresponding key of a scenario.
 CLI::Option* overrideOption(CLI::App& command, const std::string& option, const std::string& key,
                             session::Overrides& overrides, const std::string& help)
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-// The commands as they stand on the command line.
+// Definition of the commands on the command line.
 
 #include "CallFiles.h"
 #include "Commands.h"
@@ -12,7 +12,7 @@ class App;
 
 namespace perilymph::cli {
 
-/// What the commands are told; filled while the command line is parsed.
+/// The options of all commands; filled while the command line is parsed.
 struct CommandOptions {
   SimulateOptions simulate;
   AnatomyOptions anatomy;
@@ -25,10 +25,10 @@ struct CommandOptions {
   DevicesOptions devices;
 };
 
-/// Declares every command with its options, and marks the options that name files.
+/// Declares all commands and options, and marks the options that name files.
 void addCommands(CLI::App& app, FileOptions& files, CommandOptions& options);
 
-/// Runs the command that was parsed.
+/// Runs the parsed command.
 Result<Done> runCommand(const CLI::App& app, const CallFiles& files, const CommandOptions& options);
 
 }  // namespace perilymph::cli

@@ -1,8 +1,7 @@
 #pragma once
 
-// The subcommands: what they are told, and the calls that carry them out. Each call prints its
-// summary to standard output and gives a sentence where it could not be done. That its outputs may
-// be written is checked before (CallFiles.h).
+// The subcommands: their options and functions. Each function prints its summary to standard output
+// and returns an error if it failed. Output files are checked before (CallFiles.h).
 
 #include <cstdint>
 #include <optional>
@@ -19,9 +18,9 @@ class CallFiles;
 
 struct SimulateOptions {
   std::string scenario;
-  session::Overrides overrides;   ///< From --patient, --array, --set and their like.
-  std::string csv, json, record;  ///< Files; empty where not asked for.
-  double every_ms = 0.0;          ///< Between rows of the CSV; 0: every tick.
+  session::Overrides overrides;   ///< From --patient, --array, --set and similar options.
+  std::string csv, json, record;  ///< Files; empty if not requested.
+  double every_ms = 0.0;          ///< Interval of CSV rows; 0: every tick.
 };
 Result<Done> simulate(const SimulateOptions& options, const CallFiles& files);
 
@@ -29,7 +28,7 @@ struct AnatomyOptions {
   std::string preset, patient, import;
   std::optional<double> stLength_mm, rwWidth_mm, rwHeight_mm;
   std::optional<double> a_mm, b_mm, h_mm;
-  std::optional<std::uint64_t> sample;  ///< The seed of a virtual patient.
+  std::optional<std::uint64_t> sample;  ///< Seed of a virtual patient.
   std::string json, sections, surface, hapticSurface;
   std::string part = "scala";
 };
@@ -49,7 +48,7 @@ struct ValidateOptions {
   session::Overrides overrides;  ///< From --model and --set.
   int runs = 200;
   std::uint64_t seed = 1;
-  unsigned jobs = 0;  ///< 0: as many as the machine has.
+  unsigned jobs = 0;  ///< 0: one per processor.
   std::string out;
 };
 Result<Done> validate(const ValidateOptions& options, const CallFiles& files);
@@ -90,10 +89,10 @@ Result<Done> render(const RenderOptions& options, const CallFiles& files);
 
 struct DevicesOptions {
   std::string json;
-  std::optional<int> test;  ///< The number of the node to try out, as in /dev/hidraw3.
-  std::string capture;      ///< Where the test keeps every report.
-  std::string plugin;       ///< A shared library with a device of a new kind, to try out.
-  std::string replay;       ///< A tape to be read instead of a device.
+  std::optional<int> test;  ///< Number of the node to test, as in /dev/hidraw3.
+  std::string capture;      ///< Recording file of the test's reports.
+  std::string plugin;       ///< Shared library of a plug-in to test.
+  std::string replay;       ///< Tape to be read instead of a device.
 };
 Result<Done> devices(const DevicesOptions& options);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// A captured device read again, where the device is not.
+// Evaluation of a captured device without the device.
 
 #include <string>
 
@@ -8,7 +8,7 @@
 
 namespace perilymph::cli {
 
-/// Prints what the tape is of and what its reports say; writes it as JSON if a file is named.
+/// Prints the tape's device and statistics of its reports; writes JSON if a file is named.
 Result<Done> replayDevice(const std::string& tape, const std::string& json);
 
 }  // namespace perilymph::cli

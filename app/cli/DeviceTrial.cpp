@@ -19,7 +19,7 @@ constexpr double timeStep = 1e-3;         // [s]
 constexpr double listeningTime = 3.0;     // [s]
 constexpr double patienceForHold = 20.0;  // [s]
 
-/// Ticks at 1 kHz, by the device's reports where it sends them so.
+/// Ticks at 1 kHz, triggered by the device's reports if possible.
 class Beat {
 public:
   explicit Beat(device::HapticDevice& hand)
@@ -63,7 +63,7 @@ void listen(device::HapticDevice& hand, Beat& beat, TrialOutcome& outcome)
   }
 }
 
-/// Gives the axes on which the force was shown.
+/// Returns the number of axes on which the force was rendered.
 int showForces(device::HapticDevice& hand, Beat& beat)
 {
   haptics::ForceTrial trial(hand.traits(), timeStep);
@@ -87,7 +87,7 @@ Result<TrialOutcome> tryOpened(device::HapticDevice& hand)
 {
   if (const auto opened = hand.open(); !opened) return opened.error();
   watchForInterruption();
-  // Without the priority the figures are worse, and true.
+  // Without the priority the figures are worse, but valid.
   realtime::requestRealTimePriority();
 
   TrialOutcome outcome;

@@ -87,7 +87,7 @@ Json described(const FoundDevice& found)
   return json;
 }
 
-/// What a plug-in's device did: less is known of it, for it measures nothing itself.
+/// Results of a plug-in's device, which measures nothing itself.
 Json describedPlugin(const TrialOutcome& trial)
 {
   return {{"name", trial.traits.name},
@@ -180,7 +180,7 @@ Result<FoundDevice> deviceOfNumber(const device::DeviceSurvey& survey, int numbe
   return Error{"There is no " + node + ". 'perilymph-cli devices' shows those there are."};
 }
 
-/// A plug-in by itself: no HID device has to do with it.
+/// Tests a plug-in, independently of HID devices.
 Result<Done> tryOut(const std::string& plugin, const std::string& file)
 {
   const auto trial = tryPlugin(plugin);

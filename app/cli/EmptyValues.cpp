@@ -7,7 +7,7 @@ namespace perilymph::cli {
 
 namespace {
 
-/// Not a ValidationError, before which CLI11 would write the option's name once more.
+/// Not a ValidationError, which CLI11 would prefix with the option's name again.
 CLI::ConversionError emptyValue(const std::string& name)
 {
   return CLI::ConversionError(name + " is empty; give it a value (is a shell variable unset?)");
@@ -20,7 +20,7 @@ void refuseEmptyValues(CLI::App& app)
   for (CLI::Option* option : app.get_options()) {
     if (option->get_items_expected_max() == 0) continue;  // a flag
     const std::string name = option->get_name();
-    // A transform comes before every other check of the option.
+    // A transform precedes every other check of the option.
     option->transform([name](const std::string& value) -> std::string {
       if (value.empty()) throw emptyValue(name);
       return value;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Values that are empty, as an unset variable of the shell leaves them.
+// Refusal of empty values, such as those of unset shell variables.
 
 #include <string>
 
@@ -11,15 +11,15 @@ class App;
 namespace perilymph::cli {
 
 /// Makes every option and positional of an application and its commands refuse an empty value. Call
-/// it once all of them are declared.
+/// it after all of them are declared.
 void refuseEmptyValues(CLI::App& app);
 
-/// Refuses `--option=` without a value, for which CLI11 would take the next word of the call.
+/// Refuses `--option=` without a value, for which CLI11 would take the next argument.
 ///
 /// @throws CLI::ConversionError
 void refuseEmptyAssignments(int argc, const char* const* argv);
 
-/// The value of `key=value` after a setting's key.
+/// The value in `key=value`.
 ///
 /// @throws CLI::ValidationError for an empty one.
 std::string settingValue(const std::string& option, const std::string& setting, std::size_t equals);

@@ -8,7 +8,7 @@ namespace perilymph::cli {
 
 namespace {
 
-/// The text between the quotation marks of a TOML string; any other value as it is.
+/// The content of a TOML string; any other value unchanged.
 std::string unquoted(const std::string& value)
 {
   const bool isQuoted = value.size() >= 2 && (value.front() == '"' || value.front() == '\'') &&

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which options of the command line name files, and what becomes of these files.
+// The options that name files, and the files of a call.
 
 #include <string>
 #include <vector>
@@ -14,21 +14,21 @@ class Option;
 namespace perilymph::cli {
 
 /// Marks options as inputs and outputs while they are declared, and collects the files of a parsed
-/// call. Every option that names a file is marked here, once.
+/// call. Every option that names a file is marked here once.
 class FileOptions {
 public:
-  /// Marks an option whose value is a file that is read, or a shipped name in `shippedFolder`.
+  /// Marks an option whose value is an input file, or a shipped name in `shippedFolder`.
   void reads(CLI::Option* option, const std::string& shippedFolder = {});
   /// Marks an option whose values are `key=FILE` or `key=value`.
   void readsSettings(CLI::Option* option);
-  /// Marks an option whose value is a file that is written.
+  /// Marks an option whose value is an output file.
   void writes(CLI::Option* option);
-  /// Marks an option whose value is a recording that is written.
+  /// Marks an option whose value is a recording to be written.
   void records(CLI::Option* option);
-  /// Marks an option whose value is a folder that is filled with files of these names.
+  /// Marks an option whose value is a folder to be filled with files of these names.
   void writesInto(CLI::Option* option, const std::vector<std::string>& names);
 
-  /// Files of the options that were given.
+  /// Files of the options given in the call.
   CallFiles filesOfCall() const;
 
 private:
@@ -44,7 +44,7 @@ private:
   std::vector<Marked> marked_;
 };
 
-/// The names of a figure's files: SVG, and PNG where this build writes it.
+/// Names of a figure's files: SVG, and PNG if this build supports it.
 std::vector<std::string> figureNames(const std::string& figure);
 
 }  // namespace perilymph::cli

@@ -39,7 +39,8 @@ std::vector<analysis::Measure> measuresOf(const anatomy::ImportedScala& scala)
   return measures;
 }
 
-/// A flat spiral or a steep helix is no cochlea, but can be a wrong unit or a stretched scan.
+/// Warnings of unusual shapes: a flat spiral or a steep helix may be a wrong unit or a stretched
+/// scan.
 std::vector<std::string> warningsOf(const anatomy::ImportedScala& scala)
 {
   anatomy::Patient measured;
@@ -54,7 +55,7 @@ std::string importJson(const std::string& label, const anatomy::ImportedScala& s
   json["side"] = scala.side == anatomy::Side::left ? "left" : "right";
   json["anatomy"] = "imported";
   json["triangles"] = scala.wall_W.triangles.size();
-  // where the cochlear frame lies in the file's
+  // pose of the cochlear frame in the file's frame
   const Eigen::Vector3d origin_mm = 1e3 * scala.place.origin_I;
   const Eigen::Vector3d axis = scala.place.axes_IW.col(2);
   const Eigen::Vector3d zero = scala.place.axes_IW.col(0);

@@ -5,8 +5,8 @@
 
 namespace perilymph::cli {
 
-/// JSON as this program writes it. U+FFFD stands in place of bytes that are not UTF-8, which names
-/// of files and devices may hold.
+/// JSON text as written by this program. Bytes that are not UTF-8, possible in names of files and
+/// devices, are replaced by U+FFFD.
 inline std::string jsonText(const nlohmann::ordered_json& json)
 {
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';

@@ -31,7 +31,7 @@ Result<Done> writePicture(const fs::path& file, const figures::Drawing& drawing)
 #endif
 }
 
-/// Every file of a folder is checked before the work begins, so it has to be announced.
+/// Every file of a folder is checked before the work begins, so it must have been declared.
 void expectOutput(const CallFiles& files, const fs::path& file)
 {
   if (!files.isOutput(file))
@@ -46,13 +46,13 @@ Result<Done> checkFolder(const std::string& folder)
   const fs::path place = fs::absolute(folder, ignored).lexically_normal();
   if (fs::exists(place, ignored) && !fs::is_directory(place, ignored))
     return Error{folder + " is a file. Give --out a folder's name."};
-  // The nearest folder that is there, and the first that will be made in it.
+  // The nearest existing folder, and the first one to be created in it.
   fs::path there = place, missing;
   while (!fs::is_directory(there, ignored) && there.has_relative_path()) {
     missing = there;
     there = there.parent_path();
   }
-  // Only trying tells for sure, so make it and take it away again.
+  // Only an attempt is conclusive: create it and remove it again.
   std::error_code failure;
   const bool canMake = missing.empty() || (fs::create_directory(missing, failure) && !failure);
   if (canMake && !missing.empty()) fs::remove(missing, ignored);

@@ -11,7 +11,7 @@ namespace perilymph::cli {
 
 namespace {
 
-/// True for characters that steer: Unicode's category Cc, its property Bidi_Control, and the
+/// True for control characters: Unicode's category Cc, its property Bidi_Control, and the
 /// separators of lines and paragraphs (Unicode 15, PropList.txt and UnicodeData.txt).
 bool steers(char32_t code)
 {

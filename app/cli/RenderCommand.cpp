@@ -24,7 +24,7 @@ constexpr auto unrolledView = "unrolled";
 
 Result<CameraPreset> presetOf(const std::string& view)
 {
-  if (view == unrolledView) return CameraPreset::surgeon;  // not asked: the view is flat
+  if (view == unrolledView) return CameraPreset::surgeon;  // not used: the view is flat
   constexpr std::array<std::pair<const char*, CameraPreset>, 4> views = {
       {{"surgeon", CameraPreset::surgeon},
        {"microscope", CameraPreset::microscope},
@@ -36,7 +36,7 @@ Result<CameraPreset> presetOf(const std::string& view)
                " is not known; use surgeon, microscope, overview, section or unrolled."};
 }
 
-/// The scala rolled out: no display is needed for it.
+/// The unrolled scala, which needs no display.
 Result<Done> drawUnrolled(const visualization::PictureRequest& request)
 {
   constexpr double width = 480.0, height = 320.0;  // at three pixels a point 1440 x 960
@@ -56,7 +56,7 @@ Result<Done> draw(const RenderOptions& options, const visualization::PictureRequ
   return done;
 }
 
-/// The cochlea alone.
+/// The cochlea without an array.
 Result<Done> drawAnatomy(const RenderOptions& options, visualization::PictureRequest request)
 {
   anatomy::Cochlea cochlea;
@@ -79,7 +79,7 @@ Result<Done> drawAnatomy(const RenderOptions& options, visualization::PictureReq
   return draw(options, request);
 }
 
-/// The array in its cochlea, pushed in to a travel in virtual time.
+/// The array in its cochlea, inserted to a travel in virtual time.
 Result<Done> drawInsertion(const RenderOptions& options, const CallFiles& files,
                            visualization::PictureRequest request)
 {

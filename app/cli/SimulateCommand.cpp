@@ -19,14 +19,14 @@ namespace perilymph::cli {
 
 namespace {
 
-/// Where rows go, if anywhere.
+/// Output of CSV rows, if requested.
 struct CsvRows {
   std::ofstream stream;
   session::CsvPeriod period{0.0};
 };
 
-/// Ticks after which an insertion that has not arrived never will: the way in and out at the
-/// script's speed, twice over.
+/// Ticks after which an insertion that has not finished never will: twice the time of insertion and
+/// withdrawal at the script's speed.
 std::uint64_t maxTicks(const session::Scenario& scenario)
 {
   const double way = scenario.stopTravel.si() * (scenario.withdraws ? 2.0 : 1.0);
@@ -34,7 +34,7 @@ std::uint64_t maxTicks(const session::Scenario& scenario)
       std::ceil(2.0 * way / (scenario.speed.si() * scenario.timeStep.si())) + 10'000.0);
 }
 
-/// What is known once the run is over.
+/// Result of the run.
 struct Outcome {
   analysis::ForceProfile profile;
   haptics::TickOutput last;
@@ -67,7 +67,7 @@ Result<Outcome> run(session::Insertion& insertion, CsvRows* rows)
   return outcome;
 }
 
-/// Runs with the rows going into a file that appears whole when the run is done, or not at all.
+/// Runs the insertion and writes the rows to a file, atomically at the end of the run.
 Result<Outcome> runIntoCsv(session::Insertion& insertion, const SimulateOptions& options)
 {
   std::optional<Result<Outcome>> outcome;
@@ -138,7 +138,7 @@ Result<Done> simulate(const SimulateOptions& options, const CallFiles& files)
   }
   printSummary(*scenario, *outcome);
 
-  // The run is done; that its recording is not has to be said all the same.
+  // The run succeeded, but an error of its recording must still be reported.
   if (const auto done = (*insertion)->closeRecording(); !done) return done.error();
   return Done{};
 }

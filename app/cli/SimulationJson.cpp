@@ -32,7 +32,7 @@ Json scenarioAsRun(const session::Scenario& scenario)
 Json point(const std::optional<analysis::CurvePoint>& point)
 {
   if (!point) return nullptr;
-  // Points of the curve lie on tenths of a millimeter; rounding errors are no news.
+  // Points of the curve are at tenths of a millimeter; remove rounding errors.
   return {{"force_N", point->force}, {"travel_mm", std::round(mm(point->travel) * 1e6) / 1e6}};
 }
 

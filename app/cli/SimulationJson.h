@@ -9,7 +9,7 @@
 
 namespace perilymph::cli {
 
-/// What `simulate --json` writes: the scenario as run and what came of it.
+/// Content of `simulate --json`: the scenario as run and its results.
 std::string simulationJson(const session::Scenario& scenario, const analysis::ForceProfile& profile,
                            analysis::Phase phase, const haptics::LoopStatistics& statistics);
 

@@ -14,14 +14,14 @@ namespace perilymph::cli {
 
 namespace {
 
-/// Characters of a UTF-8 text.
+/// Number of characters of a UTF-8 text.
 std::size_t widthOf(std::string_view text)
 {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char letter) { return (letter & 0xc0) != 0x80; }));
 }
 
-/// A value in its place; `layout` is what stands between the braces.
+/// A padded value; `layout` is the text between the braces.
 std::string placed(std::string_view layout, const std::string& value)
 {
   if (layout.empty()) return value;
@@ -46,8 +46,7 @@ std::string filled(std::string_view format, std::span<const std::string> values)
   return text.append(format);
 }
 
-int outputError =
-    0;  // the first one of standard output, which keeps no more than that there was one
+int outputError = 0;  // the first error of standard output, whose stream only keeps a flag
 
 void put(std::FILE* stream, const std::string& text)
 {

@@ -1,7 +1,7 @@
 #pragma once
 
-// The one place where this program prints: what comes from files, devices and the call is shown,
-// and steers no terminal.
+// The only place where this program prints: text from files, devices and the call is escaped, so
+// that it cannot control the terminal.
 
 #include <array>
 #include <concepts>
@@ -17,7 +17,7 @@
 
 namespace perilymph::cli {
 
-/// Number of places for values in a format.
+/// Number of placeholders in a format.
 constexpr std::size_t placesIn(std::string_view format)
 {
   std::size_t places = 0;
@@ -25,9 +25,9 @@ constexpr std::size_t placesIn(std::string_view format)
   return places;
 }
 
-/// A format with a place for each value, checked by the compiler: `{}`, `{:8}` and `{:<8}` (at
-/// least eight characters, to the left), `{:>8}` (to the right), as in C++20's std::format. Its own
-/// text is printed as it is.
+/// A format with a placeholder for each value, checked by the compiler: `{}`, `{:8}` and `{:<8}`
+/// (at least eight characters, left-aligned), `{:>8}` (right-aligned), as in C++20's std::format.
+/// Its own text is printed unchanged.
 template <class... Values>
 struct Format {
   consteval Format(const char* written) : text(written)
@@ -37,7 +37,7 @@ struct Format {
   const char* text;
 };
 
-/// A value as it is printed: text through printable(), whole numbers in digits.
+/// A value as printed: text through printable(), integers in digits.
 inline std::string shown(std::string_view text) { return printable(text); }
 std::string shown(const std::same_as<std::filesystem::path> auto& file)
 {
@@ -45,7 +45,7 @@ std::string shown(const std::same_as<std::filesystem::path> auto& file)
 }
 std::string shown(std::integral auto number) { return std::to_string(number); }
 
-/// Prints a text of this program's own, lines included, to standard output.
+/// Prints a text of this program, possibly of several lines, to standard output.
 void printText(const std::string& text);
 
 /// Prints to standard output.
@@ -67,18 +67,18 @@ void printError(std::type_identity_t<Format<Values...>> format, const Values&...
   printErrorFilled(format.text, texts);
 }
 
-/// Shows what was printed so far.
+/// Flushes standard output.
 void flushOutput();
 
-/// Shows what was printed, at the end of the program. A sentence where standard output did not take
-/// all of it, as on a full disk.
+/// Flushes standard output at the end of the program. An error if it was not written completely, as
+/// on a full disk.
 Result<Done> finishOutput();
 
-/// Makes every standard stream open, so that no file of the program takes the number of a closed
-/// one and what is printed goes into it.
+/// Opens closed standard streams, so that no file of the program gets the descriptor of one and
+/// receives printed text.
 void openStandardStreams();
 
-/// A number with a sensible number of digits after the point, for people.
+/// A number with a fixed number of decimals.
 std::string fixed(double value, int digits);
 
 }  // namespace perilymph::cli

@@ -47,7 +47,7 @@ Result<Done> validate(const ValidateOptions& options, const CallFiles& files)
   ValidationRequest request;
   request.scenario = std::move(*scenario);
   request.variability = std::move(*variability);
-  // The paper's own model is held against the paper's own simulated forces.
+  // The paper's own model is compared with the paper's simulated forces.
   const bool isPublishedModel = request.scenario.model == mechanics::ModelKind::points;
   request.experiment = isPublishedModel ? references->simulator : references->experiment;
   request.runs = options.runs;

@@ -1,5 +1,5 @@
-// perilymph-cli: everything without a window. Here the call is parsed and its files are checked;
-// the options are in CommandOptions.cpp, the commands in files of their own.
+// perilymph-cli: all functions without a window. This file parses the call and checks its files;
+// the options are in CommandOptions.cpp, the commands in separate files.
 
 #include <CLI/CLI.hpp>
 #include <csignal>
@@ -18,12 +18,12 @@ namespace perilymph::cli {
 
 namespace {
 
-// Exit statuses people's scripts rely on.
+// Exit statuses that scripts rely on.
 constexpr int done = 0;
 constexpr int couldNot = 1;
 constexpr int usageError = 2;
 
-/// What is wrong with the words of a call.
+/// Message for a command-line error.
 std::string label(const CLI::ParseError& error, const CLI::App& app, int argc, char** argv)
 {
   if (argc < 2 || argv[1][0] == '-') return error.what();
@@ -81,7 +81,7 @@ int main(int argc, char** argv)
   cli::openStandardStreams();
   cli::endOnInterruption();
   setWarningHandler([](const std::string& warning) { cli::printError("{}\n", warning); });
-  // A limit on the size of files is answered as a full disk is, instead of ending the program.
+  // Exceeding the file size limit is handled like a full disk, instead of ending the program.
   std::signal(SIGXFSZ, SIG_IGN);
   int status = cli::couldNot;
   try {

@@ -1,10 +1,10 @@
 # perilymph_module(<name> LAYER engine|toolkit SUMMARY "..." [USES modules...] [LINKS targets...]
 #                  [PRIVATE_LINKS targets...] [OPTIONS options...] [SOURCES files...])
 #
-# Defines the library Perilymph::<Name> of modules/<name> and keeps the law of the map:
+# Defines the library Perilymph::<Name> of modules/<name> and enforces the dependency rules:
 #   - an engine module uses engine modules only, and neither VTK nor Qt;
-#   - a used module stands before its user, so there is no cycle;
-#   - headers of other modules are reachable through USES alone.
+#   - a used module is defined before its user, so there is no cycle;
+#   - headers of other modules are only reachable through USES.
 #
 # Headers below include/ are the module's API. Those below src/ are reachable from tests only, through
 # the target perilymph_<name>_internal.
@@ -56,7 +56,7 @@ function(perilymph_module name)
   set_target_properties(perilymph_${name} PROPERTIES
     PERILYMPH_LAYER "${arg_LAYER}" PERILYMPH_SUMMARY "${arg_SUMMARY}" PERILYMPH_USES "${arg_USES}")
 
-  # What the module keeps to itself, for its own tests and for nobody else.
+  # Access to the module's private headers, for its own tests only.
   if(arg_SOURCES)
     add_library(perilymph_${name}_internal INTERFACE)
     target_include_directories(perilymph_${name}_internal INTERFACE "${CMAKE_CURRENT_SOURCE_DIR}/src")

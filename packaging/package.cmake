@@ -1,19 +1,19 @@
-# What is installed where, and the Debian packages made of it: `packaging/deb` builds them.
+# Installation of the programs, and the Debian packages built by `packaging/deb`:
 #   perilymph      both programs and what they need
 #   perilymph-dev  the header of device plug-ins and its CMake package
 include(CMakePackageConfigHelpers)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
 set(share "${CMAKE_INSTALL_DATADIR}")
 
-# Data of the programs. Pictures of the documents are not.
+# Data of the programs, without the pictures of the documents.
 install(DIRECTORY resources DESTINATION "${share}/perilymph" COMPONENT program
   PATTERN "*.md" EXCLUDE PATTERN OFL.txt EXCLUDE PATTERN pictures EXCLUDE PATTERN icons EXCLUDE PATTERN guide EXCLUDE)
 install(DIRECTORY plugins DESTINATION "${share}/perilymph" COMPONENT program FILES_MATCHING PATTERN "*.toml"
   PATTERN example EXCLUDE)
-# Who sits at the machine may open the haptic devices that are known by number.
+# udev rule: the user at the machine may open the haptic devices known by number.
 install(FILES packaging/udev/70-perilymph.rules DESTINATION lib/udev/rules.d COMPONENT program)
 
-# The desktop's menu.
+# Desktop menu entry.
 install(FILES packaging/desktop/org.perilymph.perilymph.desktop DESTINATION "${share}/applications" COMPONENT program)
 install(FILES packaging/desktop/org.perilymph.perilymph.metainfo.xml DESTINATION "${share}/metainfo" COMPONENT program)
 foreach(size IN ITEMS 48 64 128 256)
@@ -22,7 +22,7 @@ foreach(size IN ITEMS 48 64 128 256)
 endforeach()
 install(FILES resources/icons/perilymph.svg DESTINATION "${share}/icons/hicolor/scalable/apps" COMPONENT program)
 
-# Manual pages and what a shell completes.
+# Manual pages and shell completions.
 install(FILES packaging/completions/perilymph packaging/completions/perilymph-cli COMPONENT program
   DESTINATION "${share}/bash-completion/completions")
 find_program(PERILYMPH_GZIP gzip REQUIRED)
@@ -41,7 +41,7 @@ foreach(page IN ITEMS perilymph.1 perilymph-cli.1)
 endforeach()
 compressed(packaging/debian/changelog changelog "${share}/doc/perilymph" program)
 
-# The documents, in the order of the tree, so that their links hold.
+# The documents, in the structure of the tree, so that their links work.
 install(FILES LICENSE DESTINATION "${share}/doc/perilymph" COMPONENT program)
 file(GLOB documents RELATIVE "${CMAKE_SOURCE_DIR}" CONFIGURE_DEPENDS README.md packaging/*.md plugins/*.md modules/README.md
   modules/*/README.md app/*/README.md resources/fonts/README.md)
@@ -52,7 +52,7 @@ endforeach()
 install(DIRECTORY resources/pictures resources/guide DESTINATION "${share}/doc/perilymph/resources" COMPONENT program
   PATTERN make-pictures EXCLUDE)
 
-# What a device plug-in is built with.
+# The development files of device plug-ins.
 set(sdk "${CMAKE_INSTALL_DATADIR}/cmake/Perilymph")
 install(FILES modules/device/include/perilymph/device/PluginApi.h COMPONENT sdk
   DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/perilymph/device")

@@ -1,27 +1,27 @@
-# Sourced by the project's scripts: the project's folder, steps with their times, and endings that
-# say what to do. The caller has set -euo pipefail.
+# Sourced by the project's scripts: the project's folder, steps with their durations, and error
+# messages. The caller has set -euo pipefail.
 # shellcheck shell=bash
 
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)"
 readonly root
 readonly script="${0##*/}"
 
-# Says what went wrong and what to do, then ends the script.
+# Prints an error message with the remedy and ends the script.
 fail()
 {
   printf '%s: %s\n' "$script" "$*" >&2
   exit 1
 }
 
-# Now, in tenths of a second.
+# Current time, in tenths of a second.
 tenths()
 {
   local -r microseconds=${EPOCHREALTIME/[.,]/}
   printf '%d' $((microseconds / 100000))
 }
 
-# step "What it does" command...: runs the command and prints how long it took. A command that fails
-# ends the step with the same status.
+# step "Description" command...: runs the command and prints its duration. If the command fails, the
+# step ends with its status.
 step()
 {
   local -r title=$1
@@ -36,14 +36,14 @@ step()
   return "$status"
 }
 
-# How many compilers may run at once: one a core, and 1.5 GB of free memory for each, because a file
-# that includes VTK or Qt takes nearly that much.
+# Number of parallel compilers: one per core, and 1.5 GB of free memory for each, because a file
+# that includes VTK or Qt needs nearly that much.
 jobs_for_building()
 {
   local cores free_kB jobs
   cores=$(nproc)
   free_kB=$(awk '/^MemAvailable:/ { print $2 }' /proc/meminfo)
-  # A container may be allowed less memory than the machine has.
+  # A container may be limited to less memory than the machine has.
   local -r limit=/sys/fs/cgroup/memory.max
   if [[ -r $limit && $(<"$limit") =~ ^[0-9]+$ ]]; then
     local -r limit_kB=$(($(<"$limit") / 1024))
@@ -55,8 +55,8 @@ jobs_for_building()
   printf '%d' "$jobs"
 }
 
-# Git refuses to read a folder that belongs to somebody else. The build only asks it for the name of
-# the commit, so for this run alone the project's folder is declared safe.
+# Git refuses to read a folder of another owner. The build only needs the name of the commit, so the
+# project's folder is declared safe for this run only.
 trust_own_folder()
 {
   local -r count=${GIT_CONFIG_COUNT:-0}
@@ -64,7 +64,7 @@ trust_own_folder()
   export "GIT_CONFIG_KEY_$count=safe.directory" "GIT_CONFIG_VALUE_$count=$root"
 }
 
-# What a configured build folder depends on that ninja does not watch: place, presets, commit.
+# Dependencies of a configured build folder that ninja does not watch: path, presets, commit.
 configuration_stamp()
 {
   echo "$root"
@@ -72,7 +72,7 @@ configuration_stamp()
   git -C "$root" describe --always --dirty --abbrev=12 2>/dev/null || echo "no commit"
 }
 
-# configure <preset>: runs CMake where something changed that ninja would not notice.
+# configure <preset>: runs CMake if anything changed that ninja would not notice.
 configure()
 {
   local -r folder=$root/build/$1
@@ -84,7 +84,7 @@ configure()
   if [[ ! -w $folder ]]; then
     fail "$folder cannot be written. Run this as a user who may write there, or copy the project to a place of your own."
   fi
-  # A build folder that came along from another place remembers that place.
+  # A build folder copied from another path is configured for that path.
   local -r cache=$folder/CMakeCache.txt
   if [[ -f $cache ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$cache"; then
     rm -rf "${folder:?}"
@@ -98,7 +98,7 @@ configure()
   configuration_stamp >"$stamp"
 }
 
-# build <preset>: everything in it.
+# build <preset>: builds everything.
 build()
 {
   (cd "$root" && cmake --build --preset "$1" --parallel "$(jobs_for_building)") ||

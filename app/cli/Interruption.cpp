@@ -54,7 +54,7 @@ void handleEnds(void (*handler)(int))
     handle(signal, handler);
     sigaddset(&handled, signal);
   }
-  // A caller that blocks signals, as services do, leaves them blocked in what it starts.
+  // A caller that blocks signals, such as a service, leaves them blocked in its child processes.
   pthread_sigmask(SIG_UNBLOCK, &handled, nullptr);
 }
 

@@ -1,11 +1,12 @@
 #pragma once
 
-// SIGINT, SIGTERM and SIGHUP: they end every command soon, and nothing half-written is left.
+// SIGINT, SIGTERM and SIGHUP end every command soon and leave no incomplete files.
 
 namespace perilymph::cli {
 
 /// From now on such a signal ends the program at once, with a message, status 1 and without
-/// unfinished files. Ignored signals remain ignored, as with nohup and background jobs.
+/// unfinished files. Ignored signals remain ignored, as with nohup and background jobs; blocked
+/// ones are unblocked, and pending ones take effect now.
 void endOnInterruption();
 
 /// From now on the first such signal only requests an end, which the command polls with

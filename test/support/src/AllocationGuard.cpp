@@ -18,7 +18,7 @@
 
 namespace {
 
-// Plain thread-local numbers: reaching them never allocates, not even in a thread's first call.
+// Plain thread-local numbers: access never allocates, not even in a thread's first call.
 constinit thread_local std::uint64_t allocationsOfThread = 0;
 constinit thread_local std::uint64_t freesOfThread = 0;
 
@@ -27,7 +27,7 @@ constinit thread_local std::uint64_t freesOfThread = 0;
 #if PERILYMPH_HEAP_IS_WATCHED
 
 extern "C" {
-// The C library's own heap, under the names it keeps for those who replace malloc.
+// The C library's own heap functions, for replacements of malloc.
 // NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming)
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);

@@ -12,7 +12,7 @@ constinit thread_local std::size_t maxBytesOfThread = unlimited;
 
 }  // namespace
 
-// In place of the library's, in programs that use the limit.
+// Replaces the library's operator new in programs that use the limit.
 void* operator new(std::size_t size)
 {
   if (size > maxBytesOfThread) throw std::bad_alloc();

@@ -41,7 +41,7 @@ struct Pipe {
     end[which] = -1;
   }
 
-  std::array<int, 2> end{-1, -1};  // to read from, to write to
+  std::array<int, 2> end{-1, -1};  // read end, write end
 };
 
 std::vector<std::string> environmentFor(const ProgramCall& call)
@@ -75,11 +75,11 @@ struct ChildProcess::Content {
   Pipe out, err, ended;
   std::thread reader, waiter;
 
-  std::mutex mutex;  // of everything below
+  std::mutex mutex;  // protects all members below
   std::condition_variable changed;
   ProgramOutcome outcome;
-  bool hasEnded = false;    // and may no longer be signalled
-  bool isComplete = false;  // ended, and everything it wrote was read
+  bool hasEnded = false;    // it must not be signalled any more
+  bool isComplete = false;  // it ended, and all its output was read
 
   void start(const ProgramCall& call);
   void readAll();
@@ -96,11 +96,11 @@ void ChildProcess::Content::start(const ProgramCall& call)
   posix_spawn_file_actions_adddup2(&files, err.end[1], STDERR_FILENO);
   if (call.folder) posix_spawn_file_actions_addchdir_np(&files, call.folder->c_str());
 
-  // A group of its own, so that what it starts can be ended with it.
+  // A process group of its own, so that its child processes can be killed with it.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setpgroup(&attributes, 0);
-  // Signals that a test sends are not ignored, even where the test runs in the background.
+  // Reset signals to default, even if the test runs in the background, where some are ignored.
   sigset_t asUsual;
   sigemptyset(&asUsual);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) sigaddset(&asUsual, signal);
@@ -131,8 +131,8 @@ void ChildProcess::Content::readAll()
   std::array<char, 4096> buffer;
   bool goesOn = true;
   while (goesOn) {
-    // Once it has ended, only what is already in the pipes counts: something it left behind may
-    // hold them open.
+    // After its end, read only what is already in the pipes: a remaining child process may keep
+    // them open.
     const bool afterEnd = sources[2].fd < 0;
     const int ready = poll(sources.data(), sources.size(), afterEnd ? 0 : -1);
     if (ready < 0 && errno == EINTR) continue;
@@ -156,7 +156,7 @@ void ChildProcess::Content::readAll()
 
 void ChildProcess::Content::waitForEnd()
 {
-  // Waits without reaping: while it is not reaped its id belongs to nobody else.
+  // Waits without reaping, so that its process id cannot be reused.
   siginfo_t ending{};
   while (waitid(P_PID, static_cast<id_t>(id), &ending, WEXITED | WNOWAIT) != 0 && errno == EINTR) {
   }

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double fieldOfView_mm = 19.0;
 constexpr double maxHu = 3071.0, minHu = -1024.0;  // 12 bits
-// The clinical axis leans from the sections' own as the mean cochlea's does: from the modiolus'
-// middle in the basal turn to the cupola's.
+// The clinical axis is inclined against that of the sections as in the mean cochlea: from the
+// center of the modiolus in the basal turn to that of the cupola.
 const Eigen::Vector3d clinicalAxis_W = Eigen::Vector3d(0.001, 0.092, 1.0).normalized();
 const Eigen::Vector3d base_W(0.0, 0.0, 0.4);
 
@@ -31,7 +31,7 @@ struct Grid {
   }
 };
 
-/// Separable Gaussian along one axis; the ends are held.
+/// Separable Gaussian along one axis, with constant extrapolation.
 void blur(Grid& grid, int axis, double sigma)
 {
   if (sigma <= 0.0) return;
@@ -68,7 +68,7 @@ void blur(Grid& grid, double inPlane, double axial)
   blur(grid, 2, axial);
 }
 
-/// Sharpens as bone kernels do: a part of what a wider blur takes away is added.
+/// Sharpens like bone kernels: adds a part of the difference to a wider blur.
 void sharpen(Grid& grid, double inPlane, double strength)
 {
   Grid wide = grid;
@@ -77,7 +77,8 @@ void sharpen(Grid& grid, double inPlane, double strength)
     grid.values[i] += static_cast<float>(strength) * (grid.values[i] - wide.values[i]);
 }
 
-/// Measures truth on the geometry alone: scans half-planes of the clinical frame point by point.
+/// Measures the ground truth on the geometry: scans half-planes of the clinical frame point by
+/// point.
 void measureTruth(const PhantomAnatomy& anatomy, CtPhantom& phantom)
 {
   const Eigen::Vector3d window = anatomy.roundWindow_W();
@@ -129,7 +130,7 @@ CtPhantom makeCtPhantom(std::uint64_t seed, const PhantomScan& scan)
   const PhantomAnatomy anatomy(seed);
   Dice dice(seed ^ 0x9e3779b97f4a7c15U);
 
-  // Any orientation: a turn about any axis, and either ear.
+  // Arbitrary orientation: a rotation about any axis, and either ear.
   const Eigen::Vector3d about =
       Eigen::Vector3d(dice.normal(), dice.normal(), dice.normal()).normalized();
   Eigen::Matrix3d axes = Eigen::AngleAxisd(dice.uniform(0.0, pi), about).toRotationMatrix();
@@ -139,7 +140,7 @@ CtPhantom makeCtPhantom(std::uint64_t seed, const PhantomScan& scan)
                                  dice.uniform(-100, 100));
   const Eigen::Vector3d middle_W(1.2, -0.4, 0.6);
 
-  // The volume's own axes are oblique, too, its center off by up to 1.5 mm.
+  // The volume's own axes are oblique, too, with its center displaced by up to 1.5 mm.
   const Eigen::Matrix3d tilt =
       Eigen::AngleAxisd(degrees(dice.uniform(-15, 15)).si(),
                         Eigen::Vector3d(dice.normal(), dice.normal(), dice.normal()).normalized())
@@ -148,7 +149,7 @@ CtPhantom makeCtPhantom(std::uint64_t seed, const PhantomScan& scan)
       origin_P + axes * middle_W +
       Eigen::Vector3d(dice.uniform(-1.5, 1.5), dice.uniform(-1.5, 1.5), dice.uniform(-1.5, 1.5));
 
-  // Fine grid: a whole number of its cells make a voxel.
+  // Fine grid: an integer number of its cells per voxel.
   std::array<int, 3> times{}, coarse{};
   Grid fine{};
   Eigen::Vector3d cell;
@@ -183,7 +184,7 @@ CtPhantom makeCtPhantom(std::uint64_t seed, const PhantomScan& scan)
   blur(fine, scan.blurInPlane_mm / cell[0], scan.blurAxial_mm / cell[2]);
   sharpen(fine, 1.5 * scan.blurInPlane_mm / cell[0], dice.uniform(0.15, 0.3));
 
-  // Voxels average their cells; the noise is shaped like the kernel.
+  // Voxels average their cells; the noise has the spectrum of the kernel.
   Grid noise{coarse, {}};
   noise.values.resize(static_cast<std::size_t>(coarse[0]) * static_cast<std::size_t>(coarse[1]) *
                       static_cast<std::size_t>(coarse[2]));

@@ -14,7 +14,7 @@ namespace {
 constexpr double tableStep = 2.0 * pi / 180.0;
 constexpr double fluid = 40.0, air = -1000.0, lamina = 1500.0;
 
-/// Share of a voxel on the inner side of a wall at a distance.
+/// Fraction of a voxel on the inner side of a wall at a distance.
 double fraction(double distance, double cell)
 {
   return std::clamp(0.5 + distance / cell, 0.0, 1.0);
@@ -37,7 +37,7 @@ double insideRing(const Eigen::Vector3d& p, const Eigen::Vector3d& center,
   return tube - std::sqrt(up * up + out * out);
 }
 
-/// Height of a plane over the outer wall: level, and slopes along x and y.
+/// Height of a plane over the outer wall: constant, and slopes along x and y.
 Eigen::Vector3d tiltTerms(double angle, double radius)
 {
   return {1.0, radius * std::cos(angle), radius * std::sin(angle)};
@@ -85,7 +85,7 @@ PhantomAnatomy::PhantomAnatomy(std::uint64_t seed)
     heightST_.push_back(1e3 * section.height);
     center_.push_back(1e3 * section.imaginary[4]);
   }
-  // A and B vary by 5 % in the population, partly apart from each other.
+  // A and B vary by 5 % in the population, partly independently.
   size_ = 0.95 + 0.04 * dice.normal();
   stretch_ = 0.025 * dice.normal();
   rise_ = 1.0 + 0.10 * dice.normal();
@@ -107,8 +107,8 @@ PhantomAnatomy::PhantomAnatomy(std::uint64_t seed)
     cells_.push_back({{dice.uniform(-11, 11), dice.uniform(-11, 11), dice.uniform(-9, 9)},
                       dice.uniform(0.4, 1.8)});
 
-  // What a rollercoaster has of a tilt would turn the axis: it is taken away, so that the axis of
-  // the sections is the axis.
+  // The tilt component of the rollercoaster would change the axis: it is removed, so that the axis
+  // of the sections is unchanged.
   Eigen::Matrix3d left = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
   for (std::size_t k = 1; k < angle_.size() && angle_[k] < degrees(540).si(); ++k) {
@@ -124,7 +124,7 @@ PhantomAnatomy::PhantomAnatomy(std::uint64_t seed)
     while (k + 2 < angle_.size() && angle_[k + 1] < angle) ++k;
     const double t = (angle - angle_[k]) / (angle_[k + 1] - angle_[k]);
     const auto at = [&](const std::vector<double>& values) {
-      // Beyond the last measured section everything shrinks slowly.
+      // Beyond the last measured section the dimensions decrease slowly.
       const double beyond = std::max(0.0, angle - angle_.back());
       const double value = values[k] + std::min(t, 1.0) * (values[k + 1] - values[k]);
       return beyond > 0.0 ? values.back() * (1.0 - 0.13 * beyond) : value;
@@ -146,7 +146,7 @@ PhantomAnatomy::PhantomAnatomy(std::uint64_t seed)
     section.middleHeight = rise_ * climb + 0.45 * at(heightST_) + rollercoaster;
     section.shear = 0.1 + skew_ + 0.06 * wobbles_[4](angle);
     section.bend = 0.06 * wobbles_[5](angle);
-    // Both ends are rounded: the blind base within 8 degrees, the cupola within 50.
+    // Both ends are rounded: the blind base over 8 degrees, the cupola over 50.
     const double toEnd =
         std::min((angle - first_) / degrees(8).si(), (last_ - angle) / degrees(50).si());
     const double x = 1.0 - std::clamp(toEnd, 0.0, 1.0);
@@ -192,7 +192,7 @@ double PhantomAnatomy::inside(const Eigen::Vector3d& point_W) const
                                           (section.shear + 2.0 * section.bend * u)) /
                        f;
     const double byV = v / (section.half * section.half) / f;
-    // The wall is slanted against the half-plane where the radius shrinks fast.
+    // The wall is inclined to the half-plane where the radius decreases quickly.
     const KidneySection ahead = sectionAt(angle + 0.05);
     const double slope =
         (ahead.middleRadius + ahead.outward - section.middleRadius - section.outward) /
@@ -208,7 +208,7 @@ double PhantomAnatomy::inside(const Eigen::Vector3d& point_W) const
 
 Eigen::Vector3d PhantomAnatomy::roundWindow_W() const
 {
-  // On the outer wall of the lower scala, its membrane a little behind the bone's edge.
+  // On the outer wall of the lower scala, its membrane slightly behind the bone's edge.
   const KidneySection section = sectionAt(0.0);
   const double u = 0.866 * section.outward - recess_;
   return {section.middleRadius + u, 0.0,
@@ -224,7 +224,7 @@ double PhantomAnatomy::texture(const Eigen::Vector3d& p) const
 
 double PhantomAnatomy::surroundings(const Eigen::Vector3d& p, double inLumen, double cell) const
 {
-  // Otic capsule around the lumen, pneumatized bone of middling density beyond.
+  // Otic capsule around the lumen, pneumatized bone of medium density beyond.
   const double coarse = texture(p);
   const double dense = fraction(inLumen + 1.9, 0.6);
   double value =
@@ -238,7 +238,7 @@ double PhantomAnatomy::surroundings(const Eigen::Vector3d& p, double inLumen, do
   value += fraction(canal, cell) * (fluid - value);
   const double facial = insideCapsuleShape(p, {-4.0, -8.0, 2.0}, {6.0, -7.0, 0.5}, canal_);
   value += fraction(facial, cell) * (fluid - value);
-  // Air cells keep a wall of 0.3 mm and stay clear of the capsule.
+  // Air cells keep a wall of 0.3 mm and a distance from the capsule.
   for (const Ball& ball : cells_) {
     const double in = std::min(ball.radius - (p - ball.center).norm(), -1.3 - inLumen);
     if (in > -cell) value += fraction(in, cell) * (air - value);
@@ -250,20 +250,20 @@ double PhantomAnatomy::intensity(const Eigen::Vector3d& p, double lumen, double 
 {
   const double depth = inside(p);
   double value = surroundings(p, depth, cell);
-  // Vestibule, joined with the basal end, and two canals.
+  // Vestibule, connected to the basal end, and two canals.
   const Eigen::Vector3d off = p - Eigen::Vector3d(4.5, -3.3, -0.6) * size_;
   const double ball = 1.0 - off.cwiseQuotient(Eigen::Vector3d(1.6, 1.7, 2.2) * size_).norm();
   const double canals =
       std::max(insideRing(p, Eigen::Vector3d(6.5, -6.5, -2.2), {0.1, 0.2, 0.97}, 2.9, 0.5),
                insideRing(p, Eigen::Vector3d(3.5, -6.5, -4.0), {0.8, 0.6, 0.0}, 3.0, 0.5));
   value += fraction(std::max(1.5 * ball, canals), cell) * (lumen - value);
-  // Round-window niche: leans apically, as in ears where the opening seen from the axis lies ahead
-  // of the marked center; the middle ear beyond it.
+  // Round-window niche, inclined apically, as in ears whose opening seen from the axis is ahead of
+  // the marked center; beyond it the middle ear.
   const Eigen::Vector3d window = roundWindow_W();
   const double niche = std::max(insideCapsuleShape(p, window, window + 3.0 * lean_, window_),
                                 2.2 - (p - window - 4.6 * lean_).norm());
   value += fraction(niche, cell) * (niche_ - value);
-  // The lumen over it all, but for the spiral lamina.
+  // Finally the lumen, except for the spiral lamina.
   value += fraction(depth, cell) * (lumen - value);
   if (depth > 0.0) {
     const double r = p.head<2>().norm();

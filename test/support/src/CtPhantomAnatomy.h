@@ -10,7 +10,7 @@
 
 namespace perilymph::test {
 
-/// Independent normal deviates and uniform numbers of a seed.
+/// Independent normal and uniform random numbers of a seed.
 class Dice {
 public:
   explicit Dice(std::uint64_t seed) : engine_(seed) {}
@@ -21,7 +21,8 @@ private:
   std::mt19937_64 engine_;
 };
 
-/// A smooth random function of the angle: a few cosines of random phase, unit deviation.
+/// A smooth random function of the angle: a few cosines with random phases and unit standard
+/// deviation.
 class Wobble {
 public:
   Wobble(Dice& dice, double shortestPeriod_rad);
@@ -31,7 +32,7 @@ private:
   std::array<double, 4> frequency_{}, phase_{};
 };
 
-/// One section: a kidney in the half-plane, u outward and v along the axis from its middle.
+/// One section: a kidney in the half-plane, u outward and v along the axis from its center.
 struct KidneySection {
   double middleRadius, middleHeight;
   double outward, inward, half;  ///< Semi-axes [mm].
@@ -42,7 +43,7 @@ class PhantomAnatomy {
 public:
   explicit PhantomAnatomy(std::uint64_t seed);
 
-  /// Depth in the cochlea's lumen, negative outside; near the wall a distance [mm].
+  /// Depth in the cochlea's lumen [mm], negative outside; near the wall equal to the distance.
   double inside(const Eigen::Vector3d& point_W) const;
 
   KidneySection sectionAt(double angle) const;
@@ -50,7 +51,7 @@ public:
   double firstAngle() const { return first_; }
   double lastAngle() const { return last_; }
 
-  /// What fills a voxel of the fine grid, before blur.
+  /// Content of a voxel of the fine grid, before blur.
   /// @param lumen  Intensity of the lumen.
   /// @param cell   Edge of the voxel [mm].
   double intensity(const Eigen::Vector3d& point_W, double lumen, double cell) const;

@@ -16,7 +16,7 @@ using device::RawReport;
 using device::Transfer;
 
 constexpr std::size_t queueLength = 63;
-constexpr std::size_t inputSize = 10, outputSize = 7;  // with the number in front
+constexpr std::size_t inputSize = 10, outputSize = 7;  // including the report number
 
 void put(RawReport& report, std::size_t at, std::int16_t value)
 {
@@ -38,7 +38,7 @@ struct FakeHid::State {
   mutable std::mutex mutex;
   std::condition_variable changed;
   bool isPlugged = true;
-  int generation = 0;  // of plugging in
+  int generation = 0;  // incremented when connected
   bool holdsWrites = false;
   bool refusesWrites = false;
   bool refusesActuators = false;

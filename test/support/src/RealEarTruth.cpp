@@ -16,7 +16,7 @@ double outermost(const RealEar& ear, double angle, double high_mm)
 {
   double best = 0.0;
   for (double z = -1.3; z <= high_mm; z += 0.05)
-    // No cochlea is wider; further out lie vestibule and canals.
+    // No cochlea is wider; beyond are vestibule and canals.
     for (double r = 5.5; r > std::max(best, 0.5); r -= 0.01) {
       const auto label =
           ear.label.sample(ear.center_P + ear.axes_PW * Eigen::Vector3d(r * std::cos(angle),
@@ -26,7 +26,7 @@ double outermost(const RealEar& ear, double angle, double high_mm)
   return best;
 }
 
-/// Middles of the faces between voxels inside and outside a label.
+/// Centers of the faces between voxels inside and outside a label.
 std::vector<Eigen::Vector3d> labelSurface(const ct::CtVolume& label)
 {
   std::vector<Eigen::Vector3d> middles;
@@ -66,7 +66,7 @@ double meanDistanceToLabel(const RealEar& ear, const ct::CochleaMeasures& found)
   int count = 0;
   for (std::size_t ring = 5; ring < rings; ++ring)
     for (std::size_t k = 0; k < around; k += 2) {
-      // The inner third looks at the modiolus, where labels follow no bone.
+      // The inner third faces the modiolus, where labels do not follow the bone.
       if (k > around / 3 && k < 2 * around / 3) continue;
       double minimum = 1e9;
       for (const Eigen::Vector3d& point : surface)

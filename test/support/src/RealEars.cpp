@@ -40,7 +40,7 @@ Value read(const std::vector<char>& bytes, std::size_t at)
   return value;
 }
 
-/// A NIfTI file with a QForm without rotation, as these ears have it; RAS becomes LPS.
+/// A NIfTI file with a QForm without rotation, as in these ears; converts RAS to LPS.
 ct::CtVolume readNifti(const std::filesystem::path& file, int scale)
 {
   const std::vector<char> bytes = unzipped(file);

@@ -17,7 +17,7 @@ TemporaryFolder::TemporaryFolder()
 
 TemporaryFolder::~TemporaryFolder()
 {
-  // A test may have taken away rights to see what happens; give them back, so that all can go.
+  // A test may have removed permissions; restore them, so that everything can be removed.
   std::error_code ignored;
   namespace fs = std::filesystem;
   fs::permissions(path_, fs::perms::owner_all, fs::perm_options::add, ignored);

@@ -1,4 +1,4 @@
-// Linked into every program of a sanitizer's build: leaks are looked for at the end, and a library
-// that was closed by then, such as a graphics driver, would be told under another's name.
+// Linked into every program of a sanitizer build: leaks are searched at the end, and one in a
+// library that was closed by then, such as a graphics driver, would be reported under another name.
 
 extern "C" int dlclose(void* /*library*/) { return 0; }

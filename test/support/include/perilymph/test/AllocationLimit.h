@@ -1,12 +1,12 @@
 #pragma once
 
-// Little memory, for the thread of a test alone.
+// Simulates low memory in the thread of a test.
 
 #include <cstddef>
 
 namespace perilymph::test {
 
-/// While it lives, `new` of more than `maxBytes` at once throws std::bad_alloc in this thread.
+/// During its lifetime, `new` of more than `maxBytes` at once throws std::bad_alloc in this thread.
 class AllocationLimit {
 public:
   explicit AllocationLimit(std::size_t maxBytes) noexcept;

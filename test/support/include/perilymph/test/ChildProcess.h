@@ -1,6 +1,6 @@
 #pragma once
 
-// Programs under test, run as people run them.
+// Runs programs under test as child processes.
 
 #include <chrono>
 #include <filesystem>
@@ -12,39 +12,38 @@
 
 namespace perilymph::test {
 
-/// What to run, and where.
+/// Program, arguments and environment of a call.
 struct ProgramCall {
-  std::string program;  ///< A path, or a name found through PATH.
+  std::string program;  ///< A path, or a name searched in PATH.
   std::vector<std::string> arguments;
-  /// Variables to set, or to take away (nullopt), on top of this process's own.
+  /// Variables to set or to unset (nullopt), in addition to this process's own.
   std::vector<std::pair<std::string, std::optional<std::string>>> environment;
-  std::optional<std::filesystem::path> folder;  ///< To run in; this process's own without one.
+  std::optional<std::filesystem::path> folder;  ///< Working folder; by default this process's own.
 };
 
-/// How it went.
+/// Result of a call.
 struct ProgramOutcome {
-  int status = -1;        ///< Exit status; -1 if it did not exit by itself.
-  int signal = 0;         ///< That ended it; 0 if none did.
-  bool timedOut = false;  ///< It was killed because its time was over.
-  std::string out;        ///< Everything it wrote to standard output.
-  std::string err;        ///< Everything it wrote to standard error.
+  int status = -1;        ///< Exit status; -1 if it did not exit normally.
+  int signal = 0;         ///< Signal that ended it; 0 if none.
+  bool timedOut = false;  ///< It was killed after the timeout.
+  std::string out;        ///< Standard output.
+  std::string err;        ///< Standard error.
 };
 
-/// A running program with everything it starts. Its standard input is empty.
+/// A running program and all its child processes. Its standard input is empty.
 class ChildProcess {
 public:
   /// @throws std::system_error if it cannot be started.
   explicit ChildProcess(const ProgramCall& call);
-  ~ChildProcess();  ///< Kills it, with everything it started, if it still runs.
+  ~ChildProcess();  ///< Kills it with all its child processes if still running.
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Waits until it has written `text` to standard output. False when it ended, or the time was
-  /// over, without.
+  /// Waits until it has written `text` to standard output. False if it ended or timed out before.
   bool waitForOutput(const std::string& text, std::chrono::milliseconds timeout);
-  /// Waits for its end; kills it, with everything it started, when the time is over.
+  /// Waits for its end; kills it with all its child processes after the timeout.
   ProgramOutcome wait(std::chrono::milliseconds timeout);
-  /// Sends it a signal, such as SIGKILL for a power cut.
+  /// Sends a signal, such as SIGKILL to simulate a power failure.
   void send(int signal);
   int id() const noexcept;
 

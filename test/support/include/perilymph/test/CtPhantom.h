@@ -1,8 +1,9 @@
 #pragma once
 
-// Synthetic temporal bones with known truth, from shapes that the fit of modules/ct cannot
+// Synthetic temporal bones with known ground truth, from shapes that the fit of modules/ct cannot
 // represent: sections are kidneys and not the mean's outlines, radii, heights and axial positions
-// are warped one by one, and around the cochlea lies what a temporal bone has.
+// are warped individually, and the cochlea is surrounded by the other structures of a temporal
+// bone.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -11,12 +12,13 @@
 
 namespace perilymph::test {
 
-/// How a phantom is imaged.
+/// Imaging parameters of a phantom.
 struct PhantomScan {
   Eigen::Vector3d spacing_mm{0.3, 0.3, 0.3};
   double blurInPlane_mm = 0.25, blurAxial_mm = 0.25;  ///< Standard deviations.
   double noise = 120.0;                               ///< Standard deviation of a voxel.
-  bool isAirFilled = false;                           ///< The lumen holds air, as in a specimen.
+  bool isAirFilled = false;                           ///< The lumen is filled with air, as in a
+                                                      ///< specimen.
 };
 
 /// The scanners of the table: cone-beam 0.15 mm, high-resolution 0.3 mm, clinical 0.45 x 0.6 mm.
@@ -24,19 +26,19 @@ PhantomScan coneBeamScan();
 PhantomScan highResolutionScan();
 PhantomScan clinicalScan();
 
-/// A phantom's volume and what is true of it, measured on its own geometry before any blur. LPS mm.
+/// A phantom's volume and its ground truth, measured on its geometry before any blur. LPS mm.
 struct CtPhantom {
   ct::CtVolume volume;
   double a = 0.0, b = 0.0, h = 0.0;
   bool isRight = true;
   Eigen::Vector3d axis_P, roundWindow_P;
-  Eigen::Vector3d inside_P;  ///< In the lumen of the basal turn: where a click would be.
+  Eigen::Vector3d inside_P;  ///< In the lumen of the basal turn: position of a click.
 };
 
-/// Builds the phantom of a seed: the same on every machine of one kind. Takes a second.
+/// Builds the phantom of a seed: the same on all machines of one kind. Takes a second.
 CtPhantom makeCtPhantom(std::uint64_t seed, const PhantomScan& scan);
 
-/// A click in the cochlea, off by a normal deviate of 0.5 mm along every axis.
+/// A click in the cochlea, displaced by a normal deviate of 0.5 mm along every axis.
 Eigen::Vector3d jitteredClick(const CtPhantom& phantom, std::uint64_t seed);
 
 }  // namespace perilymph::test

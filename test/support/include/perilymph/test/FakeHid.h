@@ -1,6 +1,6 @@
 #pragma once
 
-// A HID device in memory, with the faults of real ones.
+// A simulated HID device, with the faults of real ones.
 
 #include <cstdint>
 #include <functional>
@@ -12,7 +12,7 @@
 
 namespace perilymph::test {
 
-/// What a FakeHid reports: a counter, a place in steps of 10 um, buttons.
+/// Content of a FakeHid's report: a counter, a position in steps of 10 um, buttons.
 struct FakeReport {
   std::uint16_t counter = 0;
   std::array<std::int16_t, 3> place_10um{};
@@ -21,13 +21,13 @@ struct FakeReport {
   device::RawReport raw() const;
 };
 
-/// The device's side. As Linux does, it keeps 63 reports for each open handle and drops what comes
-/// after them. Any thread.
+/// The device side. Like Linux, it keeps 63 reports for each open handle and drops later ones. Any
+/// thread.
 class FakeHid {
 public:
   FakeHid();
 
-  /// The host's side: give it to a HidDevice, or open it by hand.
+  /// The host side: for a HidDevice, or to be opened directly.
   std::unique_ptr<device::HidPort> port();
   std::unique_ptr<device::Transport> open();
 
@@ -35,25 +35,25 @@ public:
   void send(const device::RawReport& report);
   void send(const FakeReport& report) { send(report.raw()); }
 
-  void unplug();  ///< Every handle is gone; a write on its way comes back so.
+  void unplug();  ///< All handles become invalid; a pending write fails.
   void plugIn();
-  void holdWrites(bool isHeld);       ///< NAK: a write does not return until it is let go.
-  void refuseWrites(bool isRefused);  ///< A write fails; the device is still there.
-  /// It stays off: the feature that turns actuators on or off fails.
+  void holdWrites(bool isHeld);       ///< NAK: a write blocks until released.
+  void refuseWrites(bool isRefused);  ///< Writes fail; the device remains connected.
+  /// The feature report that switches actuators on or off fails.
   void refuseActuators(bool isRefused);
-  /// No more handles than that can be opened, as where another program holds the device.
+  /// Limits the number of handles that can be opened, as if another program used the device.
   void maxOpen(int handles);
-  /// Called, with no lock, by whoever asks for a feature report; without it that fails.
+  /// Called without a lock when a feature report is requested; without it the request fails.
   void whenAsked(std::function<device::Transfer(device::RawReport&)> answer);
-  /// Called, with no lock, by a read that would wait: time passes, perhaps a report comes.
+  /// Called without a lock by a read that would wait: time passes, and a report may arrive.
   void whenWaiting(std::function<void(Duration)> passTime);
 
-  /// Output reports taken so far.
+  /// Output reports accepted so far.
   std::vector<device::RawReport> written() const;
-  /// Forces taken so far, as FakeCodec encodes them [N].
+  /// Forces accepted so far, as encoded by FakeCodec [N].
   std::vector<std::array<double, 3>> forces() const;
   bool areActuatorsOn() const;
-  bool isWriteWaiting() const;  ///< A write is held at the moment.
+  bool isWriteWaiting() const;  ///< A write is currently blocked.
   int opened() const;           ///< Handles opened so far.
 
 private:
@@ -63,8 +63,8 @@ private:
   std::shared_ptr<State> state_;
 };
 
-/// The codec of a FakeHid. A force is one report of three numbers in mN; actuators are turned on
-/// and off by a feature report.
+/// The codec of a FakeHid. A force is one report of three numbers in mN; a feature report switches
+/// actuators on and off.
 class FakeCodec final : public device::DeviceCodec {
 public:
   std::optional<std::uint64_t> decode(const device::RawReport& report,

@@ -1,6 +1,6 @@
 #pragma once
 
-// Folders laid out as Linux lays out /sys and /dev, with HID devices in them.
+// Folders with the structure of /sys and /dev of Linux, with HID devices.
 
 #include <filesystem>
 #include <fstream>
@@ -11,14 +11,14 @@
 
 namespace perilymph::test {
 
-/// A tree with HID devices in it.
+/// A tree with HID devices.
 class RecordedTree {
 public:
   struct Device {
-    std::string kernelName;  ///< "0003:1234:0006.0001", as the kernel names it
+    std::string kernelName;  ///< "0003:1234:0006.0001", as named by the kernel
     std::string name;
     std::string node;       ///< "hidraw0"
-    std::string interface;  ///< Interface of USB; empty on other buses.
+    std::string interface;  ///< USB interface; empty on other buses.
     std::string descriptor = std::string("\x05\x01\x09\x04\xa1\x01\xc0", 7);
   };
 
@@ -41,7 +41,7 @@ public:
                                               sys() / "class/hidraw" / device.node);
   }
   void addNode(const std::string& node) { write(dev() / node, ""); }
-  /// A node whose device says what is on a tape.
+  /// A node whose device plays a tape.
   void addTape(const std::string& node, const std::string& tape) { write(dev() / node, tape); }
 
   device::SystemRoots roots() const { return {sys(), dev()}; }

@@ -4,10 +4,10 @@
 
 namespace perilymph::test {
 
-/// An empty folder of the test's own, gone with everything in it when the test ends.
+/// An empty folder, removed with its content at the end of the test.
 class TemporaryFolder {
 public:
-  /// @throws std::system_error where no folder can be made.
+  /// @throws std::system_error if no folder can be created.
   TemporaryFolder();
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;

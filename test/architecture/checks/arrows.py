@@ -77,7 +77,7 @@ def check_libraries(root, arrows, errors):
                                      f"{library} belongs to {places} only.")
 
 
-KEYWORDS = "LAYER|SUMMARY|USES|LINKS|PRIVATE_LINKS|SOURCES"
+KEYWORDS = "LAYER|SUMMARY|USES|LINKS|PRIVATE_LINKS|OPTIONS|SOURCES"
 
 
 def check_cmake(root, arrows, errors):

@@ -7,6 +7,7 @@
 
 #include "Cli.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/test/waitUntil.h"
 
 namespace perilymph::test {
 namespace {
@@ -41,14 +42,16 @@ template <typename Predicate>
 bool waitUntilOpen(const ChildProcess& child, Predicate isIt)
 {
   const fs::path place = "/proc/" + std::to_string(child.id()) + "/fd";
-  while (true) {
+  bool isOpen = false;
+  const bool isOver = waitUntil([&] {
     std::error_code failure;
     fs::directory_iterator entries(place, failure);
-    if (failure) return false;
+    if (failure) return true;
     for (const auto& entry : entries)
-      if (isIt(fs::read_symlink(entry.path(), failure))) return true;
-    std::this_thread::yield();
-  }
+      if (isIt(fs::read_symlink(entry.path(), failure))) isOpen = true;
+    return isOpen;
+  });
+  return isOver && isOpen;
 }
 
 class InterruptedReplay : public testing::Test {

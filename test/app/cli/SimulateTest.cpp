@@ -5,6 +5,7 @@
 
 #include "Cli.h"
 #include "perilymph/session/RecordedInsertion.h"
+#include "perilymph/test/waitUntil.h"
 
 namespace perilymph::test {
 namespace {
@@ -111,7 +112,7 @@ TEST(InterruptedSimulation, LeavesNothingButAReadableRecording)
   ChildProcess child(
       cliCall({"simulate", "--scenario", "contour-published", "--set", "speed_mm_s=0.05", "--csv",
                folder / "a.csv", "--json", folder / "a.json", "--record", folder / "a.insertion"}));
-  while (namesIn(folder.path()).size() < 2) std::this_thread::yield();
+  ASSERT_TRUE(waitUntil([&] { return namesIn(folder.path()).size() >= 2; }));
   child.send(SIGINT);
   const auto outcome = child.wait(std::chrono::minutes(1));
   EXPECT_EQ(outcome.status, 1);

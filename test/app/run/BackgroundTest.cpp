@@ -6,10 +6,12 @@
 #include <gtest/gtest.h>
 
 #include <QTest>
+#include <chrono>
 #include <future>
 #include <new>
 #include <stdexcept>
 #include <thread>
+#include "perilymph/test/waitUntil.h"
 
 namespace perilymph::test {
 namespace {
@@ -69,6 +71,12 @@ TEST(Background, AnswersOnlyTheLastOfSeveralRequests)
   EXPECT_THAT(answers, ElementsAre(3));
 }
 
+/// Whether the promise is kept within two minutes.
+bool isSetSoon(std::promise<void>& promise)
+{
+  return promise.get_future().wait_for(std::chrono::minutes(2)) == std::future_status::ready;
+}
+
 TEST(Background, DoesNotAnswerWhatWasForgotten)
 {
   std::promise<void> begun, ended;
@@ -78,15 +86,15 @@ TEST(Background, DoesNotAnswerWhatWasForgotten)
       "The work",
       [&](const std::atomic<bool>& isCanceled) {
         begun.set_value();
-        while (!isCanceled) std::this_thread::yield();
+        EXPECT_TRUE(test::waitUntil([&] { return isCanceled.load(); }));
         ended.set_value();
         return Result<Done>(Done{});
       },
       [&](const Result<Done>&) { isAnswered = true; });
-  begun.get_future().wait();
+  ASSERT_TRUE(isSetSoon(begun));
   background.forget();
   EXPECT_FALSE(background.isBusy());
-  ended.get_future().wait();
+  ASSERT_TRUE(isSetSoon(ended));
   QCoreApplication::processEvents();
   EXPECT_FALSE(isAnswered);
 }
@@ -105,7 +113,7 @@ TEST(Background, EndsThoughItsWorkDoesNot)
         return Result<Done>(Done{});
       },
       [&](const Result<Done>&) { isAnswered = true; });
-  begun.get_future().wait();
+  ASSERT_TRUE(isSetSoon(begun));
   background.reset();
   EXPECT_TRUE(Background::isAnyThreadLeft());
   gate.set_value();

@@ -15,6 +15,7 @@
 #include "perilymph/session/Replay.h"
 #include "perilymph/session/SessionLibrary.h"
 #include "perilymph/test/TemporaryFolder.h"
+#include "perilymph/test/waitUntil.h"
 
 namespace perilymph::session {
 namespace {
@@ -43,11 +44,11 @@ void runByTheClock(const fs::path& file, const std::function<void(double)>& mean
   ASSERT_TRUE((*insertion)->send(arm));
   dynamic_cast<device::ScriptedDevice&>((*insertion)->hand())
       .move(device::ScriptedDevice::Motion::insert);
-  while ((*insertion)->latest().output.workflow != haptics::Workflow::finished) {
+  ASSERT_TRUE(test::waitUntil([&] {
     (*insertion)->refresh();
     meanwhile((*insertion)->latest().output.travel);
-    std::this_thread::yield();
-  }
+    return (*insertion)->latest().output.workflow == haptics::Workflow::finished;
+  }));
   (*insertion)->stop();
   EXPECT_EQ((*insertion)->recordingError(), "");
 }

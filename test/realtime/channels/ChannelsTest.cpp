@@ -8,6 +8,7 @@
 
 #include "perilymph/realtime/SpscRing.h"
 #include "perilymph/realtime/TripleBuffer.h"
+#include "perilymph/test/waitUntil.h"
 
 namespace perilymph::realtime {
 namespace {
@@ -56,12 +57,12 @@ TEST(SpscRingBetweenThreads, GivesEveryValueWholeAndInOrder)
   SpscRing<Wide> ring(8);
   std::thread writer([&ring] {
     for (std::uint64_t i = 1; i <= values; ++i)
-      while (!ring.push(Wide::of(i))) std::this_thread::yield();
+      if (!test::waitUntil([&] { return ring.push(Wide::of(i)); })) return;
   });
   std::uint64_t torn = 0, misplaced = 0;
   for (std::uint64_t i = 1; i <= values; ++i) {
     Wide value;
-    while (!ring.take(value)) std::this_thread::yield();
+    if (!test::waitUntil([&] { return ring.take(value); })) break;
     if (!value.isWhole()) ++torn;
     if (value.words[0] != i) ++misplaced;
   }
@@ -77,15 +78,18 @@ TEST(SpscRingBetweenThreads, LosesExactlyWhatItRefused)
   std::thread writer([&] {
     for (std::uint64_t i = 1; i <= values; ++i)
       if (!ring.push(i)) ++refused;
-    while (!ring.push(0)) std::this_thread::yield();  // the end
+    EXPECT_TRUE(test::waitUntil([&] { return ring.push(0); }));  // the end
   });
   std::uint64_t taken = 0, last = 0, misplaced = 0;
-  for (std::uint64_t value = 1; value != 0;) {
-    if (!ring.take(value) || value == 0) continue;
+  EXPECT_TRUE(test::waitUntil([&] {
+    std::uint64_t value = 0;
+    if (!ring.take(value)) return false;
+    if (value == 0) return true;
     if (value <= last) ++misplaced;
     last = value;
     ++taken;
-  }
+    return false;
+  }));
   writer.join();
   EXPECT_EQ(taken + refused, values);
   EXPECT_EQ(misplaced, 0u);

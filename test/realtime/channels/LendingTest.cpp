@@ -10,6 +10,7 @@
 #include "perilymph/realtime/Doorbell.h"
 #include "perilymph/realtime/Handoff.h"
 #include "perilymph/realtime/Pacer.h"
+#include "perilymph/test/waitUntil.h"
 
 namespace perilymph::realtime {
 namespace {
@@ -67,21 +68,17 @@ TEST(HandoffBetweenThreads, LendsAndGetsBackEveryOne)
   int alive = 0;  // the owner's thread makes and destroys
   std::uint64_t uses = 0;
   std::thread user([&handoff] {
-    for (int lent = 0; lent < 1000;) {
-      Counted* const one = handoff.take();
-      if (one == nullptr) {
-        std::this_thread::yield();
-        continue;
-      }
+    for (int lent = 0; lent < 1000; ++lent) {
+      Counted* one = nullptr;
+      if (!test::waitUntil([&] { return (one = handoff.take()) != nullptr; })) return;
       ++one->uses;
       handoff.giveBack(one);
-      ++lent;
     }
   });
   for (int i = 0; i < 1000; ++i) {
     handoff.offer(std::make_unique<Counted>(alive));
     std::unique_ptr<Counted> back;
-    while (!(back = handoff.reclaim())) std::this_thread::yield();
+    if (!test::waitUntil([&] { return (back = handoff.reclaim()) != nullptr; })) break;
     uses += back->uses;
   }
   user.join();

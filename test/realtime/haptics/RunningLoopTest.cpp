@@ -7,6 +7,7 @@
 #include "perilymph/haptics/HapticLoop.h"
 #include "perilymph/test/InsertionRig.h"
 #include "perilymph/test/PlainModels.h"
+#include "perilymph/test/waitUntil.h"
 
 namespace perilymph::haptics {
 namespace {
@@ -18,7 +19,7 @@ using Kind = Command::Kind;
 template <class Pleases>
 const Snapshot& waitFor(HapticLoop& loop, Pleases pleases)
 {
-  while (!loop.refresh() || !pleases(loop.latest())) std::this_thread::yield();
+  EXPECT_TRUE(test::waitUntil([&] { return loop.refresh() && pleases(loop.latest()); }));
   return loop.latest();
 }
 
@@ -53,7 +54,7 @@ TEST(RunningLoop, ReplaysItsRecordInVirtualTimeBitForBit)
   waitFor(loop, [](const Snapshot& now) { return now.output.travel > 4e-3; });
   Command pull;
   pull.kind = Kind::withdraw;
-  while (!loop.send(pull)) std::this_thread::yield();
+  ASSERT_TRUE(test::waitUntil([&] { return loop.send(pull); }));
   rig.hand().move(ScriptedDevice::Motion::withdraw);
   waitFor(loop, [](const Snapshot& now) { return now.output.travel < 3e-3; });
   loop.stop();

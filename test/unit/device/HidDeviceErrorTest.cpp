@@ -10,6 +10,7 @@
 
 #include "perilymph/device/HidDevice.h"
 #include "perilymph/test/FakeHid.h"
+#include "perilymph/test/waitUntil.h"
 
 namespace perilymph::device {
 namespace {
@@ -26,7 +27,7 @@ std::int64_t clockOfTheTest() noexcept { return now; }
 template <class Claim>
 void waitUntil(Claim holds)
 {
-  while (!holds()) std::this_thread::yield();
+  EXPECT_TRUE(test::waitUntil(holds));
 }
 
 constexpr Wrench pushing(double newtons) { return Wrench{{newtons, 0.0, 0.0}, {}}; }

@@ -13,6 +13,7 @@
 #include "perilymph/haptics/HapticLoop.h"
 #include "perilymph/test/FakeHid.h"
 #include "perilymph/test/PlainModels.h"
+#include "perilymph/test/waitUntil.h"
 
 namespace perilymph::haptics {
 namespace {
@@ -138,11 +139,12 @@ TEST_F(TenKilohertz, ShowsTheDeviceTheForceItComputed)
   start();
   const TickRecord record = goIntoTheWall();
   const double shown = std::round(record.output.wrench_D.force_D[2] * 1e3) * 1e-3;  // in mN
-  while (std::abs(hid.forces().back()[2] - shown) > 0.5e-3) {
+  EXPECT_TRUE(test::waitUntil([&] {
+    if (std::abs(hid.forces().back()[2] - shown) <= 0.5e-3) return true;
     report();
     tick();
-    std::this_thread::yield();
-  }
+    return false;
+  }));
 }
 
 TEST_F(TenKilohertz, IsStaleAfterThreeMillisecondsNotAfterThreePeriods)

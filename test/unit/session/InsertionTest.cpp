@@ -12,6 +12,7 @@
 #include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/test/TemporaryFolder.h"
+#include "perilymph/test/waitUntil.h"
 
 namespace perilymph::session {
 namespace {
@@ -123,10 +124,10 @@ TEST(InsertionByTheClock, RunsRecordsAndStops)
     arm.kind = haptics::Command::Kind::arm;
     ASSERT_TRUE(insertion->send(arm));
     hand.move(device::ScriptedDevice::Motion::insert);
-    while (insertion->latest().output.workflow != haptics::Workflow::finished) {
+    ASSERT_TRUE(test::waitUntil([&] {
       insertion->refresh();
-      std::this_thread::yield();
-    }
+      return insertion->latest().output.workflow == haptics::Workflow::finished;
+    }));
     insertion->stop();
     ticks = insertion->loop().statistics().ticks;
     EXPECT_EQ(insertion->recordingError(), "");
@@ -146,10 +147,13 @@ TEST(ARecordingDeletedWhileItIsWritten, IsReportedAndTheInsertionGoesOn)
   arm.kind = haptics::Command::Kind::arm;
   ASSERT_TRUE(insertion->send(arm));
   std::filesystem::remove(folder / "gone.insertion");
-  while (insertion->recordingError().empty()) std::this_thread::yield();
+  ASSERT_TRUE(test::waitUntil([&] { return !insertion->recordingError().empty(); }));
   EXPECT_THAT(insertion->recordingError(), HasSubstr("gone.insertion was moved or deleted"));
   const std::uint64_t before = insertion->latest().tick;
-  while (insertion->latest().tick < before + 10) insertion->refresh();
+  ASSERT_TRUE(test::waitUntil([&] {
+    insertion->refresh();
+    return insertion->latest().tick >= before + 10;
+  }));
   insertion->stop();
   const auto closed = insertion->closeRecording();
   ASSERT_FALSE(closed);

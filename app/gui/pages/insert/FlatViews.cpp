@@ -1,7 +1,6 @@
 #include "gui/pages/insert/FlatViews.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include "gui/pages/insert/Pane.h"
 #include "gui/pages/insert/PlotView.h"
@@ -24,41 +23,54 @@ struct FlatViews::Scene {
 
 FlatViews::FlatViews(QWidget* parent) : QObject(parent)
 {
-  unrolledView_ = new PlotView(
-      [this](double width, double height) {
-        return scene_ ? scene_->unrolled.draw(scene_->array, width, height) : figures::Drawing{};
-      },
-      parent);
-  sectionView_ = new PlotView(
-      [this](double width, double height) {
-        return scene_ ? scene_->section.draw(scene_->array, width, height) : figures::Drawing{};
-      },
-      parent);
-  distancesView_ = new PlotView(
-      [this](double width, double height) {
-        return scene_ ? charts::drawContactDistances(charts::contactDistances(scene_->array), width,
-                                                     height, scene_->style)
-                      : figures::Drawing{};
-      },
-      parent);
-  unrolledPane_ = new Pane(tr("Unrolled scala tympani"), tr("angle from round window; width, mm"),
-                           unrolledView_, parent);
-  unrolledPane_->setObjectName(QStringLiteral("unrolledPane"));
-  unrolledPane_->setTip(
+  addView(
+      PaneRole::unrolled, QStringLiteral("unrolledPane"), tr("Unrolled scala tympani"),
+      tr("angle from round window; width, mm"),
       tr("The scala seen along the modiolus and rolled out. Bars: normal force of the wall on each "
-         "millimeter of array; rings: forces of floor and roof."));
-  sectionPane_ = new Pane(tr("Section at the tip"), QString(), sectionView_, parent);
-  sectionPane_->setObjectName(QStringLiteral("sectionPane"));
-  sectionPane_->setTip(tr(
-      "The half-plane through the modiolar axis at the tip, to scale; its angle counts from the "
-      "round window. The arrow is the wall’s "
-      "normal force on the last millimeter of array. Where the wall yields, the array reaches past "
-      "its line."));
-  distancesPane_ = new Pane(tr("Contacts"), tr("to modiolus, mm"), distancesView_, parent);
-  distancesPane_->setObjectName(QStringLiteral("distancesPane"));
-  distancesPane_->setTip(tr(
-      "From the center line of the array at each contact, 1 at the tip, to the inner wall on the "
-      "way to the modiolar axis."));
+         "millimeter of array; rings: forces of floor and roof."),
+      [](const Scene& scene, double width, double height) {
+        return scene.unrolled.draw(scene.array, width, height);
+      });
+  sectionPane_ = addView(
+      PaneRole::section, QStringLiteral("sectionPane"), tr("Section at the tip"), QString(),
+      tr("The half-plane through the modiolar axis at the tip, to scale; its angle counts from the "
+         "round window. The arrow is the wall’s "
+         "normal force on the last millimeter of array. Where the wall yields, the array reaches "
+         "past its line."),
+      [](const Scene& scene, double width, double height) {
+        return scene.section.draw(scene.array, width, height);
+      });
+  addView(PaneRole::distances, QStringLiteral("distancesPane"), tr("Contacts"),
+          tr("to modiolus, mm"),
+          tr("From the center line of the array at each contact, 1 at the tip, to the inner wall "
+             "on the way to the modiolar axis."),
+          [](const Scene& scene, double width, double height) {
+            return charts::drawContactDistances(charts::contactDistances(scene.array), width,
+                                                height, scene.style);
+          });
+}
+
+Pane* FlatViews::addView(PaneRole role, const QString& name, const QString& title,
+                         const QString& note, const QString& tip, Draw draw)
+{
+  auto* const parent = qobject_cast<QWidget*>(this->parent());
+  auto* const plot = new PlotView(
+      [this, draw = std::move(draw)](double width, double height) {
+        return scene_ ? draw(*scene_, width, height) : figures::Drawing{};
+      },
+      parent);
+  auto* const pane = new Pane(title, note, plot, parent);
+  pane->setObjectName(name);
+  pane->setTip(tip);
+  views_.push_back({role, plot, pane});
+  return pane;
+}
+
+std::vector<std::pair<PaneRole, Pane*>> FlatViews::panes() const
+{
+  std::vector<std::pair<PaneRole, Pane*>> panes;
+  for (const View& view : views_) panes.emplace_back(view.role, view.pane);
+  return panes;
 }
 
 FlatViews::~FlatViews() = default;
@@ -72,12 +84,11 @@ void FlatViews::forgetScene() { scene_.reset(); }
 
 void FlatViews::show(const haptics::Snapshot& now)
 {
-  PlotView* const views[] = {unrolledView_, sectionView_, distancesView_};
-  const bool isSeen = std::any_of(std::begin(views), std::end(views),
-                                  [](PlotView* view) { return view->isVisible(); });
+  const bool isSeen = std::any_of(views_.begin(), views_.end(),
+                                  [](const View& view) { return view.plot->isVisible(); });
   if (!scene_ || !isSeen) return;
   scene_->array.follow(now);
-  for (PlotView* view : views) view->refresh();
+  for (const View& view : views_) view.plot->refresh();
   sectionPane_->setNote(
       tr("at %1°").arg(numberText(charts::TipSection::angle_deg(scene_->array), 0)));
 }

@@ -3,8 +3,12 @@
 // The scala rolled out, its section at the tip, and how near the contacts are to the modiolus.
 
 #include <QObject>
+#include <functional>
 #include <memory>
+#include <utility>
+#include <vector>
 
+#include "gui/pages/insert/PaneArea.h"
 #include "perilymph/charts/ArrayInScala.h"
 #include "perilymph/charts/TipSection.h"
 #include "perilymph/charts/UnrolledScala.h"
@@ -31,19 +35,24 @@ public:
   /// Where the array is now.
   void show(const haptics::Snapshot& now);
 
-  Pane* unrolled() const { return unrolledPane_; }
-  Pane* section() const { return sectionPane_; }
-  Pane* distances() const { return distancesPane_; }
+  /// The panes, each with its place on the page.
+  std::vector<std::pair<PaneRole, Pane*>> panes() const;
 
 private:
   struct Scene;
+  struct View {
+    PaneRole role;
+    PlotView* plot;
+    Pane* pane;
+  };
+  /// A drawing of the scene in a rectangle of this width and height.
+  using Draw = std::function<figures::Drawing(const Scene& scene, double width, double height)>;
+  Pane* addView(PaneRole role, const QString& name, const QString& title, const QString& note,
+                const QString& tip, Draw draw);
+
   std::unique_ptr<Scene> scene_;
-  PlotView* unrolledView_;
-  PlotView* sectionView_;
-  PlotView* distancesView_;
-  Pane* unrolledPane_;
+  std::vector<View> views_;
   Pane* sectionPane_;
-  Pane* distancesPane_;
 };
 
 }  // namespace perilymph::gui

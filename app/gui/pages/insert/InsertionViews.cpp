@@ -59,9 +59,7 @@ InsertionViews::InsertionViews(QWidget* parent)
   add(PaneRole::picture, operation_);
   add(PaneRole::travel, charts_->overTravel());
   add(PaneRole::components, charts_->components());
-  add(PaneRole::unrolled, flat_->unrolled());
-  add(PaneRole::section, flat_->section());
-  add(PaneRole::distances, flat_->distances());
+  for (const auto& [role, pane] : flat_->panes()) add(role, pane);
   operation_->addToFoot(menu_);
   setArrangement(keptLayout());
   connectParts();
@@ -71,11 +69,9 @@ InsertionViews::~InsertionViews() = default;
 
 void InsertionViews::connectParts()
 {
-  const std::pair<PaneRole, Pane*> panes[] = {{PaneRole::travel, charts_->overTravel()},
-                                              {PaneRole::components, charts_->components()},
-                                              {PaneRole::unrolled, flat_->unrolled()},
-                                              {PaneRole::section, flat_->section()},
-                                              {PaneRole::distances, flat_->distances()}};
+  auto panes = flat_->panes();
+  panes.emplace_back(PaneRole::travel, charts_->overTravel());
+  panes.emplace_back(PaneRole::components, charts_->components());
   for (const auto& [role, pane] : panes)
     connect(pane, &Pane::maximizeAsked, this, [this, asked = role] { toggleMaximized(asked); });
   connect(operation_, &OperationView::maximizeAsked, this,

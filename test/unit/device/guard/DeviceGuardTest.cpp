@@ -15,6 +15,7 @@
 
 #include "SocketPort.h"
 #include "perilymph/test/ChildProcess.h"
+#include "perilymph/test/waitUntil.h"
 
 namespace perilymph::test {
 namespace {
@@ -141,7 +142,7 @@ protected:
   }
   void waitUntilGuardLeft() const
   {
-    while (!device_.hasGuardLeft()) std::this_thread::yield();
+    EXPECT_TRUE(waitUntil([this] { return device_.hasGuardLeft(); }));
   }
 
   /// A busy machine may stop the program for a moment too: then there was no force before.
@@ -209,7 +210,7 @@ TEST_F(DeviceOfAProgram, LosesItsForceButIsNotSwitchedOffWhileItIsStopped)
 {
   startPushing();
   program_->send(SIGSTOP);
-  while (device_.fromGuard().empty()) std::this_thread::yield();
+  ASSERT_TRUE(waitUntil([this] { return !device_.fromGuard().empty(); }));
   EXPECT_FALSE(device_.hasGuardLeft());
   EXPECT_THAT(device_.fromGuard(), Each(noForce));
   program_->send(SIGCONT);

@@ -358,6 +358,10 @@ class Words(CheckCase):
         self.assert_found(words.check, "waiting by the clock", {
             "test/unit/t.cpp": "std::this_thread::sleep_for(1s);\n"})
 
+    def test_tests_that_may_wait_for_ever_are_found(self):
+        self.assert_found(words.check, "a wait without a limit", {
+            "test/unit/t.cpp": "while (!isOver()) std::this_thread::yield();\n"})
+
     def test_printing_past_the_terminal_is_found(self):
         self.assert_found(words.check, "printing past Terminal.h", {
             "app/cli/main.cpp": 'int main() { std::printf("%s", name); }\n'})

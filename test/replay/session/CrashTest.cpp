@@ -15,6 +15,7 @@
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/session/Replay.h"
 #include "perilymph/test/TemporaryFolder.h"
+#include "perilymph/test/waitUntil.h"
 
 namespace perilymph::session {
 namespace {
@@ -93,7 +94,8 @@ Killed killInsertion(const std::filesystem::path& file, std::uint64_t atTick)
       if (insertion->refresh()) *ticks = insertion->latest().tick;
   }
   int status = 0;
-  while (*ticks < atTick && ::waitpid(child, &status, WNOHANG) == 0) ::sched_yield();
+  EXPECT_TRUE(
+      test::waitUntil([&] { return *ticks >= atTick || ::waitpid(child, &status, WNOHANG) != 0; }));
   Killed killed;
   // A reader that finds the file in the middle of a drain may see nothing; what it sees is
   // promised.

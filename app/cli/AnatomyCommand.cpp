@@ -19,7 +19,7 @@ constexpr const char* sectionCredit =
     "Sections: mean of 15 scalae tympani, Froehlich et al. 2024, PLOS ONE, doi "
     "10.1371/journal.pone.0295121, CC BY 4.0, adapted.";
 
-/// The cochlea that the options name.
+/// The cochlea selected by the options.
 Result<anatomy::Cochlea> chooseCochlea(const AnatomyOptions& options)
 {
   anatomy::Patient patient;
@@ -64,7 +64,7 @@ void tell(nlohmann::ordered_json& json, const HapticSurfaceNumbers& haptic)
   json["haptic_surface_deviation_max_mm"] = inMillimeters(haptic.surfaceDistance.greatest);
 }
 
-/// The numbers from which the anatomy was built; none for one that is as measured.
+/// The numbers that the anatomy was built from; null for a measured one.
 nlohmann::ordered_json givenNumbers(const anatomy::Cochlea& cochlea)
 {
   const anatomy::Patient& patient = cochlea.patient;

@@ -83,7 +83,7 @@ void addSimulate(CLI::App& app, FileOptions& files, SimulateOptions& options)
       command.add_option("--record", options.record, "Keeps the session as an .insertion file"));
 }
 
-/// The option that names an anatomy as it is, without a patient.
+/// The option that selects an anatomy without a patient.
 CLI::Option* addPreset(CLI::App& command, std::string& preset)
 {
   const std::vector<std::string> names = anatomy::anatomySourceNames();

@@ -21,7 +21,7 @@ Result<Done> checkFolder(const std::string& folder);
 /// The files of the folder.
 struct FolderContent {
   std::vector<std::pair<std::string, std::string>> texts;         ///< Name and content.
-  std::vector<std::pair<std::string, figures::Drawing>> figures;  ///< Name without ending.
+  std::vector<std::pair<std::string, figures::Drawing>> figures;  ///< Name without extension.
 };
 
 /// Creates the folder if missing and writes every file atomically; figures as SVG, and as PNG if

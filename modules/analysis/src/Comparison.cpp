@@ -99,7 +99,7 @@ std::string curvesCsv(const std::vector<ComparedInsertion>& insertions)
 Figure comparisonFigure(const std::vector<ComparedInsertion>& insertions,
                         const Reference* published)
 {
-  // Told apart by ink and by dashes; from the fifth on also by longer dashes.
+  // Distinguished by color and dashes; from the fifth on by longer dashes, too.
   constexpr figures::Ink inks[] = {ink::blue, ink::vermilion, ink::green, ink::purple};
   Figure figure;
   figure.title = "Recorded insertions: axial force over travel";

@@ -36,7 +36,7 @@ std::string comparisonCsv(const std::vector<ComparedInsertion>& insertions);
 /// `travel_mm` and a column `<name>_N` per recording, every 0.1 mm; empty where it has no point.
 std::string curvesCsv(const std::vector<ComparedInsertion>& insertions);
 
-/// The curves over one axis, and the printed values of a reference where one is given.
+/// The curves over a common axis, with the printed values of a reference if given.
 figures::Figure comparisonFigure(const std::vector<ComparedInsertion>& insertions,
                                  const Reference* published = nullptr);
 

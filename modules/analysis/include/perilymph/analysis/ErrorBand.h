@@ -23,7 +23,7 @@ inline constexpr Length measuringError = millimeters(0.1);
 /// It covers only the error of the given lengths, not that of the model. Empty for an anatomy
 /// without patient measures. Takes as long as building two or three anatomies.
 ///
-/// @param measures  Measures of the cochlea as built, from measure().
+/// @param measures  Measures of the built cochlea, from measure().
 Result<std::vector<double>> errorBands(const anatomy::Cochlea& cochlea,
                                        const std::vector<Measure>& measures,
                                        Length error = measuringError);

@@ -51,14 +51,14 @@ std::string differenceCsv(const ValidationResult& result);
 /// All numbers: request, features, anchors, contributions to the spread, verdicts.
 std::string summaryJson(const ValidationRequest& request, const ValidationResult& result);
 
-/// The experiment as its printed values, beside it the published simulator's.
+/// The printed values of the experiment and of the published simulator.
 figures::Figure experimentFigure(const Reference& experiment, const Reference& publishedSimulator);
-/// The simulation: mean, its confidence and its spread, beside it the experiment's printed values.
+/// The simulation with mean, confidence interval and spread, and the experiment's printed values.
 figures::Figure simulationFigure(const ValidationResult& result, const Reference& experiment);
-/// The same for a calibration: which printed values it used, and which it predicts.
+/// The same for a calibration, distinguishing fitted and predicted values.
 figures::Figure calibrationFigure(const CalibrationResult& calibration,
                                   const Reference& experiment);
-/// Simulator minus experiment where the experiment is printed, beside it the published simulator's.
+/// Simulator minus experiment at the printed values, and that of the published simulator.
 figures::Figure differenceFigure(const ValidationResult& result,
                                  const Reference& publishedDifference);
 

@@ -22,7 +22,7 @@ struct ContactDistance {
 /// Distances of all contacts, from the tip.
 std::vector<ContactDistance> contactDistances(const ArrayInScala& now);
 
-/// The distances [mm] as pins over the contacts' numbers, 1 at the tip, with their mean.
+/// The distances [mm] as a bar chart over the contact numbers, 1 at the tip, with their mean.
 figures::Drawing drawContactDistances(const std::vector<ContactDistance>& contacts, double width,
                                       double height, const ChartStyle& style = {});
 

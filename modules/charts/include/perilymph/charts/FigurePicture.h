@@ -9,7 +9,7 @@
 
 namespace perilymph::charts {
 
-/// Writes a drawing as PNG with 216 pixels an inch; the file appears whole or not at all.
+/// Writes a drawing as PNG with 216 pixels per inch, atomically.
 Result<Done> writePicture(const figures::Drawing& drawing, const std::filesystem::path& file);
 
 }  // namespace perilymph::charts

@@ -19,7 +19,7 @@ public:
 
   explicit TipSection(const anatomy::ScalaTympani& scala, ChartStyle style = {});
 
-  /// The view in so many pixels. Before the tip is in, the section at the round window.
+  /// Draws the view at a size in pixels. Before the tip is inside, the section at the round window.
   figures::Drawing draw(const ArrayInScala& now, double width, double height) const;
 
   /// Angle of the section drawn for an array.
@@ -28,7 +28,7 @@ public:
 private:
   const anatomy::ScalaTympani& scala_;
   ChartStyle style_;
-  double halfWidth_mm_ = 0.0, halfHeight_mm_ = 0.0;  ///< That hold every section.
+  double halfWidth_mm_ = 0.0, halfHeight_mm_ = 0.0;  ///< Half size that contains every section.
 };
 
 }  // namespace perilymph::charts

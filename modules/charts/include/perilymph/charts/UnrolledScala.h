@@ -24,10 +24,11 @@ public:
 
   explicit UnrolledScala(const anatomy::ScalaTympani& scala, ChartStyle style = {});
 
-  /// The view in so many pixels. The range, 0 to 540 degrees, grows by quarter turns with the tip.
+  /// Draws the view at a size in pixels. The range, 0 to 540 degrees, is extended by quarter turns
+  /// with the tip.
   figures::Drawing draw(const ArrayInScala& now, double width, double height) const;
 
-  /// The same as a picture that stands alone: with a line that names the axes.
+  /// The same as a standalone picture, with a line that explains the axes.
   figures::Drawing drawPage(const ArrayInScala& now, double width, double height) const;
 
 private:

@@ -1,9 +1,10 @@
-# Headers that most sources read, compiled once for many targets.
+# Precompiled headers, shared by many targets.
 #
-# perilymph_precompiled_headers(<set> LINKS targets... [DEFINITIONS names...] HEADERS headers...) declares a set;
-# perilymph_precompile(<target> <set>) compiles a target's sources with it. All targets of a set have the
-# same compiler options. A source still includes what it uses: the preset "engine" and the other presets
-# with PERILYMPH_PRECOMPILE=OFF compile each by itself.
+# perilymph_precompiled_headers(<set> LINKS targets... [DEFINITIONS names...] HEADERS headers...)
+# declares a set; perilymph_precompile(<target> <set>) compiles a target's sources with it. All
+# targets of a set have the same compiler options. Every source still includes what it uses: the
+# preset "engine" and the other presets with PERILYMPH_PRECOMPILE=OFF compile without precompiled
+# headers.
 option(PERILYMPH_PRECOMPILE "Compile the headers that most sources read once" ON)
 
 function(perilymph_precompiled_headers set)
@@ -20,13 +21,14 @@ function(perilymph_precompiled_headers set)
   endif()
 endfunction()
 
-# OWN: for a target whose compiler options differ from the set's.
+# OWN: for a target with other compiler options than the set.
 function(perilymph_precompile target set)
   cmake_parse_arguments(PARSE_ARGV 2 arg "OWN" "" "")
   if(NOT PERILYMPH_PRECOMPILE)
     return()
   endif()
-  # GCC 12 takes the standard library's strings out of a precompiled header for the project's own code.
+  # GCC 12 otherwise regards the standard library's strings in a precompiled header as the project's
+  # own code.
   target_compile_options(${target} PRIVATE
     -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
   if(arg_OWN)

@@ -1,4 +1,4 @@
-# The sets of headers that are compiled once: see precompile.cmake. CLI11 is in none: what it defines
+# The sets of precompiled headers (see precompile.cmake). None contains CLI11, whose definitions
 # would be compiled into every source.
 set(standard
   algorithm array atomic bit charconv chrono cmath cstdint filesystem fstream functional limits map memory

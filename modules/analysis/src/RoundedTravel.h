@@ -1,6 +1,6 @@
 #pragma once
 
-// Travels for people and for tables.
+// Travel values for messages and tables.
 
 #include <cmath>
 

@@ -20,7 +20,7 @@ const SchemeInks& inksOf(ColorScheme scheme)
       .silicone = {{0xDC, 0xE4, 0xE9}, 1.0},
       .platinum = {{0x5E, 0x6C, 0x77}, 1.0},
   };
-  // the same hues, dark enough to be read on white
+  // the same hues, dark enough for a white background
   static constexpr SchemeInks light{
       .panel = {{0xF1, 0xF4, 0xF6}, 1.0},
       .ground = {{0xFF, 0xFF, 0xFF}, 1.0},

@@ -1,7 +1,7 @@
 #pragma once
 
-// Sources of anatomies: what a scala tympani is built from. One table holds their names, titles,
-// the patient's measures they are scaled by and their builders; every program asks it.
+// Sources of anatomies. One table, used by all programs, contains their names, titles, the patient
+// measures that scale them and their builders.
 
 #include <cstdint>
 #include <memory>
@@ -25,11 +25,11 @@ enum class AnatomySource : std::uint8_t { published, mean, clark };
 /// The anatomy of a scenario that names neither an anatomy nor a patient.
 inline constexpr AnatomySource defaultAnatomy = AnatomySource::mean;
 
-/// Kinds of measures by which a patient is known.
+/// Kinds of patient measures.
 enum class PatientMeasures : std::uint8_t {
   none,
   threeLengths,  ///< Length, width and height of the scala tympani.
-  basalTurn      ///< A, B and perhaps H.
+  basalTurn      ///< A, B and optionally H.
 };
 
 /// Row of the table of sources.
@@ -38,13 +38,14 @@ struct AnatomySourceTraits {
                                                                 Length leadIn);
   AnatomySource source;
   const char* name;          ///< In files and on the command line.
-  const char* title;         ///< For people, English.
+  const char* title;         ///< For display, in English.
   PatientMeasures takes;     ///< Measures of a patient that scale it.
-  bool alwaysTakes = false;  ///< A Patient's default lengths scale it, too: it has no other shape.
+  bool alwaysTakes = false;  ///< Also scaled by a Patient's default lengths, because it has no
+                             ///< other shape.
   Build build = nullptr;     ///< May throw std::invalid_argument. Not real-time safe.
 };
 
-/// Every source, in the order in which programs list them.
+/// All sources, in the order in which programs list them.
 std::span<const AnatomySourceTraits> anatomySources();
 
 /// The row of a source.
@@ -53,34 +54,34 @@ const AnatomySourceTraits& traitsOf(AnatomySource source);
 /// Name of a source in files and on the command line.
 const char* nameOf(AnatomySource source);
 
-/// The source of a name; nothing if there is none.
+/// The source with a name; empty if there is none.
 std::optional<AnatomySource> anatomySourceNamed(std::string_view name);
 
 /// Names of all sources.
 std::vector<std::string> anatomySourceNames();
 
-/// Measures that a patient has: A and B where they are known, otherwise three lengths.
+/// Measures of a patient: A and B if known, otherwise three lengths.
 PatientMeasures measuresOf(const Patient& patient);
 
-/// Keys of measures in a patient's file, for a sentence: "a_mm and b_mm".
+/// Keys of measures in a patient's file, for a message: "a_mm and b_mm".
 const char* keysOf(PatientMeasures measures);
 
 /// The source that is scaled by a kind of measures.
 AnatomySource sourceScaledBy(PatientMeasures measures);
 
-/// Whether an anatomy is scaled by a patient's measures, so that it is this patient's.
+/// Whether an anatomy is scaled by a patient's measures and therefore patient-specific.
 bool isScaledBy(AnatomySource source, const Patient& patient);
 
 /// A cochlea to build.
 struct Cochlea {
   AnatomySource source = AnatomySource::published;
   Patient patient;
-  Length leadIn = millimeters(1);  ///< Straight stretch before the round window.
+  Length leadIn = millimeters(1);  ///< Straight length before the round window.
 };
 
 /// Builds the scala tympani of a cochlea. Takes some tenths of a second; not real-time safe.
 ///
-/// @param name  Name of the cochlea in a refusal.
+/// @param name  Name of the cochlea in error messages.
 Result<std::shared_ptr<const ScalaTympani>> buildAnatomy(const Cochlea& cochlea,
                                                          const std::string& name);
 

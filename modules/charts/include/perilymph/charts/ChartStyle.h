@@ -1,6 +1,6 @@
 #pragma once
 
-// How charts and flat views look and what they say, given to each when it is made.
+// Colors and texts of charts and flat views, given to each when it is made.
 
 #include <string>
 
@@ -8,7 +8,7 @@
 
 namespace perilymph::charts {
 
-/// Texts on charts and flat views, English by default. %1 and %2 stand for numbers.
+/// Texts of charts and flat views, English by default. %1 and %2 are placeholders of numbers.
 struct ChartStrings {
   std::string travel = "travel, mm";
   std::string axialForce = "axial force, N";

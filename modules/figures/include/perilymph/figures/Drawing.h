@@ -1,6 +1,6 @@
 #pragma once
 
-// A picture of lines, areas, disks and labels.
+// A drawing of lines, areas, disks and text.
 
 #include <array>
 #include <cstdint>
@@ -46,7 +46,7 @@ struct Disk {
 enum class Anchor { start, middle, end };
 enum class Direction { across, upward };
 
-/// A text on its base line.
+/// Text, positioned by its base line.
 struct Label {
   PagePoint at;
   std::string text;

@@ -1,7 +1,6 @@
 #pragma once
 
-// A figure for print: two axes, curves, bands and printed values, each different from the others by
-// more than its color.
+// A figure for print: two axes, curves, bands and printed values, distinguishable without color.
 
 #include <string>
 #include <vector>

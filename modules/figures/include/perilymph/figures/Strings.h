@@ -1,16 +1,16 @@
 #pragma once
 
-// Numbers and texts as figures show them.
+// Formatting of numbers and texts in figures.
 
 #include <string>
 #include <vector>
 
 namespace perilymph::figures {
 
-/// A number with so many digits after the point.
+/// A number with a fixed number of decimals.
 std::string fixed(double value, int digits);
 
-/// A number as printf writes it, with the decimal sign of a language.
+/// A number formatted by printf, with the decimal sign of a language.
 std::string withDecimalSign(std::string number, char decimalSign);
 
 /// A text with numbers in place of %1, %2.

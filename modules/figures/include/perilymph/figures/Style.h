@@ -1,6 +1,6 @@
 #pragma once
 
-// Colors of everything drawn on a screen: dark or light.
+// Color schemes of everything drawn on screen: dark and light.
 
 #include "perilymph/figures/Drawing.h"
 
@@ -14,7 +14,7 @@ struct SchemeInks {
       platinum;
 };
 
-/// The colors of a scheme: constants of the program.
+/// The colors of a scheme; constant.
 const SchemeInks& inksOf(ColorScheme scheme);
 
 /// The ink with another opacity.

@@ -1,6 +1,6 @@
 #pragma once
 
-// Drawings as SVG files.
+// SVG output of drawings.
 
 #include <string>
 
@@ -8,8 +8,7 @@
 
 namespace perilymph::figures {
 
-/// The drawing as an SVG file. Holds no date and no name of a machine: the same drawing gives the
-/// same bytes.
+/// The drawing as an SVG file, without dates and host names: the same drawing gives the same bytes.
 std::string svg(const Drawing& drawing);
 
 }  // namespace perilymph::figures

@@ -1,13 +1,13 @@
 #pragma once
 
-// The one typeface of charts and pictures.
+// The font of charts and 3D views.
 
 #include <string>
 
 namespace perilymph::figures {
 
-/// The file of Inter: the copy that ships with the program, else the system's, else DejaVu Sans;
-/// empty if there is none of them.
+/// Path of the Inter font file: the shipped one, else the system's, else DejaVu Sans; empty if
+/// there is none.
 const std::string& typefaceFile();
 
 }  // namespace perilymph::figures

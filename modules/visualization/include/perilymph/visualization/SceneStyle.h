@@ -1,6 +1,6 @@
 #pragma once
 
-// How a scene looks and what its scales say, given to it when it is made.
+// Colors and texts of a scene, given to it when it is made.
 
 #include <string>
 
@@ -8,7 +8,7 @@
 
 namespace perilymph::visualization {
 
-/// Texts of the scales, English by default. %1 and %2 stand for numbers.
+/// Texts of the scales, English by default. %1 and %2 are placeholders of numbers.
 struct SceneStrings {
   std::string wallForce = "wall force, mN per mm";
   std::string normalForce = "normal force, %1 mm for %2 mN";

@@ -18,11 +18,11 @@ public:
   int width() const { return width_; }
   int height() const { return height_; }
 
-  /// Adds a polygon to the stencil: even-odd inside each polygon, the union of all of them.
+  /// Adds a polygon to the stencil: even-odd rule within each polygon, union of all of them.
   void outline(const std::vector<figures::PagePoint>& polygon);
-  /// Paints what the stencil holds, and empties it.
+  /// Paints the stencil and clears it.
   void paint(const figures::Ink& ink);
-  /// Paints one pixel in part.
+  /// Paints one pixel partially.
   void blend(int x, int y, const figures::Ink& ink, double fraction);
 
   const std::uint8_t* row(int y) const;

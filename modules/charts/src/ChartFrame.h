@@ -1,6 +1,6 @@
 #pragma once
 
-// What all charts share: a renderer with a chart of two titled axes and quiet grid lines.
+// Common parts of all charts: a renderer and a chart with two titled axes and grid lines.
 
 #include <vtkColor.h>
 #include <vtkNew.h>

@@ -50,7 +50,7 @@ public:
   {
     chart_ = chart;
   }
-  /// Colors of what is drawn; the dark scheme's by default.
+  /// Colors of the overlay; those of the dark scheme by default.
   void setInks(const figures::SchemeInks& inks) { inks_ = &inks; }
   void setScale(double pixelRatio);
 
@@ -75,14 +75,14 @@ private:
   void paintLegend(vtkContext2D& painter, const Area& area) const;
   void paintLegendAbove(vtkContext2D& painter, const Area& area) const;
   float widthOf(vtkContext2D& painter, const std::string& label) const;
-  /// The text in lines that are no wider than the room, unless one word is.
+  /// Wraps a text to a width; single words may exceed it.
   std::vector<std::string> wrapped(vtkContext2D& painter, const std::string& label,
                                    float available) const;
   void paintSwatch(vtkContext2D& painter, const LegendEntry& entry, float x, float y) const;
   void setText(vtkContext2D& painter, const vtkColor4ub& color, int justification) const;
 
   const figures::SchemeInks* inks_ = &figures::inksOf(figures::ColorScheme::dark);
-  vtkChartXY* chart_ = nullptr;  // the frame owns both
+  vtkChartXY* chart_ = nullptr;  // owned by the frame
   float scale_ = 1.0f;
 };
 

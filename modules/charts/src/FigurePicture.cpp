@@ -112,7 +112,7 @@ private:
     return points;
   }
 
-  /// The straight pieces of a line, cut into dashes where it is dashed.
+  /// The straight segments of a polyline, split into dashes if dashed.
   static std::vector<std::pair<PagePoint, PagePoint>> pieces(const figures::Stroke& stroke)
   {
     std::vector<std::pair<PagePoint, PagePoint>> result;
@@ -149,7 +149,7 @@ private:
     const double before = label.anchor == figures::Anchor::start    ? 0.0
                           : label.anchor == figures::Anchor::middle ? 0.5 * length
                                                                     : length;
-    // left edge and bottom edge of the image on the page
+    // left and bottom edge of the image on the page
     const double left = isUpward ? at.x + below - size[0] : at.x - before;
     const double bottom = isUpward ? at.y + before : at.y + below;
     int extent[6];

@@ -41,7 +41,7 @@ public:
   {
     drawing_.marks.emplace_back(std::in_place_type<Mark>, std::move(mark));
   }
-  /// A text of the size of labels.
+  /// Text in the size of labels.
   void write(figures::PagePoint at, std::string text, const figures::Ink& ink,
              figures::Anchor anchor = figures::Anchor::start);
   figures::Drawing take() { return std::move(drawing_); }
@@ -54,12 +54,12 @@ private:
   figures::Drawing drawing_;
 };
 
-/// About how wide a text of the size of labels is [px]: a drawing knows no typeface.
+/// Approximate width of a label [px]: a drawing has no font metrics.
 double widthOfLabel(const std::string& label);
-/// The text in lines that are no wider than the room, unless one word is.
+/// Wraps a label to a width; single words may exceed it.
 std::vector<std::string> linesOfLabel(const std::string& label, double width_px);
 
-/// A number with so many decimals; never "-0".
+/// A number with fixed decimals; never "-0".
 std::string written(double value, int decimals, char decimalSign);
 
 }  // namespace perilymph::charts

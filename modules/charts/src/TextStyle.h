@@ -1,6 +1,6 @@
 #pragma once
 
-// The program's typeface on texts that VTK writes.
+// The program's font for text drawn by VTK.
 
 #include <vtkTextProperty.h>
 
@@ -8,7 +8,7 @@
 
 namespace perilymph::charts {
 
-/// Sets Inter, or VTK's own sans serif where no file of it is found.
+/// Sets Inter, or VTK's default sans serif if its file is missing.
 inline void setTypeface(vtkTextProperty& text)
 {
   const std::string& file = figures::typefaceFile();

@@ -70,7 +70,7 @@ void drawArray(PlotSheet& sheet, const Frame& frame, const ArrayInScala& now,
   sheet.add(Stroke{ring, ink.platinum, 1.5, 0.0});
 }
 
-/// @return The size of the force [mN].
+/// @return Magnitude of the force [mN].
 double drawForce(PlotSheet& sheet, const Frame& frame, const ArrayInScala& now,
                  const figures::SchemeInks& ink)
 {

@@ -190,7 +190,7 @@ figures::Drawing UnrolledScala::drawPage(const ArrayInScala& now, double width, 
   constexpr double line_px = 20.0;
   PlotSheet page(width, height, {}, {}, {}, style_);
   figures::Drawing whole = page.take();
-  whole.marks.resize(1);  // the ground alone
+  whole.marks.resize(1);  // the background only
   figures::Drawing view = draw(now, width, height - line_px);
   whole.marks.insert(whole.marks.end(), view.marks.begin(), view.marks.end());
   whole.marks.emplace_back(figures::Label{{0.5 * width, height - 8.0},

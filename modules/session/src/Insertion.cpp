@@ -43,7 +43,7 @@ RecordingFacts factsOf(const Scenario& scenario, const mechanics::InsertionModel
   return facts;
 }
 
-/// A hand that moves by itself needs to be told; a person's hand does not.
+/// Sets the motion of a scripted device; has no effect on others.
 void tell(device::HapticDevice& hand, device::ScriptedDevice::Motion motion)
 {
   if (auto* script = dynamic_cast<device::ScriptedDevice*>(&hand)) script->move(motion);

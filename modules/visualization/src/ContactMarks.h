@@ -15,7 +15,7 @@ class ContactMarks {
 public:
   explicit ContactMarks(const Palette& palette) : palette_(palette) {}
 
-  /// Length of an arrow for one millinewton.
+  /// Length of an arrow per millinewton.
   static constexpr double arrow_mm_mN = 0.025;
   /// The same for friction, which is about 20 times smaller.
   static constexpr double frictionArrow_mm_mN = 0.25;

@@ -50,7 +50,7 @@ Subject subjectOf(const std::string& text, const std::string& name)
   const std::string anatomy = keys->text("anatomy", nameOf(anatomy::AnatomySource::published));
   const auto source = anatomy::anatomySourceNamed(anatomy);
   auto patient = keys->table("patient_numbers");
-  // an anatomy that is nobody's has no patient
+  // an anatomy without patient numbers has no patient
   const bool isPatient = (source && traitsOf(*source).alwaysTakes) || patient.has("a_mm");
   subject.patient = isPatient ? patient.text("label", anatomy) : anatomy + " anatomy";
   const auto scenario = parseScenario(text, name);

@@ -72,8 +72,8 @@ std::optional<RecordingFacts> factsIn(const MetaRows& rows)
   facts.timeStep = *timeStep;
   facts.run.samplePeriod = *samplePeriod;
   facts.run.maxForce = *maxForce;
-  // Early recordings lack the rest. Without an off time, a force that was switched off fell as
-  // slowly as any other.
+  // Early recordings lack the remaining facts. Without an off time, a force was switched off at
+  // the normal slew rate.
   facts.run.offTime = numberIn<double>(rows, MetaKey::offTime).value_or(0.0);
   facts.run.reach = numberIn<double>(rows, MetaKey::reach).value_or(facts.run.reach);
   facts.run.feelsForce = numberIn<int>(rows, MetaKey::feelsForce).value_or(0) != 0;

@@ -36,7 +36,7 @@ public:
 
   /// Adds a value without a key of the same name.
   void note(const std::string& key, const std::string& toml) { values_.emplace_back(key, toml); }
-  /// Adds the numbers from which an anatomy is built, a table of their own.
+  /// Adds the numbers that an anatomy is built from, as a table.
   void notePatient(const anatomy::Patient& patient, anatomy::AnatomySource anatomy);
 
   /// Keys and values in order; keys in a table are prefixed with its name: "table.key".

@@ -45,7 +45,7 @@ std::string joined(const std::vector<std::string>& names)
   return text;
 }
 
-/// The last override of a key; none if it keeps the file's value.
+/// The last override of a key; null if there is none.
 const std::string* overrideOf(const Overrides& overrides, const char* key)
 {
   const auto is = [key](const auto& entry) { return entry.first == key; };

@@ -28,7 +28,7 @@ struct RecordingFacts {
   std::string device;        ///< DeviceTraits::name.
   double timeStep = 1e-3;    ///< [s]
   RunParameters run;
-  double deviceDelay = 0.0;  ///< From a force to the report that shows it, measured [s].
+  double deviceDelay = 0.0;  ///< From a force to the report that shows its effect, measured [s].
   long seed = 1;
   std::uint64_t modelFingerprint = 0;
   std::string version;  ///< Version of the program.

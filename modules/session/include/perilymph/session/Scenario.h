@@ -24,8 +24,8 @@ namespace perilymph::session {
 /// array's file, so that parseScenario(text) gives the same model anywhere, bit for bit.
 struct Scenario {
   std::string name;
-  std::string title;  ///< For people: one line.
-  /// By default the one that the patient's numbers build.
+  std::string title;  ///< One line for display.
+  /// By default the one that the patient's numbers define.
   anatomy::AnatomySource anatomy = anatomy::AnatomySource::published;
   anatomy::Patient patient;  ///< From `patient` (a file or a shipped name), else published.
   std::string patientName;   ///< Value of the key `patient`; empty without one.

@@ -1,4 +1,4 @@
-// The workstation: words of the call, what the machine can draw, then the window.
+// The workstation: parses the command line, checks the display, then opens the window.
 
 #include <spdlog/spdlog.h>
 
@@ -34,7 +34,7 @@ namespace {
 
 using namespace perilymph;
 
-constexpr int openAnew = 1000;  // no exit status: the window closes to be made anew
+constexpr int openAnew = 1000;  // not an exit status: the window closes and is opened again
 
 int refuse(const std::string& sentence)
 {
@@ -42,8 +42,7 @@ int refuse(const std::string& sentence)
   return 1;
 }
 
-/// Opens a window once the loop of events runs, so that it is on the screen before the cochlea is
-/// built.
+/// Opens a window when the event loop runs, so that it is visible before the cochlea is built.
 template <class Window>
 int openAndRun(Window& window)
 {
@@ -56,14 +55,14 @@ int openAndRun(Window& window)
   return gui::Application::exec();
 }
 
-/// What a shell expects of a program that a signal ended.
+/// Exit status that a shell expects after a signal.
 int statusOf(int signal) { return 128 + signal; }
 
 int runKiosk(gui::Application& application, const gui::TerminationSignals& signals,
              session::Scenario scenario, const gui::CommandLine& options)
 {
   gui::KioskWindow window(std::move(scenario), gui::kioskBoardFile());
-  application.onException([](const QString&) {});  // visitors are not told; standard error is
+  application.onException([](const QString&) {});  // not shown to visitors, but on standard error
   QObject::connect(&window, &gui::KioskWindow::ended, &application,
                    [] { QCoreApplication::quit(); });
   QObject::connect(&signals, &gui::TerminationSignals::received, &window,
@@ -73,16 +72,16 @@ int runKiosk(gui::Application& application, const gui::TerminationSignals& signa
   return openAndRun(window);
 }
 
-/// What a window begins with.
+/// Initial state of a window.
 struct Beginning {
   session::Scenario scenario;
   gui::Page page = gui::Page::start;
-  gui::CommandLine options;  ///< Startup actions are for the first window only.
+  gui::CommandLine options;  ///< Startup actions apply to the first window only.
   std::vector<std::filesystem::path> interrupted;
-  std::optional<std::pair<gui::SetupOrigin, gui::Setup>> setup;  ///< Setup of the window before.
+  std::optional<std::pair<gui::SetupOrigin, gui::Setup>> setup;  ///< Setup of the previous window.
 };
 
-/// How a window ended: with a status, or wishing to be made anew.
+/// How a window ended: with an exit status, or to be opened again.
 struct WindowEnd {
   int status = 0;
   std::optional<Beginning> next;
@@ -111,7 +110,7 @@ WindowEnd runWindow(gui::Application& application, const gui::TerminationSignals
   });
   QObject::connect(&window, &gui::MainWindow::anewAsked, &window,
                    [] { QCoreApplication::exit(openAnew); });
-  // a picture or a measurement is of the usual size, whatever the last person did
+  // a screenshot or a benchmark uses the default size, not the last one
   const bool isPlain = !options.screenshot && !options.measuresFrames;
   const QString geometry = QStringLiteral("window/geometry");
   if (isPlain) window.restoreGeometry(gui::UserSettings().value(geometry).toByteArray());
@@ -120,7 +119,7 @@ WindowEnd runWindow(gui::Application& application, const gui::TerminationSignals
   if (isPlain) gui::UserSettings().setValue(geometry, window.saveGeometry());
   application.onException({});
   if (status != openAnew) return {status, std::nullopt};
-  QGuiApplication::setQuitOnLastWindowClosed(false);  // its going is not the end
+  QGuiApplication::setQuitOnLastWindowClosed(false);  // closing it does not end the program
   gui::CommandLine kept;
   kept.quality = options.quality;
   kept.plugin = options.plugin;
@@ -131,7 +130,7 @@ WindowEnd runWindow(gui::Application& application, const gui::TerminationSignals
                        std::pair{window.setup().origin(), window.setup().now()}}};
 }
 
-/// What a person chose before, or for this call alone.
+/// Applies the user's settings, or those of this call.
 void applyChoices(gui::Application& application, const gui::CommandLine& options)
 {
   const gui::UserSettings settings;
@@ -143,8 +142,8 @@ void applyChoices(gui::Application& application, const gui::CommandLine& options
                                                                  gui::languageText()));
 }
 
-/// Ends the program at once if a thread cannot be ended: what is destroyed after main() may still
-/// be in its use.
+/// Ends the program at once if a thread cannot be ended: it may still use objects that are
+/// destroyed after main().
 void leaveThreads(int status)
 {
   if (!gui::Background::isAnyThreadLeft()) return;
@@ -166,7 +165,7 @@ int run(int argc, char** argv, const gui::CommandLine& options)
   const gui::TerminationSignals signals(nullptr);
   if (const auto openGl = gui::probeOpenGl(); !openGl) return refuse(openGl.error().message);
   if (const auto log = gui::startLog(gui::stateFolder()); !log)
-    std::cerr << log.error().message << '\n';  // the window works without one
+    std::cerr << log.error().message << '\n';  // the window works without it
   spdlog::info("perilymph {} begins.", buildId());
   setWarningHandler([](const std::string& warning) { spdlog::warn("{}", warning); });
 

@@ -1,9 +1,9 @@
 # perilymph_gui_part(<folder> [WITHOUT_WIDGETS] [USES folders...] [LINKS targets...] [PRIVATE_LINKS targets...] SOURCES files...)
 #
-# Makes the library perilymph_gui_<folder> (slashes become underscores) of a folder of app/gui.
-#   - USES names the folders it may include headers of; what they use comes along. A folder is
-#     declared behind those it uses, so that no two use each other.
-#   - Headers are included by their path: "gui/scene/OperationView.h".
+#Makes the library perilymph_gui_<folder> (slashes become underscores) of a folder of app/gui.
+#  - USES names the folders whose headers it may include, transitively. A folder is declared after
+#    those it uses, so that there is no cycle.
+#  - Headers are included by their path: "gui/scene/OperationView.h".
 # test/architecture compares USES and the real includes with the table in README.md.
 function(perilymph_gui_part folder)
   cmake_parse_arguments(PARSE_ARGV 1 arg "WITHOUT_WIDGETS" "" "USES;LINKS;PRIVATE_LINKS;SOURCES")

@@ -10,7 +10,7 @@ namespace perilymph::gui {
 
 namespace {
 
-// lupdate looks for words of free functions under the name of their namespace.
+// lupdate assigns texts of free functions to their namespace.
 std::string tr(const char* text)
 {
   return QCoreApplication::translate("perilymph::gui", text).toStdString();
@@ -67,7 +67,7 @@ visualization::SceneStyle sceneStyle()
 
 QString referenceName(const std::string& label)
 {
-  // what the shipped references are called in their files
+  // labels of the shipped references in their files
   static const char* const shipped[] = {
       QT_TRANSLATE_NOOP("perilymph::gui", "published experiment, printed values ± SD"),
   };

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the charts and the picture say, in the window's language.
+// Texts of charts and 3D view, in the window's language.
 
 #include <QString>
 #include <string>
@@ -10,11 +10,11 @@
 
 namespace perilymph::gui {
 
-/// Colors of the shown look and texts of the chosen language, for charts and scenes made now.
+/// Current color scheme and language, for charts and scenes made now.
 charts::ChartStyle chartStyle();
 visualization::SceneStyle sceneStyle();
 
-/// The name of a reference; as its file calls it where no translation is known.
+/// The translated name of a reference, or its label if there is no translation.
 QString referenceName(const std::string& label);
 
 }  // namespace perilymph::gui

@@ -48,7 +48,7 @@ void drawText(QPainter& painter, const QAbstractButton& button)
   painter.drawText(button.rect().adjusted(textLeft_px, 0, 0, 0),
                    Qt::AlignVCenter | Qt::AlignLeft | Qt::TextWordWrap, button.text());
   if (!button.hasFocus()) return;
-  // where the keys go: a line below the words
+  // keyboard focus: a line below the text
   const int width = std::min(QFontMetrics(button.font()).horizontalAdvance(button.text()),
                              button.width() - textLeft_px);
   painter.setPen(QPen(accentColor, 1.5));
@@ -61,7 +61,7 @@ CheckBox::CheckBox(const QString& text, QWidget* parent) : QCheckBox(text, paren
 {
   setFont(typeface(13));
   setFocusPolicy(Qt::TabFocus);
-  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Minimum);  // higher where words are wrapped
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Minimum);  // higher if text is wrapped
 }
 
 QSize CheckBox::sizeHint() const { return rowSize(*this); }
@@ -91,7 +91,7 @@ Choice::Choice(const QString& text, QWidget* parent) : QRadioButton(text, parent
 {
   setFont(typeface(13));
   setFocusPolicy(Qt::TabFocus);
-  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Minimum);  // higher where words are wrapped
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Minimum);  // higher if text is wrapped
 }
 
 QSize Choice::sizeHint() const { return rowSize(*this); }

@@ -1,14 +1,14 @@
 #pragma once
 
-// Check boxes and choices in the window's own drawing: a mark, not only a color, tells the state.
-// Words without room for one line stand in several.
+// Check boxes and radio buttons in the window's style: state is shown by a mark, not by color
+// alone. Long texts are wrapped.
 
 #include <QCheckBox>
 #include <QRadioButton>
 
 namespace perilymph::gui {
 
-/// A check box: an accent square with a tick when on, an outline when off.
+/// A check box: a filled square with a check mark when on, an outline when off.
 class CheckBox : public QCheckBox {
   Q_OBJECT
 public:
@@ -23,7 +23,7 @@ protected:
   bool hitButton(const QPoint& place) const override { return rect().contains(place); }
 };
 
-/// One of several: a filled dot in a ring when chosen, an empty ring when not.
+/// A radio button: a filled dot in a ring when selected, an empty ring when not.
 class Choice : public QRadioButton {
   Q_OBJECT
 public:

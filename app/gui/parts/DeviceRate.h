@@ -1,6 +1,6 @@
 #pragma once
 
-// How often a device reports, in words.
+// Report rate of a device as text.
 
 #include <QString>
 #include <optional>
@@ -9,10 +9,10 @@
 
 namespace perilymph::gui {
 
-/// "0.06 ms there and back"; where no report answers a force, the most it can be.
+/// "0.06 ms there and back"; an upper bound if no report answers a force.
 QString roundTripText(const device::DeviceHealth& health);
 
-/// "1000/s, 0.05 ms jitter, 0.06 ms there and back": the status bar's words; empty without a
+/// "1000/s, 0.05 ms jitter, 0.06 ms there and back": text of the status bar; empty without a
 /// device.
 QString deviceRateText(const std::optional<device::DeviceHealth>& health);
 

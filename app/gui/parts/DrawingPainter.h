@@ -1,6 +1,6 @@
 #pragma once
 
-// Drawings of the engine and of the charts, painted by Qt.
+// Paints drawings of the engine and of the charts with Qt.
 
 #include <QPainter>
 
@@ -8,13 +8,14 @@
 
 namespace perilymph::gui {
 
-/// How letters are set.
+/// Text rendering mode.
 enum class Lettering {
-  scaled,   ///< Set large and drawn small: they keep their places at every scale of the page.
-  onScreen  ///< As the screen's own letters: sharp, and quick. For a painter that does not scale.
+  scaled,   ///< Laid out at a large size and scaled down: positions are the same at every scale of
+            ///< the page.
+  onScreen  ///< At screen resolution: sharp and fast. For a painter without scaling.
 };
 
-/// Paints the marks where the painter stands; a page point is its unit.
+/// Paints the marks in the painter's coordinates; the unit is a page point.
 void paintMarks(QPainter& painter, const figures::Drawing& drawing, Lettering lettering);
 
 }  // namespace perilymph::gui

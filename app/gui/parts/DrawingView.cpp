@@ -10,7 +10,7 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr int dotsPerInch = 72;  // of a page point
+constexpr int dotsPerInch = 72;  // resolution of page points
 
 }  // namespace
 

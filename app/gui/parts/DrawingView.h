@@ -1,6 +1,6 @@
 #pragma once
 
-// A figure for print, shown as the sheet it will be.
+// Preview of a print figure on its page.
 
 #include <QWidget>
 
@@ -10,7 +10,7 @@ class QPainter;
 
 namespace perilymph::gui {
 
-/// Paints a drawing as large as the widget allows, on its white sheet.
+/// Paints a drawing as large as the widget allows, on a white page.
 class DrawingView : public QWidget {
   Q_OBJECT
 public:

@@ -38,7 +38,7 @@ void EmptyPage::say(const QString& title, const QString& sentence)
 {
   title_->setText(title);
   sentence_->setText(sentence);
-  // of all its lines; without words there is no height
+  // height of all its lines; without text there is none
   sentence_->setMinimumHeight(std::max(0, sentence_->heightForWidth(width_px)));
 }
 

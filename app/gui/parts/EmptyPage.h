@@ -1,6 +1,6 @@
 #pragma once
 
-// What a page is for, while there is nothing on it.
+// Explanation of a page that has no content yet.
 
 #include <QWidget>
 
@@ -8,7 +8,7 @@ class QLabel;
 
 namespace perilymph::gui {
 
-/// A title and a quiet sentence in the middle of a page.
+/// A title and a sentence in the center of a page.
 class EmptyPage : public QWidget {
   Q_OBJECT
 public:

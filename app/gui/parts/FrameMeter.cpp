@@ -8,7 +8,7 @@ namespace perilymph::gui {
 
 namespace {
 
-// An hour at 60 frames a second; older frames leave by half so that a long session stays small.
+// An hour at 60 frames per second; then the older half is dropped to bound memory.
 constexpr std::size_t maxFrames = 216'000;
 
 }  // namespace

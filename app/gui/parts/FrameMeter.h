@@ -1,6 +1,6 @@
 #pragma once
 
-// How long frames take, and how many there are.
+// Measurement of frame times and frame rate.
 
 #include <chrono>
 #include <string>
@@ -8,26 +8,25 @@
 
 namespace perilymph::gui {
 
-/// Times frames from the beginning of the timer's turn (commands, snapshot, scene, charts, labels)
-/// over the rendering of every view that changed to the moment the composed window was handed to
-/// the display.
+/// Measures frame times from the timer event (commands, snapshot, scene, charts, labels) over the
+/// rendering of every changed view until the composed window was passed to the display.
 class FrameMeter {
 public:
   using Clock = std::chrono::steady_clock;
 
-  /// A frame begins. One that was begun and never presented is forgotten.
+  /// Begins a frame. A previous frame that was never presented is ignored.
   void begin(Clock::time_point now);
-  /// The frame that was begun is on the display.
+  /// Ends a frame: it is on the display.
   void present(Clock::time_point now);
-  /// Nothing had to be drawn in this turn.
+  /// Nothing had to be drawn in this timer event.
   void cancel() { isOpen_ = false; }
 
   /// Frames presented during the last second before `now`.
   int framesPerSecond(Clock::time_point now) const;
   std::size_t frames() const { return durations_ms_.size(); }
-  /// From the first frame to the last one.
+  /// Time from the first frame to the last one.
   double span_s() const;
-  /// The time that a share (0 to 1) of all frames did not exceed [ms]; 0 without frames.
+  /// Quantile of the frame times, fraction 0 to 1 [ms]; 0 without frames.
   double quantile_ms(double fraction) const;
   /// "median 28.1 ms, p95 35.0 ms, 33.9 frames/s over 280 frames".
   std::string report() const;

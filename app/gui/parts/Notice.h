@@ -1,6 +1,6 @@
 #pragma once
 
-// A quiet line over the foot of the window that says what was done, and goes by itself.
+// A temporary message at the bottom of the window.
 
 #include <QFrame>
 #include <QTimer>
@@ -16,9 +16,9 @@ class Notice : public QFrame {
 public:
   explicit Notice(QWidget* parent);
 
-  /// Says something for some seconds.
+  /// Shows a message for some seconds.
   void say(const QString& sentence);
-  /// Says something and offers to do something about it; stays until it is answered.
+  /// Shows a message with an action; stays until it is answered.
   void offer(const QString& sentence, const QString& action, std::function<void()> act);
   QString sentence() const;
 

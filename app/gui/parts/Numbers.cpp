@@ -16,8 +16,8 @@ QString numberText(double value, int decimals)
 
 std::optional<double> typedNumber(const QString& text)
 {
-  // Locales differ in which of the two is the decimal sign and which parts thousands; read in the
-  // locale's way, 34.125 mm would be thirty-four thousand of them in German.
+  // Locales differ in the decimal and the thousands separator; read with a German locale, 34.125 mm
+  // would be thirty-four thousand.
   QString plain = text.trimmed();
   plain.replace(QLatin1Char(','), QLatin1Char('.'));
   if (plain.count(QLatin1Char('.')) > 1) return std::nullopt;

@@ -1,17 +1,17 @@
 #pragma once
 
-// Numbers as people read them.
+// Formatting and parsing of numbers for users.
 
 #include <QString>
 #include <optional>
 
 namespace perilymph::gui {
 
-/// In the user's locale with a number of decimals; never "-0.0", no separators between thousands.
+/// A number in the user's locale with fixed decimals; never "-0.0", no thousands separators.
 QString numberText(double value, int decimals);
 
-/// A number as people type it in any locale: a comma or a point is the decimal sign, and nothing
-/// parts thousands. None if it is no finite number or has two such signs.
+/// Parses a number in any locale: comma or point is the decimal sign, and there is no thousands
+/// separator. Empty if it is not finite or has two decimal signs.
 std::optional<double> typedNumber(const QString& text);
 
 }  // namespace perilymph::gui

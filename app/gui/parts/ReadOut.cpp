@@ -11,7 +11,7 @@ namespace perilymph::gui {
 namespace {
 
 constexpr int unitGap_px = 8;
-// Room of the plate around number and caption.
+// Padding of the plate around number and caption.
 constexpr int plate_px = 6;
 
 QString dashed(const QString& number) { return number.isEmpty() ? QStringLiteral("–") : number; }
@@ -83,7 +83,7 @@ void ReadOut::paintEvent(QPaintEvent*)
   const bool isRight = (form_.side & Qt::AlignRight) != 0;
   const int left = plate_px, right = width() - plate_px;
 
-  // The plate keeps the number legible where the array passes behind it.
+  // The plate keeps the number legible when the array is behind it.
   QColor plate = groundColor;
   plate.setAlpha(plateAlpha);
   painter.setRenderHint(QPainter::Antialiasing);

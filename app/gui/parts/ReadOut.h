@@ -1,22 +1,22 @@
 #pragma once
 
-// A big number that can be read from two meters.
+// A large number, readable from two meters.
 
 #include <QFont>
 #include <QWidget>
 
 namespace perilymph::gui {
 
-/// A number with its unit, and below it what it is. Digits have equal widths, so that nothing
-/// trembles while the number runs.
+/// A number with its unit and a caption below it. Digits have equal widths, so that the text does
+/// not move when the number changes.
 class ReadOut : public QWidget {
   Q_OBJECT
 public:
-  /// How a read-out is set.
+  /// Format of a read-out.
   struct Form {
     int size_px = 46;  ///< Size of the number.
-    QString widest;    ///< The longest number it keeps room for: "-00.0".
-    QString unit;      ///< As it stands behind the number.
+    QString widest;    ///< The longest number that space is reserved for: "-00.0".
+    QString unit;      ///< Text behind the number.
     Qt::Alignment side = Qt::AlignLeft;
   };
 

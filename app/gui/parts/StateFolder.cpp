@@ -8,7 +8,7 @@ namespace perilymph::gui {
 
 std::filesystem::path stateFolder()
 {
-  // The XDG rules: a relative path counts as none.
+  // XDG Base Directory Specification: relative paths are ignored.
   const char* given = std::getenv("XDG_STATE_HOME");
   const std::filesystem::path state = given != nullptr ? given : "";
   if (state.is_absolute()) return state / "perilymph";

@@ -1,12 +1,12 @@
 #pragma once
 
-// Where the program keeps what is its own: its log, and the mark of a run.
+// Folder of the program's own state: log and crash marker.
 
 #include <filesystem>
 
 namespace perilymph::gui {
 
-/// $XDG_STATE_HOME/perilymph, by default below ~/.local/state.
+/// $XDG_STATE_HOME/perilymph, by default in ~/.local/state.
 std::filesystem::path stateFolder();
 
 }  // namespace perilymph::gui

@@ -63,7 +63,7 @@ Shown& shown()
   return one;
 }
 
-// Names of colors stand between percent signs and are filled in below.
+// Color names between percent signs are substituted below.
 constexpr auto sheet = R"(
 QWidget { color: %text%; background: %panel%; }
 QLabel { background: transparent; }

@@ -1,6 +1,6 @@
 #pragma once
 
-// How the window looks: its colors, its type and its spacing, in one place.
+// Appearance of the window: colors, fonts and spacing.
 
 #include <QColor>
 #include <QFont>
@@ -8,35 +8,34 @@
 
 namespace perilymph::gui {
 
-/// The two looks of the window.
+/// Color schemes of the window.
 enum class ColorScheme { dark, light };
 
-/// The colors of a look. Text on every ground it lies on has a contrast of 4.5:1 or more.
+/// Colors of a scheme. Text has a contrast of 4.5:1 or more on each of its backgrounds.
 struct Theme {
-  QColor ground;   ///< Pictures and fields.
-  QColor panel;    ///< Everything around them.
+  QColor ground;   ///< Views and input fields.
+  QColor panel;    ///< The area around them.
   QColor raised;   ///< Buttons.
-  QColor pressed;  ///< What the mouse may drag.
+  QColor pressed;  ///< Draggable elements.
   QColor line;
-  QColor ahead;  ///< Remaining part of a progress line; 3:1 on the ground.
+  QColor ahead;  ///< Remaining part of a progress line; 3:1 on the background.
   QColor text, quietText;
-  QColor accent;       ///< This insertion, and the primary action.
+  QColor accent;       ///< The current insertion, and the primary action.
   QColor accentHover;  ///< The same under the mouse.
   QColor onAccent;     ///< Text on both.
-  QColor ghost;        ///< Other insertions: ghost, comparison.
-  QColor warning;      ///< Never without a word.
+  QColor ghost;        ///< Other insertions: reference run, comparison.
+  QColor warning;      ///< Always together with text.
   QColor onWarning;    ///< Text on it.
-  QColor alarm;        ///< A light's, never without a word.
-  QColor banner;       ///< Behind what went wrong.
+  QColor alarm;        ///< Color of a status light, always together with text.
+  QColor banner;       ///< Background of error messages.
 };
 
 const Theme& themeOf(ColorScheme look);
 
-/// The look of this program's windows, charts and pictures. One for all of them; it is chosen
-/// before a window is made.
+/// The color scheme of all windows, charts and 3D views; chosen before a window is made.
 ColorScheme shownColorScheme();
 void setShownColorScheme(ColorScheme look);
-/// Its colors. The object stays where it is when the look changes.
+/// The colors of the current scheme. The object is the same when the scheme changes.
 const Theme& shownTheme();
 
 inline const QColor& groundColor = shownTheme().ground;
@@ -53,13 +52,12 @@ inline const QColor& alarmColor = shownTheme().alarm;
 
 inline constexpr int sidePanelWidth = 248;
 inline constexpr int chartColumnWidth = 431;
-inline constexpr int minChartColumnWidth = 300;  ///< Where the picture needs the room.
+inline constexpr int minChartColumnWidth = 300;  ///< Minimum width, to leave space for the 3D view.
 inline constexpr int barHeight = 44;
 inline constexpr int spacing = 8;
-inline constexpr int plateAlpha =
-    185;  ///< Opacity of the ground behind text that lies on the picture.
+inline constexpr int plateAlpha = 185;  ///< Opacity of the background of text over the 3D view.
 
-/// Inter in a size [px], or DejaVu Sans where Inter is missing.
+/// Inter at a size [px], or DejaVu Sans if Inter is missing.
 QFont typeface(int size_px, QFont::Weight weight = QFont::Normal);
 
 /// The style sheet of the whole window.

@@ -1,20 +1,19 @@
 #pragma once
 
-// What the window remembers from one start to the next.
+// Persistent settings of the window.
 
 #include <QSettings>
 
 namespace perilymph::gui {
 
-/// The user's settings: perilymph/perilymph.ini in the XDG configuration home. What an older or an
-/// unknown format left there is forgotten, and the log says so; values out of range count as not
-/// set.
+/// The user's settings: perilymph/perilymph.ini in the XDG configuration home. Content in an older
+/// or unknown format is discarded, with an entry in the log; values out of range are ignored.
 class UserSettings : public QSettings {
 public:
   static constexpr int format = 1;
   UserSettings();
 
-  /// One of the words allowed; the first of them where there is none or another one.
+  /// One of the allowed words; the first one if none or another one is stored.
   QString word(const QString& key, const QStringList& allowed) const;
 };
 

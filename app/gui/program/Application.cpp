@@ -16,7 +16,7 @@ namespace perilymph::gui {
 
 Application::Application(int& argc, char** argv) : QApplication(argc, argv)
 {
-  // Qt takes over the user's locale; a decimal comma would break files and devices.
+  // Qt applies the user's locale; a decimal comma would break files and devices.
   std::setlocale(LC_NUMERIC, "C");
   setApplicationName(QStringLiteral("perilymph"));
   setApplicationDisplayName(QStringLiteral("Perilymph"));
@@ -27,8 +27,8 @@ Application::Application(int& argc, char** argv) : QApplication(argc, argv)
 
 namespace {
 
-/// Text of a file or of a person is text: `<b>` in a patient's label is drawn as it stands, and
-/// `<img>` loads nothing. Holds for tips and boxes of Qt, too, which are labels.
+/// Makes labels show plain text: `<b>` in a patient's label is shown literally, and `<img>` loads
+/// nothing. Includes Qt's tooltips and message boxes, which are labels.
 void makePlain(QObject* receiver)
 {
   auto* label = qobject_cast<QLabel*>(receiver);
@@ -39,7 +39,7 @@ void makePlain(QObject* receiver)
 
 bool Application::notify(QObject* receiver, QEvent* event)
 {
-  if (event->type() == QEvent::Polish) makePlain(receiver);  // comes before the first drawing
+  if (event->type() == QEvent::Polish) makePlain(receiver);  // precedes the first painting
   QString sentence;
   try {
     return QApplication::notify(receiver, event);
@@ -55,13 +55,13 @@ bool Application::notify(QObject* receiver, QEvent* event)
 
 void prepareQt()
 {
-  // Qt could also choose EGL, which VTK cannot use.
+  // Qt might choose EGL, which VTK cannot use.
   if (!qEnvironmentVariableIsSet("QT_XCB_GL_INTEGRATION"))
     qputenv("QT_XCB_GL_INTEGRATION", "xcb_glx");
   QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
   format.setSamples(0);
-  // The window paces itself by a timer. Waiting for the display's refresh on top of it would round
-  // every frame up to the next sixtieth of a second (51 ms for 34 ms of work in software).
+  // A timer paces the window. Waiting for the display's refresh in addition would round every frame
+  // time up to a multiple of a sixtieth of a second (51 ms for 34 ms of work in software).
   format.setSwapInterval(0);
   QSurfaceFormat::setDefaultFormat(format);
 #if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)

@@ -1,7 +1,6 @@
 #pragma once
 
-// The application object: where exceptions of events end, and where text becomes plain.
-// plain.
+// The application object: catches exceptions of event handlers, and makes texts plain.
 
 #include <QApplication>
 #include <functional>
@@ -13,7 +12,7 @@ class Application : public QApplication {
 public:
   Application(int& argc, char** argv);
 
-  /// Told what an event threw: the window shows it in place.
+  /// Receives the message of an exception in an event handler, for display in the window.
   void onException(std::function<void(const QString&)> tell) { tell_ = std::move(tell); }
 
   bool notify(QObject* receiver, QEvent* event) override;
@@ -22,7 +21,7 @@ private:
   std::function<void(const QString&)> tell_;
 };
 
-/// What QApplication must find when it is made: the surface VTK draws on, pixels as they are.
+/// Global settings required before QApplication is made: VTK's surface format, unscaled pixels.
 void prepareQt();
 
 }  // namespace perilymph::gui

@@ -10,14 +10,14 @@ namespace perilymph::gui {
 
 namespace {
 
-/// Refuses a picture that no picture writer would take, before anything is started.
+/// Error for an unsupported screenshot file; empty if it is supported.
 std::string checkPicture(const std::string& file)
 {
   if (std::filesystem::path(file).extension() == ".png") return {};
   return file + " is no name for a screenshot: it must end in .png.";
 }
 
-/// True for a screenshot of a moment that can come.
+/// Error for an invalid delay of the screenshot; empty if valid.
 std::string checkDelay(const std::string& text)
 {
   double seconds = -1.0;
@@ -25,19 +25,20 @@ std::string checkDelay(const std::string& text)
   return "--after is " + text + "; it must be a number of seconds between 0 and 3600.";
 }
 
-/// Not a ValidationError, before which CLI11 would write the option's name once more.
+/// Not a ValidationError, which CLI11 would prefix with the option's name again.
 CLI::ConversionError emptyValue(const std::string& name)
 {
   return CLI::ConversionError(name + " is empty; give it a value (is a shell variable unset?)");
 }
 
-/// Refuses empty values of every option, and `--option=`, for which CLI11 would take the next word.
+/// Refuses empty values of all options, and `--option=`, for which CLI11 would take the next
+/// argument.
 void refuseEmptyValues(CLI::App& app, int argc, const char* const* argv)
 {
   for (CLI::Option* option : app.get_options()) {
     if (option->get_items_expected_max() == 0) continue;  // a flag
     const std::string name = option->get_name();
-    // A transform comes before every other check of the option.
+    // A transform precedes every other check of the option.
     option->transform([name](const std::string& value) -> std::string {
       if (value.empty()) throw emptyValue(name);
       return value;

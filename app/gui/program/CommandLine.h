@@ -1,6 +1,6 @@
 #pragma once
 
-// The words of the call.
+// Command line of the workstation.
 
 #include <cstdint>
 #include <filesystem>
@@ -10,28 +10,29 @@
 
 namespace perilymph::gui {
 
-/// What the workstation was asked to do.
+/// Parsed options.
 struct CommandLine {
-  std::optional<std::string> scenario;          ///< A shipped name or a file.
-  bool isKiosk = false;                         ///< The booth in place of the workstation.
-  bool isDemo = false;                          ///< Starts inserting by itself.
-  std::optional<std::filesystem::path> record;  ///< Where to keep the insertion.
-  std::optional<std::filesystem::path> plugin;  ///< A device plug-in: the hand.
+  std::optional<std::string> scenario;          ///< A shipped name or a path.
+  bool isKiosk = false;                         ///< The booth instead of the workstation.
+  bool isDemo = false;                          ///< Starts an insertion automatically.
+  std::optional<std::filesystem::path> record;  ///< File of the recording.
+  std::optional<std::filesystem::path> plugin;  ///< A device plug-in to use as input device.
   std::optional<std::filesystem::path> screenshot;
-  std::optional<std::string> language;  ///< "en", "de" or "system", for this call alone.
-  std::optional<std::string> quality;   ///< auto, fast, balanced or full; else what was kept.
-  double after_s = 2.0;                 ///< From the first frame to the screenshot.
+  std::optional<std::string> language;  ///< "en", "de" or "system", for this call only.
+  std::optional<std::string> quality;   ///< auto, fast, balanced or full; by default the stored
+                                        ///< one.
+  double after_s = 2.0;                 ///< Delay from the first frame to the screenshot.
   bool measuresFrames = false;          ///< Prints frame times of a demonstration and exits.
-  /// With measuresFrames: goes in and out until so many ticks were recorded.
+  /// With measuresFrames: inserts and withdraws until this number of ticks was recorded.
   std::optional<std::uint64_t> measuredTicks;
 };
 
-/// The program ends here, with this status: help and version were printed, or the words were wrong.
+/// Ends the program with this status: help or version was printed, or the command line is invalid.
 struct Exit {
   int status = 0;
 };
 
-/// Reads the words; prints help, version or what is wrong with them.
+/// Parses the command line; prints help, version or an error message.
 std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* argv);
 
 }  // namespace perilymph::gui

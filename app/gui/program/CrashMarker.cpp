@@ -24,7 +24,7 @@ fs::path markOf(const fs::path& folder, long process)
   return folder / (prefix + std::to_string(process));
 }
 
-/// The process a mark stands for; 0 if it is none.
+/// The process id of a marker; 0 if it is invalid.
 long processOf(const fs::path& mark)
 {
   const std::string name = mark.filename().string();
@@ -34,13 +34,13 @@ long processOf(const fs::path& mark)
   return end != nullptr && *end == '\0' && process > 0 ? process : 0;
 }
 
-/// Whether a process lives and is this program; another one may have got its number since.
+/// Whether a process exists and is this program; its id may have been reused.
 bool isThisProgram(long process)
 {
   if (::kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH) return false;
   std::error_code unknown;
   const fs::path theirs = fs::read_symlink("/proc/" + std::to_string(process) + "/exe", unknown);
-  if (unknown) return true;  // somebody else's process: nothing can be said
+  if (unknown) return true;  // a process of another user: unknown
   const fs::path ours = fs::read_symlink("/proc/self/exe", unknown);
   return !unknown && theirs.filename() == ours.filename();
 }
@@ -62,7 +62,7 @@ CrashMarker::~CrashMarker()
 
 void CrashMarker::setRecording(const std::optional<fs::path>& recording)
 {
-  // a mark that cannot be written costs the offer after a crash, nothing else
+  // an unwritten marker only means no recovery after a crash
   std::ignore = writeWhole(file_, (recording ? recording->string() : std::string()) + "\n");
 }
 

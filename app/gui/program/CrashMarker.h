@@ -1,6 +1,6 @@
 #pragma once
 
-// A mark that stands while the program runs. One whose program is gone tells of a crash.
+// A marker file that exists while the program runs. A marker without its process indicates a crash.
 
 #include <filesystem>
 #include <optional>
@@ -8,11 +8,11 @@
 
 namespace perilymph::gui {
 
-/// Names the recording that is being written, for as long as this object lives.
+/// Stores the name of the current recording during the lifetime of this object.
 class CrashMarker {
 public:
-  /// Marks this process's run in a folder. What cannot be written is not marked: a crash is then
-  /// not noticed, and nothing else is different.
+  /// Marks this process in a folder. If writing fails, a crash is not detected later; there is no
+  /// other effect.
   explicit CrashMarker(const std::filesystem::path& folder);
   ~CrashMarker();
   CrashMarker(const CrashMarker&) = delete;
@@ -20,8 +20,8 @@ public:
 
   void setRecording(const std::optional<std::filesystem::path>& recording);
 
-  /// The recordings of runs that ended without a word, those that are still there; their marks are
-  /// removed. Marks of programs that still run stay.
+  /// Returns the existing recordings of runs that crashed and removes their markers. Markers of
+  /// running programs are kept.
   static std::vector<std::filesystem::path> takeCrashed(const std::filesystem::path& folder);
 
 private:

@@ -15,7 +15,7 @@ namespace {
 
 using Kept = std::optional<session::SessionSummary>;
 
-/// The first recording that holds anything.
+/// The first recording that is not empty.
 Kept firstKept(const std::vector<std::filesystem::path>& recordings, const Summarize& summarize,
                const std::atomic<bool>& isCanceled)
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-// What is left of an insertion that the end of the program interrupted.
+// Recovery of recordings after a crash.
 
 #include <filesystem>
 #include <functional>
@@ -12,13 +12,13 @@ namespace perilymph::gui {
 
 class MainWindow;
 
-/// Reads a recording until it is told to stop, as session::summarize does.
+/// Reads a recording until stopped, as session::summarize does.
 using Summarize = std::function<session::SessionSummary(const std::filesystem::path&,
                                                         const std::function<bool()>& shouldStop)>;
 
-/// Says, once the window is on the screen, what is kept of the insertions that ended with the
-/// program, and offers to show them. A recording is read beside the UI thread: one that cannot be
-/// read keeps the window from nothing.
+/// Reports, when the window is visible, which recordings were saved by crashed runs, and offers to
+/// open them. Recordings are read in the background, so that a damaged one does not block the
+/// window.
 void offerRecovery(MainWindow& window, const std::vector<std::filesystem::path>& recordings,
                    const Summarize& summarize = session::summarize);
 

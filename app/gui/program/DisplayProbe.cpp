@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <string>
 
-// After Qt: X11 defines names like None and Bool as macros.
+// After Qt's headers: X11 defines None, Bool and others as macros.
 #include <X11/Xlib.h>
 
 namespace perilymph::gui {
@@ -41,8 +41,7 @@ Result<Done> probeDisplay()
     return Error{"The display " + display +
                  " cannot be reached. Check DISPLAY and the permission to draw there, or start "
                  "perilymph under xvfb-run."};
-  // VTK draws through GLX alone; Qt without it would start on EGL, and every picture would stay
-  // empty.
+  // VTK draws only through GLX; without it Qt would use EGL, and all pictures would stay empty.
   int opcode = 0, event = 0, error = 0;
   const bool hasGlx = XQueryExtension(connection, "GLX", &opcode, &event, &error) != 0;
   XCloseDisplay(connection);
@@ -95,7 +94,7 @@ std::string openGlRenderer()
 
 bool hasStereoBuffers()
 {
-  // Qt asks GLX for a configuration with GLX_STEREO, and says what it got.
+  // Qt requests a GLX configuration with GLX_STEREO and reports the result.
   QSurfaceFormat wanted = QSurfaceFormat::defaultFormat();
   wanted.setStereo(true);
   QOpenGLContext context;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Can a picture be shown here at all? Asked before anything that would abort if it cannot.
+// Checks of the display, before anything that would abort without it.
 
 #include <QString>
 #include <string>
@@ -9,20 +9,20 @@
 
 namespace perilymph::gui {
 
-/// Whether the X display can be reached. Before QApplication, which aborts without one.
+/// Whether the X display can be reached. Call before QApplication, which aborts without one.
 Result<Done> probeDisplay();
 
-/// Whether OpenGL 3.2 can be had. After QApplication, before the first VTK widget, which aborts
-/// without it.
+/// Whether OpenGL 3.2 is available. Call after QApplication and before the first VTK widget, which
+/// aborts without it.
 Result<Done> probeOpenGl();
 
-/// What OpenGL calls itself here; empty if it cannot be had. After QApplication.
+/// Name of the OpenGL renderer; empty if unavailable. Call after QApplication.
 std::string openGlRenderer();
 
-/// Whether the display has surfaces with a buffer for each eye. After QApplication.
+/// Whether the display supports stereo buffers. Call after QApplication.
 bool hasStereoBuffers();
 
-/// Why pictures for two eyes cannot go through two buffers of the display; empty where they can.
+/// Why quad-buffered stereo is unavailable; empty if it is available.
 QString quadBufferedError(bool hasBuffers);
 
 }  // namespace perilymph::gui

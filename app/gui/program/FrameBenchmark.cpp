@@ -16,11 +16,11 @@ namespace {
 
 constexpr int pollInterval_ms = 20;
 
-// Turned round before the ends, where the loop would finish the insertion.
+// Reverses before the ends, where the loop would finish the insertion.
 constexpr double deepFraction = 0.9;
 constexpr double shallowFraction = 0.1;
 
-/// How frames did on one way into the cochlea.
+/// Frame statistics of one insertion.
 struct WayIn {
   std::string report;
   double median_ms = 0.0;
@@ -35,7 +35,7 @@ public:
     window_.insertion().start();
   }
 
-  /// False once the application is to end.
+  /// False when the application should end.
   bool goesOn()
   {
     const haptics::Snapshot& now = window_.control().now();
@@ -58,7 +58,7 @@ public:
       return false;
     }
     const double fraction = now.output.travel / window_.control().scenario().stopTravel.si();
-    if (!isMeasuring_ && fraction >= shallowFraction) {  // the first way in begins farther out
+    if (!isMeasuring_ && fraction >= shallowFraction) {  // the first insertion begins farther out
       isMeasuring_ = true;
       window_.insertion().frames().restartMeter();
     }

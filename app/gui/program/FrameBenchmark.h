@@ -1,6 +1,6 @@
 #pragma once
 
-// What --measure-frames does: insertions by themselves, and what their frames took.
+// Implementation of --measure-frames: automatic insertions and their frame times.
 
 #include <cstdint>
 #include <optional>
@@ -9,11 +9,11 @@ namespace perilymph::gui {
 
 class MainWindow;
 
-/// Starts the demonstration, prints at its end what its frames took and how many of its ticks were
-/// late, and ends the application.
+/// Starts the demonstration, prints frame times and late ticks at its end, and ends the
+/// application.
 ///
-/// @param ticks  With it: goes in and out until so many ticks were recorded. The frames of the last
-///               way in are then set beside those of the first, for a window must not grow slow.
+/// @param ticks  If given: inserts and withdraws until this number of ticks was recorded, and
+///               compares the frame times of the last insertion with the first, to detect slowdown.
 void measureFrames(MainWindow& window, std::optional<std::uint64_t> ticks);
 
 }  // namespace perilymph::gui

@@ -5,7 +5,7 @@
 #include <QLocale>
 #include <QTranslator>
 
-// Outside of every namespace, where Qt looks for the resource.
+// In the global namespace, where Qt expects the resource.
 static void initializeTranslations() { Q_INIT_RESOURCE(translations); }
 
 namespace perilymph::gui {
@@ -15,7 +15,7 @@ void useLanguage(QCoreApplication& application, const QString& word)
   initializeTranslations();
   for (QTranslator* translator :
        application.findChildren<QTranslator*>(QString(), Qt::FindDirectChildrenOnly))
-    delete translator;  // which takes itself out of the application
+    delete translator;  // its destructor removes it from the application
 
   const QLocale locale = word == QLatin1String("system") ? QLocale::system() : QLocale(word);
   QLocale::setDefault(locale);
@@ -27,7 +27,7 @@ void useLanguage(QCoreApplication& application, const QString& word)
     else
       delete translator;
   };
-  // Qt's own words (names of keys) where the system has them, then ours.
+  // Qt's own texts (names of keys) if installed, then those of this program.
 #if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
   add(QStringLiteral("qtbase"), QLibraryInfo::location(QLibraryInfo::TranslationsPath));
 #else

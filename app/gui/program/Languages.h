@@ -8,9 +8,9 @@ class QCoreApplication;
 
 namespace perilymph::gui {
 
-/// Words and numbers of windows made from now on.
+/// Sets texts and number format of windows made afterwards.
 ///
-/// @param word  "en", "de", or "system" for the language and the numbers of the user's locale.
+/// @param word  "en", "de", or "system" for the user's locale.
 void useLanguage(QCoreApplication& application, const QString& word);
 
 }  // namespace perilymph::gui

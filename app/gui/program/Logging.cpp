@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t maxBytes = 1 << 20;
 constexpr std::size_t olderFiles = 3;
 
-QtMessageHandler before = nullptr;  // Qt's own; set once, before any thread
+QtMessageHandler before = nullptr;  // Qt's own handler; set once, before any thread
 
 void log(QtMsgType type, const QMessageLogContext& context, const QString& message)
 {
@@ -39,7 +39,7 @@ void log(QtMsgType type, const QMessageLogContext& context, const QString& messa
 
 Result<Done> startLog(const std::filesystem::path& folder)
 {
-  std::error_code ignored;  // what cannot be made is said when the file is opened
+  std::error_code ignored;  // an error is reported when the file is opened
   std::filesystem::create_directories(folder, ignored);
   const std::filesystem::path file = folder / "perilymph.log";
   try {

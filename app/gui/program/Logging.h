@@ -1,6 +1,6 @@
 #pragma once
 
-// The program's log, where people and packagers look for it.
+// Log file of the program.
 
 #include <filesystem>
 
@@ -8,8 +8,8 @@
 
 namespace perilymph::gui {
 
-/// From now on messages of the program and of Qt go to perilymph.log in a folder, rotated at 1 MiB,
-/// three older ones kept. Qt's warnings still reach standard error.
+/// Writes messages of the program and of Qt to perilymph.log in a folder, rotated at 1 MiB with
+/// three older files. Qt's warnings are also written to standard error.
 Result<Done> startLog(const std::filesystem::path& folder);
 
 }  // namespace perilymph::gui

@@ -11,8 +11,8 @@ namespace perilymph::gui {
 
 double processUptime_s()
 {
-  // Field 22 of /proc/self/stat: the start, in clock ticks since boot. Field 2, the program's name,
-  // may hold spaces; the fields after it follow its closing parenthesis.
+  // Field 22 of /proc/self/stat: start time in clock ticks since boot. Field 2, the program's name,
+  // may contain spaces; the following fields come after its closing parenthesis.
   std::ifstream file("/proc/self/stat");
   std::string line;
   std::getline(file, line);

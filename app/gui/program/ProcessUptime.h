@@ -1,10 +1,10 @@
 #pragma once
 
-// How long this process has been alive: what a person waited for, libraries' loading included.
+// Time since the start of this process, including loading of libraries.
 
 namespace perilymph::gui {
 
-/// Since the process was started [s], to 10 ms. 0 where the system does not tell.
+/// Time since the start of the process [s], with a resolution of 10 ms; 0 if unknown.
 double processUptime_s();
 
 }  // namespace perilymph::gui

@@ -16,7 +16,7 @@ namespace perilymph::gui {
 
 namespace {
 
-/// Ends the application with a sentence.
+/// Ends the application with an error message.
 void fail(const std::string& sentence)
 {
   std::cerr << sentence << '\n';

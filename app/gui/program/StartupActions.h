@@ -1,6 +1,6 @@
 #pragma once
 
-// What the window does by itself when it was called with --demo, --screenshot or --measure-frames.
+// Automatic actions of --demo, --screenshot and --measure-frames.
 
 #include "gui/program/CommandLine.h"
 
@@ -9,9 +9,9 @@ namespace perilymph::gui {
 class KioskWindow;
 class MainWindow;
 
-/// Sets the errands of a call in motion. They end the application with its exit status.
+/// Starts the actions of a call, which end the application with its exit status.
 void arrangeStartupActions(MainWindow& window, const CommandLine& options);
-/// The same at the booth, which can be photographed.
+/// The same for the booth (screenshots only).
 void arrangeStartupActions(KioskWindow& window, const CommandLine& options);
 
 }  // namespace perilymph::gui

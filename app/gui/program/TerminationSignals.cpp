@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array terminating{SIGTERM, SIGINT, SIGHUP};
 
-// The ends of a pipe: a signal handler may write to a file, and do little else.
+// A pipe: a signal handler may write to a file descriptor, and do little else.
 std::array<int, 2> channel{-1, -1};
 
 static_assert(std::atomic<int>::is_always_lock_free);
@@ -29,12 +29,12 @@ extern "C" void tellWindow(int signal)
   for (const int each : terminating)
     if (isOurs(each)) ::signal(each, SIG_DFL);
   const auto number = static_cast<unsigned char>(signal);
-  if (::write(writingEnd, &number, 1) != 1) ::raise(signal);  // now of default action
+  if (::write(writingEnd, &number, 1) != 1) ::raise(signal);  // now with default action
   errno = before;
 }
 
-/// Whether a signal is handled here: neither ignored nor of default action. In any thread, also in
-/// a signal handler.
+/// Whether a signal is handled here: neither ignored nor with default action. Any thread;
+/// async-signal-safe.
 bool isOurs(int signal)
 {
   struct sigaction now = {};
@@ -45,7 +45,7 @@ bool isOurs(int signal)
 
 TerminationSignals::TerminationSignals(QObject* parent) : QObject(parent)
 {
-  if (::pipe2(channel.data(), O_CLOEXEC | O_NONBLOCK) != 0) return;  // default action remains
+  if (::pipe2(channel.data(), O_CLOEXEC | O_NONBLOCK) != 0) return;  // the default action remains
   writingEnd = channel[1];
   notifier_ = new QSocketNotifier(channel[0], QSocketNotifier::Read, this);
   connect(notifier_, &QSocketNotifier::activated, this, [this] { read(); });

@@ -1,6 +1,6 @@
 #pragma once
 
-// SIGTERM, SIGINT and SIGHUP as events of the window, so that it can end as if it were closed.
+// Converts SIGTERM, SIGINT and SIGHUP to events, so that the window can close regularly.
 
 #include <QObject>
 
@@ -8,9 +8,9 @@ class QSocketNotifier;
 
 namespace perilymph::gui {
 
-/// While it lives, the first of these signals is told by received(); a second one has its default
-/// action and ends the program at once. A signal that the caller had ignored (nohup) stays so.
-/// One object at a time; after QCoreApplication, whose events it needs.
+/// During its lifetime the first of these signals emits received(); a second one has its default
+/// action and ends the program at once. A signal ignored by the caller (nohup) remains ignored. At
+/// most one object; requires QCoreApplication.
 class TerminationSignals : public QObject {
   Q_OBJECT
 public:

@@ -11,8 +11,8 @@ namespace {
 
 std::atomic<bool> anyThreadLeft{false};
 
-/// Carries an answer to the UI thread. Made before the work begins: where memory ran out, it is
-/// there already.
+/// Delivers an answer to the UI thread. Allocated before the work begins, so that it is available
+/// when memory is exhausted.
 class AnswerEvent : public QEvent {
 public:
   static QEvent::Type kind()
@@ -85,7 +85,7 @@ Background::~Background()
   }
   if (thread_->waitForDone(patience_ms)) return;
   anyThreadLeft = true;
-  static_cast<void>(thread_.release());  // its destructor would wait for ever
+  static_cast<void>(thread_.release());  // its destructor would wait forever
 }
 
 void Background::start(std::function<void(const std::atomic<bool>&)> work,
@@ -95,7 +95,7 @@ void Background::start(std::function<void(const std::atomic<bool>&)> work,
   isCanceled_ = std::make_shared<std::atomic<bool>>(false);
   auto task = std::make_unique<Task>(mailbox_, isCanceled_, std::move(work), std::move(answer));
   isBusy_ = true;
-  thread_->start(task.release());  // which deletes it
+  thread_->start(task.release());  // takes ownership
 }
 
 void Background::customEvent(QEvent* event)

@@ -1,6 +1,6 @@
 #pragma once
 
-// Work that takes more than a moment, in a thread beside the one that draws.
+// Runs long work in a background thread.
 
 #include <QObject>
 #include <QThreadPool>
@@ -17,11 +17,11 @@
 
 namespace perilymph::gui {
 
-/// Runs one piece of work at a time; of several requests only the last is answered. No exception
-/// leaves the thread: it becomes the error of the work's Result. Called from the UI thread.
+/// Runs one piece of work at a time; of several requests only the last is answered. An exception in
+/// the thread becomes the error of the work's Result. Call from the UI thread.
 ///
-/// Work that does not end when it is canceled (a file that blocks its reader) holds up nobody: the
-/// destructor waits for `patience_ms`, then leaves the thread alone.
+/// Work that ignores cancellation (a blocked file) does not block the program: the destructor waits
+/// for `patience_ms`, then abandons the thread.
 class Background : public QObject {
   Q_OBJECT
 public:
@@ -30,11 +30,11 @@ public:
   explicit Background(QObject* parent);
   ~Background() override;
 
-  /// Calls `work(const std::atomic<bool>& isCanceled)`, which returns a Result, in the other
-  /// thread, then `answer` with that Result in this one. The work may outlive this object, and must
+  /// Calls `work(const std::atomic<bool>& isCanceled)`, which returns a Result, in the background
+  /// thread, then `answer` with that Result in this one. The work may outlive this object and must
   /// not refer to it.
   ///
-  /// @param subject  What is worked on, as a sentence about an exception begins: "The report".
+  /// @param subject  Beginning of an error message for an exception: "The report".
   template <class Work, class Answer>
   void run(std::string subject, Work work, Answer answer)
   {
@@ -48,17 +48,17 @@ public:
         [given, answer = std::move(answer)]() mutable { answer(std::move(**given)); });
   }
 
-  /// Cancels the work; it is not answered.
+  /// Cancels the work without an answer.
   void forget();
   bool isBusy() const { return isBusy_; }
 
-  /// Whether a thread was left running. The program must then end without its static destructors,
-  /// which the thread may still need.
+  /// Whether a thread was abandoned. The program must then end without its static destructors,
+  /// because the thread may still use them.
   static bool isAnyThreadLeft();
 
 private:
   class Task;
-  /// Where a thread leaves its answer; `owner` is null once nobody waits for one.
+  /// Receives the answer of a thread; `owner` is null if nobody waits for it any more.
   struct Mailbox;
 
   void start(std::function<void(const std::atomic<bool>&)> work, std::function<void()> answer);

@@ -14,7 +14,7 @@ namespace {
 using Kind = haptics::Command::Kind;
 using Motion = device::ScriptedDevice::Motion;
 
-/// "20260131T154502Z": sorts by time, and is a good file name everywhere.
+/// "20260131T154502Z": sorts by time and is a valid file name on all systems.
 std::string utcNow()
 {
   const std::time_t now = std::time(nullptr);
@@ -46,7 +46,7 @@ InsertionControl::~InsertionControl() { discard(); }
 
 std::filesystem::path InsertionControl::nextRecording()
 {
-  // The first with a file asked for by name gets that file or none; all others find a free name.
+  // Only the first insertion uses a requested file name; all others get a new name.
   if (record_ && prepared_ == 1) return *record_;
   const std::filesystem::path file =
       record_ ? *record_ : sessionFolder() / (utcNow() + "-" + scenario_.name + ".insertion");
@@ -66,7 +66,7 @@ void InsertionControl::use(session::Scenario scenario, const std::optional<Parts
 
 Result<Done> InsertionControl::prepare(InputSource hand)
 {
-  // A file asked for by name waits for the first insertion that runs.
+  // A requested file name is kept for the first insertion that runs.
   const bool waits = record_ && insertion_ && prepared_ == 1 && !isRunning_;
   const auto waiting = waits ? recording() : std::nullopt;
   discard();
@@ -75,14 +75,14 @@ Result<Done> InsertionControl::prepare(InputSource hand)
   ++prepared_;
   if (keepsNothing_) return build(hand, std::nullopt);
   const std::filesystem::path file = nextRecording();
-  std::error_code ignored;  // what cannot be made is said when the file is opened
+  std::error_code ignored;  // an error is reported when the file is opened
   if (!record_) std::filesystem::create_directories(file.parent_path(), ignored);
-  // A recording that was asked for by name is a part of what was asked.
+  // A requested recording is mandatory.
   const bool isAskedFor = record_ && prepared_ == 1;
   const Result<Done> recorded = build(hand, file);
   if (recorded || isAskedFor) return recorded;
 
-  // Any other insertion goes on without one, and says so, rather than not at all.
+  // Any other insertion runs without a recording, with a message, if it cannot be created.
   const Result<Done> unrecorded = build(hand, std::nullopt);
   if (!unrecorded) return unrecorded;
   recordingError_ = recorded.error().message;
@@ -91,7 +91,7 @@ Result<Done> InsertionControl::prepare(InputSource hand)
 
 void InsertionControl::discard()
 {
-  // An insertion that never ran leaves no file behind, unless somebody asked for that file.
+  // An insertion that never ran leaves no file, unless the file was requested.
   const auto unused = isRunning_ || record_ ? std::nullopt : recording();
   insertion_.reset();  // closes its recording before the next one is opened
   scripted_ = nullptr;
@@ -251,7 +251,7 @@ void InsertionControl::pursue()
 void InsertionControl::pursueWithdrawal()
 {
   const haptics::TickOutput& now = now_.output;
-  // At full depth the loop wants to be asked; on the way there the hand may turn back by itself.
+  // At full depth the loop needs a command; before that the scripted device reverses on its own.
   if (now.workflow == haptics::Workflow::finished && isAtDepth()) {
     if (now_.tick >= askedAt_ && ask(Kind::withdraw)) askedAt_ = now_.tick + 1;
     return;
@@ -263,8 +263,8 @@ void InsertionControl::pursueWithdrawal()
 
 bool InsertionControl::isAtDepth() const noexcept
 {
-  // Also after a withdrawal from full depth, when the loop holds no stop any more. A finished
-  // withdrawal is finished, too, but near the start.
+  // Also after a withdrawal from full depth, when the stop no longer applies. A finished withdrawal
+  // is finished, too, but near the start.
   const double stop = scenario_.stopTravel.si();
   const bool isFinished = now_.output.workflow == haptics::Workflow::finished;
   return now_.output.travel >= stop || (isFinished && now_.output.travel > 0.5 * stop);

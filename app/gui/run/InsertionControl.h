@@ -1,6 +1,6 @@
 #pragma once
 
-// What the window does with an insertion: the verbs of its buttons and keys, whoever the hand is.
+// Control of an insertion by the window's buttons and keys, for every input device.
 
 #include <filesystem>
 #include <functional>
@@ -18,86 +18,86 @@
 
 namespace perilymph::gui {
 
-/// Who moves the array.
+/// The device that moves the array.
 enum class InputSource { scripted, pointer, device };
 
-/// Holds one insertion at a time, drives its hand and sends its commands. It computes nothing: it
-/// asks, and the haptic loop decides. UI thread only.
+/// Owns one insertion at a time, controls its device and sends its commands. It computes nothing:
+/// it sends requests, and the haptic loop decides. UI thread only.
 class InsertionControl {
 public:
-  /// @param record  Where the first insertion is kept; the next ones beside it. Without a file, in
-  ///                the folder of sessions under the time of day.
+  /// @param record  File of the first insertion; the next ones are stored beside it. If empty, in
+  ///                the session folder, named by the time of day.
   InsertionControl(session::Scenario scenario, std::optional<std::filesystem::path> record);
   ~InsertionControl();
 
-  /// What an insertion runs in, built beforehand: that takes a tenth of a second and more.
+  /// The model of an insertion, built beforehand because that takes a tenth of a second or more.
   struct Parts {
     std::shared_ptr<const anatomy::ScalaTympani> anatomy;
     std::shared_ptr<const mechanics::InsertionModel> model;
   };
 
-  /// From the next prepare() on, insertions are of another scenario, made of these parts; without
-  /// any, of the same as before.
+  /// Sets the scenario and its parts from the next prepare() on; without parts, those of the
+  /// previous scenario are used.
   void use(session::Scenario scenario, const std::optional<Parts>& parts);
 
-  /// Prepares a fresh insertion with the array at its start and a recording of its own. The one
-  /// before is stopped and its recording closed, or removed if it never ran. An insertion whose
-  /// recording cannot be opened runs without one, but for the first with a file asked for by name.
+  /// Prepares a new insertion with the array at its start and a new recording. The previous one is
+  /// stopped and its recording closed, or removed if it never ran. If its recording cannot be
+  /// created, an insertion runs without one, except the first with a requested file name.
   Result<Done> prepare(InputSource hand);
 
-  /// From the next prepare() on, nothing is recorded.
+  /// Disables recording from the next prepare() on.
   void keepNothing() { keepsNothing_ = true; }
 
-  /// Makes a device, which is not yet open.
+  /// Makes a device that is not yet open.
   using DeviceFactory = std::function<Result<std::unique_ptr<device::HapticDevice>>()>;
 
-  /// Which device the next prepare(InputSource::device) opens.
+  /// Sets the device that the next prepare(InputSource::device) opens.
   void choose(DeviceFactory device) { chosen_ = std::move(device); }
   void choose(const device::FoundDevice& found);
-  /// The same for the device of a plug-in, a shared library.
+  /// The same for the device of a plug-in (a shared library).
   void choose(const std::filesystem::path& plugin);
 
-  /// Lets the loop run and the scripted hand insert; arms the array for the pointer.
+  /// Starts the loop; a scripted device inserts, for the pointer the array is armed.
   Result<Done> begin();
-  /// Lets go of the array: it stays where it is.
+  /// Releases the array, which keeps its position.
   void pause();
-  /// Pulls the array out again.
+  /// Withdraws the array.
   void withdraw();
-  /// Pulls the stylet out of the array, which stays where it is.
+  /// Withdraws the stylet while the array keeps its position.
   void pullStylet();
 
-  /// Pointer hand: holds the array (the dead-man's button) or lets go of it.
+  /// Pointer: grasps (the dead-man's button) or releases the array.
   void hold(bool isHeld);
   bool isHeld() const noexcept { return isHeld_; }
-  /// Pointer hand: moves the array while it is held; positive into the cochlea.
+  /// Pointer: moves the array while it is grasped; positive into the cochlea.
   void advanceBy(Length distance);
 
-  /// Sends what is waiting to be asked and takes the newest picture. True if there is a new one.
+  /// Sends pending commands and takes the newest snapshot. True if there is a new one.
   bool update();
-  /// The newest picture; of the array at its start before the loop runs.
+  /// The newest snapshot; the initial one before the loop runs.
   const haptics::Snapshot& now() const noexcept { return now_; }
 
-  /// The cochlea; after a prepare() that succeeded.
+  /// The cochlea; only after a successful prepare().
   const anatomy::ScalaTympani& anatomy() const noexcept { return insertion_->anatomy(); }
   std::shared_ptr<const anatomy::ScalaTympani> sharedAnatomy() const noexcept { return anatomy_; }
   InputSource hand() const noexcept { return hand_; }
   bool isRunning() const noexcept { return isRunning_; }
-  /// The array is at the stop travel or beyond.
+  /// The array is at or beyond the stop travel.
   bool isAtDepth() const noexcept;
-  /// The hand is asked to move, or held.
+  /// The device was told to move, or is grasped.
   bool isMoving() const noexcept;
   bool isStyletPulled() const noexcept { return styletTarget_.has_value(); }
   const session::Scenario& scenario() const noexcept { return scenario_; }
   std::string handName() const;
-  /// How the hand's device is doing; nothing for a hand without hardware.
+  /// Health of the device; empty without hardware.
   std::optional<device::DeviceHealth> deviceHealth();
-  /// Stops the loop where it is and says how it kept its time. Ends the insertion.
+  /// Stops the loop and returns its timing statistics. Ends the insertion.
   haptics::LoopStatistics halt();
-  /// A sentence where the device cannot render the coupling asked for; else empty.
+  /// A message if the device cannot render the requested coupling; else empty.
   std::string couplingText() const;
-  /// The file being written; none if it could not be.
+  /// The current recording file; empty if there is none.
   std::optional<std::filesystem::path> recording() const;
-  /// A sentence while the insertion is not being kept; empty while all is well.
+  /// A message if the insertion is not being recorded; empty if there is no error.
   std::string recordingError() const;
 
 private:
@@ -112,8 +112,8 @@ private:
   void moveHand(device::ScriptedDevice::Motion motion);
 
   session::Scenario scenario_;
-  std::shared_ptr<const anatomy::ScalaTympani> anatomy_;    ///< Once it is built.
-  std::shared_ptr<const mechanics::InsertionModel> model_;  ///< Once it is built.
+  std::shared_ptr<const anatomy::ScalaTympani> anatomy_;    ///< Null until built.
+  std::shared_ptr<const mechanics::InsertionModel> model_;  ///< Null until built.
   std::optional<std::filesystem::path> record_;
   int prepared_ = 0;
   bool keepsNothing_ = false;
@@ -128,7 +128,7 @@ private:
   bool isHeld_ = false;
   std::optional<double> styletTarget_;  ///< [m]
   bool styletAsked_ = false;
-  std::uint64_t askedAt_ = 0;  ///< Tick of the picture at the last request.
+  std::uint64_t askedAt_ = 0;  ///< Tick of the snapshot at the last request.
   std::string recordingError_;
   haptics::Snapshot now_{};
 };

@@ -28,7 +28,7 @@ Result<Parts> partsOf(const session::Scenario& scenario,
 void ModelBuilder::build(const session::Scenario& scenario,
                          std::shared_ptr<const anatomy::ScalaTympani> anatomy, Answer answer)
 {
-  if (!isBusy()) since_.start();  // who waits has waited since the first request
+  if (!isBusy()) since_.start();  // measured from the first request
   background_.run(
       "The cochlea",
       [scenario, anatomy = std::move(anatomy)](const std::atomic<bool>& isCanceled) {

@@ -1,7 +1,6 @@
 #pragma once
 
-// Building a cochlea and an array's model takes some tenths of a second: not in the thread that
-// draws.
+// Builds cochlea and model in the background, because it takes some tenths of a second.
 
 #include <QElapsedTimer>
 #include <functional>
@@ -14,22 +13,22 @@
 
 namespace perilymph::gui {
 
-/// Builds what an insertion runs in, beside the UI thread. Of several requests only the last one is
-/// answered, and those before it are not built if they have not begun.
+/// Builds the parts of an insertion in the background. Of several requests only the last one is
+/// answered; earlier ones that have not begun are not built.
 class ModelBuilder {
 public:
   using Answer = std::function<void(const Result<InsertionControl::Parts>&)>;
 
   explicit ModelBuilder(QObject* parent) : background_(parent) {}
 
-  /// Calls `answer` in the UI thread once everything is built or cannot be.
-  /// @param anatomy  The scenario's cochlea if it is built already.
+  /// Calls `answer` in the UI thread when everything is built or failed.
+  /// @param anatomy  The scenario's cochlea if already built.
   void build(const session::Scenario& scenario,
              std::shared_ptr<const anatomy::ScalaTympani> anatomy, Answer answer);
-  /// Nothing that was asked for is answered any more.
+  /// Cancels all requests.
   void forget() { background_.forget(); }
   bool isBusy() const { return background_.isBusy(); }
-  /// Since the request that is being built [ms]; 0 without one.
+  /// Time since the current request [ms]; 0 without one.
   qint64 busyFor_ms() const { return isBusy() ? since_.elapsed() : 0; }
 
 private:

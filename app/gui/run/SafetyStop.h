@@ -1,27 +1,27 @@
 #pragma once
 
-// How the window takes the force off the hand, whatever else it is doing.
+// Removal of the force by the window, in every situation.
 
 #include "gui/run/InsertionControl.h"
 
 namespace perilymph::gui {
 
-/// The one way from events of the window (keyboard lost, page left, window closed, signal) to an
-/// array that rests or a loop that has stopped. UI thread only.
+/// Handles all events of the window (keyboard focus lost, page left, window closed, signal) that
+/// must release the array or stop the loop. UI thread only.
 class SafetyStop {
 public:
   explicit SafetyStop(InsertionControl& control) : control_(control) {}
 
-  /// The window lost the keyboard: the release of a key is no longer told to it. An array held by
-  /// mouse and keyboard is let go of; script and device have no part in this.
+  /// The window lost the keyboard focus and will not receive key releases. Releases an array
+  /// grasped by mouse and keyboard; does not affect scripts and devices.
   void loseKeyboard();
 
-  /// Another page is shown, and nobody sees where the array goes: it rests.
-  /// @return Whether it moved or was held.
+  /// Another page is shown and the array is not visible: pauses it.
+  /// @return Whether it moved or was grasped.
   bool leaveSight();
 
-  /// The window ends: stops the loop, which leaves a force of zero on the device. Comes before
-  /// settings and files, which may take a moment. The recording is closed with the insertion.
+  /// The window ends: stops the loop, which sets the device's force to zero. Call before saving
+  /// settings and files, which may take time. The recording is closed with the insertion.
   void end();
 
 private:

@@ -15,12 +15,11 @@ std::string valueOf(const session::Scenario& scenario, const std::string& wanted
   return {};
 }
 
-// Keys that no cochlea and no model is built from. A key that is not among them means a new model,
-// needed or not.
+// Keys that affect neither cochlea nor model. Any other key requires a new model.
 constexpr std::array notBuiltFrom{"title", "speed_mm_s", "stop_travel_mm",       "force_scale",
                                   "side",  "patient",    "patient_numbers.label"};
 
-/// All keys but the title, sorted so that they can be compared.
+/// All keys except the title, sorted for comparison.
 session::Overrides compared(session::Overrides values)
 {
   std::erase_if(values, [](const auto& entry) { return entry.first == "title"; });

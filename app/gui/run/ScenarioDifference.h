@@ -1,6 +1,6 @@
 #pragma once
 
-// How two scenarios differ: in their keys, their cochlea, their model, their looks.
+// Comparison of two scenarios: keys, cochlea, model, appearance.
 
 #include <string>
 #include <vector>
@@ -9,18 +9,18 @@
 
 namespace perilymph::gui {
 
-/// The keys in which two scenarios differ, but for their titles.
+/// The keys in which two scenarios differ, except their titles.
 std::vector<std::string> differingKeys(const session::Scenario& one,
                                        const session::Scenario& other);
 
 /// True if both are built from the same numbers.
 bool haveSameCochlea(const session::Scenario& one, const session::Scenario& other);
 
-/// True if both are the same model to the last bit: they differ at most in what only the hand, the
-/// loop or people use.
+/// True if both have the same model to the last bit: they differ only in what concerns the device,
+/// the loop or the display.
 bool haveSameModel(const session::Scenario& one, const session::Scenario& other);
 
-/// True if they look alike before anything moves.
+/// True if they look the same before anything moves.
 bool lookAlike(const session::Scenario& one, const session::Scenario& other);
 
 }  // namespace perilymph::gui

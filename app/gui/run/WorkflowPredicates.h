@@ -1,18 +1,18 @@
 #pragma once
 
-// What may be done with an insertion now: which buttons can be pressed, which fields be changed.
+// Permitted actions in the current state: which buttons and input fields are enabled.
 
 #include "gui/run/InsertionControl.h"
 #include "perilymph/haptics/Snapshot.h"
 
 namespace perilymph::gui {
 
-/// What the answers depend on.
+/// The state that permissions depend on.
 struct InsertionState {
   haptics::Workflow workflow = haptics::Workflow::idle;
   InputSource input = InputSource::scripted;
   bool isRunning = false;  ///< The loop runs.
-  bool isMoving = false;   ///< The hand is asked to move, or held.
+  bool isMoving = false;   ///< The device was told to move, or is grasped.
   double travel = 0.0;     ///< [m]
   bool hasStylet = false;
   bool isStyletPulled = false;
@@ -20,30 +20,30 @@ struct InsertionState {
 
 InsertionState stateOf(const InsertionControl& control);
 
-/// Past arming: forces are computed and drawn.
+/// True after arming: forces are computed and drawn.
 bool hasBegun(haptics::Workflow workflow);
 
-/// Ended: at full depth, out again, or stopped by a fault.
+/// True if ended: at full depth, withdrawn, or by a fault.
 bool isOver(haptics::Workflow workflow);
 
-/// The array has left its start, or may leave it.
+/// True if the array has left its start or may leave it.
 bool isUnderway(const InsertionState& state);
 
-/// Before an insertion or after it: device, colors and language may be chosen.
+/// True before or after an insertion: device, colors and language may be changed.
 bool isBetweenInsertions(const InsertionState& state);
 
 /// The same, and nothing moves: the setup may be changed.
 bool maySetUp(const InsertionState& state);
 
-/// The main button starts, or pauses what the script moves.
+/// The main button starts, or pauses a scripted motion.
 bool mayStart(const InsertionState& state);
 
-/// The script may pull the array out; mouse and device may once the insertion has finished.
+/// A script may withdraw the array; mouse and device may after the insertion has finished.
 bool mayWithdraw(const InsertionState& state);
 
 bool mayPullStylet(const InsertionState& state);
 
-/// Mouse and keyboard may hold the array.
+/// Mouse and keyboard may grasp the array.
 bool mayHold(const InsertionState& state);
 
 }  // namespace perilymph::gui

@@ -17,11 +17,11 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr int max_px = 920;  // lines longer than this are hard to read
+constexpr int max_px = 920;  // longer lines are hard to read
 
 }  // namespace
 
-/// A browser whose pictures are as wide as the page at most.
+/// A browser whose pictures are at most as wide as the page.
 class GuideBrowser : public QTextBrowser {
 public:
   using QTextBrowser::QTextBrowser;

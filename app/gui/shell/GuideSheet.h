@@ -1,6 +1,6 @@
 #pragma once
 
-// The user guide, read in the window: the pages of resources/guide with their pictures.
+// The user guide in the window: the pages of resources/guide with their pictures.
 
 #include <QFrame>
 #include <filesystem>
@@ -9,8 +9,8 @@ namespace perilymph::gui {
 
 class GuideBrowser;
 
-/// The folder of the guide: beside the resources, or among the documents of the package. Empty
-/// where it is not installed.
+/// The folder of the guide: beside the resources, or among the documents of the package. Empty if
+/// it is not installed.
 std::filesystem::path guideFolder();
 
 class GuideSheet : public QFrame {
@@ -18,7 +18,7 @@ class GuideSheet : public QFrame {
 public:
   explicit GuideSheet(QWidget* parent);
 
-  /// Shows the first page in the middle of the window.
+  /// Shows the first page in the center of the window.
   void open();
 
 Q_SIGNALS:

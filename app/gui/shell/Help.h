@@ -1,6 +1,6 @@
 #pragma once
 
-// What explains the window: the sheet of keys (F1) and the user guide (Shift+F1).
+// Help of the window: the list of keys (F1) and the user guide (Shift+F1).
 
 #include <QObject>
 
@@ -12,22 +12,22 @@ class GuideSheet;
 class KeyActions;
 class KeyList;
 
-/// Both sheets lie on the window and are shown when asked for.
+/// Both are overlays of the window, shown on request.
 class Help : public QObject {
   Q_OBJECT
 public:
   explicit Help(QWidget* window);
 
-  /// Makes the sheet of keys from the actions themselves, once these are complete.
+  /// Makes the list of keys from the actions, when these are complete.
   void listKeys(const KeyActions& actions);
 
   void toggleKeys();
   void toggleGuide();
   bool areKeysShown() const;
-  /// Hides the guide, or the keys. False if it is not shown.
+  /// Hides the guide, or the list of keys. False if neither is shown.
   bool leaveGuide();
   bool leaveKeys();
-  /// The window has another size.
+  /// Adapts to the size of the window.
   void place();
 
 private:

@@ -19,7 +19,7 @@ constexpr double turn_deg = 5.0;       // per press of A, D, W, X
 constexpr double moveFraction = 0.03;  // per press of Shift and an arrow, of the picture's height
 constexpr double magnify = 1.1;        // per press of + or −
 
-// lupdate looks for words of free functions under the name of their namespace.
+// lupdate assigns texts of free functions to their namespace.
 QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
 
 void addInsertionSection(KeyActions& keys, InsertPage& page)
@@ -104,7 +104,7 @@ void addPictureSection(KeyActions& keys, InsertPage& page)
 
 void addReplaySection(KeyActions& keys)
 {
-  // They act before all others while a recording is open: ReplayControl::takeKey().
+  // They have priority while a recording is open: ReplayControl::takeKey().
   const auto section = KeySection::replay;
   keys.add(Gesture{section, tr("Space; Esc"), tr("play or pause; back to the insertion")});
   keys.add(Gesture{section, tr("Left, Right; with Shift"), tr("step by 1 tick; by 100")});

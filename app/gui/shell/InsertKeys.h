@@ -1,6 +1,6 @@
 #pragma once
 
-// What keys do on the page of the insertion, and what the sheet of keys says of them.
+// Keys of the insertion page and their descriptions.
 
 #include <functional>
 
@@ -9,11 +9,11 @@ namespace perilymph::gui {
 class InsertPage;
 class KeyActions;
 
-/// What a key does while the page of the insertion is shown; when it is not, the key is for others.
-/// @param act  Given the place of the key among those of its action.
+/// Restricts a key action to the insertion page; on other pages the key is not handled.
+/// @param act  Receives the index of the key among those of its action.
 std::function<bool(int)> onPage(InsertPage& page, std::function<void(int)> act);
 
-/// Adds the sections of the insertion, the picture and the replay.
+/// Adds the sections of insertion, 3D view and replay.
 void addInsertKeys(KeyActions& keys, InsertPage& page);
 
 }  // namespace perilymph::gui

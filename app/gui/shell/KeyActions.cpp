@@ -7,8 +7,8 @@ namespace perilymph::gui {
 
 namespace {
 
-/// The key with its modifiers. What is typed with Shift on one keyboard and without on another
-/// ("?", "+") is the same key.
+/// The key with its modifiers. Keys that need Shift on some keyboards only ("?", "+") are treated
+/// as the same key.
 QKeySequence pressedKeys(const QKeyEvent& event)
 {
   const int key = event.key();

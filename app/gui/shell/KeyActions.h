@@ -1,6 +1,6 @@
 #pragma once
 
-// What keys do: one table that acts on them and from which the sheet of keys is made.
+// Key actions: one table that handles keys and generates the list of keys.
 
 #include <QKeySequence>
 #include <QString>
@@ -12,27 +12,27 @@ class QKeyEvent;
 
 namespace perilymph::gui {
 
-/// A key that is pressed while others are held.
+/// A key with modifiers.
 inline QKeySequence with(Qt::KeyboardModifiers held, Qt::Key key)
 {
   return QKeySequence(int(held) | int(key));
 }
 
-/// What the sheet puts under one heading.
+/// Sections of the list of keys.
 enum class KeySection { insertion, picture, replay, window };
 
-/// Something keys ask for.
+/// An action triggered by keys.
 struct KeyAction {
   KeySection section;
-  QVector<QKeySequence> keys;  ///< Single keys with their modifiers, none of two strokes.
-  QString meaning;             ///< As the sheet says it.
-  /// @param which  Place of the pressed key in `keys`.
-  /// @return Whether it was done; if not, the key goes on to whoever else wants it.
+  QVector<QKeySequence> keys;  ///< Single keys with modifiers, no sequences.
+  QString meaning;             ///< Description in the list of keys.
+  /// @param which  Index of the pressed key in `keys`.
+  /// @return Whether it was handled; if not, the key is passed on.
   std::function<bool(int which)> act;
-  bool repeats = false;  ///< Also while the key is held down.
+  bool repeats = false;  ///< Also by auto-repeat.
 };
 
-/// What the mouse does, or a key that is not asked of the table: on the sheet only.
+/// A mouse gesture, or a key handled elsewhere: only for the list of keys.
 struct Gesture {
   KeySection section;
   QString what, meaning;
@@ -43,7 +43,7 @@ public:
   void add(KeyAction action) { actions_.push_back(std::move(action)); }
   void add(Gesture gesture) { gestures_.push_back(std::move(gesture)); }
 
-  /// Does what a key asks for. False if no action wants it now.
+  /// Handles a key. False if no action applies now.
   bool take(const QKeyEvent& event) const;
 
   const std::vector<KeyAction>& actions() const { return actions_; }
@@ -54,7 +54,7 @@ private:
   std::vector<Gesture> gestures_;
 };
 
-/// An action's keys as people read them: "Ctrl+R", "A  D  W  X".
+/// An action's keys as text: "Ctrl+R", "A  D  W  X".
 QString keysText(const KeyAction& action);
 
 }  // namespace perilymph::gui

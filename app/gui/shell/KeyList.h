@@ -1,6 +1,6 @@
 #pragma once
 
-// The sheet of keys, shown over the page when asked for.
+// The list of keys, shown over the page on request.
 
 #include <QFrame>
 
@@ -8,7 +8,7 @@ namespace perilymph::gui {
 
 class KeyActions;
 
-/// A quiet sheet that names what keys and mouse do, made from the actions themselves.
+/// An overlay with the functions of keys and mouse, generated from the actions.
 class KeyList : public QFrame {
   Q_OBJECT
 public:

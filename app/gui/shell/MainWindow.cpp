@@ -138,7 +138,7 @@ void MainWindow::showSubject()
                      ? tr("Perilymph · replay of %1")
                            .arg(QString::fromStdString(replay.playback().file().stem().string()))
                      : tr("Perilymph · %1").arg(QString::fromStdString(control().scenario().name)));
-  if (page() == Page::start) return top_->showNobody();  // nobody's turn yet
+  if (page() == Page::start) return top_->showNobody();  // no patient yet
   if (page() == Page::insert && replay.isOpen())
     return top_->showSubject(replay.playback().scenario(), {});
   top_->showSubject(control().scenario(), setup().isModified() ? setup().changedText() : QString());
@@ -181,7 +181,7 @@ void MainWindow::wheelEvent(QWheelEvent* event)
 
 bool MainWindow::event(QEvent* event)
 {
-  // A key released in another window is never told to this one: let go of the array at once.
+  // A key release in another window is not received here: release the array at once.
   if (event->type() == QEvent::WindowDeactivate) insert_->loseKeyboard();
   return QWidget::event(event);
 }

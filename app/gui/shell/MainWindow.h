@@ -1,7 +1,7 @@
 #pragma once
 
-// The workstation's window: the frame around its pages. Pages know nothing of each other; what one
-// asks of another comes through here.
+// The main window of the workstation: the frame around its pages. Pages are independent of each
+// other; their requests to each other are connected here.
 
 #include <QWidget>
 #include <filesystem>
@@ -31,22 +31,22 @@ public:
   MainWindow(session::Scenario scenario, std::optional<std::filesystem::path> record);
   ~MainWindow() override;
 
-  /// Builds the cochlea and prepares the insertion; then frames begin to run.
+  /// Builds the cochlea and prepares the insertion; then frames begin.
   Result<Done> open() { return insert_->open(); }
 
-  /// Shows another scenario on the page of the insertion.
+  /// Shows another scenario on the insertion page.
   void load(session::Scenario scenario, AfterLoading then);
   void load(const Setup& setup, SetupOrigin::Kind kind, AfterLoading then);
-  /// Goes on with the setup of a window before this one, whose scenario is this one's.
+  /// Continues with the setup of a previous window with the same scenario.
   void resume(const SetupOrigin& origin, const Setup& now) { insert_->resume(origin, now); }
 
-  /// Shows another page. An insertion that moves is paused: nobody would see where it goes.
+  /// Shows another page. A moving insertion is paused, because it is not visible.
   void showPage(Page page);
   Page page() const { return pages_->page(); }
 
-  /// Says something over the foot of the window.
+  /// The message area at the bottom of the window.
   Notice& notice() { return *notice_; }
-  /// Says on the page of the insertion what went wrong; stays until the next reset.
+  /// Shows an error on the insertion page until the next reset.
   void showError(const QString& sentence) { insert_->showError(sentence); }
 
   InsertPage& insertion() { return *insert_; }
@@ -56,17 +56,17 @@ public:
   InsertionViews& views() { return insert_->views(); }
   Sheets& sheets() { return *sheets_; }
 
-  /// Keeps a picture of the window, and says where.
+  /// Saves a screenshot of the window and shows its path.
   void takePicture();
-  /// Esc: leaves what lies on the page, or lets go of the array.
+  /// Esc: closes an overlay, or releases the array.
   void leave();
 
 Q_SIGNALS:
-  /// The first frame with the cochlea in it is on the display.
+  /// The first frame with the cochlea is on the display.
   void firstFrameShown();
   /// Another insertion is being recorded: control().recording().
   void recordingChanged();
-  /// A window made anew would show what was chosen in the settings.
+  /// A setting was changed that requires a new window.
   void anewAsked();
 
 protected:

@@ -1,6 +1,6 @@
 #pragma once
 
-// The pages of the window, one of which is shown.
+// The pages of the window, one of which is visible.
 
 #include <QStackedWidget>
 #include <array>
@@ -10,7 +10,7 @@ namespace perilymph::gui {
 /// The pages, in the order of their buttons.
 enum class Page { start, insert, compare, validate, sessions };
 
-/// Holds a widget for each page.
+/// Contains a widget for each page.
 class PageStack : public QStackedWidget {
   Q_OBJECT
 public:

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a person may choose about the window itself: how it looks and which language it speaks.
+// Settings of the window: color scheme and language.
 
 #include <QFrame>
 
@@ -11,17 +11,17 @@ namespace perilymph::gui {
 
 class Choice;
 
-/// Lies on the page. A choice is kept at once; the window is then made anew to show it.
+/// An overlay of the page. A change is saved at once; the window is then made again to show it.
 class SettingsSheet : public QFrame {
   Q_OBJECT
 public:
   explicit SettingsSheet(QWidget* parent);
 
-  /// Choices wait while an array is in a cochlea: making the window anew would end the insertion.
+  /// Disables changes while an array is in a cochlea: a new window would end the insertion.
   void setChangeable(bool isChangeable);
 
 Q_SIGNALS:
-  /// Something was chosen that a window made anew will show.
+  /// A setting was changed that requires a new window.
   void chosen();
   void closeAsked();
 
@@ -32,7 +32,7 @@ private:
   QLabel* note_;
 };
 
-/// The words a setting may hold; the first one is meant where nothing was chosen.
+/// Allowed values of a setting; the first one is the default.
 QStringList colorSchemeText();
 QStringList languageText();
 

@@ -32,7 +32,7 @@ void Sheets::toggleDevices()
     place();
     devices_->raise();
   }
-  insertion_.showInput();  // asking for the page checks its choice
+  insertion_.showInput();  // requesting the page toggles its button
 }
 
 void Sheets::toggleSettings()

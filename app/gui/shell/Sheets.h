@@ -1,6 +1,6 @@
 #pragma once
 
-// What lies on the pages when asked for: devices, settings, keys and guide.
+// Overlays of the pages: devices, settings, keys and guide.
 
 #include <QObject>
 
@@ -11,7 +11,7 @@ class Help;
 class InsertPage;
 class SettingsSheet;
 
-/// Shows and hides the sheets and keeps them in the middle.
+/// Shows, hides and centers the overlays.
 class Sheets : public QObject {
   Q_OBJECT
 public:
@@ -21,17 +21,17 @@ public:
   void toggleDevices();
   void toggleSettings();
 
-  /// The insertion goes on: what may be chosen now, and how its device is doing.
+  /// Updates the overlays: what may be changed now, and the health of the device.
   void showState();
-  /// The window has another size.
+  /// Adapts to the size of the window.
   void place();
-  /// Hides the one on top. False if there is none; the guide is asked for by Help::leaveGuide().
+  /// Hides the topmost overlay. False if there is none; for the guide see Help::leaveGuide().
   bool leave();
-  /// Esc is for a sheet that lies on every page.
+  /// Whether an overlay is open that Esc closes on every page.
   bool wantsEscape() const;
 
 Q_SIGNALS:
-  /// Something was chosen that a window made anew will show.
+  /// A setting was changed that requires a new window.
   void settingChosen();
 
 private:

@@ -141,7 +141,7 @@ TopBar::TopBar(QWidget* parent)
   right->addWidget(keys);
   right->addWidget(settings);
 
-  // Both sides take the same share, so that the patient stands in the middle of the window.
+  // Both sides have equal widths, so that the patient is in the center of the window.
   auto* columns = new QGridLayout(this);
   columns->setContentsMargins(2 * spacing, 0, 2 * spacing, 0);
   columns->addLayout(left, 0, 0);
@@ -162,7 +162,7 @@ QPushButton* TopBar::addPage(Page page, const QString& text, const char* name)
   button->setProperty("page", true);
   button->setFont(typeface(13, QFont::Medium));
   button->setFixedHeight(28);
-  // the window's style, which makes the hint, comes later
+  // the style sheet, which defines the size hint, is applied later
   const int caption = QFontMetrics(button->font()).horizontalAdvance(text);
   button->setMinimumWidth(std::max(84, caption + 2 * spacing + 4));
   button->setCheckable(true);

@@ -1,6 +1,6 @@
 #pragma once
 
-// The bar at the top: the pages, whose ear this is, and whether the hand answers.
+// The top bar: pages, patient, and device state.
 
 #include <QWidget>
 #include <utility>
@@ -14,10 +14,10 @@ class QPushButton;
 
 namespace perilymph::gui {
 
-/// How the device's light shines. Every state has its word beside the color.
+/// State of the device light. Every state has a text in addition to its color.
 enum class DeviceState { off, steady, warning, alarm };
 
-/// A dot and a few words about the hand.
+/// A dot and a short text about the device.
 class DeviceLight : public QWidget {
   Q_OBJECT
 public:
@@ -41,19 +41,19 @@ class TopBar : public QWidget {
 public:
   explicit TopBar(QWidget* parent);
 
-  /// Marks the page that is shown.
+  /// Marks the current page.
   void setPage(Page page);
 
-  /// Whose ear this is.
-  /// @param changed  What is no longer as the preset says, in words; empty where nothing is.
+  /// Shows patient and ear.
+  /// @param changed  Differences from the preset, as text; empty if there are none.
   void showSubject(const session::Scenario& scenario, const QString& changed);
-  /// It is nobody's turn yet.
+  /// Shows that there is no patient yet.
   void showNobody();
 
-  /// How the hand answers.
-  /// @param error  What went wrong, for the tip.
+  /// Shows the state of the device.
+  /// @param error  Error message for the tooltip.
   void showInsertion(const InsertionControl& control, const QString& error);
-  /// There is no insertion yet, or a recording in its place.
+  /// There is no insertion yet, or a replay instead.
   void showPreparing();
   void showReplay();
 

@@ -17,7 +17,7 @@ namespace perilymph::gui {
 
 namespace {
 
-// lupdate looks for words of free functions under the name of their namespace.
+// lupdate assigns texts of free functions to their namespace.
 QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
 
 std::function<bool(int)> always(std::function<void(int)> act)

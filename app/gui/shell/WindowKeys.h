@@ -1,6 +1,6 @@
 #pragma once
 
-// What keys do in the whole window, and what the sheet of keys says of them.
+// Keys of the whole window and their descriptions.
 
 namespace perilymph::gui {
 

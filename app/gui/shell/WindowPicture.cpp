@@ -14,7 +14,7 @@ namespace perilymph::gui {
 QString keepPicture(QWidget& window)
 {
   const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
-  QDir().mkpath(pictures);  // what cannot be made is said when the file is written
+  QDir().mkpath(pictures);  // an error is reported when the file is written
   const QString name = QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss"));
   QString file = QStringLiteral("%1/perilymph-%2.png").arg(pictures, name);
   for (int number = 2; QFile::exists(file); ++number)

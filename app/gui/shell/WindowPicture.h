@@ -1,6 +1,6 @@
 #pragma once
 
-// A picture of the window, kept among the user's pictures.
+// Screenshots of the window, saved among the user's pictures.
 
 #include <QString>
 
@@ -8,8 +8,8 @@ class QWidget;
 
 namespace perilymph::gui {
 
-/// Writes a PNG named after the time of day; never over another one.
-/// @return A sentence that says where it is, or why it could not be kept.
+/// Writes a PNG named by the time of day; never overwrites a file.
+/// @return A message with its path, or why it could not be saved.
 QString keepPicture(QWidget& window);
 
 }  // namespace perilymph::gui

@@ -1,6 +1,6 @@
 #pragma once
 
-// The best insertions of the day as a list that can be read from two meters.
+// The list of the day's best insertions, readable from two meters.
 
 #include <QWidget>
 #include <optional>
@@ -18,11 +18,11 @@ class BoardView : public QWidget {
 public:
   explicit BoardView(QWidget* parent);
 
-  /// @param words   For each entry's peak.
-  /// @param chosen  The place that stands out, 1 for the first.
+  /// @param words   Text for each entry's peak.
+  /// @param chosen  Rank of the highlighted entry, from 1.
   void show(const std::vector<KioskEntry>& entries, const QStringList& caption,
             std::optional<int> chosen);
-  /// Whose forces the words compare with.
+  /// Sets the source of the reference forces.
   void setSource(const QString& source);
 
 private:

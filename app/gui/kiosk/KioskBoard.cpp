@@ -57,7 +57,7 @@ void KioskBoard::load(const QDate& day)
   day_ = day;
   entries_.clear();
   const Result<std::string> text = readWhole(file_);
-  if (!text) return;  // the first of all days
+  if (!text) return;  // no list has been saved yet
   const QStringList lines = QString::fromStdString(*text).split(QLatin1Char('\n'));
   if (lines.size() < 2 || lines[0] != QLatin1String(heading)) return;
   if (lines[1] != day.toString(Qt::ISODate)) return;
@@ -90,7 +90,7 @@ void KioskBoard::save()
   QString text =
       QLatin1String(heading) + QLatin1Char('\n') + day_.toString(Qt::ISODate) + QLatin1Char('\n');
   for (const KioskEntry& entry : entries_) text += lineOf(entry);
-  std::error_code ignored;  // what cannot be made is said when the file is written
+  std::error_code ignored;  // an error is reported when the file is written
   std::filesystem::create_directories(file_.parent_path(), ignored);
   const Result<Done> written = writeWhole(file_, text.toStdString());
   error_ = written ? std::string() : written.error().message;

@@ -1,6 +1,6 @@
 #pragma once
 
-// The best insertions of the day, without names.
+// The anonymous list of the day's best insertions.
 
 #include <QDate>
 #include <QTime>
@@ -13,7 +13,7 @@
 
 namespace perilymph::gui {
 
-/// An insertion to full depth.
+/// A completed insertion to full depth.
 struct KioskEntry {
   QTime at;
   double peak_mN = 0.0;
@@ -21,21 +21,21 @@ struct KioskEntry {
   int reversals = 0;
 };
 
-/// Keeps the gentlest insertions of one day in a small text file. Another day begins with an empty
-/// board; a damaged line is left out.
+/// Stores the gentlest insertions of one day in a small text file. The list is empty on a new day;
+/// damaged lines are ignored.
 class KioskBoard {
 public:
   static constexpr std::size_t capacity = 8;
 
   explicit KioskBoard(std::filesystem::path file) : file_(std::move(file)) {}
 
-  /// The entries of a day, the lowest peak first; of equal peaks the earlier one.
+  /// The entries of a day, sorted by peak; equal peaks by time.
   const std::vector<KioskEntry>& entriesOf(const QDate& day);
-  /// Enters an insertion if it is among the best.
+  /// Adds an insertion if it is among the best.
   ///
-  /// @return Its place, 1 for the first; none if it is not among them.
+  /// @return Its rank, from 1; empty if it is not among them.
   std::optional<int> enter(const QDate& day, const KioskEntry& entry);
-  /// Why the board could not be kept; empty while all is well.
+  /// Why the list could not be saved; empty if there is no error.
   const std::string& error() const { return error_; }
 
 private:
@@ -48,7 +48,7 @@ private:
   std::string error_;
 };
 
-/// The board's place: the folder `booth` in the data home.
+/// Path of the list: in the folder `booth` of the data home.
 std::filesystem::path kioskBoardFile();
 
 }  // namespace perilymph::gui

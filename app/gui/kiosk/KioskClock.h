@@ -1,6 +1,6 @@
 #pragma once
 
-// The two clocks of the booth, as functions, so that an afternoon passes in a moment where it must.
+// The clocks of the booth, replaceable in tests.
 
 #include <QDateTime>
 #include <chrono>
@@ -8,14 +8,14 @@
 
 namespace perilymph::gui {
 
-/// Where the booth takes its time from.
+/// Time source of the booth.
 struct KioskClock {
-  /// Seconds that only ever grow.
+  /// Monotonic time [s].
   std::function<double()> seconds = [] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
         .count();
   };
-  /// Day and time of day, for the board.
+  /// Date and time of day, for the list.
   std::function<QDateTime()> today = [] { return QDateTime::currentDateTime(); };
 };
 

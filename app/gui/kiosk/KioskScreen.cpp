@@ -16,7 +16,7 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr int buttonHeight_px = 96;  // twice what a finger needs
+constexpr int buttonHeight_px = 96;  // twice the size of a touch target
 constexpr int headHeight_px = 112;
 constexpr Speed back = millimetersPerSecond(3);
 

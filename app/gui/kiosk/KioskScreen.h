@@ -1,6 +1,6 @@
 #pragma once
 
-// What is seen at the booth: a title, the picture, the board, and at the foot what can be pressed.
+// The screen of the booth: title, 3D view, list, and the controls at the bottom.
 
 #include <QWidget>
 
@@ -16,14 +16,14 @@ class BoardView;
 class OperationView;
 class PushPad;
 
-/// What the booth is doing.
+/// Stage of the booth.
 enum class KioskStage {
-  attract,  ///< An insertion that repeats, until a touch.
+  attract,  ///< Demonstration: repeated insertion until a touch.
   turn,     ///< A visitor inserts.
-  result    ///< The visitor is at full depth, or the insertion could not go on.
+  result    ///< The visitor is at full depth, or the insertion failed.
 };
 
-/// The one screen of the booth. It shows and tells what is pressed; it knows no insertion.
+/// The only screen of the booth. It displays and reports input; it is independent of insertions.
 class KioskScreen : public QWidget {
   Q_OBJECT
 public:
@@ -34,14 +34,14 @@ public:
 
   void say(const QString& title, const QString& sentence);
   void showFoot(KioskStage stage);
-  /// A handle can be chosen in place of the screen.
+  /// Whether a haptic device can be used instead of the screen.
   void offerHandle(bool isThere);
-  /// The visitor inserts with the handle, or with the screen.
+  /// The visitor inserts with the haptic device, or with the screen.
   void useHandle(bool isHandle);
 
   /// The plate or the button beside it is pressed.
   bool isPressed() const;
-  /// How fast the array is to move, positive into the cochlea; zero while nothing is pressed.
+  /// Requested speed of the array, positive into the cochlea; zero while nothing is pressed.
   Speed speed() const;
   void release();
 

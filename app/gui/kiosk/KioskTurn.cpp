@@ -10,7 +10,7 @@ namespace perilymph::gui {
 
 namespace {
 
-/// A hand that trembles has not turned back.
+/// Smaller returns are tremor, not reversals.
 constexpr double reversalTravel_m = 0.3e-3;
 
 QString translated(const char* text) { return QCoreApplication::translate("KioskTurn", text); }

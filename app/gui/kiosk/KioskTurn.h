@@ -1,6 +1,6 @@
 #pragma once
 
-// One visitor's insertion, as far as the board wants to know it.
+// Statistics of one visitor's insertion, for the list.
 
 #include <QString>
 
@@ -10,16 +10,16 @@
 
 namespace perilymph::gui {
 
-/// Follows an insertion through its snapshots: the greatest force of those shown, how deep it came,
-/// how often it turned back.
+/// Tracks an insertion through its snapshots: maximum of the displayed forces, maximum depth,
+/// number of reversals.
 class KioskTurn {
 public:
-  /// Adds what one picture says.
+  /// Adds one snapshot.
   void follow(const haptics::TickOutput& now);
 
   double peakForce() const { return peakForce_; }          ///< [N]
   double deepestTravel() const { return deepestTravel_; }  ///< [m]
-  double duration() const { return duration_; }            ///< Since the array began to move [s].
+  double duration() const { return duration_; }            ///< Since the first motion [s].
   int reversals() const { return reversals_; }
 
 private:
@@ -27,15 +27,15 @@ private:
   double deepestTravel_ = 0.0;
   double duration_ = 0.0;
   int reversals_ = 0;
-  double turning_ = 0.0;  ///< Where the travel last turned, or its farthest since [m].
+  double turning_ = 0.0;  ///< Travel at the last reversal, or the extreme since then [m].
   bool isAdvancing_ = true;
 };
 
-/// The peak in words, beside the range of peaks measured in patients: "below the peaks measured in
-/// patients". A comparison, no judgment of safety.
+/// Compares the peak with the range of peaks measured in patients: "below the peaks measured in
+/// patients". A comparison, not a statement on safety.
 QString peakText(double peak_N, const Result<analysis::Reference>& inVivo);
 
-/// The range those words speak of and who measured it; empty if it could not be read.
+/// That range and its source; empty if it could not be read.
 QString peakSource(const Result<analysis::Reference>& inVivo);
 
 }  // namespace perilymph::gui

@@ -23,11 +23,11 @@ using visualization::CameraPreset;
 constexpr int frameInterval_ms = 16;
 constexpr int slowInterval_ms = 66;
 constexpr double longestStep_s = 0.1;
-constexpr double station_s = 6.0;  // how long the tour stays at one place
-constexpr double rest_s = 4.0;     // at full depth, before the insertion repeats
+constexpr double station_s = 6.0;  // duration of each camera view
+constexpr double rest_s = 4.0;     // pause at full depth before the insertion repeats
 constexpr Speed byKey = millimetersPerSecond(2);
 
-/// Where the tour looks from, one after the other.
+/// Camera views of the demonstration, in order.
 constexpr std::array tour{CameraPreset::surgeon, CameraPreset::overview, CameraPreset::followTip};
 
 std::array<QString, tour.size()> tourSentences()
@@ -131,7 +131,7 @@ void KioskWindow::keyReleaseEvent(QKeyEvent* event)
 
 void KioskWindow::closeEvent(QCloseEvent* event)
 {
-  // a visitor's Alt+F4 closes nothing
+  // Alt+F4 is disabled for visitors
   event->ignore();
 }
 
@@ -182,7 +182,7 @@ bool KioskWindow::prepare(InputSource hand)
 void KioskWindow::beginAttract()
 {
   restingAt_s_.reset();
-  // what cannot be prepared now is tried again when the rest is over
+  // if preparation fails, it is repeated after the pause
   if (!prepare(InputSource::scripted)) restingAt_s_ = now_s();
   const bool isAnew = stage_ != KioskStage::attract || station_ < 0;
   if (!isAnew) return;

@@ -1,7 +1,7 @@
 #pragma once
 
-// The workstation at a booth: it shows itself until somebody touches it, lets them insert, and
-// goes back to showing itself when they have left.
+// The booth: runs a demonstration until a visitor touches the screen, lets the visitor insert, and
+// returns to the demonstration afterwards.
 
 #include <QElapsedTimer>
 #include <QTimer>
@@ -18,27 +18,28 @@
 
 namespace perilymph::gui {
 
-/// One full-screen window without menus, files or settings. Only Ctrl+Alt+Q ends it. It keeps no
-/// recordings: a booth runs for days.
+/// A full-screen window without menus, files or settings. Only Ctrl+Alt+Q ends it. It makes no
+/// recordings, because a booth runs for days.
 class KioskWindow : public QWidget {
   Q_OBJECT
 public:
-  static constexpr double patience_s = 60.0;  ///< Untouched for so long, it shows itself again.
+  static constexpr double patience_s = 60.0;  ///< Time without input after which the demonstration
+                                              ///< restarts.
 
   KioskWindow(session::Scenario scenario, std::filesystem::path board, KioskClock clock = {});
   ~KioskWindow() override;
 
-  /// Builds the cochlea and begins to show itself.
+  /// Builds the cochlea and starts the demonstration.
   Result<Done> open();
 
   KioskStage stage() const { return stage_; }
   const InsertionControl& control() const { return control_; }
   const KioskTurn& turn() const { return turn_; }
-  /// Turns of the timer so far.
+  /// Number of timer events so far.
   std::uint64_t frames() const { return frames_; }
 
 Q_SIGNALS:
-  /// The first frame with the cochlea in it is on the display.
+  /// The first frame with the cochlea is on the display.
   void firstFrameShown();
   /// The keys that end the booth were pressed.
   void ended();
@@ -78,11 +79,12 @@ private:
   QTimer timer_;
   QElapsedTimer sinceFrame_, sinceSlow_;
   double touchedAt_s_ = 0.0;
-  double stageAt_s_ = 0.0;             ///< When this stage, or this round of attract, began.
-  std::optional<double> restingAt_s_;  ///< Attract: since when the insertion is over.
-  int station_ = -1;                   ///< Station of the attract tour.
-  int pushedByKey_ = 0;                ///< 1 in, -1 out, 0 not at all.
-  std::pair<double, double> drawn_{};  ///< Travel and force of the picture.
+  double stageAt_s_ = 0.0;             ///< Start of the current stage, or of this round of the
+                                       ///< demonstration.
+  std::optional<double> restingAt_s_;  ///< Demonstration: time of the end of the insertion.
+  int station_ = -1;                   ///< Index of the camera view of the demonstration.
+  int pushedByKey_ = 0;                ///< 1 in, -1 out, 0 none.
+  std::pair<double, double> drawn_{};  ///< Travel and force of the last drawn snapshot.
   std::uint64_t frames_ = 0;
   bool isFirstFrame_ = true;
 };

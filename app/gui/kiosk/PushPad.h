@@ -1,7 +1,6 @@
 #pragma once
 
-// A wide plate to push the array with: while it is held the array moves, the farther right the
-// faster.
+// A wide plate that advances the array while it is pressed, faster toward the right.
 
 #include <QWidget>
 #include <optional>
@@ -10,7 +9,7 @@
 
 namespace perilymph::gui {
 
-/// Under one finger, or the mouse's left button.
+/// For one finger, or the mouse's left button.
 class PushPad : public QWidget {
   Q_OBJECT
 public:
@@ -20,9 +19,9 @@ public:
   explicit PushPad(QWidget* parent);
 
   bool isHeld() const { return place_.has_value(); }
-  /// Asked for by where the pad is held; zero while nobody holds it.
+  /// Speed for the pressed position; zero while it is not pressed.
   Speed speed() const;
-  /// Let go of, whatever the finger does.
+  /// Releases the plate, even if it is still touched.
   void release();
 
 Q_SIGNALS:

@@ -10,7 +10,7 @@ namespace perilymph::gui {
 
 namespace {
 
-// lupdate looks for words of free functions under the name of their namespace.
+// lupdate assigns texts of free functions to their namespace.
 QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
 
 QString millinewtonsText(double force_N) { return numberText(force_N * 1e3, 0); }

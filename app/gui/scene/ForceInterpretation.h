@@ -1,7 +1,6 @@
 #pragma once
 
-// What a force means, in words beside the number: thresholds that others measured, with sources.
-// Nothing is ever called safe.
+// Interpretation of forces by published thresholds, with sources. No force is ever called safe.
 
 #include <QString>
 #include <optional>
@@ -11,26 +10,26 @@
 
 namespace perilymph::gui {
 
-/// What is known about forces, as printed.
+/// Published force thresholds.
 struct ForceThresholds {
-  /// Median force that ten otologic surgeons feel: Kratchman 2016, Audiol Neurotol 21:244.
+  /// Median force perceived by ten otologic surgeons: Kratchman 2016, Audiol Neurotol 21:244.
   Force felt = millinewtons(20.4);
   std::optional<analysis::PrintedRange> peaks;    ///< On the hand, in patients.
   std::optional<analysis::PrintedRange> rupture;  ///< Rupture of the partition, normal to it.
 
-  /// With the shipped references; a missing one leaves its threshold out.
+  /// Thresholds of the shipped references; a missing one is omitted.
   static ForceThresholds shipped();
 };
 
-/// A sentence's worth of meaning, and whether it stands out.
+/// Text of an interpretation, and whether it is highlighted.
 struct ForceMeaning {
   QString text;
   bool isBeyond = false;
 };
 
-/// Meaning of a force on the hand.
+/// Interpretation of a force on the hand.
 ForceMeaning meaningOnHand(Force force, const ForceThresholds& known);
-/// Meaning of the sum of the forces normal to the partition.
+/// Interpretation of the sum of the forces normal to the partition.
 ForceMeaning meaningOnPartition(Force force, const ForceThresholds& known);
 
 }  // namespace perilymph::gui

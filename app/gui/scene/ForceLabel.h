@@ -1,6 +1,6 @@
 #pragma once
 
-// What the forces mean, drawn under the number of the force.
+// Interpretation of the forces, below the force read-out.
 
 #include <QWidget>
 
@@ -8,8 +8,8 @@
 
 namespace perilymph::gui {
 
-/// Both on two lines, on a plate so that the picture may pass behind them. What stands out has a
-/// mark before it besides its color.
+/// Two lines on a plate, because the 3D view may be behind them. A highlighted line has a mark in
+/// addition to its color.
 class ForceLabel : public QWidget {
   Q_OBJECT
 public:

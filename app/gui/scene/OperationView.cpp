@@ -30,10 +30,10 @@ namespace {
 
 using visualization::CameraPreset;
 
-// A drag over the whole height of the picture turns the model half around.
+// A drag over the full height of the view rotates the model by half a turn.
 constexpr double turnPerHeight_deg = 180.0;
 
-// What the view writes below the scale bars: two labels and the phase line.
+// Height of the view's own text below the scale bars: two labels and the phase line.
 constexpr int footHeight_px = 100;
 
 QLabel* quietLabel(QWidget* parent, const char* name)
@@ -64,12 +64,12 @@ OperationView::OperationView(QWidget* parent)
 {
   setObjectName(QStringLiteral("operationView"));
   setFocusPolicy(Qt::NoFocus);
-  setAttribute(Qt::WA_AcceptTouchEvents, false);  // VTK 9.1 would see each touch twice
-  setEnableHiDPI(false);  // the scene scales its words itself; VTK would do so once more
+  setAttribute(Qt::WA_AcceptTouchEvents, false);  // VTK 9.1 would handle each touch twice
+  setEnableHiDPI(false);  // the scene scales its texts itself; VTK would do it again
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   window->SetMultiSamples(0);
   setRenderWindow(window);
-  // The mouse is ours: styles would bring their own keys and their own ideas of a drag.
+  // Mouse input is handled here: interactor styles have their own keys and drags.
   if (window->GetInteractor() != nullptr) window->GetInteractor()->SetInteractorStyle(nullptr);
   addReadOuts();
   showNumbers({}, millimeters(1));
@@ -276,7 +276,7 @@ void OperationView::setHint(const QString& hint)
 void OperationView::placeHint()
 {
   const bool isSeen = !hint_->text().isEmpty();
-  constexpr int padding = 2 * 6;  // the style's
+  constexpr int padding = 2 * 6;  // of the style sheet
   const int caption = QFontMetrics(hint_->font()).horizontalAdvance(hint_->text()) + padding + 1;
   const auto spaceBeside = [this] {
     layout()->activate();
@@ -289,7 +289,7 @@ void OperationView::placeHint()
   hint_->setVisible(isSeen);
   viewName_->setVisible(true);
   QRect beside = spaceBeside();
-  if (isSeen && caption > beside.width()) {  // what to do matters more than where one looks from
+  if (isSeen && caption > beside.width()) {  // the hint is more important than the view's name
     viewName_->setVisible(false);
     beside = spaceBeside();
   }
@@ -336,7 +336,7 @@ bool OperationView::event(QEvent* event)
     case QEvent::MouseButtonDblClick:
     case QEvent::MouseMove:
     case QEvent::Wheel:
-      // Past VTK, which would take them. NOLINTNEXTLINE(bugprone-parent-virtual-call)
+      // Bypasses VTK, which would handle them. NOLINTNEXTLINE(bugprone-parent-virtual-call)
       return QOpenGLWidget::event(event);
     default:
       return QVTKOpenGLNativeWidget::event(event);

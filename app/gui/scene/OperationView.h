@@ -1,6 +1,6 @@
 #pragma once
 
-// The picture in the middle with the big numbers on it.
+// The central 3D view with the large read-outs.
 
 #include <QVTKOpenGLNativeWidget.h>
 
@@ -21,53 +21,53 @@ class PhaseLine;
 class ReadOut;
 class StereoWindow;
 
-/// Shows the scene and its read-outs; the mouse turns, moves and zooms the model.
+/// Shows the scene and its read-outs; the mouse rotates, moves and zooms the model.
 class OperationView : public QVTKOpenGLNativeWidget {
   Q_OBJECT
 public:
   explicit OperationView(QWidget* parent);
   ~OperationView() override;
 
-  /// The cochlea and the array to be shown from now on.
+  /// Sets the cochlea and the array to be shown.
   void setScene(std::unique_ptr<visualization::InsertionScene> scene);
-  /// The same cochlea and array drawn otherwise: what is seen from where stays.
+  /// Replaces the drawing of the same cochlea and array; the camera is kept.
   void replaceScene(std::unique_ptr<visualization::InsertionScene> scene);
-  /// The scene; none before the first setScene().
+  /// The scene; null before the first setScene().
   visualization::InsertionScene* scene() { return scene_.get(); }
 
-  /// Moves the array of the picture.
+  /// Updates the array.
   void showArray(const haptics::Snapshot& now);
-  /// Writes the numbers.
-  /// @param stopTravel  Where this insertion is at full depth.
+  /// Updates the read-outs.
+  /// @param stopTravel  Travel at full depth.
   void showNumbers(const haptics::TickOutput& now, Length stopTravel);
   void setPartVisible(visualization::Part part, bool isVisible);
 
   void glideTo(visualization::CameraPreset preset);
-  /// Quad-buffered stereo is shown by another window: here is what one eye sees.
+  /// For quad-buffered stereo, shown by another window, this view shows the picture of one eye.
   void setStereo(visualization::Stereo stereo);
-  /// A window that shows the same from the same place, or none. It must outlive its being shown.
+  /// Sets a window that shows the same view, or null. It must outlive its use here.
   void setTwin(StereoWindow* twin);
   visualization::Stereo stereo() const { return stereo_; }
   void turnModel(double azimuth_deg, double elevation_deg, double roll_deg);
-  /// Moves the model by a share of the picture's height.
+  /// Moves the model, in fractions of the view's height.
   void moveModel(double right, double up);
   void zoom(double factor);
-  /// One frame of a glide.
+  /// One frame of camera motion.
   void stepCamera(double seconds);
 
-  /// What happened and what to do, in place; empty hides it.
+  /// Shows an error with its remedy in the view; hidden if empty.
   void setBanner(const QString& sentence);
-  /// One quiet line at the foot of the picture.
+  /// Shows one line at the bottom of the view.
   void setHint(const QString& hint);
 
-  /// Sets a control into the foot of the picture, at its right.
+  /// Adds a control at the bottom right of the view.
   void addToFoot(QWidget* control);
 
-  /// Renders if something changed. True if it did.
+  /// Renders if anything changed. True if it did.
   bool renderIfDirty();
 
 Q_SIGNALS:
-  /// A double click on the picture.
+  /// A double click on the view.
   void maximizeAsked();
   void presetChanged(perilymph::visualization::CameraPreset preset);
 
@@ -91,7 +91,7 @@ private:
   visualization::Stereo stereo_ = visualization::Stereo::off;
   StereoWindow* twin_ = nullptr;
   bool isDirty_ = true;
-  int hintLift_ = 0;  ///< Height of the scale bars over a hint that lies under them.
+  int hintLift_ = 0;  ///< Offset of the scale bars above a hint below them.
   QPoint mouse_;
   ReadOut* travel_;
   ReadOut* angle_;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Where in the cochlea the insertion is, as four stations on a line.
+// The phase of the insertion as four stations on a line.
 
 #include <QWidget>
 
@@ -8,8 +8,8 @@
 
 namespace perilymph::gui {
 
-/// Opening, outer wall, basal turn, full depth: stations behind the tip are filled, the one it is
-/// in is large and its name bold.
+/// Opening, outer wall, basal turn, full depth: passed stations are filled, the current one is
+/// large with a bold name.
 class PhaseLine : public QWidget {
   Q_OBJECT
 public:

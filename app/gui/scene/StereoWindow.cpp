@@ -19,11 +19,11 @@ StereoWindow::StereoWindow(QObject* parent) : QObject(parent)
   window_ = std::make_unique<QVTKOpenGLWindow>(buffers);
   QSurfaceFormat format = QVTKOpenGLWindow::defaultFormat(true);
   format.setSamples(0);
-  format.setSwapInterval(0);  // the main window paces itself
+  format.setSwapInterval(0);  // the main window paces the frames
   window_->setFormat(format);
   window_->setTitle(tr("Perilymph, for two eyes"));
   window_->resize(960, 720);
-  window_->setEnableHiDPI(false);  // the scene scales its words itself
+  window_->setEnableHiDPI(false);  // the scene scales its texts itself
   if (window_->interactor() != nullptr) window_->interactor()->SetInteractorStyle(nullptr);
   window_->installEventFilter(this);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// The picture for two eyes through the two buffers of a display that has them.
+// Quad-buffered stereo view, for displays that support it.
 
 #include <QObject>
 #include <memory>
@@ -11,32 +11,32 @@ class QVTKOpenGLWindow;
 
 namespace perilymph::gui {
 
-/// A window of its own, because only a window's own surface has a buffer for each eye: a view
-/// inside of another window is composed from one. It shows the picture without words on it.
+/// A separate window, because only a top-level surface has a buffer for each eye: embedded views
+/// are composed from one buffer. It shows the 3D view without read-outs.
 class StereoWindow : public QObject {
   Q_OBJECT
 public:
   explicit StereoWindow(QObject* parent);
   ~StereoWindow() override;
 
-  /// What is shown from now on; the first one opens the window.
+  /// Sets the scene; the first one opens the window.
   void setScene(std::unique_ptr<visualization::InsertionScene> scene);
   visualization::InsertionScene& scene() { return *scene_; }
-  /// Draws the scene from where another one is looked at.
+  /// Renders the scene with the camera of another one.
   void renderAs(const visualization::InsertionScene& other);
   bool isOpen() const;
-  /// As its user closes it.
+  /// Closes the window, as its user would.
   void close() const;
 
 Q_SIGNALS:
-  /// Its user closed it, or pressed Esc in it.
+  /// The user closed it, or pressed Esc in it.
   void closed();
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-  // the scene's renderer is in the window's hands: the window goes first
+  // the window owns the scene's renderer and is destroyed first
   std::unique_ptr<visualization::InsertionScene> scene_;
   std::unique_ptr<QVTKOpenGLWindow> window_;
 };

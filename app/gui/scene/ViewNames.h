@@ -1,6 +1,6 @@
 #pragma once
 
-// What the operation view calls where it is looked from, and how for two eyes.
+// Names of camera presets and stereo modes.
 
 #include <QString>
 

@@ -84,7 +84,7 @@ void ArraySection::addMotion()
 {
   speed_ = new NumberField({tr("Speed"), "panelSpeed", tr("mm/s"), 1, tr("Of the scripted hand.")},
                            body());
-  // as a scenario allows: robots move at 0.1 to 1 mm/s, a slip of the hand reaches 200
+  // as allowed in a scenario: robots move at 0.1 to 1 mm/s, a slip of the hand reaches 200
   speed_->setRange({0.01, 200.0});
   stop_ = new NumberField({tr("Full depth at"), "panelStop", tr("mm"), 1,
                            tr("Travel at which the insertion is complete.")},
@@ -185,7 +185,7 @@ void ArraySection::show(const Setup& setup)
 
   const bool isRod = scenario.model == mechanics::ModelKind::rod;
   model_->show(isRod ? QStringLiteral("rod") : QStringLiteral("points"), {});
-  // as a scenario allows
+  // as allowed in a scenario
   nodes_->setRange(isRod ? Range{8.0, double(mechanics::maxNodes)}
                          : Range{2.0, double(mechanics::maxPoints)});
   nodes_->setValue(scenario.nodes);

@@ -1,6 +1,6 @@
 #pragma once
 
-// The array in the panel: which, how it is inserted, how it rubs, and how it is computed.
+// The array section of the panel: array, technique, friction and model.
 
 #include <vector>
 
@@ -15,14 +15,14 @@ namespace perilymph::gui {
 class NumberField;
 class Selector;
 
-/// Shows the array and the technique of a setup and asks for changes of them.
+/// Shows the array and the technique of a setup and requests changes.
 class ArraySection : public Section {
   Q_OBJECT
 public:
   explicit ArraySection(QWidget* parent);
 
   void show(const Setup& setup);
-  /// Sends off what is typed. A sentence where something typed cannot be.
+  /// Commits edited values. An error message if a value is invalid.
   QString commit();
 
 Q_SIGNALS:

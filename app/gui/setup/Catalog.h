@@ -1,6 +1,6 @@
 #pragma once
 
-// What can be chosen: the arrays of all makers and the frictions, with what people should know.
+// The available arrays and frictions, with descriptions.
 
 #include <QString>
 #include <vector>
@@ -11,23 +11,22 @@ namespace perilymph::gui {
 
 /// One array of the catalog.
 struct CatalogArray {
-  QString name;   ///< As scenarios name it.
+  QString name;   ///< Name in scenarios.
   QString title;  ///< "FLEX28"
   QString maker;
   QString summary;  ///< "28.0 mm · straight · 12 contacts"
   QString note;
 };
 
-/// All arrays that ship or were added, by maker, shorter ones first. Files that cannot be read are
-/// left out.
+/// All shipped and added arrays, by maker, shorter ones first. Unreadable files are omitted.
 std::vector<CatalogArray> catalogArrays();
 
-/// "22.0 mm · precurved · 22 contacts": how deep it may go, what it is, what it carries.
+/// "22.0 mm · precurved · 22 contacts": maximum depth, shape, number of contacts.
 QString summaryOf(const electrode::ArrayDesign& array);
 
 /// One friction of the catalog.
 struct CatalogFriction {
-  QString name;    ///< As scenarios name it.
+  QString name;    ///< Name in scenarios.
   QString title;   ///< "Soap solution of 10 %: alike at every speed"
   QString source;  ///< Source of its coefficients.
 };

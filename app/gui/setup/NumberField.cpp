@@ -55,7 +55,7 @@ void NumberField::setRange(Range allowed)
 
 void NumberField::setValue(double value)
 {
-  // a second decimal where the first does not say it
+  // a second decimal if the first does not suffice
   int decimals = form_.decimals;
   while (decimals < 2 && typedNumber(numberText(value, decimals)) != value) ++decimals;
   edit_->setHeld(numberText(value, decimals));

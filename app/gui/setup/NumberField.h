@@ -1,6 +1,6 @@
 #pragma once
 
-// A named number with its unit and the range it may have.
+// An input field for a number with name, unit and range.
 
 #include <QWidget>
 
@@ -12,13 +12,13 @@ namespace perilymph::gui {
 
 class ValueEdit;
 
-/// A name, a field and a unit; below them, while it is wrong, what is allowed.
+/// A name, a field and a unit; below them the allowed range while the input is invalid.
 class NumberField : public QWidget {
   Q_OBJECT
 public:
   struct Form {
     QString title;
-    const char* name;  ///< Name of the field, by which tests find it.
+    const char* name;  ///< Object name, for tests.
     QString unit;
     int decimals = 1;
     QString tip;
@@ -27,19 +27,19 @@ public:
   NumberField(const Form& form, QWidget* parent);
 
   void setRange(Range allowed);
-  /// Shows the value that holds.
+  /// Sets the current value.
   void setValue(double value);
 
-  /// Sends off what is typed. False where it is no number within the range.
+  /// Commits the input. False if it is not a number within the range.
   bool commit();
-  /// Something was typed and not sent off.
+  /// The input was edited and not committed.
   bool isPending() const;
   void takeBack();
-  /// Why what is typed cannot be; empty where it can.
+  /// Error message of the input; empty if it is valid.
   QString error() const;
 
 Q_SIGNALS:
-  /// A person gave this value.
+  /// The user entered this value.
   void given(double value);
 
 private:

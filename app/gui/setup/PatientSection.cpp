@@ -26,7 +26,7 @@ constexpr auto byBasalTurn = "basalTurn";
 using anatomy::AnatomySource;
 using anatomy::PatientMeasures;
 
-/// Name of a choice: the measures that scale the anatomy, or the anatomy's own without any.
+/// Key of a choice: the measures that scale the anatomy, or the anatomy itself if none do.
 QString kindOf(AnatomySource source, PatientMeasures scaledBy)
 {
   const QString name = QLatin1String(nameOf(source));

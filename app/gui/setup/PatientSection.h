@@ -1,6 +1,6 @@
 #pragma once
 
-// The patient in the panel: who, which ear, which model of a cochlea, and its numbers.
+// The patient section of the panel: patient, ear, anatomy and its measures.
 
 #include <vector>
 
@@ -13,14 +13,14 @@ namespace perilymph::gui {
 class Selector;
 class ValueEdit;
 
-/// Shows the patient of a setup and asks for changes of it.
+/// Shows the patient of a setup and requests changes.
 class PatientSection : public Section {
   Q_OBJECT
 public:
   explicit PatientSection(QWidget* parent);
 
   void show(const Setup& setup);
-  /// Sends off what is typed. A sentence where something typed cannot be.
+  /// Commits edited values. An error message if a value is invalid.
   QString commit();
 
 Q_SIGNALS:
@@ -54,7 +54,8 @@ private:
   QWidget* basalTurn_;
   std::vector<Number> numbers_;
   std::vector<Kind> kinds_;
-  session::Overrides lastLengths_, lastBasalTurn_;  ///< As TOML, for coming back to a kind.
+  session::Overrides lastLengths_, lastBasalTurn_;  ///< As TOML, to restore them when a kind is
+                                                    ///< selected again.
   QString heldKind_;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// One number of a patient: what was measured, its unit, and where it lies among other people's.
+// An input field for a patient measure, with its position in the population.
 
 #include <QString>
 #include <QWidget>
@@ -14,44 +14,44 @@ namespace perilymph::gui {
 
 class ValueEdit;
 
-/// What is known of a length over the population.
+/// Population statistics of a length.
 struct Population {
-  Length low, high;                         ///< Allowed.
-  std::optional<Length> mean;               ///< None where no one has published it.
-  std::optional<Length> standardDeviation;  ///< Likewise.
+  Length low, high;                         ///< Allowed range.
+  std::optional<Length> mean;               ///< Empty if unpublished.
+  std::optional<Length> standardDeviation;  ///< Empty if unpublished.
   QString source;
 };
 
-/// A name, a field for millimeters and a line that marks the value's place in the population.
+/// A name, an input field for millimeters and a line that marks the value in the population.
 class PopulationField : public QWidget {
   Q_OBJECT
 public:
-  /// How much room there is: a form's, or a narrow panel's.
+  /// Layout: for a form, or for a narrow panel.
   enum class Width { wide, narrow };
 
-  /// @param name        Of the object: what tests and style sheets find it by.
-  /// @param mayBeEmpty  The number may be left out.
+  /// @param name        Object name, for tests and style sheets.
+  /// @param mayBeEmpty  The number is optional.
   PopulationField(const QString& title, const char* name, const Population& population,
                   bool mayBeEmpty, QWidget* parent, Width width = Width::wide);
 
   void setValue(std::optional<Length> value);
-  /// The value that holds until another one is given(), and a word for where it comes from.
+  /// Sets the current value, valid until another one is given(), and a text for its source.
   void setHeld(std::optional<Length> value, const QString& provenance);
-  /// None if the field is empty or holds no number.
+  /// Empty if there is no number.
   std::optional<Length> value() const;
-  /// True if what is typed is a number within the limits, or is rightly left out.
+  /// True if the input is a number within the limits, or permissibly empty.
   bool isAcceptable() const;
-  /// Why what is typed cannot be; empty where it can.
+  /// Error message of the input; empty if it is valid.
   QString error() const;
 
-  /// Sends off what was typed since setHeld(). False where it is not acceptable.
+  /// Commits the input if it was edited since setHeld(). False if it is invalid.
   bool commit();
   bool isPending() const;
   void takeBack();
 
 Q_SIGNALS:
   void changed();
-  /// A person gave another value than the one that held; none where it may be left out.
+  /// The user entered another value; empty if an optional number was removed.
   void given(std::optional<perilymph::Length> value);
 
 protected:

@@ -1,6 +1,6 @@
 #pragma once
 
-// What is known of each number of a patient over the population, with its source.
+// Population statistics of each patient measure, with sources.
 
 #include "gui/setup/PopulationField.h"
 

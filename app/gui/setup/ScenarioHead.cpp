@@ -24,7 +24,7 @@ QString elided(const QString& text, const QFont& font, int width_px)
   return QFontMetrics(font).elidedText(text, Qt::ElideRight, width_px);
 }
 
-/// Where a preset's values come from.
+/// Source of a preset's values.
 QString citationOf(const session::Scenario& preset)
 {
   if (preset.name != publishedPreset) return {};

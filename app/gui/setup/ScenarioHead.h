@@ -1,6 +1,6 @@
 #pragma once
 
-// The head of the panel: what the window is about, whether it still is that, undo and redo.
+// The head of the panel: scenario, modification state, undo and redo.
 
 #include <QWidget>
 
@@ -11,14 +11,14 @@ namespace perilymph::gui {
 
 class SetupHistory;
 
-/// Names the scenario. A preset with other values wears MODIFIED and offers the way back.
+/// Shows the scenario. A modified preset is marked MODIFIED and can be restored.
 class ScenarioHead : public QWidget {
   Q_OBJECT
 public:
   explicit ScenarioHead(QWidget* parent);
 
   void show(const SetupHistory& history);
-  /// Changes are possible, or not now, for a reason in words.
+  /// Enables changes, or disables them with a reason.
   void setChangeable(bool isChangeable);
 
 Q_SIGNALS:

@@ -1,6 +1,6 @@
 #pragma once
 
-// A part of the panel under a title that folds it away.
+// A collapsible section of the panel.
 
 #include <QWidget>
 
@@ -10,11 +10,12 @@ class QVBoxLayout;
 
 namespace perilymph::gui {
 
-/// A line, a title, perhaps a note at its right, and rows below. A click on the title folds them.
+/// A line, a title, an optional note at its right, and rows below. A click on the title collapses
+/// them.
 class Section : public QWidget {
   Q_OBJECT
 public:
-  /// @param name  Of the title's button: what tests find it by.
+  /// @param name  Object name of the title's button, for tests.
   Section(const QString& title, const char* name, QWidget* parent);
 
   QVBoxLayout& rows() { return *rows_; }
@@ -31,7 +32,7 @@ private:
   QVBoxLayout* rows_;
 };
 
-/// A row of the panel: a name at the left, something at the right.
+/// A row of the panel: a name on the left, a control on the right.
 QWidget* namedRow(const QString& name, QWidget* control, QWidget* parent);
 
 }  // namespace perilymph::gui

@@ -17,7 +17,7 @@ namespace {
 constexpr int height_px = 26;
 constexpr int textMargin_px = 8;
 constexpr int arrowWidth_px = 24;
-constexpr int textRole = Qt::UserRole + 1;  // without a reason
+constexpr int textRole = Qt::UserRole + 1;  // the text without a reason
 
 QStandardItem* itemOf(const QComboBox& box, int index)
 {

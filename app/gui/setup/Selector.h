@@ -1,34 +1,34 @@
 #pragma once
 
-// One of a list, in the window's own drawing.
+// A drop-down list in the window's style.
 
 #include <QComboBox>
 
 namespace perilymph::gui {
 
-/// A list that opens. What cannot be chosen stays in it, greyed, with the reason. The wheel scrolls
-/// the panel and never changes a choice.
+/// Unavailable entries remain visible but disabled, with the reason. The wheel scrolls the panel
+/// and never changes the selection.
 class Selector : public QComboBox {
   Q_OBJECT
 public:
   Selector(const char* name, const QString& accessibleName, QWidget* parent);
 
-  /// A line that parts the list; not to be chosen.
+  /// Adds a heading, which cannot be selected.
   void addHeading(const QString& text);
-  /// @param tip  Why, or what it is.
+  /// @param tip  Tooltip.
   void addChoice(const QString& text, const QString& value, const QString& tip = {});
-  /// @param reason  Follows the text of a choice that is not possible.
+  /// @param reason  Appended to the text of an unavailable entry.
   void setPossible(const QString& value, bool isPossible, const QString& reason);
   bool isPossible(const QString& value) const;
 
-  /// Shows a choice; one that is not in the list is added.
+  /// Selects an entry; adds it if it is missing.
   void show(const QString& value, const QString& textIfMissing);
-  /// What the closed list says instead of the choice's whole text.
+  /// Sets the text of the closed list, in place of the entry's full text.
   void setShown(const QString& text) { shown_ = text; }
   QString value() const { return currentData().toString(); }
-  /// As wide as it must be for its longest choice.
+  /// Width required by the longest entry [px].
   int widest_px() const;
-  /// Whether what it says now is not cut.
+  /// Whether the current text is fully visible.
   bool isWhole() const;
 
   QSize sizeHint() const override;
@@ -36,7 +36,7 @@ public:
   void showPopup() override;
 
 Q_SIGNALS:
-  /// A person chose this.
+  /// The user selected this entry.
   void chosen(const QString& value);
 
 protected:

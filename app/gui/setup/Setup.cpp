@@ -47,7 +47,7 @@ std::string valueOf(const Values& values, const std::string& key)
   return found == values.end() ? std::string() : found->second;
 }
 
-/// Takes some keys' values over from another scenario; those that it lacks vanish.
+/// Copies the values of some keys from another scenario; keys missing there are removed.
 void takeOver(Values& values, const Values& from,
               const std::function<bool(const std::string&)>& isMeant)
 {
@@ -65,7 +65,7 @@ bool isFrictionNumber(const std::string& key) { return startsWith(key, "friction
 
 bool isPatientNumber(const std::string& key) { return startsWith(key, numbers) && key != label; }
 
-/// Every number in the order in which it is read does not matter: sorted, they can be compared.
+/// The order of keys is irrelevant: sort them for comparison.
 Values sorted(Values values)
 {
   std::sort(values.begin(), values.end());
@@ -85,8 +85,8 @@ std::string millimetersText(Length length)
   return text.toStdString();
 }
 
-/// The greatest stop travel of an array, to a micrometer, so that start and stop together do not
-/// round beyond what may go in.
+/// Maximum stop travel of an array, rounded to a micrometer, so that start depth and stop travel
+/// together do not exceed the maximum depth.
 Length deepestStop(const electrode::ArrayDesign& array, Length startInside)
 {
   const double nominal_um = inMillimeters(array.insertable - startInside) * 1e3;
@@ -113,7 +113,7 @@ Result<Done> followArray(Values& values, const Setup& now, const SetupOrigin& or
   if (!array) return array.error();
   if (!array->hasStylet || !array->stylet.holdDepth) set(values, "technique", "\"standard\"");
 
-  // A stop that nobody chose follows the array; a chosen one only gives way.
+  // A default stop travel follows the array; a chosen one is only reduced.
   const auto limitOf = [&first](const electrode::ArrayDesign& design) {
     return std::min(first.stopTravel, deepestStop(design, first.startInside));
   };
@@ -158,7 +158,7 @@ Result<Done> follow(Values& values, const Setup& now, const SetupOrigin& origin,
   return Done{};
 }
 
-/// Numbers that are nobody's any more lose the name; the origin's numbers have the origin's name.
+/// Modified numbers lose the patient's name; the origin's numbers have the origin's name.
 void followPatient(Values& values, const SetupOrigin& origin, SetupField field)
 {
   const Values& first = origin.setup.scenario.values;
@@ -212,7 +212,7 @@ Result<Setup> changed(const Setup& now, const SetupOrigin& origin, const SetupCh
     made.sources.clear();
   }
   for (const auto& [key, value] : change.values) {
-    // an empty value takes a number away
+    // an empty value removes a number
     if (value.empty())
       drop(values, [named = key](const std::string& own) { return own == named; });
     else

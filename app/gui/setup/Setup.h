@@ -1,6 +1,6 @@
 #pragma once
 
-// What is about to be inserted into whom, and how one change of it takes along what depends on it.
+// The setup of an insertion, and changes with their dependent values.
 
 #include <QString>
 #include <map>
@@ -12,7 +12,7 @@
 
 namespace perilymph::gui {
 
-/// What a person may change. Consecutive changes of one field are undone together.
+/// The fields that can be changed. Consecutive changes of one field are undone together.
 enum class SetupField {
   preset,
   patientLabel,
@@ -35,10 +35,10 @@ enum class SetupField {
   forceScale
 };
 
-/// Where a number of a patient comes from.
+/// Source of a patient's number.
 enum class ValueSource { standard, typed, ct };
 
-/// A scenario, and where its patient's numbers come from: those not named are the standard ones.
+/// A scenario, and the sources of its patient's numbers; numbers not listed are standard ones.
 struct Setup {
   session::Scenario scenario;
   std::map<SetupField, ValueSource> sources;
@@ -50,43 +50,43 @@ struct Setup {
   }
 };
 
-/// What a setup began as. A preset claims something (to be the published experiment), so that any
-/// change of it is shown; a patient's own scenario claims nothing.
+/// The initial state of a setup. A preset represents something (such as the published experiment),
+/// so that any change of it is marked; a patient's own scenario is not.
 struct SetupOrigin {
   enum class Kind { preset, own };
   Setup setup;
   Kind kind = Kind::preset;
 };
 
-/// New values of a scenario's keys, as TOML writes them, for one field.
+/// New values of a scenario's keys, in TOML format, for one field.
 struct SetupChange {
   SetupField field;
   session::Overrides values;
-  QString text;  ///< What it does, for the undo list: "speed 1.0 mm/s".
+  QString text;  ///< Description for the undo list: "speed 1.0 mm/s".
   ValueSource sources = ValueSource::typed;
 };
 
-/// A string as TOML writes it.
+/// A string in TOML format.
 std::string tomlQuoted(const QString& text);
 
-/// The setup with a change. What depends on the field follows:
-/// - another array drops the fitted numbers and the fingerprint of the one before, goes no deeper
-///   than it may, and has no technique that it cannot;
-/// - another friction or model drops the coefficients or the nodes of the one before;
-/// - another anatomy drops the numbers of the patient before.
-/// The scenario's title says what was changed of a preset, so that no recording claims to be one
-/// that it is not. Without differences it is the origin again.
+/// The setup with a change. Dependent values follow:
+/// - another array removes the calibration and the fingerprint of the previous one, limits the
+///   depth, and changes an unsupported technique;
+/// - another friction or model removes the coefficients or the nodes of the previous one;
+/// - another anatomy removes the numbers of the previous patient.
+/// The scenario's title lists the changes of a preset, so that a recording is not mistaken for one
+/// of the preset. Without differences the result is the origin.
 Result<Setup> changed(const Setup& now, const SetupOrigin& origin, const SetupChange& change);
 
-/// In which fields two scenarios differ, but for their titles: words, each once and in a fixed
+/// The fields in which two scenarios differ, except their titles: words, each once and in a fixed
 /// order: "array", "speed".
 std::vector<std::string> differingText(const session::Scenario& one,
                                        const session::Scenario& other);
 
-/// A file's name from a patient's: letters and digits stay, everything else becomes a dash.
+/// A file name for a patient: letters and digits are kept, all else becomes a dash.
 std::string fileNameOf(const std::string& label);
 
-/// The scenario of a patient of one's own: named after the patient and no longer after a preset.
+/// The scenario of the user's own patient: named after the patient instead of a preset.
 Result<session::Scenario> asOwn(const session::Scenario& scenario);
 
 }  // namespace perilymph::gui

@@ -8,7 +8,7 @@
 
 namespace perilymph::gui {
 
-/// One change: the setup before it and after it.
+/// One change, with the setups before and after it.
 class SetupCommand : public QUndoCommand {
 public:
   SetupCommand(SetupHistory& history, Setup before, Setup after, SetupField field, int epoch,
@@ -34,7 +34,7 @@ public:
     if (later == nullptr || later->field_ != field_ || later->epoch_ != epoch_) return false;
     after_ = later->after_;
     setText(later->text());
-    // there and back again is no change
+    // returning to the previous state is not a change
     setObsolete(after_.scenario.text == before_.scenario.text);
     return true;
   }
@@ -82,7 +82,7 @@ void SetupHistory::change(const SetupChange& change)
 {
   auto made = changed(now_, origin_, change);
   if (!made) {
-    Q_EMIT setupChanged();  // the fields show again what holds
+    Q_EMIT setupChanged();  // the fields show the current values again
     Q_EMIT refused(QString::fromStdString(made.error().message));
     return;
   }

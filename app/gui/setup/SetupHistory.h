@@ -1,6 +1,6 @@
 #pragma once
 
-// What was changed, in order, so that every change can be undone and done again.
+// Undo and redo of setup changes.
 
 #include <QObject>
 #include <QUndoStack>
@@ -9,42 +9,42 @@
 
 namespace perilymph::gui {
 
-/// Holds the setup that the window is about. Consecutive changes of one field count as one.
+/// Owns the current setup. Consecutive changes of one field count as one.
 class SetupHistory : public QObject {
   Q_OBJECT
 public:
   explicit SetupHistory(QObject* parent);
 
-  /// Begins anew; nothing is left to be undone.
+  /// Starts a new history without undo steps.
   void begin(Setup setup, SetupOrigin::Kind kind);
 
-  /// Goes on where another history was; nothing is left to be undone.
+  /// Continues the setup of another history, without undo steps.
   void resume(const SetupOrigin& origin, Setup now);
 
   const Setup& now() const { return now_; }
   const SetupOrigin& origin() const { return origin_; }
-  /// It is a preset's, but no longer as the preset says.
+  /// It is based on a preset, but differs from it.
   bool isModified() const;
-  /// What was changed, in words: "array, speed"; empty where nothing was.
+  /// The changes as text: "array, speed"; empty if there are none.
   QString changedText() const;
 
-  /// Makes a change, or says why it cannot be made.
+  /// Makes a change, or reports why it is impossible.
   void change(const SetupChange& change);
-  /// Back to the origin, as one change more.
+  /// Restores the origin, as a further change.
   void restore();
-  /// The next change stands for itself: what was tried since the last one is not to be lost in it.
+  /// Separates the next change, so that it is not merged with previous ones.
   void seal() { ++epoch_; }
 
   void undo();
   void redo();
-  /// Goes to where the scenario was this one, backwards or forwards; where none was, to the origin.
+  /// Moves in the history to the state with this scenario; to the origin if there is none.
   void goTo(const std::string& scenarioText);
   const QUndoStack& stack() const { return stack_; }
 
 Q_SIGNALS:
-  /// The setup is another one: by a change, its undoing or its doing again.
+  /// The setup changed: by a change, undo or redo.
   void setupChanged();
-  /// A change could not be made; the setup is as before.
+  /// A change failed; the setup is unchanged.
   void refused(const QString& sentence);
 
 private:

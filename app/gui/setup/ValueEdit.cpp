@@ -9,7 +9,7 @@ ValueEdit::ValueEdit(QWidget* parent) : QLineEdit(parent) {}
 
 void ValueEdit::setHeld(const QString& text)
 {
-  // what is being typed stays while nothing new holds
+  // edited text is kept while the current value is unchanged
   const bool isKept = isPending() && held_ == text;
   held_ = text;
   isHolding_ = true;

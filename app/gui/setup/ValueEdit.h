@@ -1,24 +1,24 @@
 #pragma once
 
-// A field for one number: what is typed becomes a change once it is left.
+// An input field for one number, committed when it loses focus.
 
 #include <QLineEdit>
 
 namespace perilymph::gui {
 
-/// Typing alone changes nothing. Return and leaving the field send the text off; Esc takes it back;
-/// undo goes to the window where the field itself has nothing to take back.
+/// Editing alone changes nothing. Return and losing focus commit the text; Esc reverts it; undo is
+/// passed to the window if the field has nothing to undo.
 class ValueEdit : public QLineEdit {
   Q_OBJECT
 public:
   explicit ValueEdit(QWidget* parent);
 
-  /// The text that holds now.
+  /// Sets the text of the current value.
   void setHeld(const QString& text);
   const QString& held() const { return held_; }
-  /// Something else than what holds was typed and not sent off.
+  /// The text was edited and not committed.
   bool isPending() const { return isHolding_ && text() != held_; }
-  /// Forgets what was typed.
+  /// Reverts the text.
   void takeBack();
 
 protected:

@@ -176,7 +176,7 @@ void ComparePage::showRuns(std::vector<analysis::ComparedInsertion> runs)
   scores_.clear();
   for (const analysis::ComparedInsertion& each : runs_) scores_.push_back(analysis::scoreOf(each));
   plot_->setRuns(runs_);
-  // where the first one pushes hardest
+  // initially at the peak of the first one
   if (!runs_.empty()) plot_->setCursor_mm(inMillimeters(meters(runs_[0].profile.peak.travel)));
   fillTable();
   showCursor();
@@ -213,7 +213,7 @@ void ComparePage::fillTable()
       table_->setItem(row, column, item);
     }
   }
-  // as high as its rows, up to six of them
+  // height of its rows, up to six
   constexpr int maxColumns = 6;
   const int rows = std::min(maxColumns, std::max(1, int(runs_.size())));
   table_->setFixedHeight(table_->horizontalHeader()->sizeHint().height() + rows * rowHeight_px +

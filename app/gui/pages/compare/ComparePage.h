@@ -1,6 +1,6 @@
 #pragma once
 
-// Several recorded insertions over one axis: curves, a cursor through all of them, a table.
+// Comparison of several recorded insertions: curves with a common cursor, and a table.
 
 #include <QWidget>
 #include <filesystem>
@@ -20,13 +20,13 @@ namespace perilymph::gui {
 class ComparisonPlot;
 class EmptyPage;
 
-/// Insertions side by side.
+/// The comparison page.
 class ComparePage : public QWidget {
   Q_OBJECT
 public:
   explicit ComparePage(QWidget* parent);
 
-  /// Reads recordings beside this thread and shows them.
+  /// Reads recordings in the background and shows them.
   void compare(const std::vector<std::filesystem::path>& files);
   bool isBusy() const { return reading_.isBusy(); }
   void cancel();

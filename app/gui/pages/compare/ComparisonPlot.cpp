@@ -62,7 +62,7 @@ void ComparisonPlot::setPublished(const analysis::Reference& published)
 
 void ComparisonPlot::fitAxes()
 {
-  // the window's chart of an insertion begins with the same ranges
+  // initial ranges equal to those of the insertion chart
   double nearest = 0.0, farthest = 17.0, lowest = 0.0, highest = 0.2;
   for (const analysis::ComparedInsertion& run : runs_)
     for (const analysis::CurvePoint& point : run.profile.curve) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// Curves of several insertions over one axis, with a cursor through all of them.
+// Curves of several insertions over one axis, with a common cursor.
 
 #include <QWidget>
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace perilymph::gui {
 
-/// How a run is told apart: by its color and by its dashes.
+/// The line style of a run: color and dashes.
 QPen penOfRun(std::size_t run);
 
 /// Axial force over travel. The cursor follows the mouse; Left and Right move it by 0.1 mm, with

@@ -80,7 +80,7 @@ QLabel* DevicePage::addText(QVBoxLayout& column, const QString& text, bool isQui
   label->setFont(typeface(isQuiet ? 12 : 13, isQuiet ? QFont::Normal : QFont::Medium));
   label->setProperty("quiet", isQuiet);
   label->setWordWrap(true);
-  // a udev rule is there to be copied
+  // a udev rule can be selected and copied
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   column.addWidget(label);
   return label;
@@ -100,7 +100,7 @@ void DevicePage::refresh()
     addText(*column, QString::fromStdString(error), true);
   addText(*column, tr("Hands that need no hardware: the script, and mouse and keyboard."), true);
   column_->addWidget(list_);
-  list_->show();  // the page may be on the screen already
+  list_->show();  // the page may be visible already
   fit();
 }
 
@@ -108,7 +108,7 @@ void DevicePage::fit()
 {
   column_->activate();
   const QPoint middle = geometry().center();
-  // Sentences wrap: how high the page is follows from how wide it is.
+  // Text is wrapped: the height depends on the width.
   resize(width(), column_->totalHeightForWidth(width()));
   if (isVisible()) move(x(), std::max(0, middle.y() - height() / 2));
 }

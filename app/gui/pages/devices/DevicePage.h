@@ -1,6 +1,6 @@
 #pragma once
 
-// Which devices there are, what each is, and how the one in use is doing.
+// The connected devices, and the health of the one in use.
 
 #include <QFrame>
 #include <optional>
@@ -14,19 +14,20 @@ class QVBoxLayout;
 
 namespace perilymph::gui {
 
-/// Lies on the picture. The same content as `perilymph-cli devices`, and the hand in use live.
+/// An overlay of the 3D view. Same content as `perilymph-cli devices`, and live data of the device
+/// in use.
 class DevicePage : public QFrame {
   Q_OBJECT
 public:
   explicit DevicePage(QWidget* parent);
 
-  /// Looks at the devices anew. None is opened.
+  /// Searches for devices again, without opening any.
   void refresh();
-  /// Devices can be chosen before an insertion and after it, not during one.
+  /// Enables selection of devices, possible before and after an insertion only.
   void setChangeable(bool isChangeable);
-  /// The hand in use.
+  /// Shows the device in use.
   ///
-  /// @param coupling  A sentence where the device renders less than was asked for; else empty.
+  /// @param coupling  A message if the device cannot render the requested coupling; else empty.
   void showHand(const QString& name, const std::optional<device::DeviceHealth>& health,
                 const haptics::Snapshot& now, const QString& coupling);
 

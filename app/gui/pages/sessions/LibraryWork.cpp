@@ -13,10 +13,10 @@ constexpr int reportInterval_ms = 100;
 
 }  // namespace
 
-/// What the thread leaves for the UI thread.
+/// Data passed from the thread to the UI thread.
 struct LibraryWork::Reading {
   std::atomic<bool> isEnded{false};
-  std::mutex mutex;  ///< For what follows.
+  std::mutex mutex;  ///< Protects the following members.
   std::vector<SessionSummary> fresh;
   int done = 0, all = 0;
 };
@@ -76,7 +76,7 @@ void LibraryWork::report()
   sofar_.insert(sofar_.end(), fresh.begin(), fresh.end());
   if (!sinceCancel_.isValid() || sinceCancel_.elapsed() < patience_ms)
     return progressed(done, all, fresh);
-  // A file that keeps its reader from ending: nobody waits for it any more.
+  // A file blocks its reader: do not wait for it.
   timer_.stop();
   background_.forget();
   listed(sofar_, all);

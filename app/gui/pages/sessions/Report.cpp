@@ -20,7 +20,7 @@ constexpr int dotsPerInch = 144;
 constexpr double margin_mm = 18.0;
 constexpr int footHeight = 34;  // below the text of a page [dots]
 
-/// The curve as it is written elsewhere, too, painted fine enough for print.
+/// The curve in the standard drawing, painted at print resolution.
 QImage curveOf(const ReportContent& content)
 {
   const figures::Drawing drawing = figures::draw(analysis::comparisonFigure(
@@ -35,8 +35,8 @@ QImage curveOf(const ReportContent& content)
   return image;
 }
 
-/// Inter draws some signs between capitals and digits as forms without a code: a text taken out of
-/// the PDF would lack them ("SHA 256"). DejaVu Sans has none of these.
+/// Inter replaces some signs between capitals and digits by glyphs without a code: text copied from
+/// the PDF would lack them ("SHA 256"). DejaVu Sans has no such glyphs.
 QFont reportTypeface(int size_px)
 {
   QFont chosen(QStringLiteral("DejaVu Sans"));
@@ -92,7 +92,7 @@ Result<Done> writeReport(const ReportContent& content, const std::filesystem::pa
     writer.setCreator(QStringLiteral("Perilymph"));
     document.documentLayout()->setPaintDevice(&writer);
     paintPages(writer, document);
-    document.documentLayout()->setPaintDevice(nullptr);  // the writer ends first
+    document.documentLayout()->setPaintDevice(nullptr);  // the writer is destroyed first
     std::error_code failure;
     return std::filesystem::file_size(place, failure) > 0 && !failure;
   });

@@ -1,6 +1,6 @@
 #pragma once
 
-// A report of one insertion as PDF: numbers with where they come from, curve, picture, limits.
+// PDF report of one insertion: numbers with sources, curve, picture, limitations.
 
 #include <filesystem>
 
@@ -9,7 +9,7 @@
 
 namespace perilymph::gui {
 
-/// Writes the report, A4; the file appears whole or not at all. UI thread.
+/// Writes the report in A4, atomically. UI thread.
 Result<Done> writeReport(const ReportContent& content, const std::filesystem::path& file);
 
 }  // namespace perilymph::gui

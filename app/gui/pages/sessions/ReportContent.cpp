@@ -23,7 +23,7 @@ QString sha256Of(const std::filesystem::path& path)
   return QString::fromLatin1(hash.result().toHex());
 }
 
-/// The array at its deepest place.
+/// The array at its maximum depth.
 Result<QImage> pictureOf(session::Playback& playback, double& depth_mm)
 {
   const auto& samples = playback.samples();

@@ -1,6 +1,6 @@
 #pragma once
 
-// All that a report says about one recorded insertion, read and computed beside the UI thread.
+// Content of a report on one recorded insertion, computed in the background.
 
 #include <QImage>
 #include <QString>
@@ -27,11 +27,11 @@ struct ReportContent {
   std::optional<analysis::InsertionScore> score;
   session::Verification verification;
   std::optional<analysis::Reference> published;
-  QImage picture;         ///< At the deepest place.
+  QImage picture;         ///< At maximum depth.
   double depth_mm = 0.0;  ///< Depth of the tip in the picture.
 };
 
-/// Replays the recording, which takes about a tenth of the time it took.
+/// Replays the recording, in about a tenth of its duration.
 Result<ReportContent> gatherReport(const std::filesystem::path& file,
                                    const std::atomic<bool>& isCanceled);
 

@@ -1,7 +1,7 @@
 #include "gui/pages/sessions/ReportText.h"
 
-// In its order: who and what, numbers, curve, how it was done, what it was computed from, what it
-// cannot say, and the marks by which the same run is known again.
+// In this order: identification, numbers, curve, rating, input data, limitations, and data for
+// reproduction.
 
 #include <QCoreApplication>
 
@@ -12,10 +12,10 @@ namespace perilymph::gui {
 
 namespace {
 
-// Of pictures, in 1/96 inch: the text of an A4 page is 657 wide.
+// Width of pictures, in 1/96 inch: the text of an A4 page is 657 wide.
 constexpr int curveWidth_px = 480, pictureWidth_px = 320;
 
-// lupdate looks for words of free functions under the name of their namespace.
+// lupdate assigns texts of free functions to their namespace.
 QString tr(const char* caption) { return QCoreApplication::translate("perilymph::gui", caption); }
 
 QString from(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); }

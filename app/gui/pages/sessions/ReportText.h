@@ -1,6 +1,6 @@
 #pragma once
 
-// What a report says, in its order.
+// Text of a report.
 
 #include <QString>
 
@@ -8,7 +8,7 @@
 
 namespace perilymph::gui {
 
-/// The report's text as HTML, every name in it escaped; its pictures are called "curve" and
+/// The report's text as HTML, with all names escaped; its pictures are called "curve" and
 /// "picture".
 QString reportText(const ReportContent& content);
 

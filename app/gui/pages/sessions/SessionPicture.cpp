@@ -15,14 +15,14 @@ constexpr double pi = 3.14159265358979323846;
 constexpr double step = pi / 45.0;            // between sections of the outline [rad]
 constexpr double entryDirection = 0.68 * pi;  // of a right ear's opening: to the upper left
 
-/// From the cochlear frame W [m] to a plane that looks at the apex [mm], y downward.
+/// Projection from the cochlear frame W [m] to a plane viewed toward the apex [mm], y downward.
 class Plane {
 public:
   Plane(const anatomy::ScalaTympani& scala, anatomy::Side side)
       : mirror_(side == anatomy::Side::left ? -1.0 : 1.0)
   {
     const Eigen::Vector3d out_W = scala.entry().out_W;
-    // as in the window: a left ear is a right one in a mirror that stands upright
+    // as in the window: a left ear is the mirror image of a right one
     const double wanted = side == anatomy::Side::left ? pi - entryDirection : entryDirection;
     const double turn = wanted - std::atan2(mirror_ * out_W.y(), out_W.x());
     cosine_ = std::cos(turn);
@@ -47,7 +47,7 @@ struct Outline {
 Outline outlineOf(const anatomy::ScalaTympani& scala, const Plane& plane)
 {
   Outline outline;
-  // the straight stretch before the round window, then the turns
+  // the straight lead-in, then the turns
   const Eigen::Vector3d leadIn_W = scala.leadIn().si() * scala.entry().out_W;
   outline.outer << plane.at(scala.wall_W(0.0, 0.0) + leadIn_W);
   outline.inner << plane.at(scala.wall_W(0.0, pi) + leadIn_W);
@@ -68,7 +68,7 @@ QPolygonF arrayOf(const haptics::Snapshot& now, const Plane& plane)
   return line;
 }
 
-/// The point of a line so far from its end [mm].
+/// The point of a line at a distance from its end [mm].
 QPointF fromTip(const QPolygonF& line, double length_mm)
 {
   for (int i = line.size() - 1; i > 0; --i) {
@@ -89,7 +89,7 @@ void paintArray(QPainter& painter, const PicturedInsertion& pictured, const Plan
   const auto diameterAt = [&](double fromTip_mm) {
     return inMillimeters(pictured.array.sectionAt(millimeters(fromTip_mm)).within);
   };
-  // thick at the base, thin at the tip: stretches of one width each
+  // thick at the base, thin at the tip: segments of constant width
   double before_mm = 0.0;
   for (int i = line.size() - 1; i > 0; --i) {
     const double there_mm = std::min(before_mm, length_mm);
@@ -137,7 +137,7 @@ void paintInsertion(QPainter& painter, const QRectF& place, const PicturedInsert
   painter.scale(scale, scale);
   painter.translate(-whole.center());
 
-  // quadrilaterals: a spiral that laps itself would be filled wrongly as one polygon
+  // quadrilaterals: a self-overlapping spiral would be filled incorrectly as one polygon
   painter.setPen(Qt::NoPen);
   painter.setBrush(inks.lumen);
   painter.setRenderHint(QPainter::Antialiasing, false);

@@ -1,6 +1,6 @@
 #pragma once
 
-// An insertion as a small picture: the scala tympani from the side of the surgeon, and the array.
+// Thumbnail of an insertion: the scala tympani from the surgeon's side, and the array.
 
 #include <QPainter>
 
@@ -11,23 +11,23 @@
 
 namespace perilymph::gui {
 
-/// What a picture is made of.
+/// Content of a thumbnail.
 struct PicturedInsertion {
   const anatomy::ScalaTympani& scala;
   const electrode::ArrayDesign& array;
   anatomy::Side side = anatomy::Side::right;
-  /// The array; without it the scala alone is drawn.
+  /// The array; if null, only the scala is drawn.
   const haptics::Snapshot* now = nullptr;
 };
 
-/// The inks of a picture.
+/// Colors of a thumbnail.
 struct PictureInks {
   QColor wall, lumen, array, contact;
 };
 PictureInks screenInks();
 PictureInks printInks();
 
-/// Paints it into a place, to scale and whole, the opening at the upper left. In any thread.
+/// Paints it into a rectangle, to scale, the opening at the upper left. Any thread.
 void paintInsertion(QPainter& painter, const QRectF& place, const PicturedInsertion& pictured,
                     const PictureInks& inks);
 

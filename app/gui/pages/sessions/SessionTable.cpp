@@ -22,7 +22,7 @@ QString nameOf(const SessionSummary& session)
   return QString::fromStdString(session.file.stem().string());
 }
 
-/// The same picture in a chosen row: Qt would tint it.
+/// The same picture for selected rows: Qt would tint it.
 QIcon plainIcon(const QPixmap& pixmap)
 {
   QIcon icon(pixmap);
@@ -153,7 +153,7 @@ QVariant SessionTable::sortValue(const Row& row, int column) const
       return session.highlights.peakForce;
     case picture:
     case recorded:
-      // what is being recorded is the newest
+      // a recording in progress is the newest
       return session.isBeingRecorded ? QStringLiteral("~")
                                      : QString::fromStdString(session.startedUtc);
     default:

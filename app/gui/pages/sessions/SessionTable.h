@@ -1,6 +1,6 @@
 #pragma once
 
-// The recordings as rows: what each column says, and what it is sorted by.
+// Table of recordings: texts and sort keys of its columns.
 
 #include <QAbstractTableModel>
 #include <vector>
@@ -14,15 +14,15 @@ class SessionTable : public QAbstractTableModel {
   Q_OBJECT
 public:
   enum Column { picture, recorded, name, patient, array, duration, angle, peak, columns };
-  /// What a row is sorted by: a number or a text.
+  /// Role of the sort key: a number or a text.
   static constexpr int sortRole = Qt::UserRole;
-  /// All that can be searched in a row, as one text.
+  /// Role of the searchable text of a row.
   static constexpr int searchRole = Qt::UserRole + 1;
 
   explicit SessionTable(QObject* parent);
 
   void setSessions(std::vector<session::SessionSummary> sessions);
-  /// Adds recordings; of those that are there already it shows what is new.
+  /// Adds recordings and updates existing ones.
   void addSessions(std::vector<session::SessionSummary> sessions);
   const session::SessionSummary& session(int row) const { return rows_[std::size_t(row)].session; }
 
@@ -34,14 +34,14 @@ public:
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
 Q_SIGNALS:
-  /// Somebody typed another name.
+  /// The user entered another name.
   void renameAsked(const std::filesystem::path& file, const QString& name);
 
 private:
   struct Row {
     session::SessionSummary session;
-    QString recorded;  ///< In the user's time, made once: sorting and searching ask for it often.
-    QString searched;  ///< All that can be searched.
+    QString recorded;  ///< In the user's time zone; cached for sorting and searching.
+    QString searched;  ///< Searchable text.
   };
 
   Row rowOf(session::SessionSummary session) const;
@@ -53,7 +53,7 @@ private:
   Thumbnails* thumbnails_;
 };
 
-/// "2026-11-20 16:31" in the user's time.
+/// "2026-11-20 16:31" in the user's time zone.
 QString recordedText(const session::SessionSummary& session);
 
 }  // namespace perilymph::gui

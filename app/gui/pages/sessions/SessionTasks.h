@@ -1,6 +1,6 @@
 #pragma once
 
-// What is read from a recording beside the UI thread: its curve as a ghost, and its report.
+// Background tasks of a recording: reading its curve as a reference run, writing its report.
 
 #include <QObject>
 #include <filesystem>
@@ -12,13 +12,13 @@
 
 namespace perilymph::gui {
 
-/// Does one task at a time and says how it goes.
+/// Runs one task at a time and reports its progress.
 class SessionTasks : public QObject {
   Q_OBJECT
 public:
   explicit SessionTasks(QObject* parent);
 
-  /// Reads the curve of force over travel; ghostRead() follows.
+  /// Reads the force-travel curve; emits ghostRead().
   void readGhost(const std::filesystem::path& file);
   /// Writes a report as PDF.
   void writeReportOf(const std::filesystem::path& file, const std::filesystem::path& pdf);

@@ -75,7 +75,7 @@ SessionsPage::SessionsPage(QWidget* parent, LibraryWork::Lister lister)
     end_->setVisible(false);
     say(sentence, true);
   });
-  // After the editor has closed: the rows it stands on are made anew.
+  // After the editor has closed, because the rows are rebuilt.
   connect(table_, &SessionTable::renameAsked, this,
           [this](const std::filesystem::path& file, const QString& name) {
             QMetaObject::invokeMethod(
@@ -248,7 +248,7 @@ void SessionsPage::showList(std::vector<session::SessionSummary> sessions, int a
 {
   const int read = int(sessions.size());
   if (!isRunning_) std::erase_if(sessions, [](const auto& one) { return one.isBeingRecorded; });
-  // the same recordings stay chosen
+  // the selection is kept
   std::set<std::filesystem::path> before;
   for (const session::SessionSummary& each : chosen()) before.insert(each.file);
   progress_->setVisible(false);

@@ -1,6 +1,6 @@
 #pragma once
 
-// The library of recorded insertions: found, looked at, replayed, compared, thrown away.
+// The library of recorded insertions: search, preview, replay, comparison, deletion.
 
 #include <QWidget>
 #include <filesystem>
@@ -24,25 +24,25 @@ class EmptyPage;
 class SessionTable;
 class SessionTasks;
 
-/// The recordings in the folder of sessions.
+/// The recordings in the session folder.
 class SessionsPage : public QWidget {
   Q_OBJECT
 public:
   explicit SessionsPage(QWidget* parent, LibraryWork::Lister lister = session::listSessions);
 
   /// Reads the folder again.
-  /// @param beingRecorded  The file that this window writes, if any.
-  /// @param isRunning      Whether its insertion has begun; else the file may vanish again.
+  /// @param beingRecorded  The file that this window is writing, if any.
+  /// @param isRunning      Whether its insertion has begun; otherwise the file may be removed.
   void refresh(const std::optional<std::filesystem::path>& beingRecorded, bool isRunning);
   bool isBusy() const { return work_.isBusy(); }
-  /// Ends the reading early.
+  /// Ends reading early.
   void cancel();
 
-  /// The chosen recordings that can be read, in the order of the table.
+  /// The selected readable recordings, in the order of the table.
   std::vector<session::SessionSummary> chosen() const;
   void say(const QString& sentence, bool isError = false);
 
-  /// Writes a report of a recording as PDF, beside this thread; the page says how it went.
+  /// Writes a PDF report of a recording in the background; the page shows the result.
   void saveReport(const std::filesystem::path& file, const std::filesystem::path& pdf);
 
 Q_SIGNALS:
@@ -62,7 +62,7 @@ private:
   void showList(std::vector<session::SessionSummary> sessions, int all);
   void showFresh(std::vector<session::SessionSummary> sessions);
   void showChoice();
-  /// The one recording that is chosen and can be read; none otherwise.
+  /// The selected readable recording; empty unless exactly one is selected.
   std::optional<std::filesystem::path> oneChosen() const;
   void replayChosen();
   void reportChosen();
@@ -77,7 +77,7 @@ private:
   QSortFilterProxyModel* sorted_;
   std::optional<std::filesystem::path> beingRecorded_;
   bool isRunning_ = false;
-  /// Where the last ones thrown away are, and where they were.
+  /// Paths in the trash and previous paths of the last deleted recordings.
   std::vector<std::pair<std::filesystem::path, std::filesystem::path>> trashed_;
 
   QStackedWidget* stack_ = nullptr;

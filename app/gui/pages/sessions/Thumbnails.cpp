@@ -11,9 +11,9 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr int fineness = 2;  // pixels a point, for dense screens
+constexpr int fineness = 2;  // pixels per point, for high-resolution screens
 
-// The shape at the deepest place is computed from the beginning: some seconds at most.
+// The shape at maximum depth is computed from the beginning: limit this to some seconds.
 constexpr std::uint64_t maxTicks = 60'000;
 
 QString keyOf(const session::SessionSummary& summary)
@@ -29,7 +29,7 @@ std::filesystem::path fileOf(const session::SessionSummary& summary, const QStri
   return session::libraryCache(summary.file.parent_path()) / (key.toStdString() + ".png");
 }
 
-/// Keeps a picture in the library's cache. What cannot be kept is painted again next time.
+/// Saves a thumbnail in the library's cache. If that fails, it is painted again next time.
 void keep(const QImage& image, const std::filesystem::path& file)
 {
   std::error_code ignored;
@@ -41,7 +41,7 @@ void keep(const QImage& image, const std::filesystem::path& file)
   }));
 }
 
-/// Nothing where the recording cannot be replayed.
+/// Null if the recording cannot be replayed.
 QImage pictureOf(const std::filesystem::path& file)
 {
   const auto playback = session::Playback::open(file);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Small pictures of recordings, painted once in a thread of their own and kept beside them.
+// Thumbnails of recordings, painted once in a separate thread and stored beside them.
 
 #include <QHash>
 #include <QObject>
@@ -13,20 +13,20 @@
 
 namespace perilymph::gui {
 
-/// Answers at once with what it has; what it has not it paints meanwhile and says so. Whoever
-/// scrolls by wants what is seen now: the last ones asked for are painted first, and those that
-/// many others were asked for since are forgotten until they are asked for again.
+/// Returns available thumbnails at once and paints others in the background. The latest requests
+/// are painted first, because the user may have scrolled; old requests are dropped until they are
+/// made again.
 class Thumbnails : public QObject {
   Q_OBJECT
 public:
   static constexpr QSize size{72, 52};
 
-  /// More than this many wishes are no longer seen: of one screen's height of rows.
+  /// Maximum number of pending requests: about one screen of rows.
   static constexpr std::size_t maxRequests = 40;
 
   explicit Thumbnails(QObject* parent) : QObject(parent), background_(this) {}
 
-  /// The picture, or a blank one while it is being painted or cannot be.
+  /// The thumbnail, or a blank one while it is being painted or if it cannot be.
   QPixmap find(const session::SessionSummary& summary);
 
 Q_SIGNALS:
@@ -42,7 +42,7 @@ private:
   QHash<QString, QPixmap> known_;
   QSet<QString> impossible_;
   std::vector<Wish> wishes_;  ///< The last one is painted first.
-  QString painting_;          ///< What the thread is busy with.
+  QString painting_;          ///< Current work of the thread.
   Background background_;
 };
 

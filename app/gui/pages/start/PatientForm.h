@@ -1,6 +1,6 @@
 #pragma once
 
-// A patient's numbers from CT, typed in: three lengths, or A, B and H.
+// Form for a patient's numbers from CT: three lengths, or A, B and H.
 
 #include <QWidget>
 
@@ -16,7 +16,8 @@ namespace perilymph::gui {
 class Choice;
 class PopulationField;
 
-/// Asks for one patient. What is impossible is said beside its field, and cannot be sent off.
+/// Input of one patient. Errors are shown beside their fields, and invalid input cannot be
+/// submitted.
 class PatientForm : public QWidget {
   Q_OBJECT
 public:
@@ -24,7 +25,7 @@ public:
 
   void setPatient(const anatomy::Patient& patient);
   anatomy::Patient patient() const;
-  /// Says why the patient could not be used; empty hides it.
+  /// Shows why the patient could not be used; hidden if empty.
   void showError(const QString& sentence);
 
 Q_SIGNALS:

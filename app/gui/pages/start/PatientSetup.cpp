@@ -36,7 +36,7 @@ Result<Setup> setupOfPatient(const anatomy::Patient& patient)
 {
   if (const auto possible = anatomy::checkPatient(patient); !possible) return possible.error();
   const auto file = patientFolder() / fileNameOf(patient.label);
-  std::error_code ignored;  // what cannot be made is said when the file is written
+  std::error_code ignored;  // an error is reported when the file is written
   std::filesystem::create_directories(file.parent_path(), ignored);
   if (const auto saved = anatomy::savePatient(patient, file); !saved) return saved.error();
   const auto preset = session::loadScenario(

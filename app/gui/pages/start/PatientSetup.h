@@ -1,6 +1,6 @@
 #pragma once
 
-// From the numbers of a patient to a setup of their own.
+// Converts a patient's numbers to a setup.
 
 #include "gui/setup/Setup.h"
 #include "perilymph/anatomy/Patient.h"
@@ -8,9 +8,9 @@
 
 namespace perilymph::gui {
 
-/// Keeps the patient in a file among the patients and makes a setup of it: in the mean cochlea
-/// where A, B and H are known, else in the published one. Numbers that are not the standard ones
-/// count as measured in CT, as the form says.
+/// Saves the patient to a file in the patient folder and makes a setup: with the mean cochlea if A,
+/// B and H are given, else with the published one. Numbers other than the standard ones count as
+/// measured in CT, as the form states.
 Result<Setup> setupOfPatient(const anatomy::Patient& patient);
 
 }  // namespace perilymph::gui

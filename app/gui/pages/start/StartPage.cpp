@@ -22,7 +22,7 @@ namespace {
 constexpr QSize cardSize{344, 372};
 constexpr int minCardWidth_px = 296;
 constexpr int pictureHeight_px = 232;
-constexpr double pictureZoom = 1.9;  // the cochlea fills the middle half of its picture
+constexpr double pictureZoom = 1.9;  // the cochlea fills the central half of its picture
 
 }  // namespace
 
@@ -171,7 +171,7 @@ QWidget* StartPage::cards()
 void StartPage::resizeEvent(QResizeEvent* event)
 {
   QWidget::resizeEvent(event);
-  const int available = (width() - 10 * spacing) / 3;  // two gaps and a little at the sides
+  const int available = (width() - 10 * spacing) / 3;  // two gaps and margins
   const int wide = std::clamp(available, minCardWidth_px, cardSize.width());
   for (StartCard* card : {patient_, mean_, demonstration_}) card->setFixedWidth(wide);
 }

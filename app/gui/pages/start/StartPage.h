@@ -1,6 +1,6 @@
 #pragma once
 
-// The first screen: three ways to begin, for three people.
+// The start page with three ways to begin.
 
 #include <QPushButton>
 #include <QWidget>
@@ -15,11 +15,11 @@ namespace perilymph::gui {
 
 class PatientForm;
 
-/// A way to begin: a picture, a title and what comes of it. Pressed like a button.
+/// A large button with a picture, a title and a description.
 class StartCard : public QPushButton {
   Q_OBJECT
 public:
-  /// @param picture  A shipped one; cut to the card's width about its middle.
+  /// @param picture  A shipped picture, cropped to the card's width about its center.
   StartCard(const char* name, const QString& title, const QString& sentence,
             const std::string& picture, QWidget* parent);
   QSize sizeHint() const override;
@@ -32,20 +32,20 @@ private:
   QPixmap picture_;
 };
 
-/// Asks what to begin with. A patient's numbers are asked for in place.
+/// Selection of the first setup. The patient form is shown in place.
 class StartPage : public QWidget {
   Q_OBJECT
 public:
   explicit StartPage(QWidget* parent);
 
-  /// Back to the three cards.
+  /// Shows the three cards again.
   void showCards();
-  /// Says in place why what was asked for cannot be shown.
+  /// Shows why the selection failed.
   void showError(const QString& sentence);
 
 Q_SIGNALS:
-  /// What to begin with.
-  /// @param isWatched  The insertion starts by itself.
+  /// The user selected a setup.
+  /// @param isWatched  The insertion starts automatically.
   void setupChosen(const perilymph::gui::Setup& setup, perilymph::gui::SetupOrigin::Kind kind,
                    bool isWatched);
 

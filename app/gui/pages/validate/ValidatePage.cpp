@@ -247,7 +247,7 @@ void ValidatePage::showVerdicts()
   int line = 0;
   for (const analysis::Verdict& verdict :
        analysis::verdictsOf(*result_, basis_->request.experiment)) {
-    // a word, not only a color
+    // a text in addition to the color
     auto* mark = text(verdict.isMet ? tr("✓ met") : tr("✗ missed"), 13, this);
     mark->setStyleSheet(
         QStringLiteral("color: %1;").arg((verdict.isMet ? accentColor : warningColor).name()));

@@ -1,6 +1,6 @@
 #pragma once
 
-// The published experiment repeated, in the window: figures as they grow, verdicts as they stand.
+// Validation against the published experiment: live figures and verdicts.
 
 #include <QWidget>
 #include <optional>
@@ -18,7 +18,7 @@ namespace perilymph::gui {
 class Choice;
 class DrawingView;
 
-/// Repeats the experiment when asked, and says what was met and what was missed.
+/// Repeats the experiment on request, and lists which expectations were met.
 class ValidatePage : public QWidget {
   Q_OBJECT
 public:
@@ -27,7 +27,7 @@ public:
   void start();
   void cancel();
   bool isRunning() const { return work_.isRunning(); }
-  /// The last whole run; none before.
+  /// The last complete run; empty before.
   const std::optional<analysis::ValidationResult>& result() const { return result_; }
 
 private:

@@ -1,6 +1,6 @@
 #pragma once
 
-// A validation beside the thread that draws, and what is known of it so far.
+// Runs a validation in the background and reports intermediate results.
 
 #include <QObject>
 #include <QTimer>
@@ -14,33 +14,33 @@
 
 namespace perilymph::gui {
 
-/// Everything a validation starts from: the shipped experiment and how it varied.
+/// Input of a validation: the shipped experiment and its variability.
 struct ValidationBasis {
   analysis::ValidationRequest request;
   analysis::ValidationReferences references;
 };
 Result<ValidationBasis> shippedBasis();
 
-/// Runs validations one at a time.
+/// Runs validations, one at a time.
 class ValidationWork : public QObject {
   Q_OBJECT
 public:
   explicit ValidationWork(QObject* parent);
 
   void start(analysis::ValidationRequest request);
-  /// Ends it early; finished() then comes without a result.
+  /// Ends it early; finished() is then emitted without a result.
   void cancel();
   bool isRunning() const { return background_.isBusy(); }
 
 Q_SIGNALS:
-  /// A few times a second while it runs.
-  /// @param sofar  Mean and spread over the insertions that have ended; empty before the second.
+  /// Emitted a few times a second.
+  /// @param sofar  Mean and spread over the completed insertions; empty before the second.
   void progressed(int done, int all, const perilymph::analysis::ValidationResult& sofar);
   void finished(const std::optional<perilymph::analysis::ValidationResult>& result,
                 const QString& error);
 
 private:
-  /// What the working threads leave for the UI thread.
+  /// Data passed from the working threads to the UI thread.
   struct Shared {
     std::atomic<bool> isCanceled{false};
     std::mutex mutex;
@@ -52,7 +52,7 @@ private:
 
   std::shared_ptr<Shared> shared_;
   QTimer timer_;
-  Background background_;  ///< Its thread spawns those that insert.
+  Background background_;  ///< Its thread starts those that insert.
 };
 
 }  // namespace perilymph::gui

@@ -69,7 +69,7 @@ BottomBar::BottomBar(QWidget* parent)
   status_->setProperty("quiet", true);
   status_->setObjectName(QStringLiteral("statusLabel"));
   status_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  status_->setWordWrap(true);  // a device has more to say than one line holds
+  status_->setWordWrap(true);  // the text of a device may need several lines
   status_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 
   auto* row = new QHBoxLayout(this);

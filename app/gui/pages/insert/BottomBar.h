@@ -1,6 +1,6 @@
 #pragma once
 
-// The bar at the bottom: start, pause, withdraw, reset; how far the array is; one status line.
+// The bottom bar: start, pause, withdraw, reset; progress; status line.
 
 #include <QWidget>
 
@@ -9,12 +9,12 @@ class QPushButton;
 
 namespace perilymph::gui {
 
-/// How far an insertion is along its travel: a line that fills.
+/// Progress of an insertion along its travel, as a line.
 class ProgressLine : public QWidget {
   Q_OBJECT
 public:
   explicit ProgressLine(QWidget* parent);
-  /// @param share  0 at the start, 1 at full depth.
+  /// @param fraction  0 at the start, 1 at full depth.
   void setFraction(double fraction);
   double fraction() const { return fraction_; }
   QSize sizeHint() const override { return {240, 28}; }
@@ -26,20 +26,20 @@ private:
   double fraction_ = 0.0;
 };
 
-/// The verbs, the progress and the status.
+/// Buttons, progress and status.
 class BottomBar : public QWidget {
   Q_OBJECT
 public:
   explicit BottomBar(QWidget* parent);
 
-  /// What the first button does now.
+  /// Function of the main button.
   enum class Main { start, pause };
   void setMain(Main action, bool isEnabled);
-  /// Why the main button has to wait; empty where it has not.
+  /// Disables the main button with a reason; empty enables it.
   void setWait(const QString& reason);
   void setWithdrawEnabled(bool isEnabled);
   void setProgress(double fraction, double time_s);
-  /// @param isError  Stands out, because the recording or the haptic loop is in trouble.
+  /// @param isError  Highlighted, because of an error of the recording or the haptic loop.
   void setStatus(const QString& label, bool isError);
 
 Q_SIGNALS:

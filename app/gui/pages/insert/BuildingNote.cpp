@@ -15,7 +15,7 @@ BuildingNote::BuildingNote(QWidget* page) : QFrame(page), text_(new QLabel(this)
   setObjectName(QStringLiteral("buildingNote"));
   text_->setObjectName(QStringLiteral("buildingText"));
   text_->setFont(typeface(13));
-  auto* bar = new QProgressBar(this);  // how long it will take is not known
+  auto* bar = new QProgressBar(this);  // the duration is unknown
   bar->setRange(0, 0);
   bar->setTextVisible(false);
   bar->setFixedSize(120, 6);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What is being built, over the foot of the picture, once somebody has waited for a second.
+// Message about building a cochlea, shown at the bottom of the 3D view after a second.
 
 #include <QFrame>
 
@@ -8,17 +8,17 @@ class QLabel;
 
 namespace perilymph::gui {
 
-/// Says that the window waits for a cochlea, and lets the person go back to the one before.
+/// Reports that the window waits for a cochlea, and offers to cancel.
 class BuildingNote : public QFrame {
   Q_OBJECT
 public:
-  /// Shorter waits are over before they could be read about.
+  /// Shorter waits end before the message could be read.
   static constexpr int patience_ms = 1000;
 
-  /// Lies over `page`, whose size it follows.
+  /// Placed over `page`, whose size it follows.
   explicit BuildingNote(QWidget* page);
 
-  /// @param busyFor_ms  How long it has been building; 0 when it is not.
+  /// @param busyFor_ms  Time since building started; 0 if nothing is being built.
   void show(qint64 busyFor_ms);
 
 Q_SIGNALS:

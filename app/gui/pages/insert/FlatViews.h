@@ -1,6 +1,6 @@
 #pragma once
 
-// The scala rolled out, its section at the tip, and how near the contacts are to the modiolus.
+// The unrolled scala, its section at the tip, and the distances of the contacts from the modiolus.
 
 #include <QObject>
 #include <functional>
@@ -20,7 +20,7 @@ namespace perilymph::gui {
 class Pane;
 class PlotView;
 
-/// Three panes that show where the array lies. UI thread only.
+/// Three panes with the position of the array. UI thread only.
 class FlatViews : public QObject {
   Q_OBJECT
 public:
@@ -28,11 +28,10 @@ public:
   explicit FlatViews(QWidget* parent);
   ~FlatViews() override;
 
-  /// Another cochlea or another array from now on. The cochlea must outlive the views or the next
-  /// call.
+  /// Sets another cochlea or array. The cochlea must outlive the views or the next call.
   void setScene(const anatomy::ScalaTympani& scala, const electrode::ArrayDesign& array);
   void forgetScene();
-  /// Where the array is now.
+  /// Updates the position of the array.
   void show(const haptics::Snapshot& now);
 
   /// The panes, each with its place on the page.

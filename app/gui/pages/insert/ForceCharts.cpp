@@ -38,7 +38,7 @@ QVTKOpenGLNativeWidget* ForceCharts::chartView(QWidget* parent)
   view->setFocusPolicy(Qt::NoFocus);
   view->setAttribute(Qt::WA_TransparentForMouseEvents);
   view->setAttribute(Qt::WA_AcceptTouchEvents, false);
-  view->setEnableHiDPI(false);  // charts scale their words themselves; VTK would do so once more
+  view->setEnableHiDPI(false);  // charts scale their texts themselves; VTK would do it again
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   window->SetMultiSamples(0);
   view->setRenderWindow(window);
@@ -49,7 +49,7 @@ QVTKOpenGLNativeWidget* ForceCharts::chartView(QWidget* parent)
 
 bool ForceCharts::eventFilter(QObject* watched, QEvent* event)
 {
-  // what was hidden missed its frames; what has a new size shows an old one
+  // hidden charts missed updates; resized ones show an old picture
   if (event->type() == QEvent::Show || event->type() == QEvent::Resize)
     (watched == travelView_ ? travelIsDirty_ : timeIsDirty_) = true;
   return QObject::eventFilter(watched, event);

@@ -1,6 +1,6 @@
 #pragma once
 
-// The two charts of forces: over travel, and over the last seconds.
+// The two force charts: over travel, and over the last seconds.
 
 #include <QObject>
 
@@ -15,7 +15,7 @@ namespace perilymph::gui {
 
 class Pane;
 
-/// Two charts, each in a pane of its own, so that one may be drawn without the other.
+/// Two charts, each in its own pane, so that they are rendered independently.
 class ForceCharts : public QObject {
   Q_OBJECT
 public:
@@ -23,18 +23,18 @@ public:
   explicit ForceCharts(QWidget* parent);
   ~ForceCharts() override;
 
-  /// The published values drawn behind the curve; says why there are none otherwise.
+  /// Sets the published values drawn behind the curve, or shows why there are none.
   void setExperiment(const Result<charts::ReferenceCurve>& experiment);
   void setExperimentVisible(bool isVisible);
-  /// An earlier run behind this one; an empty curve removes it.
+  /// Sets an earlier run drawn behind this one; an empty curve removes it.
   void setGhost(const std::vector<std::pair<Length, Force>>& curve, const QString& name);
 
-  /// A new insertion: empties the curves, but not the ghost. Forces are split along the axes of
-  /// `entry`.
+  /// Starts a new insertion: clears the curves, but not the earlier run. Forces are resolved along
+  /// the axes of `entry`.
   void begin(const anatomy::Entry& entry);
-  /// Adds what one picture says to the curves.
+  /// Adds the values of a snapshot to the curves.
   void append(const haptics::TickOutput& now);
-  /// Renders the charts that changed and are seen. True if one did.
+  /// Renders the visible charts that changed. True if any did.
   bool renderIfDirty();
 
   Pane* overTravel() const { return travelPane_; }
@@ -46,7 +46,8 @@ protected:
 private:
   QVTKOpenGLNativeWidget* chartView(QWidget* parent);
 
-  // The charts before the panes' widgets are used: their renderers outlive no window.
+  // Charts are destroyed before the panes' widgets, because their renderers must not outlive a
+  // window.
   charts::ForceDepthChart overTravel_;
   charts::ForceTimeChart components_;
   QVTKOpenGLNativeWidget* travelView_;

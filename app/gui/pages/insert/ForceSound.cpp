@@ -29,7 +29,7 @@ QAudioFormat format()
   return wanted;
 }
 
-/// Samples without an end, made when the output asks for them.
+/// An endless sample stream, generated on request of the audio output.
 class Stream : public QIODevice {
 public:
   explicit Stream(QObject* parent) : QIODevice(parent) { open(QIODevice::ReadOnly); }
@@ -52,7 +52,7 @@ private:
 
 }  // namespace
 
-/// Lives in the thread of the sound.
+/// Runs in the audio thread.
 class ForceVoice : public QObject {
 public:
   QString reason() const

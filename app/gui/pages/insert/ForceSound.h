@@ -1,6 +1,6 @@
 #pragma once
 
-// Lets the force on the hand be heard, in a thread of its own.
+// Sonification of the force on the hand, in a separate thread.
 
 #include <QObject>
 #include <QThread>
@@ -11,24 +11,24 @@ namespace perilymph::gui {
 
 class ForceVoice;
 
-/// Asks for a sound output when told to, and plays on it. The window's thread only posts to the
-/// thread that does; systems of sound may block for seconds.
+/// Opens an audio output on request, and plays on it. The UI thread only posts to the audio thread,
+/// because audio systems may block for seconds.
 class ForceSound : public QObject {
   Q_OBJECT
 public:
   explicit ForceSound(QObject* parent);
   ~ForceSound() override;
 
-  /// Looks for a sound output, once; known() tells.
+  /// Searches for an audio output once; emits known().
   void ask();
   void setOn(bool isOn);
   bool isOn() const { return isOn_; }
-  /// What is heard from now on, if it is on.
+  /// Sets the force to be played, if enabled.
   void show(Force onHand);
 
 Q_SIGNALS:
-  /// Whether anything can be heard here.
-  /// @param trouble  Why not; empty if it can.
+  /// Whether sound is available.
+  /// @param reason  Why not; empty if it is.
   void known(const QString& reason);
 
 private:

@@ -14,14 +14,14 @@ constexpr double lowest_Hz = 220.0;
 constexpr double maxOctaves = 4.0;
 constexpr double change_s = 0.01;
 constexpr double forgotten_s = 0.25;
-constexpr double amplitude = 0.2 * 32767.0;  // a speaker's own volume does the rest
+constexpr double amplitude = 0.2 * 32767.0;  // the speaker has its own volume control
 
 }  // namespace
 
 Tone toneOf(Force onHand)
 {
   const double force = std::fabs(onHand.si());
-  if (!(force >= quietest.si())) return {};  // nor of what is not a number
+  if (!(force >= quietest.si())) return {};  // includes NaN
   return {lowest_Hz * std::exp2(std::min(maxOctaves, force / perOctave.si())), 1.0};
 }
 
@@ -39,7 +39,7 @@ void ToneWriter::write(std::int16_t* samples, int count)
     const double loudness = left_ > 0 ? wished_.loudness : 0.0;
     loudness_ += std::clamp(loudness - loudness_, -fraction, fraction);
     if (wished_.frequency_Hz > 0.0) {
-      // out of silence a tone begins at its pitch
+      // after silence a tone starts at its pitch
       if (frequency_Hz_ == 0.0) frequency_Hz_ = wished_.frequency_Hz;
       frequency_Hz_ += fraction * (wished_.frequency_Hz - frequency_Hz_);
     }

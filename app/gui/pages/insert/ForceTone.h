@@ -1,6 +1,6 @@
 #pragma once
 
-// The force on the hand as a tone, for eyes that stay on the array.
+// The force on the hand as a tone, so that the eyes can stay on the array.
 
 #include <cstdint>
 
@@ -8,24 +8,24 @@
 
 namespace perilymph::gui {
 
-/// What is heard at a moment; a loudness of 0 is silence, 1 the most.
+/// The current tone; loudness 0 is silence, 1 the maximum.
 struct Tone {
   double frequency_Hz = 0.0;
   double loudness = 0.0;
 };
 
-/// 220 Hz at no force and an octave more for each 100 mN, at most four of them; pulling sounds as
-/// pushing does. Silent below 5 mN: hands and friction make so much at rest. A choice, made for
-/// hearing a change; no source names a scale for it.
+/// 220 Hz at zero force and an octave more per 100 mN, at most four octaves; the sign is ignored.
+/// Silent below 5 mN, the level of hands and friction at rest. A choice, made to hear changes; no
+/// source defines such a scale.
 Tone toneOf(Force onHand);
 
-/// Writes a tone as samples. A change of pitch or loudness takes 10 ms, so that nothing clicks, and
-/// a tone nobody renews for a quarter of a second fades: then the window is busy or at rest.
+/// Generates samples of a tone. Changes of pitch or loudness take 10 ms, to avoid clicks, and a
+/// tone that is not renewed for a quarter of a second fades, because the window is busy or idle.
 class ToneWriter {
 public:
   static constexpr int samplesPerSecond = 44100;
 
-  /// The tone from now on.
+  /// Sets the tone.
   void hear(const Tone& tone);
   /// Fills the next samples of one channel.
   void write(std::int16_t* samples, int count);
@@ -33,8 +33,8 @@ public:
 private:
   Tone wished_;
   double frequency_Hz_ = 0.0, loudness_ = 0.0;
-  double phase_ = 0.0;  ///< In turns.
-  int left_ = 0;        ///< Samples until the tone counts as forgotten.
+  double phase_ = 0.0;  ///< In cycles.
+  int left_ = 0;        ///< Samples until the tone expires.
 };
 
 }  // namespace perilymph::gui

@@ -8,7 +8,7 @@ namespace perilymph::gui {
 namespace {
 
 constexpr int slowInterval_ms = 66;    // charts and numbers: 15 Hz
-constexpr double longestStep_s = 0.1;  // after a stall, keys do not catch up
+constexpr double longestStep_s = 0.1;  // after a stall, keys are not caught up
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// The one timer that keeps the picture new, at most 60 times a second.
+// The timer of the frames, at most 60 per second.
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -11,32 +11,32 @@
 
 namespace perilymph::gui {
 
-/// Takes turns: each one lets the insertion step and draws what changed of the picture; fifteen a
-/// second do the same for numbers and charts.
+/// Each timer event advances the insertion and draws what changed in the 3D view; fifteen times a
+/// second also numbers and charts.
 class FrameLoop : public QObject {
   Q_OBJECT
 public:
-  /// What is drawn in a turn. Functions that draw say whether anything was.
+  /// Functions called in a timer event. Drawing functions return whether anything was drawn.
   struct Turn {
     std::function<void(double elapsed_s)> step;
     std::function<void()> stepSlowly;
     std::function<bool()> drawPicture, drawCharts;
-    std::function<bool()> isSeen;  ///< Whether the page is shown.
+    std::function<bool()> isSeen;  ///< Whether the page is visible.
   };
 
   FrameLoop(Turn turn, QObject* parent);
 
   void start();
   void setInterval(int interval_ms) { timer_.setInterval(interval_ms); }
-  /// The composed window was handed to the display.
+  /// The composed window was passed to the display.
   void present();
 
   const FrameMeter& meter() const { return meter_; }
-  /// Forgets the frames so far.
+  /// Resets the statistics.
   void restartMeter() { meter_ = {}; }
 
 Q_SIGNALS:
-  /// The first frame with the cochlea in it is on the display, or another page is.
+  /// The first frame with the cochlea is on the display, or another page is.
   void firstFrameShown();
 
 private:

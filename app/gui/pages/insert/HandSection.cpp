@@ -49,7 +49,7 @@ void HandSection::addChoices()
           [this] { Q_EMIT handChosen(InputSource::pointer); });
   connect(device_, &QAbstractButton::clicked, this, &HandSection::devicesAsked);
 
-  // a consumer device's own friction is above the forces here: up to 20 times, as scenarios allow
+  // a consumer device's own friction exceeds the forces here: up to 20 times, as in scenarios
   force_->setRange({0.0, 20.0});
   connect(force_, &NumberField::given, this, [this](double value) {
     Q_EMIT changeAsked({SetupField::forceScale,

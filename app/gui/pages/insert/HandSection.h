@@ -1,6 +1,6 @@
 #pragma once
 
-// The hand in the panel: who moves the array, and how strongly a device shows the force.
+// The device section of the panel: input device and force scale.
 
 #include "gui/run/InsertionControl.h"
 #include "gui/setup/Section.h"
@@ -14,17 +14,18 @@ namespace perilymph::gui {
 class Choice;
 class NumberField;
 
-/// Shows the hand and asks for another one, for the array to be held, for the stylet to be pulled.
+/// Shows the input device and requests another one, grasping of the array, or withdrawal of the
+/// stylet.
 class HandSection : public Section {
   Q_OBJECT
 public:
   explicit HandSection(QWidget* parent);
 
   void show(const Setup& setup);
-  /// Sends off what is typed. A sentence where something typed cannot be.
+  /// Commits edited values. An error message if a value is invalid.
   QString commit();
 
-  /// @param name  Of the hand.
+  /// @param name  Name of the device.
   void setHand(InputSource hand, const QString& name);
   void setChangeable(bool isChangeable);
   void setHeld(bool isHeld);

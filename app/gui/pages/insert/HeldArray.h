@@ -1,6 +1,6 @@
 #pragma once
 
-// The array moved by mouse and keyboard.
+// Motion of the array by mouse and keyboard.
 
 #include <set>
 
@@ -10,22 +10,22 @@ namespace perilymph::gui {
 
 class SidePanel;
 
-/// The array follows wheel and arrow keys only while it is held: with Space or the button of the
+/// The array follows wheel and arrow keys only while it is grasped: by Space or the button of the
 /// panel.
 class HeldArray {
 public:
   HeldArray(InsertionControl& control, SidePanel& side) : control_(control), side_(side) {}
 
-  /// Without effect where script or device move the array.
+  /// No effect if a script or device moves the array.
   void hold(bool isHeld);
-  /// @param key  Down or Up; moves the array while it is pressed and the array is held.
+  /// @param key  Down or Up; moves the array while it is pressed and the array is grasped.
   void press(int key);
   void release(int key);
-  /// Positive notches, away from oneself, push the array in. False while it is not held.
+  /// Positive notches, away from the user, push the array in. False while it is not grasped.
   bool turnWheel(double notches);
-  /// Lets the time go by.
+  /// Advances the time.
   void step(double elapsed_s);
-  /// No key is pressed any more, and the panel says whether the array is held.
+  /// Releases all keys; the panel shows whether the array is grasped.
   void letGo();
 
 private:

@@ -205,7 +205,7 @@ bool InsertPage::cancelBuilding()
 
 void InsertPage::start()
 {
-  // What is typed counts, and is built first.
+  // Edited values are committed, and the result is built first.
   const QString refused = maySetUpNow() ? side_->commit() : QString();
   if (!refused.isEmpty()) return showError(refused);
   setup_->history().seal();
@@ -262,7 +262,7 @@ void InsertPage::prepare(InputSource input)
   held_.letGo();
   const Result<Done> prepared = control_.prepare(input);
   if (!prepared && input == InputSource::device) {
-    // A device that cannot be opened leaves the script as the hand.
+    // If a device cannot be opened, the script remains the input device.
     prepare(InputSource::scripted);
     return showError(QString::fromStdString(prepared.error().message));
   }
@@ -274,12 +274,12 @@ void InsertPage::openReplay(const std::filesystem::path& file) { replay_->open(f
 
 void InsertPage::beginReplay()
 {
-  // Nothing may move but the picture: the insertion ends, and no device stays open.
+  // Only the display may move: the insertion ends, and no device remains open.
   setup_->forget();
   inputBefore_ = control_.hand();
   prepare(InputSource::scripted);
   bars_->setCurrentWidget(replay_->bar());
-  side_->hide();  // it tells of the insertion to come, not of this one
+  side_->hide();  // it belongs to the next insertion, not to this recording
   replay_->begin();
   Q_EMIT replayOpened();
   Q_EMIT subjectChanged();

@@ -1,6 +1,6 @@
 #pragma once
 
-// The page of the insertion: panel, picture, charts, bars, and what a person does with them.
+// The insertion page: panel, 3D view, charts, bars, and user input.
 
 #include <QWidget>
 #include <filesystem>
@@ -25,8 +25,8 @@ class OperationView;
 class ReplayControl;
 class SidePanel;
 
-/// Shows an insertion and asks for its next steps; computes none of it. In its place a recording
-/// may be replayed: then no loop runs and no device is open.
+/// Shows an insertion and requests its steps; it computes nothing. A recording can be replayed in
+/// its place: then no loop runs and no device is open.
 class InsertPage : public QWidget {
   Q_OBJECT
 public:
@@ -34,39 +34,38 @@ public:
              QWidget* parent);
   ~InsertPage() override;
 
-  /// Builds the cochlea and prepares the insertion; then frames begin to run.
+  /// Builds the cochlea and prepares the insertion; then frames begin.
   Result<Done> open();
 
-  /// Another scenario, its array at its start and its cochlea built meanwhile. It is about to be
-  /// shown.
+  /// What follows after another scenario was loaded, whose cochlea is built meanwhile. The page
+  /// will be shown.
   enum class AfterLoading { rest, insert };
   void load(const Setup& setup, SetupOrigin::Kind kind, AfterLoading then);
-  /// Goes on with the setup of a window before this one, whose scenario is this one's.
+  /// Continues with the setup of a previous window with the same scenario.
   void resume(const SetupOrigin& origin, const Setup& now);
 
   void start();
-  /// Lets go of the array: it stays where it is.
+  /// Releases the array, which keeps its position.
   void pause();
   void withdraw();
-  /// A fresh insertion with the array at its start, moved by the same hand.
+  /// Prepares a new insertion with the array at its start and the same device.
   void reset();
   void pullStylet() { control_.pullStylet(); }
   void undo();
   void redo();
 
-  /// The device becomes the hand; where it cannot be opened, the script stays, and the page says
-  /// why.
+  /// Uses a device as input; if it cannot be opened, the script remains, and the page shows why.
   void useDevice(const device::FoundDevice& found);
   void usePlugin(const std::filesystem::path& library);
 
-  /// Opens a recording to be replayed in the place of the insertion: replayOpened() or
-  /// replayFailed() follows.
+  /// Opens a recording for replay in place of the insertion; emits replayOpened() or
+  /// replayFailed().
   void openReplay(const std::filesystem::path& file);
   const ReplayControl& replay() const { return *replay_; }
-  /// An earlier insertion behind the next ones.
+  /// Sets an earlier insertion drawn behind the next ones.
   void setGhost(const std::vector<std::pair<Length, Force>>& curve, const QString& name);
 
-  /// What keys ask for. Functions that are not always possible say whether something was done.
+  /// Key actions. Functions that are not always possible return whether they were.
   bool takeReplayKey(const QKeyEvent& event);
   void pressSpace();
   HeldArray& held() { return held_; }
@@ -76,26 +75,26 @@ public:
   bool rest();
   void togglePanel();
 
-  /// The window lost the keyboard.
+  /// The window lost the keyboard focus.
   void loseKeyboard();
-  /// Another page is shown: what moves rests.
+  /// Another page is shown: pauses motion.
   void leaveSight();
-  /// The window ends: the force is off when this returns.
+  /// The window ends: the force is zero when this returns.
   void end() { safety_.end(); }
-  /// Stops the insertion for good and says how its loop kept time.
+  /// Stops the insertion permanently and returns the timing statistics of its loop.
   haptics::LoopStatistics halt() { return control_.halt(); }
 
-  /// Says in place what went wrong; stays until the next reset.
+  /// Shows an error until the next reset.
   void showError(const QString& sentence) { presenter_.showError(sentence); }
-  /// Says again which hand is in use.
+  /// Updates the display of the input device.
   void showInput() { presenter_.showInput(); }
 
-  /// It is the page that is shown.
+  /// This page is visible.
   bool isShown() const { return isVisibleTo(window()); }
   const InsertionControl& control() const { return control_; }
   std::optional<device::DeviceHealth> deviceHealth() { return control_.deviceHealth(); }
   const SetupHistory& setup() const { return setup_->history(); }
-  /// What went wrong, as the banner says it; empty while all is well.
+  /// The error in the banner; empty if there is none.
   QString error() const { return presenter_.error(); }
   InsertionViews& views() { return *views_; }
   OperationView& view();
@@ -104,9 +103,9 @@ public:
 Q_SIGNALS:
   /// Another insertion is being recorded: control().recording().
   void recordingChanged();
-  /// Another scenario or another setup is shown, or a recording of one.
+  /// Another scenario or setup is shown, or a replay of one.
   void subjectChanged();
-  /// How the insertion is doing may have changed; fifteen times a second while it runs.
+  /// The state may have changed; emitted fifteen times a second while the insertion runs.
   void stateShown();
   void devicesAsked();
   void replayOpened();
@@ -139,7 +138,7 @@ private:
   FrameLoop* frames_;
   InsertionPresenter presenter_;
   HeldArray held_;
-  InputSource inputBefore_ = InputSource::scripted;  ///< The replay.
+  InputSource inputBefore_ = InputSource::scripted;  ///< Before the replay.
 };
 
 }  // namespace perilymph::gui

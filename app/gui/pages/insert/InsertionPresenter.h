@@ -1,6 +1,6 @@
 #pragma once
 
-// How an insertion is shown on the page: picture, charts, buttons, and what the bars say.
+// Display of an insertion on the page: 3D view, charts, buttons, and texts of the bars.
 
 #include <QString>
 
@@ -16,10 +16,10 @@ class SetupControl;
 class SidePanel;
 struct InsertionState;
 
-/// Pulls from the insertion, converts, and draws on the zones of the page.
+/// Reads the insertion's state, converts it, and draws it on the parts of the page.
 class InsertionPresenter {
 public:
-  /// What it draws on.
+  /// The parts of the page.
   struct Zones {
     SidePanel* side;
     InsertionViews* views;
@@ -29,24 +29,24 @@ public:
 
   InsertionPresenter(InsertionControl& control, const SetupControl& setup, Zones zones);
 
-  /// Another cochlea or another array.
+  /// Shows another cochlea or array.
   void showCochlea();
-  /// A fresh insertion with the array at its start.
+  /// Shows a new insertion with the array at its start.
   void showPrepared();
-  /// Takes the newest picture; one that is like the last is not drawn.
+  /// Takes the newest snapshot; draws it only if it differs from the last one.
   void step();
-  /// Numbers and flat views, fifteen times a second.
+  /// Updates numbers and flat views, fifteen times a second.
   void stepSlowly(const FrameMeter& meter);
-  /// Buttons, bars, hint and banner.
+  /// Updates buttons, bars, hint and banner.
   ///
   /// @param maySetUp  The setup may be changed now.
   void showState(const FrameMeter& meter, bool maySetUp);
   void showInput();
 
-  /// What went wrong, in place, until it is forgotten.
+  /// Shows an error until it is cleared.
   void showError(const QString& sentence);
   void forgetError() { error_.clear(); }
-  /// What the banner says; empty while all is well.
+  /// Text of the banner; empty if there is no error.
   QString error() const;
 
 private:
@@ -57,7 +57,7 @@ private:
   const SetupControl& setup_;
   Zones zones_;
   QString error_;
-  haptics::Snapshot drawn_{};  ///< The picture the scene shows.
+  haptics::Snapshot drawn_{};  ///< The snapshot shown in the scene.
 };
 
 }  // namespace perilymph::gui

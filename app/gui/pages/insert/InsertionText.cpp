@@ -11,7 +11,7 @@ namespace {
 
 using haptics::Workflow;
 
-// lupdate looks for words of free functions under the name of their namespace.
+// lupdate assigns texts of free functions to their namespace.
 QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
 
 QString deviceHint(const InsertionControl& control)

@@ -1,7 +1,6 @@
 #pragma once
 
-// What the page says of an insertion: the status line, the hint at the foot of the picture, and the
-// banner over it.
+// Texts about an insertion: the status line, the hint at the bottom of the 3D view, and the banner.
 
 #include <QString>
 
@@ -9,15 +8,15 @@
 
 namespace perilymph::gui {
 
-/// @param device           How the device reports, in words; empty without one.
-/// @param framesPerSecond  As drawn.
+/// @param device           Report rate of the device as text; empty without one.
+/// @param framesPerSecond  Measured frame rate.
 QString statusText(const InsertionControl& control, const QString& device, int framesPerSecond);
 
-/// What went wrong and what to do; empty while all is well.
-/// @param error  What the window itself could not do; said unless the loop has stopped.
+/// Error and remedy; empty if there is no error.
+/// @param error  An error of the window itself; shown unless the loop has stopped.
 QString errorText(const InsertionControl& control, const QString& error);
 
-/// What can be done next; empty where nothing has to be said.
+/// Possible next actions; empty if no hint is needed.
 QString hintText(const InsertionControl& control);
 QString buildingHint(bool isStartAsked);
 

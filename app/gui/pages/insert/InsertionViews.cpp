@@ -133,7 +133,7 @@ void InsertionViews::openTwin()
   if (scala_ == nullptr || operation_->scene() == nullptr) return;
   if (!twin_) {
     twin_ = std::make_unique<StereoWindow>(nullptr);
-    // not at once: it is its own event that tells
+    // deferred, because it is emitted by its own event
     connect(
         twin_.get(), &StereoWindow::closed, this, [this] { setStereo(visualization::Stereo::off); },
         Qt::QueuedConnection);
@@ -176,7 +176,7 @@ void InsertionViews::weigh(const FrameMeter& meter)
   const bool isEnough =
       meter.frames() >= QualityPilot::minFrames && meter.span_s() >= QualityPilot::firstSecond_s;
   if (!measures_ || !isEnough) return;
-  measures_ = false;  // once: sorting an hour of frames would cost frames itself
+  measures_ = false;  // once: sorting an hour of frame times would itself cost frames
   if (pilot_.weigh(meter.frames(), meter.span_s(), meter.quantile_ms(0.5))) redraw();
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
-// All that shows an insertion: the picture, the charts and the flat views, and how they share the
-// page.
+// All views of an insertion: 3D view, charts and flat views, and their arrangement on the page.
 
 #include <QWidget>
 
@@ -20,8 +19,8 @@ class FrameMeter;
 class OperationView;
 class StereoWindow;
 
-/// The parts of the insertion page between the panel and the bar at the bottom. Which of them are
-/// seen is kept in the settings.
+/// The parts of the insertion page between the panel and the bottom bar. Their visibility is stored
+/// in the settings.
 class InsertionViews : public PaneArea {
   Q_OBJECT
 public:
@@ -31,33 +30,32 @@ public:
   OperationView* operation() const { return operation_; }
   ForceCharts* charts() const { return charts_; }
 
-  /// The cochlea and the array to be shown from now on. The cochlea must outlive the views, the
-  /// next call, or forgetScene().
+  /// Sets cochlea and array. The cochlea must outlive the views, the next call, or forgetScene().
   void setScene(const anatomy::ScalaTympani& scala, const session::Scenario& scenario);
-  /// The cochlea is about to go.
+  /// The cochlea will be destroyed.
   void forgetScene();
-  /// What follows the array fifteen times a second.
+  /// Updates the views that follow the array fifteen times a second.
   void showSlowly(const haptics::Snapshot& now);
 
   void lookFrom(visualization::CameraPreset preset);
   void setStereo(visualization::Stereo stereo);
-  /// One kind after the other, round and round.
+  /// Cycles through the stereo modes.
   void nextStereo();
 
-  /// Lets the machine's speed choose how much is drawn, from what OpenGL calls itself and from the
-  /// first second of frames; or keeps to a choice. Without one to that of the settings.
+  /// Selects the rendering quality automatically, by the name of the OpenGL renderer and the first
+  /// second of frames, or as requested. Without a request the stored setting is used.
   void drawBy(const std::string& renderer, std::optional<QualityChoice> asked);
   visualization::Quality quality() const { return pilot_.quality(); }
-  /// Looks at the frames so far.
+  /// Evaluates the frame times so far.
   void weigh(const FrameMeter& meter);
-  /// Whether quad-buffered stereo can be chosen.
-  /// @param trouble  Why it is not to be had; empty where it is.
+  /// Whether quad-buffered stereo is available.
+  /// @param error  Why not; empty if it is.
   void offerQuadBuffered(const QString& error);
-  /// The window it is shown in; none while it is not.
+  /// The quad-buffered stereo window; null if it is not shown.
   const StereoWindow* stereoWindow() const { return twin_.get(); }
 
 Q_SIGNALS:
-  /// Another tier draws from now on.
+  /// The rendering quality changed.
   void qualityChanged();
 
 protected:
@@ -80,7 +78,7 @@ private:
   bool hasQuadBuffers_ = false;
   std::unique_ptr<StereoWindow> twin_;
   bool measures_ = false;
-  // what the scene is made of, to make it anew in another tier
+  // content of the scene, to rebuild it with another quality
   const anatomy::ScalaTympani* scala_ = nullptr;
   electrode::ArrayDesign array_;
   anatomy::Side side_ = anatomy::Side::right;

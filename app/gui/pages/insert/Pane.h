@@ -1,6 +1,6 @@
 #pragma once
 
-// One part of the insertion page: a chart or a flat view under its title.
+// A part of the insertion page: a chart or a flat view with a title.
 
 #include <QWidget>
 
@@ -9,17 +9,16 @@ class QLabel;
 
 namespace perilymph::gui {
 
-/// A title, a quiet note at its right or, where both have no room, under it, and below them what
-/// they name. A double click asks for the
-/// whole page.
+/// A title, a note at its right or, if there is no space, below it, and the content. A double click
+/// requests the whole page.
 class Pane : public QWidget {
   Q_OBJECT
 public:
-  /// @param content  Becomes the pane's; clicks on it should go through to the pane.
+  /// @param content  Becomes a child of the pane; clicks on it should reach the pane.
   Pane(const QString& title, const QString& note, QWidget* content, QWidget* parent);
 
   void setNote(const QString& note);
-  /// Shown while the mouse rests on the title.
+  /// Sets the tooltip of the title.
   void setTip(const QString& tip);
 
 Q_SIGNALS:

@@ -9,13 +9,13 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr int gap_px = 1;  // the line between parts
+constexpr int gap_px = 1;  // line between the parts
 constexpr int topMargin_px = spacing;
-constexpr double columnFraction = 0.34;   // of a wide area; a narrow one keeps chartColumnWidth
+constexpr double columnFraction = 0.34;   // of a wide area; a narrow one has chartColumnWidth
 constexpr double upperFraction = 0.6;     // of the height, in four parts
 constexpr double sectionFraction = 0.54;  // of the lower right
 
-/// Cuts a rectangle into rows by shares.
+/// Divides a rectangle into rows by fractions.
 std::vector<QRect> rows(const QRect& whole, const std::vector<double>& fractions)
 {
   double sum = 0.0;
@@ -101,7 +101,7 @@ std::vector<std::pair<PaneRole, QRect>> PaneArea::places() const
 
 int PaneArea::columnWidth() const
 {
-  // In a narrow area the column gives way to the numbers on the picture.
+  // In a narrow area the column is reduced in favor of the read-outs on the 3D view.
   int picture = 0;
   for (const Part& part : parts_)
     if (part.role == PaneRole::picture) picture = part.widget->minimumSizeHint().width();
@@ -129,7 +129,7 @@ void PaneArea::resizeEvent(QResizeEvent* event)
 
 void PaneArea::paintEvent(QPaintEvent*)
 {
-  // panes are panels; the lines between the quarters show through
+  // the lines between the parts are visible
   QPainter painter(this);
   painter.fillRect(rect(), panelColor);
   if (maximized_ || layout_ == PaneLayout::one) return;

@@ -1,6 +1,6 @@
 #pragma once
 
-// How the parts of the insertion page share it: one, two or four of them at a time.
+// Arrangement of the insertion page: one, two or four parts.
 
 #include <QWidget>
 #include <optional>
@@ -8,33 +8,33 @@
 
 namespace perilymph::gui {
 
-/// How many parts are seen: the picture alone; picture and charts; picture, charts, the unrolled
+/// Number of visible parts: the 3D view alone; 3D view and charts; 3D view, charts, the unrolled
 /// scala and the section.
 enum class PaneLayout { one, two, four };
 
-/// Where a part stands.
+/// Role of a part.
 enum class PaneRole { picture, travel, components, unrolled, section, distances };
 
-/// Shares its rectangle between parts. Parts are moved and hidden, never taken out of the window:
-/// views of OpenGL keep their contexts.
+/// Arranges parts in its rectangle. Parts are moved and hidden, never removed from the window, so
+/// that OpenGL views keep their contexts.
 class PaneArea : public QWidget {
   Q_OBJECT
 public:
   explicit PaneArea(QWidget* parent);
 
-  /// Takes a part in, which becomes a child.
+  /// Adds a part as a child.
   void add(PaneRole role, QWidget* part);
 
   void setArrangement(PaneLayout layout);
   PaneLayout arrangement() const { return layout_; }
-  /// One after the other, round and round.
+  /// Cycles through the arrangements.
   void nextArrangement();
-  /// Gives the whole area to one part, or back to all.
+  /// Maximizes one part, or restores the arrangement.
   void toggleMaximized(PaneRole role);
   std::optional<PaneRole> maximized() const { return maximized_; }
 
 Q_SIGNALS:
-  /// What the user chose, to be kept.
+  /// The user selected an arrangement.
   void arrangementChanged(perilymph::gui::PaneLayout layout);
 
 protected:

@@ -1,6 +1,6 @@
 #pragma once
 
-// A drawing that fills its widget, for flat views that are drawn anew several times a second.
+// A widget showing a drawing that is updated several times a second.
 
 #include <QWidget>
 #include <functional>
@@ -9,7 +9,8 @@
 
 namespace perilymph::gui {
 
-/// Shows what a function draws in the widget's pixels. Painted by Qt: costs no OpenGL context.
+/// Shows the drawing made by a function, in the widget's pixels. Painted by Qt, without an OpenGL
+/// context.
 class PlotView : public QWidget {
   Q_OBJECT
 public:
@@ -17,7 +18,7 @@ public:
 
   PlotView(Draw draw, QWidget* parent);
 
-  /// What it shows has changed.
+  /// The drawing must be updated.
   void refresh() { update(); }
   QSize minimumSizeHint() const override { return {120, 60}; }
 

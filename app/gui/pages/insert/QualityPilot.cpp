@@ -42,7 +42,8 @@ bool QualityPilot::isSoftware(const std::string& renderer)
   std::string name = renderer;
   std::transform(name.begin(), name.end(), name.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  // Mesa's three, and Windows' and Apple's; one that does not say its name is none of a card
+  // Mesa's three, and those of Windows and macOS; an unknown renderer is not regarded as a graphics
+  // card
   constexpr std::array<const char*, 5> known{"llvmpipe", "softpipe", "swrast", "gdi generic",
                                              "software"};
   return name.empty() || std::any_of(known.begin(), known.end(), [&](const char* one) {

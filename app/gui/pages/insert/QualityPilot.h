@@ -1,6 +1,6 @@
 #pragma once
 
-// Which tier of drawing the machine can keep up with.
+// Automatic selection of the rendering quality.
 
 #include <optional>
 #include <string>
@@ -9,32 +9,32 @@
 
 namespace perilymph::gui {
 
-/// The words of a choice: "auto", "fast", "balanced", "full".
+/// Name of a choice: "auto", "fast", "balanced", "full".
 std::string nameOf(QualityChoice choice);
-/// The choice of such a word; nothing for another one.
+/// The choice with such a name; empty for other names.
 std::optional<QualityChoice> qualityNamed(const std::string& name);
 
-/// Begins with what the renderer promises, and steps down once when the first second of frames took
-/// too long. A tier chosen by hand stays.
+/// Starts with the quality suitable for the renderer, and reduces it once if the first second of
+/// frames is too slow. A quality selected by the user is kept.
 class QualityPilot {
 public:
-  /// Frames that the decision waits for, over at least so long.
+  /// Minimum number of frames and time before the decision.
   static constexpr std::size_t minFrames = 15;
   static constexpr double firstSecond_s = 1.0;
-  /// A median above this is too slow: 15 frames a second.
+  /// Maximum median frame time: 15 frames per second.
   static constexpr double slowFrame_ms = 66.0;
 
-  /// @param renderer  What OpenGL calls itself: "llvmpipe (LLVM 15.0.6, 256 bits)".
+  /// @param renderer  Name of the OpenGL renderer: "llvmpipe (LLVM 15.0.6, 256 bits)".
   explicit QualityPilot(const std::string& renderer = {});
 
   void choose(QualityChoice choice);
   QualityChoice choice() const { return choice_; }
   visualization::Quality quality() const;
 
-  /// What the first frames took. @return Whether the tier changed.
+  /// Evaluates the first frames. @return Whether the quality changed.
   bool weigh(std::size_t frames, double span_s, double median_ms);
 
-  /// Whether a renderer of this name draws on the CPU.
+  /// Whether a renderer with this name uses the CPU.
   static bool isSoftware(const std::string& renderer);
 
 private:

@@ -1,6 +1,6 @@
 #pragma once
 
-// The bar at the bottom while a recording is replayed: play, step, speed, and where one is.
+// The bottom bar of a replay: play, step, speed, and position.
 
 #include <QWidget>
 
@@ -11,7 +11,7 @@ namespace perilymph::gui {
 
 class ReplayPlayer;
 
-/// A line to drag along: how far the replay is, and how far it is ready.
+/// A slider for the position of the replay, with the range that is ready.
 class Scrubber : public QWidget {
   Q_OBJECT
 public:
@@ -37,7 +37,7 @@ class ReplayBar : public QWidget {
 public:
   explicit ReplayBar(QWidget* parent);
 
-  /// Says where a replay is.
+  /// Shows the position of a replay.
   void showPlace(const ReplayPlayer& replay);
 
 Q_SIGNALS:

@@ -70,7 +70,7 @@ void ReplayControl::step(double elapsed_s, bool isSeen)
   if (!player_->advance(elapsed_s)) return;
   views_.operation()->showArray(player_->now());
 
-  // the curves up to here, in even steps and with the very tick at their end
+  // the curves up to here, at equal steps and with the current tick at their end
   const auto& samples = playback().samples();
   if (charted_ > 0 && samples[charted_ - 1].place > player_->place()) {
     views_.charts()->begin(playback().anatomy()->entry());
@@ -93,7 +93,7 @@ void ReplayControl::stepSlowly()
 bool ReplayControl::takeKey(const QKeyEvent& event)
 {
   if (!isOpen() || (event.modifiers() & Qt::AltModifier) != 0) return false;
-  if ((event.modifiers() & Qt::ControlModifier) != 0)  // neither reset nor undo meanwhile
+  if ((event.modifiers() & Qt::ControlModifier) != 0)  // no reset and no undo during a replay
     return event.key() == Qt::Key_R || event.key() == Qt::Key_Z;
   const bool isShift = (event.modifiers() & Qt::ShiftModifier) != 0;
   switch (event.key()) {
@@ -121,7 +121,7 @@ bool ReplayControl::takeKey(const QKeyEvent& event)
     case Qt::Key_Escape:
       Q_EMIT closeAsked();
       return true;
-    // What would move an array.
+    // Keys that would move an array.
     case Qt::Key_Backspace:
     case Qt::Key_Up:
     case Qt::Key_Down:

@@ -1,6 +1,6 @@
 #pragma once
 
-// A recorded insertion looked at again, in the place of the one that runs.
+// Replay of a recorded insertion in place of the live one.
 
 #include <QObject>
 #include <filesystem>
@@ -15,7 +15,7 @@ class InsertionViews;
 class ReplayBar;
 class ReplayPlayer;
 
-/// Shows a replay in the views of the insertion, with a bar and keys of its own.
+/// Shows a replay in the views of the insertion, with its own bar and keys.
 class ReplayControl : public QObject {
   Q_OBJECT
 public:
@@ -24,20 +24,20 @@ public:
 
   ReplayBar* bar() const { return bar_; }
 
-  /// Opens a recording beside this thread; opened() or failed() follows.
+  /// Opens a recording in the background; emits opened() or failed().
   void open(const std::filesystem::path& file);
-  /// Shows it from its beginning. The insertion must have ended before.
+  /// Starts at its beginning. The insertion must have ended.
   void begin();
   void close();
   bool isOpen() const;
-  /// While it is open.
+  /// Only while a recording is open.
   const session::Playback& playback() const;
 
-  /// One turn of the window. It pauses while the page is not seen.
+  /// One timer event. Pauses while the page is not visible.
   void step(double elapsed_s, bool isSeen);
   void stepSlowly();
-  /// Does what a key asks for while it is open; closeAsked() follows Escape. False if the key is
-  /// for others.
+  /// Handles a key while a recording is open; Escape emits closeAsked(). False if the key is not
+  /// handled.
   bool takeKey(const QKeyEvent& event);
 
 Q_SIGNALS:
@@ -52,7 +52,7 @@ private:
   InsertionViews& views_;
   ReplayPlayer* player_;
   ReplayBar* bar_;
-  std::size_t charted_ = 0;  ///< Samples that are in the charts.
+  std::size_t charted_ = 0;  ///< Number of samples in the charts.
 };
 
 }  // namespace perilymph::gui

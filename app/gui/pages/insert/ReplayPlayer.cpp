@@ -11,7 +11,7 @@ namespace {
 constexpr std::array<double, 6> speeds = {0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
 constexpr int ordinary = 3;
 
-// What is not computed yet is computed while it is shown: so many ticks a frame, no more.
+// Maximum number of ticks computed per frame, if they are not computed yet.
 constexpr std::uint64_t maxAhead = 300;
 
 }  // namespace
@@ -91,7 +91,7 @@ void ReplayPlayer::check()
 void ReplayPlayer::play()
 {
   if (!isOpen()) return;
-  // from the end it begins anew
+  // at the end, start from the beginning
   if (place_ + 1 >= playback_->ticks()) seek(playback_->beginning());
   isPlaying_ = true;
 }
@@ -124,7 +124,7 @@ bool ReplayPlayer::advance(double elapsed_s)
   if (isPlaying_) {
     const double position = position_ + elapsed_s * speed() / playback_->timeStep();
     seek(std::uint64_t(position));
-    if (place_ == std::uint64_t(position)) position_ = position;  // with its fraction
+    if (place_ == std::uint64_t(position)) position_ = position;  // keeps the fraction
     if (place_ + 1 >= playback_->ticks()) pause();
   }
   if (!isNew_) return false;

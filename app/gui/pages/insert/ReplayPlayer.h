@@ -1,6 +1,6 @@
 #pragma once
 
-// A recorded insertion being looked at: where it is, how fast it goes, whether its bits agree.
+// Player of a recorded insertion: position, speed, and verification.
 
 #include <QObject>
 #include <filesystem>
@@ -12,42 +12,42 @@
 
 namespace perilymph::gui {
 
-/// Moves a playback on with the time of the window. No hand and no device has a part in it.
+/// Advances a playback with the window's time. No device is involved.
 class ReplayPlayer : public QObject {
   Q_OBJECT
 public:
   explicit ReplayPlayer(QObject* parent);
   ~ReplayPlayer() override;
 
-  /// Opens a recording beside this thread; opened() or failed() follows. Once it is open its bits
-  /// are compared, and checked() says how that ended.
+  /// Opens a recording in the background; emits opened() or failed(). Then the recording is
+  /// verified; emits checked().
   void open(const std::filesystem::path& file);
   void close();
   bool isOpening() const { return opening_.isBusy(); }
   bool isOpen() const { return playback_ != nullptr; }
-  /// While it is open.
+  /// Only while a recording is open.
   const session::Playback& playback() const { return *playback_; }
 
   void play();
   void pause() { isPlaying_ = false; }
   bool isPlaying() const { return isPlaying_; }
-  /// Against the time it took: 0.1, 0.25, 0.5, 1, 2 or 4.
+  /// Relative to real time: 0.1, 0.25, 0.5, 1, 2 or 4.
   double speed() const;
   void slower();
   void faster();
 
   void seek(std::uint64_t place);
-  /// Stops, and goes so many ticks forward or back.
+  /// Pauses, and moves by a number of ticks.
   void stepBy(std::int64_t ticks);
 
-  /// Lets the time of the window go by. True if there is a new picture.
+  /// Advances the time. True if there is a new snapshot.
   bool advance(double elapsed_s);
   std::uint64_t place() const { return place_; }
-  /// Up to here it can be shown at once.
+  /// Number of ticks that can be shown at once.
   std::uint64_t ready() const;
   const haptics::Snapshot& now() const { return now_; }
 
-  /// In words: still comparing, every bit the same, or the first tick that differs.
+  /// Result of the verification as text: in progress, identical, or the first different tick.
   QString verdict() const { return verdict_; }
   bool isError() const { return isError_; }
   bool isChecked() const { return isOpen() && !checking_.isBusy(); }
@@ -61,7 +61,7 @@ private:
   void check();
 
   std::shared_ptr<session::Playback> playback_;
-  // Behind the playback: their threads end first.
+  // Declared after the playback, so that their threads end first.
   Background opening_, checking_;
   haptics::Snapshot now_{};
   double position_ = 0.0;  ///< [ticks]

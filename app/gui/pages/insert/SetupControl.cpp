@@ -42,7 +42,7 @@ void SetupControl::build(const session::Scenario& scenario,
 void SetupControl::cancel()
 {
   forget();
-  history_->goTo(control_.scenario().text);  // the panel goes on telling the truth
+  history_->goTo(control_.scenario().text);  // the panel shows the actual setup
   Q_EMIT followed();
 }
 

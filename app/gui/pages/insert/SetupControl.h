@@ -1,6 +1,6 @@
 #pragma once
 
-// From a change of the setup to the cochlea and the model that an insertion runs in.
+// Builds the cochlea and the model of a changed setup.
 
 #include <QObject>
 #include <functional>
@@ -12,7 +12,7 @@
 
 namespace perilymph::gui {
 
-/// Holds the setup with its history and builds what it asks for, beside the UI thread.
+/// Owns the setup with its history and builds what it requires, in the background.
 class SetupControl : public QObject {
   Q_OBJECT
 public:
@@ -21,30 +21,30 @@ public:
   SetupHistory& history() { return *history_; }
   const SetupHistory& history() const { return *history_; }
 
-  /// Brings the insertion in line with the history: ready() comes once what differs is built, at
-  /// once where nothing has to be.
+  /// Updates the insertion to the current setup: emits ready() when everything is built, at once if
+  /// nothing has to be.
   void follow();
-  /// Builds another scenario and calls `use` with its parts; the history is the caller's to begin.
+  /// Builds another scenario and calls `use` with its parts; the caller starts its history.
   void build(const session::Scenario& scenario,
              std::function<void(const InsertionControl::Parts&)> use);
-  /// Back to the setup that is shown; nothing is built any more.
+  /// Restores the displayed setup and cancels building.
   void cancel();
-  /// Nothing is built any more; the setup stays as it is.
+  /// Cancels building; the setup is kept.
   void forget();
 
   bool isBuilding() const { return builder_.isBusy(); }
   qint64 buildingFor_ms() const { return builder_.busyFor_ms(); }
 
-  /// The insertion starts once what is being built is there.
+  /// Starts the insertion when building has finished.
   void startWhenBuilt(bool isAsked) { isStartAsked_ = isAsked; }
   bool isStartAsked() const { return isStartAsked_; }
 
 Q_SIGNALS:
-  /// Insertions are of this scenario from now on.
-  /// @param parts  Of the same model as before without any.
+  /// A new scenario applies to the next insertions.
+  /// @param parts  Its parts; empty if the model is unchanged.
   void ready(const perilymph::session::Scenario& scenario,
              const std::optional<perilymph::gui::InsertionControl::Parts>& parts);
-  /// The setup is the one that is shown, or is being built.
+  /// The setup is the displayed one, or is being built.
   void followed();
   void failed(const QString& sentence);
 

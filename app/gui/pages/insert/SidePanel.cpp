@@ -32,7 +32,7 @@ SidePanel::SidePanel(QWidget* parent)
 {
   setObjectName(QStringLiteral("sidePanel"));
   auto* content = new QWidget(scroll_);
-  // in the order of Tab
+  // in tab order
   head_ = new ScenarioHead(content);
   patient_ = new PatientSection(content);
   array_ = new ArraySection(content);
@@ -86,7 +86,7 @@ void SidePanel::connectSections()
   connect(hand_, &HandSection::devicesAsked, this, &SidePanel::devicesAsked);
   connect(hand_, &HandSection::holdChanged, this, &SidePanel::holdChanged);
   connect(hand_, &HandSection::styletAsked, this, &SidePanel::styletAsked);
-  // a field that is reached by Tab is scrolled to
+  // scroll to a field that gets the focus by Tab
   connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
     if (now != nullptr && scroll_->widget()->isAncestorOf(now))
       scroll_->ensureWidgetVisible(now, 0, 3 * spacing);
@@ -148,7 +148,7 @@ void SidePanel::setChangeable(bool isChangeable)
 {
   if (isChangeable == isChangeable_) return;
   isChangeable_ = isChangeable;
-  // A field that is greyed keeps no keys to itself.
+  // A disabled field must not receive keys.
   QWidget* focused = window()->focusWidget();
   if (!isChangeable && focused != nullptr && isAncestorOf(focused)) window()->setFocus();
   head_->setChangeable(isChangeable);
@@ -182,7 +182,7 @@ bool SidePanel::isCollapsed() const { return scroll_->isHidden(); }
 
 bool SidePanel::eventFilter(QObject* watched, QEvent* event)
 {
-  // A wheel that moves the array scrolls nothing, wherever the mouse is.
+  // A wheel that moves the array must not scroll, wherever the mouse is.
   if (event->type() != QEvent::Wheel || !isHeld_) return QWidget::eventFilter(watched, event);
   event->ignore();
   return true;

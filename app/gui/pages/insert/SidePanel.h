@@ -1,6 +1,6 @@
 #pragma once
 
-// The panel at the left: what is inserted into whom, by which hand, and what the picture shows.
+// The panel on the left: setup, input device, and view options.
 
 #include <QWidget>
 #include <vector>
@@ -22,28 +22,28 @@ class ScenarioHead;
 class Section;
 class SetupHistory;
 
-/// Shows a setup and asks for changes of it, for another hand or other parts of the picture.
-/// Changes are possible before an insertion and after it, not during one.
+/// Shows a setup and requests changes of it, of the input device or of the view. The setup can be
+/// changed before and after an insertion, not during one.
 class SidePanel : public QWidget {
   Q_OBJECT
 public:
   explicit SidePanel(QWidget* parent);
 
   void showSetup(const SetupHistory& history);
-  /// Sends off what is typed and not yet sent. A sentence where something typed cannot be.
+  /// Commits edited values. An error message if a value is invalid.
   QString commit();
   void setChangeable(bool isChangeable);
 
-  /// @param name  Of the hand.
+  /// @param name  Name of the device.
   void setHand(InputSource hand, const QString& name);
   void setHeld(bool isHeld);
   void setHoldEnabled(bool isEnabled);
   void setStylet(const QString& text, bool canPull);
 
-  /// A narrow strip, or the whole panel.
+  /// Collapses the panel to a narrow strip, or expands it.
   void setCollapsed(bool isCollapsed);
   bool isCollapsed() const;
-  /// Says again which parts of the picture are shown: for a picture that is new.
+  /// Emits the view options again, for a new view.
   void announceParts();
 
 Q_SIGNALS:

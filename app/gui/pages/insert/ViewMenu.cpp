@@ -21,7 +21,7 @@ void addHeading(QMenu& menu, const QString& title)
   heading->setFont(typeface(11, QFont::DemiBold));
 }
 
-/// A heading, and the group of what stands below it: one of them is chosen.
+/// A heading, and an exclusive group of the entries below it.
 QActionGroup* section(QMenu& menu, const QString& title)
 {
   addHeading(menu, title);
@@ -142,7 +142,7 @@ void ViewMenu::offerSound(const QString& error)
 QAction* ViewMenu::addChoice(QMenu& menu, QActionGroup& group, const QString& text,
                              const QString& key, const char* name)
 {
-  // The key stands there to be read; the window itself listens to it.
+  // The key is only displayed; the window itself handles it.
   QAction* action = menu.addAction(key.isEmpty() ? text : text + QLatin1Char('\t') + key);
   action->setObjectName(QLatin1String(name));
   action->setCheckable(true);

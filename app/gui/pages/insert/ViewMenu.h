@@ -1,6 +1,6 @@
 #pragma once
 
-// What can be chosen about the picture, for those who do not know the keys.
+// Menu of the view options.
 
 #include <QToolButton>
 #include <optional>
@@ -15,11 +15,11 @@ class QMenu;
 
 namespace perilymph::gui {
 
-/// Which tier draws; without a tier, the machine's speed decides.
+/// Rendering quality; empty: selected automatically.
 using QualityChoice = std::optional<visualization::Quality>;
 
-/// A button with a menu: where to look from, how many views, stereo, and how much is drawn. Each
-/// entry has its key beside it; what cannot be chosen says why.
+/// A button with a menu: camera, number of views, stereo, and quality. Entries show their keys;
+/// unavailable ones show why.
 class ViewMenu : public QToolButton {
   Q_OBJECT
 public:
@@ -29,13 +29,13 @@ public:
   void setArrangement(PaneLayout layout);
   void setStereo(visualization::Stereo stereo);
   void setQuality(QualityChoice quality);
-  /// Quad-buffered stereo cannot be chosen here because of this; with no trouble it can.
+  /// Why quad-buffered stereo is unavailable; empty if it is available.
   void offerQuadBuffered(const QString& error);
-  /// The force cannot be heard here because of this; with no trouble it can.
+  /// Why force sound is unavailable; empty if it is available.
   void offerSound(const QString& error);
 
 Q_SIGNALS:
-  /// The menu opens: now is the time to ask what is there.
+  /// The menu opens: update what is available.
   void opened();
   void soundChosen(bool isOn);
   void presetChosen(perilymph::visualization::CameraPreset preset);
@@ -44,7 +44,7 @@ Q_SIGNALS:
   void qualityChosen(perilymph::gui::QualityChoice quality);
 
 private:
-  /// One of several; @return the entry.
+  /// Adds one of several exclusive entries. @return the entry.
   QAction* addChoice(QMenu& menu, QActionGroup& group, const QString& text, const QString& key,
                      const char* name);
 

@@ -1,6 +1,5 @@
 #include "perilymph/ct/SliceStack.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

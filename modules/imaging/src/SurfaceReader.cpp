@@ -1,7 +1,6 @@
 #include "perilymph/imaging/SurfaceReader.h"
 
 #include <vtkCellArray.h>
-#include <vtkCommand.h>
 #include <vtkExecutive.h>
 #include <vtkSTLReader.h>
 #include <vtkTriangleFilter.h>
@@ -17,6 +16,7 @@
 
 #include "PlyFile.h"
 #include "PolyData.h"
+#include "VtkComplaints.h"
 #include "perilymph/foundation/AtomicFile.h"
 
 namespace perilymph::imaging {
@@ -24,14 +24,6 @@ namespace {
 
 // 256 MiB contain five million triangles, a hundred times what a cochlea needs.
 constexpr std::size_t maxBytes = 256u << 20;
-
-/// Suppresses VTK's error output and records that there was an error.
-class Complaints : public vtkCommand {
-public:
-  static Complaints* New() { return new Complaints; }
-  void Execute(vtkObject*, unsigned long, void*) override { isAny = true; }
-  bool isAny = false;
-};
 
 /// Whether VTK also regards the content as text: above a fraction of other bytes, such as control
 /// characters, it takes the file for binary and its text for a number of triangles.
@@ -80,11 +72,7 @@ vtkSmartPointer<vtkPolyData> readWith(const std::filesystem::path& file)
   const auto complaints = vtkSmartPointer<Complaints>::New();
   const auto reader = vtkSmartPointer<Reader>::New();
   const auto triangles = vtkSmartPointer<vtkTriangleFilter>::New();
-  for (vtkObject* const one : std::initializer_list<vtkObject*>{
-           reader, reader->GetExecutive(), triangles, triangles->GetExecutive()}) {
-    one->AddObserver(vtkCommand::ErrorEvent, complaints);
-    one->AddObserver(vtkCommand::WarningEvent, complaints);
-  }
+  complaints->listenTo({reader, reader->GetExecutive(), triangles, triangles->GetExecutive()});
   if constexpr (std::is_base_of_v<vtkXMLReader, Reader>) reader->SetParserErrorObserver(complaints);
   reader->SetFileName(file.c_str());
   reader->Update();

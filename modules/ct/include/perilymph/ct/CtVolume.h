@@ -16,9 +16,10 @@ namespace perilymph::ct {
 
 /// Origin of a volume. Never contains a patient's name, number or date of birth.
 struct CtProvenance {
-  std::string seriesKey;  ///< Fingerprint of the series, empty if unknown.
-  std::string scanner;    ///< Maker and model, empty if unknown.
-  std::string source;     ///< Kind of input: "DICOM", "NIfTI", "NRRD", "phantom".
+  std::string seriesKey;                ///< Fingerprint of the series, empty if unknown.
+  std::string scanner;                  ///< Maker and model, empty if unknown.
+  std::string source;                   ///< Kind of input: "DICOM", "NIfTI", "NRRD", "phantom".
+  std::vector<std::string> notes = {};  ///< What was done to the voxels, as sentences.
 };
 
 /// Voxels of 16 bits on a regular grid. Frame P is the patient's, LPS in mm, as in DICOM: x toward

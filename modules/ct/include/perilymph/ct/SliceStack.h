@@ -2,7 +2,7 @@
 
 // Whether the slices of a series make a regular stack: from positions and orientations alone.
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstddef>
 #include <optional>
 #include <vector>

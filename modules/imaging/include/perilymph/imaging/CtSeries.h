@@ -1,0 +1,67 @@
+#pragma once
+
+// CT series on disk: DICOM folders, DICOMDIR and single files, NIfTI, NRRD.
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "perilymph/ct/CtVolume.h"
+#include "perilymph/foundation/Result.h"
+
+namespace perilymph::imaging {
+
+/// Files below a folder, and voxels of a volume (2 GB), up to which a series is read.
+inline constexpr std::size_t maxCtFiles = 20'000, maxCtVoxels = 1'000'000'000;
+
+/// How a reader tells its progress and is canceled; both are called on the calling thread.
+struct ReadingHooks {
+  std::function<void(double)> onProgress = {};  ///< Told the fraction done, 0 to 1.
+  std::function<bool()> isCanceled = {};        ///< True cancels.
+};
+
+/// One series as its headers describe it. Nothing here names the patient.
+struct CtSeries {
+  std::string uid;     ///< SeriesInstanceUID; "without-uid-1" and so on without one.
+  std::string key;     ///< SHA-256 of the UID, for logs and records.
+  std::string format;  ///< "DICOM", "NIfTI" or "NRRD".
+  std::string modality, scanner, kernel;  ///< Empty where unknown.
+  std::array<int, 3> size{};              ///< Voxels along a row, along a column, slices.
+  /// Distance between columns, rows and slice planes [mm]; 0 where unknown.
+  Eigen::Vector3d spacing_mm = Eigen::Vector3d::Zero();
+  std::vector<std::string> warnings;  ///< Sentences.
+  std::string obstacle;               ///< Why it cannot be read, one sentence; empty if it can.
+  double score = 0.0;                 ///< How well it suits the measurement of a cochlea, 0 to 100.
+};
+
+struct CtSeriesList {
+  std::vector<CtSeries> series;  ///< The best score first.
+  std::size_t otherFiles = 0;    ///< Files that are no images of a known format.
+};
+
+/// Lists the series in a folder, a DICOMDIR or a single file, without reading voxels.
+///
+/// Refuses a path without any series, and more files than maxCtFiles.
+Result<CtSeriesList> findSeries(const std::filesystem::path& path, const ReadingHooks& hooks = {});
+
+/// A volume, and the series it was read from with every warning.
+struct LoadedCt {
+  ct::CtVolume volume;
+  CtSeries series;
+};
+
+/// Reads a series. Positions come from the slices' own positions and orientations alone; a tilted
+/// gantry's volume is resampled to right angles, which its provenance notes.
+///
+/// @param uid  The series' UID; empty for the one with the best score.
+///
+/// Refuses with one sentence whatever has no trustworthy geometry (ct::stackSlices), is no CT, is
+/// cut off, encrypted or too large, and a canceled reading. Takes seconds; not real-time safe.
+Result<LoadedCt> readCt(const std::filesystem::path& path, const std::string& uid = {},
+                        const ReadingHooks& hooks = {});
+
+}  // namespace perilymph::imaging

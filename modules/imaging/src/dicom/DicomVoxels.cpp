@@ -1,0 +1,115 @@
+#include "DicomVoxels.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "DicomFiles.h"
+#include "FrameDecoder.h"
+#include "Rectification.h"
+
+namespace perilymph::imaging {
+namespace {
+
+constexpr double maxTilt_deg = 0.2;  // as the series' warning
+constexpr double maxClippedFraction = 1e-3;
+
+/// Slices of a series, each decoded once if its file is asked for in a row.
+class SliceReader {
+public:
+  explicit SliceReader(const DicomSeries& series) : series_(series) {}
+
+  /// The voxels of one slice; valid until the next call.
+  Result<const std::int16_t*> read(const SliceSource& slice)
+  {
+    const DicomHeader& header = series_.headers[slice.header];
+    if (current_ != slice.header) {
+      auto frames = decodeFrames(header);
+      if (!frames) return frames.error();
+      clipped_ += frames->clipped;
+      frames_ = *std::move(frames);
+      current_ = slice.header;
+    }
+    const std::size_t perFrame =
+        static_cast<std::size_t>(header.rows) * static_cast<std::size_t>(header.columns);
+    return static_cast<const std::int16_t*>(frames_.voxels.data() + slice.frame * perFrame);
+  }
+
+  std::size_t clipped() const { return clipped_; }
+
+private:
+  const DicomSeries& series_;
+  std::optional<std::size_t> current_;
+  DecodedFrames frames_;
+  std::size_t clipped_ = 0;
+};
+
+Error differing(std::size_t place, std::size_t count, std::size_t images)
+{
+  return Error{std::to_string(images) + " images that differ lie at the position of slice " +
+               std::to_string(place + 1) + " of " + std::to_string(count) +
+               ": the series holds several phases or reconstructions. Export each as a series of "
+               "its own."};
+}
+
+Result<Grid> assemble(const DicomSeries& series, const ReadingHooks& hooks)
+{
+  const ct::SliceStack& stack = *series.stack;
+  const std::size_t count = stack.places.size();
+  Grid grid;
+  grid.size = series.summary.size;
+  const auto& spacing = series.summary.spacing_mm;
+  grid.lps_PI.block<3, 1>(0, 0) = spacing.x() * stack.axes_P.col(0);
+  grid.lps_PI.block<3, 1>(0, 1) = spacing.y() * stack.axes_P.col(1);
+  grid.lps_PI.block<3, 1>(0, 2) = stack.step_P;
+  grid.lps_PI.block<3, 1>(0, 3) = stack.origin_P;
+  const std::size_t perSlice =
+      static_cast<std::size_t>(grid.size[0]) * static_cast<std::size_t>(grid.size[1]);
+  grid.voxels.resize(perSlice * count);
+  SliceReader reader(series);
+  for (std::size_t k = 0; k < count; ++k) {
+    if (hooks.isCanceled && hooks.isCanceled()) return canceledReading();
+    const auto slab = grid.voxels.begin() + static_cast<std::ptrdiff_t>(k * perSlice);
+    const std::vector<std::size_t>& place = stack.places[k];
+    for (std::size_t i = 0; i < place.size(); ++i) {
+      const auto voxels = reader.read(series.slices[place[i]]);
+      if (!voxels) return voxels.error();
+      if (i == 0)
+        std::copy(*voxels, *voxels + perSlice, slab);
+      else if (!std::equal(*voxels, *voxels + perSlice, slab))
+        return differing(k, count, place.size());
+    }
+    if (hooks.onProgress) hooks.onProgress(static_cast<double>(k + 1) / static_cast<double>(count));
+  }
+  const double clipped =
+      static_cast<double>(reader.clipped()) / static_cast<double>(grid.voxels.size());
+  if (clipped > maxClippedFraction)
+    return Error{std::to_string(reader.clipped()) +
+                 " voxels lie beyond -32768 to 32767, which 16 bits hold. Export the series as "
+                 "Hounsfield units."};
+  return grid;
+}
+
+}  // namespace
+
+Result<ct::CtVolume> readVoxels(const DicomSeries& series, const ReadingHooks& hooks)
+{
+  auto grid = assemble(series, hooks);
+  if (!grid) return grid.error();
+  ct::CtProvenance provenance{series.summary.key, series.summary.scanner, "DICOM", {}};
+  if (series.stack->tilt_deg > maxTilt_deg) {
+    grid = rectified(*std::move(grid));
+    if (!grid) return grid.error();
+    char note[96];
+    std::snprintf(note, sizeof note,
+                  "Resampled to right angles: the gantry was tilted by %.1f degrees.",
+                  series.stack->tilt_deg);
+    provenance.notes.emplace_back(note);
+  }
+  return ct::CtVolume::make(grid->size, grid->lps_PI, std::move(grid->voxels),
+                            std::move(provenance));
+}
+
+}  // namespace perilymph::imaging

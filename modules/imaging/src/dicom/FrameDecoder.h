@@ -1,0 +1,22 @@
+#pragma once
+
+// The voxels of one DICOM file as Hounsfield units.
+
+#include <cstdint>
+#include <vector>
+
+#include "DicomHeader.h"
+#include "perilymph/foundation/Result.h"
+
+namespace perilymph::imaging {
+
+/// Frames of one file one behind the other, rows from top to bottom.
+struct DecodedFrames {
+  std::vector<std::int16_t> voxels;
+  std::size_t clipped = 0;  ///< Voxels beyond 16 bits.
+};
+
+/// Decodes a file and applies each frame's slope and intercept.
+Result<DecodedFrames> decodeFrames(const DicomHeader& header);
+
+}  // namespace perilymph::imaging

@@ -4,9 +4,11 @@
 
 #include <cmath>
 #include <fstream>
+#include <system_error>
 
 #include "SmallCt.h"
 #include "perilymph/imaging/CtSeries.h"
+#include "perilymph/test/ChildProcess.h"
 #include "perilymph/test/DicomWriter.h"
 #include "perilymph/test/TemporaryFolder.h"
 
@@ -204,6 +206,29 @@ TEST_F(DicomReading, AppliesEachSlicesOwnSlopeAndIntercept)
   const auto loaded = readCt(folder / "slopes");
   ASSERT_TRUE(loaded) << loaded.error().message;
   expectSame(volume, loaded->volume);
+}
+
+TEST_F(DicomReading, FindsTheSameVoxelsInEveryLosslessCodingOfGdcm)
+{
+  const ct::CtVolume volume = smallCt(Eigen::Matrix3d::Identity(), {0.3, 0.4, 0.6}, {32, 24, 4});
+  test::writeDicomFiles(test::dicomSlices(volume), folder / "raw");
+  for (const char* coding : {"--jpeg", "--jpegls", "--j2k", "--rle", "--implicit"}) {
+    const auto place = folder / coding;
+    std::filesystem::create_directories(place);
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "raw")) {
+      const std::string name = entry.path().filename().string();
+      try {
+        const auto done =
+            test::run({"gdcmconv", {coding, entry.path(), (place / name).string()}, {}, {}});
+        ASSERT_EQ(done.status, 0) << done.err;
+      } catch (const std::system_error&) {
+        GTEST_SKIP() << "gdcmconv is not there: install libgdcm-tools to test compressed series.";
+      }
+    }
+    const auto loaded = readCt(place);
+    ASSERT_TRUE(loaded) << coding << ": " << loaded.error().message;
+    expectSame(volume, loaded->volume);
+  }
 }
 
 TEST_F(DicomReading, TellsItsProgressAndStopsWhereItIsCanceled)

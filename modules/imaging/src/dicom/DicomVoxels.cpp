@@ -19,14 +19,17 @@ constexpr double maxClippedFraction = 1e-3;
 /// Slices of a series, each decoded once if its file is asked for in a row.
 class SliceReader {
 public:
-  explicit SliceReader(const DicomSeries& series) : series_(series) {}
+  SliceReader(const DicomSeries& series, const std::function<bool()>& isCanceled)
+      : series_(series), isCanceled_(isCanceled)
+  {
+  }
 
   /// The voxels of one slice; valid until the next call.
   Result<const std::int16_t*> read(const SliceSource& slice)
   {
     const DicomHeader& header = series_.headers[slice.header];
     if (current_ != slice.header) {
-      auto frames = decodeFrames(header);
+      auto frames = decodeFrames(header, isCanceled_);
       if (!frames) return frames.error();
       clipped_ += frames->clipped;
       frames_ = *std::move(frames);
@@ -41,6 +44,7 @@ public:
 
 private:
   const DicomSeries& series_;
+  const std::function<bool()>& isCanceled_;
   std::optional<std::size_t> current_;
   DecodedFrames frames_;
   std::size_t clipped_ = 0;
@@ -68,14 +72,15 @@ Result<Grid> assemble(const DicomSeries& series, const ReadingHooks& hooks)
   const std::size_t perSlice =
       static_cast<std::size_t>(grid.size[0]) * static_cast<std::size_t>(grid.size[1]);
   grid.voxels.resize(perSlice * count);
-  SliceReader reader(series);
+  SliceReader reader(series, hooks.isCanceled);
   for (std::size_t k = 0; k < count; ++k) {
     if (hooks.isCanceled && hooks.isCanceled()) return canceledReading();
     const auto slab = grid.voxels.begin() + static_cast<std::ptrdiff_t>(k * perSlice);
     const std::vector<std::size_t>& place = stack.places[k];
     for (std::size_t i = 0; i < place.size(); ++i) {
       const auto voxels = reader.read(series.slices[place[i]]);
-      if (!voxels) return voxels.error();
+      if (!voxels)
+        return hooks.isCanceled && hooks.isCanceled() ? canceledReading() : voxels.error();
       if (i == 0)
         std::copy(*voxels, *voxels + perSlice, slab);
       else if (!std::equal(*voxels, *voxels + perSlice, slab))

@@ -1,7 +1,5 @@
 #include "FrameDecoder.h"
 
-#include <gdcmImage.h>
-#include <gdcmImageReader.h>
 #include <vtkDICOMReader.h>
 #include <vtkExecutive.h>
 #include <vtkImageData.h>
@@ -11,9 +9,10 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
 
 #include "../VtkComplaints.h"
-#include "SilencedStandardError.h"
+#include "CompressedFrames.h"
 
 namespace perilymph::imaging {
 namespace {
@@ -43,29 +42,42 @@ void rescale(const Stored* stored, const DicomHeader& header, DecodedFrames& dec
     }
 }
 
-bool rescaleAs(int type, const void* stored, const DicomHeader& header, DecodedFrames& decoded)
+void rescaleAs(StoredType type, const void* stored, const DicomHeader& header,
+               DecodedFrames& decoded)
 {
   switch (type) {
+    case StoredType::int8:
+      return rescale(static_cast<const std::int8_t*>(stored), header, decoded);
+    case StoredType::uint8:
+      return rescale(static_cast<const std::uint8_t*>(stored), header, decoded);
+    case StoredType::int16:
+      return rescale(static_cast<const std::int16_t*>(stored), header, decoded);
+    case StoredType::uint16:
+      return rescale(static_cast<const std::uint16_t*>(stored), header, decoded);
+    case StoredType::int32:
+      return rescale(static_cast<const std::int32_t*>(stored), header, decoded);
+    case StoredType::uint32:
+      return rescale(static_cast<const std::uint32_t*>(stored), header, decoded);
+  }
+}
+
+std::optional<StoredType> typeOf(int vtkType)
+{
+  switch (vtkType) {
     case VTK_SIGNED_CHAR:
-      rescale(static_cast<const std::int8_t*>(stored), header, decoded);
-      return true;
+      return StoredType::int8;
     case VTK_UNSIGNED_CHAR:
-      rescale(static_cast<const std::uint8_t*>(stored), header, decoded);
-      return true;
+      return StoredType::uint8;
     case VTK_SHORT:
-      rescale(static_cast<const std::int16_t*>(stored), header, decoded);
-      return true;
+      return StoredType::int16;
     case VTK_UNSIGNED_SHORT:
-      rescale(static_cast<const std::uint16_t*>(stored), header, decoded);
-      return true;
+      return StoredType::uint16;
     case VTK_INT:
-      rescale(static_cast<const std::int32_t*>(stored), header, decoded);
-      return true;
+      return StoredType::int32;
     case VTK_UNSIGNED_INT:
-      rescale(static_cast<const std::uint32_t*>(stored), header, decoded);
-      return true;
+      return StoredType::uint32;
     default:
-      return false;
+      return std::nullopt;
   }
 }
 
@@ -83,61 +95,27 @@ Result<DecodedFrames> decodePlain(const DicomHeader& header)
   vtkImageData& image = *reader->GetOutput();
   const int* const size = image.GetDimensions();
   const auto frames = static_cast<int>(header.frames.size());
-  DecodedFrames decoded;
+  const auto type = typeOf(image.GetScalarType());
   if (complaints->isAny || size[0] != header.columns || size[1] != header.rows ||
-      size[2] != frames || image.GetNumberOfScalarComponents() != 1 ||
-      !rescaleAs(image.GetScalarType(), image.GetScalarPointer(), header, decoded))
+      size[2] != frames || image.GetNumberOfScalarComponents() != 1 || !type)
     return undecodable();
-  return decoded;
-}
-
-/// Type of VTK's for what GDCM gives.
-int typeOf(const gdcm::PixelFormat& format)
-{
-  const bool isSigned = format.GetPixelRepresentation() == 1;
-  switch (format.GetBitsAllocated()) {
-    case 8:
-      return isSigned ? VTK_SIGNED_CHAR : VTK_UNSIGNED_CHAR;
-    case 16:
-      return isSigned ? VTK_SHORT : VTK_UNSIGNED_SHORT;
-    case 32:
-      return isSigned ? VTK_INT : VTK_UNSIGNED_INT;
-    default:
-      return VTK_VOID;
-  }
-}
-
-/// GDCM says whether it succeeded; vtkDICOMReader, which calls it, does not ask.
-Result<DecodedFrames> decodeCompressed(const DicomHeader& header)
-{
-  std::vector<char> bytes;
-  int type = VTK_VOID;
-  {
-    const SilencedStandardError silenced;
-    gdcm::ImageReader reader;
-    reader.SetFileName(header.file.c_str());
-    if (!reader.Read()) return undecodable();
-    const gdcm::Image& image = reader.GetImage();
-    const gdcm::PixelFormat& format = image.GetPixelFormat();
-    type = typeOf(format);
-    const std::size_t expected = static_cast<std::size_t>(header.rows) *
-                                 static_cast<std::size_t>(header.columns) * header.frames.size() *
-                                 (format.GetBitsAllocated() / 8u);
-    if (format.GetSamplesPerPixel() != 1 || image.GetBufferLength() != expected)
-      return undecodable();
-    bytes.resize(expected);
-    if (!image.GetBuffer(bytes.data())) return undecodable();
-  }
   DecodedFrames decoded;
-  if (!rescaleAs(type, bytes.data(), header, decoded)) return undecodable();
+  rescaleAs(*type, image.GetScalarPointer(), header, decoded);
   return decoded;
 }
 
 }  // namespace
 
-Result<DecodedFrames> decodeFrames(const DicomHeader& header)
+Result<DecodedFrames> decodeFrames(const DicomHeader& header,
+                                   const std::function<bool()>& isCanceled)
 {
-  return header.coding == PixelCoding::compressed ? decodeCompressed(header) : decodePlain(header);
+  if (header.coding != PixelCoding::compressed) return decodePlain(header);
+  DecodedFrames decoded;
+  const auto use = [&](StoredType type, std::span<const std::byte> bytes) {
+    rescaleAs(type, bytes.data(), header, decoded);
+  };
+  if (!decodeCompressed(header, isCanceled, use)) return undecodable();
+  return decoded;
 }
 
 }  // namespace perilymph::imaging

@@ -3,6 +3,7 @@
 // The voxels of one DICOM file as Hounsfield units.
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "DicomHeader.h"
@@ -17,6 +18,7 @@ struct DecodedFrames {
 };
 
 /// Decodes a file and applies each frame's slope and intercept.
-Result<DecodedFrames> decodeFrames(const DicomHeader& header);
+Result<DecodedFrames> decodeFrames(const DicomHeader& header,
+                                   const std::function<bool()>& isCanceled = {});
 
 }  // namespace perilymph::imaging

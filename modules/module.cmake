@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
 # perilymph_module(<name> LAYER engine|toolkit SUMMARY "..." [USES modules...] [LINKS targets...]
 #                  [PRIVATE_LINKS targets...] [OPTIONS options...] [SOURCES files...])
 #

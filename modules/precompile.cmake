@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
 # Precompiled headers, shared by many targets.
 #
 # perilymph_precompiled_headers(<set> LINKS targets... [DEFINITIONS names...] HEADERS headers...)

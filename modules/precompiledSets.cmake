@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
 # The sets of precompiled headers (see precompile.cmake). None contains CLI11, whose definitions
 # would be compiled into every source.
 set(standard

@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
 # Installation of the programs, and the Debian packages built by `packaging/deb`:
 #   perilymph      both programs and what they need
 #   perilymph-dev  the header of device plug-ins and its CMake package

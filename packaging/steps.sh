@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
 # Sourced by the project's scripts: the project's folder, steps with their durations, and error
 # messages. The caller has set -euo pipefail.
 # shellcheck shell=bash

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "AnatomySurfaces.h"
 
 #include "perilymph/anatomy/ScalaVestibuli.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Input and output files of one call, checked so that no output replaces an input, a recording or

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The options of all commands, and which of them name files.
 
 #include "CommandOptions.h"

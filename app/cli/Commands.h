@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The subcommands: their options and functions. Each function prints its summary to standard output

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "DeviceReplay.h"
 #include "JsonText.h"
 #include "Terminal.h"

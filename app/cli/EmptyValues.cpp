@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "EmptyValues.h"
 
 #include <CLI/CLI.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // SIGINT, SIGTERM and SIGHUP end every command soon and leave no incomplete files.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Commands.h"
 
 #if PERILYMPH_HAS_TOOLKIT

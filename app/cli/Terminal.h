@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The only place where this program prints: text from files, devices and the call is escaped, so

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // perilymph-cli: all functions without a window. This file parses the call and checks its files;
 // the options are in CommandOptions.cpp, the commands in separate files.
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The workstation: parses the command line, checks the display, then opens the window.
 
 #include <spdlog/spdlog.h>

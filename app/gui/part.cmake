@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
 # perilymph_gui_part(<folder> [WITHOUT_WIDGETS] [USES folders...] [LINKS targets...] [PRIVATE_LINKS targets...] SOURCES files...)
 #
 #Makes the library perilymph_gui_<folder> (slashes become underscores) of a folder of app/gui.

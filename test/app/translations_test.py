@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The window's words in other languages: complete, and no word of the sources is missing."""
 
 import re

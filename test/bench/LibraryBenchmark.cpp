@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // How long a library of ten thousand recordings takes: read for the first time, and known.
 
 #include <benchmark/benchmark.h>

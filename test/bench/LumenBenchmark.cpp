@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // How long the wall's answer to all nodes of an array takes: the inner loop of contact.
 
 #include <benchmark/benchmark.h>

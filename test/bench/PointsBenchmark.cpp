@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // How long a tick of the published point set takes, and how many points it bears.
 
 #include <benchmark/benchmark.h>

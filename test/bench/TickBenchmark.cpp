@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // How long one haptic tick takes, from the hand's sample to the published picture, over whole
 // insertions of the published experiment.
 

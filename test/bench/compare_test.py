@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """test/bench/compare pairs the runs of two commits, and keeps what neither of them shares out of it."""
 
 import importlib.machinery

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """test/bench/table puts what the benchmark says where it belongs, and says what is wrong."""
 
 import json

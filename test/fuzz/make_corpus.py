@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Writes the kept corpus: small inputs that show the fuzzers everything a reader knows.
 
     test/fuzz/make_corpus.py PERILYMPH-CLI      such as build/engine/bin/perilymph-cli

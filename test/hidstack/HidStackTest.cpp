@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What the virtual machine measured, judged. The scenes are those of machine/init.
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """What bash completes, and the manual pages, are what the programs understand."""
 
 import os

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The Debian packages: what is in them, that Debian's checkers accept them, and that they work unpacked."""
 
 import os

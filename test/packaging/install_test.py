@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """packaging/install-dependencies installs what is missing, once, and says what to do if it cannot."""
 
 import sys

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A copy of the project's scripts in a folder of its own, among commands that only pretend."""
 
 import os

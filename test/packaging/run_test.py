@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """packaging/run builds, then shows the window, or without a display keeps the insertion in files."""
 
 import sys

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """test/run ends with ctest's own count, and fails if anything it ran failed."""
 
 import sys

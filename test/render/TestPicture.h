@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Pictures in tests: drawn, asked for their pixels, compared with those that people looked at.

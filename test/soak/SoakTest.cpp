@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A long day: insertion after insertion, recorded, with nothing lost, nothing growing, and the last
 // the same as the first, to the bit.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Lines by module, and branches of the safety files that no test takes, from gcovr's JSON.
 
 A branch of a safety file that no test takes is a failure, unless test/support/coverage_unreached.txt

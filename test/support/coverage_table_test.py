@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The table of coverage fails where a branch of what guards safety is missed without a reason."""
 
 import io

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The screen of the booth: title, 3D view, list, and the controls at the bottom.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The booth: runs a demonstration until a visitor touches the screen, lets the visitor insert, and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // A wide plate that advances the array while it is pressed, faster toward the right.

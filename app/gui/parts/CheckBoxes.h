@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Check boxes and radio buttons in the window's style: state is shown by a mark, not by color

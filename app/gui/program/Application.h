@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The application object: catches exceptions of event handlers, and makes texts plain.

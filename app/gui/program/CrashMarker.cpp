@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "gui/program/CrashMarker.h"
 
 #include <signal.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // A marker file that exists while the program runs. A marker without its process indicates a crash.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Implementation of --measure-frames: automatic insertions and their frame times.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "gui/program/Logging.h"
 
 #include <spdlog/sinks/rotating_file_sink.h>

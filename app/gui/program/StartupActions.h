@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Automatic actions of --demo, --screenshot and --measure-frames.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Converts SIGTERM, SIGINT and SIGHUP to events, so that the window can close regularly.

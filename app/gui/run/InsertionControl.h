@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Control of an insertion by the window's buttons and keys, for every input device.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "gui/run/ModelBuilder.h"
 
 namespace perilymph::gui {

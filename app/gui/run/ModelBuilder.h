@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Builds cochlea and model in the background, because it takes some tenths of a second.

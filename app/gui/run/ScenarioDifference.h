@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Comparison of two scenarios: keys, cochlea, model, appearance.

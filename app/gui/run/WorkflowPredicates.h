@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Permitted actions in the current state: which buttons and input fields are enabled.

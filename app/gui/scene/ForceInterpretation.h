@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Interpretation of forces by published thresholds, with sources. No force is ever called safe.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "gui/scene/ViewNames.h"
 
 #include "gui/scene/OperationView.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The patient section of the panel: patient, ear, anatomy and its measures.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "gui/setup/Selector.h"
 
 #include <QAbstractItemView>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "gui/setup/Setup.h"
 
 #include <algorithm>

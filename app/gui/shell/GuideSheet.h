@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The user guide in the window: the pages of resources/guide with their pictures.

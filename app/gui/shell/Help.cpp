@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "gui/shell/Help.h"
 
 #include "gui/shell/GuideSheet.h"

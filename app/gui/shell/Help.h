@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Help of the window: the list of keys (F1) and the user guide (Shift+F1).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The main window of the workstation: the frame around its pages. Pages are independent of each

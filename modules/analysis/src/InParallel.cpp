@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "InParallel.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Runs independent pieces of work on several threads. The assignment of pieces to threads does not

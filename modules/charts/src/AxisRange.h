@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Axis ranges that are fixed until a curve exceeds them, then extended by whole ticks.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Common parts of all charts: a renderer and a chart with two titled axes and grid lines.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Overlay of a chart: printed values with error bars, thresholds, the current point, and the

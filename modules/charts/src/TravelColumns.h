@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // A curve over travel with constant memory: for each pixel column the minimum and maximum of the

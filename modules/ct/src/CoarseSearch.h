@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Exhaustive search for a cochlea of mean shape near a point, with a few points inside and outside

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "ImageFit.h"
 
 #include <Eigen/Cholesky>

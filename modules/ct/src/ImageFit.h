@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Analysis by synthesis: fits shape, pose, intensity levels and blur to the voxels near the wall.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // An individual's bony lumen: the mean one with radii, rise and sections changed by parameters, and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The wall of a fitted lumen as points in W, and its measures. Lengths in mm.

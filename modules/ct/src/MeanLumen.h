@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The bony lumen of the mean cochlea in CT: scala tympani, media and vestibuli as one, at every

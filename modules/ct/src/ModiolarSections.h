@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Cross-check of a fit: the half-maximum wall in sections through the modiolus.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The normal distribution, based on foundation's exponential: the same bits on every machine.

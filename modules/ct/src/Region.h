@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The neighborhood of a point, resampled on an isotropic grid aligned with the patient, and its

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Detection of the round window in a fitted cochlea: the hole in the bone at the basal end of the

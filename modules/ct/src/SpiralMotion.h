@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The axis of a spiral surface: that of the spiral motion that best maps it onto itself (kinematic

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The measurement pipeline: levels, coarse search, fit, round window, measures.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/database/Database.h"
 
 #include <sqlite3.h>

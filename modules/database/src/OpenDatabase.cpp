@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Opens a database; checks the file before SQLite reads it.
 
 #include <fcntl.h>

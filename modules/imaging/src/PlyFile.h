@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // PLY reader: VTK's reader terminates the program on a truncated file.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/imaging/SurfaceReader.h"
 
 #include <vtkCellArray.h>

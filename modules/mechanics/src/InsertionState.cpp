@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/mechanics/InsertionState.h"
 
 #include "StepWorkspace.h"

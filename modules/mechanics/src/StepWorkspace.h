@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Memory of the solvers of both models. A state has one workspace; the part of the other model has

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Makes the engine of a scenario, the same for a run and for its replay.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Visual model of the array: a tapered silicone tube with platinum half-bands, marker ribs and a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The center line of the array as a smooth curve through the nodes of a snapshot.

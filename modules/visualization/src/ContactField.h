@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Contact forces of the array on the wall, distributed along the array so that the picture does not

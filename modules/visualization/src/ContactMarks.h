@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Visual representation of contacts: a glow along the wall and arrows of the wall's force.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The color map of wall force: transparent, yellow, red, perceptually uniform.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // A triangle mesh with moving points and fixed topology, updated in place and drawn by one actor.

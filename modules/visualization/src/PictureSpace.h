@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Conversion from frame W in meters to picture space in millimeters; a left ear is mirrored here.

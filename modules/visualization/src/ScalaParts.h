@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Visual model of the scala tympani: a shell of bone, its edges, and the basilar membrane.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Lines and glowing bands that face the viewer, with fading edges: smooth on a CPU without

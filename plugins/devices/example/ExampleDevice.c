@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /* A plug-in to start from: a handle that exists only here. It is a mass that can move along z, held
  * back by a damper, pushed into the cochlea by an invisible hand and pushed back by the force the
  * program shows. One read is one millisecond of its life. */

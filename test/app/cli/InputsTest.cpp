@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Inputs on which reading would wait for ever or find no end.
 
 #include <sys/stat.h>

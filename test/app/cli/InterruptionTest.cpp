@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // SIGINT, SIGTERM and SIGHUP: the first one ends every command, and nothing half-written is left.
 
 #include <chrono>

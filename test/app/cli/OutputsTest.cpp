@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Outputs that would replace what must not be lost: an input, a recording, another output, a
 // read-only file.
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Words of other people's files and devices, made to steer a terminal: they are shown, not obeyed,
 // and JSON and CSV stay valid.
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The published run gives the same bits on every x86-64: here, with the processor's newer
 // instructions hidden from the C library, whose own sine and exponential then differ in the last
 // place (that they do is shown by the tests of foundation's Math.h).

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Work beside the UI thread: answered once, whatever it throws, and no reason to wait for ever.
 
 #include "gui/run/Background.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The list of recordings while it is read: a file that takes long, or for ever, hides no other.
 
 #include "gui/pages/sessions/LibraryWork.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The force is off and the array rests when the window loses the keyboard, another page is shown,
 // or the window ends.
 

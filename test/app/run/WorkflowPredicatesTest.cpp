@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What may be done with an insertion in each of its states.
 
 #include "gui/run/WorkflowPredicates.h"

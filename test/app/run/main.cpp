@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Tests of what works beside the window, with events but without a display.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Cochlea and model are built beside the window: it goes on, says what it waits for, and can be
 // asked for something else meanwhile.
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The workstation as people call it: words in, exit status and one sentence out.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The clinician's path: two insertions recorded, chosen in the library, compared along a cursor,
 // exported, written as a report.
 

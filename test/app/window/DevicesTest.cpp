@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Which devices there are, in the window.
 
 #include <gtest/gtest.h>

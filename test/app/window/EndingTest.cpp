@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // How the program ends when it is told to: the insertion is kept whole, and nothing is said of it
 // afterward.
 

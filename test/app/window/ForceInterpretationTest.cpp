@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Words beside a force: thresholds as printed, each once crossed, and never a promise.
 
 #include <gmock/gmock.h>

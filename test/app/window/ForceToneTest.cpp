@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What is heard of a force: pitches from the rule that the menu states, samples counted.
 
 #include "gui/pages/insert/ForceTone.h"

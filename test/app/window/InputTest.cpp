@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Keys, wheel and mouse: the model turns, moves and grows; the array moves only while it is held.
 
 #include <gtest/gtest.h>

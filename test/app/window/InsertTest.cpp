@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The verbs of the window: the array does what the buttons say.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The window's habits: the sheet of keys, full screen, a picture, leaving, and the keyboard alone.
 
 #include <gtest/gtest.h>

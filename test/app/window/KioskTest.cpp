@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The booth: it shows itself, a visitor inserts with a finger, and it is left alone again.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The window in other languages: every word comes from a translation, and longer words have room.
 
 #include <gtest/gtest.h>

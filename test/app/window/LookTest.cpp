@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What can be read on the window: nothing clipped, nothing on top of another, units everywhere.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The panel at the left: what is typed and chosen is what is inserted, and every change can be
 // undone.
 

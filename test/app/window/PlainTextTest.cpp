@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Text of a file or of a person is text: nothing in it is markup, wherever it is drawn.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The library of recordings and their replay, in the real window.
 
 #include <gtest/gtest.h>

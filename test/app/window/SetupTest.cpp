@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A change of the setup takes along what depends on it, and no more; a preset claims nothing it is
 // not.
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The first screen: from nothing to an insertion, for a surgeon with numbers, a clinician and a
 // visitor.
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What outlives the program: its settings, its log, and what a crash leaves.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Both looks of the window: what is written can be read.
 
 #include <gtest/gtest.h>

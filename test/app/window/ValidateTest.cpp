@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The published experiment repeated in the window.
 
 #include <gtest/gtest.h>

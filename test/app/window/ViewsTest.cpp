@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // How the parts of the insertion page share it, stereo, and how much is drawn.
 
 #include <gtest/gtest.h>

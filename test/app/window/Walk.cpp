@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Walk.h"
 
 #include <gtest/gtest.h>

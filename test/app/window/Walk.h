@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // A walk of the user guide, taken in the real window: what a step tells people to press is there,

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The three walks of the user guide, step by step as its pages tell them: a surgeon with a
 // patient's numbers, a clinician who compares, a visitor at a booth.
 

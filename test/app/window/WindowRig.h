@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // A window that is open on the screen, with hands to press its buttons and keys.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Tests of the real window, on the screen that test/support/with-display provides.
 
 #include <gtest/gtest.h>

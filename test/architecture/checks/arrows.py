@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The arrows drawn in modules/README.md against the real includes and the USES in CMake."""
 
 import fnmatch

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Links and paths in the documents lead somewhere; the map in README.md equals the folders."""
 
 import re

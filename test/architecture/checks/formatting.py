@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Sources that clang-format would write otherwise."""
 
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The picture of the house: drawn from the table of arrows, so that it cannot lie.
 
     python3 test/architecture/check.py house .          is resources/pictures/house.svg the one drawn now?

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Where files may stand, what a module consists of, how long a file may be, and that none is twice."""
 
 from pathlib import Path

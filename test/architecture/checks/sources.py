@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What every check needs: the project's files, and C++ without its comments and texts."""
 
 import os

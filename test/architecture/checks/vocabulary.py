@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The field's words: identifiers that were given up, doc comments that are no sentences, headers of one name."""
 
 import re

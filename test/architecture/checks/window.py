@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The window: its folders and the arrows between them, drawn in app/gui/README.md, and where text may
 be markup."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Words that may not stand in the project, or only in some of its places."""
 
 import re

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // How well A, B, H and the axis are measured, as a table: phantoms of many seeds on three scanners,
 // and the real ears of a folder. Not a test: it prints and does not judge.
 //

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Bullet's contact test of the sphere with a fixed mesh: the deepest of all contacts, single
 // precision, wall beyond the sphere found up to a threshold.
 

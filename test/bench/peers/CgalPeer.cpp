@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // CGAL's tree of boxes: the closest point, double precision, no bound on the search.
 
 #include <CGAL/AABB_traits.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The question put to every library: how far is the wall from the center of a sphere in the duct?

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Embree's point query: the nearest triangle in a tree built for rays, single precision.
 
 #include <embree3/rtcore.h>

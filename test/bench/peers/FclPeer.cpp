@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // FCL's distance between a sphere and a mesh in a tree of boxes, double precision. It answers no
 // distance for shapes that overlap, so the sphere is a nanometer small and the rest is added.
 

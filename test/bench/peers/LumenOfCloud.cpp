@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Our own lumen asked the question of the cloud: the row the others stand beside.
 
 #include "Peer.h"

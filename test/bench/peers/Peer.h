@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // One row of the contact table: a library asked the question of the cloud, timed and checked.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // VTK's locator of cells in bins: the closest point within a radius, points in single precision.
 
 #include <vtkCellArray.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A kind of codec, any descriptor, any reports, any forces, and a device that answers anything.
 
 #include <cmath>

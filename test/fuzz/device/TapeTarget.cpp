@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Any text as a tape of reports, read as a stick.
 
 #include <string>

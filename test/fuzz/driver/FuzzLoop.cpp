@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Drives a fuzz target without libFuzzer: inputs number 0, 1, 2, ... are mutations of the target's
 // seeds, each made from its number alone, so that any of them can be made again.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // What a fuzzer needs of a target. The entry point has libFuzzer's name, so that libFuzzer can

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // An input for code that reads a file: a file of its own in a folder of its own.

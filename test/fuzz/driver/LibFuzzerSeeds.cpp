@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // With libFuzzer: puts the target's seeds into the corpus folder named on the command line, so that
 // the search starts from things as they should be.
 

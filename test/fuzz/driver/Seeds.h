@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Where inputs to start from lie: among the files that are shipped, and in the kept corpus.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Any bytes as an `.insertion` file, opened, read and prepared for replay.
 
 #include "InputFile.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Any bytes as the record of a tick, replayed.
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Small changes to the surface of a scala tympani: points moved, taken out of line, made infinite,
 // triangles turned, doubled and led astray.
 

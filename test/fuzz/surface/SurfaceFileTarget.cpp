@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Any bytes as a file of a surface. The first byte says which kind of file.
 
 #include <cmath>

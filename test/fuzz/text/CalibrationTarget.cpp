@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Any text as the calibration of an array.
 
 #include "InputFile.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The mass a device's handle is, and the hand that pushes it: one dimension, exact in time.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // A force-feedback handle that exists only as a program: its mass, its script and its reports.

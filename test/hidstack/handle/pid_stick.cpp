@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The program that plays a force-feedback stick of the PID class to the kernel: pid_stick SCENE
 // SCENE: pid (a stick in order) or stuck (one that never answers a feature report). Ends when it
 // was switched off after it was used, or when nobody came for long.

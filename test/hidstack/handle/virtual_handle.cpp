@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The program that plays a force-feedback handle to the kernel: virtual_handle SCRIPT LOG
 
 #include <poll.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The scene that devices are judged by, judged itself: without any device.
 
 #include "FlatWallScene.h"

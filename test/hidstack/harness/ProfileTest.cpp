@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The virtual handle's own words for its reports, against what the device layer makes of its
 // descriptor and its profile: two readings of one wire.
 

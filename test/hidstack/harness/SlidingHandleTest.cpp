@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The virtual handle's body, against Newton's law worked out apart from it.
 
 #include "SlidingHandle.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The measures, on logs whose answers are known beforehand.
 
 #include "StackMeasures.h"

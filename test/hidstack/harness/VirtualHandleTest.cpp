@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What the virtual handle says and when, and how it takes what it hears.
 
 #include "VirtualHandle.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // An insertion whose answer is known without any mechanics: a stiff rod against a hard flat wall,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "TimedDevice.h"
 
 #include "perilymph/realtime/Pacer.h"

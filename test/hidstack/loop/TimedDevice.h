@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // A hand with a stopwatch: notes when each sample was there and when each force was ready.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The host's side of the wire:
 //   hid_insertion stream PROFILE LOG REPORTS   takes so many reports
 //   hid_insertion insert PROFILE LOG UNPLUGS   inserts until the device was unplugged so often

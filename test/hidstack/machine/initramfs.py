@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A file system for the virtual machine's memory: programs, their libraries, kernel modules."""
 
 import re

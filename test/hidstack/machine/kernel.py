@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A Debian kernel to boot: from the cache, from this system, or fetched and unpacked. Never installed."""
 
 import re

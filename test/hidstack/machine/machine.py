@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Boots the virtual machine once and keeps what it said: machine.py --programs FOLDER --cache FOLDER
 --results FILE. Ends with 77 where the machine cannot be had, and says why, there and in the file."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The harness around the virtual machine: archive, kernel search, and what it says when it cannot."""
 
 import os

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The logs of both sides of the wire, as rows of text: words between spaces.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Prints what the logs of one scene say: hid_measures SCENE HANDLE.log LOOP.log
 
 #include <cstdlib>

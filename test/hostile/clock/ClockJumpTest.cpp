@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The time of day set back and forth while an insertion runs: by hand, by a time server, in spring.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The system's time of day, which somebody sets while a program runs. What counts time by itself

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A disk that is full: before anything is written, and in the middle of it.
 
 #include <sys/mount.h>

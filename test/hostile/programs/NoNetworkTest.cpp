@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The programs speak to nobody: they need no network, and hold no call that could open one.
 
 #include <sstream>

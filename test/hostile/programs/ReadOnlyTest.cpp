@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Folders nobody may write to, and files that name places they have no business with.
 
 #include <sys/stat.h>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """No source of the programs includes what speaks to a network, and no build file links it."""
 
 import re

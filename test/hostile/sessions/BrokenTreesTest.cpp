@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Recordings whose trees of pages were bent until they have no end.
 
 #include <gmock/gmock.h>

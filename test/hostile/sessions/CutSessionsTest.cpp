@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Recordings cut at every 4 KiB, as a copy that was interrupted or a disk that lost its end.
 
 #include <gmock/gmock.h>

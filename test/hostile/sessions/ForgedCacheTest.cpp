@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A library's cache in which somebody laid traps.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Recordings made to do harm by being opened.
 
 #include <gmock/gmock.h>

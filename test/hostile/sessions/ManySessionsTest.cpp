@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A library after years of use: ten thousand recordings in one folder.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Recordings that were changed, by accident or on purpose: verification notices every change.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Ten thousand recordings, each a random mutation of a good one: none crashes the reader, hangs it
 // or takes its memory, and none with other content passes for whole.
 

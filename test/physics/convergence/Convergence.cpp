@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Numbers that must not depend on numerics: the force of the published run, over all its depths.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Euler's load of a straight array whose tip is stopped: clamped in the tweezers, held sideways by
 // the rim of the opening, and free to turn there as much as what is inside lets it.
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The work lost to dry friction in a closed loop: 2 mu N times the distance slid each way.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A cantilever whose stiffness steps where the stylet ends: its tip yields as the two pieces do.
 
 #include <gtest/gtest.h>

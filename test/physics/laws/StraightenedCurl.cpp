@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What it costs to straighten a curl: a rod of constant curvature kappa stores EI kappa^2 / 2 per
 // length when a tube holds it straight.
 

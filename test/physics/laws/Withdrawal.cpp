@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What an array remembers once it is out again: nothing.
 
 #include <gtest/gtest.h>

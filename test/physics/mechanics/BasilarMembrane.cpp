@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The soft part of the roof: where it is, how it yields, and that it gives nothing away.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // An array that misses the opening: the bone beside it holds it up.
 
 #include <gtest/gtest.h>

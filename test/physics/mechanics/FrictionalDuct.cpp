@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // An array that slides along a bend: the capstan equation.
 
 #include <gtest/gtest.h>

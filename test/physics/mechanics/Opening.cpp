@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The opening: its rim holds the array from outside, and ribs on the array meet it.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The published experiment's array in the published anatomy: what must hold whatever the
 // calibration.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // A wall for one point: what bends a rod at its tip and nowhere else.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The rod alone, against the theory of thin elastic rods.
 
 #include <gtest/gtest.h>

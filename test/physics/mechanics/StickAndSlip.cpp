@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Dry friction on a flat wall.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What must not depend on how the picture is turned, or on what was done before.
 
 #include <gtest/gtest.h>

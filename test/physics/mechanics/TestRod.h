@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // A uniform straight rod in a scene of the test's own, moved by hand.

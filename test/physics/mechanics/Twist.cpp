@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Arrays that are curled or oval: turning them about their axis, and bending them either way.
 
 #include <gtest/gtest.h>

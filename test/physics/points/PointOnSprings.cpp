@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // One point of the published set against closed forms: its spring and damper, the springs in a row
 // down to the wall, the three coefficients of friction, and the friction added at the hand.
 

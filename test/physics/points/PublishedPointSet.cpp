@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The published run with the published model: what its algorithm promises along the way, and how
 // far its forces are from those the paper reports of its own simulator.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // A hand without skill: it pushes, pulls, turns and trembles at random, the same way for the same

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A hand without skill, for as many ticks as the build says, in every setting of the matrix.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A stylus drawn over a flat wall whose friction depends on the speed.
 
 #include <gtest/gtest.h>

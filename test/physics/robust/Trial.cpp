@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Trial.h"
 
 #include <Eigen/Geometry>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // A setting moved at random for many ticks, with books kept of what must never happen.

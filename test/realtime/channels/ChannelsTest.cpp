@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Each channel between two threads that hurry as they can. Run under the thread sanitizer too.
 
 #include <gtest/gtest.h>

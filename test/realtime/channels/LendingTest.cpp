@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A thread is woken, and a thing is lent from one thread to another. Run under the thread sanitizer
 // too.
 

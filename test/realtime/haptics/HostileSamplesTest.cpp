@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Whatever a device says, the force shown stays finite, within its limit and without a step.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The loop on its own thread, by the clock. Nothing here depends on how fast the machine is.
 
 #include <gtest/gtest.h>

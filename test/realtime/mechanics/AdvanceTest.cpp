@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The promises of the tick, kept by the step that costs most of it.
 
 #include "perilymph/mechanics/advance.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The promises of the tick, kept by the published point set: no heap, no overflow, whatever the
 // hand does.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/charts/ReferenceCurve.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The views as people looked at them: each of these pictures was opened before it was accepted.
 
 #include <gtest/gtest.h>

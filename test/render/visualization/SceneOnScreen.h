@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // A scene with the window it is drawn in, and arrays laid into the scala by hand.

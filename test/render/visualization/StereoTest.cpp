@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Two eyes: what they see is shifted by as much as the geometry says, in every kind of stereo.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What is left of a recording when its program is killed in the middle.
 
 #include <sys/mman.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A recording looked at tick by tick: the picture is that of the insertion, wherever one jumps.
 
 #include <gmock/gmock.h>

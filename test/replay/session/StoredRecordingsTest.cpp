@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Recordings made by an earlier build, one per shipped scenario and model: they replay to the same
 // bits.
 

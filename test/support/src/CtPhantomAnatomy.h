@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The geometry of a phantom: kidney-shaped sections along a warped spiral, and its surroundings.

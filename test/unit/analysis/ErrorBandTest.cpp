@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Bands against what the formulas themselves say a tenth of a millimeter does.
 
 #include "perilymph/analysis/ErrorBand.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The score of insertions whose motion and force are known in closed form.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The table of anatomies against itself and against the shapes it builds.
 
 #include "perilymph/anatomy/AnatomySource.h"

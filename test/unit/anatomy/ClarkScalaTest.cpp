@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Clark's scala tympani against the length and height of its source, and the numbers of the
 // template spiral.
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Surfaces from elsewhere: the published scala written out and read again, the measured mean scala
 // as published by others, and surfaces that are none.
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The wall query against brute force on a dense sampling of the wall, and against closed forms.
 
 #include <gtest/gtest.h>

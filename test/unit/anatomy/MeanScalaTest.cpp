@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The mean scala tympani against the numbers measured on the published solid (Froehlich et al.
 // 2024), and against the solid itself where it is at hand.
 

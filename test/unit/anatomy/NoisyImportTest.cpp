@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Surfaces whose corners are off by what a segmentation or a rounding of numbers leaves.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The population of cochleae and the patients scaled from the mean, against the numbers of Pietsch
 // et al. 2017 and against themselves measured back.
 

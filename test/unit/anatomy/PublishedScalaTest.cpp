@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The published scala tympani against the paper's own numbers and the sections it is made from.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The published solid of the mean scala tympani, turned into the frame W: only where somebody has

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The check of Todd and Naghdy, section II.B: the published spiral beside two reconstructions of
 // others, a helico-spiral (Yoo et al. 2000) and an Archimedean spiral (Ketten et al. 1998).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/charts/ArrayInScala.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The flat views are drawings: what they say is read from their axes and scale bars.
 
 #include <gtest/gtest.h>

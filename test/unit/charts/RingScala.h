@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // A scala that anyone can compute: round sections on a curve in closed form, with an array laid

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Voxels and where they lie, against linear functions that trilinear interpolation gives exactly.
 
 #include "perilymph/ct/CtVolume.h"

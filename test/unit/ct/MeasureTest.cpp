@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Phantoms of known truth, measured.
 
 #include "perilymph/ct/Measures.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Real ears with hand-drawn labels, where a folder of them is at hand: the environment's
 // PERILYMPH_EARS. The project ships none.
 

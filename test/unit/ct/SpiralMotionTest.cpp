@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The axis of spiral surfaces whose motion is known in closed form.
 
 #include "SpiralMotion.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The door to SQLite: what it lets in, and what a query may cost.
 
 #include "perilymph/database/Database.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What goes wrong with a HID device before and while it is the hand, and hands that have to be
 // asked. As in HidDeviceTest.cpp, time stands still unless a test lets it pass.
 

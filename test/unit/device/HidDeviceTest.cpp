@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A HidDevice against a device in memory. Time stands still unless a test lets it pass; where another
 // thread has something to do, the test looks until it is done.
 

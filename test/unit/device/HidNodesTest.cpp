@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Discovery from recorded trees: folders laid out as Linux lays out /sys and /dev.
 
 #include "perilymph/device/HidNodes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The firmware of a force-feedback stick whose descriptor is pidDescriptor(): it reads the bytes by

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Tapes of reports: as hid-recorder writes them, as we write them, damaged, recorded and played.
 
 #include "perilymph/device/ReportTape.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The rules that are installed against the profiles that are shipped.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/electrode/ArrayDesign.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Exceptions end at the boundary of a thread and become a sentence.
 
 #include <gtest/gtest.h>

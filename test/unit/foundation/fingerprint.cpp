@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Prints fingerprints of many results: of perilymph's own functions, and of the C library's.
 
 #include <cmath>

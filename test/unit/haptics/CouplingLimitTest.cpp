@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Oracles: the passivity bound of Colgate and Schenkel, b > K T / 2, with a delay, by hand; and a
 // handle against a sampled, delayed spring, integrated here on its own.
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A device of 10 kHz against an engine of 10 kHz, in virtual time: the whole way from report to
 // report, with the device layer's own threads.
 

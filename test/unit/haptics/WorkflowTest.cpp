@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The workflow as a user meets it: commands and a hand in, states and motion out.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/anatomy/Patient.h"
 
 #include <gmock/gmock.h>

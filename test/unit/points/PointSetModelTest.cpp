@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "points/PointSetModel.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "points/ProxySurface.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The library: recordings found, listed without being read again, renamed, thrown away, put back.
 
 #include <gmock/gmock.h>

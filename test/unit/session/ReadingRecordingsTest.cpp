@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Recordings as they come back from the world: crashed, cut, too new, in places nobody may write
 // to.
 

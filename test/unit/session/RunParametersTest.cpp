@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What a device asks of the engine, and what a replay is given of it.
 
 #include "perilymph/session/RunParameters.h"

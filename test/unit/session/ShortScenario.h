@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // A scenario that is over soon: few nodes, a fraction of a millimeter.

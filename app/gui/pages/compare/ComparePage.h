@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Comparison of several recorded insertions: curves with a common cursor, and a table.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Message about building a cochlea, shown at the bottom of the 3D view after a second.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The unrolled scala, its section at the tip, and the distances of the contacts from the modiolus.

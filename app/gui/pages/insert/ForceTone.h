@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The force on the hand as a tone, so that the eyes can stay on the array.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/insert/FrameLoop.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The insertion page: panel, 3D view, charts, bars, and user input.

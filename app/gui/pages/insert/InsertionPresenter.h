@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Display of an insertion on the page: 3D view, charts, buttons, and texts of the bars.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Texts about an insertion: the status line, the hint at the bottom of the 3D view, and the banner.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // All views of an insertion: 3D view, charts and flat views, and their arrangement on the page.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // PDF report of one insertion: numbers with sources, curve, picture, limitations.

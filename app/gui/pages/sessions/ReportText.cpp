@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/sessions/ReportText.h"
 
 // In this order: identification, numbers, curve, rating, input data, limitations, and data for

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Thumbnail of an insertion: the scala tympani from the surgeon's side, and the array.

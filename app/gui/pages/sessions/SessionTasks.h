@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Background tasks of a recording: reading its curve as a reference run, writing its report.

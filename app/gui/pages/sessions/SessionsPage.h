@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The library of recorded insertions: search, preview, replay, comparison, deletion.

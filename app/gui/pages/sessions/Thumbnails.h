@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Thumbnails of recordings, painted once in a separate thread and stored beside them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Form for a patient's numbers from CT: three lengths, or A, B and H.

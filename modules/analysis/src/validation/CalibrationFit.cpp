@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/analysis/CalibrationFit.h"
 #include "perilymph/analysis/GaussNewton2.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The test rig that pushes the array in an experiment: constant speed and residual tremor.

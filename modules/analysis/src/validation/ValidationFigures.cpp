@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The three figures of the paper, with current data.
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Input and output files of a validation, the same for the command line and the window.
 
 #include "perilymph/analysis/ValidationReport.h"

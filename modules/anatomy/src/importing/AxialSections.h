@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Cuts of a closed surface by half-planes through an axis, and tracking of the duct from cut to

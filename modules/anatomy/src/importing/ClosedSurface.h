@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // A validated imported surface: one component, closed except for its opening, facing outward, of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The wall query of a scala tympani: a table of signed distances in unrolled coordinates, smooth in

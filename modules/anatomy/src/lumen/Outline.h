@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Closed outlines of sections in a half-plane through the modiolar axis.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Conversion of outlines, given at every angle, to the tables of a scala tympani.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Lengthwise lines of the wall, from which the distance table is computed.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/anatomy/Surface.h"
 
 #include <algorithm>

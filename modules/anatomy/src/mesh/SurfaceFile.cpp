@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Surface files in millimeters: the formats of 3D printers, modelers, VTK, and of the paper (VRML).
 
 #include <Eigen/Geometry>

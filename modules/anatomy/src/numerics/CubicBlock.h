@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // 4 x 4 x 4 coefficients of a uniform tricubic B-spline, summed four at a time.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Uniform cubic B-splines: twice continuously differentiable tables, four coefficients per lookup.

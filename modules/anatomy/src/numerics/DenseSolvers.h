@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Solvers of small dense symmetric problems, with the same bits on every machine, independent of a

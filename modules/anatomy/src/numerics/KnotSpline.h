@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Cubic splines through unevenly spaced knots, to interpolate between measured sections.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The mean scala tympani, interpolated between and extrapolated beyond its measured sections.

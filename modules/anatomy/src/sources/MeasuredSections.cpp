@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Reads the mean scala tympani's cross-sections.
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The published three-parameter scala tympani (Todd and Naghdy, section II.B): quarter-turn
 // sections as percentages of the one at the round window, inner wall as percentages of the
 // organ-of-Corti length, parabolic sides, flat basilar membrane. Each gap in the paper is filled by

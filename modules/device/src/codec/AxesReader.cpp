@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "codec/AxesReader.h"
 
 #include "perilymph/foundation/Math.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Decodes the axes and buttons named by a descriptor: joysticks, SpaceMouse, the input side of PID

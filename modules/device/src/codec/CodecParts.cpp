@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "codec/CodecParts.h"
 
 namespace perilymph::device {

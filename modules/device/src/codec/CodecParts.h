@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Common parts of codecs: rotation into D, force limit, constant reports.

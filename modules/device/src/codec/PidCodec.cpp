@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "codec/PidCodec.h"
 
 #include "perilymph/foundation/Math.h"

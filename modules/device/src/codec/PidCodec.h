@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Forces on USB physical interface devices: constant-force effects stored in the device, whose

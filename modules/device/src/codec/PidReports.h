@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Positions of the fields of a PID device that constant forces need ("Device Class Definition for

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Devices whose reports contain plain numbers at positions given by the profile: encoder counts and

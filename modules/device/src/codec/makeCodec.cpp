@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "codec/AxesReader.h"
 #include "codec/PidCodec.h"
 #include "codec/PlainCodec.h"

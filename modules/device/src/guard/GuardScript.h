@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Communication between the program and its device guard: descriptors, reports, a pulse. Nothing

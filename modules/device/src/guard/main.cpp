@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A separate process that briefly outlives the one that uses a haptic device:
 //
 //   perilymph-device-guard    started by that program with the files of GuardScript.h

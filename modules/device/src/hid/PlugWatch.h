@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Waits for hidraw nodes to appear or disappear, by udev's monitor.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "contact/Contact.h"
 
 #include <Eigen/Geometry>

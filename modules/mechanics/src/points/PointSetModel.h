@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Constant data of a point set: the carrier's parameters and the surface that it touches.

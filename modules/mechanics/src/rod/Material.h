@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The material frame of the rod: direction of curl at every edge, torsional stiffness, and the

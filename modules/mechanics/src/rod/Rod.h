@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The elastic rod: stretching and bending of a chain of nodes, with material damping.

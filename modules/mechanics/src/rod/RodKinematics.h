@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Geometry of the rod in one iteration, and its section properties in this step.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "rod/Step.h"
 
 #include "contact/Clearance.h"

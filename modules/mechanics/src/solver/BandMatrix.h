@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The matrix of a Newton step: symmetric, 3x3 blocks, two off-diagonals on each side.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // 3x3 blocks as plain numbers. T is a double, or a pair of doubles processed in parallel

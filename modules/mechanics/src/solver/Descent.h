@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Energy minimization: slower than Newton's method, but globally convergent.

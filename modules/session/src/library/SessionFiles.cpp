@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Renames, trashes and restores recordings, with the log of an unclosed one.
 
 #include <system_error>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "library/SessionIndex.h"
 
 #include <nlohmann/json.hpp>

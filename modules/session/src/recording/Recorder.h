@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Transfers ticks from the loop's channel to a recording: on a thread of its own by the clock, or

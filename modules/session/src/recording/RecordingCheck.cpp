@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Consistency check of a recording: counts, gaps, columns, events, hash.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The rows of the table `event`. They follow from the ticks, so that a reader can check them.

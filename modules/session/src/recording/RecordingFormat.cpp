@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "recording/RecordingFormat.h"
 
 #include "perilymph/session/Csv.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Binary format of one tick, for replay. Little-endian, field by field, without padding, so that

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The list of a tick's output fields, used for writing, reading and comparing.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Writes a scenario as run: every value, in the units of its file, so that reading the text gives

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Builds the model of a scenario. Exceptions for invalid parts become error messages here.
 
 #include <stdexcept>

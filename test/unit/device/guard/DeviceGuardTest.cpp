@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What a device hears when the program that pushes with it ends, in every way a program can end.
 
 #include <gmock/gmock.h>

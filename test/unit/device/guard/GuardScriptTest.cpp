@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The bytes between a program and the guard of its device.
 
 #include "guard/GuardScript.h"

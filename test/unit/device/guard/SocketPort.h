@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // A device at the other end of a socket: each handle on it is a connection, each report a message,

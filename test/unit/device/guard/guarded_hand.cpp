@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A program that pushes with a device until something ends it: guarded_hand SOCKET [FAULT]
 // FAULT: none (ends in order at SIGTERM), abort, segv: what it does to itself after half a second.
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /* Plug-ins that are wrong in one way each; FAULT says how. */
 
 #include <string.h>

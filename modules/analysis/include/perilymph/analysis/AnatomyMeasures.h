@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Clinical measures of a cochlea, computed from the lumen used by the mechanics.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Uncertainty of a patient's cochlear measures due to errors of the CT measurements.

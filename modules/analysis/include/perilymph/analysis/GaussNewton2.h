@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Bounded Gauss-Newton method for two unknowns and two residuals.

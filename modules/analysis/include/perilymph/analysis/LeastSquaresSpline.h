@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Least-squares cubic spline, which the paper fitted to every insertion.

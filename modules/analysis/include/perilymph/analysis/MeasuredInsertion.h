@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // One insertion of an experiment, as measured by a load cell: a force every 50 ms.

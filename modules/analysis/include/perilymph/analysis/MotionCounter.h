@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Smoothness of an insertion: distance and time by speed, up to the maximum depth.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Predictions without fitting: angular insertion depths and forces of arrays in cochleae, compared

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Counter-based random numbers: the same seed, item and purpose give the same numbers, independent

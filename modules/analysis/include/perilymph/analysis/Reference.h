@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Published forces, measured or computed, with their sources. They are not interpolated.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Rating of an insertion by several criteria, each with its value, range and source. It says

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Repetition of the published experiment with the statistics of the paper: many varied insertions,

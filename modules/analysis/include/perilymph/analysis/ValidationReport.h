@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Output of a validation: verdicts, tables, numbers and three figures.

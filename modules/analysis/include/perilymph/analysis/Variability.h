@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Variation between the insertions of an experiment, as data with sources, and the drawing of one

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Sources of anatomies. One table, used by all programs, contains their names, titles, the patient

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The scalable model of Clark, Warren and Abbott (2011) on the template spiral of Cohen (1996).

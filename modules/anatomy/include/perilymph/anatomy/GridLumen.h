@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // A lumen of arbitrary shape: signed distance to its wall on a spatial grid.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The coarse wall with which the proxies of a point-set model collide, built without a mesh

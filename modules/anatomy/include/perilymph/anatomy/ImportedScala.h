@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // A segmented scala tympani: checked, registered to the cochlear frame, measured, and converted to

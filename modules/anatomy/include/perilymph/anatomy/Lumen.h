@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The interface of every anatomy to the mechanics: signed distance to the wall and the way in.

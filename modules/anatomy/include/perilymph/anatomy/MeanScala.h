@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The measured mean human scala tympani: 31 cross-sections of the average of 15 cochleae (Froehlich

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // A patient's cochlea as measured in the clinic: three lengths of the scala tympani, or the

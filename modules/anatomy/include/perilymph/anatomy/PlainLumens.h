@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Lumens with closed-form solutions: for tests of the mechanics and checks of devices.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Variation of human cochleae: the four half-diameters of the basal turn over 138 cochleae, and the

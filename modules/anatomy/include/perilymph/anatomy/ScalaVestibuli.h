@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The scala vestibuli, for pictures and files only: nothing is simulated in it.

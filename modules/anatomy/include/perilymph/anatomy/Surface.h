@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Triangle surfaces for display and files, from the tables used by the mechanics.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Distance of a point from a triangle surface, and the nearest point on it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Distance of the electrode contacts from the modiolus, a quality measure of perimodiolar arrays.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Writes a print figure as a PNG file, without display or OpenGL.

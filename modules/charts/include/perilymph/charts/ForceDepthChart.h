@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Axial force over travel: the current insertion, a previous one, and the published experiment.

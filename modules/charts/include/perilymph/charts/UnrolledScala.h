@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The scala tympani unrolled: angle along, width across, with the array and its contacts.

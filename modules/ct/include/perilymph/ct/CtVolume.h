@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // CT data: voxels and their position in the patient. Independent of file formats.

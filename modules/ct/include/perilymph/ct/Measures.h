@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Measures A, B and H of the patient's cochlea from a temporal-bone CT, each with its error.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The only access to SQLite files. Files are untrusted: they are checked before and while they are

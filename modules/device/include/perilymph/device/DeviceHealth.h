@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Health of a device and its connection, for the status bar, the doctor and the session.

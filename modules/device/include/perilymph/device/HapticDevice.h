@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The interface of all input devices: haptic devices, mouse, scripts and recordings.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // A HID device as input: read by the haptic thread, written by a thread of its own, supervised by a

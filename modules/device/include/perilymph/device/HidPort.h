@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The connection of a device, which opens handles to it again after it was reconnected.

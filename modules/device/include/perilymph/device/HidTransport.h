@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // A handle to a real HID device: a Linux hidraw node, through hidapi.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Kinematics of a handle at the end of a linkage that rotates about its base and is driven by

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 /* C interface for devices implemented outside the project: C functions and plain structs. A plug-in

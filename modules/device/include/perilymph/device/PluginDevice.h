@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Devices implemented outside the project as shared libraries: see PluginApi.h.

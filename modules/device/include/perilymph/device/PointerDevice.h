@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Mouse and keyboard as input device: the window sets a target, which the position follows

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Numbers of 1 to 32 bits in a report. HID packs them without gaps, least significant bit first.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The HID report descriptor, parsed by the rules of "Device Class Definition for HID 1.11", section

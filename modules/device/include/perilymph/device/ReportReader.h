@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The reading side of a HID device: keeps the newest valid one of all waiting reports.

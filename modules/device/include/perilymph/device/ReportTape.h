@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // A recording of all reports of a device with their times, as a text file, for inspection and for

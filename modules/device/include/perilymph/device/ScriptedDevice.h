@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // An input device without hardware: constant speed in, stop, constant speed out.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Transfer of raw HID reports to and from one device node: hidraw, a test double, a recording.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // A figure for print: two axes, curves, bands and printed values, distinguishable without color.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Converts exceptions to errors: an exception that leaves a thread would terminate the program.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // A 64-bit fingerprint (FNV-1a) of bytes, for models, states and files. Not cryptographic.

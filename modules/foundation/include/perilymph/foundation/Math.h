@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Transcendental functions that give the same bits on every x86-64 machine. Those of the C library

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The result of an operation that can fail: a value, or an error with a message for the user.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Reads the TOML files of users (scenarios, patients, arrays, devices) and reports an error in

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Quantities with a dimension, for every interface of the program: files, windows, plug-ins,

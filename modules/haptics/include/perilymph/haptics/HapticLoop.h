@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The haptic loop: device input, tick, device output; one thread, four channels.

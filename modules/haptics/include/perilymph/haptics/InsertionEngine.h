@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The tick, independent of threads: sample and commands in, wrench and snapshot out. Replay of a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Passivity control: the virtual environment must not generate energy at the hand.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Mapping of the hand's motion from the device's frame D to the cochlear frame W.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The safety chain between physics and hand: clamps and slew-limits the force, monitors the hand,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The structs that leave the haptic thread: fixed size, no pointers, no Eigen.

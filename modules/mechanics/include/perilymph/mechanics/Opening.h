@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The opening through which the array is inserted, and whose rim its marker ribs touch.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Final position of an array: what the published study calls the outcome of an insertion.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The published model of an array: a few spheres on springs (Todd and Naghdy, "Real-time Haptic

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Queue for values that must all arrive: records for the file, commands for the loop.

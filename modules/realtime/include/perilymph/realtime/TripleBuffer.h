@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Channel for values of which only the newest matters, such as pictures for the screen.

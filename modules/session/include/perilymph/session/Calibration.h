@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Two array parameters that no data sheet gives, fitted to an experiment and stored with their

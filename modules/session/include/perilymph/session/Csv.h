@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The readable columns of an insertion, the same in CSV files and in recordings.

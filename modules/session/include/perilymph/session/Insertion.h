@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The common way to run an insertion: scenario -> model -> engine -> recorder, by the clock or in

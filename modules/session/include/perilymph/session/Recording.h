@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Recording of an insertion: one SQLite database, readable at any time, even after a crash.

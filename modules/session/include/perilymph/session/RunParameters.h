@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Device-dependent parameters of the engine in a run, stored in a recording for its replay.

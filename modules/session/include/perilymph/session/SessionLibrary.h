@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // List of the recordings in a folder: each is read once, then cached by path, size and time.

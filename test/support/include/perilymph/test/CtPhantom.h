@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Synthetic temporal bones with known ground truth, from shapes that the fit of modules/ct cannot

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The headless test harness: a scripted hand and a haptic loop in virtual time, with the same

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Real ears with labels and landmarks, from a folder named by an environment variable. The project

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Folders with the structure of /sys and /dev of Linux, with HID devices.

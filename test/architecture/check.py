@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Runs one check on the project: check.py <arrows|documents|formatting|house|layout|vocabulary|window|words> <root of the project>."""
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs one check on the project: check.py <arrows|documents|formatting|house|layout|licenses|vocabulary|window|words> <root of the project>."""
 
 import importlib
 import sys
@@ -8,7 +9,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-CHECKS = ("arrows", "documents", "formatting", "house", "layout", "vocabulary", "window", "words")
+CHECKS = ("arrows", "documents", "formatting", "house", "layout", "licenses", "vocabulary", "window", "words")
 
 
 def main():

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """A check that cannot fail is no check: each one meets a small project with one thing wrong."""
 
 import shutil
@@ -10,7 +11,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from checks import arrows, documents, formatting, house, layout, sources, vocabulary, window, words  # noqa: E402
+from checks import arrows, documents, formatting, house, layout, licenses, sources, vocabulary, window, words  # noqa: E402
 
 TABLES = """
 <!-- arrows -->
@@ -211,6 +212,25 @@ class Layout(CheckCase):
         text = "".join(f"int number{i} = {i};\n" for i in range(12))
         self.assert_found(layout.check, "modules/top/src/t.cpp is a copy of app/gui/main.cpp",
                           {"app/gui/main.cpp": text, "modules/top/src/t.cpp": text})
+
+
+class Licenses(CheckCase):
+    LINE = "SPDX-License-Identifier: BSD-3-Clause\n"
+
+    def stated(self, changes=()):
+        signs = {".h": "// ", ".cpp": "// ", ".txt": "# "}
+        project = {name: signs.get(Path(name).suffix, "") and signs[Path(name).suffix] + self.LINE + text
+                   for name, text in good_project().items()}
+        return self.complaints(licenses.check, {**project, "LICENSE": "BSD 3-Clause License\n", **dict(changes)})
+
+    def test_sources_with_the_line_are_accepted_also_below_a_shebang(self):
+        self.assertEqual(self.stated({"packaging/run": f"#!/bin/bash\n# {self.LINE}set -e\n"}), [])
+
+    def test_a_source_without_the_line_is_found(self):
+        for name, text in (("modules/top/src/t.cpp", "int x;\n"), ("test/CMakeLists.txt", ""),
+                           ("test/tool.py", f"\n# {self.LINE}"), ("packaging/run", "#!/bin/sh\nset -e\n")):
+            found = self.stated({name: text})
+            self.assertEqual([each.split(":")[0] for each in found], [name])
 
 
 @unittest.skipUnless(shutil.which("clang-format"), "clang-format is not installed")

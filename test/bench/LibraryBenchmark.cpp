@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One short insertion under so many names: files of their own to whoever opens them.
+/// One short insertion under several names, as separate files.
 std::string fill(const fs::path& folder, int sessions)
 {
   const auto scenario =

@@ -10,7 +10,7 @@ void Percentiles::report(benchmark::State& state)
 {
   if (seconds_.empty()) return;
   std::sort(seconds_.begin(), seconds_.end());
-  // The least time that the share of all iterations did not exceed.
+  // Quantile of the iteration times.
   const auto microseconds = [this](double fraction) {
     const double rank = std::ceil(fraction * static_cast<double>(seconds_.size()));
     return 1e6 * seconds_[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];

@@ -61,7 +61,7 @@ private:
   haptics::TickRecord last_;
 };
 
-/// The published experiment and its model, which all threads of a row share.
+/// The published experiment and its model, shared by all threads of a row.
 struct Experiment {
   session::Scenario scenario;
   std::shared_ptr<const mechanics::InsertionModel> model;

@@ -59,7 +59,7 @@ protected:
         << "The virtual machine measured nothing; run 'ctest -R hidstack/machine' first.";
   }
 
-  /// A measure, shown with the test. NaN, which passes no comparison, where it is missing.
+  /// A measured value, shown with the test. NaN, which fails every comparison, if it is missing.
   double measured(const std::string& name) const
   {
     const auto found = results_.measures.find(name);
@@ -76,7 +76,7 @@ protected:
 
 /// Where push and coupling are in balance [mm].
 constexpr double balance_mm = 1e3 * pushAtRest / couplingStiffness;
-/// The share that a resting place may be off.
+/// Relative tolerance of a rest position.
 const double restTolerance = test::tolerance(0.01, "rod and wall are not quite rigid");
 
 TEST_F(RealHidStack, EndsEveryProgramWell)
@@ -214,7 +214,7 @@ TEST_F(RealHidStack, MakesStartsAndFreesTheEffectsOfAPidDevice)
   EXPECT_EQ(measured("pid.created"), 2.0);  // one an axis
   EXPECT_EQ(measured("pid.started"), 2.0);
   EXPECT_EQ(measured("pid.freed"), 2.0);
-  EXPECT_EQ(measured("pid.starts_after_enable"), 0.0);  // actuators go on last
+  EXPECT_EQ(measured("pid.starts_after_enable"), 0.0);  // actuators are enabled last
   EXPECT_EQ(measured("pid.actuators_on"), 0.0);
 }
 

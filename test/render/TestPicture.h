@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Pictures in tests: drawn, asked for their pixels, compared with those that people looked at.
+// Pictures in tests: rendered, queried for pixels, compared with accepted ones.
 
 #include <vtkImageData.h>
 #include <vtkNew.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Runs perilymph-cli as people run it.
+// Runs perilymph-cli as a child process.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -64,7 +64,7 @@ TEST(DevicePlugin, IsLoadedListenedToAndPushes)
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out,
               HasSubstr("Example handle: 1 shifts and 0 turns sensed, force on 1 axes"));
-  // one sample a read, and an invisible hand that never lets go of the button
+  // one sample per read, and a virtual hand that never releases the button
   EXPECT_THAT(outcome.out, HasSubstr("3000 of 3000 were fresh and valid"));
   EXPECT_THAT(outcome.out, HasSubstr("shown on 1 of 1 axes"));
   EXPECT_THAT(contentOf(file), HasSubstr("\"force_axes_shown\": 1"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Inputs on which reading would wait for ever or find no end.
+// Inputs that would block a reader or never end.
 
 #include <sys/stat.h>
 
@@ -70,7 +70,7 @@ TEST(AnInput, ThatIsFarTooLargeIsRefusedUnread)
   const TemporaryFolder folder;
   const std::string file = folder / "large.stl";
   std::ofstream(file).flush();
-  std::filesystem::resize_file(file, std::uintmax_t{1} << 40);  // sparse: it takes no room
+  std::filesystem::resize_file(file, std::uintmax_t{1} << 40);  // sparse: it needs no disk space
   expectSentences(file);
 }
 

@@ -92,7 +92,7 @@ TEST(Simulate, SaysWhereItCannotWriteBeforeItRuns)
 
 TEST(Simulate, LeavesNothingHalfWrittenWhereNothingMayBeWritten)
 {
-  // /proc refuses every new file, for root as for everybody.
+  // /proc refuses every new file, even for root.
   expectRefusal(cli(shortSimulation({"--csv", "/proc/a.csv"})), "/proc");
   expectRefusal(cli(shortSimulation({"--record", "/proc/a.insertion"})), "/proc/a.insertion");
 }

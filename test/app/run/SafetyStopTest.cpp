@@ -30,7 +30,7 @@ struct Told {
   std::atomic<std::uint64_t> writes{0};
 };
 
-/// A device with a motor that inserts by itself.
+/// A device with a motor that inserts automatically.
 class PushingDevice : public device::HapticDevice {
 public:
   PushingDevice(const session::Scenario& scenario, Told& told)

@@ -18,7 +18,7 @@ using haptics::Workflow;
 constexpr std::array all{Workflow::idle,   Workflow::armed,    Workflow::inserting,
                          Workflow::paused, Workflow::finished, Workflow::fault};
 
-/// The loop runs, the array is 5 mm in, and nothing is asked to move.
+/// The loop runs, the array is 5 mm in, and no motion is requested.
 InsertionState at(Workflow workflow, InputSource input = InputSource::scripted)
 {
   InsertionState state;

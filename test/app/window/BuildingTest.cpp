@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Cochlea and model are built beside the window: it goes on, says what it waits for, and can be
-// asked for something else meanwhile.
+// Cochlea and model are built in the background: the window stays responsive, shows what it waits
+// for, and accepts other requests meanwhile.
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The workstation as people call it: words in, exit status and one sentence out.
+// Command line of the workstation: exit status and error messages.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

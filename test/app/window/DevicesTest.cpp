@@ -110,7 +110,7 @@ TEST_F(DevicesOfTheWindow, OfAPlugInBecomesTheHandAndMovesTheArray)
   rig_->window().insertion().usePlugin(PERILYMPH_EXAMPLE_PLUGIN);
   EXPECT_EQ(rig_->window().control().handName(), "Example handle");
   EXPECT_TRUE(rig_->button("deviceChoice").text().contains("Example handle"));
-  // An invisible hand pushes it inward with 0.2 N and never lets go.
+  // A virtual hand pushes it inward with 0.2 N and never releases the button.
   rig_->click("startButton");
   EXPECT_TRUE(WindowRig::comes([&] { return rig_->travel_mm() > 1.0; }));
 }

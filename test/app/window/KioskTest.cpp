@@ -44,7 +44,7 @@ protected:
   {
     return inMillimeters(Length::fromSi(window_->control().now().output.travel));
   }
-  /// Lets the window see what the clock says now.
+  /// Processes events at the current time of the clock.
   bool framesPass()
   {
     const std::uint64_t end = window_->frames() + 3;

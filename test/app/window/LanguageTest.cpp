@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The window in other languages: every word comes from a translation, and longer words have room.
+// The window in other languages: all texts are translated, and longer texts fit.
 
 #include <gtest/gtest.h>
 
@@ -68,7 +68,7 @@ bool needsNoTranslation(QString text)
   return true;
 }
 
-/// Names that stand in data: arrays, patients, devices, languages by their own names.
+/// Names from data: arrays, patients, devices, languages by their own names.
 bool isName(const QString& text, WindowRig& rig)
 {
   const session::Scenario& scenario = rig.window().control().scenario();
@@ -81,7 +81,7 @@ bool isName(const QString& text, WindowRig& rig)
                           QStringLiteral("Deutsch")};
   for (const gui::CatalogFriction& friction : gui::catalogFrictions())
     if (text == friction.title || text == friction.source) return true;
-  // a scenario's title and where its numbers were printed stand in its file, in English
+  // a scenario's title and sources are in its file, in English
   const QString title = QString::fromStdString(scenario.title);
   const bool isOfScenario = text == title || text.startsWith(QLatin1String("Todd and Naghdy, "));
   return isOfScenario || names.contains(text);
@@ -207,7 +207,7 @@ TEST(German, IsSpokenWhenAskedFor)
   QLocale::setDefault(QLocale::c());
 }
 
-// 34,125 and 34.125 are the same length, typed by two people; neither is 34125 of them.
+// 34,125 and 34.125 are the same length, typed in two conventions; neither is 34125.
 TEST(ALengthTyped, MeansTheSameWithCommaAndPointInEveryLocale)
 {
   for (const char* language : {"en", "de", "de_CH", "fr"}) {

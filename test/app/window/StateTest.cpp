@@ -120,7 +120,7 @@ TEST(Log, ThatCannotBeWrittenIsSaid)
   EXPECT_NE(log.error().message.find("XDG_STATE_HOME"), std::string::npos);
 }
 
-/// A process that has ended: its number belongs to nobody.
+/// A process that has ended: its id is unused.
 long endedProcess()
 {
   const pid_t child = ::fork();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How the parts of the insertion page share it, stereo, and how much is drawn.
+// Arrangement of the insertion page, stereo, and rendering quality.
 
 #include <gtest/gtest.h>
 

@@ -43,7 +43,7 @@ QStringList textOn(const QWidget& window)
   return sentence;
 }
 
-/// Every channel in steps of four: nobody sees it, and the file is half as big.
+/// Quantizes every channel to multiples of four: invisible, and halves the file size.
 QImage smallened(QImage image)
 {
   image = image.convertToFormat(QImage::Format_RGB32);

@@ -36,7 +36,7 @@ struct Cloud {
 /// of the mean are at least 0.6 mm apart.
 const Result<std::shared_ptr<const anatomy::ScalaTympani>>& builtMean();
 
-/// The same, where it was built.
+/// The mean scala; it must have been built.
 inline const anatomy::ScalaTympani& meanScala() { return **builtMean(); }
 
 /// A thousand centers, drawn once. The scala must have been built.

@@ -38,7 +38,7 @@ void nearestWallBy(benchmark::State& state)
   report(state, wall, answers);
 }
 
-/// The sizes every library is asked with.
+/// The surface sizes used for every library.
 inline void sizes(benchmark::internal::Benchmark* row)
 {
   row->ArgName("triangles")->Arg(2000)->Arg(20000)->Arg(200000)->Unit(benchmark::kNanosecond);

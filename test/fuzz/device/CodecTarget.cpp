@@ -22,7 +22,7 @@ using device::RawReport;
 using device::ReportList;
 using device::Transfer;
 
-/// A device that takes and answers what the input says.
+/// A device that accepts and answers as the input specifies.
 class AnyDevice final : public device::Transport {
 public:
   explicit AnyDevice(InputReader& input) : input_(input) {}

@@ -19,7 +19,7 @@ enum class Wire {
   unplugged,
 };
 
-/// Whether somebody keeps the handle where it is.
+/// Whether a hand holds the handle in place.
 enum class Grip { held, free };
 
 /// A stretch of time in which nothing about the handle changes but its motion.

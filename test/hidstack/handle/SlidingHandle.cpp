@@ -8,7 +8,7 @@ namespace perilymph::hidstack {
 
 void SlidingHandle::advanceTo(double time)
 {
-  // The watchdog cuts the step in two where it acts.
+  // If the watchdog acts within a step, the step is divided there.
   const double expiry = lastCommand_ + body_.watchdog;
   if (force_ != 0.0 && time >= expiry) {
     slide(std::max(0.0, expiry - time_));

@@ -5,12 +5,12 @@
 
 namespace perilymph::hidstack {
 
-/// What the handle is made of.
+/// Parameters of the handle.
 struct HandleBody {
   double mass = 0.090;     ///< [kg]
   double damping = 0.5;    ///< Damping of its bearings [N.s/m].
   double reach = 80e-3;    ///< Where it meets its end stops, on both sides of zero [m].
-  double watchdog = 0.02;  ///< A force nobody renews for so long is switched off [s].
+  double watchdog = 0.02;  ///< A force not renewed for this long is switched off [s].
 };
 
 /// A handle on a rail under the push of a hand and the force of the last output report:
@@ -26,7 +26,7 @@ public:
   /// Moves on to `time` [s]; the past stays as it is.
   void advanceTo(double time);
 
-  /// From now on somebody pushes with this force [N].
+  /// Sets the force of the hand [N].
   void push(double force) { push_ = force; }
   /// Somebody holds the handle still, or lets it slide.
   void hold(bool isHeld);

@@ -112,7 +112,7 @@ void UhidDevice::reply(int error, std::span<const std::uint8_t> report) noexcept
     outgoing.u.set_report_reply.id = asked.u.set_report.id;
     outgoing.u.set_report_reply.err = code;
   }
-  // Who asked gives up after five seconds without an answer, so a lost one hurts nobody.
+  // The requester times out after five seconds, so a lost answer is harmless.
   [[maybe_unused]] const auto written = ::write(file_, &outgoing, sizeof outgoing);
 }
 

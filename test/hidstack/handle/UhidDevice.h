@@ -32,7 +32,7 @@ public:
   /// Appears on the bus under this name.
   Result<Done> plug(const std::string& name, std::uint16_t vendor, std::uint16_t product,
                     std::span<const std::uint8_t> descriptor);
-  /// Pulls the plug, whoever holds the device open.
+  /// Disconnects the device, even if it is open.
   void unplug() noexcept;
   bool isPlugged() const noexcept { return file_ >= 0; }
 

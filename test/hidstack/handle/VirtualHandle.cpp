@@ -8,7 +8,7 @@ namespace perilymph::hidstack {
 
 namespace {
 
-// The longest script, with room.
+// The longest script, with a margin.
 constexpr std::size_t maxTicks = 20'000;
 // The tick whose report the flawed scripts lose or send twice.
 constexpr std::size_t flawedTick = 400;

@@ -14,7 +14,8 @@
 
 namespace perilymph::hidstack {
 
-/// The device without its wire: told the time and what came in, says what goes out.
+/// The device without its connection: given the time and received reports, returns the reports to
+/// send.
 class VirtualHandle {
 public:
   VirtualHandle(HandleScript script, const HandleBody& body);

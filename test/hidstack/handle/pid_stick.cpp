@@ -89,7 +89,7 @@ private:
 
   bool answers_;
   bool wasOn_ = false;
-  double maxShown_ = 0.0;  // along x, share of the greatest
+  double maxShown_ = 0.0;  // along x, fraction of the maximum
   PidDevice firmware_;
   UhidDevice cable_;
 };

@@ -13,7 +13,7 @@
 namespace perilymph::hidstack {
 namespace {
 
-/// The force on a hand that went so far in and stays there [N].
+/// The force on a hand that moved in by a distance and stays there [N].
 double forceAt(double way)
 {
   const auto engine = flatWallEngine(1e-3);

@@ -13,7 +13,7 @@ namespace perilymph::hidstack {
 /// Stiffness of the coupling [N/m]: that of the wall in the published simulator.
 inline constexpr double couplingStiffness = 441.0;
 
-/// How far the hand goes from where it takes hold until the rod touches the wall [m].
+/// Distance that the hand moves from grasping until the rod touches the wall [m].
 inline constexpr double freeWay = 1e-3;
 
 /// The engine of this scene, at 1 kHz, without friction. In balance with a push F the hand stands

@@ -16,7 +16,7 @@ namespace {
 using haptics::Command;
 
 constexpr std::size_t maxTicks = 30'000;  // half a minute at 1 kHz
-constexpr int glance_ms = 20;  // of whoever operates the insertion; a recorder drains as often
+constexpr int glance_ms = 20;  // of the user of the insertion; a recorder drains as often
 // After the last unplug: long enough to see what the loop does then.
 constexpr int ticksAfterwards = 200;
 

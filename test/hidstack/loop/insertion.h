@@ -11,13 +11,13 @@
 
 namespace perilymph::hidstack {
 
-/// Runs the haptic loop on its own thread until the device was unplugged so many times. After an
-/// unplug the insertion starts anew as soon as the device is back.
+/// Runs the haptic loop on its own thread until the device was disconnected a number of times.
+/// After a disconnection the insertion restarts as soon as the device is back.
 ///
 /// @param hand  Open.
 Result<std::vector<LoopTick>> insertUntilUnplugged(device::HapticDevice& hand, int unplugs);
 
-/// Runs it for so many ticks, then kills this process in the middle of it.
+/// Runs it for a number of ticks, then kills this process while it runs.
 Result<Done> insertUntilKilled(device::HapticDevice& hand, std::size_t ticks);
 
 }  // namespace perilymph::hidstack

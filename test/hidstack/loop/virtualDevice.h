@@ -21,10 +21,10 @@ struct VirtualDevice {
   std::unique_ptr<device::DeviceCodec> codec;
 };
 
-/// Looks until the handle is plugged in, at most so long [s]. The sentence says what is missing.
+/// Waits until the handle is connected, at most a given time [s]. The error names what is missing.
 Result<VirtualDevice> findVirtualDevice(const std::filesystem::path& profile, double timeout);
 
-/// The same as a hand, not opened.
+/// The same as a HapticDevice, not opened.
 Result<std::unique_ptr<device::HidDevice>> openVirtualDevice(const std::filesystem::path& profile,
                                                              double timeout);
 

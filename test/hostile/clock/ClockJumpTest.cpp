@@ -111,7 +111,7 @@ TEST_F(ClockThatJumps, GivesSessionsTheirTimesAndKeepsThemAll)
   EXPECT_EQ((*sessions)[1].file.filename(), "second.insertion");
   for (const SessionSummary& session : *sessions) {
     EXPECT_EQ(session.error, "");
-    // 0.4 mm at 2 mm/s, and what passed until somebody stopped it; not an hour.
+    // 0.4 mm at 2 mm/s, plus the time until it was stopped; not an hour.
     EXPECT_GE(session.highlights.duration, 0.19);
     EXPECT_LT(session.highlights.duration, 60.0);
   }

@@ -23,7 +23,7 @@ long timeOfDayAsked() { return asked; }
 
 }  // namespace perilymph::test
 
-// These stand before the C library's, whoever calls them.
+// These replace the C library's functions for all callers.
 
 // NOLINTBEGIN(readability-identifier-naming): the names are the C library's
 extern "C" int clock_gettime(clockid_t clock, timespec* time) noexcept

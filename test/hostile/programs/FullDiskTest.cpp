@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// perilymph-cli with files that may not grow beyond so many KiB: what a full disk says, in time.
+/// perilymph-cli with a limited file size [KiB], which behaves like a full disk.
 ProgramOutcome cliWithSmallFiles(int max_KiB, const std::vector<std::string>& arguments)
 {
   ProgramCall call = cliCall(arguments);

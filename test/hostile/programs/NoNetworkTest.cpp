@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The programs speak to nobody: they need no network, and hold no call that could open one.
+// The programs use no network: they work without it and contain no call that could open a
+// connection.
 
 #include <sstream>
 

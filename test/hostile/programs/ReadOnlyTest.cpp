@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Folders nobody may write to, and files that name places they have no business with.
+// Read-only folders, and files that name paths they must not access.
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -42,7 +42,7 @@ TEST_F(ReadOnlyFolder, IsSaidBeforeAnythingIsComputed)
     const ProgramOutcome outcome = cliAsNobody(shortSimulation({option, folder / "run.out"}));
     EXPECT_EQ(outcome.status, 1) << option;
     EXPECT_THAT(outcome.err, HasSubstr("run.out")) << option;
-    EXPECT_EQ(outcome.out, "") << option;  // no summary of a run nobody asked to lose
+    EXPECT_EQ(outcome.out, "") << option;  // no summary of a run whose output failed
   }
   EXPECT_THAT(namesIn(folder.path()), testing::IsEmpty());
 }
@@ -55,7 +55,7 @@ TEST_F(ReadOnlyFolder, IsSaidByValidateToo)
   EXPECT_THAT(outcome.err, HasSubstr("tables"));
 }
 
-/// A scenario from somebody else, in a folder of its own beside what it must not touch.
+/// An untrusted scenario, in its own folder beside what it must not touch.
 class ForeignScenario : public testing::Test {
 protected:
   ForeignScenario()

@@ -56,7 +56,7 @@ fs::path closedRecording(const test::TemporaryFolder& folder)
   return file;
 }
 
-/// A recording whose program was killed after so many drains.
+/// A recording whose program was killed after a number of drains.
 fs::path crashedRecording(const test::TemporaryFolder& folder, std::uint64_t drains)
 {
   const fs::path file = folder / "crashed.insertion";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A library's cache in which somebody laid traps.
+// A library's cache with malicious content.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

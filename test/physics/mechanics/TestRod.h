@@ -42,7 +42,7 @@ public:
   /// Moves the base by `motion_W` in equal ticks at `speed` [m/s], then waits for `rest` seconds.
   void move(const Eigen::Vector3d& motion_W, double speed, double rest = 0.0);
 
-  /// One tick with the base where it is.
+  /// One tick without motion of the base.
   void tick();
 
   /// The tension in the edge above a node [N]; negative under compression.

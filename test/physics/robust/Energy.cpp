@@ -8,7 +8,7 @@
 namespace perilymph::test {
 namespace {
 
-/// One edge: where it goes, and the directions of its material.
+/// One edge: its vector, and the directions of its material.
 struct Edge {
   Eigen::Vector3d tangent, curl, side;
 };

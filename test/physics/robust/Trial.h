@@ -46,7 +46,8 @@ struct Findings {
   double minHandEnergy = 0.0;      ///< Minimum energy of the hand alone.
   long notConverged = 0;           ///< Ticks with more than 2 uN left where no contact changed.
   double maxResidualAtRest = 0.0;  ///< The most left in one of them.
-  long toggles = 0;                ///< Ticks in which a contact came, went, stuck or slid anew.
+  long toggles = 0;                ///< Ticks in which a contact began, ended, or changed between
+                                   ///< stick and slip.
   long togglesNotConverged = 0;    ///< Toggles with more than 1 mN left.
   double worstToggle = 0.0;        ///< The most left in one of them.
   long unbalanced = 0;             ///< Ticks of either kind with more than 1 mN left.

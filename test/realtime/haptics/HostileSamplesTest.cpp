@@ -81,7 +81,7 @@ CommandList anyCommands(std::mt19937& random)
 {
   CommandList list;
   if (random() % 300 != 0) return list;
-  list.count = random() % 12 == 0 ? 4'000'000'000u : 2u;  // more than there is room for
+  list.count = random() % 12 == 0 ? 4'000'000'000u : 2u;  // more than the capacity
   for (Command& command : list.items) {
     command.kind = static_cast<Kind>(random() % 9);
     const double values[] = {0.0, 1.0, -1.0, 1e-3, 1e300, std::nan("")};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The views as people looked at them: each of these pictures was opened before it was accepted.
+// Comparison with accepted pictures: each of them was inspected before it was accepted.
 
 #include <gtest/gtest.h>
 #include <vtkUnsignedCharArray.h>

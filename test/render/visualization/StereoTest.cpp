@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Two eyes: what they see is shifted by as much as the geometry says, in every kind of stereo.
+// Stereo: the disparity follows from the geometry in every stereo mode.
 
 #include <gtest/gtest.h>
 #include <vtkCamera.h>

@@ -25,7 +25,7 @@ TEST(Reversals, AreTurnsOfTheMotion)
 
 TEST(Reversals, AreNotMadeByTrembling)
 {
-  // 49 um rms of a hand that holds still is below a tenth of a millimeter.
+  // 49 um rms of a resting hand is below a tenth of a millimeter.
   EXPECT_EQ(reversalsOf({0, 1.0, 0.95, 1.0, 0.94, 1.02, 2.0}), 0);
   // A slow way back counts, however small its steps.
   EXPECT_EQ(reversalsOf({0, 1.0, 0.97, 0.94, 0.91, 0.88}), 1);

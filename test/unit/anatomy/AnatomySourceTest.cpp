@@ -43,7 +43,7 @@ TEST(AnatomySources, BuildAScalaWithoutAPatient)
     const auto scala = buildAnatomy({traits.source, {}, millimeters(2)}, "test");
     ASSERT_TRUE(scala) << scala.error().message;
     EXPECT_EQ((*scala)->leadIn(), millimeters(2)) << traits.name;
-    // human cochleae wind two and a half turns, give or take a quarter
+    // human cochleae have about two and a half turns, plus or minus a quarter
     EXPECT_NEAR(inDegrees((*scala)->lastAngle()), 900.0, 100.0) << traits.name;
   }
 }

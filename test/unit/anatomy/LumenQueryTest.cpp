@@ -73,7 +73,7 @@ protected:
 
   std::shared_ptr<const ScalaTympani> scala = build(GetParam());
 
-  /// A point inside the section at an angle, at a share of the way to the wall.
+  /// A point inside the section at an angle, at a fraction of the distance to the wall.
   Eigen::Vector3d inside(double angle, double direction, double fraction) const
   {
     return scala->center_W(angle) +

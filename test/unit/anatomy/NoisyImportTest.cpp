@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Surfaces whose corners are off by what a segmentation or a rounding of numbers leaves.
+// Surfaces with noise, as from segmentation or rounding of coordinates.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ std::vector<Surface> surfaces()
   return {wallSurface(*published, 20'000), wallSurface(**mean, 20'000)};
 }
 
-/// A copy whose corners are off by a normal deviate [m] along each axis.
+/// A copy whose corners are displaced by a normal deviate [m] along each axis.
 Surface noisy(Surface surface, double deviation, unsigned seed)
 {
   std::mt19937_64 random(seed);

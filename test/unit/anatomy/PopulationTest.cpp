@@ -133,7 +133,7 @@ TEST_F(SampleOf10000, HasThePublishedCorrelations)
 
 TEST_F(SampleOf10000, IsNormallyDistributed)
 {
-  // 68.27 % within one deviation and 95.45 % within two; four standard errors of a share
+  // 68.27 % within one deviation and 95.45 % within two; four standard errors of a fraction
   int one = 0, two = 0;
   for (const auto& drawn : drawn_mm) {
     one += std::fabs(drawn[2] - 3.26) < 0.28 ? 1 : 0;

@@ -168,7 +168,7 @@ TEST(PublishedScala, OpensAtTheEndOfItsLeadIn)
     // right-handed, unit, x toward the outer wall
     EXPECT_NEAR(entry.outward_W.cross(entry.vertical_W).dot(entry.out_W), 1.0, 1e-12);
     EXPECT_GT(entry.outward_W.x(), 0.0);
-    // the lead-in goes on as the center line begins
+    // the lead-in continues the beginning of the center line
     const Eigen::Vector3d start = scala->center_W(1e-4) - scala->center_W(0.0);
     EXPECT_NEAR(start.normalized().dot(-entry.out_W), 1.0, 1e-6);
   }

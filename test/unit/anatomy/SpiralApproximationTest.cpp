@@ -38,7 +38,7 @@ struct Samples {
   std::vector<double> angle, value;
 };
 
-/// a e^(b t) by least squares: for every b the best a; the best b by halving the search around it.
+/// a e^(b t) by least squares: the best a for every b; the best b by interval search.
 std::function<double(double)> exponentialFit(const Samples& samples)
 {
   double bestA = 0.0, bestB = 0.0, minimum = 1e300;

@@ -65,7 +65,7 @@ inline Eigen::Vector3d ringPlace_mm(double angle_deg, double across_mm, double u
 
 inline constexpr int ringNodes = 101;
 
-/// An array whose nodes stand at even angles up to the tip's, all of them so far out and up.
+/// An array with nodes at equal angles up to the tip's, all at the same position in their sections.
 inline haptics::Snapshot laidTo(double tip_deg, double across_mm, double up_mm = 0.0)
 {
   haptics::Snapshot now{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The door to SQLite: what it lets in, and what a query may cost.
+// Access to SQLite: which files are accepted, and limits of a query.
 
 #include "perilymph/database/Database.h"
 

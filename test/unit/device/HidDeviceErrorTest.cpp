@@ -44,7 +44,7 @@ protected:
                                         clockOfTheTest);
     return *hand_;
   }
-  /// The device reports once whenever somebody waits for it, so much later.
+  /// The device sends a report after a delay whenever a thread waits for one.
   void reportEvery(std::int64_t time)
   {
     hid.whenWaiting([this, time](Duration) {
@@ -94,7 +94,7 @@ TEST_F(FailingHidDevice, HasNoHealthAndCannotBeWaitedForWhileItIsClosed)
   EXPECT_EQ(hand.await(Duration::fromSi(1e-3)), Awaited::cannot);
   reportEvery(millisecond);
   ASSERT_TRUE(hand.open());
-  // nobody has taken up the handle yet
+  // no thread has taken the handle yet
   EXPECT_EQ(hand.await(Duration::fromSi(1e-3)), Awaited::cannot);
 }
 
@@ -235,7 +235,7 @@ TEST_F(FailingHidDevice, ThatShouldAnswerButDoesNotHasNoWayMeasured)
   }
 }
 
-/// A device that says nothing by itself: it is asked for feature report 4.
+/// A polled device: it answers requests for feature report 4.
 class PolledHidDevice : public FailingHidDevice {
 protected:
   PolledHidDevice()
@@ -300,7 +300,8 @@ TEST_F(PolledHidDevice, PulledOutWhileItIsAskedIsInvalid)
   ASSERT_TRUE(hand.open());
   waitUntil([&hand] { return hand.read().isValid == 1; });
   hid.unplug();
-  waitUntil([&hand] { return !hand.health()->isConnected; });  // nobody reads: the asker finds out
+  waitUntil([&hand] { return !hand.health()->isConnected; });  // no thread reads: the polling one
+                                                               // detects it
   EXPECT_EQ(hand.read().isValid, 0u);
 }
 

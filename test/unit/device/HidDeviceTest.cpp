@@ -267,7 +267,7 @@ TEST_F(HidDeviceOnAFake, OpensAgainAfterItWasClosed)
 TEST_F(HidDeviceOnAFake, CanBeWaitedFor)
 {
   open();
-  hand.read();  // takes up the handle
+  hand.read();  // takes the handle
   const std::uint64_t before = hand.read().sequence;
   EXPECT_EQ(hand.await(Duration::fromSi(2e-3)), Awaited::fresh);
   EXPECT_EQ(hand.read().sequence, before + 1);

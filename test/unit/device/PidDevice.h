@@ -94,7 +94,7 @@ public:
     return Transfer::done;
   }
 
-  /// The sum of what runs, as shares of the greatest force along X and Y.
+  /// Sum of the running effects along X and Y, as fractions of the maximum force.
   std::array<double, 2> shown() const
   {
     std::array<double, 2> sum{};

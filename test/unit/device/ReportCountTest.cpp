@@ -50,7 +50,7 @@ TEST(ReportCount, CountsTheReportsThatAreMissing)
 
 TEST(ReportCount, KnowsThatAReportWaited)
 {
-  // 300 ms nobody listens; the report of millisecond 11 comes at 310
+  // no reading for 300 ms; the report of millisecond 11 arrives at 310
   ReportCount count = heardUpTo(10);
   EXPECT_EQ(count.classify(11, 310 * millisecond), Verdict::old);
   EXPECT_EQ(count.classify(310, 311 * millisecond), Verdict::fresh);

@@ -84,7 +84,7 @@ TEST(ReportDescriptor, ReadsTheSpecificationsKeyboard)
   const ReportDescriptor descriptor = read(exampleKeyboard);
   EXPECT_EQ(descriptor.reportBytes(ReportKind::input, 0), 8u);
   EXPECT_EQ(descriptor.reportBytes(ReportKind::output, 0), 1u);
-  // The letter A is usage 4 of the keyboard page and stands at index 4 of the array.
+  // The letter A is usage 4 of the keyboard page and has index 4 in the array.
   const auto key = descriptor.choice(ReportKind::input, {0x07, 0x04}, {0x01, 0x06});
   ASSERT_TRUE(key);
   EXPECT_EQ(key->slot.bitOffset, 16u);

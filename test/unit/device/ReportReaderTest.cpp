@@ -81,7 +81,7 @@ TEST_F(Reading, BelievesNothingOfAQueueThatRanOver)
     sendNext();
     reader.drain(*transport);
   }
-  // for 300 ms nobody reads: 63 reports are kept, the oldest ones
+  // no reading for 300 ms: the oldest 63 reports are kept
   for (int i = 0; i < 300; ++i) sendNext();
   EXPECT_EQ(reader.drain(*transport), Transfer::nothing);
   EXPECT_NEAR(placeInSteps(), 10.0, 1e-9);

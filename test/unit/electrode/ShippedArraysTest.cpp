@@ -57,7 +57,7 @@ ArrayDesign shipped(const std::string& name)
   return *design;
 }
 
-/// One case for every file in the folder, so that a new file is looked at without a new line here.
+/// One case per file in the folder, so that new files are tested automatically.
 class ShippedArray : public testing::TestWithParam<std::string> {
 protected:
   const ArrayDesign array = shipped(GetParam());

@@ -103,7 +103,7 @@ TEST(Logarithm, KnowsItsEnds)
   EXPECT_NEAR(logarithm(smallest), -1074.0 * std::log(2.0), 1e-12);
 }
 
-/// The worst error as a share of the error that is promised.
+/// Maximum error relative to the documented bound.
 double worstFractionOfSineCosine(double low, double high)
 {
   long double worst = 0.0L;

@@ -112,7 +112,7 @@ TEST(RenamedKeys, AreSetUnderTheirOldName)
 
 TEST(RenamedKeys, OfTextThatIsNoFileGiveNoWarning)
 {
-  // A recording keeps the text of its scenario: nobody can rename keys there.
+  // A recording contains the text of its scenario, where keys cannot be renamed.
   const Heard heard;
   auto reader = TomlReader::parse("most_force_N = 1.0", "recording");
   ASSERT_TRUE(reader);

@@ -89,7 +89,7 @@ TEST(ForceTrial, EndsThePushWhenTheButtonIsLetGo)
     force = now;
   }
   EXPECT_EQ(force, 0.0);
-  EXPECT_EQ(trial.axis(), 0);  // to be felt anew
+  EXPECT_EQ(trial.axis(), 0);  // to be repeated
 }
 
 TEST(ForceTrial, EndsThePushWhenTheDeviceFallsSilent)

@@ -152,7 +152,7 @@ test::InsertionRig startedIn(std::shared_ptr<const anatomy::Lumen> lumen)
   return rig;
 }
 
-/// A wall that is elsewhere each time it is asked for.
+/// A wall at a different position in each query.
 class RestlessLumen final : public OpenLumen {
 public:
   void nearestWall(std::span<const Eigen::Vector3d> points_W, std::span<const double>,
@@ -185,7 +185,7 @@ TEST(InsertionEngine, SaysWhenATickFoundNoEquilibrium)
   EXPECT_GT(ticksNotConverged, 0);
 }
 
-/// A tube whose wall is no number from a depth on.
+/// A tube whose wall is NaN from a depth on.
 class BrokenLumen final : public OpenLumen {
 public:
   void nearestWall(std::span<const Eigen::Vector3d> points_W, std::span<const double>,

@@ -86,7 +86,7 @@ TEST(Safety, NeverStepsByMoreThanTheSlewLimit)
   Safety safety(SafetyLimits{}, timeStep);
   Eigen::Vector3d before_D = Eigen::Vector3d::Zero();
   for (int i = 0; i < 5000; ++i) {
-    // a force that turns around, a hand that lets go, goes stale, jumps and faults
+    // a force that changes sign, a hand that releases, becomes stale, jumps and faults
     const double sign = (i / 7) % 2 == 0 ? 1.0 : -1.0;
     HandCondition hand = holding();
     hand.isHeld = i % 1100 < 1050;

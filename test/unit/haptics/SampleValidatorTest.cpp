@@ -11,7 +11,7 @@ namespace {
 
 constexpr double timeStep = 1e-3;
 
-/// Fresh samples of a hand that holds, one after the other.
+/// Successive fresh samples of a grasping hand.
 class Samples {
 public:
   device::DeviceSample next(double x = 0.0)

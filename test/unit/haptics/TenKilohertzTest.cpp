@@ -155,7 +155,7 @@ TEST_F(TenKilohertz, IsStaleAfterThreeMillisecondsNotAfterThreePeriods)
   const TickRecord before = goIntoTheWall();
   if (wasStarved()) GTEST_SKIP() << "This machine gave the writer's thread no time.";
   ASSERT_GT(before.output.wrench_D.force_D[2], 0.2);
-  // Silence: the loop goes on, the device does not.
+  // The device is silent while the loop runs.
   int ticksUntilStale = 0;
   TickRecord record;
   do {

@@ -16,7 +16,7 @@ constexpr std::array<WorkflowEvent, 8> allEvents{
 
 struct Row {
   Workflow from;
-  // arm, grasp, release, arrive, withdraw, trouble, clearFault, reset
+  // arm, grasp, release, arrive, withdraw, error, clearFault, reset
   std::array<Workflow, 8> to;
 };
 

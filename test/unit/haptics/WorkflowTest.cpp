@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The workflow as a user meets it: commands and a hand in, states and motion out.
+// The workflow from the user's view: commands and hand as input, states and motion as output.
 
 #include <gtest/gtest.h>
 

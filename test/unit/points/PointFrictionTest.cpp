@@ -10,7 +10,7 @@ namespace {
 constexpr double normal = 0.1;       // [N]
 constexpr double stiffness = 200.0;  // [N/m]
 
-/// Friction when the spring would pull with a share of the normal force.
+/// Friction for a spring force given as a fraction of the normal force.
 PointFriction atRatio(double ratio, bool wasSliding)
 {
   return pointFriction({ratio * normal / stiffness, 0.0, 0.0}, normal, stiffness, wasSliding, {});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// A rollback journal that would make SQLite delete somebody's file.
+// A rollback journal that would make SQLite delete another file.
 
 #include <cstdint>
 #include <filesystem>

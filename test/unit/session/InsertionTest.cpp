@@ -193,7 +193,7 @@ TEST(FailingDisk, EndsTheRecordingAndNotTheInsertion)
   EXPECT_GT(recorded->ticks(), 0u);
   EXPECT_LT(recorded->ticks(), last.tick);
   EXPECT_EQ(recorded->ticks() % 20, 0u);  // whole drains only
-  // There may be room for a word, but not for this one: ticks are missing.
+  // There may be space to close the recording, but not for these ticks: they are missing.
   EXPECT_FALSE(recorded->wasClosed());
 }
 

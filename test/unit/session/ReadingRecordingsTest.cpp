@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 using test::runSql;
 using testing::HasSubstr;
 
-/// A recording that was closed, of so many ticks.
+/// A closed recording with a number of ticks.
 fs::path recorded(const test::TemporaryFolder& folder, std::uint64_t ticks)
 {
   const fs::path file = folder / "some.insertion";
@@ -36,7 +36,7 @@ fs::path recorded(const test::TemporaryFolder& folder, std::uint64_t ticks)
   return file;
 }
 
-/// A recording whose program was killed after so many drains of 20 ticks.
+/// A recording whose program was killed after a number of drains of 20 ticks.
 fs::path crashed(const test::TemporaryFolder& folder, std::uint64_t drains)
 {
   const fs::path file = folder / "crashed.insertion";

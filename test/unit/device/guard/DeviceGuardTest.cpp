@@ -183,7 +183,7 @@ TEST_F(DeviceOfAProgram, IsSwitchedOffWhenTheWholeGroupOfProcessesIsKilled)
 TEST_F(DeviceOfAProgram, IsSwitchedOffWhenItReadsMemoryThatIsNotThere)
 {
   startPushing("segv");
-  // A sanitizer takes the signal, says where it was, and ends the program with a status of its own.
+  // A sanitizer handles the signal, prints a stack trace, and ends the program with its own status.
   const auto end = program_->wait(seconds(60));
   EXPECT_TRUE(end.signal != 0 || end.status != 0);
   waitUntilGuardLeft();

@@ -13,7 +13,7 @@ namespace perilymph::test {
 /// Each connection begins with a message of one letter: 'r' reports, 'g' guards.
 std::unique_ptr<device::HidPort> socketPort(std::string name);
 
-/// A connection to an abstract socket of the system; -1 if nobody listens.
+/// A connection to an abstract socket; -1 if there is no listener.
 int connectTo(const std::string& name, char letter) noexcept;
 /// A listening one; -1 if there is none to be had.
 int listenAs(const std::string& name) noexcept;

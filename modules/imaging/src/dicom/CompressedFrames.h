@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Compressed voxels, decoded where a damaged file can do no harm.

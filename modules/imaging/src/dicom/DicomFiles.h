@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // The DICOM files below a folder, in a DICOMDIR, or a single one.

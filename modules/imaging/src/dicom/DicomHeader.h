@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // What one DICOM file says of its image. The patient's name, number and dates are never read.

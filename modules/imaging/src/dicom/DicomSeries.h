@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Series of DICOM files: which files belong together, and what stands against reading them.

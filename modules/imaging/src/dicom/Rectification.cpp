@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "Rectification.h"
 
 #include <vtkDICOMCTRectifier.h>

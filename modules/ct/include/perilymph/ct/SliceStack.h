@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Whether the slices of a series make a regular stack: from positions and orientations alone.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // CT series on disk: DICOM folders, DICOMDIR and single files, NIfTI, NRRD.

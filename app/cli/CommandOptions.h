@@ -13,19 +13,6 @@ class App;
 
 namespace perilymph::cli {
 
-/// The options of all commands; filled while the command line is parsed.
-struct CommandOptions {
-  SimulateOptions simulate;
-  AnatomyOptions anatomy;
-  ReplayOptions replay;
-  RenderOptions render;
-  ValidateOptions validate;
-  CalibrateOptions calibrate;
-  PredictOptions predict;
-  CompareOptions compare;
-  DevicesOptions devices;
-};
-
 /// Declares all commands and options, and marks the options that name files.
 void addCommands(CLI::App& app, FileOptions& files, CommandOptions& options);
 

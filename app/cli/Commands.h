@@ -97,4 +97,17 @@ struct DevicesOptions {
 };
 Result<Done> devices(const DevicesOptions& options);
 
+/// The options of all commands; filled while the command line is parsed.
+struct CommandOptions {
+  SimulateOptions simulate;
+  AnatomyOptions anatomy;
+  ReplayOptions replay;
+  RenderOptions render;
+  ValidateOptions validate;
+  CalibrateOptions calibrate;
+  PredictOptions predict;
+  CompareOptions compare;
+  DevicesOptions devices;
+};
+
 }  // namespace perilymph::cli

@@ -31,9 +31,10 @@ std::string label(const CLI::ParseError& error, const CLI::App& app, int argc, c
   if (argc < 2 || argv[1][0] == '-') return error.what();
   const auto isNamed = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
   if (!app.get_subcommands(isNamed).empty()) return error.what();
-  return "There is no command '" + std::string(argv[1]) +
-         "'; there are simulate, anatomy, validate, calibrate, predict, compare, replay, render "
-         "and devices";
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands({}))
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  return "There is no command '" + std::string(argv[1]) + "'; the commands are " + names;
 }
 
 int report(const Result<Done>& result)

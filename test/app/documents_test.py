@@ -81,6 +81,40 @@ class PicturesOfTheGuide(unittest.TestCase):
                 self.assertIn(f"(pictures/{walk}-{step}.png)", text)
 
 
+class WalksOfTheContributor(unittest.TestCase):
+    """Each says what to read, create and edit, with files and names that exist."""
+
+    def walks(self):
+        text = (GUIDE / "contributing.md").read_text()
+        part = re.search(r"^## Four additions.*?(?=^## )", text, re.MULTILINE | re.DOTALL).group(0)
+        return {walk.splitlines()[0]: re.findall(r"^- (Read|Create|Edit) (.*)$", walk, re.MULTILINE)
+                for walk in part.split("\n### ")[1:]}
+
+    def test_there_are_four(self):
+        self.assertEqual(list(self.walks()), ["A friction law", "An anatomy source", "A chart", "A command"])
+
+    def test_none_takes_more_than_four_files_to_read_and_four_to_edit(self):
+        for walk, steps in self.walks().items():
+            with self.subTest(walk=walk):
+                verbs = [verb for verb, _ in steps]
+                self.assertTrue(1 <= verbs.count("Read") <= 4, verbs)
+                self.assertTrue(1 <= verbs.count("Edit") <= 4, verbs)
+
+    def test_their_files_and_the_names_in_them_exist(self):
+        for walk, steps in self.walks().items():
+            for verb, step in steps:
+                with self.subTest(walk=walk, step=step):
+                    names = re.findall(r"`([^`]+)`", step)
+                    if verb == "Create":
+                        for folder in names:
+                            self.assertTrue((ROOT / folder).is_dir(), folder)
+                        continue
+                    self.assertTrue((ROOT / names[0]).is_file(), names[0])
+                    content = (ROOT / names[0]).read_text()
+                    for name in names[1:]:
+                        self.assertIn(name, content)
+
+
 class CommandsOfTheDocuments(unittest.TestCase):
     def test_each_works_in_its_document_s_order(self):
         seen = 0

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Positions and orientations as scanners write them, and as they must not be.
 
 #include "perilymph/ct/SliceStack.h"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Series written by hand come back where they lie in the patient, to a thousandth of a millimeter.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What must not become a volume: each is answered with one sentence.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The files that Debian's python3-pydicom ships for tests: nine ways to store the same image, and
 // files of every other kind.
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What a folder holds, which of it suits a cochlea, and that nothing in it names the patient.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // DICOM files made by hand, element by element, so that what reads them is tested against the

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs one check on the project: check.py <arrows|documents|formatting|house|layout|licenses|vocabulary|window|words> <root of the project>."""
+"""Runs one check on the project: check.py <arrows|documents|formatting|house|layout|licenses|tests|vocabulary|window|words> <root of the project>."""
 
 import importlib
 import sys
@@ -9,7 +9,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-CHECKS = ("arrows", "documents", "formatting", "house", "layout", "licenses", "vocabulary", "window", "words")
+CHECKS = ("arrows", "documents", "formatting", "house", "layout", "licenses", "tests", "vocabulary", "window", "words")
 
 
 def main():

@@ -11,7 +11,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from checks import arrows, documents, formatting, house, layout, licenses, sources, vocabulary, window, words  # noqa: E402
+from checks import arrows, documents, formatting, house, layout, licenses, sources, tests, vocabulary, window, words  # noqa: E402
 
 TABLES = """
 <!-- arrows -->
@@ -57,19 +57,16 @@ def good_project():
         "app/gui/main.cpp": '#include <QWidget>\n#include "perilymph/top/t.h"\n#include "gui/frame/frame.h"\n',
         "app/gui/README.md": GUI_TABLE,
     }
-    for name, uses in (("run", ""), ("pages/one", "USES run"), ("pages/two", "USES run"),
-                       ("frame", "USES pages/one pages/two")):
+    for name, uses in (("run", ""), ("pages/one", "USES run"), ("pages/two", "USES run"), ("frame", "USES pages/one pages/two")):
         home, leaf = f"app/gui/{name}", name.split("/")[-1]
         project[f"{home}/CMakeLists.txt"] = f"perilymph_gui_part({name} {uses}\n  SOURCES {leaf}.cpp)\n"
         project[f"{home}/{leaf}.h"] = "#pragma once\n"
         project[f"{home}/{leaf}.cpp"] = f'#include "gui/{name}/{leaf}.h"\n'
-    for name, uses in (("ground", ""), ("upper", "USES ground"), ("beside", "USES ground"),
-                       ("top", "USES upper")):
+    for name, uses in (("ground", ""), ("upper", "USES ground"), ("beside", "USES ground"), ("top", "USES upper")):
         home = f"modules/{name}"
         project[f"{home}/README.md"] = f"# {name}\n\nRead `{name[0]}.h` first.\n"
-        project[f"{home}/CMakeLists.txt"] = (
-            f'perilymph_module({name} LAYER engine\n  SUMMARY "USES (of) {name}"\n  {uses}\n'
-            f"  SOURCES src/{name[0]}.cpp)\n")
+        project[f"{home}/CMakeLists.txt"] = (f'perilymph_module({name} LAYER engine\n  SUMMARY "USES (of) {name}"\n  {uses}\n'
+                                             f"  SOURCES src/{name[0]}.cpp)\n")
         project[f"{home}/include/perilymph/{name}/{name[0]}.h"] = "#pragma once\n"
         project[f"{home}/src/{name[0]}.cpp"] = f'#include "perilymph/{name}/{name[0]}.h"\n'
     return project
@@ -95,7 +92,7 @@ class CheckCase(unittest.TestCase):
 
 class GoodProject(CheckCase):
     def test_no_check_complains_of_it(self):
-        for check in (arrows.check, documents.check, layout.check, window.check, words.check):
+        for check in (arrows.check, documents.check, layout.check, tests.check, window.check, words.check):
             self.assertEqual(self.complaints(check), [], check.__module__)
 
 
@@ -378,13 +375,18 @@ class Words(CheckCase):
         self.assert_found(words.check, "waiting by the clock", {
             "test/unit/t.cpp": "std::this_thread::sleep_for(1s);\n"})
 
-    def test_tests_that_may_wait_for_ever_are_found(self):
-        self.assert_found(words.check, "a wait without a limit", {
-            "test/unit/t.cpp": "while (!isOver()) std::this_thread::yield();\n"})
-
     def test_printing_past_the_terminal_is_found(self):
         self.assert_found(words.check, "printing past Terminal.h", {
             "app/cli/main.cpp": 'int main() { std::printf("%s", name); }\n'})
+
+
+class Tests(CheckCase):
+    def test_bad_habits_are_found(self):
+        for sentence, file, text in (
+                ("a wait without a limit", "t.cpp", "while (!isOver()) std::this_thread::yield();\n"),
+                ("Rod.Bends expects nothing", "RodTest.cpp", "TEST(Rod, Bends)\n{\n  rod().bend();\n}\n"),
+                ("name must end in Test.cpp", "rod.cpp", "TEST(Rod, Bends)\n{\n  EXPECT_TRUE(is());\n}\n")):
+            self.assert_found(tests.check, sentence, {f"test/unit/{file}": text})
 
 
 class Sources(unittest.TestCase):

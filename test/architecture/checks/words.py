@@ -30,10 +30,6 @@ INEXACT = re.compile(
 SLEEP = re.compile(r"\bsleep_(?:for|until)\b|\bu?sleep\s*\(|\bnanosleep\b|\bqWait\b|\bqSleep\b")
 
 
-# A loop that yields until something happens may wait for ever.
-YIELD = re.compile(r"\bthis_thread::yield\b|\bsched_yield\b")
-WAITING = ("test/support/include/perilymph/test/waitUntil.h",)
-
 # Everything that the command line prints goes through one place.
 PRINTING = re.compile(r"\bstd::(?:v?f?printf|f?puts|f?putc|putchar|fwrite|cout|cerr|clog)\b")
 TERMINAL = ("app/cli/Terminal.cpp",)
@@ -68,10 +64,6 @@ def check(root):
     search(root, code(root, "modules", "app", "plugins", "test"), NULL_WORD, "C: write nullptr", errors)
     search(root, code(root, "test"), SLEEP, "waiting by the clock: wait for what should happen",
            errors)
-
-    waiting = [(file, text) for file, text in code(root, "test")
-               if file.relative_to(root).as_posix() not in WAITING]
-    search(root, waiting, YIELD, "a wait without a limit: use waitUntil() of test/support", errors)
 
     printing = [(file, text) for file, text in code(root, "app/cli")
                 if file.relative_to(root).as_posix() not in TERMINAL]

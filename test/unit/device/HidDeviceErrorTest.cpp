@@ -27,7 +27,7 @@ std::atomic<std::int64_t> now{0};
 std::int64_t clockOfTheTest() noexcept { return now; }
 
 template <class Claim>
-void waitUntil(Claim holds)
+void expectSoon(Claim holds)
 {
   EXPECT_TRUE(test::waitUntil(holds));
 }
@@ -180,7 +180,7 @@ TEST_F(FailingHidDevice, ThatAnswersWithoutAForceOfItsOwnIsWrittenToAllTheSame)
   HidDevice& hand = handOf(traits);
   ASSERT_TRUE(hand.open());
   const std::size_t before = hid.written().size();
-  waitUntil([&] {
+  expectSoon([&] {
     hand.read();
     hand.write(pushing(1.0));
     return hid.written().size() > before;
@@ -209,17 +209,17 @@ TEST_F(FailingHidDevice, IsToldZeroAgainUntilItTakesIt)
   hid.send(next());
   hand.read();
   hand.write(pushing(0.5));
-  waitUntil([this] { return hasShownAForce(); });
+  expectSoon([this] { return hasShownAForce(); });
   // The loop falls silent, and the device refuses the zero that follows from it.
   hid.refuseWrites(true);
   now += 100 * millisecond;
-  waitUntil([&hand] {
+  expectSoon([&hand] {
     now += millisecond;
     hand.read();
     return hand.health()->isBlocked;
   });
   hid.refuseWrites(false);
-  waitUntil([this] { return hid.forces().back()[0] == 0.0; });
+  expectSoon([this] { return hid.forces().back()[0] == 0.0; });
 }
 
 TEST_F(FailingHidDevice, ThatShouldAnswerButDoesNotHasNoWayMeasured)
@@ -262,10 +262,10 @@ TEST_F(PolledHidDevice, TellsItsPlaceAndHowLongAnAnswerTakes)
   ASSERT_TRUE(hand.open());
   EXPECT_TRUE(hand.health()->isRoundTripMeasured);
   EXPECT_NEAR(hand.health()->roundTrip, 200e-6, 0.032 * 200e-6);  // a bin of the histogram
-  waitUntil([&hand] { return hand.read().sequence > 2; });
+  expectSoon([&hand] { return hand.read().sequence > 2; });
   const DeviceSample before = hand.read();
   EXPECT_EQ(before.isValid, 1u);
-  waitUntil([&hand, &before] { return hand.read().sequence > before.sequence; });
+  expectSoon([&hand, &before] { return hand.read().sequence > before.sequence; });
   EXPECT_GT(hand.read().position_D[0], before.position_D[0]);
 }
 
@@ -281,13 +281,13 @@ TEST_F(PolledHidDevice, FeelsAForceWhileItAnswersAndNoneAfterwards)
 {
   HidDevice& hand = handOf(traits);
   ASSERT_TRUE(hand.open());
-  waitUntil([&] {
+  expectSoon([&] {
     hand.read();
     hand.write(pushing(0.25));
     return hasShownAForce();
   });
   answers = false;
-  waitUntil([&] {
+  expectSoon([&] {
     hand.read();
     hand.write(pushing(0.25));
     return hid.forces().back()[0] == 0.0;
@@ -298,10 +298,10 @@ TEST_F(PolledHidDevice, PulledOutWhileItIsAskedIsInvalid)
 {
   HidDevice& hand = handOf(traits);
   ASSERT_TRUE(hand.open());
-  waitUntil([&hand] { return hand.read().isValid == 1; });
+  expectSoon([&hand] { return hand.read().isValid == 1; });
   hid.unplug();
-  waitUntil([&hand] { return !hand.health()->isConnected; });  // no thread reads: the polling one
-                                                               // detects it
+  expectSoon([&hand] { return !hand.health()->isConnected; });  // no thread reads: the polling one
+                                                                // detects it
   EXPECT_EQ(hand.read().isValid, 0u);
 }
 
@@ -310,7 +310,7 @@ TEST_F(PolledHidDevice, WithoutAForceIsAskedAllTheSame)
   traits.rendersForce = false;
   HidDevice& hand = handOf(traits);
   ASSERT_TRUE(hand.open());
-  waitUntil([&hand] { return hand.read().sequence > 2; });
+  expectSoon([&hand] { return hand.read().sequence > 2; });
   hand.write(pushing(1.0));
   hand.close();
   EXPECT_FALSE(hasShownAForce());

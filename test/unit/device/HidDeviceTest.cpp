@@ -26,7 +26,7 @@ std::atomic<std::int64_t> virtualNow{0};
 std::int64_t virtualClock() noexcept { return virtualNow; }
 
 template <class Claim>
-void waitUntil(Claim holds)
+void expectSoon(Claim holds)
 {
   EXPECT_TRUE(test::waitUntil(holds));
 }
@@ -107,7 +107,7 @@ TEST_F(HidDeviceOnAFake, GivesFreshSamplesAndShowsForces)
   EXPECT_EQ(next.isValid, 1u);
   EXPECT_EQ(next.buttons, graspButton);
   EXPECT_NEAR(next.position_D[0] - one.position_D[0], 1e-5, 1e-12);
-  waitUntil([this] { return hasShown(0.25); });
+  expectSoon([this] { return hasShown(0.25); });
 }
 
 TEST_F(HidDeviceOnAFake, GoesOnReadingWhileAWriteIsStuck)
@@ -115,7 +115,7 @@ TEST_F(HidDeviceOnAFake, GoesOnReadingWhileAWriteIsStuck)
   open();
   hid.holdWrites(true);
   turn(0.1);
-  waitUntil([this] { return hid.isWriteWaiting(); });
+  expectSoon([this] { return hid.isWriteWaiting(); });
   const DeviceSample before = turn(0.2);
   const DeviceSample after = turn(0.3);
   EXPECT_EQ(after.sequence, before.sequence + 1);
@@ -127,12 +127,12 @@ TEST_F(HidDeviceOnAFake, ShowsTheNewestForceAfterAPauseOfTheDevice)
   open();
   hid.holdWrites(true);
   turn(0.1);
-  waitUntil([this] { return hid.isWriteWaiting(); });
+  expectSoon([this] { return hid.isWriteWaiting(); });
   const std::size_t before = hid.forces().size();
   turn(0.2);
   turn(0.3);
   hid.holdWrites(false);
-  waitUntil([this] { return hasShown(0.3); });
+  expectSoon([this] { return hasShown(0.3); });
   const auto forces = hid.forces();
   ASSERT_EQ(forces.size(), before + 2);  // 0.2 N was overtaken in the mailbox
   EXPECT_EQ(forces[before][0], 0.1);
@@ -143,7 +143,7 @@ TEST_F(HidDeviceOnAFake, IsInvalidOnceNoForceWasTakenForFiveMilliseconds)
   open();
   hid.holdWrites(true);
   turn(0.1);
-  waitUntil([this] { return hid.isWriteWaiting(); });
+  expectSoon([this] { return hid.isWriteWaiting(); });
   for (int i = 0; i < 4; ++i) EXPECT_EQ(turn(0.1).isValid, 1u) << i;
   EXPECT_EQ(turn(0.1).isValid, 0u);
   EXPECT_TRUE(hand.health()->isBlocked);
@@ -156,11 +156,11 @@ TEST_F(HidDeviceOnAFake, ComesBackFromABlockWithNoForce)
   open();
   hid.holdWrites(true);
   turn(0.1);
-  waitUntil([this] { return hid.isWriteWaiting(); });
+  expectSoon([this] { return hid.isWriteWaiting(); });
   while (turn(0.4).isValid != 0) {
   }
   hid.holdWrites(false);
-  waitUntil([this] { return turn(0.0).isValid == 1; });
+  expectSoon([this] { return turn(0.0).isValid == 1; });
   const auto forces = hid.forces();
   for (std::size_t i = forces.size() - 1; forces[i][0] != 0.1; --i) EXPECT_EQ(forces[i][0], 0.0);
   EXPECT_EQ(hand.health()->blockedWrites, 1u);
@@ -170,33 +170,33 @@ TEST_F(HidDeviceOnAFake, IsBlockedByADeviceThatRefusesToo)
 {
   open();
   hid.refuseWrites(true);
-  waitUntil([this] { return turn(0.1).isValid == 0; });
+  expectSoon([this] { return turn(0.1).isValid == 0; });
   hid.refuseWrites(false);
-  waitUntil([this] { return turn(0.0).isValid == 1; });
+  expectSoon([this] { return turn(0.0).isValid == 1; });
 }
 
 TEST_F(HidDeviceOnAFake, ShowsNoForceToAHandItHasNotHeardOfForThreePeriods)
 {
   open();
   turn(0.5);
-  waitUntil([this] { return hasShown(0.5); });
+  expectSoon([this] { return hasShown(0.5); });
   virtualNow += 2 * millisecond;
   hand.read();
   hand.write(pushing(0.6));
-  waitUntil([this] { return hasShown(0.6); });
+  expectSoon([this] { return hasShown(0.6); });
   virtualNow += millisecond;
   hand.read();
   hand.write(pushing(0.7));
-  waitUntil([this] { return hasShown(0.0); });
+  expectSoon([this] { return hasShown(0.0); });
 }
 
 TEST_F(HidDeviceOnAFake, SendsZeroByItselfWhenTheLoopFallsSilent)
 {
   open();
   turn(0.5);
-  waitUntil([this] { return hasShown(0.5); });
+  expectSoon([this] { return hasShown(0.5); });
   virtualNow += 31 * millisecond;
-  waitUntil([this] { return hasShown(0.0); });
+  expectSoon([this] { return hasShown(0.0); });
 }
 
 TEST_F(HidDeviceOnAFake, OutlivesAPlugPulledInMidWrite)
@@ -204,11 +204,11 @@ TEST_F(HidDeviceOnAFake, OutlivesAPlugPulledInMidWrite)
   open();
   hid.holdWrites(true);
   turn(0.5);
-  waitUntil([this] { return hid.isWriteWaiting(); });
+  expectSoon([this] { return hid.isWriteWaiting(); });
   hid.unplug();
   hid.holdWrites(false);
   EXPECT_EQ(turn(0.5).isValid, 0u);
-  waitUntil([this] { return !hand.health()->error.empty() || turn(0.5).isValid != 0; });
+  expectSoon([this] { return !hand.health()->error.empty() || turn(0.5).isValid != 0; });
   EXPECT_FALSE(hand.health()->isConnected);
   EXPECT_NE(hand.health()->error.find("not plugged in"), std::string::npos);
 }
@@ -221,13 +221,13 @@ TEST_F(HidDeviceOnAFake, IsTakenUpAgainWhenItIsPluggedIn)
   while (turn(0.5).isValid != 0) {
   }
   hid.plugIn();
-  waitUntil([this] { return turn(0.0).isValid == 1; });
+  expectSoon([this] { return turn(0.0).isValid == 1; });
   const DeviceSample after = turn(0.0);
   EXPECT_GT(after.sequence, before.sequence);
   EXPECT_TRUE(hid.areActuatorsOn());
   EXPECT_EQ(hand.health()->reconnections, 1u);
   turn(0.25);
-  waitUntil([this] { return hasShown(0.25); });
+  expectSoon([this] { return hasShown(0.25); });
 }
 
 TEST_F(HidDeviceOnAFake, ComesBackAsOftenAsItIsPluggedIn)
@@ -238,7 +238,7 @@ TEST_F(HidDeviceOnAFake, ComesBackAsOftenAsItIsPluggedIn)
     while (turn(0.5).isValid != 0) {
     }
     hid.plugIn();
-    waitUntil([this] { return turn(0.5).isValid == 1; });
+    expectSoon([this] { return turn(0.5).isValid == 1; });
   }
   EXPECT_EQ(hand.health()->reconnections, 20u);
 }
@@ -247,7 +247,7 @@ TEST_F(HidDeviceOnAFake, LeavesZeroForceAndNoActuatorsBehind)
 {
   open();
   turn(0.5);
-  waitUntil([this] { return hasShown(0.5); });
+  expectSoon([this] { return hasShown(0.5); });
   hand.close();
   EXPECT_TRUE(hasShown(0.0));
   EXPECT_FALSE(hid.areActuatorsOn());

@@ -11,17 +11,25 @@ perilymph_precompiled_headers(engine
   LINKS Eigen3::Eigen HEADERS ${standard} ${eigen})
 perilymph_precompiled_headers(documents
   LINKS Eigen3::Eigen nlohmann_json::nlohmann_json HEADERS ${standard} ${eigen} nlohmann/json.hpp)
+if(PERILYMPH_TESTS)
+  set(gtest gmock/gmock.h gtest/gtest.h)
+  perilymph_precompiled_headers(tests
+    LINKS Eigen3::Eigen GTest::gmock GTest::gtest HEADERS ${standard} ${eigen} ${gtest})
+endif()
 if(PERILYMPH_WINDOW AND PERILYMPH_TOOLKIT)
+  set(widgets
+    QCoreApplication QElapsedTimer QEvent QFont QFontMetrics QFrame QGridLayout QHBoxLayout QKeyEvent QLabel
+    QMouseEvent QObject QPainter QPainterPath QPixmap QPushButton QString QStringList QStyle QTimer
+    QVBoxLayout QVariant QWidget)
   perilymph_precompiled_headers(window
     LINKS Eigen3::Eigen ${PERILYMPH_QT}::Widgets
     DEFINITIONS QT_NO_KEYWORDS
-    HEADERS ${standard} ${eigen}
-      QCoreApplication QElapsedTimer QEvent QFont QFontMetrics QFrame QGridLayout QHBoxLayout QKeyEvent
-      QLabel QMouseEvent QObject QPainter QPainterPath QPixmap QPushButton QString QStringList QStyle QTimer
-      QVBoxLayout QVariant QWidget)
-endif()
-if(PERILYMPH_TESTS)
-  perilymph_precompiled_headers(tests
-    LINKS Eigen3::Eigen GTest::gmock GTest::gtest
-    HEADERS ${standard} ${eigen} gmock/gmock.h gtest/gtest.h)
+    HEADERS ${standard} ${eigen} ${widgets})
+  if(PERILYMPH_TESTS)
+    find_package(${PERILYMPH_QT} REQUIRED COMPONENTS Test)
+    perilymph_precompiled_headers(window_tests
+      LINKS Eigen3::Eigen ${PERILYMPH_QT}::Widgets ${PERILYMPH_QT}::Test GTest::gmock GTest::gtest
+      DEFINITIONS QT_NO_KEYWORDS
+      HEADERS ${standard} ${eigen} ${widgets} QTest ${gtest})
+  endif()
 endif()

@@ -22,6 +22,18 @@ bool isStream(const fs::path& file)
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
+/// True for a file that exists somewhere in a folder.
+bool isExistingBelow(const fs::path& file, const fs::path& folder)
+{
+  std::error_code failed;
+  const fs::path found = fs::canonical(file, failed);
+  if (failed) return false;
+  const fs::path around = fs::canonical(folder, failed);
+  if (failed) return false;
+  return std::mismatch(around.begin(), around.end(), found.begin(), found.end()).first ==
+         around.end();
+}
+
 Error isInput(const std::string& option, const fs::path& output, const std::string& reader)
 {
   return Error{option + " would replace " + output.string() + ", which " + reader +
@@ -34,6 +46,18 @@ void CallFiles::addInput(const std::string& option, const fs::path& file)
 {
   std::error_code ignored;
   if (fs::is_regular_file(file, ignored)) inputs_.push_back({option, file, identityOf(file)});
+}
+
+void CallFiles::addInputFolder(const std::string& option, const fs::path& place)
+{
+  std::error_code ignored;
+  if (fs::is_directory(place, ignored)) {
+    inputFolders_.push_back({option, place});
+    return;
+  }
+  addInput(option, place);
+  const fs::path absolute = fs::absolute(place, ignored);
+  if (place.filename() == "DICOMDIR") inputFolders_.push_back({option, absolute.parent_path()});
 }
 
 void CallFiles::addOutput(const std::string& option, const fs::path& file)
@@ -63,6 +87,9 @@ Result<Done> CallFiles::checkOutput(const NamedFile& output) const
   for (const NamedFile& input : inputs_)
     if (isSameFile(output.identity, input.identity))
       return isInput(output.option, output.file, input.option);
+  for (const Folder& folder : inputFolders_)
+    if (isExistingBelow(output.file, folder.place))
+      return isInput(output.option, output.file, folder.option);
   if (output.kind == Kind::recording) return Done{};
   if (session::isRecording(output.file))
     return Error{output.option + " would replace " + output.file.string() +

@@ -19,6 +19,8 @@ class CallFiles {
 public:
   /// Adds a file to be read; ignored if it does not exist.
   void addInput(const std::string& option, const std::filesystem::path& file);
+  /// Adds a file that is read, or a folder all of whose files are; of a DICOMDIR, its folder.
+  void addInputFolder(const std::string& option, const std::filesystem::path& place);
   void addOutput(const std::string& option, const std::filesystem::path& file);
   /// Adds a recording to be written, with the files that SQLite creates beside it.
   void addRecording(const std::string& option, const std::filesystem::path& file);
@@ -56,7 +58,7 @@ private:
   Result<Done> checkOutput(const NamedFile& output) const;
 
   std::vector<NamedFile> inputs_, outputs_;
-  std::vector<Folder> folders_;
+  std::vector<Folder> folders_, inputFolders_;
 };
 
 }  // namespace perilymph::cli

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "CtOptions.h"
 #include "EmptyValues.h"
 #include "FileOptions.h"
 #include "perilymph/anatomy/AnatomySource.h"
@@ -275,6 +276,7 @@ void addCommands(CLI::App& app, FileOptions& files, CommandOptions& options)
   addPredict(app, files, options.predict);
   addCompare(app, files, options.compare);
   addDevices(app, files, options.devices);
+  addCt(app, files, options);
   refuseEmptyValues(app);
 }
 
@@ -288,6 +290,9 @@ Result<Done> runCommand(const CLI::App& app, const CallFiles& files, const Comma
   if (app.got_subcommand("predict")) return predict(options.predict, files);
   if (app.got_subcommand("compare")) return compare(options.compare, files);
   if (app.got_subcommand("devices")) return devices(options.devices);
+  if (app.got_subcommand("ct"))
+    return app.get_subcommand("ct")->got_subcommand("info") ? ctInfo(options.ctInfo)
+                                                            : ctMeasure(options.ctMeasure);
   return render(options.render, files);
 }
 

@@ -4,6 +4,7 @@
 // The subcommands: their options and functions. Each function prints its summary to standard output
 // and returns an error if it failed. Output files are checked before (CallFiles.h).
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -97,6 +98,21 @@ struct DevicesOptions {
 };
 Result<Done> devices(const DevicesOptions& options);
 
+struct CtInfoOptions {
+  std::string path;
+  std::string json;
+};
+Result<Done> ctInfo(const CtInfoOptions& options);
+
+struct CtMeasureOptions {
+  std::string path, series;
+  std::optional<std::array<double, 3>> at_mm;  ///< A point in the cochlea, LPS.
+  std::string landmarks;                       ///< A file of Slicer's markups.
+  std::string side;                            ///< "left", "right" or empty.
+  std::string json, patient, surface;
+};
+Result<Done> ctMeasure(const CtMeasureOptions& options);
+
 /// The options of all commands; filled while the command line is parsed.
 struct CommandOptions {
   SimulateOptions simulate;
@@ -108,6 +124,8 @@ struct CommandOptions {
   PredictOptions predict;
   CompareOptions compare;
   DevicesOptions devices;
+  CtInfoOptions ctInfo;
+  CtMeasureOptions ctMeasure;
 };
 
 }  // namespace perilymph::cli

@@ -24,6 +24,11 @@ void FileOptions::reads(CLI::Option* option, const std::string& shippedFolder)
   marked_.push_back({option, Use::reads, shippedFolder, {}});
 }
 
+void FileOptions::readsBelow(CLI::Option* option)
+{
+  marked_.push_back({option, Use::readsBelow, {}, {}});
+}
+
 void FileOptions::readsSettings(CLI::Option* option)
 {
   marked_.push_back({option, Use::readsSettings, {}, {}});
@@ -52,6 +57,8 @@ void FileOptions::add(CallFiles& files, const Marked& marked, const std::string&
       if (shipped) files.addInput(name, *shipped);
       return;
     }
+    case Use::readsBelow:
+      return files.addInputFolder(name, value);
     case Use::readsSettings: {
       const std::size_t equals = value.find('=');
       if (equals == std::string::npos) return;

@@ -20,6 +20,8 @@ class FileOptions {
 public:
   /// Marks an option whose value is an input file, or a shipped name in `shippedFolder`.
   void reads(CLI::Option* option, const std::string& shippedFolder = {});
+  /// Marks an option whose value is a file, or a folder all of whose files are read.
+  void readsBelow(CLI::Option* option);
   /// Marks an option whose values are `key=FILE` or `key=value`.
   void readsSettings(CLI::Option* option);
   /// Marks an option whose value is an output file.
@@ -33,7 +35,7 @@ public:
   CallFiles filesOfCall() const;
 
 private:
-  enum class Use { reads, readsSettings, writes, records, writesInto };
+  enum class Use { reads, readsBelow, readsSettings, writes, records, writesInto };
   struct Marked {
     CLI::Option* option;
     Use use;

@@ -21,8 +21,15 @@ def options_of(*words):
     return set(re.findall(r"^ +(?:-h,)?(--[a-z][a-z-]*)", run(*words, "--help"), re.MULTILINE))
 
 
+def commands_below(*command):
+    listed = run(PROGRAMS / "perilymph-cli", *command, "--help").split("Subcommands:")
+    return re.findall(r"^  ([a-z]+) ", listed[1], re.MULTILINE) if len(listed) > 1 else []
+
+
 def commands():
-    return re.findall(r"^  ([a-z]+) ", run(PROGRAMS / "perilymph-cli", "--help").split("Subcommands:")[1], re.MULTILINE)
+    """Every command that does something, such as ("anatomy",) and ("ct", "measure")."""
+    return [(first, second) if second else (first,)
+            for first in commands_below() for second in commands_below(first) or [None]]
 
 
 def manual(page):
@@ -35,12 +42,12 @@ class ManualPages(unittest.TestCase):
         self.assertEqual(written - {"--help", "--version"}, options - {"--help", "--version"}, name)
 
     def test_every_option_of_every_command_is_described_and_no_other(self):
-        sections = re.split(r'^\.SS "perilymph-cli (\w+)"$', manual("perilymph-cli.1"), flags=re.MULTILINE)
+        sections = re.split(r'^\.SS "perilymph-cli (\w+(?: \w+)?)"$', manual("perilymph-cli.1"), flags=re.MULTILINE)
         described = dict(zip(sections[1::2], sections[2::2]))
-        self.assertEqual(sorted(described), sorted(commands()))
+        self.assertEqual(sorted(described), sorted(" ".join(command) for command in commands()))
         for command, text in described.items():
             text = text.split(".SH ")[0]
-            self.check_section(text, options_of(PROGRAMS / "perilymph-cli", command), command)
+            self.check_section(text, options_of(PROGRAMS / "perilymph-cli", *command.split()), command)
 
     @unittest.skipUnless((PROGRAMS / "perilymph").exists(), "this build has no window")
     def test_every_option_of_the_window_is_described_and_no_other(self):
@@ -70,17 +77,21 @@ class Completions(unittest.TestCase):
         return set(done.stdout.split())
 
     def test_commands_come_first(self):
-        self.assertEqual(self.complete("perilymph-cli "), set(commands()))
+        self.assertEqual(self.complete("perilymph-cli "), set(commands_below()))
+        self.assertEqual(self.complete("perilymph-cli ct "), {"info", "measure"})
+        self.assertEqual(self.complete("perilymph-cli ct me"), {"measure"})
 
     def test_options_are_those_of_the_command(self):
         for command in commands():
-            self.assertEqual(self.complete(f"perilymph-cli {command} --"),
-                             options_of(PROGRAMS / "perilymph-cli", command))
+            self.assertEqual(self.complete(f"perilymph-cli {' '.join(command)} --"),
+                             options_of(PROGRAMS / "perilymph-cli", *command))
 
     def test_shipped_names_stand_beside_files(self):
         self.assertIn("contour-published", self.complete("perilymph-cli simulate --scenario con"))
         self.assertIn("flex28", self.complete("perilymph-cli simulate --array fle"))
         self.assertIn("etc", self.complete("perilymph-cli simulate --patient et"))
+        self.assertIn("etc", self.complete("perilymph-cli ct measure et"))
+        self.assertEqual(self.complete("perilymph-cli ct measure etc --side "), {"left", "right"})
 
 
 if __name__ == "__main__":

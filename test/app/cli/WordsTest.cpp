@@ -8,7 +8,7 @@ TEST(CommandLine, ExplainsItself)
 {
   const auto help = cli({"--help"});
   EXPECT_EQ(help.status, 0);
-  for (const char* command : {"simulate", "anatomy", "replay", "render", "devices"}) {
+  for (const char* command : {"simulate", "anatomy", "replay", "render", "devices", "ct"}) {
     EXPECT_THAT(help.out, testing::HasSubstr(command));
     EXPECT_EQ(cli({command, "--help"}).status, 0) << command;
   }
@@ -66,6 +66,10 @@ TEST(EmptyValue, OfEveryOptionIsRefusedAndTheOptionNamed)
   for (const char* command : {"validate", "calibrate"})
     for (const char* option : {"--variability", "--out", "--runs", "--jobs", "--set"})
       expectEmpty(cli({command, option, ""}), std::string(option));
+  for (const char* option :
+       {"--series", "--at", "--landmarks", "--side", "--json", "--patient", "--surface"})
+    expectEmpty(cli({"ct", "measure", "x", option, ""}), std::string(option));
+  expectEmpty(cli({"ct", "info", ""}), "path");
   expectEmpty(cli({"predict", "--array", "flex28", "", "--out", "x"}), "--array");
   expectEmpty(cli({"replay", ""}), "file");
   expectEmpty(cli({"replay", "x.insertion", "--csv", ""}), "--csv");

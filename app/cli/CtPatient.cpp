@@ -1,0 +1,65 @@
+#include "CtPatient.h"
+
+#include <string>
+
+#include "Terminal.h"
+#include "perilymph/anatomy/Patient.h"
+#include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/Utf8.h"
+#include "perilymph/foundation/Version.h"
+
+namespace perilymph::cli {
+
+namespace {
+
+/// `a_mm = 9.123  # sd 0.105, 95 % within 8.917 to 9.329`
+std::string line(const char* key, const ct::Measure& measure)
+{
+  const auto interval = measure.interval95();
+  return std::string(key) + " = " + fixed(measure.value, 3) + "  # sd " + fixed(measure.sd(), 3) +
+         ", 95 % within " + fixed(interval[0], 3) + " to " + fixed(interval[1], 3) + "\n";
+}
+
+/// A label that TOML takes between quotation marks as it is.
+std::string labelOf(const std::filesystem::path& file)
+{
+  std::string label = onOneLine(validUtf8(file.stem().string()));
+  for (char& letter : label)
+    if (letter == '"' || letter == '\\') letter = '_';
+  return label;
+}
+
+std::string orUnknown(const std::string& text)
+{
+  return text.empty() ? "unknown" : onOneLine(text);
+}
+
+}  // namespace
+
+Result<Done> writeMeasuredPatient(const ct::CochleaMeasures& measures,
+                                  const std::filesystem::path& file)
+{
+  anatomy::Patient patient;
+  patient.basalTurn = anatomy::BasalTurn{
+      millimeters(measures.a.value), millimeters(measures.b.value), millimeters(measures.h.value)};
+  const bool isHeightAllowed = static_cast<bool>(anatomy::checkPatient(patient));
+  patient.basalTurn->h.reset();
+  if (const auto done = anatomy::checkPatient(patient); !done) return done.error();
+
+  std::string flags;
+  for (const ct::Flag flag : measures.flags)
+    flags += (flags.empty() ? "" : ", ") + std::string(ct::nameOf(flag));
+  std::string text =
+      "# Measured in a CT by perilymph " + buildId() + ", of the bony lumen's outer wall.\n";
+  text += "# Series (SHA-256 of its UID): " + orUnknown(measures.provenance.seriesKey) + "\n";
+  text += "# Scanner: " + orUnknown(measures.provenance.scanner) + "\n";
+  text += "# Flags: " + (flags.empty() ? "none" : flags) + "\n";
+  text += "label = \"" + labelOf(file) + "\"\n";
+  text += std::string("side = ") +
+          (measures.side == anatomy::Side::left ? "\"left\"" : "\"right\"") + "\n";
+  text += line("a_mm", measures.a) + line("b_mm", measures.b);
+  text += (isHeightAllowed ? "" : "# beyond what a patient may have: ") + line("h_mm", measures.h);
+  return writeWhole(file, text);
+}
+
+}  // namespace perilymph::cli

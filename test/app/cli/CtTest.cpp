@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // `ct` on phantoms written as DICOM: what people get who have a CT.
 
 #include <cmath>

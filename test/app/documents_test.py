@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every command that a document shows is one that works, as it stands there."""
+"""Every command shown in a document works as written."""
 
 import json
 import os
@@ -19,7 +19,7 @@ SDK = tempfile.TemporaryDirectory()
 subprocess.run(["cmake", "--install", PROGRAMS.parent, "--component", "sdk", "--prefix", SDK.name],
                check=True, capture_output=True)
 WITH_DISPLAY = ROOT / "test/support/with-display"
-# Statistics of 200 insertions take a minute; that the call works shows in three.
+# Statistics of 200 insertions take a minute; three insertions suffice to test the call.
 FEWER = [(re.compile(r"--runs \d+"), "--runs 3")]
 
 
@@ -32,11 +32,11 @@ def documents():
     yield page, "".join(f"    {line}\n" for line in examples.splitlines())
 
 
-# Where the package puts things, and where they are in the tree.
+# Paths in the package, and in the tree.
 PLACES = [("/usr/share/doc/perilymph-dev/examples", ROOT / "plugins/devices"), ("/usr/share/perilymph", ROOT)]
-# Commands that a walk through a guide types, and that are run as they stand.
+# Commands of a tutorial, run as written.
 RUN = ("perilymph-cli ", "perilymph ", "cp ", "sed ", "cmake -S ", "cmake --build build")
-# Commands that take long or change the machine: what they name must exist.
+# Commands that take long or change the machine: only checked for existing files.
 CHECKED = ("cmake --preset ", "cmake --build --preset ", "ctest --preset ", "test/", "packaging/", "sudo apt install ")
 
 
@@ -119,7 +119,7 @@ class CommandsOfTheDocuments(unittest.TestCase):
     def test_each_works_in_its_document_s_order(self):
         seen = 0
         for file, text in documents():
-            # One folder a document, for its commands build on each other.
+            # One folder per document, because its commands depend on each other.
             with tempfile.TemporaryDirectory() as folder:
                 if file.suffix == ".1":
                     self.run_line("perilymph-cli simulate --scenario contour-published --record session.insertion", folder)

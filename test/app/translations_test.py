@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The window's words in other languages: complete, and no word of the sources is missing."""
+"""Translations of the window: complete, and up to date with the sources."""
 
 import re
 import shutil

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A check that cannot fail is no check: each one meets a small project with one thing wrong."""
+"""Tests of the checks: each one is applied to a small project with one error."""
 
 import shutil
 import sys
@@ -46,7 +46,7 @@ GUI_TABLE = """# The window
 
 
 def good_project():
-    """Path -> text of a project every check is content with."""
+    """Path -> text of a project without errors."""
     project = {
         "CMakeLists.txt": "", "packaging/run": "", "test/CMakeLists.txt": "",
         "modules/README.md": TABLES,
@@ -74,7 +74,7 @@ def good_project():
 
 class CheckCase(unittest.TestCase):
     def complaints(self, check, changes=()):
-        """What a check says of the good project with some files replaced (None: taken away)."""
+        """Messages of a check for the good project with some files replaced (None: removed)."""
         project = {**good_project(), **dict(changes)}
         with tempfile.TemporaryDirectory() as place:
             root = Path(place).resolve()

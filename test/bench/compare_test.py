@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""test/bench/compare pairs the runs of two commits, and keeps what neither of them shares out of it."""
+"""test/bench/compare pairs the runs of two commits, and ignores rows that only one of them has."""
 
 import importlib.machinery
 import importlib.util

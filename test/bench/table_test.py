@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""test/bench/table puts what the benchmark says where it belongs, and says what is wrong."""
+"""test/bench/table fills the table from the benchmark's output, and reports errors."""
 
 import json
 import subprocess

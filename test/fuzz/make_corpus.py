@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes the kept corpus: small inputs that show the fuzzers everything a reader knows.
+"""Writes the seed corpus: small inputs that cover everything a reader supports.
 
     test/fuzz/make_corpus.py PERILYMPH-CLI      such as build/engine/bin/perilymph-cli
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What bash completes, and the manual pages, are what the programs understand."""
+"""Bash completion and manual pages match the options of the programs."""
 
 import os
 import re
@@ -63,7 +63,7 @@ class ManualPages(unittest.TestCase):
 
 class Completions(unittest.TestCase):
     def complete(self, line):
-        """What bash offers behind the last word of the line."""
+        """Completions of the last word of the line."""
         words = line.split(" ")
         script = f"""
             compopt() {{ :; }}

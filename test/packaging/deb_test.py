@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Debian packages: what is in them, that Debian's checkers accept them, and that they work unpacked."""
+"""The Debian packages: their content, lintian, and the unpacked programs."""
 
 import os
 import re
@@ -19,7 +19,7 @@ def run(*words, **keys):
 
 
 class DebianPackages(unittest.TestCase):
-    """Made from the build under test, so that they are tested whenever it is."""
+    """Packages made from the build under test."""
 
     @classmethod
     def setUpClass(cls):
@@ -65,7 +65,7 @@ class DebianPackages(unittest.TestCase):
         out = self.folder / "out.json"
         done = run(cli, "simulate", "--scenario", "mean-flex28", "--nodes", "50", "--json", out, env=env, cwd="/")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        # A scenario that only the package has proves where it looked.
+        # A scenario that exists only in the package proves which folder is used.
         own = self.unpacked / "usr/share/perilymph/resources/scenarios"
         (own / "only-here.toml").write_text((own / "mean-flex28.toml").read_text())
         named = run(cli, "simulate", "--scenario", "only-here", "--nodes", "50", "--json", out, env=env, cwd="/")

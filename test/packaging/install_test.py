@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""packaging/install-dependencies installs what is missing, once, and says what to do if it cannot."""
+"""packaging/install-dependencies installs missing packages once, and reports remedies for errors."""
 
 import sys
 import unittest

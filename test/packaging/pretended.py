@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A copy of the project's scripts in a folder of its own, among commands that only pretend."""
+"""A copy of the project's scripts in a separate folder, with fake system commands."""
 
 import os
 import shutil
@@ -14,7 +14,7 @@ REAL = ("awk bash basename cat cksum comm dirname env grep head mkdir nproc rm s
 
 
 class PretendedSystem(unittest.TestCase):
-    """Each test gets `self.root` (the project), `self.bin` (all the commands there are) and a log."""
+    """Each test has `self.root` (the project), `self.bin` (all available commands) and a log."""
 
     def setUp(self):
         place = tempfile.TemporaryDirectory()
@@ -33,11 +33,11 @@ class PretendedSystem(unittest.TestCase):
             found = shutil.which(name, path="/usr/bin:/bin")
             if found:
                 (self.bin / name).symlink_to(found)
-        # Waiting is none of a test's business.
+        # Tests do not wait.
         self.pretend("sleep", "")
 
     def pretend(self, name, body, folder=None):
-        """A command that notes its name, its words and then does what `body` says."""
+        """A fake command that logs its name and arguments, then runs `body`."""
         file = (folder or self.bin) / name
         file.parent.mkdir(parents=True, exist_ok=True)
         file.unlink(missing_ok=True)
@@ -45,7 +45,7 @@ class PretendedSystem(unittest.TestCase):
         file.chmod(0o755)
 
     def pretend_packages(self, *missing):
-        """dpkg-query knows every package it is asked for but these; apt-get installs them."""
+        """A fake dpkg-query to which all packages except these are installed; a fake apt-get installs them."""
         state = self.bin.parent / "installed"
         state.touch()
         lines = " ".join(missing)
@@ -63,18 +63,18 @@ if [[ "$*" == *" install "* ]]; then printf '%s\\n' "$@" >>"{state}"; fi""")
         self.pretend("sudo", 'exec "$@"')
 
     def call(self, script, *words, **environment):
-        """Runs a script of the project; nothing of the caller's environment comes along."""
+        """Runs a script of the project without the caller's environment."""
         return subprocess.run(
             [self.bin / "bash", self.root / script, *words], cwd=self.root, text=True,
             capture_output=True, check=False, timeout=60,
             env={"PATH": str(self.bin), "HOME": os.devnull, "LC_ALL": "C.UTF-8", **environment})
 
     def calls(self, name):
-        """The words of each call of a pretended command, in order."""
+        """The arguments of each call of a fake command, in order."""
         return [line[len(name) + 1:] for line in self.log.read_text().splitlines()
                 if line.startswith(name + " ")]
 
     def assert_one_sentence(self, result, expected):
-        """It failed with status 1, and its last words on standard error say what to do."""
+        """It failed with status 1, and its last message on standard error states the remedy."""
         self.assertEqual(result.returncode, 1, result.stdout + result.stderr)
         self.assertIn(expected, result.stderr.strip().splitlines()[-1])

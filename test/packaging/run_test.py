@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""packaging/run builds, then shows the window, or without a display keeps the insertion in files."""
+"""packaging/run builds, then opens the window, or without a display writes the insertion to files."""
 
 import sys
 import unittest

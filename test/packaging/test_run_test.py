@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""test/run ends with ctest's own count, and fails if anything it ran failed."""
+"""test/run ends with ctest's own summary, and fails if any step failed."""
 
 import sys
 import unittest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Lines by module, and branches of the safety files that no test takes, from gcovr's JSON.
+"""Line coverage by module, and untaken branches of the safety files, from gcovr's JSON.
 
 A branch of a safety file that no test takes is a failure, unless test/support/coverage_unreached.txt
 says why it cannot be taken; a reason there for what is taken by now is one, too, except where the threads
@@ -15,8 +15,8 @@ from pathlib import Path
 ENGINE = {"foundation", "realtime", "anatomy", "electrode", "device", "mechanics", "haptics",
           "session", "analysis"}
 MIN_FRACTION = 0.9
-# What stands between a mistake and a hand: bounds and slew of the force, energy, samples that are old,
-# jump or are no numbers, the workflow's faults, the stiffest coupling, and a device's time-outs.
+# The safety code: force and slew limits, passivity, validation of samples, faults of the workflow,
+# the coupling limit, and time-outs of a device.
 SAFETY = re.compile(r"modules/(haptics/.*/(Safety|Passivity|SampleValidator|CouplingLimit|"
                     r"WorkflowEvent|checkedSettings|InsertionEngine)|"
                     r"device/.*/(HidDevice|ForceWriter|ListenFirst|PlugWatch|ReportReader))\.(cpp|h)$")
@@ -58,7 +58,7 @@ def read_reasons(text):
 
 
 def missed_branches(files, code_of):
-    """(file, line, code, taken, all) of each line of a safety file with a branch nobody takes."""
+    """(file, line, code, taken, all) of each line of a safety file with an untaken branch."""
     for file in files:
         if not SAFETY.search(file["file"]):
             continue
@@ -70,7 +70,7 @@ def missed_branches(files, code_of):
 
 
 def check_branches(files, reasons, code_of):
-    """Prints every missed branch; gives the sentences of what may not stay so."""
+    """Prints every untaken branch; returns error messages for those without a reason."""
     errors, used = [], set()
     print("\nBranches of what guards safety that no test takes:")
     for name, number, code, taken, of in missed_branches(files, code_of):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The table of coverage fails where a branch of what guards safety is missed without a reason."""
+"""The coverage table fails for an untaken branch of the safety code without a reason."""
 
 import io
 import sys
@@ -55,7 +55,7 @@ class Branches(unittest.TestCase):
 class Lines(unittest.TestCase):
     def test_count_where_they_were_run(self):
         files = [a_file("modules/device/src/A.cpp", count=2), a_file("modules/haptics/src/B.cpp", count=0),
-                 a_file("modules/charts/src/C.cpp", count=0)]  # no part of the engine
+                 a_file("modules/charts/src/C.cpp", count=0)]  # not part of the engine
         with redirect_stdout(io.StringIO()):
             self.assertEqual(print_table(files), 0.5)
 

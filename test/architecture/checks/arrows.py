@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The arrows drawn in modules/README.md against the real includes and the USES in CMake."""
+"""The dependencies listed in modules/README.md compared with the real includes and USES in CMake."""
 
 import fnmatch
 import re
@@ -9,7 +9,7 @@ from checks import sources
 
 
 def drawn(root):
-    """Module -> (layer, modules it may use directly), from the table; and complaints about it."""
+    """Module -> (layer, modules it may use directly), from the table; and errors in it."""
     rows = sources.table(sources.read(Path(root) / "modules/README.md"), "arrows")
     if not rows:
         return {}, ["modules/README.md has no table of arrows between <!-- arrows --> marks."]
@@ -32,7 +32,7 @@ def drawn(root):
 
 
 def reachable(arrows, name):
-    """What a module may include: itself, what it may use, and what comes along."""
+    """What a module may include: itself and its transitive dependencies."""
     seen, waiting = {name}, [name]
     while waiting:
         for used in arrows.get(waiting.pop(), (0, []))[1]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Links and paths in the documents lead somewhere; the map in README.md equals the folders."""
+"""Links and paths in documents exist; the map in README.md matches the folders."""
 
 import re
 from pathlib import Path
@@ -15,7 +15,7 @@ def documents(root):
 
 
 def without_blocks(text):
-    """Fenced blocks blanked; lines keep their numbers."""
+    """The text with fenced blocks blanked; line numbers are kept."""
     return re.sub(r"^```.*?^```", lambda match: re.sub(r"[^\n]", " ", match.group(0)), text,
                   flags=re.S | re.M)
 
@@ -44,7 +44,7 @@ def exists(root, file, word):
     places = [root, file.parent, *root.glob("modules/*/include"), *root.glob("modules/*/src")]
     if any((place / word).exists() for place in places):
         return True
-    # A bare file name, as in "read TripleBuffer.h first", may stand anywhere.
+    # A bare file name, as in "read TripleBuffer.h first", may be in any folder.
     return "/" not in word and any(
         each.name == word for each in sources.files(root, suffixes={Path(word).suffix}))
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Sources that clang-format would write otherwise."""
+"""Sources are formatted by clang-format."""
 
 import re
 import shutil
@@ -13,7 +13,7 @@ OBJECTION = re.compile(r"^(?P<place>[^:\n]+:\d+):\d+: error: .*clang-format", re
 
 
 def check(root):
-    """One sentence a place. Without clang-format: says so, and ends as a test that was skipped."""
+    """One message per location. Without clang-format the check is skipped with a message."""
     if shutil.which("clang-format") is None:
         print("Skipped: clang-format is not installed. Install the package clang-format to run this test.")
         sys.exit(NOT_RUN)

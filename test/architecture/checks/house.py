@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The picture of the house: drawn from the table of arrows, so that it cannot lie.
+"""The module diagram, generated from the table of dependencies, so that it is always correct.
 
-    python3 test/architecture/check.py house .          is resources/pictures/house.svg the one drawn now?
+    python3 test/architecture/check.py house .          is resources/pictures/house.svg up to date?
     python3 test/architecture/checks/house.py .         draws it
 """
 
@@ -26,7 +26,7 @@ def kind(layer):
 
 
 def places(rows):
-    """Name -> (x, y) of the middle of its box: the ground at the bottom, each near what it uses and is used by."""
+    """Name -> (x, y) of the center of its box: layer 0 at the bottom, each near its neighbors in the graph."""
     layers = sorted({layer for layer, _, _ in rows.values()})
     y = {layer: MARGIN + 60 + STEP * (len(layers) - 1 - i) for i, layer in enumerate(layers)}
     floors = {layer: [name for name, (each, _, _) in rows.items() if each == layer] for layer in layers}
@@ -46,7 +46,7 @@ def places(rows):
 
 
 def draw(root):
-    """The picture as SVG text; the same bytes each time."""
+    """The diagram as SVG text; the same bytes each time."""
     table = sources.table(sources.read(Path(root) / "modules/README.md"), "arrows")
     drawn, _ = arrows.drawn(root)
     knows = {sources.quoted(row[1])[0]: row[4] for row in table}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where files may stand, what a module consists of, how long a file may be, and that none is twice."""
+"""Location of files, structure of modules, length of files, and absence of copies."""
 
 from pathlib import Path
 
@@ -55,7 +55,7 @@ def check_files(root, errors):
 
 
 def check_strays(root, errors):
-    """Settings that a folder below the top brings along, and files that are copies of others."""
+    """Settings files below the top level, and files that are copies of others."""
     seen = {}
     for file in sources.files(root, "app", "modules", "plugins", "resources", "test", "packaging",
                               suffixes=sources.TEXT | {".clang-format"}):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What every check needs: the project's files, and C++ without its comments and texts."""
+"""Common functions of the checks: the project's files, and C++ without comments and string literals."""
 
 import os
 import re

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The field's words: identifiers that were given up, doc comments that are no sentences, headers of one name."""
+"""Vocabulary: obsolete identifiers, doc comments that are no sentences, headers with equal names."""
 
 import re
 from collections import defaultdict
@@ -9,7 +9,7 @@ from checks import sources
 
 FOLDERS = ("modules", "app", "plugins", "test")
 
-# Identifiers that were given up, and what stands in their place.
+# Obsolete identifiers and their replacements.
 GIVEN_UP = {
     "StepRoom": "StepWorkspace", "Balance": "Residual", "Settled": "SolveResult",
     "descend": "minimizeEnergy", "goDown": "lineSearch", "pullAlong": "directionalDerivative",
@@ -27,7 +27,7 @@ GIVEN_UP = {
     "shares": "fractions or weights", "room": "workspace, buffer or capacity", "most": "maximum",
     "least": "minimum",
 }
-# Words that mean something else in other modules.
+# Identifiers that are obsolete only in some folders.
 GIVEN_UP_IN = {
     "modules/mechanics": {
         "press": "normalContact", "rub": "friction", "Push": "ContactForce", "grip": "effectiveStiffness",

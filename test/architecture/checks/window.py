@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The window: its folders and the arrows between them, drawn in app/gui/README.md, and where text may
-be markup."""
+"""The window: the dependencies of its folders, listed in app/gui/README.md, and the use of markup."""
 
 import re
 from pathlib import Path
@@ -10,8 +9,8 @@ from checks import sources
 GUI = "app/gui"
 PAGE = f"{GUI}/README.md"
 
-# Text of a file or of a person is text: labels and tips are plain (Application.cpp). Where markup is
-# made, everything that comes from outside is escaped; these are the only places.
+# Labels and tooltips show plain text (Application.cpp). Only these files make markup, with all
+# external text escaped.
 MARKUP = re.compile(r"\b(?:RichText|AutoText|setHtml|insertHtml|setMarkdown|QStaticText|QMessageBox|"
                     r"QTextEdit|QTextBrowser|QTextDocument)\b")
 MARKUP_PLACES = {"Application.cpp", "GuideSheet.cpp", "Report.cpp"}
@@ -22,7 +21,7 @@ WIDGETS = re.compile(r"Qt(?:Widgets|Gui)/|Q\w*(?:Widget|Window|Pixmap|Painter|Di
 
 
 def drawn(root):
-    """Folder -> folders it may use directly, from the table; and complaints about it."""
+    """Folder -> folders it may use directly, from the table; and errors in it."""
     page = root / PAGE
     rows = sources.table(sources.read(page), "gui-arrows") if page.is_file() else None
     if not rows:
@@ -37,7 +36,7 @@ def drawn(root):
 
 
 def reachable(arrows, name):
-    """What a folder may include: itself, what it may use, and what comes along."""
+    """What a folder may include: itself and its transitive dependencies."""
     seen, waiting = {name}, [name]
     while waiting:
         for used in arrows.get(waiting.pop(), []):
@@ -93,7 +92,7 @@ def check_cmake(root, arrows, wrong):
 
 
 def check_names(root, wrong):
-    """A source has its header's name, and no header has another one's."""
+    """Sources have the names of their headers, and header names are unique."""
     others = {file.name: file.relative_to(root)
               for file in sources.files(root, "modules", "app/cli", "plugins", "test", suffixes={".h"})}
     for file, folder in code(root):

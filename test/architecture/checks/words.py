@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Words that may not stand in the project, or only in some of its places."""
+"""Words that are not allowed in the project, or only in some places."""
 
 import re
 from pathlib import Path
 
 from checks import sources
 
-# Written in two pieces, so that this page does not find itself.
+# Split, so that the check does not find itself.
 EVERYWHERE = {
     r"/wo" r"rk/|/ro" r"ot/": "a path of one machine",
     r"-ffast-" r"math|-Of" r"ast\b": "a flag that changes results from machine to machine",
@@ -19,8 +19,8 @@ MEMORY_ORDER = re.compile(r"\bmemory_order\w*")
 
 NULL_WORD = re.compile(r"\bNULL\b")
 
-# The C library's transcendental functions give other bits on other machines, and Eigen's rotations
-# call them.
+# The C library's transcendental functions give different bits on different machines, and Eigen's
+# rotations call them.
 ENGINE = ("anatomy", "ct", "electrode", "device", "mechanics", "haptics")
 INEXACT = re.compile(
     r"\bstd::(?:a?(?:sin|cos|tan)h?|atan2|exp2?|expm1|log(?:2|10|1p)?|pow|hypot|cbrt|erfc?|"
@@ -30,7 +30,7 @@ INEXACT = re.compile(
 SLEEP = re.compile(r"\bsleep_(?:for|until)\b|\bu?sleep\s*\(|\bnanosleep\b|\bqWait\b|\bqSleep\b")
 
 
-# Everything that the command line prints goes through one place.
+# All output of the command line is printed in one place.
 PRINTING = re.compile(r"\bstd::(?:v?f?printf|f?puts|f?putc|putchar|fwrite|cout|cerr|clog)\b")
 TERMINAL = ("app/cli/Terminal.cpp",)
 

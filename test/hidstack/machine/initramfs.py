@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A file system for the virtual machine's memory: programs, their libraries, kernel modules."""
+"""The initramfs of the virtual machine: programs, their libraries, kernel modules."""
 
 import re
 import stat
@@ -68,7 +68,7 @@ def libraries_of(programs):
 
 
 def stripped(file):
-    """The file without what only a debugger reads: less to load."""
+    """The file without debug symbols, to reduce its size."""
     with tempfile.NamedTemporaryFile() as thin:
         done = subprocess.run(["strip", "--strip-unneeded", "-o", thin.name, str(file)],
                               capture_output=True, check=False)
@@ -80,7 +80,7 @@ def build(init, busybox, programs, data, modules):
     archive = Cpio()
     for folder in ("bin", "dev", "log", "modules", "proc", "sys", "tmp"):
         archive.folder(folder)
-    # The kernel's first words need a console before anything is mounted.
+    # The kernel's first messages need a console before anything is mounted.
     archive.character_device("dev/console", 5, 1)
     archive.file("init", Path(init).read_bytes())
     archive.file("bin/busybox", Path(busybox).read_bytes())

@@ -15,7 +15,7 @@ FETCH_SECONDS = 60
 
 
 class Missing(Exception):
-    """What the virtual machine needs is not here; the text says what and why."""
+    """Something that the virtual machine needs is missing; the text says what and why."""
 
 
 @dataclass
@@ -36,7 +36,7 @@ def _wanted(name):
 
 
 def in_folder(folder):
-    """The kernel of a cache folder, or None if it is not all there."""
+    """The kernel of a cache folder, or None if it is incomplete."""
     folder = Path(folder)
     kernel = Kernel(folder / "vmlinuz", [folder / f"{module}.ko" for module in MODULES])
     return kernel if all(file.is_file() for file in (kernel.image, *kernel.modules)) else None
@@ -51,7 +51,7 @@ def of_system(boot=Path("/boot"), modules=Path("/lib/modules")):
             with image.open("rb"):
                 pass
         except OSError:
-            continue  # many systems keep kernels from their users
+            continue  # on many systems users cannot read kernels
         if all(file.is_file() for file in files):
             return Kernel(image, files)
     return None
@@ -116,5 +116,5 @@ def fetched(cache):
 
 
 def find(cache):
-    """The kernel to boot. @raise Missing where there is none to be had."""
+    """The kernel to boot. @raise Missing if there is none."""
     return in_folder(cache) or of_system() or fetched(cache)

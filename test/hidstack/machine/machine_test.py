@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The harness around the virtual machine: archive, kernel search, and what it says when it cannot."""
+"""The harness of the virtual machine: archive, kernel search, and error messages."""
 
 import os
 import subprocess
@@ -60,7 +60,7 @@ class Archive(InFolder):
         archive.file("bin/tool", b"odd")
         archive.file("lib/x86/deep.so", b"\0" * 4097, 0o644)
         archive.link("bin/sh", "tool")
-        # An oracle that knows nothing of this code.
+        # A reference implementation independent of this code.
         subprocess.run([BUSYBOX, "cpio", "-idm"], input=archive.bytes(), check=True,
                        capture_output=True, cwd=self.folder)
         self.assertTrue((self.folder / "log").is_dir())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""No source of the programs includes what speaks to a network, and no build file links it."""
+"""No source of the programs includes network headers, and no build file links network libraries."""
 
 import re
 import sys
@@ -26,7 +26,7 @@ def findings(root):
 
 
 def main(root):
-    # The pattern itself finds what it is for.
+    # The patterns themselves work.
     assert HEADERS.search("#include <sys/socket.h>") and LIBRARIES.search("Qt5::Network")
     found = list(findings(root))
     for line in found:

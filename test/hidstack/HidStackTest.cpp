@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What the virtual machine measured, judged. The scenes are those of machine/init.
+// Evaluation of the virtual machine's measurements. The scenes are defined in machine/init.
 
 #include <gtest/gtest.h>
 
@@ -19,9 +19,9 @@
 namespace perilymph::hidstack {
 namespace {
 
-/// What the machine said on its serial line.
+/// Output of the machine's serial line.
 struct Results {
-  std::string skipped;  ///< Why there was no machine.
+  std::string skipped;  ///< Why the machine was not available.
   std::map<std::string, double> measures;
   std::map<std::string, int> statuses;  ///< Exit statuses of the programs, by scene and side.
   std::vector<std::string> notes;
@@ -74,7 +74,7 @@ protected:
   const Results results_ = readResults();
 };
 
-/// Where push and coupling are in balance [mm].
+/// Position of equilibrium between push and coupling [mm].
 constexpr double balance_mm = 1e3 * pushAtRest / couplingStiffness;
 /// Relative tolerance of a rest position.
 const double restTolerance = test::tolerance(0.01, "rod and wall are not quite rigid");
@@ -82,7 +82,7 @@ const double restTolerance = test::tolerance(0.01, "rod and wall are not quite r
 TEST_F(RealHidStack, EndsEveryProgramWell)
 {
   EXPECT_EQ(results_.statuses.size(), 20u);
-  constexpr int killed = 128 + 9;  // as the shell says it
+  constexpr int killed = 128 + 9;  // as reported by the shell
   for (const auto& [name, status] : results_.statuses)
     EXPECT_EQ(status, name == "killed.host" ? killed : 0) << name;
 }
@@ -132,13 +132,13 @@ TEST_F(RealHidStack, TakesAtMostAHundredMicrosecondsBesidesTheEngineFromTickToFo
     for (const char* fraction : {"_p50_us", "_p999_us", "_max_us"})
       measured(std::string("session.") + name + fraction);
   EXPECT_LE(measured("session.tick_to_force_p999_us"), 100.0 + measured("session.engine_p999_us"));
-  // Tick by tick, too, but for the few in which the one processor has something else to do.
+  // One report per tick, except for a few ticks in which the only processor is busy.
   EXPECT_LE(measured("session.besides_engine_p99_us"), 100.0);
 }
 
 TEST_F(RealHidStack, IsCountedTheSameByTheHandItself)
 {
-  // The device counts on while it is silent.
+  // The device keeps counting while it is silent.
   EXPECT_EQ(measured("session.hand_lost"), silentReports);
   EXPECT_EQ(measured("session.hand_repeated"), 0.0);
   EXPECT_EQ(measured("session.hand_blocked_writes"), 0.0);
@@ -160,7 +160,7 @@ TEST_F(RealHidStack, WouldSeeAForceOfDoubleScale)
 
 TEST_F(RealHidStack, WouldSeeAForceOfTheWrongSign)
 {
-  // Nothing holds the handle: it lies at its end stop.
+  // Nothing holds the handle: it is at its end stop.
   EXPECT_GE(measured("flipped.rest_penetration_mm"), 50.0);
 }
 
@@ -211,7 +211,7 @@ TEST_F(RealHidStack, WritesForcesWithRealTimePriority)
 
 TEST_F(RealHidStack, MakesStartsAndFreesTheEffectsOfAPidDevice)
 {
-  EXPECT_EQ(measured("pid.created"), 2.0);  // one an axis
+  EXPECT_EQ(measured("pid.created"), 2.0);  // one per axis
   EXPECT_EQ(measured("pid.started"), 2.0);
   EXPECT_EQ(measured("pid.freed"), 2.0);
   EXPECT_EQ(measured("pid.starts_after_enable"), 0.0);  // actuators are enabled last

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// What the virtual handle says and hears over HID.
+// Reports of the virtual handle.
 
 #include <array>
 #include <cstdint>
@@ -11,14 +11,14 @@
 
 namespace perilymph::hidstack {
 
-/// The report the handle sends a thousand times a second.
+/// Input report, sent a thousand times a second.
 struct InputReport {
-  std::uint16_t sequence = 0;           ///< Grows by one a report, and wraps.
+  std::uint16_t sequence = 0;           ///< Incremented with each report, with wraparound.
   std::array<std::int32_t, 3> place{};  ///< x right, y up, z toward the user [quanta of place].
   std::uint8_t buttons = 0;             ///< Bit 0: the grasp button.
 };
 
-/// The report that tells the handle its force.
+/// Output report with the force.
 struct OutputReport {
   std::array<std::int16_t, 3> force{};  ///< In the same frame [quanta of force].
 };
@@ -31,15 +31,15 @@ inline constexpr std::uint16_t vendor = 0x1209;  ///< pid.codes, whose product 1
 inline constexpr std::uint16_t product = 0x0001;
 inline constexpr std::uint8_t inputNumber = 1;
 inline constexpr std::uint8_t outputNumber = 2;
-inline constexpr std::size_t inputSize = 1 + 2 + 12 + 1;  ///< With the number in front [bytes].
+inline constexpr std::size_t inputSize = 1 + 2 + 12 + 1;  ///< Including the report number [bytes].
 inline constexpr std::size_t outputSize = 1 + 6;
 
-/// The HID report descriptor that states all this.
+/// The HID report descriptor of these reports.
 std::span<const std::uint8_t> reportDescriptor();
 
 std::array<std::uint8_t, inputSize> encode(const InputReport& report);
 std::array<std::uint8_t, outputSize> encode(const OutputReport& report);
-/// Nothing where the bytes are not such a report.
+/// Empty if the bytes are not such a report.
 std::optional<InputReport> decodeInput(std::span<const std::uint8_t> bytes);
 std::optional<OutputReport> decodeOutput(std::span<const std::uint8_t> bytes);
 

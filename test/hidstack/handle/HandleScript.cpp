@@ -5,13 +5,13 @@ namespace perilymph::hidstack {
 
 namespace {
 
-/// Takes hold, slides to the wall and comes to rest there.
+/// Grasps, slides to the wall and comes to rest there.
 void addContact(std::vector<Passage>& passages, const std::string& restName)
 {
   passages.push_back({.name = "greeting"});
-  // Until the host has made up its mind about the device.
+  // Until the host has set up the device.
   passages.push_back({.name = "loose", .duration = 0.15});
-  // Long enough for the force to be faded in before anything touches.
+  // Long enough for the force to fade in before contact.
   passages.push_back({.name = "grasp", .duration = 0.6, .isButtonPressed = true});
   Passage sliding{.name = "slide", .duration = 1.0, .isButtonPressed = true};
   sliding.grip = Grip::free;
@@ -22,7 +22,7 @@ void addContact(std::vector<Passage>& passages, const std::string& restName)
   passages.push_back(sliding);
 }
 
-/// A whole session: at rest, unplugged, at rest again, silent, back, paused, and back.
+/// A whole session: at rest, disconnected, at rest again, silent, back, paused, and back.
 std::vector<Passage> session()
 {
   std::vector<Passage> passages;
@@ -64,7 +64,7 @@ Result<HandleScript> scriptNamed(const std::string& name)
   HandleScript contact;
   if (name == "killed") {
     addContact(contact.passages, "rest");
-    contact.passages[3].duration = 0.3;  // it need not come to rest, only push
+    contact.passages[3].duration = 0.3;  // pushing suffices, it need not come to rest
     contact.passages[4].duration = 0.6;
     return contact;
   }

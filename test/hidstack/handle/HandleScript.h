@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// What happens to the virtual handle, one passage after the other.
+// Script of the virtual handle: a sequence of passages.
 
 #include <string>
 #include <vector>
@@ -10,29 +10,29 @@
 
 namespace perilymph::hidstack {
 
-/// What the handle's cable carries.
+/// Activity of the connection.
 enum class Wire {
-  reporting,  ///< A report a tick.
-  silent,     ///< Nothing, though the device counts on.
-  paused,     ///< Nothing, and the device does not count.
-  answering,  ///< A report for each that comes in.
+  reporting,  ///< One report per tick.
+  silent,     ///< No reports, but the device keeps counting.
+  paused,     ///< No reports, and the device does not count.
+  answering,  ///< One report for each received report.
   unplugged,
 };
 
 /// Whether a hand holds the handle in place.
 enum class Grip { held, free };
 
-/// A stretch of time in which nothing about the handle changes but its motion.
+/// A period with constant conditions, except for the handle's motion.
 struct Passage {
   std::string name;       ///< One word.
-  double duration = 0.0;  ///< [s]; 0: until the first output report, that is: the host listens.
+  double duration = 0.0;  ///< [s]; 0: until the first output report, when the host listens.
   Grip grip = Grip::held;
   bool isButtonPressed = false;
-  double push = 0.0;  ///< Push of the hand toward the cochlea [N].
+  double push = 0.0;  ///< Force of the hand toward the cochlea [N].
   Wire wire = Wire::reporting;
 };
 
-/// What is wrong with the handle: the harness must notice each of them.
+/// Flaws of the handle, each of which the harness must detect.
 enum class Flaw { none, flippedForce, doubledForce, lostReport, repeatedReport };
 
 struct HandleScript {
@@ -40,10 +40,10 @@ struct HandleScript {
   Flaw flaw = Flaw::none;
 };
 
-/// The push of the hand into the wall [N].
+/// Force of the hand into the wall [N].
 inline constexpr double pushAtRest = 0.2;
 
-/// Reports that never come while the handle is silent, of a thousand a second.
+/// Number of reports that are missing while the handle is silent, at a thousand a second.
 inline constexpr int silentReports = 50;
 
 /// stream, lost, repeated, session, killed, answer, flipped or doubled; a sentence for other names.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// A HID device made of a program: the kernel's /dev/uhid.
+// A simulated HID device through the kernel's /dev/uhid.
 
 #include <cstdint>
 #include <memory>
@@ -12,16 +12,17 @@
 
 namespace perilymph::hidstack {
 
-/// What the kernel tells the device.
+/// Events from the kernel.
 enum class UhidEvent : std::uint8_t {
-  nothing,       ///< Nothing waits.
-  output,        ///< An output report came: `report` holds it.
-  featureSet,    ///< A feature report came: `report` holds it; wants accept() or refuse().
-  featureAsked,  ///< One is asked for: `report` holds its number; wants answer() or refuse().
-  other,         ///< Started, opened, closed: nothing to do.
+  nothing,       ///< No event.
+  output,        ///< An output report arrived, in `report`.
+  featureSet,    ///< A feature report arrived, in `report`; requires accept() or refuse().
+  featureAsked,  ///< A feature report is requested, its number in `report`; requires answer() or
+                 ///< refuse().
+  other,         ///< Started, opened, closed: no action required.
 };
 
-/// Plugged in while it lives; unplugged when it is destroyed.
+/// Connected during its lifetime.
 class UhidDevice {
 public:
   UhidDevice();
@@ -29,21 +30,21 @@ public:
   UhidDevice(const UhidDevice&) = delete;
   UhidDevice& operator=(const UhidDevice&) = delete;
 
-  /// Appears on the bus under this name.
+  /// Connects under this name.
   Result<Done> plug(const std::string& name, std::uint16_t vendor, std::uint16_t product,
                     std::span<const std::uint8_t> descriptor);
   /// Disconnects the device, even if it is open.
   void unplug() noexcept;
   bool isPlugged() const noexcept { return file_ >= 0; }
 
-  /// For poll(): readable when an event waits.
+  /// For poll(): readable when an event is pending.
   int file() const noexcept { return file_; }
-  /// Sends an input report; false while the kernel is not ready for it.
+  /// Sends an input report; false if the kernel is not ready for it.
   bool send(std::span<const std::uint8_t> report) noexcept;
   /// Takes one event.
   UhidEvent take(std::span<const std::uint8_t>& report) noexcept;
-  /// About the feature report of the last event. Whoever set it or asked for it waits meanwhile,
-  /// for five seconds at most.
+  /// Response to the feature report of the last event. The requester waits for at most five
+  /// seconds.
   void refuse() noexcept;
   void accept() noexcept;
   void answer(std::span<const std::uint8_t> report) noexcept;
@@ -51,7 +52,7 @@ public:
 private:
   void reply(int error, std::span<const std::uint8_t> report) noexcept;
 
-  struct Buffers;  ///< One event each way; they are large.
+  struct Buffers;  ///< One event in each direction; they are large.
   std::unique_ptr<Buffers> buffers_;
   int file_ = -1;
 };

@@ -10,7 +10,7 @@ namespace {
 
 // The longest script, with a margin.
 constexpr std::size_t maxTicks = 20'000;
-// The tick whose report the flawed scripts lose or send twice.
+// Index of the tick whose report is lost or repeated by the flawed scripts.
 constexpr std::size_t flawedTick = 400;
 constexpr std::uint8_t graspBit = 1;
 
@@ -21,7 +21,7 @@ double seconds(std::int64_t nanoseconds) { return static_cast<double>(nanosecond
 VirtualHandle::VirtualHandle(HandleScript script, const HandleBody& body)
     : script_(std::move(script)), slider_(body), ticks_(maxTicks)
 {
-  // Every page was touched: noting a tick costs no page fault.
+  // Touch every page in advance: recording a tick then causes no page fault.
   ticks_.clear();
 }
 
@@ -54,7 +54,7 @@ bool VirtualHandle::tick(std::int64_t due)
 
   HandleTick tick;
   tick.due = due;
-  // A report that is not sent was made all the same, but by a device that pauses.
+  // A lost report is counted, unless the device pauses.
   if (wire() != Wire::paused && wire() != Wire::answering) ++sequence_;
   tick.sequence = sequence_;
   tick.position = slider_.position();
@@ -94,7 +94,7 @@ void VirtualHandle::noteSent(std::int64_t now) { ticks_.back().sent = now; }
 void VirtualHandle::take(const OutputReport& report, std::int64_t now)
 {
   isHeard_ = true;
-  double factor = -forceQuantum;  // along z is away from the cochlea
+  double factor = -forceQuantum;  // positive z is away from the cochlea
   if (script_.flaw == Flaw::flippedForce) factor = -factor;
   if (script_.flaw == Flaw::doubledForce) factor *= 2.0;
   slider_.advanceTo(seconds(now));

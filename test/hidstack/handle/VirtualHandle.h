@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// A force-feedback handle that exists only as a program: its mass, its script and its reports.
+// A simulated force-feedback handle: its mass, its script and its reports.
 
 #include <cstdint>
 #include <string>
@@ -20,18 +20,18 @@ class VirtualHandle {
 public:
   VirtualHandle(HandleScript script, const HandleBody& body);
 
-  /// The device's clock strikes. @return false when the script is over.
+  /// One tick of the device's clock. @return false at the end of the script.
   bool tick(std::int64_t due);
-  /// What the cable does now.
+  /// Current activity of the connection.
   Wire wire() const;
-  /// The reports to send in this tick: one, or as the script's flaw wants none or two.
+  /// The reports to send in this tick: one; none or two for some flaws.
   int reportsDue() const;
   std::array<std::uint8_t, inputSize> report() const;
   /// The next report, for a device that answers.
   std::array<std::uint8_t, inputSize> answer();
-  /// The report went out.
+  /// A report was sent.
   void noteSent(std::int64_t now);
-  /// An output report came in.
+  /// An output report arrived.
   void take(const OutputReport& report, std::int64_t now);
 
   const std::vector<HandleTick>& ticks() const { return ticks_; }
@@ -48,7 +48,7 @@ private:
   std::int64_t started_ = 0;  // the passage [ns]
   std::uint16_t sequence_ = 0;
   bool hasBegun_ = false;
-  bool isHeard_ = false;  // an output report came since the cable was plugged in
+  bool isHeard_ = false;  // an output report arrived since connection
 };
 
 }  // namespace perilymph::hidstack

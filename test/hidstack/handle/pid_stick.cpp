@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The program that plays a force-feedback stick of the PID class to the kernel: pid_stick SCENE
-// SCENE: pid (a stick in order) or stuck (one that never answers a feature report). Ends when it
-// was switched off after it was used, or when nobody came for long.
+// Simulates a force-feedback joystick of the PID class for the kernel: pid_stick SCENE
+// SCENE: pid (a working joystick) or stuck (one that never answers a feature report).
+// Ends when it was switched off after use, or on timeout.
 
 #include <poll.h>
 #include <sched.h>
@@ -38,7 +38,7 @@ RawReport raw(std::span<const std::uint8_t> bytes)
   return report;
 }
 
-/// The stick's firmware at its cable.
+/// The joystick's firmware and connection.
 class Stick {
 public:
   explicit Stick(bool answers) : answers_(answers) { firmware_.actuatorsOn = false; }
@@ -65,7 +65,7 @@ public:
       maxShown_ = std::max(maxShown_, std::abs(firmware_.shown()[0]));
     }
   }
-  /// X, Y and buttons: in the middle, the first button held.
+  /// X, Y and buttons: centered, the first button pressed.
   void report() { cable_.send(std::array<std::uint8_t, 6>{1, 0, 0, 0, 0, 1}); }
 
 private:
@@ -121,7 +121,7 @@ int main(int count, char** text)
   }
   const std::string scene = text[1];
   sched_param wanted{};
-  wanted.sched_priority = 90;  // hardware does not wait for programs
+  wanted.sched_priority = 90;  // higher than all programs, like hardware
   ::sched_setscheduler(0, SCHED_FIFO, &wanted);
 
   Stick stick(scene != "stuck");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The program that plays a force-feedback handle to the kernel: virtual_handle SCRIPT LOG
+// Simulates a force-feedback handle for the kernel: virtual_handle SCRIPT LOG
 
 #include <poll.h>
 #include <sched.h>
@@ -23,10 +23,10 @@ using namespace perilymph;
 using namespace perilymph::hidstack;
 
 constexpr std::int64_t period = 1'000'000;  // [ns]
-// Above every thread of the host's side: hardware does not wait for programs.
+// Higher than every thread of the host side, like hardware.
 constexpr int priority = 90;
 
-/// A beat on the grid of the monotonic clock that poll() can wait for.
+/// A periodic timer on the monotonic clock, for poll().
 class Beat {
 public:
   Beat()
@@ -45,7 +45,7 @@ public:
 
   int file() const { return file_; }
   std::uint64_t missed() const { return missed_; }
-  /// When the beat that poll() woke for was due [ns].
+  /// Due time of the tick that poll() returned for [ns].
   std::int64_t take()
   {
     std::uint64_t beats = 0;
@@ -58,11 +58,11 @@ public:
 
 private:
   int file_;
-  std::int64_t due_;  // the next beat [ns]
+  std::int64_t due_;  // the next tick [ns]
   std::uint64_t missed_ = 0;
 };
 
-/// Plugs or unplugs as the script wants it.
+/// Connects or disconnects according to the script.
 Result<Done> follow(Wire wire, UhidDevice& device)
 {
   if (wire == Wire::unplugged) device.unplug();
@@ -70,7 +70,7 @@ Result<Done> follow(Wire wire, UhidDevice& device)
   return device.plug("Perilymph virtual handle", vendor, product, reportDescriptor());
 }
 
-/// Takes whatever the kernel has for the device.
+/// Handles all pending events of the kernel.
 void listen(UhidDevice& device, VirtualHandle& handle)
 {
   std::span<const std::uint8_t> bytes;

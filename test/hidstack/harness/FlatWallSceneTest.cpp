@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The scene that devices are judged by, judged itself: without any device.
+// Tests of the scene used for devices, without any device.
 
 #include "FlatWallScene.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The virtual handle's own words for its reports, against what the device layer makes of its
-// descriptor and its profile: two readings of one wire.
+// The virtual handle's own report definitions compared with those that the device layer derives
+// from its descriptor and profile.
 
 #include <gtest/gtest.h>
 

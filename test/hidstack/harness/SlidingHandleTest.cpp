@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The virtual handle's body, against Newton's law worked out apart from it.
+// The virtual handle's motion compared with independent solutions of Newton's law.
 
 #include "SlidingHandle.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The measures, on logs whose answers are known beforehand.
+// The measures, for logs with known results.
 
 #include "StackMeasures.h"
 
@@ -63,8 +63,8 @@ TEST(Spread, OfAThousandStepsHasEachFractionAtItsStep)
   EXPECT_EQ(spreadOf({}).maximum, 0.0);
 }
 
-/// A handle that ticks every millisecond, a loop that reads 30 us after each tick, computes for
-/// 20 us and is heard 10 us later with a force of as many quanta as the tick's number.
+/// A handle that ticks every millisecond, a loop that reads 30 us after each tick, computes for 20
+/// us and whose force arrives 10 us later, with the tick's number in quanta.
 struct Conversation {
   std::vector<HandleTick> handle;
   std::vector<LoopTick> loop;
@@ -92,7 +92,7 @@ TEST(Answers, AreTimedFromTheTickAndFromTheReport)
 {
   const Conversation talk(100);
   const AnswerMeasure measure = answersIn(talk.handle, talk.loop, {"rest"}, quantum);
-  EXPECT_EQ(measure.ticks, 98);  // neither the first nor the last
+  EXPECT_EQ(measure.ticks, 98);  // except the first and the last
   EXPECT_EQ(measure.answered, 98);
   EXPECT_EQ(measure.caused, 98);
   EXPECT_NEAR(measure.fromTick.p999, 60e-6, rounding);

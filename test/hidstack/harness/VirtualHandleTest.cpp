@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What the virtual handle says and when, and how it takes what it hears.
+// Reports of the virtual handle, their timing, and its response to received ones.
 
 #include "VirtualHandle.h"
 
@@ -23,7 +23,7 @@ VirtualHandle handleOf(const std::string& script)
 
 InputReport said(const VirtualHandle& handle) { return *decodeInput(handle.report()); }
 
-/// Ticks until the passage, with a host that writes zero force; false if it never comes.
+/// Runs until a passage, with a host that writes zero force; false if it is never reached.
 bool goTo(VirtualHandle& handle, const std::string& passage, std::int64_t& now)
 {
   for (int i = 0; i < 10'000; ++i) {
@@ -86,7 +86,7 @@ TEST(VirtualHandle, SlidesTowardMinusZWhileTheHandPushes)
   EXPECT_EQ(said(handle).place[2], 0);
   EXPECT_EQ(said(handle).buttons, 1);
   handle.tick(now + 10 * millisecond);
-  // x = F t^2 / 2 m while the bearings hardly slow it down.
+  // x = F t^2 / 2 m while damping is negligible.
   const double way = 0.5 * pushAtRest / HandleBody{}.mass * 0.01 * 0.01;
   EXPECT_NEAR(-said(handle).place[2] * placeQuantum, way,
               test::tolerance(0.03 * way, "the bearings"));

@@ -13,7 +13,7 @@ constexpr int nodes = 8;
 const Length radius = millimeters(0.25);
 const Length startInside = millimeters(2);
 
-/// So stiff that 0.2 N shorten it by 0.4 um, a thousandth of the coupling's deflection.
+/// So stiff that 0.2 N compress it by 0.4 um, a thousandth of the coupling's deflection.
 electrode::ArrayDesign stiffRod()
 {
   electrode::ArrayDesign rod;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// An insertion whose answer is known without any mechanics: a stiff rod against a hard flat wall,
-// so that the coupling is the only spring between the hand and the world.
+// An insertion with a closed-form solution: a stiff rod against a stiff flat wall, so that the
+// coupling is the only spring.
 
 #include <memory>
 

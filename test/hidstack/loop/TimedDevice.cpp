@@ -8,7 +8,7 @@ namespace perilymph::hidstack {
 TimedDevice::TimedDevice(device::HapticDevice& hand, std::size_t capacity)
     : hand_(hand), ticks_(capacity)
 {
-  // Every page was touched: noting a tick costs no page fault.
+  // Touch every page in advance: recording a tick then causes no page fault.
   ticks_.clear();
 }
 

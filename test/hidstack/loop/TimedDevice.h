@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// A hand with a stopwatch: notes when each sample was there and when each force was ready.
+// A device wrapper that records when each sample was read and when each force was ready.
 
 #include <optional>
 #include <vector>
@@ -12,12 +12,11 @@
 
 namespace perilymph::hidstack {
 
-/// Passes everything on to another hand. Between the two times of a tick lies the engine and
-/// nothing else. The log belongs to the thread that ticks; others read it after that thread has
-/// ended.
+/// Forwards everything to another device. Only the engine runs between the two times of a tick. The
+/// log belongs to the ticking thread; read it after that thread has ended.
 class TimedDevice final : public device::HapticDevice {
 public:
-  /// @param hand  Outlives this one.
+  /// @param hand  Must outlive this object.
   /// @param most  Ticks to make room for; what comes later is not noted.
   TimedDevice(device::HapticDevice& hand, std::size_t capacity);
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The host's side of the wire:
-//   hid_insertion stream PROFILE LOG REPORTS   takes so many reports
-//   hid_insertion insert PROFILE LOG UNPLUGS   inserts until the device was unplugged so often
-//   hid_insertion die PROFILE LOG TICKS        the same, but kills itself after so many ticks
-//   hid_insertion push PROFILE LOG TICKS       pushes to the right with a third of the most force
-//   hid_insertion refused PROFILE LOG 1        expects that the device cannot be opened
-// The log's name is the scene's.
+//The host side of the connection:
+//  hid_insertion stream PROFILE LOG REPORTS   reads a number of reports
+//  hid_insertion insert PROFILE LOG UNPLUGS   inserts until the device was disconnected that often
+//  hid_insertion die PROFILE LOG TICKS        the same, but kills itself after a number of ticks
+//  hid_insertion push PROFILE LOG TICKS       pushes to the right with a third of the maximum force
+//  hid_insertion refused PROFILE LOG 1        expects that the device cannot be opened
+// The log has the name of the scene.
 
 #include <cstdlib>
 #include <filesystem>
@@ -24,9 +24,9 @@ namespace {
 using namespace perilymph;
 using namespace perilymph::hidstack;
 
-constexpr double patience = 5.0;  // for the device to be plugged in [s]
+constexpr double patience = 5.0;  // until the device is connected [s]
 
-/// Every report through the transport and the codec, one by one.
+/// Reads every report through transport and codec, one by one.
 Result<Done> takeStream(const std::string& profile, const std::string& log, std::size_t wanted)
 {
   const auto found = findVirtualDevice(profile, patience);
@@ -47,7 +47,7 @@ Result<Done> takeStream(const std::string& profile, const std::string& log, std:
   return write(log, rows);
 }
 
-/// What the hand says of itself.
+/// Prints the health of the device.
 void print(const std::string& scene, const device::DeviceHealth& health)
 {
   const auto measure = [&scene](const char* name, auto value) {
@@ -77,7 +77,7 @@ Result<Done> insert(const std::string& profile, const std::filesystem::path& log
   return write(log, *ticks);
 }
 
-/// As `insert`, until this process is killed at once.
+/// Like `insert`, until this process is killed.
 Result<Done> die(const std::string& profile, int ticks)
 {
   const auto hand = openVirtualDevice(profile, patience);
@@ -86,7 +86,7 @@ Result<Done> die(const std::string& profile, int ticks)
   return insertUntilKilled(**hand, static_cast<std::size_t>(ticks));
 }
 
-/// Without an engine: what a codec does to a device, from opening it to closing it.
+/// Without an engine: what a codec sends to a device, from opening to closing.
 Result<Done> push(const std::string& profile, const std::filesystem::path& log, int ticks)
 {
   const auto hand = openVirtualDevice(profile, patience);

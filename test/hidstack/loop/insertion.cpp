@@ -17,11 +17,11 @@ using haptics::Command;
 
 constexpr std::size_t maxTicks = 30'000;  // half a minute at 1 kHz
 constexpr int glance_ms = 20;  // of the user of the insertion; a recorder drains as often
-// After the last unplug: long enough to see what the loop does then.
+// After the last disconnection: long enough to observe the loop.
 constexpr int ticksAfterwards = 200;
 
-/// Whoever sits before the screen: arms the insertion, and starts anew after a fault once the
-/// device answers again.
+/// Simulates the user: arms the insertion, and restarts it after a fault when the device responds
+/// again.
 class Operator {
 public:
   explicit Operator(haptics::HapticLoop& loop) : loop_(loop) { loop_.send({Command::Kind::arm}); }

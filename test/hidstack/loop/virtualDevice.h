@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The virtual handle as the device layer finds it.
+// The virtual handle as found by the device layer.
 
 #include <filesystem>
 #include <memory>
@@ -14,7 +14,7 @@
 
 namespace perilymph::hidstack {
 
-/// The handle's node on this system with the profile that fits it and a codec made from both.
+/// The handle's node on this system with its profile and codec.
 struct VirtualDevice {
   device::HidNode node;
   device::DeviceTraits traits;

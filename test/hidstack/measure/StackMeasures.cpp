@@ -34,7 +34,7 @@ StreamMeasure streamIn(const std::vector<ReportRow>& rows)
   stream.reports = static_cast<std::int64_t>(rows.size());
   if (rows.size() < 2) return stream;
   for (std::size_t i = 1; i < rows.size(); ++i) {
-    // Ahead of the one before, modulo 2^16, as a signed number.
+    // Difference to the previous one, modulo 2^16, as a signed number.
     const auto ahead = static_cast<std::int16_t>(
         static_cast<std::uint16_t>(rows[i].sequence - rows[i - 1].sequence));
     if (ahead <= 0) ++stream.repeated;
@@ -72,8 +72,8 @@ AnswerMeasure answersIn(const std::vector<HandleTick>& handle, const std::vector
     fromTick.push_back(seconds(tick.answered - tick.due));
     fromReport.push_back(seconds(tick.answered - tick.sent));
 
-    // Cause comes before effect: the loop read after the report and wrote before the answer, and
-    // what it wrote is what was heard.
+    // Causality: the loop read after the report and wrote before the answer, and the written force
+    // was received.
     const auto cause = firstReadAfter(loop, tick.sent);
     if (cause == loop.end() || cause->written >= tick.answered) continue;
     const bool isSame = std::abs(cause->force / quantum - static_cast<double>(tick.force)) <= 1.0;

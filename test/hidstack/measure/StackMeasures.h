@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// What the logs of both sides say, in numbers.
+// Evaluation of the logs of both sides.
 
 #include <cstdint>
 #include <optional>
@@ -12,53 +12,53 @@
 
 namespace perilymph::hidstack {
 
-/// What came through of a device's reports.
+/// Received reports of a device.
 struct StreamMeasure {
-  std::int64_t reports = 0;   ///< That came, repeated ones included.
-  std::int64_t lost = 0;      ///< Missing in the device's count.
-  std::int64_t repeated = 0;  ///< That came again, or after a newer one.
+  std::int64_t reports = 0;   ///< Received, repeated ones included.
+  std::int64_t lost = 0;      ///< Missing according to the device's counter.
+  std::int64_t repeated = 0;  ///< Received again, or after a newer one.
   double rate = 0.0;          ///< [1/s]
 };
-/// Stream of a counter of 16 bits that wraps.
+/// Statistics of a stream with a 16-bit counter.
 StreamMeasure streamIn(const std::vector<ReportRow>& rows);
 
-/// How a set of times is spread [s].
+/// Distribution of times [s].
 struct Spread {
   double median = 0.0, p99 = 0.0, p999 = 0.0, maximum = 0.0;
 };
-/// Each the least value that the share of all did not exceed. Zero of nothing.
+/// Quantiles of the times; zero if there are none.
 Spread spreadOf(std::vector<double> values);
 
-/// From the stroke of the device's clock to the force that answers its report.
+/// Latency from the device's clock to the force that answers its report.
 struct AnswerMeasure {
   std::int64_t ticks = 0;     ///< With a report.
-  std::int64_t answered = 0;  ///< Before the next stroke, by exactly one output report.
-  std::int64_t caused = 0;    ///< Those with the force of the tick that read this report.
-  Spread fromTick;            ///< Stroke to force [s].
-  Spread fromReport;          ///< Report handed over to force [s].
-  Spread engine;              ///< Sample taken to force ready, in the loop [s].
-  Spread besides;             ///< Stroke to force less the engine's share [s].
+  std::int64_t answered = 0;  ///< Before the next tick, by exactly one output report.
+  std::int64_t caused = 0;    ///< Answered with the force of the tick that read this report.
+  Spread fromTick;            ///< From tick to force [s].
+  Spread fromReport;          ///< From sent report to force [s].
+  Spread engine;              ///< From sample to force, in the loop [s].
+  Spread besides;             ///< From tick to force, without the engine's part [s].
 };
-/// Over the ticks of these passages, but for the first of each: what answers it may have been under
-/// way. `quantum` is that of the output report [N].
+/// Over the ticks of these passages, except the first of each, whose answer may have been pending.
+/// `quantum` is that of the output report [N].
 AnswerMeasure answersIn(const std::vector<HandleTick>& handle, const std::vector<LoopTick>& loop,
                         const std::vector<std::string>& passages, double quantum);
 
-/// Where the handle was in a passage [m].
+/// Positions of the handle in a passage [m].
 struct RestMeasure {
   double mean = 0.0;
-  double swing = 0.0;  ///< Greatest minus least.
+  double swing = 0.0;  ///< Maximum minus minimum.
 };
-/// Nothing if the passage never came.
+/// Empty if the passage was never reached.
 std::optional<RestMeasure> restIn(const std::vector<HandleTick>& handle,
                                   const std::string& passage);
 
-/// From the last report before this passage to the first force too small to be shown, as the loop
-/// wrote it, and as the device heard it [s]. Nothing where it did not come.
+/// Time from the last report before this passage to the first force too small to be rendered, as
+/// written by the loop, and as received by the device [s]. Empty if there is none.
 struct SilenceMeasure {
   std::optional<double> written;
   std::optional<double> heard;
-  /// The force that stood when the last report was sent, as the loop wrote it [N].
+  /// The force written by the loop when the last report was sent [N].
   double before = 0.0;
 };
 SilenceMeasure silenceIn(const std::vector<HandleTick>& handle, const std::vector<LoopTick>& loop,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Prints what the logs of one scene say: hid_measures SCENE HANDLE.log LOOP.log
+// Prints the measures of one scene's logs: hid_measures SCENE HANDLE.log LOOP.log
 
 #include <cstdlib>
 #include <iomanip>
@@ -82,7 +82,7 @@ Result<Done> measureInsertion(const std::string& scene, const std::string& handl
   return Done{};
 }
 
-/// From the last force of a host that died to the first of zero.
+/// Time from the last force of a killed host to the first zero force.
 Result<Done> measureDeath(const std::string& scene, const std::string& handleLog)
 {
   const auto handle = readHandleLog(handleLog);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The time of day set back and forth while an insertion runs: by hand, by a time server, in spring.
+// Changes of the time of day during an insertion: manual, by NTP, by daylight saving time.
 
 #include <gtest/gtest.h>
 
@@ -74,7 +74,7 @@ TEST_F(ClockThatJumps, LeavesEveryTickItsPlaceAndItsTime)
 {
   const fs::path file = folder / "jumps.insertion";
   runByTheClock(file, [](double travel) {
-    // back an hour in the middle, a day ahead near the end
+    // back an hour in the middle, forward a day near the end
     test::setTimeOfDay(travel < 0.1e-3 ? 0 : travel < 0.3e-3 ? -hour : 24 * hour);
   });
   const auto recorded = RecordedInsertion::open(file);
@@ -87,12 +87,12 @@ TEST_F(ClockThatJumps, LeavesEveryTickItsPlaceAndItsTime)
   ASSERT_TRUE(recorded->forEach([&](const haptics::TickRecord& record) {
     EXPECT_EQ(record.tick, next++);
     EXPECT_GE(record.output.time, time);
-    EXPECT_LE(record.output.time, time + 1.001e-3);  // a tick is a millisecond, whatever the day
+    EXPECT_LE(record.output.time, time + 1.001e-3);  // a tick is a millisecond, whatever the date
     time = record.output.time;
     if (record.output.workflow != haptics::Workflow::finished) arrived = time;
     return true;
   }));
-  EXPECT_NEAR(arrived, 0.2, 0.01);  // 0.4 mm at 2 mm/s, a few ticks to get going
+  EXPECT_NEAR(arrived, 0.2, 0.01);  // 0.4 mm at 2 mm/s, a few ticks for the start
   const auto verified = verify(file);
   ASSERT_TRUE(verified) << verified.error().message;
   EXPECT_TRUE(verified->isIdentical);
@@ -106,7 +106,7 @@ TEST_F(ClockThatJumps, GivesSessionsTheirTimesAndKeepsThemAll)
   const auto sessions = listSessions(folder.path());
   ASSERT_TRUE(sessions) << sessions.error().message;
   ASSERT_EQ(sessions->size(), 2u);
-  // Newest first, by what the clock said when they began.
+  // Newest first, by the clock at their start.
   EXPECT_EQ((*sessions)[0].file.filename(), "first.insertion");
   EXPECT_EQ((*sessions)[1].file.filename(), "second.insertion");
   for (const SessionSummary& session : *sessions) {

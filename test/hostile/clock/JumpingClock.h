@@ -6,7 +6,7 @@
 
 namespace perilymph::test {
 
-/// From now on the time of day is this much later than it is [s]; earlier, where below 0.
+/// Sets the offset of the time of day [s]; may be negative.
 void setTimeOfDay(long later);
 
 /// Number of requests of the time of day.

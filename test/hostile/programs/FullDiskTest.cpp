@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A disk that is full: before anything is written, and in the middle of it.
+// Full disks: before anything is written, and while writing.
 
 #include <sys/mount.h>
 #include <unistd.h>
@@ -23,7 +23,7 @@ ProgramOutcome cliWithSmallFiles(int max_KiB, const std::vector<std::string>& ar
   return run({"bash", text, {}, {}});
 }
 
-/// One sentence on standard error that names the file, no more.
+/// Exactly one message on standard error, naming the file.
 void expectSentence(const ProgramOutcome& outcome, const std::string& file)
 {
   EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
@@ -74,7 +74,7 @@ TEST(FullDisk, IsSaidOfAStreamThatTakesNothing)
   expectSentence(cli({"anatomy", "--preset", "published", "--json", "/dev/full"}), "/dev/full");
 }
 
-/// perilymph-cli with its standard output on a device that is full.
+/// perilymph-cli with its standard output on a full device.
 ProgramOutcome cliOntoFullDevice(const std::vector<std::string>& arguments)
 {
   std::vector<std::string> text = {"-c", "exec \"$@\" > /dev/full", "sh", cliCall({}).program};
@@ -130,7 +130,7 @@ TEST(ClosedStreams, TakeNoFileOfTheProgram)
     call.arguments.push_back(word);
   call.program = "sh";
   EXPECT_EQ(run(call).status, 0);
-  // nothing of what was printed is among the rows
+  // no printed text is among the rows
   EXPECT_THAT(contentOf(folder / "run.csv"), testing::Not(HasSubstr("peak force")));
   EXPECT_EQ(cli({"replay", folder / "run.insertion", "--verify"}).status, 0);
 }
@@ -138,7 +138,7 @@ TEST(ClosedStreams, TakeNoFileOfTheProgram)
 TEST(FullDisk, OfASmallFileSystemIsSaidAndNothingElseBreaks)
 {
   if (::geteuid() != 0) GTEST_SKIP() << "Only root may mount a file system of its own.";
-  // A mount of this process's own would be seen by other tests: in a name space of its own.
+  // A mount would be visible to other tests: use a separate mount namespace.
   const ProgramOutcome mount =
       run({"unshare", {"-m", "mount", "-t", "tmpfs", "-o", "size=300k", "none", "/mnt"}, {}, {}});
   if (mount.status != 0) GTEST_SKIP() << "No file system may be mounted here: " << mount.err;
@@ -162,7 +162,7 @@ TEST(FullDisk, OfASmallFileSystemIsSaidAndNothingElseBreaks)
   EXPECT_THAT(outcome.err, HasSubstr("run.insertion can no longer be recorded"));
   EXPECT_THAT(outcome.err, HasSubstr("run.csv"));
   EXPECT_THAT(outcome.out, testing::Not(HasSubstr(".part")));
-  // What was recorded before the disk was full can be read, on the full disk.
+  // Content recorded before the disk was full can be read, on the full disk.
   EXPECT_THAT(outcome.out, testing::EndsWith("status 0\n")) << outcome.err;
 }
 

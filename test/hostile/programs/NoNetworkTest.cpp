@@ -10,7 +10,7 @@
 namespace perilymph::test {
 namespace {
 
-/// Names that a program asks of its libraries.
+/// Symbols imported by a program.
 std::vector<std::string> importsOf(const std::string& program)
 {
   const ProgramOutcome outcome = run({"nm", {"-D", "--undefined-only", program}, {}, {}});
@@ -26,9 +26,9 @@ TEST(ProgramsAndTheNetwork, HaveNoCallThatOpensAConnection)
 {
   for (const char* name : {"perilymph-cli", "perilymph", "perilymph-device-guard"}) {
     const std::string program = std::string(PERILYMPH_PROGRAMS) + "/" + name;
-    if (!std::filesystem::exists(program)) continue;  // this build has no window
+    if (!std::filesystem::exists(program)) continue;  // not in this build
     const auto imports = importsOf(program);
-    EXPECT_THAT(imports, testing::Contains("__libc_start_main")) << name;  // the list is a list
+    EXPECT_THAT(imports, testing::Contains("__libc_start_main")) << name;  // the list is valid
     for (const char* call : {"socket", "connect", "bind", "listen", "accept", "sendto", "recvfrom",
                              "getaddrinfo", "gethostbyname", "res_query"})
       EXPECT_THAT(imports, testing::Not(testing::Contains(std::string(call)))) << name;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Recordings whose trees of pages were bent until they have no end.
+// Recordings with cyclic or excessive page trees.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -33,8 +33,8 @@ void put(std::string& bytes, std::size_t place, std::uint64_t number, int count)
     bytes[place + static_cast<std::size_t>(i)] = static_cast<char>(number >> (8 * (count - 1 - i)));
 }
 
-/// An inner page of a table's tree, all of whose children are the same page (SQLite's file format,
-/// section 1.6: type 5, then the cells' places, the cells at the end).
+/// An inner page of a table's tree, all of whose children are the same page (SQLite file format,
+/// section 1.6: type 5, then the cell pointers, the cells at the end).
 std::string innerPage(std::uint32_t child)
 {
   constexpr std::size_t cells = 500;
@@ -47,7 +47,7 @@ std::string innerPage(std::uint32_t child)
     const std::size_t place = pageSize - 5 * (i + 1);
     put(page, 12 + 2 * i, place, 2);
     put(page, place, child, 4);
-    page[place + 4] = 100;  // greatest key below it, which lies
+    page[place + 4] = 100;  // greatest key below it (invalid)
   }
   return page;
 }
@@ -95,7 +95,7 @@ fs::path record(const fs::path& file)
   return file;
 }
 
-/// Processor time that a call takes [s].
+/// Processor time of a call [s].
 template <class Call>
 double processorTime(const Call& call)
 {
@@ -137,7 +137,7 @@ TEST(TreesWithoutEnd, DoNotHideTheGoodRecordingsBesideThem)
   for (const SessionSummary& session : *listed)
     if (session.error.empty()) ++good;
   EXPECT_EQ(listed->size(), 6u);
-  // A closed recording's ticks are not read for a list, so a tree of ticks is not noticed there.
+  // Ticks of a closed recording are not read for a list, so their tree is not checked there.
   EXPECT_EQ(good, 3u);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Recordings cut at every 4 KiB, as a copy that was interrupted or a disk that lost its end.
+// Recordings truncated at every 4 KiB, as by an interrupted copy or a damaged disk.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -23,9 +23,9 @@ namespace fs = std::filesystem;
 constexpr std::uintmax_t step = 4096;
 constexpr std::uint64_t ticksPerDrain = 20;
 
-/// What came of opening a recording and reading all of it.
+/// Result of opening and reading a whole recording.
 struct Reading {
-  std::string refusal;  ///< Empty where every row was read.
+  std::string refusal;  ///< Empty if every row was read.
   std::uint64_t ticks = 0;
   bool wasClosed = false;
 };
@@ -73,7 +73,7 @@ fs::path crashedRecording(const test::TemporaryFolder& folder, std::uint64_t dra
   return file;
 }
 
-/// A copy of a crashed recording in a folder of its own, both files cut to these sizes.
+/// A copy of a crashed recording in a separate folder, both files truncated to these sizes.
 Reading readCut(const fs::path& crashed, std::uintmax_t bytes, std::uintmax_t logBytes)
 {
   const test::TemporaryFolder folder;
@@ -120,7 +120,7 @@ TEST(CrashedRecordingWithItsLogCutAtEvery4KiB, KeepsTheDrainsBeforeTheCut)
     EXPECT_GE(reading.ticks, before) << bytes;
     before = reading.ticks;
   }
-  // What is cut off the end is less than one drain long: no other drain goes with it.
+  // Less than one drain is cut off: all other drains are kept.
   EXPECT_GE(before, (drains - 1) * ticksPerDrain);
 }
 

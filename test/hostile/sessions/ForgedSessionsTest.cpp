@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Recordings made to do harm by being opened.
+// Malicious recordings.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -188,7 +188,7 @@ TEST_F(ForgedSession, WithFactsThatNoDeviceHasIsRefusedOrRunsWithinTheLimits)
       }
       EXPECT_TRUE(opened->forEach([&](const haptics::TickRecord& record) {
         const auto& force_D = (*engine)->tick(record.sample, record.commands).wrench_D.force_D;
-        EXPECT_LE(std::hypot(force_D[0], force_D[1], force_D[2]), maxForce);  // NaN is not
+        EXPECT_LE(std::hypot(force_D[0], force_D[1], force_D[2]), maxForce);  // false for NaN
         return true;
       }));
     }

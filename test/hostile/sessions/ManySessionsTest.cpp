@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 constexpr int days = 100, recordingsOfADay = 100;
 constexpr std::size_t all = days * recordingsOfADay;
 
-/// One day after the other; a month has 28.
+/// Successive days; all months have 28.
 std::string startOf(int day)
 {
   const auto two = [](int number) { return std::to_string(100 + number).substr(1); };
@@ -32,7 +32,7 @@ std::string startOf(int day)
 
 class TenThousandSessions : public testing::Test {
 protected:
-  /// One recording of each day is made, the others of it are copies.
+  /// One recording per day is real, the others are copies.
   void SetUp() override
   {
     for (int day = 0; day < days; ++day) {
@@ -70,7 +70,7 @@ TEST_F(TenThousandSessions, AreAllListedNewestFirstAndReadOnce)
     ASSERT_EQ(session.highlights.ticks, 20u) << session.file;
   }
 
-  // Whoever opened one again would find no recording in it.
+  // Opening one again would fail.
   for (const SessionSummary& session : *listed) {
     const auto time = fs::last_write_time(session.file);
     std::ofstream(session.file, std::ios::binary | std::ios::in) << std::string(100, 'x');

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Recordings that were changed, by accident or on purpose: verification notices every change.
+// Recordings that were changed, by accident or on purpose: verification detects every change.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ protected:
     EXPECT_TRUE((*recording)->close());
   }
 
-  /// What verification says of the file: the damage, or the sentence with which it refuses it.
+  /// Result of the verification: the damage, or the error message.
   std::string verdict() const
   {
     const auto verified = verify(file);
@@ -78,7 +78,7 @@ TEST_F(Mutilated, ByAHoleIsNoticed)
 {
   runSql("DELETE FROM tick WHERE tick BETWEEN 100 AND 200");
   EXPECT_THAT(verdict(), HasSubstr("it holds 299 of the 400 ticks"));
-  // even where the count is made to fit
+  // even if the count is adjusted
   runSql("UPDATE meta SET value = '299' WHERE key = 'ticks'");
   EXPECT_THAT(verdict(), HasSubstr("events"));
   // and a loss is claimed

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Ten thousand recordings, each a random mutation of a good one: none crashes the reader, hangs it
-// or takes its memory, and none with other content passes for whole.
+// Ten thousand random mutations of a valid recording: none crashes the reader, blocks it or
+// exhausts memory, and none with other content passes the check.
 
 #include <gtest/gtest.h>
 #include <sqlite3.h>
@@ -34,8 +34,8 @@ std::string contentOf(const fs::path& file)
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Every value of every row with its type, read by SQLite itself; what an answer "whole" is held
-/// against.
+/// Every value of every row with its type, read by SQLite itself, for comparison with recordings
+/// that pass the check.
 std::string dump(const fs::path& file)
 {
   sqlite3* database = nullptr;
@@ -75,7 +75,7 @@ void mutate(std::string& bytes, Random& random)
     case 1:  // a byte
       bytes[at] = static_cast<char>(random());
       break;
-    case 2:  // a number of a page's header or of the file's
+    case 2:  // a number in the header of a page or the file
       bytes[page() + below(random, 12)] = static_cast<char>(random());
       break;
     case 3: {  // a page in place of another
@@ -83,14 +83,14 @@ void mutate(std::string& bytes, Random& random)
       std::memmove(&bytes[page()], &bytes[from], pageSize);
       break;
     }
-    case 4: {  // two pages in each other's place
+    case 4: {  // two pages exchanged
       const std::size_t one = page(), other = page();
       std::swap_ranges(bytes.begin() + static_cast<std::ptrdiff_t>(one),
                        bytes.begin() + static_cast<std::ptrdiff_t>(one + pageSize),
                        bytes.begin() + static_cast<std::ptrdiff_t>(other));
       break;
     }
-    case 5:  // zeros, as a disk leaves them
+    case 5:  // zeros, as after a disk error
       std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(at),
                   std::min<std::size_t>(1 + below(random, 600), bytes.size() - at), '\0');
       break;
@@ -99,17 +99,17 @@ void mutate(std::string& bytes, Random& random)
       for (std::size_t i = 0; i < length; ++i) bytes[at + i] = static_cast<char>(random());
       break;
     }
-    case 7:  // the end is missing
+    case 7:  // truncated
       bytes.resize(std::max<std::size_t>(at, 1));
       break;
-    default:  // a piece is moved up or down
+    default:  // a block is moved up or down
       bytes.insert(at, std::string(1 + below(random, 8), static_cast<char>(random())));
       bytes.resize(pages * pageSize);
       break;
   }
 }
 
-/// Opened, checked and read to the end; true if all of it says that nothing is wrong.
+/// Opens, checks and reads a file completely; true if there is no error.
 bool passesForWhole(const fs::path& file)
 {
   const auto recorded = RecordedInsertion::open(file);
@@ -165,7 +165,7 @@ TEST(TenThousandMutations, NeitherHarmTheReaderNorPassForWhole)
       "%d mutations: %d changed nothing that is read; at most %.3f s of processor time, "
       "%ld MB of memory.\n",
       mutations, whole, longest_s, usage.ru_maxrss / 1024);
-  EXPECT_GT(whole, 0);  // bytes between rows that mean nothing
+  EXPECT_GT(whole, 0);  // unused bytes between rows
   EXPECT_LT(whole, mutations / 2);
 #ifndef __SANITIZE_ADDRESS__
   EXPECT_LT(longest_s, 2.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Numbers that must not depend on numerics: the force of the published run, over all its depths.
+// Independence of resolution: the force of the published run, over all depths.
 
 #include <gtest/gtest.h>
 

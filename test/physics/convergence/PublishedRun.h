@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// A run as it ships, at resolutions of the reader's choice.
+// A shipped run at selectable resolutions.
 
 #include <string>
 #include <vector>
 
 namespace perilymph::test {
 
-/// What is run, and what must not matter.
+/// Scenario, and resolution parameters that must not matter.
 struct Resolution {
   std::string scenario = "contour-published";
   double speed_mm_s = 2.0;
@@ -24,11 +24,11 @@ inline constexpr double sampleTravel = 0.02e-3;
 /// @throws std::runtime_error with a sentence if the scenario cannot be built.
 std::vector<double> forceOverTravel(const Resolution& resolution);
 
-/// How far runs are apart at the same travel.
+/// Maximum difference of runs at the same travel.
 struct Spread {
-  double maximum = 0.0;  ///< Highest minus lowest force, the greatest of all depths [N].
-  double travel = 0.0;   ///< Where that is [m].
-  double peak = 0.0;     ///< The greatest force of the last run [N].
+  double maximum = 0.0;  ///< Maximum over all depths of highest minus lowest force [N].
+  double travel = 0.0;   ///< Travel of the maximum [m].
+  double peak = 0.0;     ///< Maximum force of the last run [N].
 };
 
 /// The spread of runs, the finest last.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Euler's load of a straight array whose tip is stopped: clamped in the tweezers, held sideways by
-// the rim of the opening, and free to turn there as much as what is inside lets it.
+// Euler's buckling load of a straight array whose tip is blocked: clamped in the tweezers,
+// laterally supported by the rim of the opening, with the rotation there limited by the part
+// inside.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,7 @@ namespace {
 using test::RodSpec;
 using test::TestRod;
 
-/// The least k = sqrt(P / EI) at which a column is in balance beside the straight one.
+/// The smallest k = sqrt(P / EI) at which a bent column is in equilibrium.
 ///
 ///     outside  y = A sin kx + B cos kx - kA x - B,      0 <= x <= L, clamped at 0
 ///     inside   y = D (1 - cos ks) + (t / k) sin ks,     0 <= s <= a, its end at D = t tan(ka) / k
@@ -54,7 +55,7 @@ double minLoadNumber(double outside, double inside)
   return low;
 }
 
-/// A rod in a hole that just lets it pass, its tip on a flat wall `inside` behind the rim.
+/// A rod in a hole of its own diameter, its tip on a flat wall `inside` behind the rim.
 struct StoppedColumn {
   explicit StoppedColumn(double inside)
       : rod(std::make_shared<anatomy::FlatWall>(inside + spec(inside).radius), spec(inside))
@@ -71,7 +72,8 @@ struct StoppedColumn {
     spec.opening = mechanics::cochleostomy(meters(2.0 * (spec.radius + 0.5e-6)));
     return spec;
   }
-  /// By the theory [N]. The tweezers hold the whole first link, so it bends from its middle on.
+  /// The theoretical load [N]. The tweezers hold the whole first link, so it bends from its middle
+  /// on.
   static double eulersLoad(double inside)
   {
     const RodSpec rod = spec(inside);
@@ -103,7 +105,7 @@ TEST(ColumnThroughTheOpening, GivesWayAtEulersLoad)
     double aside = 0.0;
     for (const Eigen::Vector3d& node : column.rod.state().position_W)
       aside = std::max(aside, std::fabs(node.y()));
-    EXPECT_GT(aside, 0.3e-3) << inside;  // thirty times the misalignment: it has given way
+    EXPECT_GT(aside, 0.3e-3) << inside;  // thirty times the misalignment: it has buckled
   }
 }
 

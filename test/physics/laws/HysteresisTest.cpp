@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The work lost to dry friction in a closed loop: 2 mu N times the distance slid each way.
+// The work dissipated by dry friction in a closed loop: 2 mu N times the distance slid each way.
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ RodSpec stylus()
   return spec;
 }
 
-/// The tip of an upright stylus on a flat wall, drawn to and fro until every loop is as the last.
+/// The tip of an upright stylus on a flat wall, moved back and forth until the loops are periodic.
 struct Loop {
   explicit Loop(double distance)
       : rod(std::make_shared<anatomy::FlatWall>(0.3e-3 + stylus().radius), stylus())
@@ -42,7 +42,7 @@ struct Loop {
     lost = sweep(distance) + sweep(-distance);
   }
 
-  /// Work of the hand on a way [J].
+  /// Work of the hand over a displacement [J].
   double sweep(double distance)
   {
     constexpr int steps = 1000;
@@ -56,13 +56,13 @@ struct Loop {
   }
 
   TestRod rod;
-  double lost = 0.0;  ///< Work of the hand in a loop [J].
+  double lost = 0.0;  ///< Work of the hand per loop [J].
 };
 
-/// How far the base goes before the tip slides the other way: both springs turn over.
+/// Displacement of the base before the tip slides in the opposite direction: both springs reverse.
 ///
 /// One is the wall's own, the other a cantilever that also carries the normal force N: its tip
-/// yields by 3 (tan u - u) / u^3 times L^3 / (3 EI), u = L sqrt(N / EI) (Timoshenko and Gere).
+/// deflects by 3 (tan u - u) / u^3 times L^3 / (3 EI), u = L sqrt(N / EI) (Timoshenko and Gere).
 double turningOver(double normal)
 {
   const RodSpec spec = stylus();

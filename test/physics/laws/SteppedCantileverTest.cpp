@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A cantilever whose stiffness steps where the stylet ends: its tip yields as the two pieces do.
+// A cantilever with a step in stiffness at the stylet's end: its tip deflection is that of two
+// beams.
 
 #include <gtest/gtest.h>
 
@@ -39,7 +40,7 @@ electrode::ArrayDesign steppedArray(double across)
   return array;
 }
 
-/// Deflection over force of the tip [m/N], the stylet withdrawn by a length [m], the carrier's EI
+/// Compliance of the tip [m/N], with the stylet withdrawn by a length [m] and the carrier's EI
 /// `across` the plane of curl, in which the wall bends it.
 double compliance(double withdrawal, double across)
 {
@@ -67,7 +68,7 @@ double compliance(double withdrawal, double across)
   return (state.position_W.back().y() - state.base_W.y()) / state.normalForce.back();
 }
 
-/// The same of two beams of Euler and Bernoulli, one after the other.
+/// The same for two Euler-Bernoulli beams in series.
 double twoBeams(double withdrawal, double across)
 {
   const double soft = bare + withdrawal;

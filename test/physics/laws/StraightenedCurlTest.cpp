@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What it costs to straighten a curl: a rod of constant curvature kappa stores EI kappa^2 / 2 per
-// length when a tube holds it straight.
+// Energy of a straightened curl: a rod of constant curvature kappa stores EI kappa^2 / 2 per length
+// when a tube holds it straight.
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ namespace {
 using test::RodSpec;
 using test::TestRod;
 
-/// A straight tube along -z that widens like a trumpet behind its end, into nothing.
+/// A straight tube along -z that flares behind its end.
 class Trumpet final : public anatomy::Lumen {
 public:
   Trumpet(double radius, double length) : radius_(radius), length_(length) {}
@@ -33,7 +33,7 @@ public:
 private:
   static constexpr double flare = 2e-3;  // [m] radius of the trumpet's bend, sharper than the curl
 
-  /// D = R(z) - r with its true gradient, so that the wall stores and gives back.
+  /// D = R(z) - r with its exact gradient, so that the wall is conservative.
   anatomy::WallPoint wallAt(const Eigen::Vector3d& point, double reach) const noexcept
   {
     anatomy::WallPoint wall;
@@ -51,7 +51,7 @@ private:
   double radius_, length_;
 };
 
-/// A curled rod held straight in a tube, its tip 1 mm out of the far end.
+/// A curled rod held straight in a tube, its tip 1 mm beyond the far end.
 struct Sleeve {
   static constexpr double length = 10e-3;  // of the tube [m]
   static RodSpec spec()
@@ -68,7 +68,7 @@ struct Sleeve {
   {
     rod.move({0.0, 0.0, -3e-3}, 2e-3, 0.5);
   }
-  /// Moves in (or out) and gives the work of the hand [J].
+  /// Moves in (or out) and returns the work of the hand [J].
   double workOver(double distance)
   {
     constexpr int steps = 1000;
@@ -99,7 +99,7 @@ TEST(StraightenedCurl, GivesItsEnergyToTheHandAsItLeavesTheTubeAndTakesItBack)
   EXPECT_NEAR(out, -stored, test::tolerance(0.01, "nodes 0.1 mm apart") * stored);
   const double in = sleeve.workOver(-distance);
   EXPECT_NEAR(in, stored, test::tolerance(0.01, "nodes 0.1 mm apart") * stored);
-  EXPECT_GT(out + in, 0.0);  // what is lost on the way is the hand's
+  EXPECT_GT(out + in, 0.0);  // losses are supplied by the hand
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What an array remembers once it is out again: nothing.
+// A withdrawn array has no memory of the insertion.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 namespace perilymph {
 namespace {
 
-/// An array that starts before the opening, goes in and comes out again.
+/// An array that starts before the opening, is inserted and withdrawn again.
 class Insertion {
 public:
   explicit Insertion(mechanics::ModelParts parts)

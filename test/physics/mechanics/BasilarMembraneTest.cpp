@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The soft part of the roof: where it is, how it yields, and that it gives nothing away.
+// The compliant part of the roof: its position, its stiffness, and conservation of energy.
 
 #include <gtest/gtest.h>
 
@@ -29,8 +29,8 @@ anatomy::LumenTrack trackAt(double angle)
   return {false, angle, {std::cos(angle), std::sin(angle)}};
 }
 
-/// The share at a place given by angle, and across the membrane from its inner edge (0) to its
-/// outer one (1).
+/// The fraction at a position given by angle, and across the membrane from its inner edge (0) to
+/// its outer one (1).
 MembraneFraction fractionAt(double angle, double across, double radius)
 {
   static const MembranePlace place(*meanScala());
@@ -127,7 +127,7 @@ TEST(BasilarMembrane, YieldsByItsLaw)
       const double fraction =
           model.membrane->fractionAt(state.position_W[i], model.radius[i], track, wall.normal_W)
               .fraction;
-      // the length of wall that a node stands for, as of the bone
+      // the length of wall represented by a node, as for bone
       const double k = 9.0 * model.wallStiffness[i] / 441.0;
       const double expected = fraction * k * (p - 1e-6 + p * p * p / (0.05e-3 * 0.05e-3));
       EXPECT_NEAR(state.membraneForce[i], expected, 1e-3 * expected);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// An array that misses the opening: the bone beside it holds it up.
+// An array that misses the opening is stopped by the bone beside it.
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ std::shared_ptr<const anatomy::Lumen> tube()
 
 TEST(ArrayBesideTheOpening, IsHeldUpByTheBoneAsBySprings)
 {
-  // 2 mm beside the axis nothing but bone is below; the rod itself hardly shortens.
+  // 2 mm beside the axis there is only bone below; the rod itself hardly shortens.
   TestRod rod(tube(), above());
   const Eigen::Vector3d& out = rod.model().entry.out_W;
   rod.move(2e-3 * rod.model().entry.outward_W, 5e-3);

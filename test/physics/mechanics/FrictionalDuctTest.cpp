@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// An array that slides along a bend: the capstan equation.
+// An array sliding along a bend: the capstan equation.
 
 #include <gtest/gtest.h>
 
@@ -46,12 +46,12 @@ private:
   double end_;
 };
 
-/// A rod without bending stiffness worth the name, pushed around the bend against its blocked tip;
-/// gives the ratio of compression at two angles of wrap.
+/// A rod with negligible bending stiffness, pushed around the bend against its blocked tip; returns
+/// the ratio of compression at two angles of wrap.
 double compressionRatio(double friction, double fromAngle, double toAngle)
 {
   RodSpec spec;
-  // as long as the duct: no stretch outside that could buckle
+  // as long as the duct: no free part outside that could buckle
   const double toTheEnd = lead + bend * end - spec.radius;
   spec.length = toTheEnd + 0.5e-3;
   spec.bending = 2e-9;
@@ -60,7 +60,8 @@ double compressionRatio(double friction, double fromAngle, double toAngle)
   spec.nodes = 161;
   TestRod rod(std::make_shared<ClosedDuct>(spec.radius + 0.03e-3, end), spec);
   for (double& stretching : rod.changeable().stretching) stretching = 20.0;
-  // in without friction until the tip meets the end, then on with it until everything slides
+  // inserted without friction until the tip is blocked, then pushed with friction until all nodes
+  // slide
   rod.move({0.0, 0.0, -(toTheEnd - spec.startInside - 0.3e-3)}, 20e-3);
   rod.changeable().parts.friction = {friction, friction, friction, millimetersPerSecond(0.1)};
   for (int i = 0; i < 200 && rod.readings().axialForce < 0.06; ++i)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The opening: its rim holds the array from outside, and ribs on the array meet it.
+// The opening: its rim touches the array from outside, and ribs on the array touch it.
 
 #include <gtest/gtest.h>
 
@@ -88,7 +88,7 @@ TEST(RimOfTheOpening, TakesTheEnergyOfTheBendFromTheHandAndGivesItBack)
   const double back = travel(-1.0);
   const double stored = sideLoad(spec, 12e-3, offset).energy - sideLoad(spec, 8e-3, offset).energy;
   EXPECT_NEAR(in, stored, test::tolerance(0.03, "chain of links") * stored);
-  // nothing is lost but the perilymph's drag, 0.05 N.s/m2 on the rod's length, 4 mm each way
+  // nothing is dissipated but the perilymph's drag, 0.05 N.s/m2 on the rod's length, 4 mm each way
   const double drag = 0.05 * spec.length * 2e-3 * 8e-3;
   EXPECT_NEAR(in + back, drag, test::tolerance(0.003, "damping of the rod") * stored);
 }
@@ -105,7 +105,7 @@ TEST(RimOfTheOpening, RubsWithCoulombsForce)
   const double out = rod.readings().axialForce;
   rod.move({0.0, 0.0, -0.1e-3}, 2e-3);
   const double in = rod.readings().axialForce;
-  // pushing in and pulling out at the same place differ by twice the friction
+  // pushing and pulling forces at the same position differ by twice the friction
   const double expected = 2.0 * spec.friction * sideLoad(spec, 9.1e-3, offset).force;
   EXPECT_NEAR(in - out, expected, test::tolerance(0.03, "friction bends the rod") * expected);
 }
@@ -119,12 +119,12 @@ TEST(RimOfTheOpening, PushesAlongTheNormalOfItsEllipse)
     TestRod rod(wideTube(), spec);
     rod.move({1.2e-3 * std::cos(angle), 1.2e-3 * std::sin(angle), 0.0}, 2e-3, 0.2);
     ASSERT_GT(rod.readings().rimForce, 1e-3);
-    // where the center line passes the plane, from the two nodes beside it
+    // intersection of the center line with the plane, from the two adjacent nodes
     const auto& x = rod.state().position_W;
     std::size_t i = 0;
     while (x[i + 1].z() > 0.0) ++i;
     const Eigen::Vector3d at = x[i] + x[i].z() / (x[i].z() - x[i + 1].z()) * (x[i + 1] - x[i]);
-    // the nearest place of the ellipse, by trying
+    // the nearest point of the ellipse, by search
     double best = 1.0, place = 0.0;
     for (int k = 0; k < 20000; ++k) {
       const double t = 2.0 * pi * k / 20000;
@@ -162,7 +162,7 @@ TEST(RimOfTheOpening, LeavesAnArrayAloneThatPassesItsMiddle)
   }
 }
 
-/// A stiff rod in the middle of a hole that its rib is too wide for.
+/// A stiff rod in the center of a hole that is narrower than its rib.
 struct Ribbed {
   Ribbed() : rod(wideTube(), spec()) {}
   static RodSpec spec()
@@ -170,12 +170,11 @@ struct Ribbed {
     RodSpec spec = inHole(0.28e-3, 8e-3);
     spec.bending = 1e-4;
     spec.ribHeight = height;
-    spec.ribLength =
-        2.0 * (reach - spec.opening->edgeRadius.si());  // the rim's rounding adds to it
+    spec.ribLength = 2.0 * (reach - spec.opening->edgeRadius.si());  // the rim's radius adds to it
     spec.ribsFromTip = {millimeters(9)};
     return spec;
   }
-  /// How far the rib overlaps the hole when its middle is x before the plane.
+  /// Overlap of the rib with the hole when its middle is x before the plane.
   static double overlap(double x)
   {
     const double q = x / reach;

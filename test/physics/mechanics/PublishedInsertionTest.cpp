@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The published experiment's array in the published anatomy: what must hold whatever the
+// The published experiment's array in the published anatomy: properties independent of the
 // calibration.
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 /// One insertion as published: 2 mm/s, 16.5 mm, the tip 2 mm inside.
 struct Curve {
   double tick = 0.0;          // [m] of travel between samples
-  std::vector<double> force;  // axial [N], one a tick
+  std::vector<double> force;  // axial [N], one per tick
   std::vector<double> wall;   // total wall force [N]
   double worstResidual = 0.0;
 };

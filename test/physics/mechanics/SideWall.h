@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// A wall for one point: what bends a rod at its tip and nowhere else.
+// A wall for one node: bends a rod at its tip only.
 
 #include <span>
 

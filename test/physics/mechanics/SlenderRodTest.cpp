@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The rod alone, against the theory of thin elastic rods.
+// The rod without contact, compared with the theory of thin elastic rods.
 
 #include <gtest/gtest.h>
 
@@ -21,8 +21,8 @@ using test::TestRod;
 // The rod's dampers relax within a few milliseconds; this is long after.
 constexpr double settling = 0.5;  // [s]
 
-/// Force across a cantilever of length L whose tip is held `deflection` away by a force that keeps
-/// its direction (Euler's elastica, integrated by shooting with fourth-order Runge-Kutta).
+/// Force on a cantilever of length L whose tip is deflected by `deflection`, with constant
+/// direction (Euler's elastica, integrated by shooting with fourth-order Runge-Kutta).
 double elasticaForce(double EI, double L, double deflection)
 {
   // theta'' = -(F / EI) cos(theta), theta(0) = 0, theta'(L) = 0; y' = sin(theta)
@@ -68,7 +68,8 @@ double elasticaForce(double EI, double L, double deflection)
   return low;
 }
 
-/// Presses the tip of a cantilever sideways onto a wall; gives force on the tip and its deflection.
+/// Presses the tip of a cantilever sideways onto a wall; returns force on the tip and its
+/// deflection.
 std::pair<double, double> pressSideways(const RodSpec& spec, double motion)
 {
   constexpr double gap = 1e-3;
@@ -83,7 +84,7 @@ std::pair<double, double> pressSideways(const RodSpec& spec, double motion)
 TEST(Cantilever, SmallDeflectionFollowsEulerBernoulli)
 {
   RodSpec spec;
-  spec.bending = 1e-4;  // so stiff that the solver's 2 uN do not show
+  spec.bending = 1e-4;  // so stiff that the solver's tolerance of 2 uN is negligible
   const auto [force, deflection] = pressSideways(spec, 0.2e-3);
   // the tweezers hold the whole first link, so it bends from that link's middle on
   const double bent = spec.length - 0.5 * spec.length / (spec.nodes - 1);
@@ -121,7 +122,7 @@ TEST(FreeRod, TakesItsRestCurvature)
   spec.restCurvature = 1.0 / 8e-3;
   TestRod rod(std::make_shared<anatomy::FlatWall>(1.0), spec);
   for (int i = 0; i < 4000; ++i) rod.tick();
-  // all nodes but the clamped first two lie on a circle of that radius
+  // all nodes except the clamped first two lie on a circle of that radius
   const auto& x = rod.state().position_W;
   const Eigen::Vector3d axis = rod.model().startAxis_W;
   const Eigen::Vector3d curl = rod.model().startCurl_W;
@@ -146,7 +147,7 @@ TEST(Column, BucklesAtEulersLoad)
   rod.move({0.0, 0.0, -0.25e-3}, 0.2e-3, settling);
   const double critical = pi * pi * spec.bending / (4.0 * spec.length * spec.length);
   const Eigen::Vector3d tip = rod.state().position_W.back();
-  EXPECT_GT(std::fabs(tip.y()), 0.05 * spec.length);  // it has given way
+  EXPECT_GT(std::fabs(tip.y()), 0.05 * spec.length);  // it has buckled
   EXPECT_NEAR(rod.readings().axialForce, critical,
               test::tolerance(0.05, "post-buckling") * critical);
 }

@@ -43,7 +43,7 @@ TEST(TipOnFlatWall, IsHeldByStiffnessTimesPenetration)
 {
   Stylus stylus(0.0);
   const double penetration = 0.25e-3 - (stylus.rod.state().position_W.back().z() + 0.55e-3);
-  // linear beyond the onset of 2 um, of which half counts
+  // linear beyond the onset of 2 um, half of which counts
   EXPECT_NEAR(stylus.normal(), 1e4 * (penetration - 1e-6), test::tolerance(1e-5, "solver"));
   EXPECT_NEAR(stylus.normal(), stylus.rod.readings().axialForce, test::tolerance(1e-5, "solver"));
 }
@@ -78,7 +78,7 @@ TEST(TipOnFlatWall, SticksUntilTheStartingForce)
     maximum = std::max(maximum, stylus.friction() / stylus.normal());
   }
   EXPECT_NEAR(maximum, 0.3, test::tolerance(0.04, "one step of the spring"));
-  // at 2 mm/s, far above the Stribeck speed, it slides with the dynamic coefficient
+  // at 2 mm/s, far above the Stribeck speed, it slides with the kinetic coefficient
   EXPECT_NEAR(stylus.friction() / stylus.normal(), 0.1, test::tolerance(0.002, "Stribeck tail"));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What must not depend on how the picture is turned, or on what was done before.
+// Invariance under rotation and mirroring, and independence of history.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ namespace {
 using test::RodSpec;
 using test::TestRod;
 
-/// Another lumen, turned about the entry axis (z of W) or mirrored.
+/// Another lumen, rotated about the entry axis (z of W) or mirrored.
 class TurnedLumen final : public anatomy::Lumen {
 public:
   TurnedLumen(std::shared_ptr<const anatomy::Lumen> inner, Eigen::Matrix3d turn)
@@ -104,7 +104,7 @@ TEST(InsertionForce, ReturnsToZeroWhenTheArrayIsOutAgain)
 
 TEST(InsertionForce, GivesNoEnergyToAHandThatReturns)
 {
-  // A hand that moves about and comes back has done work, never got some. Two speeds of motion.
+  // A hand that moves and returns has done work, never gained any. Two speeds of motion.
   for (const double pace : {1.0, 6.0}) {
     RodSpec spec = bendSpec();
     TestRod rod(bendingDuct(), spec);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// A uniform straight rod in a scene of the test's own, moved by hand.
+// A uniform straight rod in a test scene, moved by the test.
 
 #include <memory>
 #include <optional>
@@ -12,16 +12,16 @@
 
 namespace perilymph::test {
 
-/// What a test may want to change about its rod.
+/// Parameters of the rod.
 struct RodSpec {
   double length = 20e-3;       ///< [m]
   double radius = 0.25e-3;     ///< [m]
   double bending = 1e-6;       ///< EI [N.m^2]
   double restCurvature = 0.0;  ///< [1/m]
-  double curledFromTip = 0.0;  ///< Length over which it is so [m]; 0: all of it.
+  double curledFromTip = 0.0;  ///< Curled length from the tip [m]; 0: the whole rod.
   double bendingAcross = 0.0;  ///< Across the plane of curl [N.m^2]; 0: the same.
   double thickness = 0.0;      ///< Within the plane of curl [m]; 0: round.
-  double twisting = 0.0;       ///< GJ [N.m^2]; 0: as its sections have it.
+  double twisting = 0.0;       ///< GJ [N.m^2]; 0: derived from its sections.
   double friction = 0.0;       ///< Coulomb, the same at rest and sliding.
   double wallStiffness = 1e5;  ///< Per sample point [N/m]: hard against everything tested.
   double startInside = 0.0;    ///< [m]

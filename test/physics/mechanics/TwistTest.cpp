@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Arrays that are curled or oval: turning them about their axis, and bending them either way.
+// Curled or oval arrays: rotation about their axis, and bending in both directions.
 
 #include <gtest/gtest.h>
 
@@ -56,7 +56,7 @@ RodSpec hookedSpec()
   return spec;
 }
 
-/// Turns the hand about the rod; gives the work it does.
+/// Rotates the hand about the rod; returns its work.
 double roll(TestRod& rod, double from, double to)
 {
   constexpr int ticks = 400;
@@ -135,7 +135,7 @@ TEST(TwistedRod, IsNoneIfItIsStraightAndRound)
 
 TEST(TwistedRod, FeelsTheSameInAMirroredScene)
 {
-  // a hook that is rolled one way, and its mirror image rolled the other
+  // a hook that is rolled one way, and its mirror image rolled the opposite way
   const auto torqueAfter = [](double angle) {
     TestRod rod(std::make_shared<Slot>(0.26e-3), hookedSpec());
     for (int i = 0; i < 600; ++i) rod.tick();

@@ -74,16 +74,16 @@ void addSimulate(CLI::App& app, FileOptions& files, SimulateOptions& options)
   overrideOption(command, "--model", "model", options.overrides, "rod or points");
   overrideOption(command, "--nodes", "nodes", options.overrides,
                  "Nodes of the rod, or sample points");
-  overrideOption(command, "--seed", "seed", options.overrides, "Of whatever is drawn at random");
+  overrideOption(command, "--seed", "seed", options.overrides, "Seed of random numbers");
   setOption(command, files, options.overrides);
-  CLI::Option* csv = command.add_option("--csv", options.csv, "Writes a row a tick");
-  command.add_option("--every-ms", options.every_ms, "Between rows of the CSV")
+  CLI::Option* csv = command.add_option("--csv", options.csv, "Writes one row per tick");
+  command.add_option("--every-ms", options.every_ms, "Interval of rows in the CSV file")
       ->check(CLI::Range(0.0, 1e6))
       ->needs(csv);
   files.writes(csv);
   files.writes(command.add_option("--json", options.json, "Writes scenario and results"));
   files.records(
-      command.add_option("--record", options.record, "Keeps the session as an .insertion file"));
+      command.add_option("--record", options.record, "Records the session in an .insertion file"));
 }
 
 /// The option that selects an anatomy without a patient.
@@ -98,7 +98,7 @@ CLI::Option* addPreset(CLI::App& command, std::string& preset)
 
 void addAnatomy(CLI::App& app, FileOptions& files, AnatomyOptions& options)
 {
-  CLI::App& command = *app.add_subcommand("anatomy", "Measures a cochlea and writes its shape");
+  CLI::App& command = *app.add_subcommand("anatomy", "Measures a cochlea and writes its surface");
   CLI::Option_group& source = *command.add_option_group("anatomy");
   addPreset(source, options.preset);
   files.reads(source.add_option("--patient", options.patient, "A patient's file or shipped name"),
@@ -127,11 +127,10 @@ void addAnatomy(CLI::App& app, FileOptions& files, AnatomyOptions& options)
       command.add_option("--json", options.json, "Writes the measures, formulas and sources"));
   files.writes(command.add_option("--sections", options.sections, "Writes the sections as CSV"));
   CLI::Option* surface = command.add_option("--surface", options.surface,
-                                            "Writes the shape: .stl .vtp .ply .obj .wrl");
+                                            "Writes the surface: .stl .vtp .ply .obj .wrl");
   files.writes(surface);
-  files.writes(
-      command.add_option("--haptic-surface", options.hapticSurface,
-                         "Writes the shape a hand is shown: no apex, 95 % fewer triangles"));
+  files.writes(command.add_option("--haptic-surface", options.hapticSurface,
+                                  "Writes the haptic surface: no apex, 95 % fewer triangles"));
   command.add_option("--part", options.part, "scala, membrane or vestibuli")
       ->check(CLI::IsMember({"scala", "membrane", "vestibuli"}))
       ->needs(surface);
@@ -141,8 +140,8 @@ void addReplay(CLI::App& app, FileOptions& files, ReplayOptions& options)
 {
   CLI::App& command = *app.add_subcommand("replay", "Reads a recorded session");
   files.reads(command.add_option("file", options.file, "The .insertion file")->required());
-  command.add_flag("--verify", options.verifies, "Runs it again and compares every bit");
-  files.writes(command.add_option("--csv", options.csv, "Writes a row a tick"));
+  command.add_flag("--verify", options.verifies, "Replays it and compares every bit");
+  files.writes(command.add_option("--csv", options.csv, "Writes one row per tick"));
 }
 
 void addValidate(CLI::App& app, FileOptions& files, ValidateOptions& options)
@@ -150,14 +149,14 @@ void addValidate(CLI::App& app, FileOptions& files, ValidateOptions& options)
   CLI::App& command =
       *app.add_subcommand("validate", "Repeats the published experiment, with its statistics");
   command.add_option("--runs", options.runs, "Insertions")->check(CLI::Range(2, 100'000));
-  command.add_option("--seed", options.seed, "Of everything that varies between insertions")
+  command.add_option("--seed", options.seed, "Seed of everything that varies between insertions")
       ->check(CLI::NonNegativeNumber);
-  command.add_option("--jobs", options.jobs, "Insertions at a time; by default one a processor")
+  command.add_option("--jobs", options.jobs, "Parallel insertions; by default one per processor")
       ->check(CLI::Range(1u, 256u));
   overrideOption(command, "--model", "model", options.overrides, "rod or points");
   setOption(command, files, options.overrides);
   files.reads(command.add_option("--variability", options.variability,
-                                 "What varies and how much: a file or a shipped name"),
+                                 "Variability: a file or a shipped name"),
               variabilityFolder);
   files.writesInto(
       command.add_option("--out", options.out, "The folder for tables and figures")->required(),
@@ -168,16 +167,15 @@ void addValidate(CLI::App& app, FileOptions& files, ValidateOptions& options)
 void addCalibrate(CLI::App& app, FileOptions& files, CalibrateOptions& options)
 {
   CLI::App& command =
-      *app.add_subcommand("calibrate", "Fits two numbers of the array to two printed forces");
-  command.add_option("--runs", options.runs, "Insertions behind each trial")
-      ->check(CLI::Range(2, 10'000));
-  command.add_option("--seed", options.seed, "Of everything that varies between insertions")
+      *app.add_subcommand("calibrate", "Fits two parameters of the array to two printed forces");
+  command.add_option("--runs", options.runs, "Insertions per trial")->check(CLI::Range(2, 10'000));
+  command.add_option("--seed", options.seed, "Seed of everything that varies between insertions")
       ->check(CLI::NonNegativeNumber);
-  command.add_option("--jobs", options.jobs, "Insertions at a time; by default one a processor")
+  command.add_option("--jobs", options.jobs, "Parallel insertions; by default one per processor")
       ->check(CLI::Range(1u, 256u));
   setOption(command, files, options.overrides);
   files.reads(command.add_option("--variability", options.variability,
-                                 "What varies and how much: a file or a shipped name"),
+                                 "Variability: a file or a shipped name"),
               variabilityFolder);
   files.writesInto(
       command.add_option("--out", options.out, "The folder for the calibration")->required(),
@@ -186,16 +184,15 @@ void addCalibrate(CLI::App& app, FileOptions& files, CalibrateOptions& options)
 
 void addPredict(CLI::App& app, FileOptions& files, PredictOptions& options)
 {
-  CLI::App& command =
-      *app.add_subcommand("predict", "Inserts arrays into cochleae that nothing was fitted to");
+  CLI::App& command = *app.add_subcommand("predict", "Predicts insertions without fitting");
   files.reads(command.add_option("--array", options.arrays, "Electrode arrays, by name or file")
                   ->required(),
               arrayFolder);
   command.add_option("--patients", options.patients, "Virtual patients beside the mean cochlea")
       ->check(CLI::Range(0, 10'000));
-  command.add_option("--seed", options.seed, "Of the virtual patients")
+  command.add_option("--seed", options.seed, "Seed of the virtual patients")
       ->check(CLI::NonNegativeNumber);
-  command.add_option("--jobs", options.jobs, "Cochleae at a time; by default one a processor")
+  command.add_option("--jobs", options.jobs, "Parallel cochleae; by default one per processor")
       ->check(CLI::Range(1u, 256u));
   files.writesInto(
       command.add_option("--out", options.out, "The folder for the tables")->required(),
@@ -204,7 +201,7 @@ void addPredict(CLI::App& app, FileOptions& files, PredictOptions& options)
 
 void addCompare(CLI::App& app, FileOptions& files, CompareOptions& options)
 {
-  CLI::App& command = *app.add_subcommand("compare", "Sets recorded insertions side by side");
+  CLI::App& command = *app.add_subcommand("compare", "Compares recorded insertions");
   files.reads(command.add_option("files", options.files, "The .insertion files")->required());
   files.writesInto(
       command.add_option("--out", options.out, "The folder for tables and curves")->required(),
@@ -224,7 +221,8 @@ void addRender(CLI::App& app, FileOptions& files, RenderOptions& options)
   files.reads(patient, patientsFolder);
   files.reads(command.add_option("--array", options.array, "An electrode array")->needs(scenario),
               arrayFolder);
-  command.add_option("--at-mm", options.at_mm, "Travel to draw the array at")->needs(scenario);
+  command.add_option("--at-mm", options.at_mm, "Travel of the array in the picture")
+      ->needs(scenario);
   command.add_option("--view", options.view, "surgeon, microscope, overview, section or unrolled")
       ->check(CLI::IsMember({"surgeon", "microscope", "overview", "section", "unrolled"}));
   files.writes(command.add_option("--out", options.out, "The picture, .png")->required());
@@ -236,31 +234,31 @@ void addRender(CLI::App& app, FileOptions& files, RenderOptions& options)
 
 void addDevices(CLI::App& app, FileOptions& files, DevicesOptions& options)
 {
-  CLI::App& command = *app.add_subcommand(
-      "devices", "Lists HID devices, whether one can be the hand, and tries one");
+  CLI::App& command =
+      *app.add_subcommand("devices", "Lists HID devices and their usability, and tests one");
   files.writes(
-      command.add_option("--json", options.json, "Writes the list, and what the test measured"));
+      command.add_option("--json", options.json, "Writes the list and the test's results"));
   CLI::Option* test =
       command
           .add_option(
               "--test", options.test,
-              "Measures reports, then shows small forces: the number of the node, 3 for hidraw3")
+              "Measures reports, then renders small forces: number of the node, 3 for hidraw3")
           ->check(CLI::Range(0, 4095));
-  files.writes(
-      command
-          .add_option("--capture", options.capture, "Keeps every report of the test, with its time")
-          ->needs(test));
-  files.reads(command
-                  .add_option("--replay", options.replay,
-                              "Reads a captured file (or hid-recorder's) as the device it is of")
-                  ->excludes(test));
+  files.writes(command
+                   .add_option("--capture", options.capture,
+                               "Records every report of the test with its time")
+                   ->needs(test));
   files.reads(
       command
-          .add_option("--plugin", options.plugin,
-                      "Loads a device plug-in (FILE.so) and tries it as --test does; it runs "
-                      "with your rights")
-          ->excludes(test)
-          ->excludes("--replay"));
+          .add_option("--replay", options.replay,
+                      "Evaluates a captured file, also of hid-recorder, instead of a device")
+          ->excludes(test));
+  files.reads(command
+                  .add_option("--plugin", options.plugin,
+                              "Loads a device plug-in (FILE.so) and tests it like --test; it runs "
+                              "with your rights")
+                  ->excludes(test)
+                  ->excludes("--replay"));
 }
 
 }  // namespace

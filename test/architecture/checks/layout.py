@@ -9,6 +9,7 @@ TOP = {"CITATION.cff", "CMakeLists.txt", "CMakePresets.json", "LICENSE", "README
        "plugins", "test", "packaging"}
 MUST = {"CMakeLists.txt", "README.md", "app", "modules", "test", "packaging"}
 MAX_README_LINES = 40
+MAX_README_COLUMNS = 140
 MAX_CODE_LINES = 400
 MIN_COPY_LINES = 10
 SETTINGS = {"CMakePresets.json", ".clang-format", ".clang-tidy", ".gitignore"}
@@ -36,10 +37,12 @@ def check_module(root, folder, errors):
                   for each in sorted(public.iterdir()) if each.name != name]
     page = folder / "README.md"
     if page.is_file():
-        lines = len(sources.read(page).splitlines())
-        if lines > MAX_README_LINES:
-            errors.append(f"modules/{name}/README.md has {lines} lines; at most "
+        lines = sources.read(page).splitlines()
+        if len(lines) > MAX_README_LINES:
+            errors.append(f"modules/{name}/README.md has {len(lines)} lines; at most "
                          f"{MAX_README_LINES} are read.")
+        errors += [f"modules/{name}/README.md:{number} has {len(line)} columns; wrap it before {MAX_README_COLUMNS}."
+                   for number, line in enumerate(lines, 1) if len(line) >= MAX_README_COLUMNS]
 
 
 def check_files(root, errors):

@@ -8,8 +8,9 @@
 #   - a used module is defined before its user, so there is no cycle;
 #   - headers of other modules are only reachable through USES.
 #
-# Headers below include/ are the module's API. Those below src/ are reachable from tests only, through
-# the target perilymph_<name>_internal.
+# Headers below include/ are the module's API: each is used outside of the module (test/architecture looks).
+# Those below src/ are reachable from tests only, which name the module among their INTERNALS and so link the
+# INTERFACE target perilymph_<name>_internal.
 function(perilymph_module name)
   cmake_parse_arguments(arg "" "LAYER;SUMMARY" "USES;LINKS;PRIVATE_LINKS;OPTIONS;SOURCES" ${ARGN})
   if(NOT arg_LAYER MATCHES "^(engine|toolkit)$")

@@ -25,21 +25,20 @@ std::string hexadecimal(std::uint32_t number)
   return digits;
 }
 
-Json described(const device::ReportTape& tape, const std::string& profile,
-               const device::TapeReading& told)
+Json described(const device::TapeReading& told)
 {
   const device::ReadingFigures& reading = told.reading;
-  return {{"name", tape.name},
-          {"vendor_id", tape.identity.vendor},
-          {"product_id", tape.identity.product},
-          {"profile", profile},
+  return {{"name", told.name},
+          {"vendor_id", told.identity.vendor},
+          {"product_id", told.identity.product},
+          {"profile", told.profile},
           {"duration_s", told.duration},
           {"reports", reading.fresh},
           {"lost", reading.lost},
           {"duplicates", reading.duplicates},
           {"old", reading.old},
           {"foreign", reading.foreign},
-          {"not_kept", tape.lost},
+          {"not_kept", told.lost},
           {"rate_per_s", reading.rate},
           {"interval_median_s", reading.intervalMedian},
           {"interval_p99_s", reading.intervalP99},
@@ -54,11 +53,10 @@ Json described(const device::ReportTape& tape, const std::string& profile,
           {"write_max_s", told.writing.timeMax}};
 }
 
-void printTape(const device::ReportTape& tape, const std::string& profile,
-               const device::TapeReading& told)
+void printTape(const device::TapeReading& told)
 {
   const device::ReadingFigures& reading = told.reading;
-  print("{}  {}\n    read as {}\n", device::identityText(tape.identity), tape.name, profile);
+  print("{}  {}\n    read as {}\n", device::identityText(told.identity), told.name, told.profile);
   print(
       "{:18} {} s; {} reports a second; between two: median {} ms, 99 % below {} ms, "
       "longest {} ms\n",
@@ -68,7 +66,7 @@ void printTape(const device::ReportTape& tape, const std::string& profile,
       "{:18} {} fresh, {} lost, {} repeated, {} old, {} not understood, {} not "
       "kept\n",
       "reports", reading.fresh, reading.lost, reading.duplicates, reading.old, reading.foreign,
-      tape.lost);
+      told.lost);
   if (reading.fresh > 0)
     print("{:18} x {} to {} mm, y {} to {} mm, z {} to {} mm; buttons {}\n", "the hand",
           mm(told.min_D[0]), mm(told.max_D[0]), mm(told.min_D[1]), mm(told.max_D[1]),
@@ -83,23 +81,11 @@ void printTape(const device::ReportTape& tape, const std::string& profile,
 
 Result<Done> replayDevice(const std::string& file, const std::string& json)
 {
-  const auto tape = device::loadTape(file);
-  if (!tape) return tape.error();
-  const auto descriptor = device::ReportDescriptor::parse(tape->descriptor);
-  if (!descriptor) return Error{file + ": " + descriptor.error().message};
-  const device::ProfileCatalog catalog = device::shippedProfiles();
-  const device::DeviceProfile* const profile =
-      device::matchingProfile(catalog.profiles, tape->identity, *descriptor);
-  if (profile == nullptr)
-    return Error{"No profile below plugins/devices fits the device on " + file + " (" + tape->name +
-                 ", " + device::identityText(tape->identity) +
-                 "). For a device of a known kind add one (plugins/README.md)."};
-  auto codec = device::makeCodec(*profile, *descriptor);
-  if (!codec) return codec.error();
-  const device::TapeReading told = device::readTape(*tape, **codec, profile->traits.nominalPeriod);
-  printTape(*tape, profile->name, told);
+  const auto told = device::readTape(file);
+  if (!told) return told.error();
+  printTape(*told);
   if (json.empty()) return Done{};
-  return writeWhole(json, jsonText(described(*tape, profile->name, told)));
+  return writeWhole(json, jsonText(described(*told)));
 }
 
 }  // namespace perilymph::cli

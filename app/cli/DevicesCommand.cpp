@@ -52,9 +52,8 @@ void printDevice(const FoundDevice& found)
   const device::HidNode& node = found.node;
   print("{}  {}  {}\n", node.path, device::identityText(node.identity),
         node.name.empty() ? found.kind : node.name);
-  if (found.profile)
-    print("    {}, a {}: {}\n", found.profile->name, found.kind,
-          ability(device::traitsOf(*found.profile, found.descriptor)));
+  if (found.known)
+    print("    {}, a {}: {}\n", found.known->name, found.kind, ability(found.known->traits));
   print("    {}\n", found.isUsable() ? "It may be opened." : found.obstacle);
 }
 
@@ -74,13 +73,13 @@ Json described(const FoundDevice& found)
   json["udev_rule"] = device::udevRule(node.identity.vendor, node.identity.product);
   json["usable"] = found.isUsable();
   json["obstacle"] = found.obstacle;
-  if (!found.profile) {
+  if (!found.known) {
     json["profile"] = nullptr;
     return json;
   }
-  const device::DeviceTraits traits = device::traitsOf(*found.profile, found.descriptor);
-  json["profile"] = {{"name", found.profile->name},
-                     {"confidence", found.profile->confidence},
+  const device::DeviceTraits& traits = found.known->traits;
+  json["profile"] = {{"name", found.known->name},
+                     {"confidence", found.known->confidence},
                      {"renders_force", traits.rendersForce},
                      {"max_force_N", traits.maxForce},
                      {"nominal_period_s", traits.nominalPeriod},

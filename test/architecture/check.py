@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs one check on the project: check.py <arrows|documents|formatting|house|layout|licenses|tests|vocabulary|window|words> <root of the project>."""
+"""Runs one check on the project: check.py <name of the check> <root of the project>."""
 
 import importlib
 import sys
@@ -9,12 +9,13 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-CHECKS = ("arrows", "documents", "formatting", "house", "layout", "licenses", "tests", "vocabulary", "window", "words")
+CHECKS = ("arrows", "documents", "formatting", "house", "interfaces", "layout", "licenses", "tests", "vocabulary", "window",
+          "words")
 
 
 def main():
     if len(sys.argv) != 3 or sys.argv[1] not in CHECKS:
-        print(__doc__, file=sys.stderr)
+        print(__doc__, "Checks:", *CHECKS, file=sys.stderr)
         return 2
     errors = importlib.import_module(f"checks.{sys.argv[1]}").check(Path(sys.argv[2]).resolve())
     for sentence in errors:

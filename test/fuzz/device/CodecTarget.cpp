@@ -8,8 +8,8 @@
 
 #include "Descriptors.h"
 #include "FuzzTarget.h"
-#include "perilymph/device/DeviceCodec.h"
-#include "perilymph/device/DeviceProfile.h"
+#include "codec/DeviceCodec.h"
+#include "codec/DeviceProfile.h"
 #include "perilymph/test/DeviceProfiles.h"
 
 namespace perilymph::fuzz {

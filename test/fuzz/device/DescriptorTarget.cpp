@@ -4,9 +4,9 @@
 
 #include "Descriptors.h"
 #include "FuzzTarget.h"
-#include "perilymph/device/ReportBits.h"
-#include "perilymph/device/ReportDescriptor.h"
-#include "perilymph/device/Transport.h"
+#include "codec/ReportBits.h"
+#include "codec/ReportDescriptor.h"
+#include "hid/Transport.h"
 
 namespace perilymph::fuzz {
 

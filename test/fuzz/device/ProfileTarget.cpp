@@ -7,8 +7,8 @@
 
 #include "Descriptors.h"
 #include "FuzzTarget.h"
-#include "perilymph/device/DeviceCodec.h"
-#include "perilymph/device/DeviceProfile.h"
+#include "codec/DeviceCodec.h"
+#include "codec/DeviceProfile.h"
 
 namespace perilymph::fuzz {
 

@@ -6,8 +6,8 @@
 
 #include "Descriptors.h"
 #include "FuzzTarget.h"
-#include "perilymph/device/TapeReading.h"
 #include "perilymph/test/DeviceProfiles.h"
+#include "tape/TapeReader.h"
 
 namespace perilymph::fuzz {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "FuzzTarget.h"
-#include "perilymph/anatomy/PlainLumens.h"
+#include "lumen/PlainLumens.h"
 #include "perilymph/haptics/InsertionEngine.h"
 #include "recording/TickBlob.h"
 

@@ -7,7 +7,7 @@
 
 #include "InputFile.h"
 #include "Seeds.h"
-#include "perilymph/anatomy/PlainLumens.h"
+#include "lumen/PlainLumens.h"
 #include "perilymph/electrode/ArrayDesign.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/mechanics/InsertionModel.h"

@@ -11,9 +11,9 @@
 
 #include "HandleReports.h"
 #include "VirtualHandle.h"
-#include "perilymph/device/DeviceCodec.h"
-#include "perilymph/device/DeviceProfile.h"
-#include "perilymph/device/ReportDescriptor.h"
+#include "codec/DeviceCodec.h"
+#include "codec/DeviceProfile.h"
+#include "codec/ReportDescriptor.h"
 #include "perilymph/test/Tolerance.h"
 
 namespace perilymph::hidstack {

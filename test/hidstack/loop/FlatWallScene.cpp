@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "perilymph/anatomy/PlainLumens.h"
+#include "lumen/PlainLumens.h"
 
 namespace perilymph::hidstack {
 

@@ -14,8 +14,8 @@
 #include <string>
 
 #include "TickLog.h"
+#include "hid/HidTransport.h"
 #include "insertion.h"
-#include "perilymph/device/HidTransport.h"
 #include "perilymph/realtime/Pacer.h"
 #include "virtualDevice.h"
 

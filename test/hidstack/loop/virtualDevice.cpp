@@ -6,8 +6,8 @@
 #include <span>
 #include <utility>
 
-#include "perilymph/device/HidPort.h"
-#include "perilymph/device/ReportDescriptor.h"
+#include "codec/ReportDescriptor.h"
+#include "hid/HidPort.h"
 
 namespace perilymph::hidstack {
 

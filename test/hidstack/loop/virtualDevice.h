@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <memory>
 
-#include "perilymph/device/DeviceCodec.h"
-#include "perilymph/device/DeviceProfile.h"
-#include "perilymph/device/HidDevice.h"
+#include "codec/DeviceCodec.h"
+#include "codec/DeviceProfile.h"
+#include "hid/HidDevice.h"
 #include "perilymph/device/HidNodes.h"
 #include "perilymph/foundation/Result.h"
 

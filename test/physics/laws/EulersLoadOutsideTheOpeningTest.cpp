@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "../mechanics/TestRod.h"
-#include "perilymph/anatomy/PlainLumens.h"
+#include "lumen/PlainLumens.h"
 #include "perilymph/test/Tolerance.h"
 
 namespace perilymph {

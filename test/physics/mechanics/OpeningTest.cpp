@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "TestRod.h"
-#include "perilymph/anatomy/PlainLumens.h"
+#include "lumen/PlainLumens.h"
 #include "perilymph/test/Tolerance.h"
 
 namespace perilymph {

@@ -9,7 +9,7 @@
 
 #include "SideWall.h"
 #include "TestRod.h"
-#include "perilymph/anatomy/PlainLumens.h"
+#include "lumen/PlainLumens.h"
 #include "perilymph/test/Tolerance.h"
 
 namespace perilymph {

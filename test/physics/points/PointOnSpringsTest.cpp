@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "perilymph/anatomy/PlainLumens.h"
+#include "lumen/PlainLumens.h"
 #include "perilymph/mechanics/advance.h"
 
 namespace perilymph::mechanics {

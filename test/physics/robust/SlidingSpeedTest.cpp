@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "../mechanics/TestRod.h"
-#include "perilymph/anatomy/PlainLumens.h"
+#include "lumen/PlainLumens.h"
 #include "perilymph/test/Tolerance.h"
 
 namespace perilymph {

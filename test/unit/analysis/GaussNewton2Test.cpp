@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "perilymph/analysis/GaussNewton2.h"
+#include "validation/GaussNewton2.h"
 
 namespace perilymph::analysis {
 namespace {

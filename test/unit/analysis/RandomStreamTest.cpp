@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "perilymph/analysis/RandomStream.h"
+#include "statistics/RandomStream.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 // Clark's scala tympani against the length and height of its source, and the numbers of the
 // template spiral.
 
-#include "perilymph/anatomy/ClarkScala.h"
+#include "sources/ClarkScala.h"
 
 #include <gtest/gtest.h>
 

@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
-#include "perilymph/anatomy/ClarkScala.h"
+#include "lumen/PlainLumens.h"
 #include "perilymph/anatomy/MeanScala.h"
 #include "perilymph/anatomy/Patient.h"
-#include "perilymph/anatomy/PlainLumens.h"
 #include "perilymph/test/Tolerance.h"
+#include "sources/ClarkScala.h"
 
 namespace perilymph::anatomy {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "Descriptors.h"
-#include "perilymph/device/DeviceCodec.h"
-#include "perilymph/device/DeviceProfile.h"
+#include "codec/DeviceCodec.h"
+#include "codec/DeviceProfile.h"
 #include "perilymph/test/AllocationGuard.h"
 
 namespace perilymph::device {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "hid/DeviceSurvey.h"
 #include "perilymph/test/RecordedTree.h"
 
 namespace perilymph::device {
@@ -41,7 +42,7 @@ TEST(DeviceSurvey, KnowsAJoystickByWhatItIs)
   const DeviceSurvey survey = surveyOf(tree);
   ASSERT_EQ(survey.devices.size(), 1u);
   EXPECT_EQ(survey.devices[0].kind, "joystick");
-  EXPECT_TRUE(survey.devices[0].profile.has_value());
+  EXPECT_TRUE(survey.devices[0].known.has_value());
   EXPECT_TRUE(survey.devices[0].isUsable()) << survey.devices[0].obstacle;
 }
 

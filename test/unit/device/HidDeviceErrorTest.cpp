@@ -10,7 +10,7 @@
 #include <memory>
 #include <thread>
 
-#include "perilymph/device/HidDevice.h"
+#include "hid/HidDevice.h"
 #include "perilymph/test/FakeHid.h"
 #include "perilymph/test/waitUntil.h"
 

@@ -3,7 +3,7 @@
 // A HidDevice against a device in memory. Time stands still unless a test lets it pass; where another
 // thread has something to do, the test looks until it is done.
 
-#include "perilymph/device/HidDevice.h"
+#include "hid/HidDevice.h"
 
 #include <gtest/gtest.h>
 

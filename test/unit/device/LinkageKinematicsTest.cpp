@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "perilymph/device/LinkageKinematics.h"
+#include "codec/LinkageKinematics.h"
 
 #include <gtest/gtest.h>
 

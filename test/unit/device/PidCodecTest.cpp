@@ -4,8 +4,8 @@
 
 #include "Descriptors.h"
 #include "PidDevice.h"
-#include "perilymph/device/DeviceCodec.h"
-#include "perilymph/device/DeviceProfile.h"
+#include "codec/DeviceCodec.h"
+#include "codec/DeviceProfile.h"
 #include "perilymph/test/AllocationGuard.h"
 #include "perilymph/test/DeviceProfiles.h"
 

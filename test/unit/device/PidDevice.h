@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "perilymph/device/Transport.h"
+#include "hid/Transport.h"
 
 namespace perilymph::device::test {
 

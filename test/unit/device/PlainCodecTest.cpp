@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "perilymph/device/DeviceCodec.h"
-#include "perilymph/device/DeviceProfile.h"
+#include "codec/DeviceCodec.h"
+#include "codec/DeviceProfile.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/test/AllocationGuard.h"
 #include "perilymph/test/DeviceProfiles.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "perilymph/device/ReplayDevice.h"
+#include "virtual/ReplayDevice.h"
 
 #include <gtest/gtest.h>
 

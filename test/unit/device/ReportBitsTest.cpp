@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "perilymph/device/ReportBits.h"
+#include "codec/ReportBits.h"
 
 #include <gtest/gtest.h>
 

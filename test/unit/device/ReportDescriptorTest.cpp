@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "perilymph/device/ReportDescriptor.h"
+#include "codec/ReportDescriptor.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,17 +2,17 @@
 
 // Tapes of reports: as hid-recorder writes them, as we write them, damaged, recorded and played.
 
-#include "perilymph/device/ReportTape.h"
+#include "tape/ReportTape.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-#include "perilymph/device/TapePorts.h"
-#include "perilymph/device/TapeReading.h"
 #include "perilymph/test/FakeHid.h"
 #include "perilymph/test/TemporaryFolder.h"
+#include "tape/TapePorts.h"
+#include "tape/TapeReader.h"
 
 namespace perilymph::device {
 namespace {

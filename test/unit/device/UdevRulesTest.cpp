@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "perilymph/device/DeviceProfile.h"
+#include "codec/DeviceProfile.h"
 #include "perilymph/device/HidNodes.h"
 
 namespace perilymph::device {

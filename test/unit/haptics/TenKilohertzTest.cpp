@@ -9,8 +9,8 @@
 #include <cmath>
 #include <thread>
 
-#include "perilymph/anatomy/PlainLumens.h"
-#include "perilymph/device/HidDevice.h"
+#include "hid/HidDevice.h"
+#include "lumen/PlainLumens.h"
 #include "perilymph/haptics/CouplingLimit.h"
 #include "perilymph/haptics/HapticLoop.h"
 #include "perilymph/test/FakeHid.h"

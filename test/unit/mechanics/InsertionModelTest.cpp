@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-#include "perilymph/anatomy/PlainLumens.h"
+#include "lumen/PlainLumens.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/mechanics/InsertionState.h"
 

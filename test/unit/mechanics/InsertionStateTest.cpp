@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "perilymph/anatomy/PlainLumens.h"
+#include "lumen/PlainLumens.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/mechanics/advance.h"
 #include "perilymph/test/AllocationGuard.h"

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-#include "perilymph/anatomy/PlainLumens.h"
+#include "lumen/PlainLumens.h"
 #include "perilymph/mechanics/InsertionModel.h"
 #include "perilymph/mechanics/InsertionState.h"
 

@@ -22,8 +22,8 @@ QString milliseconds(double time) { return numberText(time * 1e3, 2); }
 
 QString abilityText(const device::FoundDevice& found)
 {
-  if (!found.profile) return QString::fromStdString(found.kind);
-  const device::DeviceTraits traits = device::traitsOf(*found.profile, found.descriptor);
+  if (!found.known) return QString::fromStdString(found.kind);
+  const device::DeviceTraits& traits = found.known->traits;
   const QString force = traits.rendersForce
                             ? DevicePage::tr("force up to %1 N").arg(numberText(traits.maxForce, 1))
                             : DevicePage::tr("no force");

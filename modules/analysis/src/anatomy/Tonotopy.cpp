@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "perilymph/analysis/Tonotopy.h"
+#include "anatomy/Tonotopy.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "perilymph/analysis/LeastSquaresSpline.h"
+#include "statistics/LeastSquaresSpline.h"
 
 #include <algorithm>
 #include <array>

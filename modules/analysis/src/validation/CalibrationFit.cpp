@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/analysis/CalibrationFit.h"
-#include "perilymph/analysis/GaussNewton2.h"
 
 #include <cmath>
+
+#include "validation/GaussNewton2.h"
 
 namespace perilymph::analysis {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "perilymph/analysis/GaussNewton2.h"
+#include "validation/GaussNewton2.h"
 
 #include <algorithm>
 #include <cmath>

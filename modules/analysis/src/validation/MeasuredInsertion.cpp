@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "perilymph/analysis/MeasuredInsertion.h"
+#include "validation/MeasuredInsertion.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "perilymph/analysis/RandomStream.h"
 #include "perilymph/session/Insertion.h"
+#include "statistics/RandomStream.h"
 #include "validation/ExperimentDevice.h"
 
 namespace perilymph::analysis {

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "InParallel.h"
-#include "perilymph/analysis/LeastSquaresSpline.h"
-#include "perilymph/analysis/MeasuredInsertion.h"
-#include "perilymph/analysis/RandomStream.h"
+#include "statistics/LeastSquaresSpline.h"
+#include "statistics/RandomStream.h"
+#include "validation/MeasuredInsertion.h"
 
 namespace perilymph::analysis {
 

@@ -11,7 +11,7 @@
 #include "importing/ClosedSurface.h"
 #include "importing/ModiolarAxis.h"
 #include "importing/SurfaceOpening.h"
-#include "perilymph/anatomy/GridLumen.h"
+#include "lumen/GridLumen.h"
 #include "perilymph/foundation/Math.h"
 
 namespace perilymph::anatomy {

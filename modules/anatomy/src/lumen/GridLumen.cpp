@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "perilymph/anatomy/GridLumen.h"
+#include "lumen/GridLumen.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "perilymph/anatomy/PlainLumens.h"
+#include "lumen/PlainLumens.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

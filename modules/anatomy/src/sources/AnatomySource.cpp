@@ -5,8 +5,8 @@
 #include <array>
 #include <stdexcept>
 
-#include "perilymph/anatomy/ClarkScala.h"
 #include "perilymph/anatomy/MeanScala.h"
+#include "sources/ClarkScala.h"
 
 namespace perilymph::anatomy {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "perilymph/anatomy/ClarkScala.h"
+#include "sources/ClarkScala.h"
 
 #include <array>
 #include <cmath>

@@ -9,10 +9,10 @@
 #include <span>
 #include <string>
 
-#include "perilymph/device/DeviceCodec.h"
-#include "perilymph/device/DeviceProfile.h"
-#include "perilymph/device/ReportBits.h"
-#include "perilymph/device/Transport.h"
+#include "codec/DeviceCodec.h"
+#include "codec/DeviceProfile.h"
+#include "codec/ReportBits.h"
+#include "hid/Transport.h"
 
 namespace perilymph::device {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "perilymph/device/DeviceProfile.h"
+#include "codec/DeviceProfile.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "codec/ProfileTables.h"
-#include "perilymph/device/Transport.h"
+#include "hid/Transport.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/TomlReader.h"
 

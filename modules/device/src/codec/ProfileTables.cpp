@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "perilymph/device/Transport.h"
+#include "hid/Transport.h"
 
 namespace perilymph::device {
 

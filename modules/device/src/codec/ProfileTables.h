@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "perilymph/device/DeviceProfile.h"
+#include "codec/DeviceProfile.h"
 #include "perilymph/foundation/TomlReader.h"
 
 namespace perilymph::device {

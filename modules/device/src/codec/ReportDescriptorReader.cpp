@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "codec/ReportDescriptorReader.h"
 
-#include "perilymph/device/Transport.h"
+#include "hid/Transport.h"
 
 namespace perilymph::device {
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-#include "perilymph/device/ReportDescriptor.h"
+#include "codec/ReportDescriptor.h"
 
 namespace perilymph::device {
 

@@ -5,8 +5,8 @@
 
 #include <memory>
 
-#include "perilymph/device/DeviceCodec.h"
-#include "perilymph/device/Transport.h"
+#include "codec/DeviceCodec.h"
+#include "hid/Transport.h"
 
 namespace perilymph::device {
 

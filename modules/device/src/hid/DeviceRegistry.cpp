@@ -7,8 +7,10 @@
 #include <cstdio>
 #include <utility>
 
-#include "perilymph/device/DeviceCodec.h"
-#include "perilymph/device/TapePorts.h"
+#include "codec/DeviceCodec.h"
+#include "hid/DeviceSurvey.h"
+#include "hid/HidDevice.h"
+#include "tape/TapePorts.h"
 
 namespace perilymph::device {
 
@@ -38,7 +40,7 @@ std::string kindOf(const ReportDescriptor& descriptor)
   return text;
 }
 
-std::string obstacleOf(const FoundDevice& found)
+std::string obstacleOf(const FoundDevice& found, const ReportDescriptor& descriptor)
 {
   const HidNode& node = found.node;
   if (!found.profile)
@@ -52,9 +54,16 @@ std::string obstacleOf(const FoundDevice& found)
            ". Put this line into /etc/udev/rules.d/70-perilymph.rules, then plug the device in "
            "again: " +
            udevRule(node.identity.vendor, node.identity.product);
-  if (const auto codec = makeCodec(*found.profile, found.descriptor); !codec)
+  if (const auto codec = makeCodec(*found.profile, descriptor); !codec)
     return codec.error().message;
   return {};
+}
+
+/// Empty where it cannot be read.
+ReportDescriptor descriptorOf(const HidNode& node)
+{
+  auto parsed = ReportDescriptor::parse(node.descriptor);
+  return parsed ? *std::move(parsed) : ReportDescriptor{};
 }
 
 std::string lowered(std::string text)
@@ -77,7 +86,7 @@ bool isCalled(const FoundDevice& found, const std::string& wanted)
 
 std::string FoundDevice::name() const
 {
-  if (profile) return profile->name;
+  if (known) return known->name;
   return node.name.empty() ? identityText(node.identity) : node.name;
 }
 
@@ -95,13 +104,14 @@ DeviceSurvey surveyDevices(const std::vector<DeviceProfile>& profiles, const Sys
   for (HidNode& node : findHidNodes(roots)) {
     FoundDevice found;
     found.node = std::move(node);
-    if (auto parsed = ReportDescriptor::parse(found.node.descriptor))
-      found.descriptor = *std::move(parsed);
-    const DeviceProfile* const profile =
-        matchingProfile(profiles, found.node.identity, found.descriptor);
-    if (profile != nullptr) found.profile = *profile;
-    found.kind = kindOf(found.descriptor);
-    found.obstacle = obstacleOf(found);
+    const ReportDescriptor descriptor = descriptorOf(found.node);
+    const DeviceProfile* const profile = matchingProfile(profiles, found.node.identity, descriptor);
+    if (profile != nullptr) {
+      found.profile = std::make_shared<const DeviceProfile>(*profile);
+      found.known = {profile->name, profile->confidence, traitsOf(*profile, descriptor)};
+    }
+    found.kind = kindOf(descriptor);
+    found.obstacle = obstacleOf(found, descriptor);
     survey.devices.push_back(std::move(found));
   }
   return survey;
@@ -122,11 +132,12 @@ Result<FoundDevice> findDevice(const DeviceSurvey& survey, const std::string& na
                                : "There are: " + usable + ".")};
 }
 
-Result<std::unique_ptr<HidDevice>> makeHidDevice(const FoundDevice& found, const SystemRoots& roots,
-                                                 const std::filesystem::path& tape)
+Result<std::unique_ptr<HapticDevice>> makeHidDevice(const FoundDevice& found,
+                                                    const SystemRoots& roots,
+                                                    const std::filesystem::path& tape)
 {
   if (!found.isUsable()) return Error{found.name() + " cannot be the hand. " + found.obstacle};
-  auto codec = makeCodec(*found.profile, found.descriptor);
+  auto codec = makeCodec(*found.profile, descriptorOf(found.node));
   if (!codec) return codec.error();
   auto port = hidPort(found.node, roots);
   if (!tape.empty()) {
@@ -139,8 +150,8 @@ Result<std::unique_ptr<HidDevice>> makeHidDevice(const FoundDevice& found, const
     if (!recording) return recording.error();
     port = *std::move(recording);
   }
-  return std::make_unique<HidDevice>(traitsOf(*found.profile, found.descriptor), *std::move(codec),
-                                     std::move(port));
+  return std::unique_ptr<HapticDevice>(
+      std::make_unique<HidDevice>(found.known->traits, *std::move(codec), std::move(port)));
 }
 
 }  // namespace perilymph::device

@@ -6,9 +6,9 @@
 #include <atomic>
 #include <cstdint>
 
-#include "perilymph/device/DeviceCodec.h"
+#include "codec/DeviceCodec.h"
+#include "hid/ReportReader.h"
 #include "perilymph/device/DeviceHealth.h"
-#include "perilymph/device/ReportReader.h"
 #include "perilymph/realtime/Doorbell.h"
 #include "perilymph/realtime/Handoff.h"
 #include "perilymph/realtime/TimeHistogram.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "perilymph/device/HidDevice.h"
+#include "hid/HidDevice.h"
 
 #include <algorithm>
 #include <atomic>

@@ -13,6 +13,8 @@
 #include <optional>
 #include <string_view>
 
+#include "codec/ReportDescriptor.h"
+
 namespace perilymph::device {
 
 namespace {

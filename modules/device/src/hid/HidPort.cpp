@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "perilymph/device/HidPort.h"
+#include "hid/HidPort.h"
 
 #include <fcntl.h>
 
 #include <utility>
 
+#include "hid/HidTransport.h"
 #include "hid/PlugWatch.h"
-#include "perilymph/device/HidTransport.h"
-#include "perilymph/device/TapePorts.h"
+#include "tape/TapePorts.h"
 
 namespace perilymph::device {
 

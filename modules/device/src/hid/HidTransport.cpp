@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "perilymph/device/HidTransport.h"
+#include "hid/HidTransport.h"
 
 #include <fcntl.h>
 #include <hidapi/hidapi.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "perilymph/device/ReportCount.h"
+#include "hid/ReportCount.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "perilymph/device/ReportReader.h"
+#include "hid/ReportReader.h"
 
 namespace perilymph::device {
 

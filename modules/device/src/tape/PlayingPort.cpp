@@ -7,8 +7,8 @@
 #include <optional>
 #include <utility>
 
-#include "perilymph/device/TapePorts.h"
 #include "perilymph/realtime/Pacer.h"
+#include "tape/TapePorts.h"
 
 namespace perilymph::device {
 

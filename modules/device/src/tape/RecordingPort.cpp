@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "perilymph/device/TapePorts.h"
 #include "perilymph/realtime/Doorbell.h"
 #include "perilymph/realtime/Pacer.h"
 #include "perilymph/realtime/SpscRing.h"
+#include "tape/TapePorts.h"
 
 namespace perilymph::device {
 

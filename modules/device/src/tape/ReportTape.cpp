@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "perilymph/device/ReportTape.h"
+#include "tape/ReportTape.h"
 
 #include <algorithm>
 #include <array>

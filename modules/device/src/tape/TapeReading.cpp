@@ -3,8 +3,10 @@
 
 #include <algorithm>
 
-#include "perilymph/device/ReportReader.h"
+#include "codec/DeviceProfile.h"
+#include "hid/ReportReader.h"
 #include "perilymph/realtime/TimeHistogram.h"
+#include "tape/TapeReader.h"
 
 namespace perilymph::device {
 
@@ -71,6 +73,29 @@ TapeReading readTape(const ReportTape& tape, DeviceCodec& codec, double period)
     result.duration =
         static_cast<double>(tape.entries.back().time - tape.entries.front().time) * 1e-9;
   return result;
+}
+
+Result<TapeReading> readTape(const std::filesystem::path& file)
+{
+  const auto tape = loadTape(file);
+  if (!tape) return tape.error();
+  const auto descriptor = ReportDescriptor::parse(tape->descriptor);
+  if (!descriptor) return Error{file.string() + ": " + descriptor.error().message};
+  const ProfileCatalog catalog = shippedProfiles();
+  const DeviceProfile* const profile =
+      matchingProfile(catalog.profiles, tape->identity, *descriptor);
+  if (profile == nullptr)
+    return Error{"No profile below plugins/devices fits the device on " + file.string() + " (" +
+                 tape->name + ", " + identityText(tape->identity) +
+                 "). For a device of a known kind add one (plugins/README.md)."};
+  auto codec = makeCodec(*profile, *descriptor);
+  if (!codec) return codec.error();
+  TapeReading reading = readTape(*tape, **codec, profile->traits.nominalPeriod);
+  reading.name = tape->name;
+  reading.identity = tape->identity;
+  reading.profile = profile->name;
+  reading.lost = tape->lost;
+  return reading;
 }
 
 }  // namespace perilymph::device

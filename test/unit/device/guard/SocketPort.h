@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "perilymph/device/HidPort.h"
+#include "hid/HidPort.h"
 
 namespace perilymph::test {
 

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "SocketPort.h"
-#include "perilymph/device/HidDevice.h"
+#include "hid/HidDevice.h"
 #include "perilymph/test/DeviceProfiles.h"
 
 namespace {

@@ -3,25 +3,36 @@
 
 // The HID devices of the system and their profiles.
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "perilymph/device/DeviceProfile.h"
-#include "perilymph/device/HidDevice.h"
+#include "perilymph/device/HapticDevice.h"
 #include "perilymph/device/HidNodes.h"
+#include "perilymph/foundation/Result.h"
 
 namespace perilymph::device {
+
+struct DeviceProfile;
+
+/// What a device's profile states.
+struct KnownDevice {
+  std::string name;
+  std::string confidence;  ///< high, medium or low
+  DeviceTraits traits;
+};
 
 /// One HID device, with or without a profile.
 struct FoundDevice {
   HidNode node;
-  ReportDescriptor descriptor;           ///< Empty if it cannot be read.
-  std::optional<DeviceProfile> profile;  ///< Empty for an unknown device.
+  std::optional<KnownDevice> known;  ///< Empty for an unknown device.
   std::string kind;      ///< Description: "mouse", "joystick", "vendor-defined (usage page
                          ///< 0xff00)".
   std::string obstacle;  ///< A sentence: why it cannot be used; empty if it can.
+  /// The profile that makeHidDevice() uses; null for an unknown device.
+  std::shared_ptr<const DeviceProfile> profile;
 
   /// Display name: the profile's, else the device's own, else vendor and product numbers.
   std::string name() const;
@@ -33,11 +44,8 @@ struct DeviceSurvey {
   std::vector<std::string> errors;   ///< Profiles that cannot be read: messages.
 };
 
-/// Surveys all HID devices without opening any.
+/// Surveys all HID devices with the shipped profiles, without opening any.
 DeviceSurvey surveyDevices(const SystemRoots& roots = {});
-
-/// The same with the caller's profiles.
-DeviceSurvey surveyDevices(const std::vector<DeviceProfile>& profiles, const SystemRoots& roots);
 
 /// The usable device with that name, node ("hidraw3" or its path) or identity ("256f:c635"). The
 /// error lists the available ones.
@@ -46,8 +54,8 @@ Result<FoundDevice> findDevice(const DeviceSurvey& survey, const std::string& na
 /// Makes a usable device; not yet open.
 ///
 /// @param tape  File that all its reports are recorded to (ReportTape); none if empty.
-Result<std::unique_ptr<HidDevice>> makeHidDevice(const FoundDevice& found,
-                                                 const SystemRoots& roots = {},
-                                                 const std::filesystem::path& tape = {});
+Result<std::unique_ptr<HapticDevice>> makeHidDevice(const FoundDevice& found,
+                                                    const SystemRoots& roots = {},
+                                                    const std::filesystem::path& tape = {});
 
 }  // namespace perilymph::device

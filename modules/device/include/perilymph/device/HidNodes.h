@@ -8,9 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "perilymph/device/DeviceProfile.h"
-
 namespace perilymph::device {
+
+/// USB or Bluetooth identity of a HID interface.
+struct HidIdentity {
+  std::uint16_t vendor = 0;
+  std::uint16_t product = 0;
+  int interfaceNumber = -1;  ///< -1 if the system does not report it.
+};
 
 /// Whether this user may open a node for reading and writing.
 enum class NodeAccess : std::uint8_t {

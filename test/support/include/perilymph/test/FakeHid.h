@@ -8,8 +8,8 @@
 #include <memory>
 #include <vector>
 
-#include "perilymph/device/DeviceCodec.h"
-#include "perilymph/device/HidPort.h"
+#include "codec/DeviceCodec.h"
+#include "hid/HidPort.h"
 
 namespace perilymph::test {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "perilymph/device/ReportDescriptor.h"
+#include "codec/ReportDescriptor.h"
 
 namespace perilymph::device {
 

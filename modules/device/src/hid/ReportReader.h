@@ -5,9 +5,9 @@
 
 #include <cstdint>
 
-#include "perilymph/device/DeviceCodec.h"
+#include "codec/DeviceCodec.h"
+#include "hid/ReportCount.h"
 #include "perilymph/device/DeviceHealth.h"
-#include "perilymph/device/ReportCount.h"
 #include "perilymph/foundation/RealTime.h"
 #include "perilymph/realtime/TimeHistogram.h"
 

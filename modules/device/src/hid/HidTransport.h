@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "perilymph/device/Transport.h"
+#include "hid/Transport.h"
 
 namespace perilymph::device {
 

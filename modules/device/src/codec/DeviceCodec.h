@@ -9,9 +9,9 @@
 #include <optional>
 #include <vector>
 
-#include "perilymph/device/FixedReport.h"
+#include "codec/FixedReport.h"
+#include "hid/Transport.h"
 #include "perilymph/device/HapticDevice.h"
-#include "perilymph/device/Transport.h"
 #include "perilymph/foundation/Result.h"
 
 namespace perilymph::device {

@@ -5,8 +5,8 @@
 
 #include <memory>
 
+#include "hid/Transport.h"
 #include "perilymph/device/HidNodes.h"
-#include "perilymph/device/Transport.h"
 
 namespace perilymph::device {
 

@@ -12,20 +12,14 @@
 #include <string_view>
 #include <vector>
 
-#include "perilymph/device/FixedReport.h"
+#include "codec/FixedReport.h"
+#include "codec/LinkageKinematics.h"
+#include "codec/ReportDescriptor.h"
 #include "perilymph/device/HapticDevice.h"
-#include "perilymph/device/LinkageKinematics.h"
-#include "perilymph/device/ReportDescriptor.h"
+#include "perilymph/device/HidNodes.h"
 #include "perilymph/foundation/Result.h"
 
 namespace perilymph::device {
-
-/// USB or Bluetooth identity of a HID interface.
-struct HidIdentity {
-  std::uint16_t vendor = 0;
-  std::uint16_t product = 0;
-  int interfaceNumber = -1;  ///< -1 if the system does not report it.
-};
 
 /// Criteria of a profile: all given ones must match.
 struct DeviceMatch {

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "perilymph/device/DeviceProfile.h"
-#include "perilymph/device/Transport.h"
+#include "codec/DeviceProfile.h"
+#include "hid/Transport.h"
 #include "perilymph/foundation/Result.h"
 
 namespace perilymph::device {

@@ -7,9 +7,9 @@
 #include <functional>
 #include <memory>
 
-#include "perilymph/device/HidPort.h"
-#include "perilymph/device/ReportReader.h"
-#include "perilymph/device/ReportTape.h"
+#include "hid/HidPort.h"
+#include "hid/ReportReader.h"
+#include "tape/ReportTape.h"
 
 namespace perilymph::device {
 

@@ -6,10 +6,10 @@
 
 #include <memory>
 
-#include "perilymph/device/DeviceCodec.h"
+#include "codec/DeviceCodec.h"
+#include "hid/HidPort.h"
+#include "hid/ReportReader.h"
 #include "perilymph/device/HapticDevice.h"
-#include "perilymph/device/HidPort.h"
-#include "perilymph/device/ReportReader.h"
 
 namespace perilymph::device {
 

@@ -369,8 +369,8 @@
         <translation>diese Einführung</translation>
     </message>
     <message>
-        <source>felt by surgeons 20 mN</source>
-        <translation>für Operateure spürbar 20 mN</translation>
+        <source>felt by surgeons %1 mN</source>
+        <translation>für Operateure spürbar %1 mN</translation>
     </message>
     <message>
         <source>axial</source>
@@ -1321,8 +1321,8 @@
 <context>
     <name>perilymph::gui::ForceLabel</name>
     <message>
-        <source>Felt: median of ten otologic surgeons, 20.4 mN (Kratchman 2016, Audiol Neurotol 21:244).</source>
-        <translation>Fühlbar: Median von zehn Ohrchirurgen, 20,4 mN (Kratchman 2016, Audiol Neurotol 21:244).</translation>
+        <source>Felt: median of ten otologic surgeons, %1 mN (Kratchman 2016, Audiol Neurotol 21:244).</source>
+        <translation>Fühlbar: Median von zehn Ohrchirurgen, %1 mN (Kratchman 2016, Audiol Neurotol 21:244).</translation>
     </message>
     <message>
         <source>The force on the partition is the sum of what the whole array presses normal to it; a rupture was measured under one point. No force is known to do no harm: trauma may occur below these forces (Mirsalehi 2017).</source>

@@ -36,7 +36,7 @@ charts::ChartStyle chartStyle()
       .force = tr("force, mN"),
       .now = tr("now"),
       .thisInsertion = tr("this insertion"),
-      .feltBySurgeons = tr("felt by surgeons 20 mN"),
+      .feltBySurgeons = tr("felt by surgeons %1 mN"),
       .axial = tr("axial"),
       .lateral = tr("lateral"),
       .vertical = tr("vertical"),

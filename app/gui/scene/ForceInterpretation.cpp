@@ -29,6 +29,7 @@ std::optional<analysis::PrintedRange> rangeOf(const char* reference, const char*
 ForceThresholds ForceThresholds::shipped()
 {
   ForceThresholds known;
+  if (const auto felt = analysis::forceFeltBySurgeons()) known.felt = *felt;
   known.peaks = rangeOf("in-vivo", "peak");
   known.rupture = rangeOf("in-vitro", "rupture of the partition");
   return known;
@@ -37,8 +38,10 @@ ForceThresholds ForceThresholds::shipped()
 ForceMeaning meaningOnHand(Force force, const ForceThresholds& known)
 {
   const double size = std::fabs(force.si());
-  const QString felt = numberText(inMillinewtons(known.felt), 0);
-  if (size < known.felt.si()) return {tr("below the %1 mN that surgeons feel").arg(felt), false};
+  const QString felt = known.felt ? numberText(inMillinewtons(*known.felt), 0) : QString();
+  if (known.felt && size < known.felt->si())
+    return {tr("below the %1 mN that surgeons feel").arg(felt), false};
+  if (!known.felt && (!known.peaks || size < known.peaks->low)) return {};
   if (!known.peaks || size < known.peaks->low)
     return {tr("felt by surgeons, above %1 mN").arg(felt), false};
   const QString low = millinewtonsText(known.peaks->low);

@@ -13,8 +13,7 @@ namespace perilymph::gui {
 
 /// Published force thresholds.
 struct ForceThresholds {
-  /// Median force perceived by ten otologic surgeons: Kratchman 2016, Audiol Neurotol 21:244.
-  Force felt = millinewtons(20.4);
+  std::optional<Force> felt;                      ///< Median force that surgeons perceive.
   std::optional<analysis::PrintedRange> peaks;    ///< On the hand, in patients.
   std::optional<analysis::PrintedRange> rupture;  ///< Rupture of the partition, normal to it.
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "gui/parts/Numbers.h"
 #include "gui/parts/Theme.h"
 
 namespace perilymph::gui {
@@ -27,9 +28,11 @@ ForceLabel::ForceLabel(QWidget* parent) : QWidget(parent), known_(ForceThreshold
   setObjectName(QStringLiteral("forceWords"));
   setFont(typeface(12));
   setAttribute(Qt::WA_NoSystemBackground);
-  QStringList sources{
-      tr("Felt: median of ten otologic surgeons, 20.4 mN (Kratchman 2016, Audiol "
-         "Neurotol 21:244).")};
+  QStringList sources;
+  if (known_.felt)
+    sources << tr("Felt: median of ten otologic surgeons, %1 mN (Kratchman 2016, Audiol Neurotol "
+                  "21:244).")
+                   .arg(numberText(inMillinewtons(*known_.felt), 1));
   if (known_.peaks) sources << QString::fromStdString(known_.peaks->source);
   if (known_.rupture) sources << QString::fromStdString(known_.rupture->source);
   sources << tr(

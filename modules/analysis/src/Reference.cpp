@@ -5,7 +5,6 @@
 
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/TomlReader.h"
-#include "perilymph/foundation/Units.h"
 
 namespace perilymph::analysis {
 
@@ -62,6 +61,15 @@ PrintedRange readRange(TomlReader& table)
   return range;
 }
 
+PrintedValue readValue(TomlReader& table)
+{
+  PrintedValue value;
+  value.quantity = table.text("quantity");
+  value.value = table.number("value_N", forces_N);
+  value.source = table.text("source");
+  return value;
+}
+
 }  // namespace
 
 const PrintedForce* Reference::find(const std::string& feature) const
@@ -78,14 +86,21 @@ const PrintedRange* Reference::findRange(const std::string& quantity) const
   return nullptr;
 }
 
+const PrintedValue* Reference::findValue(const std::string& quantity) const
+{
+  for (const PrintedValue& value : values)
+    if (value.quantity == quantity) return &value;
+  return nullptr;
+}
+
 Result<Reference> loadReference(const std::filesystem::path& file)
 {
   auto reader = TomlReader::open(file);
   if (!reader) return reader.error();
   Reference reference;
   reference.label = reader->text("label");
-  reference.kind =
-      reader->choice("kind", {"experiment", "simulator", "in vivo", "in vitro"}, "experiment");
+  reference.kind = reader->choice(
+      "kind", {"experiment", "simulator", "in vivo", "in vitro", "perception"}, "experiment");
   reference.source = reader->text("source");
   reference.insertions = reader->number("insertions", {0.0, 1e6}, 0.0);
   for (TomlReader& table : reader->tables("point"))
@@ -93,10 +108,13 @@ Result<Reference> loadReference(const std::filesystem::path& file)
   for (TomlReader& table : reader->tables("difference"))
     reference.differences.push_back(readDifference(table, reference.differences));
   for (TomlReader& table : reader->tables("range")) reference.ranges.push_back(readRange(table));
-  if (reference.points.empty() && reference.differences.empty() && reference.ranges.empty())
-    reader->refuse("label",
-                   "There is no [[point]], [[difference]] or [[range]]; a reference needs at least "
-                   "one [[point]] or its like.");
+  for (TomlReader& table : reader->tables("value")) reference.values.push_back(readValue(table));
+  if (reference.points.empty() && reference.differences.empty() && reference.ranges.empty() &&
+      reference.values.empty())
+    reader->refuse(
+        "label",
+        "There is no [[point]], [[difference]], [[range]] or [[value]]; a reference needs "
+        "at least one [[point]] or its like.");
   if (const auto done = reader->finish(); !done) return done.error();
   return reference;
 }
@@ -106,6 +124,16 @@ Result<Reference> shippedReference(const std::string& name)
   const auto file = findByName("reference", "resources/reference", name);
   if (!file) return file.error();
   return loadReference(*file);
+}
+
+Result<Force> forceFeltBySurgeons()
+{
+  const auto surgeons = shippedReference("surgeons");
+  if (!surgeons) return surgeons.error();
+  const PrintedValue* const felt = surgeons->findValue("force felt, median");
+  if (felt == nullptr)
+    return Error{"The reference 'surgeons' has no [[value]] of the quantity 'force felt, median'."};
+  return newtons(felt->value);
 }
 
 }  // namespace perilymph::analysis

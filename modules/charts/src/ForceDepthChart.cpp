@@ -9,6 +9,8 @@
 #include "ChartColors.h"
 #include "ChartFrame.h"
 #include "TravelColumns.h"
+#include "perilymph/analysis/Reference.h"
+#include "perilymph/figures/Strings.h"
 
 namespace perilymph::charts {
 namespace {
@@ -17,8 +19,6 @@ constexpr AxisRange usualTravel_mm{0.0, 17.0, 4.0};
 /// Slightly below zero: a free array has forces of some millinewtons of either sign at the
 /// tweezers.
 constexpr AxisRange usualForce_N{-0.01, 0.20, 0.05};
-/// Median force that surgeons detect: 20.4 mN, Kratchman et al. 2016.
-constexpr double feltBySurgeons_N = 0.020;
 
 vtkColor4ub faded(vtkColor4ub color, unsigned char alpha)
 {
@@ -41,6 +41,7 @@ struct ForceDepthChart::Content {
 
   ChartStrings strings;
   const figures::SchemeInks& inks;
+  Result<Force> felt = analysis::forceFeltBySurgeons();
   ChartFrame frame;
   ChartLine ghostLine, outLine, inLine;
   TravelColumns columns;
@@ -98,8 +99,11 @@ void ForceDepthChart::Content::setMarks()
 
   overlay.bars = showsReference ? reference : std::vector<ReferencePoint>();
   overlay.threshold.reset();
-  if (showsThreshold)
-    overlay.threshold = Threshold{feltBySurgeons_N, strings.feltBySurgeons, colorOf(inks.orange)};
+  if (showsThreshold && felt)
+    overlay.threshold = Threshold{
+        felt->si(),
+        figures::filled(strings.feltBySurgeons, {figures::fixed(inMillinewtons(*felt), 0)}),
+        colorOf(inks.orange)};
   overlay.now.reset();
   if (!columns.isEmpty())
     overlay.now = Dot{columns.lastTravel_mm(), columns.lastForce_N(), colorOf(inks.accent)};

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "PublishedCarrier.h"
 #include "perilymph/foundation/Hash.h"
 #include "perilymph/foundation/Math.h"
 #include "points/PointSetModel.h"
@@ -13,11 +14,9 @@
 namespace perilymph::mechanics {
 namespace {
 
-// The published simulator has twelve sample points on a carrier inserted 22 mm deep: the stiffness
-// of one point represents this length of wall (the paper's numbers; the spacing is ours, medium).
-constexpr double samplePointSpacing = 22e-3 / 12;
-// Mass of array and tweezers, weighed for the paper (high).
-constexpr double carrierAndTweezers = 0.0178943;  // [kg]
+// Length of wall that the stiffness of one published sample point represents (the paper's numbers;
+// the spacing is ours, medium).
+constexpr double samplePointSpacing = publishedDepth / publishedPoints;  // [m]
 // Silicone rubber with platinum wires (medium): density, and drag in perilymph (low).
 constexpr double siliconeDensity = 1150.0;  // [kg/m^3]
 constexpr double dragPerLength = 0.05;      // [N.s/m^2]
@@ -151,7 +150,7 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
   m.timeStep = m.parts.timeStep.si();
   const double length = array.length.si();
   m.spacing = length / (m.nodes - 1);
-  m.baseMass = carrierAndTweezers;
+  m.baseMass = publishedMass;
 
   // the approach: along E.z, rotated toward E.y and toward E.x
   const SineCosine tilt = sineCosine(m.parts.approachTilt.si());

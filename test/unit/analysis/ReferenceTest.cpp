@@ -52,6 +52,15 @@ TEST(PublishedDifference, IsSimulatorMinusExperiment)
               simulator->find("end")->mean - experiment->find("end")->mean, 1e-12);
 }
 
+TEST(ForceFeltBySurgeons, IsKratchmansMedian)
+{
+  // Kratchman et al. 2016: 20.4 mN
+  const auto felt = forceFeltBySurgeons();
+  ASSERT_TRUE(felt) << felt.error().message;
+  EXPECT_NEAR(inMillinewtons(*felt), 20.4, 1e-12);
+  EXPECT_THAT(shippedReference("surgeons")->values.front().source, HasSubstr("Kratchman"));
+}
+
 TEST(ReferenceFile, WithoutAnyValueIsRefused)
 {
   const test::TemporaryFolder folder;

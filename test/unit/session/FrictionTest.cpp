@@ -48,6 +48,10 @@ TEST(ShippedFriction, OfTheExperimentIsAsPublished)
   EXPECT_DOUBLE_EQ(law.kineticCoefficient, 0.0395);
   EXPECT_DOUBLE_EQ(law.stoppingCoefficient, 0.0185);
   EXPECT_TRUE(law.bySpeed.isEmpty());
+  // the law's own defaults are the same values
+  EXPECT_EQ(law.staticCoefficient, mechanics::FrictionLaw{}.staticCoefficient);
+  EXPECT_EQ(law.kineticCoefficient, mechanics::FrictionLaw{}.kineticCoefficient);
+  EXPECT_EQ(law.stoppingCoefficient, mechanics::FrictionLaw{}.stoppingCoefficient);
 }
 
 TEST(ShippedFriction, OfSoapChangesWithSpeedAsItsStrengthHasIt)

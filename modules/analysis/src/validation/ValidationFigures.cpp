@@ -21,8 +21,6 @@ namespace ink = figures::ink;
 
 namespace {
 
-constexpr double feltBySurgeons = 0.0204;  // median, Kratchman et al. 2016 [N]
-
 double mm(double travel) { return inMillimeters(meters(travel)); }
 
 FigureAxis travelAxis() { return {"travel of the tip from its start, mm", 0.0, 17.0, 2.0, 0}; }
@@ -32,6 +30,16 @@ FigureAxis forceAxis(double highest)
   FigureAxis axis{"axial force, N", 0.0, 0.20, 0.05, 2};
   while (axis.high < highest) axis.high += axis.tick;
   return axis;
+}
+
+/// A level at what surgeons feel; none where the reference is missing.
+void addFelt(Figure& figure, const std::string& label, bool isBothWays)
+{
+  const Result<Force> felt = forceFeltBySurgeons();
+  if (!felt) return;
+  figure.levels.push_back(
+      {label + fixed(inMillinewtons(*felt), 1) + " mN", felt->si(), ink::gray, 3.0});
+  if (isBothWays) figure.levels.push_back({"", -felt->si(), ink::gray, 3.0});
 }
 
 FigureValues printed(const Reference& reference, std::string label, const Ink& color,
@@ -93,7 +101,7 @@ Figure simulationFigure(const ValidationResult& result, const Reference& experim
   figure.y = forceAxis(highest);
   figure.bands = {spread, confidence};
   figure.curves = {mean};
-  figure.levels = {{"felt by surgeons, median 20.4 mN", feltBySurgeons, ink::gray, 3.0}};
+  addFelt(figure, "felt by surgeons, median ", false);
   figure.values.push_back(printed(experiment, experiment.label, ink::black, MarkerShape::disk));
   figure.notes = {"Seed " + std::to_string(result.seed) +
                   "; least-squares spline through each insertion, resampled every 0.1 mm."};
@@ -153,8 +161,7 @@ Figure differenceFigure(const ValidationResult& result, const Reference& publish
     theirs.high.push_back(difference.high.value_or(difference.mean));
   }
   figure.y = figures::axisOver("difference of mean axial force, N", lowest, highest);
-  figure.levels = {{"felt by surgeons, ± 20.4 mN", feltBySurgeons, ink::gray, 3.0},
-                   {"", -feltBySurgeons, ink::gray, 3.0}};
+  addFelt(figure, "felt by surgeons, ± ", true);
   figure.values = {theirs, ours};
   figure.notes = {"Only where the experiment is printed; its means rest on about 11 insertions."};
   return figure;

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 
+#include "PublishedCarrier.h"
 #include "perilymph/mechanics/PointSet.h"
 #include "points/ProxySurface.h"
 
@@ -19,7 +20,7 @@ struct PointSetLaw {
   double turningStiffness =
       0.2;                       ///< Rotational stiffness of the carrier in the tweezers [N.m/rad].
   double turningDamping = 3e-5;  ///< The same [N.m.s/rad].
-  double mass = 0.0178943;       ///< Mass of array and tweezers, weighed [kg].
+  double mass = publishedMass;   ///< Mass of array and tweezers, weighed [kg].
   Eigen::Vector3d box{30e-3, 20e-3, 20e-3};  ///< Along E's axes [m].
   double surfaceDamping = 0.01;              ///< [N.s/m]
 };

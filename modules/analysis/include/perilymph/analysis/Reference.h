@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "perilymph/foundation/Result.h"
+#include "perilymph/foundation/Units.h"
 
 namespace perilymph::analysis {
 
@@ -37,29 +38,43 @@ struct PrintedRange {
   std::string source;
 };
 
+/// A single force: a median, a threshold.
+struct PrintedValue {
+  std::string quantity;  ///< "force felt, median".
+  double value = 0.0;    ///< [N]
+  std::string source;
+};
+
 /// Forces from one publication.
 struct Reference {
   std::string label;  ///< Legend entry.
-  std::string kind;   ///< "experiment", "simulator", "in vivo" or "in vitro".
+  std::string kind;   ///< "experiment", "simulator", "in vivo", "in vitro" or "perception".
   std::string source;
   double insertions = 0.0;  ///< Number of insertions per mean; 0 if unknown.
   std::vector<PrintedForce> points;
   std::vector<PrintedDifference> differences;
   std::vector<PrintedRange> ranges;
+  std::vector<PrintedValue> values;
 
   /// The point of a feature; null if absent.
   const PrintedForce* find(const std::string& feature) const;
   /// The range of a quantity; null if absent.
   const PrintedRange* findRange(const std::string& quantity) const;
+  /// The value of a quantity; null if absent.
+  const PrintedValue* findValue(const std::string& quantity) const;
 };
 
 /// Reads a reference: keys `label, kind, source, insertions` and tables `[[point]]` (travel_mm,
 /// mean_N, sd_N, feature, source), `[[difference]]` (travel_mm, mean_N, ci95_low_N, ci95_high_N,
-/// source) and `[[range]]` (quantity, low_N, high_N, source). Points and differences must be in
-/// order of travel.
+/// source), `[[range]]` (quantity, low_N, high_N, source) and `[[value]]` (quantity, value_N,
+/// source). Points and differences must be in order of travel.
 Result<Reference> loadReference(const std::filesystem::path& file);
 
 /// A shipped reference by its name: "todd-naghdy-experiment".
 Result<Reference> shippedReference(const std::string& name);
+
+/// Median force that otologic surgeons detect (`resources/reference/surgeons.toml`): what forces
+/// and differences of forces are compared with. Reads the file.
+Result<Force> forceFeltBySurgeons();
 
 }  // namespace perilymph::analysis

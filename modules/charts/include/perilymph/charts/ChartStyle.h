@@ -16,7 +16,7 @@ struct ChartStrings {
   std::string force = "force, mN";
   std::string now = "now";
   std::string thisInsertion = "this insertion";
-  std::string feltBySurgeons = "felt by surgeons 20 mN";
+  std::string feltBySurgeons = "felt by surgeons %1 mN";
   std::string axial = "axial", lateral = "lateral", vertical = "vertical";
   std::string outerWall = "outer wall", modiolus = "modiolus";
   std::string basilarMembrane = "basilar membrane";

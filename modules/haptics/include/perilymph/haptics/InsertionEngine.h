@@ -24,8 +24,9 @@ namespace perilymph::haptics {
 /// Constant settings of the engine.
 struct EngineSettings {
   mechanics::Coupling coupling = mechanics::Coupling::rigid;
-  double couplingStiffness = 441.0;  ///< [N/m]; of the wall in the published simulator.
-  double couplingDamping = 1.0;      ///< [N.s/m]
+  /// That of the wall in the published simulator [N/m].
+  double couplingStiffness = mechanics::WallLaw{}.perSamplePoint.si();
+  double couplingDamping = 1.0;  ///< [N.s/m]
   /// Maximum that the device can render at the hand (CouplingLimit). The coupling is reduced to it,
   /// taking force and motion scales into account.
   double maxStiffness = std::numeric_limits<double>::infinity();  ///< [N/m]

@@ -26,7 +26,7 @@ inline constexpr int maxNodes = 1024;
 /// Time over which a precurved array, straight at the start, takes on its rest shape (choice, low).
 inline constexpr double releaseTime = 0.2;  // [s]
 
-/// Compliance of the wall.
+/// Compliance of the wall; by default as published (Todd and Naghdy, section II.D).
 struct WallLaw {
   /// Stiffness of the wall under one sample point of the published simulator [N/m].
   Stiffness perSamplePoint = newtonsPerMeter(441.0);

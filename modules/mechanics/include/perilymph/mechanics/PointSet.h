@@ -57,6 +57,9 @@ class Hash;
 
 namespace perilymph::mechanics {
 
+/// Number of sample points of the published carrier (section II.C).
+inline constexpr int publishedPoints = 12;
+
 /// Maximum number of points of a model.
 inline constexpr int maxPoints = 256;
 

@@ -161,7 +161,7 @@ int run(int argc, char** argv, const gui::CommandLine& options)
   if (!scenario) return refuse(scenario.error().message);
   if (const auto display = gui::probeDisplay(); !display) return refuse(display.error().message);
 
-  registerThreadRole(ThreadRole::ui);
+  declareThread(ThreadRole::window);
   gui::prepareQt();
   gui::Application application(argc, argv);
   const gui::TerminationSignals signals(nullptr);

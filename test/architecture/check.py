@@ -9,8 +9,8 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-CHECKS = ("arrows", "documents", "formatting", "house", "interfaces", "layout", "licenses", "tests", "vocabulary", "window",
-          "words")
+CHECKS = ("arrows", "documents", "formatting", "house", "interfaces", "layout", "licenses", "tests", "threads",
+          "vocabulary", "window", "words")
 
 
 def main():

@@ -54,7 +54,7 @@ public:
 
   void run() override
   {
-    registerThreadRole(ThreadRole::worker);
+    declareThread(ThreadRole::worker);
     if (*isCanceled_) return;
     work_(*isCanceled_);
     const std::lock_guard lock(mailbox_->mutex);

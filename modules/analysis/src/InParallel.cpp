@@ -40,7 +40,7 @@ Result<Done> doInParallel(
   board.working = std::min<std::size_t>(jobs, count);
 
   const auto worker = [&] {
-    registerThreadRole(ThreadRole::none);
+    declareThread(ThreadRole::calculation);
     for (std::size_t piece = board.next++; piece < count && !board.isAsked; piece = board.next++) {
       const Result<Done> result =
           callNoThrow("The calculation", [&] { return work(piece, board.isAsked); });

@@ -124,7 +124,7 @@ void HapticLoop::start()
   if (content_->thread.joinable()) return;
   content_->isStopping = false;
   content_->thread = std::thread([this] {
-    registerThreadRole(ThreadRole::haptic);
+    declareThread(ThreadRole::haptic);
     Content& loop = *content_;
     loop.hasRealTimePriority =
         realtime::requestRealTimePriority() == realtime::RealTimePriority::granted;

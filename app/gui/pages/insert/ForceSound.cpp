@@ -5,6 +5,7 @@
 #include <QMetaObject>
 
 #include "gui/pages/insert/ForceTone.h"
+#include "perilymph/foundation/RealTime.h"
 
 #if PERILYMPH_HAS_SOUND
 #include <QAudioDeviceInfo>
@@ -104,6 +105,7 @@ public:
 ForceSound::ForceSound(QObject* parent) : QObject(parent), voice_(new ForceVoice)
 {
   voice_->moveToThread(&thread_);
+  connect(&thread_, &QThread::started, voice_, [] { declareThread(ThreadRole::sound); });
   connect(&thread_, &QThread::finished, voice_, &QObject::deleteLater);
 }
 

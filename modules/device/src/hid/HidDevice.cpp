@@ -11,6 +11,7 @@
 #include "guard/DeviceGuard.h"
 #include "hid/ForceWriter.h"
 #include "hid/ListenFirst.h"
+#include "perilymph/foundation/RealTime.h"
 #include "perilymph/realtime/Pacer.h"
 
 namespace perilymph::device {
@@ -121,8 +122,15 @@ Result<Done> HidDevice::open()
   hand.staleTime = nanoseconds(std::clamp(3.0 * hand.traits.nominalPeriod, 3e-3, 30e-3));
   hand.blockedAfter = std::max(hand.staleTime, nanoseconds(blockedTime));
   hand.isOpen = true;
-  if (hand.needsWriter()) hand.writerThread = std::thread([&hand] { hand.writer->run(); });
-  hand.supervisorThread = std::thread([&hand] { hand.supervise(); });
+  if (hand.needsWriter())
+    hand.writerThread = std::thread([&hand] {
+      declareThread(ThreadRole::deviceWriter);
+      hand.writer->run();
+    });
+  hand.supervisorThread = std::thread([&hand] {
+    declareThread(ThreadRole::deviceSupervisor);
+    hand.supervise();
+  });
   return Done{};
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "perilymph/foundation/RealTime.h"
 #include "perilymph/realtime/Doorbell.h"
 #include "perilymph/realtime/Pacer.h"
 #include "perilymph/realtime/SpscRing.h"
@@ -39,7 +40,10 @@ public:
   TapeWriter(std::ofstream file, Clock clock) : file_(std::move(file)), clock_(clock)
   {
     began_ = clock_();
-    thread_ = std::thread([this] { run(); });
+    thread_ = std::thread([this] {
+      declareThread(ThreadRole::tapeWriter);
+      run();
+    });
   }
   ~TapeWriter()
   {

@@ -39,7 +39,7 @@ void Recorder::start()
 
 void Recorder::run(const std::stop_token& stop)
 {
-  registerThreadRole(ThreadRole::recorder);
+  declareThread(ThreadRole::recorder);
   while (!stop.stop_requested()) {
     {
       std::unique_lock lock(sleepMutex_);

@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The tables of threads, processes and channels in modules/README.md against the code that begins and uses them."""
+
+import re
+from pathlib import Path
+
+from checks import sources
+
+PAGE = "modules/README.md"
+ROLES = "modules/foundation/include/perilymph/foundation/RealTime.h"
+CHANNELS = "modules/realtime/include/perilymph/realtime"
+
+DECLARED = re.compile(r"\bdeclareThread\(\s*(?:perilymph::)?ThreadRole::(\w+)\s*\)")
+# A thread of the standard library is begun where it is constructed; Qt's where the class is named.
+THREAD = re.compile(r"\bstd::(?:jthread|thread)\b(?!::)|\bstd::async\b|\bpthread_create\b|"
+                    r"\b(?:QThread|QThreadPool|QtConcurrent)\b(?!::(?:started|finished))")
+CONSTRUCTED = re.compile(r"\bstd::(?:jthread|thread)\s*[({]|\bstd::async\s*\(|\bpthread_create\s*\(")
+PROCESS = re.compile(r"\bposix_spawnp?\s*\(|(?<![.>\w])(?:::)?v?fork\s*\(\)|\bQProcess\b|\bstd::system\s*\(|\bpopen\s*\(")
+USED = re.compile(r"\brealtime::(\w+)\s*<")
+
+
+def code(root):
+    """Pairs of file and its text without comments and string literals, for all that the programs are made of."""
+    for file in sources.files(root, "modules", "app", "plugins", suffixes=sources.CODE):
+        text = sources.without_comments(sources.read(file))
+        yield file, re.sub(r"^[ \t]*#[ \t]*include[^\n]*", "", text, flags=re.M)
+
+
+def rows(root, name, wrong):
+    """The first two cells of each row of a table: (what, file that starts it)."""
+    table = sources.table(sources.read(root / PAGE), name) if (root / PAGE).is_file() else None
+    if table is None:
+        wrong.append(f"{PAGE} has no table between <!-- {name} --> and <!-- /{name} -->.")
+        return []
+    return [((sources.quoted(row[0]) or [row[0]])[0], sources.quoted(row[1])[0]) for row in table]
+
+
+def roles(root):
+    """The roles of the enum, without the one of threads that have none."""
+    text = sources.without_comments(sources.read(root / ROLES))
+    match = re.search(r"enum class ThreadRole\s*\{(.*?)\}", text, re.S)
+    names = re.findall(r"\w+", match.group(1)) if match else []
+    return [name for name in names if name != "none"]
+
+
+def check_threads(root, wrong):
+    table = rows(root, "threads", wrong)
+    known = roles(root)
+    told = [role for role, _ in table]
+    for role in known:
+        if told.count(role) != 1:
+            wrong.append(f"{PAGE} tells the thread `{role}` of {ROLES} {told.count(role)} times; it must be once.")
+    for role in told:
+        if role not in known:
+            wrong.append(f"{PAGE} tells a thread `{role}`, which is no role of {ROLES}.")
+    declared = {}  # role -> places
+    beginning = {}  # file without its ending -> places
+    for file, text in code(root):
+        place = file.relative_to(root).as_posix()
+        here = DECLARED.findall(text)
+        for role in here:
+            declared.setdefault(role, []).append(place)
+        if THREAD.search(text):
+            beginning.setdefault(file.with_suffix(""), []).append(place)
+        begun = len(CONSTRUCTED.findall(text))
+        if begun > len(here):
+            wrong.append(f"{place} begins {begun} threads and declares the role of {len(here)}; each declares its own.")
+    for role, where in table:
+        places = declared.get(role, [])
+        if len(places) != 1 or Path(places[0]).name != where:
+            wrong.append(f"{PAGE} says that the thread `{role}` begins in {where}; it is declared in "
+                         f"{', '.join(places) or 'no file'}.")
+    homes = {(root / place).with_suffix("") for places in declared.values() for place in places}
+    for home, places in beginning.items():
+        if home not in homes:
+            wrong.append(f"{places[0]} begins a thread that declares no role (declareThread, {ROLES}).")
+
+
+def check_processes(root, wrong):
+    told = {where for _, where in rows(root, "processes", wrong)}
+    begun = {}
+    for file, text in code(root):
+        if PROCESS.search(text):
+            begun.setdefault(file.name, file.relative_to(root).as_posix())
+    for name in sorted(set(begun) - told):
+        wrong.append(f"{begun[name]} begins a process that the table of {PAGE} does not tell.")
+    for name in sorted(told - set(begun)):
+        wrong.append(f"{PAGE} says that a process begins in {name}; none does.")
+
+
+def check_channels(root, wrong):
+    table = sources.table(sources.read(root / PAGE), "channels")
+    told = {name for row in table or [] for name in sources.quoted(row[1])}
+    templates = set()
+    for file in sources.files(root, CHANNELS, suffixes={".h"}):
+        templates |= set(re.findall(r"template <class \w+>\s*class (\w+)", sources.without_comments(sources.read(file))))
+    used = {name for _, text in code(root) for name in USED.findall(text)}
+    for name in sorted(templates - told):
+        wrong.append(f"{PAGE} does not tell the channel `{name}` of {CHANNELS}.")
+    for name in sorted(told - templates):
+        wrong.append(f"{PAGE} tells a channel `{name}`, which {CHANNELS} does not have.")
+    for name in sorted(told & templates - used):
+        wrong.append(f"{PAGE} tells the channel `{name}`, which nobody uses.")
+
+
+def check(root):
+    root = Path(root)
+    wrong = []
+    check_threads(root, wrong)
+    check_processes(root, wrong)
+    check_channels(root, wrong)
+    return wrong

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "ModelFingerprint.h"
 #include "PublishedCarrier.h"
-#include "perilymph/foundation/Hash.h"
 #include "perilymph/foundation/Math.h"
 #include "points/PointSetModel.h"
 
@@ -92,50 +92,6 @@ void check(const ModelParts& parts)
               std::to_string(law.staticCoefficient) + "), and be at most 2.");
 }
 
-std::uint64_t fingerprintOf(const InsertionModel& model)
-{
-  Hash hash;
-  const auto addAll = [&hash](const std::vector<double>& values) {
-    for (const double value : values) hash.add(value);
-  };
-  for (const Eigen::Vector3d& vector :
-       {model.startBase_W, model.startAxis_W, model.startCurl_W, model.entry.origin_W,
-        model.entry.out_W, model.entry.outward_W})
-    for (int k = 0; k < 3; ++k) hash.add(vector[k]);
-  hash.add(model.nodes);
-  hash.add(model.timeStep);
-  hash.add(model.spacing);
-  for (const auto* values :
-       {&model.fromTip, &model.radius, &model.mass, &model.drag, &model.stretching,
-        &model.bendingCarrier, &model.bendingExcess, &model.twisting, &model.halfWithin,
-        &model.halfAcross, &model.restCurvature, &model.wallStiffness, &model.wallTangential})
-    addAll(*values);
-  for (const double value :
-       {model.styletBending, model.styletFromTip, model.styletResidual, model.baseMass,
-        model.parts.friction.staticCoefficient, model.parts.friction.kineticCoefficient,
-        model.parts.friction.stoppingCoefficient, model.parts.friction.stribeck.si(),
-        model.parts.wall.onset.si(), model.parts.wall.perSamplePoint.si(),
-        model.parts.wall.tangentialPerSamplePoint.si()})
-    hash.add(value);
-  model.parts.friction.bySpeed.addTo(hash);
-  hash.add(model.membrane.has_value());
-  if (model.membrane) {
-    hash.add(model.parts.membrane->perSamplePoint.si());
-    hash.add(model.parts.membrane->hardening.si());
-  }
-  hash.add(model.parts.opening.has_value());
-  if (model.parts.opening) {
-    const Opening& opening = *model.parts.opening;
-    for (const Length value :
-         {opening.width, opening.height, opening.edgeRadius, opening.outward, opening.vertical,
-          model.parts.array.ribHeight, model.parts.array.ribLength})
-      hash.add(value.si());
-    for (const Length rib : model.parts.array.ribsFromTip) hash.add(rib.si());
-  }
-  if (model.points) hash.add(model.points->fingerprint);
-  return hash.value();
-}
-
 }  // namespace
 
 std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
@@ -215,6 +171,7 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
   if (m.parts.kind == ModelKind::points)
     m.points = std::make_shared<PointSetModel>(*m.parts.hapticSurface, m.nodes, m.timeStep);
   m.fingerprint = fingerprintOf(m);
+  m.formerFingerprint = formerFingerprintOf(m);
   return model;
 }
 

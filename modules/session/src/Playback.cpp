@@ -157,8 +157,7 @@ Result<Verification> Playback::compute(
   auto begun = beginVerification(*recorded);
   if (!begun) return begun.error();
   Verification verification = *std::move(begun);
-  for (const std::string& note :
-       whatChanged(*recorded, content.scenario, content.model->fingerprint))
+  for (const std::string& note : whatChanged(*recorded, content.scenario, *content.model))
     verification.notes.push_back(note);
   std::uint64_t done = 0;
   bool isStopped = false;

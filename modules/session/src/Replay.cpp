@@ -70,7 +70,7 @@ private:
 }  // namespace
 
 std::vector<std::string> whatChanged(const RecordedInsertion& recorded, const Scenario& scenario,
-                                     std::uint64_t modelFingerprint)
+                                     const mechanics::InsertionModel& model)
 {
   const RecordingFacts& facts = recorded.facts();
   std::vector<std::string> notes;
@@ -83,7 +83,7 @@ std::vector<std::string> whatChanged(const RecordedInsertion& recorded, const Sc
   if (scenario.expectedArrayFingerprint != scenario.arrayFingerprint)
     notes.push_back("The file of the array '" + scenario.arrayName +
                     "' has changed since the recording.");
-  if (modelFingerprint != facts.modelFingerprint)
+  if (!model.hasFingerprint(facts.modelFingerprint))
     notes.push_back("The model built from the recorded scenario is not the one recorded.");
   return notes;
 }
@@ -151,7 +151,7 @@ Result<Verification> verify(const std::filesystem::path& file, const VerifyProgr
   if (!model) return model.error();
   auto engine = makeEngine(*scenario, *model, facts.run);
   if (!engine) return engine.error();
-  for (const std::string& note : whatChanged(*recorded, *scenario, (*model)->fingerprint))
+  for (const std::string& note : whatChanged(*recorded, *scenario, **model))
     verification->notes.push_back(note);
   bool isStopped = false;
   const auto passed = replayThrough(*recorded, **engine, *verification, [&] {

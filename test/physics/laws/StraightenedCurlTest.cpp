@@ -29,6 +29,7 @@ public:
   {
     for (std::size_t i = 0; i < points_W.size(); ++i) walls[i] = wallAt(points_W[i], reach[i]);
   }
+  void addTo(Hash&) const noexcept override {}
 
 private:
   static constexpr double flare = 2e-3;  // [m] radius of the trumpet's bend, sharper than the curl

@@ -40,6 +40,7 @@ public:
       walls[i].normal_W = {std::sin(tracks[i].angle), 0.0, std::cos(tracks[i].angle)};
     }
   }
+  void addTo(Hash&) const noexcept override {}
 
 private:
   anatomy::CircularDuct duct_;

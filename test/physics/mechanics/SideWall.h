@@ -24,6 +24,7 @@ public:
     walls.back().isNear = walls.back().distance <= reach.back();
     walls.back().normal_W = Eigen::Vector3d::UnitY();
   }
+  void addTo(Hash&) const noexcept override {}
 
 private:
   double gap_;

@@ -39,6 +39,7 @@ public:
       walls[i].shapeOperator_W = turn_ * walls[i].shapeOperator_W * turn_.transpose();
     }
   }
+  void addTo(Hash&) const noexcept override {}
 
 private:
   std::shared_ptr<const anatomy::Lumen> inner_;

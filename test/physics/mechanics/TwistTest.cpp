@@ -37,6 +37,7 @@ public:
       walls[i].normal_W = {0.0, y > 0.0 ? -1.0 : 1.0, 0.0};
     }
   }
+  void addTo(Hash&) const noexcept override {}
 
 private:
   double half_;

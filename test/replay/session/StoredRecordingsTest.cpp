@@ -42,5 +42,16 @@ TEST(StoredRecordings, ReplayToTheSameBits)
   }
 }
 
+TEST(StoredRecordings, AreOfTheModelThatIsBuiltToday)
+{
+  for (const fs::path& file : storedRecordings()) {
+    const auto verification = verify(file);
+    ASSERT_TRUE(verification) << verification.error().message;
+    EXPECT_THAT(verification->notes,
+                testing::Not(testing::Contains(testing::HasSubstr("not the one recorded"))))
+        << file;
+  }
+}
+
 }  // namespace
 }  // namespace perilymph::session

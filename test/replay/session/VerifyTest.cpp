@@ -136,6 +136,16 @@ TEST(Replay, SaysWhenTheArrayFileOrTheBuildIsAnother)
                                                                 HasSubstr("array 'contour'")));
 }
 
+TEST(Replay, SaysWhenTheModelIsAnother)
+{
+  const test::TemporaryFolder folder;
+  const auto file = folder / "run.insertion";
+  ASSERT_TRUE(test::shortRun(file)->runToEnd({}));
+  test::runSql(file, "UPDATE meta SET value = '1' WHERE key = 'model_fingerprint'");
+  test::rehash(file);
+  EXPECT_THAT(verified(file).notes, testing::Contains(HasSubstr("not the one recorded")));
+}
+
 TEST(Replay, ComparesAsFarAsNothingWasLostAndSaysThatItIsNotAll)
 {
   const test::TemporaryFolder folder;

@@ -138,6 +138,7 @@ class OpenLumen : public anatomy::Lumen {
 public:
   anatomy::Entry entry() const noexcept final { return {}; }
   anatomy::LumenTrack startTrack() const noexcept final { return {}; }
+  void addTo(Hash&) const noexcept final {}
 };
 
 /// A plain array about to go into a lumen.

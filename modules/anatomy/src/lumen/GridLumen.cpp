@@ -8,6 +8,7 @@
 #include "mesh/SignedDistance.h"
 #include "numerics/CubicTable.h"
 #include "numerics/DenseSolvers.h"
+#include "perilymph/foundation/Hash.h"
 #include "perilymph/foundation/Math.h"
 #include "perilymph/foundation/Units.h"
 
@@ -143,6 +144,15 @@ void GridLumen::locate(const Eigen::Vector3d& point_W, double reach, LumenTrack&
   Eigen::Matrix3d bend;
   bend << xx, xy, xz, xy, yy, yz, xz, yz, zz;
   wall.shapeOperator_W = positivePart(bend / (spacing * spacing));
+}
+
+void GridLumen::addTo(Hash& hash) const noexcept
+{
+  for (const Eigen::Vector3d& vector :
+       {entry_.origin_W, entry_.out_W, entry_.outward_W, entry_.vertical_W, low_W_})
+    for (const double value : vector) hash.add(value);
+  for (const int samples : size_) hash.add(samples);
+  hash.addBytes(distance_.data(), distance_.size() * sizeof distance_.front());
 }
 
 }  // namespace perilymph::anatomy

@@ -33,6 +33,7 @@ public:
   void nearestWall(std::span<const Eigen::Vector3d> points_W, std::span<const double> reach,
                    std::span<LumenTrack> tracks,
                    std::span<WallPoint> walls) const noexcept override;
+  void addTo(Hash& hash) const noexcept override;
 
 private:
   void locate(const Eigen::Vector3d& point_W, double reach, LumenTrack& track,

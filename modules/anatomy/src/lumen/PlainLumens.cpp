@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "perilymph/foundation/Hash.h"
 #include "perilymph/foundation/Math.h"
 #include "perilymph/foundation/Units.h"
 
@@ -85,6 +86,15 @@ void CircularDuct::nearestWall(std::span<const Eigen::Vector3d> points_W,
     const double outward = walls[i].normal_W.x() * cosine - walls[i].normal_W.z() * sine;
     if (outward < 0.0) walls[i].shapeOperator_W += (-outward / r) * along * along.transpose();
   }
+}
+
+void FlatWall::addTo(Hash& hash) const noexcept { hash.add(depth_); }
+
+void StraightTube::addTo(Hash& hash) const noexcept { hash.add(radius_); }
+
+void CircularDuct::addTo(Hash& hash) const noexcept
+{
+  for (const double value : {radius_, bend_, lead_}) hash.add(value);
 }
 
 }  // namespace perilymph::anatomy

@@ -17,6 +17,7 @@ public:
   void nearestWall(std::span<const Eigen::Vector3d> points_W, std::span<const double> reach,
                    std::span<LumenTrack> tracks,
                    std::span<WallPoint> walls) const noexcept override;
+  void addTo(Hash& hash) const noexcept override;
 
 private:
   double depth_;
@@ -31,6 +32,7 @@ public:
   void nearestWall(std::span<const Eigen::Vector3d> points_W, std::span<const double> reach,
                    std::span<LumenTrack> tracks,
                    std::span<WallPoint> walls) const noexcept override;
+  void addTo(Hash& hash) const noexcept override;
 
 private:
   double radius_;
@@ -50,6 +52,7 @@ public:
   void nearestWall(std::span<const Eigen::Vector3d> points_W, std::span<const double> reach,
                    std::span<LumenTrack> tracks,
                    std::span<WallPoint> walls) const noexcept override;
+  void addTo(Hash& hash) const noexcept override;
 
 private:
   double radius_, bend_, lead_;

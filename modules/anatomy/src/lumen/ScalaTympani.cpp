@@ -8,6 +8,7 @@
 
 #include "lumen/LumenField.h"
 #include "numerics/CubicTable.h"
+#include "perilymph/foundation/Hash.h"
 #include "perilymph/foundation/Math.h"
 
 namespace perilymph::anatomy {
@@ -106,6 +107,20 @@ void ScalaTympani::nearestWall(std::span<const Eigen::Vector3d> points_W,
 {
   for (std::size_t i = 0; i < points_W.size(); ++i)
     field_->locate(points_W[i], reach[i], tracks[i], walls[i]);
+}
+
+void ScalaTympani::addTo(Hash& hash) const noexcept
+{
+  // Names all members, so that this does not compile once a member is added.
+  const auto& [name, step, centerRadius, centerHeight, directions, wallRadius, membraneInner,
+               membraneOuter, membraneHeight, planRadius, leadIn, measuredTo] = tables_;
+  hash.add(step);
+  hash.add(directions);
+  hash.add(leadIn);
+  hash.add(measuredTo);
+  for (const auto* values : {&centerRadius, &centerHeight, &wallRadius, &membraneInner,
+                             &membraneOuter, &membraneHeight, &planRadius})
+    for (const double value : *values) hash.add(value);
 }
 
 Eigen::Vector3d ScalaTympani::center_W(double angle) const noexcept

@@ -6,6 +6,10 @@
 #include <Eigen/Core>
 #include <span>
 
+namespace perilymph {
+class Hash;
+}
+
 namespace perilymph::anatomy {
 
 /// The opening and the direction of insertion: frame E. Right-handed, columns are unit vectors in
@@ -62,6 +66,9 @@ public:
   virtual void nearestWall(std::span<const Eigen::Vector3d> points_W, std::span<const double> reach,
                            std::span<LumenTrack> tracks,
                            std::span<WallPoint> walls) const noexcept = 0;
+
+  /// Adds all data that the answers depend on to a model's fingerprint.
+  virtual void addTo(Hash& hash) const noexcept = 0;
 };
 
 }  // namespace perilymph::anatomy

@@ -106,7 +106,17 @@ struct InsertionModel {
   /// Constant data of a point set; null for a rod. Shared by copies of the model because of its
   /// size.
   std::shared_ptr<const PointSetModel> points;
-  std::uint64_t fingerprint = 0;  ///< Fingerprint of all data above, for recordings.
+  /// Fingerprint of all data that affects results, for recordings.
+  std::uint64_t fingerprint = 0;
+  /// The fingerprint that earlier recordings hold: without the lumen's tables, the electrode
+  /// contacts and other data.
+  std::uint64_t formerFingerprint = 0;
+
+  /// Whether a recorded fingerprint, of either kind, matches this model.
+  bool hasFingerprint(std::uint64_t recorded) const noexcept
+  {
+    return recorded == fingerprint || recorded == formerFingerprint;
+  }
 };
 
 }  // namespace perilymph::mechanics

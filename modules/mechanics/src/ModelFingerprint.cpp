@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ModelFingerprint.h"
+
+#include "perilymph/foundation/Hash.h"
+#include "points/PointSetModel.h"
+
+namespace perilymph::mechanics {
+namespace {
+
+// Each of these functions names all members of its type, so that it does not compile once a member
+// is added.
+
+template <class Dimension>
+void add(Hash& hash, Quantity<Dimension> value)
+{
+  hash.add(value.si());
+}
+
+template <class Dimension>
+void add(Hash& hash, const std::vector<Quantity<Dimension>>& values)
+{
+  hash.add(values.size());
+  for (const auto value : values) add(hash, value);
+}
+
+template <class Value>
+void add(Hash& hash, const electrode::AlongArray<Value>& table)
+{
+  const auto& [fromTip, value] = table;
+  add(hash, fromTip);
+  add(hash, value);
+}
+
+void add(Hash& hash, const electrode::Stylet& stylet)
+{
+  const auto& [fromTip, bending, residualCurvature, holdDepth, provenance] = stylet;
+  add(hash, fromTip);
+  add(hash, bending);
+  hash.add(residualCurvature);
+  hash.add(holdDepth.has_value());
+  if (holdDepth) add(hash, *holdDepth);
+}
+
+void add(Hash& hash, const electrode::ArrayDesign& array)
+{
+  const auto& [name, maker, note, length, insertable, diameter, thickness, tip, bending,
+               bendingAcross, twisting, restCurvature, contactsFromTip, contactLength, ribsFromTip,
+               ribHeight, ribLength, hasStylet, stylet, provenance] = array;
+  for (const Length value : {length, insertable, contactLength, ribHeight, ribLength})
+    add(hash, value);
+  const auto& [tipRadius, taper] = tip;
+  add(hash, tipRadius);
+  add(hash, taper);
+  add(hash, diameter);
+  add(hash, thickness);
+  add(hash, bending);
+  add(hash, bendingAcross);
+  hash.add(twisting.has_value());
+  if (twisting) add(hash, *twisting);
+  add(hash, restCurvature);
+  add(hash, contactsFromTip);
+  add(hash, ribsFromTip);
+  hash.add(hasStylet);
+  if (hasStylet) add(hash, stylet);
+}
+
+void add(Hash& hash, const FrictionLaw& law)
+{
+  const auto& [staticCoefficient, kineticCoefficient, stoppingCoefficient, stribeck, bySpeed] = law;
+  for (const double value :
+       {staticCoefficient, kineticCoefficient, stoppingCoefficient, stribeck.si()})
+    hash.add(value);
+  bySpeed.addTo(hash);
+}
+
+void add(Hash& hash, const WallLaw& law)
+{
+  const auto& [perSamplePoint, tangentialPerSamplePoint, onset] = law;
+  add(hash, perSamplePoint);
+  add(hash, tangentialPerSamplePoint);
+  add(hash, onset);
+}
+
+void add(Hash& hash, const MembraneLaw& law)
+{
+  const auto& [perSamplePoint, hardening] = law;
+  add(hash, perSamplePoint);
+  add(hash, hardening);
+}
+
+void add(Hash& hash, const Opening& opening)
+{
+  const auto& [width, height, edgeRadius, outward, vertical] = opening;
+  for (const Length value : {width, height, edgeRadius, outward, vertical}) add(hash, value);
+}
+
+void add(Hash& hash, const anatomy::Surface& surface)
+{
+  const auto& [points, triangles] = surface;
+  hash.add(points.size());
+  for (const auto& point : points)
+    for (const double value : point) hash.add(value);
+  for (const auto& triangle : triangles)
+    for (const int corner : triangle) hash.add(corner);
+}
+
+void add(Hash& hash, const anatomy::Entry& entry)
+{
+  const auto& [origin_W, out_W, outward_W, vertical_W] = entry;
+  for (const auto& vector : {origin_W, out_W, outward_W, vertical_W})
+    for (const double value : vector) hash.add(value);
+}
+
+}  // namespace
+
+std::uint64_t fingerprintOf(const InsertionModel& model)
+{
+  const auto& [lumen, array, friction, wall, membrane, opening, nodes, timeStep, startInside,
+               approachTilt, approachTurn, kind, hapticSurface] = model.parts;
+  Hash hash;
+  // Derived data: constants of the program affect results through it.
+  hash.add(formerFingerprintOf(model));
+  add(hash, model.entry);
+  for (const unsigned char isStiffer : model.stifferAcross) hash.add(isStiffer);
+  // The parts themselves.
+  lumen->addTo(hash);
+  add(hash, array);
+  add(hash, friction);
+  add(hash, wall);
+  hash.add(membrane.has_value());
+  if (membrane) add(hash, *membrane);
+  hash.add(opening.has_value());
+  if (opening) add(hash, *opening);
+  hash.add(nodes);
+  add(hash, timeStep);
+  add(hash, startInside);
+  add(hash, approachTilt);
+  add(hash, approachTurn);
+  hash.add(kind);
+  if (kind == ModelKind::points) add(hash, *hapticSurface);
+  return hash.value();
+}
+
+std::uint64_t formerFingerprintOf(const InsertionModel& model)
+{
+  Hash hash;
+  const auto addAll = [&hash](const std::vector<double>& values) {
+    for (const double value : values) hash.add(value);
+  };
+  for (const Eigen::Vector3d& vector :
+       {model.startBase_W, model.startAxis_W, model.startCurl_W, model.entry.origin_W,
+        model.entry.out_W, model.entry.outward_W})
+    for (int k = 0; k < 3; ++k) hash.add(vector[k]);
+  hash.add(model.nodes);
+  hash.add(model.timeStep);
+  hash.add(model.spacing);
+  for (const auto* values :
+       {&model.fromTip, &model.radius, &model.mass, &model.drag, &model.stretching,
+        &model.bendingCarrier, &model.bendingExcess, &model.twisting, &model.halfWithin,
+        &model.halfAcross, &model.restCurvature, &model.wallStiffness, &model.wallTangential})
+    addAll(*values);
+  for (const double value :
+       {model.styletBending, model.styletFromTip, model.styletResidual, model.baseMass,
+        model.parts.friction.staticCoefficient, model.parts.friction.kineticCoefficient,
+        model.parts.friction.stoppingCoefficient, model.parts.friction.stribeck.si(),
+        model.parts.wall.onset.si(), model.parts.wall.perSamplePoint.si(),
+        model.parts.wall.tangentialPerSamplePoint.si()})
+    hash.add(value);
+  model.parts.friction.bySpeed.addTo(hash);
+  hash.add(model.membrane.has_value());
+  if (model.membrane) {
+    hash.add(model.parts.membrane->perSamplePoint.si());
+    hash.add(model.parts.membrane->hardening.si());
+  }
+  hash.add(model.parts.opening.has_value());
+  if (model.parts.opening) {
+    const Opening& opening = *model.parts.opening;
+    for (const Length value :
+         {opening.width, opening.height, opening.edgeRadius, opening.outward, opening.vertical,
+          model.parts.array.ribHeight, model.parts.array.ribLength})
+      hash.add(value.si());
+    for (const Length rib : model.parts.array.ribsFromTip) hash.add(rib.si());
+  }
+  if (model.points) hash.add(model.points->fingerprint);
+  return hash.value();
+}
+
+}  // namespace perilymph::mechanics

@@ -60,7 +60,7 @@ Result<Done> verifyBits(const std::string& file)
   if (!verification) return verification.error();
   for (const std::string& note : verification->notes) print("{}\n", note);
   if (!verification->damage.empty())
-    return Error{file + " does not hold what was recorded: " + verification->damage +
+    return Error{file + " does not contain what was recorded: " + verification->damage +
                  ". Use another copy of the recording."};
   if (verification->isIdentical) {
     print("{} ticks replayed, every bit the same.\n", verification->ticksCompared);

@@ -59,8 +59,8 @@ Result<Outcome> run(session::Insertion& insertion, CsvRows* rows)
                      : "Interrupted; nothing was written."};
   if (!ran) return ran.error();
   if (outcome.last.workflow != haptics::Workflow::finished)
-    return Error{"The insertion never arrived: after " + std::to_string(profiler.profile().ticks) +
-                 " ticks the array stands at " +
+    return Error{"The array did not reach its full travel: after " +
+                 std::to_string(profiler.profile().ticks) + " ticks it is at " +
                  fixed(inMillimeters(meters(outcome.last.travel)), 2) + " mm of " +
                  fixed(inMillimeters(insertion.scenario().stopTravel), 2) +
                  " mm of travel. Lower stop_travel_mm, or raise coupling_stiffness_N_m."};

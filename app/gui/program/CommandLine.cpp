@@ -15,7 +15,7 @@ namespace {
 std::string checkPicture(const std::string& file)
 {
   if (std::filesystem::path(file).extension() == ".png") return {};
-  return file + " is no name for a screenshot: it must end in .png.";
+  return file + " cannot be the name of a screenshot: it must end in .png.";
 }
 
 /// Error for an invalid delay of the screenshot; empty if valid.

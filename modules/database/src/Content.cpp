@@ -137,7 +137,7 @@ Result<Done> Database::Content::check(const FileKind& kind)
     if (text(0) == "index" && sqlite3_column_type(prepared, 1) == SQLITE_NULL) continue;
     const auto found = std::find(missing.begin(), missing.end(), text(1));
     if (text(0) != "table" || found == missing.end())
-      return error("it holds what " + kind.name + " does not");
+      return error("it has content that " + kind.name + " does not have");
     missing.erase(found);
   }
   if (step != SQLITE_DONE) return error(sqlite3_errmsg(database.get()));

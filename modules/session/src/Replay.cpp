@@ -162,7 +162,7 @@ Result<Verification> verify(const std::filesystem::path& file, const VerifyProgr
   if (!passed) return passed.error();
   if (isStopped)
     return Error{"Stopped after " + std::to_string(done) + " of " + std::to_string(all) +
-                 " ticks; nothing can be said of " + file.string() + "."};
+                 " ticks; " + file.string() + " is not verified."};
   return verification;
 }
 

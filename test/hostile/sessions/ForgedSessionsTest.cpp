@@ -113,7 +113,8 @@ TEST_F(ForgedSession, WhoseTablesComputeWithoutEndIsRefused)
       "ALTER TABLE tick RENAME TO other; CREATE VIEW tick AS "
       "WITH RECURSIVE n(x) AS (SELECT 0 UNION ALL SELECT x + 1 FROM n) "
       "SELECT x AS tick, zeroblob(10) AS record FROM n");
-  EXPECT_THAT(refusal(), HasSubstr("damaged (it holds what a recording of Perilymph does not)"));
+  EXPECT_THAT(refusal(),
+              HasSubstr("damaged (it has content that a recording of Perilymph does not have)"));
 }
 
 TEST_F(ForgedSession, WhoseFactsComputeWithoutEndIsRefused)

@@ -141,7 +141,8 @@ TEST_F(Mutilated, ByGeneratedColumnsIsRefusedBeforeTheyAreGenerated)
       "(hex(zeroblob(30000000))) VIRTUAL);"
       "INSERT INTO other(key) SELECT key FROM meta; DROP TABLE meta;"
       "ALTER TABLE other RENAME TO meta");
-  EXPECT_THAT(verdict(), HasSubstr("damaged (it holds what a recording of Perilymph does not)"));
+  EXPECT_THAT(verdict(),
+              HasSubstr("damaged (it has content that a recording of Perilymph does not have)"));
 }
 
 TEST_F(Mutilated, ByWhatNoRecordingHoldsIsRefused)
@@ -179,7 +180,7 @@ TEST_F(Mutilated, ByFactsOfMegabytesIsRefused)
 TEST_F(Mutilated, ByAFactOfAnotherTypeIsRefused)
 {
   runSql("UPDATE meta SET value = CAST(value AS BLOB) WHERE key = 'device'");
-  EXPECT_THAT(verdict(), HasSubstr("a fact about it is no text"));
+  EXPECT_THAT(verdict(), HasSubstr("a fact about it is not text"));
 }
 
 }  // namespace

@@ -96,7 +96,7 @@ TEST_F(Door, RefusesOneMoreTableAndOneFewer)
   FileKind fewer = notes;
   fewer.tables.clear();
   EXPECT_THAT(Database::open(file, fewer).error().message,
-              HasSubstr("it holds what a book of notes does not"));
+              HasSubstr("it has content that a book of notes does not have"));
 }
 
 TEST_F(Door, EndsAQueryThatIsLongerThanTheFileCanNeed)

@@ -125,8 +125,8 @@ TEST(FaultyProfile, CannotTurnTheHandInsideOut)
   const std::string mount = good + "[mount]\nrotation = ";
   EXPECT_THAT(error(mount + "[1,0,0, 0,1,0, 0,0,1]"), HasSubstr("accepted"));
   EXPECT_THAT(error(mount + "[-1,0,0, 0,1,0, 0,0,1]"), HasSubstr("right-handed"));
-  EXPECT_THAT(error(mount + "[1,0,0, 1,0,0, 0,0,1]"), HasSubstr("no rotation"));
-  EXPECT_THAT(error(mount + "[0.5,0,0, 0,1,0, 0,0,1]"), HasSubstr("no rotation"));
+  EXPECT_THAT(error(mount + "[1,0,0, 1,0,0, 0,0,1]"), HasSubstr("not a rotation matrix"));
+  EXPECT_THAT(error(mount + "[0.5,0,0, 0,1,0, 0,0,1]"), HasSubstr("not a rotation matrix"));
 }
 
 const std::string vector = perilymph::test::profileHead("vector") + R"(nominal_period_ms = 1.0

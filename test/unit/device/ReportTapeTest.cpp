@@ -121,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Damage{"R: 5000 05", "at most 4096"}, Damage{"D: 1", "one device"},
                     Damage{"\x7f"
                            "ELF",
-                           "no line of a tape"}));
+                           "not a line of a tape"}));
 
 TEST(ReportTape, LeavesOutALastLineThatWasCutOff)
 {

@@ -178,7 +178,7 @@ std::vector<Measure> measure(const anatomy::ScalaTympani& scala)
       {"rw_height_mm", mm(first.roofHeight - first.floorHeight),
        "roof - floor of the section at 0 deg", own},
       {"measured_to_deg", inDegrees(scala.measuredAngle()),
-       "angle of the last measured section; beyond it the model goes on by a trend", own}};
+       "angle of the last measured section; beyond it the model extrapolates", own}};
   if (measured < last) {
     measures.push_back({"outer_wall_length_to_apex_mm", outerLength_mm(last),
                         "as outer_wall_length_mm, 0 deg to the last section", own});

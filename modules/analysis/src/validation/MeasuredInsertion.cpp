@@ -54,7 +54,7 @@ Result<MeasuredInsertion> measure(const DrawnInsertion& drawn,
   if (!ran) return ran.error();
   if (!hasArrived)
     return Error{"Insertion " + std::to_string(drawn.number + 1) + " of the study with seed " +
-                 std::to_string(drawn.seed) + " never arrived at " +
+                 std::to_string(drawn.seed) + " did not reach " +
                  std::to_string(inMillimeters(stop)) +
                  " mm of travel. Lower the spread in its validation file."};
   return measured;

@@ -86,7 +86,7 @@ PredictedInsertion insert(const session::Scenario& scenario,
                            static_cast<std::uint64_t>(ticks));
   if (!ran) predicted.error = ran.error().message;
   if (ran && last.workflow != haptics::Workflow::finished)
-    predicted.error = "It never arrived at its full depth.";
+    predicted.error = "It did not reach its full depth.";
   const auto& contacts = scenario.array.contactsFromTip;
   predicted.apical =
       radians(angleAlong((*insertion)->model(), (*insertion)->loop().engine().state(),

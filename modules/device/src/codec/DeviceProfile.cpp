@@ -122,9 +122,10 @@ void readMount(TomlReader& table, DeviceProfile& profile)
   const double volume = m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) +
                         m[2] * (m[3] * m[7] - m[4] * m[6]);
   if (worst > 1e-6 || volume < 0.0)
-    table.refuse("rotation",
-                 "rotation is no rotation; give 9 numbers, row by row: rows of length 1, at right "
-                 "angles, right-handed.");
+    table.refuse(
+        "rotation",
+        "rotation is not a rotation matrix; give 9 numbers, row by row: rows of length 1, at right "
+        "angles, right-handed.");
 }
 
 std::vector<FixedReport> readReports(TomlReader& file, const char* key)

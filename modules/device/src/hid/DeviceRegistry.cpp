@@ -30,7 +30,7 @@ std::string kindOf(const ReportDescriptor& descriptor)
        {{0x0c, 0x01}, "consumer control"},
        {{0x0f, 0x01}, "force-feedback device"}}};
   const auto usage = descriptor.application();
-  if (!usage) return "a device that does not say what it is";
+  if (!usage) return "a device without a usage in its report descriptor";
   for (const auto& [known, word] : label)
     if (known == *usage) return word;
   char text[64];

@@ -120,7 +120,7 @@ private:
     }
     if (line.empty() || line.front() == '#') return {};
     if (line.size() < 2 || line[1] != ':')
-      return "'" + std::string(line.substr(0, 20)) + "' is no line of a tape.";
+      return "'" + std::string(line.substr(0, 20)) + "' is not a line of a tape.";
     Tokens tokens(line.substr(2));
     const char letter = line.front();
     if (letter == 'D') return takeDevice(tokens);

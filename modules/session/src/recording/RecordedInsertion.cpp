@@ -50,7 +50,7 @@ Result<Done> RecordedInsertion::Content::readMeta()
       "SELECT rowid, key, value FROM meta WHERE rowid >= ? ORDER BY rowid",
       std::numeric_limits<std::int64_t>::min(), [&](const Statement& row) -> Result<bool> {
         if (row.type(1) != Statement::Type::text || row.type(2) != Statement::Type::text)
-          return damaged("a fact about it is no text");
+          return damaged("a fact about it is not text");
         // Format 1 had other names for some facts.
         const std::string key = database.version() < firstVersionWithHash
                                     ? std::string(currentKey(row.text(1)))

@@ -60,19 +60,19 @@ Result<Done> calibrate(const CalibrateOptions& options, const CallFiles& files)
   overrides.emplace_back("calibration", "");
   auto scenario = session::loadScenario(variability->scenario, overrides);
   if (!scenario) return scenario.error();
-  if (const auto done = files.checkScenarioFiles(scenario->files); !done) return done.error();
+  if (const auto done = files.checkScenarioFiles(scenario->files()); !done) return done.error();
   auto experiment = analysis::shippedReference("todd-naghdy-experiment");
   if (!experiment) return experiment.error();
 
   analysis::CalibrationRequest request;
-  request.scenario = std::move(*scenario);
+  request.nominal = scenario->parameters();
   request.variability = std::move(*variability);
   request.experiment = *experiment;
   request.runs = options.runs;
   request.seed = options.seed;
   request.jobs = options.jobs;
   watchForInterruption();
-  print("Fitting the array of {} to two printed forces.\n", request.scenario.name);
+  print("Fitting the array of {} to two printed forces.\n", request.nominal.name);
   flushOutput();
   // The number of trials is not known in advance; about thirty.
   const auto result = analysis::fitCalibration(request, [](std::size_t trials) {

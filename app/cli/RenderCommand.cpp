@@ -89,15 +89,15 @@ Result<Done> drawInsertion(const RenderOptions& options, const CallFiles& files,
   if (!options.array.empty()) overrides.emplace_back("array", options.array);
   const auto scenario = session::loadScenario(options.scenario, overrides);
   if (!scenario) return scenario.error();
-  if (const auto done = files.checkScenarioFiles(scenario->files); !done) return done.error();
-  const Length wanted = options.at_mm ? millimeters(*options.at_mm) : scenario->stopTravel;
-  if (wanted < Length() || wanted > scenario->stopTravel)
+  if (const auto done = files.checkScenarioFiles(scenario->files()); !done) return done.error();
+  const Length wanted = options.at_mm ? millimeters(*options.at_mm) : scenario->stopTravel();
+  if (wanted < Length() || wanted > scenario->stopTravel())
     return Error{"--at-mm is " + fixed(inMillimeters(wanted), 2) + "; it must be between 0 and " +
-                 fixed(inMillimeters(scenario->stopTravel), 2) +
+                 fixed(inMillimeters(scenario->stopTravel()), 2) +
                  ", the scenario's stop_travel_mm."};
 
   auto hand =
-      std::make_unique<device::ScriptedDevice>(scenario->speed.si(), scenario->timeStep.si());
+      std::make_unique<device::ScriptedDevice>(scenario->speed().si(), scenario->timeStep().si());
   auto insertion = session::Insertion::prepare(*scenario, std::move(hand), std::nullopt);
   if (!insertion) return insertion.error();
   const auto ran = (*insertion)->runToEnd([&](const haptics::TickRecord& record) {
@@ -106,8 +106,8 @@ Result<Done> drawInsertion(const RenderOptions& options, const CallFiles& files,
   if (!ran) return ran.error();
   (*insertion)->refresh();
   request.scala = (*insertion)->sharedAnatomy();
-  request.side = scenario->patient.side;
-  request.array = scenario->array;
+  request.side = scenario->patient().side;
+  request.array = scenario->array();
   request.now = &(*insertion)->latest();
   return draw(options, request);
 }

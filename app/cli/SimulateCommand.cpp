@@ -28,11 +28,11 @@ struct CsvRows {
 
 /// Ticks after which an insertion that has not finished never will: twice the time of insertion and
 /// withdrawal at the script's speed.
-std::uint64_t maxTicks(const session::Scenario& scenario)
+std::uint64_t maxTicks(const session::InsertionParameters& parameters)
 {
-  const double way = scenario.stopTravel.si() * (scenario.withdraws ? 2.0 : 1.0);
+  const double way = parameters.stopTravel.si() * (parameters.withdraws ? 2.0 : 1.0);
   return static_cast<std::uint64_t>(
-      std::ceil(2.0 * way / (scenario.speed.si() * scenario.timeStep.si())) + 10'000.0);
+      std::ceil(2.0 * way / (parameters.speed.si() * parameters.timeStep.si())) + 10'000.0);
 }
 
 /// Result of the run.
@@ -52,7 +52,7 @@ Result<Outcome> run(session::Insertion& insertion, CsvRows* rows)
         if (rows && rows->period.keeps(record.output.time)) rows->stream << session::csvRow(record);
         return !isInterrupted();
       },
-      maxTicks(insertion.scenario()));
+      maxTicks(insertion.parameters()));
   if (isInterrupted())
     return Error{insertion.recording()
                      ? "Interrupted; only the recording was kept, as far as it came."
@@ -62,7 +62,7 @@ Result<Outcome> run(session::Insertion& insertion, CsvRows* rows)
     return Error{"The array did not reach its full travel: after " +
                  std::to_string(profiler.profile().ticks) + " ticks it is at " +
                  fixed(inMillimeters(meters(outcome.last.travel)), 2) + " mm of " +
-                 fixed(inMillimeters(insertion.scenario().stopTravel), 2) +
+                 fixed(inMillimeters(insertion.parameters().stopTravel), 2) +
                  " mm of travel. Lower stop_travel_mm, or raise coupling_stiffness_N_m."};
   outcome.profile = profiler.profile();
   return outcome;
@@ -96,9 +96,9 @@ void printPoint(const char* name, const std::optional<analysis::CurvePoint>& poi
 void printSummary(const session::Scenario& scenario, const Outcome& outcome)
 {
   const analysis::ForceProfile& profile = outcome.profile;
-  print("{}: {} ticks, {} s, array {}\n", scenario.name, profile.ticks, fixed(profile.duration, 3),
-        scenario.array.name);
-  for (const std::string& note : scenario.notes) print("{}\n", note);
+  print("{}: {} ticks, {} s, array {}\n", scenario.name(), profile.ticks,
+        fixed(profile.duration, 3), scenario.array().name);
+  for (const std::string& note : scenario.notes()) print("{}\n", note);
   printPoint("peak force", profile.peak);
   printPoint("basal-turn peak", profile.basalTurnPeak);
   printPoint("dip behind it", profile.basalTurnDip);
@@ -118,12 +118,12 @@ Result<Done> simulate(const SimulateOptions& options, const CallFiles& files)
 {
   const auto scenario = session::loadScenario(options.scenario, options.overrides);
   if (!scenario) return scenario.error();
-  if (const auto done = files.checkScenarioFiles(scenario->files); !done) return done.error();
+  if (const auto done = files.checkScenarioFiles(scenario->files()); !done) return done.error();
 
   std::optional<std::filesystem::path> record;
   if (!options.record.empty()) record = options.record;
   auto hand =
-      std::make_unique<device::ScriptedDevice>(scenario->speed.si(), scenario->timeStep.si());
+      std::make_unique<device::ScriptedDevice>(scenario->speed().si(), scenario->timeStep().si());
   watchForInterruption();
   auto insertion = session::Insertion::prepare(*scenario, std::move(hand), record);
   if (!insertion) return insertion.error();
@@ -132,7 +132,7 @@ Result<Done> simulate(const SimulateOptions& options, const CallFiles& files)
       options.csv.empty() ? run(**insertion, nullptr) : runIntoCsv(**insertion, options);
   if (!outcome) return outcome.error();
   if (!options.json.empty()) {
-    const auto phase = analysis::phaseOf(outcome->last, scenario->stopTravel);
+    const auto phase = analysis::phaseOf(outcome->last, scenario->stopTravel());
     const auto done = writeWhole(options.json, simulationJson(*scenario, outcome->profile, phase,
                                                               (*insertion)->loop().statistics()));
     if (!done) return done.error();

@@ -19,8 +19,8 @@ double mm(double length) { return inMillimeters(meters(length)); }
 Json scenarioAsRun(const session::Scenario& scenario)
 {
   Json json;
-  json["name"] = scenario.name;
-  for (const auto& [key, value] : scenario.values) {
+  json["name"] = scenario.name();
+  for (const auto& [key, value] : scenario.values()) {
     const std::size_t dot = key.find('.');
     if (dot == std::string::npos)
       json[key] = Json::parse(value);
@@ -45,7 +45,7 @@ std::string simulationJson(const session::Scenario& scenario, const analysis::Fo
   Json json;
   json["version"] = version();
   json["build"] = buildId();
-  json["seed"] = scenario.seed;
+  json["seed"] = scenario.seed();
   json["scenario"] = scenarioAsRun(scenario);
   json["peak_force_N"] = profile.peak.force;
   json["peak_travel_mm"] = mm(profile.peak.travel);

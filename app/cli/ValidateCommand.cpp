@@ -17,7 +17,7 @@ using analysis::ValidationResult;
 
 void printSummary(const ValidationRequest& request, const ValidationResult& result)
 {
-  print("{} insertions of {}, seed {}, {} ticks\n", result.runs, request.scenario.array.name,
+  print("{} insertions of {}, seed {}, {} ticks\n", result.runs, request.nominal.array.name,
         result.seed, result.ticks);
   if (result.ticksNotConverged > 0)
     print("in {} ticks the solver left more than its tolerance\n", result.ticksNotConverged);
@@ -41,22 +41,22 @@ Result<Done> validate(const ValidateOptions& options, const CallFiles& files)
   if (!variability) return variability.error();
   auto scenario = session::loadScenario(variability->scenario, options.overrides);
   if (!scenario) return scenario.error();
-  if (const auto done = files.checkScenarioFiles(scenario->files); !done) return done.error();
+  if (const auto done = files.checkScenarioFiles(scenario->files()); !done) return done.error();
   const auto references = analysis::validationReferences();
   if (!references) return references.error();
 
   ValidationRequest request;
-  request.scenario = std::move(*scenario);
+  request.nominal = scenario->parameters();
   request.variability = std::move(*variability);
   // The paper's own model is compared with the paper's simulated forces.
-  const bool isPublishedModel = request.scenario.model == mechanics::ModelKind::points;
+  const bool isPublishedModel = request.nominal.model == mechanics::ModelKind::points;
   request.experiment = isPublishedModel ? references->simulator : references->experiment;
   request.runs = options.runs;
   request.seed = options.seed;
   request.jobs = options.jobs;
   watchForInterruption();
   print("Repeating {} {} times; each source of spread alone takes some more.\n",
-        request.scenario.name, request.runs);
+        request.nominal.name, request.runs);
   flushOutput();
   const auto result = analysis::validate(request, [](std::size_t done, std::size_t all) {
     return showProgress("insertion", done, all);

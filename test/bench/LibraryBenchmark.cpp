@@ -25,7 +25,7 @@ std::string fill(const fs::path& folder, int sessions)
   if (!scenario) return scenario.error().message;
   auto insertion = session::Insertion::prepare(
       *scenario,
-      std::make_unique<device::ScriptedDevice>(scenario->speed.si(), scenario->timeStep.si()),
+      std::make_unique<device::ScriptedDevice>(scenario->speed().si(), scenario->timeStep().si()),
       folder / "00000.insertion");
   if (!insertion) return insertion.error().message;
   if (const auto run = (*insertion)->runToEnd(nullptr); !run) return run.error().message;

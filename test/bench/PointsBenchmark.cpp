@@ -39,14 +39,14 @@ struct PublishedPoints {
   int ticks() const
   {
     return static_cast<int>(
-        std::ceil(scenario.stopTravel.si() / (scenario.speed.si() * model->timeStep)));
+        std::ceil(scenario.stopTravel().si() / (scenario.speed().si() * model->timeStep)));
   }
   mechanics::Drive driveAt(int tick) const
   {
     mechanics::Drive drive;
     drive.handAxis_W = model->startAxis_W;
     drive.handCurl_W = model->startCurl_W;
-    const double travel = scenario.speed.si() * model->timeStep * tick;
+    const double travel = scenario.speed().si() * model->timeStep * tick;
     drive.handPosition_W = model->startBase_W + travel * model->startAxis_W;
     return drive;
   }

@@ -28,9 +28,10 @@ constexpr int ticksOfInsertion = 8250;
 class Run {
 public:
   Run(const session::Scenario& scenario, std::shared_ptr<const mechanics::InsertionModel> model)
-      : hand_(scenario.speed.si(), scenario.timeStep.si()),
+      : hand_(scenario.speed().si(), scenario.timeStep().si()),
         isOpen_(static_cast<bool>(hand_.open())),
-        loop_(hand_, std::make_unique<haptics::InsertionEngine>(std::move(model), scenario.engine))
+        loop_(hand_,
+              std::make_unique<haptics::InsertionEngine>(std::move(model), scenario.engine()))
   {
     loop_.send({.kind = haptics::Command::Kind::arm});
     loop_.runOnce();
@@ -51,7 +52,7 @@ public:
   bool wentIn(const session::Scenario& scenario) const
   {
     return isOpen_ && last_.output.workflow != haptics::Workflow::fault &&
-           last_.output.travel > 0.9 * scenario.stopTravel.si();
+           last_.output.travel > 0.9 * scenario.stopTravel().si();
   }
 
 private:

@@ -144,8 +144,8 @@ TEST_F(Soak, EndsAsItBegan)
   while (ticksRun < wanted && !HasFailure()) {
     const fs::path file = folder / ("session-" + std::to_string(sessions) + ".insertion");
     auto insertion = Insertion::prepare(
-        scenario, std::make_unique<PacedDevice>(scenario.speed.si() * scenario.timeStep.si()), file,
-        anatomy);
+        scenario, std::make_unique<PacedDevice>(scenario.speed().si() * scenario.timeStep().si()),
+        file, anatomy);
     ASSERT_TRUE(insertion) << insertion.error().message;
     ticksOfSession = 0;
     for (int i = 0; i < cyclesPerSession; ++i) {

@@ -54,11 +54,11 @@ public:
           "The array came to its end before it could turn round: the way of %.1f mm is too "
           "short, or the machine too slow, to measure on. Give a scenario with a longer "
           "one.\n",
-          inMillimeters(window_.control().scenario().stopTravel));
+          inMillimeters(window_.control().scenario().stopTravel()));
       status_ = 1;
       return false;
     }
-    const double fraction = now.output.travel / window_.control().scenario().stopTravel.si();
+    const double fraction = now.output.travel / window_.control().scenario().stopTravel().si();
     if (!isMeasuring_ && fraction >= shallowFraction) {  // the first insertion begins farther out
       isMeasuring_ = true;
       window_.insertion().frames().restartMeter();

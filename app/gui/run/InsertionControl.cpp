@@ -50,7 +50,7 @@ std::filesystem::path InsertionControl::nextRecording()
   // Only the first insertion uses a requested file name; all others get a new name.
   if (record_ && prepared_ == 1) return *record_;
   const std::filesystem::path file =
-      record_ ? *record_ : sessionFolder() / (utcNow() + "-" + scenario_.name + ".insertion");
+      record_ ? *record_ : sessionFolder() / (utcNow() + "-" + scenario_.name() + ".insertion");
   std::error_code ignored;
   int number = record_ ? 2 : 1;
   while (std::filesystem::exists(numbered(file, number), ignored)) ++number;
@@ -122,9 +122,9 @@ Result<Done> InsertionControl::build(InputSource hand, std::optional<std::filesy
   std::unique_ptr<device::HapticDevice> device;
   device::ScriptedDevice* scripted = nullptr;
   device::PointerDevice* pointer = nullptr;
-  const double timeStep = scenario_.timeStep.si();
+  const double timeStep = scenario_.timeStep().si();
   if (hand == InputSource::scripted) {
-    auto made = std::make_unique<device::ScriptedDevice>(scenario_.speed.si(), timeStep);
+    auto made = std::make_unique<device::ScriptedDevice>(scenario_.speed().si(), timeStep);
     scripted = made.get();
     device = std::move(made);
   } else if (hand == InputSource::device) {
@@ -188,8 +188,8 @@ void InsertionControl::withdraw()
 void InsertionControl::pullStylet()
 {
   const bool isArmed = isRunning_ && now_.output.workflow != haptics::Workflow::idle;
-  if (!isArmed || !scenario_.array.hasStylet) return;
-  styletTarget_ = scenario_.array.length.si();
+  if (!isArmed || !scenario_.array().hasStylet) return;
+  styletTarget_ = scenario_.array().length.si();
   pursue();
 }
 
@@ -266,7 +266,7 @@ bool InsertionControl::isAtDepth() const noexcept
 {
   // Also after a withdrawal from full depth, when the stop no longer applies. A finished withdrawal
   // is finished, too, but near the start.
-  const double stop = scenario_.stopTravel.si();
+  const double stop = scenario_.stopTravel().si();
   const bool isFinished = now_.output.workflow == haptics::Workflow::finished;
   return now_.output.travel >= stop || (isFinished && now_.output.travel > 0.5 * stop);
 }

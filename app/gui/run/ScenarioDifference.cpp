@@ -11,7 +11,7 @@ namespace {
 
 std::string valueOf(const session::Scenario& scenario, const std::string& wanted)
 {
-  for (const auto& [key, value] : scenario.values)
+  for (const auto& [key, value] : scenario.values())
     if (key == wanted) return value;
   return {};
 }
@@ -54,7 +54,7 @@ bool haveSameCochlea(const session::Scenario& one, const session::Scenario& othe
 bool haveSameModel(const session::Scenario& one, const session::Scenario& other)
 {
   const std::vector<std::string> keys = differingKeys(one, other);
-  return one.arrayFingerprint == other.arrayFingerprint &&
+  return one.arrayFingerprint() == other.arrayFingerprint() &&
          std::all_of(keys.begin(), keys.end(), [](const std::string& key) {
            return std::find(notBuiltFrom.begin(), notBuiltFrom.end(), key) != notBuiltFrom.end();
          });

@@ -68,9 +68,10 @@ void ArraySection::addArrays()
   rows().addWidget(summary_);
 
   technique_ = new Selector("techniqueSelector", tr("Technique"), body());
-  technique_->addChoice(tr("Standard"), QStringLiteral("standard"),
+  technique_->addChoice(tr("Standard"), QLatin1String(nameOf(session::Technique::standard)),
                         tr("A stylet stays in until full depth."));
-  technique_->addChoice(tr("Advance off stylet"), QStringLiteral("aos"),
+  technique_->addChoice(tr("Advance off stylet"),
+                        QLatin1String(nameOf(session::Technique::advanceOffStylet)),
                         tr("The stylet is held still at its depth and the array pushed off it."));
   connect(technique_, &Selector::chosen, this, [this](const QString& technique) {
     Q_EMIT changeAsked({SetupField::technique,
@@ -113,11 +114,12 @@ void ArraySection::addContact()
   rows().addWidget(coefficients_);
 
   opening_ = new Selector("openingSelector", tr("Opening"), body());
-  opening_->addChoice(tr("Cochleostomy"), QStringLiteral("cochleostomy"),
+  opening_->addChoice(tr("Cochleostomy"), QLatin1String(nameOf(session::OpeningKind::cochleostomy)),
                       tr("A drilled round opening; ribs meet its edge."));
-  opening_->addChoice(tr("Round window"), QStringLiteral("round-window"),
+  opening_->addChoice(tr("Round window"), QLatin1String(nameOf(session::OpeningKind::roundWindow)),
                       tr("1.37 by 1.91 mm, the mean of 20 (Benha Med J 2018;35:246)."));
-  opening_->addChoice(tr("No rim"), QStringLiteral("none"), tr("Nothing but the wall."));
+  opening_->addChoice(tr("No rim"), QLatin1String(nameOf(session::OpeningKind::none)),
+                      tr("Nothing but the wall."));
   connect(opening_, &Selector::chosen, this, [this](const QString& opening) {
     Q_EMIT changeAsked({SetupField::opening,
                         {{"opening", tomlQuoted(opening)}},
@@ -130,9 +132,9 @@ void ArraySection::addContact()
 void ArraySection::addModel()
 {
   model_ = new Selector("modelSelector", tr("Model"), body());
-  model_->addChoice(tr("Elastic rod"), QStringLiteral("rod"),
+  model_->addChoice(tr("Elastic rod"), QLatin1String(session::nameOf(mechanics::ModelKind::rod)),
                     tr("The array as an elastic rod of nodes."));
-  model_->addChoice(tr("Point set"), QStringLiteral("points"),
+  model_->addChoice(tr("Point set"), QLatin1String(session::nameOf(mechanics::ModelKind::points)),
                     tr("The published model: a few spheres on springs, limits and all."));
   connect(model_, &Selector::chosen, this, [this](const QString& model) {
     Q_EMIT changeAsked({SetupField::model,
@@ -164,41 +166,41 @@ void ArraySection::askNumber(NumberField* field, SetupField what, const char* ke
 void ArraySection::show(const Setup& setup)
 {
   const session::Scenario& scenario = setup.scenario;
-  const electrode::ArrayDesign& array = scenario.array;
-  array_->show(QString::fromStdString(scenario.arrayName), QString::fromStdString(array.name));
+  const electrode::ArrayDesign& array = scenario.array();
+  array_->show(QString::fromStdString(scenario.arrayName()), QString::fromStdString(array.name));
   array_->setShown(QString::fromStdString(array.name));
   summary_->setText(summaryOf(array));
   summary_->setToolTip(QString::fromStdString(array.note).simplified());
-  setNote(scenario.calibrationName.empty() ? QString() : tr("calibrated"),
+  setNote(scenario.calibrationName().empty() ? QString() : tr("calibrated"),
           tr("Stiffness and curvature fitted to printed forces: %1.")
-              .arg(QString::fromStdString(scenario.calibrationName)));
+              .arg(QString::fromStdString(scenario.calibrationName())));
 
   const bool canHold = array.hasStylet && array.stylet.holdDepth.has_value();
-  technique_->setPossible(QStringLiteral("aos"), canHold,
+  technique_->setPossible(QLatin1String(nameOf(session::Technique::advanceOffStylet)), canHold,
                           array.hasStylet ? tr("no depth is known to hold the stylet at")
                                           : tr("this array has no stylet"));
-  technique_->show(QString::fromStdString(scenario.technique), {});
-  speed_->setValue(inMillimetersPerSecond(scenario.speed));
-  stop_->setRange({0.1, inMillimeters(array.insertable - scenario.startInside)});
-  stop_->setValue(inMillimeters(scenario.stopTravel));
+  technique_->show(QLatin1String(nameOf(scenario.technique())), {});
+  speed_->setValue(inMillimetersPerSecond(scenario.speed()));
+  stop_->setRange({0.1, inMillimeters(array.insertable - scenario.startInside())});
+  stop_->setValue(inMillimeters(scenario.stopTravel()));
   showFriction(scenario);
-  opening_->show(QString::fromStdString(scenario.openingName), {});
+  opening_->show(QLatin1String(nameOf(scenario.openingKind())), {});
 
-  const bool isRod = scenario.model == mechanics::ModelKind::rod;
-  model_->show(isRod ? QStringLiteral("rod") : QStringLiteral("points"), {});
+  const bool isRod = scenario.model() == mechanics::ModelKind::rod;
+  model_->show(QLatin1String(session::nameOf(scenario.model())), {});
   // as allowed in a scenario
   nodes_->setRange(isRod ? Range{8.0, double(mechanics::maxNodes)}
                          : Range{2.0, double(mechanics::maxPoints)});
-  nodes_->setValue(scenario.nodes);
+  nodes_->setValue(scenario.nodes());
 }
 
 void ArraySection::showFriction(const session::Scenario& scenario)
 {
   std::string name = "paper";
-  for (const auto& [key, value] : scenario.values)
+  for (const auto& [key, value] : scenario.values())
     if (key == "friction") name = value.substr(1, value.size() - 2);
   friction_->show(QString::fromStdString(name), QString::fromStdString(name));
-  const mechanics::FrictionLaw& law = scenario.friction;
+  const mechanics::FrictionLaw& law = scenario.friction();
   const QString staticCoefficient = numberText(law.staticCoefficient, 4);
   coefficients_->setText(
       law.bySpeed.isEmpty()

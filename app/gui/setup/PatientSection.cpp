@@ -39,8 +39,8 @@ QString kindOf(AnatomySource source, PatientMeasures scaledBy)
 /// The measures that scale a scenario's anatomy.
 PatientMeasures scaledBy(const session::Scenario& scenario)
 {
-  const bool isScaled = isScaledBy(scenario.anatomy, scenario.patient);
-  return isScaled ? traitsOf(scenario.anatomy).takes : PatientMeasures::none;
+  const bool isScaled = isScaledBy(scenario.anatomy(), scenario.patient());
+  return isScaled ? traitsOf(scenario.anatomy()).takes : PatientMeasures::none;
 }
 
 std::string keyOf(const char* name) { return std::string("patient_numbers.") + name; }
@@ -203,18 +203,18 @@ QWidget* PatientSection::addPage(std::vector<Number> numbers)
 void PatientSection::show(const Setup& setup)
 {
   const session::Scenario& scenario = setup.scenario;
-  label_->setHeld(QString::fromStdString(scenario.patient.label));
-  ear_->show(scenario.patient.side == anatomy::Side::left ? QStringLiteral("left")
-                                                          : QStringLiteral("right"),
+  label_->setHeld(QString::fromStdString(scenario.patient().label));
+  ear_->show(scenario.patient().side == anatomy::Side::left ? QStringLiteral("left")
+                                                            : QStringLiteral("right"),
              {});
   const PatientMeasures measures = scaledBy(scenario);
-  heldKind_ = kindOf(scenario.anatomy, measures);
+  heldKind_ = kindOf(scenario.anatomy(), measures);
   kind_->show(heldKind_, {});
   lengths_->setVisible(measures == PatientMeasures::threeLengths);
   basalTurn_->setVisible(measures == PatientMeasures::basalTurn);
   for (const Number& number : numbers_) {
     if (number.page->isHidden()) continue;
-    const auto value = numberOf(scenario.patient, number.field);
+    const auto value = numberOf(scenario.patient(), number.field);
     number.shown->setHeld(value, value ? sourceText(setup.sourceOf(number.field)) : "");
     session::Overrides& last = number.page == lengths_ ? lastLengths_ : lastBasalTurn_;
     const std::string key = keyOf(number.key);

@@ -28,7 +28,7 @@ QString elided(const QString& text, const QFont& font, int width_px)
 /// Source of a preset's values.
 QString citationOf(const session::Scenario& preset)
 {
-  if (preset.name != publishedPreset) return {};
+  if (preset.name() != publishedPreset) return {};
   const auto reference = analysis::shippedReference("todd-naghdy-experiment");
   return reference ? QString::fromStdString(reference->source) : QString();
 }
@@ -110,8 +110,8 @@ void ScenarioHead::show(const SetupHistory& history)
   const SetupOrigin& origin = history.origin();
   const bool isPreset = origin.kind == SetupOrigin::Kind::preset;
   const session::Scenario& claimed = isPreset ? origin.setup.scenario : history.now().scenario;
-  const QString title = QString::fromStdString(claimed.title);
-  title_->setText(title.isEmpty() ? QString::fromStdString(claimed.name) : title);
+  const QString title = QString::fromStdString(claimed.title());
+  title_->setText(title.isEmpty() ? QString::fromStdString(claimed.name()) : title);
   const QString citation = isPreset ? citationOf(claimed) : QString();
   title_->setToolTip(citation);
 
@@ -119,7 +119,7 @@ void ScenarioHead::show(const SetupHistory& history)
   badge_->setVisible(isModified);
   badge_->setToolTip(tr("Not the preset’s values: %1.").arg(history.changedText()));
   restore_->setVisible(isModified);
-  const bool isPublished = claimed.name == publishedPreset;
+  const bool isPublished = claimed.name() == publishedPreset;
   restore_->setText(isPublished ? tr("Back to the published values")
                                 : tr("Back to the preset’s values"));
   restore_->setToolTip(tr("Changed: %1. %2").arg(history.changedText(), citation).trimmed());

@@ -102,8 +102,8 @@ Result<Done> followArray(Values& values, const Setup& now, const SetupOrigin& or
   drop(values, [](const std::string& key) { return key == "array_fingerprint"; });
   const std::string quoted = valueOf(values, "array");
   const std::string name = quoted.size() > 1 ? quoted.substr(1, quoted.size() - 2) : quoted;
-  if (name == first.arrayName) {
-    takeOver(values, first.values, isCalibration);
+  if (name == first.arrayName()) {
+    takeOver(values, first.values(), isCalibration);
   } else {
     drop(values, isCalibration);
     set(values, "calibration", "\"\"");
@@ -112,17 +112,19 @@ Result<Done> followArray(Values& values, const Setup& now, const SetupOrigin& or
   if (!file) return file.error();
   const auto array = electrode::loadArray(*file);
   if (!array) return array.error();
-  if (!array->hasStylet || !array->stylet.holdDepth) set(values, "technique", "\"standard\"");
+  if (!array->hasStylet || !array->stylet.holdDepth)
+    set(values, "technique", tomlQuoted(QLatin1String(nameOf(session::Technique::standard))));
 
   // A default stop travel follows the array; a chosen one is only reduced.
   const auto limitOf = [&first](const electrode::ArrayDesign& design) {
-    return std::min(first.stopTravel, deepestStop(design, first.startInside));
+    return std::min(first.stopTravel(), deepestStop(design, first.startInside()));
   };
-  const bool isChosen = now.scenario.stopTravel != limitOf(now.scenario.array);
-  const Length deepest = deepestStop(*array, now.scenario.startInside);
-  const Length stop = isChosen ? std::min(now.scenario.stopTravel, deepest) : limitOf(*array);
-  if (stop == first.stopTravel)
-    takeOver(values, first.values, [](const std::string& key) { return key == "stop_travel_mm"; });
+  const bool isChosen = now.scenario.stopTravel() != limitOf(now.scenario.array());
+  const Length deepest = deepestStop(*array, now.scenario.startInside());
+  const Length stop = isChosen ? std::min(now.scenario.stopTravel(), deepest) : limitOf(*array);
+  if (stop == first.stopTravel())
+    takeOver(values, first.values(),
+             [](const std::string& key) { return key == "stop_travel_mm"; });
   else
     set(values, "stop_travel_mm", millimetersText(stop));
   return Done{};
@@ -130,12 +132,12 @@ Result<Done> followArray(Values& values, const Setup& now, const SetupOrigin& or
 
 Result<Done> follow(Values& values, const Setup& now, const SetupOrigin& origin, SetupField field)
 {
-  const Values& first = origin.setup.scenario.values;
+  const Values& first = origin.setup.scenario.values();
   switch (field) {
     case SetupField::array:
       return followArray(values, now, origin);
     case SetupField::stopTravel: {
-      const Length deepest = deepestStop(now.scenario.array, now.scenario.startInside);
+      const Length deepest = deepestStop(now.scenario.array(), now.scenario.startInside());
       const double asked_mm = std::strtod(valueOf(values, "stop_travel_mm").c_str(), nullptr);
       const double beyond_mm = asked_mm - inMillimeters(deepest);
       if (beyond_mm > 0.0 && beyond_mm < 0.01)
@@ -162,7 +164,7 @@ Result<Done> follow(Values& values, const Setup& now, const SetupOrigin& origin,
 /// Modified numbers lose the patient's name; the origin's numbers have the origin's name.
 void followPatient(Values& values, const SetupOrigin& origin, SetupField field)
 {
-  const Values& first = origin.setup.scenario.values;
+  const Values& first = origin.setup.scenario.values();
   const bool isSame = only(values, isPatientNumber) == only(first, isPatientNumber);
   const std::string firstLabel = valueOf(first, label);
   if (isSame && valueOf(values, label) == "\"unnamed\"" && field != SetupField::patientLabel) {
@@ -205,7 +207,7 @@ std::string tomlQuoted(const QString& text)
 Result<Setup> changed(const Setup& now, const SetupOrigin& origin, const SetupChange& change)
 {
   const session::Scenario& first = origin.setup.scenario;
-  Values values = now.scenario.values;
+  Values values = now.scenario.values();
   Setup made;
   made.sources = now.sources;
   if (change.field == SetupField::anatomy) {
@@ -225,7 +227,7 @@ Result<Setup> changed(const Setup& now, const SetupOrigin& origin, const SetupCh
   followPatient(values, origin, change.field);
 
   const bool isPreset = origin.kind == SetupOrigin::Kind::preset;
-  const std::string file = first.name + (isPreset ? "-modified.toml" : ".toml");
+  const std::string file = first.name() + (isPreset ? "-modified.toml" : ".toml");
   auto plain = read(values, file);
   if (!plain) return plain.error();
   const std::vector<std::string> caption = differingText(first, *plain);
@@ -235,7 +237,7 @@ Result<Setup> changed(const Setup& now, const SetupOrigin& origin, const SetupCh
     return made;
   }
   if (isPreset) {
-    const std::string claimed = first.title.empty() ? first.name : first.title;
+    const std::string claimed = first.title().empty() ? first.name() : first.title();
     set(values, "title",
         tomlQuoted(QString::fromStdString("Modified (" + joined(caption) + "): " + claimed)));
     auto titled = read(values, file);
@@ -297,10 +299,10 @@ std::string fileNameOf(const std::string& name)
 
 Result<session::Scenario> asOwn(const session::Scenario& scenario)
 {
-  Values values = scenario.values;
+  Values values = scenario.values();
   set(values, "title",
-      tomlQuoted(QString::fromStdString(scenario.patient.label + ": " + scenario.array.name)));
-  return read(values, fileNameOf(scenario.patient.label));
+      tomlQuoted(QString::fromStdString(scenario.patient().label + ": " + scenario.array().name)));
+  return read(values, fileNameOf(scenario.patient().label));
 }
 
 }  // namespace perilymph::gui

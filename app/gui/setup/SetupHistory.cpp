@@ -36,7 +36,7 @@ public:
     after_ = later->after_;
     setText(later->text());
     // returning to the previous state is not a change
-    setObsolete(after_.scenario.text == before_.scenario.text);
+    setObsolete(after_.scenario.text() == before_.scenario.text());
     return true;
   }
 
@@ -87,13 +87,13 @@ void SetupHistory::change(const SetupChange& change)
     Q_EMIT refused(QString::fromStdString(made.error().message));
     return;
   }
-  if (made->scenario.text == now_.scenario.text) return;
+  if (made->scenario.text() == now_.scenario.text()) return;
   push(*std::move(made), change.field, change.text);
 }
 
 void SetupHistory::restore()
 {
-  if (now_.scenario.text == origin_.setup.scenario.text) return;
+  if (now_.scenario.text() == origin_.setup.scenario.text()) return;
   push(origin_.setup, SetupField::preset, tr("back to the preset’s values"));
 }
 
@@ -117,12 +117,12 @@ void SetupHistory::redo()
 
 void SetupHistory::goTo(const std::string& scenarioText)
 {
-  if (now_.scenario.text == scenarioText) return;
+  if (now_.scenario.text() == scenarioText) return;
   int place = -1;
   for (int i = 0; i < stack_.count(); ++i) {
     const auto& each = static_cast<const SetupCommand&>(*stack_.command(i));
-    if (i == 0 && each.before().scenario.text == scenarioText) place = 0;
-    if (each.after().scenario.text == scenarioText) place = i + 1;
+    if (i == 0 && each.before().scenario.text() == scenarioText) place = 0;
+    if (each.after().scenario.text() == scenarioText) place = i + 1;
   }
   stack_.setIndex(std::max(place, 0));
   Q_EMIT setupChanged();

@@ -26,17 +26,18 @@ std::string utcNow()
   return text;
 }
 
-RecordingFacts factsOf(const Scenario& scenario, const mechanics::InsertionModel& model,
-                       const device::DeviceTraits& traits, const RunParameters& run)
+RecordingFacts factsOf(const InsertionParameters& parameters, const std::string& text,
+                       const mechanics::InsertionModel& model, const device::DeviceTraits& traits,
+                       const RunParameters& run)
 {
   RecordingFacts facts;
-  facts.scenarioName = scenario.name;
-  facts.scenarioText = scenario.text;
+  facts.scenarioName = parameters.name;
+  facts.scenarioText = text;
   facts.device = traits.name;
   facts.timeStep = model.timeStep;
   facts.run = run;
   facts.deviceDelay = traits.transportDelay;
-  facts.seed = scenario.seed;
+  facts.seed = parameters.seed;
   facts.modelFingerprint = model.fingerprint;
   facts.version = version();
   facts.buildId = buildId();
@@ -50,9 +51,9 @@ void tell(device::HapticDevice& hand, device::ScriptedDevice::Motion motion)
   if (auto* script = dynamic_cast<device::ScriptedDevice*>(&hand)) script->move(motion);
 }
 
-Error fault(const Scenario& scenario, const haptics::TickRecord& record)
+Error fault(const InsertionParameters& parameters, const haptics::TickRecord& record)
 {
-  return Error{"The insertion of " + scenario.name + " stopped with a fault at tick " +
+  return Error{"The insertion of " + parameters.name + " stopped with a fault at tick " +
                std::to_string(record.tick) + ", " +
                std::to_string(inMillimeters(meters(record.output.travel))) + " mm of travel (" +
                statusText(record.output.status) +
@@ -62,7 +63,7 @@ Error fault(const Scenario& scenario, const haptics::TickRecord& record)
 }  // namespace
 
 struct Insertion::Content {
-  Scenario scenario;
+  InsertionParameters parameters;
   std::shared_ptr<const anatomy::ScalaTympani> anatomy;
   std::shared_ptr<const mechanics::InsertionModel> model;
   std::unique_ptr<device::HapticDevice> hand;
@@ -90,13 +91,32 @@ Result<std::unique_ptr<Insertion>> Insertion::prepare(
     std::shared_ptr<const anatomy::ScalaTympani> anatomy,
     std::shared_ptr<const mechanics::InsertionModel> model)
 {
+  return prepare(scenario.parameters(), scenario.text(), std::move(hand), std::move(record),
+                 std::move(anatomy), std::move(model));
+}
+
+Result<std::unique_ptr<Insertion>> Insertion::prepare(
+    const InsertionParameters& parameters, std::unique_ptr<device::HapticDevice> hand,
+    std::shared_ptr<const anatomy::ScalaTympani> anatomy,
+    std::shared_ptr<const mechanics::InsertionModel> model)
+{
+  return prepare(parameters, {}, std::move(hand), std::nullopt, std::move(anatomy),
+                 std::move(model));
+}
+
+Result<std::unique_ptr<Insertion>> Insertion::prepare(
+    const InsertionParameters& parameters, const std::string& text,
+    std::unique_ptr<device::HapticDevice> hand, std::optional<std::filesystem::path> record,
+    std::shared_ptr<const anatomy::ScalaTympani> anatomy,
+    std::shared_ptr<const mechanics::InsertionModel> model)
+{
   if (!anatomy) {
-    auto built = buildAnatomy(scenario);
+    auto built = buildAnatomy(parameters);
     if (!built) return built.error();
     anatomy = *built;
   }
   if (!model) {
-    auto built = buildModel(scenario, anatomy);
+    auto built = buildModel(parameters, anatomy);
     if (!built) return built.error();
     model = *built;
   }
@@ -104,25 +124,27 @@ Result<std::unique_ptr<Insertion>> Insertion::prepare(
 
   std::unique_ptr<Insertion> insertion(new Insertion);
   Content& content = *insertion->content_;
-  content.scenario = scenario;
+  content.parameters = parameters;
   content.anatomy = std::move(anatomy);
   content.model = std::move(model);
   content.hand = std::move(hand);
   content.file = std::move(record);
 
   const device::DeviceTraits traits = content.hand->traits();
-  const RunParameters run = runParameters(scenario.engine.safety, traits, content.model->timeStep);
+  const RunParameters run =
+      runParameters(parameters.engine.safety, traits, content.model->timeStep);
   if (traits.rendersForce)
     content.couplingText = haptics::couplingSentence(
-        scenario.engine.forceScale * scenario.engine.motionScale *
-            scenario.engine.couplingStiffness,
+        parameters.engine.forceScale * parameters.engine.motionScale *
+            parameters.engine.couplingStiffness,
         haptics::couplingLimit(traits, content.model->timeStep), traits.name);
 
-  auto engine = makeEngine(scenario, content.model, run);
+  auto engine = makeEngine(parameters, content.model, run);
   if (!engine) return engine.error();
   std::unique_ptr<Recording> recording;
   if (content.file) {
-    auto created = Recording::create(*content.file, factsOf(scenario, *content.model, traits, run));
+    auto created =
+        Recording::create(*content.file, factsOf(parameters, text, *content.model, traits, run));
     if (!created) return created.error();
     recording = std::move(*created);
   }
@@ -158,10 +180,10 @@ Result<Done> Insertion::runToEnd(const std::function<bool(const haptics::TickRec
     const haptics::Workflow workflow = record.output.workflow;
     if (workflow == haptics::Workflow::fault) {
       content.recorder->flush();
-      return fault(content.scenario, record);
+      return fault(content.parameters, record);
     }
     if (workflow != haptics::Workflow::finished) continue;
-    if (!content.scenario.withdraws || isWithdrawing) break;
+    if (!content.parameters.withdraws || isWithdrawing) break;
     isWithdrawing = send(haptics::Command::Kind::withdraw);
     tell(*content.hand, Motion::withdraw);
   }
@@ -207,7 +229,7 @@ Result<Done> Insertion::closeRecording()
   return Done{};
 }
 
-const Scenario& Insertion::scenario() const noexcept { return content_->scenario; }
+const InsertionParameters& Insertion::parameters() const noexcept { return content_->parameters; }
 
 const anatomy::ScalaTympani& Insertion::anatomy() const noexcept { return *content_->anatomy; }
 

@@ -6,21 +6,22 @@
 #include <memory>
 #include <stdexcept>
 
+#include "perilymph/foundation/Result.h"
+#include "perilymph/session/InsertionParameters.h"
 #include "perilymph/session/RunParameters.h"
-#include "perilymph/session/Scenario.h"
 
 namespace perilymph::session {
 
 /// The engine of a run.
 inline Result<std::unique_ptr<haptics::InsertionEngine>> makeEngine(
-    const Scenario& scenario, std::shared_ptr<const mechanics::InsertionModel> model,
+    const InsertionParameters& parameters, std::shared_ptr<const mechanics::InsertionModel> model,
     const RunParameters& run)
 {
   try {
     return std::make_unique<haptics::InsertionEngine>(std::move(model),
-                                                      withRunParameters(scenario.engine, run));
+                                                      withRunParameters(parameters.engine, run));
   } catch (const std::invalid_argument& error) {
-    return Error{scenario.name + " cannot be run: " + error.what()};
+    return Error{parameters.name + " cannot be run: " + error.what()};
   }
 }
 

@@ -116,7 +116,8 @@ Result<std::unique_ptr<Playback>> Playback::open(const std::filesystem::path& fi
   auto model = buildModel(content.scenario, content.anatomy);
   if (!model) return model.error();
   content.model = *model;
-  auto engine = makeEngine(content.scenario, content.model, content.recorded.facts().run);
+  auto engine =
+      makeEngine(content.scenario.parameters(), content.model, content.recorded.facts().run);
   if (!engine) return engine.error();
   content.states[0] = std::make_shared<const InsertionEngine>(**engine);
   content.shown = *std::move(engine);
@@ -152,7 +153,7 @@ Result<Verification> Playback::compute(
   // A separate connection: the other thread reads concurrently.
   const auto recorded = RecordedInsertion::open(content.file);
   if (!recorded) return recorded.error();
-  auto engine = makeEngine(content.scenario, content.model, recorded->facts().run);
+  auto engine = makeEngine(content.scenario.parameters(), content.model, recorded->facts().run);
   if (!engine) return engine.error();
   auto begun = beginVerification(*recorded);
   if (!begun) return begun.error();

@@ -80,8 +80,8 @@ std::vector<std::string> whatChanged(const RecordedInsertion& recorded, const Sc
   if (facts.buildId != buildId())
     notes.push_back("Recorded by build " + facts.buildId + ", replayed by build " + buildId() +
                     ".");
-  if (scenario.expectedArrayFingerprint != scenario.arrayFingerprint)
-    notes.push_back("The file of the array '" + scenario.arrayName +
+  if (scenario.expectedArrayFingerprint() != scenario.arrayFingerprint())
+    notes.push_back("The file of the array '" + scenario.arrayName() +
                     "' has changed since the recording.");
   if (!model.hasFingerprint(facts.modelFingerprint))
     notes.push_back("The model built from the recorded scenario is not the one recorded.");
@@ -149,7 +149,7 @@ Result<Verification> verify(const std::filesystem::path& file, const VerifyProgr
   if (!anatomy) return anatomy.error();
   const auto model = buildModel(*scenario, *anatomy);
   if (!model) return model.error();
-  auto engine = makeEngine(*scenario, *model, facts.run);
+  auto engine = makeEngine(scenario->parameters(), *model, facts.run);
   if (!engine) return engine.error();
   for (const std::string& note : whatChanged(*recorded, *scenario, **model))
     verification->notes.push_back(note);

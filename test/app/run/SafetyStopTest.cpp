@@ -34,7 +34,7 @@ struct Told {
 class PushingDevice : public device::HapticDevice {
 public:
   PushingDevice(const session::Scenario& scenario, Told& told)
-      : script_(scenario.speed.si(), scenario.timeStep.si()), told_(told)
+      : script_(scenario.speed().si(), scenario.timeStep().si()), told_(told)
   {
     script_.move(device::ScriptedDevice::Motion::insert);
   }

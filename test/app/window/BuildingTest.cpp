@@ -43,9 +43,9 @@ TEST_F(BuildingACochlea, GreysStartAndSaysWhy)
   EXPECT_TRUE(isBuilding());
   EXPECT_TRUE(rig_.button("startButton").toolTip().contains("being built"));
   EXPECT_TRUE(rig_.label("hintLabel").contains("Building the cochlea"));
-  EXPECT_EQ(scenario().patient.scalaTympaniLength, millimeters(35.58));
+  EXPECT_EQ(scenario().patient().scalaTympaniLength, millimeters(35.58));
   ASSERT_TRUE(ends());
-  EXPECT_EQ(scenario().patient.scalaTympaniLength, millimeters(31.5));
+  EXPECT_EQ(scenario().patient().scalaTympaniLength, millimeters(31.5));
   EXPECT_TRUE(rig_.button("startButton").toolTip().contains("Space"));
 }
 
@@ -54,9 +54,9 @@ TEST_F(BuildingACochlea, HappensForAnotherArrayInTheSameOneToo)
   const auto before = rig_.window().control().sharedAnatomy();
   rig_.type("panelNodes", "60");
   EXPECT_TRUE(isBuilding());
-  EXPECT_EQ(scenario().nodes, 100);
+  EXPECT_EQ(scenario().nodes(), 100);
   ASSERT_TRUE(ends());
-  EXPECT_EQ(scenario().nodes, 60);
+  EXPECT_EQ(scenario().nodes(), 60);
   EXPECT_EQ(rig_.now().nodes, 60u);
   EXPECT_EQ(rig_.window().control().sharedAnatomy(), before);
 }
@@ -70,12 +70,12 @@ TEST_F(BuildingACochlea, IsLeftWithEscapeAndThePanelGoesBack)
   rig_.pressKey(Qt::Key_Escape);
   EXPECT_FALSE(isBuilding());
   EXPECT_EQ(field("panelScalaLength"), "35.58");
-  EXPECT_EQ(rig_.window().setup().now().scenario.text, scenario().text);
+  EXPECT_EQ(rig_.window().setup().now().scenario.text(), scenario().text());
   // what was given up comes neither now nor with the next change
   rig_.type("panelScalaLength", "33.0");
   ASSERT_TRUE(ends());
-  EXPECT_EQ(scenario().patient.scalaTympaniLength, millimeters(33.0));
-  EXPECT_EQ(scenario().patient.roundWindowWidth, session::Scenario().patient.roundWindowWidth);
+  EXPECT_EQ(scenario().patient().scalaTympaniLength, millimeters(33.0));
+  EXPECT_EQ(scenario().patient().roundWindowWidth, session::Scenario().patient().roundWindowWidth);
 }
 
 TEST_F(BuildingACochlea, CanceledAfterAnUndoGoesForwardAgain)
@@ -96,7 +96,7 @@ TEST_F(BuildingACochlea, AnswersOnlyTheNewestWish)
                    [&prepared] { ++prepared; });
   for (const char* length : {"28", "29", "30", "33.1"}) rig_.type("panelScalaLength", length);
   ASSERT_TRUE(ends());
-  EXPECT_EQ(scenario().patient.scalaTympaniLength, millimeters(33.1));
+  EXPECT_EQ(scenario().patient().scalaTympaniLength, millimeters(33.1));
   EXPECT_EQ(prepared, 1);
 }
 
@@ -107,14 +107,14 @@ TEST_F(BuildingACochlea, StartsByItselfOnceStartWasAsked)
   rig_.pressKey(Qt::Key_Space);
   EXPECT_TRUE(rig_.label("hintLabel").contains("then the insertion starts"));
   EXPECT_TRUE(WindowRig::comes([&] { return rig_.travel_mm() > 0.2; }));
-  EXPECT_EQ(scenario().patient.scalaTympaniLength, millimeters(31.5));
+  EXPECT_EQ(scenario().patient().scalaTympaniLength, millimeters(31.5));
 }
 
 TEST_F(BuildingACochlea, TakesNoTimeForWhatNoModelIsMadeOf)
 {
   rig_.type("panelSpeed", "3.0");
   EXPECT_FALSE(isBuilding());
-  EXPECT_EQ(scenario().speed, millimetersPerSecond(3));
+  EXPECT_EQ(scenario().speed(), millimetersPerSecond(3));
 }
 
 TEST(ANoteOfWhatIsBuilt, ComesAfterASecondAndCanBeCanceled)

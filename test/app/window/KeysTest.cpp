@@ -179,7 +179,7 @@ TEST(WindowHabits, AWindowMadeAnewStillShowsThatItsPresetWasModified)
   gui::MainWindow window(before.now().scenario, std::nullopt);
   window.resume(before.origin(), before.now());
   EXPECT_TRUE(window.setup().isModified());
-  EXPECT_EQ(window.control().scenario().text, before.now().scenario.text);
+  EXPECT_EQ(window.control().scenario().text(), before.now().scenario.text());
 }
 
 TEST(WindowHabits, TheSettingsSheetOpensAndAChoiceIsKept)

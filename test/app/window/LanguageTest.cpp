@@ -72,17 +72,17 @@ bool needsNoTranslation(QString text)
 bool isName(const QString& text, WindowRig& rig)
 {
   const session::Scenario& scenario = rig.window().control().scenario();
-  const QStringList names{QString::fromStdString(scenario.array.name),
-                          QString::fromStdString(scenario.array.note),
-                          QString::fromStdString(scenario.patient.label),
-                          QString::fromUtf8(nameOf(scenario.anatomy)),
+  const QStringList names{QString::fromStdString(scenario.array().name),
+                          QString::fromStdString(scenario.array().note),
+                          QString::fromStdString(scenario.patient().label),
+                          QString::fromUtf8(nameOf(scenario.anatomy())),
                           QString::fromStdString(rig.window().control().handName()),
                           QStringLiteral("English"),
                           QStringLiteral("Deutsch")};
   for (const gui::CatalogFriction& friction : gui::catalogFrictions())
     if (text == friction.title || text == friction.source) return true;
   // a scenario's title and sources are in its file, in English
-  const QString title = QString::fromStdString(scenario.title);
+  const QString title = QString::fromStdString(scenario.title());
   const bool isOfScenario = text == title || text.startsWith(QLatin1String("Todd and Naghdy, "));
   return isOfScenario || names.contains(text);
 }
@@ -230,7 +230,8 @@ TEST(ALengthTyped, IsThePatientsInAGermanWindow)
       rig.type("panelScalaLength", "30");
       rig.type("panelScalaLength", typed);
       EXPECT_TRUE(WindowRig::comes([&] {
-        return rig.window().control().scenario().patient.scalaTympaniLength == millimeters(34.125);
+        return rig.window().control().scenario().patient().scalaTympaniLength ==
+               millimeters(34.125);
       })) << typed;
     }
     // a thousand nodes, as Germans write it, are not silently one
@@ -238,7 +239,7 @@ TEST(ALengthTyped, IsThePatientsInAGermanWindow)
     ASSERT_TRUE(WindowRig::comes([&] { return rig.button("startButton").isEnabled(); }));
     rig.click("startButton");
     EXPECT_TRUE(rig.label("bannerText").contains("1024")) << rig.label("bannerText").toStdString();
-    EXPECT_EQ(rig.window().control().scenario().nodes, 100);
+    EXPECT_EQ(rig.window().control().scenario().nodes(), 100);
   }
   QLocale::setDefault(QLocale::c());
 }

@@ -29,7 +29,7 @@ protected:
   bool settles()
   {
     return WindowRig::comes([&] {
-      return scenario().text == rig_.window().setup().now().scenario.text &&
+      return scenario().text() == rig_.window().setup().now().scenario.text() &&
              rig_.button("startButton").isEnabled();
     });
   }
@@ -53,11 +53,11 @@ TEST_F(Panel, ThreeNumbersAndAnArrayMakeTheInsertion)
   rig_.choose("arraySelector", "slim-straight");
   rig_.type("panelSpeed", "5.0");
   ASSERT_TRUE(settles());
-  EXPECT_EQ(scenario().patient.scalaTympaniLength, millimeters(33.1));
-  EXPECT_EQ(scenario().patient.roundWindowWidth, millimeters(2.1));
-  EXPECT_EQ(scenario().patient.roundWindowHeight, millimeters(1.8));
-  EXPECT_EQ(scenario().arrayName, "slim-straight");
-  EXPECT_EQ(scenario().speed, millimetersPerSecond(5));
+  EXPECT_EQ(scenario().patient().scalaTympaniLength, millimeters(33.1));
+  EXPECT_EQ(scenario().patient().roundWindowWidth, millimeters(2.1));
+  EXPECT_EQ(scenario().patient().roundWindowHeight, millimeters(1.8));
+  EXPECT_EQ(scenario().arrayName(), "slim-straight");
+  EXPECT_EQ(scenario().speed(), millimetersPerSecond(5));
   rig_.click("startButton");
   EXPECT_TRUE(WindowRig::comes([&] { return rig_.travel_mm() > 0.5; }));
 }
@@ -77,17 +77,17 @@ TEST_F(Panel, ChangesAreUndoneAndDoneAgainInTheirOrder)
   ASSERT_TRUE(settles());
   rig_.window().setFocus();
   rig_.pressKey(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(scenario().speed, millimetersPerSecond(2));
-  EXPECT_EQ(scenario().arrayName, "flex28");
+  EXPECT_EQ(scenario().speed(), millimetersPerSecond(2));
+  EXPECT_EQ(scenario().arrayName(), "flex28");
   rig_.pressKey(Qt::Key_Z, Qt::ControlModifier);
   ASSERT_TRUE(settles());
-  EXPECT_EQ(scenario().arrayName, "contour");
-  EXPECT_EQ(scenario().name, "contour-published");
+  EXPECT_EQ(scenario().arrayName(), "contour");
+  EXPECT_EQ(scenario().name(), "contour-published");
   rig_.pressKey(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
   rig_.pressKey(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
   ASSERT_TRUE(settles());
-  EXPECT_EQ(scenario().arrayName, "flex28");
-  EXPECT_EQ(scenario().speed, millimetersPerSecond(1.5));
+  EXPECT_EQ(scenario().arrayName(), "flex28");
+  EXPECT_EQ(scenario().speed(), millimetersPerSecond(1.5));
   EXPECT_EQ(field("panelSpeed"), "1.5");
 }
 
@@ -98,7 +98,7 @@ TEST_F(Panel, EditsOfOneFieldAreUndoneTogetherAndNamed)
   EXPECT_EQ(rig_.window().setup().stack().count(), 1);
   EXPECT_TRUE(rig_.button("undoButton").toolTip().contains("speed 1.0 mm/s"));
   rig_.click("undoButton");
-  EXPECT_EQ(scenario().speed, millimetersPerSecond(2));
+  EXPECT_EQ(scenario().speed(), millimetersPerSecond(2));
   EXPECT_FALSE(rig_.button("undoButton").isEnabled());
 }
 
@@ -120,7 +120,7 @@ TEST_F(Panel, UndoInAFieldGoesToTheWindowOnceNothingIsTyped)
   QTest::keyClicks(&speed, "7");
   QTest::keyClick(&speed, Qt::Key_Escape);
   QTest::keyClick(&speed, Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(scenario().friction.staticCoefficient, 0.0605);
+  EXPECT_EQ(scenario().friction().staticCoefficient, 0.0605);
 }
 
 TEST_F(Panel, AnyChangeOfThePublishedScenarioIsMarkedAndTheWayBackIsOneClick)
@@ -135,11 +135,11 @@ TEST_F(Panel, AnyChangeOfThePublishedScenarioIsMarkedAndTheWayBackIsOneClick)
   EXPECT_TRUE(part("scenarioTitle").toolTip().contains("Todd and Naghdy"));
   rig_.click("restoreButton");
   EXPECT_FALSE(part("modifiedLabel").isVisible());
-  EXPECT_EQ(scenario().name, "contour-published");
+  EXPECT_EQ(scenario().name(), "contour-published");
   // the way back is a change like any other
   rig_.click("undoButton");
   ASSERT_TRUE(settles());
-  EXPECT_EQ(scenario().model, mechanics::ModelKind::points);
+  EXPECT_EQ(scenario().model(), mechanics::ModelKind::points);
 }
 
 TEST_F(Panel, WhatAnArrayCannotIsGreyedWithTheReason)
@@ -172,7 +172,7 @@ TEST_F(Panel, WhatIsTypedCountsWhenStartIsPressed)
   QTest::keyClicks(&length, "31.5");
   rig_.click("startButton");
   ASSERT_TRUE(WindowRig::comes([&] { return rig_.travel_mm() > 0.2; }));
-  EXPECT_EQ(scenario().patient.scalaTympaniLength, millimeters(31.5));
+  EXPECT_EQ(scenario().patient().scalaTympaniLength, millimeters(31.5));
 }
 
 TEST_F(Panel, AnImpossibleNumberIsNotInserted)

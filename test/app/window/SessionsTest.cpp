@@ -40,7 +40,7 @@ fs::path record(const std::string& name, const session::Overrides& more = {})
   const fs::path file = sessionFolder() / (name + ".insertion");
   auto insertion = session::Insertion::prepare(
       *scenario,
-      std::make_unique<device::ScriptedDevice>(scenario->speed.si(), scenario->timeStep.si()),
+      std::make_unique<device::ScriptedDevice>(scenario->speed().si(), scenario->timeStep().si()),
       file);
   EXPECT_TRUE(insertion) << insertion.error().message;
   EXPECT_TRUE((*insertion)->runToEnd(nullptr));

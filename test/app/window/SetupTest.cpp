@@ -38,28 +38,28 @@ TEST(SetupChange, EveryArrayOfTheCatalogCanReplaceThePublishedOne)
   const SetupOrigin origin = originOf("contour-published");
   for (const std::string& name : shippedNames("plugins/electrodes")) {
     const auto made = after(origin.setup, origin, SetupField::array, {{"array", '"' + name + '"'}});
-    EXPECT_EQ(made.scenario.arrayName, name);
+    EXPECT_EQ(made.scenario.arrayName(), name);
     // 18.5 mm of an array and a start 2.0 mm inside leave 16.5 mm
-    EXPECT_GE(made.scenario.stopTravel + millimeters(0.002),
-              std::min(millimeters(16.5), made.scenario.array.insertable - millimeters(2)));
-    EXPECT_LE(made.scenario.startInside + made.scenario.stopTravel,
-              made.scenario.array.insertable + millimeters(1e-9));
+    EXPECT_GE(made.scenario.stopTravel() + millimeters(0.002),
+              std::min(millimeters(16.5), made.scenario.array().insertable - millimeters(2)));
+    EXPECT_LE(made.scenario.startInside() + made.scenario.stopTravel(),
+              made.scenario.array().insertable + millimeters(1e-9));
   }
 }
 
 TEST(SetupChange, AnotherArrayIsAsItsFileSaysAndNotCalibrated)
 {
   const SetupOrigin origin = originOf("contour-published");
-  ASSERT_FALSE(origin.setup.scenario.calibrationName.empty());
+  ASSERT_FALSE(origin.setup.scenario.calibrationName().empty());
   const auto made =
       after(origin.setup, origin, SetupField::array, {{"array", "\"contour-advance\""}});
   const auto file = findByName("array", "plugins/electrodes", "contour-advance");
   const auto plain = electrode::loadArray(*file);
   ASSERT_TRUE(plain);
-  EXPECT_EQ(made.scenario.calibrationName, "");
-  EXPECT_EQ(made.scenario.array.bending.value, plain->bending.value);
-  EXPECT_EQ(made.scenario.array.stylet.bending, plain->stylet.bending);
-  EXPECT_EQ(made.scenario.array.stylet.residualCurvature, plain->stylet.residualCurvature);
+  EXPECT_EQ(made.scenario.calibrationName(), "");
+  EXPECT_EQ(made.scenario.array().bending.value, plain->bending.value);
+  EXPECT_EQ(made.scenario.array().stylet.bending, plain->stylet.bending);
+  EXPECT_EQ(made.scenario.array().stylet.residualCurvature, plain->stylet.residualCurvature);
 }
 
 TEST(SetupChange, TheFirstArrayChosenAgainIsTheFirstSetupAgain)
@@ -67,19 +67,19 @@ TEST(SetupChange, TheFirstArrayChosenAgainIsTheFirstSetupAgain)
   const SetupOrigin origin = originOf("contour-published");
   const auto other =
       after(origin.setup, origin, SetupField::array, {{"array", "\"medel-compressed\""}});
-  EXPECT_LT(other.scenario.stopTravel, origin.setup.scenario.stopTravel);
+  EXPECT_LT(other.scenario.stopTravel(), origin.setup.scenario.stopTravel());
   const auto back = after(other, origin, SetupField::array, {{"array", "\"contour\""}});
-  EXPECT_EQ(back.scenario.text, origin.setup.scenario.text);
-  EXPECT_EQ(back.scenario.name, "contour-published");
+  EXPECT_EQ(back.scenario.text(), origin.setup.scenario.text());
+  EXPECT_EQ(back.scenario.name(), "contour-published");
 }
 
 TEST(SetupChange, AnArrayWithoutAStyletIsNotAdvancedOffOne)
 {
   const SetupOrigin origin = originOf("contour-published");
   const auto held = after(origin.setup, origin, SetupField::technique, {{"technique", "\"aos\""}});
-  EXPECT_EQ(held.scenario.technique, "aos");
+  EXPECT_EQ(held.scenario.technique(), session::Technique::advanceOffStylet);
   const auto straight = after(held, origin, SetupField::array, {{"array", "\"flex28\""}});
-  EXPECT_EQ(straight.scenario.technique, "standard");
+  EXPECT_EQ(straight.scenario.technique(), session::Technique::standard);
 }
 
 TEST(SetupChange, ADepthThatWasChosenStaysWhereTheArrayAllowsIt)
@@ -88,7 +88,7 @@ TEST(SetupChange, ADepthThatWasChosenStaysWhereTheArrayAllowsIt)
   const auto shallow =
       after(origin.setup, origin, SetupField::stopTravel, {{"stop_travel_mm", "9.5"}});
   const auto other = after(shallow, origin, SetupField::array, {{"array", "\"flex28\""}});
-  EXPECT_EQ(other.scenario.stopTravel, millimeters(9.5));
+  EXPECT_EQ(other.scenario.stopTravel(), millimeters(9.5));
 }
 
 TEST(SetupChange, AnotherFrictionBringsItsOwnCoefficients)
@@ -96,35 +96,35 @@ TEST(SetupChange, AnotherFrictionBringsItsOwnCoefficients)
   const SetupOrigin origin = originOf("contour-published");
   const auto made = after(origin.setup, origin, SetupField::friction, {{"friction", "\"tissue\""}});
   // Dohr et al. 2021: 0.24 at the slowest speed
-  EXPECT_DOUBLE_EQ(made.scenario.friction.staticCoefficient, 0.24);
-  EXPECT_FALSE(made.scenario.friction.bySpeed.isEmpty());
+  EXPECT_DOUBLE_EQ(made.scenario.friction().staticCoefficient, 0.24);
+  EXPECT_FALSE(made.scenario.friction().bySpeed.isEmpty());
   const auto back = after(made, origin, SetupField::friction, {{"friction", "\"paper\""}});
-  EXPECT_DOUBLE_EQ(back.scenario.friction.staticCoefficient, 0.0605);
-  EXPECT_TRUE(back.scenario.friction.bySpeed.isEmpty());
+  EXPECT_DOUBLE_EQ(back.scenario.friction().staticCoefficient, 0.0605);
+  EXPECT_TRUE(back.scenario.friction().bySpeed.isEmpty());
 }
 
 TEST(SetupChange, ThePointSetHasThePublishedTwelvePoints)
 {
   const SetupOrigin origin = originOf("contour-published");
   const auto made = after(origin.setup, origin, SetupField::model, {{"model", "\"points\""}});
-  EXPECT_EQ(made.scenario.model, mechanics::ModelKind::points);
-  EXPECT_EQ(made.scenario.nodes, 12);
+  EXPECT_EQ(made.scenario.model(), mechanics::ModelKind::points);
+  EXPECT_EQ(made.scenario.nodes(), 12);
   const auto back = after(made, origin, SetupField::model, {{"model", "\"rod\""}});
-  EXPECT_EQ(back.scenario.nodes, 100);
+  EXPECT_EQ(back.scenario.nodes(), 100);
 }
 
 TEST(SetupChange, AModifiedPresetDoesNotClaimToBeThePreset)
 {
   const SetupOrigin origin = originOf("contour-published");
   const auto made = after(origin.setup, origin, SetupField::speed, {{"speed_mm_s", "1.0"}});
-  EXPECT_EQ(made.scenario.name, "contour-published-modified");
-  EXPECT_THAT(made.scenario.title, HasSubstr("Modified (speed)"));
-  EXPECT_THAT(made.scenario.text, HasSubstr("speed_mm_s = 1.0"));
+  EXPECT_EQ(made.scenario.name(), "contour-published-modified");
+  EXPECT_THAT(made.scenario.title(), HasSubstr("Modified (speed)"));
+  EXPECT_THAT(made.scenario.text(), HasSubstr("speed_mm_s = 1.0"));
   EXPECT_THAT(differingText(origin.setup.scenario, made.scenario), ElementsAre("speed"));
   // what a recording keeps gives the same scenario again
-  const auto read = session::parseScenario(made.scenario.text, "recording");
+  const auto read = session::parseScenario(made.scenario.text(), "recording");
   ASSERT_TRUE(read) << read.error().message;
-  EXPECT_EQ(read->text, made.scenario.text);
+  EXPECT_EQ(read->text(), made.scenario.text());
 }
 
 TEST(SetupChange, TheSameValueAgainIsNoDifference)
@@ -133,7 +133,7 @@ TEST(SetupChange, TheSameValueAgainIsNoDifference)
   const auto slow = after(origin.setup, origin, SetupField::speed, {{"speed_mm_s", "1.0"}});
   const auto back = after(slow, origin, SetupField::speed, {{"speed_mm_s", "2.0"}});
   EXPECT_THAT(differingKeys(origin.setup.scenario, back.scenario), IsEmpty());
-  EXPECT_EQ(back.scenario.title, origin.setup.scenario.title);
+  EXPECT_EQ(back.scenario.title(), origin.setup.scenario.title());
 }
 
 TEST(SetupChange, NumbersOfNobodyLoseThePublishedName)
@@ -141,13 +141,13 @@ TEST(SetupChange, NumbersOfNobodyLoseThePublishedName)
   const SetupOrigin origin = originOf("contour-published");
   const auto made = after(origin.setup, origin, SetupField::scalaLength,
                           {{"patient_numbers.st_length_mm", "33.2"}});
-  EXPECT_EQ(made.scenario.patient.scalaTympaniLength, millimeters(33.2));
-  EXPECT_EQ(made.scenario.patient.label, "unnamed");
+  EXPECT_EQ(made.scenario.patient().scalaTympaniLength, millimeters(33.2));
+  EXPECT_EQ(made.scenario.patient().label, "unnamed");
   EXPECT_EQ(made.sourceOf(SetupField::scalaLength), ValueSource::typed);
   EXPECT_EQ(made.sourceOf(SetupField::windowWidth), ValueSource::standard);
   const auto back =
       after(made, origin, SetupField::scalaLength, {{"patient_numbers.st_length_mm", "35.58"}});
-  EXPECT_EQ(back.scenario.patient.label, "published");
+  EXPECT_EQ(back.scenario.patient().label, "published");
 }
 
 TEST(SetupChange, AAndBBuildTheMeanCochleaAndThreeLengthsThePublishedOneAgain)
@@ -158,15 +158,15 @@ TEST(SetupChange, AAndBBuildTheMeanCochleaAndThreeLengthsThePublishedOneAgain)
                            {"patient", "\"\""},
                            {"patient_numbers.a_mm", "9.1"},
                            {"patient_numbers.b_mm", "6.8"}});
-  ASSERT_TRUE(mean.scenario.patient.basalTurn);
-  EXPECT_EQ(mean.scenario.patient.basalTurn->a, millimeters(9.1));
+  ASSERT_TRUE(mean.scenario.patient().basalTurn);
+  EXPECT_EQ(mean.scenario.patient().basalTurn->a, millimeters(9.1));
   const auto taller = after(mean, origin, SetupField::heightH, {{"patient_numbers.h_mm", "3.9"}});
-  EXPECT_EQ(*taller.scenario.patient.basalTurn->h, millimeters(3.9));
+  EXPECT_EQ(*taller.scenario.patient().basalTurn->h, millimeters(3.9));
   const auto without = after(taller, origin, SetupField::heightH, {{"patient_numbers.h_mm", ""}});
-  EXPECT_FALSE(without.scenario.patient.basalTurn->h);
+  EXPECT_FALSE(without.scenario.patient().basalTurn->h);
   const auto clark =
       after(mean, origin, SetupField::anatomy, {{"anatomy", "\"clark\""}, {"patient", "\"\""}});
-  EXPECT_EQ(clark.scenario.anatomy, anatomy::AnatomySource::clark);
+  EXPECT_EQ(clark.scenario.anatomy(), anatomy::AnatomySource::clark);
 }
 
 TEST(SetupChange, WhatIsOutOfRangeIsRefusedWithTheRange)
@@ -184,7 +184,7 @@ TEST(SetupChange, ANameKeepsItsQuotesAndBackslashes)
   const QString name = QStringLiteral("P \"7\" \\ é\n");
   const auto made = after(origin.setup, origin, SetupField::patientLabel,
                           {{"patient_numbers.label", tomlQuoted(name)}});
-  EXPECT_EQ(made.scenario.patient.label, "P \"7\" \\ é");
+  EXPECT_EQ(made.scenario.patient().label, "P \"7\" \\ é");
 }
 
 TEST(SetupChange, APatientsOwnScenarioIsNamedAfterThePatientAndTheArray)
@@ -192,15 +192,15 @@ TEST(SetupChange, APatientsOwnScenarioIsNamedAfterThePatientAndTheArray)
   const auto preset = session::loadScenario("contour-published");
   ASSERT_TRUE(preset);
   session::Overrides label{{"patient_numbers.label", "P 014"}};
-  const auto patient = session::parseScenario(preset->text, "x", label);
+  const auto patient = session::parseScenario(preset->text(), "x", label);
   ASSERT_TRUE(patient) << patient.error().message;
   const auto own = asOwn(*patient);
   ASSERT_TRUE(own) << own.error().message;
-  EXPECT_EQ(own->name, "P-014");
-  EXPECT_EQ(own->title, "P 014: Nucleus 24 Contour");
+  EXPECT_EQ(own->name(), "P-014");
+  EXPECT_EQ(own->title(), "P 014: Nucleus 24 Contour");
   const SetupOrigin origin{{*own, {}}, SetupOrigin::Kind::own};
   const auto other = after(origin.setup, origin, SetupField::array, {{"array", "\"flex28\""}});
-  EXPECT_EQ(other.scenario.title, "P 014: FLEX28");
+  EXPECT_EQ(other.scenario.title(), "P 014: FLEX28");
 }
 
 }  // namespace

@@ -49,7 +49,8 @@ TEST_F(FirstScreen, OneClickShowsAMovingArray)
 TEST_F(FirstScreen, TheMeanCochleaIsOneClickAway)
 {
   rig_->click("meanCard");
-  EXPECT_TRUE(WindowRig::comes([&] { return scenario().anatomy == anatomy::AnatomySource::mean; }));
+  EXPECT_TRUE(
+      WindowRig::comes([&] { return scenario().anatomy() == anatomy::AnatomySource::mean; }));
   EXPECT_EQ(rig_->travel_mm(), 0.0);
   EXPECT_TRUE(rig_->button("startButton").isEnabled());
 }
@@ -63,12 +64,12 @@ TEST_F(FirstScreen, APatientsThreeLengthsMakeThePatientsCochlea)
   type("rwHeight", "1.7");
   rig_->click("leftEar");
   rig_->click("usePatientButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient.label == "P 014"; }));
-  EXPECT_EQ(scenario().anatomy, anatomy::AnatomySource::published);
-  EXPECT_EQ(scenario().patient.side, anatomy::Side::left);
-  EXPECT_EQ(scenario().patient.scalaTympaniLength, millimeters(34.2));
-  EXPECT_EQ(scenario().patient.roundWindowWidth, millimeters(2.05));
-  EXPECT_EQ(scenario().patient.roundWindowHeight, millimeters(1.7));
+  ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient().label == "P 014"; }));
+  EXPECT_EQ(scenario().anatomy(), anatomy::AnatomySource::published);
+  EXPECT_EQ(scenario().patient().side, anatomy::Side::left);
+  EXPECT_EQ(scenario().patient().scalaTympaniLength, millimeters(34.2));
+  EXPECT_EQ(scenario().patient().roundWindowWidth, millimeters(2.05));
+  EXPECT_EQ(scenario().patient().roundWindowHeight, millimeters(1.7));
   EXPECT_TRUE(rig_->label("patientLabel").contains("P 014"));
   EXPECT_TRUE(rig_->label("patientLabel").contains("left"));
   // the numbers are kept
@@ -82,11 +83,11 @@ TEST_F(FirstScreen, AAndBMakeAMeanCochleaOfThatSize)
   type("aValue", "9.0");
   type("bValue", "6.5");
   rig_->click("usePatientButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient.basalTurn.has_value(); }));
-  EXPECT_EQ(scenario().anatomy, anatomy::AnatomySource::mean);
-  EXPECT_EQ(scenario().patient.basalTurn->a, millimeters(9.0));
-  EXPECT_EQ(scenario().patient.basalTurn->b, millimeters(6.5));
-  EXPECT_FALSE(scenario().patient.basalTurn->h);
+  ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient().basalTurn.has_value(); }));
+  EXPECT_EQ(scenario().anatomy(), anatomy::AnatomySource::mean);
+  EXPECT_EQ(scenario().patient().basalTurn->a, millimeters(9.0));
+  EXPECT_EQ(scenario().patient().basalTurn->b, millimeters(6.5));
+  EXPECT_FALSE(scenario().patient().basalTurn->h);
 }
 
 TEST_F(FirstScreen, ASurgeonInsertsAnotherArrayIntoThePatientsCochleaAndTakesItBack)
@@ -97,7 +98,7 @@ TEST_F(FirstScreen, ASurgeonInsertsAnotherArrayIntoThePatientsCochleaAndTakesItB
   type("rwWidth", "2.05");
   type("rwHeight", "1.7");
   rig_->click("usePatientButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient.label == "P 014"; }));
+  ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient().label == "P 014"; }));
   // measured, as the form says, and no preset's
   int measured = 0;
   for (const QLabel* label : rig_->window().findChildren<QLabel*>())
@@ -115,8 +116,8 @@ TEST_F(FirstScreen, ASurgeonInsertsAnotherArrayIntoThePatientsCochleaAndTakesItB
   rig_->click("resetButton");
   rig_->pressKey(Qt::Key_Z, Qt::ControlModifier);
   rig_->pressKey(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_TRUE(WindowRig::comes([&] { return scenario().arrayName == "contour"; }));
-  EXPECT_EQ(scenario().patient.scalaTympaniLength, millimeters(34.2));
+  EXPECT_TRUE(WindowRig::comes([&] { return scenario().arrayName() == "contour"; }));
+  EXPECT_EQ(scenario().patient().scalaTympaniLength, millimeters(34.2));
   EXPECT_TRUE(rig_->label("scenarioTitle").contains("P 014: Nucleus 24 Contour"));
 }
 

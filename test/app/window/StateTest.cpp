@@ -254,8 +254,8 @@ TEST_P(TypedNumber, WithACommaOrAPointIsTheSameAndTheFileHasAPoint)
   type("bValue", "6,5");
   rig.click("usePatientButton");
   ASSERT_TRUE(WindowRig::comes(
-      [&] { return rig.window().control().scenario().patient.basalTurn.has_value(); }));
-  EXPECT_EQ(rig.window().control().scenario().patient.basalTurn->a, millimeters(9.1));
+      [&] { return rig.window().control().scenario().patient().basalTurn.has_value(); }));
+  EXPECT_EQ(rig.window().control().scenario().patient().basalTurn->a, millimeters(9.1));
   const auto text = readWhole(patientFolder() / "comma.toml");
   ASSERT_TRUE(text) << text.error().message;
   EXPECT_NE(text->find("a_mm = 9.1"), std::string::npos) << *text;

@@ -76,8 +76,8 @@ TEST_F(AWalk, OfASurgeonEndsAtFullDepthOfThePatientsCochlea)
   walk.step(2, rig.window());
 
   rig.click("usePatientButton");
-  ASSERT_TRUE(
-      WindowRig::comes([&] { return rig.window().control().scenario().patient.label == "P 014"; }));
+  ASSERT_TRUE(WindowRig::comes(
+      [&] { return rig.window().control().scenario().patient().label == "P 014"; }));
   rig.choose("arraySelector", "slim-straight");
   ASSERT_TRUE(canStart(rig));
   walk.step(3, rig.window());
@@ -94,7 +94,7 @@ TEST_F(AWalk, OfASurgeonEndsAtFullDepthOfThePatientsCochlea)
   rig.releaseKey(Qt::Key_Space);
   ASSERT_TRUE(WindowRig::comes([&] { return rig.label("hintLabel").contains("Full depth"); }));
   walk.step(5, rig.window());
-  EXPECT_EQ(rig.window().control().scenario().patient.scalaTympaniLength, millimeters(34.2));
+  EXPECT_EQ(rig.window().control().scenario().patient().scalaTympaniLength, millimeters(34.2));
   EXPECT_EQ(walk.left(), "");
 }
 

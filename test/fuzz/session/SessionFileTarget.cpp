@@ -6,6 +6,7 @@
 #include "MakeEngine.h"
 #include "Seeds.h"
 #include "perilymph/session/RecordedInsertion.h"
+#include "perilymph/session/Scenario.h"
 
 namespace perilymph::fuzz {
 
@@ -40,7 +41,8 @@ void use(const session::RecordedInsertion& recorded)
   const auto check = recorded.check();
   if (!check) promise(!check.error().message.empty(), "a refusal has a sentence");
 
-  auto engine = session::makeEngine(prepared().scenario, prepared().model, recorded.facts().run);
+  auto engine =
+      session::makeEngine(prepared().scenario.parameters(), prepared().model, recorded.facts().run);
   if (!engine) promise(!engine.error().message.empty(), "a refusal has a sentence");
   std::uint64_t seen = 0;
   const auto read = recorded.forEach([&](const haptics::TickRecord& record) {

@@ -27,22 +27,22 @@ std::shared_ptr<const anatomy::ScalaTympani> sharedAnatomy()
 /// The text as run gives the same text again: a recording can be replayed.
 void checkText(const Scenario& scenario)
 {
-  const auto again = session::parseScenario(scenario.text, scenario.name);
+  const auto again = session::parseScenario(scenario.text(), scenario.name());
   if (!again)
-    std::fprintf(stderr, "%s\n%s\n", again.error().message.c_str(), scenario.text.c_str());
+    std::fprintf(stderr, "%s\n%s\n", again.error().message.c_str(), scenario.text().c_str());
   promise(static_cast<bool>(again), "a scenario's own text can be read");
-  if (again->text != scenario.text)
-    std::fprintf(stderr, "%s\n---\n%s\n", scenario.text.c_str(), again->text.c_str());
-  promise(again->text == scenario.text, "nothing changes by reading the text again");
+  if (again->text() != scenario.text())
+    std::fprintf(stderr, "%s\n---\n%s\n", scenario.text().c_str(), again->text().c_str());
+  promise(again->text() == scenario.text(), "nothing changes by reading the text again");
 }
 
 void runSome(const Scenario& scenario)
 {
   // The surface that the points need takes seconds; many nodes are many times the same.
-  if (scenario.model != mechanics::ModelKind::rod || scenario.nodes > 200) return;
+  if (scenario.model() != mechanics::ModelKind::rod || scenario.nodes() > 200) return;
   auto insertion = session::Insertion::prepare(
       scenario,
-      std::make_unique<device::ScriptedDevice>(scenario.speed.si(), scenario.timeStep.si()),
+      std::make_unique<device::ScriptedDevice>(scenario.speed().si(), scenario.timeStep().si()),
       std::nullopt, sharedAnatomy());
   if (!insertion) {
     promise(!insertion.error().message.empty(), "a refusal has a sentence");

@@ -38,7 +38,7 @@ void runByTheClock(const fs::path& file, const std::function<void(double)>& mean
 {
   const Scenario scenario = shortScenario();
   auto insertion = Insertion::prepare(
-      scenario, std::make_unique<device::ScriptedDevice>(scenario.speed.si(), 1e-3), file);
+      scenario, std::make_unique<device::ScriptedDevice>(scenario.speed().si(), 1e-3), file);
   ASSERT_TRUE(insertion) << insertion.error().message;
   ASSERT_TRUE((*insertion)->start());
   haptics::Command arm;

@@ -21,6 +21,7 @@
 #include "OddRecords.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/session/Replay.h"
+#include "perilymph/session/Scenario.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::session {
@@ -172,7 +173,7 @@ TEST_F(ForgedSession, WithFactsThatNoDeviceHasIsRefusedOrRunsWithinTheLimits)
   ASSERT_TRUE(anatomy);
   const auto model = buildModel(*scenario, *anatomy);
   ASSERT_TRUE(model);
-  const double maxForce = scenario->engine.safety.maxForce;
+  const double maxForce = scenario->engine().safety.maxForce;
 
   for (const char* key : {"dt_s", "sample_period_s", "max_force_N", "reach_m", "max_stiffness_N_m",
                           "max_damping_N_s_m", "device_delay_s"})
@@ -182,7 +183,7 @@ TEST_F(ForgedSession, WithFactsThatNoDeviceHasIsRefusedOrRunsWithinTheLimits)
       rehash();
       const auto opened = RecordedInsertion::open(file);
       if (!opened) continue;
-      const auto engine = makeEngine(*scenario, *model, opened->facts().run);
+      const auto engine = makeEngine(scenario->parameters(), *model, opened->facts().run);
       if (!engine) {
         EXPECT_THAT(engine.error().message, HasSubstr("cannot be run"));
         continue;

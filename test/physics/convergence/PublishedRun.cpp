@@ -35,7 +35,7 @@ std::shared_ptr<const mechanics::InsertionModel> modelOf(const session::Scenario
   // the same at every resolution
   static std::map<anatomy::AnatomySource, decltype(session::buildAnatomy(scenario))> scalas;
   const auto& scala =
-      scalas.try_emplace(scenario.anatomy, session::buildAnatomy(scenario)).first->second;
+      scalas.try_emplace(scenario.anatomy(), session::buildAnatomy(scenario)).first->second;
   if (!scala) throw std::runtime_error(scala.error().message);
   const auto model = session::buildModel(scenario, *scala);
   if (!model) throw std::runtime_error(model.error().message);
@@ -53,9 +53,9 @@ std::vector<double> forceOverTravel(const Resolution& resolution)
   drive.handAxis_W = model->startAxis_W;
   drive.handCurl_W = model->startCurl_W;
 
-  const double travelOfTick = scenario.speed.si() * model->timeStep;
+  const double travelOfTick = scenario.speed().si() * model->timeStep;
   const long ticksOfSample = std::lround(sampleTravel / travelOfTick);
-  const long samples = std::lround(scenario.stopTravel.si() / sampleTravel);
+  const long samples = std::lround(scenario.stopTravel().si() / sampleTravel);
   std::vector<double> force;
   for (long tick = 1; tick <= samples * ticksOfSample; ++tick) {
     drive.handPosition_W =

@@ -21,7 +21,7 @@ inline std::unique_ptr<session::Insertion> shortRun(const std::filesystem::path&
   EXPECT_TRUE(scenario) << scenario.error().message;
   auto insertion = session::Insertion::prepare(
       *scenario,
-      std::make_unique<device::ScriptedDevice>(scenario->speed.si(), scenario->timeStep.si()),
+      std::make_unique<device::ScriptedDevice>(scenario->speed().si(), scenario->timeStep().si()),
       file);
   EXPECT_TRUE(insertion) << insertion.error().message;
   return std::move(*insertion);

@@ -23,7 +23,7 @@ ValidationRequest smallRequest(int runs = 6)
   request.variability =
       *loadVariability(resource("resources/validation/published-experiment.toml"));
   request.variability.timeStep = milliseconds(10);
-  request.scenario = *session::loadScenario("contour-published", {{"nodes", "24"}});
+  request.nominal = session::loadScenario("contour-published", {{"nodes", "24"}})->parameters();
   request.experiment = *shippedReference("todd-naghdy-experiment");
   request.runs = runs;
   request.runsPerSource = 2;

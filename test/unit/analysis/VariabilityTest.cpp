@@ -28,7 +28,7 @@ protected:
     variability = *loaded;
     const auto scenario = session::loadScenario(variability.scenario);
     ASSERT_TRUE(scenario) << scenario.error().message;
-    nominal = *scenario;
+    nominal = scenario->parameters();
   }
 
   DrawnInsertion drawn(SpreadSources sources, std::uint64_t number)
@@ -37,14 +37,15 @@ protected:
   }
 
   Variability variability;
-  session::Scenario nominal;
+  session::InsertionParameters nominal;
 };
 
 TEST_F(DrawnInsertions, StartOneToThreeMillimetersInside)
 {
   std::vector<double> starts_mm;
   for (std::uint64_t number = 0; number < 400; ++number) {
-    const double start_mm = inMillimeters(drawn(SpreadSources::all(), number).scenario.startInside);
+    const double start_mm =
+        inMillimeters(drawn(SpreadSources::all(), number).parameters.startInside);
     EXPECT_GE(start_mm, 1.0);
     EXPECT_LE(start_mm, 3.0);
     starts_mm.push_back(start_mm);
@@ -59,7 +60,7 @@ TEST_F(DrawnInsertions, KeepTheMeanOfTheFriction)
 {
   std::vector<double> factors;
   for (std::uint64_t number = 0; number < 2000; ++number) {
-    const mechanics::FrictionLaw law = drawn(SpreadSources::all(), number).scenario.friction;
+    const mechanics::FrictionLaw law = drawn(SpreadSources::all(), number).parameters.friction;
     factors.push_back(law.kineticCoefficient / nominal.friction.kineticCoefficient);
     EXPECT_LE(law.kineticCoefficient, law.staticCoefficient);
     EXPECT_LE(law.stoppingCoefficient, law.kineticCoefficient);
@@ -72,11 +73,11 @@ TEST_F(DrawnInsertions, KeepTheMeanOfTheFriction)
 TEST_F(DrawnInsertions, WithoutASourceKeepTheScenariosOwnValues)
 {
   const DrawnInsertion same = drawn(SpreadSources::none(), 5);
-  EXPECT_EQ(same.scenario.startInside, nominal.startInside);
-  EXPECT_EQ(same.scenario.approachTilt, nominal.approachTilt);
-  EXPECT_EQ(same.scenario.approachTurn, nominal.approachTurn);
-  EXPECT_EQ(same.scenario.friction.kineticCoefficient, nominal.friction.kineticCoefficient);
-  EXPECT_EQ(same.scenario.array.stylet.residualCurvature, nominal.array.stylet.residualCurvature);
+  EXPECT_EQ(same.parameters.startInside, nominal.startInside);
+  EXPECT_EQ(same.parameters.approachTilt, nominal.approachTilt);
+  EXPECT_EQ(same.parameters.approachTurn, nominal.approachTurn);
+  EXPECT_EQ(same.parameters.friction.kineticCoefficient, nominal.friction.kineticCoefficient);
+  EXPECT_EQ(same.parameters.array.stylet.residualCurvature, nominal.array.stylet.residualCurvature);
   EXPECT_EQ(same.speed, nominal.speed.si());
   EXPECT_EQ(same.tremorAmplitude, 0.0);
   EXPECT_EQ(same.noiseDeviation, 0.0);
@@ -85,11 +86,11 @@ TEST_F(DrawnInsertions, WithoutASourceKeepTheScenariosOwnValues)
 TEST_F(DrawnInsertions, DrawTheSameForOneSourceWhicheverOthersAct)
 {
   const DrawnInsertion all = drawn(SpreadSources::all(), 17);
-  EXPECT_EQ(drawn(SpreadSources::only(SpreadSource::start), 17).scenario.startInside,
-            all.scenario.startInside);
+  EXPECT_EQ(drawn(SpreadSources::only(SpreadSource::start), 17).parameters.startInside,
+            all.parameters.startInside);
   EXPECT_EQ(
-      drawn(SpreadSources::only(SpreadSource::friction), 17).scenario.friction.kineticCoefficient,
-      all.scenario.friction.kineticCoefficient);
+      drawn(SpreadSources::only(SpreadSource::friction), 17).parameters.friction.kineticCoefficient,
+      all.parameters.friction.kineticCoefficient);
   EXPECT_EQ(drawn(SpreadSources::only(SpreadSource::motion), 17).tremorPhase, all.tremorPhase);
 }
 

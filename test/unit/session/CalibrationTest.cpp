@@ -19,9 +19,9 @@ TEST(Calibration, StaysWithinAPlatinumStyletAndACarrier)
   // 0.82 to 4.2e-6 N.m^2 for a platinum wire of 0.10 to 0.15 mm, 0.2 to 3e-6 for the carrier
   const auto scenario = loadScenario("contour-published");
   ASSERT_TRUE(scenario) << scenario.error().message;
-  const FittedValue scale = uncalibrated(scenario->array).stiffnessScale;
+  const FittedValue scale = uncalibrated(scenario->array()).stiffnessScale;
   for (const double factor : {scale.low, scale.high}) {
-    const auto array = calibrated(scenario->array, factor, 0.0);
+    const auto array = calibrated(scenario->array(), factor, 0.0);
     EXPECT_GE(array.stylet.bending.si(), 0.82e-6 * (1.0 - 1e-12));
     EXPECT_LE(array.stylet.bending.si(), 4.2e-6 * (1.0 + 1e-12));
     for (const BendingStiffness bending : array.bending.value) {
@@ -57,12 +57,12 @@ TEST(ScenarioCalibration, ScalesTheArrayAndStandsInTheScenariosText)
       "contour-published",
       {{"calibration", ""}, {"stiffness_scale", "1.5"}, {"residual_curvature_fraction", "0.1"}});
   ASSERT_TRUE(plain && scaled);
-  EXPECT_DOUBLE_EQ(scaled->array.stylet.bending.si(), 1.5 * plain->array.stylet.bending.si());
-  EXPECT_EQ(scaled->array.stylet.residualCurvature, 0.1);
-  const auto again = parseScenario(scaled->text, "text");
+  EXPECT_DOUBLE_EQ(scaled->array().stylet.bending.si(), 1.5 * plain->array().stylet.bending.si());
+  EXPECT_EQ(scaled->array().stylet.residualCurvature, 0.1);
+  const auto again = parseScenario(scaled->text(), "text");
   ASSERT_TRUE(again) << again.error().message;
-  EXPECT_EQ(again->array.stylet.bending, scaled->array.stylet.bending);
-  EXPECT_EQ(again->array.stylet.residualCurvature, 0.1);
+  EXPECT_EQ(again->array().stylet.bending, scaled->array().stylet.bending);
+  EXPECT_EQ(again->array().stylet.residualCurvature, 0.1);
 }
 
 TEST(ScenarioCalibration, IsNotTakenOverByAnArrayNamedAnew)
@@ -72,12 +72,12 @@ TEST(ScenarioCalibration, IsNotTakenOverByAnArrayNamedAnew)
       loadScenario("contour-published", {{"array", "contour-advance"}, {"calibration", ""}});
   ASSERT_TRUE(named) << named.error().message;
   ASSERT_TRUE(plain) << plain.error().message;
-  EXPECT_EQ(named->array.stylet.bending, plain->array.stylet.bending);
+  EXPECT_EQ(named->array().stylet.bending, plain->array().stylet.bending);
   // the same array keeps it
   const auto same = loadScenario("contour-published", {{"array", "contour"}});
   const auto shipped = loadScenario("contour-published");
   ASSERT_TRUE(same && shipped);
-  EXPECT_EQ(same->array.stylet.bending, shipped->array.stylet.bending);
+  EXPECT_EQ(same->array().stylet.bending, shipped->array().stylet.bending);
 }
 
 // A recorded text gives the fitted numbers themselves; they are the former array's.
@@ -87,17 +87,17 @@ TEST(ScenarioCalibration, OfARecordedTextIsNotTakenOverByAnArrayNamedAnew)
   const auto plain =
       loadScenario("contour-published", {{"array", "contour-advance"}, {"calibration", ""}});
   ASSERT_TRUE(recorded && plain);
-  ASSERT_THAT(recorded->text, HasSubstr("stiffness_scale"));
-  const auto other = parseScenario(recorded->text, "text", {{"array", "contour-advance"}});
+  ASSERT_THAT(recorded->text(), HasSubstr("stiffness_scale"));
+  const auto other = parseScenario(recorded->text(), "text", {{"array", "contour-advance"}});
   ASSERT_TRUE(other) << other.error().message;
-  EXPECT_EQ(other->array.stylet.bending, plain->array.stylet.bending);
-  EXPECT_EQ(other->array.stylet.residualCurvature, plain->array.stylet.residualCurvature);
-  EXPECT_EQ(other->calibrationName, "");
+  EXPECT_EQ(other->array().stylet.bending, plain->array().stylet.bending);
+  EXPECT_EQ(other->array().stylet.residualCurvature, plain->array().stylet.residualCurvature);
+  EXPECT_EQ(other->calibrationName(), "");
   // unless they are given with it
-  const auto scaled = parseScenario(recorded->text, "text",
+  const auto scaled = parseScenario(recorded->text(), "text",
                                     {{"array", "contour-advance"}, {"stiffness_scale", "2.0"}});
   ASSERT_TRUE(scaled) << scaled.error().message;
-  EXPECT_DOUBLE_EQ(scaled->array.stylet.bending.si(), 2.0 * plain->array.stylet.bending.si());
+  EXPECT_DOUBLE_EQ(scaled->array().stylet.bending.si(), 2.0 * plain->array().stylet.bending.si());
 }
 
 TEST(ScenarioCalibration, OfAnotherArrayIsRefused)

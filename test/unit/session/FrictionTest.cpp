@@ -31,7 +31,7 @@ std::string refusal(const Overrides& overrides)
 
 double sliding(const std::string& preset, double speed_mm_s)
 {
-  return with({{"friction", preset}}).friction.sliding(speed_mm_s * 1e-3);
+  return with({{"friction", preset}}).friction().sliding(speed_mm_s * 1e-3);
 }
 
 TEST(ShippedFriction, AllLoad)
@@ -43,7 +43,7 @@ TEST(ShippedFriction, AllLoad)
 
 TEST(ShippedFriction, OfTheExperimentIsAsPublished)
 {
-  const mechanics::FrictionLaw law = with({{"friction", "paper"}}).friction;
+  const mechanics::FrictionLaw law = with({{"friction", "paper"}}).friction();
   EXPECT_DOUBLE_EQ(law.staticCoefficient, 0.0605);
   EXPECT_DOUBLE_EQ(law.kineticCoefficient, 0.0395);
   EXPECT_DOUBLE_EQ(law.stoppingCoefficient, 0.0185);
@@ -81,21 +81,21 @@ TEST(Friction, OfARecordedTextNeedsNoFile)
                          "coefficient = [0.1, 0.33]\nsource = 'x'\nconfidence = 'low'\n";
   const Scenario first = with({{"friction", file.string()}});
   std::filesystem::remove(file);
-  const auto second = parseScenario(first.text, "recording");
+  const auto second = parseScenario(first.text(), "recording");
   ASSERT_TRUE(second) << second.error().message;
-  EXPECT_EQ(second->text, first.text);
+  EXPECT_EQ(second->text(), first.text());
   for (const double speed : {0.0, 0.3e-3, 1e-3, 5e-3, 7.7e-3, 1.0})
-    EXPECT_EQ(second->friction.sliding(speed), first.friction.sliding(speed)) << speed;
-  EXPECT_DOUBLE_EQ(second->friction.sliding(7.7e-3), 0.33);
+    EXPECT_EQ(second->friction().sliding(speed), first.friction().sliding(speed)) << speed;
+  EXPECT_DOUBLE_EQ(second->friction().sliding(7.7e-3), 0.33);
 }
 
 TEST(Friction, NamedAnewReplacesTheNumbersOfTheText)
 {
-  const std::string text = with({{"friction", "tissue"}}).text;
+  const std::string text = with({{"friction", "tissue"}}).text();
   const auto again = parseScenario(text, "recording", {{"friction", "paper"}});
   ASSERT_TRUE(again) << again.error().message;
-  EXPECT_DOUBLE_EQ(again->friction.staticCoefficient, 0.0605);
-  EXPECT_TRUE(again->friction.bySpeed.isEmpty());
+  EXPECT_DOUBLE_EQ(again->friction().staticCoefficient, 0.0605);
+  EXPECT_TRUE(again->friction().bySpeed.isEmpty());
 }
 
 TEST(Friction, GivenAsNumbersLeavesThePresetsTableOut)
@@ -104,7 +104,7 @@ TEST(Friction, GivenAsNumbersLeavesThePresetsTableOut)
                                            {"friction_static", "0.3"},
                                            {"friction_dynamic", "0.2"},
                                            {"friction_stopping", "0.1"}})
-                                         .friction;
+                                         .friction();
   EXPECT_TRUE(law.bySpeed.isEmpty());
   EXPECT_NEAR(law.sliding(1.0), 0.2, 1e-6);
 }
@@ -137,33 +137,33 @@ TEST(Opening, ThatIsTooNarrowForTheArraysBaseIsSpokenOf)
                             {"cochleostomy_diameter_mm", "1.0"},
                             {"stop_travel_mm", "25"}};
   const Scenario scenario = with(narrow);
-  ASSERT_EQ(scenario.notes.size(), 1u);
-  EXPECT_THAT(scenario.notes[0],
+  ASSERT_EQ(scenario.notes().size(), 1u);
+  EXPECT_THAT(scenario.notes()[0],
               testing::AllOf(HasSubstr("mm thick 19.7 mm behind its tip, the opening 1 mm wide"),
                              HasSubstr("comes to rest there")));
 
   Overrides shallow = narrow;
   shallow.back().second = "10";
-  EXPECT_TRUE(with(shallow).notes.empty());
+  EXPECT_TRUE(with(shallow).notes().empty());
   EXPECT_THAT(refusal({{"opening", "door"}}),
               HasSubstr("opening is 'door'; it must be one of none, round-window, cochleostomy."));
 }
 
 TEST(Membrane, YieldsWhereItIsSaidTo)
 {
-  EXPECT_FALSE(with({}).membrane);
+  EXPECT_FALSE(with({}).membrane());
   const Scenario soft = with({{"membrane", "soft"}, {"membrane_stiffness_N_m", "4.5"}});
-  ASSERT_TRUE(soft.membrane);
-  EXPECT_DOUBLE_EQ(soft.membrane->perSamplePoint.si(), 4.5);
+  ASSERT_TRUE(soft.membrane());
+  EXPECT_DOUBLE_EQ(soft.membrane()->perSamplePoint.si(), 4.5);
   EXPECT_THAT(refusal({{"membrane", "torn"}}), HasSubstr("it must be 'rigid' or 'soft'."));
 }
 
 TEST(Technique, AdvanceOffStyletTakesTheHoldDepthOfTheArray)
 {
   const Scenario scenario = with({{"technique", "aos"}, {"array", "contour-advance"}});
-  ASSERT_TRUE(scenario.engine.styletHoldDepth);
-  EXPECT_DOUBLE_EQ(*scenario.engine.styletHoldDepth, scenario.array.stylet.holdDepth->si());
-  EXPECT_FALSE(with({{"technique", "standard"}}).engine.styletHoldDepth);
+  ASSERT_TRUE(scenario.engine().styletHoldDepth);
+  EXPECT_DOUBLE_EQ(*scenario.engine().styletHoldDepth, scenario.array().stylet.holdDepth->si());
+  EXPECT_FALSE(with({{"technique", "standard"}}).engine().styletHoldDepth);
 }
 
 TEST(Technique, AdvanceOffStyletNeedsAStylet)

@@ -25,7 +25,7 @@ std::unique_ptr<Insertion> prepared(const Scenario& scenario,
 {
   auto insertion = Insertion::prepare(
       scenario,
-      std::make_unique<device::ScriptedDevice>(scenario.speed.si(), scenario.timeStep.si()),
+      std::make_unique<device::ScriptedDevice>(scenario.speed().si(), scenario.timeStep().si()),
       std::move(record));
   EXPECT_TRUE(insertion) << insertion.error().message;
   return std::move(*insertion);
@@ -42,10 +42,11 @@ TEST(InsertionInVirtualTime, EndsAtTheStopTravel)
   ASSERT_TRUE(ran) << ran.error().message;
   EXPECT_EQ(last.output.workflow, haptics::Workflow::finished);
   // less than one tick's way past it
-  EXPECT_NEAR(last.output.travel, scenario.stopTravel.si(),
-              scenario.speed.si() * scenario.timeStep.si());
-  EXPECT_GE(last.output.time, scenario.stopTravel / (1.0 * Length::fromSi(scenario.speed.si())) -
-                                  2.0 * scenario.timeStep.si());
+  EXPECT_NEAR(last.output.travel, scenario.stopTravel().si(),
+              scenario.speed().si() * scenario.timeStep().si());
+  EXPECT_GE(last.output.time,
+            scenario.stopTravel() / (1.0 * Length::fromSi(scenario.speed().si())) -
+                2.0 * scenario.timeStep().si());
 }
 
 TEST(InsertionInVirtualTime, ComesBackWhenTheScenarioWithdraws)
@@ -60,8 +61,8 @@ TEST(InsertionInVirtualTime, ComesBackWhenTheScenarioWithdraws)
   });
   ASSERT_TRUE(ran) << ran.error().message;
   EXPECT_EQ(last.output.workflow, haptics::Workflow::finished);
-  const double tickWay = scenario.speed.si() * scenario.timeStep.si();
-  EXPECT_NEAR(farthest, scenario.stopTravel.si(), tickWay);
+  const double tickWay = scenario.speed().si() * scenario.timeStep().si();
+  EXPECT_NEAR(farthest, scenario.stopTravel().si(), tickWay);
   EXPECT_NEAR(last.output.travel, 0.0, 2.0 * tickWay);
 }
 

@@ -87,9 +87,9 @@ void HandSection::addButtons()
 
 void HandSection::show(const Setup& setup)
 {
-  force_->setValue(setup.scenario.engine.forceScale);
-  styletRow_->setVisible(setup.scenario.array.hasStylet);
-  pullStylet_->setVisible(setup.scenario.array.hasStylet);
+  force_->setValue(setup.scenario.engine().forceScale);
+  styletRow_->setVisible(setup.scenario.array().hasStylet);
+  pullStylet_->setVisible(setup.scenario.array().hasStylet);
 }
 
 QString HandSection::commit()

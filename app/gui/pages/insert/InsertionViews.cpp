@@ -194,8 +194,8 @@ void InsertionViews::redraw()
 void InsertionViews::setScene(const anatomy::ScalaTympani& scala, const session::Scenario& scenario)
 {
   scala_ = &scala;
-  array_ = scenario.array;
-  side_ = scenario.patient.side;
+  array_ = scenario.array();
+  side_ = scenario.patient().side;
   operation_->setScene(madeScene());
   flat_->setScene(scala, array_);
   if (twin_) openTwin();

@@ -39,7 +39,8 @@ Result<QImage> pictureOf(session::Playback& playback, double& depth_mm)
   image.fill(Qt::white);
   QPainter painter(&image);
   paintInsertion(painter, image.rect(),
-                 {*playback.anatomy(), scenario.array, scenario.patient.side, &now}, printInks());
+                 {*playback.anatomy(), scenario.array(), scenario.patient().side, &now},
+                 printInks());
   painter.end();
   return image;
 }

@@ -46,11 +46,12 @@ QString mN(double force) { return tr("%1 mN").arg(numberText(inMillinewtons(newt
 QString whoAndWhat(const ReportContent& content)
 {
   const session::Scenario& scenario = content.scenario;
-  const bool isLeft = scenario.patient.side == anatomy::Side::left;
+  const bool isLeft = scenario.patient().side == anatomy::Side::left;
   return table(
       {row(tr("Patient"),
-           tr("%1, %2 ear").arg(from(scenario.patient.label), isLeft ? tr("left") : tr("right"))),
-       row(tr("Array"), tr("%1 (%2)").arg(from(scenario.array.name), from(scenario.array.maker))),
+           tr("%1, %2 ear").arg(from(scenario.patient().label), isLeft ? tr("left") : tr("right"))),
+       row(tr("Array"),
+           tr("%1 (%2)").arg(from(scenario.array().name), from(scenario.array().maker))),
        row(tr("Recorded"),
            tr("%1 (UTC), by %2").arg(from(content.facts.startedUtc), from(content.facts.device))),
        row(tr("Scenario"), from(content.facts.scenarioName))});
@@ -109,10 +110,10 @@ QString howItWasDone(const ReportContent& content)
 QString whatItWasComputedFrom(const ReportContent& content)
 {
   QStringList rows;
-  for (const auto& [key, value] : content.scenario.values)
+  for (const auto& [key, value] : content.scenario.values())
     if (value.size() < 60) rows << row(from(key), from(value));
   QStringList sources;
-  for (const auto& [part, provenance] : content.scenario.array.provenance)
+  for (const auto& [part, provenance] : content.scenario.array().provenance)
     sources << row(from(part), from(provenance.source));
   return heading(QT_TRANSLATE_NOOP("perilymph::gui", "What it was computed from")) + table(rows) +
          QStringLiteral("<p>%1</p>").arg(tr("The array, and where its values come from:")) +
@@ -130,7 +131,7 @@ QString limits(const ReportContent& content)
       tr("The published experiment is drawn as its printed values; nothing is known between "
          "them.")};
   for (const std::string& note : content.verification.notes) sentences << from(note);
-  for (const std::string& note : content.scenario.notes) sentences << from(note);
+  for (const std::string& note : content.scenario.notes()) sentences << from(note);
   if (content.lostRecords > 0)
     sentences << tr("%1 ticks were lost while recording.").arg(content.lostRecords);
   return heading(QT_TRANSLATE_NOOP("perilymph::gui", "Limits")) +
@@ -148,17 +149,18 @@ QString marks(const ReportContent& content)
                                       .arg(from(verification.difference->field))
                                 : tr("could not be compared");
   return heading(QT_TRANSLATE_NOOP("perilymph::gui", "How to know it again")) +
-         table({row(tr("Recording"), from(content.file.filename().string()),
-                    tr("%1 bytes").arg(content.bytes)),
-                row(tr("SHA-256"), content.sha256, {}), row(tr("Replay"), replay, {}),
-                row(tr("Recorded by"), from(content.facts.buildId), {}),
-                row(tr("Report by"), from(buildId()), {}),
-                row(tr("Model"),
-                    QStringLiteral("%1").arg(content.facts.modelFingerprint, 16, 16,
-                                             QLatin1Char('0')),
-                    tr("fingerprint of cochlea, array and laws")),
-                row(tr("Array's file"), from(content.scenario.arrayFingerprint), tr("fingerprint")),
-                row(tr("Seed"), QString::number(content.facts.seed), {})});
+         table(
+             {row(tr("Recording"), from(content.file.filename().string()),
+                  tr("%1 bytes").arg(content.bytes)),
+              row(tr("SHA-256"), content.sha256, {}), row(tr("Replay"), replay, {}),
+              row(tr("Recorded by"), from(content.facts.buildId), {}),
+              row(tr("Report by"), from(buildId()), {}),
+              row(tr("Model"),
+                  QStringLiteral("%1").arg(content.facts.modelFingerprint, 16, 16,
+                                           QLatin1Char('0')),
+                  tr("fingerprint of cochlea, array and laws")),
+              row(tr("Array's file"), from(content.scenario.arrayFingerprint()), tr("fingerprint")),
+              row(tr("Seed"), QString::number(content.facts.seed), {})});
 }
 
 }  // namespace

@@ -57,10 +57,10 @@ QImage pictureOf(const std::filesystem::path& file)
   QImage image(fineness * Thumbnails::size, QImage::Format_ARGB32_Premultiplied);
   image.fill(Qt::transparent);
   QPainter painter(&image);
-  paintInsertion(
-      painter, image.rect(),
-      {*(*playback)->anatomy(), scenario.array, scenario.patient.side, hasShape ? &now : nullptr},
-      screenInks());
+  paintInsertion(painter, image.rect(),
+                 {*(*playback)->anatomy(), scenario.array(), scenario.patient().side,
+                  hasShape ? &now : nullptr},
+                 screenInks());
   painter.end();
   return image;
 }

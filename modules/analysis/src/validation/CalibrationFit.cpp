@@ -34,21 +34,21 @@ Result<CalibrationResult> fitCalibration(const CalibrationRequest& request,
                  "calibration fits these two."};
 
   ValidationRequest trial;
-  trial.scenario = request.scenario;
+  trial.nominal = request.nominal;
   trial.variability = request.variability;
   trial.experiment = request.experiment;
   trial.runs = request.runs;
   trial.seed = request.seed;
   trial.jobs = request.jobs;
   trial.runsPerSource = 0;
-  auto anatomy = session::buildAnatomy(request.scenario);
+  auto anatomy = session::buildAnatomy(request.nominal);
   if (!anatomy) return anatomy.error();
   trial.anatomy = *anatomy;
 
   CalibrationResult result;
   // Residuals in standard errors of the experiment, so that the fit yields standard errors.
   const auto residuals = [&](const TwoNumbers& at) -> Result<TwoNumbers> {
-    trial.scenario.array = session::calibrated(request.scenario.array, at.a, at.b);
+    trial.nominal.array = session::calibrated(request.nominal.array, at.a, at.b);
     auto run = validate(trial, [&](std::size_t, std::size_t) {
       return !progress || progress(static_cast<std::size_t>(result.trials));
     });
@@ -62,7 +62,7 @@ Result<CalibrationResult> fitCalibration(const CalibrationRequest& request,
   };
 
   session::Calibration& calibration = result.calibration;
-  calibration = session::uncalibrated(request.scenario.array);
+  calibration = session::uncalibrated(request.nominal.array);
   session::FittedValue& scale = calibration.stiffnessScale;
   session::FittedValue& curvature = calibration.residualCurvature;
   const TwoBounds bounds{{scale.low, curvature.low}, {scale.high, curvature.high}, {0.05, 0.01}, 4};
@@ -85,7 +85,7 @@ Result<CalibrationResult> fitCalibration(const CalibrationRequest& request,
   for (const PrintedForce* point : {peak, maximum})
     calibration.forces.push_back(
         {point->travel, point->mean, forceAt(result.fitted, point->travel)});
-  calibration.label = request.scenario.array.name + ", fitted to " + request.experiment.label;
+  calibration.label = request.nominal.array.name + ", fitted to " + request.experiment.label;
   calibration.source =
       "Fitted to the mean forces at the basal-turn peak and at the maximum, nothing "
       "else, of: " +

@@ -7,7 +7,7 @@ namespace perilymph::analysis {
 
 ExperimentDevice::ExperimentDevice(const DrawnInsertion& drawn)
     : speed_(drawn.speed),
-      timeStep_(drawn.scenario.timeStep.si()),
+      timeStep_(drawn.parameters.timeStep.si()),
       amplitude_(drawn.tremorAmplitude),
       frequency_(drawn.tremorFrequency),
       phase_(drawn.tremorPhase)

@@ -15,13 +15,13 @@ Result<MeasuredInsertion> measure(const DrawnInsertion& drawn,
                                   Duration samplePeriod, Length stop,
                                   const std::atomic<bool>& isAsked)
 {
-  session::Scenario scenario = drawn.scenario;
-  scenario.stopTravel = stop;
-  scenario.engine.stopTravel = stop.si();
-  scenario.engine.samplePeriod = scenario.timeStep.si();
-  scenario.withdraws = false;
-  auto insertion = session::Insertion::prepare(scenario, std::make_unique<ExperimentDevice>(drawn),
-                                               std::nullopt, std::move(anatomy));
+  session::InsertionParameters parameters = drawn.parameters;
+  parameters.stopTravel = stop;
+  parameters.engine.stopTravel = stop.si();
+  parameters.engine.samplePeriod = parameters.timeStep.si();
+  parameters.withdraws = false;
+  auto insertion = session::Insertion::prepare(
+      parameters, std::make_unique<ExperimentDevice>(drawn), std::move(anatomy));
   if (!insertion) return insertion.error();
 
   MeasuredInsertion measured;
@@ -29,7 +29,7 @@ Result<MeasuredInsertion> measure(const DrawnInsertion& drawn,
   std::optional<Eigen::Vector3d> start_W;  // of the tweezers
   RandomStream noise(drawn.seed, drawn.number, static_cast<std::uint64_t>(SpreadSource::noise));
   const std::uint64_t ticksPerSample =
-      static_cast<std::uint64_t>(std::lround(samplePeriod / scenario.timeStep));
+      static_cast<std::uint64_t>(std::lround(samplePeriod / parameters.timeStep));
   std::uint64_t moving = 0;
   bool hasArrived = false;
   const auto each = [&](const haptics::TickRecord& record) {
@@ -48,7 +48,7 @@ Result<MeasuredInsertion> measure(const DrawnInsertion& drawn,
   };
   // Twice the time for the travel, plus a second to start.
   const double ticks =
-      2.0 * stop.si() / (drawn.speed * scenario.timeStep.si()) + 1.0 / scenario.timeStep.si();
+      2.0 * stop.si() / (drawn.speed * parameters.timeStep.si()) + 1.0 / parameters.timeStep.si();
   const auto ran = (*insertion)->runToEnd(each, static_cast<std::uint64_t>(ticks));
   if (isAsked) return Error{"Stopped before insertion " + std::to_string(drawn.number + 1) + "."};
   if (!ran) return ran.error();

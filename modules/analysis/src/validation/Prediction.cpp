@@ -44,30 +44,30 @@ double angleAlong(const mechanics::InsertionModel& model, const mechanics::Inser
 }
 
 /// The cochlea with a given number: 0 is the mean one, the others are drawn.
-Result<session::Scenario> withCochlea(const session::Scenario& nominal, std::uint64_t seed,
-                                      std::size_t number)
+Result<session::InsertionParameters> withCochlea(const session::InsertionParameters& nominal,
+                                                 std::uint64_t seed, std::size_t number)
 {
-  session::Scenario scenario = nominal;
-  scenario.anatomy = anatomy::AnatomySource::mean;
+  session::InsertionParameters parameters = nominal;
+  parameters.cochlea.source = anatomy::AnatomySource::mean;
   if (number == 0) {
-    scenario.patient = {};
-    return scenario;
+    parameters.cochlea.patient = {};
+    return parameters;
   }
   auto patient = anatomy::samplePatient(seed * 1'000'003u + number);
   if (!patient) return patient.error();
-  scenario.patient = *patient;
-  return scenario;
+  parameters.cochlea.patient = *patient;
+  return parameters;
 }
 
-PredictedInsertion insert(const session::Scenario& scenario,
+PredictedInsertion insert(const session::InsertionParameters& parameters,
                           std::shared_ptr<const anatomy::ScalaTympani> anatomy,
                           const std::atomic<bool>& isAsked)
 {
   PredictedInsertion predicted;
   auto insertion = session::Insertion::prepare(
-      scenario,
-      std::make_unique<device::ScriptedDevice>(scenario.speed.si(), scenario.timeStep.si()),
-      std::nullopt, std::move(anatomy));
+      parameters,
+      std::make_unique<device::ScriptedDevice>(parameters.speed.si(), parameters.timeStep.si()),
+      std::move(anatomy));
   if (!insertion) {
     predicted.error = insertion.error().message;
     return predicted;
@@ -75,7 +75,8 @@ PredictedInsertion insert(const session::Scenario& scenario,
   haptics::TickOutput last;
   double peak = 0.0;
   const double ticks =
-      2.0 * scenario.stopTravel.si() / (scenario.speed.si() * scenario.timeStep.si()) + 1000.0;
+      2.0 * parameters.stopTravel.si() / (parameters.speed.si() * parameters.timeStep.si()) +
+      1000.0;
   const auto ran = (*insertion)
                        ->runToEnd(
                            [&](const haptics::TickRecord& record) {
@@ -87,7 +88,7 @@ PredictedInsertion insert(const session::Scenario& scenario,
   if (!ran) predicted.error = ran.error().message;
   if (ran && last.workflow != haptics::Workflow::finished)
     predicted.error = "It did not reach its full depth.";
-  const auto& contacts = scenario.array.contactsFromTip;
+  const auto& contacts = parameters.array.contactsFromTip;
   predicted.apical =
       radians(angleAlong((*insertion)->model(), (*insertion)->loop().engine().state(),
                          contacts.empty() ? 0.0 : contacts.front().si()));
@@ -186,29 +187,29 @@ Result<PredictionResult> predict(const PredictionRequest& request,
 {
   const auto clinical = clinicalAngles();
   if (!clinical) return clinical.error();
-  std::vector<session::Scenario> scenarios;
+  std::vector<session::InsertionParameters> nominal;
   for (const std::string& array : request.arrays) {
     auto scenario = withArray(request, array);
     if (!scenario) return scenario.error();
-    scenarios.push_back(std::move(*scenario));
+    nominal.push_back(scenario->parameters());
   }
 
   // One piece per cochlea, so that each is built once for all arrays.
-  const std::size_t arrays = scenarios.size();
+  const std::size_t arrays = nominal.size();
   const std::size_t cochleae = static_cast<std::size_t>(request.patients) + 1;
   std::vector<PredictedInsertion> insertions(arrays * cochleae);
   const auto work = [&](std::size_t number, const std::atomic<bool>& isAsked) -> Result<Done> {
     std::shared_ptr<const anatomy::ScalaTympani> anatomy;
     for (std::size_t i = 0; i < arrays && !isAsked; ++i) {
-      const auto scenario = withCochlea(scenarios[i], request.seed, number);
-      if (!scenario) return scenario.error();
+      const auto parameters = withCochlea(nominal[i], request.seed, number);
+      if (!parameters) return parameters.error();
       if (!anatomy) {
-        auto built = session::buildAnatomy(*scenario);
+        auto built = session::buildAnatomy(*parameters);
         if (!built) return built.error();
         anatomy = *built;
       }
       PredictedInsertion& place = insertions[i * cochleae + number];
-      place = insert(*scenario, anatomy, isAsked);
+      place = insert(*parameters, anatomy, isAsked);
       place.array = request.arrays[i];
       place.patient = number == 0 ? "mean" : "sample " + std::to_string(number);
     }

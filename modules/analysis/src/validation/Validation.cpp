@@ -22,9 +22,9 @@ constexpr Length ribNear = millimeters(0.5);
 /// III): its device's z was shifted by this length. Applied to the published model only.
 constexpr Length publishedShift = millimeters(2.661);
 
-bool isPublishedModel(const session::Scenario& scenario)
+bool isPublishedModel(const session::InsertionParameters& nominal)
 {
-  return scenario.model == mechanics::ModelKind::points;
+  return nominal.model == mechanics::ModelKind::points;
 }
 
 /// Data kept of one insertion.
@@ -34,25 +34,25 @@ struct Kept {
   std::uint64_t ticks = 0, ticksNotConverged = 0;
 };
 
-std::optional<Length> firstRib(const session::Scenario& scenario)
+std::optional<Length> firstRib(const session::InsertionParameters& nominal)
 {
-  const auto& ribs = scenario.array.ribsFromTip;
-  if (isPublishedModel(scenario) || ribs.empty() ||
-      ribs.front() + ribNear > scenario.array.insertable)
+  const auto& ribs = nominal.array.ribsFromTip;
+  if (isPublishedModel(nominal) || ribs.empty() ||
+      ribs.front() + ribNear > nominal.array.insertable)
     return std::nullopt;
   return ribs.front();
 }
 
 /// Beyond the end of the published axis, and beyond the first rib if there is one.
-Length stopOf(const session::Scenario& scenario)
+Length stopOf(const session::InsertionParameters& nominal)
 {
   // The tip may be ahead of the crosshead, because the array bends outside; half a millimeter more
   // makes the last sample reach the end.
   Length stop = profileEnd() + millimeters(0.5);
-  if (isPublishedModel(scenario)) stop = stop + publishedShift - scenario.startInside;
-  if (const auto rib = firstRib(scenario))
-    stop = std::max(stop, *rib + ribNear - scenario.startInside);
-  return std::min(stop, scenario.array.insertable - scenario.startInside);
+  if (isPublishedModel(nominal)) stop = stop + publishedShift - nominal.startInside;
+  if (const auto rib = firstRib(nominal))
+    stop = std::max(stop, *rib + ribNear - nominal.startInside);
+  return std::min(stop, nominal.array.insertable - nominal.startInside);
 }
 
 void keepRib(const MeasuredInsertion& measured, Length rib, Kept& kept)
@@ -76,11 +76,11 @@ Result<Done> runOne(const ValidationRequest& request, SpreadSources sources, std
                     const std::atomic<bool>& isAsked, Kept& kept)
 {
   const DrawnInsertion drawn =
-      drawInsertion(request.scenario, request.variability, sources, request.seed, number);
+      drawInsertion(request.nominal, request.variability, sources, request.seed, number);
   auto measured =
-      measure(drawn, anatomy, request.variability.samplePeriod, stopOf(drawn.scenario), isAsked);
+      measure(drawn, anatomy, request.variability.samplePeriod, stopOf(drawn.parameters), isAsked);
   if (!measured) return measured.error();
-  if (isPublishedModel(drawn.scenario))
+  if (isPublishedModel(drawn.parameters))
     for (std::size_t i = 0; i < measured->travel.size(); ++i)
       measured->travel[i] = measured->depth[i] - publishedShift.si();
   auto curve = resampled(measured->travel, measured->force, request.variability.knotSpacing);
@@ -90,7 +90,7 @@ Result<Done> runOne(const ValidationRequest& request, SpreadSources sources, std
   kept.curve = std::move(*curve);
   kept.ticks = measured->ticks;
   kept.ticksNotConverged = measured->ticksNotConverged;
-  if (const auto rib = firstRib(drawn.scenario)) keepRib(*measured, *rib, kept);
+  if (const auto rib = firstRib(drawn.parameters)) keepRib(*measured, *rib, kept);
   return Done{};
 }
 
@@ -136,7 +136,7 @@ std::vector<AnchorComparison> compareAnchors(const Reference& experiment,
 
 std::optional<RibMeeting> meetRib(const ValidationRequest& request, const std::vector<Kept>& kept)
 {
-  const auto rib = firstRib(request.scenario);
+  const auto rib = firstRib(request.nominal);
   if (!rib) return std::nullopt;
   std::vector<double> before, peak;
   for (std::size_t i = 0; i < static_cast<std::size_t>(request.runs); ++i) {
@@ -154,7 +154,7 @@ std::vector<SpreadSource> mechanicalSources(const ValidationRequest& request)
   std::vector<SpreadSource> sources;
   for (const SpreadSource source : allSpreadSources)
     if (source != SpreadSource::noise &&
-        (source != SpreadSource::curvature || request.scenario.array.hasStylet))
+        (source != SpreadSource::curvature || request.nominal.array.hasStylet))
       sources.push_back(source);
   return sources;
 }
@@ -171,7 +171,7 @@ std::size_t runsForSources(const ValidationRequest& request)
 double noiseSpread(const ValidationRequest& request, std::size_t count)
 {
   const double way =
-      request.scenario.speed.si() * request.variability.samplePeriod.si();  // between samples
+      request.nominal.speed.si() * request.variability.samplePeriod.si();  // between samples
   std::vector<Kept> kept(count);
   for (std::size_t number = 0; number < count; ++number) {
     RandomStream noise(request.seed, number, static_cast<std::uint64_t>(SpreadSource::noise));
@@ -243,7 +243,7 @@ Result<ValidationResult> validate(const ValidationRequest& request,
                  " insertions has no spread; ask for at least 2."};
   std::shared_ptr<const anatomy::ScalaTympani> anatomy = request.anatomy;
   if (!anatomy) {
-    auto built = session::buildAnatomy(request.scenario);
+    auto built = session::buildAnatomy(request.nominal);
     if (!built) return built.error();
     anatomy = *built;
   }

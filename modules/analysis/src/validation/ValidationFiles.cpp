@@ -30,7 +30,7 @@ Result<ValidationRequest> shippedValidation(const ValidationReferences& referenc
   auto scenario = session::loadScenario(variability->scenario);
   if (!scenario) return scenario.error();
   request.variability = std::move(*variability);
-  request.scenario = std::move(*scenario);
+  request.nominal = scenario->parameters();
   request.experiment = references.experiment;
   return request;
 }

@@ -159,8 +159,8 @@ std::string summaryJson(const ValidationRequest& request, const ValidationResult
   page["version"] = version();
   page["runs"] = result.runs;
   page["seed"] = result.seed;
-  page["scenario"] = request.scenario.name;
-  page["array"] = request.scenario.array.name;
+  page["scenario"] = request.nominal.name;
+  page["array"] = request.nominal.array.name;
   page["variability"] = request.variability.label;
   for (const auto& [table, source] : request.variability.provenance)
     page["variability_sources"][table] = source;

@@ -105,12 +105,13 @@ Result<Variability> loadVariability(const std::filesystem::path& file)
   return v;
 }
 
-DrawnInsertion drawInsertion(const session::Scenario& nominal, const Variability& variability,
-                             SpreadSources sources, std::uint64_t seed, std::uint64_t number)
+DrawnInsertion drawInsertion(const session::InsertionParameters& nominal,
+                             const Variability& variability, SpreadSources sources,
+                             std::uint64_t seed, std::uint64_t number)
 {
   DrawnInsertion drawn;
-  drawn.scenario = nominal;
-  drawn.scenario.timeStep = variability.timeStep;
+  drawn.parameters = nominal;
+  drawn.parameters.timeStep = variability.timeStep;
   drawn.speed = nominal.speed.si();
   drawn.seed = seed;
   drawn.number = number;
@@ -122,16 +123,16 @@ DrawnInsertion drawInsertion(const session::Scenario& nominal, const Variability
 
   if (sources.has(SpreadSource::start)) {
     const double fraction = stream(SpreadSource::start).uniform();
-    drawn.scenario.startInside =
+    drawn.parameters.startInside =
         variability.startLow + fraction * (variability.startHigh - variability.startLow);
   }
   if (sources.has(SpreadSource::alignment)) {
     RandomStream random = stream(SpreadSource::alignment);
-    drawn.scenario.approachTilt =
-        drawn.scenario.approachTilt +
+    drawn.parameters.approachTilt =
+        drawn.parameters.approachTilt +
         random.normal(0.0, 1.0, -maxDeviates, maxDeviates) * variability.tiltDeviation;
-    drawn.scenario.approachTurn =
-        drawn.scenario.approachTurn +
+    drawn.parameters.approachTurn =
+        drawn.parameters.approachTurn +
         random.normal(0.0, 1.0, -maxDeviates, maxDeviates) * variability.turnDeviation;
   }
   if (sources.has(SpreadSource::motion)) {
@@ -142,9 +143,9 @@ DrawnInsertion drawInsertion(const session::Scenario& nominal, const Variability
     drawn.tremorFrequency = variability.tremorFrequency;
     for (double& phase : drawn.tremorPhase) phase = random.between(0.0, 2.0 * pi);
   }
-  if (sources.has(SpreadSource::curvature) && drawn.scenario.array.hasStylet) {
+  if (sources.has(SpreadSource::curvature) && drawn.parameters.array.hasStylet) {
     RandomStream random = stream(SpreadSource::curvature);
-    double& residual = drawn.scenario.array.stylet.residualCurvature;
+    double& residual = drawn.parameters.array.stylet.residualCurvature;
     residual += variability.curvatureDeviation * random.normal(0.0, 1.0, -maxDeviates, maxDeviates);
   }
   if (sources.has(SpreadSource::friction)) {
@@ -154,7 +155,7 @@ DrawnInsertion drawInsertion(const session::Scenario& nominal, const Variability
     const double deviate =
         stream(SpreadSource::friction).normal(0.0, 1.0, -maxDeviates, maxDeviates);
     const double factor = exponential(std::sqrt(variance) * deviate - 0.5 * variance);
-    mechanics::FrictionLaw& law = drawn.scenario.friction;
+    mechanics::FrictionLaw& law = drawn.parameters.friction;
     for (double* coefficient :
          {&law.staticCoefficient, &law.kineticCoefficient, &law.stoppingCoefficient})
       *coefficient = std::min(1.0, *coefficient * factor);

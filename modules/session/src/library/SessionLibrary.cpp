@@ -56,7 +56,7 @@ Subject subjectOf(const std::string& text, const std::string& name)
   subject.patient = isPatient ? patient.text("label", anatomy) : anatomy + " anatomy";
   const auto scenario = parseScenario(text, name);
   if (scenario)
-    subject.array = scenario->array.name;
+    subject.array = scenario->array().name;
   else
     subject.error = "It can be compared, but not replayed: " + scenario.error().message;
   return subject;

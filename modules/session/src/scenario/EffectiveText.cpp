@@ -23,6 +23,13 @@ std::string tomlNumbers(const std::vector<double>& values)
   return text + ']';
 }
 
+std::string joined(const std::vector<std::string>& names)
+{
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
 std::string tomlText(const std::string& text)
 {
   std::string quoted = "\"";
@@ -89,6 +96,14 @@ std::string ScenarioKeys::text(const char* key, const std::string& fallback)
   const std::string value = reader_.text(key, fallback);
   note(key, tomlText(value));
   return value;
+}
+
+void ScenarioKeys::refuseChoice(const char* key, const std::string& name,
+                                const std::vector<std::string>& allowed)
+{
+  const std::string sentence =
+      allowed.size() == 2 ? allowed[0] + " or " + allowed[1] : "one of " + joined(allowed);
+  reader_.refuse(key, std::string(key) + " is '" + name + "'; it must be " + sentence + ".");
 }
 
 void ScenarioKeys::notePatient(const anatomy::Patient& patient, anatomy::AnatomySource anatomy)

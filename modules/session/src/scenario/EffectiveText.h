@@ -4,12 +4,14 @@
 // Writes a scenario as run: every value, in the units of its file, so that reading the text gives
 // the same bits.
 
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "perilymph/anatomy/AnatomySource.h"
 #include "perilymph/foundation/TomlReader.h"
+#include "perilymph/session/ScenarioChoices.h"
 
 namespace perilymph::session {
 
@@ -18,6 +20,9 @@ std::string tomlNumber(double value);
 
 /// Numbers as a TOML array.
 std::string tomlNumbers(const std::vector<double>& values);
+
+/// "one, two, three"
+std::string joined(const std::vector<std::string>& names);
 
 /// A TOML basic string, quoted and escaped.
 std::string tomlText(const std::string& text);
@@ -34,6 +39,19 @@ public:
   long integer(const char* key, long low, long high, long fallback);
   bool flag(const char* key, bool fallback);
   std::string text(const char* key, const std::string& fallback);
+  /// A value by its name in a table of choices.
+  template <class Value, std::size_t count>
+  Value choice(const char* key, const std::array<Choice<Value>, count>& table, Value fallback)
+  {
+    const std::string name = text(key, nameIn(table, fallback));
+    if (const auto value = valueIn(table, name)) return *value;
+    std::vector<std::string> allowed;
+    for (const Choice<Value>& row : table)
+      allowed.push_back((count == 2 ? "'" + std::string(row.name) + "'" : row.name) +
+                        (row.meaning ? " (" + std::string(row.meaning) + ")" : ""));
+    refuseChoice(key, name, allowed);
+    return fallback;
+  }
 
   /// Adds a value without a key of the same name.
   void note(const std::string& key, const std::string& toml) { values_.emplace_back(key, toml); }
@@ -46,6 +64,9 @@ public:
   std::string asToml() const;
 
 private:
+  void refuseChoice(const char* key, const std::string& name,
+                    const std::vector<std::string>& allowed);
+
   TomlReader& reader_;
   std::vector<std::pair<std::string, std::string>> values_;
 };

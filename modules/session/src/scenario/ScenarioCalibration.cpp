@@ -6,7 +6,8 @@
 
 namespace perilymph::session {
 
-Result<AskedCalibration> readCalibration(TomlReader& reader, ScenarioKeys& keys, Scenario& scenario)
+Result<AskedCalibration> readCalibration(TomlReader& reader, ScenarioKeys& keys,
+                                         ScenarioContent& scenario)
 {
   AskedCalibration asked;
   scenario.calibrationName = keys.text("calibration", "");
@@ -31,14 +32,16 @@ Result<AskedCalibration> readCalibration(TomlReader& reader, ScenarioKeys& keys,
   return asked;
 }
 
-Result<Done> applyCalibration(const AskedCalibration& asked, Scenario& scenario)
+Result<Done> applyCalibration(const AskedCalibration& asked, ScenarioContent& scenario)
 {
-  if (!asked.array.empty() && asked.array != scenario.array.name)
+  if (!asked.array.empty() && asked.array != scenario.parameters.array.name)
     return Error{"The calibration " + scenario.calibrationName + " was fitted for the array " +
-                 asked.array + ", not for " + scenario.array.name +
+                 asked.array + ", not for " + scenario.parameters.array.name +
                  ". Set calibration to \"\" or name one of this array."};
-  const double residual = asked.residualCurvature.value_or(scenario.array.stylet.residualCurvature);
-  scenario.array = calibrated(std::move(scenario.array), asked.stiffnessScale, residual);
+  const double residual =
+      asked.residualCurvature.value_or(scenario.parameters.array.stylet.residualCurvature);
+  scenario.parameters.array =
+      calibrated(std::move(scenario.parameters.array), asked.stiffnessScale, residual);
   return Done{};
 }
 

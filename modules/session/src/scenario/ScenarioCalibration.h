@@ -21,9 +21,9 @@ struct AskedCalibration {
 /// `residual_curvature_fraction`, which take precedence over it. A text with both numbers needs no
 /// file.
 Result<AskedCalibration> readCalibration(TomlReader& reader, ScenarioKeys& keys,
-                                         Scenario& scenario);
+                                         ScenarioContent& scenario);
 
 /// Applies stiffness scale and curvature to the array. Refuses a calibration of another array.
-Result<Done> applyCalibration(const AskedCalibration& asked, Scenario& scenario);
+Result<Done> applyCalibration(const AskedCalibration& asked, ScenarioContent& scenario);
 
 }  // namespace perilymph::session

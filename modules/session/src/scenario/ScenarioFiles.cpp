@@ -17,7 +17,7 @@ Result<fs::path> findPatient(const std::string& patient, const fs::path& folder)
   return findByName("patient", "resources/patients", patient);
 }
 
-std::vector<fs::path> filesOf(const Scenario& scenario, const std::string& friction,
+std::vector<fs::path> filesOf(const ScenarioContent& scenario, const std::string& friction,
                               const fs::path& folder)
 {
   std::vector<fs::path> files;

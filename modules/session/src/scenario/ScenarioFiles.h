@@ -19,7 +19,8 @@ Result<std::filesystem::path> findPatient(const std::string& patient,
                                           const std::filesystem::path& folder);
 
 /// Files of patient, array, friction and calibration that a scenario names.
-std::vector<std::filesystem::path> filesOf(const Scenario& scenario, const std::string& friction,
+std::vector<std::filesystem::path> filesOf(const ScenarioContent& scenario,
+                                           const std::string& friction,
                                            const std::filesystem::path& folder);
 
 }  // namespace perilymph::session

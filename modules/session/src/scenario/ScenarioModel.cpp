@@ -9,35 +9,35 @@
 
 namespace perilymph::session {
 
-Result<std::shared_ptr<const anatomy::ScalaTympani>> buildAnatomy(const Scenario& scenario)
+Result<std::shared_ptr<const anatomy::ScalaTympani>> buildAnatomy(
+    const InsertionParameters& parameters)
 {
-  return anatomy::buildAnatomy({scenario.anatomy, scenario.patient, scenario.leadIn},
-                               scenario.name);
+  return anatomy::buildAnatomy(parameters.cochlea, parameters.name);
 }
 
 Result<std::shared_ptr<const mechanics::InsertionModel>> buildModel(
-    const Scenario& scenario, std::shared_ptr<const anatomy::ScalaTympani> anatomy)
+    const InsertionParameters& parameters, std::shared_ptr<const anatomy::ScalaTympani> anatomy)
 {
   mechanics::ModelParts parts;
-  parts.kind = scenario.model;
+  parts.kind = parameters.model;
   if (parts.kind == mechanics::ModelKind::points)
     parts.hapticSurface =
         std::make_shared<const anatomy::Surface>(anatomy::hapticSurface(*anatomy));
   parts.lumen = std::move(anatomy);
-  parts.array = scenario.array;
-  parts.friction = scenario.friction;
-  parts.wall = scenario.wall;
-  parts.opening = scenario.opening;
-  parts.membrane = scenario.membrane;
-  parts.nodes = scenario.nodes;
-  parts.timeStep = scenario.timeStep;
-  parts.startInside = scenario.startInside;
-  parts.approachTilt = scenario.approachTilt;
-  parts.approachTurn = scenario.approachTurn;
+  parts.array = parameters.array;
+  parts.friction = parameters.friction;
+  parts.wall = parameters.wall;
+  parts.opening = parameters.opening;
+  parts.membrane = parameters.membrane;
+  parts.nodes = parameters.nodes;
+  parts.timeStep = parameters.timeStep;
+  parts.startInside = parameters.startInside;
+  parts.approachTilt = parameters.approachTilt;
+  parts.approachTurn = parameters.approachTurn;
   try {
     return mechanics::InsertionModel::build(std::move(parts));
   } catch (const std::invalid_argument& error) {
-    return Error{"The model of " + scenario.name + " cannot be built: " + error.what()};
+    return Error{"The model of " + parameters.name + " cannot be built: " + error.what()};
   }
 }
 

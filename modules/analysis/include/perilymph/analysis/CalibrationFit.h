@@ -10,7 +10,7 @@ namespace perilymph::analysis {
 
 /// Input of a calibration.
 struct CalibrationRequest {
-  session::Scenario scenario;  ///< With the array as in its file.
+  session::InsertionParameters nominal;  ///< With the array as in its file.
   Variability variability;
   Reference experiment;  ///< Only its features "peak" and "maximum" are fitted.
   int runs = 24;         ///< Insertions per mean curve; the same ones in every trial.

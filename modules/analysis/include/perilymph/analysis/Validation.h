@@ -19,7 +19,7 @@ namespace perilymph::analysis {
 
 /// Input of a validation.
 struct ValidationRequest {
-  session::Scenario scenario;  ///< The nominal insertion.
+  session::InsertionParameters nominal;  ///< The insertion that the others vary.
   Variability variability;
   Reference experiment;
   int runs = 200;  ///< At least 2.
@@ -30,7 +30,7 @@ struct ValidationRequest {
   std::optional<int> runsPerSource;
   /// Receives the curve of each of the `runs` insertions when it ends, in the thread that ran it.
   std::function<void(const std::vector<double>& curve)> onCurve;
-  /// The scenario's cochlea, if already built.
+  /// The nominal insertion's cochlea, if already built.
   std::shared_ptr<const anatomy::ScalaTympani> anatomy;
 };
 

@@ -31,6 +31,11 @@ public:
       std::optional<std::filesystem::path> record,
       std::shared_ptr<const anatomy::ScalaTympani> anatomy = nullptr,
       std::shared_ptr<const mechanics::InsertionModel> model = nullptr);
+  /// Prepares an insertion that is not recorded, with parameters that come from no text.
+  static Result<std::unique_ptr<Insertion>> prepare(
+      const InsertionParameters& parameters, std::unique_ptr<device::HapticDevice> hand,
+      std::shared_ptr<const anatomy::ScalaTympani> anatomy = nullptr,
+      std::shared_ptr<const mechanics::InsertionModel> model = nullptr);
   ~Insertion();  ///< Stops, closes the recording, closes the device.
 
   // --- virtual time: the caller's thread is the loop ---
@@ -55,7 +60,7 @@ public:
   /// A message if the device cannot render the requested coupling: what it renders, and why.
   const std::string& couplingText() const noexcept;
 
-  const Scenario& scenario() const noexcept;
+  const InsertionParameters& parameters() const noexcept;
   const anatomy::ScalaTympani& anatomy() const noexcept;
   std::shared_ptr<const anatomy::ScalaTympani> sharedAnatomy() const noexcept;
   const mechanics::InsertionModel& model() const noexcept;
@@ -66,6 +71,12 @@ public:
 
 private:
   Insertion();
+  /// @param text  Text of the scenario, for the recording.
+  static Result<std::unique_ptr<Insertion>> prepare(
+      const InsertionParameters& parameters, const std::string& text,
+      std::unique_ptr<device::HapticDevice> hand, std::optional<std::filesystem::path> record,
+      std::shared_ptr<const anatomy::ScalaTympani> anatomy,
+      std::shared_ptr<const mechanics::InsertionModel> model);
   struct Content;
   std::unique_ptr<Content> content_;
 };

@@ -1,89 +1,134 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The definition of an insertion, from a TOML file.
+// What an insertion is made of, as people write it down.
 
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "perilymph/anatomy/AnatomySource.h"
-#include "perilymph/anatomy/Patient.h"
-#include "perilymph/electrode/ArrayDesign.h"
 #include "perilymph/foundation/Result.h"
-#include "perilymph/haptics/InsertionEngine.h"
-#include "perilymph/mechanics/InsertionModel.h"
+#include "perilymph/session/InsertionParameters.h"
 
 namespace perilymph::session {
-
-/// A scenario: its TOML file has keys of the same names, with units.
-///
-/// `text` contains every value as run, with the patient's numbers and the fingerprint of the
-/// array's file, so that parseScenario(text) gives the same model anywhere, bit for bit.
-struct Scenario {
-  std::string name;
-  std::string title;  ///< One line for display.
-  /// By default the one that the patient's numbers define.
-  anatomy::AnatomySource anatomy = anatomy::AnatomySource::published;
-  anatomy::Patient patient;  ///< From `patient` (a file or a shipped name), else published.
-  std::string patientName;   ///< Value of the key `patient`; empty without one.
-  std::string arrayName = "contour";
-  electrode::ArrayDesign array;  ///< As run: calibrated, if a calibration is named.
-  std::string calibrationName;   ///< Name of the array's calibration; empty without one.
-  /// "standard": the stylet stays in until full depth; "aos" (advance off stylet): from the array's
-  /// hold depth on the stylet is held and the array is pushed off it.
-  std::string technique = "standard";
-  mechanics::ModelKind model = mechanics::ModelKind::rod;  ///< "rod" or "points".
-  int nodes = 100;  ///< Default 12 for a point set, as published.
-  Duration timeStep = milliseconds(1);
-  long seed = 1;
-  Speed speed = millimetersPerSecond(2);
-  Length startInside = millimeters(2);
-  Length stopTravel = millimeters(16.5);
-  bool withdraws = false;  ///< Withdraws the array after the stop travel.
-  Speed styletSpeed = millimetersPerSecond(5);
-  Length leadIn = millimeters(1);
-  Angle approachTilt, approachTurn;
-  mechanics::FrictionLaw friction;
-  mechanics::WallLaw wall;
-  /// "none": no rim; "round-window"; "cochleostomy".
-  std::string openingName = "none";
-  std::optional<mechanics::Opening> opening;
-  /// "rigid": as stiff as the bone around it; "soft": compliant.
-  std::string membraneName = "rigid";
-  std::optional<mechanics::MembraneLaw> membrane;
-  haptics::EngineSettings engine;  ///< Coupling, force scale.
-  std::string arrayFingerprint;    ///< Fingerprint of the array's file, 16 hexadecimal digits.
-  /// The same when this text was written (`array_fingerprint`); empty in files of users.
-  std::string expectedArrayFingerprint;
-  /// Every key as run and its value in TOML format (also valid JSON), in order; those of the
-  /// patient are called "patient_numbers.st_length_mm" and so on.
-  std::vector<std::pair<std::string, std::string>> values;
-  /// All files it was read from: scenario, patient, array, friction and calibration.
-  std::vector<std::filesystem::path> files;
-  std::vector<std::string> notes;  ///< Messages for the user.
-  std::string text;                ///< The scenario as run, TOML, as stored in a recording.
-};
 
 /// Values that replace a scenario's own: `--set key=value`, `--patient`, `--array`, `--nodes`.
 using Overrides = std::vector<std::pair<std::string, std::string>>;
 
-/// Reads a scenario by a shipped name or a path, with everything it names. A patient is searched
-/// beside the scenario's file, then among the shipped ones; one given as an override is searched in
-/// the working folder first.
+/// What a scenario holds. Only loadScenario() and parseScenario() make a Scenario of one.
+struct ScenarioContent {
+  InsertionParameters parameters;
+  std::string title;
+  std::string patientName, arrayName = "contour", calibrationName;
+  std::string arrayFingerprint, expectedArrayFingerprint;
+  Overrides values;
+  std::vector<std::filesystem::path> files;
+  std::vector<std::string> notes;
+  std::string text;
+};
+
+/// A scenario as read: its parameters and their text. It is immutable, so that text() always
+/// describes what runs; with() reads it again with other values. Keys of the TOML file have the
+/// names of the accessors, with units.
+class Scenario {
+public:
+  /// An empty scenario without a text, to be replaced by one that was read.
+  Scenario() = default;
+
+  const std::string& name() const noexcept { return parameters().name; }
+  const std::string& title() const noexcept { return content_.title; }  ///< One line for display.
+  /// The scenario as run, TOML: as stored in a recording, with every value, including the patient's numbers and
+  /// the fingerprint of the array's file, so that parseScenario(text) anywhere gives the same
+  /// model, bit for bit.
+  const std::string& text() const noexcept { return content_.text; }
+  /// Every key as run and its value as TOML writes it (which JSON reads, too), in their order; the
+  /// patient's are called "patient_numbers.st_length_mm" and so on.
+  const Overrides& values() const noexcept { return content_.values; }
+  /// All files it was read from: scenario, patient, array, friction and calibration.
+  const std::vector<std::filesystem::path>& files() const noexcept { return content_.files; }
+  /// Messages for the user.
+  const std::vector<std::string>& notes() const noexcept { return content_.notes; }
+
+  /// The scenario with other values, by the rules of a command line's overrides.
+  Result<Scenario> with(const Overrides& overrides) const;
+
+  // --- what it names ---
+  const std::string& patientName() const noexcept { return content_.patientName; }  ///< Or empty.
+  const std::string& arrayName() const noexcept { return content_.arrayName; }
+  /// Name of the array's calibration; empty without one.
+  const std::string& calibrationName() const noexcept { return content_.calibrationName; }
+  /// Fingerprint of the array's file as read, 16 hexadecimal digits.
+  const std::string& arrayFingerprint() const noexcept { return content_.arrayFingerprint; }
+  /// The same when this text was written (`array_fingerprint`); empty in files of users.
+  const std::string& expectedArrayFingerprint() const noexcept
+  {
+    return content_.expectedArrayFingerprint;
+  }
+
+  // --- what runs ---
+  const InsertionParameters& parameters() const noexcept { return content_.parameters; }
+  anatomy::AnatomySource anatomy() const noexcept { return parameters().cochlea.source; }
+  const anatomy::Patient& patient() const noexcept { return parameters().cochlea.patient; }
+  Length leadIn() const noexcept { return parameters().cochlea.leadIn; }
+  const electrode::ArrayDesign& array() const noexcept { return parameters().array; }
+  Technique technique() const noexcept { return parameters().technique; }
+  mechanics::ModelKind model() const noexcept { return parameters().model; }
+  int nodes() const noexcept { return parameters().nodes; }
+  Duration timeStep() const noexcept { return parameters().timeStep; }
+  long seed() const noexcept { return parameters().seed; }
+  Speed speed() const noexcept { return parameters().speed; }
+  Length startInside() const noexcept { return parameters().startInside; }
+  Length stopTravel() const noexcept { return parameters().stopTravel; }
+  bool withdraws() const noexcept { return parameters().withdraws; }
+  Speed styletSpeed() const noexcept { return parameters().styletSpeed; }
+  Angle approachTilt() const noexcept { return parameters().approachTilt; }
+  Angle approachTurn() const noexcept { return parameters().approachTurn; }
+  const mechanics::FrictionLaw& friction() const noexcept { return parameters().friction; }
+  const mechanics::WallLaw& wall() const noexcept { return parameters().wall; }
+  OpeningKind openingKind() const noexcept { return parameters().openingKind; }
+  const std::optional<mechanics::Opening>& opening() const noexcept { return parameters().opening; }
+  MembraneKind membraneKind() const noexcept { return parameters().membraneKind; }
+  const std::optional<mechanics::MembraneLaw>& membrane() const noexcept
+  {
+    return parameters().membrane;
+  }
+  const haptics::EngineSettings& engine() const noexcept { return parameters().engine; }
+
+private:
+  friend Result<Scenario> loadScenario(const std::string&, const Overrides&);
+  friend Result<Scenario> parseScenario(const std::string&, const std::string&, const Overrides&);
+  explicit Scenario(ScenarioContent content) : content_(std::move(content)) {}
+
+  ScenarioContent content_;
+};
+
+/// Reads a scenario by a shipped name or a file's path, with everything it names. A patient is
+/// looked for beside the scenario's file, then among the shipped ones; one given as an override is
+/// looked for in the working folder first.
 Result<Scenario> loadScenario(const std::string& nameOrFile, const Overrides& overrides = {});
-/// The same from a text, such as that of a recording. Messages show `name` in place of the file.
+/// The same from a text, such as the one a recording keeps. `name` stands for the file in messages.
 Result<Scenario> parseScenario(const std::string& text, const std::string& name,
                                const Overrides& overrides = {});
 
-/// Builds the cochlea of a scenario. Takes some tenths of a second.
-Result<std::shared_ptr<const anatomy::ScalaTympani>> buildAnatomy(const Scenario& scenario);
+/// The cochlea of an insertion. Takes some tenths of a second.
+Result<std::shared_ptr<const anatomy::ScalaTympani>> buildAnatomy(
+    const InsertionParameters& parameters);
 
-/// Builds the model of a scenario. Takes milliseconds.
+/// The model of an insertion. Takes milliseconds.
 Result<std::shared_ptr<const mechanics::InsertionModel>> buildModel(
-    const Scenario& scenario, std::shared_ptr<const anatomy::ScalaTympani> anatomy);
+    const InsertionParameters& parameters, std::shared_ptr<const anatomy::ScalaTympani> anatomy);
+
+inline Result<std::shared_ptr<const anatomy::ScalaTympani>> buildAnatomy(const Scenario& scenario)
+{
+  return buildAnatomy(scenario.parameters());
+}
+
+inline Result<std::shared_ptr<const mechanics::InsertionModel>> buildModel(
+    const Scenario& scenario, std::shared_ptr<const anatomy::ScalaTympani> anatomy)
+{
+  return buildModel(scenario.parameters(), std::move(anatomy));
+}
 
 }  // namespace perilymph::session

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Parameters of one insertion: cochlea, model, engine and motion.
+
+#include <optional>
+#include <string>
+
+#include "perilymph/anatomy/AnatomySource.h"
+#include "perilymph/electrode/ArrayDesign.h"
+#include "perilymph/foundation/Units.h"
+#include "perilymph/haptics/InsertionEngine.h"
+#include "perilymph/mechanics/InsertionModel.h"
+#include "perilymph/session/ScenarioChoices.h"
+
+namespace perilymph::session {
+
+/// Parameters of an insertion. A Scenario contains them together with their text; a study of random
+/// insertions varies a copy, which has no text and is not recorded.
+struct InsertionParameters {
+  std::string name;  ///< Name of the scenario they come from.
+  anatomy::Cochlea cochlea;
+  electrode::ArrayDesign array;  ///< As run: calibrated, if a calibration is named.
+  Technique technique = Technique::standard;
+  mechanics::ModelKind model = mechanics::ModelKind::rod;
+  int nodes = 100;  ///< Default 12 for a point set, as published.
+  Duration timeStep = milliseconds(1);
+  long seed = 1;
+  Speed speed = millimetersPerSecond(2);
+  Length startInside = millimeters(2);
+  Length stopTravel = millimeters(16.5);
+  bool withdraws = false;  ///< Withdraws the array after the stop travel.
+  Speed styletSpeed = millimetersPerSecond(5);
+  Angle approachTilt, approachTurn;
+  mechanics::FrictionLaw friction;
+  mechanics::WallLaw wall;
+  OpeningKind openingKind = OpeningKind::none;
+  std::optional<mechanics::Opening> opening;
+  MembraneKind membraneKind = MembraneKind::rigid;
+  std::optional<mechanics::MembraneLaw> membrane;
+  haptics::EngineSettings engine;  ///< Coupling, force scale.
+};
+
+}  // namespace perilymph::session

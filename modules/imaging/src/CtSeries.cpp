@@ -9,6 +9,7 @@
 #include "dicom/DicomFiles.h"
 #include "dicom/DicomSeries.h"
 #include "dicom/DicomVoxels.h"
+#include "volume/VolumeFile.h"
 
 namespace perilymph::imaging {
 
@@ -104,6 +105,10 @@ Result<CtSeriesList> findSeries(const fs::path& path, const ReadingHooks& hooks)
 {
   if (const auto there = checkExists(path); !there) return there.error();
   try {
+    if (const auto volume = readVolumeHeader(path)) {
+      if (!*volume) return volume->error();
+      return CtSeriesList{{describeVolume(**volume)}, 0};
+    }
     auto listed = listDicom(path, hooks);
     if (!listed) return listed.error();
     CtSeriesList list;
@@ -119,6 +124,13 @@ Result<LoadedCt> readCt(const fs::path& path, const std::string& uid, const Read
 {
   if (const auto there = checkExists(path); !there) return there.error();
   try {
+    if (const auto volume = readVolumeHeader(path)) {
+      if (!*volume) return volume->error();
+      if (!uid.empty())
+        return Error{path.string() + " is one volume and holds no series " + uid +
+                     ". Leave the series out."};
+      return readVolumeFile(path, **volume, hooks);
+    }
     return readDicom(path, uid, hooks);
   } catch (const std::bad_alloc&) {
     return tooLarge(path);

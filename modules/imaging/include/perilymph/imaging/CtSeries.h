@@ -27,9 +27,12 @@ struct ReadingHooks {
 
 /// One series as its headers describe it. Nothing here names the patient.
 struct CtSeries {
-  std::string uid;     ///< SeriesInstanceUID; "without-uid-1" and so on without one.
-  std::string key;     ///< SHA-256 of the UID, for logs and records.
-  std::string format;  ///< "DICOM", "NIfTI" or "NRRD".
+  /// SeriesInstanceUID; "without-uid-1" and so on without one; empty for NIfTI and NRRD.
+  std::string uid;
+  /// SHA-256 of the UID, for logs and records; of NIfTI and NRRD that of the voxels' bytes, once
+  /// they are read.
+  std::string key;
+  std::string format;                     ///< "DICOM", "NIfTI" or "NRRD".
   std::string modality, scanner, kernel;  ///< Empty where unknown.
   std::array<int, 3> size{};              ///< Voxels along a row, along a column, slices.
   /// Distance between columns, rows and slice planes [mm]; 0 where unknown.

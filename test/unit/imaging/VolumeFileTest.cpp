@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // NIfTI and NRRD made by hand, in every byte order and with every kind of matrix.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // Voxels of any number type and byte order, as files other than DICOM hold them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 // NIfTI and NRRD: volumes in one file, with a matrix of their own.

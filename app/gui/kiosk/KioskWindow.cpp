@@ -142,7 +142,7 @@ Result<Done> KioskWindow::open()
   if (!prepared) return prepared;
   const session::Scenario& scenario = control_.scenario();
   screen_->view().setScene(std::make_unique<visualization::InsertionScene>(
-      control_.anatomy(), scenario.array, scenario.patient.side, visualization::Quality::software,
+      control_.anatomy(), scenario.array(), scenario.patient().side, visualization::Quality::software,
       sceneStyle()));
   sinceFrame_.start();
   sinceSlow_.start();
@@ -310,7 +310,7 @@ void KioskWindow::onFrame()
   screen_->view().renderIfDirty();
   if (sinceSlow_.elapsed() < slowInterval_ms) return;
   sinceSlow_.restart();
-  screen_->view().showNumbers(control_.now().output, control_.scenario().stopTravel);
+  screen_->view().showNumbers(control_.now().output, control_.scenario().stopTravel());
 }
 
 void KioskWindow::onPresented()

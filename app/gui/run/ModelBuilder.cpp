@@ -11,7 +11,7 @@ Result<Parts> partsOf(const session::Scenario& scenario,
                       std::shared_ptr<const anatomy::ScalaTympani> anatomy,
                       const std::atomic<bool>& isCanceled)
 {
-  const Error canceled{"Nobody waits for " + scenario.name + " any more."};
+  const Error canceled{"Nobody waits for " + scenario.name() + " any more."};
   if (isCanceled) return canceled;
   if (!anatomy) {
     auto built = session::buildAnatomy(scenario);

@@ -32,7 +32,7 @@ session::Overrides compared(session::Overrides values)
 
 std::vector<std::string> differingKeys(const session::Scenario& one, const session::Scenario& other)
 {
-  const session::Overrides left = compared(one.values), right = compared(other.values);
+  const session::Overrides left = compared(one.values()), right = compared(other.values());
   session::Overrides differing;
   std::set_symmetric_difference(left.begin(), left.end(), right.begin(), right.end(),
                                 std::back_inserter(differing));
@@ -62,8 +62,9 @@ bool haveSameModel(const session::Scenario& one, const session::Scenario& other)
 
 bool lookAlike(const session::Scenario& one, const session::Scenario& other)
 {
-  return haveSameCochlea(one, other) && one.arrayName == other.arrayName &&
-         one.arrayFingerprint == other.arrayFingerprint && one.patient.side == other.patient.side;
+  return haveSameCochlea(one, other) && one.arrayName() == other.arrayName() &&
+         one.arrayFingerprint() == other.arrayFingerprint() &&
+         one.patient().side == other.patient().side;
 }
 
 }  // namespace perilymph::gui

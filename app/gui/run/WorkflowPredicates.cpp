@@ -13,7 +13,7 @@ InsertionState stateOf(const InsertionControl& control)
           control.isRunning(),
           control.isMoving(),
           now.travel,
-          control.scenario().array.hasStylet,
+          control.scenario().array().hasStylet,
           control.isStyletPulled()};
 }
 

@@ -42,7 +42,7 @@ void HeldArray::step(double elapsed_s)
 {
   const int direction = int(pressed_.count(Qt::Key_Down)) - int(pressed_.count(Qt::Key_Up));
   if (direction != 0)
-    control_.advanceBy(Length::fromSi(direction * control_.scenario().speed.si() * elapsed_s));
+    control_.advanceBy(Length::fromSi(direction * control_.scenario().speed().si() * elapsed_s));
 }
 
 void HeldArray::letGo()

@@ -69,7 +69,7 @@ void InsertionPresenter::step()
 void InsertionPresenter::stepSlowly(const FrameMeter& meter)
 {
   const haptics::TickOutput& now = control_.now().output;
-  const Length stopTravel = control_.scenario().stopTravel;
+  const Length stopTravel = control_.scenario().stopTravel();
   zones_.views->operation()->showNumbers(now, stopTravel);
   zones_.views->showSlowly(control_.now());
   zones_.views->weigh(meter);

@@ -87,7 +87,7 @@ QString buildingHint(bool isStartAsked)
 
 QString styletText(const InsertionControl& control)
 {
-  if (!control.scenario().array.hasStylet) return tr("no stylet");
+  if (!control.scenario().array().hasStylet) return tr("no stylet");
   const double withdrawn_mm = inMillimeters(Length::fromSi(control.now().output.styletWithdrawal));
   return withdrawn_mm > 0.0 ? tr("%1 mm out").arg(numberText(withdrawn_mm, 1)) : tr("in");
 }

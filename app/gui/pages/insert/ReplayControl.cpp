@@ -84,7 +84,7 @@ void ReplayControl::step(double elapsed_s, bool isSeen)
 
 void ReplayControl::stepSlowly()
 {
-  views_.operation()->showNumbers(player_->now().output, playback().scenario().stopTravel);
+  views_.operation()->showNumbers(player_->now().output, playback().scenario().stopTravel());
   views_.showSlowly(player_->now());
   views_.operation()->setHint(
       player_->isPlaying() ? QString() : tr("Space plays. Left and Right step by one tick."));

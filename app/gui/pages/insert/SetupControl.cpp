@@ -16,7 +16,7 @@ void SetupControl::follow()
 {
   const session::Scenario& wanted = history_->now().scenario;
   const session::Scenario& shown = control_.scenario();
-  if (wanted.text == shown.text) {
+  if (wanted.text() == shown.text()) {
     builder_.forget();
     return followed();
   }
@@ -43,7 +43,7 @@ void SetupControl::build(const session::Scenario& scenario,
 void SetupControl::cancel()
 {
   forget();
-  history_->goTo(control_.scenario().text);  // the panel shows the actual setup
+  history_->goTo(control_.scenario().text());  // the panel shows the actual setup
   Q_EMIT followed();
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "SocketPort.h"
+#include "codec/DeviceProfile.h"
 #include "hid/HidDevice.h"
 #include "perilymph/test/DeviceProfiles.h"
 

@@ -52,7 +52,7 @@ Result<Done> writeMeasuredPatient(const ct::CochleaMeasures& measures,
     flags += (flags.empty() ? "" : ", ") + std::string(ct::nameOf(flag));
   std::string text =
       "# Measured in a CT by perilymph " + buildId() + ", of the bony lumen's outer wall.\n";
-  text += "# Series (SHA-256 of its UID): " + orUnknown(measures.provenance.seriesKey) + "\n";
+  text += "# Series key (SHA-256): " + orUnknown(measures.provenance.seriesKey) + "\n";
   text += "# Scanner: " + orUnknown(measures.provenance.scanner) + "\n";
   text += "# Flags: " + (flags.empty() ? "none" : flags) + "\n";
   text += "label = \"" + labelOf(file) + "\"\n";

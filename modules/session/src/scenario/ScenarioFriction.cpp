@@ -1,13 +1,75 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scenario/ScenarioFriction.h"
 
+#include <algorithm>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
-#include "scenario/FrictionPreset.h"
+#include "perilymph/foundation/Resources.h"
+#include "perilymph/foundation/TomlReader.h"
 
 namespace perilymph::session {
 
 namespace {
+
+// Measured on tissue-like lining: 0.24 to 0.59 (Dohr 2021); 1 leaves room and keeps the solver
+// safe.
+constexpr Range frictionRange{0.0, 1.0};
+// Hands slip at up to 200 mm/s.
+constexpr Range frictionSpeed_mm_s{0.0, 200.0};
+constexpr Range stribeckRange_mm_s{0.001, 100.0};
+
+/// Coefficients of friction in the units of their file. In `resources/friction/`, each with source
+/// and confidence.
+struct FrictionPreset {
+  double staticCoefficient = 0.0;
+  double kineticCoefficient = 0.0;  ///< With a table by speed: its least value.
+  double stoppingCoefficient = 0.0;
+  double stribeck_mm_s = 0.1;  ///< Choice: below the speeds of hands and of the published rig.
+  std::vector<double> speed_mm_s;
+  std::vector<double> coefficient;  ///< At each speed.
+};
+
+/// A table that says where its values come from.
+TomlReader tableOf(TomlReader& file, const char* name)
+{
+  TomlReader table = file.table(name);
+  table.text("source");
+  table.choice("confidence", {"high", "medium", "low"});
+  return table;
+}
+
+/// Reads a preset by a shipped name or a file's path.
+Result<FrictionPreset> loadFriction(const std::string& nameOrFile)
+{
+  const auto file = findByName("friction", "resources/friction", nameOrFile);
+  if (!file) return file.error();
+  auto reader = TomlReader::open(*file);
+  if (!reader) return reader.error();
+
+  FrictionPreset preset;
+  reader->text("title");
+  TomlReader coefficients = tableOf(*reader, "coefficients");
+  preset.staticCoefficient = coefficients.number("static", frictionRange);
+  if (reader->has("by_speed")) {
+    TomlReader table = tableOf(*reader, "by_speed");
+    preset.speed_mm_s = table.numbers("speed_mm_s", frictionSpeed_mm_s, 1);
+    preset.coefficient = table.numbers("coefficient", frictionRange, 1);
+    preset.kineticCoefficient =
+        *std::min_element(preset.coefficient.begin(), preset.coefficient.end());
+  } else {
+    preset.kineticCoefficient = coefficients.number("dynamic", frictionRange);
+  }
+  TomlReader stoppingCoefficient = tableOf(*reader, "stopping");
+  preset.stoppingCoefficient = stoppingCoefficient.number("coefficient", frictionRange);
+  if (reader->has("stribeck")) {
+    TomlReader stribeck = tableOf(*reader, "stribeck");
+    preset.stribeck_mm_s = stribeck.number("speed_mm_s", stribeckRange_mm_s);
+  }
+  if (const auto done = reader->finish(); !done) return done.error();
+  return preset;
+}
 
 void refuseDisorder(TomlReader& reader, const mechanics::FrictionLaw& law)
 {

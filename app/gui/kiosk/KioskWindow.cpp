@@ -142,8 +142,8 @@ Result<Done> KioskWindow::open()
   if (!prepared) return prepared;
   const session::Scenario& scenario = control_.scenario();
   screen_->view().setScene(std::make_unique<visualization::InsertionScene>(
-      control_.anatomy(), scenario.array(), scenario.patient().side, visualization::Quality::software,
-      sceneStyle()));
+      control_.anatomy(), scenario.array(), scenario.patient().side,
+      visualization::Quality::software, sceneStyle()));
   sinceFrame_.start();
   sinceSlow_.start();
   timer_.start();

@@ -135,10 +135,11 @@ void MainWindow::showPage(Page page)
 void MainWindow::showSubject()
 {
   const ReplayControl& replay = insert_->replay();
-  setWindowTitle(replay.isOpen()
-                     ? tr("Perilymph · replay of %1")
-                           .arg(QString::fromStdString(replay.playback().file().stem().string()))
-                     : tr("Perilymph · %1").arg(QString::fromStdString(control().scenario().name())));
+  setWindowTitle(
+      replay.isOpen()
+          ? tr("Perilymph · replay of %1")
+                .arg(QString::fromStdString(replay.playback().file().stem().string()))
+          : tr("Perilymph · %1").arg(QString::fromStdString(control().scenario().name())));
   if (page() == Page::start) return top_->showNobody();  // no patient yet
   if (page() == Page::insert && replay.isOpen())
     return top_->showSubject(replay.playback().scenario(), {});

@@ -39,8 +39,9 @@ QString patientText(const session::Scenario& scenario)
   const bool isLeft = scenario.patient().side == anatomy::Side::left;
   const bool isPatient = isScaledBy(scenario.anatomy(), scenario.patient());
   return (isPatient ? TopBar::tr("Patient %1 · %2 ear") : TopBar::tr("%1 anatomy · %2 ear"))
-      .arg(QString::fromStdString(isPatient ? scenario.patient().label : nameOf(scenario.anatomy())),
-           isLeft ? TopBar::tr("left") : TopBar::tr("right"));
+      .arg(
+          QString::fromStdString(isPatient ? scenario.patient().label : nameOf(scenario.anatomy())),
+          isLeft ? TopBar::tr("left") : TopBar::tr("right"));
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A phantom's cochlea, measured in what a tilted gantry wrote as DICOM.
 
 #include <gtest/gtest.h>

@@ -13,10 +13,10 @@ namespace perilymph::session {
 
 namespace {
 
-// Measured on tissue-like lining: 0.24 to 0.59 (Dohr 2021); 1 leaves room and keeps the solver
-// safe.
+// Measured on tissue-like lining: 0.24 to 0.59 (Dohr 2021); 1 leaves a margin and keeps the solver
+// stable.
 constexpr Range frictionRange{0.0, 1.0};
-// Hands slip at up to 200 mm/s.
+// Hands reach up to 200 mm/s when they slip.
 constexpr Range frictionSpeed_mm_s{0.0, 200.0};
 constexpr Range stribeckRange_mm_s{0.001, 100.0};
 
@@ -24,14 +24,14 @@ constexpr Range stribeckRange_mm_s{0.001, 100.0};
 /// and confidence.
 struct FrictionPreset {
   double staticCoefficient = 0.0;
-  double kineticCoefficient = 0.0;  ///< With a table by speed: its least value.
+  double kineticCoefficient = 0.0;  ///< With a table by speed: its minimum.
   double stoppingCoefficient = 0.0;
-  double stribeck_mm_s = 0.1;  ///< Choice: below the speeds of hands and of the published rig.
+  double stribeck_mm_s = 0.1;  ///< Choice: below the speeds of hands and of the published test rig.
   std::vector<double> speed_mm_s;
   std::vector<double> coefficient;  ///< At each speed.
 };
 
-/// A table that says where its values come from.
+/// A table with the source of its values.
 TomlReader tableOf(TomlReader& file, const char* name)
 {
   TomlReader table = file.table(name);
@@ -40,7 +40,7 @@ TomlReader tableOf(TomlReader& file, const char* name)
   return table;
 }
 
-/// Reads a preset by a shipped name or a file's path.
+/// Reads a preset by a shipped name or a path.
 Result<FrictionPreset> loadFriction(const std::string& nameOrFile)
 {
   const auto file = findByName("friction", "resources/friction", nameOrFile);

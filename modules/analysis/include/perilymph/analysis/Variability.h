@@ -66,12 +66,12 @@ Result<Variability> loadVariability(const std::filesystem::path& file);
 /// One drawn insertion: its model and the motion of the hand.
 struct DrawnInsertion {
   session::InsertionParameters parameters;  ///< Start, approach, array and friction as drawn.
-  double speed = 0.0;  ///< Speed of the hand [m/s].
-  double tremorAmplitude = 0.0;  ///< [m]
-  double tremorFrequency = 0.0;  ///< [Hz]
-  std::array<double, 3> tremorPhase{};  ///< Phase along D's axes [rad].
-  double noiseDeviation = 0.0;  ///< [N]
-  std::uint64_t seed = 0, number = 0;  ///< Seed of its noise.
+  double speed = 0.0;                       ///< Speed of the hand [m/s].
+  double tremorAmplitude = 0.0;             ///< [m]
+  double tremorFrequency = 0.0;             ///< [Hz]
+  std::array<double, 3> tremorPhase{};      ///< Phase along D's axes [rad].
+  double noiseDeviation = 0.0;              ///< [N]
+  std::uint64_t seed = 0, number = 0;       ///< Seed of its noise.
 };
 
 /// Insertion `number` of a study. An inactive source leaves the scenario's value; an active one

@@ -247,6 +247,13 @@ class Window(CheckCase):
             "app/gui/run/Report.cpp": "document.setHtml(text);\n", "app/gui/run/Report.h": "#pragma once\n"}), [])
 
 
+    def test_a_main_window_that_does_everything_is_found(self):
+        for text in ("x\n" * 300, "".join(f"  Page* page{i}_;\n" for i in range(16))):
+            complaints = self.complaints(window.check, {
+                "app/gui/shell/MainWindow.h": text, "app/gui/shell/MainWindow.cpp": "\n"})
+            self.assertEqual(sum("belongs to a page" in each for each in complaints), 1, complaints)
+
+
 class House(CheckCase):
     def test_a_picture_drawn_now_is_current_until_the_table_changes(self):
         with tempfile.TemporaryDirectory() as place:

@@ -135,11 +135,10 @@ void MainWindow::showPage(Page page)
 void MainWindow::showSubject()
 {
   const ReplayControl& replay = insert_->replay();
-  setWindowTitle(
-      replay.isOpen()
-          ? tr("Perilymph · replay of %1")
-                .arg(QString::fromStdString(replay.playback().file().stem().string()))
-          : tr("Perilymph · %1").arg(QString::fromStdString(control().scenario().name())));
+  const std::string name =
+      replay.isOpen() ? replay.playback().file().stem().string() : control().scenario().name();
+  setWindowTitle((replay.isOpen() ? tr("Perilymph · replay of %1") : tr("Perilymph · %1"))
+                     .arg(QString::fromStdString(name)));
   if (page() == Page::start) return top_->showNobody();  // no patient yet
   if (page() == Page::insert && replay.isOpen())
     return top_->showSubject(replay.playback().scenario(), {});

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The main window of the workstation: the frame around its pages. Pages are independent of each
-// other; their requests to each other are connected here.
+// The main window: the frame that connects its pages, which do not know each other.
 
 #include <QWidget>
 #include <filesystem>

@@ -20,6 +20,9 @@ WITHOUT_WIDGETS = f"{GUI}/run"
 WIDGETS = re.compile(r"Qt(?:Widgets|Gui)/|Q\w*(?:Widget|Window|Pixmap|Painter|Dialog)$")
 
 
+MAX_FRAME_LINES = 300
+MAX_FRAME_MEMBERS = 15
+
 def drawn(root):
     """Folder -> folders it may use directly, from the table; and errors in it."""
     page = root / PAGE
@@ -116,6 +119,19 @@ def check_markup(root, wrong):
                          f"which belongs to {', '.join(sorted(MARKUP_PLACES))}.")
 
 
+def check_frame(root, wrong):
+    """The main window stays a frame around its pages."""
+    place = root / GUI / "shell/MainWindow.h"
+    if not place.is_file():
+        return
+    header = sources.read(place)
+    lines = len((header + sources.read(place.with_suffix(".cpp"))).splitlines())
+    members = len(re.findall(r"^  [\w:<>*& ]+[ *]\w+_(?: =[^;]*)?;$", header, re.M))
+    if lines > MAX_FRAME_LINES or members > MAX_FRAME_MEMBERS:
+        wrong.append(f"MainWindow has {lines} lines and {members} members; at most {MAX_FRAME_LINES} and "
+                     f"{MAX_FRAME_MEMBERS}: what it does belongs to a page or a class beside it.")
+
+
 def check(root):
     root = Path(root)
     arrows, wrong = drawn(root)
@@ -123,6 +139,7 @@ def check(root):
         check_includes(root, arrows, wrong)
         check_folders(root, arrows, wrong)
         check_cmake(root, arrows, wrong)
+    check_frame(root, wrong)
     check_names(root, wrong)
     check_markup(root, wrong)
     return wrong

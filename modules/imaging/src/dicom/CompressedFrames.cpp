@@ -69,6 +69,7 @@ std::optional<StoredType> decodeInto(const DicomHeader& header, std::span<std::b
   if (!reader.Read()) return std::nullopt;
   const gdcm::Image& image = reader.GetImage();
   if (image.GetPixelFormat().GetSamplesPerPixel() != 1 || image.GetBufferLength() != bytes.size() ||
+      image.GetPixelFormat().GetBitsAllocated() != header.bitsAllocated ||
       image.GetNumberOfDimensions() < 2 ||
       image.GetDimension(0) != static_cast<unsigned>(header.columns) ||
       image.GetDimension(1) != static_cast<unsigned>(header.rows) ||
@@ -97,16 +98,27 @@ constexpr int failed = 100;  // status of a child that could not decode; below i
   ::_exit(status);
 }
 
-/// Waits for the child, whose end closes the pipe. False where it was killed.
-bool waitForEnd(int pipe, const std::function<bool()>& isCanceled)
+/// Exit status of a child, whose end closes the pipe; `failed` where it had to be killed, was ended
+/// by a signal, or cannot be asked.
+int statusOf(::pid_t child, int pipe, const std::function<bool()>& isCanceled)
 {
   const auto start = std::chrono::steady_clock::now();
   pollfd watched = {pipe, POLLIN, 0};
-  while (std::chrono::steady_clock::now() - start < timeLimit) {
-    if (isCanceled && isCanceled()) return false;
-    if (::poll(&watched, 1, pollInterval_ms) > 0) return true;
+  int status = 0;
+  ::pid_t ended = 0;
+  while (ended == 0 && std::chrono::steady_clock::now() - start < timeLimit) {
+    if (isCanceled && isCanceled()) break;
+    // Another process may hold the pipe open, so that its silence says nothing.
+    const bool isClosed = ::poll(&watched, 1, pollInterval_ms) > 0;
+    ended = ::waitpid(child, &status, isClosed ? 0 : WNOHANG);
+    if (ended < 0 && errno == EINTR) ended = 0;
   }
-  return false;
+  if (ended == child) return WIFEXITED(status) ? WEXITSTATUS(status) : failed;
+  if (ended == 0) {
+    ::kill(child, SIGKILL);
+    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  }
+  return failed;
 }
 
 }  // namespace
@@ -125,16 +137,10 @@ bool decodeCompressed(const DicomHeader& header, const std::function<bool()>& is
   const ::pid_t child = ::fork();
   if (child == 0) runChild(header, bytes);
   ::close(ends[1]);
-  bool isEnded = false;
-  int status = 0;
-  if (child > 0) {
-    isEnded = waitForEnd(ends[0], isCanceled);
-    if (!isEnded) ::kill(child, SIGKILL);
-    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-  }
+  const int status = child > 0 ? statusOf(child, ends[0], isCanceled) : failed;
   ::close(ends[0]);
-  if (!isEnded || !WIFEXITED(status) || WEXITSTATUS(status) >= failed) return false;
-  use(static_cast<StoredType>(WEXITSTATUS(status)), bytes);
+  if (status >= failed) return false;
+  use(static_cast<StoredType>(status), bytes);
   return true;
 }
 

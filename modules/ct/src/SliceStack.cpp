@@ -127,6 +127,15 @@ Result<Done> checkGaps(const std::vector<double>& along_mm)
                inMm(step_mm, 2) + ". Export the whole series again."};
 }
 
+/// Whether all coordinates of all positions are multiples of a hundredth of a millimeter.
+bool areRounded(const std::vector<SlicePose>& slices)
+{
+  return std::all_of(slices.begin(), slices.end(), [](const SlicePose& slice) {
+    const Eigen::Array3d hundredths = 100.0 * slice.position_P->array();
+    return ((hundredths - hundredths.round()).abs() < 1e-6).all();
+  });
+}
+
 }  // namespace
 
 Result<SliceStack> stackSlices(const std::vector<SlicePose>& slices)
@@ -178,7 +187,9 @@ Result<SliceStack> stackSlices(const std::vector<SlicePose>& slices)
     }
   }
   const double step_mm = stack.step_P.norm();
-  const double allowed_mm = std::min(allowedDeviationFraction * step_mm, allowedDeviation_mm);
+  const double regular_mm = std::min(allowedDeviationFraction * step_mm, allowedDeviation_mm);
+  const double allowed_mm =
+      areRounded(slices) ? std::max(regular_mm, roundedDeviation_mm) : regular_mm;
   if (stack.maxDeviation_mm > allowed_mm)
     return Error{"The slices are not equally spaced: " + nameOf(worst, count, along_mm[worst]) +
                  " lies " + inMm(stack.maxDeviation_mm) + " from where equal steps of " +

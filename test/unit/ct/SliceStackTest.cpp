@@ -129,6 +129,19 @@ TEST(SliceStack, TakesNumericalNoiseAndRefusesOneHundredthOfAStep)
   expectRefusal(jittered, "at most 0.006 mm is allowed");
 }
 
+TEST(SliceStack, TakesThinSlicesWhosePositionsHaveTwoDecimals)
+{
+  auto rounded = axial(40, 0.125);
+  for (SlicePose& slice : rounded)
+    slice.position_P->z() = std::round(1e2 * slice.position_P->z()) / 1e2;
+  const auto stack = stackSlices(rounded);
+  ASSERT_TRUE(stack) << stack.error().message;
+  EXPECT_NEAR(stack->planeDistance_mm(), 0.125, 1e-4);
+
+  at(rounded, 17).position_P->z() += 0.01;
+  expectRefusal(rounded, "slice 18 of 40");
+}
+
 TEST(SliceStack, RefusesTwoHundredthsOfAMillimeterInThickSlices)
 {
   auto thick = axial(40, 3.0);

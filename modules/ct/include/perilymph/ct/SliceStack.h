@@ -39,6 +39,10 @@ struct SliceStack {
 /// this length [mm].
 inline constexpr double allowedDeviationFraction = 0.01, allowedDeviation_mm = 0.02;
 
+/// Deviation that is allowed in any case if all positions are written with two decimals: half a
+/// hundredth of a millimeter in each coordinate [mm].
+inline constexpr double roundedDeviation_mm = 0.0087;
+
 /// Orders slices along their normal and checks that they lie at equal steps. Thickness and tilt
 /// that a header may also state are not looked at.
 ///

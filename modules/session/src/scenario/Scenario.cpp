@@ -287,6 +287,17 @@ Result<Scenario> parseScenario(const std::string& text, const std::string& name,
   return Scenario(*std::move(content));
 }
 
+Scenario::Scenario() : content_(std::make_shared<const ScenarioContent>()) {}
+
+Scenario::Scenario(ScenarioContent content)
+    : content_(std::make_shared<const ScenarioContent>(std::move(content)))
+{
+}
+
+Scenario::~Scenario() = default;
+Scenario::Scenario(const Scenario&) = default;
+Scenario& Scenario::operator=(const Scenario&) = default;
+
 Result<Scenario> Scenario::with(const Overrides& overrides) const
 {
   Overrides all = overrides;
@@ -297,10 +308,11 @@ Result<Scenario> Scenario::with(const Overrides& overrides) const
   // a name with a point would lose what follows it
   auto changed = parseScenario(text(), name() + ".toml", all);
   if (!changed) return changed;
-  std::vector<fs::path>& others = changed->content_.files;
+  ScenarioContent content = *changed->content_;
   for (const fs::path& file : files())
-    if (std::find(others.begin(), others.end(), file) == others.end()) others.push_back(file);
-  return changed;
+    if (std::find(content.files.begin(), content.files.end(), file) == content.files.end())
+      content.files.push_back(file);
+  return Scenario(std::move(content));
 }
 
 }  // namespace perilymph::session

@@ -35,40 +35,44 @@ struct ScenarioContent {
 class Scenario {
 public:
   /// An empty scenario without a text, to be replaced by one that was read.
-  Scenario() = default;
+  Scenario();
+  ~Scenario();
+  // A copy shares the content; a move is a copy, so that no scenario is ever without content.
+  Scenario(const Scenario&);
+  Scenario& operator=(const Scenario&);
 
   const std::string& name() const noexcept { return parameters().name; }
-  const std::string& title() const noexcept { return content_.title; }  ///< One line for display.
-  /// The scenario as run, TOML: as stored in a recording, with every value, including the patient's numbers and
-  /// the fingerprint of the array's file, so that parseScenario(text) anywhere gives the same
-  /// model, bit for bit.
-  const std::string& text() const noexcept { return content_.text; }
-  /// Every key as run and its value as TOML writes it (which JSON reads, too), in their order; the
-  /// patient's are called "patient_numbers.st_length_mm" and so on.
-  const Overrides& values() const noexcept { return content_.values; }
+  const std::string& title() const noexcept { return content_->title; }  ///< One line for display.
+  /// The scenario as run, TOML, as stored in a recording. It has every value, including the
+  /// patient's numbers and the fingerprint of the array's file, so that parseScenario(text) gives
+  /// the same model anywhere, bit for bit.
+  const std::string& text() const noexcept { return content_->text; }
+  /// Every key as run and its value in TOML format (also valid JSON), in order; the patient's are
+  /// called "patient_numbers.st_length_mm" and so on.
+  const Overrides& values() const noexcept { return content_->values; }
   /// All files it was read from: scenario, patient, array, friction and calibration.
-  const std::vector<std::filesystem::path>& files() const noexcept { return content_.files; }
+  const std::vector<std::filesystem::path>& files() const noexcept { return content_->files; }
   /// Messages for the user.
-  const std::vector<std::string>& notes() const noexcept { return content_.notes; }
+  const std::vector<std::string>& notes() const noexcept { return content_->notes; }
 
   /// The scenario with other values, by the rules of a command line's overrides.
   Result<Scenario> with(const Overrides& overrides) const;
 
   // --- what it names ---
-  const std::string& patientName() const noexcept { return content_.patientName; }  ///< Or empty.
-  const std::string& arrayName() const noexcept { return content_.arrayName; }
+  const std::string& patientName() const noexcept { return content_->patientName; }  ///< Or empty.
+  const std::string& arrayName() const noexcept { return content_->arrayName; }
   /// Name of the array's calibration; empty without one.
-  const std::string& calibrationName() const noexcept { return content_.calibrationName; }
+  const std::string& calibrationName() const noexcept { return content_->calibrationName; }
   /// Fingerprint of the array's file as read, 16 hexadecimal digits.
-  const std::string& arrayFingerprint() const noexcept { return content_.arrayFingerprint; }
+  const std::string& arrayFingerprint() const noexcept { return content_->arrayFingerprint; }
   /// The same when this text was written (`array_fingerprint`); empty in files of users.
   const std::string& expectedArrayFingerprint() const noexcept
   {
-    return content_.expectedArrayFingerprint;
+    return content_->expectedArrayFingerprint;
   }
 
   // --- what runs ---
-  const InsertionParameters& parameters() const noexcept { return content_.parameters; }
+  const InsertionParameters& parameters() const noexcept { return content_->parameters; }
   anatomy::AnatomySource anatomy() const noexcept { return parameters().cochlea.source; }
   const anatomy::Patient& patient() const noexcept { return parameters().cochlea.patient; }
   Length leadIn() const noexcept { return parameters().cochlea.leadIn; }
@@ -99,9 +103,9 @@ public:
 private:
   friend Result<Scenario> loadScenario(const std::string&, const Overrides&);
   friend Result<Scenario> parseScenario(const std::string&, const std::string&, const Overrides&);
-  explicit Scenario(ScenarioContent content) : content_(std::move(content)) {}
+  explicit Scenario(ScenarioContent content);
 
-  ScenarioContent content_;
+  std::shared_ptr<const ScenarioContent> content_;  ///< Never null.
 };
 
 /// Reads a scenario by a shipped name or a file's path, with everything it names. A patient is

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
-# perilymph_module(<name> LAYER engine|toolkit SUMMARY "..." [USES modules...] [LINKS targets...]
+# perilymph_module(<name> LAYER engine|toolkit [TOGETHER] SUMMARY "..." [USES modules...] [LINKS targets...]
 #                  [PRIVATE_LINKS targets...] [OPTIONS options...] [SOURCES files...])
 #
 # Defines the library Perilymph::<Name> of modules/<name> and enforces the dependency rules:
@@ -8,11 +8,12 @@
 #   - a used module is defined before its user, so there is no cycle;
 #   - headers of other modules are only reachable through USES.
 #
+# TOGETHER compiles several sources at a time: most of their time is what their headers instantiate.
 # Headers below include/ are the module's API: each is used outside of the module (test/architecture looks).
 # Those below src/ are reachable from tests only, which name the module among their INTERNALS and so link the
 # INTERFACE target perilymph_<name>_internal.
 function(perilymph_module name)
-  cmake_parse_arguments(arg "" "LAYER;SUMMARY" "USES;LINKS;PRIVATE_LINKS;OPTIONS;SOURCES" ${ARGN})
+  cmake_parse_arguments(arg "TOGETHER" "LAYER;SUMMARY" "USES;LINKS;PRIVATE_LINKS;OPTIONS;SOURCES" ${ARGN})
   if(NOT arg_LAYER MATCHES "^(engine|toolkit)$")
     message(FATAL_ERROR "modules/${name}: LAYER is '${arg_LAYER}'; it must be engine or toolkit.")
   endif()
@@ -37,6 +38,10 @@ function(perilymph_module name)
     set(scope PUBLIC)
     target_link_libraries(perilymph_${name} PRIVATE perilymph_flags ${arg_PRIVATE_LINKS})
     target_compile_options(perilymph_${name} PRIVATE ${arg_OPTIONS})
+    if(arg_TOGETHER)
+      set_target_properties(perilymph_${name} PROPERTIES
+        UNITY_BUILD ${PERILYMPH_PRECOMPILE} UNITY_BUILD_BATCH_SIZE 8)
+    endif()
     set(set engine)
     if("${arg_LINKS};${arg_PRIVATE_LINKS}" MATCHES "nlohmann_json")
       set(set documents)

@@ -138,7 +138,7 @@ TEST(SliceStack, TakesThinSlicesWhosePositionsHaveTwoDecimals)
   ASSERT_TRUE(stack) << stack.error().message;
   EXPECT_NEAR(stack->planeDistance_mm(), 0.125, 1e-4);
 
-  at(rounded, 17).position_P->z() += 0.01;
+  at(rounded, 17).position_P->z() += 0.02;
   expectRefusal(rounded, "slice 18 of 40");
 }
 

@@ -145,6 +145,8 @@ void ChartFrame::setScale(double pixelRatio)
     axis.GetGridPen()->SetWidth(static_cast<float>(pixelRatio));
     axis.GetPen()->SetWidth(static_cast<float>(pixelRatio));
   }
+  // Above the plot stands the legend; 20 pixels are VTK's own border at ratio 1.
+  chart_->SetHiddenAxisBorder(static_cast<int>(std::lround(20.0 * pixelRatio)));
   overlay_->setScale(pixelRatio);
 }
 

@@ -62,11 +62,11 @@ TEST(ForceTimeChart, GrowsWithTheForceAndShrinksWhenItIsGone)
 }
 
 /// A chart as it looks in a pane of the window.
-test::DrawnPicture drawn(ForceTimeChart& chart)
+test::DrawnPicture drawn(ForceTimeChart& chart, int pixelRatio = 1)
 {
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(true);
-  window->SetSize(400, 170);
+  window->SetSize(400 * pixelRatio, 170 * pixelRatio);
   chart.attachTo(*window);
   return test::draw(*window);
 }
@@ -98,6 +98,22 @@ TEST(ForceTimeChart, ItsLegendLiesAboveThePlotNotOnTheCurves)
   EXPECT_GT(test::countPixels(picture, [&](const test::Pixel& p, int x,
                                            int y) { return x > left && y > top && isBright(p); }),
             100);
+}
+
+TEST(ForceTimeChart, ItsLegendIsWholeOnAScreenOfTwiceThePixels)
+{
+  ForceTimeChart chart;
+  chart.setScale(2.0);
+  const test::DrawnPicture picture = drawn(chart, 2);
+  const auto isBright = [&](const test::Pixel& p) { return p[0] > 0xA0 || p[1] > 0xA0; };
+  const int top = static_cast<int>(chart.chart().GetAxis(vtkAxis::LEFT)->GetPoint2()[1]);
+  EXPECT_GT(test::countPixels(
+                picture, [&](const test::Pixel& p, int, int y) { return y > top && isBright(p); }),
+            400);
+  EXPECT_EQ(
+      test::countPixels(picture, [&](const test::Pixel& p, int,
+                                     int y) { return y >= picture.height - 1 && isBright(p); }),
+      0);
 }
 
 }  // namespace

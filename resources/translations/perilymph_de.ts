@@ -501,7 +501,7 @@
         <translation>Die Einführung wurde angehalten.</translation>
     </message>
     <message>
-        <source> The force is off and the array rests. Press Reset to begin anew.</source>
+        <source> The force is off and the array rests. Press Reset to start again.</source>
         <translation> Die Kraft ist aus, und der Träger ruht. Mit „Neu“ beginnt es von vorn.</translation>
     </message>
     <message>
@@ -709,7 +709,7 @@
         <translation>eine Ansicht vergrößern und zurück</translation>
     </message>
     <message>
-        <source>begin anew: the first screen</source>
+        <source>start over: the first screen</source>
         <translation>von vorn: die erste Seite</translation>
     </message>
     <message>
@@ -1001,7 +1001,7 @@
         <translation>Den Träger wieder herausziehen (Rücktaste)</translation>
     </message>
     <message>
-        <source>Begin anew with a recording of its own (Ctrl+R)</source>
+        <source>Start over with a new recording (Ctrl+R)</source>
         <translation>Neu beginnen, mit eigener Aufzeichnung (Strg+R)</translation>
     </message>
     <message>
@@ -2421,7 +2421,7 @@
         <translation>Was das Programm über sich notiert: %1</translation>
     </message>
     <message>
-        <source>A choice opens the window anew.</source>
+        <source>A choice reopens the window.</source>
         <translation>Eine Wahl öffnet das Fenster neu.</translation>
     </message>
     <message>
@@ -2524,7 +2524,7 @@
         <translation>Perilymph</translation>
     </message>
     <message>
-        <source>Begin anew (Alt+Home)</source>
+        <source>Start over (Alt+Home)</source>
         <translation>Von vorn beginnen (Alt+Pos1)</translation>
     </message>
     <message>

@@ -102,7 +102,7 @@ void SettingsSheet::addGroup(QVBoxLayout& column, const QString& title, const QS
 void SettingsSheet::setChangeable(bool isChangeable)
 {
   for (Choice* choice : findChildren<Choice*>()) choice->setEnabled(isChangeable);
-  note_->setText(isChangeable ? tr("A choice opens the window anew.")
+  note_->setText(isChangeable ? tr("A choice reopens the window.")
                               : tr("While the array is in the cochlea nothing can be chosen here. "
                                    "Reset first."));
 }

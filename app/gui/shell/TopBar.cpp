@@ -95,7 +95,7 @@ TopBar::TopBar(QWidget* parent)
   name->setObjectName(QStringLiteral("startPageButton"));
   name->setFont(typeface(15, QFont::DemiBold));
   name->setFocusPolicy(Qt::TabFocus);
-  name->setToolTip(tr("Begin anew (Alt+Home)"));
+  name->setToolTip(tr("Start over (Alt+Home)"));
   connect(name, &QPushButton::clicked, this, [this] { Q_EMIT pageChosen(Page::start); });
 
   patient_->setFont(typeface(13, QFont::Medium));

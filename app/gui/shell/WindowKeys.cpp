@@ -48,7 +48,7 @@ void addWindowKeys(KeyActions& keys, MainWindow& window, InsertPage& page)
   keys.add(Gesture{section, tr("Double click"), tr("enlarge a view, and back")});
   keys.add({section,
             {with(Qt::AltModifier, Qt::Key_Home)},
-            tr("begin anew: the first screen"),
+            tr("start over: the first screen"),
             always([&window](int) { window.showPage(Page::start); })});
   static constexpr std::array pages{Page::insert, Page::compare, Page::validate, Page::sessions};
   keys.add({section,

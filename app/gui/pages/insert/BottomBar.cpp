@@ -59,7 +59,7 @@ BottomBar::BottomBar(QWidget* parent)
   start_->setFont(typeface(13, QFont::DemiBold));
   setWait({});
   withdraw_->setToolTip(tr("Pull the array out again (Backspace)"));
-  reset_->setToolTip(tr("Begin anew with a recording of its own (Ctrl+R)"));
+  reset_->setToolTip(tr("Start over with a new recording (Ctrl+R)"));
   withdraw_->setEnabled(false);
 
   time_->setFont(typeface(13));

@@ -58,7 +58,7 @@ QString errorText(const InsertionControl& control, const QString& error)
                          : (now.status & haptics::notFinite) != 0
                              ? tr("The computed motion left every bound.")
                              : tr("The insertion was stopped.");
-    return what + tr(" The force is off and the array rests. Press Reset to begin anew.");
+    return what + tr(" The force is off and the array rests. Press Reset to start again.");
   }
   if (!error.isEmpty()) return error;
   const std::string recording = control.recordingError();

@@ -11,6 +11,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
+import check_case  # noqa: E402
 from checks import arrows, documents, formatting, house, layout, licenses, sources, tests, vocabulary, window, words  # noqa: E402
 from good_project import GUI_TABLE, TABLES, good_project  # noqa: E402
 
@@ -18,14 +19,7 @@ from good_project import GUI_TABLE, TABLES, good_project  # noqa: E402
 class CheckCase(unittest.TestCase):
     def complaints(self, check, changes=()):
         """Messages of a check for the good project with some files replaced (None: removed)."""
-        project = {**good_project(), **dict(changes)}
-        with tempfile.TemporaryDirectory() as place:
-            root = Path(place).resolve()
-            for name, text in project.items():
-                if text is not None:
-                    (root / name).parent.mkdir(parents=True, exist_ok=True)
-                    (root / name).write_text(text)
-            return check(root)
+        return check_case.complaints(check, good_project(), changes)
 
     def assert_found(self, check, expected, changes):
         found = self.complaints(check, changes)

@@ -3,13 +3,13 @@
 """The check of public headers finds what it looks for."""
 
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
+import check_case  # noqa: E402
 from checks import interfaces  # noqa: E402
 
 GOOD = {
@@ -22,12 +22,7 @@ GOOD = {
 
 class Interfaces(unittest.TestCase):
     def complaints(self, changes=()):
-        with tempfile.TemporaryDirectory() as place:
-            root = Path(place).resolve()
-            for name, text in {**GOOD, **dict(changes)}.items():
-                (root / name).parent.mkdir(parents=True, exist_ok=True)
-                (root / name).write_text(text)
-            return interfaces.check(root)
+        return check_case.complaints(interfaces.check, GOOD, changes)
 
     def assert_found(self, expected, changes):
         found = self.complaints(changes)

@@ -3,13 +3,13 @@
 """The check of threads, processes and channels finds what it looks for."""
 
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
+import check_case  # noqa: E402
 from checks import threads  # noqa: E402
 
 PAGE = """
@@ -43,12 +43,7 @@ GOOD = {
 
 class Threads(unittest.TestCase):
     def complaints(self, changes=()):
-        with tempfile.TemporaryDirectory() as place:
-            root = Path(place).resolve()
-            for name, text in {**GOOD, **dict(changes)}.items():
-                (root / name).parent.mkdir(parents=True, exist_ok=True)
-                (root / name).write_text(text)
-            return threads.check(root)
+        return check_case.complaints(threads.check, GOOD, changes)
 
     def assert_found(self, expected, changes):
         found = self.complaints(changes)

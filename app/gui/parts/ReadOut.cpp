@@ -85,12 +85,7 @@ void ReadOut::paintEvent(QPaintEvent*)
   const int left = plate_px, right = width() - plate_px;
 
   // The plate keeps the number legible when the array is behind it.
-  QColor plate = groundColor;
-  plate.setAlpha(plateAlpha);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(plate);
-  painter.drawRoundedRect(rect(), 6, 6);
+  paintPlate(painter, rect());
 
   int x = isRight ? right - unitWidth - numberWidth(number) : left;
   painter.setFont(numberFont_);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/parts/Theme.h"
 
+#include <QPainter>
 #include <QStringList>
 
 namespace perilymph::gui {
@@ -190,6 +191,16 @@ ColorScheme shownColorScheme() { return shown().look; }
 const Theme& shownTheme() { return shown().theme; }
 
 void setShownColorScheme(ColorScheme look) { shown() = {look, themeOf(look)}; }
+
+void paintPlate(QPainter& painter, const QRect& area)
+{
+  QColor plate = groundColor;
+  plate.setAlpha(plateAlpha);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(plate);
+  painter.drawRoundedRect(area, 6, 6);
+}
 
 QString windowStyle()
 {

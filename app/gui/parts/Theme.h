@@ -7,6 +7,9 @@
 #include <QFont>
 #include <QString>
 
+class QPainter;
+class QRect;
+
 namespace perilymph::gui {
 
 /// Color schemes of the window.
@@ -60,6 +63,9 @@ inline constexpr int plateAlpha = 185;  ///< Opacity of the background of text o
 
 /// Inter at a size [px], or DejaVu Sans if Inter is missing.
 QFont typeface(int size_px, QFont::Weight weight = QFont::Normal);
+
+/// Paints the plate behind text over the 3D view, which keeps it legible; leaves no pen.
+void paintPlate(QPainter& painter, const QRect& area);
 
 /// The style sheet of the whole window.
 QString windowStyle();

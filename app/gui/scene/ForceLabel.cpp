@@ -66,12 +66,7 @@ QSize ForceLabel::sizeHint() const
 void ForceLabel::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  QColor plate = groundColor;
-  plate.setAlpha(plateAlpha);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(plate);
-  painter.drawRoundedRect(rect(), 6, 6);
+  paintPlate(painter, rect());
   painter.setFont(font());
   QRect line(plate_px, plate_px / 2, width() - 2 * plate_px, lineHeight_px);
   for (const ForceMeaning* meaning : {&hand_, &partition_}) {

@@ -58,12 +58,7 @@ QSize PhaseLine::sizeHint() const { return {480, height_px}; }
 void PhaseLine::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  QColor plate = groundColor;
-  plate.setAlpha(plateAlpha);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(plate);
-  painter.drawRoundedRect(rect(), 6, 6);
+  paintPlate(painter, rect());
 
   const double step = double(width() - 2 * sideMargin_px) / double(stations.size() - 1);
   const QColor ahead = aheadColor;

@@ -14,6 +14,7 @@
 #include "Canvas.h"
 #include "TextStyle.h"
 #include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/Units.h"
 #include "perilymph/foundation/Utf8.h"
 
 namespace perilymph::charts {
@@ -31,7 +32,7 @@ std::vector<PagePoint> circle(PagePoint center, double radius)
   constexpr int corners = 32;
   std::vector<PagePoint> points;
   for (int i = 0; i < corners; ++i) {
-    const double turn = 2.0 * 3.14159265358979323846 * i / corners;
+    const double turn = 2.0 * pi * i / corners;
     points.push_back({center.x + radius * std::cos(turn), center.y + radius * std::sin(turn)});
   }
   return points;

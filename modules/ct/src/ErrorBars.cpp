@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "perilymph/anatomy/DuctLength.h"
 #include "perilymph/foundation/Math.h"
 #include "perilymph/foundation/Units.h"
 
@@ -20,12 +21,11 @@ constexpr ModelError modelOfA{0.06, 0.08}, modelOfB{0.045, 0.08}, modelOfH{0.10,
 
 constexpr double hFirst_deg = 20.0;  // below this angle the vestibule opens into the lumen
 
-// Elliptic-circular approximation (Schurzig et al. 2018; confidence medium): the basal turn's
-// length along the organ of Corti, 1 mm inside A and B, and from it that of the whole duct.
+/// Length of the duct along the organ of Corti [mm]; A and B are at least 2 mm.
 double organOfCorti(double a_mm, double b_mm)
 {
-  const double a = std::max(1.0, a_mm - 1.0), b = std::max(1.0, b_mm - 1.0);
-  return 1.71 * (1.18 * a + 2.69 * b - std::sqrt(0.72 * a * b)) + 0.18;
+  const auto diameter = [](double each_mm) { return millimeters(std::max(2.0, each_mm)); };
+  return inMillimeters(anatomy::ellipticCircularDuctLength(diameter(a_mm), diameter(b_mm)));
 }
 
 struct Values {

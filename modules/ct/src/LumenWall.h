@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "LumenShape.h"
+#include "perilymph/foundation/Units.h"
 
 namespace perilymph::ct {
 
 /// Rings of points around the sections, `around` each, from `firstAngle` on.
 struct LumenWall {
   static constexpr int around = 32;
-  static constexpr double step = 4.0 * 3.14159265358979323846 / 180.0;  ///< Between rings [rad].
+  static constexpr double step = 4.0 * pi / 180.0;  ///< Between rings [rad].
 
   double firstAngle = 0.0;
   std::vector<Eigen::Vector3d> points_W;  ///< `around` per ring, the first one radially outward.

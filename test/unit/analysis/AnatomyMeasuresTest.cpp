@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "perilymph/analysis/ClinicalEstimates.h"
+#include "perilymph/anatomy/DuctLength.h"
 #include "perilymph/anatomy/MeanScala.h"
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/test/Tolerance.h"
@@ -116,8 +117,8 @@ TEST(ClinicalEstimates, AreThoseOfTheirFormulasForTheMeanCochlea)
   EXPECT_NEAR(inMillimeters(alexiadesDuctLength(a)), 34.40, 0.005);
   EXPECT_NEAR(inMillimeters(alexiadesTwoTurns(a)), 30.04, 0.005);
   EXPECT_NEAR(inMillimeters(escudeOuterWall(a, degrees(360))), 22.47, 0.005);
-  EXPECT_NEAR(inMillimeters(ellipticCircularBasalTurn(a, b)), 22.46, 0.005);
-  EXPECT_NEAR(inMillimeters(ellipticCircularDuctLength(a, b)), 33.44, 0.005);
+  EXPECT_NEAR(inMillimeters(anatomy::ellipticCircularBasalTurn(a, b)), 22.46, 0.005);
+  EXPECT_NEAR(inMillimeters(anatomy::ellipticCircularDuctLength(a, b)), 33.44, 0.005);
   EXPECT_NEAR(valueOf(clinicalEstimates(a, b), "pietsch_turns"), 2.686, 0.0005);
 }
 

@@ -10,9 +10,9 @@
 #include <memory>
 #include <thread>
 
+#include "VirtualTime.h"
 #include "hid/HidDevice.h"
 #include "perilymph/test/FakeHid.h"
-#include "perilymph/test/waitUntil.h"
 
 namespace perilymph::device {
 namespace {
@@ -21,34 +21,23 @@ using test::FakeHid;
 using test::FakeReport;
 using testing::HasSubstr;
 
-constexpr std::int64_t millisecond = 1'000'000;  // [ns]
-
-std::atomic<std::int64_t> now{0};
-std::int64_t clockOfTheTest() noexcept { return now; }
-
-template <class Claim>
-void expectSoon(Claim holds)
-{
-  EXPECT_TRUE(test::waitUntil(holds));
-}
-
 constexpr Wrench pushing(double newtons) { return Wrench{{newtons, 0.0, 0.0}, {}}; }
 
 class FailingHidDevice : public testing::Test {
 protected:
-  FailingHidDevice() { now = 1000 * millisecond; }
+  FailingHidDevice() { virtualNow = 1000 * millisecond; }
 
   HidDevice& handOf(const DeviceTraits& traits)
   {
     hand_ = std::make_unique<HidDevice>(traits, std::make_unique<test::FakeCodec>(), hid.port(),
-                                        clockOfTheTest);
+                                        virtualClock);
     return *hand_;
   }
   /// The device sends a report after a delay whenever a thread waits for one.
   void reportEvery(std::int64_t time)
   {
     hid.whenWaiting([this, time](Duration) {
-      now += time;
+      virtualNow += time;
       hid.send(next());
     });
   }
@@ -82,7 +71,7 @@ TEST_F(FailingHidDevice, SaysThatTheDeviceIsSilentOnceATenthOfASecondPassed)
   hid.send(next());
   hand.read();
   EXPECT_EQ(hand.health()->error, "");
-  now += 250 * millisecond;
+  virtualNow += 250 * millisecond;
   hand.read();
   EXPECT_THAT(hand.health()->error, HasSubstr("has sent nothing for 0.25 s. The force is off."));
 }
@@ -129,7 +118,7 @@ TEST_F(FailingHidDevice, IsNotOpenedWhereItsActuatorsStayOff)
 
 TEST_F(FailingHidDevice, WithoutAReportWhileItIsOpenedKeepsTheProfilesPeriod)
 {
-  hid.whenWaiting([](Duration time) { now += std::int64_t(time.si() * 1e9); });
+  hid.whenWaiting([](Duration time) { virtualNow += std::int64_t(time.si() * 1e9); });
   HidDevice& hand = handOf(test::fakeTraits());
   ASSERT_TRUE(hand.open());
   EXPECT_FALSE(hand.health()->isPeriodMeasured);
@@ -195,9 +184,9 @@ TEST_F(FailingHidDevice, IsFreshUntilItIsRead)
   ASSERT_TRUE(hand.open());
   hand.read();
   EXPECT_EQ(hand.await(Duration::fromSi(2e-3)), Awaited::fresh);
-  const std::int64_t then = now;
+  const std::int64_t then = virtualNow;
   EXPECT_EQ(hand.await(Duration::fromSi(2e-3)), Awaited::fresh);
-  EXPECT_EQ(now, then);  // without waiting
+  EXPECT_EQ(virtualNow, then);  // without waiting
 }
 
 TEST_F(FailingHidDevice, IsToldZeroAgainUntilItTakesIt)
@@ -212,9 +201,9 @@ TEST_F(FailingHidDevice, IsToldZeroAgainUntilItTakesIt)
   expectSoon([this] { return hasShownAForce(); });
   // The loop falls silent, and the device refuses the zero that follows from it.
   hid.refuseWrites(true);
-  now += 100 * millisecond;
+  virtualNow += 100 * millisecond;
   expectSoon([&hand] {
-    now += millisecond;
+    virtualNow += millisecond;
     hand.read();
     return hand.health()->isBlocked;
   });
@@ -225,7 +214,7 @@ TEST_F(FailingHidDevice, IsToldZeroAgainUntilItTakesIt)
 TEST_F(FailingHidDevice, ThatShouldAnswerButDoesNotHasNoWayMeasured)
 {
   DeviceTraits traits = test::fakeTraits();
-  hid.whenWaiting([](Duration time) { now += std::int64_t(time.si() * 1e9); });
+  hid.whenWaiting([](Duration time) { virtualNow += std::int64_t(time.si() * 1e9); });
   for (const Reporting reporting : {Reporting::onWrite, Reporting::polled}) {
     traits.reporting = reporting;
     HidDevice& hand = handOf(traits);
@@ -244,7 +233,7 @@ protected:
     traits.polledReport = 4;
     hid.whenAsked([this](RawReport& report) {
       EXPECT_EQ(report.bytes[0], 4);
-      now += answerTime;
+      virtualNow += answerTime;
       if (!answers) return Transfer::failed;
       report = next().raw();
       return Transfer::done;

@@ -10,26 +10,15 @@
 #include <atomic>
 #include <thread>
 
+#include "VirtualTime.h"
 #include "perilymph/test/AllocationGuard.h"
 #include "perilymph/test/FakeHid.h"
-#include "perilymph/test/waitUntil.h"
 
 namespace perilymph::device {
 namespace {
 
 using test::FakeHid;
 using test::FakeReport;
-
-constexpr std::int64_t millisecond = 1'000'000;  // [ns]
-
-std::atomic<std::int64_t> virtualNow{0};
-std::int64_t virtualClock() noexcept { return virtualNow; }
-
-template <class Claim>
-void expectSoon(Claim holds)
-{
-  EXPECT_TRUE(test::waitUntil(holds));
-}
 
 constexpr Wrench pushing(double newtons) { return Wrench{{newtons, 0.0, 0.0}, {}}; }
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "VirtualTime.h"
 #include "perilymph/test/AllocationGuard.h"
 #include "perilymph/test/FakeHid.h"
 
@@ -13,11 +14,6 @@ namespace {
 
 using test::FakeHid;
 using test::FakeReport;
-
-constexpr std::int64_t millisecond = 1'000'000;  // [ns]
-
-std::int64_t virtualNow = 0;
-std::int64_t virtualClock() noexcept { return virtualNow; }
 
 /// A reader at a device that reports each millisecond of a time of its own.
 class Reading : public testing::Test {

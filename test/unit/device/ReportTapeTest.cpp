@@ -9,6 +9,7 @@
 
 #include <fstream>
 
+#include "VirtualTime.h"
 #include "perilymph/test/FakeHid.h"
 #include "perilymph/test/TemporaryFolder.h"
 #include "tape/TapePorts.h"
@@ -21,11 +22,6 @@ using test::FakeHid;
 using test::FakeReport;
 using testing::HasSubstr;
 using Bytes = std::vector<std::uint8_t>;
-
-constexpr std::int64_t millisecond = 1'000'000;  // [ns]
-
-std::int64_t virtualNow = 0;
-std::int64_t virtualClock() noexcept { return virtualNow; }
 
 // What hid-recorder 1.x of hid-tools prints for a mouse of three buttons.
 constexpr const char* hidRecorded = R"(# Mouse

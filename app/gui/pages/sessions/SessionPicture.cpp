@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "gui/parts/Theme.h"
+#include "perilymph/foundation/Units.h"
 
 namespace perilymph::gui {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double step = pi / 45.0;            // between sections of the outline [rad]
 constexpr double entryDirection = 0.68 * pi;  // of a right ear's opening: to the upper left
 

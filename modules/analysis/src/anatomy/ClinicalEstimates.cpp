@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/analysis/ClinicalEstimates.h"
 
-#include <cmath>
-
+#include "perilymph/anatomy/DuctLength.h"
 #include "perilymph/anatomy/Population.h"
 #include "perilymph/foundation/Math.h"
 
@@ -17,17 +16,6 @@ Length escudeOuterWall(Length a, Angle angle)
   return 2.62 * logarithm(1.0 + inDegrees(angle) / 235.0) * a;
 }
 
-Length ellipticCircularBasalTurn(Length a, Length b)
-{
-  return 1.18 * a + 2.69 * b - Length::fromSi(std::sqrt(0.72 * a.si() * b.si()));
-}
-
-Length ellipticCircularDuctLength(Length a, Length b)
-{
-  const Length narrower = millimeters(1.0);
-  return 1.71 * ellipticCircularBasalTurn(a - narrower, b - narrower) + millimeters(0.18);
-}
-
 std::vector<Measure> clinicalEstimates(Length a, Length b)
 {
   const std::string alexiades = "Alexiades 2015, Otol Neurotol 36:904";
@@ -39,9 +27,9 @@ std::vector<Measure> clinicalEstimates(Length a, Length b)
        "2.62 A ln(1 + 360 / 235)", escude},
       {"escude_outer_wall_675_mm", inMillimeters(escudeOuterWall(a, degrees(675))),
        "2.62 A ln(1 + 675 / 235)", escude},
-      {"eca_outer_wall_360_mm", inMillimeters(ellipticCircularBasalTurn(a, b)),
+      {"eca_outer_wall_360_mm", inMillimeters(anatomy::ellipticCircularBasalTurn(a, b)),
        "1.18 A + 2.69 B - sqrt(0.72 A B)", schurzig},
-      {"eca_cdl_oc_mm", inMillimeters(ellipticCircularDuctLength(a, b)),
+      {"eca_cdl_oc_mm", inMillimeters(anatomy::ellipticCircularDuctLength(a, b)),
        "1.71 L + 0.18, L = 1.18 (A - 1) + 2.69 (B - 1) - sqrt(0.72 (A - 1) (B - 1))", schurzig},
       {"pietsch_turns", anatomy::turnAngle(anatomy::likeliestHalfDiameters(a, b)) / degrees(360),
        "turn angle of the likeliest half-diameters with these A and B / 360 deg",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "importing/ClosedSurface.h"
+#include "mesh/Triangles.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -28,12 +29,6 @@ std::string inText(double value, const char* format)
   char text[64];
   std::snprintf(text, sizeof text, format, value);
   return text;
-}
-
-Eigen::Vector3d corner(const Surface& surface, int index)
-{
-  const auto& p = surface.points[static_cast<std::size_t>(index)];
-  return {p[0], p[1], p[2]};
 }
 
 /// Merges equal corners and removes triangles without area.

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/Triangles.h"
 #include "numerics/DenseSolvers.h"
 
 namespace perilymph::anatomy {
@@ -31,19 +32,6 @@ constexpr double flat = 0.2;
 constexpr double bandLength = 0.2e-3;  // [m]
 constexpr double standardErrors = 4.0;
 constexpr double maxTilt = 5e-3;
-
-Eigen::Vector3d corner(const Surface& surface, int index)
-{
-  const auto& p = surface.points[static_cast<std::size_t>(index)];
-  return {p[0], p[1], p[2]};
-}
-
-/// Normal scaled by twice the area.
-Eigen::Vector3d acrossOf(const Surface& surface, const std::array<int, 3>& t)
-{
-  return (corner(surface, t[1]) - corner(surface, t[0]))
-      .cross(corner(surface, t[2]) - corner(surface, t[0]));
-}
 
 bool touches(const std::array<int, 3>& triangle, const std::set<int>& corners)
 {
@@ -111,7 +99,7 @@ double exactStretch(const ClosedSurface& closed, const RimFrame& rim)
   while (!walk.isOver()) {
     const int triangle = walk.pop();
     const auto& t = surface.triangles[static_cast<std::size_t>(triangle)];
-    const Eigen::Vector3d across = acrossOf(surface, t);
+    const Eigen::Vector3d across = scaledNormal(surface, t);
     double minimum = 1e9;
     for (const int k : t) minimum = std::min(minimum, rim.depth(corner(surface, k)));
     if (std::fabs(across.dot(rim.inward)) > straight * across.norm()) {
@@ -248,7 +236,7 @@ Lean leanOf(const std::vector<int>& band, const Surface& surface, const RimFrame
   std::vector<std::pair<std::vector<double>, double>> rows;
   for (const int triangle : band) {
     const auto& t = surface.triangles[static_cast<std::size_t>(triangle)];
-    const Eigen::Vector3d across = acrossOf(surface, t);
+    const Eigen::Vector3d across = scaledNormal(surface, t);
     const double area = across.norm();
     if (!(area > 0.0)) continue;
     const Eigen::Vector3d n = across / area;

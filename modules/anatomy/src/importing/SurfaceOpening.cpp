@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "importing/StraightStretch.h"
+#include "mesh/Triangles.h"
 #include "numerics/DenseSolvers.h"
 
 namespace perilymph::anatomy {
@@ -16,19 +17,6 @@ namespace {
 // A lid faces out of the duct within 45 degrees and is at most this deep behind the first section.
 constexpr double lidFacing = 0.7;
 constexpr double lidDepth = 0.15e-3, lidReach = 2.5e-3;  // [m]
-
-Eigen::Vector3d corner(const Surface& surface, int index)
-{
-  const auto& p = surface.points[static_cast<std::size_t>(index)];
-  return {p[0], p[1], p[2]};
-}
-
-/// Normal scaled by twice the area.
-Eigen::Vector3d acrossOf(const Surface& surface, const std::array<int, 3>& t)
-{
-  return (corner(surface, t[1]) - corner(surface, t[0]))
-      .cross(corner(surface, t[2]) - corner(surface, t[0]));
-}
 
 /// The eigenvector of the smallest eigenvalue, and that eigenvalue's fraction of the trace.
 std::pair<Eigen::Vector3d, double> minDirection(const Eigen::Matrix3d& scatter)
@@ -72,7 +60,7 @@ SurfaceOpening openingOf(const ClosedSurface& closed)
     if (closed.isLid[i] ||
         std::none_of(t.begin(), t.end(), [&](int k) { return rim.corners.count(k) > 0; }))
       continue;
-    const Eigen::Vector3d across = acrossOf(closed.surface, t);
+    const Eigen::Vector3d across = scaledNormal(closed.surface, t);
     if (across.norm() > 0.0) normals += across * across.transpose() / across.norm();
     for (const int k : t) side += (corner(closed.surface, k) - rim.center).dot(rim.plane);
   }
@@ -92,7 +80,7 @@ void openAt(ClosedSurface& closed, const Eigen::Vector3d& first, const Eigen::Ve
 {
   for (std::size_t i = 0; i < closed.isLid.size(); ++i) {
     const auto& t = closed.surface.triangles[i];
-    const Eigen::Vector3d across = acrossOf(closed.surface, t);
+    const Eigen::Vector3d across = scaledNormal(closed.surface, t);
     const bool isBefore = std::all_of(t.begin(), t.end(), [&](int k) {
       const Eigen::Vector3d e = corner(closed.surface, k) - first;
       return e.dot(inward) < lidDepth && e.norm() < lidReach;

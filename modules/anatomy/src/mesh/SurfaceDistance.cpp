@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/anatomy/SurfaceDistance.h"
+#include "mesh/Triangles.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -12,12 +13,6 @@ namespace {
 
 constexpr int maxTrianglesPerBox = 4;
 constexpr int deepest = 64;  // boxes halve: a tree of 2^31 triangles has 31 levels
-
-Eigen::Vector3d corner(const Surface& surface, int index)
-{
-  const auto& p = surface.points[static_cast<std::size_t>(index)];
-  return {p[0], p[1], p[2]};
-}
 
 double squaredDistance(const Eigen::Vector3d& point, const Eigen::Vector3d& low,
                        const Eigen::Vector3d& high) noexcept

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Length of the cochlear duct by the elliptic-circular approximation (Schurzig 2018; its constants
+// are from memory of the literature, not seen: confidence low).
+
+#include "perilymph/foundation/Units.h"
+
+namespace perilymph::anatomy {
+
+/// Length of the outer wall of the basal turn, by its ellipse and circle: 1.18 A + 2.69 B -
+/// sqrt(0.72 A B). With A and B each 1 mm shorter, along the organ of Corti.
+Length ellipticCircularBasalTurn(Length a, Length b);
+
+/// Length of the cochlear duct along the organ of Corti: 1.71 times its basal turn + 0.18 mm.
+Length ellipticCircularDuctLength(Length a, Length b);
+
+}  // namespace perilymph::anatomy

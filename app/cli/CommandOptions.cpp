@@ -53,7 +53,7 @@ void setOption(CLI::App& command, FileOptions& files, session::Overrides& overri
                                          settingValue("--set", setting, equals));
                 }
               },
-              "Changes a scenario's key: --set speed_mm_s=1.0; may be repeated")
+              "Override a scenario key, e.g. --set speed_mm_s=1.0; repeatable")
           ->take_all()
           ->allow_extra_args(false);
   files.readsSettings(set);
@@ -61,29 +61,36 @@ void setOption(CLI::App& command, FileOptions& files, session::Overrides& overri
 
 void addSimulate(CLI::App& app, FileOptions& files, SimulateOptions& options)
 {
-  CLI::App& command = *app.add_subcommand("simulate", "Runs an insertion in virtual time");
+  CLI::App& command = *app.add_subcommand("simulate", "Simulate an insertion");
   files.reads(
-      command.add_option("--scenario", options.scenario, "A scenario's file or shipped name")
+      command.add_option("--scenario", options.scenario, "Scenario: shipped name or TOML file")
           ->required(),
       scenarioFolder);
   files.reads(overrideOption(command, "--patient", "patient", options.overrides,
-                             "A patient's file or shipped name"),
+                             "Patient: shipped name or TOML file"),
               patientsFolder);
-  files.reads(overrideOption(command, "--array", "array", options.overrides, "An electrode array"),
+  files.reads(overrideOption(command, "--array", "array", options.overrides,
+                             "Electrode array: shipped name or TOML file"),
               arrayFolder);
-  overrideOption(command, "--model", "model", options.overrides, "rod or points");
+  overrideOption(command, "--model", "model", options.overrides,
+                 "Array model: rod (elastic rod) or points (published point set); default: as in "
+                 "the scenario");
   overrideOption(command, "--nodes", "nodes", options.overrides,
-                 "Nodes of the rod, or sample points");
-  overrideOption(command, "--seed", "seed", options.overrides, "Seed of random numbers");
+                 "Number of rod nodes or sample points (default: as in the scenario)");
+  overrideOption(command, "--seed", "seed", options.overrides,
+                 "Random seed (default: as in the scenario)");
   setOption(command, files, options.overrides);
-  CLI::Option* csv = command.add_option("--csv", options.csv, "Writes one row per tick");
-  command.add_option("--every-ms", options.every_ms, "Interval of rows in the CSV file")
+  CLI::Option* csv = command.add_option("--csv", options.csv, "Write time series (CSV)");
+  command
+      .add_option("--every-ms", options.every_ms,
+                  "Sampling interval of the CSV file (ms); 0: every sample (1 ms)")
+      ->capture_default_str()
       ->check(CLI::Range(0.0, 1e6))
       ->needs(csv);
   files.writes(csv);
-  files.writes(command.add_option("--json", options.json, "Writes scenario and results"));
+  files.writes(command.add_option("--json", options.json, "Write scenario and results (JSON)"));
   files.records(
-      command.add_option("--record", options.record, "Records the session in an .insertion file"));
+      command.add_option("--record", options.record, "Record the insertion (.insertion)"));
 }
 
 /// The option that selects an anatomy without a patient.
@@ -93,139 +100,175 @@ CLI::Option* addPreset(CLI::App& command, std::string& preset)
   std::string listed;
   for (std::size_t i = 0; i < names.size(); ++i)
     listed += (i == 0 ? "" : i + 1 < names.size() ? ", " : " or ") + names[i];
-  return command.add_option("--preset", preset, listed)->check(CLI::IsMember(names));
+  return command.add_option("--preset", preset, "Anatomy model: " + listed)
+      ->check(CLI::IsMember(names));
 }
 
 void addAnatomy(CLI::App& app, FileOptions& files, AnatomyOptions& options)
 {
-  CLI::App& command = *app.add_subcommand("anatomy", "Measures a cochlea and writes its surface");
+  CLI::App& command = *app.add_subcommand("anatomy", "Measure a cochlea and export its surface");
   CLI::Option_group& source = *command.add_option_group("anatomy");
   addPreset(source, options.preset);
-  files.reads(source.add_option("--patient", options.patient, "A patient's file or shipped name"),
+  files.reads(source.add_option("--patient", options.patient, "Patient: shipped name or TOML file"),
               patientsFolder);
-  CLI::Option* length =
-      source.add_option("--st-length-mm", options.stLength_mm, "Length of the organ-of-Corti path");
-  CLI::Option* a =
-      source.add_option("--a-mm", options.a_mm, "A: through round window and modiolus");
-  files.reads(
-      source.add_option("--import", options.import, "A segmented surface in mm: .stl .ply .vtp"));
-  source.add_option("--sample", options.sample, "A virtual patient, drawn with this seed");
+  CLI::Option* length = source.add_option("--st-length-mm", options.stLength_mm,
+                                          "Cochlear duct length, organ of Corti (mm)");
+  CLI::Option* a = source.add_option("--a-mm", options.a_mm,
+                                     "A: basal-turn diameter, round window through modiolus (mm)");
+  files.reads(source.add_option("--import", options.import,
+                                "Segmented scala tympani surface in mm (.stl .ply .vtp)"));
+  source.add_option("--sample", options.sample, "Virtual patient: random seed");
   source.require_option(1);
 
   CLI::Option* width = command.add_option("--rw-width-mm", options.rwWidth_mm,
-                                          "Width of the section at the round window");
-  CLI::Option* height =
-      command.add_option("--rw-height-mm", options.rwHeight_mm, "Height of the same section");
+                                          "Scala tympani width at the round window (mm)");
+  CLI::Option* height = command.add_option("--rw-height-mm", options.rwHeight_mm,
+                                           "Scala tympani height at the round window (mm)");
   length->needs(width)->needs(height);
   width->needs(length);
   height->needs(length);
-  CLI::Option* b = command.add_option("--b-mm", options.b_mm, "B: across A through the modiolus");
+  CLI::Option* b =
+      command.add_option("--b-mm", options.b_mm, "B: basal-turn width, perpendicular to A (mm)");
   a->needs(b);
   b->needs(a);
-  command.add_option("--h-mm", options.h_mm, "H: along the modiolus, base to apex")->needs(a);
-  files.writes(
-      command.add_option("--json", options.json, "Writes the measures, formulas and sources"));
-  files.writes(command.add_option("--sections", options.sections, "Writes the sections as CSV"));
+  command
+      .add_option("--h-mm", options.h_mm,
+                  "H: cochlear height, base to apex (mm); default: estimated from A and B")
+      ->needs(a);
+  files.writes(command.add_option("--json", options.json,
+                                  "Write measures with formulas and sources (JSON)"));
+  files.writes(command.add_option("--sections", options.sections, "Write cross-sections (CSV)"));
   CLI::Option* surface = command.add_option("--surface", options.surface,
-                                            "Writes the surface: .stl .vtp .ply .obj .wrl");
+                                            "Write the surface (.stl .vtp .ply .obj .wrl)");
   files.writes(surface);
-  files.writes(command.add_option("--haptic-surface", options.hapticSurface,
-                                  "Writes the haptic surface: no apex, 95 % fewer triangles"));
-  command.add_option("--part", options.part, "scala, membrane or vestibuli")
+  files.writes(
+      command.add_option("--haptic-surface", options.hapticSurface,
+                         "Write the decimated haptic mesh (95 % fewer triangles, apex removed)"));
+  command.add_option("--part", options.part, "Part of the surface: scala, membrane or vestibuli")
+      ->capture_default_str()
       ->check(CLI::IsMember({"scala", "membrane", "vestibuli"}))
       ->needs(surface);
 }
 
 void addReplay(CLI::App& app, FileOptions& files, ReplayOptions& options)
 {
-  CLI::App& command = *app.add_subcommand("replay", "Reads a recorded session");
-  files.reads(command.add_option("file", options.file, "The .insertion file")->required());
-  command.add_flag("--verify", options.verifies, "Replays it and compares every bit");
-  files.writes(command.add_option("--csv", options.csv, "Writes one row per tick"));
+  CLI::App& command = *app.add_subcommand("replay", "Inspect, export or verify a recording");
+  files.reads(command.add_option("file", options.file, "Recording (.insertion)")->required());
+  command.add_flag("--verify", options.verifies,
+                   "Replay the recording and verify that every sample is identical");
+  files.writes(command.add_option("--csv", options.csv, "Write time series (CSV)"));
 }
 
 void addValidate(CLI::App& app, FileOptions& files, ValidateOptions& options)
 {
   CLI::App& command =
-      *app.add_subcommand("validate", "Repeats the published experiment, with its statistics");
-  command.add_option("--runs", options.runs, "Insertions")->check(CLI::Range(2, 100'000));
-  command.add_option("--seed", options.seed, "Seed of everything that varies between insertions")
+      *app.add_subcommand("validate", "Reproduce the published experiment with its statistics");
+  command.add_option("--runs", options.runs, "Number of simulated insertions")
+      ->capture_default_str()
+      ->check(CLI::Range(2, 100'000));
+  command.add_option("--seed", options.seed, "Random seed")
+      ->capture_default_str()
       ->check(CLI::NonNegativeNumber);
-  command.add_option("--jobs", options.jobs, "Parallel insertions; by default one per processor")
+  command.add_option("--jobs", options.jobs, "Parallel runs")
+      ->default_str("number of cores")
       ->check(CLI::Range(1u, 256u));
-  overrideOption(command, "--model", "model", options.overrides, "rod or points");
+  overrideOption(command, "--model", "model", options.overrides,
+                 "Array model: rod (elastic rod) or points (published point set); default: as in "
+                 "the scenario");
   setOption(command, files, options.overrides);
-  files.reads(command.add_option("--variability", options.variability,
-                                 "Variability: a file or a shipped name"),
+  files.reads(command
+                  .add_option("--variability", options.variability,
+                              "Variability between insertions: shipped name or TOML file")
+                  ->capture_default_str(),
               variabilityFolder);
   files.writesInto(
-      command.add_option("--out", options.out, "The folder for tables and figures")->required(),
+      command.add_option("--out", options.out, "Output folder for tables and figures")->required(),
       withFigures({"profile.csv", "difference.csv", "summary.json"},
                   {"experiment", "simulation", "difference"}));
 }
 
 void addCalibrate(CLI::App& app, FileOptions& files, CalibrateOptions& options)
 {
-  CLI::App& command =
-      *app.add_subcommand("calibrate", "Fits two parameters of the array to two printed forces");
-  command.add_option("--runs", options.runs, "Insertions per trial")->check(CLI::Range(2, 10'000));
-  command.add_option("--seed", options.seed, "Seed of everything that varies between insertions")
+  CLI::App& command = *app.add_subcommand(
+      "calibrate", "Calibrate two array parameters against two published forces");
+  command.add_option("--runs", options.runs, "Number of simulated insertions per trial")
+      ->capture_default_str()
+      ->check(CLI::Range(2, 10'000));
+  command.add_option("--seed", options.seed, "Random seed")
+      ->capture_default_str()
       ->check(CLI::NonNegativeNumber);
-  command.add_option("--jobs", options.jobs, "Parallel insertions; by default one per processor")
+  command.add_option("--jobs", options.jobs, "Parallel runs")
+      ->default_str("number of cores")
       ->check(CLI::Range(1u, 256u));
   setOption(command, files, options.overrides);
-  files.reads(command.add_option("--variability", options.variability,
-                                 "Variability: a file or a shipped name"),
+  files.reads(command
+                  .add_option("--variability", options.variability,
+                              "Variability between insertions: shipped name or TOML file")
+                  ->capture_default_str(),
               variabilityFolder);
   files.writesInto(
-      command.add_option("--out", options.out, "The folder for the calibration")->required(),
+      command.add_option("--out", options.out, "Output folder for the calibration")->required(),
       withFigures({"calibration.toml", "profile.csv", "difference.csv"}, {"calibration"}));
 }
 
 void addPredict(CLI::App& app, FileOptions& files, PredictOptions& options)
 {
-  CLI::App& command = *app.add_subcommand("predict", "Predicts insertions without fitting");
-  files.reads(command.add_option("--array", options.arrays, "Electrode arrays, by name or file")
-                  ->required(),
-              arrayFolder);
-  command.add_option("--patients", options.patients, "Virtual patients beside the mean cochlea")
+  CLI::App& command =
+      *app.add_subcommand("predict", "Simulate arrays in anatomies not used for calibration");
+  files.reads(
+      command
+          .add_option("--array", options.arrays, "Electrode arrays: shipped names or TOML files")
+          ->required(),
+      arrayFolder);
+  command
+      .add_option("--patients", options.patients,
+                  "Number of virtual patients in addition to the average cochlea")
+      ->capture_default_str()
       ->check(CLI::Range(0, 10'000));
-  command.add_option("--seed", options.seed, "Seed of the virtual patients")
+  command.add_option("--seed", options.seed, "Random seed of the virtual patients")
+      ->capture_default_str()
       ->check(CLI::NonNegativeNumber);
-  command.add_option("--jobs", options.jobs, "Parallel cochleae; by default one per processor")
+  command.add_option("--jobs", options.jobs, "Parallel runs")
+      ->default_str("number of cores")
       ->check(CLI::Range(1u, 256u));
-  files.writesInto(
-      command.add_option("--out", options.out, "The folder for the tables")->required(),
-      {"prediction.csv", "prediction.json"});
+  files.writesInto(command.add_option("--out", options.out, "Output folder for tables")->required(),
+                   {"prediction.csv", "prediction.json"});
 }
 
 void addCompare(CLI::App& app, FileOptions& files, CompareOptions& options)
 {
-  CLI::App& command = *app.add_subcommand("compare", "Compares recorded insertions");
-  files.reads(command.add_option("files", options.files, "The .insertion files")->required());
+  CLI::App& command = *app.add_subcommand("compare", "Compare recorded insertions");
+  files.reads(command.add_option("files", options.files, "Recordings (.insertion)")->required());
   files.writesInto(
-      command.add_option("--out", options.out, "The folder for tables and curves")->required(),
+      command.add_option("--out", options.out, "Output folder for tables and curves")->required(),
       withFigures({"comparison.csv", "curves.csv"}, {"curves"}));
 }
 
 void addRender(CLI::App& app, FileOptions& files, RenderOptions& options)
 {
-  CLI::App& command = *app.add_subcommand("render", "Draws a picture without a window");
+  CLI::App& command = *app.add_subcommand("render", "Render a picture without a window");
   CLI::Option* scenario =
-      command.add_option("--scenario", options.scenario, "A scenario's file or shipped name");
+      command.add_option("--scenario", options.scenario, "Scenario: shipped name or TOML file");
   CLI::Option* patient =
-      command.add_option("--patient", options.patient, "A patient's file or shipped name");
+      command.add_option("--patient", options.patient, "Patient: shipped name or TOML file");
   CLI::Option* preset = addPreset(command, options.preset);
   preset->excludes(scenario)->excludes(patient);
   files.reads(scenario, scenarioFolder);
   files.reads(patient, patientsFolder);
-  files.reads(command.add_option("--array", options.array, "An electrode array")->needs(scenario),
-              arrayFolder);
-  command.add_option("--at-mm", options.at_mm, "Travel of the array in the picture")
+  files.reads(
+      command.add_option("--array", options.array, "Electrode array: shipped name or TOML file")
+          ->needs(scenario),
+      arrayFolder);
+  command
+      .add_option("--at-mm", options.at_mm,
+                  "Travel of the array (mm); default: where the insertion stops")
       ->needs(scenario);
-  command.add_option("--view", options.view, "surgeon, microscope, overview, section or unrolled")
+  command
+      .add_option("--view", options.view,
+                  "View: surgeon, microscope, overview, section or unrolled")
+      ->capture_default_str()
       ->check(CLI::IsMember({"surgeon", "microscope", "overview", "section", "unrolled"}));
-  files.writes(command.add_option("--out", options.out, "The picture, .png")->required());
+  files.writes(command.add_option("--out", options.out, "Output picture (.png)")->required());
   command.callback([&options] {
     if (options.scenario.empty() && options.patient.empty() && options.preset.empty())
       throw CLI::RequiredError("--scenario, --patient or --preset");
@@ -234,31 +277,29 @@ void addRender(CLI::App& app, FileOptions& files, RenderOptions& options)
 
 void addDevices(CLI::App& app, FileOptions& files, DevicesOptions& options)
 {
-  CLI::App& command =
-      *app.add_subcommand("devices", "Lists HID devices and their usability, and tests one");
+  CLI::App& command = *app.add_subcommand("devices", "List HID devices, or test one");
   files.writes(
-      command.add_option("--json", options.json, "Writes the list and the test's results"));
-  CLI::Option* test =
+      command.add_option("--json", options.json, "Write the list and the test results (JSON)"));
+  CLI::Option* test = command
+                          .add_option("--test", options.test,
+                                      "Test a device: measure its reports, then render small "
+                                      "forces (number of the node: 3 for hidraw3)")
+                          ->check(CLI::Range(0, 4095));
+  files.writes(
       command
-          .add_option(
-              "--test", options.test,
-              "Measures reports, then renders small forces: number of the node, 3 for hidraw3")
-          ->check(CLI::Range(0, 4095));
-  files.writes(command
-                   .add_option("--capture", options.capture,
-                               "Records every report of the test with its time")
-                   ->needs(test));
+          .add_option("--capture", options.capture, "Record every report of the test with its time")
+          ->needs(test));
   files.reads(
       command
           .add_option("--replay", options.replay,
-                      "Evaluates a captured file, also of hid-recorder, instead of a device")
+                      "Replay a captured HID log (or hid-recorder file) instead of a device")
           ->excludes(test));
-  files.reads(command
-                  .add_option("--plugin", options.plugin,
-                              "Loads a device plug-in (FILE.so) and tests it like --test; it runs "
-                              "with your rights")
-                  ->excludes(test)
-                  ->excludes("--replay"));
+  files.reads(
+      command
+          .add_option("--plugin", options.plugin,
+                      "Test a device plug-in (FILE.so) like --test; it runs with your rights")
+          ->excludes(test)
+          ->excludes("--replay"));
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace perilymph::cli {
 namespace {
 
 constexpr const char* pathHelp =
-    "A folder of DICOM files, a DICOMDIR, a DICOM file of many frames, a NIfTI or NRRD file";
+    "DICOM folder, DICOMDIR, multi-frame DICOM file, NIfTI or NRRD file";
 
 /// Three numbers with commas between them, in millimeters.
 std::array<double, 3> pointIn(const std::string& text)
@@ -42,40 +42,34 @@ std::string flagsText()
 
 void addInfo(CLI::App& ct, FileOptions& files, CtInfoOptions& options)
 {
-  CLI::App& command = *ct.add_subcommand(
-      "info", "Lists the series of a CT, the one that suits a cochlea best first");
+  CLI::App& command = *ct.add_subcommand("info", "List the series of a CT, best suited first");
   files.readsBelow(command.add_option("path", options.path, pathHelp)->required());
-  files.writes(command.add_option("--json", options.json, "Writes the list; none by default"));
+  files.writes(command.add_option("--json", options.json, "Write the list (JSON)"));
 }
 
 void addMeasure(CLI::App& ct, FileOptions& files, CtMeasureOptions& options)
 {
   CLI::App& command =
-      *ct.add_subcommand("measure", "Finds the cochlea in a CT and measures A, B and H");
+      *ct.add_subcommand("measure", "Locate the cochlea in a CT and measure A, B and H");
   files.readsBelow(command.add_option("path", options.path, pathHelp)->required());
   command.add_option("--series", options.series,
-                     "UID of the series, as 'ct info' lists it; the best series by default");
+                     "Series UID, as listed by 'ct info' (default: best suited series)");
   CLI::Option* at = command.add_option_function<std::string>(
       "--at", [&options](const std::string& text) { options.at_mm = pointIn(text); },
-      "X,Y,Z: a point anywhere in the cochlea, LPS in mm; by default the volume is searched");
+      "X,Y,Z: any point in the cochlea, LPS in mm (default: automatic search)");
   files.reads(
       command
           .add_option("--landmarks", options.landmarks,
-                      "Slicer markups (.mrk.json) with points RW, C, A in place of --at; none by "
-                      "default")
+                      "3D Slicer markups (.mrk.json) with points RW, C and A, instead of --at")
           ->excludes(at));
-  command
-      .add_option("--side", options.side,
-                  "left or right: the ear to look for; by default any, found by its spiral")
+  command.add_option("--side", options.side, "Ear: left or right (default: detected)")
       ->check(CLI::IsMember({"left", "right"}));
-  files.writes(command.add_option(
-      "--json", options.json, "Writes the measures in mm, each with its error; none by default"));
+  files.writes(
+      command.add_option("--json", options.json, "Write measures in mm with their errors (JSON)"));
   files.writes(command.add_option("--patient", options.patient,
-                                  "Writes a patient (.toml) that other commands take; none by "
-                                  "default"));
+                                  "Write a patient file (.toml) for other commands"));
   files.writes(command.add_option("--surface", options.surface,
-                                  "Writes the lumen's wall, LPS in mm: .stl .ply .vtp .obj .wrl; "
-                                  "none by default"));
+                                  "Write the lumen wall, LPS in mm (.stl .ply .vtp .obj .wrl)"));
   command.footer(flagsText());
 }
 
@@ -83,7 +77,7 @@ void addMeasure(CLI::App& ct, FileOptions& files, CtMeasureOptions& options)
 
 void addCt(CLI::App& app, FileOptions& files, CommandOptions& options)
 {
-  CLI::App& ct = *app.add_subcommand("ct", "Reads a temporal-bone CT and measures the cochlea");
+  CLI::App& ct = *app.add_subcommand("ct", "Measure the cochlea in a temporal-bone CT");
   ct.require_subcommand(1);
   addInfo(ct, files, options.ctInfo);
   addMeasure(ct, files, options.ctMeasure);

@@ -4,42 +4,42 @@
 <context>
     <name>Display</name>
     <message>
-        <source>this display has no buffers for two eyes</source>
-        <translation>dieser Bildschirm hat keine Puffer für zwei Augen</translation>
+        <source>not supported by this display</source>
+        <translation>von dieser Anzeige nicht unterstützt</translation>
     </message>
 </context>
 <context>
     <name>KioskTurn</name>
     <message>
-        <source>below the peaks measured in patients</source>
-        <translation>unter den an Patienten gemessenen Spitzen</translation>
+        <source>Below the forces measured in patients.</source>
+        <translation>Unter den an Patienten gemessenen Kräften.</translation>
     </message>
     <message>
-        <source>above the peaks measured in patients</source>
-        <translation>über den an Patienten gemessenen Spitzen</translation>
+        <source>Above the forces measured in patients.</source>
+        <translation>Über den an Patienten gemessenen Kräften.</translation>
     </message>
     <message>
-        <source>among the peaks measured in patients</source>
-        <translation>unter den an Patienten gemessenen Spitzen gelegen</translation>
+        <source>Within the range of forces measured in patients.</source>
+        <translation>Im Bereich der an Patienten gemessenen Kräfte.</translation>
     </message>
     <message>
-        <source>Measured in patients: peaks of %1 to %2 mN (Rau et al. 2024). A comparison, not a judgment of safety.</source>
-        <translation>An Patienten gemessen: Spitzen von %1 bis %2 mN (Rau et al. 2024). Ein Vergleich, kein Urteil über Sicherheit.</translation>
+        <source>Peak forces measured in patients: %1–%2 mN (Rau et al. 2024). This comparison is not a safety assessment.</source>
+        <translation>An Patienten gemessene Spitzenkräfte: %1–%2 mN (Rau et al. 2024). Der Vergleich ist keine Bewertung der Sicherheit.</translation>
     </message>
 </context>
 <context>
     <name>Report</name>
     <message>
-        <source>For research and training use. Not a medical device.</source>
-        <translation>Für Forschung und Übung. Kein Medizinprodukt.</translation>
-    </message>
-    <message>
         <source>Page %1 of %2</source>
         <translation>Seite %1 von %2</translation>
     </message>
     <message>
-        <source>Report of an insertion</source>
-        <translation>Bericht einer Einführung</translation>
+        <source>For research and training. Not a medical device.</source>
+        <translation>Für Forschung und Training. Kein Medizinprodukt.</translation>
+    </message>
+    <message>
+        <source>Insertion report</source>
+        <translation>Insertionsbericht</translation>
     </message>
 </context>
 <context>
@@ -59,22 +59,6 @@
     <message>
         <source>%1 contacts</source>
         <translation>%1 Kontakte</translation>
-    </message>
-    <message>
-        <source>138 cochleae, Pietsch et al. 2017, Sci Rep.</source>
-        <translation>138 Cochleae, Pietsch et al. 2017, Sci Rep.</translation>
-    </message>
-    <message>
-        <source>Sections vary by 9 to 15 % (Avci et al. 2014) about a mean of %1 mm (Froehlich et al. 2024, n = 15).</source>
-        <translation>Schnitte schwanken um 9 bis 15 % (Avci et al. 2014) um ein Mittel von %1 mm (Froehlich et al. 2024, n = 15).</translation>
-    </message>
-    <message>
-        <source>Organ of Corti 33.13 ± 2.11 mm, n = 9 (Stakhovskaya et al. 2007). The published model has 35.58 mm.</source>
-        <translation>Corti-Organ 33,13 ± 2,11 mm, n = 9 (Stakhovskaya et al. 2007). Das veröffentlichte Modell hat 35,58 mm.</translation>
-    </message>
-    <message>
-        <source>Definitions of H differ, so only limits are given.</source>
-        <translation>H wird verschieden definiert, daher nur Grenzen.</translation>
     </message>
     <message>
         <source>%1 mN</source>
@@ -117,52 +101,16 @@
         <translation>Szenario</translation>
     </message>
     <message>
-        <source>greatest of %1 recorded ticks</source>
-        <translation>größte von %1 aufgezeichneten Takten</translation>
-    </message>
-    <message>
-        <source>Peak force on the hand</source>
-        <translation>Spitzenkraft an der Hand</translation>
-    </message>
-    <message>
-        <source>%1 at %2 of travel, %3 deep</source>
-        <translation>%1 bei %2 Weg, %3 tief</translation>
-    </message>
-    <message>
         <source>axial, %1</source>
         <translation>axial, %1</translation>
-    </message>
-    <message>
-        <source>Greatest wall force</source>
-        <translation>Größte Wandkraft</translation>
-    </message>
-    <message>
-        <source>normal to the wall, of one node; %1</source>
-        <translation>normal zur Wand, eines Knotens; %1</translation>
-    </message>
-    <message>
-        <source>Greatest force on the basilar membrane</source>
-        <translation>Größte Kraft auf die Basilarmembran</translation>
-    </message>
-    <message>
-        <source>Work of the hand</source>
-        <translation>Arbeit der Hand</translation>
     </message>
     <message>
         <source>%1 mJ</source>
         <translation>%1 mJ</translation>
     </message>
     <message>
-        <source>force over the way of the base, trapezoids over ticks</source>
-        <translation>Kraft über den Weg der Basis, Trapeze über Takte</translation>
-    </message>
-    <message>
-        <source>Deepest</source>
-        <translation>Größte Tiefe</translation>
-    </message>
-    <message>
         <source>length of array past the opening</source>
-        <translation>Länge des Trägers hinter der Öffnung</translation>
+        <translation>Länge des Trägers jenseits der Öffnung</translation>
     </message>
     <message>
         <source>At the end</source>
@@ -173,10 +121,6 @@
         <translation>%1, %2°</translation>
     </message>
     <message>
-        <source>depth; angle of the tip from the round window</source>
-        <translation>Tiefe; Winkel der Spitze ab rundem Fenster</translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation>Zeit</translation>
     </message>
@@ -185,36 +129,12 @@
         <translation>%1 s</translation>
     </message>
     <message>
-        <source>since the array began to move, pauses included</source>
-        <translation>seit der Träger sich bewegt, mit Pausen</translation>
-    </message>
-    <message>
         <source>Reversals</source>
-        <translation>Umkehrungen</translation>
-    </message>
-    <message>
-        <source>a way back of 0.1 mm or more</source>
-        <translation>ein Rückweg von 0,1 mm oder mehr</translation>
-    </message>
-    <message>
-        <source>Peak at the basal turn</source>
-        <translation>Spitze an der Basalwindung</translation>
-    </message>
-    <message>
-        <source>%1 at %2 of travel</source>
-        <translation>%1 bei %2 Weg</translation>
+        <translation>Richtungswechsel</translation>
     </message>
     <message>
         <source>of the curve smoothed over 0.5 mm</source>
         <translation>der über 0,5 mm geglätteten Kurve</translation>
-    </message>
-    <message>
-        <source>Ticks not settled</source>
-        <translation>Nicht gelöste Takte</translation>
-    </message>
-    <message>
-        <source>the solver left more than its tolerance</source>
-        <translation>der Löser ließ mehr als seine Toleranz</translation>
     </message>
     <message>
         <source>%1 %: %2</source>
@@ -223,46 +143,6 @@
     <message>
         <source>%1. %2</source>
         <translation>%1. %2</translation>
-    </message>
-    <message>
-        <source>%1 of 100, the mean of four criteria. It knows no trauma.</source>
-        <translation>%1 von 100, das Mittel von vier Kriterien. Es weiß nichts von Verletzung.</translation>
-    </message>
-    <message>
-        <source>The array, and where its values come from:</source>
-        <translation>Der Träger, und woher seine Werte kommen:</translation>
-    </message>
-    <message>
-        <source>Forces are computed by a model, not measured in an ear.</source>
-        <translation>Kräfte sind von einem Modell berechnet, nicht in einem Ohr gemessen.</translation>
-    </message>
-    <message>
-        <source>The array is a model after published data, no labeling of the product.</source>
-        <translation>Der Träger ist ein Modell nach veröffentlichten Daten, keine Angabe zum Produkt.</translation>
-    </message>
-    <message>
-        <source>No number here says whether an insertion is harmless; thresholds of trauma differ between ears and are not known for the force on the hand.</source>
-        <translation>Keine Zahl hier sagt, ob eine Einführung schadet; Schwellen der Verletzung sind von Ohr zu Ohr verschieden und für die Kraft an der Hand nicht bekannt.</translation>
-    </message>
-    <message>
-        <source>The published experiment is drawn as its printed values; nothing is known between them.</source>
-        <translation>Der veröffentlichte Versuch ist mit seinen gedruckten Werten gezeichnet; dazwischen ist nichts bekannt.</translation>
-    </message>
-    <message>
-        <source>%1 ticks were lost while recording.</source>
-        <translation>%1 Takte gingen beim Aufzeichnen verloren.</translation>
-    </message>
-    <message>
-        <source>%1 ticks computed again, every bit the same</source>
-        <translation>%1 Takte neu berechnet, jedes Bit gleich</translation>
-    </message>
-    <message>
-        <source>differs from tick %1 on, in %2</source>
-        <translation>weicht ab Takt %1 ab, in %2</translation>
-    </message>
-    <message>
-        <source>could not be compared</source>
-        <translation>ließ sich nicht vergleichen</translation>
     </message>
     <message>
         <source>Recording</source>
@@ -278,7 +158,7 @@
     </message>
     <message>
         <source>Replay</source>
-        <translation>Abspielen</translation>
+        <translation>Wiedergabe</translation>
     </message>
     <message>
         <source>Recorded by</source>
@@ -293,68 +173,16 @@
         <translation>Modell</translation>
     </message>
     <message>
-        <source>fingerprint of cochlea, array and laws</source>
-        <translation>Fingerabdruck von Cochlea, Träger und Gesetzen</translation>
-    </message>
-    <message>
-        <source>Array&apos;s file</source>
-        <translation>Datei des Trägers</translation>
-    </message>
-    <message>
-        <source>fingerprint</source>
-        <translation>Fingerabdruck</translation>
-    </message>
-    <message>
         <source>Seed</source>
-        <translation>Startzahl</translation>
-    </message>
-    <message>
-        <source>Report of an insertion</source>
-        <translation>Bericht einer Einführung</translation>
-    </message>
-    <message>
-        <source>Perilymph, for research and training use. Not a medical device; no patient may be treated by what it shows.</source>
-        <translation>Perilymph, für Forschung und Übung. Kein Medizinprodukt; kein Patient darf nach dem behandelt werden, was es zeigt.</translation>
-    </message>
-    <message>
-        <source>Along the modiolus, to scale; the tip %1 mm past the opening.</source>
-        <translation>Entlang des Modiolus, maßstäblich; die Spitze %1 mm hinter der Öffnung.</translation>
-    </message>
-    <message>
-        <source>How it was done</source>
-        <translation>Wie sie ausgeführt wurde</translation>
-    </message>
-    <message>
-        <source>What it was computed from</source>
-        <translation>Woraus sie berechnet wurde</translation>
+        <translation>Startwert</translation>
     </message>
     <message>
         <source>Limits</source>
         <translation>Grenzen</translation>
     </message>
     <message>
-        <source>How to know it again</source>
-        <translation>Woran sie wiederzuerkennen ist</translation>
-    </message>
-    <message>
-        <source>In numbers</source>
-        <translation>In Zahlen</translation>
-    </message>
-    <message>
-        <source>Force over travel</source>
-        <translation>Kraft über Weg</translation>
-    </message>
-    <message>
-        <source>The array at its deepest place</source>
-        <translation>Der Träger an seiner tiefsten Stelle</translation>
-    </message>
-    <message>
         <source>travel, mm</source>
-        <translation>Weg, mm</translation>
-    </message>
-    <message>
-        <source>axial force, N</source>
-        <translation>Axialkraft, N</translation>
+        <translation>Vorschub, mm</translation>
     </message>
     <message>
         <source>force, mN</source>
@@ -366,11 +194,7 @@
     </message>
     <message>
         <source>this insertion</source>
-        <translation>diese Einführung</translation>
-    </message>
-    <message>
-        <source>felt by surgeons %1 mN</source>
-        <translation>für Operateure spürbar %1 mN</translation>
+        <translation>diese Insertion</translation>
     </message>
     <message>
         <source>axial</source>
@@ -405,60 +229,16 @@
         <translation>Wandkraft %1 mN</translation>
     </message>
     <message>
-        <source>the tip is outside</source>
-        <translation>die Spitze ist außerhalb</translation>
-    </message>
-    <message>
-        <source>no contact is inside yet</source>
-        <translation>noch kein Kontakt ist innen</translation>
-    </message>
-    <message>
-        <source>mean %1 mm, %2 inside</source>
-        <translation>Mittel %1 mm, %2 innen</translation>
-    </message>
-    <message>
         <source>wall force, mN per mm</source>
         <translation>Wandkraft, mN je mm</translation>
-    </message>
-    <message>
-        <source>normal force, %1 mm for %2 mN</source>
-        <translation>Normalkraft, %1 mm für %2 mN</translation>
-    </message>
-    <message>
-        <source>friction, × %1</source>
-        <translation>Reibung, × %1</translation>
-    </message>
-    <message>
-        <source>published experiment, printed values ± SD</source>
-        <translation>veröffentlichter Versuch, gedruckte Werte ± SD</translation>
     </message>
     <message>
         <source>angle from round window, °; width, mm</source>
         <translation>Winkel ab rundem Fenster, °; Breite, mm</translation>
     </message>
     <message>
-        <source>Press Start, then hold the device’s button and push.</source>
-        <translation>Start drücken, dann den Knopf des Geräts halten und schieben.</translation>
-    </message>
-    <message>
-        <source>Coupling %1 N/m, softer than asked: Devices (H).</source>
-        <translation>Kopplung %1 N/m, weicher als gewünscht: Geräte (H).</translation>
-    </message>
-    <message>
-        <source>Hold the device’s button: the array follows the hand.</source>
-        <translation>Knopf des Geräts halten: Der Träger folgt der Hand.</translation>
-    </message>
-    <message>
-        <source>Array held. Letting go of the button lets it rest.</source>
-        <translation>Träger gehalten. Loslassen lässt ihn ruhen.</translation>
-    </message>
-    <message>
         <source>NOT recording</source>
         <translation>KEINE Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>recording, %1 ticks lost</source>
-        <translation>Aufzeichnung, %1 Takte verloren</translation>
     </message>
     <message>
         <source>recording</source>
@@ -469,12 +249,8 @@
         <translation>nicht gestartet</translation>
     </message>
     <message>
-        <source>late ticks: %1</source>
-        <translation>verspätete Takte: %1</translation>
-    </message>
-    <message>
         <source>%1 overruns</source>
-        <translation>%1 zu lang</translation>
+        <translation>%1 Überläufe</translation>
     </message>
     <message>
         <source>coupling %1 N/m</source>
@@ -489,144 +265,28 @@
         <translation>kein Medizinprodukt</translation>
     </message>
     <message>
-        <source>The hand stopped answering.</source>
-        <translation>Die Hand antwortet nicht mehr.</translation>
-    </message>
-    <message>
-        <source>The computed motion left every bound.</source>
-        <translation>Die berechnete Bewegung verließ jede Grenze.</translation>
-    </message>
-    <message>
         <source>The insertion was stopped.</source>
-        <translation>Die Einführung wurde angehalten.</translation>
-    </message>
-    <message>
-        <source> The force is off and the array rests. Press Reset to start again.</source>
-        <translation> Die Kraft ist aus, und der Träger ruht. Mit „Neu“ beginnt es von vorn.</translation>
+        <translation>Die Insertion wurde angehalten.</translation>
     </message>
     <message>
         <source>This insertion is not being recorded: %1</source>
-        <translation>Diese Einführung wird nicht aufgezeichnet: %1</translation>
-    </message>
-    <message>
-        <source>Full depth. Withdraw or Reset.</source>
-        <translation>Volle Tiefe. Zurückziehen oder Neu.</translation>
-    </message>
-    <message>
-        <source>The array is out. Reset to insert again.</source>
-        <translation>Der Träger ist draußen. Neu, um wieder einzuführen.</translation>
-    </message>
-    <message>
-        <source>Press Start, then hold Space and turn the wheel.</source>
-        <translation>Start drücken, dann Leertaste halten und am Rad drehen.</translation>
-    </message>
-    <message>
-        <source>Hold Space, then turn the wheel or press Down.</source>
-        <translation>Leertaste halten, dann am Rad drehen oder Ab drücken.</translation>
-    </message>
-    <message>
-        <source>Array held. Wheel or Down advances, Up withdraws.</source>
-        <translation>Träger gehalten. Rad oder Ab schiebt vor, Auf zieht zurück.</translation>
-    </message>
-    <message>
-        <source>Building the cochlea; then the insertion starts…</source>
-        <translation>Die Cochlea wird gebaut; danach beginnt die Einführung …</translation>
+        <translation>Diese Insertion wird nicht aufgezeichnet: %1</translation>
     </message>
     <message>
         <source>Building the cochlea…</source>
-        <translation>Die Cochlea wird gebaut …</translation>
+        <translation>Die Cochlea wird berechnet …</translation>
     </message>
     <message>
         <source>no stylet</source>
         <translation>kein Stilett</translation>
     </message>
     <message>
-        <source>%1 mm out</source>
-        <translation>%1 mm heraus</translation>
-    </message>
-    <message>
-        <source>in</source>
-        <translation>drin</translation>
-    </message>
-    <message>
-        <source>%1 ms there and back</source>
-        <translation>%1 ms hin und zurück</translation>
-    </message>
-    <message>
-        <source>at most %1 ms there and back</source>
-        <translation>höchstens %1 ms hin und zurück</translation>
-    </message>
-    <message>
-        <source>device gone</source>
-        <translation>Gerät weg</translation>
-    </message>
-    <message>
-        <source>device %1/s, jitter %2 ms</source>
-        <translation>Gerät %1/s, Schwankung %2 ms</translation>
-    </message>
-    <message>
-        <source>below the %1 mN that surgeons feel</source>
-        <translation>unter den %1 mN, die Operateure fühlen</translation>
-    </message>
-    <message>
-        <source>felt by surgeons, above %1 mN</source>
-        <translation>fühlbar für Operateure, über %1 mN</translation>
-    </message>
-    <message>
-        <source>felt; like peaks in patients, %1 to %2 mN</source>
-        <translation>fühlbar; wie Spitzen an Patienten, %1 bis %2 mN</translation>
-    </message>
-    <message>
-        <source>felt; above the peaks in patients, %1 mN</source>
-        <translation>fühlbar; über den Spitzen an Patienten, %1 mN</translation>
-    </message>
-    <message>
-        <source>on the partition %1 mN</source>
-        <translation>auf die Trennwand %1 mN</translation>
-    </message>
-    <message>
-        <source>on the partition %1 mN; it ruptures at %2 to %3 mN</source>
-        <translation>auf die Trennwand %1 mN; sie reißt bei %2 bis %3 mN</translation>
-    </message>
-    <message>
-        <source>on the partition %1 mN: it ruptures at %2 to %3 mN</source>
-        <translation>auf die Trennwand %1 mN: Sie reißt bei %2 bis %3 mN</translation>
-    </message>
-    <message>
-        <source>start or pause; hold the array with mouse and keyboard</source>
-        <translation>starten oder anhalten; Träger halten mit Maus und Tastatur</translation>
-    </message>
-    <message>
-        <source>advance or withdraw the array while it is held</source>
-        <translation>Träger vor oder zurück, solange er gehalten wird</translation>
-    </message>
-    <message>
         <source>Wheel</source>
         <translation>Mausrad</translation>
     </message>
     <message>
-        <source>the same</source>
-        <translation>dasselbe</translation>
-    </message>
-    <message>
         <source>withdraw</source>
         <translation>zurückziehen</translation>
-    </message>
-    <message>
-        <source>reset: a fresh insertion and recording</source>
-        <translation>neu: eine frische Einführung und Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>undo and redo a change of the setup</source>
-        <translation>eine Änderung des Aufbaus zurücknehmen und wiederholen</translation>
-    </message>
-    <message>
-        <source>pull the stylet</source>
-        <translation>Stilett ziehen</translation>
-    </message>
-    <message>
-        <source>surgeon’s view, down the opening, overview, section</source>
-        <translation>Sicht des Operateurs, in die Öffnung, Übersicht, Schnitt</translation>
     </message>
     <message>
         <source>follow the tip</source>
@@ -637,24 +297,8 @@
         <translation>Stereo: aus, Anaglyphe, nebeneinander, zeilenweise</translation>
     </message>
     <message>
-        <source>turn the model</source>
-        <translation>Modell drehen</translation>
-    </message>
-    <message>
-        <source>move the model</source>
-        <translation>Modell verschieben</translation>
-    </message>
-    <message>
-        <source>magnify</source>
-        <translation>vergrößern</translation>
-    </message>
-    <message>
         <source>Drag; Shift+drag</source>
         <translation>Ziehen; Umschalt+Ziehen</translation>
-    </message>
-    <message>
-        <source>turn the model; move it</source>
-        <translation>Modell drehen; verschieben</translation>
     </message>
     <message>
         <source>Wheel, Ctrl+wheel</source>
@@ -666,23 +310,15 @@
     </message>
     <message>
         <source>play or pause; back to the insertion</source>
-        <translation>abspielen oder anhalten; zurück zur Einführung</translation>
+        <translation>abspielen oder anhalten; zurück zur Insertion</translation>
     </message>
     <message>
         <source>Left, Right; with Shift</source>
         <translation>Links, Rechts; mit Umschalt</translation>
     </message>
     <message>
-        <source>step by 1 tick; by 100</source>
-        <translation>um 1 Takt; um 100</translation>
-    </message>
-    <message>
         <source>Home, End</source>
         <translation>Pos1, Ende</translation>
-    </message>
-    <message>
-        <source>to the beginning, to the end</source>
-        <translation>zum Anfang, zum Ende</translation>
     </message>
     <message>
         <source>,  .</source>
@@ -693,10 +329,6 @@
         <translation>langsamer, schneller</translation>
     </message>
     <message>
-        <source>one, two or four views in turn</source>
-        <translation>eine, zwei oder vier Ansichten im Wechsel</translation>
-    </message>
-    <message>
         <source>one, two, four views</source>
         <translation>eine, zwei, vier Ansichten</translation>
     </message>
@@ -705,75 +337,443 @@
         <translation>Doppelklick</translation>
     </message>
     <message>
-        <source>enlarge a view, and back</source>
-        <translation>eine Ansicht vergrößern und zurück</translation>
-    </message>
-    <message>
-        <source>start over: the first screen</source>
-        <translation>von vorn: die erste Seite</translation>
-    </message>
-    <message>
         <source>insert, compare, validate, sessions</source>
-        <translation>Einführen, Vergleichen, Prüfen, Sitzungen</translation>
-    </message>
-    <message>
-        <source>devices: which there are, and how the hand is doing</source>
-        <translation>Geräte: welche es gibt und wie es der Hand geht</translation>
+        <translation>Insertion, Vergleich, Validierung, Sitzungen</translation>
     </message>
     <message>
         <source>hide or show the panel</source>
-        <translation>das Feld links verbergen oder zeigen</translation>
-    </message>
-    <message>
-        <source>out of the panel’s fields</source>
-        <translation>aus den Feldern links heraus</translation>
+        <translation>Seitenleiste aus- oder einblenden</translation>
     </message>
     <message>
         <source>settings</source>
         <translation>Einstellungen</translation>
     </message>
     <message>
-        <source>full screen, and back</source>
-        <translation>ganzer Bildschirm und zurück</translation>
-    </message>
-    <message>
-        <source>keep a picture of the window</source>
-        <translation>ein Bild des Fensters behalten</translation>
-    </message>
-    <message>
-        <source>this list</source>
-        <translation>diese Liste</translation>
-    </message>
-    <message>
         <source>user guide</source>
         <translation>Handbuch</translation>
-    </message>
-    <message>
-        <source>leave what lies on the page; let go of the array</source>
-        <translation>verlassen, was auf der Seite liegt; Träger loslassen</translation>
     </message>
     <message>
         <source>Tab</source>
         <translation>Tab</translation>
     </message>
     <message>
-        <source>to the next button or field</source>
-        <translation>zum nächsten Knopf oder Feld</translation>
+        <source>Press Start, then hold the device button and advance.</source>
+        <translation>Start drücken, dann die Gerätetaste halten und vorschieben.</translation>
     </message>
     <message>
-        <source>The picture is kept: %1</source>
-        <translation>Das Bild liegt hier: %1</translation>
+        <source>Coupling stiffness limited to %1 N/m: see Devices (H).</source>
+        <translation>Kopplungssteifigkeit begrenzt auf %1 N/m: siehe Geräte (H).</translation>
+    </message>
+    <message>
+        <source>Hold the device button: the array follows the device.</source>
+        <translation>Gerätetaste halten: Der Träger folgt dem Gerät.</translation>
+    </message>
+    <message>
+        <source>Holding. Release the button to stop.</source>
+        <translation>Gehalten. Taste loslassen zum Anhalten.</translation>
+    </message>
+    <message>
+        <source>recording, %1 samples lost</source>
+        <translation>Aufzeichnung, %1 Abtastwerte verloren</translation>
+    </message>
+    <message>
+        <source>late samples: %1</source>
+        <translation>verspätete Abtastwerte: %1</translation>
+    </message>
+    <message>
+        <source>The input device stopped responding.</source>
+        <translation>Das Eingabegerät antwortet nicht mehr.</translation>
+    </message>
+    <message>
+        <source>The simulation became unstable and was stopped.</source>
+        <translation>Die Simulation wurde instabil und wurde angehalten.</translation>
+    </message>
+    <message>
+        <source> The force is off and the array is stationary. Press Reset to start again.</source>
+        <translation> Die Kraft ist aus, der Träger steht. „Zurücksetzen“ drücken, um neu zu beginnen.</translation>
+    </message>
+    <message>
+        <source>Full depth. Press Withdraw or Reset.</source>
+        <translation>Volle Tiefe. „Zurückziehen“ oder „Zurücksetzen“ drücken.</translation>
+    </message>
+    <message>
+        <source>The array is withdrawn. Press Reset for a new insertion.</source>
+        <translation>Der Träger ist zurückgezogen. „Zurücksetzen“ für eine neue Insertion.</translation>
+    </message>
+    <message>
+        <source>Press Start, then hold Space and scroll up or press ↓ to advance.</source>
+        <translation>Start drücken, dann Leertaste halten und aufwärts scrollen oder ↓ drücken.</translation>
+    </message>
+    <message>
+        <source>Hold Space, then scroll up or press ↓ to advance.</source>
+        <translation>Leertaste halten, dann aufwärts scrollen oder ↓ drücken, um vorzuschieben.</translation>
+    </message>
+    <message>
+        <source>Holding. Scroll up or press ↓ to advance, scroll down or press ↑ to withdraw.</source>
+        <translation>Gehalten. Aufwärts scrollen oder ↓ schiebt vor, abwärts scrollen oder ↑ zieht zurück.</translation>
+    </message>
+    <message>
+        <source>Building the cochlea; the insertion then starts…</source>
+        <translation>Die Cochlea wird berechnet; dann beginnt die Insertion …</translation>
+    </message>
+    <message>
+        <source>%1 mm withdrawn</source>
+        <translation>%1 mm zurückgezogen</translation>
+    </message>
+    <message>
+        <source>fully inserted</source>
+        <translation>vollständig eingeführt</translation>
+    </message>
+    <message>
+        <source>maximum of %1 recorded samples</source>
+        <translation>Maximum von %1 aufgezeichneten Abtastwerten</translation>
+    </message>
+    <message>
+        <source>Peak insertion force</source>
+        <translation>Maximale Insertionskraft</translation>
+    </message>
+    <message>
+        <source>%1 at %2 travel, insertion depth %3</source>
+        <translation>%1 bei %2 Vorschub, Insertionstiefe %3</translation>
+    </message>
+    <message>
+        <source>Maximum wall force</source>
+        <translation>Maximale Wandkraft</translation>
+    </message>
+    <message>
+        <source>normal to the wall, at one node; %1</source>
+        <translation>normal zur Wand, an einem Knoten; %1</translation>
+    </message>
+    <message>
+        <source>Maximum force on the cochlear partition</source>
+        <translation>Maximale Kraft auf die cochleäre Trennwand</translation>
+    </message>
+    <message>
+        <source>Insertion work</source>
+        <translation>Insertionsarbeit</translation>
+    </message>
+    <message>
+        <source>integral of force over displacement (trapezoidal rule)</source>
+        <translation>Integral der Kraft über den Vorschub (Trapezregel)</translation>
+    </message>
+    <message>
+        <source>Maximum insertion depth</source>
+        <translation>Maximale Insertionstiefe</translation>
+    </message>
+    <message>
+        <source>insertion depth; angular insertion depth of the tip</source>
+        <translation>Insertionstiefe; Insertionswinkel der Spitze</translation>
+    </message>
+    <message>
+        <source>from first motion, pauses included</source>
+        <translation>ab der ersten Bewegung, mit Pausen</translation>
+    </message>
+    <message>
+        <source>withdrawal of 0.1 mm or more</source>
+        <translation>Rückzug um mindestens 0,1 mm</translation>
+    </message>
+    <message>
+        <source>Basal-turn peak</source>
+        <translation>Maximum in der Basalwindung</translation>
+    </message>
+    <message>
+        <source>%1 at %2 travel</source>
+        <translation>%1 bei %2 Vorschub</translation>
+    </message>
+    <message>
+        <source>Samples not converged</source>
+        <translation>Nicht konvergierte Abtastwerte</translation>
+    </message>
+    <message>
+        <source>solver residual above tolerance</source>
+        <translation>Residuum des Lösers über der Toleranz</translation>
+    </message>
+    <message>
+        <source>Technique score</source>
+        <translation>Bewertung der Technik</translation>
+    </message>
+    <message>
+        <source>%1 of 100, the mean of four criteria. Rates technique only; it does not assess trauma.</source>
+        <translation>%1 von 100, Mittelwert aus vier Kriterien. Bewertet nur die Technik, nicht das Trauma.</translation>
+    </message>
+    <message>
+        <source>Simulation parameters</source>
+        <translation>Simulationsparameter</translation>
+    </message>
+    <message>
+        <source>Array values and their sources:</source>
+        <translation>Werte des Trägers und ihre Quellen:</translation>
+    </message>
+    <message>
+        <source>Forces are computed with a model, not measured in an ear.</source>
+        <translation>Die Kräfte sind mit einem Modell berechnet, nicht im Ohr gemessen.</translation>
+    </message>
+    <message>
+        <source>The array model is based on published data and is not manufacturer data.</source>
+        <translation>Das Modell des Trägers beruht auf veröffentlichten Daten und ist keine Herstellerangabe.</translation>
+    </message>
+    <message>
+        <source>No value in this report shows that an insertion is atraumatic: trauma thresholds vary between ears and are not known for the insertion force.</source>
+        <translation>Kein Wert in diesem Bericht belegt eine atraumatische Insertion: Traumaschwellen sind von Ohr zu Ohr verschieden und für die Insertionskraft nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Published values are shown as points; values between points were not reported.</source>
+        <translation>Veröffentlichte Werte sind als Punkte gezeigt; Werte dazwischen wurden nicht berichtet.</translation>
+    </message>
+    <message>
+        <source>%1 samples were lost during recording.</source>
+        <translation>%1 Abtastwerte gingen bei der Aufzeichnung verloren.</translation>
+    </message>
+    <message>
+        <source>Replay verified: %1 samples identical</source>
+        <translation>Wiedergabe geprüft: %1 Abtastwerte identisch</translation>
+    </message>
+    <message>
+        <source>differs from sample %1, in %2</source>
+        <translation>weicht ab Abtastwert %1 ab, in %2</translation>
+    </message>
+    <message>
+        <source>could not be verified</source>
+        <translation>konnte nicht geprüft werden</translation>
+    </message>
+    <message>
+        <source>Traceability</source>
+        <translation>Rückverfolgbarkeit</translation>
+    </message>
+    <message>
+        <source>hash of cochlea, array and physical parameters</source>
+        <translation>Prüfsumme von Cochlea, Träger und physikalischen Parametern</translation>
+    </message>
+    <message>
+        <source>Array file</source>
+        <translation>Datei des Trägers</translation>
+    </message>
+    <message>
+        <source>hash</source>
+        <translation>Prüfsumme</translation>
+    </message>
+    <message>
+        <source>Insertion report</source>
+        <translation>Insertionsbericht</translation>
+    </message>
+    <message>
+        <source>For research and training. Not a medical device; must not be used for patient care.</source>
+        <translation>Für Forschung und Training. Kein Medizinprodukt; darf nicht für die Patientenversorgung verwendet werden.</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Insertion force over travel</source>
+        <translation>Insertionskraft über Vorschub</translation>
+    </message>
+    <message>
+        <source>Array at maximum insertion depth</source>
+        <translation>Träger bei maximaler Insertionstiefe</translation>
+    </message>
+    <message>
+        <source>View along the modiolar axis, to scale; insertion depth %1 mm.</source>
+        <translation>Blick entlang der Modiolusachse, maßstäblich; Insertionstiefe %1 mm.</translation>
+    </message>
+    <message>
+        <source>insertion force, N</source>
+        <translation>Insertionskraft, N</translation>
+    </message>
+    <message>
+        <source>perception threshold %1 mN</source>
+        <translation>Wahrnehmungsschwelle %1 mN</translation>
+    </message>
+    <message>
+        <source>tip is outside the cochlea</source>
+        <translation>Spitze außerhalb der Cochlea</translation>
+    </message>
+    <message>
+        <source>no contact inserted yet</source>
+        <translation>noch kein Kontakt inseriert</translation>
+    </message>
+    <message>
+        <source>mean %1 mm, %2 inserted</source>
+        <translation>Mittel %1 mm, %2 inseriert</translation>
+    </message>
+    <message>
+        <source>contact force (arrow %1 mm = %2 mN)</source>
+        <translation>Kontaktkraft (Pfeil %1 mm = %2 mN)</translation>
+    </message>
+    <message>
+        <source>friction force (arrows enlarged %1×)</source>
+        <translation>Reibkraft (Pfeile %1-fach)</translation>
+    </message>
+    <message>
+        <source>published measurements, mean ± SD</source>
+        <translation>veröffentlichte Messungen, Mittelwert ± SD</translation>
+    </message>
+    <message>
+        <source>round trip %1 ms</source>
+        <translation>Umlaufzeit %1 ms</translation>
+    </message>
+    <message>
+        <source>round trip at most %1 ms</source>
+        <translation>Umlaufzeit höchstens %1 ms</translation>
+    </message>
+    <message>
+        <source>device disconnected</source>
+        <translation>Gerät getrennt</translation>
+    </message>
+    <message>
+        <source>device %1 reports/s, jitter %2 ms</source>
+        <translation>Gerät %1 Berichte/s, Jitter %2 ms</translation>
+    </message>
+    <message>
+        <source>below perception threshold (%1 mN)</source>
+        <translation>unter der Wahrnehmungsschwelle (%1 mN)</translation>
+    </message>
+    <message>
+        <source>perceptible (above %1 mN)</source>
+        <translation>wahrnehmbar (über %1 mN)</translation>
+    </message>
+    <message>
+        <source>perceptible; within reported clinical peak forces (%1–%2 mN)</source>
+        <translation>wahrnehmbar; im Bereich klinischer Spitzenkräfte (%1–%2 mN)</translation>
+    </message>
+    <message>
+        <source>above reported clinical peak forces (&gt; %1 mN)</source>
+        <translation>über den berichteten klinischen Spitzenkräften (&gt; %1 mN)</translation>
+    </message>
+    <message>
+        <source>cochlear partition %1 mN</source>
+        <translation>cochleäre Trennwand %1 mN</translation>
+    </message>
+    <message>
+        <source>138 cochleae (Pietsch et al. 2017, Sci Rep).</source>
+        <translation>138 Cochleae (Pietsch et al. 2017, Sci Rep).</translation>
+    </message>
+    <message>
+        <source>Mean %1 mm, n = 15 (Froehlich et al. 2024); cross-sections vary by 9–15 % (Avci et al. 2014).</source>
+        <translation>Mittelwert %1 mm, n = 15 (Froehlich et al. 2024); Querschnitte variieren um 9–15 % (Avci et al. 2014).</translation>
+    </message>
+    <message>
+        <source>Organ of Corti: 33.13 ± 2.11 mm, n = 9 (Stakhovskaya et al. 2007). The published model uses 35.58 mm.</source>
+        <translation>Corti-Organ: 33,13 ± 2,11 mm, n = 9 (Stakhovskaya et al. 2007). Das veröffentlichte Modell verwendet 35,58 mm.</translation>
+    </message>
+    <message>
+        <source>Definitions of H vary between publications; only limits are given.</source>
+        <translation>H ist in der Literatur unterschiedlich definiert; nur Grenzen sind angegeben.</translation>
+    </message>
+    <message>
+        <source>start or pause; hold the array (mouse and keyboard)</source>
+        <translation>starten oder anhalten; Träger halten (Maus und Tastatur)</translation>
+    </message>
+    <message>
+        <source>advance or withdraw the held array</source>
+        <translation>gehaltenen Träger vorschieben oder zurückziehen</translation>
+    </message>
+    <message>
+        <source>advance (up) or withdraw (down) the held array</source>
+        <translation>gehaltenen Träger vorschieben (aufwärts) oder zurückziehen (abwärts)</translation>
+    </message>
+    <message>
+        <source>reset: new insertion and recording</source>
+        <translation>zurücksetzen: neue Insertion und Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>undo or redo a setup change</source>
+        <translation>Änderung der Einstellungen rückgängig machen oder wiederholen</translation>
+    </message>
+    <message>
+        <source>withdraw the stylet</source>
+        <translation>Stilett zurückziehen</translation>
+    </message>
+    <message>
+        <source>surgeon’s view, through the opening, overview, basal-turn section</source>
+        <translation>Sicht des Operateurs, durch die Öffnung, Übersicht, Schnitt der Basalwindung</translation>
+    </message>
+    <message>
+        <source>rotate the model</source>
+        <translation>Modell drehen</translation>
+    </message>
+    <message>
+        <source>pan</source>
+        <translation>verschieben</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>vergrößern oder verkleinern</translation>
+    </message>
+    <message>
+        <source>rotate the model; pan</source>
+        <translation>Modell drehen; verschieben</translation>
+    </message>
+    <message>
+        <source>step by 1 ms; by 100 ms</source>
+        <translation>um 1 ms springen; um 100 ms</translation>
+    </message>
+    <message>
+        <source>go to start, to end</source>
+        <translation>zum Anfang, zum Ende</translation>
+    </message>
+    <message>
+        <source>cycle one, two or four views</source>
+        <translation>zwischen einer, zwei und vier Ansichten wechseln</translation>
+    </message>
+    <message>
+        <source>maximize a view; restore</source>
+        <translation>Ansicht maximieren; wiederherstellen</translation>
+    </message>
+    <message>
+        <source>start page</source>
+        <translation>Startseite</translation>
+    </message>
+    <message>
+        <source>devices: list and connection quality</source>
+        <translation>Geräte: Liste und Verbindungsqualität</translation>
+    </message>
+    <message>
+        <source>leave the field</source>
+        <translation>Feld verlassen</translation>
+    </message>
+    <message>
+        <source>full screen on or off</source>
+        <translation>Vollbild ein oder aus</translation>
+    </message>
+    <message>
+        <source>save a screenshot</source>
+        <translation>Bildschirmfoto speichern</translation>
+    </message>
+    <message>
+        <source>keyboard and mouse reference</source>
+        <translation>Tasten- und Mausübersicht</translation>
+    </message>
+    <message>
+        <source>close the open panel; release the array</source>
+        <translation>offenes Feld schließen; Träger loslassen</translation>
+    </message>
+    <message>
+        <source>next button or field</source>
+        <translation>nächste Schaltfläche oder nächstes Feld</translation>
+    </message>
+    <message>
+        <source>Screenshot saved: %1</source>
+        <translation>Bildschirmfoto gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>cochlear partition %1 mN (rupture reported at %2–%3 mN, unverified)</source>
+        <translation>cochleäre Trennwand %1 mN (Ruptur berichtet bei %2–%3 mN, ungeprüft)</translation>
+    </message>
+    <message>
+        <source>cochlear partition %1 mN: within or above reported rupture forces (%2–%3 mN, unverified)</source>
+        <translation>cochleäre Trennwand %1 mN: im Bereich berichteter Rupturkräfte (%2–%3 mN, ungeprüft) oder darüber</translation>
     </message>
 </context>
 <context>
     <name>perilymph::gui::Application</name>
     <message>
-        <source>The window could not do that: %1</source>
-        <translation>Das Fenster konnte das nicht: %1</translation>
+        <source>The action failed: %1</source>
+        <translation>Die Aktion ist fehlgeschlagen: %1</translation>
     </message>
     <message>
-        <source>The window could not do that, and does not know why.</source>
-        <translation>Das Fenster konnte das nicht und weiß nicht, warum.</translation>
+        <source>Something went wrong. See the log.</source>
+        <translation>Es ist ein Fehler aufgetreten. Siehe Protokoll.</translation>
     </message>
 </context>
 <context>
@@ -795,16 +795,8 @@
         <translation>Standard</translation>
     </message>
     <message>
-        <source>A stylet stays in until full depth.</source>
-        <translation>Ein Stilett bleibt bis zur vollen Tiefe drin.</translation>
-    </message>
-    <message>
         <source>Advance off stylet</source>
-        <translation>Vom Stilett schieben</translation>
-    </message>
-    <message>
-        <source>The stylet is held still at its depth and the array pushed off it.</source>
-        <translation>Das Stilett wird in seiner Tiefe gehalten und der Träger davon geschoben.</translation>
+        <translation>Advance-off-Stylet</translation>
     </message>
     <message>
         <source>technique: %1</source>
@@ -812,35 +804,19 @@
     </message>
     <message>
         <source>Speed</source>
-        <translation>Tempo</translation>
+        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>mm/s</source>
         <translation>mm/s</translation>
     </message>
     <message>
-        <source>Of the scripted hand.</source>
-        <translation>Der Hand des Skripts.</translation>
-    </message>
-    <message>
-        <source>Full depth at</source>
-        <translation>Volle Tiefe bei</translation>
-    </message>
-    <message>
         <source>mm</source>
         <translation>mm</translation>
     </message>
     <message>
-        <source>Travel at which the insertion is complete.</source>
-        <translation>Weg, bei dem die Einführung vollendet ist.</translation>
-    </message>
-    <message>
         <source>speed %1 mm/s</source>
-        <translation>Tempo %1 mm/s</translation>
-    </message>
-    <message>
-        <source>full depth at %1 mm</source>
-        <translation>volle Tiefe bei %1 mm</translation>
+        <translation>Geschwindigkeit %1 mm/s</translation>
     </message>
     <message>
         <source>Friction</source>
@@ -851,10 +827,6 @@
         <translation>Reibung: %1</translation>
     </message>
     <message>
-        <source>Coefficients of dry friction between array and wall: starting, dynamic.</source>
-        <translation>Beiwerte trockener Reibung zwischen Träger und Wand: Haften, Gleiten.</translation>
-    </message>
-    <message>
         <source>Opening</source>
         <translation>Öffnung</translation>
     </message>
@@ -863,24 +835,8 @@
         <translation>Cochleostomie</translation>
     </message>
     <message>
-        <source>A drilled round opening; ribs meet its edge.</source>
-        <translation>Eine gebohrte runde Öffnung; Rippen treffen auf ihren Rand.</translation>
-    </message>
-    <message>
         <source>Round window</source>
         <translation>Rundes Fenster</translation>
-    </message>
-    <message>
-        <source>1.37 by 1.91 mm, the mean of 20 (Benha Med J 2018;35:246).</source>
-        <translation>1,37 mal 1,91 mm, das Mittel von 20 (Benha Med J 2018;35:246).</translation>
-    </message>
-    <message>
-        <source>No rim</source>
-        <translation>Kein Rand</translation>
-    </message>
-    <message>
-        <source>Nothing but the wall.</source>
-        <translation>Nichts als die Wand.</translation>
     </message>
     <message>
         <source>opening: %1</source>
@@ -895,18 +851,6 @@
         <translation>Elastischer Stab</translation>
     </message>
     <message>
-        <source>The array as an elastic rod of nodes.</source>
-        <translation>Der Träger als elastischer Stab aus Knoten.</translation>
-    </message>
-    <message>
-        <source>Point set</source>
-        <translation>Punkte</translation>
-    </message>
-    <message>
-        <source>The published model: a few spheres on springs, limits and all.</source>
-        <translation>Das veröffentlichte Modell: einige Kugeln an Federn, mit allen Grenzen.</translation>
-    </message>
-    <message>
         <source>model: %1</source>
         <translation>Modell: %1</translation>
     </message>
@@ -915,67 +859,123 @@
         <translation>Knoten</translation>
     </message>
     <message>
-        <source>Of the rod, or points of the set.</source>
-        <translation>Des Stabs, oder Punkte.</translation>
-    </message>
-    <message>
         <source>%1 nodes</source>
         <translation>%1 Knoten</translation>
     </message>
     <message>
         <source>calibrated</source>
-        <translation>abgeglichen</translation>
-    </message>
-    <message>
-        <source>Stiffness and curvature fitted to printed forces: %1.</source>
-        <translation>Steifigkeit und Krümmung an gedruckte Kräfte angepasst: %1.</translation>
-    </message>
-    <message>
-        <source>no depth is known to hold the stylet at</source>
-        <translation>keine Tiefe bekannt, das Stilett zu halten</translation>
+        <translation>kalibriert</translation>
     </message>
     <message>
         <source>this array has no stylet</source>
         <translation>dieser Träger hat kein Stilett</translation>
     </message>
     <message>
-        <source>starting %1 · dynamic %2</source>
-        <translation>Haften %1 · Gleiten %2</translation>
+        <source>The stylet stays in place until full depth.</source>
+        <translation>Das Stilett bleibt bis zur vollen Tiefe im Träger.</translation>
     </message>
     <message>
-        <source>Full depth</source>
-        <translation>Volle Tiefe</translation>
+        <source>The stylet is held at a fixed depth and the array is advanced off it.</source>
+        <translation>Das Stilett wird in fester Tiefe gehalten und der Träger von ihm abgeschoben.</translation>
     </message>
     <message>
-        <source>%1 %2. Correct it, or press Esc in its field.</source>
-        <translation>%1 %2. Berichtigen, oder Esc im Feld drücken.</translation>
+        <source>Insertion speed of the scripted insertion.</source>
+        <translation>Geschwindigkeit der automatischen Insertion.</translation>
     </message>
     <message>
-        <source>%1 to %2 by speed</source>
-        <translation>%1 bis %2, je Tempo</translation>
+        <source>Stop at</source>
+        <translation>Stopp bei</translation>
+    </message>
+    <message>
+        <source>Travel at which the insertion stops.</source>
+        <translation>Vorschub, bei dem die Insertion endet.</translation>
+    </message>
+    <message>
+        <source>stop at %1 mm</source>
+        <translation>Stopp bei %1 mm</translation>
+    </message>
+    <message>
+        <source>Coulomb friction between array and wall: static and kinetic coefficient.</source>
+        <translation>Coulomb-Reibung zwischen Träger und Wand: Haft- und Gleitreibungszahl.</translation>
+    </message>
+    <message>
+        <source>A drilled round opening; marker ribs contact its edge.</source>
+        <translation>Eine gebohrte runde Öffnung; Markierungsringe berühren ihren Rand.</translation>
+    </message>
+    <message>
+        <source>1.37 × 1.91 mm, mean, n = 20 (Benha Med J 2018;35:246).</source>
+        <translation>1,37 × 1,91 mm, Mittelwert, n = 20 (Benha Med J 2018;35:246).</translation>
+    </message>
+    <message>
+        <source>Wide opening (no edge contact)</source>
+        <translation>Weite Öffnung (kein Randkontakt)</translation>
+    </message>
+    <message>
+        <source>The array contacts the scala wall only.</source>
+        <translation>Der Träger berührt nur die Skalenwand.</translation>
+    </message>
+    <message>
+        <source>The array is an elastic rod discretized into nodes.</source>
+        <translation>Der Träger ist ein elastischer Stab aus diskreten Knoten.</translation>
+    </message>
+    <message>
+        <source>Point set (published)</source>
+        <translation>Punktmodell (veröffentlicht)</translation>
+    </message>
+    <message>
+        <source>The published model: sample points coupled by springs, with its known limits.</source>
+        <translation>Das veröffentlichte Modell: Stützpunkte an Federn, mit den bekannten Grenzen.</translation>
+    </message>
+    <message>
+        <source>Number of nodes of the rod, or of sample points.</source>
+        <translation>Anzahl der Stabknoten oder Stützpunkte.</translation>
+    </message>
+    <message>
+        <source>Stiffness and curvature were fitted to published forces: %1.</source>
+        <translation>Steifigkeit und Krümmung sind an veröffentlichte Kräfte angepasst: %1.</translation>
+    </message>
+    <message>
+        <source>no stylet depth is known for this array</source>
+        <translation>für diesen Träger ist keine Stiletttiefe bekannt</translation>
+    </message>
+    <message>
+        <source>static %1 · kinetic %2</source>
+        <translation>Haft- %1 · Gleitreibung %2</translation>
+    </message>
+    <message>
+        <source>%1–%2, speed-dependent</source>
+        <translation>%1–%2, geschwindigkeitsabhängig</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>%1 %2. Enter a valid value or press Esc.</source>
+        <translation>%1 %2. Gültigen Wert eingeben oder Esc drücken.</translation>
     </message>
 </context>
 <context>
     <name>perilymph::gui::BoardView</name>
     <message>
-        <source>Today’s gentlest</source>
-        <translation>Heute am sanftesten</translation>
-    </message>
-    <message>
-        <source>lowest peak force at full depth</source>
-        <translation>kleinste Spitzenkraft bei voller Tiefe</translation>
-    </message>
-    <message>
-        <source>Nobody has been to full depth yet. Be the first.</source>
-        <translation>Noch war niemand bei voller Tiefe. Seien Sie die Ersten.</translation>
-    </message>
-    <message>
         <source>%1 mN</source>
         <translation>%1 mN</translation>
     </message>
     <message>
-        <source>you, just now</source>
-        <translation>Sie, gerade eben</translation>
+        <source>Lowest peak forces today</source>
+        <translation>Niedrigste Spitzenkräfte heute</translation>
+    </message>
+    <message>
+        <source>peak insertion force at full depth</source>
+        <translation>Spitzenkraft bei voller Tiefe</translation>
+    </message>
+    <message>
+        <source>No insertion has reached full depth yet. Be the first.</source>
+        <translation>Noch keine Insertion hat die volle Tiefe erreicht.</translation>
+    </message>
+    <message>
+        <source>you</source>
+        <translation>Sie</translation>
     </message>
 </context>
 <context>
@@ -990,19 +990,11 @@
     </message>
     <message>
         <source>Reset</source>
-        <translation>Neu</translation>
+        <translation>Zurücksetzen</translation>
     </message>
     <message>
         <source>Start or pause the insertion (Space)</source>
-        <translation>Einführung starten oder anhalten (Leertaste)</translation>
-    </message>
-    <message>
-        <source>Pull the array out again (Backspace)</source>
-        <translation>Den Träger wieder herausziehen (Rücktaste)</translation>
-    </message>
-    <message>
-        <source>Start over with a new recording (Ctrl+R)</source>
-        <translation>Neu beginnen, mit eigener Aufzeichnung (Strg+R)</translation>
+        <translation>Insertion starten oder anhalten (Leertaste)</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -1013,8 +1005,16 @@
         <translation>%1 s</translation>
     </message>
     <message>
-        <source>The cochlea is being built; then the insertion can start.</source>
-        <translation>Die Cochlea wird gebaut; danach kann die Einführung beginnen.</translation>
+        <source>Withdraw the array (Backspace)</source>
+        <translation>Träger zurückziehen (Rücktaste)</translation>
+    </message>
+    <message>
+        <source>New insertion and recording (Ctrl+R)</source>
+        <translation>Neue Insertion und Aufzeichnung (Strg+R)</translation>
+    </message>
+    <message>
+        <source>The cochlea is being built; the insertion can start afterwards.</source>
+        <translation>Die Cochlea wird berechnet; danach kann die Insertion beginnen.</translation>
     </message>
 </context>
 <context>
@@ -1024,67 +1024,31 @@
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Go back to the cochlea and the array that are shown (Esc)</source>
-        <translation>Zurück zur Cochlea und zum Träger, die zu sehen sind (Esc)</translation>
+        <source>Building the cochlea… %1 s</source>
+        <translation>Die Cochlea wird berechnet … %1 s</translation>
     </message>
     <message>
-        <source>Building the cochlea… %1 s</source>
-        <translation>Die Cochlea wird gebaut … %1 s</translation>
+        <source>Keep the cochlea and array shown (Esc)</source>
+        <translation>Gezeigte Cochlea und gezeigten Träger behalten (Esc)</translation>
     </message>
 </context>
 <context>
     <name>perilymph::gui::ComparePage</name>
     <message>
-        <source>Insertions side by side</source>
-        <translation>Einführungen nebeneinander</translation>
-    </message>
-    <message>
-        <source>Choose two or more on the page Sessions and press Compare: their forces over travel stand here on common axes, with the printed forces of the published experiment.</source>
-        <translation>Wählen Sie auf der Seite Sitzungen zwei oder mehr und drücken Sie Vergleichen: Hier stehen dann ihre Kräfte über dem Weg auf gemeinsamen Achsen, mit den gedruckten Kräften des veröffentlichten Versuchs.</translation>
-    </message>
-    <message>
         <source>Export…</source>
-        <translation>Ausgeben …</translation>
-    </message>
-    <message>
-        <source>Table and curves as CSV, the figure as SVG and PNG, into a folder.</source>
-        <translation>Tabelle und Kurven als CSV, das Bild als SVG und PNG, in einen Ordner.</translation>
-    </message>
-    <message>
-        <source>○  published experiment, printed values ± SD</source>
-        <translation>○  veröffentlichter Versuch, gedruckte Werte ± SD</translation>
-    </message>
-    <message>
-        <source>Force over travel</source>
-        <translation>Kraft über Weg</translation>
-    </message>
-    <message>
-        <source>The insertions in numbers</source>
-        <translation>Die Einführungen in Zahlen</translation>
+        <translation>Exportieren …</translation>
     </message>
     <message>
         <source>Insertion</source>
-        <translation>Einführung</translation>
-    </message>
-    <message>
-        <source>At the cursor</source>
-        <translation>Am Zeiger</translation>
+        <translation>Insertion</translation>
     </message>
     <message>
         <source>Peak force</source>
         <translation>Spitzenkraft</translation>
     </message>
     <message>
-        <source>at depth</source>
-        <translation>bei Tiefe</translation>
-    </message>
-    <message>
-        <source>Work of the hand</source>
-        <translation>Arbeit der Hand</translation>
-    </message>
-    <message>
         <source>Reversals</source>
-        <translation>Umkehrungen</translation>
+        <translation>Richtungswechsel</translation>
     </message>
     <message>
         <source>Time</source>
@@ -1092,11 +1056,11 @@
     </message>
     <message>
         <source>Final angle</source>
-        <translation>Winkel am Ende</translation>
+        <translation>Insertionswinkel am Ende</translation>
     </message>
     <message>
         <source>Score</source>
-        <translation>Wertung</translation>
+        <translation>Bewertung</translation>
     </message>
     <message numerus="yes">
         <source>Reading %n recording(s)…</source>
@@ -1104,22 +1068,6 @@
             <numerusform>Eine Aufzeichnung wird gelesen …</numerusform>
             <numerusform>%n Aufzeichnungen werden gelesen …</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Esc ends it.</source>
-        <translation>Esc beendet es.</translation>
-    </message>
-    <message>
-        <source>They cannot be compared</source>
-        <translation>Sie lassen sich nicht vergleichen</translation>
-    </message>
-    <message>
-        <source>Stopped</source>
-        <translation>Angehalten</translation>
-    </message>
-    <message>
-        <source>Choose two or more on the page Sessions and press Compare.</source>
-        <translation>Wählen Sie auf der Seite Sitzungen zwei oder mehr und drücken Sie Vergleichen.</translation>
     </message>
     <message>
         <source>%1 mN</source>
@@ -1158,39 +1106,91 @@
         <translation>Bei %1 mm</translation>
     </message>
     <message>
-        <source>Score of %1. How it was done, not what it did to the ear: it knows no trauma.</source>
-        <translation>Wertung von %1. Wie es getan wurde, nicht was es im Ohr tat: Sie weiß nichts von Verletzung.</translation>
+        <source>Compare insertions</source>
+        <translation>Insertionen vergleichen</translation>
     </message>
     <message>
-        <source>%1 %2 %: %3. Band: %4. Source: %5.</source>
-        <translation>%1 %2 %: %3. Band: %4. Quelle: %5.</translation>
+        <source>Select two or more recordings on the Sessions page and press Compare to plot their insertion forces on common axes, with the published measurements.</source>
+        <translation>Auf der Seite Sitzungen zwei oder mehr Aufzeichnungen wählen und „Vergleichen“ drücken: Ihre Insertionskräfte erscheinen auf gemeinsamen Achsen, mit den veröffentlichten Messungen.</translation>
     </message>
     <message>
-        <source>Folder for table, curves and figure</source>
-        <translation>Ordner für Tabelle, Kurven und Bild</translation>
+        <source>Export table and curves as CSV and the figure as SVG and PNG.</source>
+        <translation>Tabelle und Kurven als CSV, die Abbildung als SVG und PNG exportieren.</translation>
     </message>
     <message>
-        <source>Four files are in %1.</source>
-        <translation>Vier Dateien liegen in %1.</translation>
+        <source>○  published measurements, mean ± SD</source>
+        <translation>○  veröffentlichte Messungen, Mittelwert ± SD</translation>
+    </message>
+    <message>
+        <source>Insertion force over travel</source>
+        <translation>Insertionskraft über Vorschub</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>At cursor</source>
+        <translation>Am Cursor</translation>
+    </message>
+    <message>
+        <source>at insertion depth</source>
+        <translation>bei Insertionstiefe</translation>
+    </message>
+    <message>
+        <source>Insertion work</source>
+        <translation>Insertionsarbeit</translation>
+    </message>
+    <message>
+        <source>Esc cancels.</source>
+        <translation>Esc bricht ab.</translation>
+    </message>
+    <message>
+        <source>Recordings cannot be compared</source>
+        <translation>Aufzeichnungen nicht vergleichbar</translation>
+    </message>
+    <message>
+        <source>Canceled</source>
+        <translation>Abgebrochen</translation>
+    </message>
+    <message>
+        <source>Select two or more recordings on the Sessions page and press Compare.</source>
+        <translation>Auf der Seite Sitzungen zwei oder mehr Aufzeichnungen wählen und „Vergleichen“ drücken.</translation>
+    </message>
+    <message>
+        <source>Score of %1. Rates technique only; it does not assess trauma.</source>
+        <translation>Bewertung von %1. Bewertet nur die Technik, nicht das Trauma.</translation>
+    </message>
+    <message>
+        <source>%1: %2 % (%3). Criterion: %4. Source: %5.</source>
+        <translation>%1: %2 % (%3). Kriterium: %4. Quelle: %5.</translation>
+    </message>
+    <message>
+        <source>Export to folder</source>
+        <translation>In Ordner exportieren</translation>
+    </message>
+    <message>
+        <source>4 files saved to %1.</source>
+        <translation>4 Dateien gespeichert in %1.</translation>
     </message>
 </context>
 <context>
     <name>perilymph::gui::ComparisonPlot</name>
     <message>
-        <source>Axial force over travel</source>
-        <translation>Axialkraft über Weg</translation>
-    </message>
-    <message>
-        <source>travel of the tip from its start, mm</source>
-        <translation>Weg der Spitze ab Beginn, mm</translation>
-    </message>
-    <message>
-        <source>axial force on the hand, N</source>
-        <translation>Axialkraft an der Hand, N</translation>
-    </message>
-    <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Insertion force over travel</source>
+        <translation>Insertionskraft über Vorschub</translation>
+    </message>
+    <message>
+        <source>travel, mm</source>
+        <translation>Vorschub, mm</translation>
+    </message>
+    <message>
+        <source>insertion force, N</source>
+        <translation>Insertionskraft, N</translation>
     </message>
 </context>
 <context>
@@ -1204,111 +1204,103 @@
         <translation>keine Kraft</translation>
     </message>
     <message>
-        <source>%1 · %2 · a report every %3 ms</source>
-        <translation>%1 · %2 · ein Bericht alle %3 ms</translation>
-    </message>
-    <message>
         <source>Devices</source>
         <translation>Geräte</translation>
-    </message>
-    <message>
-        <source>Look again</source>
-        <translation>Neu suchen</translation>
     </message>
     <message>
         <source>Close (H)</source>
         <translation>Schließen (H)</translation>
     </message>
     <message>
-        <source>No HID device is plugged in.</source>
-        <translation>Kein HID-Gerät ist angeschlossen.</translation>
-    </message>
-    <message>
-        <source>Hands that need no hardware: the script, and mouse and keyboard.</source>
-        <translation>Hände ohne Gerät: das Skript sowie Maus und Tastatur.</translation>
-    </message>
-    <message>
-        <source>Use as hand</source>
-        <translation>Als Hand nehmen</translation>
-    </message>
-    <message>
         <source>%1 · %2 · %3</source>
         <translation>%1 · %2 · %3</translation>
     </message>
     <message>
-        <source>The hand: %1</source>
-        <translation>Die Hand: %1</translation>
+        <source>%1 · %2 · report interval %3 ms</source>
+        <translation>%1 · %2 · Berichtsabstand %3 ms</translation>
     </message>
     <message>
-        <source>Loop: %1 ticks a second, %2 late, %3 overruns, 99 % below %4 ms.</source>
-        <translation>Schleife: %1 Takte je Sekunde, %2 verspätet, %3 zu lang, 99 % unter %4 ms.</translation>
+        <source>Refresh</source>
+        <translation>Aktualisieren</translation>
     </message>
     <message>
-        <source>Reports: %1 a second; median %2 ms apart, 99 % below %3 ms, longest %4 ms.</source>
-        <translation>Berichte: %1 je Sekunde; Median %2 ms Abstand, 99 % unter %3 ms, längster %4 ms.</translation>
+        <source>No HID device is connected.</source>
+        <translation>Kein HID-Gerät angeschlossen.</translation>
     </message>
     <message>
-        <source>%1 lost, %2 repeated, %3 old, %4 not understood.</source>
-        <translation>%1 verloren, %2 wiederholt, %3 veraltet, %4 nicht verstanden.</translation>
+        <source>Available without hardware: scripted insertion, and mouse and keyboard.</source>
+        <translation>Ohne Gerät verfügbar: automatische Insertion sowie Maus und Tastatur.</translation>
     </message>
     <message>
-        <source>It needs no hardware and feels no force.</source>
-        <translation>Sie braucht kein Gerät und fühlt keine Kraft.</translation>
+        <source>Use as input</source>
+        <translation>Als Eingabe verwenden</translation>
     </message>
     <message>
-        <source>A force is taken in %1 ms, 99 % below %2 ms; %3.</source>
-        <translation>Eine Kraft wird in %1 ms abgenommen, 99 % unter %2 ms; %3.</translation>
+        <source>Input: %1</source>
+        <translation>Eingabe: %1</translation>
+    </message>
+    <message>
+        <source>Loop: %1 samples/s, %2 late, %3 overruns, 99 % below %4 ms.</source>
+        <translation>Schleife: %1 Abtastwerte/s, %2 verspätet, %3 Überläufe, 99 % unter %4 ms.</translation>
+    </message>
+    <message>
+        <source>Reports: %1/s; interval median %2 ms, 99 % below %3 ms, maximum %4 ms.</source>
+        <translation>Berichte: %1/s; Abstand im Median %2 ms, 99 % unter %3 ms, maximal %4 ms.</translation>
+    </message>
+    <message>
+        <source>%1 lost, %2 repeated, %3 outdated, %4 invalid.</source>
+        <translation>%1 verloren, %2 wiederholt, %3 veraltet, %4 ungültig.</translation>
+    </message>
+    <message>
+        <source>Force output takes %1 ms, 99 % below %2 ms; %3.</source>
+        <translation>Kraftausgabe in %1 ms, 99 % unter %2 ms; %3.</translation>
+    </message>
+    <message>
+        <source>No hardware needed; no force feedback.</source>
+        <translation>Ohne Gerät; keine Kraftrückkopplung.</translation>
     </message>
 </context>
 <context>
     <name>perilymph::gui::FlatViews</name>
     <message>
         <source>Unrolled scala tympani</source>
-        <translation>Abgerollte Scala tympani</translation>
+        <translation>Abgewickelte Scala tympani</translation>
     </message>
     <message>
         <source>angle from round window; width, mm</source>
         <translation>Winkel ab rundem Fenster; Breite, mm</translation>
     </message>
     <message>
-        <source>The scala seen along the modiolus and rolled out. Bars: normal force of the wall on each millimeter of array; rings: forces of floor and roof.</source>
-        <translation>Die Skala entlang des Modiolus gesehen und abgerollt. Balken: Normalkraft der Wand je Millimeter Träger; Ringe: Kräfte von Boden und Dach.</translation>
-    </message>
-    <message>
         <source>Section at the tip</source>
         <translation>Schnitt an der Spitze</translation>
-    </message>
-    <message>
-        <source>The half-plane through the modiolar axis at the tip, to scale; its angle counts from the round window. The arrow is the wall’s normal force on the last millimeter of array. Where the wall yields, the array reaches past its line.</source>
-        <translation>Die Halbebene durch die Modiolusachse an der Spitze, maßstäblich; ihr Winkel zählt ab dem runden Fenster. Der Pfeil ist die Normalkraft der Wand auf den letzten Millimeter Träger. Wo die Wand nachgibt, reicht der Träger über ihre Linie.</translation>
     </message>
     <message>
         <source>Contacts</source>
         <translation>Kontakte</translation>
     </message>
     <message>
-        <source>to modiolus, mm</source>
-        <translation>zum Modiolus, mm</translation>
-    </message>
-    <message>
-        <source>From the center line of the array at each contact, 1 at the tip, to the inner wall on the way to the modiolar axis.</source>
-        <translation>Von der Mittellinie des Trägers an jedem Kontakt, 1 an der Spitze, zur Innenwand auf dem Weg zur Modiolusachse.</translation>
-    </message>
-    <message>
         <source>at %1°</source>
         <translation>bei %1°</translation>
+    </message>
+    <message>
+        <source>The scala tympani seen along the modiolar axis and unrolled. Bars: normal wall force per millimeter of array; rings: forces from floor and roof.</source>
+        <translation>Die Scala tympani entlang der Modiolusachse gesehen und abgewickelt. Balken: normale Wandkraft je Millimeter Träger; Ringe: Kräfte von Boden und Dach.</translation>
+    </message>
+    <message>
+        <source>Half-plane through the modiolar axis at the tip, to scale; the angle is measured from the round window. The arrow shows the normal wall force on the last millimeter of array. Where the wall is compliant, the array extends past its outline.</source>
+        <translation>Halbebene durch die Modiolusachse an der Spitze, maßstäblich; der Winkel zählt ab dem runden Fenster. Der Pfeil zeigt die normale Wandkraft auf den letzten Millimeter des Trägers. Wo die Wand nachgibt, ragt der Träger über ihre Kontur.</translation>
+    </message>
+    <message>
+        <source>distance to modiolus, mm</source>
+        <translation>Abstand zum Modiolus, mm</translation>
+    </message>
+    <message>
+        <source>Distance from the center line of the array at each contact (1 at the tip) to the inner wall, toward the modiolar axis.</source>
+        <translation>Abstand der Mittellinie des Trägers an jedem Kontakt (1 an der Spitze) zur Innenwand in Richtung Modiolusachse.</translation>
     </message>
 </context>
 <context>
     <name>perilymph::gui::ForceCharts</name>
-    <message>
-        <source>Force over travel</source>
-        <translation>Kraft über Weg</translation>
-    </message>
-    <message>
-        <source>axial, N</source>
-        <translation>axial, N</translation>
-    </message>
     <message>
         <source>Force components</source>
         <translation>Kraftkomponenten</translation>
@@ -1317,31 +1309,39 @@
         <source>last 5 s, mN</source>
         <translation>letzte 5 s, mN</translation>
     </message>
+    <message>
+        <source>Insertion force over travel</source>
+        <translation>Insertionskraft über Vorschub</translation>
+    </message>
+    <message>
+        <source>insertion force, N</source>
+        <translation>Insertionskraft, N</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::ForceLabel</name>
     <message>
-        <source>Felt: median of ten otologic surgeons, %1 mN (Kratchman 2016, Audiol Neurotol 21:244).</source>
-        <translation>Fühlbar: Median von zehn Ohrchirurgen, %1 mN (Kratchman 2016, Audiol Neurotol 21:244).</translation>
+        <source>Perception threshold: median of ten otologic surgeons, %1 mN (Kratchman et al. 2016, Audiol Neurotol 21:244).</source>
+        <translation>Wahrnehmungsschwelle: Median von zehn Ohrchirurgen, %1 mN (Kratchman et al. 2016, Audiol Neurotol 21:244).</translation>
     </message>
     <message>
-        <source>The force on the partition is the sum of what the whole array presses normal to it; a rupture was measured under one point. No force is known to do no harm: trauma may occur below these forces (Mirsalehi 2017).</source>
-        <translation>Die Kraft auf die Trennwand ist die Summe dessen, was der ganze Träger normal auf sie drückt; ein Riss wurde unter einem Punkt gemessen. Von keiner Kraft ist bekannt, dass sie nicht schadet: Verletzungen kommen auch unter diesen Kräften vor (Mirsalehi 2017).</translation>
+        <source>The partition force is the sum of the normal forces of the whole array on the cochlear partition; rupture was measured under a point load. No force is known to be safe: trauma may occur below these forces (Mirsalehi et al. 2017).</source>
+        <translation>Die Trennwandkraft ist die Summe der Normalkräfte des ganzen Trägers auf die cochleäre Trennwand; die Ruptur wurde unter Punktlast gemessen. Keine Kraft gilt als sicher: Trauma kann auch unter diesen Kräften auftreten (Mirsalehi et al. 2017).</translation>
     </message>
 </context>
 <context>
     <name>perilymph::gui::ForceSound</name>
     <message>
-        <source>no sound output was found</source>
-        <translation>keine Tonausgabe gefunden</translation>
+        <source>no audio device</source>
+        <translation>kein Audiogerät</translation>
     </message>
     <message>
-        <source>the sound output does not take 16 bit at 44.1 kHz</source>
-        <translation>die Tonausgabe nimmt keine 16 Bit bei 44,1 kHz</translation>
+        <source>audio device does not support 16 bit at 44.1 kHz</source>
+        <translation>Audiogerät unterstützt 16 Bit bei 44,1 kHz nicht</translation>
     </message>
     <message>
-        <source>this build was made without sound</source>
-        <translation>ohne Ton gebaut</translation>
+        <source>built without audio support</source>
+        <translation>ohne Audiounterstützung gebaut</translation>
     </message>
 </context>
 <context>
@@ -1363,19 +1363,15 @@
         <translation>Schließen (Esc)</translation>
     </message>
     <message>
-        <source>The guide is not installed. It stands in the folder resources/guide of the source.</source>
-        <translation>Das Handbuch ist nicht installiert. Es steht im Ordner resources/guide der Quellen.</translation>
+        <source>The user guide is not installed. It is in the folder resources/guide of the source.</source>
+        <translation>Das Handbuch ist nicht installiert. Es liegt im Ordner resources/guide der Quellen.</translation>
     </message>
 </context>
 <context>
     <name>perilymph::gui::HandSection</name>
     <message>
-        <source>Hand</source>
-        <translation>Hand</translation>
-    </message>
-    <message>
         <source>Scripted insertion</source>
-        <translation>Nach Skript</translation>
+        <translation>Automatische Insertion</translation>
     </message>
     <message>
         <source>Mouse and keyboard</source>
@@ -1390,70 +1386,70 @@
         <translation>Träger halten (Leertaste)</translation>
     </message>
     <message>
-        <source>Pull stylet (S)</source>
-        <translation>Stilett ziehen (S)</translation>
-    </message>
-    <message>
-        <source>Force shown</source>
-        <translation>Kraft gezeigt</translation>
-    </message>
-    <message>
-        <source>times</source>
-        <translation>mal</translation>
-    </message>
-    <message>
-        <source>Force at the hand’s device over the physical force. Script and mouse feel none.</source>
-        <translation>Kraft am Gerät über der physikalischen Kraft. Skript und Maus fühlen keine.</translation>
-    </message>
-    <message>
-        <source>Constant speed in, constant speed out.</source>
-        <translation>Mit festem Tempo hinein und heraus.</translation>
-    </message>
-    <message>
-        <source>The wheel or the up and down keys move the array while it is held.</source>
-        <translation>Rad oder Auf und Ab bewegen den Träger, solange er gehalten wird.</translation>
-    </message>
-    <message>
-        <source>Which devices there are, and which one may be the hand (H).</source>
-        <translation>Welche Geräte es gibt und welches die Hand sein kann (H).</translation>
-    </message>
-    <message>
-        <source>force shown %1 times</source>
-        <translation>Kraft %1-mal gezeigt</translation>
-    </message>
-    <message>
-        <source>The array follows the wheel only while this is pressed or Space is down.</source>
-        <translation>Der Träger folgt dem Rad nur, solange dies oder die Leertaste gedrückt ist.</translation>
-    </message>
-    <message>
         <source>Stylet</source>
         <translation>Stilett</translation>
-    </message>
-    <message>
-        <source>Force shown %1. Correct it, or press Esc in its field.</source>
-        <translation>Kraft gezeigt %1. Berichtigen, oder Esc im Feld drücken.</translation>
     </message>
     <message>
         <source>Array held</source>
         <translation>Träger gehalten</translation>
     </message>
+    <message>
+        <source>Input</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Withdraw stylet (S)</source>
+        <translation>Stilett zurückziehen (S)</translation>
+    </message>
+    <message>
+        <source>Force feedback gain</source>
+        <translation>Kraftverstärkung</translation>
+    </message>
+    <message>
+        <source>×</source>
+        <translation>×</translation>
+    </message>
+    <message>
+        <source>Ratio of the rendered to the physical force. Without a haptic device there is no force feedback.</source>
+        <translation>Verhältnis der dargestellten zur physikalischen Kraft. Ohne haptisches Gerät gibt es keine Kraftrückkopplung.</translation>
+    </message>
+    <message>
+        <source>Inserts and withdraws at constant speed.</source>
+        <translation>Führt mit konstanter Geschwindigkeit ein und zurück.</translation>
+    </message>
+    <message>
+        <source>The mouse wheel or the ↑ and ↓ keys move the array while it is held.</source>
+        <translation>Mausrad oder die Tasten ↑ und ↓ bewegen den Träger, solange er gehalten wird.</translation>
+    </message>
+    <message>
+        <source>List of connected devices and choice of the input device (H).</source>
+        <translation>Liste der angeschlossenen Geräte und Wahl des Eingabegeräts (H).</translation>
+    </message>
+    <message>
+        <source>force feedback gain %1 ×</source>
+        <translation>Kraftverstärkung %1 ×</translation>
+    </message>
+    <message>
+        <source>The array moves only while this button or Space is held.</source>
+        <translation>Der Träger bewegt sich nur, solange diese Schaltfläche oder die Leertaste gehalten wird.</translation>
+    </message>
+    <message>
+        <source>Force feedback gain %1. Enter a valid value or press Esc.</source>
+        <translation>Kraftverstärkung %1. Gültigen Wert eingeben oder Esc drücken.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::InsertionViews</name>
     <message>
-        <source>not on this display</source>
-        <translation>nicht auf diesem Bildschirm</translation>
+        <source>not supported by this display</source>
+        <translation>von dieser Anzeige nicht unterstützt</translation>
     </message>
 </context>
 <context>
     <name>perilymph::gui::KeyList</name>
     <message>
         <source>Insertion</source>
-        <translation>Einführung</translation>
-    </message>
-    <message>
-        <source>Picture</source>
-        <translation>Bild</translation>
+        <translation>Insertion</translation>
     </message>
     <message>
         <source>Window</source>
@@ -1461,34 +1457,26 @@
     </message>
     <message>
         <source>Replay</source>
-        <translation>Abspielen</translation>
+        <translation>Wiedergabe</translation>
     </message>
     <message>
         <source>User guide</source>
         <translation>Handbuch</translation>
     </message>
     <message>
-        <source>Three walks through the workstation, step by step (Shift+F1)</source>
-        <translation>Drei Rundgänge durch den Arbeitsplatz, Schritt für Schritt (Umschalt+F1)</translation>
+        <source>Three tutorials, step by step (Shift+F1)</source>
+        <translation>Drei Anleitungen, Schritt für Schritt (Umschalt+F1)</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
     </message>
 </context>
 <context>
     <name>perilymph::gui::KioskScreen</name>
     <message>
-        <source>A simulation for research and training; not a medical device.</source>
-        <translation>Eine Simulation für Forschung und Übung; kein Medizinprodukt.</translation>
-    </message>
-    <message>
         <source>Touch anywhere to try it yourself</source>
         <translation>Berühren und selbst versuchen</translation>
-    </message>
-    <message>
-        <source>Hold to pull back</source>
-        <translation>Halten: zurück</translation>
-    </message>
-    <message>
-        <source>Use the handle</source>
-        <translation>Mit dem Griff</translation>
     </message>
     <message>
         <source>Start over</source>
@@ -1504,54 +1492,30 @@
     </message>
     <message>
         <source>Use the screen</source>
-        <translation>Am Bildschirm</translation>
+        <translation>Bildschirm verwenden</translation>
+    </message>
+    <message>
+        <source>Simulation for research and training. Not a medical device.</source>
+        <translation>Simulation für Forschung und Training. Kein Medizinprodukt.</translation>
+    </message>
+    <message>
+        <source>Hold to withdraw</source>
+        <translation>Halten zum Zurückziehen</translation>
+    </message>
+    <message>
+        <source>Use the haptic device</source>
+        <translation>Haptisches Gerät verwenden</translation>
     </message>
 </context>
 <context>
     <name>perilymph::gui::KioskWindow</name>
     <message>
-        <source>A cochlear implant gives hearing back by an electrode array in the inner ear. A surgeon pushes it in by hand, through an opening of a millimeter or two.</source>
-        <translation>Ein Cochlea-Implantat gibt Gehör zurück, durch einen Elektrodenträger im Innenohr. Von Hand wird er eingeführt, durch eine Öffnung von ein bis zwei Millimetern.</translation>
-    </message>
-    <message>
-        <source>The cochlea winds up like a snail’s shell. The array has to follow it without pressing on the delicate membrane along its way.</source>
-        <translation>Die Cochlea windet sich wie ein Schneckenhaus. Der Träger muss ihr folgen, ohne auf die zarte Membran an seinem Weg zu drücken.</translation>
-    </message>
-    <message>
-        <source>What the hand feels are thousandths of a newton. Here the force is computed a thousand times a second, and can be practiced.</source>
-        <translation>Was die Hand fühlt, sind Tausendstel eines Newtons. Hier wird die Kraft tausendmal in der Sekunde berechnet und lässt sich üben.</translation>
-    </message>
-    <message>
         <source>Inserting a cochlear implant</source>
-        <translation>Ein Cochlea-Implantat einführen</translation>
-    </message>
-    <message>
-        <source>This cannot be tried now</source>
-        <translation>Das geht gerade nicht</translation>
-    </message>
-    <message>
-        <source>The staff of the booth can help.</source>
-        <translation>Fragen Sie bitte am Stand.</translation>
+        <translation>Insertion eines Cochlea-Implantats</translation>
     </message>
     <message>
         <source>Your turn</source>
         <translation>Sie sind dran</translation>
-    </message>
-    <message>
-        <source>Hold the handle’s button and push gently. Keep the force low until the array is in.</source>
-        <translation>Halten Sie den Knopf des Griffs und schieben Sie sanft. Die Kraft soll klein bleiben, bis der Träger liegt.</translation>
-    </message>
-    <message>
-        <source>Hold the green plate and the array moves in, the farther right the faster. Keep the force low until it is at full depth.</source>
-        <translation>Halten Sie die grüne Fläche, und der Träger gleitet hinein, weiter rechts schneller. Die Kraft soll klein bleiben bis zur vollen Tiefe.</translation>
-    </message>
-    <message>
-        <source>The array had to be stopped</source>
-        <translation>Der Träger musste angehalten werden</translation>
-    </message>
-    <message>
-        <source>The motion left what can be computed. The force is off. Try again.</source>
-        <translation>Die Bewegung verließ das Berechenbare. Die Kraft ist aus. Versuchen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>Full depth · peak force %1 mN · place %2 today</source>
@@ -1562,20 +1526,56 @@
         <translation>Volle Tiefe · Spitzenkraft %1 mN</translation>
     </message>
     <message>
-        <source>%1, in %2 s; turned back: %3.</source>
-        <translation>%1, in %2 s; umgekehrt: %3.</translation>
-    </message>
-    <message>
         <source>Perilymph</source>
         <translation>Perilymph</translation>
+    </message>
+    <message>
+        <source>A cochlear implant restores hearing with electrodes in the inner ear. A surgeon inserts the electrode array by hand, through an opening of one to two millimeters.</source>
+        <translation>Ein Cochlea-Implantat stellt das Hören mit Elektroden im Innenohr wieder her. Die Chirurgin oder der Chirurg führt den Elektrodenträger von Hand ein, durch eine Öffnung von ein bis zwei Millimetern.</translation>
+    </message>
+    <message>
+        <source>The cochlea is coiled like a snail shell. The array must follow it without damaging the delicate basilar membrane.</source>
+        <translation>Die Cochlea ist gewunden wie ein Schneckenhaus. Der Träger muss ihr folgen, ohne die zarte Basilarmembran zu verletzen.</translation>
+    </message>
+    <message>
+        <source>The forces are a few hundredths of a newton. Here they are computed a thousand times per second, so that the insertion can be practiced.</source>
+        <translation>Die Kräfte betragen wenige hundertstel Newton. Hier werden sie tausendmal pro Sekunde berechnet, damit sich die Insertion üben lässt.</translation>
+    </message>
+    <message>
+        <source>Not available now</source>
+        <translation>Zurzeit nicht verfügbar</translation>
+    </message>
+    <message>
+        <source>Please ask the booth staff.</source>
+        <translation>Bitte fragen Sie das Standpersonal.</translation>
+    </message>
+    <message>
+        <source>Hold the device button and advance gently. Keep the force low until full depth.</source>
+        <translation>Gerätetaste halten und sanft vorschieben. Die Kraft bis zur vollen Tiefe niedrig halten.</translation>
+    </message>
+    <message>
+        <source>Hold the bar to insert; further right is faster. Keep the force low until full depth.</source>
+        <translation>Leiste halten zum Einführen; weiter rechts ist schneller. Die Kraft bis zur vollen Tiefe niedrig halten.</translation>
+    </message>
+    <message>
+        <source>The insertion was stopped</source>
+        <translation>Die Insertion wurde angehalten</translation>
+    </message>
+    <message>
+        <source>The simulation became unstable and was stopped. The force is off. Try again.</source>
+        <translation>Die Simulation wurde instabil und wurde angehalten. Die Kraft ist aus. Bitte erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>%1 s, no reversals. %2</source>
+        <translation>%1 s, keine Richtungswechsel. %2</translation>
+    </message>
+    <message>
+        <source>%1 s, reversals: %3. %2</source>
+        <translation>%1 s, Richtungswechsel: %3. %2</translation>
     </message>
 </context>
 <context>
     <name>perilymph::gui::MainWindow</name>
-    <message>
-        <source>The program ended unexpectedly. The insertion of then, to a depth of %1 mm, is kept in the library: %2.</source>
-        <translation>Das Programm endete unerwartet. Die damalige Einführung, bis %1 mm Tiefe, liegt bei den Sitzungen: %2.</translation>
-    </message>
     <message>
         <source>Show sessions</source>
         <translation>Sitzungen zeigen</translation>
@@ -1586,7 +1586,11 @@
     </message>
     <message>
         <source>Perilymph · replay of %1</source>
-        <translation>Perilymph · %1 wird abgespielt</translation>
+        <translation>Perilymph · Wiedergabe von %1</translation>
+    </message>
+    <message>
+        <source>The program closed unexpectedly. Your last insertion (depth %1 mm) was recovered: %2.</source>
+        <translation>Das Programm wurde unerwartet beendet. Ihre letzte Insertion (Tiefe %1 mm) wurde wiederhergestellt: %2.</translation>
     </message>
 </context>
 <context>
@@ -1599,12 +1603,12 @@
 <context>
     <name>perilymph::gui::NumberField</name>
     <message>
-        <source>%1 to %2 %3. %4</source>
-        <translation>%1 bis %2 %3. %4</translation>
-    </message>
-    <message>
         <source>must be %1 to %2 %3</source>
         <translation>muss %1 bis %2 %3 sein</translation>
+    </message>
+    <message>
+        <source>%1–%2 %3. %4</source>
+        <translation>%1–%2 %3. %4</translation>
     </message>
 </context>
 <context>
@@ -1614,20 +1618,12 @@
         <translation>Sicht des Operateurs</translation>
     </message>
     <message>
-        <source>Down the opening</source>
-        <translation>In die Öffnung</translation>
-    </message>
-    <message>
         <source>Overview</source>
         <translation>Übersicht</translation>
     </message>
     <message>
         <source>Following the tip</source>
         <translation>Der Spitze nach</translation>
-    </message>
-    <message>
-        <source>Across the basal turn</source>
-        <translation>Quer zur Basalwindung</translation>
     </message>
     <message>
         <source>mm</source>
@@ -1642,20 +1638,8 @@
         <translation>mm/s</translation>
     </message>
     <message>
-        <source>travel · depth %1 mm</source>
-        <translation>Weg · Tiefe %1 mm</translation>
-    </message>
-    <message>
         <source>Microscope × %1</source>
         <translation>Mikroskop × %1</translation>
-    </message>
-    <message>
-        <source>from round window</source>
-        <translation>ab rundem Fenster</translation>
-    </message>
-    <message>
-        <source>force on the hand</source>
-        <translation>Kraft an der Hand</translation>
     </message>
     <message>
         <source>anaglyph</source>
@@ -1677,6 +1661,26 @@
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
     </message>
+    <message>
+        <source>angular insertion depth</source>
+        <translation>Insertionswinkel</translation>
+    </message>
+    <message>
+        <source>insertion force</source>
+        <translation>Insertionskraft</translation>
+    </message>
+    <message>
+        <source>advanced · insertion depth %1 mm</source>
+        <translation>vorgeschoben · Insertionstiefe %1 mm</translation>
+    </message>
+    <message>
+        <source>Through the opening</source>
+        <translation>Durch die Öffnung</translation>
+    </message>
+    <message>
+        <source>Basal-turn section</source>
+        <translation>Schnitt der Basalwindung</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::PatientForm</name>
@@ -1689,32 +1693,16 @@
         <translation>links</translation>
     </message>
     <message>
-        <source>Three lengths</source>
-        <translation>Drei Längen</translation>
-    </message>
-    <message>
         <source>A, B and H</source>
         <translation>A, B und H</translation>
-    </message>
-    <message>
-        <source>Show this cochlea</source>
-        <translation>Diese Cochlea zeigen</translation>
     </message>
     <message>
         <source>Patient</source>
         <translation>Patient</translation>
     </message>
     <message>
-        <source>a code, not a name</source>
-        <translation>ein Kürzel, kein Name</translation>
-    </message>
-    <message>
         <source>Back</source>
         <translation>Zurück</translation>
-    </message>
-    <message>
-        <source>A patient’s numbers</source>
-        <translation>Die Maße eines Patienten</translation>
     </message>
     <message>
         <source>PATIENT</source>
@@ -1725,51 +1713,63 @@
         <translation>OHR</translation>
     </message>
     <message>
-        <source>MEASURED IN CT</source>
-        <translation>IM CT GEMESSEN</translation>
-    </message>
-    <message>
-        <source>Scala length, organ of Corti</source>
-        <translation>Skalenlänge, Corti-Organ</translation>
-    </message>
-    <message>
-        <source>Section width at round window</source>
-        <translation>Schnittbreite am runden Fenster</translation>
-    </message>
-    <message>
-        <source>Section height at round window</source>
-        <translation>Schnitthöhe am runden Fenster</translation>
-    </message>
-    <message>
-        <source>Length A, through the round window</source>
-        <translation>Länge A, durch das runde Fenster</translation>
-    </message>
-    <message>
-        <source>Width B, across A</source>
-        <translation>Breite B, quer zu A</translation>
-    </message>
-    <message>
-        <source>Height H</source>
-        <translation>Höhe H</translation>
-    </message>
-    <message>
         <source>unnamed</source>
         <translation>unbenannt</translation>
+    </message>
+    <message>
+        <source>CDL and round-window section</source>
+        <translation>CDL und Schnitt am runden Fenster</translation>
+    </message>
+    <message>
+        <source>Build cochlea</source>
+        <translation>Cochlea berechnen</translation>
+    </message>
+    <message>
+        <source>Patient code (no names)</source>
+        <translation>Patientencode (kein Name)</translation>
+    </message>
+    <message>
+        <source>Patient measurements</source>
+        <translation>Messwerte des Patienten</translation>
+    </message>
+    <message>
+        <source>CT MEASUREMENTS</source>
+        <translation>CT-MESSWERTE</translation>
+    </message>
+    <message>
+        <source>Cochlear duct length (organ of Corti)</source>
+        <translation>Länge des Ductus cochlearis (Corti-Organ)</translation>
+    </message>
+    <message>
+        <source>Scala width at round window</source>
+        <translation>Skalenbreite am runden Fenster</translation>
+    </message>
+    <message>
+        <source>Scala height at round window</source>
+        <translation>Skalenhöhe am runden Fenster</translation>
+    </message>
+    <message>
+        <source>A: basal-turn diameter</source>
+        <translation>A: Durchmesser der Basalwindung</translation>
+    </message>
+    <message>
+        <source>B: basal-turn width, perpendicular to A</source>
+        <translation>B: Breite der Basalwindung, senkrecht zu A</translation>
+    </message>
+    <message>
+        <source>H: cochlear height</source>
+        <translation>H: Höhe der Cochlea</translation>
     </message>
 </context>
 <context>
     <name>perilymph::gui::PatientSection</name>
-    <message>
-        <source>typed</source>
-        <translation>getippt</translation>
-    </message>
     <message>
         <source>from CT</source>
         <translation>aus CT</translation>
     </message>
     <message>
         <source>default</source>
-        <translation>Vorgabe</translation>
+        <translation>Standard</translation>
     </message>
     <message>
         <source>Patient</source>
@@ -1784,10 +1784,6 @@
         <translation>Cochlea</translation>
     </message>
     <message>
-        <source>A code, not a name.</source>
-        <translation>Ein Kürzel, kein Name.</translation>
-    </message>
-    <message>
         <source>right ear</source>
         <translation>rechtes Ohr</translation>
     </message>
@@ -1796,76 +1792,12 @@
         <translation>linkes Ohr</translation>
     </message>
     <message>
-        <source>A left ear is the mirror image of a right one; its forces are the same.</source>
-        <translation>Ein linkes Ohr ist das Spiegelbild eines rechten; seine Kräfte sind gleich.</translation>
-    </message>
-    <message>
-        <source>Three lengths</source>
-        <translation>Drei Längen</translation>
-    </message>
-    <message>
-        <source>The published scala tympani, scaled by three lengths from CT.</source>
-        <translation>Die veröffentlichte Scala tympani, nach drei Längen aus dem CT.</translation>
-    </message>
-    <message>
         <source>A, B and H</source>
         <translation>A, B und H</translation>
     </message>
     <message>
-        <source>The mean of fifteen human scalae, scaled by the diameters of the basal turn. Adapted from Froehlich et al. 2024, CC BY 4.0.</source>
-        <translation>Das Mittel von fünfzehn menschlichen Skalen, nach den Durchmessern der Basalwindung. Nach Froehlich et al. 2024, CC BY 4.0.</translation>
-    </message>
-    <message>
-        <source>Mean of 15</source>
-        <translation>Mittel von 15</translation>
-    </message>
-    <message>
-        <source>The mean of fifteen human scalae as measured. Adapted from Froehlich, Schurzig, Rau, Lenarz (2024), PLOS ONE, doi 10.1371/journal.pone.0295121, CC BY 4.0.</source>
-        <translation>Das Mittel von fünfzehn menschlichen Skalen, wie gemessen. Nach Froehlich, Schurzig, Rau, Lenarz (2024), PLOS ONE, doi 10.1371/journal.pone.0295121, CC BY 4.0.</translation>
-    </message>
-    <message>
-        <source>Clark’s spiral</source>
-        <translation>Clarks Spirale</translation>
-    </message>
-    <message>
-        <source>A spiral of constant section, for comparison with older models.</source>
-        <translation>Eine Spirale mit festem Schnitt, zum Vergleich mit älteren Modellen.</translation>
-    </message>
-    <message>
-        <source>Scala length</source>
-        <translation>Skalenlänge</translation>
-    </message>
-    <message>
-        <source>Width at window</source>
-        <translation>Breite am Fenster</translation>
-    </message>
-    <message>
-        <source>Height at window</source>
-        <translation>Höhe am Fenster</translation>
-    </message>
-    <message>
-        <source>Length A</source>
-        <translation>Länge A</translation>
-    </message>
-    <message>
-        <source>Width B</source>
-        <translation>Breite B</translation>
-    </message>
-    <message>
-        <source>Height H</source>
-        <translation>Höhe H</translation>
-    </message>
-    <message>
-        <source>%1 %2. Correct it, or press Esc in its field.</source>
-        <translation>%1 %2. Berichtigen, oder Esc im Feld drücken.</translation>
-    </message>
-    <message>
         <source>%1 %2 mm</source>
         <translation>%1 %2 mm</translation>
-    </message>
-    <message>
-        <source>%1 left out</source>
-        <translation>%1 ausgelassen</translation>
     </message>
     <message>
         <source>cochlea: %1</source>
@@ -1874,6 +1806,78 @@
     <message>
         <source>patient %1</source>
         <translation>Patient %1</translation>
+    </message>
+    <message>
+        <source>entered</source>
+        <translation>eingegeben</translation>
+    </message>
+    <message>
+        <source>Patient code (no names).</source>
+        <translation>Patientencode (kein Name).</translation>
+    </message>
+    <message>
+        <source>A left ear is the mirror image of a right ear; the forces are identical.</source>
+        <translation>Ein linkes Ohr ist das Spiegelbild eines rechten; die Kräfte sind identisch.</translation>
+    </message>
+    <message>
+        <source>Cochlear duct length</source>
+        <translation>Länge des Ductus cochlearis</translation>
+    </message>
+    <message>
+        <source>Scala width at round window</source>
+        <translation>Skalenbreite am runden Fenster</translation>
+    </message>
+    <message>
+        <source>Scala height at round window</source>
+        <translation>Skalenhöhe am runden Fenster</translation>
+    </message>
+    <message>
+        <source>A: basal-turn diameter</source>
+        <translation>A: Durchmesser der Basalwindung</translation>
+    </message>
+    <message>
+        <source>B: basal-turn width</source>
+        <translation>B: Breite der Basalwindung</translation>
+    </message>
+    <message>
+        <source>H: cochlear height</source>
+        <translation>H: Höhe der Cochlea</translation>
+    </message>
+    <message>
+        <source>CDL and round-window section</source>
+        <translation>CDL und Schnitt am runden Fenster</translation>
+    </message>
+    <message>
+        <source>The published scala tympani, scaled by three CT measurements.</source>
+        <translation>Die veröffentlichte Scala tympani, skaliert nach drei CT-Messwerten.</translation>
+    </message>
+    <message>
+        <source>Average of 15 human scalae tympani, scaled by the basal-turn diameters. Adapted from Froehlich et al. 2024, CC BY 4.0.</source>
+        <translation>Mittel aus 15 menschlichen Scalae tympani, skaliert nach den Durchmessern der Basalwindung. Nach Froehlich et al. 2024, CC BY 4.0.</translation>
+    </message>
+    <message>
+        <source>Average of 15</source>
+        <translation>Mittel aus 15</translation>
+    </message>
+    <message>
+        <source>Average of 15 human scalae tympani as measured. Adapted from Froehlich, Schurzig, Rau, Lenarz (2024), PLOS ONE, doi 10.1371/journal.pone.0295121, CC BY 4.0.</source>
+        <translation>Mittel aus 15 menschlichen Scalae tympani, wie gemessen. Nach Froehlich, Schurzig, Rau, Lenarz (2024), PLOS ONE, doi 10.1371/journal.pone.0295121, CC BY 4.0.</translation>
+    </message>
+    <message>
+        <source>Clark spiral</source>
+        <translation>Clark-Spirale</translation>
+    </message>
+    <message>
+        <source>Spiral with a constant cross-section, for comparison with earlier models.</source>
+        <translation>Spirale mit konstantem Querschnitt, zum Vergleich mit früheren Modellen.</translation>
+    </message>
+    <message>
+        <source>%1 %2. Enter a valid value or press Esc.</source>
+        <translation>%1 %2. Gültigen Wert eingeben oder Esc drücken.</translation>
+    </message>
+    <message>
+        <source>%1 not given</source>
+        <translation>%1 nicht angegeben</translation>
     </message>
 </context>
 <context>
@@ -1896,42 +1900,14 @@
     </message>
     <message>
         <source>Outside</source>
-        <translation>Draußen</translation>
+        <translation>Außerhalb</translation>
     </message>
 </context>
 <context>
     <name>perilymph::gui::PopulationField</name>
     <message>
-        <source>not given</source>
-        <translation>fehlt</translation>
-    </message>
-    <message>
         <source>mm</source>
         <translation>mm</translation>
-    </message>
-    <message>
-        <source>a number is needed, %1 to %2 mm</source>
-        <translation>eine Zahl ist nötig, %1 bis %2 mm</translation>
-    </message>
-    <message>
-        <source>must be a number between %1 and %2 mm</source>
-        <translation>muss eine Zahl zwischen %1 und %2 mm sein</translation>
-    </message>
-    <message>
-        <source>left out: taken from A and B</source>
-        <translation>ausgelassen: aus A und B genommen</translation>
-    </message>
-    <message>
-        <source>%1%2 SD of population · CT error ± %3 mm</source>
-        <translation>%1%2 SD der Bevölkerung · CT-Fehler ± %3 mm</translation>
-    </message>
-    <message>
-        <source>allowed %1 to %2 mm · CT error ± %3 mm</source>
-        <translation>erlaubt %1 bis %2 mm · CT-Fehler ± %3 mm</translation>
-    </message>
-    <message>
-        <source>Where the number comes from.</source>
-        <translation>Woher die Zahl kommt.</translation>
     </message>
     <message>
         <source>must be %1 to %2 mm</source>
@@ -1942,12 +1918,44 @@
         <translation>%1%2 SD · CT ± %3 mm</translation>
     </message>
     <message>
-        <source>%1 to %2 mm · CT ± %3 mm</source>
-        <translation>%1 bis %2 mm · CT ± %3 mm</translation>
-    </message>
-    <message>
         <source>none</source>
         <translation>keine</translation>
+    </message>
+    <message>
+        <source>optional</source>
+        <translation>optional</translation>
+    </message>
+    <message>
+        <source>Source of the value</source>
+        <translation>Quelle des Werts</translation>
+    </message>
+    <message>
+        <source>Enter a value from %1 to %2 mm</source>
+        <translation>Wert von %1 bis %2 mm eingeben</translation>
+    </message>
+    <message>
+        <source>at population mean (%1 ± %2 mm) · CT ± %3 mm</source>
+        <translation>am Populationsmittel (%1 ± %2 mm) · CT ± %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 SD below population mean (%2 ± %3 mm) · CT ± %4 mm</source>
+        <translation>%1 SD unter dem Populationsmittel (%2 ± %3 mm) · CT ± %4 mm</translation>
+    </message>
+    <message>
+        <source>%1 SD above population mean (%2 ± %3 mm) · CT ± %4 mm</source>
+        <translation>%1 SD über dem Populationsmittel (%2 ± %3 mm) · CT ± %4 mm</translation>
+    </message>
+    <message>
+        <source>%1–%2 mm · CT ± %3 mm</source>
+        <translation>%1–%2 mm · CT ± %3 mm</translation>
+    </message>
+    <message>
+        <source>range %1–%2 mm · CT ± %3 mm</source>
+        <translation>Bereich %1–%2 mm · CT ± %3 mm</translation>
+    </message>
+    <message>
+        <source>optional; estimated from A and B</source>
+        <translation>optional; aus A und B geschätzt</translation>
     </message>
 </context>
 <context>
@@ -1957,16 +1965,16 @@
         <translation>Hier halten zum Einführen</translation>
     </message>
     <message>
-        <source>Let go to pause</source>
-        <translation>Loslassen hält an</translation>
-    </message>
-    <message>
         <source>slow</source>
         <translation>langsam</translation>
     </message>
     <message>
         <source>fast</source>
         <translation>schnell</translation>
+    </message>
+    <message>
+        <source>Release to pause</source>
+        <translation>Loslassen zum Anhalten</translation>
     </message>
 </context>
 <context>
@@ -1988,16 +1996,8 @@
         <translation>◂</translation>
     </message>
     <message>
-        <source>One tick back (Left)</source>
-        <translation>Ein Takt zurück (Links)</translation>
-    </message>
-    <message>
         <source>▸</source>
         <translation>▸</translation>
-    </message>
-    <message>
-        <source>One tick on (Right)</source>
-        <translation>Ein Takt weiter (Rechts)</translation>
     </message>
     <message>
         <source>−</source>
@@ -2012,24 +2012,12 @@
         <translation>+</translation>
     </message>
     <message>
-        <source>Faster (point)</source>
-        <translation>Schneller (Punkt)</translation>
-    </message>
-    <message>
         <source>Close replay</source>
-        <translation>Abspielen beenden</translation>
+        <translation>Wiedergabe beenden</translation>
     </message>
     <message>
         <source>Back to the insertion (Esc)</source>
-        <translation>Zurück zur Einführung (Esc)</translation>
-    </message>
-    <message>
-        <source>One tick back</source>
-        <translation>Ein Takt zurück</translation>
-    </message>
-    <message>
-        <source>One tick on</source>
-        <translation>Ein Takt weiter</translation>
+        <translation>Zurück zur Insertion (Esc)</translation>
     </message>
     <message>
         <source>Slower</source>
@@ -2044,42 +2032,62 @@
         <translation>Pause</translation>
     </message>
     <message>
-        <source>%1 of %2 s · tick %3</source>
-        <translation>%1 von %2 s · Takt %3</translation>
+        <source>replay · %1 · not a medical device</source>
+        <translation>Wiedergabe · %1 · kein Medizinprodukt</translation>
     </message>
     <message>
-        <source>replay · %1 · not a medical device</source>
-        <translation>Abspielen · %1 · kein Medizinprodukt</translation>
+        <source>Back 1 ms (Left)</source>
+        <translation>1 ms zurück (Links)</translation>
+    </message>
+    <message>
+        <source>Forward 1 ms (Right)</source>
+        <translation>1 ms vor (Rechts)</translation>
+    </message>
+    <message>
+        <source>Faster (period)</source>
+        <translation>Schneller (Punkt)</translation>
+    </message>
+    <message>
+        <source>Back 1 ms</source>
+        <translation>1 ms zurück</translation>
+    </message>
+    <message>
+        <source>Forward 1 ms</source>
+        <translation>1 ms vor</translation>
+    </message>
+    <message>
+        <source>%1 of %2 s</source>
+        <translation>%1 von %2 s</translation>
     </message>
 </context>
 <context>
     <name>perilymph::gui::ReplayControl</name>
     <message>
-        <source>Space plays. Left and Right step by one tick.</source>
-        <translation>Leertaste spielt ab. Links und Rechts gehen um einen Takt.</translation>
+        <source>Space plays or pauses. ← and → step by 1 ms.</source>
+        <translation>Leertaste spielt ab oder hält an. ← und → springen um 1 ms.</translation>
     </message>
 </context>
 <context>
     <name>perilymph::gui::ReplayPlayer</name>
     <message>
-        <source>comparing bits…</source>
-        <translation>Bits werden verglichen …</translation>
+        <source>verifying…</source>
+        <translation>wird geprüft …</translation>
     </message>
     <message>
-        <source>is not as it was recorded: %1</source>
-        <translation>ist nicht, wie es aufgezeichnet wurde: %1</translation>
+        <source>differs from the recording: %1</source>
+        <translation>weicht von der Aufzeichnung ab: %1</translation>
     </message>
     <message>
-        <source>differs from tick %1 on (%2)</source>
-        <translation>weicht ab Takt %1 ab (%2)</translation>
+        <source>differs from sample %1 (%2)</source>
+        <translation>weicht ab Abtastwert %1 ab (%2)</translation>
     </message>
     <message>
-        <source>replays bit for bit up to tick %1</source>
-        <translation>gleich bis aufs Bit bis Takt %1</translation>
+        <source>verified up to sample %1</source>
+        <translation>geprüft bis Abtastwert %1</translation>
     </message>
     <message>
-        <source>replays bit for bit</source>
-        <translation>gleich bis aufs Bit</translation>
+        <source>verified: identical replay</source>
+        <translation>geprüft: identische Wiedergabe</translation>
     </message>
 </context>
 <context>
@@ -2090,19 +2098,15 @@
     </message>
     <message>
         <source>Locked during an insertion</source>
-        <translation>Gesperrt beim Einführen</translation>
-    </message>
-    <message>
-        <source>Back to the published values</source>
-        <translation>Zu den veröffentlichten Werten</translation>
+        <translation>Während der Insertion gesperrt</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation>Zurück</translation>
+        <translation>Rückgängig</translation>
     </message>
     <message>
         <source>Redo</source>
-        <translation>Vor</translation>
+        <translation>Wiederholen</translation>
     </message>
     <message>
         <source>SCENARIO</source>
@@ -2110,23 +2114,11 @@
     </message>
     <message>
         <source>Hide the panel (B)</source>
-        <translation>Feld verbergen (B)</translation>
+        <translation>Seitenleiste ausblenden (B)</translation>
     </message>
     <message>
         <source>Hide the panel</source>
-        <translation>Feld verbergen</translation>
-    </message>
-    <message>
-        <source>Changes are possible before an insertion and after it. Press Reset.</source>
-        <translation>Änderungen gehen vor einer Einführung und danach. „Neu“ drücken.</translation>
-    </message>
-    <message>
-        <source>Not the preset’s values: %1.</source>
-        <translation>Nicht die Werte der Vorlage: %1.</translation>
-    </message>
-    <message>
-        <source>Back to the preset’s values</source>
-        <translation>Zu den Werten der Vorlage</translation>
+        <translation>Seitenleiste ausblenden</translation>
     </message>
     <message>
         <source>Changed: %1. %2</source>
@@ -2134,7 +2126,7 @@
     </message>
     <message>
         <source>Undo %1</source>
-        <translation>Zurücknehmen: %1</translation>
+        <translation>Rückgängig: %1</translation>
     </message>
     <message>
         <source>Redo %1</source>
@@ -2148,19 +2140,35 @@
         <source>%1 (Ctrl+Shift+Z)</source>
         <translation>%1 (Strg+Umschalt+Z)</translation>
     </message>
+    <message>
+        <source>Restore the published values</source>
+        <translation>Veröffentlichte Werte wiederherstellen</translation>
+    </message>
+    <message>
+        <source>The setup can be changed before and after an insertion. Press Reset.</source>
+        <translation>Die Einstellungen lassen sich vor und nach einer Insertion ändern. „Zurücksetzen“ drücken.</translation>
+    </message>
+    <message>
+        <source>Differs from the preset: %1.</source>
+        <translation>Weicht von der Vorlage ab: %1.</translation>
+    </message>
+    <message>
+        <source>Restore the preset</source>
+        <translation>Vorlage wiederherstellen</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::Scrubber</name>
     <message>
-        <source>Place in the replay</source>
-        <translation>Stelle im Ablauf</translation>
+        <source>Position in the replay</source>
+        <translation>Position in der Wiedergabe</translation>
     </message>
 </context>
 <context>
     <name>perilymph::gui::Section</name>
     <message>
-        <source>Fold or unfold</source>
-        <translation>Auf- oder zuklappen</translation>
+        <source>Collapse or expand</source>
+        <translation>Ein- oder ausklappen</translation>
     </message>
 </context>
 <context>
@@ -2218,12 +2226,12 @@
         <translation>Dauer</translation>
     </message>
     <message>
-        <source>Deepest angle</source>
-        <translation>Größter Winkel</translation>
+        <source>Angular insertion depth</source>
+        <translation>Insertionswinkel</translation>
     </message>
     <message>
-        <source>Peak force at depth</source>
-        <translation>Spitzenkraft bei Tiefe</translation>
+        <source>Peak force at insertion depth</source>
+        <translation>Spitzenkraft bei Insertionstiefe</translation>
     </message>
 </context>
 <context>
@@ -2233,99 +2241,47 @@
         <translation>%1 wird gelesen …</translation>
     </message>
     <message>
-        <source>%1 stands behind the next insertions as their ghost.</source>
-        <translation>%1 steht als Geist hinter den nächsten Einführungen.</translation>
+        <source>%1 is shown as reference in the next insertions.</source>
+        <translation>%1 wird in den nächsten Insertionen als Referenz gezeigt.</translation>
     </message>
     <message>
-        <source>Replaying %1 for its report…</source>
-        <translation>%1 wird für den Bericht abgespielt …</translation>
+        <source>Replaying %1 for the report…</source>
+        <translation>%1 wird für den Bericht wiedergegeben …</translation>
     </message>
     <message>
-        <source>The report is %1.</source>
-        <translation>Der Bericht ist %1.</translation>
+        <source>Report saved to %1.</source>
+        <translation>Bericht gespeichert in %1.</translation>
     </message>
 </context>
 <context>
     <name>perilymph::gui::SessionsPage</name>
     <message>
-        <source>No insertion has been recorded yet</source>
-        <translation>Noch ist keine Einführung aufgezeichnet</translation>
-    </message>
-    <message>
-        <source>Every insertion is kept by itself. Here it can be found again, replayed, compared and written as a report.</source>
-        <translation>Jede Einführung wird von selbst behalten. Hier lässt sie sich wiederfinden, abspielen, vergleichen und als Bericht schreiben.</translation>
-    </message>
-    <message>
-        <source>Reading recording %1 of %2. Esc ends it.</source>
-        <translation>Aufzeichnung %1 von %2 wird gelesen. Esc beendet es.</translation>
-    </message>
-    <message>
-        <source>Find by patient, array, date, name</source>
-        <translation>Suche nach Patient, Träger, Datum, Name</translation>
-    </message>
-    <message>
-        <source>Find recordings</source>
-        <translation>Aufzeichnungen suchen</translation>
-    </message>
-    <message>
         <source>Recorded insertions</source>
-        <translation>Aufgezeichnete Einführungen</translation>
+        <translation>Aufgezeichnete Insertionen</translation>
     </message>
     <message>
         <source>Replay</source>
-        <translation>Abspielen</translation>
-    </message>
-    <message>
-        <source>Look at it again, tick by tick (Enter)</source>
-        <translation>Noch einmal ansehen, Takt für Takt (Eingabe)</translation>
+        <translation>Wiedergabe</translation>
     </message>
     <message>
         <source>Compare</source>
         <translation>Vergleichen</translation>
     </message>
     <message>
-        <source>Two or more over one axis</source>
-        <translation>Zwei oder mehr über einer Achse</translation>
-    </message>
-    <message>
-        <source>Use as ghost</source>
-        <translation>Als Geist nehmen</translation>
-    </message>
-    <message>
-        <source>Draw its curve behind the next insertions</source>
-        <translation>Ihre Kurve hinter die nächsten Einführungen zeichnen</translation>
-    </message>
-    <message>
         <source>Report…</source>
         <translation>Bericht …</translation>
-    </message>
-    <message>
-        <source>Write a report as PDF</source>
-        <translation>Einen Bericht als PDF schreiben</translation>
     </message>
     <message>
         <source>Rename</source>
         <translation>Umbenennen</translation>
     </message>
     <message>
-        <source>Give it another name (F2)</source>
-        <translation>Anders nennen (F2)</translation>
-    </message>
-    <message>
         <source>Delete</source>
         <translation>Löschen</translation>
     </message>
     <message>
-        <source>Move it to the trash (Delete)</source>
-        <translation>In den Papierkorb (Entf)</translation>
-    </message>
-    <message>
         <source>Undo</source>
-        <translation>Zurück</translation>
-    </message>
-    <message>
-        <source>Bring it back (Ctrl+Z)</source>
-        <translation>Zurückholen (Strg+Z)</translation>
+        <translation>Rückgängig</translation>
     </message>
     <message numerus="yes">
         <source>%n in the library</source>
@@ -2338,18 +2294,6 @@
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
     </message>
-    <message>
-        <source>Nothing found</source>
-        <translation>Nichts gefunden</translation>
-    </message>
-    <message>
-        <source>No recording has “%1” in its patient, array, date or name.</source>
-        <translation>Keine Aufzeichnung hat „%1“ in Patient, Träger, Datum oder Namen.</translation>
-    </message>
-    <message>
-        <source>This insertion is being recorded. Reset ends its recording.</source>
-        <translation>Diese Einführung wird aufgezeichnet. „Neu“ beendet die Aufzeichnung.</translation>
-    </message>
     <message numerus="yes">
         <source>%n moved to the trash.</source>
         <translation>
@@ -2358,20 +2302,8 @@
         </translation>
     </message>
     <message>
-        <source>Choose several with Ctrl or Shift to compare them.</source>
-        <translation>Mehrere mit Strg oder Umschalt wählen, um sie zu vergleichen.</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>List what was read so far (Esc)</source>
-        <translation>Auflisten, was bisher gelesen wurde (Esc)</translation>
-    </message>
-    <message>
-        <source>Ended early: %1 of %2 recordings are listed. Open this page again to read on.</source>
-        <translation>Vorzeitig beendet: %1 von %2 Aufzeichnungen sind aufgelistet. Diese Seite erneut öffnen, um weiterzulesen.</translation>
     </message>
     <message>
         <source>Opening %1…</source>
@@ -2384,6 +2316,82 @@
     <message>
         <source>PDF (*.pdf)</source>
         <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Reading recording %1 of %2. Esc cancels.</source>
+        <translation>Aufzeichnung %1 von %2 wird gelesen. Esc bricht ab.</translation>
+    </message>
+    <message>
+        <source>Search by patient, array, date or name</source>
+        <translation>Suche nach Patient, Träger, Datum oder Name</translation>
+    </message>
+    <message>
+        <source>Search recordings</source>
+        <translation>Aufzeichnungen suchen</translation>
+    </message>
+    <message>
+        <source>List the recordings read so far (Esc)</source>
+        <translation>Bisher gelesene Aufzeichnungen auflisten (Esc)</translation>
+    </message>
+    <message>
+        <source>Replay the recording (Enter)</source>
+        <translation>Aufzeichnung wiedergeben (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Plot two or more recordings on common axes</source>
+        <translation>Zwei oder mehr Aufzeichnungen auf gemeinsamen Achsen</translation>
+    </message>
+    <message>
+        <source>Use as reference</source>
+        <translation>Als Referenz</translation>
+    </message>
+    <message>
+        <source>Show its force as reference trace in the next insertions</source>
+        <translation>Ihre Kraft in den nächsten Insertionen als Referenzkurve zeigen</translation>
+    </message>
+    <message>
+        <source>Save a report as PDF</source>
+        <translation>Bericht als PDF speichern</translation>
+    </message>
+    <message>
+        <source>Rename the recording (F2)</source>
+        <translation>Aufzeichnung umbenennen (F2)</translation>
+    </message>
+    <message>
+        <source>Move to the trash (Delete)</source>
+        <translation>In den Papierkorb verschieben (Entf)</translation>
+    </message>
+    <message>
+        <source>Restore from the trash (Ctrl+Z)</source>
+        <translation>Aus dem Papierkorb wiederherstellen (Strg+Z)</translation>
+    </message>
+    <message>
+        <source>Canceled: %1 of %2 recordings listed. Open this page again to continue.</source>
+        <translation>Abgebrochen: %1 von %2 Aufzeichnungen aufgelistet. Seite erneut öffnen, um fortzufahren.</translation>
+    </message>
+    <message>
+        <source>No recorded insertions</source>
+        <translation>Keine aufgezeichneten Insertionen</translation>
+    </message>
+    <message>
+        <source>Every insertion is recorded automatically. Recordings can be replayed, compared and reported here.</source>
+        <translation>Jede Insertion wird automatisch aufgezeichnet. Aufzeichnungen lassen sich hier wiedergeben, vergleichen und als Bericht speichern.</translation>
+    </message>
+    <message>
+        <source>No results</source>
+        <translation>Keine Treffer</translation>
+    </message>
+    <message>
+        <source>No recording matches “%1” by patient, array, date or name.</source>
+        <translation>Keine Aufzeichnung passt mit Patient, Träger, Datum oder Name zu „%1“.</translation>
+    </message>
+    <message>
+        <source>This insertion is being recorded. Reset ends the recording.</source>
+        <translation>Diese Insertion wird aufgezeichnet. „Zurücksetzen“ beendet die Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>Select several with Ctrl or Shift to compare.</source>
+        <translation>Mehrere mit Strg oder Umschalt auswählen, um sie zu vergleichen.</translation>
     </message>
 </context>
 <context>
@@ -2417,23 +2425,23 @@
         <translation>wie das System</translation>
     </message>
     <message>
-        <source>What the program notes about itself: %1</source>
-        <translation>Was das Programm über sich notiert: %1</translation>
+        <source>Log file: %1</source>
+        <translation>Protokolldatei: %1</translation>
     </message>
     <message>
-        <source>A choice reopens the window.</source>
-        <translation>Eine Wahl öffnet das Fenster neu.</translation>
+        <source>Changes reload the window.</source>
+        <translation>Änderungen laden das Fenster neu.</translation>
     </message>
     <message>
-        <source>While the array is in the cochlea nothing can be chosen here. Reset first.</source>
-        <translation>Solange der Träger in der Cochlea ist, lässt sich hier nichts wählen. Erst „Neu“ drücken.</translation>
+        <source>Settings are locked during an insertion. Press Reset first.</source>
+        <translation>Während der Insertion gesperrt. Zuerst „Zurücksetzen“ drücken.</translation>
     </message>
 </context>
 <context>
     <name>perilymph::gui::SetupHistory</name>
     <message>
-        <source>back to the preset’s values</source>
-        <translation>zu den Werten der Vorlage</translation>
+        <source>restore the preset</source>
+        <translation>Vorlage wiederherstellen</translation>
     </message>
 </context>
 <context>
@@ -2447,10 +2455,6 @@
         <translation>Wandkraft</translation>
     </message>
     <message>
-        <source>Contact arrows</source>
-        <translation>Kontaktpfeile</translation>
-    </message>
-    <message>
         <source>Basilar membrane</source>
         <translation>Basilarmembran</translation>
     </message>
@@ -2459,62 +2463,66 @@
         <translation>Stilett und Pinzette</translation>
     </message>
     <message>
-        <source>Published experiment</source>
-        <translation>Veröffentlichter Versuch</translation>
-    </message>
-    <message>
         <source>Show the panel (B)</source>
-        <translation>Feld zeigen (B)</translation>
+        <translation>Seitenleiste einblenden (B)</translation>
     </message>
     <message>
         <source>Show the panel</source>
-        <translation>Feld zeigen</translation>
+        <translation>Seitenleiste einblenden</translation>
+    </message>
+    <message>
+        <source>Contact forces</source>
+        <translation>Kontaktkräfte</translation>
+    </message>
+    <message>
+        <source>Published measurements</source>
+        <translation>Veröffentlichte Messungen</translation>
     </message>
 </context>
 <context>
     <name>perilymph::gui::StartPage</name>
     <message>
-        <source>Insert an electrode array</source>
-        <translation>Einen Elektrodenträger einführen</translation>
-    </message>
-    <message>
-        <source>Into whose cochlea?</source>
-        <translation>In wessen Cochlea?</translation>
-    </message>
-    <message>
-        <source>Use a patient’s numbers</source>
-        <translation>Maße eines Patienten</translation>
-    </message>
-    <message>
-        <source>Three lengths from CT, or A, B and H, make this patient’s scala tympani. Each is compared with the population.</source>
-        <translation>Drei Längen aus dem CT, oder A, B und H, ergeben die Scala tympani dieses Patienten. Jede wird mit der Bevölkerung verglichen.</translation>
-    </message>
-    <message>
-        <source>Mean cochlea</source>
-        <translation>Mittlere Cochlea</translation>
-    </message>
-    <message>
-        <source>The average of fifteen human cochleae. Insert by script or with mouse and keyboard, and see the force over depth.</source>
-        <translation>Das Mittel von fünfzehn menschlichen Cochleae. Einführen nach Skript oder mit Maus und Tastatur, und die Kraft über der Tiefe sehen.</translation>
-    </message>
-    <message>
         <source>Watch a demo insertion</source>
-        <translation>Eine Vorführung ansehen</translation>
-    </message>
-    <message>
-        <source>A Contour array goes into the published cochlea by itself, beside the forces that were measured in the experiment.</source>
-        <translation>Ein Contour-Träger geht von selbst in die veröffentlichte Cochlea, neben den Kräften, die im Versuch gemessen wurden.</translation>
+        <translation>Demo-Insertion ansehen</translation>
     </message>
     <message>
         <source>Keys 1, 2 and 3 do the same. For research and training; not a medical device.</source>
         <translation>Die Tasten 1, 2 und 3 tun dasselbe. Für Forschung und Übung; kein Medizinprodukt.</translation>
     </message>
+    <message>
+        <source>Electrode array insertion</source>
+        <translation>Insertion eines Elektrodenträgers</translation>
+    </message>
+    <message>
+        <source>Choose an anatomy</source>
+        <translation>Anatomie wählen</translation>
+    </message>
+    <message>
+        <source>New patient</source>
+        <translation>Neuer Patient</translation>
+    </message>
+    <message>
+        <source>Build the patient’s scala tympani from CT measurements: A, B and H, or cochlear duct length and round-window section. Each value is compared with the population.</source>
+        <translation>Scala tympani des Patienten aus CT-Messwerten: A, B und H, oder Länge des Ductus cochlearis und Schnitt am runden Fenster. Jeder Wert wird mit der Population verglichen.</translation>
+    </message>
+    <message>
+        <source>Average cochlea</source>
+        <translation>Mittlere Cochlea</translation>
+    </message>
+    <message>
+        <source>Average of 15 human cochleae. Insert automatically or with mouse and keyboard and follow the insertion force.</source>
+        <translation>Mittel aus 15 menschlichen Cochleae. Automatisch oder mit Maus und Tastatur einführen und die Insertionskraft verfolgen.</translation>
+    </message>
+    <message>
+        <source>A Contour array is inserted automatically into the published cochlea; the published measurements are shown for comparison.</source>
+        <translation>Ein Contour-Träger wird automatisch in die veröffentlichte Cochlea eingeführt; die veröffentlichten Messungen werden zum Vergleich gezeigt.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::StereoWindow</name>
     <message>
-        <source>Perilymph, for two eyes</source>
-        <translation>Perilymph, für zwei Augen</translation>
+        <source>Perilymph stereo view</source>
+        <translation>Perilymph Stereoansicht</translation>
     </message>
 </context>
 <context>
@@ -2522,18 +2530,6 @@
     <message>
         <source>Perilymph</source>
         <translation>Perilymph</translation>
-    </message>
-    <message>
-        <source>Start over (Alt+Home)</source>
-        <translation>Von vorn beginnen (Alt+Pos1)</translation>
-    </message>
-    <message>
-        <source>Keys and mouse (F1)</source>
-        <translation>Tasten und Maus (F1)</translation>
-    </message>
-    <message>
-        <source>Keys and mouse</source>
-        <translation>Tasten und Maus</translation>
     </message>
     <message>
         <source>Settings (Ctrl+,)</source>
@@ -2545,15 +2541,15 @@
     </message>
     <message>
         <source>Insert</source>
-        <translation>Einführen</translation>
+        <translation>Insertion</translation>
     </message>
     <message>
         <source>Compare</source>
-        <translation>Vergleichen</translation>
+        <translation>Vergleich</translation>
     </message>
     <message>
         <source>Validate</source>
-        <translation>Prüfen</translation>
+        <translation>Validierung</translation>
     </message>
     <message>
         <source>Sessions</source>
@@ -2580,10 +2576,6 @@
         <translation>recht</translation>
     </message>
     <message>
-        <source>Not the preset’s values: %1.</source>
-        <translation>Nicht die Werte der Vorlage: %1.</translation>
-    </message>
-    <message>
         <source>ready</source>
         <translation>bereit</translation>
     </message>
@@ -2600,51 +2592,55 @@
         <translation>%1 Hz · %2 verspätet</translation>
     </message>
     <message>
-        <source>%1. Ticks a second as measured, and ticks that began more than one period late.</source>
-        <translation>%1. Takte je Sekunde, gemessen, und Takte, die über eine Periode zu spät begannen.</translation>
-    </message>
-    <message>
         <source>preparing</source>
         <translation>wird vorbereitet</translation>
     </message>
     <message>
         <source>replay</source>
-        <translation>Abspielen</translation>
+        <translation>Wiedergabe</translation>
     </message>
     <message>
-        <source>A recording is shown. No device is moved.</source>
-        <translation>Eine Aufzeichnung wird gezeigt. Kein Gerät wird bewegt.</translation>
+        <source>Start page (Alt+Home)</source>
+        <translation>Startseite (Alt+Pos1)</translation>
+    </message>
+    <message>
+        <source>Keyboard and mouse (F1)</source>
+        <translation>Tastatur und Maus (F1)</translation>
+    </message>
+    <message>
+        <source>Keyboard and mouse</source>
+        <translation>Tastatur und Maus</translation>
+    </message>
+    <message>
+        <source>Differs from the preset: %1.</source>
+        <translation>Weicht von der Vorlage ab: %1.</translation>
+    </message>
+    <message>
+        <source>%1. Measured sample rate, and number of samples that started more than one period late.</source>
+        <translation>%1. Gemessene Abtastrate und Anzahl der Abtastwerte, die mehr als eine Periode zu spät begannen.</translation>
+    </message>
+    <message>
+        <source>A recording is shown. No device is active.</source>
+        <translation>Eine Aufzeichnung wird gezeigt. Kein Gerät ist aktiv.</translation>
     </message>
 </context>
 <context>
     <name>perilymph::gui::ValidatePage</name>
     <message>
         <source>Insertion %1 of %2</source>
-        <translation>Einführung %1 von %2</translation>
-    </message>
-    <message>
-        <source>The published experiment, repeated</source>
-        <translation>Der veröffentlichte Versuch, wiederholt</translation>
-    </message>
-    <message>
-        <source>Many insertions that differ as real ones do: where the tip starts, how the array is aligned, how curved it is, how slippery the wall. Their mean is held against the forces that were printed. Two forces were used to calibrate the array; the others are predictions.</source>
-        <translation>Viele Einführungen, die sich unterscheiden wie wirkliche: wo die Spitze beginnt, wie der Träger ausgerichtet ist, wie gekrümmt er ist, wie glatt die Wand. Ihr Mittel wird mit den gedruckten Kräften verglichen. Zwei Kräfte dienten dem Abgleich des Trägers; die anderen sind Vorhersagen.</translation>
+        <translation>Insertion %1 von %2</translation>
     </message>
     <message>
         <source>Insertions</source>
-        <translation>Einführungen</translation>
+        <translation>Insertionen</translation>
     </message>
     <message>
         <source>Save…</source>
-        <translation>Sichern …</translation>
-    </message>
-    <message>
-        <source>Curves as CSV, numbers as JSON, figures as SVG, into a folder.</source>
-        <translation>Kurven als CSV, Zahlen als JSON, Bilder als SVG, in einen Ordner.</translation>
+        <translation>Speichern …</translation>
     </message>
     <message>
         <source>insertions</source>
-        <translation>Einführungen</translation>
+        <translation>Insertionen</translation>
     </message>
     <message>
         <source>Simulation</source>
@@ -2652,7 +2648,7 @@
     </message>
     <message>
         <source>Difference</source>
-        <translation>Unterschied</translation>
+        <translation>Differenz</translation>
     </message>
     <message>
         <source>Experiment</source>
@@ -2660,23 +2656,15 @@
     </message>
     <message>
         <source>Building the cochlea…</source>
-        <translation>Die Cochlea wird gebaut …</translation>
+        <translation>Die Cochlea wird berechnet …</translation>
     </message>
     <message>
         <source>Stopping…</source>
         <translation>Hält an …</translation>
     </message>
     <message>
-        <source>%1 insertions, seed %2. Spread over travel %3 mN.</source>
-        <translation>%1 Einführungen, Startzahl %2. Streuung über den Weg %3 mN.</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Repeat it</source>
-        <translation>Wiederholen</translation>
     </message>
     <message>
         <source>✓ met</source>
@@ -2687,19 +2675,39 @@
         <translation>✗ verfehlt</translation>
     </message>
     <message>
-        <source>Folder for curves, numbers and figures</source>
-        <translation>Ordner für Kurven, Zahlen und Bilder</translation>
+        <source>Reproduce the published experiment</source>
+        <translation>Veröffentlichten Versuch reproduzieren</translation>
     </message>
     <message>
-        <source>Six files are in %1.</source>
-        <translation>Sechs Dateien liegen in %1.</translation>
+        <source>Simulates repeated insertions with realistic variability in start position, alignment, array curvature and friction. Their mean is compared with the published forces. Two forces were used to calibrate the array; the others are predictions.</source>
+        <translation>Simuliert wiederholte Insertionen mit realistischer Variabilität von Startposition, Ausrichtung, Krümmung des Trägers und Reibung. Ihr Mittelwert wird mit den veröffentlichten Kräften verglichen. Zwei Kräfte dienten der Kalibrierung des Trägers; die anderen sind Vorhersagen.</translation>
+    </message>
+    <message>
+        <source>Save curves as CSV, results as JSON and figures as SVG.</source>
+        <translation>Kurven als CSV, Ergebnisse als JSON und Abbildungen als SVG speichern.</translation>
+    </message>
+    <message>
+        <source>%1 insertions, seed %2. Mean SD over travel %3 mN.</source>
+        <translation>%1 Insertionen, Startwert %2. Mittlere SD über den Vorschub %3 mN.</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Starten</translation>
+    </message>
+    <message>
+        <source>Save to folder</source>
+        <translation>In Ordner speichern</translation>
+    </message>
+    <message>
+        <source>6 files saved to %1.</source>
+        <translation>6 Dateien gespeichert in %1.</translation>
     </message>
 </context>
 <context>
     <name>perilymph::gui::ValidationWork</name>
     <message>
-        <source>Canceled. Nothing was kept.</source>
-        <translation>Abgebrochen. Nichts wurde behalten.</translation>
+        <source>Canceled. No results were saved.</source>
+        <translation>Abgebrochen. Keine Ergebnisse gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -2709,28 +2717,12 @@
         <translation>Ansicht ▾</translation>
     </message>
     <message>
-        <source>Where to look from, how many views, stereo, and how much is drawn</source>
-        <translation>Von wo man sieht, wie viele Ansichten, Stereo, und wie viel gezeichnet wird</translation>
-    </message>
-    <message>
         <source>View</source>
         <translation>Ansicht</translation>
     </message>
     <message>
-        <source>LOOK FROM</source>
-        <translation>BLICK VON</translation>
-    </message>
-    <message>
-        <source>Surgeon’s view, turned 110°</source>
-        <translation>Sicht des Operateurs, um 110° gedreht</translation>
-    </message>
-    <message>
         <source>1</source>
         <translation>1</translation>
-    </message>
-    <message>
-        <source>Down the opening</source>
-        <translation>In die Öffnung</translation>
     </message>
     <message>
         <source>2</source>
@@ -2743,10 +2735,6 @@
     <message>
         <source>3</source>
         <translation>3</translation>
-    </message>
-    <message>
-        <source>Across the basal turn</source>
-        <translation>Quer zur Basalwindung</translation>
     </message>
     <message>
         <source>4</source>
@@ -2813,14 +2801,6 @@
         <translation>Vierfach gepuffert</translation>
     </message>
     <message>
-        <source>DRAWING</source>
-        <translation>ZEICHNEN</translation>
-    </message>
-    <message>
-        <source>By the machine’s speed</source>
-        <translation>Nach dem Tempo des Rechners</translation>
-    </message>
-    <message>
         <source>Fast</source>
         <translation>Schnell</translation>
     </message>
@@ -2837,32 +2817,60 @@
         <translation>Vierfach gepuffert: %1</translation>
     </message>
     <message>
-        <source>Quad-buffered, in a window of its own</source>
-        <translation>Vierfach gepuffert, in eigenem Fenster</translation>
-    </message>
-    <message>
-        <source>The picture for two eyes through the display’s two buffers, without words on it; Esc closes it.</source>
-        <translation>Das Bild für zwei Augen über die zwei Puffer der Anzeige, ohne Schrift darauf; Esc schließt es.</translation>
-    </message>
-    <message>
         <source>SOUND</source>
         <translation>TON</translation>
     </message>
     <message>
-        <source>looking for a sound output</source>
-        <translation>Tonausgabe wird gesucht</translation>
+        <source>Camera, layout, stereo and rendering quality</source>
+        <translation>Kamera, Anordnung, Stereo und Darstellungsqualität</translation>
     </message>
     <message>
-        <source>Hear the force: an octave for each 100 mN</source>
-        <translation>Die Kraft hören: eine Oktave je 100 mN</translation>
+        <source>CAMERA</source>
+        <translation>KAMERA</translation>
     </message>
     <message>
-        <source>Hear the force: %1</source>
-        <translation>Die Kraft hören: %1</translation>
+        <source>Surgeon’s view, rotated 110°</source>
+        <translation>Sicht des Operateurs, um 110° gedreht</translation>
     </message>
     <message>
-        <source>A tone while the force on the hand is 5 mN or more: 220 Hz at no force, an octave higher for each 100 mN.</source>
-        <translation>Ein Ton, solange die Kraft an der Hand mindestens 5 mN ist: 220 Hz ohne Kraft, je 100 mN eine Oktave höher.</translation>
+        <source>Through the opening</source>
+        <translation>Durch die Öffnung</translation>
+    </message>
+    <message>
+        <source>Basal-turn section</source>
+        <translation>Schnitt der Basalwindung</translation>
+    </message>
+    <message>
+        <source>RENDERING</source>
+        <translation>DARSTELLUNG</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>searching for an audio device</source>
+        <translation>Audiogerät wird gesucht</translation>
+    </message>
+    <message>
+        <source>Force sound: one octave per 100 mN</source>
+        <translation>Kraftton: eine Oktave je 100 mN</translation>
+    </message>
+    <message>
+        <source>Force sound: %1</source>
+        <translation>Kraftton: %1</translation>
+    </message>
+    <message>
+        <source>Plays a tone while the insertion force is 5 mN or more: 220 Hz at zero force, one octave higher per 100 mN.</source>
+        <translation>Gibt einen Ton aus, solange die Insertionskraft mindestens 5 mN beträgt: 220 Hz ohne Kraft, eine Oktave höher je 100 mN.</translation>
+    </message>
+    <message>
+        <source>Quad-buffered, separate window</source>
+        <translation>Vierfach gepuffert, eigenes Fenster</translation>
+    </message>
+    <message>
+        <source>Stereo view through the left and right buffers of the display; Esc closes it.</source>
+        <translation>Stereoansicht über linken und rechten Puffer der Anzeige; Esc schließt sie.</translation>
     </message>
 </context>
 </TS>

@@ -32,9 +32,9 @@ BoardView::BoardView(QWidget* parent)
   setFixedWidth(width_px);
   column_->setContentsMargins(3 * spacing, 3 * spacing, 3 * spacing, 2 * spacing);
   column_->setSpacing(spacing);
-  auto* title = label(tr("Today’s gentlest"), 22, false, this);
+  auto* title = label(tr("Lowest peak forces today"), 22, false, this);
   title->setFont(typeface(22, QFont::DemiBold));
-  auto* note = label(tr("lowest peak force at full depth"), 15, true, this);
+  auto* note = label(tr("peak insertion force at full depth"), 15, true, this);
   column_->addWidget(title);
   column_->addWidget(note);
   column_->addStretch();
@@ -53,7 +53,8 @@ void BoardView::show(const std::vector<KioskEntry>& entries, const QStringList& 
   rows->setContentsMargins(0, spacing, 0, 0);
   rows->setSpacing(4);
   if (entries.empty()) {
-    auto* empty = label(tr("Nobody has been to full depth yet. Be the first."), 17, false, rows_);
+    auto* empty =
+        label(tr("No insertion has reached full depth yet. Be the first."), 17, false, rows_);
     empty->setWordWrap(true);
     rows->addWidget(empty);
   }
@@ -76,8 +77,8 @@ void BoardView::addRow(int rank, const KioskEntry& entry, const QString& caption
   auto* place = label(QString::number(rank), 20, true, row);
   auto* peak = label(tr("%1 mN").arg(numberText(entry.peak_mN, 0)), 20, false, row);
   peak->setFont(typeface(20, isChosen ? QFont::DemiBold : QFont::Normal));
-  auto* when = label(isChosen ? tr("you, just now") : entry.at.toString(QStringLiteral("HH:mm")),
-                     15, !isChosen, row);
+  auto* when =
+      label(isChosen ? tr("you") : entry.at.toString(QStringLiteral("HH:mm")), 15, !isChosen, row);
   when->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   grid->addWidget(place, 0, 0);
   grid->addWidget(peak, 0, 1);

@@ -55,8 +55,7 @@ KioskScreen::KioskScreen(QWidget* window)
   foot_->addWidget(addTurnFoot());
   foot_->addWidget(addResultFoot());
   foot_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-  auto* quiet =
-      new QLabel(tr("A simulation for research and training; not a medical device."), this);
+  auto* quiet = new QLabel(tr("Simulation for research and training. Not a medical device."), this);
   quiet->setFont(typeface(13));
   quiet->setProperty("quiet", true);
   quiet->setAlignment(Qt::AlignCenter);
@@ -97,9 +96,9 @@ QWidget* KioskScreen::addTurnFoot()
   auto* page = new QWidget(foot_);
   auto* row = new QHBoxLayout(page);
   row->setSpacing(2 * spacing);
-  pull_ = addButton(tr("Hold to pull back"), "pullButton", page);
+  pull_ = addButton(tr("Hold to withdraw"), "pullButton", page);
   pad_ = new PushPad(page);
-  handle_ = addButton(tr("Use the handle"), "handleButton", page);
+  handle_ = addButton(tr("Use the haptic device"), "handleButton", page);
   auto* again = addButton(tr("Start over"), "startOverButton", page);
   row->addWidget(pull_);
   row->addWidget(pad_, 1);
@@ -138,7 +137,7 @@ void KioskScreen::offerHandle(bool isThere) { handle_->setVisible(isThere); }
 
 void KioskScreen::useHandle(bool isHandle)
 {
-  handle_->setText(isHandle ? tr("Use the screen") : tr("Use the handle"));
+  handle_->setText(isHandle ? tr("Use the screen") : tr("Use the haptic device"));
   pad_->setEnabled(!isHandle);
   pull_->setEnabled(!isHandle);
 }

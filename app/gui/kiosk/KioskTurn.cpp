@@ -40,10 +40,11 @@ QString peakText(double peak_N, const Result<analysis::Reference>& inVivo)
   const analysis::PrintedRange* range = inVivo ? inVivo->findRange("peak") : nullptr;
   if (range == nullptr) return {};
   if (peak_N < range->low)
-    return translated(QT_TRANSLATE_NOOP("KioskTurn", "below the peaks measured in patients"));
+    return translated(QT_TRANSLATE_NOOP("KioskTurn", "Below the forces measured in patients."));
   if (peak_N > range->high)
-    return translated(QT_TRANSLATE_NOOP("KioskTurn", "above the peaks measured in patients"));
-  return translated(QT_TRANSLATE_NOOP("KioskTurn", "among the peaks measured in patients"));
+    return translated(QT_TRANSLATE_NOOP("KioskTurn", "Above the forces measured in patients."));
+  return translated(
+      QT_TRANSLATE_NOOP("KioskTurn", "Within the range of forces measured in patients."));
 }
 
 QString peakSource(const Result<analysis::Reference>& inVivo)
@@ -51,8 +52,8 @@ QString peakSource(const Result<analysis::Reference>& inVivo)
   const analysis::PrintedRange* range = inVivo ? inVivo->findRange("peak") : nullptr;
   if (range == nullptr) return {};
   return translated(QT_TRANSLATE_NOOP("KioskTurn",
-                                      "Measured in patients: peaks of %1 to %2 mN (Rau et al. "
-                                      "2024). A comparison, not a judgment of safety."))
+                                      "Peak forces measured in patients: %1–%2 mN (Rau et al. "
+                                      "2024). This comparison is not a safety assessment."))
       .arg(numberText(inMillinewtons(newtons(range->low)), 0),
            numberText(inMillinewtons(newtons(range->high)), 0));
 }

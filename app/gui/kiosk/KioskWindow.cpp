@@ -33,13 +33,13 @@ constexpr std::array tour{CameraPreset::surgeon, CameraPreset::overview, CameraP
 
 std::array<QString, tour.size()> tourSentences()
 {
-  return {KioskWindow::tr("A cochlear implant gives hearing back by an electrode array in the "
-                          "inner ear. A surgeon pushes it in by hand, through an opening of a "
-                          "millimeter or two."),
-          KioskWindow::tr("The cochlea winds up like a snail’s shell. The array has to follow it "
-                          "without pressing on the delicate membrane along its way."),
-          KioskWindow::tr("What the hand feels are thousandths of a newton. Here the force is "
-                          "computed a thousand times a second, and can be practiced.")};
+  return {KioskWindow::tr(
+              "A cochlear implant restores hearing with electrodes in the inner ear. A surgeon "
+              "inserts the electrode array by hand, through an opening of one to two millimeters."),
+          KioskWindow::tr("The cochlea is coiled like a snail shell. The array must follow it "
+                          "without damaging the delicate basilar membrane."),
+          KioskWindow::tr("The forces are a few hundredths of a newton. Here they are computed a "
+                          "thousand times per second, so that the insertion can be practiced.")};
 }
 
 }  // namespace
@@ -227,7 +227,7 @@ void KioskWindow::beginTurn(InputSource hand)
   setStage(KioskStage::turn);
   if (!prepare(hand)) {
     if (hand == InputSource::device) return beginTurn(InputSource::pointer);
-    screen_->say(tr("This cannot be tried now"), tr("The staff of the booth can help."));
+    screen_->say(tr("Not available now"), tr("Please ask the booth staff."));
     return setStage(KioskStage::result);
   }
   const bool isHandle = hand == InputSource::device;
@@ -235,10 +235,10 @@ void KioskWindow::beginTurn(InputSource hand)
   screen_->view().glideTo(CameraPreset::surgeon);
   screen_->say(
       tr("Your turn"),
-      isHandle ? tr("Hold the handle’s button and push gently. Keep the force low until the array "
-                    "is in.")
-               : tr("Hold the green plate and the array moves in, the farther right the faster. "
-                    "Keep the force low until it is at full depth."));
+      isHandle
+          ? tr("Hold the device button and advance gently. Keep the force low until full depth.")
+          : tr("Hold the bar to insert; further right is faster. Keep the force low until full "
+               "depth."));
   showBoard(std::nullopt);
 }
 
@@ -246,8 +246,9 @@ void KioskWindow::endTurn()
 {
   letGo();
   if (control_.now().output.workflow == Workflow::fault) {
-    screen_->say(tr("The array had to be stopped"),
-                 tr("The motion left what can be computed. The force is off. Try again."));
+    screen_->say(
+        tr("The insertion was stopped"),
+        tr("The simulation became unstable and was stopped. The force is off. Try again."));
     return setStage(KioskStage::result);
   }
   const QDateTime today = clock_.today();
@@ -257,9 +258,9 @@ void KioskWindow::endTurn()
   const QString peak = numberText(entry.peak_mN, 0);
   screen_->say(place ? tr("Full depth · peak force %1 mN · place %2 today").arg(peak).arg(*place)
                      : tr("Full depth · peak force %1 mN").arg(peak),
-               tr("%1, in %2 s; turned back: %3.")
-                   .arg(peakText(turn_.peakForce(), inVivo_), numberText(entry.duration_s, 1))
-                   .arg(entry.reversals));
+               (entry.reversals == 0 ? tr("%1 s, no reversals. %2") : tr("%1 s, reversals: %3. %2"))
+                   .arg(numberText(entry.duration_s, 1), peakText(turn_.peakForce(), inVivo_),
+                        QString::number(entry.reversals)));
   setStage(KioskStage::result);
   showBoard(place);
   if (!board_.error().empty()) screen_->view().setBanner(QString::fromStdString(board_.error()));

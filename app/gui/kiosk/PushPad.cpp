@@ -94,7 +94,7 @@ void PushPad::paintEvent(QPaintEvent*)
   painter.setFont(typeface(26, QFont::DemiBold));
   const QRect text = rect().adjusted(side_px, 8, -side_px, -36);
   painter.drawText(text, Qt::AlignCenter,
-                   isHeld() ? tr("Let go to pause") : tr("Hold here to insert"));
+                   isHeld() ? tr("Release to pause") : tr("Hold here to insert"));
   painter.setFont(typeface(16));
   const QRect foot = rect().adjusted(side_px, 54, -side_px, -8);
   painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter, tr("slow"));

@@ -32,11 +32,11 @@ charts::ChartStyle chartStyle()
   charts::ChartStyle style{shownScheme(), {}};
   style.strings = {
       .travel = tr("travel, mm"),
-      .axialForce = tr("axial force, N"),
+      .axialForce = tr("insertion force, N"),
       .force = tr("force, mN"),
       .now = tr("now"),
       .thisInsertion = tr("this insertion"),
-      .feltBySurgeons = tr("felt by surgeons %1 mN"),
+      .feltBySurgeons = tr("perception threshold %1 mN"),
       .axial = tr("axial"),
       .lateral = tr("lateral"),
       .vertical = tr("vertical"),
@@ -46,9 +46,9 @@ charts::ChartStyle chartStyle()
       .wallForceScale = tr("wall force, 50 mN per mm"),
       .wallForce = tr("wall force %1 mN"),
       .unrolledAxes = tr("angle from round window, °; width, mm"),
-      .tipIsOutside = tr("the tip is outside"),
-      .noContactInside = tr("no contact is inside yet"),
-      .meanAndInside = tr("mean %1 mm, %2 inside"),
+      .tipIsOutside = tr("tip is outside the cochlea"),
+      .noContactInside = tr("no contact inserted yet"),
+      .meanAndInside = tr("mean %1 mm, %2 inserted"),
       .decimalSign = decimalSign(),
   };
   return style;
@@ -59,8 +59,8 @@ visualization::SceneStyle sceneStyle()
   visualization::SceneStyle style{shownScheme(), {}};
   style.strings = {
       .wallForce = tr("wall force, mN per mm"),
-      .normalForce = tr("normal force, %1 mm for %2 mN"),
-      .friction = tr("friction, × %1"),
+      .normalForce = tr("contact force (arrow %1 mm = %2 mN)"),
+      .friction = tr("friction force (arrows enlarged %1×)"),
       .decimalSign = decimalSign(),
   };
   return style;
@@ -70,7 +70,7 @@ QString referenceName(const std::string& label)
 {
   // labels of the shipped references in their files
   static const char* const shipped[] = {
-      QT_TRANSLATE_NOOP("perilymph::gui", "published experiment, printed values ± SD"),
+      QT_TRANSLATE_NOOP("perilymph::gui", "published measurements, mean ± SD"),
   };
   for (const char* one : shipped)
     if (label == one) return QCoreApplication::translate("perilymph::gui", one);

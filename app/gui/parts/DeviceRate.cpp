@@ -19,16 +19,16 @@ QString milliseconds(double time) { return numberText(time * 1e3, 2); }
 QString roundTripText(const device::DeviceHealth& health)
 {
   const QString time = milliseconds(health.roundTrip);
-  return health.isRoundTripMeasured ? tr("%1 ms there and back").arg(time)
-                                    : tr("at most %1 ms there and back").arg(time);
+  return health.isRoundTripMeasured ? tr("round trip %1 ms").arg(time)
+                                    : tr("round trip at most %1 ms").arg(time);
 }
 
 QString deviceRateText(const std::optional<device::DeviceHealth>& health)
 {
   if (!health) return {};
-  if (!health->isConnected) return tr("device gone");
+  if (!health->isConnected) return tr("device disconnected");
   const device::ReadingFigures& reading = health->reading;
-  QString text = tr("device %1/s, jitter %2 ms")
+  QString text = tr("device %1 reports/s, jitter %2 ms")
                      .arg(numberText(reading.rate, 0),
                           milliseconds(reading.intervalP99 - reading.intervalMedian));
   if (health->roundTrip > 0.0) text += roundTripText(*health).prepend(QStringLiteral(", "));

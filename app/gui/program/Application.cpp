@@ -45,9 +45,9 @@ bool Application::notify(QObject* receiver, QEvent* event)
   try {
     return QApplication::notify(receiver, event);
   } catch (const std::exception& thrown) {
-    sentence = tr("The window could not do that: %1").arg(QString::fromUtf8(thrown.what()));
+    sentence = tr("The action failed: %1").arg(QString::fromUtf8(thrown.what()));
   } catch (...) {
-    sentence = tr("The window could not do that, and does not know why.");
+    sentence = tr("Something went wrong. See the log.");
   }
   std::cerr << sentence.toStdString() << '\n';
   if (tell_) tell_(sentence);

@@ -63,49 +63,43 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
 
   std::string record, plugin, screenshot;
   app.add_option("--scenario", options.scenario,
-                 "What to insert where: a shipped name or a TOML file; without it, the first "
-                 "screen asks")
+                 "Scenario: shipped name or TOML file (default: start page)")
       ->type_name("FILE|NAME");
-  auto* demoOption = app.add_flag("--demo", options.isDemo, "Start inserting at once");
+  auto* demoOption = app.add_flag("--demo", options.isDemo, "Start the insertion automatically");
   auto* recordOption =
-      app.add_option("--record", record,
-                     "Where to keep the insertion; without it, among the sessions in the data home")
+      app.add_option("--record", record, "File of the recording (default: in the session folder)")
           ->type_name("FILE");
   auto* pluginOption =
       app.add_option("--device-plugin", plugin,
-                     "A device plug-in, which becomes the hand; it runs with your rights")
+                     "Device plug-in used as input device; it runs with your rights")
           ->type_name("FILE.so")
           ->excludes(demoOption);
   auto* screenshotOption =
-      app.add_option("--screenshot", screenshot, "Write a picture of the window, then exit")
+      app.add_option("--screenshot", screenshot, "Save a screenshot of the window, then exit")
           ->type_name("FILE.png")
           ->check(checkPicture);
-  app.add_option("--after", options.after_s,
-                 "How long after the first frame the screenshot is taken")
+  app.add_option("--after", options.after_s, "Delay of the screenshot after the first frame (s)")
       ->type_name("SECONDS")
       ->needs(screenshotOption)
       ->check(checkDelay)
       ->capture_default_str();
-  app.add_option("--quality", options.quality, "How much is drawn; auto: by the machine's speed")
+  app.add_option("--quality", options.quality, "Rendering quality (default: as set in the window)")
       ->check(CLI::IsMember({"auto", "fast", "balanced", "full"}));
-  auto* measureOption =
-      app.add_flag("--measure-frames", options.measuresFrames,
-                   "Run the demonstration, print how long its frames took, then exit")
-          ->excludes(screenshotOption)
-          ->excludes(pluginOption);
-  app.add_option(
-         "--ticks", options.measuredTicks,
-         "Measure on, in and out, until so many ticks were recorded (3600000: an hour), and "
-         "set the last insertion beside the first")
+  auto* measureOption = app.add_flag("--measure-frames", options.measuresFrames,
+                                     "Run the demo, print frame times, then exit")
+                            ->excludes(screenshotOption)
+                            ->excludes(pluginOption);
+  app.add_option("--ticks", options.measuredTicks,
+                 "Repeat the demo until N samples are recorded (3600000 = 1 h) and compare the "
+                 "last insertion with the first (default: one insertion)")
       ->type_name("N")
       ->needs(measureOption)
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1000000000}));
   app.add_option("--language", options.language,
-                 "The window's words and numbers, for this call; else as chosen in its settings")
+                 "Language and number format of this session (default: as set in the window)")
       ->type_name("en|de|system")
       ->check(CLI::IsMember({"en", "de", "system"}));
-  app.add_flag("--kiosk", options.isKiosk,
-               "Fill the screen with a demonstration for visitors; Ctrl+Alt+Q ends it")
+  app.add_flag("--kiosk", options.isKiosk, "Full-screen demo for visitors; Ctrl+Alt+Q ends it")
       ->excludes(demoOption)
       ->excludes(recordOption)
       ->excludes(pluginOption)
@@ -118,7 +112,7 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
     app.exit(success);
     return Exit{0};
   } catch (const CLI::ParseError& error) {
-    std::cerr << error.what() << "\nperilymph --help lists the words it knows.\n";
+    std::cerr << error.what() << "\nperilymph --help lists the options.\n";
     return Exit{2};
   }
   if (recordOption->count() > 0) options.record = record;

@@ -36,8 +36,7 @@ void offer(MainWindow& window, const session::SessionSummary& left)
   const QString depth = numberText(inMillimeters(Length::fromSi(left.highlights.deepest)), 1);
   const QString sentence =
       MainWindow::tr(
-          "The program ended unexpectedly. The insertion of then, to a depth of %1 mm, "
-          "is kept in the library: %2.")
+          "The program closed unexpectedly. Your last insertion (depth %1 mm) was recovered: %2.")
           .arg(depth, QString::fromStdString(left.file.stem().string()));
   window.notice().offer(sentence, MainWindow::tr("Show sessions"),
                         [&window] { window.showPage(Page::sessions); });

@@ -106,7 +106,7 @@ bool hasStereoBuffers()
 QString quadBufferedError(bool hasBuffers)
 {
   if (hasBuffers) return {};
-  return QCoreApplication::translate("Display", "this display has no buffers for two eyes");
+  return QCoreApplication::translate("Display", "not supported by this display");
 }
 
 }  // namespace perilymph::gui

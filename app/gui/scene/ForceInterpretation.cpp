@@ -40,26 +40,32 @@ ForceMeaning meaningOnHand(Force force, const ForceThresholds& known)
   const double size = std::fabs(force.si());
   const QString felt = known.felt ? numberText(inMillinewtons(*known.felt), 0) : QString();
   if (known.felt && size < known.felt->si())
-    return {tr("below the %1 mN that surgeons feel").arg(felt), false};
+    return {tr("below perception threshold (%1 mN)").arg(felt), false};
   if (!known.felt && (!known.peaks || size < known.peaks->low)) return {};
   if (!known.peaks || size < known.peaks->low)
-    return {tr("felt by surgeons, above %1 mN").arg(felt), false};
+    return {tr("perceptible (above %1 mN)").arg(felt), false};
   const QString low = millinewtonsText(known.peaks->low);
   const QString high = millinewtonsText(known.peaks->high);
   if (size <= known.peaks->high)
-    return {tr("felt; like peaks in patients, %1 to %2 mN").arg(low, high), false};
-  return {tr("felt; above the peaks in patients, %1 mN").arg(high), true};
+    return {tr("perceptible; within reported clinical peak forces (%1–%2 mN)").arg(low, high),
+            false};
+  return {tr("above reported clinical peak forces (> %1 mN)").arg(high), true};
 }
 
 ForceMeaning meaningOnPartition(Force force, const ForceThresholds& known)
 {
   const QString now = numberText(inMillinewtons(force), 0);
-  if (!known.rupture) return {tr("on the partition %1 mN").arg(now), false};
+  if (!known.rupture) return {tr("cochlear partition %1 mN").arg(now), false};
   const QString low = millinewtonsText(known.rupture->low);
   const QString high = millinewtonsText(known.rupture->high);
   if (force.si() < known.rupture->low)
-    return {tr("on the partition %1 mN; it ruptures at %2 to %3 mN").arg(now, low, high), false};
-  return {tr("on the partition %1 mN: it ruptures at %2 to %3 mN").arg(now, low, high), true};
+    return {tr("cochlear partition %1 mN (rupture reported at %2–%3 mN, unverified)")
+                .arg(now, low, high),
+            false};
+  return {
+      tr("cochlear partition %1 mN: within or above reported rupture forces (%2–%3 mN, unverified)")
+          .arg(now, low, high),
+      true};
 }
 
 }  // namespace perilymph::gui

@@ -30,15 +30,15 @@ ForceLabel::ForceLabel(QWidget* parent) : QWidget(parent), known_(ForceThreshold
   setAttribute(Qt::WA_NoSystemBackground);
   QStringList sources;
   if (known_.felt)
-    sources << tr("Felt: median of ten otologic surgeons, %1 mN (Kratchman 2016, Audiol Neurotol "
-                  "21:244).")
+    sources << tr("Perception threshold: median of ten otologic surgeons, %1 mN (Kratchman et al. "
+                  "2016, Audiol Neurotol 21:244).")
                    .arg(numberText(inMillinewtons(*known_.felt), 1));
   if (known_.peaks) sources << QString::fromStdString(known_.peaks->source);
   if (known_.rupture) sources << QString::fromStdString(known_.rupture->source);
   sources << tr(
-      "The force on the partition is the sum of what the whole array presses normal to "
-      "it; a rupture was measured under one point. No force is known to do no harm: "
-      "trauma may occur below these forces (Mirsalehi 2017).");
+      "The partition force is the sum of the normal forces of the whole array on the cochlear "
+      "partition; rupture was measured under a point load. No force is known to be safe: trauma "
+      "may occur below these forces (Mirsalehi et al. 2017).");
   setToolTip(sources.join(QStringLiteral("\n\n")));
   show({}, {});
 }

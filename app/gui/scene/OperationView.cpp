@@ -84,8 +84,8 @@ void OperationView::addReadOuts()
   angle_->setObjectName(QStringLiteral("angleReadOut"));
   force_->setObjectName(QStringLiteral("forceReadOut"));
   speed_->setObjectName(QStringLiteral("speedReadOut"));
-  angle_->setCaption(tr("from round window"));
-  force_->setCaption(tr("force on the hand"));
+  angle_->setCaption(tr("angular insertion depth"));
+  force_->setCaption(tr("insertion force"));
 
   banner_->setObjectName(QStringLiteral("banner"));
   bannerText_->setObjectName(QStringLiteral("bannerText"));
@@ -191,8 +191,8 @@ void OperationView::showArray(const haptics::Snapshot& now)
 void OperationView::showNumbers(const haptics::TickOutput& now, Length stopTravel)
 {
   travel_->setNumber(numberText(inMillimeters(Length::fromSi(now.travel)), 1));
-  travel_->setCaption(
-      tr("travel · depth %1 mm").arg(numberText(inMillimeters(Length::fromSi(now.depth)), 1)));
+  travel_->setCaption(tr("advanced · insertion depth %1 mm")
+                          .arg(numberText(inMillimeters(Length::fromSi(now.depth)), 1)));
   angle_->setNumber(numberText(inDegrees(Angle::fromSi(now.angularDepth)), 0));
   force_->setNumber(numberText(inMillinewtons(Force::fromSi(now.axialForce)), 0));
   forceLabel_->show(Force::fromSi(now.axialForce), Force::fromSi(now.membraneForce));

@@ -22,7 +22,7 @@ StereoWindow::StereoWindow(QObject* parent) : QObject(parent)
   format.setSamples(0);
   format.setSwapInterval(0);  // the main window paces the frames
   window_->setFormat(format);
-  window_->setTitle(tr("Perilymph, for two eyes"));
+  window_->setTitle(tr("Perilymph stereo view"));
   window_->resize(960, 720);
   window_->setEnableHiDPI(false);  // the scene scales its texts itself
   if (window_->interactor() != nullptr) window_->interactor()->SetInteractorStyle(nullptr);

@@ -13,13 +13,13 @@ QString nameOf(CameraPreset preset)
     case CameraPreset::surgeon:
       return OperationView::tr("Surgeon’s view");
     case CameraPreset::microscope:
-      return OperationView::tr("Down the opening");
+      return OperationView::tr("Through the opening");
     case CameraPreset::overview:
       return OperationView::tr("Overview");
     case CameraPreset::followTip:
       return OperationView::tr("Following the tip");
     case CameraPreset::section:
-      return OperationView::tr("Across the basal turn");
+      return OperationView::tr("Basal-turn section");
   }
   return {};
 }

@@ -69,10 +69,10 @@ void ArraySection::addArrays()
 
   technique_ = new Selector("techniqueSelector", tr("Technique"), body());
   technique_->addChoice(tr("Standard"), QLatin1String(nameOf(session::Technique::standard)),
-                        tr("A stylet stays in until full depth."));
-  technique_->addChoice(tr("Advance off stylet"),
-                        QLatin1String(nameOf(session::Technique::advanceOffStylet)),
-                        tr("The stylet is held still at its depth and the array pushed off it."));
+                        tr("The stylet stays in place until full depth."));
+  technique_->addChoice(
+      tr("Advance off stylet"), QLatin1String(nameOf(session::Technique::advanceOffStylet)),
+      tr("The stylet is held at a fixed depth and the array is advanced off it."));
   connect(technique_, &Selector::chosen, this, [this](const QString& technique) {
     Q_EMIT changeAsked({SetupField::technique,
                         {{"technique", tomlQuoted(technique)}},
@@ -84,15 +84,16 @@ void ArraySection::addArrays()
 
 void ArraySection::addMotion()
 {
-  speed_ = new NumberField({tr("Speed"), "panelSpeed", tr("mm/s"), 1, tr("Of the scripted hand.")},
-                           body());
+  speed_ = new NumberField(
+      {tr("Speed"), "panelSpeed", tr("mm/s"), 1, tr("Insertion speed of the scripted insertion.")},
+      body());
   // as allowed in a scenario: robots move at 0.1 to 1 mm/s, a slip of the hand reaches 200
   speed_->setRange({0.01, 200.0});
-  stop_ = new NumberField({tr("Full depth at"), "panelStop", tr("mm"), 1,
-                           tr("Travel at which the insertion is complete.")},
-                          body());
+  stop_ = new NumberField(
+      {tr("Stop at"), "panelStop", tr("mm"), 1, tr("Travel at which the insertion stops.")},
+      body());
   askNumber(speed_, SetupField::speed, "speed_mm_s", tr("speed %1 mm/s"));
-  askNumber(stop_, SetupField::stopTravel, "stop_travel_mm", tr("full depth at %1 mm"));
+  askNumber(stop_, SetupField::stopTravel, "stop_travel_mm", tr("stop at %1 mm"));
   rows().addWidget(speed_);
   rows().addWidget(stop_);
 }
@@ -109,17 +110,18 @@ void ArraySection::addContact()
   rows().addWidget(namedRow(tr("Friction"), friction_, body()));
   coefficients_ = quietLine(body(), "frictionCoefficients");
   coefficients_->setToolTip(
-      tr("Coefficients of dry friction between array and wall: starting, dynamic."));
+      tr("Coulomb friction between array and wall: static and kinetic coefficient."));
   coefficients_->setAlignment(Qt::AlignRight);
   rows().addWidget(coefficients_);
 
   opening_ = new Selector("openingSelector", tr("Opening"), body());
   opening_->addChoice(tr("Cochleostomy"), QLatin1String(nameOf(session::OpeningKind::cochleostomy)),
-                      tr("A drilled round opening; ribs meet its edge."));
+                      tr("A drilled round opening; marker ribs contact its edge."));
   opening_->addChoice(tr("Round window"), QLatin1String(nameOf(session::OpeningKind::roundWindow)),
-                      tr("1.37 by 1.91 mm, the mean of 20 (Benha Med J 2018;35:246)."));
-  opening_->addChoice(tr("No rim"), QLatin1String(nameOf(session::OpeningKind::none)),
-                      tr("Nothing but the wall."));
+                      tr("1.37 × 1.91 mm, mean, n = 20 (Benha Med J 2018;35:246)."));
+  opening_->addChoice(tr("Wide opening (no edge contact)"),
+                      QLatin1String(nameOf(session::OpeningKind::none)),
+                      tr("The array contacts the scala wall only."));
   connect(opening_, &Selector::chosen, this, [this](const QString& opening) {
     Q_EMIT changeAsked({SetupField::opening,
                         {{"opening", tomlQuoted(opening)}},
@@ -133,9 +135,10 @@ void ArraySection::addModel()
 {
   model_ = new Selector("modelSelector", tr("Model"), body());
   model_->addChoice(tr("Elastic rod"), QLatin1String(session::nameOf(mechanics::ModelKind::rod)),
-                    tr("The array as an elastic rod of nodes."));
-  model_->addChoice(tr("Point set"), QLatin1String(session::nameOf(mechanics::ModelKind::points)),
-                    tr("The published model: a few spheres on springs, limits and all."));
+                    tr("The array is an elastic rod discretized into nodes."));
+  model_->addChoice(
+      tr("Point set (published)"), QLatin1String(session::nameOf(mechanics::ModelKind::points)),
+      tr("The published model: sample points coupled by springs, with its known limits."));
   connect(model_, &Selector::chosen, this, [this](const QString& model) {
     Q_EMIT changeAsked({SetupField::model,
                         {{"model", tomlQuoted(model)}},
@@ -143,8 +146,9 @@ void ArraySection::addModel()
                         {}});
   });
   rows().addWidget(namedRow(tr("Model"), model_, body()));
-  nodes_ = new NumberField(
-      {tr("Nodes"), "panelNodes", QString(), 0, tr("Of the rod, or points of the set.")}, body());
+  nodes_ = new NumberField({tr("Nodes"), "panelNodes", QString(), 0,
+                            tr("Number of nodes of the rod, or of sample points.")},
+                           body());
   connect(nodes_, &NumberField::given, this, [this](double value) {
     const QString count = numberText(value, 0);
     Q_EMIT changeAsked({SetupField::nodes,
@@ -172,12 +176,12 @@ void ArraySection::show(const Setup& setup)
   summary_->setText(summaryOf(array));
   summary_->setToolTip(QString::fromStdString(array.note).simplified());
   setNote(scenario.calibrationName().empty() ? QString() : tr("calibrated"),
-          tr("Stiffness and curvature fitted to printed forces: %1.")
+          tr("Stiffness and curvature were fitted to published forces: %1.")
               .arg(QString::fromStdString(scenario.calibrationName())));
 
   const bool canHold = array.hasStylet && array.stylet.holdDepth.has_value();
   technique_->setPossible(QLatin1String(nameOf(session::Technique::advanceOffStylet)), canHold,
-                          array.hasStylet ? tr("no depth is known to hold the stylet at")
+                          array.hasStylet ? tr("no stylet depth is known for this array")
                                           : tr("this array has no stylet"));
   technique_->show(QLatin1String(nameOf(scenario.technique())), {});
   speed_->setValue(inMillimetersPerSecond(scenario.speed()));
@@ -204,19 +208,19 @@ void ArraySection::showFriction(const session::Scenario& scenario)
   const QString staticCoefficient = numberText(law.staticCoefficient, 4);
   coefficients_->setText(
       law.bySpeed.isEmpty()
-          ? tr("starting %1 · dynamic %2")
+          ? tr("static %1 · kinetic %2")
                 .arg(staticCoefficient, numberText(law.kineticCoefficient, 4))
-          : tr("%1 to %2 by speed")
+          : tr("%1–%2, speed-dependent")
                 .arg(numberText(law.bySpeed.minimum(), 2), numberText(law.bySpeed.maximum(), 2)));
 }
 
 QString ArraySection::commit()
 {
   const std::pair<NumberField*, QString> fields[] = {
-      {speed_, tr("Speed")}, {stop_, tr("Full depth")}, {nodes_, tr("Nodes")}};
+      {speed_, tr("Speed")}, {stop_, tr("Stop")}, {nodes_, tr("Nodes")}};
   for (const auto& [field, title] : fields) {
     if (field->commit()) continue;
-    return tr("%1 %2. Correct it, or press Esc in its field.").arg(title, field->error());
+    return tr("%1 %2. Enter a valid value or press Esc.").arg(title, field->error());
   }
   return {};
 }

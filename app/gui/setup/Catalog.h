@@ -28,7 +28,7 @@ QString summaryOf(const electrode::ArrayDesign& array);
 /// One friction of the catalog.
 struct CatalogFriction {
   QString name;    ///< Name in scenarios.
-  QString title;   ///< "Soap solution of 10 %: alike at every speed"
+  QString title;   ///< "Soap 10 %: speed-independent"
   QString source;  ///< Source of its coefficients.
 };
 

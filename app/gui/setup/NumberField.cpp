@@ -48,7 +48,7 @@ NumberField::NumberField(const Form& form, QWidget* parent)
 void NumberField::setRange(Range allowed)
 {
   allowed_ = allowed;
-  edit_->setToolTip(tr("%1 to %2 %3. %4")
+  edit_->setToolTip(tr("%1–%2 %3. %4")
                         .arg(numberText(allowed.low, form_.decimals),
                              numberText(allowed.high, form_.decimals), form_.unit, form_.tip));
   showError();

@@ -56,7 +56,7 @@ QString sourceText(ValueSource sources)
 {
   switch (sources) {
     case ValueSource::typed:
-      return PatientSection::tr("typed");
+      return PatientSection::tr("entered");
     case ValueSource::ct:
       return PatientSection::tr("from CT");
     case ValueSource::standard:
@@ -98,11 +98,11 @@ PatientSection::PatientSection(QWidget* parent)
   label_->setFont(typeface(13));
   label_->setFixedHeight(26);
   label_->setMaxLength(60);
-  label_->setToolTip(tr("A code, not a name."));
+  label_->setToolTip(tr("Patient code (no names)."));
   connect(label_, &QLineEdit::editingFinished, this, [this] { askLabel(); });
   ear_->addChoice(tr("right ear"), QStringLiteral("right"));
   ear_->addChoice(tr("left ear"), QStringLiteral("left"),
-                  tr("A left ear is the mirror image of a right one; its forces are the same."));
+                  tr("A left ear is the mirror image of a right ear; the forces are identical."));
   connect(ear_, &Selector::chosen, this, [this](const QString& side) {
     Q_EMIT changeAsked({SetupField::side, {{"side", tomlQuoted(side)}}, ear_->currentText(), {}});
   });
@@ -130,21 +130,24 @@ PatientSection::PatientSection(QWidget* parent)
     return new PopulationField(title, name, population, mayBeEmpty, body(), Width::narrow);
   };
   lengths_ = addPage({
-      {SetupField::scalaLength, "st_length_mm", tr("Scala length"),
-       field(tr("Scala length"), "panelScalaLength", scalaLengthPopulation(), false), nullptr},
-      {SetupField::windowWidth, "rw_width_mm", tr("Width at window"),
-       field(tr("Width at window"), "panelWindowWidth", windowWidthPopulation(), false), nullptr},
-      {SetupField::windowHeight, "rw_height_mm", tr("Height at window"),
-       field(tr("Height at window"), "panelWindowHeight", windowHeightPopulation(), false),
+      {SetupField::scalaLength, "st_length_mm", tr("Cochlear duct length"),
+       field(tr("Cochlear duct length"), "panelScalaLength", scalaLengthPopulation(), false),
+       nullptr},
+      {SetupField::windowWidth, "rw_width_mm", tr("Scala width at round window"),
+       field(tr("Scala width at round window"), "panelWindowWidth", windowWidthPopulation(), false),
+       nullptr},
+      {SetupField::windowHeight, "rw_height_mm", tr("Scala height at round window"),
+       field(tr("Scala height at round window"), "panelWindowHeight", windowHeightPopulation(),
+             false),
        nullptr},
   });
   basalTurn_ = addPage({
-      {SetupField::lengthA, "a_mm", tr("Length A"),
-       field(tr("Length A"), "panelA", lengthAPopulation(), false), nullptr},
-      {SetupField::widthB, "b_mm", tr("Width B"),
-       field(tr("Width B"), "panelB", widthBPopulation(), false), nullptr},
-      {SetupField::heightH, "h_mm", tr("Height H"),
-       field(tr("Height H"), "panelH", heightHPopulation(), true), nullptr},
+      {SetupField::lengthA, "a_mm", tr("A: basal-turn diameter"),
+       field(tr("A: basal-turn diameter"), "panelA", lengthAPopulation(), false), nullptr},
+      {SetupField::widthB, "b_mm", tr("B: basal-turn width"),
+       field(tr("B: basal-turn width"), "panelB", widthBPopulation(), false), nullptr},
+      {SetupField::heightH, "h_mm", tr("H: cochlear height"),
+       field(tr("H: cochlear height"), "panelH", heightHPopulation(), true), nullptr},
   });
 
   const anatomy::Patient average;
@@ -163,17 +166,16 @@ void PatientSection::addKind(const anatomy::AnatomySourceTraits& traits, Patient
     QString title, tip;
   };
   const Known known[] = {
-      {AnatomySource::published, PatientMeasures::threeLengths, tr("Three lengths"),
-       tr("The published scala tympani, scaled by three lengths from CT.")},
+      {AnatomySource::published, PatientMeasures::threeLengths, tr("CDL and round-window section"),
+       tr("The published scala tympani, scaled by three CT measurements.")},
       {AnatomySource::mean, PatientMeasures::basalTurn, tr("A, B and H"),
-       tr("The mean of fifteen human scalae, scaled by the diameters of the basal "
-          "turn. Adapted from Froehlich et al. 2024, CC BY 4.0.")},
-      {AnatomySource::mean, PatientMeasures::none, tr("Mean of 15"),
-       tr("The mean of fifteen human scalae as measured. Adapted from Froehlich, "
-          "Schurzig, Rau, Lenarz (2024), PLOS ONE, doi 10.1371/journal.pone.0295121, "
-          "CC BY 4.0.")},
-      {AnatomySource::clark, PatientMeasures::none, tr("Clark’s spiral"),
-       tr("A spiral of constant section, for comparison with older models.")},
+       tr("Average of 15 human scalae tympani, scaled by the basal-turn diameters. Adapted from "
+          "Froehlich et al. 2024, CC BY 4.0.")},
+      {AnatomySource::mean, PatientMeasures::none, tr("Average of 15"),
+       tr("Average of 15 human scalae tympani as measured. Adapted from Froehlich, Schurzig, Rau, "
+          "Lenarz (2024), PLOS ONE, doi 10.1371/journal.pone.0295121, CC BY 4.0.")},
+      {AnatomySource::clark, PatientMeasures::none, tr("Clark spiral"),
+       tr("Spiral with a constant cross-section, for comparison with earlier models.")},
   };
   const QString kind = kindOf(traits.source, measures);
   kinds_.push_back({kind, traits.source, measures});
@@ -229,8 +231,7 @@ QString PatientSection::commit()
 {
   for (const Number& number : numbers_) {
     if (number.page->isHidden() || number.shown->commit()) continue;
-    return tr("%1 %2. Correct it, or press Esc in its field.")
-        .arg(number.title, number.shown->error());
+    return tr("%1 %2. Enter a valid value or press Esc.").arg(number.title, number.shown->error());
   }
   askLabel();
   return {};
@@ -240,7 +241,7 @@ void PatientSection::askNumber(const Number& number, std::optional<Length> value
 {
   const QString caption =
       value ? tr("%1 %2 mm").arg(number.title, numberText(inMillimeters(*value), 2))
-            : tr("%1 left out").arg(number.title);
+            : tr("%1 not given").arg(number.title);
   Q_EMIT changeAsked({number.field,
                       {{keyOf(number.key), value ? tomlMillimeters(*value) : std::string()}},
                       caption,

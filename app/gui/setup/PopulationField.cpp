@@ -48,7 +48,7 @@ PopulationField::PopulationField(const QString& title, const char* name,
     field_->setFixedSize(fieldWidth_px, 28);
   else
     field_->setFixedSize(narrowFieldWidth_px, 26);
-  if (mayBeEmpty) field_->setPlaceholderText(width == Width::wide ? tr("not given") : tr("none"));
+  if (mayBeEmpty) field_->setPlaceholderText(width == Width::wide ? tr("optional") : tr("none"));
   auto* unit = new QLabel(tr("mm"), this);
   unit->setFont(typeface(11));
   unit->setProperty("quiet", true);
@@ -58,7 +58,7 @@ PopulationField::PopulationField(const QString& title, const char* name,
   place_->setWordWrap(true);
   provenance_->setFont(typeface(11));
   provenance_->setProperty("quiet", true);
-  provenance_->setToolTip(tr("Where the number comes from."));
+  provenance_->setToolTip(tr("Source of the value"));
   provenance_->hide();
   setToolTip(population.source);
 
@@ -140,9 +140,7 @@ QString PopulationField::error() const
   const QString low = numberText(inMillimeters(population_.low), 1);
   const QString high = numberText(inMillimeters(population_.high), 1);
   if (width_ == Width::narrow) return tr("must be %1 to %2 mm").arg(low, high);
-  return field_->text().trimmed().isEmpty()
-             ? tr("a number is needed, %1 to %2 mm").arg(low, high)
-             : tr("must be a number between %1 and %2 mm").arg(low, high);
+  return tr("Enter a value from %1 to %2 mm").arg(low, high);
 }
 
 QString PopulationField::placeOf(Length value) const
@@ -151,11 +149,19 @@ QString PopulationField::placeOf(Length value) const
   const QString error = numberText(inMillimeters(analysis::measuringError), 1);
   if (population_.mean && population_.standardDeviation) {
     const double off = (value - *population_.mean) / *population_.standardDeviation;
-    return (isNarrow ? tr("%1%2 SD · CT ± %3 mm") : tr("%1%2 SD of population · CT error ± %3 mm"))
-        .arg(off < -0.05 ? QStringLiteral("−") : QStringLiteral("+"), numberText(std::fabs(off), 1),
-             error);
+    if (isNarrow)
+      return tr("%1%2 SD · CT ± %3 mm")
+          .arg(off < -0.05 ? QStringLiteral("−") : QStringLiteral("+"),
+               numberText(std::fabs(off), 1), error);
+    const QString spread = numberText(inMillimeters(*population_.standardDeviation), 1);
+    const QString mean = numberText(inMillimeters(*population_.mean), 1);
+    if (std::fabs(off) < 0.05)
+      return tr("at population mean (%1 ± %2 mm) · CT ± %3 mm").arg(mean, spread, error);
+    return (off < 0.0 ? tr("%1 SD below population mean (%2 ± %3 mm) · CT ± %4 mm")
+                      : tr("%1 SD above population mean (%2 ± %3 mm) · CT ± %4 mm"))
+        .arg(numberText(std::fabs(off), 1), mean, spread, error);
   }
-  return (isNarrow ? tr("%1 to %2 mm · CT ± %3 mm") : tr("allowed %1 to %2 mm · CT error ± %3 mm"))
+  return (isNarrow ? tr("%1–%2 mm · CT ± %3 mm") : tr("range %1–%2 mm · CT ± %3 mm"))
       .arg(numberText(inMillimeters(population_.low), 1),
            numberText(inMillimeters(population_.high), 1), error);
 }
@@ -164,7 +170,7 @@ void PopulationField::showPlace()
 {
   const auto typed = value();
   QString label = error();
-  if (label.isEmpty()) label = typed ? placeOf(*typed) : tr("left out: taken from A and B");
+  if (label.isEmpty()) label = typed ? placeOf(*typed) : tr("optional; estimated from A and B");
   place_->setText(label);
   const bool isError = !isAcceptable();
   if (place_->property("error").toBool() != isError) {

@@ -16,13 +16,13 @@ QString tr(const char* text) { return QCoreApplication::translate("perilymph::gu
 Population populationOf(const anatomy::Spread& spread)
 {
   return {spread.low, spread.high, spread.mean, spread.standardDeviation,
-          tr("138 cochleae, Pietsch et al. 2017, Sci Rep.")};
+          tr("138 cochleae (Pietsch et al. 2017, Sci Rep).")};
 }
 
 QString sectionSource(const QString& mean)
 {
-  return tr("Sections vary by 9 to 15 % (Avci et al. 2014) about a mean of %1 mm (Froehlich et al. "
-            "2024, n = 15).")
+  return tr("Mean %1 mm, n = 15 (Froehlich et al. 2024); cross-sections vary by 9–15 % (Avci et "
+            "al. 2014).")
       .arg(mean);
 }
 
@@ -31,10 +31,9 @@ QString sectionSource(const QString& mean)
 Population scalaLengthPopulation()
 {
   const anatomy::PatientLimits limits = anatomy::patientLimits();
-  return {
-      limits.lengthLow, limits.lengthHigh, millimeters(33.13), millimeters(2.11),
-      tr("Organ of Corti 33.13 ± 2.11 mm, n = 9 (Stakhovskaya et al. 2007). The published model "
-         "has 35.58 mm.")};
+  return {limits.lengthLow, limits.lengthHigh, millimeters(33.13), millimeters(2.11),
+          tr("Organ of Corti: 33.13 ± 2.11 mm, n = 9 (Stakhovskaya et al. 2007). The published "
+             "model uses 35.58 mm.")};
 }
 
 Population windowWidthPopulation()
@@ -59,7 +58,7 @@ Population heightHPopulation()
 {
   const anatomy::Spread h = anatomy::limitsOfH();
   return {h.low, h.high, std::nullopt, std::nullopt,
-          tr("Definitions of H differ, so only limits are given.")};
+          tr("Definitions of H vary between publications; only limits are given.")};
 }
 
 }  // namespace perilymph::gui

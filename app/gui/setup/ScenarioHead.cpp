@@ -40,7 +40,7 @@ ScenarioHead::ScenarioHead(QWidget* parent)
       badge_(new QLabel(tr("MODIFIED"), this)),
       title_(new QLabel(this)),
       locked_(new QLabel(tr("Locked during an insertion"), this)),
-      restore_(addButton(tr("Back to the published values"), "restoreButton")),
+      restore_(addButton(tr("Restore the published values"), "restoreButton")),
       undo_(addButton(tr("Undo"), "undoButton")),
       redo_(addButton(tr("Redo"), "redoButton"))
 {
@@ -64,7 +64,7 @@ ScenarioHead::ScenarioHead(QWidget* parent)
   locked_->setFont(typeface(11));
   locked_->setProperty("quiet", true);
   locked_->setFixedHeight(22);
-  locked_->setToolTip(tr("Changes are possible before an insertion and after it. Press Reset."));
+  locked_->setToolTip(tr("The setup can be changed before and after an insertion. Press Reset."));
   locked_->hide();
   undo_->setFixedWidth(undoWidth_px);
   redo_->setFixedWidth(redoWidth_px);
@@ -117,11 +117,10 @@ void ScenarioHead::show(const SetupHistory& history)
 
   const bool isModified = history.isModified();
   badge_->setVisible(isModified);
-  badge_->setToolTip(tr("Not the preset’s values: %1.").arg(history.changedText()));
+  badge_->setToolTip(tr("Differs from the preset: %1.").arg(history.changedText()));
   restore_->setVisible(isModified);
   const bool isPublished = claimed.name() == publishedPreset;
-  restore_->setText(isPublished ? tr("Back to the published values")
-                                : tr("Back to the preset’s values"));
+  restore_->setText(isPublished ? tr("Restore the published values") : tr("Restore the preset"));
   restore_->setToolTip(tr("Changed: %1. %2").arg(history.changedText(), citation).trimmed());
 
   const QUndoStack& stack = history.stack();

@@ -33,7 +33,7 @@ Section::Section(const QString& title, const char* name, QWidget* parent)
   head_->setFocusPolicy(Qt::NoFocus);
   head_->setCheckable(true);
   head_->setChecked(true);
-  head_->setToolTip(tr("Fold or unfold"));
+  head_->setToolTip(tr("Collapse or expand"));
   note_->setFont(typeface(11));
   note_->setProperty("quiet", true);
 

@@ -94,7 +94,7 @@ void SetupHistory::change(const SetupChange& change)
 void SetupHistory::restore()
 {
   if (now_.scenario.text() == origin_.setup.scenario.text()) return;
-  push(origin_.setup, SetupField::preset, tr("back to the preset’s values"));
+  push(origin_.setup, SetupField::preset, tr("restore the preset"));
 }
 
 void SetupHistory::push(Setup after, SetupField field, const QString& label)

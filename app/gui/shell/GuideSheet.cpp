@@ -104,7 +104,7 @@ void GuideSheet::open()
   const std::filesystem::path folder = guideFolder();
   if (folder.empty()) {
     page_->setPlainText(
-        tr("The guide is not installed. It stands in the folder resources/guide of the source."));
+        tr("The user guide is not installed. It is in the folder resources/guide of the source."));
   } else {
     page_->setSource(QUrl::fromLocalFile(QString::fromStdString((folder / "README.md").string())));
     page_->clearHistory();

@@ -28,28 +28,28 @@ void addInsertionSection(KeyActions& keys, InsertPage& page)
   const auto section = KeySection::insertion;
   keys.add({section,
             {Qt::Key_Space},
-            tr("start or pause; hold the array with mouse and keyboard"),
+            tr("start or pause; hold the array (mouse and keyboard)"),
             onPage(page, [&page](int) { page.pressSpace(); })});
   keys.add({section,
             {Qt::Key_Down, Qt::Key_Up},
-            tr("advance or withdraw the array while it is held"),
+            tr("advance or withdraw the held array"),
             onPage(page, [&page](int which) {
               page.held().press(which == 0 ? Qt::Key_Down : Qt::Key_Up);
             })});
-  keys.add(Gesture{section, tr("Wheel"), tr("the same")});
+  keys.add(Gesture{section, tr("Wheel"), tr("advance (up) or withdraw (down) the held array")});
   keys.add({section, {Qt::Key_Backspace}, tr("withdraw"), onPage(page, [&page](int) {
               page.withdraw();
             })});
   keys.add({section,
             {with(Qt::ControlModifier, Qt::Key_R)},
-            tr("reset: a fresh insertion and recording"),
+            tr("reset: new insertion and recording"),
             onPage(page, [&page](int) { page.reset(); })});
   keys.add({section,
             {with(Qt::ControlModifier, Qt::Key_Z),
              with(Qt::ControlModifier | Qt::ShiftModifier, Qt::Key_Z)},
-            tr("undo and redo a change of the setup"),
+            tr("undo or redo a setup change"),
             onPage(page, [&page](int which) { which == 0 ? page.undo() : page.redo(); })});
-  keys.add({section, {Qt::Key_S}, tr("pull the stylet"), onPage(page, [&page](int) {
+  keys.add({section, {Qt::Key_S}, tr("withdraw the stylet"), onPage(page, [&page](int) {
               page.pullStylet();
             })});
 }
@@ -61,7 +61,7 @@ void addPictureSection(KeyActions& keys, InsertPage& page)
                                     CameraPreset::overview, CameraPreset::section};
   keys.add({section,
             {Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_4},
-            tr("surgeon’s view, down the opening, overview, section"),
+            tr("surgeon’s view, through the opening, overview, basal-turn section"),
             onPage(page, [&page](int which) { page.view().glideTo(views[std::size_t(which)]); })});
   keys.add({section, {Qt::Key_F}, tr("follow the tip"), onPage(page, [&page](int) {
               page.view().glideTo(CameraPreset::followTip);
@@ -74,7 +74,7 @@ void addPictureSection(KeyActions& keys, InsertPage& page)
       {{-turn_deg, 0.0}, {turn_deg, 0.0}, {0.0, -turn_deg}, {0.0, turn_deg}}};
   keys.add({section,
             {Qt::Key_A, Qt::Key_D, Qt::Key_W, Qt::Key_X},
-            tr("turn the model"),
+            tr("rotate the model"),
             onPage(page,
                    [&page](int which) {
                      const auto [azimuth_deg, elevation_deg] = turns[std::size_t(which)];
@@ -86,7 +86,7 @@ void addPictureSection(KeyActions& keys, InsertPage& page)
   keys.add({section,
             {with(Qt::ShiftModifier, Qt::Key_Left), with(Qt::ShiftModifier, Qt::Key_Right),
              with(Qt::ShiftModifier, Qt::Key_Up), with(Qt::ShiftModifier, Qt::Key_Down)},
-            tr("move the model"),
+            tr("pan"),
             onPage(page,
                    [&page](int which) {
                      const auto [right, up] = moves[std::size_t(which)];
@@ -96,11 +96,11 @@ void addPictureSection(KeyActions& keys, InsertPage& page)
   keys.add(
       {section,
        {Qt::Key_Plus, Qt::Key_Minus, Qt::Key_Equal},
-       tr("magnify"),
+       tr("zoom"),
        onPage(page, [&page](int which) { page.view().zoom(which == 1 ? 1.0 / magnify : magnify); }),
        true});
-  keys.add(Gesture{section, tr("Drag; Shift+drag"), tr("turn the model; move it")});
-  keys.add(Gesture{section, tr("Wheel, Ctrl+wheel"), tr("magnify")});
+  keys.add(Gesture{section, tr("Drag; Shift+drag"), tr("rotate the model; pan")});
+  keys.add(Gesture{section, tr("Wheel, Ctrl+wheel"), tr("zoom")});
 }
 
 void addReplaySection(KeyActions& keys)
@@ -108,8 +108,8 @@ void addReplaySection(KeyActions& keys)
   // They have priority while a recording is open: ReplayControl::takeKey().
   const auto section = KeySection::replay;
   keys.add(Gesture{section, tr("Space; Esc"), tr("play or pause; back to the insertion")});
-  keys.add(Gesture{section, tr("Left, Right; with Shift"), tr("step by 1 tick; by 100")});
-  keys.add(Gesture{section, tr("Home, End"), tr("to the beginning, to the end")});
+  keys.add(Gesture{section, tr("Left, Right; with Shift"), tr("step by 1 ms; by 100 ms")});
+  keys.add(Gesture{section, tr("Home, End"), tr("go to start, to end")});
   keys.add(Gesture{section, tr(",  ."), tr("slower, faster")});
 }
 

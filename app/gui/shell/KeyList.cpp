@@ -46,13 +46,13 @@ KeyList::KeyList(const KeyActions& actions, QWidget* parent) : QFrame(parent)
   guide->setFont(typeface(13, QFont::Medium));
   guide->setFixedHeight(28);
   guide->setFocusPolicy(Qt::TabFocus);
-  guide->setToolTip(tr("Three walks through the workstation, step by step (Shift+F1)"));
+  guide->setToolTip(tr("Three tutorials, step by step (Shift+F1)"));
   connect(guide, &QPushButton::clicked, this, &KeyList::guideAsked);
   auto* columns = new QHBoxLayout(this);
   columns->setContentsMargins(3 * spacing, 2 * spacing, 3 * spacing, 2 * spacing);
   columns->setSpacing(4 * spacing);
   const std::vector<std::pair<KeySection, QString>> halves[] = {
-      {{KeySection::insertion, tr("Insertion")}, {KeySection::picture, tr("Picture")}},
+      {{KeySection::insertion, tr("Insertion")}, {KeySection::picture, tr("View")}},
       {{KeySection::replay, tr("Replay")}, {KeySection::window, tr("Window")}}};
   for (const auto& half : halves) {
     auto* column = new QVBoxLayout;

@@ -62,10 +62,9 @@ SettingsSheet::SettingsSheet(QWidget* parent) : QFrame(parent), note_(label({}, 
   addGroup(*column, tr("Language"), QStringLiteral("language"), languageText(),
            {tr("as the system"), QStringLiteral("English"), QStringLiteral("Deutsch")});
   column->addWidget(note_);
-  column->addWidget(
-      label(tr("What the program notes about itself: %1")
-                .arg(QString::fromStdString((stateFolder() / "perilymph.log").string())),
-            12, true, this));
+  column->addWidget(label(
+      tr("Log file: %1").arg(QString::fromStdString((stateFolder() / "perilymph.log").string())),
+      12, true, this));
   setChangeable(true);
   hide();
 }
@@ -102,9 +101,8 @@ void SettingsSheet::addGroup(QVBoxLayout& column, const QString& title, const QS
 void SettingsSheet::setChangeable(bool isChangeable)
 {
   for (Choice* choice : findChildren<Choice*>()) choice->setEnabled(isChangeable);
-  note_->setText(isChangeable ? tr("A choice reopens the window.")
-                              : tr("While the array is in the cochlea nothing can be chosen here. "
-                                   "Reset first."));
+  note_->setText(isChangeable ? tr("Changes reload the window.")
+                              : tr("Settings are locked during an insertion. Press Reset first."));
 }
 
 }  // namespace perilymph::gui

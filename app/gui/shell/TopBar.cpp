@@ -95,7 +95,7 @@ TopBar::TopBar(QWidget* parent)
   name->setObjectName(QStringLiteral("startPageButton"));
   name->setFont(typeface(15, QFont::DemiBold));
   name->setFocusPolicy(Qt::TabFocus);
-  name->setToolTip(tr("Start over (Alt+Home)"));
+  name->setToolTip(tr("Start page (Alt+Home)"));
   connect(name, &QPushButton::clicked, this, [this] { Q_EMIT pageChosen(Page::start); });
 
   patient_->setFont(typeface(13, QFont::Medium));
@@ -113,8 +113,8 @@ TopBar::TopBar(QWidget* parent)
   keys->setFont(typeface(15));
   keys->setFixedSize(32, 28);
   keys->setFocusPolicy(Qt::TabFocus);
-  keys->setToolTip(tr("Keys and mouse (F1)"));
-  keys->setAccessibleName(tr("Keys and mouse"));
+  keys->setToolTip(tr("Keyboard and mouse (F1)"));
+  keys->setAccessibleName(tr("Keyboard and mouse"));
   connect(keys, &QPushButton::clicked, this, &TopBar::keysAsked);
   auto* settings = new QPushButton(QStringLiteral("☰"), this);
   settings->setObjectName(QStringLiteral("settingsButton"));
@@ -183,7 +183,7 @@ void TopBar::showSubject(const session::Scenario& scenario, const QString& chang
 {
   patient_->setText(patientText(scenario));
   modified_->setVisible(!changed.isEmpty());
-  modified_->setToolTip(tr("Not the preset’s values: %1.").arg(changed));
+  modified_->setToolTip(tr("Differs from the preset: %1.").arg(changed));
 }
 
 void TopBar::showNobody()
@@ -200,17 +200,18 @@ void TopBar::showInsertion(const InsertionControl& control, const QString& error
   if (now.output.workflow == haptics::Workflow::fault)
     return setDevice(DeviceState::alarm, tr("fault · no force"), error);
   if (now.measuredRate <= 0.0) return setDevice(DeviceState::steady, tr("running"), hand);
-  setDevice(DeviceState::steady,
-            tr("%1 Hz · %2 late").arg(numberText(now.measuredRate, 0)).arg(now.lateTicks),
-            tr("%1. Ticks a second as measured, and ticks that began more than one period late.")
-                .arg(hand));
+  setDevice(
+      DeviceState::steady,
+      tr("%1 Hz · %2 late").arg(numberText(now.measuredRate, 0)).arg(now.lateTicks),
+      tr("%1. Measured sample rate, and number of samples that started more than one period late.")
+          .arg(hand));
 }
 
 void TopBar::showPreparing() { setDevice(DeviceState::off, tr("preparing"), {}); }
 
 void TopBar::showReplay()
 {
-  setDevice(DeviceState::off, tr("replay"), tr("A recording is shown. No device is moved."));
+  setDevice(DeviceState::off, tr("replay"), tr("A recording is shown. No device is active."));
 }
 
 void TopBar::setDevice(DeviceState light, const QString& caption, const QString& tip)

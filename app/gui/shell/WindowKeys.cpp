@@ -34,7 +34,7 @@ std::function<bool(int)> always(std::function<void(int)> act)
 void addWindowKeys(KeyActions& keys, MainWindow& window, InsertPage& page)
 {
   const auto section = KeySection::window;
-  keys.add({section, {Qt::Key_L}, tr("one, two or four views in turn"), onPage(page, [&page](int) {
+  keys.add({section, {Qt::Key_L}, tr("cycle one, two or four views"), onPage(page, [&page](int) {
               page.views().nextArrangement();
             })});
   static constexpr std::array layouts{PaneLayout::one, PaneLayout::two, PaneLayout::four};
@@ -45,11 +45,11 @@ void addWindowKeys(KeyActions& keys, MainWindow& window, InsertPage& page)
             onPage(page, [&page](int which) {
               page.views().setArrangement(layouts[std::size_t(which)]);
             })});
-  keys.add(Gesture{section, tr("Double click"), tr("enlarge a view, and back")});
-  keys.add({section,
-            {with(Qt::AltModifier, Qt::Key_Home)},
-            tr("start over: the first screen"),
-            always([&window](int) { window.showPage(Page::start); })});
+  keys.add(Gesture{section, tr("Double click"), tr("maximize a view; restore")});
+  keys.add(
+      {section, {with(Qt::AltModifier, Qt::Key_Home)}, tr("start page"), always([&window](int) {
+         window.showPage(Page::start);
+       })});
   static constexpr std::array pages{Page::insert, Page::compare, Page::validate, Page::sessions};
   keys.add({section,
             {with(Qt::AltModifier, Qt::Key_1), with(Qt::AltModifier, Qt::Key_2),
@@ -58,38 +58,38 @@ void addWindowKeys(KeyActions& keys, MainWindow& window, InsertPage& page)
             always([&window](int which) { window.showPage(pages[std::size_t(which)]); })});
   keys.add({section,
             {Qt::Key_H},
-            tr("devices: which there are, and how the hand is doing"),
+            tr("devices: list and connection quality"),
             onPage(page, [&window](int) { window.sheets().toggleDevices(); })});
   keys.add({section, {Qt::Key_B}, tr("hide or show the panel"), onPage(page, [&page](int) {
               page.togglePanel();
             })});
-  keys.add(
-      {section, {Qt::Key_Return, Qt::Key_Enter}, tr("out of the panel’s fields"), [&page](int) {
-         return page.leavePanel();
-       }});
+  keys.add({section, {Qt::Key_Return, Qt::Key_Enter}, tr("leave the field"), [&page](int) {
+              return page.leavePanel();
+            }});
   keys.add(
       {section, {with(Qt::ControlModifier, Qt::Key_Comma)}, tr("settings"), always([&window](int) {
          window.sheets().toggleSettings();
        })});
-  keys.add({section, {Qt::Key_F11}, tr("full screen, and back"), always([&window](int) {
+  keys.add({section, {Qt::Key_F11}, tr("full screen on or off"), always([&window](int) {
               window.setWindowState(window.windowState() ^ Qt::WindowFullScreen);
             })});
   keys.add({section,
             {with(Qt::ControlModifier | Qt::ShiftModifier, Qt::Key_S)},
-            tr("keep a picture of the window"),
+            tr("save a screenshot"),
             always([&window](int) { window.takePicture(); })});
-  keys.add({section, {Qt::Key_F1, Qt::Key_Question}, tr("this list"), always([&window](int) {
-              window.sheets().help().toggleKeys();
-            })});
+  keys.add({section,
+            {Qt::Key_F1, Qt::Key_Question},
+            tr("keyboard and mouse reference"),
+            always([&window](int) { window.sheets().help().toggleKeys(); })});
   keys.add(
       {section, {with(Qt::ShiftModifier, Qt::Key_F1)}, tr("user guide"), always([&window](int) {
          window.sheets().help().toggleGuide();
        })});
   keys.add({section,
             {Qt::Key_Escape},
-            tr("leave what lies on the page; let go of the array"),
+            tr("close the open panel; release the array"),
             always([&window](int) { window.leave(); })});
-  keys.add(Gesture{section, tr("Tab"), tr("to the next button or field")});
+  keys.add(Gesture{section, tr("Tab"), tr("next button or field")});
 }
 
 }  // namespace perilymph::gui

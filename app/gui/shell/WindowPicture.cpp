@@ -26,7 +26,7 @@ QString keepPicture(QWidget& window)
         return picture.save(QString::fromStdString(place.string()), "PNG");
       });
   if (!written) return QString::fromStdString(written.error().message);
-  return QCoreApplication::translate("perilymph::gui", "The picture is kept: %1").arg(file);
+  return QCoreApplication::translate("perilymph::gui", "Screenshot saved: %1").arg(file);
 }
 
 }  // namespace perilymph::gui

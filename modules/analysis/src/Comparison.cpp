@@ -103,7 +103,7 @@ Figure comparisonFigure(const std::vector<ComparedInsertion>& insertions,
   // Distinguished by color and dashes; from the fifth on by longer dashes, too.
   constexpr figures::Ink inks[] = {ink::blue, ink::vermilion, ink::green, ink::purple};
   Figure figure;
-  figure.title = "Recorded insertions: axial force over travel";
+  figure.title = "Recorded insertions: insertion force over travel";
   double farthest = 0.0, nearest = 0.0, highest = 0.0, lowest = 0.0;
   for (std::size_t i = 0; i < insertions.size(); ++i) {
     FigureCurve curve;
@@ -135,8 +135,8 @@ Figure comparisonFigure(const std::vector<ComparedInsertion>& insertions,
     }
     figure.values.push_back(std::move(printed));
   }
-  figure.x = figures::axisOver("travel of the tip from its start, mm", nearest, farthest);
-  figure.y = figures::axisOver("axial force on the hand, N", lowest, highest);
+  figure.x = figures::axisOver("travel, mm", nearest, farthest);
+  figure.y = figures::axisOver("insertion force, N", lowest, highest);
   return figure;
 }
 

@@ -49,21 +49,21 @@ InsertionScore scoreOf(const ComparedInsertion& insertion, const PrintedRange& p
 
   InsertionScore score;
   score.criteria = {
-      {"speed", percent(inBand) + " of the way in at 0.1 to 2.0 mm/s",
-       "all of the way within 0.1 to 2.0 mm/s; none at 0 %",
-       "robots go at 0.1 to 1.0 mm/s (iotaSOFT), hands in cadaver heads at 0.66 ± 0.31 mm/s; "
-       "phantoms were measured at 0.1 to 2.0 mm/s (Froehlich 2024)",
+      {"speed", percent(inBand) + " of the insertion at 0.1–2.0 mm/s",
+       "full score if the whole insertion is within 0.1–2.0 mm/s, none at 0 %",
+       "robotic insertion 0.1–1.0 mm/s (iotaSOFT); manual insertion in cadaver heads 0.66 ± 0.31 "
+       "mm/s; phantom study 0.1–2.0 mm/s (Froehlich et al. 2024)",
        inBand},
-      {"reversals", std::to_string(motion.reversals) + " on the way to the deepest place",
-       "0 give all points; 18.6 none",
-       "Kesler 2017: 18.6 reversals of hands that were asked to go at 15 mm/min",
+      {"reversals", std::to_string(motion.reversals) + " before maximum insertion depth",
+       "full score at 0, none from 18.6",
+       "Kesler et al. 2017: 18.6 reversals in manual insertions at a target of 15 mm/min",
        between(motion.reversals, 0.0, reversalsOfTooSlowHands)},
       {"peak force", fixed(inMillinewtons(newtons(peak)), 1) + " mN",
        "up to " + fixed(low_mN, 1) + " mN all points; from " + fixed(high_mN, 1) + " mN on none",
        peakBand.source, between(peak, peakBand.low, peakBand.high)},
-      {"smoothness", percent(still) + " of the time standing still (below 0.1 mm/s)",
-       "0 % gives all points; 15.7 % none",
-       "Kesler 2017: hands that were asked to go at 15 mm/min stood still 15.7 % of the time",
+      {"smoothness", percent(still) + " of the time at rest (below 0.1 mm/s)",
+       "full score at 0 %, none from 15.7 %",
+       "Kesler et al. 2017: manual insertions at a target of 15 mm/min paused 15.7 % of the time",
        between(still, 0.0, restFractionOfTooSlowHands)}};
   double sum = 0.0;
   for (const ScoreCriterion& criterion : score.criteria) sum += criterion.fraction;

@@ -98,7 +98,7 @@ TEST_F(Clinician, ReadsPeakWorkAndReasonsInNumbersWithUnits)
   compareBoth();
   for (int row = 0; row < 2; ++row) {
     EXPECT_TRUE(cell(row, "Peak force").endsWith(" mN"));
-    EXPECT_TRUE(cell(row, "at depth").endsWith(" mm"));
+    EXPECT_TRUE(cell(row, "at insertion depth").endsWith(" mm"));
     EXPECT_TRUE(cell(row, "Work").endsWith(" mJ"));
     EXPECT_TRUE(cell(row, "Time").endsWith(" s"));
     EXPECT_EQ(cell(row, "Reversals"), "0");
@@ -120,7 +120,8 @@ TEST_F(Clinician, TakesTableCurvesAndFigureAway)
   EXPECT_EQ(std::count(rows->begin(), rows->end(), '\n'), 3);  // a head and two insertions
   const auto curves = readWhole(folder / "curves.svg");
   ASSERT_TRUE(curves);
-  EXPECT_NE(curves->find("printed"), std::string::npos);  // of the published experiment
+  EXPECT_NE(curves->find("published measurements"),
+            std::string::npos);  // of the published experiment
   EXPECT_FALSE(QImage(QString::fromStdString((folder / "curves.png").string())).isNull());
 }
 
@@ -129,7 +130,7 @@ TEST_F(Clinician, PutsAGhostBehindTheNextInsertion)
   insertOnce();
   openLibrary(1);
   rig_->click("ghostButton");
-  EXPECT_TRUE(WindowRig::comes([&] { return rig_->label("sessionStatus").contains("ghost"); }));
+  EXPECT_TRUE(WindowRig::comes([&] { return rig_->label("sessionStatus").contains("reference"); }));
 }
 
 TEST_F(Clinician, WritesAReportThatCanBeReadAgain)
@@ -153,10 +154,10 @@ TEST_F(Clinician, WritesAReportThatCanBeReadAgain)
   }
   ASSERT_EQ(read.status, 0) << read.err;
   for (const std::string& caption :
-       {std::string("For research and training use"), std::string("Not a medical device"),
-        std::string("Peak force on the hand"), std::string("every bit the same"),
-        std::string("SHA-256"), buildId(), std::string("Nucleus 24 Contour"),
-        std::string("speed_mm_s"), std::string("Kesler 2017"), std::string("Limits")})
+       {std::string("For research and training"), std::string("Not a medical device"),
+        std::string("Peak insertion force"), std::string("Replay verified"), std::string("SHA-256"),
+        buildId(), std::string("Nucleus 24 Contour"), std::string("speed_mm_s"),
+        std::string("Kesler et al. 2017"), std::string("Limits")})
     EXPECT_NE(read.out.find(caption), std::string::npos) << caption;
 }
 

@@ -26,16 +26,16 @@ std::string onPartition(double force_mN)
 // Kratchman 2016: 20.4 mN. Rau 2024: peaks 44.8 to 102.4 mN.
 TEST(WordsOfAForceOnTheHand, SayFromWhenSurgeonsFeelIt)
 {
-  EXPECT_THAT(onHand(0.0), HasSubstr("below the 20 mN"));
-  EXPECT_THAT(onHand(20.3), HasSubstr("below the 20 mN"));
-  EXPECT_THAT(onHand(20.5), HasSubstr("felt by surgeons"));
+  EXPECT_THAT(onHand(0.0), HasSubstr("below perception threshold (20 mN)"));
+  EXPECT_THAT(onHand(20.3), HasSubstr("below perception threshold (20 mN)"));
+  EXPECT_THAT(onHand(20.5), HasSubstr("perceptible (above 20 mN)"));
 }
 
 TEST(WordsOfAForceOnTheHand, CompareItWithPeaksInPatients)
 {
-  EXPECT_THAT(onHand(44.0), Not(HasSubstr("patients")));
-  EXPECT_THAT(onHand(45.0), HasSubstr("like peaks in patients, 45 to 102 mN"));
-  EXPECT_THAT(onHand(103.0), HasSubstr("above the peaks in patients, 102 mN"));
+  EXPECT_THAT(onHand(44.0), Not(HasSubstr("clinical")));
+  EXPECT_THAT(onHand(45.0), HasSubstr("within reported clinical peak forces (45–102 mN)"));
+  EXPECT_THAT(onHand(103.0), HasSubstr("above reported clinical peak forces (> 102 mN)"));
 }
 
 TEST(WordsOfAForceOnTheHand, HoldForAPullAsForAPush) { EXPECT_EQ(onHand(-30.0), onHand(30.0)); }
@@ -44,10 +44,19 @@ TEST(WordsOfAForceOnTheHand, HoldForAPullAsForAPush) { EXPECT_EQ(onHand(-30.0), 
 TEST(WordsOfAForceOnThePartition, SayWhatItBearsBeforeAndBeyond)
 {
   const ForceThresholds known = ForceThresholds::shipped();
-  EXPECT_THAT(onPartition(7.0), HasSubstr("on the partition 7 mN"));
-  EXPECT_THAT(onPartition(7.0), HasSubstr("42 to 122"));
+  EXPECT_THAT(onPartition(7.0), HasSubstr("cochlear partition 7 mN"));
+  EXPECT_THAT(onPartition(7.0), HasSubstr("rupture reported at 42–122 mN, unverified"));
   EXPECT_FALSE(meaningOnPartition(millinewtons(41.0), known).isBeyond);
   EXPECT_TRUE(meaningOnPartition(millinewtons(43.0), known).isBeyond);
+}
+
+TEST(WordsOfAForceOnThePartition, MarkTheRuptureForcesAsUnverified)
+{
+  const std::string source = ForceThresholds::shipped().rupture->source;
+  EXPECT_THAT(source, HasSubstr("Schuster et al. 2015"));
+  EXPECT_THAT(source, HasSubstr("unverified"));
+  EXPECT_THAT(source, Not(HasSubstr("memory")));
+  EXPECT_THAT(onPartition(200.0), HasSubstr("unverified"));
 }
 
 TEST(WordsOfAForce, NeverCallItSafe)

@@ -308,9 +308,9 @@ TEST(KioskTurn, ComparesThePeakWithWhatWasMeasuredInPatients)
   const auto inVivo = analysis::shippedReference("in-vivo");
   ASSERT_TRUE(inVivo);
   // peaks of 44.8 to 102.4 mN: Rau et al. 2024
-  EXPECT_TRUE(gui::peakText(0.0447, inVivo).startsWith("below"));
-  EXPECT_TRUE(gui::peakText(0.0449, inVivo).startsWith("among"));
-  EXPECT_TRUE(gui::peakText(0.1025, inVivo).startsWith("above"));
+  EXPECT_TRUE(gui::peakText(0.0447, inVivo).startsWith("Below"));
+  EXPECT_TRUE(gui::peakText(0.0449, inVivo).startsWith("Within"));
+  EXPECT_TRUE(gui::peakText(0.1025, inVivo).startsWith("Above"));
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ TEST(WindowLook, NothingIsClippedInTheSmallestWindow)
 TEST(WindowLook, TheCaptionOfTheForceSaysWhatItIs)
 {
   WindowRig rig;
-  EXPECT_EQ(rig.window().findChild<gui::ReadOut*>("forceReadOut")->caption(), "force on the hand");
+  EXPECT_EQ(rig.window().findChild<gui::ReadOut*>("forceReadOut")->caption(), "insertion force");
   EXPECT_TRUE(rig.window().findChild<gui::ForceLabel*>()->handText().contains("20 mN"));
 }
 

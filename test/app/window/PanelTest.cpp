@@ -131,7 +131,7 @@ TEST_F(Panel, AnyChangeOfThePublishedScenarioIsMarkedAndTheWayBackIsOneClick)
   EXPECT_TRUE(part("modifiedLabel").isVisible());
   EXPECT_TRUE(part("modifiedBadge").isVisible());
   EXPECT_TRUE(part("modifiedLabel").toolTip().contains("model"));
-  EXPECT_EQ(rig_.button("restoreButton").text(), "Back to the published values");
+  EXPECT_EQ(rig_.button("restoreButton").text(), "Restore the published values");
   EXPECT_TRUE(part("scenarioTitle").toolTip().contains("Todd and Naghdy"));
   rig_.click("restoreButton");
   EXPECT_FALSE(part("modifiedLabel").isVisible());

@@ -133,7 +133,7 @@ TEST_F(AWalk, OfAClinicianSetsTwoTechniquesSideBySide)
       WindowRig::comes([&] { return !rig.window().findChild<gui::SessionsPage*>()->isBusy(); }));
   list.selectRow(1);
   rig.click("ghostButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return rig.label("sessionStatus").contains("ghost"); }));
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.label("sessionStatus").contains("reference"); }));
   rig.click("insertPageButton");
   rig.click("startButton");
   ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 12.0; }));

@@ -233,7 +233,7 @@ TEST(ForceDepthChart, LooksAsAccepted)
                              {11.8, 0.0807, 0.0219},
                              {15.4, 0.1509, 0.0189},
                              {16.5, 0.1254, 0.0385}},
-                            "published experiment, printed values ± SD");
+                            "published measurements, mean ± SD");
   std::vector<std::pair<Length, Force>> ghost;
   for (int i = 0; i <= 160; ++i) ghost.push_back({millimeters(0.1 * i), newtons(5.5e-4 * i)});
   screen.chart.setGhost(ghost, "ghost: best run");

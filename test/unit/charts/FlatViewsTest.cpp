@@ -232,7 +232,7 @@ TEST(TipSection, SaysThatTheTipIsOutside)
     for (int k = 0; k < 3; ++k) now.node_W[i][std::size_t(k)] = static_cast<float>(place_W[k]);
   }
   const Drawing drawing = section(now);
-  EXPECT_TRUE(label(drawing, "the tip is outside"));
+  EXPECT_TRUE(label(drawing, "tip is outside the cochlea"));
   EXPECT_TRUE(all<Area>(drawing, silicone).empty());
 }
 

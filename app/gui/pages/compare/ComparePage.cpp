@@ -56,11 +56,11 @@ ComparePage::ComparePage(QWidget* parent)
     : QWidget(parent),
       published_(analysis::shippedReference("todd-naghdy-experiment")),
       stack_(new QStackedWidget(this)),
-      empty_(new EmptyPage(tr("Insertions side by side"),
-                           tr("Choose two or more on the page Sessions and press Compare: their "
-                              "forces over travel stand here on common axes, with the printed "
-                              "forces of the published experiment."),
-                           this)),
+      empty_(new EmptyPage(
+          tr("Compare insertions"),
+          tr("Select two or more recordings on the Sessions page and press Compare to plot their "
+             "insertion forces on common axes, with the published measurements."),
+          this)),
       reading_(this)
 {
   setObjectName(QStringLiteral("comparePage"));
@@ -78,12 +78,12 @@ QWidget* ComparePage::addRuns()
   save_->setObjectName(QStringLiteral("exportButton"));
   save_->setFont(typeface(13, QFont::Medium));
   save_->setFixedHeight(32);
-  save_->setToolTip(tr("Table and curves as CSV, the figure as SVG and PNG, into a folder."));
+  save_->setToolTip(tr("Export table and curves as CSV and the figure as SVG and PNG."));
   connect(save_, &QPushButton::clicked, this, &ComparePage::save);
-  legend_ = text(tr("○  published experiment, printed values ± SD"), 11, page, true);
+  legend_ = text(tr("○  published measurements, mean ± SD"), 11, page, true);
   auto* top = new QHBoxLayout;
   top->setSpacing(2 * spacing);
-  top->addWidget(text(tr("Force over travel"), 22, page));
+  top->addWidget(text(tr("Insertion force over travel"), 22, page));
   top->addWidget(legend_, 0, Qt::AlignBottom);
   top->addStretch();
   top->addWidget(save_);
@@ -97,7 +97,7 @@ QWidget* ComparePage::addRuns()
 
   table_ = new QTableWidget(0, columns, page);
   table_->setObjectName(QStringLiteral("comparisonTable"));
-  table_->setAccessibleName(tr("The insertions in numbers"));
+  table_->setAccessibleName(tr("Results"));
   table_->setFont(typeface(13));
   table_->setShowGrid(false);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -110,9 +110,9 @@ QWidget* ComparePage::addRuns()
   table_->verticalHeader()->setDefaultSectionSize(rowHeight_px);
   table_->horizontalHeader()->setFont(typeface(11));
   table_->horizontalHeader()->setHighlightSections(false);
-  table_->setHorizontalHeaderLabels({tr("Insertion"), tr("At the cursor"), tr("Peak force"),
-                                     tr("at depth"), tr("Work of the hand"), tr("Reversals"),
-                                     tr("Time"), tr("Final angle"), tr("Score")});
+  table_->setHorizontalHeaderLabels({tr("Insertion"), tr("At cursor"), tr("Peak force"),
+                                     tr("at insertion depth"), tr("Insertion work"),
+                                     tr("Reversals"), tr("Time"), tr("Final angle"), tr("Score")});
   const int widths_px[] = {200, 104, 96, 88, 120, 84, 76, 88, 96};
   for (int column = 0; column < columns; ++column) {
     table_->horizontalHeader()->resizeSection(column, widths_px[column]);
@@ -144,7 +144,7 @@ QWidget* ComparePage::addRuns()
 void ComparePage::compare(const std::vector<std::filesystem::path>& files)
 {
   stack_->setCurrentIndex(0);
-  empty_->say(tr("Reading %n recording(s)…", nullptr, int(files.size())), tr("Esc ends it."));
+  empty_->say(tr("Reading %n recording(s)…", nullptr, int(files.size())), tr("Esc cancels."));
   reading_.run(
       "The comparison",
       [files](
@@ -160,7 +160,8 @@ void ComparePage::compare(const std::vector<std::filesystem::path>& files)
       },
       [this](Result<std::vector<analysis::ComparedInsertion>> runs) {
         if (runs) return showRuns(*std::move(runs));
-        empty_->say(tr("They cannot be compared"), QString::fromStdString(runs.error().message));
+        empty_->say(tr("Recordings cannot be compared"),
+                    QString::fromStdString(runs.error().message));
       });
 }
 
@@ -168,7 +169,8 @@ void ComparePage::cancel()
 {
   if (!isBusy()) return;
   reading_.forget();
-  empty_->say(tr("Stopped"), tr("Choose two or more on the page Sessions and press Compare."));
+  empty_->say(tr("Canceled"),
+              tr("Select two or more recordings on the Sessions page and press Compare."));
 }
 
 void ComparePage::showRuns(std::vector<analysis::ComparedInsertion> runs)
@@ -243,10 +245,10 @@ void ComparePage::showScore()
   const auto& scored = scores_[std::size_t(row)];
   if (!scored) return score_->setText(QString::fromStdString(scored.error().message));
   QStringList lines;
-  lines << tr("Score of %1. How it was done, not what it did to the ear: it knows no trauma.")
+  lines << tr("Score of %1. Rates technique only; it does not assess trauma.")
                .arg(QString::fromStdString(runs_[std::size_t(row)].name));
   for (const analysis::ScoreCriterion& each : scored->criteria)
-    lines << tr("%1 %2 %: %3. Band: %4. Source: %5.")
+    lines << tr("%1: %2 % (%3). Criterion: %4. Source: %5.")
                  .arg(QString::fromStdString(each.name), numberText(100.0 * each.fraction, 0),
                       QString::fromStdString(each.found), QString::fromStdString(each.band),
                       QString::fromStdString(each.source));
@@ -268,11 +270,10 @@ Result<Done> ComparePage::writeInto(const std::filesystem::path& folder) const
 
 void ComparePage::save()
 {
-  const QString chosen =
-      QFileDialog::getExistingDirectory(this, tr("Folder for table, curves and figure"));
+  const QString chosen = QFileDialog::getExistingDirectory(this, tr("Export to folder"));
   if (chosen.isEmpty()) return;
   const auto written = writeInto(chosen.toStdString());
-  status_->setText(written ? tr("Four files are in %1.").arg(chosen)
+  status_->setText(written ? tr("4 files saved to %1.").arg(chosen)
                            : QString::fromStdString(written.error().message));
 }
 

@@ -39,7 +39,7 @@ QPen penOfRun(std::size_t run)
 ComparisonPlot::ComparisonPlot(QWidget* parent) : QWidget(parent)
 {
   setObjectName(QStringLiteral("comparisonPlot"));
-  setAccessibleName(tr("Axial force over travel"));
+  setAccessibleName(tr("Insertion force over travel"));
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setMinimumHeight(200);
@@ -142,9 +142,9 @@ void ComparisonPlot::paintAxes(QPainter& painter) const
                      numberText(travel, 0));
   }
   painter.drawText(QRectF(inside.left(), inside.bottom() + 22, inside.width(), 18), Qt::AlignCenter,
-                   tr("travel of the tip from its start, mm"));
+                   tr("travel, mm"));
   painter.drawText(QRectF(8, 8, 260, 20), Qt::AlignLeft | Qt::AlignVCenter,
-                   tr("axial force on the hand, N"));
+                   tr("insertion force, N"));
 }
 
 void ComparisonPlot::paintPublished(QPainter& painter) const

@@ -27,7 +27,7 @@ QString abilityText(const device::FoundDevice& found)
   const QString force = traits.rendersForce
                             ? DevicePage::tr("force up to %1 N").arg(numberText(traits.maxForce, 1))
                             : DevicePage::tr("no force");
-  return DevicePage::tr("%1 · %2 · a report every %3 ms")
+  return DevicePage::tr("%1 · %2 · report interval %3 ms")
       .arg(QString::fromStdString(found.kind), force, numberText(traits.nominalPeriod * 1e3, 1));
 }
 
@@ -49,7 +49,7 @@ DevicePage::DevicePage(QWidget* parent)
     made->setFocusPolicy(Qt::NoFocus);
     return made;
   };
-  QPushButton* again = button(tr("Look again"), "devicesRefreshButton");
+  QPushButton* again = button(tr("Refresh"), "devicesRefreshButton");
   QPushButton* shut = button(tr("Close (H)"), "devicesCloseButton");
   connect(again, &QPushButton::clicked, this, &DevicePage::refresh);
   connect(shut, &QPushButton::clicked, this, &DevicePage::closeAsked);
@@ -95,11 +95,12 @@ void DevicePage::refresh()
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);
   const device::DeviceSurvey survey = device::surveyDevices(device::systemRoots());
-  if (survey.devices.empty()) addText(*column, tr("No HID device is plugged in."), false);
+  if (survey.devices.empty()) addText(*column, tr("No HID device is connected."), false);
   for (const device::FoundDevice& found : survey.devices) addDevice(found);
   for (const std::string& error : survey.errors)
     addText(*column, QString::fromStdString(error), true);
-  addText(*column, tr("Hands that need no hardware: the script, and mouse and keyboard."), true);
+  addText(*column, tr("Available without hardware: scripted insertion, and mouse and keyboard."),
+          true);
   column_->addWidget(list_);
   list_->show();  // the page may be visible already
   fit();
@@ -123,7 +124,7 @@ void DevicePage::addDevice(const device::FoundDevice& found)
   name->setFont(typeface(13, QFont::Medium));
   row->addWidget(name, 1);
   if (found.isUsable()) {
-    auto* use = new QPushButton(tr("Use as hand"), list_);
+    auto* use = new QPushButton(tr("Use as input"), list_);
     use->setObjectName(QStringLiteral("use-") +
                        QString::fromStdString(node.path.filename().string()));
     use->setFont(typeface(12));
@@ -154,32 +155,32 @@ void DevicePage::setChangeable(bool isChangeable)
 void DevicePage::showHand(const QString& name, const std::optional<device::DeviceHealth>& health,
                           const haptics::Snapshot& now, const QString& coupling)
 {
-  hand_->setText(tr("The hand: %1").arg(name));
+  hand_->setText(tr("Input: %1").arg(name));
   QStringList lines;
   if (now.measuredRate > 0.0)
-    lines << tr("Loop: %1 ticks a second, %2 late, %3 overruns, 99 % below %4 ms.")
+    lines << tr("Loop: %1 samples/s, %2 late, %3 overruns, 99 % below %4 ms.")
                  .arg(numberText(now.measuredRate, 0))
                  .arg(now.lateTicks)
                  .arg(now.overruns)
                  .arg(milliseconds(now.tickTimeP99));
   if (health) {
     const device::ReadingFigures& reading = health->reading;
-    lines << tr("Reports: %1 a second; median %2 ms apart, 99 % below %3 ms, longest %4 ms.")
+    lines << tr("Reports: %1/s; interval median %2 ms, 99 % below %3 ms, maximum %4 ms.")
                  .arg(numberText(reading.rate, 0), milliseconds(reading.intervalMedian),
                       milliseconds(reading.intervalP99), milliseconds(reading.intervalMax));
-    lines << tr("%1 lost, %2 repeated, %3 old, %4 not understood.")
+    lines << tr("%1 lost, %2 repeated, %3 outdated, %4 invalid.")
                  .arg(reading.lost)
                  .arg(reading.duplicates)
                  .arg(reading.old)
                  .arg(reading.foreign);
     if (health->writing.accepted > 0)
-      lines << tr("A force is taken in %1 ms, 99 % below %2 ms; %3.")
+      lines << tr("Force output takes %1 ms, 99 % below %2 ms; %3.")
                    .arg(milliseconds(health->writing.timeMedian),
                         milliseconds(health->writing.timeP99), roundTripText(*health));
     if (!health->guardObstacle.empty()) lines << QString::fromStdString(health->guardObstacle);
     if (!health->error.empty()) lines << QString::fromStdString(health->error);
   } else {
-    lines << tr("It needs no hardware and feels no force.");
+    lines << tr("No hardware needed; no force feedback.");
   }
   if (!coupling.isEmpty()) lines << coupling;
   const QString caption = lines.join(QLatin1Char('\n'));

@@ -58,8 +58,8 @@ BottomBar::BottomBar(QWidget* parent)
   setFixedHeight(barHeight);
   start_->setFont(typeface(13, QFont::DemiBold));
   setWait({});
-  withdraw_->setToolTip(tr("Pull the array out again (Backspace)"));
-  reset_->setToolTip(tr("Start over with a new recording (Ctrl+R)"));
+  withdraw_->setToolTip(tr("Withdraw the array (Backspace)"));
+  reset_->setToolTip(tr("New insertion and recording (Ctrl+R)"));
   withdraw_->setEnabled(false);
 
   time_->setFont(typeface(13));

@@ -25,7 +25,7 @@ BuildingNote::BuildingNote(QWidget* page) : QFrame(page), text_(new QLabel(this)
   cancel->setFont(typeface(13, QFont::Medium));
   cancel->setFixedHeight(28);
   cancel->setFocusPolicy(Qt::TabFocus);
-  cancel->setToolTip(tr("Go back to the cochlea and the array that are shown (Esc)"));
+  cancel->setToolTip(tr("Keep the cochlea and array shown (Esc)"));
   connect(cancel, &QPushButton::clicked, this, &BuildingNote::cancelAsked);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(2 * spacing, spacing, spacing, spacing);

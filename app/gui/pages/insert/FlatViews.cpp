@@ -24,27 +24,25 @@ struct FlatViews::Scene {
 
 FlatViews::FlatViews(QWidget* parent) : QObject(parent)
 {
-  addView(
-      PaneRole::unrolled, QStringLiteral("unrolledPane"), tr("Unrolled scala tympani"),
-      tr("angle from round window; width, mm"),
-      tr("The scala seen along the modiolus and rolled out. Bars: normal force of the wall on each "
-         "millimeter of array; rings: forces of floor and roof."),
-      [](const Scene& scene, double width, double height) {
-        return scene.unrolled.draw(scene.array, width, height);
-      });
+  addView(PaneRole::unrolled, QStringLiteral("unrolledPane"), tr("Unrolled scala tympani"),
+          tr("angle from round window; width, mm"),
+          tr("The scala tympani seen along the modiolar axis and unrolled. Bars: normal wall force "
+             "per millimeter of array; rings: forces from floor and roof."),
+          [](const Scene& scene, double width, double height) {
+            return scene.unrolled.draw(scene.array, width, height);
+          });
   sectionPane_ = addView(
       PaneRole::section, QStringLiteral("sectionPane"), tr("Section at the tip"), QString(),
-      tr("The half-plane through the modiolar axis at the tip, to scale; its angle counts from the "
-         "round window. The arrow is the wall’s "
-         "normal force on the last millimeter of array. Where the wall yields, the array reaches "
-         "past its line."),
+      tr("Half-plane through the modiolar axis at the tip, to scale; the angle is measured from "
+         "the round window. The arrow shows the normal wall force on the last millimeter of array. "
+         "Where the wall is compliant, the array extends past its outline."),
       [](const Scene& scene, double width, double height) {
         return scene.section.draw(scene.array, width, height);
       });
   addView(PaneRole::distances, QStringLiteral("distancesPane"), tr("Contacts"),
-          tr("to modiolus, mm"),
-          tr("From the center line of the array at each contact, 1 at the tip, to the inner wall "
-             "on the way to the modiolar axis."),
+          tr("distance to modiolus, mm"),
+          tr("Distance from the center line of the array at each contact (1 at the tip) to the "
+             "inner wall, toward the modiolar axis."),
           [](const Scene& scene, double width, double height) {
             return charts::drawContactDistances(charts::contactDistances(scene.array), width,
                                                 height, scene.style);

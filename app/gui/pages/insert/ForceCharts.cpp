@@ -20,7 +20,8 @@ ForceCharts::ForceCharts(QWidget* parent)
       travelView_(chartView(parent)),
       timeView_(chartView(parent))
 {
-  travelPane_ = new Pane(tr("Force over travel"), tr("axial, N"), travelView_, parent);
+  travelPane_ =
+      new Pane(tr("Insertion force over travel"), tr("insertion force, N"), travelView_, parent);
   travelPane_->setObjectName(QStringLiteral("travelPane"));
   timePane_ = new Pane(tr("Force components"), tr("last 5 s, mN"), timeView_, parent);
   timePane_->setObjectName(QStringLiteral("componentsPane"));

@@ -60,9 +60,9 @@ public:
   QString reason() const
   {
     const QAudioDeviceInfo output = QAudioDeviceInfo::defaultOutputDevice();
-    if (output.isNull()) return ForceSound::tr("no sound output was found");
+    if (output.isNull()) return ForceSound::tr("no audio device");
     if (!output.isFormatSupported(format()))
-      return ForceSound::tr("the sound output does not take 16 bit at 44.1 kHz");
+      return ForceSound::tr("audio device does not support 16 bit at 44.1 kHz");
     return {};
   }
 
@@ -95,7 +95,7 @@ private:
 
 class ForceVoice : public QObject {
 public:
-  QString reason() const { return ForceSound::tr("this build was made without sound"); }
+  QString reason() const { return ForceSound::tr("built without audio support"); }
   void play(bool) {}
   void hear(const Tone&) {}
 };

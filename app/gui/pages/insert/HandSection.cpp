@@ -15,16 +15,16 @@
 namespace perilymph::gui {
 
 HandSection::HandSection(QWidget* parent)
-    : Section(tr("Hand"), "handFold", parent),
+    : Section(tr("Input"), "handFold", parent),
       scripted_(new Choice(tr("Scripted insertion"), body())),
       pointer_(new Choice(tr("Mouse and keyboard"), body())),
       device_(new Choice(tr("Haptic device…"), body())),
       hold_(new QPushButton(tr("Hold the array (Space)"), body())),
-      pullStylet_(new QPushButton(tr("Pull stylet (S)"), body())),
+      pullStylet_(new QPushButton(tr("Withdraw stylet (S)"), body())),
       stylet_(new QLabel(body())),
-      force_(new NumberField({tr("Force shown"), "panelForceScale", tr("times"), 1,
-                              tr("Force at the hand’s device over the physical force. Script and "
-                                 "mouse feel none.")},
+      force_(new NumberField({tr("Force feedback gain"), "panelForceScale", tr("×"), 1,
+                              tr("Ratio of the rendered to the physical force. Without a haptic "
+                                 "device there is no force feedback.")},
                              body()))
 {
   addChoices();
@@ -34,11 +34,11 @@ HandSection::HandSection(QWidget* parent)
 void HandSection::addChoices()
 {
   scripted_->setObjectName(QStringLiteral("scriptedChoice"));
-  scripted_->setToolTip(tr("Constant speed in, constant speed out."));
+  scripted_->setToolTip(tr("Inserts and withdraws at constant speed."));
   pointer_->setObjectName(QStringLiteral("pointerChoice"));
-  pointer_->setToolTip(tr("The wheel or the up and down keys move the array while it is held."));
+  pointer_->setToolTip(tr("The mouse wheel or the ↑ and ↓ keys move the array while it is held."));
   device_->setObjectName(QStringLiteral("deviceChoice"));
-  device_->setToolTip(tr("Which devices there are, and which one may be the hand (H)."));
+  device_->setToolTip(tr("List of connected devices and choice of the input device (H)."));
   scripted_->setChecked(true);
   for (Choice* choice : {scripted_, pointer_, device_}) {
     choice->setFocusPolicy(Qt::TabFocus);
@@ -55,7 +55,7 @@ void HandSection::addChoices()
   connect(force_, &NumberField::given, this, [this](double value) {
     Q_EMIT changeAsked({SetupField::forceScale,
                         {{"force_scale", QString::number(value, 'f', 4).toStdString()}},
-                        tr("force shown %1 times").arg(numberText(value, 1)),
+                        tr("force feedback gain %1 ×").arg(numberText(value, 1)),
                         {}});
   });
   rows().addWidget(force_);
@@ -71,7 +71,7 @@ void HandSection::addButtons()
     button->setFocusPolicy(Qt::NoFocus);
     button->setEnabled(false);
   }
-  hold_->setToolTip(tr("The array follows the wheel only while this is pressed or Space is down."));
+  hold_->setToolTip(tr("The array moves only while this button or Space is held."));
   stylet_->setObjectName(QStringLiteral("styletLabel"));
   stylet_->setFont(typeface(13));
   stylet_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -95,7 +95,7 @@ void HandSection::show(const Setup& setup)
 QString HandSection::commit()
 {
   if (force_->commit()) return {};
-  return tr("Force shown %1. Correct it, or press Esc in its field.").arg(force_->error());
+  return tr("Force feedback gain %1. Enter a valid value or press Esc.").arg(force_->error());
 }
 
 void HandSection::setHand(InputSource hand, const QString& name)

@@ -98,9 +98,9 @@ void InsertionPresenter::showButtons(const InsertionState& state)
   const bool isPausing = state.input == InputSource::scripted && state.isMoving;
   zones_.bottom->setMain(isPausing ? BottomBar::Main::pause : BottomBar::Main::start,
                          mayStart(state) && !isBusy);
-  zones_.bottom->setWait(isBusy ? BottomBar::tr("The cochlea is being built; then the insertion "
-                                                "can start.")
-                                : QString());
+  zones_.bottom->setWait(
+      isBusy ? BottomBar::tr("The cochlea is being built; the insertion can start afterwards.")
+             : QString());
   zones_.bottom->setWithdrawEnabled(mayWithdraw(state));
 }
 

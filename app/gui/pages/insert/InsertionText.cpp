@@ -18,14 +18,14 @@ QString tr(const char* text) { return QCoreApplication::translate("perilymph::gu
 QString deviceHint(const InsertionControl& control)
 {
   if (!control.isRunning()) {
-    const QString press = tr("Press Start, then hold the device’s button and push.");
+    const QString press = tr("Press Start, then hold the device button and advance.");
     if (control.couplingText().empty()) return press;
     return press + QLatin1Char('\n') +
-           tr("Coupling %1 N/m, softer than asked: Devices (H).")
+           tr("Coupling stiffness limited to %1 N/m: see Devices (H).")
                .arg(numberText(control.now().couplingStiffness, 0));
   }
-  if (!control.isMoving()) return tr("Hold the device’s button: the array follows the hand.");
-  return tr("Array held. Letting go of the button lets it rest.");
+  if (!control.isMoving()) return tr("Hold the device button: the array follows the device.");
+  return tr("Holding. Release the button to stop.");
 }
 
 }  // namespace
@@ -37,11 +37,11 @@ QString statusText(const InsertionControl& control, const QString& device, int f
   if (!control.recordingError().empty())
     text << tr("NOT recording");
   else if (control.isRunning())
-    text << (now.lostRecords > 0 ? tr("recording, %1 ticks lost").arg(now.lostRecords)
+    text << (now.lostRecords > 0 ? tr("recording, %1 samples lost").arg(now.lostRecords)
                                  : tr("recording"));
   else
     text << tr("not started");
-  if (control.isRunning()) text << tr("late ticks: %1").arg(now.lateTicks);
+  if (control.isRunning()) text << tr("late samples: %1").arg(now.lateTicks);
   if (!device.isEmpty()) text << device << tr("%1 overruns").arg(now.overruns);
   if (!control.couplingText().empty())
     text << tr("coupling %1 N/m").arg(numberText(now.couplingStiffness, 0));
@@ -54,11 +54,12 @@ QString errorText(const InsertionControl& control, const QString& error)
 {
   const haptics::TickOutput& now = control.now().output;
   if (now.workflow == Workflow::fault) {
-    const QString what = (now.status & haptics::deviceLost) != 0 ? tr("The hand stopped answering.")
+    const QString what = (now.status & haptics::deviceLost) != 0
+                             ? tr("The input device stopped responding.")
                          : (now.status & haptics::notFinite) != 0
-                             ? tr("The computed motion left every bound.")
+                             ? tr("The simulation became unstable and was stopped.")
                              : tr("The insertion was stopped.");
-    return what + tr(" The force is off and the array rests. Press Reset to start again.");
+    return what + tr(" The force is off and the array is stationary. Press Reset to start again.");
   }
   if (!error.isEmpty()) return error;
   const std::string recording = control.recordingError();
@@ -70,18 +71,20 @@ QString errorText(const InsertionControl& control, const QString& error)
 QString hintText(const InsertionControl& control)
 {
   const haptics::TickOutput& now = control.now().output;
-  if (control.isAtDepth()) return tr("Full depth. Withdraw or Reset.");
-  if (now.workflow == Workflow::finished) return tr("The array is out. Reset to insert again.");
+  if (control.isAtDepth()) return tr("Full depth. Press Withdraw or Reset.");
+  if (now.workflow == Workflow::finished)
+    return tr("The array is withdrawn. Press Reset for a new insertion.");
   if (control.hand() == InputSource::scripted) return {};
   if (control.hand() == InputSource::device) return deviceHint(control);
-  if (!control.isRunning()) return tr("Press Start, then hold Space and turn the wheel.");
-  if (!control.isHeld()) return tr("Hold Space, then turn the wheel or press Down.");
-  return tr("Array held. Wheel or Down advances, Up withdraws.");
+  if (!control.isRunning())
+    return tr("Press Start, then hold Space and scroll up or press ↓ to advance.");
+  if (!control.isHeld()) return tr("Hold Space, then scroll up or press ↓ to advance.");
+  return tr("Holding. Scroll up or press ↓ to advance, scroll down or press ↑ to withdraw.");
 }
 
 QString buildingHint(bool isStartAsked)
 {
-  return isStartAsked ? tr("Building the cochlea; then the insertion starts…")
+  return isStartAsked ? tr("Building the cochlea; the insertion then starts…")
                       : tr("Building the cochlea…");
 }
 
@@ -89,7 +92,8 @@ QString styletText(const InsertionControl& control)
 {
   if (!control.scenario().array().hasStylet) return tr("no stylet");
   const double withdrawn_mm = inMillimeters(Length::fromSi(control.now().output.styletWithdrawal));
-  return withdrawn_mm > 0.0 ? tr("%1 mm out").arg(numberText(withdrawn_mm, 1)) : tr("in");
+  return withdrawn_mm > 0.0 ? tr("%1 mm withdrawn").arg(numberText(withdrawn_mm, 1))
+                            : tr("fully inserted");
 }
 
 }  // namespace perilymph::gui

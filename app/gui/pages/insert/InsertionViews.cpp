@@ -92,7 +92,7 @@ void InsertionViews::connectParts()
   menu_->setArrangement(arrangement());
   menu_->setStereo(visualization::Stereo::off);
   menu_->setQuality(std::nullopt);
-  offerQuadBuffered(tr("not on this display"));
+  offerQuadBuffered(tr("not supported by this display"));
 }
 
 void InsertionViews::lookFrom(visualization::CameraPreset preset) { operation_->glideTo(preset); }

@@ -33,7 +33,7 @@ Scrubber::Scrubber(QWidget* parent) : QWidget(parent)
   setAttribute(Qt::WA_NoSystemBackground);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setCursor(Qt::PointingHandCursor);
-  setAccessibleName(tr("Place in the replay"));
+  setAccessibleName(tr("Position in the replay"));
 }
 
 void Scrubber::setFractions(double here, double ready)
@@ -79,10 +79,10 @@ void Scrubber::mouseMoveEvent(QMouseEvent* event)
 ReplayBar::ReplayBar(QWidget* parent)
     : QWidget(parent),
       play_(addButton(tr("Play"), "replayPlayButton", 88, tr("Play or pause (Space)"))),
-      back_(addButton(tr("◂"), "replayBackButton", 32, tr("One tick back (Left)"))),
-      forth_(addButton(tr("▸"), "replayForthButton", 32, tr("One tick on (Right)"))),
+      back_(addButton(tr("◂"), "replayBackButton", 32, tr("Back 1 ms (Left)"))),
+      forth_(addButton(tr("▸"), "replayForthButton", 32, tr("Forward 1 ms (Right)"))),
       slower_(addButton(tr("−"), "replaySlowerButton", 32, tr("Slower (comma)"))),
-      faster_(addButton(tr("+"), "replayFasterButton", 32, tr("Faster (point)"))),
+      faster_(addButton(tr("+"), "replayFasterButton", 32, tr("Faster (period)"))),
       close_(addButton(tr("Close replay"), "replayCloseButton", 112,
                        tr("Back to the insertion (Esc)"))),
       speed_(new QLabel(this)),
@@ -93,8 +93,8 @@ ReplayBar::ReplayBar(QWidget* parent)
   setObjectName(QStringLiteral("replayBar"));
   setFixedHeight(barHeight);
   play_->setProperty("primary", true);
-  back_->setAccessibleName(tr("One tick back"));
-  forth_->setAccessibleName(tr("One tick on"));
+  back_->setAccessibleName(tr("Back 1 ms"));
+  forth_->setAccessibleName(tr("Forward 1 ms"));
   slower_->setAccessibleName(tr("Slower"));
   faster_->setAccessibleName(tr("Faster"));
   speed_->setObjectName(QStringLiteral("replaySpeed"));
@@ -157,9 +157,8 @@ void ReplayBar::showPlace(const ReplayPlayer& replay)
   scrubber_->setFractions(double(replay.place()) / last,
                           std::min(1.0, double(replay.ready()) / last));
   const double end_s = replay.playback().samples().back().output.time;
-  time_->setText(tr("%1 of %2 s · tick %3")
-                     .arg(numberText(replay.now().output.time, 3), numberText(end_s, 1))
-                     .arg(replay.now().tick));
+  time_->setText(
+      tr("%1 of %2 s").arg(numberText(replay.now().output.time, 3), numberText(end_s, 3)));
   const QString label = tr("replay · %1 · not a medical device").arg(replay.verdict());
   if (status_->text() == label) return;
   status_->setText(label);

@@ -87,7 +87,7 @@ void ReplayControl::stepSlowly()
   views_.operation()->showNumbers(player_->now().output, playback().scenario().stopTravel());
   views_.showSlowly(player_->now());
   views_.operation()->setHint(
-      player_->isPlaying() ? QString() : tr("Space plays. Left and Right step by one tick."));
+      player_->isPlaying() ? QString() : tr("Space plays or pauses. ← and → step by 1 ms."));
   bar_->showPlace(*player_);
 }
 

@@ -59,7 +59,7 @@ void ReplayPlayer::close()
 
 void ReplayPlayer::check()
 {
-  verdict_ = tr("comparing bits…");
+  verdict_ = tr("verifying…");
   isError_ = false;
   checking_.run(
       "The replay",
@@ -73,17 +73,17 @@ void ReplayPlayer::check()
           isError_ = true;
         } else if (!verified->damage.empty()) {
           verdict_ =
-              tr("is not as it was recorded: %1").arg(QString::fromStdString(verified->damage));
+              tr("differs from the recording: %1").arg(QString::fromStdString(verified->damage));
           isError_ = true;
         } else if (verified->difference) {
-          verdict_ = tr("differs from tick %1 on (%2)")
+          verdict_ = tr("differs from sample %1 (%2)")
                          .arg(verified->difference->tick)
                          .arg(QString::fromStdString(verified->difference->field));
           isError_ = true;
         } else if (verified->ticksCompared < playback_->ticks()) {
-          verdict_ = tr("replays bit for bit up to tick %1").arg(verified->ticksCompared);
+          verdict_ = tr("verified up to sample %1").arg(verified->ticksCompared);
         } else {
-          verdict_ = tr("replays bit for bit");
+          verdict_ = tr("verified: identical replay");
         }
         Q_EMIT checked();
       });

@@ -101,7 +101,7 @@ Section* SidePanel::showSection(QWidget* parent)
   section->rows().setSpacing(0);
   const std::pair<Part, QString> parts[] = {
       {Part::wallForce, tr("Wall force")},
-      {Part::contactArrows, tr("Contact arrows")},
+      {Part::contactArrows, tr("Contact forces")},
       {Part::membrane, tr("Basilar membrane")},
       {Part::styletAndTweezers, tr("Stylet and tweezers")},
   };
@@ -115,7 +115,7 @@ Section* SidePanel::showSection(QWidget* parent)
     section->rows().addWidget(box);
     parts_.emplace_back(part, box);
   }
-  auto* experiment = new CheckBox(tr("Published experiment"), section->body());
+  auto* experiment = new CheckBox(tr("Published measurements"), section->body());
   experiment->setChecked(true);
   experiment->setObjectName(QStringLiteral("showExperiment"));
   experiment->setFocusPolicy(Qt::TabFocus);

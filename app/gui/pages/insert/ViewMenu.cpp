@@ -43,21 +43,22 @@ ViewMenu::ViewMenu(QWidget* parent) : QToolButton(parent)
   setFont(typeface(12));
   setFocusPolicy(Qt::NoFocus);
   setPopupMode(QToolButton::InstantPopup);
-  setToolTip(tr("Where to look from, how many views, stereo, and how much is drawn"));
+  setToolTip(tr("Camera, layout, stereo and rendering quality"));
   setAccessibleName(tr("View"));
 
   auto* menu = new QMenu(this);
   menu->setToolTipsVisible(true);
-  QActionGroup* group = section(*menu, tr("LOOK FROM"));
+  QActionGroup* group = section(*menu, tr("CAMERA"));
   const struct {
     CameraPreset preset;
     QString text, key;
     const char* name;
-  } presets[] = {{CameraPreset::surgeon, tr("Surgeon’s view, turned 110°"), tr("1"), "viewSurgeon"},
-                 {CameraPreset::microscope, tr("Down the opening"), tr("2"), "viewMicroscope"},
-                 {CameraPreset::overview, tr("Overview"), tr("3"), "viewOverview"},
-                 {CameraPreset::section, tr("Across the basal turn"), tr("4"), "viewSection"},
-                 {CameraPreset::followTip, tr("Follow the tip"), tr("F"), "viewFollowTip"}};
+  } presets[] = {
+      {CameraPreset::surgeon, tr("Surgeon’s view, rotated 110°"), tr("1"), "viewSurgeon"},
+      {CameraPreset::microscope, tr("Through the opening"), tr("2"), "viewMicroscope"},
+      {CameraPreset::overview, tr("Overview"), tr("3"), "viewOverview"},
+      {CameraPreset::section, tr("Basal-turn section"), tr("4"), "viewSection"},
+      {CameraPreset::followTip, tr("Follow the tip"), tr("F"), "viewFollowTip"}};
   for (const auto& one : presets) {
     presets_.push_back(addChoice(*menu, *group, one.text, one.key, one.name));
     connect(presets_.back(), &QAction::triggered, this,
@@ -97,12 +98,12 @@ ViewMenu::ViewMenu(QWidget* parent) : QToolButton(parent)
   }
 
   menu->addSeparator();
-  group = section(*menu, tr("DRAWING"));
+  group = section(*menu, tr("RENDERING"));
   const struct {
     QualityChoice quality;
     QString text;
     const char* name;
-  } qualities[] = {{std::nullopt, tr("By the machine’s speed"), "qualityAuto"},
+  } qualities[] = {{std::nullopt, tr("Automatic"), "qualityAuto"},
                    {Quality::fast, tr("Fast"), "qualityFast"},
                    {Quality::software, tr("Balanced"), "qualityBalanced"},
                    {Quality::gpu, tr("Full"), "qualityFull"}};
@@ -124,20 +125,18 @@ void ViewMenu::addSound(QMenu& menu)
   sound_->setObjectName(QStringLiteral("soundOfForce"));
   sound_->setCheckable(true);
   connect(sound_, &QAction::triggered, this, &ViewMenu::soundChosen);
-  offerSound(tr("looking for a sound output"));
+  offerSound(tr("searching for an audio device"));
 }
 
 void ViewMenu::offerSound(const QString& error)
 {
   sound_->setEnabled(error.isEmpty());
   if (!error.isEmpty()) sound_->setChecked(false);
-  sound_->setText(error.isEmpty() ? tr("Hear the force: an octave for each 100 mN")
-                                  : tr("Hear the force: %1").arg(error));
-  sound_->setToolTip(
-      error.isEmpty()
-          ? tr("A tone while the force on the hand is 5 mN or more: 220 Hz at no force, an octave "
-               "higher for each 100 mN.")
-          : error);
+  sound_->setText(error.isEmpty() ? tr("Force sound: one octave per 100 mN")
+                                  : tr("Force sound: %1").arg(error));
+  sound_->setToolTip(error.isEmpty() ? tr("Plays a tone while the insertion force is 5 mN or more: "
+                                          "220 Hz at zero force, one octave higher per 100 mN.")
+                                     : error);
 }
 
 QAction* ViewMenu::addChoice(QMenu& menu, QActionGroup& group, const QString& text,
@@ -176,12 +175,12 @@ void ViewMenu::offerQuadBuffered(const QString& error)
 {
   QAction* action = stereos_.back();
   action->setEnabled(error.isEmpty());
-  action->setText(error.isEmpty() ? tr("Quad-buffered, in a window of its own")
+  action->setText(error.isEmpty() ? tr("Quad-buffered, separate window")
                                   : tr("Quad-buffered: %1").arg(error));
-  action->setToolTip(error.isEmpty()
-                         ? tr("The picture for two eyes through the display’s two buffers, without "
-                              "words on it; Esc closes it.")
-                         : error);
+  action->setToolTip(
+      error.isEmpty()
+          ? tr("Stereo view through the left and right buffers of the display; Esc closes it.")
+          : error);
 }
 
 }  // namespace perilymph::gui

@@ -60,10 +60,9 @@ void paintPages(QPdfWriter& writer, QTextDocument& document)
     painter.setFont(reportTypeface(13));
     painter.setPen(QColor(90, 90, 90));
     const QRectF place(0, page.height(), page.width(), footHeight);
-    painter.drawText(place, Qt::AlignLeft | Qt::AlignBottom,
-                     QCoreApplication::translate("Report",
-                                                 "For research and training use. Not a "
-                                                 "medical device."));
+    painter.drawText(
+        place, Qt::AlignLeft | Qt::AlignBottom,
+        QCoreApplication::translate("Report", "For research and training. Not a medical device."));
     painter.drawText(place, Qt::AlignRight | Qt::AlignBottom,
                      QCoreApplication::translate("Report", "Page %1 of %2").arg(i + 1).arg(pages));
   }
@@ -89,7 +88,7 @@ Result<Done> writeReport(const ReportContent& content, const std::filesystem::pa
     writer.setPageSize(QPageSize(QPageSize::A4));
     writer.setPageMargins(QMarginsF(margin_mm, margin_mm, margin_mm, margin_mm),
                           QPageLayout::Millimeter);
-    writer.setTitle(QCoreApplication::translate("Report", "Report of an insertion"));
+    writer.setTitle(QCoreApplication::translate("Report", "Insertion report"));
     writer.setCreator(QStringLiteral("Perilymph"));
     document.documentLayout()->setPaintDevice(&writer);
     paintPages(writer, document);

@@ -60,35 +60,36 @@ QString whoAndWhat(const ReportContent& content)
 QString numbers(const ReportContent& content)
 {
   const analysis::ForceProfile& profile = content.insertion.profile;
-  const QString ofTicks = tr("greatest of %1 recorded ticks").arg(profile.ticks);
+  const QString ofTicks = tr("maximum of %1 recorded samples").arg(profile.ticks);
   QStringList rows = {
-      row(tr("Peak force on the hand"),
-          tr("%1 at %2 of travel, %3 deep")
+      row(tr("Peak insertion force"),
+          tr("%1 at %2 travel, insertion depth %3")
               .arg(mN(profile.peak.force), mm(profile.peak.travel), mm(profile.peakDepth)),
           tr("axial, %1").arg(ofTicks)),
-      row(tr("Greatest wall force"), mN(profile.wallForceMax),
-          tr("normal to the wall, of one node; %1").arg(ofTicks)),
-      row(tr("Greatest force on the basilar membrane"), mN(profile.membraneForceMax), ofTicks),
-      row(tr("Work of the hand"), tr("%1 mJ").arg(numberText(profile.work * 1e3, 3)),
-          tr("force over the way of the base, trapezoids over ticks")),
-      row(tr("Deepest"), mm(profile.deepest), tr("length of array past the opening")),
+      row(tr("Maximum wall force"), mN(profile.wallForceMax),
+          tr("normal to the wall, at one node; %1").arg(ofTicks)),
+      row(tr("Maximum force on the cochlear partition"), mN(profile.membraneForceMax), ofTicks),
+      row(tr("Insertion work"), tr("%1 mJ").arg(numberText(profile.work * 1e3, 3)),
+          tr("integral of force over displacement (trapezoidal rule)")),
+      row(tr("Maximum insertion depth"), mm(profile.deepest),
+          tr("length of array past the opening")),
       row(tr("At the end"),
           tr("%1, %2°").arg(mm(profile.finalDepth),
                             numberText(inDegrees(radians(profile.finalAngle)), 0)),
-          tr("depth; angle of the tip from the round window")),
+          tr("insertion depth; angular insertion depth of the tip")),
       row(tr("Time"), tr("%1 s").arg(numberText(profile.duration, 1)),
-          tr("since the array began to move, pauses included")),
+          tr("from first motion, pauses included")),
       row(tr("Reversals"), QString::number(content.insertion.reversals),
-          tr("a way back of 0.1 mm or more"))};
+          tr("withdrawal of 0.1 mm or more"))};
   if (profile.basalTurnPeak)
     rows.insert(1,
-                row(tr("Peak at the basal turn"),
-                    tr("%1 at %2 of travel")
+                row(tr("Basal-turn peak"),
+                    tr("%1 at %2 travel")
                         .arg(mN(profile.basalTurnPeak->force), mm(profile.basalTurnPeak->travel)),
                     tr("of the curve smoothed over 0.5 mm")));
   if (profile.ticksNotConverged > 0)
-    rows << row(tr("Ticks not settled"), QString::number(profile.ticksNotConverged),
-                tr("the solver left more than its tolerance"));
+    rows << row(tr("Samples not converged"), QString::number(profile.ticksNotConverged),
+                tr("solver residual above tolerance"));
   return table(rows);
 }
 
@@ -100,9 +101,10 @@ QString howItWasDone(const ReportContent& content)
     rows << row(from(each.name),
                 tr("%1 %: %2").arg(numberText(100.0 * each.fraction, 0), from(each.found)),
                 tr("%1. %2").arg(from(each.band), from(each.source)));
-  return heading(QT_TRANSLATE_NOOP("perilymph::gui", "How it was done")) +
+  return heading(QT_TRANSLATE_NOOP("perilymph::gui", "Technique score")) +
          QStringLiteral("<p>%1</p>")
-             .arg(tr("%1 of 100, the mean of four criteria. It knows no trauma.")
+             .arg(tr("%1 of 100, the mean of four criteria. Rates technique only; it does not "
+                     "assess trauma.")
                       .arg(numberText(content.score->total, 0))) +
          table(rows);
 }
@@ -115,25 +117,22 @@ QString whatItWasComputedFrom(const ReportContent& content)
   QStringList sources;
   for (const auto& [part, provenance] : content.scenario.array().provenance)
     sources << row(from(part), from(provenance.source));
-  return heading(QT_TRANSLATE_NOOP("perilymph::gui", "What it was computed from")) + table(rows) +
-         QStringLiteral("<p>%1</p>").arg(tr("The array, and where its values come from:")) +
-         table(sources);
+  return heading(QT_TRANSLATE_NOOP("perilymph::gui", "Simulation parameters")) + table(rows) +
+         QStringLiteral("<p>%1</p>").arg(tr("Array values and their sources:")) + table(sources);
 }
 
 QString limits(const ReportContent& content)
 {
   QStringList sentences = {
-      tr("Forces are computed by a model, not measured in an ear."),
-      tr("The array is a model after published data, no labeling of the product."),
-      tr("No number here says whether an insertion is harmless; thresholds of trauma differ "
-         "between "
-         "ears and are not known for the force on the hand."),
-      tr("The published experiment is drawn as its printed values; nothing is known between "
-         "them.")};
+      tr("Forces are computed with a model, not measured in an ear."),
+      tr("The array model is based on published data and is not manufacturer data."),
+      tr("No value in this report shows that an insertion is atraumatic: trauma thresholds vary "
+         "between ears and are not known for the insertion force."),
+      tr("Published values are shown as points; values between points were not reported.")};
   for (const std::string& note : content.verification.notes) sentences << from(note);
   for (const std::string& note : content.scenario.notes()) sentences << from(note);
   if (content.lostRecords > 0)
-    sentences << tr("%1 ticks were lost while recording.").arg(content.lostRecords);
+    sentences << tr("%1 samples were lost during recording.").arg(content.lostRecords);
   return heading(QT_TRANSLATE_NOOP("perilymph::gui", "Limits")) +
          QStringLiteral("<ul><li>%1</li></ul>").arg(sentences.join(QStringLiteral("</li><li>")));
 }
@@ -143,24 +142,23 @@ QString marks(const ReportContent& content)
   const session::Verification& verification = content.verification;
   const QString replay =
       verification.isIdentical
-          ? tr("%1 ticks computed again, every bit the same").arg(verification.ticksCompared)
-      : verification.difference ? tr("differs from tick %1 on, in %2")
+          ? tr("Replay verified: %1 samples identical").arg(verification.ticksCompared)
+      : verification.difference ? tr("differs from sample %1, in %2")
                                       .arg(verification.difference->tick)
                                       .arg(from(verification.difference->field))
-                                : tr("could not be compared");
-  return heading(QT_TRANSLATE_NOOP("perilymph::gui", "How to know it again")) +
-         table(
-             {row(tr("Recording"), from(content.file.filename().string()),
-                  tr("%1 bytes").arg(content.bytes)),
-              row(tr("SHA-256"), content.sha256, {}), row(tr("Replay"), replay, {}),
-              row(tr("Recorded by"), from(content.facts.buildId), {}),
-              row(tr("Report by"), from(buildId()), {}),
-              row(tr("Model"),
-                  QStringLiteral("%1").arg(content.facts.modelFingerprint, 16, 16,
-                                           QLatin1Char('0')),
-                  tr("fingerprint of cochlea, array and laws")),
-              row(tr("Array's file"), from(content.scenario.arrayFingerprint()), tr("fingerprint")),
-              row(tr("Seed"), QString::number(content.facts.seed), {})});
+                                : tr("could not be verified");
+  return heading(QT_TRANSLATE_NOOP("perilymph::gui", "Traceability")) +
+         table({row(tr("Recording"), from(content.file.filename().string()),
+                    tr("%1 bytes").arg(content.bytes)),
+                row(tr("SHA-256"), content.sha256, {}), row(tr("Replay"), replay, {}),
+                row(tr("Recorded by"), from(content.facts.buildId), {}),
+                row(tr("Report by"), from(buildId()), {}),
+                row(tr("Model"),
+                    QStringLiteral("%1").arg(content.facts.modelFingerprint, 16, 16,
+                                             QLatin1Char('0')),
+                    tr("hash of cochlea, array and physical parameters")),
+                row(tr("Array file"), from(content.scenario.arrayFingerprint()), tr("hash")),
+                row(tr("Seed"), QString::number(content.facts.seed), {})});
 }
 
 }  // namespace
@@ -169,16 +167,16 @@ QString reportText(const ReportContent& content)
 {
   const QString image = QStringLiteral("<p><img src=\"%1\" width=\"%2\"></p>");
   return QStringLiteral("<h1>%1</h1><p class=\"quiet\">%2</p>")
-             .arg(tr("Report of an insertion"),
-                  tr("Perilymph, for research and training use. Not a medical device; no patient "
-                     "may be treated by what it shows.")) +
-         whoAndWhat(content) + heading(QT_TRANSLATE_NOOP("perilymph::gui", "In numbers")) +
-         numbers(content) + heading(QT_TRANSLATE_NOOP("perilymph::gui", "Force over travel")) +
+             .arg(tr("Insertion report"), tr("For research and training. Not a medical device; "
+                                             "must not be used for patient care.")) +
+         whoAndWhat(content) + heading(QT_TRANSLATE_NOOP("perilymph::gui", "Results")) +
+         numbers(content) +
+         heading(QT_TRANSLATE_NOOP("perilymph::gui", "Insertion force over travel")) +
          image.arg(QStringLiteral("curve")).arg(curveWidth_px) +
-         heading(QT_TRANSLATE_NOOP("perilymph::gui", "The array at its deepest place")) +
+         heading(QT_TRANSLATE_NOOP("perilymph::gui", "Array at maximum insertion depth")) +
          image.arg(QStringLiteral("picture")).arg(pictureWidth_px) +
          QStringLiteral("<p class=\"quiet small\">%1</p>")
-             .arg(tr("Along the modiolus, to scale; the tip %1 mm past the opening.")
+             .arg(tr("View along the modiolar axis, to scale; insertion depth %1 mm.")
                       .arg(numberText(content.depth_mm, 1))) +
          howItWasDone(content) + limits(content) + marks(content) + whatItWasComputedFrom(content);
 }

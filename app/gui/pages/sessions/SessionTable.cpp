@@ -210,9 +210,9 @@ QVariant SessionTable::headerData(int section, Qt::Orientation orientation, int 
     case duration:
       return tr("Duration");
     case angle:
-      return tr("Deepest angle");
+      return tr("Angular insertion depth");
     case peak:
-      return tr("Peak force at depth");
+      return tr("Peak force at insertion depth");
     default:
       return {};
   }

@@ -23,14 +23,14 @@ void SessionTasks::readGhost(const std::filesystem::path& file)
           curve.emplace_back(meters(point.travel), newtons(point.force));
         const QString name = QString::fromStdString(read->name);
         Q_EMIT ghostRead(curve, name);
-        said(tr("%1 stands behind the next insertions as their ghost.").arg(name), false);
+        said(tr("%1 is shown as reference in the next insertions.").arg(name), false);
       });
 }
 
 void SessionTasks::writeReportOf(const std::filesystem::path& file,
                                  const std::filesystem::path& pdf)
 {
-  said(tr("Replaying %1 for its report…").arg(QString::fromStdString(file.stem().string())), false);
+  said(tr("Replaying %1 for the report…").arg(QString::fromStdString(file.stem().string())), false);
   reading_.run(
       "The report",
       [file](const std::atomic<bool>& isCanceled) { return gatherReport(file, isCanceled); },
@@ -38,7 +38,7 @@ void SessionTasks::writeReportOf(const std::filesystem::path& file,
         if (!content) return said(QString::fromStdString(content.error().message), true);
         const auto written = writeReport(*content, pdf);
         if (!written) return said(QString::fromStdString(written.error().message), true);
-        said(tr("The report is %1.").arg(QString::fromStdString(pdf.string())), false);
+        said(tr("Report saved to %1.").arg(QString::fromStdString(pdf.string())), false);
       });
 }
 

@@ -67,7 +67,7 @@ SessionsPage::SessionsPage(QWidget* parent, LibraryWork::Lister lister)
     progress_->setVisible(true);
     progress_->setRange(0, all);
     progress_->setValue(done);
-    say(tr("Reading recording %1 of %2. Esc ends it.").arg(done).arg(all));
+    say(tr("Reading recording %1 of %2. Esc cancels.").arg(done).arg(all));
     end_->setVisible(true);
   });
   connect(&work_, &LibraryWork::listed, this, &SessionsPage::showList);
@@ -93,8 +93,8 @@ QWidget* SessionsPage::addTop()
   search_->setObjectName(QStringLiteral("sessionSearch"));
   search_->setFont(typeface(13));
   search_->setFixedSize(280, 32);
-  search_->setPlaceholderText(tr("Find by patient, array, date, name"));
-  search_->setAccessibleName(tr("Find recordings"));
+  search_->setPlaceholderText(tr("Search by patient, array, date or name"));
+  search_->setAccessibleName(tr("Search recordings"));
   search_->setClearButtonEnabled(true);
   connect(search_, &QLineEdit::textChanged, sorted_, &QSortFilterProxyModel::setFilterFixedString);
   connect(search_, &QLineEdit::textChanged, this, &SessionsPage::showChoice);
@@ -104,7 +104,7 @@ QWidget* SessionsPage::addTop()
   progress_->setTextVisible(false);
   progress_->setFixedSize(160, 6);
   progress_->setVisible(false);
-  end_ = addVerb(tr("Cancel"), "cancelReadingButton", tr("List what was read so far (Esc)"));
+  end_ = addVerb(tr("Cancel"), "cancelReadingButton", tr("List the recordings read so far (Esc)"));
   end_->setVisible(false);
   connect(end_, &QPushButton::clicked, this, &SessionsPage::cancel);
   auto* row = new QHBoxLayout(top);
@@ -162,15 +162,16 @@ QWidget* SessionsPage::addList()
 QWidget* SessionsPage::addVerbs()
 {
   auto* verbs = new QWidget(this);
-  replay_ = addVerb(tr("Replay"), "replayButton", tr("Look at it again, tick by tick (Enter)"));
+  replay_ = addVerb(tr("Replay"), "replayButton", tr("Replay the recording (Enter)"));
   replay_->setProperty("primary", true);
-  compare_ = addVerb(tr("Compare"), "compareButton", tr("Two or more over one axis"));
-  ghost_ =
-      addVerb(tr("Use as ghost"), "ghostButton", tr("Draw its curve behind the next insertions"));
-  report_ = addVerb(tr("Report…"), "reportButton", tr("Write a report as PDF"));
-  rename_ = addVerb(tr("Rename"), "renameButton", tr("Give it another name (F2)"));
-  delete_ = addVerb(tr("Delete"), "deleteButton", tr("Move it to the trash (Delete)"));
-  undo_ = addVerb(tr("Undo"), "undoDeleteButton", tr("Bring it back (Ctrl+Z)"));
+  compare_ =
+      addVerb(tr("Compare"), "compareButton", tr("Plot two or more recordings on common axes"));
+  ghost_ = addVerb(tr("Use as reference"), "ghostButton",
+                   tr("Show its force as reference trace in the next insertions"));
+  report_ = addVerb(tr("Report…"), "reportButton", tr("Save a report as PDF"));
+  rename_ = addVerb(tr("Rename"), "renameButton", tr("Rename the recording (F2)"));
+  delete_ = addVerb(tr("Delete"), "deleteButton", tr("Move to the trash (Delete)"));
+  undo_ = addVerb(tr("Undo"), "undoDeleteButton", tr("Restore from the trash (Ctrl+Z)"));
   status_ = text({}, 11, verbs, true);
   status_->setObjectName(QStringLiteral("sessionStatus"));
   status_->setWordWrap(true);
@@ -267,7 +268,7 @@ void SessionsPage::showList(std::vector<session::SessionSummary> sessions, int a
     list_->setCurrentIndex(sorted_->index(0, SessionTable::recorded));
   showChoice();
   if (read < all)
-    say(tr("Ended early: %1 of %2 recordings are listed. Open this page again to read on.")
+    say(tr("Canceled: %1 of %2 recordings listed. Open this page again to continue.")
             .arg(read)
             .arg(all));
 }
@@ -290,13 +291,13 @@ void SessionsPage::showChoice()
                   : shown == all ? tr("%n in the library", nullptr, all)
                                  : tr("%1 of %2").arg(shown).arg(all));
   if (all == 0)
-    empty_->say(tr("No insertion has been recorded yet"),
-                tr("Every insertion is kept by itself. Here it can be found again, replayed, "
-                   "compared and written as a report."));
+    empty_->say(tr("No recorded insertions"),
+                tr("Every insertion is recorded automatically. Recordings can be replayed, "
+                   "compared and reported here."));
   else
     empty_->say(
-        tr("Nothing found"),
-        tr("No recording has “%1” in its patient, array, date or name.").arg(search_->text()));
+        tr("No results"),
+        tr("No recording matches “%1” by patient, array, date or name.").arg(search_->text()));
   stack_->setCurrentIndex(shown == 0 ? 0 : 1);
 
   const auto rows = chosen();
@@ -313,11 +314,11 @@ void SessionsPage::showChoice()
   if (isOne && !rows[0].error.empty())
     say(QString::fromStdString(rows[0].error), true);
   else if (isOne && rows[0].isBeingRecorded)
-    say(tr("This insertion is being recorded. Reset ends its recording."));
+    say(tr("This insertion is being recorded. Reset ends the recording."));
   else if (!trashed_.empty())
     say(tr("%n moved to the trash.", nullptr, int(trashed_.size())));
   else
-    say(isOne && all > 1 ? tr("Choose several with Ctrl or Shift to compare them.") : QString());
+    say(isOne && all > 1 ? tr("Select several with Ctrl or Shift to compare.") : QString());
 }
 
 std::optional<std::filesystem::path> SessionsPage::oneChosen() const

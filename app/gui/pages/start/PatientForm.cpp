@@ -47,11 +47,11 @@ PatientForm::PatientForm(QWidget* parent)
       label_(new QLineEdit(this)),
       right_(new Choice(tr("right"), this)),
       left_(new Choice(tr("left"), this)),
-      byLengths_(new Choice(tr("Three lengths"), this)),
+      byLengths_(new Choice(tr("CDL and round-window section"), this)),
       byBasalTurn_(new Choice(tr("A, B and H"), this)),
       numbers_(new QStackedWidget(this)),
       error_(new QLabel(this)),
-      use_(new QPushButton(tr("Show this cochlea"), this))
+      use_(new QPushButton(tr("Build cochlea"), this))
 {
   setFixedWidth(formWidth_px);
   label_->setObjectName(QStringLiteral("patientName"));
@@ -59,7 +59,7 @@ PatientForm::PatientForm(QWidget* parent)
   label_->setFont(typeface(13));
   label_->setFixedHeight(28);
   label_->setMaxLength(60);
-  label_->setPlaceholderText(tr("a code, not a name"));
+  label_->setPlaceholderText(tr("Patient code (no names)"));
   byLengths_->setObjectName(QStringLiteral("byLengths"));
   byBasalTurn_->setObjectName(QStringLiteral("byBasalTurn"));
   right_->setObjectName(QStringLiteral("rightEar"));
@@ -93,7 +93,7 @@ PatientForm::PatientForm(QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(spacing);
-  auto* title = new QLabel(tr("A patient’s numbers"), this);
+  auto* title = new QLabel(tr("Patient measurements"), this);
   title->setFont(typeface(22));
   column->addWidget(title);
   column->addSpacing(spacing);
@@ -103,7 +103,7 @@ PatientForm::PatientForm(QWidget* parent)
   column->addWidget(heading(tr("EAR"), this));
   column->addLayout(sideBySide(right_, left_));
   column->addSpacing(spacing);
-  column->addWidget(heading(tr("MEASURED IN CT"), this));
+  column->addWidget(heading(tr("CT MEASUREMENTS"), this));
   column->addLayout(sideBySide(byLengths_, byBasalTurn_));
   column->addWidget(numbers_);
   column->addWidget(error_);
@@ -129,11 +129,11 @@ PatientForm::PatientForm(QWidget* parent)
 QWidget* PatientForm::addLengths()
 {
   auto* page = new QWidget(numbers_);
-  length_ = new PopulationField(tr("Scala length, organ of Corti"), "stLength",
+  length_ = new PopulationField(tr("Cochlear duct length (organ of Corti)"), "stLength",
                                 scalaLengthPopulation(), false, page);
-  width_ = new PopulationField(tr("Section width at round window"), "rwWidth",
+  width_ = new PopulationField(tr("Scala width at round window"), "rwWidth",
                                windowWidthPopulation(), false, page);
-  height_ = new PopulationField(tr("Section height at round window"), "rwHeight",
+  height_ = new PopulationField(tr("Scala height at round window"), "rwHeight",
                                 windowHeightPopulation(), false, page);
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
@@ -148,10 +148,11 @@ QWidget* PatientForm::addLengths()
 QWidget* PatientForm::addBasalTurn()
 {
   auto* page = new QWidget(numbers_);
-  a_ = new PopulationField(tr("Length A, through the round window"), "aValue", lengthAPopulation(),
-                           false, page);
-  b_ = new PopulationField(tr("Width B, across A"), "bValue", widthBPopulation(), false, page);
-  h_ = new PopulationField(tr("Height H"), "hValue", heightHPopulation(), true, page);
+  a_ =
+      new PopulationField(tr("A: basal-turn diameter"), "aValue", lengthAPopulation(), false, page);
+  b_ = new PopulationField(tr("B: basal-turn width, perpendicular to A"), "bValue",
+                           widthBPopulation(), false, page);
+  h_ = new PopulationField(tr("H: cochlear height"), "hValue", heightHPopulation(), true, page);
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(spacing);

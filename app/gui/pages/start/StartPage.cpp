@@ -119,9 +119,9 @@ void StartPage::beginShipped(const std::string& name, bool isWatched)
 QWidget* StartPage::cards()
 {
   auto* page = new QWidget(stages_);
-  auto* title = new QLabel(tr("Insert an electrode array"), page);
+  auto* title = new QLabel(tr("Electrode array insertion"), page);
   title->setFont(typeface(28, QFont::Light));
-  auto* question = new QLabel(tr("Into whose cochlea?"), page);
+  auto* question = new QLabel(tr("Choose an anatomy"), page);
   question->setFont(typeface(15));
   question->setProperty("quiet", true);
   error_ = new QLabel(page);
@@ -131,19 +131,20 @@ QWidget* StartPage::cards()
   error_->setProperty("error", true);
   error_->hide();
 
-  patient_ = new StartCard("patientCard", tr("Use a patient’s numbers"),
-                           tr("Three lengths from CT, or A, B and H, make this patient’s scala "
-                              "tympani. Each is compared with the population."),
-                           "resources/pictures/anatomies/patient-small.png", page);
-  mean_ = new StartCard("meanCard", tr("Mean cochlea"),
-                        tr("The average of fifteen human cochleae. Insert by script or with mouse "
-                           "and keyboard, and see the force over depth."),
+  patient_ = new StartCard(
+      "patientCard", tr("New patient"),
+      tr("Build the patient’s scala tympani from CT measurements: A, B and H, or cochlear duct "
+         "length and round-window section. Each value is compared with the population."),
+      "resources/pictures/anatomies/patient-small.png", page);
+  mean_ = new StartCard("meanCard", tr("Average cochlea"),
+                        tr("Average of 15 human cochleae. Insert automatically or with mouse and "
+                           "keyboard and follow the insertion force."),
                         "resources/pictures/anatomies/mean.png", page);
-  demonstration_ = new StartCard(
-      "demonstrationCard", tr("Watch a demo insertion"),
-      tr("A Contour array goes into the published cochlea by itself, beside the forces that were "
-         "measured in the experiment."),
-      "resources/pictures/anatomies/published.png", page);
+  demonstration_ =
+      new StartCard("demonstrationCard", tr("Watch a demo insertion"),
+                    tr("A Contour array is inserted automatically into the published cochlea; the "
+                       "published measurements are shown for comparison."),
+                    "resources/pictures/anatomies/published.png", page);
   auto* row = new QHBoxLayout;
   row->setSpacing(3 * spacing);
   row->addStretch();

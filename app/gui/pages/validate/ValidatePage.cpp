@@ -68,14 +68,14 @@ QWidget* ValidatePage::addColumn()
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(spacing);
-  auto* title = text(tr("The published experiment, repeated"), 22, page);
+  auto* title = text(tr("Reproduce the published experiment"), 22, page);
   title->setWordWrap(true);
   column->addWidget(title);
-  auto* what = text(tr("Many insertions that differ as real ones do: where the tip starts, how the "
-                       "array is aligned, how curved it is, how slippery the wall. Their mean is "
-                       "held against the forces that were printed. Two forces were used to "
-                       "calibrate the array; the others are predictions."),
-                    13, page, true);
+  auto* what =
+      text(tr("Simulates repeated insertions with realistic variability in start position, "
+              "alignment, array curvature and friction. Their mean is compared with the published "
+              "forces. Two forces were used to calibrate the array; the others are predictions."),
+           13, page, true);
   what->setWordWrap(true);
   column->addWidget(what);
   column->addSpacing(spacing);
@@ -92,7 +92,7 @@ QWidget* ValidatePage::addColumn()
   start_->setObjectName(QStringLiteral("validateButton"));
   save_ = new QPushButton(tr("Save…"), page);
   save_->setObjectName(QStringLiteral("saveValidationButton"));
-  save_->setToolTip(tr("Curves as CSV, numbers as JSON, figures as SVG, into a folder."));
+  save_->setToolTip(tr("Save curves as CSV, results as JSON and figures as SVG."));
   for (QPushButton* button : {start_, save_}) {
     button->setFont(typeface(13, QFont::Medium));
     button->setFixedHeight(32);
@@ -197,7 +197,7 @@ void ValidatePage::finish(const std::optional<analysis::ValidationResult>& resul
   sofar_ = result.value_or(analysis::ValidationResult{});
   if (result) {
     progress_->setValue(progress_->maximum());
-    status_->setText(tr("%1 insertions, seed %2. Spread over travel %3 mN.")
+    status_->setText(tr("%1 insertions, seed %2. Mean SD over travel %3 mN.")
                          .arg(result->runs)
                          .arg(result->seed)
                          .arg(1e3 * result->standardDeviation, 0, 'f', 1));
@@ -232,7 +232,7 @@ void ValidatePage::showFigure()
 
 void ValidatePage::showState()
 {
-  start_->setText(isRunning() ? tr("Cancel") : tr("Repeat it"));
+  start_->setText(isRunning() ? tr("Cancel") : tr("Run"));
   start_->setEnabled(bool(basis_));
   runs_->setEnabled(!isRunning());
   save_->setEnabled(result_.has_value());
@@ -270,8 +270,7 @@ void ValidatePage::showVerdicts()
 void ValidatePage::save()
 {
   if (!result_) return;
-  const QString chosen =
-      QFileDialog::getExistingDirectory(this, tr("Folder for curves, numbers and figures"));
+  const QString chosen = QFileDialog::getExistingDirectory(this, tr("Save to folder"));
   if (chosen.isEmpty()) return;
   const std::filesystem::path folder = chosen.toStdString();
   const analysis::ValidationFiles files =
@@ -285,7 +284,7 @@ void ValidatePage::save()
     if (!keep(name, content)) return;
   for (const auto& [name, figure] : files.figures)
     if (!keep(name + ".svg", figures::svg(figure))) return;
-  status_->setText(tr("Six files are in %1.").arg(chosen));
+  status_->setText(tr("6 files saved to %1.").arg(chosen));
 }
 
 }  // namespace perilymph::gui

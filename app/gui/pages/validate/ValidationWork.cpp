@@ -60,7 +60,7 @@ void ValidationWork::start(analysis::ValidationRequest request)
         timer_.stop();
         if (result) return finished(*result, {});
         finished(std::nullopt, shared_->isCanceled
-                                   ? tr("Canceled. Nothing was kept.")
+                                   ? tr("Canceled. No results were saved.")
                                    : QString::fromStdString(result.error().message));
       });
   timer_.start();

@@ -23,11 +23,11 @@ namespace {
 
 double mm(double travel) { return inMillimeters(meters(travel)); }
 
-FigureAxis travelAxis() { return {"travel of the tip from its start, mm", 0.0, 17.0, 2.0, 0}; }
+FigureAxis travelAxis() { return {"travel, mm", 0.0, 17.0, 2.0, 0}; }
 
 FigureAxis forceAxis(double highest)
 {
-  FigureAxis axis{"axial force, N", 0.0, 0.20, 0.05, 2};
+  FigureAxis axis{"insertion force, N", 0.0, 0.20, 0.05, 2};
   while (axis.high < highest) axis.high += axis.tick;
   return axis;
 }
@@ -63,15 +63,15 @@ FigureValues printed(const Reference& reference, std::string label, const Ink& c
 Figure experimentFigure(const Reference& experiment, const Reference& publishedSimulator)
 {
   Figure figure;
-  figure.title = "Published forces: the values that were printed";
+  figure.title = "Published forces";
   figure.x = travelAxis();
   figure.y = forceAxis(0.20);
   figure.values.push_back(
-      printed(experiment, "experiment, printed mean ± 1 SD", ink::black, MarkerShape::disk));
-  figure.values.push_back(printed(publishedSimulator, "published simulator, printed mean ± 1 SD",
-                                  ink::green, MarkerShape::square));
+      printed(experiment, "experiment, mean ± SD", ink::black, MarkerShape::disk));
+  figure.values.push_back(printed(publishedSimulator, "published simulator, mean ± SD", ink::green,
+                                  MarkerShape::square));
   figure.notes = {"Todd and Naghdy: Nucleus 24 Contour, synthetic scala tympani, soap, 2.0 mm/s.",
-                  "Nothing is known between printed values, so nothing is drawn there."};
+                  "Values between points were not reported."};
   return figure;
 }
 
@@ -80,8 +80,9 @@ Figure simulationFigure(const ValidationResult& result, const Reference& experim
   Figure figure;
   figure.title = "Simulated insertions and the published " + experiment.kind;
   figure.x = travelAxis();
-  FigureBand spread{"± 1 SD between insertions", {}, {}, {}, ink::tint(ink::blue, 0.18)};
-  FigureBand confidence{"95 % confidence of the mean", {}, {}, {}, ink::tint(ink::blue, 0.45)};
+  FigureBand spread{"± SD between insertions", {}, {}, {}, ink::tint(ink::blue, 0.18)};
+  FigureBand confidence{
+      "95 % confidence interval of the mean", {}, {}, {}, ink::tint(ink::blue, 0.45)};
   FigureCurve mean{"mean of " + std::to_string(result.runs) + " simulated insertions",
                    {},
                    {},
@@ -101,7 +102,7 @@ Figure simulationFigure(const ValidationResult& result, const Reference& experim
   figure.y = forceAxis(highest);
   figure.bands = {spread, confidence};
   figure.curves = {mean};
-  addFelt(figure, "felt by surgeons, median ", false);
+  addFelt(figure, "perception threshold, median ", false);
   figure.values.push_back(printed(experiment, experiment.label, ink::black, MarkerShape::disk));
   figure.notes = {"Seed " + std::to_string(result.seed) +
                   "; least-squares spline through each insertion, resampled every 0.1 mm."};
@@ -120,11 +121,11 @@ Figure calibrationFigure(const CalibrationResult& calibration, const Reference& 
     (isUsed ? used : predicted).points.push_back(point);
   }
   Figure figure = simulationFigure(calibration.fitted, experiment);
-  figure.title = "Calibrated insertions: what was fitted and what is predicted";
-  figure.values = {printed(used, "experiment, printed mean ± 1 SD, used by the fit", ink::vermilion,
-                           MarkerShape::diamond),
-                   printed(predicted, "experiment, printed mean ± 1 SD, predicted", ink::black,
-                           MarkerShape::disk)};
+  figure.title = "Calibrated insertions: fitted and predicted forces";
+  figure.values = {
+      printed(used, "experiment, mean ± SD, used for calibration", ink::vermilion,
+              MarkerShape::diamond),
+      printed(predicted, "experiment, mean ± SD, predicted", ink::black, MarkerShape::disk)};
   const session::Calibration& fit = calibration.calibration;
   figure.notes = {"Stiffness scale " + fixed(fit.stiffnessScale.value, 3) + " ± " +
                   fixed(fit.stiffnessScale.standardDeviation, 3) + ", residual curvature " +
@@ -139,7 +140,7 @@ Figure differenceFigure(const ValidationResult& result, const Reference& publish
   figure.title = "Simulator minus experiment";
   figure.x = travelAxis();
   FigureValues ours;
-  ours.label = "this simulator, 95 % confidence";
+  ours.label = "this simulator, 95 % confidence interval";
   ours.ink = ink::blue;
   double lowest = -0.08, highest = 0.08;
   for (const AnchorComparison& anchor : result.anchors) {
@@ -151,7 +152,7 @@ Figure differenceFigure(const ValidationResult& result, const Reference& publish
     highest = std::max(highest, ours.high.back());
   }
   FigureValues theirs;
-  theirs.label = "published simulator, 95 % confidence where printed (sign corrected)";
+  theirs.label = "published simulator, 95 % confidence interval where reported (sign corrected)";
   theirs.ink = ink::green;
   theirs.shape = MarkerShape::square;
   for (const PrintedDifference& difference : publishedDifference.differences) {
@@ -160,10 +161,11 @@ Figure differenceFigure(const ValidationResult& result, const Reference& publish
     theirs.low.push_back(difference.low.value_or(difference.mean));
     theirs.high.push_back(difference.high.value_or(difference.mean));
   }
-  figure.y = figures::axisOver("difference of mean axial force, N", lowest, highest);
-  addFelt(figure, "felt by surgeons, ± ", true);
+  figure.y = figures::axisOver("difference of mean insertion force, N", lowest, highest);
+  addFelt(figure, "perception threshold ± ", true);
   figure.values = {theirs, ours};
-  figure.notes = {"Only where the experiment is printed; its means rest on about 11 insertions."};
+  figure.notes = {
+      "Shown only where the experiment was reported; its means are from about 11 insertions."};
   return figure;
 }
 

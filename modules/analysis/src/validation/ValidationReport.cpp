@@ -114,11 +114,11 @@ std::vector<Verdict> verdictsOf(const ValidationResult& result, const Reference&
   verdicts.push_back({"largest of these differences", newtonsOf(largest),
                       "at most " + newtonsOf(maxDifference), largest <= maxDifference});
   if (const Result<Force> felt = forceFeltBySurgeons())
-    verdicts.push_back({"the same, below what surgeons feel", newtonsOf(largest),
+    verdicts.push_back({"largest difference below perception", newtonsOf(largest),
                         "at most " + newtonsOf(felt->si()), largest <= felt->si()});
-  verdicts.push_back(placeVerdict("place of the basal-turn peak", result.basalTurn.peak,
+  verdicts.push_back(placeVerdict("position of the basal-turn peak", result.basalTurn.peak,
                                   experiment.find("peak"), peakSlack));
-  verdicts.push_back(placeVerdict("place of the dip behind it", result.basalTurn.dip,
+  verdicts.push_back(placeVerdict("position of the following dip", result.basalTurn.dip,
                                   experiment.find("dip"), dipSlack));
   verdicts.push_back({"small early peak", result.earlyPeak ? mm(result.earlyPeak->travel) : "none",
                       "between 3 and 7 mm", result.earlyPeak.has_value()});
@@ -132,7 +132,7 @@ std::vector<Verdict> verdictsOf(const ValidationResult& result, const Reference&
   verdicts.push_back(
       rangeVerdict("raw force at the first rib", peak, experiment.findRange("first rib, raw")));
   const double spread = spreadAtAnchors(result);
-  verdicts.push_back({"standard deviation at the printed values", newtonsOf(spread),
+  verdicts.push_back({"standard deviation at the reported values", newtonsOf(spread),
                       figures::fixed(minSpread, 4) + " to " + newtonsOf(maxSpread),
                       spread >= minSpread && spread <= maxSpread});
   return verdicts;

@@ -39,9 +39,9 @@ Result<fs::path> renameSession(const fs::path& file, const std::string& name)
   constexpr std::size_t longest = 120;
   if (name.empty() || name.size() > longest || name.front() == '.' ||
       name.find_first_of("/\\\n\r\t") != std::string::npos || name.find('\0') != std::string::npos)
-    return Error{"'" + name +
-                 "' cannot be a name of a recording. It has 1 to 120 letters, no slash, and does "
-                 "not begin with a point."};
+    return Error{
+        "'" + name +
+        "' is not a valid recording name. Use 1–120 characters, no slash, no leading period."};
   const fs::path renamed = file.parent_path() / (name + ending);
   if (renamed == file) return file;
   if (const auto done = moveTo(file, renamed); !done) return done.error();

@@ -12,20 +12,20 @@ namespace perilymph::charts {
 /// Texts of charts and flat views, English by default. %1 and %2 are placeholders of numbers.
 struct ChartStrings {
   std::string travel = "travel, mm";
-  std::string axialForce = "axial force, N";
+  std::string axialForce = "insertion force, N";
   std::string force = "force, mN";
   std::string now = "now";
   std::string thisInsertion = "this insertion";
-  std::string feltBySurgeons = "felt by surgeons %1 mN";
+  std::string feltBySurgeons = "perception threshold %1 mN";
   std::string axial = "axial", lateral = "lateral", vertical = "vertical";
   std::string outerWall = "outer wall", modiolus = "modiolus";
   std::string basilarMembrane = "basilar membrane";
   std::string wallForceScale = "wall force, 50 mN per mm";
   std::string wallForce = "wall force %1 mN";
   std::string unrolledAxes = "angle from round window, °; width, mm";
-  std::string tipIsOutside = "the tip is outside";
-  std::string noContactInside = "no contact is inside yet";
-  std::string meanAndInside = "mean %1 mm, %2 inside";
+  std::string tipIsOutside = "tip is outside the cochlea";
+  std::string noContactInside = "no contact inserted yet";
+  std::string meanAndInside = "mean %1 mm, %2 inserted";
   char decimalSign = '.';
 };
 

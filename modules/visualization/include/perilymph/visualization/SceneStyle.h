@@ -12,8 +12,8 @@ namespace perilymph::visualization {
 /// Texts of the scales, English by default. %1 and %2 are placeholders of numbers.
 struct SceneStrings {
   std::string wallForce = "wall force, mN per mm";
-  std::string normalForce = "normal force, %1 mm for %2 mN";
-  std::string friction = "friction, × %1";
+  std::string normalForce = "contact force (arrow %1 mm = %2 mN)";
+  std::string friction = "friction force (arrows enlarged %1×)";
   char decimalSign = '.';
 };
 

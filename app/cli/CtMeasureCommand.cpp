@@ -5,14 +5,15 @@
 
 #include "Commands.h"
 #include "CtMeasuresJson.h"
-#include "CtPatient.h"
-#include "Landmarks.h"
 #include "Terminal.h"
 #include "perilymph/anatomy/Surface.h"
 #include "perilymph/ct/Measures.h"
 #include "perilymph/foundation/AtomicFile.h"
 #if PERILYMPH_HAS_TOOLKIT
 #include "perilymph/imaging/CtSeries.h"
+#include "perilymph/imaging/Landmarks.h"
+#include "perilymph/imaging/MeasuredPatient.h"
+#include "perilymph/imaging/MeasuredSurface.h"
 #endif
 
 namespace perilymph::cli {
@@ -28,38 +29,14 @@ Result<ct::MeasureRequest> requestOf(const CtMeasureOptions& options)
     request.click_P =
         Eigen::Vector3d((*options.at_mm)[0], (*options.at_mm)[1], (*options.at_mm)[2]);
   if (!options.landmarks.empty()) {
-    const auto landmarks = readLandmarks(options.landmarks);
-    if (!landmarks) return landmarks.error();
-    request.click_P = landmarks->inside_P();
-    request.roundWindow_P = landmarks->roundWindow_P;
+    const auto marks = imaging::readLandmarks(options.landmarks);
+    if (!marks) return marks.error();
+    request.click_P = marks->inside_P();
+    request.roundWindow_P = (*marks)[ct::Mark::roundWindow];
   }
   if (!options.side.empty())
     request.side = options.side == "left" ? anatomy::Side::left : anatomy::Side::right;
   return request;
-}
-
-/// The fitted wall as it lies in the CT, its normals outward.
-anatomy::Surface wallSurface(const ct::CochleaMeasures& measures)
-{
-  anatomy::Surface surface;
-  for (const Eigen::Vector3d& point_P : measures.wall_P)
-    surface.points.push_back({1e-3 * point_P.x(), 1e-3 * point_P.y(), 1e-3 * point_P.z()});
-  surface.triangles = measures.wallTriangles;
-  double volume = 0.0;
-  for (const auto& corners : surface.triangles) {
-    const Eigen::Vector3d a =
-        measures.wall_P[static_cast<std::size_t>(corners[0])] - measures.center_P;
-    const Eigen::Vector3d b =
-        measures.wall_P[static_cast<std::size_t>(corners[1])] - measures.center_P;
-    const Eigen::Vector3d c =
-        measures.wall_P[static_cast<std::size_t>(corners[2])] - measures.center_P;
-    Eigen::Matrix3d sides;
-    sides << a, b, c;
-    volume += sides.determinant();
-  }
-  if (volume < 0.0)
-    for (auto& corners : surface.triangles) std::swap(corners[1], corners[2]);
-  return surface;
 }
 
 void printMeasure(const char* name, const ct::Measure& measure)
@@ -98,11 +75,11 @@ Result<Done> writeFiles(const CtMeasureOptions& options, const ct::CochleaMeasur
         !done)
       return done.error();
   if (!options.patient.empty())
-    if (const auto done = writeMeasuredPatient(measures, options.patient); !done)
+    if (const auto done = imaging::writeMeasuredPatient(measures, options.patient); !done)
       return done.error();
   if (options.surface.empty()) return Done{};
-  return anatomy::writeSurface(
-      wallSurface(measures), "Perilymph, wall of a cochlea measured in a CT, LPS", options.surface);
+  return anatomy::writeSurface(imaging::measuredSurface(measures), imaging::measuredSurfaceTitle,
+                               options.surface);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,8 @@ public:
   /// True if all eight voxels of a trilinear interpolation are in the volume.
   bool contains(const Eigen::Vector3d& point_P) const;
 
+  /// All voxels, i fastest, then j.
+  std::span<const std::int16_t> voxels() const noexcept { return voxels_; }
   std::int16_t voxel(int i, int j, int k) const
   {
     return voxels_[(static_cast<std::size_t>(k) * static_cast<std::size_t>(size_[1]) +

@@ -1,24 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CtPatient.h"
+#include "perilymph/imaging/MeasuredPatient.h"
 
+#include <array>
+#include <charconv>
 #include <string>
 
-#include "Terminal.h"
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Utf8.h"
 #include "perilymph/foundation/Version.h"
 
-namespace perilymph::cli {
+namespace perilymph::imaging {
 
 namespace {
+
+std::string fixed(double value)
+{
+  std::array<char, 32> text{};
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 3);
+  return {text.data(), end.ptr};
+}
 
 /// `a_mm = 9.123  # sd 0.105, 95 % within 8.917 to 9.329`
 std::string line(const char* key, const ct::Measure& measure)
 {
   const auto interval = measure.interval95();
-  return std::string(key) + " = " + fixed(measure.value, 3) + "  # sd " + fixed(measure.sd(), 3) +
-         ", 95 % within " + fixed(interval[0], 3) + " to " + fixed(interval[1], 3) + "\n";
+  return std::string(key) + " = " + fixed(measure.value) + "  # sd " + fixed(measure.sd()) +
+         ", 95 % within " + fixed(interval[0]) + " to " + fixed(interval[1]) + "\n";
 }
 
 /// A label that TOML takes between quotation marks as it is.
@@ -63,4 +72,4 @@ Result<Done> writeMeasuredPatient(const ct::CochleaMeasures& measures,
   return writeWhole(file, text);
 }
 
-}  // namespace perilymph::cli
+}  // namespace perilymph::imaging

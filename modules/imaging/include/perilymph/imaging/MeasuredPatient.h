@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// The patient file of a cochlea measured in a CT.
+
 #include <filesystem>
 
 #include "perilymph/ct/Measures.h"
 #include "perilymph/foundation/Result.h"
 
-namespace perilymph::cli {
+namespace perilymph::imaging {
 
 /// Writes a patient measured in a CT: A, B, H and the side, errors and provenance as comments. An H
 /// that patients may not have is a comment, too.
 Result<Done> writeMeasuredPatient(const ct::CochleaMeasures& measures,
                                   const std::filesystem::path& file);
 
-}  // namespace perilymph::cli
+}  // namespace perilymph::imaging

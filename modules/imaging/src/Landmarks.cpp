@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Landmarks.h"
+#include "perilymph/imaging/Landmarks.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <string>
+#include <optional>
 
 #include "perilymph/foundation/AtomicFile.h"
 
-namespace perilymph::cli {
+namespace perilymph::imaging {
 
 namespace {
 
@@ -34,7 +33,7 @@ std::string textOf(const Json& object, const char* key)
 }
 
 /// Adds the points of one list; false where it is not one that can be read.
-bool addPoints(const Json& markup, Landmarks& landmarks)
+bool addPoints(const Json& markup, ct::Marks& marks)
 {
   if (!markup.is_object()) return false;
   const std::string system = textOf(markup, "coordinateSystem");
@@ -44,31 +43,18 @@ bool addPoints(const Json& markup, Landmarks& landmarks)
   if (points == markup.end() || !points->is_array()) return false;
   for (const Json& control : *points) {
     if (!control.is_object()) return false;
-    const std::string label = textOf(control, "label");
+    const std::optional<ct::Mark> mark = ct::markNamed(textOf(control, "label"));
     const std::string status = textOf(control, "positionStatus");
-    std::optional<Eigen::Vector3d>* const kept = label == "RW"  ? &landmarks.roundWindow_P
-                                                 : label == "C" ? &landmarks.center_P
-                                                 : label == "A" ? &landmarks.apex_P
-                                                                : nullptr;
-    if (!kept || (!status.empty() && status != "defined")) continue;
-    *kept = pointOf(control, isRas);
-    if (!*kept) return false;
+    if (!mark || (!status.empty() && status != "defined")) continue;
+    marks[*mark] = pointOf(control, isRas);
+    if (!marks[*mark]) return false;
   }
   return true;
 }
 
 }  // namespace
 
-Eigen::Vector3d Landmarks::inside_P() const
-{
-  // The modiolus, a third of the way up, lies amid the turns.
-  if (center_P && apex_P) return 0.7 * *center_P + 0.3 * *apex_P;
-  if (center_P) return *center_P;
-  if (roundWindow_P && apex_P) return 0.5 * (*roundWindow_P + *apex_P);
-  return apex_P ? *apex_P : *roundWindow_P;
-}
-
-Result<Landmarks> readLandmarks(const std::filesystem::path& file)
+Result<ct::Marks> readLandmarks(const std::filesystem::path& file)
 {
   const auto content = readWhole(file);
   if (!content) return content.error();
@@ -79,11 +65,35 @@ Result<Landmarks> readLandmarks(const std::filesystem::path& file)
   if (!json.is_object()) return other;
   const auto markups = json.find("markups");
   if (markups == json.end() || !markups->is_array()) return other;
-  Landmarks landmarks;
+  ct::Marks marks;
   for (const Json& markup : *markups)
-    if (!addPoints(markup, landmarks)) return other;
-  if (!landmarks.roundWindow_P && !landmarks.center_P && !landmarks.apex_P) return other;
-  return landmarks;
+    if (!addPoints(markup, marks)) return other;
+  if (!marks[ct::Mark::roundWindow] && !marks[ct::Mark::modiolus] && !marks[ct::Mark::apex])
+    return other;
+  return marks;
 }
 
-}  // namespace perilymph::cli
+std::string landmarksText(const ct::Marks& marks)
+{
+  Json points = Json::array();
+  for (std::size_t k = 0; k < ct::markCount; ++k) {
+    const auto mark = static_cast<ct::Mark>(k);
+    const auto& point = marks[mark];
+    if (!point) continue;
+    points.push_back({{"id", std::to_string(points.size() + 1)},
+                      {"label", ct::nameOf(mark)},
+                      {"position", {point->x(), point->y(), point->z()}},
+                      {"positionStatus", "defined"}});
+  }
+  const Json markup{{"type", "Fiducial"},
+                    {"coordinateSystem", "LPS"},
+                    {"coordinateUnits", "mm"},
+                    {"controlPoints", points}};
+  const Json whole{{"@schema",
+                    "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/"
+                    "Markups/Resources/Schema/markups-schema-v1.0.3.json#"},
+                   {"markups", Json::array({markup})}};
+  return whole.dump(2) + "\n";
+}
+
+}  // namespace perilymph::imaging

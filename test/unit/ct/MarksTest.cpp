@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Landmarks that a person places, and those of a measured cochlea.
+
+#include "perilymph/ct/Marks.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "perilymph/test/CtPhantom.h"
+
+namespace perilymph::ct {
+namespace {
+
+using Eigen::Vector3d;
+
+TEST(MarkedMeasures, AreTakenAcrossTheAxisAndAlongIt)
+{
+  Marks marks;
+  marks[Mark::roundWindow] = Vector3d(0, 0, 0);
+  marks[Mark::farWall] = Vector3d(3, 4, 12);  // 5 mm across z
+  marks[Mark::nearB] = Vector3d(-3, 0, 1);
+  marks[Mark::farB] = Vector3d(3, 0, 1);
+  marks[Mark::floor] = Vector3d(0, 0, -1);
+  marks[Mark::apex] = Vector3d(1, 0, 2.5);
+  const MarkedMeasures measures = measuresBetween(marks, Vector3d::UnitZ());
+  EXPECT_NEAR(measures.a.value(), 5.0, 1e-12);
+  EXPECT_NEAR(measures.b.value(), 6.0, 1e-12);
+  EXPECT_NEAR(measures.h.value(), 3.5, 1e-12);
+}
+
+TEST(MarkedMeasures, UseTheLineFromModiolusToApexWithoutAKnownAxis)
+{
+  Marks marks;
+  marks[Mark::roundWindow] = Vector3d(0, 0, 0);
+  marks[Mark::farWall] = Vector3d(8, 0, 6);
+  EXPECT_NEAR(measuresBetween(marks, std::nullopt).a.value(), 10.0, 1e-12);
+  marks[Mark::modiolus] = Vector3d(4, 0, 0);
+  marks[Mark::apex] = Vector3d(4, 0, 3);
+  EXPECT_NEAR(measuresBetween(marks, std::nullopt).a.value(), 8.0, 1e-12);
+}
+
+TEST(MarkedMeasures, AreMissingWithoutBothEnds)
+{
+  Marks marks;
+  marks[Mark::roundWindow] = Vector3d(0, 0, 0);
+  const MarkedMeasures measures = measuresBetween(marks, Vector3d::UnitZ());
+  EXPECT_FALSE(measures.a || measures.b || measures.h);
+}
+
+TEST(Marks, HaveNamesThatAreFoundAgain)
+{
+  for (std::size_t k = 0; k < markCount; ++k) {
+    const auto mark = static_cast<Mark>(k);
+    EXPECT_EQ(markNamed(nameOf(mark)), mark);
+  }
+  EXPECT_FALSE(markNamed("rw"));
+}
+
+TEST(Marks, OfAMeasuredCochleaGiveItsMeasures)
+{
+  const auto phantom = test::makeCtPhantom(203, test::highResolutionScan());
+  MeasureRequest request;
+  request.click_P = phantom.inside_P;
+  const auto measures = measureCochlea(phantom.volume, request);
+  ASSERT_TRUE(measures) << measures.error().message;
+  const MarkedMeasures marked = measuresBetween(marksOf(*measures), measures->axis_P);
+  // The wall's points are 4 degrees apart, which costs up to cos(2 deg) of a half-diameter, and the
+  // round window's center lies beside the outermost point.
+  EXPECT_NEAR(marked.a.value(), measures->a.value, 0.05);
+  EXPECT_NEAR(marked.b.value(), measures->b.value, 0.05);
+  EXPECT_NEAR(marked.h.value(), measures->h.value, 0.001);
+}
+
+}  // namespace
+}  // namespace perilymph::ct

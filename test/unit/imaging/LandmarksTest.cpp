@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Landmarks to and from 3D Slicer.
+
+#include "perilymph/imaging/Landmarks.h"
+
+#include <gmock/gmock.h>
+
+#include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::imaging {
+namespace {
+
+using Eigen::Vector3d;
+
+TEST(Landmarks, ComeBackAsTheyWereWritten)
+{
+  ct::Marks marks;
+  marks[ct::Mark::roundWindow] = Vector3d(1.25, -2.5, 3.0);
+  marks[ct::Mark::apex] = Vector3d(0.1, 0.2, 0.3);
+  marks[ct::Mark::farB] = Vector3d(-7.0, 8.0, 9.0);
+  const test::TemporaryFolder folder;
+  ASSERT_TRUE(writeWhole(folder / "ear.mrk.json", landmarksText(marks)));
+  const auto read = readLandmarks(folder / "ear.mrk.json");
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_TRUE(*read == marks);
+}
+
+TEST(Landmarks, AreWrittenInTheFrameThatTheyName)
+{
+  ct::Marks marks;
+  marks[ct::Mark::modiolus] = Vector3d(1.0, 2.0, 3.0);
+  const std::string text = landmarksText(marks);
+  EXPECT_THAT(text, testing::HasSubstr("\"coordinateSystem\": \"LPS\""));
+  EXPECT_THAT(text, testing::HasSubstr("\"label\": \"C\""));
+}
+
+TEST(Landmarks, OfRasFilesAreTurnedToLps)
+{
+  const test::TemporaryFolder folder;
+  ASSERT_TRUE(writeWhole(folder / "ras.mrk.json",
+                         R"({"markups": [{"coordinateSystem": "RAS", "controlPoints":
+                             [{"label": "RW", "position": [1, 2, 3]}]}]})"));
+  const auto read = readLandmarks(folder / "ras.mrk.json");
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ((*read)[ct::Mark::roundWindow].value(), Vector3d(-1, -2, 3));
+}
+
+TEST(Landmarks, WithoutAPointInTheCochleaAreRefused)
+{
+  const test::TemporaryFolder folder;
+  ASSERT_TRUE(writeWhole(folder / "b.mrk.json",
+                         R"({"markups": [{"coordinateSystem": "LPS", "controlPoints":
+                             [{"label": "B1", "position": [1, 2, 3]}]}]})"));
+  const auto read = readLandmarks(folder / "b.mrk.json");
+  ASSERT_FALSE(read);
+  EXPECT_THAT(read.error().message, testing::HasSubstr("RW, C or A"));
+}
+
+}  // namespace
+}  // namespace perilymph::imaging

@@ -8,12 +8,8 @@
 #include <QWheelEvent>
 #include <utility>
 
-#include "gui/pages/compare/ComparePage.h"
 #include "gui/pages/insert/FrameLoop.h"
 #include "gui/pages/insert/ReplayControl.h"
-#include "gui/pages/sessions/SessionsPage.h"
-#include "gui/pages/start/StartPage.h"
-#include "gui/pages/validate/ValidatePage.h"
 #include "gui/parts/Notice.h"
 #include "gui/parts/Theme.h"
 #include "gui/shell/Help.h"
@@ -30,11 +26,7 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
       insert_(new InsertPage(std::move(scenario), std::move(record), this)),
       sheets_(new Sheets(*insert_, this)),
       notice_(new Notice(this)),
-      start_(new StartPage(this)),
-      validate_(new ValidatePage(this)),
-      compare_(new ComparePage(this)),
-      sessions_(new SessionsPage(this)),
-      pages_(new PageStack({start_, insert_, compare_, validate_, sessions_}, Page::insert, this))
+      pages_(new PageStack(*insert_, this))
 {
   setObjectName(QStringLiteral("mainWindow"));
   setFont(typeface(13));
@@ -44,7 +36,6 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
   setFocusPolicy(Qt::StrongFocus);
   layOut();
   connectInsertion();
-  connectPages();
   addInsertKeys(keys_, *insert_);
   addWindowKeys(keys_, *this, *insert_);
   sheets_->help().listKeys(keys_);
@@ -82,27 +73,13 @@ void MainWindow::connectInsertion()
     showPage(Page::insert);
     top_->showReplay();
   });
-  connect(insert_, &InsertPage::replayFailed, this,
-          [this](const QString& sentence) { sessions_->say(sentence, true); });
-}
-
-void MainWindow::connectPages()
-{
+  connect(pages_, &PageStack::setupChosen, this,
+          qOverload<const Setup&, SetupOrigin::Kind, AfterLoading>(&MainWindow::load));
+  connect(pages_, &PageStack::pageAsked, this, &MainWindow::showPage);
   connect(top_, &TopBar::pageChosen, this, &MainWindow::showPage);
   connect(top_, &TopBar::keysAsked, &sheets_->help(), &Help::toggleKeys);
   connect(top_, &TopBar::settingsAsked, sheets_, &Sheets::toggleSettings);
   connect(sheets_, &Sheets::settingChosen, this, &MainWindow::anewAsked);
-  connect(start_, &StartPage::setupChosen, this,
-          [this](const Setup& setup, SetupOrigin::Kind kind, bool isWatched) {
-            load(setup, kind, isWatched ? AfterLoading::insert : AfterLoading::rest);
-          });
-  connect(sessions_, &SessionsPage::replayAsked, insert_, &InsertPage::openReplay);
-  connect(sessions_, &SessionsPage::ghostRead, insert_, &InsertPage::setGhost);
-  connect(sessions_, &SessionsPage::compareAsked, this,
-          [this](const std::vector<std::filesystem::path>& files) {
-            showPage(Page::compare);
-            compare_->compare(files);
-          });
 }
 
 void MainWindow::load(session::Scenario scenario, AfterLoading then)
@@ -120,16 +97,9 @@ void MainWindow::showPage(Page page)
 {
   top_->setPage(page);
   if (page == pages_->page()) return;
-  if (pages_->page() == Page::insert) insert_->leaveSight();
   pages_->showPage(page);
   showSubject();
-  if (page == Page::start)
-    start_->showCards();
-  else
-    setFocus();
-  if (page != Page::sessions) return;
-  sessions_->refresh(control().recording(), control().isRunning());
-  sessions_->setFocus();
+  if (page != Page::start && page != Page::sessions) setFocus();
 }
 
 void MainWindow::showSubject()
@@ -139,7 +109,7 @@ void MainWindow::showSubject()
       replay.isOpen() ? replay.playback().file().stem().string() : control().scenario().name();
   setWindowTitle((replay.isOpen() ? tr("Perilymph · replay of %1") : tr("Perilymph · %1"))
                      .arg(QString::fromStdString(name)));
-  if (page() == Page::start) return top_->showNobody();  // no patient yet
+  if (page() == Page::start || page() == Page::ct) return top_->showNobody();
   if (page() == Page::insert && replay.isOpen())
     return top_->showSubject(replay.playback().scenario(), {});
   top_->showSubject(control().scenario(), setup().isModified() ? setup().changedText() : QString());
@@ -153,8 +123,7 @@ void MainWindow::leave()
   if (sheets_->leave()) return;
   if (page() == Page::insert && insert_->rest()) return;
   if (notice_->isVisible()) return notice_->hide();
-  if (page() == Page::validate) validate_->cancel();
-  if (page() == Page::compare) compare_->cancel();
+  if (pages_->cancel()) return;
   const bool isElsewhere = focusWidget() != nullptr && focusWidget() != this;
   if (isElsewhere && page() != Page::start) return setFocus();
   if (isFullScreen()) setWindowState(windowState() & ~Qt::WindowFullScreen);

@@ -15,13 +15,9 @@
 
 namespace perilymph::gui {
 
-class ComparePage;
 class Notice;
-class SessionsPage;
 class Sheets;
-class StartPage;
 class TopBar;
-class ValidatePage;
 
 class MainWindow : public QWidget {
   Q_OBJECT
@@ -43,6 +39,7 @@ public:
   /// Shows another page. A moving insertion is paused, because it is not visible.
   void showPage(Page page);
   Page page() const { return pages_->page(); }
+  PageStack& pages() { return *pages_; }
 
   /// The message area at the bottom of the window.
   Notice& notice() { return *notice_; }
@@ -80,17 +77,12 @@ protected:
 private:
   void layOut();
   void connectInsertion();
-  void connectPages();
   void showSubject();
 
   TopBar* top_;
   InsertPage* insert_;
   Sheets* sheets_;
   Notice* notice_;
-  StartPage* start_;
-  ValidatePage* validate_;
-  ComparePage* compare_;
-  SessionsPage* sessions_;
   PageStack* pages_;
   KeyActions keys_;
 };

@@ -4,22 +4,52 @@
 // The pages of the window, one of which is visible.
 
 #include <QStackedWidget>
-#include <array>
+
+#include "gui/pages/insert/InsertPage.h"
 
 namespace perilymph::gui {
 
-/// The pages, in the order of their buttons.
-enum class Page { start, insert, compare, validate, sessions };
+class ComparePage;
+class CtPage;
+class SessionsPage;
+class StartPage;
+class ValidatePage;
 
-/// Contains a widget for each page.
+/// The pages, in the order of their buttons.
+enum class Page { start, ct, insert, compare, validate, sessions };
+
+/// Makes the pages and connects them, as they do not know each other.
 class PageStack : public QStackedWidget {
   Q_OBJECT
 public:
-  /// @param pages  In the order of Page.
-  PageStack(const std::array<QWidget*, 5>& pages, Page shown, QWidget* parent);
+  /// @param insert  The insertion page; it is shown first.
+  PageStack(InsertPage& insert, QWidget* parent);
 
-  void showPage(Page page) { setCurrentIndex(static_cast<int>(page)); }
   Page page() const { return static_cast<Page>(currentIndex()); }
+  /// Shows a page. An insertion that is no longer visible is paused.
+  void showPage(Page page);
+  /// Cancels what the visible page computes in the background. False if there was nothing.
+  bool cancel();
+  /// Shows a message on the page of recordings.
+  void showSessionsError(const QString& sentence);
+  CtPage& ct() { return *ct_; }
+
+Q_SIGNALS:
+  /// Another setup was chosen for the insertion page.
+  void setupChosen(const perilymph::gui::Setup& setup, perilymph::gui::SetupOrigin::Kind kind,
+                   perilymph::gui::InsertPage::AfterLoading then);
+  /// A page asks for another one.
+  void pageAsked(perilymph::gui::Page page);
+
+private:
+  void connectPages();
+
+  InsertPage& insert_;
+  StartPage* start_;
+  CtPage* ct_;
+  ComparePage* compare_;
+  ValidatePage* validate_;
+  SessionsPage* sessions_;
 };
 
 }  // namespace perilymph::gui

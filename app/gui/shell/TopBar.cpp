@@ -130,6 +130,7 @@ TopBar::TopBar(QWidget* parent)
   left->addWidget(name);
   auto* pages = new QHBoxLayout;
   pages->setSpacing(spacing);
+  pages->addWidget(addPage(Page::ct, tr("CT"), "ctPageButton"));
   pages->addWidget(addPage(Page::insert, tr("Insert"), "insertPageButton"));
   pages->addWidget(addPage(Page::compare, tr("Compare"), "comparePageButton"));
   pages->addWidget(addPage(Page::validate, tr("Validate"), "validatePageButton"));

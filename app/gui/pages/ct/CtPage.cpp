@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/ct/CtPage.h"
+
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMimeData>
+#include <QStackedLayout>
+#include <QUrl>
+#include <algorithm>
+
+#include "gui/pages/ct/CtPanel.h"
+#include "gui/pages/ct/CtText.h"
+#include "gui/pages/ct/MeasuredSetup.h"
+#include "gui/pages/ct/PlaneView.h"
+#include "gui/pages/ct/SurfaceView.h"
+#include "gui/parts/EmptyPage.h"
+#include "gui/parts/Theme.h"
+#include "perilymph/anatomy/Surface.h"
+#include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/imaging/Landmarks.h"
+#include "perilymph/imaging/MeasuredSurface.h"
+
+namespace perilymph::gui {
+
+CtPage::CtPage(QWidget* parent)
+    : QWidget(parent),
+      work_(this),
+      panel_(new CtPanel(study_, this)),
+      pictures_(new QWidget(this)),
+      surface_(new SurfaceView(study_, pictures_))
+{
+  setObjectName(QStringLiteral("ctPage"));
+  setAcceptDrops(true);
+  auto* grid = new QGridLayout(pictures_);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(1);
+  for (std::size_t k = 0; k < views_.size(); ++k) {
+    views_[k] = new PlaneView(study_, k, pictures_);
+    connect(views_[k], &PlaneView::maximizeAsked, this, [this, k] { maximize(views_[k]); });
+    connect(views_[k], &PlaneView::markPlaced, this, [this] {
+      for (PlaneView* view : views_) view->setPlaced({});
+      panel_->showIdle({});
+    });
+  }
+  grid->addWidget(views_[0], 0, 0);
+  grid->addWidget(views_[1], 0, 1);
+  grid->addWidget(surface_, 1, 0);
+  grid->addWidget(views_[2], 1, 1);
+  connect(surface_, &SurfaceView::maximizeAsked, this, [this] { maximize(surface_); });
+
+  auto* page = new EmptyPage(tr("A patient’s CT"),
+                             tr("Open a folder with a temporal-bone CT, or drop it here. The "
+                                "cochlea is found and measured; then insert into it."),
+                             this);
+  auto* stack = new QStackedLayout;
+  stack->addWidget(page);
+  stack->addWidget(pictures_);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(0);
+  row->addWidget(panel_);
+  row->addLayout(stack, 1);
+  connect(&study_, &CtStudy::changed, this,
+          [this, stack] { stack->setCurrentIndex(study_.hasCt() ? 1 : 0); });
+  connectWork();
+  connectPanel();
+}
+
+void CtPage::connectWork()
+{
+  connect(&work_, &CtWork::progressed, this,
+          [this](double fraction) { panel_->showTask(task_, fraction); });
+  connect(&work_, &CtWork::listed, this,
+          [this](const std::filesystem::path& path, const imaging::CtSeriesList& list) {
+            path_ = path;
+            panel_->showSeries(list);
+          });
+  connect(&work_, &CtWork::ctRead, this, [this](const std::shared_ptr<imaging::LoadedCt>& loaded) {
+    QStringList notes;
+    for (const std::string& warning : loaded->series.warnings)
+      notes << QString::fromStdString(warning);
+    study_.setCt(std::move(*loaded));
+    panel_->showIdle(notes.join(QLatin1Char('\n')));
+    views_[0]->setFocus();
+  });
+  connect(&work_, &CtWork::measured, this, [this](const ct::CochleaMeasures& measures) {
+    study_.setMeasures(measures);
+    panel_->showIdle({});
+  });
+  connect(&work_, &CtWork::failed, this,
+          [this](const QString& sentence) { panel_->showIdle(sentence, true); });
+}
+
+void CtPage::connectPanel()
+{
+  connect(panel_, &CtPanel::folderAsked, this, [this] {
+    const QString folder =
+        QFileDialog::getExistingDirectory(this, tr("Folder with a temporal-bone CT"));
+    if (!folder.isEmpty()) open(folder.toStdString());
+  });
+  connect(panel_, &CtPanel::fileAsked, this, [this] {
+    const QString file = QFileDialog::getOpenFileName(this, tr("CT"));
+    if (!file.isEmpty()) open(file.toStdString());
+  });
+  connect(panel_, &CtPanel::seriesChosen, this, [this](const std::string& uid) {
+    if (study_.hasCt() && study_.series().uid == uid) return;
+    task_ = tr("Reading the CT…");
+    panel_->showTask(task_, 0.0);
+    work_.read(path_, uid);
+  });
+  connect(panel_, &CtPanel::measureAsked, this, &CtPage::measure);
+  connect(panel_, &CtPanel::cancelAsked, this, &CtPage::cancel);
+  connect(panel_, &CtPanel::markAsked, this, [this](ct::Mark mark) {
+    const auto& point = study_.marks()[mark];
+    if (point) study_.moveCrosshair(*point);
+    for (PlaneView* view : views_) view->setPlaced(mark);
+    panel_->showIdle(markGuide(mark));
+  });
+  connect(panel_, &CtPanel::insertAsked, this, [this](const QString& code) {
+    if (!study_.measures()) return;
+    const auto setup = setupOfMeasures(*study_.measures(), code);
+    if (!setup) return panel_->showIdle(QString::fromStdString(setup.error().message), true);
+    Q_EMIT setupChosen(*setup);
+  });
+  connect(panel_, &CtPanel::saveSurfaceAsked, this, &CtPage::saveSurface);
+  connect(panel_, &CtPanel::saveMarksAsked, this, &CtPage::saveMarks);
+  connect(panel_, &CtPanel::loadMarksAsked, this, &CtPage::loadMarks);
+}
+
+void CtPage::open(const std::filesystem::path& path)
+{
+  task_ = tr("Reading the CT…");
+  panel_->showTask(task_, 0.0);
+  work_.open(path);
+}
+
+bool CtPage::cancel()
+{
+  if (!work_.isBusy()) return false;
+  work_.cancel();
+  return true;
+}
+
+void CtPage::measure(bool isAtCrosshair)
+{
+  if (!study_.hasCt()) return;
+  ct::MeasureRequest request;
+  if (isAtCrosshair && study_.isCorrected()) {
+    request.click_P = study_.marks().inside_P();
+    request.roundWindow_P = study_.marks()[ct::Mark::roundWindow];
+  } else if (isAtCrosshair) {
+    request.click_P = study_.crosshair_P();
+  }
+  task_ = isAtCrosshair ? tr("Measuring the cochlea…") : tr("Looking for the cochlea…");
+  panel_->showTask(task_, 0.0);
+  work_.measure(study_.volume(), std::move(request));
+}
+
+void CtPage::maximize(QWidget* chosen)
+{
+  const std::array<QWidget*, 4> all{views_[0], views_[1], views_[2], surface_};
+  const bool isAlone = std::ranges::count_if(all, &QWidget::isVisible) == 1;
+  for (QWidget* view : all) view->setVisible(isAlone || view == chosen);
+}
+
+void CtPage::showDone(const Result<Done>& done, const QString& file)
+{
+  if (done)
+    panel_->showIdle(tr("Saved to %1.").arg(file));
+  else
+    panel_->showIdle(QString::fromStdString(done.error().message), true);
+}
+
+void CtPage::saveSurface()
+{
+  const QString file = QFileDialog::getSaveFileName(
+      this, tr("Surface of the cochlea"), QStringLiteral("cochlea.stl"),
+      QStringLiteral("STL (*.stl);;PLY (*.ply);;OBJ (*.obj);;VTP (*.vtp)"));
+  if (file.isEmpty() || !study_.measures()) return;
+  showDone(anatomy::writeSurface(imaging::measuredSurface(*study_.measures()),
+                                 imaging::measuredSurfaceTitle, file.toStdString()),
+           file);
+}
+
+void CtPage::saveMarks()
+{
+  const QString file = QFileDialog::getSaveFileName(
+      this, tr("Landmarks"), QStringLiteral("cochlea.mrk.json"), QStringLiteral("*.mrk.json"));
+  if (file.isEmpty()) return;
+  showDone(writeWhole(file.toStdString(), imaging::landmarksText(study_.marks())), file);
+}
+
+void CtPage::loadMarks()
+{
+  const QString file =
+      QFileDialog::getOpenFileName(this, tr("Landmarks"), {}, QStringLiteral("*.mrk.json *.json"));
+  if (file.isEmpty()) return;
+  const auto marks = imaging::readLandmarks(file.toStdString());
+  if (!marks) return panel_->showIdle(QString::fromStdString(marks.error().message), true);
+  study_.setMarks(*marks);
+  if (const auto inside = marks->inside_P()) study_.moveCrosshair(*inside);
+}
+
+void CtPage::dragEnterEvent(QDragEnterEvent* event)
+{
+  if (event->mimeData()->hasUrls() && event->mimeData()->urls().size() == 1)
+    event->acceptProposedAction();
+}
+
+void CtPage::dropEvent(QDropEvent* event)
+{
+  const QString file = event->mimeData()->urls().value(0).toLocalFile();
+  if (!file.isEmpty()) open(file.toStdString());
+}
+
+}  // namespace perilymph::gui

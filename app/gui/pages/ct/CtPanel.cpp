@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/ct/CtPanel.h"
+
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QRegularExpressionValidator>
+#include <QScrollArea>
+#include <QStringList>
+#include <QVBoxLayout>
+#include <QVariant>
+
+#include "gui/pages/ct/CtText.h"
+#include "gui/parts/CheckBoxes.h"
+#include "gui/parts/Theme.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr int panelWidth_px = 300, seriesHeight_px = 66, buttonHeight_px = 28, maxCodeLength = 24;
+
+QLabel* panelText(const QString& caption, int size_px, QWidget* parent, bool isQuiet = false)
+{
+  auto* label = new QLabel(caption, parent);
+  label->setFont(typeface(size_px, isQuiet && size_px == 11 ? QFont::DemiBold : QFont::Normal));
+  label->setProperty("quiet", isQuiet);
+  label->setWordWrap(true);
+  return label;
+}
+
+QPushButton* panelButton(const QString& caption, const char* name, QWidget* parent)
+{
+  auto* button = new QPushButton(caption, parent);
+  button->setObjectName(QLatin1String(name));
+  button->setFont(typeface(13, QFont::Medium));
+  button->setFixedHeight(buttonHeight_px);
+  button->setFocusPolicy(Qt::TabFocus);
+  button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // rows share the panel's width
+  return button;
+}
+
+struct Slab {
+  double thickness_mm;
+  imaging::Projection projection;
+};
+constexpr std::array<Slab, 4> slabs{{{0.0, imaging::Projection::mean},
+                                     {1.0, imaging::Projection::mean},
+                                     {2.0, imaging::Projection::mean},
+                                     {2.0, imaging::Projection::maximum}}};
+
+}  // namespace
+
+CtPanel::CtPanel(CtStudy& study, QWidget* parent) : QWidget(parent), study_(study)
+{
+  setObjectName(QStringLiteral("ctPanel"));
+  setFixedWidth(panelWidth_px);
+  auto* upper = new QWidget(this);
+  auto* column = new QVBoxLayout(upper);
+  column->setContentsMargins(2 * spacing, 2 * spacing, 2 * spacing, spacing);
+  column->setSpacing(spacing);
+  addSource(*column);
+  addView(*column);
+  addMeasurement(*column);
+  addMarks(*column);
+  column->addStretch();
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidget(upper);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFrameShape(QFrame::NoFrame);
+  // what follows the measurement stays in view
+  auto* foot = new QVBoxLayout;
+  foot->setContentsMargins(2 * spacing, spacing, 2 * spacing, 2 * spacing);
+  foot->setSpacing(spacing);
+  addOnward(*foot);
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->setSpacing(0);
+  whole->addWidget(scroll, 1);
+  whole->addLayout(foot);
+  connect(&study_, &CtStudy::changed, this, &CtPanel::refresh);
+  showIdle({});
+}
+
+void CtPanel::addSource(QVBoxLayout& column)
+{
+  column.addWidget(panelText(tr("CT"), 11, this, true));
+  auto* row = new QHBoxLayout;
+  auto* folder = panelButton(tr("Open folder…"), "openCtFolderButton", this);
+  auto* file = panelButton(tr("Open file…"), "openCtFileButton", this);
+  folder->setToolTip(tr("A folder with DICOM files, or the folder of a DICOMDIR"));
+  file->setToolTip(tr("DICOMDIR, enhanced DICOM, NIfTI (.nii, .nii.gz) or NRRD (.nrrd)"));
+  row->addWidget(folder);
+  row->addWidget(file);
+  column.addLayout(row);
+  series_ = new QListWidget(this);
+  series_->setObjectName(QStringLiteral("ctSeriesList"));
+  series_->setAccessibleName(tr("Series"));
+  series_->setFont(typeface(12));
+  series_->setWordWrap(true);
+  series_->setFixedHeight(seriesHeight_px);
+  series_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  column.addWidget(series_);
+  connect(folder, &QPushButton::clicked, this, &CtPanel::folderAsked);
+  connect(file, &QPushButton::clicked, this, &CtPanel::fileAsked);
+  connect(series_, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) {
+    Q_EMIT seriesChosen(item->data(Qt::UserRole).toString().toStdString());
+  });
+}
+
+void CtPanel::addView(QVBoxLayout& column)
+{
+  column.addSpacing(spacing);
+  column.addWidget(panelText(tr("VIEW"), 11, this, true));
+  patientPlanes_ = new Choice(tr("Axial, coronal, sagittal"), this);
+  cochleaPlanes_ = new Choice(tr("Cochlear view"), this);
+  patientPlanes_->setObjectName(QStringLiteral("patientPlanes"));
+  cochleaPlanes_->setObjectName(QStringLiteral("cochleaPlanes"));
+  cochleaPlanes_->setToolTip(
+      tr("The plane through the basal turn, perpendicular to the modiolus, "
+         "and two mid-modiolar planes. Needs a measured cochlea."));
+  auto* group = new QButtonGroup(this);
+  for (Choice* choice : {patientPlanes_, cochleaPlanes_}) {
+    choice->setFont(typeface(13));
+    choice->setFocusPolicy(Qt::TabFocus);
+    group->addButton(choice);
+    column.addWidget(choice);
+  }
+  patientPlanes_->setChecked(true);
+  connect(patientPlanes_, &QAbstractButton::clicked, this,
+          [this] { study_.setFrame(PlaneFrame::patient); });
+  connect(cochleaPlanes_, &QAbstractButton::clicked, this,
+          [this] { study_.setFrame(PlaneFrame::cochlea); });
+
+  window_ = new QComboBox(this);
+  window_->setObjectName(QStringLiteral("grayWindow"));
+  window_->setAccessibleName(tr("Gray values"));
+  window_->addItems({tr("Bone"), tr("Soft tissue"), tr("All values")});
+  window_->setToolTip(
+      tr("Bone: level 700, width 4000 HU. Soft tissue: level 40, width 400 HU. Drag "
+         "with the right mouse button to change brightness and contrast."));
+  slab_ = new QComboBox(this);
+  slab_->setObjectName(QStringLiteral("slab"));
+  slab_->setAccessibleName(tr("Slab"));
+  slab_->addItems(
+      {tr("Single layer"), tr("Slab 1 mm, mean"), tr("Slab 2 mm, mean"), tr("Slab 2 mm, maximum")});
+  auto* boxes = new QHBoxLayout;
+  for (QComboBox* box : {window_, slab_}) {
+    box->setFont(typeface(13));
+    box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    boxes->addWidget(box, 1);
+  }
+  column.addLayout(boxes);
+  connect(window_, QOverload<int>::of(&QComboBox::activated), this, [this](int which) {
+    if (!study_.hasCt()) return;
+    study_.setWindow(which == 0   ? imaging::boneWindow
+                     : which == 1 ? imaging::softWindow
+                                  : imaging::wholeWindow(*study_.volume()));
+  });
+  connect(slab_, QOverload<int>::of(&QComboBox::activated), this, [this](int which) {
+    const Slab& slab = slabs[std::size_t(which)];
+    study_.setSlab(slab.thickness_mm, slab.projection);
+  });
+}
+
+void CtPanel::addMeasurement(QVBoxLayout& column)
+{
+  column.addSpacing(spacing);
+  column.addWidget(panelText(tr("MEASURES"), 11, this, true));
+  search_ = panelButton(tr("Find and measure the cochlea"), "measureCtButton", this);
+  measureHere_ = panelButton(tr("Measure at the crosshair"), "measureHereButton", this);
+  search_->setProperty("primary", true);
+  measureHere_->setToolTip(tr("Click into the cochlea first."));
+  cancel_ = panelButton(tr("Cancel"), "cancelCtButton", this);
+  progress_ = new QProgressBar(this);
+  progress_->setTextVisible(false);
+  progress_->setFixedHeight(6);
+  progress_->setRange(0, 1000);
+  status_ = panelText({}, 12, this);
+  status_->setObjectName(QStringLiteral("ctStatus"));
+  column.addWidget(search_);
+  column.addWidget(measureHere_);
+  column.addWidget(status_);
+  column.addWidget(progress_);
+  column.addWidget(cancel_);
+  connect(search_, &QPushButton::clicked, this, [this] { Q_EMIT measureAsked(false); });
+  connect(measureHere_, &QPushButton::clicked, this, [this] { Q_EMIT measureAsked(true); });
+  connect(cancel_, &QPushButton::clicked, this, &CtPanel::cancelAsked);
+
+  side_ = panelText({}, 13, this);
+  side_->setObjectName(QStringLiteral("ctSide"));
+  column.addWidget(side_);
+  auto* table = new QGridLayout;
+  table->setVerticalSpacing(4);
+  table->addWidget(panelText(tr("fitted, 95 %"), 11, this, true), 0, 1);
+  table->addWidget(panelText(tr("landmarks"), 11, this, true), 0, 2);
+  const std::array names{QStringLiteral("A"), QStringLiteral("B"), QStringLiteral("H"), tr("CDL")};
+  constexpr std::array keys{"A", "B", "H", "Cdl"};
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    fitted_[k] = panelText(QStringLiteral("–"), 13, this);
+    marked_[k] = panelText(QStringLiteral("–"), 13, this);
+    for (QLabel* label : {fitted_[k], marked_[k]}) label->setWordWrap(false);
+    fitted_[k]->setObjectName(QStringLiteral("fitted%1").arg(QLatin1String(keys[k])));
+    marked_[k]->setObjectName(QStringLiteral("marked%1").arg(QLatin1String(keys[k])));
+    table->addWidget(panelText(names[k], 13, this), int(k) + 1, 0);
+    table->addWidget(fitted_[k], int(k) + 1, 1);
+    table->addWidget(marked_[k], int(k) + 1, 2);
+  }
+  table->setColumnStretch(1, 3);
+  table->setColumnStretch(2, 2);
+  column.addLayout(table);
+  duct_ = panelText({}, 11, this);
+  duct_->setProperty("quiet", true);
+  column.addWidget(duct_);
+  flags_ = panelText({}, 12, this);
+  flags_->setObjectName(QStringLiteral("ctFlags"));
+  flags_->setProperty("error", true);
+  column.addWidget(flags_);
+}
+
+void CtPanel::addMarks(QVBoxLayout& column)
+{
+  column.addSpacing(spacing);
+  column.addWidget(panelText(tr("LANDMARKS"), 11, this, true));
+  auto* grid = new QGridLayout;
+  grid->setSpacing(4);
+  for (std::size_t k = 0; k < ct::markCount; ++k) {
+    const auto mark = static_cast<ct::Mark>(k);
+    auto* button = panelButton(markLabel(mark), "", this);
+    button->setObjectName(QStringLiteral("mark%1").arg(QLatin1String(ct::nameOf(mark))));
+    button->setAccessibleName(markName(mark));
+    button->setToolTip(
+        tr("%1. Press, then click into a picture. %2").arg(markName(mark), markGuide(mark)));
+    grid->addWidget(button, int(k / 4), int(k % 4));
+    marks_[k] = button;
+    connect(button, &QPushButton::clicked, this, [this, mark] { Q_EMIT markAsked(mark); });
+  }
+  column.addLayout(grid);
+  auto* row = new QHBoxLayout;
+  undo_ = panelButton(tr("Undo"), "undoMarkButton", this);
+  redo_ = panelButton(tr("Redo"), "redoMarkButton", this);
+  saveMarks_ = panelButton(tr("Save…"), "saveMarksButton", this);
+  loadMarks_ = panelButton(tr("Load…"), "loadMarksButton", this);
+  saveMarks_->setToolTip(tr("Markups for 3D Slicer (.mrk.json, LPS)"));
+  loadMarks_->setToolTip(tr("Markups of 3D Slicer with points named RW, C, A …"));
+  for (QPushButton* button : {undo_, redo_, saveMarks_, loadMarks_}) row->addWidget(button);
+  column.addLayout(row);
+  connect(undo_, &QPushButton::clicked, &study_, &CtStudy::undo);
+  connect(redo_, &QPushButton::clicked, &study_, &CtStudy::redo);
+  connect(saveMarks_, &QPushButton::clicked, this, &CtPanel::saveMarksAsked);
+  connect(loadMarks_, &QPushButton::clicked, this, &CtPanel::loadMarksAsked);
+}
+
+void CtPanel::addOnward(QVBoxLayout& column)
+{
+  code_ = new QLineEdit(this);
+  code_->setObjectName(QStringLiteral("ctPatientCode"));
+  code_->setFont(typeface(13));
+  code_->setFixedHeight(buttonHeight_px);
+  code_->setMaxLength(maxCodeLength);
+  code_->setAccessibleName(tr("Patient code"));
+  code_->setPlaceholderText(tr("Patient code (no names)"));
+  // codes become file names
+  code_->setValidator(new QRegularExpressionValidator(
+      QRegularExpression(QStringLiteral("[A-Za-z0-9][A-Za-z0-9-]*")), code_));
+  insert_ = panelButton(tr("Insert into this cochlea"), "insertCtButton", this);
+  insert_->setProperty("primary", true);
+  saveSurface_ = panelButton(tr("Save surface…"), "saveCtSurfaceButton", this);
+  saveSurface_->setToolTip(tr("The fitted wall in the CT’s own frame (LPS): STL, PLY, OBJ, VTP"));
+  column.addWidget(code_);
+  column.addWidget(insert_);
+  column.addWidget(saveSurface_);
+  connect(code_, &QLineEdit::textChanged, this, &CtPanel::refresh);
+  connect(insert_, &QPushButton::clicked, this, [this] { Q_EMIT insertAsked(code_->text()); });
+  connect(saveSurface_, &QPushButton::clicked, this, &CtPanel::saveSurfaceAsked);
+}
+
+void CtPanel::showSeries(const imaging::CtSeriesList& list)
+{
+  series_->clear();
+  for (const imaging::CtSeries& series : list.series) {
+    auto* item = new QListWidgetItem(seriesText(series), series_);
+    item->setData(Qt::UserRole, QString::fromStdString(series.uid));
+    QStringList notes;
+    for (const std::string& warning : series.warnings) notes << QString::fromStdString(warning);
+    if (!series.obstacle.empty()) {
+      notes.prepend(QString::fromStdString(series.obstacle));
+      item->setFlags(Qt::NoItemFlags);
+    }
+    item->setToolTip(notes.join(QLatin1Char('\n')).toHtmlEscaped());
+  }
+  series_->setCurrentRow(0);
+}
+
+void CtPanel::showTask(const QString& task, double fraction)
+{
+  isBusy_ = true;
+  status_->setProperty("error", false);
+  status_->setText(task);
+  progress_->setValue(int(1000.0 * fraction));
+  refresh();
+}
+
+void CtPanel::showIdle(const QString& sentence, bool isError)
+{
+  isBusy_ = false;
+  status_->setTextFormat(Qt::PlainText);
+  status_->setText(sentence);
+  status_->setStyleSheet(isError ? QStringLiteral("color: %1;").arg(warningColor.name())
+                                 : QString());
+  refresh();
+}
+
+void CtPanel::refresh()
+{
+  const bool isFree = study_.hasCt() && !isBusy_;
+  const bool isMeasured = study_.measures().has_value();
+  search_->setVisible(!isBusy_);
+  measureHere_->setVisible(!isBusy_);
+  progress_->setVisible(isBusy_);
+  cancel_->setVisible(isBusy_);
+  status_->setVisible(!status_->text().isEmpty());
+  search_->setEnabled(isFree);
+  measureHere_->setEnabled(isFree && (study_.isCrosshairPlaced() || study_.isCorrected()));
+  measureHere_->setText(study_.isCorrected() ? tr("Measure from the landmarks")
+                                             : tr("Measure at the crosshair"));
+  cochleaPlanes_->setEnabled(isMeasured);
+  (study_.frame() == PlaneFrame::cochlea ? cochleaPlanes_ : patientPlanes_)->setChecked(true);
+  for (QPushButton* button : marks_) button->setEnabled(study_.hasCt());
+  undo_->setEnabled(study_.canUndo());
+  redo_->setEnabled(study_.canRedo());
+  insert_->setEnabled(isMeasured && !isBusy_ && !code_->text().isEmpty());
+  insert_->setToolTip(code_->text().isEmpty() ? tr("Type a patient code first.") : QString());
+  saveSurface_->setEnabled(isMeasured);
+  saveMarks_->setEnabled(!study_.marks().isEmpty());
+  loadMarks_->setEnabled(study_.hasCt());
+  window_->setEnabled(study_.hasCt());
+  slab_->setEnabled(study_.hasCt());
+  showMeasures();
+}
+
+void CtPanel::showMeasures()
+{
+  const auto& measures = study_.measures();
+  const std::array<const ct::Measure*, 4> fitted =
+      measures ? std::array{&measures->a, &measures->b, &measures->h, &measures->cdlOc}
+               : std::array<const ct::Measure*, 4>{};
+  const ct::MarkedMeasures between = study_.marked();
+  const std::array<std::optional<double>, 4> marked{between.a, between.b, between.h, std::nullopt};
+  for (std::size_t k = 0; k < fitted.size(); ++k) {
+    fitted_[k]->setText(fitted[k] ? measureText(*fitted[k]) : QStringLiteral("–"));
+    fitted_[k]->setToolTip(fitted[k] ? errorText(*fitted[k]) : QString());
+    marked_[k]->setText(lengthText(marked[k]));
+  }
+  side_->setVisible(measures.has_value());
+  duct_->setVisible(measures.has_value());
+  flags_->setVisible(measures && !measures->flags.empty());
+  if (!measures) return;
+  side_->setText(measures->side == anatomy::Side::left ? tr("Left ear") : tr("Right ear"));
+  duct_->setText(ductLengthText(*measures));
+  QStringList flags;
+  for (const ct::Flag flag : measures->flags) flags << tr(ct::sentenceOf(flag));
+  flags_->setText(flags.join(QLatin1Char('\n')));
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// The panel beside the planes of the CT: series, view, measurement, landmarks, onward.
+
+#include <QWidget>
+#include <array>
+#include <string>
+
+#include "gui/pages/ct/CtStudy.h"
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QProgressBar;
+class QPushButton;
+class QVBoxLayout;
+
+namespace perilymph::gui {
+
+class Choice;
+
+/// Shows a study's numbers and asks for what the buttons say.
+class CtPanel : public QWidget {
+  Q_OBJECT
+public:
+  CtPanel(CtStudy& study, QWidget* parent);
+
+  void showSeries(const imaging::CtSeriesList& list);
+  /// Shows a task with its progress, 0 to 1, and a button to cancel it.
+  void showTask(const QString& task, double fraction);
+  /// Ends the display of a task; an empty sentence says nothing.
+  void showIdle(const QString& sentence, bool isError = false);
+  /// Updates numbers and buttons.
+  void refresh();
+
+Q_SIGNALS:
+  void folderAsked();
+  void fileAsked();
+  void seriesChosen(const std::string& uid);
+  /// @param isAtCrosshair  From the crosshair; else the volume is searched.
+  void measureAsked(bool isAtCrosshair);
+  void cancelAsked();
+  void markAsked(perilymph::ct::Mark mark);
+  void insertAsked(const QString& code);
+  void saveSurfaceAsked();
+  void saveMarksAsked();
+  void loadMarksAsked();
+
+private:
+  void addSource(QVBoxLayout& column);
+  void addView(QVBoxLayout& column);
+  void addMeasurement(QVBoxLayout& column);
+  void addMarks(QVBoxLayout& column);
+  void addOnward(QVBoxLayout& column);
+  void showMeasures();
+
+  CtStudy& study_;
+  QListWidget* series_;
+  Choice *patientPlanes_, *cochleaPlanes_;
+  QComboBox *window_, *slab_;
+  QPushButton *search_, *measureHere_, *cancel_;
+  QProgressBar* progress_;
+  QLabel* status_;
+  QLabel *side_, *flags_, *duct_;
+  std::array<QLabel*, 4> fitted_{}, marked_{};
+  std::array<QPushButton*, ct::markCount> marks_{};
+  QPushButton *undo_, *redo_;
+  QLineEdit* code_;
+  QPushButton *insert_, *saveSurface_, *saveMarks_, *loadMarks_;
+  bool isBusy_ = false;
+};
+
+}  // namespace perilymph::gui

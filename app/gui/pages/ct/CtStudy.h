@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// The CT that is looked at: volume, planes, crosshair, measures and landmarks.
+
+#include <QObject>
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "perilymph/ct/Marks.h"
+#include "perilymph/ct/Measures.h"
+#include "perilymph/ct/ViewPlane.h"
+#include "perilymph/imaging/CtSeries.h"
+#include "perilymph/imaging/PlaneSampler.h"
+
+namespace perilymph::gui {
+
+/// The directions of the three linked planes.
+enum class PlaneFrame { patient, cochlea };
+
+/// State of the page CT. All positions are in P, the patient's LPS [mm].
+class CtStudy : public QObject {
+  Q_OBJECT
+public:
+  using QObject::QObject;
+
+  /// Shows a volume; removes measures and landmarks of the previous one.
+  void setCt(imaging::LoadedCt ct);
+  bool hasCt() const { return volume_ != nullptr; }
+  const std::shared_ptr<const ct::CtVolume>& volume() const { return volume_; }
+  const imaging::CtSeries& series() const { return series_; }
+  imaging::PlaneSampler& sampler() { return *sampler_; }
+
+  /// Shows measures: the planes become those of the cochlea, landmarks are proposed. One step for
+  /// undo.
+  void setMeasures(ct::CochleaMeasures measures);
+  const std::optional<ct::CochleaMeasures>& measures() const { return measures_; }
+
+  PlaneFrame frame() const { return frame_; }
+  /// Turns the planes; those of the cochlea need measures.
+  void setFrame(PlaneFrame frame);
+  /// The planes through the crosshair, centered where the pictures are.
+  std::array<ct::ViewPlane, 3> planes() const;
+
+  const Eigen::Vector3d& crosshair_P() const { return crosshair_P_; }
+  /// Moves the crosshair, within the volume.
+  void moveCrosshair(const Eigen::Vector3d& point_P);
+  /// Whether the user placed the crosshair in this volume.
+  bool isCrosshairPlaced() const { return isCrosshairPlaced_; }
+  /// Moves the pictures' center.
+  void pan(const Eigen::Vector3d& by_P);
+  double pixel_mm() const { return pixel_mm_; }
+  /// Values above 1 enlarge.
+  void zoom(double factor);
+  /// Shows the whole volume in patient planes, the basal turn in those of the cochlea.
+  void showWhole();
+
+  const imaging::GrayWindow& window() const { return window_; }
+  void setWindow(const imaging::GrayWindow& window);
+  double thickness_mm() const { return thickness_mm_; }
+  imaging::Projection projection() const { return projection_; }
+  void setSlab(double thickness_mm, imaging::Projection projection);
+
+  const ct::Marks& marks() const { return marks_; }
+  /// Measures between the landmarks [mm].
+  ct::MarkedMeasures marked() const;
+  /// Whether the user moved a landmark since the measures were taken.
+  bool isCorrected() const;
+  /// Begins a change of landmarks that undo() takes back as one.
+  void beginChange();
+  void placeMark(ct::Mark mark, const Eigen::Vector3d& point_P);
+  void setMarks(const ct::Marks& marks);
+  bool canUndo() const { return !undoStack_.empty(); }
+  bool canRedo() const { return !redoStack_.empty(); }
+  void undo();
+  void redo();
+
+Q_SIGNALS:
+  /// Something that is drawn or written changed.
+  void changed();
+
+private:
+  std::shared_ptr<const ct::CtVolume> volume_;
+  std::unique_ptr<imaging::PlaneSampler> sampler_;
+  imaging::CtSeries series_;
+  std::optional<ct::CochleaMeasures> measures_;
+  PlaneFrame frame_ = PlaneFrame::patient;
+  Eigen::Vector3d crosshair_P_ = Eigen::Vector3d::Zero(), center_P_ = Eigen::Vector3d::Zero();
+  bool isCrosshairPlaced_ = false;
+  double pixel_mm_ = 0.1;
+  imaging::GrayWindow window_ = imaging::boneWindow;
+  double thickness_mm_ = 0.0;
+  imaging::Projection projection_ = imaging::Projection::mean;
+  ct::Marks marks_, proposed_;
+  std::vector<ct::Marks> undoStack_, redoStack_;
+};
+
+}  // namespace perilymph::gui

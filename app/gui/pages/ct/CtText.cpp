@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/ct/CtText.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+#include <cmath>
+
+#include "gui/parts/Numbers.h"
+#include "perilymph/analysis/ClinicalEstimates.h"
+#include "perilymph/anatomy/DuctLength.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+// lupdate assigns texts of free functions to their namespace.
+QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
+
+constexpr double quantile95 = 1.96;
+
+using DuctLength = Length (*)(Length a, Length b);
+
+/// Half of the 95 % interval that the errors of A and B leave, to first order [mm].
+double spread95_mm(DuctLength length, const ct::CochleaMeasures& measures)
+{
+  const double a = measures.a.value, b = measures.b.value;
+  const auto at = [length](double a_mm, double b_mm) {
+    return inMillimeters(length(millimeters(a_mm), millimeters(b_mm)));
+  };
+  const double byA = 0.5 * (at(a + measures.a.sd(), b) - at(a - measures.a.sd(), b));
+  const double byB = 0.5 * (at(a, b + measures.b.sd()) - at(a, b - measures.b.sd()));
+  return quantile95 * std::hypot(byA, byB);
+}
+
+}  // namespace
+
+QString planeName(PlaneFrame frame, std::size_t plane)
+{
+  if (frame == PlaneFrame::cochlea)
+    return plane == 0   ? tr("Cochlear view")
+           : plane == 1 ? tr("Mid-modiolar, along A")
+                        : tr("Mid-modiolar, along B");
+  return plane == 0 ? tr("Axial") : plane == 1 ? tr("Coronal") : tr("Sagittal");
+}
+
+QString markName(ct::Mark mark)
+{
+  switch (mark) {
+    case ct::Mark::roundWindow:
+      return tr("Round window");
+    case ct::Mark::farWall:
+      return tr("Far wall (end of A)");
+    case ct::Mark::nearB:
+      return tr("B, first end");
+    case ct::Mark::farB:
+      return tr("B, second end");
+    case ct::Mark::floor:
+      return tr("Floor of the basal turn");
+    case ct::Mark::apex:
+      return tr("Apex");
+    case ct::Mark::modiolus:
+      return tr("Modiolus");
+  }
+  return {};
+}
+
+QString markLabel(ct::Mark mark)
+{
+  // names in files that would be taken for the measures A and H
+  if (mark == ct::Mark::apex) return tr("apex");
+  if (mark == ct::Mark::floor) return tr("floor");
+  return QLatin1String(ct::nameOf(mark));
+}
+
+QString markGuide(ct::Mark mark)
+{
+  switch (mark) {
+    case ct::Mark::roundWindow:
+      return tr("Cochlear view: the center of the round window, where the basal turn opens.");
+    case ct::Mark::farWall:
+      return tr(
+          "Cochlear view: from the round window through the modiolus to the opposite outer "
+          "wall of the basal turn.");
+    case ct::Mark::nearB:
+    case ct::Mark::farB:
+      return tr(
+          "Cochlear view: the outer wall of the basal turn on the line through the modiolus, "
+          "perpendicular to A.");
+    case ct::Mark::floor:
+      return tr("Mid-modiolar view: the lowest point of the basal turn’s bony lumen.");
+    case ct::Mark::apex:
+      return tr("Mid-modiolar view: the highest point of the apical turn’s bony lumen.");
+    case ct::Mark::modiolus:
+      return tr("Cochlear view: the center of the modiolus in the basal turn.");
+  }
+  return {};
+}
+
+QString measureText(const ct::Measure& measure)
+{
+  return tr("%1 ± %2 mm")
+      .arg(numberText(measure.value, 2), numberText(quantile95 * measure.sd(), 2));
+}
+
+QString errorText(const ct::Measure& measure)
+{
+  return tr("95 % interval. Standard deviations: noise and voxels %1 mm, shape model %2 mm, "
+            "position of the round window %3 mm.")
+      .arg(numberText(measure.statistical, 2), numberText(measure.model, 2),
+           numberText(measure.definition, 2));
+}
+
+QString lengthText(const std::optional<double>& value_mm)
+{
+  return value_mm ? tr("%1 mm").arg(numberText(*value_mm, 2)) : QStringLiteral("–");
+}
+
+QString seriesText(const imaging::CtSeries& series)
+{
+  QString text =
+      QStringLiteral("%1 × %2 × %3 · %4 × %5 × %6 mm")
+          .arg(series.size[0])
+          .arg(series.size[1])
+          .arg(series.size[2])
+          .arg(numberText(series.spacing_mm.x(), 2), numberText(series.spacing_mm.y(), 2),
+               numberText(series.spacing_mm.z(), 2));
+  const QString scanner = QString::fromStdString(series.scanner);
+  return scanner.isEmpty() ? text : text + QStringLiteral(" · ") + scanner;
+}
+
+QString ductLengthText(const ct::CochleaMeasures& measures)
+{
+  const Length a = millimeters(measures.a.value), b = millimeters(measures.b.value);
+  const auto line = [&measures](const QString& name, Length value, DuctLength length) {
+    return tr("%1: %2 ± %3 mm")
+        .arg(name, numberText(inMillimeters(value), 1),
+             numberText(spread95_mm(length, measures), 1));
+  };
+  const DuctLength byA = [](Length one, Length) { return analysis::alexiadesDuctLength(one); };
+  QStringList lines;
+  lines << line(tr("Elliptic-circular, from A and B"), anatomy::ellipticCircularDuctLength(a, b),
+                &anatomy::ellipticCircularDuctLength)
+        << line(tr("Alexiades, from A"), analysis::alexiadesDuctLength(a), byA);
+  return lines.join(QLatin1Char('\n'));
+}
+
+}  // namespace perilymph::gui

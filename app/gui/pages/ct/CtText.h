@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Texts of the page CT.
+
+#include <QString>
+#include <cstddef>
+#include <optional>
+
+#include "gui/pages/ct/CtStudy.h"
+
+namespace perilymph::gui {
+
+/// "Cochlear view", "Axial"; `plane` from 0 to 2.
+QString planeName(PlaneFrame frame, std::size_t plane);
+/// "Round window"
+QString markName(ct::Mark mark);
+/// "RW", "apex": as in the pictures.
+QString markLabel(ct::Mark mark);
+/// How a landmark is found in the pictures.
+QString markGuide(ct::Mark mark);
+/// "9.12 ± 0.21 mm": value and 95 % interval.
+QString measureText(const ct::Measure& measure);
+/// Sources of the error: statistical, model, definition of 0 degrees.
+QString errorText(const ct::Measure& measure);
+/// "9.12 mm", a dash if not measured.
+QString lengthText(const std::optional<double>& value_mm);
+/// "512 x 512 x 200 · 0.40 x 0.40 x 0.60 mm · maker and model"
+QString seriesText(const imaging::CtSeries& series);
+/// Duct lengths by each formula with the spread that the errors of A and B leave, a line each.
+QString ductLengthText(const ct::CochleaMeasures& measures);
+
+}  // namespace perilymph::gui

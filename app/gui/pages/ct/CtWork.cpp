@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/ct/CtWork.h"
+
+#include <utility>
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr int report_ms = 100;
+
+}  // namespace
+
+CtWork::CtWork(QObject* parent) : QObject(parent), background_(this)
+{
+  timer_.setInterval(report_ms);
+  connect(&timer_, &QTimer::timeout, this, [this] {
+    if (progress_) Q_EMIT progressed(progress_->load());
+  });
+}
+
+CtWork::Progress CtWork::begin()
+{
+  isCanceled_ = false;
+  progress_ = std::make_shared<std::atomic<double>>(0.0);
+  timer_.start();
+  return progress_;
+}
+
+void CtWork::end()
+{
+  timer_.stop();
+  progress_.reset();
+}
+
+void CtWork::fail(const std::string& sentence)
+{
+  Q_EMIT failed(isCanceled_ ? QString() : QString::fromStdString(sentence));
+}
+
+void CtWork::open(const std::filesystem::path& path)
+{
+  const Progress progress = begin();
+  background_.run(
+      "The CT",
+      [path, progress](const std::atomic<bool>& isCanceled) {
+        return imaging::findSeries(path, {[progress](double done) { progress->store(done); },
+                                          [&isCanceled] { return isCanceled.load(); }});
+      },
+      [this, path](const Result<imaging::CtSeriesList>& list) {
+        end();
+        if (!list) return fail(list.error().message);
+        Q_EMIT listed(path, *list);
+        if (list->series.empty()) return fail({});
+        const imaging::CtSeries& best = list->series.front();
+        if (!best.obstacle.empty()) return fail(best.obstacle);
+        read(path, best.uid);
+      });
+}
+
+void CtWork::read(const std::filesystem::path& path, const std::string& uid)
+{
+  const Progress progress = begin();
+  background_.run(
+      "The CT",
+      [path, uid, progress](
+          const std::atomic<bool>& isCanceled) -> Result<std::shared_ptr<imaging::LoadedCt>> {
+        auto loaded = imaging::readCt(path, uid,
+                                      {[progress](double done) { progress->store(done); },
+                                       [&isCanceled] { return isCanceled.load(); }});
+        if (!loaded) return loaded.error();
+        return std::make_shared<imaging::LoadedCt>(*std::move(loaded));
+      },
+      [this](const Result<std::shared_ptr<imaging::LoadedCt>>& loaded) {
+        end();
+        if (!loaded) return fail(loaded.error().message);
+        Q_EMIT ctRead(*loaded);
+      });
+}
+
+void CtWork::measure(std::shared_ptr<const ct::CtVolume> volume, ct::MeasureRequest request)
+{
+  const Progress progress = begin();
+  background_.run(
+      "The measurement",
+      [volume = std::move(volume), request = std::move(request),
+       progress](const std::atomic<bool>& isCanceled) mutable {
+        request.onProgress = [progress](double done) { progress->store(done); };
+        request.isCanceled = [&isCanceled] { return isCanceled.load(); };
+        return ct::measureCochlea(*volume, request);
+      },
+      [this](const Result<ct::CochleaMeasures>& measures) {
+        end();
+        if (!measures) return fail(measures.error().message);
+        Q_EMIT measured(*measures);
+      });
+}
+
+void CtWork::cancel()
+{
+  if (!isBusy()) return;
+  background_.forget();
+  isCanceled_ = true;
+  end();
+  fail({});
+}
+
+}  // namespace perilymph::gui

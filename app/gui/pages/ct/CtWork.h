@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Background tasks of the page CT: listing series, reading one, measuring the cochlea.
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <atomic>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "gui/run/Background.h"
+#include "perilymph/ct/Measures.h"
+#include "perilymph/imaging/CtSeries.h"
+
+namespace perilymph::gui {
+
+/// Runs one task at a time; a new one replaces it. Results arrive as signals in the window's thread.
+class CtWork : public QObject {
+  Q_OBJECT
+public:
+  explicit CtWork(QObject* parent);
+
+  /// Lists the series of a folder or file, then reads the one that suits a cochlea best.
+  void open(const std::filesystem::path& path);
+  /// Reads a series of the list.
+  void read(const std::filesystem::path& path, const std::string& uid);
+  /// Measures the cochlea; `request` needs no hooks.
+  void measure(std::shared_ptr<const ct::CtVolume> volume, ct::MeasureRequest request);
+  void cancel();
+  bool isBusy() const { return background_.isBusy(); }
+
+Q_SIGNALS:
+  void progressed(double fraction);
+  void listed(const std::filesystem::path& path, const perilymph::imaging::CtSeriesList& list);
+  void ctRead(std::shared_ptr<perilymph::imaging::LoadedCt> ct);
+  void measured(const perilymph::ct::CochleaMeasures& measures);
+  /// A task ended without a result; empty if it was canceled.
+  void failed(const QString& sentence);
+
+private:
+  /// Progress of a task, shared with its thread.
+  using Progress = std::shared_ptr<std::atomic<double>>;
+
+  Progress begin();
+  void end();
+  void fail(const std::string& sentence);
+
+  Progress progress_;
+  bool isCanceled_ = false;
+  QTimer timer_;
+  Background background_;
+};
+
+}  // namespace perilymph::gui

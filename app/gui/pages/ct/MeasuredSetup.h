@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// From a measured cochlea to the setup of an insertion.
+
+#include <QString>
+
+#include "gui/setup/Setup.h"
+#include "perilymph/ct/Measures.h"
+#include "perilymph/foundation/Result.h"
+
+namespace perilymph::gui {
+
+/// Writes the patient file of a measured cochlea, with errors and provenance, and makes a setup of
+/// the mean anatomy with these measures.
+///
+/// @param code   The patient's code.
+/// Refuses measures that no patient may have, and files that cannot be written.
+Result<Setup> setupOfMeasures(const ct::CochleaMeasures& measures, const QString& code);
+
+}  // namespace perilymph::gui

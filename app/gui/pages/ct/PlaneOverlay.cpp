@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/ct/PlaneOverlay.h"
+
+#include <QLineF>
+#include <QPainter>
+#include <QVector>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "gui/pages/ct/CtText.h"
+#include "gui/parts/Numbers.h"
+#include "gui/parts/Theme.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+// The colors lie on gray pictures in both schemes; each plane is also named.
+constexpr QRgb planeColors[]{0xffe69f00, 0xff56b4e9, 0xff9fd45f};
+constexpr QRgb outlineColor = 0xff45c4b0, lineColorOfA = 0xffffffff, shadowColor = 0xb0000000;
+constexpr double crosshairGap_px = 9.0, markRadius_px = 5.0, minBar_px = 40.0;
+constexpr double dimmestMark = 0.35;
+
+/// Converts points of P to the picture.
+struct Projector {
+  ct::ViewPlane plane;
+  double pixel_mm;
+  QPointF center;
+
+  QPointF operator()(const Eigen::Vector2d& place_mm) const
+  {
+    return center + QPointF(place_mm.x(), place_mm.y()) / pixel_mm;
+  }
+  QPointF operator()(const Eigen::Vector3d& point_P) const
+  {
+    return (*this)(plane.inPicture(point_P));
+  }
+};
+
+void drawText(QPainter& painter, const QRectF& area, int alignment, const QString& text,
+              const QColor& color)
+{
+  painter.setPen(QColor::fromRgba(shadowColor));
+  painter.drawText(area.translated(1, 1), alignment, text);
+  painter.setPen(color);
+  painter.drawText(area, alignment, text);
+}
+
+void paintCrosshair(QPainter& painter, const QSize& size, const CtStudy& study, std::size_t index,
+                    const Projector& project)
+{
+  const auto planes = study.planes();
+  const QPointF at = project(study.crosshair_P());
+  const double reach = size.width() + size.height();
+  for (std::size_t other = 0; other < planes.size(); ++other) {
+    if (other == index) continue;
+    // the other plane's line runs at right angles to its normal
+    const Eigen::Vector3d along_P = planes[index].away_P().cross(planes[other].away_P());
+    const QPointF along(planes[index].right_P.dot(along_P), planes[index].down_P.dot(along_P));
+    painter.setPen(QPen(QColor(planeColors[other]), 1.0));
+    painter.drawLine(at - reach * along, at - crosshairGap_px * along);
+    painter.drawLine(at + crosshairGap_px * along, at + reach * along);
+  }
+}
+
+void paintOutline(QPainter& painter, const CtStudy& study, const Projector& project)
+{
+  if (!study.measures()) return;
+  QVector<QLineF> lines;
+  for (const ct::PictureLine& line : ct::wallOutline(*study.measures(), project.plane))
+    lines.append(QLineF(project(line[0]), project(line[1])));
+  painter.setPen(QPen(QColor::fromRgba(shadowColor), 3.0));
+  painter.drawLines(lines);
+  painter.setPen(QPen(QColor::fromRgba(outlineColor), 1.5));
+  painter.drawLines(lines);
+}
+
+/// Opacity of a landmark by its distance from the plane; 0 if it is not drawn.
+double opacityOf(double behind_mm)
+{
+  const double distance = std::fabs(behind_mm);
+  if (distance > markReach_mm) return 0.0;
+  return 1.0 - (1.0 - dimmestMark) * distance / markReach_mm;
+}
+
+void paintMarks(QPainter& painter, const CtStudy& study, const Projector& project,
+                const std::optional<ct::Mark>& dragged)
+{
+  const ct::Marks& marks = study.marks();
+  const auto isDrawn = [&](ct::Mark mark) {
+    return marks[mark] && opacityOf(project.plane.behind(*marks[mark])) > 0.0;
+  };
+  constexpr std::array lines{std::pair{ct::Mark::roundWindow, ct::Mark::farWall},
+                             std::pair{ct::Mark::nearB, ct::Mark::farB},
+                             std::pair{ct::Mark::floor, ct::Mark::apex}};
+  constexpr std::array names{"A", "B", "H"};
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const auto [one, other] = lines[k];
+    // a line is drawn where it lies nearly in the plane
+    if (!marks[one] || !marks[other] || !(isDrawn(one) || isDrawn(other))) continue;
+    const Eigen::Vector3d between = *marks[other] - *marks[one];
+    const double aside = std::fabs(project.plane.away_P().dot(between));
+    if (aside > 0.5 * between.norm()) continue;
+    const QPointF from = project(*marks[one]), to = project(*marks[other]);
+    painter.setPen(QPen(QColor::fromRgba(lineColorOfA), 1.0, Qt::DashLine));
+    painter.drawLine(from, to);
+    const QPointF middle = 0.5 * (from + to) + QPointF(6, -6);
+    drawText(painter, QRectF(middle, QSizeF(24, 18)), Qt::AlignLeft | Qt::AlignTop,
+             QLatin1String(names[k]), Qt::white);
+  }
+  for (std::size_t k = 0; k < ct::markCount; ++k) {
+    const auto mark = static_cast<ct::Mark>(k);
+    if (!isDrawn(mark)) continue;
+    const double opacity = opacityOf(project.plane.behind(*marks[mark]));
+    const QPointF at = project(*marks[mark]);
+    const bool isHeld = dragged == mark;
+    painter.setOpacity(opacity);
+    painter.setPen(QPen(QColor::fromRgba(shadowColor), 4.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(at, markRadius_px, markRadius_px);
+    painter.setPen(QPen(isHeld ? QColor::fromRgba(outlineColor) : QColor(Qt::white), 1.8));
+    painter.drawEllipse(at, markRadius_px, markRadius_px);
+    drawText(painter, QRectF(at + QPointF(8, -20), QSizeF(60, 18)), Qt::AlignLeft | Qt::AlignBottom,
+             markLabel(mark), Qt::white);
+    painter.setOpacity(1.0);
+  }
+}
+
+void paintLetters(QPainter& painter, const QSize& size, const ct::ViewPlane& plane)
+{
+  const auto letters = [](const Eigen::Vector3d& direction_P) {
+    return QString::fromStdString(ct::directionLetters(direction_P));
+  };
+  const QRectF area = QRectF(QPointF(0, 0), size).adjusted(spacing, spacing, -spacing, -spacing);
+  drawText(painter, area, Qt::AlignRight | Qt::AlignVCenter, letters(plane.right_P), Qt::white);
+  drawText(painter, area, Qt::AlignLeft | Qt::AlignVCenter, letters(-plane.right_P), Qt::white);
+  drawText(painter, area, Qt::AlignHCenter | Qt::AlignBottom, letters(plane.down_P), Qt::white);
+  drawText(painter, area, Qt::AlignHCenter | Qt::AlignTop, letters(-plane.down_P), Qt::white);
+}
+
+void paintScaleBar(QPainter& painter, const QSize& size, double pixel_mm)
+{
+  double length_mm = 0.1;
+  for (const double factor : {2.0, 2.5, 2.0, 2.0, 2.5, 2.0, 2.0, 2.5, 2.0}) {
+    if (length_mm / pixel_mm >= minBar_px) break;
+    length_mm *= factor;
+  }
+  const double length = length_mm / pixel_mm;
+  const double right = size.width() - 1.5 * spacing, low = size.height() - 1.5 * spacing;
+  painter.setPen(QPen(QColor::fromRgba(shadowColor), 4.0));
+  painter.drawLine(QPointF(right - length, low), QPointF(right, low));
+  painter.setPen(QPen(Qt::white, 2.0));
+  painter.drawLine(QPointF(right - length, low), QPointF(right, low));
+  drawText(painter, QRectF(right - length - 60, low - 22, length + 60, 18),
+           Qt::AlignRight | Qt::AlignBottom,
+           QStringLiteral("%1 mm").arg(numberText(length_mm, length_mm < 1.0 ? 1 : 0)), Qt::white);
+}
+
+}  // namespace
+
+QColor colorOfPlane(std::size_t plane) { return QColor(planeColors[plane]); }
+
+void paintOverlay(QPainter& painter, const QSize& size, const CtStudy& study, std::size_t plane,
+                  const std::optional<ct::Mark>& dragged)
+{
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setFont(typeface(13, QFont::DemiBold));
+  const Projector project{study.planes()[plane], study.pixel_mm(),
+                          QPointF(0.5 * size.width(), 0.5 * size.height())};
+  paintOutline(painter, study, project);
+  paintCrosshair(painter, size, study, plane, project);
+  paintMarks(painter, study, project, dragged);
+  paintLetters(painter, size, project.plane);
+  paintScaleBar(painter, size, study.pixel_mm());
+  drawText(painter, QRectF(spacing, spacing, size.width(), 20), Qt::AlignLeft | Qt::AlignTop,
+           planeName(study.frame(), plane), QColor(planeColors[plane]));
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// What is drawn over a plane of the CT.
+
+#include <QColor>
+#include <cstddef>
+#include <optional>
+
+#include "gui/pages/ct/CtStudy.h"
+
+class QPainter;
+class QSize;
+
+namespace perilymph::gui {
+
+/// Distance from its plane up to which a landmark is drawn [mm].
+inline constexpr double markReach_mm = 1.0;
+
+/// The color of a plane: of its name, and of its line in the other two pictures.
+QColor colorOfPlane(std::size_t plane);
+
+/// Draws crosshair, outline of the measured wall, lines of A, B and H, landmarks, letters of the
+/// patient's directions, scale bar and name.
+///
+/// @param size     Of the picture; its center is the plane's center.
+/// @param dragged  The landmark that is moved now.
+void paintOverlay(QPainter& painter, const QSize& size, const CtStudy& study, std::size_t plane,
+                  const std::optional<ct::Mark>& dragged);
+
+}  // namespace perilymph::gui

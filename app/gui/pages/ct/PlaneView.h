@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// One plane of the CT with crosshair, outlines and landmarks.
+
+#include <QImage>
+#include <QWidget>
+#include <cstddef>
+#include <optional>
+
+#include "gui/pages/ct/CtStudy.h"
+
+namespace perilymph::gui {
+
+/// Shows plane 0, 1 or 2 of a study and moves what is in it:
+/// - left button: crosshair, or the landmark under the mouse; a chosen landmark is placed;
+/// - right button: brightness and contrast; middle button, or left with Shift: the picture;
+/// - wheel: through the layers; with Ctrl: zoom. Up and Down, + and - do the same.
+class PlaneView : public QWidget {
+  Q_OBJECT
+public:
+  PlaneView(CtStudy& study, std::size_t plane, QWidget* parent);
+
+  /// The landmark that the next click places; none if empty.
+  void setPlaced(std::optional<ct::Mark> mark);
+
+  /// The place of a point in the widget [px].
+  QPointF placeOf(const Eigen::Vector3d& point_P) const;
+  /// The point of the plane under a place of the widget, in P [mm].
+  Eigen::Vector3d pointAt(const QPointF& place) const;
+  /// The landmark within reach of the mouse; empty without one.
+  std::optional<ct::Mark> markAt(const QPointF& place) const;
+
+  QSize minimumSizeHint() const override { return {160, 140}; }
+
+Q_SIGNALS:
+  /// The chosen landmark was placed.
+  void markPlaced(perilymph::ct::Mark mark);
+  /// A double click.
+  void maximizeAsked();
+
+protected:
+  void paintEvent(QPaintEvent*) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+private:
+  ct::ViewPlane plane() const { return study_.planes()[index_]; }
+  void paintLoupe(class QPainter& painter);
+  void stepLayers(double layers);
+
+  CtStudy& study_;
+  std::size_t index_;
+  std::optional<ct::Mark> placed_, dragged_;
+  QPointF mouse_;
+  double wheelRest_ = 0.0;
+};
+
+}  // namespace perilymph::gui

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/ct/SurfaceView.h"
+
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+
+#include <QMouseEvent>
+#include <QWheelEvent>
+#include <cmath>
+#include <vector>
+
+#include "gui/parts/ChartLabels.h"
+#include "perilymph/imaging/MeasuredSurface.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr double turnPerHeight_deg = 180.0;  // by a drag over the full height
+constexpr double zoomPerNotch = 1.2;
+
+}  // namespace
+
+SurfaceView::SurfaceView(CtStudy& study, QWidget* parent)
+    : QVTKOpenGLNativeWidget(parent), study_(study)
+{
+  setObjectName(QStringLiteral("surfaceView"));
+  setAccessibleName(tr("Measured cochlea, 3D"));
+  setFocusPolicy(Qt::NoFocus);
+  setAttribute(Qt::WA_AcceptTouchEvents, false);  // VTK 9.1 would handle each touch twice
+  setEnableHiDPI(false);                          // nothing in this scene is sized in pixels
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  window->SetMultiSamples(0);
+  setRenderWindow(window);
+  // Mouse input is handled here: interactor styles have their own keys and drags.
+  if (window->GetInteractor() != nullptr) window->GetInteractor()->SetInteractorStyle(nullptr);
+  connect(&study_, &CtStudy::changed, this, &SurfaceView::refresh);
+}
+
+SurfaceView::~SurfaceView() = default;
+
+void SurfaceView::refresh()
+{
+  const auto& measures = study_.measures();
+  if (!measures) {
+    if (scene_) renderWindow()->RemoveRenderer(&scene_->renderer());
+    scene_.reset();
+    shownWindow_P_.reset();
+    return update();
+  }
+  if (shownWindow_P_ != measures->roundWindow_P) {
+    if (scene_) renderWindow()->RemoveRenderer(&scene_->renderer());
+    scene_ = std::make_unique<visualization::SurfaceScene>(imaging::measuredSurface(*measures),
+                                                           sceneStyle());
+    scene_->attachTo(*renderWindow());
+    const ct::ViewPlane view = ct::cochlearPlanes(*measures, measures->center_P)[0];
+    scene_->lookAlong(view.away_P(), view.down_P);
+    scene_->rotate(0.0, 35.0);  // obliquely, so that the turns lie one above the other
+    shownWindow_P_ = measures->roundWindow_P;
+  }
+  std::vector<Eigen::Vector3d> points;
+  for (const auto& point : study_.marks().points_P)
+    if (point) points.push_back(*point);
+  scene_->setPoints(points);
+  render();
+}
+
+void SurfaceView::render()
+{
+  // before the widget is shown it has no OpenGL context; VTK renders when it gets one
+  if (isValid()) renderWindow()->Render();
+  update();
+}
+
+bool SurfaceView::event(QEvent* event)
+{
+  switch (event->type()) {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonRelease:
+    case QEvent::MouseButtonDblClick:
+    case QEvent::MouseMove:
+    case QEvent::Wheel:
+      // Bypasses VTK, which would handle them. NOLINTNEXTLINE(bugprone-parent-virtual-call)
+      return QOpenGLWidget::event(event);
+    default:
+      return QVTKOpenGLNativeWidget::event(event);
+  }
+}
+
+void SurfaceView::mousePressEvent(QMouseEvent* event) { mouse_ = event->localPos(); }
+
+void SurfaceView::mouseMoveEvent(QMouseEvent* event)
+{
+  const QPointF moved = (event->localPos() - mouse_) / height();
+  mouse_ = event->localPos();
+  if (!scene_) return;
+  if ((event->buttons() & Qt::LeftButton) != 0)
+    scene_->rotate(turnPerHeight_deg * moved.x(), turnPerHeight_deg * moved.y());
+  else if ((event->buttons() & Qt::RightButton) != 0)
+    scene_->zoom(std::exp(-2.0 * moved.y()));
+  else
+    return;
+  render();
+}
+
+void SurfaceView::mouseDoubleClickEvent(QMouseEvent* event)
+{
+  if (event->button() == Qt::LeftButton) Q_EMIT maximizeAsked();
+}
+
+void SurfaceView::wheelEvent(QWheelEvent* event)
+{
+  event->accept();
+  if (!scene_) return;
+  scene_->zoom(std::pow(zoomPerNotch, event->angleDelta().y() / 120.0));
+  render();
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The page CT in the real window: from a DICOM folder to an insertion in that cochlea.
+
+#include <gmock/gmock.h>
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QMouseEvent>
+#include <QTest>
+
+#include "DataFolder.h"
+#include "Walk.h"
+#include "WindowRig.h"
+#include "gui/pages/ct/CtPage.h"
+#include "gui/pages/ct/PlaneView.h"
+#include "perilymph/test/CtPhantom.h"
+#include "perilymph/test/DicomWriter.h"
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::test {
+namespace {
+
+/// A phantom of 0.3 mm as a folder of DICOM files, made once.
+struct CtOnDisk {
+  CtPhantom phantom = makeCtPhantom(203, highResolutionScan());
+  TemporaryFolder folder;
+  CtOnDisk() { writeDicomFiles(dicomSlices(phantom.volume), folder / "ct"); }
+};
+
+const CtOnDisk& onDisk()
+{
+  static const CtOnDisk made;
+  return made;
+}
+
+class TheCtPage : public testing::Test {
+protected:
+  TheCtPage()
+  {
+    rig_.click("ctPageButton");
+    page().open(onDisk().folder / "ct");
+    EXPECT_TRUE(WindowRig::comes([this] { return study().hasCt(); }));
+  }
+
+  gui::CtPage& page() { return rig_.window().pages().ct(); }
+  gui::CtStudy& study() { return page().study(); }
+  gui::PlaneView& view(int plane)
+  {
+    return *rig_.window().findChild<gui::PlaneView*>(QStringLiteral("planeView%1").arg(plane));
+  }
+  void measure()
+  {
+    study().moveCrosshair(onDisk().phantom.inside_P);
+    rig_.click("measureHereButton");
+    ASSERT_TRUE(WindowRig::comes([this] { return study().measures().has_value(); }));
+  }
+  void drag(gui::PlaneView& view, const QPointF& from, const QPointF& by)
+  {
+    const QPoint start = from.toPoint(), end = (from + by).toPoint();
+    QTest::mousePress(&view, Qt::LeftButton, Qt::NoModifier, start);
+    QMouseEvent move(QEvent::MouseMove, QPointF(end), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&view, &move);
+    QTest::mouseRelease(&view, Qt::LeftButton, Qt::NoModifier, end);
+  }
+
+  DataFolder data_;
+  WindowRig rig_;
+};
+
+TEST_F(TheCtPage, GoesFromAFolderToAnInsertionInThatCochlea)
+{
+  rig_.click("measureCtButton");
+  ASSERT_TRUE(WindowRig::comes([this] { return study().measures().has_value(); }));
+  EXPECT_NEAR(study().measures()->a.value, onDisk().phantom.a, 0.4);
+  EXPECT_EQ(rig_.label("ctSide"), onDisk().phantom.isRight ? "Right ear" : "Left ear");
+  EXPECT_TRUE(rig_.label("fittedA").contains("±"));
+  EXPECT_FALSE(rig_.button("insertCtButton").isEnabled());  // no code yet
+  rig_.type("ctPatientCode", "CT-203");
+  rig_.click("insertCtButton");
+  ASSERT_TRUE(WindowRig::comes(
+      [this] { return rig_.window().control().scenario().patient().label == "CT-203"; }));
+  EXPECT_EQ(rig_.window().page(), gui::Page::insert);
+  const auto& patient = rig_.window().control().scenario().patient();
+  ASSERT_TRUE(patient.basalTurn);
+  EXPECT_NEAR(inMillimeters(patient.basalTurn->a), study().measures()->a.value, 5e-4);
+  EXPECT_NEAR(inMillimeters(patient.basalTurn->b), study().measures()->b.value, 5e-4);
+  EXPECT_EQ(patient.side, study().measures()->side);
+}
+
+TEST_F(TheCtPage, LinksItsPlanesByTheCrosshair)
+{
+  const QPointF aim(0.3 * view(0).width(), 0.6 * view(0).height());
+  const Eigen::Vector3d aimed = view(0).pointAt(aim);
+  QTest::mouseClick(&view(0), Qt::LeftButton, Qt::NoModifier, aim.toPoint());
+  EXPECT_LT((study().crosshair_P() - aimed).norm(), study().pixel_mm());
+  for (const auto& plane : study().planes())
+    EXPECT_NEAR(plane.behind(study().crosshair_P()), 0.0, 1e-9);
+}
+
+TEST_F(TheCtPage, StepsThroughLayersAndZoomsWithKeysAndWheel)
+{
+  const Eigen::Vector3d before = study().crosshair_P();
+  QTest::keyClick(&view(0), Qt::Key_Up);
+  EXPECT_NEAR(study().crosshair_P().z() - before.z(), 0.3, 1e-9);
+  QTest::keyClick(&view(0), Qt::Key_Down);
+  EXPECT_NEAR((study().crosshair_P() - before).norm(), 0.0, 1e-9);
+  const double pixel = study().pixel_mm();
+  QTest::keyClick(&view(0), Qt::Key_Plus);
+  EXPECT_LT(study().pixel_mm(), pixel);
+}
+
+TEST_F(TheCtPage, TurnsToTheCochlearViewWhenTheCochleaIsMeasured)
+{
+  EXPECT_FALSE(rig_.button("cochleaPlanes").isEnabled());
+  measure();
+  EXPECT_TRUE(rig_.button("cochleaPlanes").isChecked());
+  const auto planes = study().planes();
+  EXPECT_NEAR(planes[0].away_P().dot(study().measures()->axis_P), -1.0, 1e-9);
+  rig_.click("patientPlanes");
+  EXPECT_NEAR(study().planes()[0].away_P().z(), 1.0, 1e-9);
+}
+
+TEST_F(TheCtPage, MovesALandmarkWithTheMouseAndTakesItBack)
+{
+  measure();
+  const auto before = study().marks()[ct::Mark::roundWindow].value();
+  study().moveCrosshair(before);
+  const QPointF place = view(0).placeOf(before);
+  ASSERT_EQ(view(0).markAt(place), ct::Mark::roundWindow);
+  const double a = study().marked().a.value();
+  const double moved_mm = 20.0 * study().pixel_mm();
+  drag(view(0), place, {0.0, 20.0});  // A is vertical: away from the far wall
+  EXPECT_NEAR((study().marks()[ct::Mark::roundWindow].value() - before).norm(), moved_mm,
+              1.5 * study().pixel_mm());
+  EXPECT_NEAR(study().marked().a.value(), a + moved_mm, 2.0 * study().pixel_mm());
+  EXPECT_TRUE(study().isCorrected());
+  rig_.click("undoMarkButton");
+  EXPECT_EQ(study().marks()[ct::Mark::roundWindow].value(), before);
+  EXPECT_FALSE(study().isCorrected());
+  rig_.click("redoMarkButton");
+  EXPECT_TRUE(study().isCorrected());
+}
+
+TEST_F(TheCtPage, PlacesALandmarkByButtonAndClick)
+{
+  rig_.click("markRW");
+  const QPoint aim = view(0).rect().center() + QPoint(30, -20);
+  QTest::mouseClick(&view(0), Qt::LeftButton, Qt::NoModifier, aim);
+  ASSERT_TRUE(study().marks()[ct::Mark::roundWindow]);
+  EXPECT_LT((study().marks()[ct::Mark::roundWindow].value() - view(0).pointAt(aim)).norm(), 1e-9);
+  // the next click moves the crosshair again
+  const QPoint elsewhere = view(0).rect().center() + QPoint(-60, 60);
+  QTest::mouseClick(&view(0), Qt::LeftButton, Qt::NoModifier, elsewhere);
+  EXPECT_LT((study().crosshair_P() - view(0).pointAt(elsewhere)).norm(), 1e-9);
+}
+
+TEST_F(TheCtPage, GoesOnFromCorrectedLandmarks)
+{
+  measure();
+  const auto before = *study().measures();
+  // the round window 0.6 mm along the wall: 0 degrees turns with it
+  const Eigen::Vector3d moved = before.roundWindow_P + 0.6 * before.axes_PW.col(1);
+  study().beginChange();
+  study().placeMark(ct::Mark::roundWindow, moved);
+  EXPECT_EQ(rig_.button("measureHereButton").text(), "Measure from the landmarks");
+  rig_.click("measureHereButton");
+  ASSERT_TRUE(WindowRig::comes([this] { return !page().isBusy(); }));
+  const auto& after = *study().measures();
+  EXPECT_LT((after.roundWindow_P - moved).norm(), (before.roundWindow_P - moved).norm());
+}
+
+TEST_F(TheCtPage, CancelsAMeasurement)
+{
+  rig_.click("measureCtButton");
+  EXPECT_TRUE(page().isBusy());
+  rig_.click("cancelCtButton");
+  EXPECT_FALSE(page().isBusy());
+  EXPECT_FALSE(study().measures());
+  EXPECT_TRUE(rig_.button("measureCtButton").isEnabled());
+}
+
+TEST_F(TheCtPage, SaysWhyAFolderCannotBeRead)
+{
+  const TemporaryFolder empty;
+  page().open(empty.path());
+  ASSERT_TRUE(WindowRig::comes([this] { return !page().isBusy(); }));
+  EXPECT_FALSE(rig_.label("ctStatus").isEmpty());
+  EXPECT_TRUE(study().hasCt());  // the previous one stays
+}
+
+TEST_F(TheCtPage, NeverShowsThePatientsName)
+{
+  for (const QLabel* label : page().findChildren<QLabel*>())
+    EXPECT_THAT(label->text().toStdString(), testing::Not(testing::HasSubstr("Secretname")));
+}
+
+TEST(AWalk, OfASurgeonWithACtEndsBeforeAnInsertion)
+{
+  const DataFolder data;
+  Walk walk("ct");
+  WindowRig rig;
+  rig.click("ctPageButton");
+  gui::CtPage& page = rig.window().pages().ct();
+  page.open(onDisk().folder / "ct");
+  ASSERT_TRUE(WindowRig::comes([&] { return page.study().hasCt(); }));
+  page.study().moveCrosshair(onDisk().phantom.inside_P);
+  walk.step(1, rig.window());
+
+  rig.click("measureCtButton");
+  ASSERT_TRUE(WindowRig::comes([&] { return page.study().measures().has_value(); }));
+  walk.step(2, rig.window());
+
+  auto* view = rig.window().findChild<gui::PlaneView*>("planeView0");
+  const auto window_P = page.study().marks()[ct::Mark::roundWindow].value();
+  page.study().moveCrosshair(window_P);
+  const QPoint from = view->placeOf(window_P).toPoint();
+  QTest::mousePress(view, Qt::LeftButton, Qt::NoModifier, from);
+  QMouseEvent move(QEvent::MouseMove, from + QPointF(14, 6), Qt::NoButton, Qt::LeftButton,
+                   Qt::NoModifier);
+  QCoreApplication::sendEvent(view, &move);
+  walk.step(3, rig.window());
+  QTest::mouseRelease(view, Qt::LeftButton, Qt::NoModifier, from + QPoint(14, 6));
+
+  rig.type("ctPatientCode", "CT-203");
+  rig.click("insertCtButton");
+  ASSERT_TRUE(WindowRig::comes(
+      [&] { return rig.window().control().scenario().patient().label == "CT-203"; }));
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.button("startButton").isEnabled(); }));
+  walk.step(4, rig.window());
+  EXPECT_EQ(walk.left(), "");
+}
+
+}  // namespace
+}  // namespace perilymph::test

@@ -19,6 +19,7 @@ void printSummary(const ValidationRequest& request, const ValidationResult& resu
 {
   print("{} insertions of {}, seed {}, {} ticks\n", result.runs, request.nominal.array.name,
         result.seed, result.ticks);
+  print("{}\n", analysis::completionSentence(result.runs, result.incomplete));
   if (result.ticksNotConverged > 0)
     print("in {} ticks the solver left more than its tolerance\n", result.ticksNotConverged);
   for (const analysis::Verdict& verdict : analysis::verdictsOf(result, request.experiment))

@@ -197,7 +197,8 @@ void ValidatePage::finish(const std::optional<analysis::ValidationResult>& resul
   sofar_ = result.value_or(analysis::ValidationResult{});
   if (result) {
     progress_->setValue(progress_->maximum());
-    status_->setText(tr("%1 insertions, seed %2. Mean SD over travel %3 mN.")
+    status_->setText(tr("%1 of %2 insertions completed, seed %3. Mean SD over travel %4 mN.")
+                         .arg(result->runs - static_cast<int>(result->incomplete.size()))
                          .arg(result->runs)
                          .arg(result->seed)
                          .arg(1e3 * result->standardDeviation, 0, 'f', 1));

@@ -5,8 +5,10 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "perilymph/analysis/IncompleteInsertion.h"
 #include "perilymph/analysis/Variability.h"
 #include "perilymph/anatomy/ScalaTympani.h"
 
@@ -14,6 +16,8 @@ namespace perilymph::analysis {
 
 /// Samples of load cell and crosshead.
 struct MeasuredInsertion {
+  /// Why it ended before its stop; empty if it reached it.
+  std::optional<IncompleteInsertion> incomplete;
   /// Crosshead travel since the first motion [m], as experiments measure it. It differs from the
   /// tip's travel if the array bends before the opening.
   std::vector<double> travel;
@@ -23,7 +27,8 @@ struct MeasuredInsertion {
   std::uint64_t ticksNotConverged = 0;
 };
 
-/// Runs a drawn insertion up to a travel in virtual time and samples its force.
+/// Runs a drawn insertion up to a travel in virtual time and samples its force. One that cannot
+/// reach the travel is a result, not an error: it ends where that is certain.
 ///
 /// @param anatomy  The cochlea of its scenario, shared between insertions.
 /// @param stop     Travel at the end.

@@ -29,7 +29,8 @@ bool isPublishedModel(const session::InsertionParameters& nominal)
 
 /// Data kept of one insertion.
 struct Kept {
-  std::vector<double> curve;
+  std::vector<double> curve;  ///< Empty if it was incomplete.
+  std::optional<IncompleteInsertion> incomplete;
   std::optional<double> beforeRib, ribPeak;
   std::uint64_t ticks = 0, ticksNotConverged = 0;
 };
@@ -80,6 +81,10 @@ Result<Done> runOne(const ValidationRequest& request, SpreadSources sources, std
   auto measured =
       measure(drawn, anatomy, request.variability.samplePeriod, stopOf(drawn.parameters), isAsked);
   if (!measured) return measured.error();
+  kept.ticks = measured->ticks;
+  kept.ticksNotConverged = measured->ticksNotConverged;
+  kept.incomplete = measured->incomplete;
+  if (kept.incomplete) return Done{};
   if (isPublishedModel(drawn.parameters))
     for (std::size_t i = 0; i < measured->travel.size(); ++i)
       measured->travel[i] = measured->depth[i] - publishedShift.si();
@@ -88,27 +93,36 @@ Result<Done> runOne(const ValidationRequest& request, SpreadSources sources, std
     return Error{"Insertion " + std::to_string(number + 1) +
                  " gave too few samples for its spline. Raise knot_spacing_mm or lower the speed."};
   kept.curve = std::move(*curve);
-  kept.ticks = measured->ticks;
-  kept.ticksNotConverged = measured->ticksNotConverged;
   if (const auto rib = firstRib(drawn.parameters)) keepRib(*measured, *rib, kept);
   return Done{};
 }
 
-/// Statistics over some insertions at one point of the axis.
-SampleStatistics statisticsAt(const std::vector<Kept>& kept, std::size_t first, std::size_t count,
+/// The curves of the complete ones among some insertions.
+std::vector<const std::vector<double>*> curvesOf(const std::vector<Kept>& kept, std::size_t first,
+                                                 std::size_t count)
+{
+  std::vector<const std::vector<double>*> curves;
+  for (std::size_t i = first; i < first + count; ++i)
+    if (!kept[i].incomplete) curves.push_back(&kept[i].curve);
+  return curves;
+}
+
+/// Statistics over at least one curve at one point of the axis.
+SampleStatistics statisticsAt(const std::vector<const std::vector<double>*>& curves,
                               std::size_t point)
 {
-  std::vector<double> values(count);
-  for (std::size_t i = 0; i < count; ++i) values[i] = kept[first + i].curve[point];
+  std::vector<double> values(curves.size());
+  for (std::size_t i = 0; i < curves.size(); ++i) values[i] = (*curves[i])[point];
   return statisticsOf(values);
 }
 
-/// Root mean square over travel of the standard deviation.
-double spreadOf(const std::vector<Kept>& kept, std::size_t first, std::size_t count)
+/// Root mean square over travel of the standard deviation; 0 for fewer than two curves.
+double spreadOf(const std::vector<const std::vector<double>*>& curves)
 {
+  if (curves.size() < 2) return 0.0;
   double squares = 0.0;
   for (std::size_t point = 0; point < pointsOfProfile; ++point) {
-    const double standardDeviation = statisticsAt(kept, first, count, point).standardDeviation;
+    const double standardDeviation = statisticsAt(curves, point).standardDeviation;
     squares += standardDeviation * standardDeviation;
   }
   return std::sqrt(squares / static_cast<double>(pointsOfProfile));
@@ -184,7 +198,7 @@ double noiseSpread(const ValidationRequest& request, std::size_t count)
     if (!curve) return 0.0;
     kept[number].curve = std::move(*curve);
   }
-  return spreadOf(kept, 0, count);
+  return spreadOf(curvesOf(kept, 0, count));
 }
 
 std::vector<SourceSpread> sourceSpreads(const ValidationRequest& request,
@@ -193,7 +207,7 @@ std::vector<SourceSpread> sourceSpreads(const ValidationRequest& request,
   std::vector<SourceSpread> spreads;
   std::size_t first = static_cast<std::size_t>(request.runs);
   for (const SpreadSource source : mechanicalSources(request)) {
-    spreads.push_back({source, spreadOf(kept, first, runsPerSource), 0.0});
+    spreads.push_back({source, spreadOf(curvesOf(kept, first, runsPerSource)), 0.0});
     first += runsPerSource;
   }
   spreads.push_back({SpreadSource::noise, noiseSpread(request, runsPerSource), 0.0});
@@ -261,7 +275,8 @@ Result<ValidationResult> validate(const ValidationRequest& request,
       number = (piece - runs) % runsPerSource;
     }
     const auto done = runOne(request, sources, number, anatomy, isAsked, kept[piece]);
-    if (done && piece < runs && request.onCurve) request.onCurve(kept[piece].curve);
+    if (done && piece < runs && !kept[piece].incomplete && request.onCurve)
+      request.onCurve(kept[piece].curve);
     return done;
   };
   const auto done = doInParallel(all, request.jobs, work, [&](std::size_t count) {
@@ -272,10 +287,18 @@ Result<ValidationResult> validate(const ValidationRequest& request,
   ValidationResult result;
   result.runs = request.runs;
   result.seed = request.seed;
+  for (std::size_t i = 0; i < runs; ++i)
+    if (kept[i].incomplete) result.incomplete.push_back(*kept[i].incomplete);
+  const auto curves = curvesOf(kept, 0, runs);
+  if (curves.size() < 2)
+    return Error{completionSentence(request.runs, result.incomplete) +
+                 " A mean needs at least 2 of them. Lower the spread in the validation file or "
+                 "raise its start." +
+                 (result.incomplete.empty() ? "" : " " + result.incomplete.front().fault)};
   std::vector<CurvePoint> mean;
   for (std::size_t point = 0; point < pointsOfProfile; ++point) {
     const double travel = static_cast<double>(point) * profileStep().si();
-    result.profile.push_back({travel, statisticsAt(kept, 0, runs, point)});
+    result.profile.push_back({travel, statisticsAt(curves, point)});
     mean.push_back({travel, result.profile.back().force.mean});
   }
   for (const Kept& each : kept) {
@@ -286,7 +309,7 @@ Result<ValidationResult> validate(const ValidationRequest& request,
   result.basalTurn = findBasalTurn(mean);
   result.earlyPeak = findEarlyPeak(mean);
   result.rib = meetRib(request, kept);
-  result.standardDeviation = spreadOf(kept, 0, runs);
+  result.standardDeviation = spreadOf(curves);
   if (runsPerSource > 0) result.spreads = sourceSpreads(request, kept, runsPerSource);
   return result;
 }

@@ -83,7 +83,8 @@ Figure simulationFigure(const ValidationResult& result, const Reference& experim
   FigureBand spread{"± SD between insertions", {}, {}, {}, ink::tint(ink::blue, 0.18)};
   FigureBand confidence{
       "95 % confidence interval of the mean", {}, {}, {}, ink::tint(ink::blue, 0.45)};
-  FigureCurve mean{"mean of " + std::to_string(result.runs) + " simulated insertions",
+  const int completed = result.runs - static_cast<int>(result.incomplete.size());
+  FigureCurve mean{"mean of " + std::to_string(completed) + " simulated insertions",
                    {},
                    {},
                    ink::blue,
@@ -106,6 +107,8 @@ Figure simulationFigure(const ValidationResult& result, const Reference& experim
   figure.values.push_back(printed(experiment, experiment.label, ink::black, MarkerShape::disk));
   figure.notes = {"Seed " + std::to_string(result.seed) +
                   "; least-squares spline through each insertion, resampled every 0.1 mm."};
+  if (!result.incomplete.empty())
+    figure.notes.push_back(completionSentence(result.runs, result.incomplete));
   return figure;
 }
 

@@ -158,6 +158,15 @@ std::string summaryJson(const ValidationRequest& request, const ValidationResult
   Json page;
   page["version"] = version();
   page["runs"] = result.runs;
+  page["completed"] = result.runs - static_cast<int>(result.incomplete.size());
+  page["incomplete"] = Json::array();
+  for (const IncompleteInsertion& each : result.incomplete)
+    page["incomplete"].push_back({{"insertion", each.number},
+                                  {"end", incompleteEndName(each.end)},
+                                  {"max_depth_mm", inMillimeters(meters(each.maxDepth))},
+                                  {"crosshead_mm", inMillimeters(meters(each.crosshead))},
+                                  {"max_force_N", each.maxForce},
+                                  {"fault", each.fault}});
   page["seed"] = result.seed;
   page["scenario"] = request.nominal.name;
   page["array"] = request.nominal.array.name;

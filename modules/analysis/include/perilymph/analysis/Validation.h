@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "perilymph/analysis/ForceProfile.h"
+#include "perilymph/analysis/IncompleteInsertion.h"
 #include "perilymph/analysis/Reference.h"
 #include "perilymph/analysis/SampleStatistics.h"
 #include "perilymph/analysis/Variability.h"
@@ -28,7 +29,7 @@ struct ValidationRequest {
   /// Insertions per single source of variation: 0, or at least 2; by default a tenth of the runs,
   /// at least 10.
   std::optional<int> runsPerSource;
-  /// Receives the curve of each of the `runs` insertions when it ends, in the thread that ran it.
+  /// Receives the curve of each of the `runs` insertions that is complete when it ends, in the thread that ran it.
   std::function<void(const std::vector<double>& curve)> onCurve;
   /// The nominal insertion's cochlea, if already built.
   std::shared_ptr<const anatomy::ScalaTympani> anatomy;
@@ -74,14 +75,17 @@ struct ValidationResult {
   double standardDeviation = 0.0;       ///< Root mean square over travel of the SD [N].
   std::vector<SourceSpread> spreads;
   std::uint64_t ticks = 0, ticksNotConverged = 0;
-  int runs = 0;
+  int runs = 0;  ///< All insertions, complete or not.
+  /// Those of them that did not reach full travel; statistics are over the others.
+  std::vector<IncompleteInsertion> incomplete;
   std::uint64_t seed = 0;
 };
 
 /// Receives the numbers of done and of all insertions; returns false to stop.
 using ValidationProgress = std::function<bool(std::size_t done, std::size_t all)>;
 
-/// Runs a validation. The same request gives the same result, bit for bit, for any `jobs`.
+/// Runs a validation. The same request gives the same result, bit for bit, for any `jobs`. An
+/// insertion that does not reach full travel is counted; an error if fewer than two reach it.
 Result<ValidationResult> validate(const ValidationRequest& request,
                                   const ValidationProgress& progress);
 

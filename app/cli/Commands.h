@@ -109,9 +109,14 @@ struct CtMeasureOptions {
   std::optional<std::array<double, 3>> at_mm;  ///< A point in the cochlea, LPS.
   std::string landmarks;                       ///< A file of Slicer's markups.
   std::string side;                            ///< "left", "right" or empty.
-  std::string json, patient, surface;
+  std::string json, patient, surface, picture;
 };
 Result<Done> ctMeasure(const CtMeasureOptions& options);
+
+struct CtExportOptions {
+  std::string path, series, out;
+};
+Result<Done> ctExport(const CtExportOptions& options);
 
 /// The options of all commands; filled while the command line is parsed.
 struct CommandOptions {
@@ -126,6 +131,7 @@ struct CommandOptions {
   DevicesOptions devices;
   CtInfoOptions ctInfo;
   CtMeasureOptions ctMeasure;
+  CtExportOptions ctExport;
 };
 
 }  // namespace perilymph::cli

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -13,6 +14,7 @@
 #include "perilymph/imaging/CtSeries.h"
 #include "perilymph/imaging/Landmarks.h"
 #include "perilymph/imaging/MeasuredPatient.h"
+#include "perilymph/imaging/MeasuredPicture.h"
 #include "perilymph/imaging/MeasuredSurface.h"
 #endif
 
@@ -67,15 +69,20 @@ void printMeasures(const ct::CochleaMeasures& measures, const imaging::CtSeries&
 }
 
 Result<Done> writeFiles(const CtMeasureOptions& options, const ct::CochleaMeasures& measures,
-                        const imaging::CtSeries& series, double seconds)
+                        const imaging::LoadedCt& loaded, double seconds)
 {
   if (!options.json.empty())
     if (const auto done =
-            writeWhole(options.json, measuresJson(measures, series.warnings, seconds));
+            writeWhole(options.json, measuresJson(measures, loaded.series.warnings, seconds));
         !done)
       return done.error();
   if (!options.patient.empty())
     if (const auto done = imaging::writeMeasuredPatient(measures, options.patient); !done)
+      return done.error();
+  if (!options.picture.empty())
+    if (const auto done = imaging::writeMeasuredPicture(
+            std::make_shared<const ct::CtVolume>(loaded.volume), measures, options.picture);
+        !done)
       return done.error();
   if (options.surface.empty()) return Done{};
   return anatomy::writeSurface(imaging::measuredSurface(measures), imaging::measuredSurfaceTitle,
@@ -94,7 +101,7 @@ Result<Done> ctMeasure(const CtMeasureOptions& options)
   const auto measures = ct::measureCochlea(loaded->volume, *request);
   if (!measures) return Error{options.path + ": " + measures.error().message};
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  if (const auto done = writeFiles(options, *measures, loaded->series, took.count()); !done)
+  if (const auto done = writeFiles(options, *measures, *loaded, took.count()); !done)
     return done.error();
   printMeasures(*measures, loaded->series);
   return Done{};

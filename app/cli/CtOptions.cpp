@@ -70,7 +70,21 @@ void addMeasure(CLI::App& ct, FileOptions& files, CtMeasureOptions& options)
                                   "Write a patient file (.toml) for other commands"));
   files.writes(command.add_option("--surface", options.surface,
                                   "Write the lumen wall, LPS in mm (.stl .ply .vtp .obj .wrl)"));
+  files.writes(
+      command.add_option("--picture", options.picture,
+                         "Write the cochlear and mid-modiolar views with the fitted wall (.png)"));
   command.footer(flagsText());
+}
+
+void addExport(CLI::App& ct, FileOptions& files, CtExportOptions& options)
+{
+  CLI::App& command =
+      *ct.add_subcommand("export", "Write a CT without patient data (voxels and geometry only)");
+  files.readsBelow(command.add_option("path", options.path, pathHelp)->required());
+  command.add_option("--series", options.series,
+                     "Series UID, as listed by 'ct info' (default: best suited series)");
+  files.writes(
+      command.add_option("--out", options.out, "File to write (.nrrd .nii .nii.gz)")->required());
 }
 
 }  // namespace
@@ -81,6 +95,14 @@ void addCt(CLI::App& app, FileOptions& files, CommandOptions& options)
   ct.require_subcommand(1);
   addInfo(ct, files, options.ctInfo);
   addMeasure(ct, files, options.ctMeasure);
+  addExport(ct, files, options.ctExport);
+}
+
+Result<Done> runCt(const CLI::App& ct, const CommandOptions& options)
+{
+  if (ct.got_subcommand("info")) return ctInfo(options.ctInfo);
+  if (ct.got_subcommand("export")) return ctExport(options.ctExport);
+  return ctMeasure(options.ctMeasure);
 }
 
 }  // namespace perilymph::cli

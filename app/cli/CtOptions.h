@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "perilymph/foundation/Result.h"
+
 namespace CLI {
 class App;
 }
@@ -10,7 +12,9 @@ namespace perilymph::cli {
 class FileOptions;
 struct CommandOptions;
 
-/// Declares `ct info` and `ct measure`.
+/// Declares `ct info`, `ct measure` and `ct export`.
 void addCt(CLI::App& app, FileOptions& files, CommandOptions& options);
+/// Runs the one that was given.
+Result<Done> runCt(const CLI::App& ct, const CommandOptions& options);
 
 }  // namespace perilymph::cli

@@ -173,6 +173,32 @@ TEST(CtMeasure, SaysWhereItCannotInOneSentence)
   EXPECT_FALSE(std::filesystem::exists(json));
 }
 
+TEST(CtMeasure, WritesAPictureToCheckItBy)
+{
+  TemporaryFolder out;
+  const auto done =
+      cli({"ct", "measure", onDisk().path(), "--at", onDisk().at(), "--picture", out / "ear.png"});
+  ASSERT_EQ(done.status, 0) << done.err;
+  EXPECT_EQ(contentOf(out.path() / "ear.png").substr(1, 3), "PNG");
+}
+
+TEST(CtExport, WritesVoxelsAndGeometryWithoutThePatient)
+{
+  TemporaryFolder out;
+  const auto done = cli({"ct", "export", onDisk().path(), "--out", out / "ear.nrrd"});
+  ASSERT_EQ(done.status, 0) << done.err;
+  const std::string content = contentOf(out.path() / "ear.nrrd");
+  expectNoPatient(content);
+  EXPECT_THAT(content.substr(0, 400), testing::HasSubstr("sizes: 63 63 63"));
+  EXPECT_GT(content.size(), 2u * 63 * 63 * 63);
+  const auto again =
+      cli({"ct", "measure", out / "ear.nrrd", "--at", onDisk().at(), "--json", out / "again.json"});
+  ASSERT_EQ(again.status, 0) << again.err;
+  EXPECT_NEAR(jsonOf(out.path() / "again.json").at("A_mm").at("value").get<double>(),
+              onDisk().phantom.a, 0.4);
+  expectRefusal(cli({"ct", "export", onDisk().path(), "--out", out / "ear.dcm"}), ".nrrd");
+}
+
 TEST(CtMeasure, KnowsWrongWordsOfTheCall)
 {
   expectUsageError(cli({"ct"}), "subcommand");

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "perilymph/imaging/VolumeWriter.h"
+
+#include <vtkImageData.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNIFTIImageWriter.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkShortArray.h>
+
+#include <array>
+#include <bit>
+#include <charconv>
+#include <fstream>
+#include <string>
+
+#include "../VtkComplaints.h"
+#include "perilymph/foundation/AtomicFile.h"
+
+namespace perilymph::imaging {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The shortest text that reads back as the same number.
+std::string exact(double value)
+{
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+std::string vectorText(const Eigen::Vector3d& v)
+{
+  return "(" + exact(v.x()) + "," + exact(v.y()) + "," + exact(v.z()) + ")";
+}
+
+std::string nrrdHeader(const ct::CtVolume& volume)
+{
+  const auto& size = volume.size();
+  const Eigen::Matrix4d& lps = volume.lpsFromIndex();
+  std::string text = "NRRD0004\ntype: short\ndimension: 3\nspace: left-posterior-superior\nsizes:";
+  for (const int n : size) text += " " + std::to_string(n);
+  text += "\nspace directions:";
+  for (int axis = 0; axis < 3; ++axis) text += " " + vectorText(lps.block<3, 1>(0, axis));
+  text += "\nkinds: domain domain domain\nendian: ";
+  text += std::endian::native == std::endian::little ? "little" : "big";
+  text += "\nencoding: raw\nspace origin: " + vectorText(lps.block<3, 1>(0, 3)) + "\n\n";
+  return text;
+}
+
+bool writeNrrd(const ct::CtVolume& volume, const fs::path& file)
+{
+  std::ofstream out(file, std::ios::binary);
+  const auto voxels = volume.voxels();
+  out << nrrdHeader(volume);
+  out.write(reinterpret_cast<const char*>(voxels.data()),
+            static_cast<std::streamsize>(voxels.size_bytes()));
+  return bool(out.flush());
+}
+
+bool writeNifti(const ct::CtVolume& volume, const fs::path& file)
+{
+  const auto& size = volume.size();
+  const Eigen::Vector3d spacing = volume.spacing_mm();
+  const auto voxels = volume.voxels();
+  vtkNew<vtkShortArray> values;
+  // VTK only reads them; save = 1 leaves their memory to the volume
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)
+  values->SetArray(const_cast<std::int16_t*>(voxels.data()), static_cast<vtkIdType>(voxels.size()),
+                   1);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(size[0], size[1], size[2]);
+  image->SetSpacing(spacing.x(), spacing.y(), spacing.z());
+  image->GetPointData()->SetScalars(values);
+  // NIfTI is RAS, and VTK's matrix takes millimeters, not indices
+  Eigen::Matrix4d ras = volume.lpsFromIndex();
+  ras.topRows<2>() = -ras.topRows<2>();
+  for (int axis = 0; axis < 3; ++axis) ras.block<3, 1>(0, axis) /= spacing[axis];
+  vtkNew<vtkMatrix4x4> matrix;
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column) matrix->SetElement(row, column, ras(row, column));
+  vtkNew<vtkNIFTIImageWriter> writer;
+  vtkNew<Complaints> complaints;
+  complaints->listenTo({writer});
+  writer->SetInputData(image);
+  writer->SetSFormMatrix(matrix);
+  writer->SetQFormMatrix(matrix);
+  writer->SetQFac(ras.topLeftCorner<3, 3>().determinant() < 0.0 ? -1.0 : 1.0);
+  writer->SetFileName(file.c_str());
+  writer->Write();
+  return !complaints->isAny;
+}
+
+}  // namespace
+
+Result<Done> writeVolume(const ct::CtVolume& volume, const fs::path& file)
+{
+  const std::string name = file.filename().string();
+  if (name.ends_with(".nrrd"))
+    return writeWhole(file, [&](const fs::path& place) { return writeNrrd(volume, place); });
+  if (name.ends_with(".nii") || name.ends_with(".nii.gz"))
+    return writeWhole(file, [&](const fs::path& place) { return writeNifti(volume, place); });
+  return Error{file.string() +
+               " has an unknown extension; a CT is written as .nrrd, .nii or "
+               ".nii.gz."};
+}
+
+}  // namespace perilymph::imaging

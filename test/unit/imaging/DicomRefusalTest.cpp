@@ -179,6 +179,16 @@ TEST_F(DicomRefusal, NamesACodingThatItDoesNotKnow)
   expectRefusal(folder.path(), "transfer syntax " + highThroughput);
 }
 
+TEST_F(DicomRefusal, AssumesNoCodingWhereItsStatementIsDamaged)
+{
+  // what the decoder would take for another coding must not pass for a plain one
+  for (const char* const damaged : {"1.2.840.10008.1.2.1\n", ""}) {
+    for (std::size_t i = 0; i < slices.size(); ++i)
+      std::ofstream(folder / std::to_string(i), std::ios::binary) << slices[i].file(damaged);
+    expectRefusal(folder.path(), "transfer syntax");
+  }
+}
+
 TEST_F(DicomRefusal, DoesNotBelieveACompressedFileWithoutItsFragments)
 {
   const std::string lossless = "1.2.840.10008.1.2.4.70";

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <fstream>
 #include <initializer_list>
+#include <string_view>
 
 #include "../VtkComplaints.h"
 #include "Encapsulated.h"
@@ -59,6 +60,26 @@ std::string textIn(const vtkDICOMValue& value)
   while (!text.empty() && (text.back() == ' ' || text.back() == '\0')) text.pop_back();
   constexpr std::size_t maxText = 128;
   if (text.size() > maxText) text = validUtf8(text.substr(0, maxText));
+  return text;
+}
+
+/// Whether a file begins as DICOM files on media do: 128 bytes, then "DICM".
+bool hasPreamble(const std::filesystem::path& file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  std::array<char, 132> start{};
+  return stream.read(start.data(), start.size()) &&
+         std::string_view(start.data() + 128, 4) == "DICM";
+}
+
+/// A UID as it stands, but for its padding: a damaged one must not become a known one.
+std::string uidIn(const vtkDICOMValue& value)
+{
+  std::string text = value.IsValid() ? value.AsString() : std::string();
+  if (const auto end = text.find_last_not_of('\0'); end != std::string::npos)
+    text.resize(end + 1);
+  else
+    text.clear();
   return text;
 }
 
@@ -252,7 +273,9 @@ std::optional<DicomHeader> readDicomHeader(const std::filesystem::path& file)
   header.scanner = textIn(values.Get(DC::Manufacturer));
   if (const std::string model = textIn(values.Get(DC::ManufacturerModelName)); !model.empty())
     header.scanner += (header.scanner.empty() ? "" : " ") + model;
-  header.coding = codingOf(header.transferSyntax);
+  const std::string syntax = uidIn(values.Get(DC::TransferSyntaxUID));
+  // a file with a preamble states its coding; where the statement is lost, none is assumed
+  header.coding = syntax.empty() && hasPreamble(file) ? PixelCoding::unknown : codingOf(syntax);
   header.isLossy = textIn(values.Get(DC::LossyImageCompression)) == "01";
   header.rows = values.Get(DC::Rows).AsInt();
   header.columns = values.Get(DC::Columns).AsInt();

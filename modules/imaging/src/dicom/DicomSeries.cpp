@@ -83,7 +83,7 @@ std::string fileObstacle(const DicomSeries& series)
   for (const DicomHeader& header : headers)
     if (header.coding == PixelCoding::unknown)
       return "Its voxels are stored in a way this program cannot decode (transfer syntax " +
-             header.transferSyntax +
+             (header.transferSyntax.empty() ? "missing" : header.transferSyntax) +
              "). Export the series uncompressed, or convert it with gdcmconv --raw.";
   return {};
 }

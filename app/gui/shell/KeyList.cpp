@@ -46,7 +46,7 @@ KeyList::KeyList(const KeyActions& actions, QWidget* parent) : QFrame(parent)
   guide->setFont(typeface(13, QFont::Medium));
   guide->setFixedHeight(28);
   guide->setFocusPolicy(Qt::TabFocus);
-  guide->setToolTip(tr("Three tutorials, step by step (Shift+F1)"));
+  guide->setToolTip(tr("Four tutorials, step by step (Shift+F1)"));
   connect(guide, &QPushButton::clicked, this, &KeyList::guideAsked);
   auto* columns = new QHBoxLayout(this);
   columns->setContentsMargins(3 * spacing, 2 * spacing, 3 * spacing, 2 * spacing);

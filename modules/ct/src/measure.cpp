@@ -225,6 +225,7 @@ private:
     measures.axisError_deg = axisError_deg;
     measures.center_P = state.pose.outOf_W(frame.origin_W);
     measures.roundWindow_P = state.pose.outOf_W(window.center_W);
+    placeAnatomy(state.pose, measures);
     measures.side = state.pose.isRight() ? anatomy::Side::right : anatomy::Side::left;
     measures.handednessMargin = mirrored.misfit - best.misfit;
     measures.boneLevel = state.bone;
@@ -265,6 +266,18 @@ private:
     window.center_W = {mixed * turn.cosine, mixed * turn.sine,
                        window.center_W.z() + fraction * (click_W.z() - window.center_W.z())};
     window.isFound = true;
+  }
+
+  /// The sections' frame, turned about its axis so that 0 degrees is at the measured round window.
+  static void placeAnatomy(const Pose& pose, CochleaMeasures& measures)
+  {
+    const Eigen::Vector3d z = pose.axes_PW.col(2);
+    const Eigen::Vector3d toWindow = measures.roundWindow_P - pose.origin_P;
+    const Eigen::Vector3d x = (toWindow - z.dot(toWindow) * z).normalized();
+    measures.anatomyAxes_PW.col(0) = x;
+    measures.anatomyAxes_PW.col(1) = (pose.isRight() ? 1.0 : -1.0) * z.cross(x);
+    measures.anatomyAxes_PW.col(2) = z;
+    measures.anatomyOrigin_P = pose.origin_P;
   }
 
   static std::string millimetersOf(double value)

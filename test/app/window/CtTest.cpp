@@ -88,6 +88,28 @@ TEST_F(TheCtPage, GoesFromAFolderToAnInsertionInThatCochlea)
   EXPECT_EQ(patient.side, study().measures()->side);
 }
 
+TEST_F(TheCtPage, ShowsTheInsertedArrayInTheScan)
+{
+  measure();
+  rig_.type("ctPatientCode", "CT-203");
+  rig_.click("insertCtButton");
+  ASSERT_TRUE(WindowRig::comes(
+      [this] { return rig_.window().control().scenario().patient().label == "CT-203"; }));
+  ASSERT_TRUE(WindowRig::comes([this] { return rig_.button("startButton").isEnabled(); }));
+  rig_.click("startButton");
+  ASSERT_TRUE(WindowRig::comes([this] { return rig_.travel_mm() > 5.0; }));
+  rig_.click("ctPageButton");
+  const auto& array = study().array();
+  ASSERT_EQ(array.size(), rig_.now().nodes);
+  // its tip lies in the measured lumen: within a lumen's width of the wall, inside the cochlea
+  double nearest = 1e9;
+  for (const Eigen::Vector3d& wall_P : study().measures()->wall_P)
+    nearest = std::min(nearest, (wall_P - array.back().center_P).norm());
+  EXPECT_LT(nearest, 1.2);
+  EXPECT_LT((array.back().center_P - study().measures()->center_P).norm(), 7.0);
+  EXPECT_LT(array.back().radius_mm, array.front().radius_mm);  // tapered
+}
+
 TEST_F(TheCtPage, LinksItsPlanesByTheCrosshair)
 {
   const QPointF aim(0.3 * view(0).width(), 0.6 * view(0).height());
@@ -195,7 +217,7 @@ TEST_F(TheCtPage, NeverShowsThePatientsName)
     EXPECT_THAT(label->text().toStdString(), testing::Not(testing::HasSubstr("Secretname")));
 }
 
-TEST(AWalk, OfASurgeonWithACtEndsBeforeAnInsertion)
+TEST(AWalk, OfASurgeonWithACtEndsWithTheArrayInTheScan)
 {
   const DataFolder data;
   Walk walk("ct");
@@ -228,6 +250,13 @@ TEST(AWalk, OfASurgeonWithACtEndsBeforeAnInsertion)
       [&] { return rig.window().control().scenario().patient().label == "CT-203"; }));
   ASSERT_TRUE(WindowRig::comes([&] { return rig.button("startButton").isEnabled(); }));
   walk.step(4, rig.window());
+
+  rig.click("startButton");
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 14.0; }));
+  rig.click("ctPageButton");
+  page.study().moveCrosshair(ct::basalTurnCenter_P(*page.study().measures()) -
+                             0.3 * page.study().measures()->axis_P);
+  walk.step(5, rig.window());
   EXPECT_EQ(walk.left(), "");
 }
 

@@ -6,8 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "perilymph/anatomy/MeanScala.h"
 #include "perilymph/test/CtPhantom.h"
 
 namespace perilymph::ct {
@@ -71,6 +73,38 @@ TEST(Marks, OfAMeasuredCochleaGiveItsMeasures)
   EXPECT_NEAR(marked.a.value(), measures->a.value, 0.05);
   EXPECT_NEAR(marked.b.value(), measures->b.value, 0.05);
   EXPECT_NEAR(marked.h.value(), measures->h.value, 0.001);
+}
+
+TEST(MeasuredAnatomy, LiesInTheMeasuredWall)
+{
+  // The scala tympani of the measured A, B and H, placed in the CT, touches the fitted outer wall in
+  // the basal turn and crosses it nowhere by more than the fit's own errors.
+  const auto phantom = test::makeCtPhantom(203, test::highResolutionScan());
+  MeasureRequest request;
+  request.click_P = phantom.inside_P;
+  const auto measures = measureCochlea(phantom.volume, request);
+  ASSERT_TRUE(measures) << measures.error().message;
+  const auto scala =
+      anatomy::buildMean("measured",
+                         {millimeters(measures->a.value), millimeters(measures->b.value),
+                          millimeters(measures->h.value)},
+                         millimeters(1));
+  ASSERT_TRUE(scala) << scala.error().message;
+  double sum = 0.0;
+  int count = 0;
+  for (int angle_deg = 30; angle_deg <= 330; angle_deg += 15, ++count) {
+    const double angle = degrees(angle_deg).si();
+    const anatomy::Section section = (*scala)->section(angle);
+    const Eigen::Vector3d outer_W(section.outerRadius * std::cos(angle),
+                                  section.outerRadius * std::sin(angle), section.centerHeight);
+    const Eigen::Vector3d outer_P = measures->fromAnatomy(outer_W);
+    double nearest = 1e9;
+    for (const Eigen::Vector3d& wall_P : measures->wall_P)
+      nearest = std::min(nearest, (wall_P - outer_P).norm());
+    EXPECT_LT(nearest, 0.6) << angle_deg;
+    sum += nearest;
+  }
+  EXPECT_LT(sum / count, 0.35);
 }
 
 }  // namespace

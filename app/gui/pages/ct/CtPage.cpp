@@ -89,6 +89,7 @@ void CtPage::connectWork()
   });
   connect(&work_, &CtWork::measured, this, [this](const ct::CochleaMeasures& measures) {
     study_.setMeasures(measures);
+    patient_.clear();
     panel_->showIdle({});
   });
   connect(&work_, &CtWork::failed, this,
@@ -124,6 +125,7 @@ void CtPage::connectPanel()
     if (!study_.measures()) return;
     const auto setup = setupOfMeasures(*study_.measures(), code);
     if (!setup) return panel_->showIdle(QString::fromStdString(setup.error().message), true);
+    patient_ = setup->scenario.patient().label;
     Q_EMIT setupChosen(*setup);
   });
   connect(panel_, &CtPanel::saveSurfaceAsked, this, &CtPage::saveSurface);
@@ -143,6 +145,23 @@ bool CtPage::cancel()
   if (!work_.isBusy()) return false;
   work_.cancel();
   return true;
+}
+
+void CtPage::showInsertion(const session::Scenario& scenario, const haptics::Snapshot& now)
+{
+  if (!study_.measures() || patient_.empty() || scenario.patient().label != patient_ ||
+      scenario.anatomy() != anatomy::AnatomySource::mean)
+    return study_.setArray({});
+  const electrode::ArrayDesign& design = scenario.array();
+  std::vector<CtStudy::ArrayNode> array;
+  for (std::size_t k = 0; k < now.nodes; ++k) {
+    const Eigen::Vector3d node_W(now.node_W[k][0], now.node_W[k][1], now.node_W[k][2]);
+    if (!node_W.allFinite()) return study_.setArray({});
+    const double fromTip = double(now.nodes - 1 - k) / double(now.nodes - 1);
+    array.push_back({study_.measures()->fromAnatomy(node_W),
+                     0.5 * inMillimeters(design.sectionAt(fromTip * design.length).within)});
+  }
+  study_.setArray(std::move(array));
 }
 
 void CtPage::measure(bool isAtCrosshair)

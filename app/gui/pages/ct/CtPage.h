@@ -10,6 +10,7 @@
 #include "gui/pages/ct/CtStudy.h"
 #include "gui/pages/ct/CtWork.h"
 #include "gui/setup/Setup.h"
+#include "perilymph/haptics/Snapshot.h"
 
 namespace perilymph::gui {
 
@@ -27,6 +28,9 @@ public:
   void open(const std::filesystem::path& path);
   /// Cancels the current task. False if there was none.
   bool cancel();
+
+  /// Shows the array of an insertion in the pictures if it is in the cochlea measured here.
+  void showInsertion(const session::Scenario& scenario, const haptics::Snapshot& now);
 
   CtStudy& study() { return study_; }
   bool isBusy() const { return work_.isBusy(); }
@@ -53,6 +57,7 @@ private:
   CtStudy study_;
   CtWork work_;
   std::filesystem::path path_;
+  std::string patient_;  ///< Code of the patient whose cochlea was offered for insertion.
   QString task_;
   CtPanel* panel_;
   QWidget* pictures_;

@@ -23,6 +23,7 @@ void CtStudy::setCt(imaging::LoadedCt ct)
   measures_.reset();
   frame_ = PlaneFrame::patient;
   marks_ = proposed_ = {};
+  array_.clear();
   undoStack_.clear();
   redoStack_.clear();
   crosshair_P_ = volume_->center_P();
@@ -38,6 +39,7 @@ void CtStudy::setMeasures(ct::CochleaMeasures measures)
   beginChange();
   measures_ = std::move(measures);
   marks_ = proposed_ = ct::marksOf(*measures_);
+  array_.clear();
   frame_ = PlaneFrame::cochlea;
   crosshair_P_ = ct::basalTurnCenter_P(*measures_);
   showWhole();
@@ -106,6 +108,13 @@ void CtStudy::setSlab(double thickness_mm, imaging::Projection projection)
 {
   thickness_mm_ = thickness_mm;
   projection_ = projection;
+  Q_EMIT changed();
+}
+
+void CtStudy::setArray(std::vector<ArrayNode> array)
+{
+  if (array.empty() && array_.empty()) return;
+  array_ = std::move(array);
   Q_EMIT changed();
 }
 

@@ -63,6 +63,15 @@ public:
   imaging::Projection projection() const { return projection_; }
   void setSlab(double thickness_mm, imaging::Projection projection);
 
+  /// One place along an array.
+  struct ArrayNode {
+    Eigen::Vector3d center_P;  ///< [mm]
+    double radius_mm;          ///< Half its width toward the modiolus.
+  };
+  /// Shows an array that was inserted into the measured cochlea, from base to tip; none if empty.
+  void setArray(std::vector<ArrayNode> array);
+  const std::vector<ArrayNode>& array() const { return array_; }
+
   const ct::Marks& marks() const { return marks_; }
   /// Measures between the landmarks [mm].
   ct::MarkedMeasures marked() const;
@@ -93,6 +102,7 @@ private:
   imaging::GrayWindow window_ = imaging::boneWindow;
   double thickness_mm_ = 0.0;
   imaging::Projection projection_ = imaging::Projection::mean;
+  std::vector<ArrayNode> array_;
   ct::Marks marks_, proposed_;
   std::vector<ct::Marks> undoStack_, redoStack_;
 };

@@ -18,7 +18,8 @@ namespace {
 
 // The colors lie on gray pictures in both schemes; each plane is also named.
 constexpr QRgb planeColors[]{0xffe69f00, 0xff56b4e9, 0xff9fd45f};
-constexpr QRgb outlineColor = 0xff45c4b0, lineColorOfA = 0xffffffff, shadowColor = 0xb0000000;
+constexpr QRgb outlineColor = 0xff45c4b0, lineColorOfA = 0xffffffff, shadowColor = 0xb0000000,
+               arrayColor = 0xffffe08a;
 constexpr double crosshairGap_px = 9.0, markRadius_px = 5.0, minBar_px = 40.0;
 constexpr double dimmestMark = 0.35;
 
@@ -74,6 +75,34 @@ void paintOutline(QPainter& painter, const CtStudy& study, const Projector& proj
   painter.drawLines(lines);
   painter.setPen(QPen(QColor::fromRgba(outlineColor), 1.5));
   painter.drawLines(lines);
+}
+
+/// The array where the plane cuts it: its section where it crosses, its edges where it runs along.
+void paintArray(QPainter& painter, const CtStudy& study, const Projector& project)
+{
+  const auto& nodes = study.array();
+  painter.setPen(QPen(QColor::fromRgba(arrayColor), 1.5));
+  painter.setBrush(Qt::NoBrush);
+  for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
+    const Eigen::Vector3d &from = nodes[k].center_P, &to = nodes[k + 1].center_P;
+    const Eigen::Vector3d middle = 0.5 * (from + to);
+    const double radius = 0.5 * (nodes[k].radius_mm + nodes[k + 1].radius_mm);
+    const double behind = project.plane.behind(middle);
+    if (std::fabs(behind) > radius) continue;
+    const double cut_px = std::sqrt(radius * radius - behind * behind) / project.pixel_mm;
+    const Eigen::Vector3d along = (to - from).normalized();
+    const Eigen::Vector2d flat(project.plane.right_P.dot(along), project.plane.down_P.dot(along));
+    const QPointF at = project(middle);
+    if (flat.norm() < 0.7) {  // across the plane: its section
+      painter.drawEllipse(at, cut_px, cut_px);
+      continue;
+    }
+    // along the plane: both edges
+    const QPointF aside = cut_px * QPointF(-flat.y(), flat.x()) / flat.norm();
+    const QPointF half = 0.5 * (project(to) - project(from));
+    painter.drawLine(at - half + aside, at + half + aside);
+    painter.drawLine(at - half - aside, at + half - aside);
+  }
 }
 
 /// Opacity of a landmark by its distance from the plane; 0 if it is not drawn.
@@ -169,6 +198,7 @@ void paintOverlay(QPainter& painter, const QSize& size, const CtStudy& study, st
   const Projector project{study.planes()[plane], study.pixel_mm(),
                           QPointF(0.5 * size.width(), 0.5 * size.height())};
   paintOutline(painter, study, project);
+  paintArray(painter, study, project);
   paintCrosshair(painter, size, study, plane, project);
   paintMarks(painter, study, project, dragged);
   paintLetters(painter, size, project.plane);

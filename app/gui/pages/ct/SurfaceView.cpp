@@ -8,6 +8,7 @@
 
 #include <QMouseEvent>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -19,7 +20,7 @@ namespace perilymph::gui {
 namespace {
 
 constexpr double turnPerHeight_deg = 180.0;  // by a drag over the full height
-constexpr double zoomPerNotch = 1.2;
+constexpr double zoomPerNotch = 1.2, minPathRadius_mm = 0.05;
 
 }  // namespace
 
@@ -64,6 +65,13 @@ void SurfaceView::refresh()
   for (const auto& point : study_.marks().points_P)
     if (point) points.push_back(*point);
   scene_->setPoints(points);
+  std::vector<Eigen::Vector3d> line;
+  double radius_mm = minPathRadius_mm;
+  for (const auto& node : study_.array()) {
+    line.push_back(node.center_P);
+    radius_mm = std::max(radius_mm, 0.7 * node.radius_mm);  // drawn with one radius, tapered or not
+  }
+  scene_->setPath(line, radius_mm);
   render();
 }
 

@@ -67,6 +67,11 @@ struct CochleaMeasures {
   /// Determinant -1 for a left ear, whose W is mirrored.
   Eigen::Matrix3d axes_PW = Eigen::Matrix3d::Identity();
 
+  /// Frame W of the mean anatomy in P: z along the axis of its sections (5.3 degrees from axis_P), x
+  /// toward the round window's center. Determinant -1 for a left ear.
+  Eigen::Matrix3d anatomyAxes_PW = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d anatomyOrigin_P = Eigen::Vector3d::Zero();  ///< [mm]
+
   anatomy::Side side = anatomy::Side::right;  ///< From the handedness of the spiral.
   double handednessMargin = 0.0;  ///< Misfit of the best mirror image minus that of the fit.
 
@@ -85,6 +90,11 @@ struct CochleaMeasures {
   CtProvenance provenance;
 
   bool has(Flag flag) const;
+  /// Position in P [mm] of a point of the anatomy built from these measures, in its frame W [m].
+  Eigen::Vector3d fromAnatomy(const Eigen::Vector3d& point_W) const
+  {
+    return anatomyOrigin_P + 1e3 * (anatomyAxes_PW * point_W);
+  }
 };
 
 struct MeasureRequest {

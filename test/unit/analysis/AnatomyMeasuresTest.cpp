@@ -27,7 +27,7 @@ double valueOf(const std::vector<Measure>& measures, const std::string& key)
 constexpr double ringRadius = 4e-3;     // [m]
 constexpr double sectionRadius = 1e-3;  // [m]
 
-/// A ring of circular section, once around: everything about it is known.
+/// A torus: a ring of circular section, whose measures are known in closed form.
 anatomy::ScalaTympani ring()
 {
   anatomy::SectionTables tables;
@@ -59,7 +59,7 @@ TEST(MeasuresOfARing, AreThoseOfATorus)
               chords * 2.0 * pi * outer_mm);
   EXPECT_NEAR(valueOf(measures, "st_length_mm"), 2.0 * pi * ringRadius * 1e3, chords * 25.0);
   EXPECT_NEAR(valueOf(measures, "rw_width_mm"), 2.0 * sectionRadius * 1e3, chords);
-  // Pappus: the area of the section times the way of its center
+  // Pappus: area of the section times the path of its center
   const double torus_mm3 = pi * sectionRadius * sectionRadius * 2.0 * pi * ringRadius * 1e9;
   EXPECT_NEAR(valueOf(measures, "volume_mm3"), torus_mm3, 2.0 * chords * torus_mm3);
 }
@@ -101,7 +101,7 @@ TEST_F(MeasuresOfTheMeanAnatomy, AreThoseOfThePublishedSolid)
   EXPECT_GT(valueOf(measures, "volume_to_apex_mm3"), valueOf(measures, "volume_mm3"));
 }
 
-TEST_F(MeasuresOfTheMeanAnatomy, AreForetoldByTheFormulasWithin2_5Percent)
+TEST_F(MeasuresOfTheMeanAnatomy, AgreeWithTheFormulasWithin2_5Percent)
 {
   const double lengthOfTurn = valueOf(measures, "outer_wall_length_360_mm");
   EXPECT_NEAR(valueOf(measures, "escude_outer_wall_360_mm"), lengthOfTurn, 0.025 * lengthOfTurn);
@@ -112,7 +112,7 @@ TEST_F(MeasuresOfTheMeanAnatomy, AreForetoldByTheFormulasWithin2_5Percent)
 
 TEST(ClinicalEstimates, AreThoseOfTheirFormulasForTheMeanCochlea)
 {
-  // worked out by hand for A = 9.23 and B = 6.80 mm
+  // computed by hand for A = 9.23 and B = 6.80 mm
   const Length a = millimeters(9.23), b = millimeters(6.80);
   EXPECT_NEAR(inMillimeters(alexiadesDuctLength(a)), 34.40, 0.005);
   EXPECT_NEAR(inMillimeters(alexiadesTwoTurns(a)), 30.04, 0.005);

@@ -16,18 +16,18 @@ int reversalsOf(const std::vector<double>& travels_mm)
   return counter.reversals();
 }
 
-TEST(Reversals, AreTurnsOfTheMotion)
+TEST(Reversals, CountChangesOfDirection)
 {
   EXPECT_EQ(reversalsOf({0, 1, 2, 3}), 0);
   EXPECT_EQ(reversalsOf({0, 2, 1, 3}), 2);
   EXPECT_EQ(reversalsOf({0, -1, 0}), 1);
 }
 
-TEST(Reversals, AreNotMadeByTrembling)
+TEST(Reversals, DoNotCountTremor)
 {
-  // 49 um rms of a resting hand is below a tenth of a millimeter.
+  // The tremor of a resting hand, 49 um rms, is below a tenth of a millimeter.
   EXPECT_EQ(reversalsOf({0, 1.0, 0.95, 1.0, 0.94, 1.02, 2.0}), 0);
-  // A slow way back counts, however small its steps.
+  // A slow withdrawal counts, however small its steps.
   EXPECT_EQ(reversalsOf({0, 1.0, 0.97, 0.94, 0.91, 0.88}), 1);
 }
 
@@ -39,7 +39,7 @@ ComparedInsertion insertion(const std::string& name, std::vector<CurvePoint> cur
   return compared;
 }
 
-TEST(CurvesOfRecordings, StandOnOneAxisAndLeaveGapsOpen)
+TEST(CurvesOfRecordings, ShareOneAxisAndKeepGaps)
 {
   const std::string csv = curvesCsv(
       {insertion("a", {{0.1e-3, 0.5}, {0.2e-3, 0.25}}), insertion("b, c", {{0.2e-3, 1}})});
@@ -77,7 +77,7 @@ TEST(ACurve, IsStraightBetweenItsPointsAndEndsWithThem)
   EXPECT_FALSE(forceAt({}, 1e-3));
 }
 
-TEST(InsertionsOfOneName, AreToldApart)
+TEST(InsertionsOfOneName, GetDistinctLabels)
 {
   std::vector<ComparedInsertion> insertions(3);
   insertions[0].name = insertions[2].name = "a";

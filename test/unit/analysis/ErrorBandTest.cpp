@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Bands against what the formulas themselves say a tenth of a millimeter does.
+// Error bands against the effect of a tenth of a millimeter in the formulas themselves.
 
 #include "perilymph/analysis/ErrorBand.h"
 

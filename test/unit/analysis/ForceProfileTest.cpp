@@ -31,15 +31,15 @@ ForceProfile profileOf(const std::function<double(double)>& force, double stop =
   return profiler.profile();
 }
 
-TEST(WorkOfTheHand, IsHalfTheStiffnessTimesTheWaySquaredForASpring)
+TEST(WorkOfTheHand, IsHalfTheStiffnessTimesTheDistanceSquaredForASpring)
 {
   constexpr double stiffness = 10.0;  // [N/m]
   const ForceProfile profile = profileOf([](double x) { return stiffness * x; });
-  // Trapezoids are exact for a straight line; what is left is rounding.
+  // The trapezoidal rule is exact for a straight line; the rest is rounding.
   EXPECT_NEAR(profile.work, 0.5 * stiffness * 16.5e-3 * 16.5e-3, 1e-12);
 }
 
-TEST(WorkOfTheHand, ComesBackWhenASpringIsLetGo)
+TEST(WorkOfTheHand, IsReturnedWhenASpringIsReleased)
 {
   ForceProfiler profiler;
   for (int i = 0; i <= 1000; ++i) profiler.add(tickAt(1e-5 * i, 1e-4 * i));
@@ -47,7 +47,7 @@ TEST(WorkOfTheHand, ComesBackWhenASpringIsLetGo)
   EXPECT_NEAR(profiler.profile().work, 0.0, 1e-15);
 }
 
-TEST(WorkOfTheHand, IsNotDoneByPuttingTheArrayBack)
+TEST(WorkOfTheHand, ExcludesTheResetOfTheArray)
 {
   ForceProfiler profiler;
   for (int i = 0; i <= 100; ++i) profiler.add(tickAt(1e-5 * i, 0.1));
@@ -99,8 +99,8 @@ TEST(Peak, IsTheGreatestForceOfAnyTick)
   EXPECT_NEAR(profile.peakDepth, 9e-3, 2e-6);
 }
 
-/// The published curve in three straight lines: up to 0.088 N at 10.6 mm, down to 0.0807 N at 11.8
-/// mm, up to 0.1509 N at 15.4 mm and on.
+/// The published curve as three straight lines: up to 0.088 N at 10.6 mm, down to 0.0807 N at
+/// 11.8 mm, up to 0.1509 N at 15.4 mm and beyond.
 double publishedLike(double x)
 {
   if (x < 10.6e-3) return 0.0880 * x / 10.6e-3;
@@ -113,7 +113,7 @@ TEST(BasalTurn, IsFoundWhereThePublishedCurveHasIt)
   const ForceProfile profile = profileOf(publishedLike);
   ASSERT_TRUE(profile.basalTurnPeak);
   ASSERT_TRUE(profile.basalTurnDip);
-  // The mean over 0.5 mm takes the point off a corner: at most one grid point, 5 % of the force.
+  // The mean over 0.5 mm rounds a corner: at most one grid point, 5 % of the force.
   EXPECT_NEAR(profile.basalTurnPeak->travel, 10.6e-3, 0.11e-3);
   EXPECT_NEAR(profile.basalTurnPeak->force, 0.0880, 0.05 * 0.0880);
   EXPECT_NEAR(profile.basalTurnDip->travel, 11.8e-3, 0.11e-3);
@@ -129,7 +129,7 @@ TEST(BasalTurn, IsNotInventedOnACurveThatOnlyRises)
 
 TEST(BasalTurn, IsNotLookedForOutsideItsWindow)
 {
-  // humps at 5 and 15 mm only
+  // maxima at 5 and 15 mm only
   const ForceProfile profile = profileOf([](double x) {
     return 0.1 * std::exp(-std::pow((x - 5e-3) / 1e-3, 2)) +
            0.1 * std::exp(-std::pow((x - 15e-3) / 1e-3, 2));
@@ -139,7 +139,7 @@ TEST(BasalTurn, IsNotLookedForOutsideItsWindow)
 
 TEST(BasalTurn, IsNotMadeByTheNoiseOfSingleTicks)
 {
-  // a rise of 8 N/m with 1 mN of noise at every point of the grid: 0.5 mm of smoothing hides it
+  // a slope of 8 N/m with 1 mN of noise at every grid point: smoothing over 0.5 mm removes it
   std::vector<CurvePoint> curve;
   for (int i = 0; i <= 165; ++i)
     curve.push_back({1e-4 * i, 8e-4 * i + (i % 2 == 0 ? 1e-3 : -1e-3)});

@@ -34,7 +34,7 @@ TEST(FitOfTwoNumbers, GivesTheStandardErrorsOfTheNormalMatrix)
   EXPECT_NEAR(fit->standardDeviation.b, std::sqrt(0.2), 1e-9);
 }
 
-TEST(FitOfTwoNumbers, GoesAlongABoundAndSaysThatItHolds)
+TEST(FitOfTwoNumbers, MinimizesAlongAnActiveBoundAndReportsIt)
 {
   // With b held at 1: minimize (2 a - 3)^2 + (a - 4)^2, so a = 2 and a has the error 1/sqrt(5).
   TwoBounds bounds = wide;
@@ -47,7 +47,7 @@ TEST(FitOfTwoNumbers, GoesAlongABoundAndSaysThatItHolds)
   EXPECT_EQ(fit->standardDeviation.b, 0.0);
 }
 
-TEST(FitOfTwoNumbers, HandsOnWhatWentWrongInATrial)
+TEST(FitOfTwoNumbers, ReturnsTheErrorOfATrial)
 {
   const auto fit = gaussNewton2([](const TwoNumbers&) -> Result<TwoNumbers> { return Error{"no"}; },
                                 {0.0, 0.0}, wide);

@@ -49,7 +49,8 @@ TEST(LeastSquaresSpline, LeavesResidualsThatNoSplineCouldLower)
     y.push_back(std::sin(3.0 * x[i]) + (i % 2 == 0 ? 0.1 : -0.1));
   const auto spline = fitSpline(x, y, 0.0, 10.0, 12);
   ASSERT_TRUE(spline);
-  // Residuals of a least-squares fit are orthogonal to every cubic, which the space contains.
+  // The residuals of a least-squares fit are orthogonal to every function of its space, so to every
+  // cubic.
   for (int power = 0; power <= 3; ++power) {
     double product = 0.0;
     for (std::size_t i = 0; i < x.size(); ++i)
@@ -71,7 +72,7 @@ TEST(LeastSquaresSpline, IgnoresPointsOutsideItsInterval)
   EXPECT_NEAR(spline->at(0.7), 0.25, 1e-12);
 }
 
-TEST(LeastSquaresSpline, IsNotMadeUpWherePointsAreMissing)
+TEST(LeastSquaresSpline, IsRefusedWherePointsAreMissing)
 {
   std::vector<double> x = even(0.0, 3.0, 40);  // nothing between 3 and 10
   const std::vector<double> y(x.size(), 1.0);

@@ -39,13 +39,13 @@ TEST(RandomStream, IsNormalToWithinFourStandardErrors)
   const SampleStatistics statistics = statisticsOf(deviates);
   EXPECT_NEAR(statistics.mean, 0.0, 4.0 / std::sqrt(many));
   EXPECT_NEAR(statistics.standardDeviation, 1.0, 4.0 / std::sqrt(2.0 * many));
-  // 4.55 % of a normal distribution lie beyond two deviations.
+  // 4.55 % of a normal distribution lie beyond two standard deviations.
   EXPECT_NEAR(beyondTwo / many, 0.0455, 4.0 * std::sqrt(0.0455 * 0.9545 / many));
 }
 
 TEST(RandomStream, GivesEveryItemAndPurposeNumbersOfItsOwn)
 {
-  // Neighbors in seed, item and purpose are as independent as any: no correlation over many.
+  // Streams of neighboring seeds, items and purposes are not correlated.
   double products = 0.0;
   for (std::uint64_t item = 0; item < many; ++item) {
     RandomStream a(1, item, 0), b(1, item + 1, 0), c(1, item, 1), d(2, item, 0);
@@ -53,7 +53,7 @@ TEST(RandomStream, GivesEveryItemAndPurposeNumbersOfItsOwn)
     products +=
         first * (b.uniform() - 0.5) + first * (c.uniform() - 0.5) + first * (d.uniform() - 0.5);
   }
-  // variance of one product 1/144, three of them an item
+  // The variance of one product is 1/144; each item gives three products.
   EXPECT_NEAR(products, 0.0, 4.0 * std::sqrt(3.0 * many / 144.0));
 }
 
@@ -65,7 +65,7 @@ TEST(RandomStream, KeepsToItsLimits)
     EXPECT_GE(value, -0.5);
     EXPECT_LE(value, 0.25);
   }
-  EXPECT_EQ(random.normal(0.0, 1e-9, 5.0, 6.0), 5.0);  // out of reach: the nearer limit
+  EXPECT_EQ(random.normal(0.0, 1e-9, 5.0, 6.0), 5.0);  // outside the limits: the nearer one
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ TEST(PublishedExperiment, HasTheRawRecordOfThePaper)
 
 TEST(PublishedDifference, IsSimulatorMinusExperiment)
 {
-  // At the end both curves are printed, so their difference tells the sign.
+  // Both curves are printed at the end, so their difference shows the sign.
   const auto experiment = shippedReference("todd-naghdy-experiment");
   const auto simulator = shippedReference("todd-naghdy-simulator");
   const auto difference = shippedReference("todd-naghdy-difference");

@@ -60,20 +60,20 @@ TEST(TheMotionOfAnInsertion, AtTheSpeedOfTheExperimentIsWithinTheBandAllTheWay)
   EXPECT_EQ(motion.reversals, 0);
 }
 
-TEST(TheMotionOfAnInsertion, CountsTheWayNotTheTimeOfWhatWasTooFast)
+TEST(TheMotionOfAnInsertion, WeightsExcessiveSpeedByDistanceNotByTime)
 {
-  // 4 mm at 1 mm/s and 4 mm at 4 mm/s: half of the way, a fifth of the time
+  // 4 mm at 1 mm/s and 4 mm at 4 mm/s: half of the distance, a fifth of the time
   const Motion motion = Course().go(1.0, 4.0).go(4.0, 1.0).motion();
   EXPECT_NEAR(motion.wayInBand / motion.wayIn, 0.5, 4.0 * oneStretch / 8.0);
 }
 
-TEST(TheMotionOfAnInsertion, StandsStillInAPause)
+TEST(TheMotionOfAnInsertion, RestsInAPause)
 {
   const Motion motion = Course().go(1.0, 3.0).go(0.0, 1.0).go(1.0, 4.0).motion();
   EXPECT_NEAR(motion.timeStill / motion.time, 1.0 / 8.0, 2.0 * oneStretch / 8.0);
 }
 
-TEST(TheMotionOfAnInsertion, DoesNotStandStillBeforeItBeginsOrAfterItsDeepestPlace)
+TEST(TheMotionOfAnInsertion, DoesNotRestBeforeItsStartOrAfterItsMaximumDepth)
 {
   const Motion motion = Course().go(0.0, 2.0).go(1.0, 3.0).go(0.0, 2.0).go(-1.0, 1.0).motion();
   EXPECT_NEAR(motion.timeStill, 0.0, oneStretch);
@@ -81,7 +81,7 @@ TEST(TheMotionOfAnInsertion, DoesNotStandStillBeforeItBeginsOrAfterItsDeepestPla
   EXPECT_EQ(motion.reversals, 0);
 }
 
-TEST(TheMotionOfAnInsertion, TurnsRoundTwiceForOneStepBack)
+TEST(TheMotionOfAnInsertion, ReversesTwiceForOneStepBack)
 {
   const Motion motion = Course().go(1.0, 3.0).go(-1.0, 0.5).go(1.0, 3.0).motion();
   EXPECT_EQ(motion.reversals, 2);
@@ -131,7 +131,7 @@ TEST(AScore, NamesNumberBandAndSourceOfEveryCriterion)
   EXPECT_THAT(score->criteria[2].source, HasSubstr("Rau"));
 }
 
-TEST(AScore, OfNoMotionIsNoReward)
+TEST(AScore, WithoutMotionGivesNoPoints)
 {
   EXPECT_EQ(scoreOf(insertion({}, 0.0), patients()).criteria[0].fraction, 0.0);
 }

@@ -16,7 +16,7 @@
 namespace perilymph::analysis {
 namespace {
 
-/// Few and coarse insertions, so that they are soon over.
+/// Few, coarse insertions, to keep the run short.
 ValidationRequest smallRequest(int runs = 6)
 {
   ValidationRequest request;
@@ -54,8 +54,8 @@ TEST(Validation, WithAnotherSeedIsAnotherStudyOfTheSameThing)
   const auto two = validate(request, {});
   ASSERT_TRUE(one && two);
   EXPECT_NE(profileCsv(*one), profileCsv(*two));
-  // Two means of the same thing differ by less than 1.96 standard errors of their difference at 95
-  // of 100 places; along one curve places hang together, so half of them is asked of few runs.
+  // Two means of the same quantity differ by less than 1.96 standard errors of their difference at
+  // 95 of 100 depths. Depths of one curve are correlated, so half is required of few runs.
   int near = 0;
   for (std::size_t i = 0; i < one->profile.size(); ++i) {
     const SampleStatistics difference = differenceOf(one->profile[i].force, two->profile[i].force);
@@ -154,7 +154,7 @@ TEST(ProfileTable, HasTheColumnsThatToolsRelyOn)
   EXPECT_THAT(csv, testing::HasSubstr("\n16.5,"));
 }
 
-TEST(Verdicts, StandForHitsAndMissesAlike)
+TEST(Verdicts, ListAgreementAndDisagreement)
 {
   const auto experiment = shippedReference("todd-naghdy-experiment");
   ASSERT_TRUE(experiment);

@@ -50,7 +50,7 @@ TEST_F(DrawnInsertions, StartOneToThreeMillimetersInside)
     EXPECT_LE(start_mm, 3.0);
     starts_mm.push_back(start_mm);
   }
-  // uniform: mean 2, deviation 2 / sqrt(12)
+  // uniform: mean 2, standard deviation 2 / sqrt(12)
   const SampleStatistics statistics = statisticsOf(starts_mm);
   EXPECT_NEAR(statistics.mean, 2.0, 4.0 * 2.0 / std::sqrt(12.0 * 400.0));
   EXPECT_NEAR(statistics.standardDeviation, 2.0 / std::sqrt(12.0), 0.06);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The table of anatomies against itself and against the shapes it builds.
+// The table of anatomies: consistent with itself and with the shapes built from it.
 
 #include "perilymph/anatomy/AnatomySource.h"
 
@@ -50,7 +50,7 @@ TEST(AnatomySources, BuildAScalaWithoutAPatient)
 
 TEST(AnatomySources, AreScaledByTheMeasuresTheyTakeAndByNoOthers)
 {
-  // A moves the outer wall of the anatomy that takes it
+  // A scales the outer wall of the anatomies that take it
   for (const AnatomySourceTraits& traits : anatomySources()) {
     const bool isScaled = isScaledBy(traits.source, withBasalTurn());
     if (traits.takes != PatientMeasures::basalTurn) continue;

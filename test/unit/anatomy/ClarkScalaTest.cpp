@@ -72,7 +72,7 @@ TEST(ClarkSpiral, HasTheTemplatesLengthsAndRadii)
 
 TEST(MedialShift, IsThatOfItsTable)
 {
-  // Leon et al. 2014: none near the round window, 0.40 mm at 201.5 degrees and 0.68 at 435.1
+  // Leon et al. 2014: zero near the round window, 0.40 mm at 201.5 degrees, 0.68 mm at 435.1
   EXPECT_NEAR(medialShift(degrees(10)).radius, 0.0, 1e-9);
   const double rounding = test::tolerance(0.01e-3, "rounded corners of the table");
   EXPECT_NEAR(medialShift(degrees(201.5)).radius, -0.40e-3 * std::cos(0.12), rounding);

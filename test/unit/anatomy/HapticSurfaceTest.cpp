@@ -35,7 +35,7 @@ TEST(CoarseWall, HasNinetyFivePercentFewerTrianglesThanTheVisualOne)
 TEST(CoarseWall, GoesFromTheOpeningToTwoTurnsAndNoFarther)
 {
   const auto scala = scalaOf("published");
-  // the rim of the opening: the first section, carried to the start of the lead-in
+  // the rim of the opening: the first section, extruded to the start of the lead-in
   int atOpening = 0;
   double high = -1.0;
   for (const auto& p : hapticSurface(*scala).points) {
@@ -51,7 +51,7 @@ TEST(CoarseWall, GoesFromTheOpeningToTwoTurnsAndNoFarther)
 
 TEST(CoarseWall, StaysNearTheVisualOne)
 {
-  // a tenth of the thinnest tip of an array on average is 50 micrometers: coarser would be felt
+  // on average 50 um, a tenth of the thinnest array tip: a coarser surface could be felt
   for (const char* name : {"published", "mean"}) {
     const auto scala = scalaOf(name);
     const SurfaceDeviation off =
@@ -71,12 +71,12 @@ TEST(CoarseWall, FacesOutwardEverywhere)
     const auto& p = surface.points[static_cast<std::size_t>(i)];
     return Eigen::Vector3d(p[0], p[1], p[2]);
   };
-  // each edge once each way at most: one orientation throughout ...
+  // Each edge occurs at most once in each direction: the orientation is consistent.
   std::map<std::pair<int, int>, int> edges;
   int outward = 0, inward = 0;
   for (const auto& t : surface.triangles) {
     for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(++(edges[{t[k], t[(k + 1) % 3]}]), 1);
-    // ... and that of the outermost wall of the basal turn, whose outside is away from the axis
+    // The outermost wall of the basal turn faces away from the axis.
     const Eigen::Vector3d middle = (at(t[0]) + at(t[1]) + at(t[2])) / 3.0;
     if (std::hypot(middle.x(), middle.y()) < 4.5e-3 || middle.x() < 0.0) continue;
     const Eigen::Vector3d normal = (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0]));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Surfaces from elsewhere: the published scala written out and read again, the measured mean scala
-// as published by others, and surfaces that are none.
+// Imported surfaces: the published scala written and read again, the measured mean scala as
+// published by others, and surfaces that are no scala tympani.
 
 #include "perilymph/anatomy/ImportedScala.h"
 
@@ -25,7 +25,7 @@
 namespace perilymph::anatomy {
 namespace {
 
-/// A binary STL in millimeters as a surface in meters: three corners of their own a triangle.
+/// A binary STL in millimeters as a surface in meters; triangles share no corners.
 Surface readStl(const std::filesystem::path& file)
 {
   std::ifstream stream(file, std::ios::binary);
@@ -51,7 +51,7 @@ Surface writtenAndRead(const Surface& surface)
   return readStl(folder / "a.stl");
 }
 
-/// Turned and moved as a scan would have it.
+/// Rotated and translated as in a scan.
 Surface moved(Surface surface, const Eigen::Matrix3d& turn, const Eigen::Vector3d& shift)
 {
   for (auto& p : surface.points) {
@@ -83,7 +83,7 @@ protected:
     imported.reset();
     scala.reset();
   }
-  /// A place of the published scala's W in that of the import.
+  /// A point of the published scala's frame W in the frame of the import.
   static Eigen::Vector3d again(const Eigen::Vector3d& point_W)
   {
     return imported->place.into_W(scanTurn * point_W + scanShift);
@@ -123,7 +123,7 @@ TEST_F(PublishedImport, GivesItsMeasuresBack)
   EXPECT_NEAR(inMillimeters(imported->a), 1e3 * (outer(0) + outer(180)), 0.03);
   EXPECT_NEAR(inMillimeters(imported->b), 1e3 * (outer(90) + outer(270)), 0.03);
   EXPECT_NEAR(inMillimeters(imported->h), 1e3 * (roof - floor), 0.03);
-  // at the apex, 0.8 mm from the axis, 0.04 mm of the axis are three degrees
+  // At the apex, 0.8 mm from the axis, an axis error of 0.04 mm is three degrees.
   EXPECT_NEAR(inDegrees(imported->lastAngle), inDegrees(scala->lastAngle()), 3.0);
   EXPECT_NEAR(inMillimeters(imported->leadIn), 1.0, 0.01);
 }
@@ -157,8 +157,8 @@ TEST_F(PublishedImport, KeepsDistancesToTheWall)
       return wall;
     };
     here = askTurn(angle);
-    // The published scala's turns run into each other, which its tables tell apart and a surface
-    // does not: places to which the wall of another turn is nearer say nothing.
+    // Turns of the published scala overlap. Its tables separate them, a surface does not: points
+    // that are nearer to the wall of another turn are skipped.
     bool isAlone = true;
     for (const double other : {angle - 2.0 * pi, angle + 2.0 * pi})
       if (other > 0.0 && other < scala->lastAngle().si() + 0.6 &&
@@ -177,8 +177,8 @@ TEST_F(PublishedImport, KeepsDistancesToTheWall)
   ASSERT_GT(errors.size(), 200u);
   EXPECT_LT(errors[errors.size() / 2], test::tolerance(0.005e-3, "both tables' smoothing"));
   EXPECT_LT(errors[errors.size() * 99 / 100], test::tolerance(0.05e-3, "a step of the grid"));
-  // on a ridge the tables of the published scala are off by up to 0.04 mm, and the grid adds its
-  // own
+  // On a ridge the tables of the published scala deviate by up to 0.04 mm, and the grid adds its
+  // own error.
   EXPECT_LT(errors.back(), test::tolerance(0.06e-3, "two rounded ridges"));
 }
 
@@ -207,8 +207,8 @@ TEST_F(PublishedImport, GivesGradientAndTurningOfItsDistance)
       EXPECT_NEAR(wall.normal_W[axis], (ahead.distance - behind.distance) / (2 * nudge), 1e-4);
       bend.col(axis) = (ahead.normal_W - behind.normal_W) / (2 * nudge);
     }
-    // minus the second derivative is the turning less something that is positive semidefinite, too,
-    // and the two have no direction in common
+    // The shape operator plus the second derivative is a remainder on directions that the shape
+    // operator maps to zero; the shape operator is positive semidefinite.
     const Eigen::Matrix3d rest = wall.shapeOperator_W + 0.5 * (bend + bend.transpose());
     EXPECT_LT((wall.shapeOperator_W * rest).norm(), 1e-4 * (1.0 + bend.squaredNorm()));
     EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(wall.shapeOperator_W).eigenvalues()[0],
@@ -225,7 +225,7 @@ TEST_F(PublishedImport, SeesNoWallBeforeTheOpening)
   const Eigen::Vector3d before = entry.origin_W + 0.2e-3 * entry.out_W;
   lumen->nearestWall({&before, 1}, {&reach, 1}, {&track, 1}, {&wall, 1});
   EXPECT_FALSE(wall.isNear);
-  // in the middle of the opening, just inside, the lid is no wall
+  // The lid of the opening is no wall, even just inside its middle.
   const Eigen::Vector3d behind = entry.origin_W - 0.02e-3 * entry.out_W;
   lumen->nearestWall({&behind, 1}, {&reach, 1}, {&track, 1}, {&wall, 1});
   EXPECT_FALSE(wall.isNear);
@@ -258,11 +258,10 @@ TEST(ImportedScala, MeasuresTheMeanScalaAsItsAuthorsFrameHasIt)
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
   const auto read = importScala(readStl(file));
   ASSERT_TRUE(read) << read.error().message;
-  // 9.53 and 6.82 mm, 675 degrees and 33.4 mm3 about the axis of the authors' own frame, whose z it
-  // is
+  // 9.53 and 6.82 mm, 675 degrees and 33.4 mm3 about the z axis of the authors' frame
   EXPECT_NEAR(inMillimeters(read->a), 9.53, 0.10);
   EXPECT_NEAR(inMillimeters(read->b), 6.82, 0.10);
-  // at the apex, 0.73 mm from the axis, 0.1 mm of the axis are eight degrees
+  // At the apex, 0.73 mm from the axis, an axis error of 0.1 mm is eight degrees.
   EXPECT_NEAR(inDegrees(read->lastAngle), 675.0, 8.0);
   EXPECT_NEAR(1e9 * read->volume, 33.4, 0.2);
   EXPECT_EQ(read->side, Side::right);
@@ -275,7 +274,7 @@ TEST(ImportedScala, MeasuresTheMeanScalaAsItsAuthorsFrameHasIt)
 
 TEST(ImportedScala, FollowsADuctWhoseApexReachesTheAxis)
 {
-  // the mean scala that ships winds to 900 degrees, its inner wall 0.1 mm from the axis there
+  // The shipped mean scala ends at 900 degrees, where its inner wall is 0.1 mm from the axis.
   const auto mean = buildMean(millimeters(1));
   ASSERT_TRUE(mean) << mean.error().message;
   const auto read = importScala(wallSurface(**mean, 20'000));
@@ -315,14 +314,14 @@ TEST(ImportedScala, RefusesTwoPieces)
     two.triangles.push_back(t);
   }
   for (auto& p : two.points)
-    for (double& x : p) x *= 0.6;  // together no longer than one
+    for (double& x : p) x *= 0.6;  // both together as long as one
   expectRefusal(two, "2 separate pieces");
 }
 
 TEST(ImportedScala, RefusesASecondOpening)
 {
   Surface open = published();
-  // the middle of the apex's fan is the last point
+  // the last point is the center of the fan that closes the apex
   const int apex = static_cast<int>(open.points.size()) - 1;
   std::erase_if(open.triangles,
                 [&](const auto& t) { return std::find(t.begin(), t.end(), apex) != t.end(); });
@@ -340,7 +339,7 @@ TEST(ImportedScala, ClosesASmallHole)
 
 TEST(ImportedScala, RefusesABall)
 {
-  // closed, one piece, of the right size and volume, but no spiral
+  // closed, in one piece, of plausible size and volume, but no spiral
   Surface ball;
   constexpr int rings = 30, around = 60;
   const double radii[3] = {3.5e-3, 1.5e-3, 1.8e-3};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The wall query against brute force on a dense sampling of the wall, and against closed forms.
+// The wall query against a brute-force search over a dense sampling of the wall, and closed forms.
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@
 namespace perilymph::anatomy {
 namespace {
 
-constexpr double everywhere = 1.0;  // [m]: a reach beyond every wall
+constexpr double everywhere = 1.0;  // a reach beyond every wall [m]
 
 WallPoint ask(const Lumen& lumen, const Eigen::Vector3d& point, LumenTrack track = {},
               double reach = everywhere)
@@ -60,7 +60,7 @@ double bruteDistance(const ScalaTympani& scala, const Eigen::Vector3d& point, do
   return nearest;
 }
 
-/// Every anatomy asks the same table of distances.
+/// The lumen of every anatomy, through the same distance table.
 class LumenOf : public testing::TestWithParam<const char*> {
 protected:
   static std::shared_ptr<const ScalaTympani> build(const std::string& anatomy)
@@ -96,7 +96,7 @@ TEST_P(LumenOf, MeasuresTheDistanceToTheNearestWall)
     errors.push_back(std::fabs(wall.distance - bruteDistance(*scala, point, angle)));
   }
   std::sort(errors.begin(), errors.end());
-  // within a grid step of a ridge the table rounds on purpose: the last tenth may be farther off
+  // Within a grid step of a ridge the table is smoothed: the last tenth may deviate more.
   EXPECT_LT(errors[errors.size() / 2], test::tolerance(4e-6, "table's smoothing"));
   EXPECT_LT(errors[errors.size() * 9 / 10], test::tolerance(15e-6, "rounded ridges"));
   EXPECT_LT(errors.back(), test::tolerance(40e-6, "rounded ridges"));
@@ -136,15 +136,15 @@ TEST_P(LumenOf, GivesTheGradientOfItsDistance)
     }
     tooLong += wall.normal_W.norm() > 1.06 ? 1 : 0;
   }
-  // where an inner wall winds around the axis at 0.2 mm, the nearest wall is 20 degrees away and
-  // the table is coarse: one point in a hundred
+  // Where an inner wall is 0.2 mm from the axis, the nearest wall is 20 degrees away and the table
+  // is coarse: one point in a hundred may deviate.
   EXPECT_LE(tooLong, 3);
 }
 
 TEST_P(LumenOf, ChangesSmoothlyAlongTheDuct)
 {
-  // A point that runs along the lumen off its middle, from the lead-in on: no step in the distance,
-  // none in the normal, also where the straight lead-in meets the spiral.
+  // A point moves along the lumen, off center, from the lead-in on: distance and normal have no
+  // steps, not even where the straight lead-in meets the spiral.
   const Entry entry = scala->entry();
   LumenTrack track;
   double lastDistance = 0.0;
@@ -158,7 +158,8 @@ TEST_P(LumenOf, ChangesSmoothlyAlongTheDuct)
     ASSERT_TRUE(wall.isNear);
     if (hasLast) {
       EXPECT_NEAR(wall.distance, lastDistance, 0.003e-3) << s;
-      // where the lead-in hands over it may turn by 0.04, a corner would turn it by 0.1 and more
+      // At the end of the lead-in the normal may change by 0.04; a corner would change it by at
+      // least 0.1.
       EXPECT_LT((wall.normal_W - lastNormal).norm(), 0.05) << s;
     }
     lastDistance = wall.distance;
@@ -169,7 +170,7 @@ TEST_P(LumenOf, ChangesSmoothlyAlongTheDuct)
 
 TEST_P(LumenOf, RemembersItsTurn)
 {
-  // the same place in the plane, one turn apart: the track decides which wall is seen
+  // the same point of the plane, one turn apart: the track selects the wall
   const double angle = degrees(100).si();
   const Eigen::Vector3d first = scala->center_W(angle);
   const Eigen::Vector3d second = scala->center_W(angle + 2 * pi);
@@ -197,7 +198,7 @@ TEST_P(LumenOf, ClosesAtTheApex)
   EXPECT_LT(ask(*scala, beyond, trackAt(end)).distance, -0.15e-3);
 }
 
-TEST_P(LumenOf, NeedsNoMoreThanThatAWallIsFar)
+TEST_P(LumenOf, ReportsNoWallBeyondTheReach)
 {
   const double angle = degrees(60).si();
   const WallPoint wall = ask(*scala, scala->center_W(angle), trackAt(angle), 0.1e-3);
@@ -206,7 +207,7 @@ TEST_P(LumenOf, NeedsNoMoreThanThatAWallIsFar)
 
 TEST_P(LumenOf, SeesNoWallWithinTheClearanceItGave)
 {
-  // wherever a point goes within the clearance, the wall must not come within reach
+  // A point that moves by less than the clearance must not get within reach of the wall.
   std::mt19937 random(13);
   std::uniform_real_distribution<double> angles(0.0, scala->lastAngle().si());
   std::uniform_real_distribution<double> directions(0.0, 2.0 * pi);
@@ -235,7 +236,7 @@ TEST_P(LumenOf, SeesNoWallWithinTheClearanceItGave)
   EXPECT_GT(far, 100);
 }
 
-TEST_P(LumenOf, AnswersNonsenseWithNoWall)
+TEST_P(LumenOf, FindsNoWallForInvalidPoints)
 {
   const double bad = std::nan("");
   EXPECT_FALSE(ask(*scala, {bad, bad, bad}).isNear);
@@ -265,7 +266,7 @@ TEST(CircularDuct, HasTheDistanceAndTurningOfATorus)
   EXPECT_NEAR(wall.distance, 0.4e-3, 1e-12);
   const Eigen::Vector3d outward(std::cos(angle), 0.0, -std::sin(angle));
   EXPECT_NEAR(wall.normal_W.dot(outward), -1.0, 1e-12);
-  // around the section the parallel circle has radius 0.6 mm, along the duct 5.6 mm
+  // Principal radii of the parallel surface: 0.6 mm around the section, 5.6 mm along the duct.
   EXPECT_NEAR(wall.shapeOperator_W(1, 1), 1.0 / 0.6e-3, 1e-6);
   const Eigen::Vector3d along(-std::sin(angle), 0.0, -std::cos(angle));
   EXPECT_NEAR(along.dot(wall.shapeOperator_W * along), 1.0 / 5.6e-3, 1e-6);

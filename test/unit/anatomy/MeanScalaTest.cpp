@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The mean scala tympani against the numbers measured on the published solid (Froehlich et al.
-// 2024), and against the solid itself where it is at hand.
+// 2024), and against the solid itself where it is available.
 
 #include "perilymph/anatomy/MeanScala.h"
 
@@ -42,8 +42,8 @@ std::vector<double> measuredAngles()
   return angles;
 }
 
-/// Length along the outermost points of the measured sections, radius and height linear in the
-/// angle between them: how the numbers below were found [m].
+/// Length along the outermost points of the measured sections, with radius and height linear in the
+/// angle between sections, as the numbers below were computed [m].
 double outerWallLength(const ScalaTympani& scala, double last)
 {
   const auto outermost = [&](double angle) {
@@ -87,7 +87,7 @@ TEST(MeanScala, HasTheMeasuredAAndB)
 
 TEST(MeanScala, HasTheMeasuredVolume)
 {
-  // Pappus: what each section sweeps is the integral of r over its area
+  // Pappus: the volume swept by a section is the integral of r over its area
   const auto swept = [](double angle) {
     double sum = 0.0;
     Eigen::Vector2d before;
@@ -110,7 +110,7 @@ TEST(MeanScala, HasTheMeasuredVolume)
 
 TEST(MeanScala, HasTheMeasuresOfEverySection)
 {
-  // Fourier series of four harmonics: 6 um from the outlines on average, 24 at most
+  // Fourier series of four harmonics: 6 um from the outlines on average, 24 um at most
   const double series = test::tolerance(0.015e-3, "four harmonics and rounding");
   const auto sections = loadMeasuredSections();
   ASSERT_TRUE(sections);
@@ -130,7 +130,7 @@ TEST(MeanScala, LiesOnTheSolidBetweenItsSections)
   struct Row {
     double angle_deg, inner_mm, outer_mm, floor_mm, roof_mm;
   };
-  // the published solid cut halfway between its sections, where nothing was fitted
+  // the published solid cut halfway between the fitted sections
   for (const Row& row :
        {Row{11.5, 3.459, 5.769, -0.623, 0.955}, Row{34, 2.705, 5.011, -0.668, 0.605},
         Row{56.5, 2.266, 4.474, -0.812, 0.463}}) {
@@ -172,7 +172,7 @@ TEST(MeanScala, DipsBeforeItClimbs)
 
 TEST(MeanScala, HasAnOrganOfCortiPathOf31Millimeters)
 {
-  // Schurzig et al. 2021: to 675 degrees; between sections as the outer wall above
+  // Schurzig et al. 2021, up to 675 degrees; interpolated like the outer wall above
   const SectionTables& tables = mean()->tables();
   std::vector<double> angles = measuredAngles();
   double length = 0.0;
@@ -209,12 +209,12 @@ TEST(MeanScala, GoesOnTo900DegreesAndNarrows)
 TEST(MeanScala, EndsInARoundedCap)
 {
   const auto area = [](double angle_deg) { return mean()->section(degrees(angle_deg).si()).area; };
-  // cut off where the ellipsoid has shrunk to 31 %: a tenth of the area
+  // truncated where the ellipsoid has shrunk to 31 %, a tenth of the area
   EXPECT_LT(area(900), 0.12 * area(850));
   EXPECT_GT(area(875), 0.6 * area(850));
 }
 
-/// Another folder of resources, while it lives.
+/// Uses another folder of resources until it is destroyed.
 class OtherResources {
 public:
   explicit OtherResources(const std::string& sections)
@@ -292,7 +292,7 @@ TEST_F(PublishedSolid, IsNearTheModelEverywhere)
       const double angle = polar + 2.0 * pi * turn;
       isEnd = isEnd || std::fabs(angle) < 0.005 || std::fabs(angle - degrees(675).si()) < 0.005;
       if (angle < 0.0 || angle > degrees(675).si()) continue;
-      // the distance to the outline in the same half-plane: never less than the true one
+      // the distance to the outline in the same half-plane, an upper bound of the true one
       for (int k = 0; k < 360; ++k)
         nearest = std::min(nearest, (mean()->wall_W(angle, 2.0 * pi * k / 360) - point).norm());
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Surfaces with noise, as from segmentation or rounding of coordinates.
+// Surfaces with noise, as after segmentation or rounding of coordinates.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ std::vector<Surface> surfaces()
   return {wallSurface(*published, 20'000), wallSurface(**mean, 20'000)};
 }
 
-/// A copy whose corners are displaced by a normal deviate [m] along each axis.
+/// A copy whose corners are displaced by normally distributed noise along each axis [m].
 Surface noisy(Surface surface, double deviation, unsigned seed)
 {
   std::mt19937_64 random(seed);
@@ -45,7 +45,7 @@ TEST(AnImportWithNoiseOnItsCorners, KeepsItsMeasures)
                                   ", lead-in " + std::to_string(inMillimeters(read->leadIn)) +
                                   " mm for " + std::to_string(inMillimeters(exact->leadIn));
         EXPECT_NEAR(inMillimeters(read->a), inMillimeters(exact->a), 0.05) << place;
-        // 0.3 mm of duct length by A alone (Alexiades: 4.16 A)
+        // an error of 0.3 mm in the duct length from A alone (Alexiades: 4.16 A)
         EXPECT_NEAR(4.16 * inMillimeters(read->a), 4.16 * inMillimeters(exact->a), 0.3) << place;
       }
   }

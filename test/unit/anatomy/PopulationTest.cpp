@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The population of cochleae and the patients scaled from the mean, against the numbers of Pietsch
-// et al. 2017 and against themselves measured back.
+// The population of cochleae against the numbers of Pietsch et al. 2017, and patients scaled from
+// the mean against their own measures.
 
 #include "perilymph/anatomy/Population.h"
 
@@ -57,9 +57,9 @@ TEST(LikeliestHalfDiameters, OfTheMeanAreTheMean)
   EXPECT_NEAR(half.b2, 2.85e-3, 1e-12);
 }
 
-TEST(LikeliestHalfDiameters, LeaveAnErrorThatTellsNothingOfAAndB)
+TEST(LikeliestHalfDiameters, LeaveAResidualUncorrelatedWithAAndB)
 {
-  // what remains of each half-diameter is uncorrelated with A and B: the regression's own law
+  // Property of a regression: the residual of each half-diameter is uncorrelated with A and B.
   const auto covariance = halfDiameterCovariance();
   const auto slope = [](int by) {
     const double nudge = 0.1;
@@ -108,7 +108,7 @@ protected:
 
 TEST_F(SampleOf10000, HasThePublishedMeansAndDeviations)
 {
-  // Pietsch et al. 2017; four standard errors: 4 SD / 100 for a mean, 4 SD / 141 for a deviation
+  // Pietsch et al. 2017; four standard errors: 4 SD / 100 for a mean, 4 SD / 141 for an SD
   const std::array<double, 4> mean{5.97, 3.95, 3.26, 2.85},
       standardDeviation{0.36, 0.35, 0.28, 0.33};
   for (std::size_t i = 0; i < 4; ++i) {
@@ -133,7 +133,7 @@ TEST_F(SampleOf10000, HasThePublishedCorrelations)
 
 TEST_F(SampleOf10000, IsNormallyDistributed)
 {
-  // 68.27 % within one deviation and 95.45 % within two; four standard errors of a fraction
+  // 68.27 % within one standard deviation, 95.45 % within two; four standard errors of a fraction
   int one = 0, two = 0;
   for (const auto& drawn : drawn_mm) {
     one += std::fabs(drawn[2] - 3.26) < 0.28 ? 1 : 0;

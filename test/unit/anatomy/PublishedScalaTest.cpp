@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The published scala tympani against the paper's own numbers and the sections it is made from.
+// The published scala tympani against the paper's numbers and the sections it is built from.
 
 #include <gtest/gtest.h>
 
@@ -116,11 +116,11 @@ TEST(PublishedScala, RisesTenDegreesAlongItsInnerWallInTheFirstTurn)
 
 TEST(PublishedScala, CurvesWithoutKinks)
 {
-  // Second differences of the center line change by little from step to step, also where the
-  // lead-in's joint ends (12 degrees), the branches of the plan curve meet (71.5 to 101.5) and the
-  // turn ends: no corner (which would show as 1/step, some hundreds of times more), no jump of
-  // curvature. The sharpest real change is that of the joint, where curvature falls to that of a
-  // straight line within 12 degrees.
+  // Second differences of the center line change little from step to step, even where the blend of
+  // the lead-in ends (12 degrees), where the branches of the plan curve meet (71.5 to 101.5) and
+  // after one turn: there is no corner (1/step, several hundred times more) and no jump of
+  // curvature. The largest change is that of the blend, where the curvature falls to zero within
+  // 12 degrees.
   const auto scala = published();
   const double step = degrees(0.25).si();
   const auto second = [&](double angle) {
@@ -130,7 +130,7 @@ TEST(PublishedScala, CurvesWithoutKinks)
   };
   const double joint = degrees(12).si();
   double last = second(degrees(1).si()).norm();
-  const double greatest = 0.02;  // [m per radian squared]: the spiral's own, 20 mm, at its base
+  const double greatest = 0.02;  // [m/rad^2]; the spiral itself has 20 mm at its base
   for (double angle = degrees(1.25).si(); angle < degrees(900).si(); angle += step) {
     const double now = second(angle).norm();
     ASSERT_NEAR(now, last, angle < 1.2 * joint ? 0.1 * greatest : 0.06 * last)
@@ -168,7 +168,7 @@ TEST(PublishedScala, OpensAtTheEndOfItsLeadIn)
     // right-handed, unit, x toward the outer wall
     EXPECT_NEAR(entry.outward_W.cross(entry.vertical_W).dot(entry.out_W), 1.0, 1e-12);
     EXPECT_GT(entry.outward_W.x(), 0.0);
-    // the lead-in continues the beginning of the center line
+    // the lead-in extends the start of the center line
     const Eigen::Vector3d start = scala->center_W(1e-4) - scala->center_W(0.0);
     EXPECT_NEAR(start.normalized().dot(-entry.out_W), 1.0, 1e-6);
   }

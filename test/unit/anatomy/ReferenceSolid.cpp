@@ -16,7 +16,7 @@ namespace {
 constexpr const char* variable = "PERILYMPH_REFERENCE_DATA";
 constexpr double cell = 0.2e-3;  // [m]
 
-// Where the solid's file has its modiolar axis and its first section.
+// Modiolar axis and first section in the frame of the solid's file.
 constexpr double axisX_mm = -2.6908784177817076;
 constexpr double axisY_mm = 3.8483421030346103;
 constexpr double firstSection_deg = -63.587630278876766;

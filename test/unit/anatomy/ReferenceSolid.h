@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The published solid of the mean scala tympani, turned into the frame W: only where somebody has
-// it.
+// The published solid of the mean scala tympani in the frame W, where it is available.
 
 #include <Eigen/Core>
 #include <array>

@@ -17,7 +17,7 @@ Eigen::Vector3d point(const Surface& surface, int index)
   return {p[0], p[1], p[2]};
 }
 
-/// What the surface encloses, its rim closed by a fan around `rimCenter` [m^3].
+/// Volume enclosed by the surface when its rim is closed by a fan around `rimCenter` [m^3].
 double volume(const Surface& surface, const Eigen::Vector3d& rimCenter)
 {
   double sum = 0.0;
@@ -38,7 +38,7 @@ TEST(ScalaVestibuli, HoldsAsMuchAsTheScalaItMirrors)
                                  2.0 * scala->section(0.0).roofHeight - start.z());
   const double expected = volume(below, start);
   ASSERT_GT(expected, 0.0);
-  // mirroring each section changes no area and so, by Pappus, no volume; positive: faces outward
+  // Mirroring a section keeps its area and so, by Pappus, the volume. Positive: faces outward.
   EXPECT_NEAR(volume(above, mirrored), expected, 0.01 * expected);
 }
 
@@ -65,7 +65,7 @@ TEST(ScalaVestibuli, IsOpenTowardTheVestibuleAlone)
   for (const auto& [edge, count] : edges) {
     ASSERT_EQ(count, 1);
     if (edges.find({edge.second, edge.first}) != edges.end()) continue;
-    // the rim stands in the half-plane of the round window, y = 0
+    // the rim lies in the half-plane of the round window, y = 0
     EXPECT_NEAR(point(surface, edge.first).y(), 0.0, 1e-12);
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The check of Todd and Naghdy, section II.B: the published spiral beside two reconstructions of
-// others, a helico-spiral (Yoo et al. 2000) and an Archimedean spiral (Ketten et al. 1998).
+// The check of Todd and Naghdy, section II.B: the published spiral compared with two others, a
+// helico-spiral (Yoo et al. 2000) and an Archimedean spiral (Ketten et al. 1998).
 
 #include <gtest/gtest.h>
 

@@ -58,8 +58,8 @@ TEST(SurfaceDeviation, IsNothingBetweenASurfaceAndItself)
 
 TEST(SurfaceDeviation, TellsALiftedCubeFromItself)
 {
-  // lifted by 0.1, a cube's floor and roof are off by 0.1; of each wall only the part that has
-  // nothing beside it, 0.1 of 2, is off, by 0.05 on average. Both ways the same by symmetry.
+  // Floor and roof of a cube lifted by 0.1 are off by 0.1. Of each side only the part that does not
+  // overlap, 0.1 of 2, is off, by 0.05 on average. By symmetry both directions agree.
   const SurfaceDeviation lifted = surfaceDistance(cube(0.1), cube(), meters(0.02));
   const double walls = 4.0 * 0.05 * 0.05;
   EXPECT_NEAR(lifted.mean.si(), (2.0 * 0.1 + walls) / 6.0, 0.002);
@@ -76,7 +76,8 @@ TEST(WallSurfaceBefore, IsTheSameWallWithoutTheApex)
   for (std::size_t i = 0; i < part.points.size(); ++i) ASSERT_EQ(part.points[i], whole.points[i]);
   for (std::size_t i = 0; i < part.triangles.size(); ++i)
     ASSERT_EQ(part.triangles[i], whole.triangles[i]);
-  // rings are equally far apart along the outer wall: its length before 720 degrees, of all of it
+  // Rings are equally spaced along the outer wall: the ratio of its length up to 720 degrees to its
+  // whole length.
   double before = 0.0, all = 0.0;
   for (double angle_deg = 1.0; angle_deg < 994.0; angle_deg += 1.0) {
     const double step = (scala->wall_W(degrees(angle_deg).si(), 0.0) -

@@ -41,18 +41,18 @@ TEST(WallSurface, IsClosedButForItsOpening)
     for (std::size_t k = 0; k < 3; ++k) edges[{t[k], t[(k + 1) % 3]}]++;
   int open = 0;
   for (const auto& [edge, count] : edges) {
-    ASSERT_EQ(count, 1);  // each edge once each way: one orientation throughout
+    ASSERT_EQ(count, 1);  // each edge once in each direction: consistent orientation
     if (edges.find({edge.second, edge.first}) == edges.end()) ++open;
   }
-  EXPECT_EQ(open, static_cast<int>(std::sqrt(5000 / 12.0)));  // the rim: one edge a direction
+  EXPECT_EQ(open, static_cast<int>(std::sqrt(5000 / 12.0)));  // the rim: one edge per direction
 }
 
 TEST(WallSurface, FacesOutward)
 {
   const auto scala = published();
   const Surface surface = wallSurface(*scala, 4000);
-  // the volume enclosed, the open rim closed by its own fan, is positive by the divergence theorem,
-  // and that of the scala: 33.4 mm3 measured for the mean one, of whose sections this is made
+  // By the divergence theorem the enclosed volume (the rim closed by a fan) is positive if the
+  // surface faces outward. It is that of the mean scala, whose sections are used: 33.4 mm3.
   double volume = 0.0;
   const Eigen::Vector3d apex = scala->entry().origin_W;
   for (const auto& t : surface.triangles)

@@ -11,8 +11,8 @@ namespace perilymph::charts {
 namespace {
 
 constexpr double singlePrecision_mm = 1e-5;  // of snapshots
-constexpr double slant_mN = 0.2;             // of 30 mN: the curve runs 4 degrees inward there
-constexpr double rowing_mm = 2e-3;           // of sections sampled every ten degrees
+constexpr double slant_mN = 0.2;             // of 30 mN: the curve is inclined inward by 4 degrees
+constexpr double rowing_mm = 2e-3;           // sections are sampled every ten degrees
 
 ArrayInScala follow(const haptics::Snapshot& now)
 {
@@ -44,7 +44,7 @@ TEST(ArrayInScala, CountsTheLeadInAsAnglesBelowZero)
   haptics::Snapshot now{};
   now.nodes = 2;
   for (std::size_t i = 0; i < 2; ++i) {
-    // 3 mm and 1 mm before the plane of the round window; the lead-in is 1 mm long
+    // 3 mm and 1 mm in front of the plane of the round window; the lead-in is 1 mm long
     const Eigen::Vector3d place_W = entry.origin_W + (i == 0 ? 2e-3 : 0.0) * entry.out_W;
     for (int k = 0; k < 3; ++k) now.node_W[i][std::size_t(k)] = static_cast<float>(place_W[k]);
   }
@@ -56,7 +56,7 @@ TEST(ArrayInScala, CountsTheLeadInAsAnglesBelowZero)
   EXPECT_FALSE(array.nodes()[0].isInside);
 }
 
-TEST(ArrayInScala, LeavesFrictionOutOfTheWallsPush)
+TEST(ArrayInScala, ExcludesFrictionFromTheNormalForce)
 {
   haptics::Snapshot now = test::laidTo(200.0, 0.4);
   test::push(now, 50, -30.0);
@@ -71,7 +71,7 @@ TEST(ArrayInScala, LeavesFrictionOutOfTheWallsPush)
   EXPECT_NEAR(node.normal_mN, 30.0, 0.01);
 }
 
-TEST(ArrayInScala, ShowsNothingOfASnapshotThatIsNotFinite)
+TEST(ArrayInScala, IgnoresANonFiniteSnapshot)
 {
   haptics::Snapshot now = test::laidTo(200.0, 0.0);
   now.node_W[30][1] = std::numeric_limits<float>::quiet_NaN();

@@ -8,7 +8,7 @@
 namespace perilymph::charts {
 namespace {
 
-constexpr double smoothing_mm = 0.01;  // of the wall between directions
+constexpr double smoothing_mm = 0.01;  // interpolation of the wall between directions
 
 std::vector<ContactDistance> distances(const haptics::Snapshot& now)
 {
@@ -35,7 +35,7 @@ TEST(ContactDistances, KnowsTheContactsAngles)
   EXPECT_NEAR(distances(test::laidTo(300.0, 0.0)).front().angle_deg, 270.0, 0.1);
 }
 
-TEST(ContactDistances, SaysNothingOfAContactBeyondTheWall)
+TEST(ContactDistances, AreNegativeForAContactBeyondTheWall)
 {
   EXPECT_LT(distances(test::laidTo(300.0, 0.0, 1.3)).front().toInnerWall_mm, 0.0);
 }
@@ -47,7 +47,7 @@ TEST(ContactDistances, CountToTheInnerWallWhereTheArrayIsPressedPastTheOuterOne)
     EXPECT_NEAR(contact.toInnerWall_mm, past_mm + test::lumen_mm, smoothing_mm);
 }
 
-TEST(ContactDistances, SaysNothingOfAContactPastTheInnerWall)
+TEST(ContactDistances, AreNegativeForAContactBeyondTheInnerWall)
 {
   EXPECT_LT(distances(test::laidTo(300.0, -1.1)).front().toInnerWall_mm, 0.0);
 }

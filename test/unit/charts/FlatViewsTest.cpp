@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The flat views are drawings: what they say is read from their axes and scale bars.
+// The flat views are drawings: their values are read from their axes and scale bars.
 
 #include <gtest/gtest.h>
 
@@ -68,7 +68,7 @@ Drawing unrolled(const haptics::Snapshot& now, double width = 600.0, double heig
   return UnrolledScala(*test::ringScala()).draw(array, width, height);
 }
 
-/// Reads a place off the axes that are drawn.
+/// Reads a position from the drawn axes.
 struct Axes {
   explicit Axes(const Drawing& drawing)
       : x0(label(drawing, "0°")->at.x),
@@ -80,7 +80,7 @@ struct Axes {
   double angle_deg(double x) const { return 180.0 * (x - x0) / (x180 - x0); }
   double across_mm(double y) const { return (y + words_px - y0) / (y1 - y0); }
   double x0, x180, y0, y1;
-  static constexpr double words_px = 4.0;  // of the numbers' base line below their tick
+  static constexpr double words_px = 4.0;  // of a number's baseline below its tick
 };
 
 TEST(UnrolledScala, ShowsTheArrayUpToItsTipBesideTheTrueNumbers)
@@ -100,7 +100,7 @@ TEST(UnrolledScala, GrowsByQuarterTurnsWithTheTip)
   EXPECT_TRUE(label(unrolled(test::laidTo(500.0, 0.0)), "540°"));
   const Drawing deep = unrolled(test::laidTo(600.0, 0.0));
   EXPECT_TRUE(label(deep, "540°"));
-  // 720 degrees: the next quarter turn after 630, which the tip has nearly reached
+  // 720 degrees: the next quarter turn; the tip has nearly reached 630
   const Drawing deeper = unrolled(test::laidTo(610.0, 0.0));
   EXPECT_TRUE(label(deeper, "720°"));
 }
@@ -112,7 +112,7 @@ TEST(UnrolledScala, AForceOfTheOuterWallStandsBeyondTheOuterWall)
   const Drawing drawing = unrolled(now);
   const Axes axes(drawing);
   const auto bars = all<Area>(drawing, orange);
-  ASSERT_EQ(bars.size(), 2u);  // and the legend's
+  ASSERT_EQ(bars.size(), 2u);  // the node's and the legend's
   const Box bar = boxOf(bars.front().points);
   EXPECT_NEAR(axes.angle_deg(0.5 * (bar.left + bar.right)), 150.0, 10.0);
   EXPECT_NEAR(axes.across_mm(bar.bottom), test::lumen_mm, 0.03);
@@ -134,7 +134,7 @@ TEST(UnrolledScala, ABarIsAsLongAsItsLegendSays)
   test::push(now, 50, -25.0);
   const auto bars = all<Area>(unrolled(now), orange);
   const double half =
-      boxOf(bars.front().points).height() - 1.5;  // it begins beside the wall's line
+      boxOf(bars.front().points).height() - 1.5;  // it starts at the edge of the wall's line
   EXPECT_NEAR(2.0 * half, boxOf(bars.back().points).height(), pixel);
 }
 
@@ -163,7 +163,7 @@ Drawing section(const haptics::Snapshot& now, double width = 240.0, double heigh
   return TipSection(*test::ringScala()).draw(array, width, height);
 }
 
-/// The scale bar is the longest level line in the color of text.
+/// The scale bar is the longest horizontal line in the text color.
 double pixelsPerMillimeter(const Drawing& drawing)
 {
   double longest = 0.0;
@@ -183,7 +183,7 @@ TEST(TipSection, DrawsScalaAndArrayToOneScale)
   const double px_mm = pixelsPerMillimeter(drawing);
   EXPECT_NEAR(outline(drawing).width() / px_mm, 2.0 * test::lumen_mm, 0.03);
   EXPECT_NEAR(outline(drawing).height() / px_mm, 2.0 * test::lumen_mm, 0.03);
-  // the array rises by 3 mm a turn of 21 mm: cut aslant, its section is higher by 1 %
+  // The array rises by 3 mm per turn of 21 mm: cut obliquely, its section is 1 % higher.
   const Box array = boxOf(all<Area>(drawing, silicone).front().points);
   EXPECT_NEAR(array.width() / px_mm, test::diameter_mm, 0.02);
   EXPECT_NEAR(array.height() / px_mm, test::diameter_mm, 0.02);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// A scala that anyone can compute: round sections on a curve in closed form, with an array laid
-// into it.
+// A scala in closed form: round sections along a known curve, with an array in it.
 
 #include <cmath>
 #include <memory>
@@ -16,14 +15,14 @@ inline constexpr double lumen_mm = 1.0;     ///< Radius of every section.
 inline constexpr double diameter_mm = 0.6;  ///< Diameter of the array.
 inline constexpr double turns_deg = 900.0;
 
-/// From the axis to the sections' centers: a ring of 3 mm with a hook at its beginning, as cochleae
-/// have one; without it half of the first turn would lie before the plane of the opening.
+/// From the axis to the centers of the sections: a ring of 3 mm that begins with a hook like a
+/// cochlea; without the hook half of the first turn would lie in front of the opening's plane.
 inline double ring_mm(double angle_deg)
 {
   return 3.0 + 2.5 * std::exp(-degrees(angle_deg).si() / 0.6);
 }
 
-/// Sections of radius lumen_mm, every 10 degrees. They rise, so that turns do not meet.
+/// Sections of radius lumen_mm, every 10 degrees. They rise, so that turns do not overlap.
 inline std::shared_ptr<const anatomy::ScalaTympani> ringScala()
 {
   anatomy::SectionTables tables;
@@ -55,7 +54,7 @@ inline electrode::ArrayDesign plainArray()
   return array;
 }
 
-/// A point of the ring's section at an angle, so far out and up from its center [mm].
+/// A point of the ring's section at an angle, relative to its center: outward and up [mm].
 inline Eigen::Vector3d ringPlace_mm(double angle_deg, double across_mm, double up_mm)
 {
   const double angle = degrees(angle_deg).si();
@@ -65,7 +64,7 @@ inline Eigen::Vector3d ringPlace_mm(double angle_deg, double across_mm, double u
 
 inline constexpr int ringNodes = 101;
 
-/// An array with nodes at equal angles up to the tip's, all at the same position in their sections.
+/// An array with nodes at equal angles up to the tip, all at the same position in their sections.
 inline haptics::Snapshot laidTo(double tip_deg, double across_mm, double up_mm = 0.0)
 {
   haptics::Snapshot now{};
@@ -78,7 +77,7 @@ inline haptics::Snapshot laidTo(double tip_deg, double across_mm, double up_mm =
   return now;
 }
 
-/// Lets the wall push on a node: so hard toward the outer wall and toward the apex.
+/// Sets the wall's force on a node: its components toward the outer wall and toward the apex.
 inline void push(haptics::Snapshot& now, std::size_t node, double across_mN, double up_mN = 0.0)
 {
   const Eigen::Vector2d outward =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Voxels and where they lie, against linear functions that trilinear interpolation gives exactly.
+// Voxels and their positions, tested with linear functions, which trilinear interpolation
+// reproduces exactly.
 
 #include "perilymph/ct/CtVolume.h"
 
@@ -53,7 +54,7 @@ TEST(CtVolume, HasTheSpacingOfItsColumns)
   EXPECT_LT((ramp().spacing_mm() - Eigen::Vector3d(0.3, 0.5, 0.6)).norm(), 1e-12);
 }
 
-TEST(CtVolume, SaysNothingOutside)
+TEST(CtVolume, HasNoValueOutside)
 {
   const CtVolume volume = ramp();
   EXPECT_FALSE(volume.sample(volume.toLps({-0.1, 0.0, 0.0})));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Phantoms of known truth, measured.
+// Measurement of phantoms with known ground truth.
 
 #include "perilymph/ct/Measures.h"
 

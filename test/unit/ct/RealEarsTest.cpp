@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Real ears with hand-drawn labels, where a folder of them is at hand: the environment's
-// PERILYMPH_EARS. The project ships none.
+// Real ears with manually drawn labels, in the folder that the environment variable PERILYMPH_EARS
+// names. The project ships none.
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ struct Measured {
   CochleaMeasures found;
 };
 
-/// Every ear of the folder with its measures, made once.
+/// Every ear of the folder with its measures, computed once.
 const std::vector<Measured>& measuredEars()
 {
   static const std::vector<Measured> all = [] {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Positions and orientations as scanners write them, and as they must not be.
+// Positions and orientations: valid ones as scanners write them, and invalid ones.
 
 #include "perilymph/ct/SliceStack.h"
 
@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Slices of an orientation, shuffled as files in a folder are.
+/// Slices of one orientation in random order, like files in a folder.
 std::vector<SlicePose> slices(const Eigen::Matrix3d& axes_P, const Eigen::Vector3d& step_P,
                               int count)
 {
@@ -33,7 +33,7 @@ std::vector<SlicePose> axial(int count, double step_mm = 0.6)
   return slices(Eigen::Matrix3d::Identity(), {0.0, 0.0, step_mm}, count);
 }
 
-/// The slice that lies at a place of axial(), counted from the lowest.
+/// The slice at a position of axial(), counted from the lowest.
 SlicePose& at(std::vector<SlicePose>& stack, int k)
 {
   std::sort(stack.begin(), stack.end(), [](const SlicePose& a, const SlicePose& b) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The axis of spiral surfaces whose motion is known in closed form.
+// The axis of spiral surfaces with a motion known in closed form.
 
 #include "SpiralMotion.h"
 
@@ -14,8 +14,8 @@
 namespace perilymph::ct {
 namespace {
 
-/// Points of a tube that a spiral motion about z carries along itself: rotation, climb and
-/// shrinking.
+/// Points of a tube that is invariant under a spiral motion about z: rotation, translation and
+/// scaling.
 std::vector<SurfacePoint> conicalTube(const Eigen::Matrix3d& turn, const Eigen::Vector3d& shift)
 {
   const auto place = [](double t, double f) {

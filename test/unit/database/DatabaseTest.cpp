@@ -27,9 +27,9 @@ const FileKind notes = {"a book of notes",
                         3,
                         {"CREATE TABLE note(number INTEGER PRIMARY KEY, text TEXT NOT NULL)"}};
 
-class Door : public testing::Test {
+class DatabaseFile : public testing::Test {
 protected:
-  Door()
+  DatabaseFile()
   {
     std::ofstream(file, std::ios::binary).flush();
     auto written = Database::openNew(file);
@@ -48,7 +48,7 @@ protected:
   const fs::path file = folder / "some.notes";
 };
 
-TEST_F(Door, LetsInAFileOfItsKind)
+TEST_F(DatabaseFile, AcceptsAFileOfItsKind)
 {
   const auto opened = Database::open(file, notes);
   ASSERT_TRUE(opened) << opened.error().message;
@@ -61,7 +61,7 @@ TEST_F(Door, LetsInAFileOfItsKind)
   EXPECT_EQ(rows->type(1), Statement::Type::text);
 }
 
-TEST_F(Door, OpensForReadingWhatIsOnlyRead)
+TEST_F(DatabaseFile, OpensReadOnlyFilesForReading)
 {
   auto opened = Database::open(file, notes);
   ASSERT_TRUE(opened);
@@ -70,7 +70,7 @@ TEST_F(Door, OpensForReadingWhatIsOnlyRead)
   EXPECT_THAT(written.error().message, HasSubstr("readonly"));
 }
 
-TEST_F(Door, RefusesAnotherKindInItsOwnWords)
+TEST_F(DatabaseFile, RefusesAnotherKindWithItsMessage)
 {
   FileKind other = notes;
   other.applicationId = 5;
@@ -79,7 +79,7 @@ TEST_F(Door, RefusesAnotherKindInItsOwnWords)
   EXPECT_THAT(opened.error().message, HasSubstr("is not a book of notes. Choose a .notes file."));
 }
 
-TEST_F(Door, RefusesANewerVersion)
+TEST_F(DatabaseFile, RefusesANewerVersion)
 {
   FileKind older = notes;
   older.newestVersion = 2;
@@ -88,7 +88,7 @@ TEST_F(Door, RefusesANewerVersion)
   EXPECT_THAT(opened.error().message, HasSubstr("has format 3; this program reads up to 2"));
 }
 
-TEST_F(Door, RefusesOneMoreTableAndOneFewer)
+TEST_F(DatabaseFile, RefusesAnExtraOrAMissingTable)
 {
   FileKind more = notes;
   more.tables.push_back("CREATE TABLE other(x)");
@@ -99,7 +99,7 @@ TEST_F(Door, RefusesOneMoreTableAndOneFewer)
               HasSubstr("it has content that a book of notes does not have"));
 }
 
-TEST_F(Door, EndsAQueryThatIsLongerThanTheFileCanNeed)
+TEST_F(DatabaseFile, StopsAQueryThatExceedsTheLimitOfTheFile)
 {
   const auto opened = Database::open(file, notes);
   ASSERT_TRUE(opened);
@@ -110,11 +110,11 @@ TEST_F(Door, EndsAQueryThatIsLongerThanTheFileCanNeed)
   EXPECT_EQ(opened->lastError(), "reading it does not end");
 }
 
-TEST_F(Door, EndsAQueryWhenItIsToldTo)
+TEST_F(DatabaseFile, StopsACanceledQuery)
 {
   bool isAsked = false;
   const auto opened = Database::open(file, notes, [&isAsked] { return isAsked = true; });
-  // Opening takes too few instructions to be asked.
+  // Opening executes too few instructions for the callback to be called.
   ASSERT_TRUE(opened) << opened.error().message;
   auto long_ = opened->prepare(
       "WITH RECURSIVE n(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM n) SELECT max(x) FROM n");
@@ -124,7 +124,7 @@ TEST_F(Door, EndsAQueryWhenItIsToldTo)
   EXPECT_THAT(opened->readingError("").message, HasSubstr("was stopped"));
 }
 
-TEST_F(Door, IsNotPassedByAJournalThatNamesAFurtherFile)
+TEST_F(DatabaseFile, RefusesAJournalThatNamesAnotherFile)
 {
   const fs::path treasure = folder / "treasure.txt";
   std::ofstream(treasure) << "what nobody may lose";
@@ -133,8 +133,8 @@ TEST_F(Door, IsNotPassedByAJournalThatNamesAFurtherFile)
   EXPECT_TRUE(fs::exists(treasure));
 }
 
-// The check above reads the journal; should one ever pass it, SQLite is still kept from the file.
-TEST_F(Door, KeepsSqliteFromFilesAJournalNames)
+// Second line of defense: even if a journal passes the check above, SQLite cannot reach the file.
+TEST_F(DatabaseFile, KeepsSqliteFromFilesNamedInAJournal)
 {
   const fs::path treasure = folder / "treasure.txt";
   std::ofstream(treasure) << "what nobody may lose";
@@ -147,7 +147,7 @@ TEST_F(Door, KeepsSqliteFromFilesAJournalNames)
   EXPECT_TRUE(fs::exists(treasure));
 }
 
-TEST_F(Door, IsNotPassedByLinksBesideTheFile)
+TEST_F(DatabaseFile, RefusesLinksBesideTheFile)
 {
   const fs::path elsewhere = folder / "elsewhere";
   std::ofstream(elsewhere) << "somebody's own";
@@ -158,7 +158,7 @@ TEST_F(Door, IsNotPassedByLinksBesideTheFile)
   }
 }
 
-TEST_F(Door, IsNotPassedByPipesFoldersOrOtherFiles)
+TEST_F(DatabaseFile, RefusesPipesFoldersAndOtherFiles)
 {
   EXPECT_THAT(Database::open(folder.path(), notes).error().message, HasSubstr("is a folder"));
   EXPECT_THAT(Database::open(folder / "none", notes).error().message, HasSubstr("does not exist"));

@@ -80,7 +80,7 @@ struct Rig {
     std::copy(bytes.begin(), bytes.end(), report.bytes.begin());
     return codec->decode(report, hand).has_value();
   }
-  /// Report of three numbers of 16 bits.
+  /// A report with three numbers of 16 bits.
   bool takes(std::uint8_t number, int a, int b, int c)
   {
     std::vector<std::uint8_t> bytes{number};
@@ -133,7 +133,7 @@ TEST(Joystick, PutsTheGraspButtonFirstAndLosesNoOther)
   EXPECT_EQ(rig.hand.buttons, 0u);
 }
 
-TEST(Joystick, DoesNotListenToReportsThatAreShortOrOfAnotherNumber)
+TEST(Joystick, IgnoresReportsThatAreShortOrOfAnotherNumber)
 {
   Rig rig(stickProfile(), test::joystickDescriptor());
   ASSERT_TRUE(rig.takes(stickReport(1023, 1023, 0xff)));
@@ -184,7 +184,7 @@ TEST(Knob, DriftsWithASpeedWhileItIsPushed)
   EXPECT_EQ(rig.hand.position_D[0], 0.0);
 }
 
-TEST(Knob, StandsWhileItIsLetGoOrNearlySo)
+TEST(Knob, RestsWhileReleasedOrWithinItsDeadZone)
 {
   Rig rig(knobProfile(), test::knobDescriptor());
   for (int i = 0; i < 100; ++i) rig.takes(1, 17, -17, 17);  // within 5 % of 350
@@ -218,7 +218,7 @@ TEST(Knob, TurnsByTheAngleOfItsSpeedAndStaysARotation)
   EXPECT_NEAR(rig.hand.rotation_D[3], std::sqrt(0.5), 1e-12);
 }
 
-TEST(Knob, TellsTheSameInOneReportAsInTwo)
+TEST(Knob, GivesTheSameMotionInOneReportAsInTwo)
 {
   Rig two(knobProfile(), test::knobDescriptor());
   Rig one(knobProfile(), test::combinedKnobDescriptor());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Report descriptors of devices as their makers write them, byte by byte.
+// Report descriptors of devices as manufacturers write them, byte by byte.
 
 #include <cstdint>
 #include <vector>
@@ -20,7 +20,7 @@ inline std::vector<std::uint8_t> joystickDescriptor()
           0xc0};
 }
 
-/// A six-axis knob: report 1 translation, report 2 rotation, report 3 two buttons and padding.
+/// A six-axis knob: translation in report 1, rotation in 2, two buttons and padding in 3.
 inline std::vector<std::uint8_t> knobDescriptor()
 {
   return {0x05, 0x01, 0x09, 0x08, 0xa1, 0x01,              // multi-axis controller
@@ -31,7 +31,7 @@ inline std::vector<std::uint8_t> knobDescriptor()
           0x95, 0x02, 0x81, 0x02, 0x75, 0x06, 0x95, 0x01, 0x81, 0x03, 0xc0};
 }
 
-/// The same knob with both in report 1, as the wireless ones do.
+/// The same knob with translation and rotation in report 1, like the wireless models.
 inline std::vector<std::uint8_t> combinedKnobDescriptor()
 {
   return {0x05, 0x01, 0x09, 0x08, 0xa1, 0x01, 0x16, 0xa2, 0xfe, 0x26, 0x5e,
@@ -39,7 +39,7 @@ inline std::vector<std::uint8_t> combinedKnobDescriptor()
           0x09, 0x32, 0x09, 0x33, 0x09, 0x34, 0x09, 0x35, 0x81, 0x02, 0xc0};
 }
 
-/// A force-feedback stick by the PID class. Reports, with the bytes behind their number:
+/// A force-feedback stick of the PID class. Reports, with the bytes after the report number:
 ///
 ///     input 1         X, Y (16 bits, signed), 8 buttons
 ///     output 0x11     set effect: block, type, duration 16, gain, trigger, enable bits (X, Y,
@@ -52,7 +52,7 @@ inline std::vector<std::uint8_t> combinedKnobDescriptor()
 ///     feature 0x21    create new effect: type, byte count 16
 ///     feature 0x22    block load: block, status (success, full, error), memory left 16
 ///
-/// Types are listed as ramp, constant, from 1 on.
+/// Effect types are numbered from 1: ramp, constant.
 inline std::vector<std::uint8_t> pidDescriptor()
 {
   return {0x05, 0x01, 0x09, 0x04, 0xa1, 0x01,  // joystick

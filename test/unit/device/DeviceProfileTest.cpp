@@ -37,7 +37,7 @@ ReportDescriptor descriptorOf(const std::vector<std::uint8_t>& bytes)
   return *ReportDescriptor::parse(bytes);
 }
 
-/// A vendor's own reports: nothing that a usage could find.
+/// Vendor-defined reports, which no usage identifies.
 ReportDescriptor vendorDescriptor()
 {
   return descriptorOf({0x06, 0xab, 0xff, 0x0a, 0x00, 0x02, 0xa1, 0x01, 0x15,
@@ -120,7 +120,7 @@ TEST(FaultyProfile, IsAnsweredWithFileLineKeyValueAndRange)
       HasSubstr("renders no force"));
 }
 
-TEST(FaultyProfile, CannotTurnTheHandInsideOut)
+TEST(FaultyProfile, CannotMirrorTheHand)
 {
   const std::string mount = good + "[mount]\nrotation = ";
   EXPECT_THAT(error(mount + "[1,0,0, 0,1,0, 0,0,1]"), HasSubstr("accepted"));
@@ -171,7 +171,7 @@ TEST(ForceProfile, MayNotSteerBySpeed)
   EXPECT_THAT(error(text), HasSubstr("the force belongs to a place"));
 }
 
-/// The shipped stick, whose profile renders force, with one more line on what it can do.
+/// The shipped force-feedback stick with one more line of capabilities.
 std::string stickThatSays(const std::string& line)
 {
   const auto file = findByName("device profile", "plugins/devices", "pid");
@@ -188,7 +188,7 @@ TEST(DeviceProfile, SaysWhatIsKnownOfTheHandle)
   EXPECT_EQ(profile->traits.handleMass, 0.2);
 }
 
-TEST(DeviceProfile, RefusesAHandleThatNobodyCanHold)
+TEST(DeviceProfile, RefusesAnImpossibleHandle)
 {
   EXPECT_THAT(error(stickThatSays("handle_mass_kg = 200.0")), HasSubstr("handle_mass_kg"));
   EXPECT_THAT(error(stickThatSays("handle_damping_N_s_m = -1.0")),

@@ -58,7 +58,7 @@ TEST(DeviceSurvey, SaysWhatADeviceWithoutAProfileIs)
   EXPECT_THAT(survey.devices[0].obstacle, HasSubstr("mouse"));
 }
 
-TEST(DeviceSurvey, BearsADescriptorThatMakesNoSense)
+TEST(DeviceSurvey, SurvivesAnInvalidDescriptor)
 {
   RecordedTree tree;
   tree.add({"0003:ABCD:0002.0001", "Broken", "hidraw0", "00", "\xff\xfe\xfd"});
@@ -68,7 +68,7 @@ TEST(DeviceSurvey, BearsADescriptorThatMakesNoSense)
   EXPECT_FALSE(survey.devices[0].isUsable());
 }
 
-TEST(DeviceSurvey, SaysThatANodeIsMissing)
+TEST(DeviceSurvey, ReportsAMissingNode)
 {
   RecordedTree tree;
   tree.add({"0003:ABCD:0001.0001", "A stick", "hidraw0", "00", stick});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What goes wrong with a HID device before and while it is the hand, and hands that have to be
-// asked. As in HidDeviceTest.cpp, time stands still unless a test lets it pass.
+// Errors of a HID device before and during its use, and polled devices. As in HidDeviceTest.cpp,
+// the clock only moves when a test moves it.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ protected:
                                         virtualClock);
     return *hand_;
   }
-  /// The device sends a report after a delay whenever a thread waits for one.
+  /// Whenever a thread waits for a report, the device sends one after a delay.
   void reportEvery(std::int64_t time)
   {
     hid.whenWaiting([this, time](Duration) {
@@ -83,11 +83,11 @@ TEST_F(FailingHidDevice, HasNoHealthAndCannotBeWaitedForWhileItIsClosed)
   EXPECT_EQ(hand.await(Duration::fromSi(1e-3)), Awaited::cannot);
   reportEvery(millisecond);
   ASSERT_TRUE(hand.open());
-  // no thread has taken the handle yet
+  // no thread has taken the handle
   EXPECT_EQ(hand.await(Duration::fromSi(1e-3)), Awaited::cannot);
 }
 
-TEST_F(FailingHidDevice, ThatReportsOnlyChangesIsNoClock)
+TEST_F(FailingHidDevice, ThatReportsOnlyChangesDoesNotPaceTheLoop)
 {
   DeviceTraits traits = test::fakeTraits();
   traits.rendersForce = false;
@@ -125,7 +125,7 @@ TEST_F(FailingHidDevice, WithoutAReportWhileItIsOpenedKeepsTheProfilesPeriod)
   EXPECT_EQ(hand.traits().nominalPeriod, 1e-3);
 }
 
-TEST_F(FailingHidDevice, WhosePeriodIsFarFromTheProfilesIsNotBelieved)
+TEST_F(FailingHidDevice, WhosePeriodIsFarFromTheProfilesKeepsTheProfiles)
 {
   for (const std::int64_t period : {3 * millisecond, 3 * millisecond / 10, std::int64_t{0}}) {
     reportEvery(period);
@@ -145,7 +145,7 @@ TEST_F(FailingHidDevice, PulledOutWhileItIsOpenedIsInvalid)
   EXPECT_EQ(hand.read().isValid, 0u);
 }
 
-TEST_F(FailingHidDevice, ThatTakesNoReportWhileItIsOpenedHasNoWayMeasured)
+TEST_F(FailingHidDevice, ThatTakesNoReportWhileItIsOpenedHasNoMeasuredDelay)
 {
   hid.refuseWrites(true);
   reportEvery(millisecond);
@@ -199,7 +199,7 @@ TEST_F(FailingHidDevice, IsToldZeroAgainUntilItTakesIt)
   hand.read();
   hand.write(pushing(0.5));
   expectSoon([this] { return hasShownAForce(); });
-  // The loop falls silent, and the device refuses the zero that follows from it.
+  // The loop stops calling, and the device refuses the zero force that is sent in response.
   hid.refuseWrites(true);
   virtualNow += 100 * millisecond;
   expectSoon([&hand] {
@@ -211,7 +211,7 @@ TEST_F(FailingHidDevice, IsToldZeroAgainUntilItTakesIt)
   expectSoon([this] { return hid.forces().back()[0] == 0.0; });
 }
 
-TEST_F(FailingHidDevice, ThatShouldAnswerButDoesNotHasNoWayMeasured)
+TEST_F(FailingHidDevice, ThatShouldAnswerButDoesNotHasNoMeasuredDelay)
 {
   DeviceTraits traits = test::fakeTraits();
   hid.whenWaiting([](Duration time) { virtualNow += std::int64_t(time.si() * 1e9); });
@@ -245,7 +245,7 @@ protected:
   std::int64_t answerTime = 200'000;  // [ns]
 };
 
-TEST_F(PolledHidDevice, TellsItsPlaceAndHowLongAnAnswerTakes)
+TEST_F(PolledHidDevice, GivesItsPositionAndTheTimeOfAnAnswer)
 {
   HidDevice& hand = handOf(traits);
   ASSERT_TRUE(hand.open());
@@ -258,7 +258,7 @@ TEST_F(PolledHidDevice, TellsItsPlaceAndHowLongAnAnswerTakes)
   EXPECT_GT(hand.read().position_D[0], before.position_D[0]);
 }
 
-TEST_F(PolledHidDevice, ThatIsSlowIsMeasuredAllTheSame)
+TEST_F(PolledHidDevice, ThatIsSlowIsMeasured)
 {
   answerTime = 20 * millisecond;
   HidDevice& hand = handOf(traits);
@@ -289,12 +289,12 @@ TEST_F(PolledHidDevice, PulledOutWhileItIsAskedIsInvalid)
   ASSERT_TRUE(hand.open());
   expectSoon([&hand] { return hand.read().isValid == 1; });
   hid.unplug();
-  expectSoon([&hand] { return !hand.health()->isConnected; });  // no thread reads: the polling one
-                                                                // detects it
+  // No thread reads; the polling thread detects it.
+  expectSoon([&hand] { return !hand.health()->isConnected; });
   EXPECT_EQ(hand.read().isValid, 0u);
 }
 
-TEST_F(PolledHidDevice, WithoutAForceIsAskedAllTheSame)
+TEST_F(PolledHidDevice, WithoutAForceIsPolled)
 {
   traits.rendersForce = false;
   HidDevice& hand = handOf(traits);

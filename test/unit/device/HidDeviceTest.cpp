@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A HidDevice against a device in memory. Time stands still unless a test lets it pass; where another
-// thread has something to do, the test looks until it is done.
+// A HidDevice with a simulated device. The clock only moves when a test moves it; where another
+// thread has work to do, the test waits until it is done.
 
 #include "hid/HidDevice.h"
 
@@ -39,7 +39,7 @@ protected:
     report.buttons = graspButton;
     hid.send(report);
   }
-  /// One turn of a haptic loop: a report comes, it is read, a force is left.
+  /// One cycle of a haptic loop: a report arrives, it is read, a force is written.
   DeviceSample turn(double newtons)
   {
     tickDevice();
@@ -123,7 +123,7 @@ TEST_F(HidDeviceOnAFake, ShowsTheNewestForceAfterAPauseOfTheDevice)
   hid.holdWrites(false);
   expectSoon([this] { return hasShown(0.3); });
   const auto forces = hid.forces();
-  ASSERT_EQ(forces.size(), before + 2);  // 0.2 N was overtaken in the mailbox
+  ASSERT_EQ(forces.size(), before + 2);  // 0.2 N was overwritten in the mailbox
   EXPECT_EQ(forces[before][0], 0.1);
 }
 
@@ -188,7 +188,7 @@ TEST_F(HidDeviceOnAFake, SendsZeroByItselfWhenTheLoopFallsSilent)
   expectSoon([this] { return hasShown(0.0); });
 }
 
-TEST_F(HidDeviceOnAFake, OutlivesAPlugPulledInMidWrite)
+TEST_F(HidDeviceOnAFake, SurvivesUnpluggingDuringAWrite)
 {
   open();
   hid.holdWrites(true);
@@ -202,7 +202,7 @@ TEST_F(HidDeviceOnAFake, OutlivesAPlugPulledInMidWrite)
   EXPECT_NE(hand.health()->error.find("not plugged in"), std::string::npos);
 }
 
-TEST_F(HidDeviceOnAFake, IsTakenUpAgainWhenItIsPluggedIn)
+TEST_F(HidDeviceOnAFake, IsOpenedAgainWhenItIsPluggedIn)
 {
   open();
   const DeviceSample before = turn(0.5);
@@ -280,7 +280,7 @@ TEST_F(HidDeviceOnAFake, AllocatesNothingInReadAndWrite)
   EXPECT_EQ(guard.allocations(), 0u);
 }
 
-TEST_F(HidDeviceOnAFake, CallsTheWayThereAndAPeriodTheMostThatAForceTakesToShow)
+TEST_F(HidDeviceOnAFake, AssumesARoundTripOfOnePeriodPlusTheTimeOfAWrite)
 {
   open();
   const DeviceHealth health = *hand.health();
@@ -294,7 +294,7 @@ TEST(HidDeviceThatAnswers, MeasuresTheTimeFromAForceToItsAnswer)
   FakeHid hid;
   std::size_t answered = 0;
   std::uint16_t counter = 0;
-  // It answers each report 300 us after it was sent, and is silent else.
+  // It only answers reports, each after 300 us.
   hid.whenWaiting([&](Duration timeout) {
     const std::size_t taken = hid.written().size();
     virtualNow += taken > answered ? 300'000 : std::int64_t(timeout.si() * 1e9);
@@ -314,7 +314,7 @@ TEST(HidDeviceThatAnswers, MeasuresTheTimeFromAForceToItsAnswer)
   EXPECT_EQ(hand.traits().transportDelay, health.roundTrip);
 }
 
-TEST_F(HidDeviceOnAFake, IsSaidToBeUnguardedWhereNobodyElseCanReachTheDevice)
+TEST_F(HidDeviceOnAFake, ReportsThatItIsUnguardedWhereNoOtherProcessCanOpenTheDevice)
 {
   open();
   EXPECT_FALSE(hand.health()->isGuarded);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Discovery from recorded trees: folders laid out as Linux lays out /sys and /dev.
+// Discovery in recorded trees: folders with the layout of /sys and /dev.
 
 #include "perilymph/device/HidNodes.h"
 
@@ -72,7 +72,7 @@ TEST(HidNodes, SayWhatMayNotBeOpened)
   EXPECT_EQ(findHidNodes(tree.roots()).at(0).access, NodeAccess::denied);
 }
 
-TEST(HidNodes, LeaveOutWhatMakesNoSense)
+TEST(HidNodes, SkipInvalidEntries)
 {
   RecordedTree tree;
   fs::create_directories(tree.sys() / "class/hidraw/hidraw3/device");  // no uevent
@@ -82,7 +82,7 @@ TEST(HidNodes, LeaveOutWhatMakesNoSense)
   EXPECT_TRUE(findHidNodes(tree.roots()).empty());
 }
 
-TEST(HidNodes, KnowADeviceAgainUnderAnotherNumber)
+TEST(HidNodes, RecognizeADeviceUnderAnotherNumber)
 {
   RecordedTree tree;
   tree.add({"0003:1234:0006.0001", "Hand", "hidraw0", "00"});
@@ -93,8 +93,8 @@ TEST(HidNodes, KnowADeviceAgainUnderAnotherNumber)
   EXPECT_FALSE(isSameDevice(nodes.at(0), nodes.at(2)));  // its other interface
 }
 
-// systemd: 73-seat-late.rules gives what is tagged "uaccess" to whoever sits at the machine, so the
-// rule has to come before it and to tag, not to set a mode.
+// systemd's 73-seat-late.rules gives devices with the tag "uaccess" to the user at the machine, so
+// the rule must come earlier and set the tag, not a mode.
 TEST(UdevRule, TagsAndNeverOpensToEverybody)
 {
   const std::string rule = udevRule(0x256f, 0xc63a);

@@ -57,7 +57,7 @@ TEST(Linkage, TurnsItsBodyByTheGearOfCapstanAndBody)
 
 TEST(Linkage, DoesTheWorkOfTheForceAtTheHandle)
 {
-  // The principle of virtual work, with the motion of the handle by central differences.
+  // Principle of virtual work; the motion of the handle by central differences.
   const Linkage linkage = arm();
   const double step = 1e-6;
   for (const Vector& angles :
@@ -107,7 +107,7 @@ TEST(MotorCurrents, KeepTheDirectionOfTheForceWhenTheyAreTooMuch)
   double maximum = 0.0;
   for (const double current : currents) maximum = std::max(maximum, std::fabs(current));
   EXPECT_NEAR(maximum, linkage.maxCurrent, 1e-12);
-  // back to torques: parallel to what was wanted
+  // converted back to torques: parallel to the requested ones
   for (std::size_t i = 1; i < 3; ++i) {
     const double first = currents[0] * linkage.torqueConstant[0] / linkage.bodyTurnsPerTurn[0];
     const double other = currents[i] * linkage.torqueConstant[i] / linkage.bodyTurnsPerTurn[i];

@@ -70,7 +70,7 @@ TEST(PidDevice, IsQuietUntilItsActuatorsAreEnabledAsTheLastThing)
   EXPECT_EQ(rig.device.shown()[0], 0.0);
 }
 
-TEST(PidDevice, IsToldByTheOrderOfItsDescriptor)
+TEST(PidDevice, GetsUsagesInTheOrderOfItsDescriptor)
 {
   // This device lists "disable" before "enable" and ramp before constant force.
   Rig rig(byAxes);
@@ -164,7 +164,7 @@ TEST(PidDevice, MayAnswerSlowly)
   EXPECT_TRUE(rig.codec->begin(rig.device));
 }
 
-TEST(PidDevice, WithoutRoomIsAnsweredWithASentenceAndLeftQuiet)
+TEST(PidDevice, WithoutFreeMemoryIsAnErrorAndLeftWithoutForce)
 {
   Rig rig(byAxes);
   rig.device.capacity = 1;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The firmware of a force-feedback stick whose descriptor is pidDescriptor(): it reads the bytes by
-// hand, so that it shares nothing with the code it is a test of.
+// The firmware of a force-feedback stick with the descriptor pidDescriptor(). It decodes the bytes
+// itself and shares no code with the program.
 
 #include <array>
 #include <cstdint>
@@ -29,9 +29,9 @@ public:
 
   std::array<Effect, 8> effects{};  ///< By block; block 0 is none.
   std::size_t capacity = 3;         ///< Effects that fit.
-  bool actuatorsOn = true;          ///< As another program left them.
+  bool actuatorsOn = true;          ///< As left by another program.
   int gain = 7;
-  std::vector<std::string> story;  ///< What was asked, in words.
+  std::vector<std::string> story;  ///< The requests in words.
   int slowAnswers = 0;          ///< Block loads that are answered with an error before one works.
   int writesBeforeUnplug = -1;  ///< -1: it stays plugged in.
 

@@ -108,7 +108,7 @@ TEST(VectorDevice, IgnoresShortAndForeignReports)
   EXPECT_EQ(hand.position_D, (std::array<double, 3>{}));
 }
 
-TEST(VectorDevice, IsToldTheForceInItsSteps)
+TEST(VectorDevice, GetsTheForceInItsResolution)
 {
   const auto codec = *makeCodec(vectorProfile(), {});
   ReportList reports;
@@ -122,7 +122,7 @@ TEST(VectorDevice, IsToldTheForceInItsSteps)
   EXPECT_EQ(shortAt(reports.reports[0], 6), 1000);
 }
 
-TEST(VectorDevice, IsToldNoMoreThanItCanInTheSameDirection)
+TEST(VectorDevice, GetsAtMostItsMaximumForceInTheSameDirection)
 {
   const auto codec = *makeCodec(vectorProfile(), {});
   ReportList reports;
@@ -213,7 +213,7 @@ TEST(WoodenHaptics, PushesUpWithTheTorquesOfItsLevers)
   EXPECT_EQ(shortAt(reports.reports[0], 7), 0) << "no command";
 }
 
-TEST(WoodenHaptics, IsToldItsCountsOnceItsButtonAsks)
+TEST(WoodenHaptics, GetsTheCommandToSetItsCountsOnceWhenItsButtonIsPressed)
 {
   const auto codec = *makeCodec(woodenHaptics(), {});
   DeviceSample hand;

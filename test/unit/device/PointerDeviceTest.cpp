@@ -13,8 +13,8 @@ namespace perilymph::device {
 namespace {
 
 constexpr double timeStep = 1e-3;
-constexpr double maxSpeed = 20e-3;       // promised by the header
-constexpr double maxAcceleration = 0.4;  // promised by the header
+constexpr double maxSpeed = 20e-3;       // documented in the header
+constexpr double maxAcceleration = 0.4;  // documented in the header
 constexpr double rounding = 1e-9;
 
 double distance(const std::array<double, 3>& a, const std::array<double, 3>& b)
@@ -48,7 +48,7 @@ TEST(PointerDevice, DoesNotOvershoot)
   for (int i = 0; i < 3000; ++i) EXPECT_GE(hand.read().position_D[2], -5e-3 - 1e-9);
 }
 
-TEST(PointerDevice, NeitherJumpsNorHurriesWhateverIsAsked)
+TEST(PointerDevice, LimitsSpeedAndAcceleration)
 {
   PointerDevice hand(timeStep);
   hand.grasp(true);
@@ -70,7 +70,7 @@ TEST(PointerDevice, NeitherJumpsNorHurriesWhateverIsAsked)
   }
 }
 
-TEST(PointerDevice, ForgetsWhatWasAskedForWhileNobodyHeld)
+TEST(PointerDevice, IgnoresRequestsWhileNotHeld)
 {
   PointerDevice hand(timeStep);
   hand.advanceBy(5e-3);
@@ -81,7 +81,7 @@ TEST(PointerDevice, ForgetsWhatWasAskedForWhileNobodyHeld)
   EXPECT_EQ(sample.position_D[2], 0.0);
 }
 
-TEST(PointerDevice, DropsTheRestOfItsWayWhenLetGo)
+TEST(PointerDevice, DropsTheRestOfItsMotionWhenReleased)
 {
   PointerDevice hand(timeStep);
   hand.grasp(true);

@@ -14,7 +14,7 @@ std::vector<DeviceSample> threeSamples()
   for (std::size_t i = 0; i < samples.size(); ++i) {
     samples[i].sequence = 10 + i;
     samples[i].position_D[2] = -1e-3 * static_cast<double>(i);
-    samples[i].isValid = i == 1 ? 0u : 1u;  // a fault on the way
+    samples[i].isValid = i == 1 ? 0u : 1u;  // an invalid sample
   }
   return samples;
 }

@@ -20,7 +20,7 @@ ReportSlot slotAt(std::uint32_t offset, std::uint32_t bits, bool isSigned)
 
 TEST(NumberInAReport, BeginsAtTheLowestBitOfTheLowestByte)
 {
-  // 0xabc in the twelve bits behind the first four: nibbles d | c, b, a.
+  // 0xabc in the twelve bits after the first four: nibbles d | c, b, a.
   const std::array<std::uint8_t, 2> report{0xcd, 0xab};
   EXPECT_EQ(numberAt(report, slotAt(4, 12, false)), 0xabc);
   EXPECT_EQ(numberAt(report, slotAt(0, 4, false)), 0xd);
@@ -56,7 +56,7 @@ TEST(NumberInAReport, ComesBackFromAnyPlaceAndLeavesItsNeighborsAlone)
         putNumber(after, slotAt(offset, bits, isSigned), number);
         EXPECT_EQ(numberAt(after, slotAt(offset, bits, isSigned)), number);
 
-        // every other bit, counted one by one
+        // all other bits, one by one
         for (std::uint32_t bit = 0; bit < 56; ++bit) {
           if (bit >= offset && bit < offset + bits) continue;
           EXPECT_EQ((before[bit / 8] >> (bit % 8)) & 1, (after[bit / 8] >> (bit % 8)) & 1);

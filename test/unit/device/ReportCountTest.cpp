@@ -10,7 +10,7 @@ using Verdict = ReportCount::Verdict;
 
 constexpr std::int64_t millisecond = 1'000'000;  // [ns]
 
-/// A device at 1 kHz that was heard in time up to `counter`.
+/// A device at 1 kHz whose reports arrived in time up to `counter`.
 ReportCount heardUpTo(std::uint64_t counter)
 {
   ReportCount count(1e-3);
@@ -56,7 +56,7 @@ TEST(ReportCount, KnowsThatAReportWaited)
   EXPECT_EQ(count.classify(310, 311 * millisecond), Verdict::fresh);
 }
 
-TEST(ReportCount, BelievesADeviceThatPausedWithoutCounting)
+TEST(ReportCount, AcceptsADeviceThatPausedWithoutCounting)
 {
   for (const std::int64_t pause : {20, 50, 200, 1000}) {
     ReportCount count(1e-3);
@@ -66,11 +66,11 @@ TEST(ReportCount, BelievesADeviceThatPausedWithoutCounting)
       now += millisecond;
       count.classify(++counter, now, now);
     }
-    // the queue stayed empty all the while, so the next report has just come
+    // The queue was empty all the time, so the next report has just arrived.
     now += pause * millisecond;
     EXPECT_EQ(count.classify(++counter, now + millisecond, now), ReportCount::Verdict::fresh)
         << pause;
-    // and one that waits in the queue afterwards is found out as before
+    // A report that waits in the queue afterwards is detected as before.
     now += millisecond;
     EXPECT_EQ(count.classify(++counter, now + 100 * millisecond, now), ReportCount::Verdict::old);
   }
@@ -89,7 +89,7 @@ TEST(ReportCount, FollowsCountersOfAllWidthsOverTheirEnd)
   }
 }
 
-TEST(ReportCount, BeginsAnewWithADeviceThatDoes)
+TEST(ReportCount, RestartsWithADeviceThatRestarts)
 {
   ReportCount count = heardUpTo(5000);
   EXPECT_EQ(count.classify(1, 5001 * millisecond), Verdict::fresh);
@@ -97,13 +97,13 @@ TEST(ReportCount, BeginsAnewWithADeviceThatDoes)
   EXPECT_EQ(count.lost(), 0u);
 }
 
-TEST(ReportCount, BelievesADeviceWithoutACounter)
+TEST(ReportCount, AcceptsADeviceWithoutACounter)
 {
   ReportCount count(1e-3);
   for (int i = 0; i < 100; ++i) ASSERT_EQ(count.classify(0, i * millisecond), Verdict::fresh);
 }
 
-TEST(ReportCount, BearsADeviceClockThatDiffersByOnePercent)
+TEST(ReportCount, ToleratesADeviceClockThatDiffersByOnePercent)
 {
   for (const double fraction : {0.99, 1.01}) {
     ReportCount count(1e-3);

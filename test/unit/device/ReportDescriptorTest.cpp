@@ -165,7 +165,7 @@ TEST(ReportDescriptor, TakesThePageInForceAtTheMainItemForAShortUsage)
   EXPECT_TRUE(descriptor.find(ReportKind::input, axisX));
 }
 
-TEST(ReportDescriptor, BringsBackPushedValues)
+TEST(ReportDescriptor, RestoresPushedValues)
 {
   const ReportDescriptor descriptor =
       read({0x05, 0x01, 0x15, 0x00, 0x25, 0x01, 0x75, 0x08, 0x95, 0x01, 0xa4,
@@ -174,7 +174,7 @@ TEST(ReportDescriptor, BringsBackPushedValues)
   EXPECT_EQ(descriptor.find(ReportKind::input, axisY)->bits, 8u);
 }
 
-TEST(ReportDescriptor, ReadsAGreatestValueOfOneByteAsUnsignedBesideALeastOfZero)
+TEST(ReportDescriptor, ReadsAMaximumOfOneByteAsUnsignedWithAMinimumOfZero)
 {
   const ReportDescriptor descriptor =
       read(inputWith({0x15, 0x00, 0x25, 0xff, 0x75, 0x08, 0x95, 0x01}));

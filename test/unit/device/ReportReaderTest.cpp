@@ -15,12 +15,12 @@ namespace {
 using test::FakeHid;
 using test::FakeReport;
 
-/// A reader at a device that reports each millisecond of a time of its own.
+/// A reader of a device that reports every millisecond of a simulated time.
 class Reading : public testing::Test {
 protected:
   Reading() { virtualNow = 1000 * millisecond; }
 
-  /// Sends report `number`, whose place along x is number x 10 um.
+  /// Sends report `number`, whose position along x is number x 10 um.
   void send(std::uint16_t number)
   {
     FakeReport report;
@@ -51,7 +51,7 @@ TEST_F(Reading, TakesTheNewestOfManyReports)
   EXPECT_EQ(reader.newest().sequence, 7u);
 }
 
-TEST_F(Reading, SaysNothingWhereNothingCame)
+TEST_F(Reading, GivesNoSampleWithoutAReport)
 {
   EXPECT_EQ(reader.drain(*transport), Transfer::nothing);
   sendNext();
@@ -71,13 +71,13 @@ TEST_F(Reading, LosesAndRepeatsNothingInFiveThousandReports)
   EXPECT_NEAR(reader.figures().rate, 1000.0, 1.0);
 }
 
-TEST_F(Reading, BelievesNothingOfAQueueThatRanOver)
+TEST_F(Reading, RejectsAnOverflowedQueue)
 {
   for (int i = 0; i < 10; ++i) {
     sendNext();
     reader.drain(*transport);
   }
-  // no reading for 300 ms: the oldest 63 reports are kept
+  // not read for 300 ms: the 63 oldest reports are kept
   for (int i = 0; i < 300; ++i) sendNext();
   EXPECT_EQ(reader.drain(*transport), Transfer::nothing);
   EXPECT_NEAR(placeInSteps(), 10.0, 1e-9);
@@ -88,7 +88,7 @@ TEST_F(Reading, BelievesNothingOfAQueueThatRanOver)
   EXPECT_NEAR(placeInSteps(), 311.0, 1e-9);
 }
 
-TEST_F(Reading, BelievesNothingOfSuchAQueueWithoutACounterEither)
+TEST_F(Reading, RejectsAnOverflowedQueueWithoutACounter)
 {
   for (int i = 0; i < 100; ++i) send(0);
   EXPECT_EQ(reader.drain(*transport), Transfer::nothing);
@@ -97,7 +97,7 @@ TEST_F(Reading, BelievesNothingOfSuchAQueueWithoutACounterEither)
   EXPECT_EQ(reader.drain(*transport), Transfer::done);
 }
 
-TEST_F(Reading, DoesNotGoBackForAnOvertakenReport)
+TEST_F(Reading, IgnoresAnOvertakenReport)
 {
   for (int i = 0; i < 5; ++i) sendNext();
   send(3);
@@ -134,7 +134,7 @@ TEST_F(Reading, KeepsAnAwaitedReportForTheTick)
 {
   hid.whenWaiting([this](Duration) { sendNext(); });
   EXPECT_EQ(reader.await(*transport, Duration::fromSi(2e-3)), Transfer::done);
-  EXPECT_EQ(reader.newest().sequence, 0u);  // not yet looked at
+  EXPECT_EQ(reader.newest().sequence, 0u);  // not yet processed
   EXPECT_EQ(reader.drain(*transport), Transfer::done);
   EXPECT_EQ(reader.newest().sequence, 1u);
 }
@@ -152,7 +152,7 @@ TEST_F(Reading, SaysThatTheDeviceIsGone)
   hid.unplug();
   EXPECT_EQ(reader.drain(*transport), Transfer::gone);
   hid.plugIn();
-  EXPECT_EQ(reader.drain(*transport), Transfer::gone);  // this handle stays gone
+  EXPECT_EQ(reader.drain(*transport), Transfer::gone);  // this handle stays invalid
 }
 
 TEST_F(Reading, AllocatesNothing)

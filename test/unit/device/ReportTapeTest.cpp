@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Tapes of reports: as hid-recorder writes them, as we write them, damaged, recorded and played.
+// Tapes of reports: written by hid-recorder, written by the program, damaged, recorded and played.
 
 #include "tape/ReportTape.h"
 
@@ -23,7 +23,7 @@ using test::FakeReport;
 using testing::HasSubstr;
 using Bytes = std::vector<std::uint8_t>;
 
-// What hid-recorder 1.x of hid-tools prints for a mouse of three buttons.
+// Output of hid-recorder 1.x (hid-tools) for a mouse with three buttons.
 constexpr const char* hidRecorded = R"(# Mouse
 D: 0
 R: 52 05 01 09 02 a1 01 09 01 a1 00 05 09 19 01 29 03 15 00 25 01 95 03 75 01 81 02 95 01 75 05 81 03 05 01 09 30 09 31 09 38 15 81 25 7f 75 08 95 03 81 06 c0 c0
@@ -50,7 +50,7 @@ TEST(ReportTape, ReadsWhatHidRecorderWrote)
   EXPECT_EQ(tape->descriptor.size(), 52u);
   ASSERT_EQ(tape->entries.size(), 2u);
   EXPECT_EQ(tape->entries[1].time, 8'012'000);
-  // A mouse without report numbers: RawReport puts a 0 in front.
+  // A mouse without report numbers: RawReport prepends a 0.
   EXPECT_EQ(tape->entries[1].bytes, (Bytes{0, 1, 0xfe, 0, 0}));
 }
 
@@ -193,7 +193,7 @@ ReportTape tapeOf(const std::vector<std::pair<std::int64_t, FakeReport>>& report
   return tape;
 }
 
-TEST(PlayedPort, SaysEverythingAgainWhenItWasSaid)
+TEST(PlayedPort, RepeatsEveryReportAtItsTime)
 {
   virtualNow = 100 * millisecond;
   const auto port = playingPort(tapeOf({{0, {1, {}, 0}}, {3 * millisecond, {2, {}, 0}}}),
@@ -227,7 +227,7 @@ TEST(PlayedPort, RefusesTheReportThatWasRefusedAndIsGoneWhenItWasUnplugged)
   EXPECT_EQ(handle->read(report, Duration::fromSi(0.01)), Transfer::gone);
 }
 
-TEST(TapeReading, CountsWhatIsMissingAndMeasuresTheRoomTheHandWasIn)
+TEST(TapeReading, CountsMissingReportsAndMeasuresTheWorkspaceUsed)
 {
   ReportTape tape = tapeOf({{0 * millisecond, {1, {100, 0, 0}, 0}},
                             {1 * millisecond, {2, {200, -300, 0}, 1}},

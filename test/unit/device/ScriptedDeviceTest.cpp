@@ -24,7 +24,7 @@ TEST(ScriptedDevice, MovesIntoTheCochleaAtItsSpeedOnceItHolds)
   EXPECT_EQ(sample.buttons, graspButton);
 }
 
-TEST(ScriptedDevice, ComesBackTheWayItWent)
+TEST(ScriptedDevice, ReturnsOnTheSamePath)
 {
   ScriptedDevice hand(speed, timeStep);
   hand.move(ScriptedDevice::Motion::insert);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The rules that are installed against the profiles that are shipped.
+// The installed udev rules compared with the shipped profiles.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ std::string vendorRule(std::uint16_t vendor)
   return rule.replace(rule.find(":0000."), 6, ":");
 }
 
-/// What the profiles ask for: a vendor's rule where one asks for the whole vendor.
+/// The rules that the profiles require; a profile for a whole vendor requires the vendor's rule.
 std::set<std::string> wanted()
 {
   std::set<std::uint16_t> wholeVendors;

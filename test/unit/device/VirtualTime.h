@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// A clock that stands still unless a test moves it, and a wait for what another thread does.
+// A clock that only moves when a test moves it, and a wait for the work of another thread.
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ inline constexpr std::int64_t millisecond = 1'000'000;  ///< [ns]
 inline std::atomic<std::int64_t> virtualNow{0};  ///< Time of virtualClock() [ns].
 inline std::int64_t virtualClock() noexcept { return virtualNow; }
 
-/// Expects that the condition will hold, without moving the clock.
+/// Expects the condition to become true without moving the clock.
 template <class Condition>
 void expectSoon(Condition holds)
 {

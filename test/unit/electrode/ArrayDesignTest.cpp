@@ -44,7 +44,7 @@ confidence = "low"
 
 class ArrayFile : public testing::Test {
 protected:
-  /// Loads the straight array with one passage changed.
+  /// Loads the straight array after one text replacement.
   Result<ArrayDesign> load(const std::string& passage = "", const std::string& change = "")
   {
     std::string text = straightArray;
@@ -55,7 +55,7 @@ protected:
     return loadArray(file_);
   }
 
-  /// What is wrong after the change, without the folder.
+  /// The error message after the replacement, without the folder.
   std::string error(const std::string& passage, const std::string& change)
   {
     const Result<ArrayDesign> design = load(passage, change);

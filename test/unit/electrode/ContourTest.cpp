@@ -8,7 +8,7 @@
 #include "perilymph/electrode/ArrayDesign.h"
 #include "perilymph/foundation/Resources.h"
 
-// The shipped Nucleus 24 Contour against what is published of it.
+// The shipped Nucleus 24 Contour against its published data.
 
 namespace perilymph::electrode {
 namespace {
@@ -36,7 +36,7 @@ TEST_F(Contour, GoesInToItsSecondRib)
 {
   ASSERT_EQ(array.ribsFromTip.size(), 2u);
   EXPECT_DOUBLE_EQ(inMillimeters(array.insertable), 22.0);
-  // the rib's flank meets a rim rounded by 0.1 mm there
+  // there the rib's flank touches a rim of radius 0.1 mm
   const Length touches = array.ribsFromTip[1] - 0.5 * array.ribLength - millimeters(0.1);
   EXPECT_NEAR(inMillimeters(touches), inMillimeters(array.insertable), 0.05);
 }

@@ -9,7 +9,7 @@
 #include "perilymph/electrode/ArrayDesign.h"
 #include "perilymph/foundation/Resources.h"
 
-// Every shipped array against what is known of the device apart from its file.
+// Every shipped array against published data that its file does not contain.
 
 namespace perilymph::electrode {
 namespace {
@@ -18,12 +18,12 @@ struct Facts {
   double insertable_mm;
   std::size_t contacts;
   double fromFirstToLast_mm;  ///< Between the centers of the outermost contacts.
-  double tip_mm, base_mm;     ///< Greatest diameters there.
+  double tip_mm, base_mm;     ///< Maximum diameters.
   bool isPrecurved;
 };
 
-/// Published lengths and counts; where the length over all contacts is published, a contact's own
-/// length is taken off.
+/// Published lengths and counts; where the length over all contacts is published, one contact's
+/// length is subtracted.
 const std::map<std::string, Facts>& knownArrays()
 {
   static const std::map<std::string, Facts> arrays = {
@@ -88,7 +88,7 @@ TEST_P(ShippedArray, NeverGetsThinnerOrSofterTowardItsBase)
 
 TEST_P(ShippedArray, BendsNoMoreEasilyAcrossItsPlaneOfCurlThanWithinIt)
 {
-  // Its thinner side faces the modiolus, so the plane of the spiral is the easy one.
+  // The thinner side faces the modiolus, so the array bends more easily in the plane of the spiral.
   for (double place_mm = 0.0; place_mm <= inMillimeters(array.length); place_mm += 0.5) {
     const Length here = millimeters(place_mm);
     EXPECT_LE(array.sectionAt(here).within, array.sectionAt(here).across) << place_mm;
@@ -98,8 +98,8 @@ TEST_P(ShippedArray, BendsNoMoreEasilyAcrossItsPlaneOfCurlThanWithinIt)
 
 TEST_P(ShippedArray, IsNeitherSofterThanSiliconeNorStifferThanSolidPlatinumCore)
 {
-  // Bounds from outside: bare silicone of 1 MPa, and all wires of 25 um melted into one round
-  // core of platinum, doubled for silicone and for wires that do not lie close.
+  // Bounds: plain silicone of 1 MPa, and all 25 um wires fused into one round platinum core,
+  // doubled for the silicone and for loosely packed wires.
   for (double place_mm = 0.0; place_mm <= inMillimeters(array.length); place_mm += 0.5) {
     const Length here = millimeters(place_mm);
     const double d = array.sectionAt(here).within.si();
@@ -115,7 +115,7 @@ TEST_P(ShippedArray, IsHeldStillBeforeItsStyletWouldPassTheBasalTurn)
 {
   if (!array.hasStylet) return;
   ASSERT_TRUE(array.stylet.holdDepth);
-  // The outer wall of the basal turn lies 8 to 10 mm behind the round window.
+  // The outer wall of the basal turn is 8 to 10 mm from the round window.
   EXPECT_GE(*array.stylet.holdDepth, millimeters(3.0));
   EXPECT_LE(*array.stylet.holdDepth, millimeters(10.0));
 }
@@ -127,7 +127,7 @@ INSTANTIATE_TEST_SUITE_P(, ShippedArray, testing::ValuesIn(shippedNames("plugins
                            return name;
                          });
 
-/// Those of which facts are published.
+/// The arrays with published data.
 class KnownArray : public testing::TestWithParam<std::string> {
 protected:
   const ArrayDesign array = shipped(GetParam());
@@ -185,7 +185,7 @@ TEST(StiffnessOfShippedArrays, FollowsSiliconeAndWiresWhereTheFileSaysSo)
     if (source.find("by the model of plugins/README.md") == std::string::npos) continue;
     ++seen;
     const double c = source.find("c = 0.4") != std::string::npos ? 0.4 : 1.2;
-    // Behind the last contact all wires are there; at the tip one is.
+    // Basal to the last contact there are all wires; at the tip there is one.
     for (const auto& [place, wires] :
          {std::pair{array.insertable, static_cast<double>(array.contactsFromTip.size())},
           std::pair{array.contactsFromTip[0] - array.contactsFromTip[0], 1.0}}) {

@@ -45,7 +45,7 @@ TEST(Figure, EscapesWhatSvgDoesNotTakeAsText)
 
 TEST(Figure, LeavesOutWhatLiesBesideItsAxis)
 {
-  // one disk for the value at 8 mm and one in the legend; that at 30 mm lies beside the axis
+  // one disk for the value at 8 mm and one in the legend; 30 mm is outside the axis
   EXPECT_EQ(count(svg(draw(someFigure())), "<circle"), 2);
 }
 
@@ -54,7 +54,8 @@ TEST(Figure, DrawsNothingBetweenSingleValues)
   Figure figure = someFigure();
   figure.values.front().label.clear();
   const int frame = count(svg(draw(figure)), "<polyline");
-  figure.values.front().x = {8.0, 12.0};  // now both are inside: three strokes more, their bar
+  figure.values.front().x = {8.0,
+                             12.0};  // now both are inside: three more strokes, their error bar
   EXPECT_EQ(count(svg(draw(figure)), "<polyline"), frame + 3);
 }
 

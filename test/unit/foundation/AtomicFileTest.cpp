@@ -127,7 +127,7 @@ TEST(WriteWhole, NeverReplacesAReadOnlyFile)
 {
   const test::TemporaryFolder folder;
   put(folder / "old.csv", "kept");
-  ::chmod((folder / "old.csv").c_str(), 0444);  // binds the superuser, too
+  ::chmod((folder / "old.csv").c_str(), 0444);  // applies to root, too
   EXPECT_THAT(messageOf(checkWritable(folder / "old.csv")), HasSubstr("read-only"));
   EXPECT_THAT(messageOf(writeWhole(folder / "old.csv", std::string_view("new"))),
               HasSubstr("read-only"));
@@ -269,7 +269,7 @@ TEST(ReadWhole, TakesAsManyBytesAsItIsTold)
   put(folder / "in.txt", std::string((std::size_t{1} << 20) + 1, 'x'));
   EXPECT_THAT(messageOf(readWhole(folder / "in.txt", std::size_t{1} << 20)),
               HasSubstr("larger than 1 MiB"));
-  // files of /proc have no size, and content all the same
+  // Files in /proc report size 0 although they have content.
   EXPECT_TRUE(readWhole("/proc/self/status"));
 }
 

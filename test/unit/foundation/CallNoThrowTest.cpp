@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Exceptions end at the boundary of a thread and become a sentence.
+// Exceptions are caught at the boundary of a thread and become an error message.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ TEST(CallNoThrow, ReturnsTheResultOfWorkThatSucceeds)
   EXPECT_EQ(*result, 5);
 }
 
-TEST(CallNoThrow, TurnsMissingMemoryIntoASentenceAboutTheSubject)
+TEST(CallNoThrow, ReportsOutOfMemoryWithTheSubject)
 {
   const auto result =
       callNoThrow("The recording a.insertion", []() -> Result<int> { throw std::bad_alloc(); });

@@ -14,7 +14,7 @@ struct Fingerprints {
   std::string library;
 };
 
-/// What a process prints whose C library may use the instructions left by `tunables`.
+/// Output of a process whose C library may only use the instructions allowed by `tunables`.
 Fingerprints printedWith(const std::optional<std::string>& tunables)
 {
   test::ProgramCall call;

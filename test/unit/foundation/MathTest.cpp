@@ -144,7 +144,7 @@ TEST(SineCosine, IsExactAtZero)
   EXPECT_EQ(sineCosine(0.0).cosine, 1.0);
 }
 
-TEST(SineCosine, SaysNothingOfAnglesBeyondItsRange)
+TEST(SineCosine, IsNaNBeyondItsRange)
 {
   for (const double angle : {1e5, -1e5, 1e300, infinity, -infinity, nan}) {
     EXPECT_TRUE(std::isnan(sineCosine(angle).sine)) << angle;

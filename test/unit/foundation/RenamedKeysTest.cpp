@@ -17,7 +17,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// Collects warnings while it lives.
+/// Collects warnings until it is destroyed.
 class Heard {
 public:
   Heard()
@@ -38,7 +38,7 @@ std::string fileWith(const test::TemporaryFolder& folder, const std::string& tex
   return file.string();
 }
 
-TEST(RenamedKeys, HaveTheirNameOfToday)
+TEST(RenamedKeys, MapToTheirCurrentName)
 {
   EXPECT_EQ(currentKey("most_force_N"), "max_force_N");
   EXPECT_EQ(currentKey("max_force_N"), "max_force_N");
@@ -120,7 +120,7 @@ TEST(RenamedKeys, OfTextThatIsNoFileGiveNoWarning)
   EXPECT_THAT(heard.warnings, IsEmpty());
 }
 
-TEST(RenamedKeys, WarnAProgramOfWhatItReadBeforeItListened)
+TEST(RenamedKeys, WarnAboutKeysReadBeforeTheHandlerWasSet)
 {
   const test::TemporaryFolder folder;
   const std::string file = fileWith(folder, "dead_share = 0.1\n");

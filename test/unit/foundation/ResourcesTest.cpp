@@ -20,7 +20,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// Sets or takes away a variable of the environment, and puts the older value back.
+/// Sets or removes an environment variable, and restores the previous value.
 class Variable {
 public:
   Variable(const char* name, const std::optional<std::string>& value) : name_(name)
@@ -45,7 +45,7 @@ private:
   std::optional<std::string> older_;
 };
 
-/// A place for resources with a few arrays of two makers.
+/// A resource folder with a few arrays of two manufacturers.
 class ShippedArrays : public testing::Test {
 protected:
   ShippedArrays() : root_("PERILYMPH_RESOURCES", folder_.path().string())

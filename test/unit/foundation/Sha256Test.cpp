@@ -18,7 +18,7 @@ TEST(Sha256, GivesThePublishedHashes)
   EXPECT_EQ(million.hex(), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
-TEST(Sha256, GoesOnAfterAHashWasAskedFor)
+TEST(Sha256, ContinuesAfterAHashWasRead)
 {
   Sha256 pieces;
   pieces.add("a");

@@ -19,7 +19,7 @@ TomlReader parsed(const std::string& text)
   return std::move(*reader);
 }
 
-/// A number as C writes it with 17 digits, which every reader takes back to the same bits.
+/// A number as C prints it with 17 digits, which reads back to the same bits.
 std::string seventeenDigits(double value)
 {
   char buffer[40];
@@ -79,7 +79,7 @@ TEST(TomlDump, KeepsEveryKindOfValue)
     EXPECT_NE(dump.find(line), std::string::npos) << line << dump;
 }
 
-/// A way to write numbers as some countries do: 1.234,5.
+/// Number format of some countries: 1.234,5.
 class Commas : public std::numpunct<char> {
 protected:
   char do_decimal_point() const override { return ','; }

@@ -27,7 +27,7 @@ TomlReader parsed(const std::string& text)
   return std::move(*reader);
 }
 
-/// What finish() says after the reading; "fine" if nothing is wrong.
+/// The error of finish() after reading, or "fine".
 std::string errorIn(const std::string& text, const std::function<void(TomlReader&)>& reading)
 {
   Result<TomlReader> reader = TomlReader::parse(text, "my.toml");
@@ -164,7 +164,7 @@ TEST(TomlReader, RefusesListsThatAreTooShortOrOutOfRange)
   EXPECT_EQ(errorIn("from_tip_mm = 3", places), "my.toml:1: from_tip_mm is 3; " + must);
 }
 
-TEST(TomlReader, GivesUsableValuesAfterAError)
+TEST(TomlReader, GivesUsableValuesAfterAnError)
 {
   TomlReader reader = parsed("speed_mm_s = -3\nfrom_tip_mm = []\nside = 'up'");
   EXPECT_EQ(reader.number("speed_mm_s", speeds), speeds.low);
@@ -257,7 +257,7 @@ TEST(TomlReader, RefusesNestingWithoutBound)
               StartsWith("my.toml: key 'speed_mm_s' is missing"));
 }
 
-TEST(TomlReader, ShowsALongValueInShort)
+TEST(TomlReader, ShortensALongValue)
 {
   const std::string message = errorIn("speed_mm_s = '" + std::string(5000, 'x') + "'", readSpeed);
   EXPECT_LT(message.size(), 200u);

@@ -21,14 +21,14 @@ TEST(Utf8, ReadsCharactersOfEveryLength)
 
 TEST(Utf8, RefusesWhatTheStandardRefuses)
 {
-  // RFC 3629: continuation alone, overlong, surrogate, above U+10FFFF, cut off
+  // RFC 3629: lone continuation byte, overlong form, surrogate, above U+10FFFF, truncated
   for (const char* text :
        {"\x80", "\xc0\xaf", "\xc1\xbf", "\xe0\x80\xaf", "\xed\xa0\x80", "\xf0\x80\x80\xaf",
         "\xf4\x90\x80\x80", "\xf5\x80\x80\x80", "\xff", "\xe2\x82", "\xc3"})
     EXPECT_EQ(firstCharacter(text).length, 0u) << text;
 }
 
-TEST(Utf8, ReplacesEachByteThatIsNone)
+TEST(Utf8, ReplacesEachInvalidByte)
 {
   EXPECT_EQ(validUtf8("a\xff\xc3\xa9\xe2\x82"), "a\xef\xbf\xbd\xc3\xa9\xef\xbf\xbd\xef\xbf\xbd");
   EXPECT_EQ(validUtf8(""), "");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Oracles: the passivity bound of Colgate and Schenkel, b > K T / 2, with a delay, by hand; and a
-// handle against a sampled, delayed spring, integrated here on its own.
+// separate integration of a handle on a sampled, delayed spring.
 
 #include "perilymph/haptics/CouplingLimit.h"
 
@@ -50,7 +50,7 @@ TEST(CouplingLimit, CountsTheWaitForATickThatReportsDoNotBegin)
 
 TEST(CouplingLimit, CountsHalfAPeriodForEveryDeviceThatTicksDoNotFollow)
 {
-  // 0.75 b / (T/2 + P/2), whether the device is faster, slower, or speaks only when moved
+  // 0.75 b / (T/2 + P/2), whether the device is faster, slower, or only reports changes
   device::DeviceTraits traits = forceDevice(0.0);
   for (const double period : {0.5e-3, 2e-3}) {
     traits.nominalPeriod = period;
@@ -61,7 +61,7 @@ TEST(CouplingLimit, CountsHalfAPeriodForEveryDeviceThatTicksDoNotFollow)
   EXPECT_NEAR(couplingLimit(traits, 1e-3).stiffness, 375.0, 1e-9);
 }
 
-TEST(CouplingLimit, TakesAHandleOfWhichNothingIsKnownForLightAndFree)
+TEST(CouplingLimit, AssumesALightAndUndampedHandleWhereNothingIsKnown)
 {
   device::DeviceTraits unknown = forceDevice(1e-3);
   unknown.handleDamping = 0.0;
@@ -71,9 +71,9 @@ TEST(CouplingLimit, TakesAHandleOfWhichNothingIsKnownForLightAndFree)
   EXPECT_EQ(limit.damping, couplingLimit(forceDevice(1e-3), 1e-3).damping);
 }
 
-// Measured with a handle of 90 g and 0.5 N.s/m at a wall, without damping by the host: peak to peak
-// at 441 N/m 0.012 mm through a wire of 30 us or of 0.15 ms a report, 0.55 mm through one of 0.98
-// ms, 21.8 mm where a force takes three such reports; there 100 N/m still gave 3.9 mm.
+// Measured with a handle of 90 g and 0.5 N.s/m at a wall of 441 N/m, without damping by the host:
+// peak-to-peak motion 0.012 mm with 30 us or 0.15 ms per report, 0.55 mm with 0.98 ms per report,
+// 21.8 mm where a force needs three such reports; the last still 3.9 mm at 100 N/m.
 TEST(CouplingLimit, AgreesWithWhatWasMeasuredOfFourWires)
 {
   const auto limitAt = [](double write) {
@@ -92,12 +92,12 @@ TEST(CouplingLimit, HoldsTheMakersBounds)
   traits.maxDamping = 1.5;
   EXPECT_EQ(couplingLimit(traits, 1e-3).stiffness, 400.0);
   EXPECT_EQ(couplingLimit(traits, 1e-3).damping, 1.5);
-  // a maker who promises more than the delay allows changes nothing
+  // a manufacturer's bound above what the delay allows changes nothing
   traits.maxStiffness = 5000.0;
   EXPECT_NEAR(couplingLimit(traits, 1e-3).stiffness, 750.0, 1e-9);
 }
 
-TEST(CouplingLimit, SaysInWordsWhatIsAskedGivenAndWhy)
+TEST(CouplingLimit, DescribesRequestedAndActualStiffnessAndTheReason)
 {
   const CouplingLimit limit = couplingLimit(forceDevice(1.7e-3), 1e-3);
   EXPECT_EQ(
@@ -108,7 +108,7 @@ TEST(CouplingLimit, SaysInWordsWhatIsAskedGivenAndWhy)
 }
 
 /// A handle pushed with 0.2 N against a spring that is sampled each tick and acts `delay` later:
-/// largest less smallest place over the last of twenty seconds [m].
+/// its peak-to-peak motion in the last of twenty seconds [m].
 double trembling(const device::DeviceTraits& traits, double stiffness, double timeStep)
 {
   constexpr double step = 1e-5;  // [s]
@@ -140,13 +140,13 @@ TEST(CouplingLimit, KeepsAFreeHandleStillAgainstAWall)
   }
 }
 
-TEST(CouplingLimit, IsNotFarFromWhereItTrembles)
+TEST(CouplingLimit, IsNearTheStabilityLimit)
 {
   const device::DeviceTraits traits = forceDevice(1.7e-3);
   EXPECT_GT(trembling(traits, 2.0 * couplingLimit(traits, 1e-3).stiffness, 1e-3), 1e-4);
 }
 
-TEST(SoftenedCoupling, GivesWayToTheDevice)
+TEST(SoftenedCoupling, IsLimitedByTheDevice)
 {
   EngineSettings settings;
   settings.coupling = mechanics::Coupling::spring;
@@ -159,9 +159,9 @@ TEST(SoftenedCoupling, GivesWayToTheDevice)
   EXPECT_NE(rig.tick().output.status & couplingSoftened, 0u);
 }
 
-TEST(SoftenedCoupling, GivesWayToMagnifiedForces)
+TEST(SoftenedCoupling, IsLimitedForMagnifiedForces)
 {
-  // Felt at the hand: 2 x 441 N/m. The device renders 441, so the spring is half as stiff.
+  // 2 x 441 N/m at the hand. The device renders 441 N/m, so the spring is half as stiff.
   EngineSettings settings;
   settings.coupling = mechanics::Coupling::spring;
   settings.couplingStiffness = 441.0;
@@ -173,7 +173,7 @@ TEST(SoftenedCoupling, GivesWayToMagnifiedForces)
   EXPECT_DOUBLE_EQ(rig.engine().couplingStiffness(), 220.5);
 }
 
-TEST(SoftenedCoupling, StaysAsAskedWhereTheDeviceRendersIt)
+TEST(SoftenedCoupling, StaysAsRequestedWhereTheDeviceRendersIt)
 {
   EngineSettings settings;
   settings.coupling = mechanics::Coupling::spring;

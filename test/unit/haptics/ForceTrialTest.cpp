@@ -59,7 +59,7 @@ TEST(ForceTrial, ShowsEveryAxisAtMostHalfANewton)
   }
   for (const double force : maximum) EXPECT_NEAR(force, 0.5, 0.01);
   EXPECT_LE(ticks, 3100);
-  EXPECT_LT(maxStep, 0.01);  // nothing snaps
+  EXPECT_LT(maxStep, 0.01);  // no sudden change
 }
 
 TEST(ForceTrial, ShowsAFifthOfAWeakDevicesForce)

@@ -9,7 +9,7 @@
 namespace perilymph::haptics {
 namespace {
 
-/// A device that remembers what it was shown.
+/// A device that stores the forces written to it.
 class ListeningDevice final : public device::HapticDevice {
 public:
   device::DeviceTraits traits() const override

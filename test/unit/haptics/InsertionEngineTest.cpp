@@ -90,7 +90,7 @@ TEST(InsertionEngine, TakesHoldOfASpringWithoutMovingTheArray)
   rig.hand().setSpeed(0.0);
   rig.hand().move(ScriptedDevice::Motion::insert);
   for (int i = 0; i < 200; ++i) rig.tick();
-  // it would sink back by F / K if the spring began slack
+  // with an initially relaxed spring the array would move back by F / K
   const double sinking = force / settings.couplingStiffness;
   EXPECT_NEAR(rig.output().proxy_W[2], paused_W[2], 0.02 * sinking);
 }
@@ -133,7 +133,7 @@ TEST(InsertionEngine, SettlesEveryTickOfAPlainInsertion)
   EXPECT_EQ(ticksNotConverged, 0);
 }
 
-/// Opens where the world begins; its wall is for others to say.
+/// An opening at the origin; derived classes define the wall.
 class OpenLumen : public anatomy::Lumen {
 public:
   anatomy::Entry entry() const noexcept final { return {}; }
@@ -141,7 +141,7 @@ public:
   void addTo(Hash&) const noexcept final {}
 };
 
-/// A plain array about to go into a lumen.
+/// A plain array in front of a lumen.
 test::InsertionRig startedIn(std::shared_ptr<const anatomy::Lumen> lumen)
 {
   mechanics::ModelParts parts;
@@ -186,7 +186,7 @@ TEST(InsertionEngine, SaysWhenATickFoundNoEquilibrium)
   EXPECT_GT(ticksNotConverged, 0);
 }
 
-/// A tube whose wall is NaN from a depth on.
+/// A tube whose wall is NaN beyond a depth.
 class BrokenLumen final : public OpenLumen {
 public:
   void nearestWall(std::span<const Eigen::Vector3d> points_W, std::span<const double>,

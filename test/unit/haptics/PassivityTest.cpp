@@ -14,18 +14,18 @@ namespace perilymph::haptics {
 namespace {
 
 constexpr double timeStep = 1e-3;
-constexpr double handleMass = 0.09;  // [kg], of a consumer device
+constexpr double handleMass = 0.09;  // of a consumer device [kg]
 
-/// Energy that came out of a port, by the test's own account.
+/// Energy that left a port, as computed by the test.
 struct Account {
-  double putIn = 0.0;     // by the hand, less what it got back [J]
-  double oneTick = 0.0;   // the most that passed in one tick [J]
-  double minimum = 0.0;   // putIn below the worth of one tick, at its worst [J]
+  double putIn = 0.0;     // net energy from the hand [J]
+  double oneTick = 0.0;   // maximum energy of one tick [J]
+  double minimum = 0.0;   // minimum of putIn less the energy of one tick [J]
   double maxSpeed = 0.0;  // [m/s]
 };
 
-/// A free handle thrown at 0.1 m/s against a wall whose force comes some ticks late: a wall like
-/// this throws it back faster than it came.
+/// A free handle that hits a wall at 0.1 m/s; the wall's force is some ticks late and so throws it
+/// back faster than it came.
 template <class Show>
 Account throwAgainstDelayedWall(double stiffness, std::size_t delay, Show show)
 {
@@ -58,7 +58,7 @@ TEST(DelayedWall, GivesMoreEnergyThanItGotWithoutAController)
   EXPECT_GT(account.maxSpeed, 0.11);
 }
 
-TEST(DelayedWall, NeverGivesBackMoreThanOneTicksWorthUnderTheController)
+TEST(DelayedWall, ReturnsAtMostTheEnergyOfOneTickUnderTheController)
 {
   for (const double stiffness : {100.0, 441.0, 1000.0}) {
     for (const std::size_t delay : {0u, 1u, 3u}) {
@@ -89,13 +89,13 @@ TEST(DelayedWall, IsDampedThroughTheWholeSafetyChainAsWell)
       });
   EXPECT_EQ(account.minimum, 0.0);
   EXPECT_NE(status & passivityActed, 0u);
-  // the chain's own account, one motion behind, is the test's
+  // the chain computes the same energy, one motion later
   EXPECT_NEAR(safety.energy(), account.putIn, account.oneTick);
 }
 
 TEST(Passivity, LeavesAPassiveSpringAlone)
 {
-  // A hand that slowly presses a spring gets back what it put in and no more.
+  // A hand that presses a spring slowly gets its energy back and no more.
   Passivity passivity(timeStep);
   Eigen::Vector3d shown_D = Eigen::Vector3d::Zero();
   constexpr double stiffness = 441.0, step = 1e-6;
@@ -107,11 +107,11 @@ TEST(Passivity, LeavesAPassiveSpringAlone)
     shown_D = passivity.control(wanted_D, moved_D);
     ASSERT_EQ(shown_D, wanted_D) << i;
   }
-  // K x^2 / 2, less half a step: the force lags by a tick
+  // K x^2 / 2 less half a step, because the force lags by a tick
   EXPECT_NEAR(passivity.energy(), 0.5 * stiffness * 1e-6, stiffness * 1e-3 * step);
 }
 
-TEST(Passivity, DampsNoHarderThanASampledDamperMay)
+TEST(Passivity, LimitsItsDampingToThatOfAPassiveSampledDamper)
 {
   Passivity passivity(timeStep);
   const Eigen::Vector3d moved_D(1e-6, 0.0, 0.0);

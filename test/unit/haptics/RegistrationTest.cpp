@@ -12,7 +12,7 @@ namespace {
 
 constexpr double rounding = 1e-12;
 
-/// An opening whose frame is W turned: E.x = W.y, E.y = W.z, E.z = W.x.
+/// An opening whose frame E is rotated: E.x = W.y, E.y = W.z, E.z = W.x.
 anatomy::Entry turnedEntry()
 {
   anatomy::Entry entry;
@@ -83,7 +83,7 @@ TEST(Registration, GivesForcesBackInTheFrameTheyCameFrom)
 {
   const Registration registration(turnedEntry(), 1.0);
   const Eigen::Vector3d force_W(0.1, 0.2, 0.3);
-  // out of the cochlea is toward the user
+  // out of the cochlea: toward the user
   EXPECT_EQ(registration.toDevice(force_W), Eigen::Vector3d(0.2, 0.3, 0.1));
   EXPECT_EQ(registration.toCochlea(registration.toDevice(force_W)), force_W);
 }

@@ -22,7 +22,7 @@ HandCondition holding()
   return hand;
 }
 
-/// A chain that has faded in, showing the force of its argument.
+/// A safety chain after fading in, with the force `force`.
 Safety shownFor(const Eigen::Vector3d& force_D, SafetyLimits limits = {})
 {
   Safety safety(limits, timeStep);
@@ -152,7 +152,7 @@ INSTANTIATE_TEST_SUITE_P(Reasons, SafetyOff, testing::Values(released(), stale()
 
 TEST_P(SafetyOff, IsGoneAsSoonAsTheDevicesOwnGuardWouldAct)
 {
-  // That waits for three periods, and at least 3 ms (HidDevice.h), at 1 kHz and at 10 kHz.
+  // The device's guard waits three periods, and at least 3 ms (HidDevice.h): at 1 kHz and 10 kHz.
   for (const double step : {1e-3, 1e-4}) {
     Safety safety({}, step);
     const Eigen::Vector3d wanted_D(0.0, 0.0, 10.0);
@@ -168,8 +168,7 @@ TEST_P(SafetyOff, StillGivesNoStep)
 {
   Safety safety = shownFor({0.0, 0.0, 3.3});
   std::uint32_t status = allWell;
-  EXPECT_NEAR(safety.show(Eigen::Vector3d::Zero(), GetParam(), status).norm(), 2.2,
-              rounding);  // a third in a third
+  EXPECT_NEAR(safety.show(Eigen::Vector3d::Zero(), GetParam(), status).norm(), 2.2, rounding);
 }
 
 TEST(Safety, TakesItsTimeToSwitchOffWhereItIsToldNone)
@@ -190,7 +189,7 @@ TEST(Safety, SaysThatTheHandIsStale)
   EXPECT_NE(status & staleSample, 0u);
 }
 
-TEST(Safety, FadesInAnewAfterAJump)
+TEST(Safety, FadesInAgainAfterAJump)
 {
   const Eigen::Vector3d wanted_D(0.0, 0.05, 0.0);
   Safety safety = shownFor(wanted_D);
@@ -214,7 +213,7 @@ TEST(Safety, TakesTheLowerOfItsOwnAndTheDevicesGreatestForce)
   EXPECT_EQ(limitsFor({}, device).maxForce, 3.3);
 }
 
-TEST(Safety, KeepsItsOwnLimitsForADeviceThatTellsNone)
+TEST(Safety, KeepsItsOwnLimitsForADeviceWithoutLimits)
 {
   device::DeviceTraits device;
   device.rendersForce = true;
@@ -268,7 +267,7 @@ TEST(Safety, FadesOutOverTheLastTenthOfTheReach)
   }
 }
 
-TEST(Safety, KnowsNoEndWhereNobodyKnowsTheReach)
+TEST(Safety, HasNoWorkspaceLimitWhereTheReachIsUnknown)
 {
   Safety safety = shownFor({0.2, 0.0, 0.0});
   HandCondition hand = holding();

@@ -66,7 +66,7 @@ TEST(SampleValidator, TellsTheHandsMotion)
   EXPECT_NEAR(validator.take(samples.next(1e-3)).velocity_D.x(), 0.01, 1e-9);
 }
 
-TEST(SampleValidator, TakesTheMotionOverAMissedReportForWhatItIs)
+TEST(SampleValidator, AcceptsTheMotionAcrossAMissedReport)
 {
   SampleValidator validator(timeStep, 1e-3);
   Samples samples;
@@ -78,7 +78,7 @@ TEST(SampleValidator, TakesTheMotionOverAMissedReportForWhatItIs)
   EXPECT_DOUBLE_EQ(hand.moved_D.x(), 1.5e-3);
 }
 
-TEST(SampleValidator, DoesNotBelieveNumbersNoHandCanMake)
+TEST(SampleValidator, RejectsImpossibleValues)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   SampleValidator validator(timeStep, 1e-3);
@@ -105,7 +105,7 @@ TEST(SampleValidator, DoesNotBelieveNumbersNoHandCanMake)
   }
 }
 
-TEST(SampleValidator, GoesStaleOnADeviceThatSaysNonsenseForever)
+TEST(SampleValidator, BecomesStaleWithADeviceThatOnlySendsInvalidSamples)
 {
   SampleValidator validator(timeStep, 1e-3);
   Samples samples;
@@ -114,7 +114,7 @@ TEST(SampleValidator, GoesStaleOnADeviceThatSaysNonsenseForever)
   EXPECT_TRUE(validator.take(samples.next(std::nan(""))).isStale);
 }
 
-TEST(SampleValidator, TakesAPlaceNoHandCanReachForAJump)
+TEST(SampleValidator, TreatsAnUnreachablePositionAsAJump)
 {
   SampleValidator validator(timeStep, 1e-3);
   Samples samples;
@@ -125,7 +125,7 @@ TEST(SampleValidator, TakesAPlaceNoHandCanReachForAJump)
   EXPECT_FALSE(validator.take(samples.next(2.0)).hasJumped);
 }
 
-TEST(SampleValidator, TakesATurnNoHandCanMakeForAJump)
+TEST(SampleValidator, TreatsAnImpossibleRotationAsAJump)
 {
   SampleValidator validator(timeStep, 1e-3);
   Samples samples;
@@ -139,7 +139,7 @@ TEST(SampleValidator, TakesATurnNoHandCanMakeForAJump)
   EXPECT_FALSE(validator.take(turned).hasJumped);
 }
 
-TEST(SampleValidator, TakesTheFirstPlaceAfterSilenceForAJumpHoweverNear)
+TEST(SampleValidator, TreatsTheFirstPositionAfterSilenceAsAJump)
 {
   SampleValidator validator(timeStep, 1e-3);
   Samples samples;
@@ -150,7 +150,7 @@ TEST(SampleValidator, TakesTheFirstPlaceAfterSilenceForAJumpHoweverNear)
   EXPECT_FALSE(hand.isStale);
 }
 
-TEST(SampleValidator, BelievesAReleaseEvenFromASampleItDoubts)
+TEST(SampleValidator, AcceptsAReleaseFromARejectedSample)
 {
   SampleValidator validator(timeStep, 1e-3);
   Samples samples;

@@ -12,8 +12,8 @@ using Kind = Command::Kind;
 
 constexpr double nanometer = 1e-9;
 
-/// How near to the stop. A base on a spring arrives slowing down, and travel is measured along an
-/// array that this strains lengthwise, by some nanometers.
+/// Distance to the stop. A base on a spring decelerates on arrival, and travel is measured along
+/// the array, which this strains by some nanometers.
 double nearness(mechanics::Coupling coupling)
 {
   return coupling == mechanics::Coupling::rigid ? nanometer : 50 * nanometer;
@@ -79,7 +79,7 @@ TEST_P(Stop, IsFinishedAgainWhenTheTipIsBackAtItsStart)
   constexpr double oneTickOfMotion = 2e-3 * 1e-3;
   EXPECT_NEAR(rig.output().travel, 0.0, 2.0 * oneTickOfMotion);
 
-  // there is nothing left to withdraw
+  // nothing is left to withdraw
   rig.send(Kind::withdraw);
   EXPECT_EQ(rig.tick().output.workflow, Workflow::finished);
 }

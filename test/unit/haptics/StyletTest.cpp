@@ -45,7 +45,7 @@ TEST(AdvanceOffStylet, HoldsTheStyletStillWhileTheArrayGoesOn)
   test::InsertionRig rig = offStylet();
   rig.start();
   ASSERT_TRUE(rig.runUntilTravel(millimeters(5.5)));
-  constexpr double oneTick = 5e-6;  // the stylet follows the array of the tick before
+  constexpr double oneTick = 5e-6;  // the stylet follows the array of the previous tick
   while (rig.output().workflow == Workflow::inserting) {
     const TickOutput& now = rig.output();
     ASSERT_NEAR(now.depth - styletFromTip - now.styletWithdrawal, holdDepth, 1.01 * oneTick);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A device of 10 kHz against an engine of 10 kHz, in virtual time: the whole way from report to
-// report, with the device layer's own threads.
+// A 10 kHz device with a 10 kHz engine in virtual time: the whole cycle from report to report, with
+// the threads of the device layer.
 
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ constexpr int ticksASecond = 10'000;
 std::atomic<std::int64_t> virtualNow{0};
 std::int64_t virtualClock() noexcept { return virtualNow; }
 
-/// A rod so short and stiff that it gives way by less than a thousandth of the coupling.
+/// A rod so short and stiff that its compliance is below a thousandth of the coupling's.
 std::shared_ptr<const mechanics::InsertionModel> stiffRodBeforeAWall()
 {
   mechanics::ModelParts parts;
@@ -91,8 +91,8 @@ protected:
     EXPECT_TRUE(loop->take(record));
     return record;
   }
-  /// After a second the hand goes to 1 mm in steps of 10 um, 5 mm/s, and stays there: half of that
-  /// is behind the wall.
+  /// After a second the hand moves to 1 mm in steps of 10 um at 5 mm/s and stays there, 0.5 mm
+  /// behind the wall.
   TickRecord goIntoTheWall()
   {
     TickRecord record;
@@ -104,8 +104,8 @@ protected:
     return record;
   }
 
-  /// Virtual time runs on while the writer, a real thread, waits for a processor: a force that took
-  /// 5 ms of it looks as if the device did not take it.
+  /// Virtual time continues while the writer, a real thread, waits for a processor: a force that
+  /// takes 5 ms of it looks as if the device did not accept it.
   bool wasStarved() const { return hand->health()->blockedWrites > 0; }
 
   FakeHid hid;

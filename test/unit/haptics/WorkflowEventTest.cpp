@@ -20,7 +20,7 @@ struct Row {
   std::array<Workflow, 8> to;
 };
 
-// The drawing of architecture, written out.
+// The state diagram as a table.
 constexpr std::array<Row, 6> table{{
     {idle, {armed, idle, idle, idle, idle, fault, idle, idle}},
     {armed, {armed, inserting, armed, armed, armed, fault, armed, idle}},
@@ -30,7 +30,7 @@ constexpr std::array<Row, 6> table{{
     {fault, {fault, fault, fault, fault, fault, fault, idle, idle}},
 }};
 
-TEST(Workflow, FollowsItsDrawing)
+TEST(Workflow, FollowsItsStateDiagram)
 {
   for (const Row& row : table)
     for (std::size_t i = 0; i < allEvents.size(); ++i)
@@ -38,7 +38,7 @@ TEST(Workflow, FollowsItsDrawing)
           << "state " << static_cast<int>(row.from) << ", event " << i;
 }
 
-TEST(Workflow, StaysWhereItIsAtWhatIsNoEvent)
+TEST(Workflow, KeepsItsStateWithoutAnEvent)
 {
   for (const Row& row : table)
     EXPECT_EQ(next(row.from, static_cast<WorkflowEvent>(allEvents.size())), row.from);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The workflow from the user's view: commands and hand as input, states and motion as output.
+// The workflow as the user sees it: commands and hand as input, states and motion as output.
 
 #include <gtest/gtest.h>
 
@@ -78,7 +78,7 @@ TEST(InsertionWorkflow, CountsPausesInItsTime)
   EXPECT_NEAR(rig.output().time, 0.2, 1e-12);
 }
 
-TEST(InsertionWorkflow, GoesOnFromWhereItPaused)
+TEST(InsertionWorkflow, ContinuesWhereItPaused)
 {
   test::InsertionRig rig = inserting(101);
   const double travel = rig.output().travel;
@@ -112,7 +112,7 @@ TEST(InsertionWorkflow, RunsTheSameInsertionAgainAfterAReset)
   rig.tick();
   rig.start();
   for (int i = 0; i < 300; ++i) rig.tick();
-  // the hand stands elsewhere now: equal up to the rounding of its place
+  // The hand is at another position now: equal up to the rounding of its position.
   EXPECT_NEAR(rig.output().travel, 2e-3 * 0.299, 1e-9);
   EXPECT_EQ(rig.engine().state().tick, 300u);
   EXPECT_NE(first, 0u);
@@ -156,7 +156,7 @@ TEST(InsertionWorkflow, PullsTheStyletAtItsSpeedAndNeverPushesItBack)
   EXPECT_EQ(rig.output().styletWithdrawal, 2e-3);
 }
 
-TEST(InsertionWorkflow, TakesNoNonsenseFromCommands)
+TEST(InsertionWorkflow, RejectsInvalidCommands)
 {
   test::InsertionRig rig = inserting();
   for (const double bad : {std::nan(""), -1.0, -std::numeric_limits<double>::infinity()}) {

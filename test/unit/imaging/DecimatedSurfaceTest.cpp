@@ -45,7 +45,7 @@ TEST_F(PublishedHapticSurface, HasNinetyFivePercentFewerTriangles)
 
 TEST_F(PublishedHapticSurface, EndsAtTwoTurnsAndAtTheOpening)
 {
-  // where it ends: edges of one triangle alone
+  // the rim: edges of only one triangle
   std::map<std::pair<int, int>, int> edges;
   for (const auto& t : haptic->surface.triangles)
     for (std::size_t k = 0; k < 3; ++k)
@@ -61,7 +61,7 @@ TEST_F(PublishedHapticSurface, EndsAtTwoTurnsAndAtTheOpening)
       continue;
     }
     ++atTwoTurns;
-    // two turns are the half-plane of the x axis; rings are some 7 degrees apart there
+    // two turns end in the half-plane of the x axis; rings are about 7 degrees apart there
     EXPECT_LT((place - twoTurns).norm(), 1.0e-3);
     EXPECT_GT(std::atan2(place.y(), place.x()), degrees(-9).si());
     EXPECT_LT(std::atan2(place.y(), place.x()), degrees(1).si());
@@ -69,16 +69,16 @@ TEST_F(PublishedHapticSurface, EndsAtTwoTurnsAndAtTheOpening)
   EXPECT_GT(atOpening, 3);
   EXPECT_GT(atTwoTurns, 3);
 
-  // and the wall before two turns is there
+  // the wall before two turns is complete
   const anatomy::SurfaceDistance distance(haptic->surface);
   for (double angle_deg = 20; angle_deg < 710; angle_deg += 30)
     EXPECT_LT(distance.nearest(scala->wall_W(degrees(angle_deg).si(), 1.0)).distance, 0.1e-3)
         << angle_deg;
 }
 
-TEST_F(PublishedHapticSurface, StaysNearTheSurfaceItStandsFor)
+TEST_F(PublishedHapticSurface, StaysNearTheVisualSurface)
 {
-  // an independent look from one side: places of the wall as the tables have it
+  // An independent check in one direction: points of the wall from the tables.
   const anatomy::SurfaceDistance distance(haptic->surface);
   double sum = 0.0, greatest = 0.0;
   int count = 0;
@@ -92,7 +92,7 @@ TEST_F(PublishedHapticSurface, StaysNearTheSurfaceItStandsFor)
     }
   EXPECT_NEAR(sum / count, haptic->surfaceDistance.mean.si(), 0.004e-3);
   EXPECT_LT(greatest, haptic->surfaceDistance.greatest.si() + 0.01e-3);
-  // a tenth of the thinnest tip of an array, 0.5 mm: coarser would be felt
+  // a tenth of the thinnest array tip, 0.5 mm: a coarser surface could be felt
   EXPECT_LT(haptic->surfaceDistance.p95.si(), 0.05e-3);
   EXPECT_LE(haptic->surfaceDistance.mean, haptic->surfaceDistance.p95);
   EXPECT_LE(haptic->surfaceDistance.p95, haptic->surfaceDistance.greatest);
@@ -105,7 +105,7 @@ TEST_F(PublishedHapticSurface, FacesAsTheVisualOneDoes)
     const auto& p = surface.points[static_cast<std::size_t>(i)];
     return Eigen::Vector3d(p[0], p[1], p[2]);
   };
-  // each edge once each way at most: one orientation throughout, nothing folded together
+  // Each edge occurs at most once in each direction: consistent orientation, no folds.
   std::map<std::pair<int, int>, int> edges;
   int outward = 0;
   for (const auto& t : surface.triangles) {

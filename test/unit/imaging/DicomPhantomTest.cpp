@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A phantom's cochlea, measured in what a tilted gantry wrote as DICOM.
+// Measurement of a phantom in DICOM slices of a tilted gantry.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@
 namespace perilymph::imaging {
 namespace {
 
-/// The phantom's volume on slices that are tilted against the table's motion, 0.25 mm apart.
+/// The phantom's volume in slices that are inclined to the table's motion, 0.25 mm apart.
 ct::CtVolume tilted(const ct::CtVolume& volume, double tilt)
 {
   const Eigen::Matrix3d axes = volume.lpsFromIndex().topLeftCorner<3, 3>().colwise().normalized();

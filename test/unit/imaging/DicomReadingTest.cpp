@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Series written by hand come back where they lie in the patient, to a thousandth of a millimeter.
+// Series written by the test are read at their positions in the patient, within 1 um.
 
 #include <gmock/gmock.h>
 
@@ -19,7 +19,7 @@ namespace {
 
 constexpr double exact_mm = 1e-3;
 
-/// Every voxel of one volume is in the other, at the same place and with the same value.
+/// Every voxel of one volume is in the other, at the same position and with the same value.
 void expectSame(const ct::CtVolume& expected, const ct::CtVolume& found)
 {
   ASSERT_EQ(found.size()[0], expected.size()[0]);
@@ -120,7 +120,7 @@ TEST_F(DicomReading, ReadsTheSeriesThatADicomdirNames)
 
 TEST_F(DicomReading, ResamplesATiltedGantryToRightAnglesAndNotesIt)
 {
-  // Voxels that are a linear function of the place: resampling must leave it as it is.
+  // Voxels are a linear function of the position, which resampling must reproduce.
   const double tilt = 15.0 * 3.14159265358979323846 / 180.0;
   const Eigen::Matrix3d axes = Eigen::AngleAxisd(tilt, Eigen::Vector3d::UnitX()).toRotationMatrix();
   Eigen::Matrix4d lps = Eigen::Matrix4d::Identity();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What must not become a volume: each is answered with one sentence.
+// Input that must not become a volume: each gives one error message.
 
 #include <gmock/gmock.h>
 
@@ -23,7 +23,7 @@ constexpr test::DicomTag imageType = 0x00080008, sopClass = 0x00080016, modality
 
 class DicomRefusal : public testing::Test {
 protected:
-  /// One sentence that says what is the matter, and no library prints anything.
+  /// One error message that contains the cause; no library prints anything.
   void expectRefusal(const std::filesystem::path& path, const std::string& says,
                      const std::string& uid = {})
   {
@@ -39,7 +39,7 @@ protected:
     EXPECT_THAT(loaded.error().message, testing::EndsWith("."));
   }
 
-  /// The same for slices of a small CT after they were changed.
+  /// The same for modified slices of a small CT.
   void expectRefusal(const std::vector<test::DicomData>& files, const std::string& says)
   {
     const auto place = folder / std::to_string(++count);
@@ -81,7 +81,7 @@ TEST_F(DicomRefusal, NamesASliceOutOfItsPlace)
   expectRefusal(slices, "slice 3 of 8");
 }
 
-TEST_F(DicomRefusal, WantsPositionsAndOrientations)
+TEST_F(DicomRefusal, RequiresPositionsAndOrientations)
 {
   for (const test::DicomTag tag : {position, orientation}) {
     auto without = slices;
@@ -101,7 +101,7 @@ TEST_F(DicomRefusal, DoesNotTakeOnePositionForThatOfManyFrames)
   expectRefusal({volume}, "3 of 3 slices have no position or orientation");
 }
 
-TEST_F(DicomRefusal, WantsOneOrientationAndOneSizeAndOneSpacing)
+TEST_F(DicomRefusal, RequiresOneOrientationSizeAndSpacing)
 {
   auto turned = slices;
   turned[7].setNumbers(orientation, {0, 1, 0, -1, 0, 0});
@@ -125,7 +125,7 @@ TEST_F(DicomRefusal, WantsOneOrientationAndOneSizeAndOneSpacing)
   expectRefusal(softer, "several reconstruction kernels");
 }
 
-TEST_F(DicomRefusal, KnowsWhatIsNoCt)
+TEST_F(DicomRefusal, RefusesImagesThatAreNoCt)
 {
   auto magnetic = slices, screen = slices, scouts = slices, colored = slices;
   for (auto& slice : magnetic) slice.setText(modality, "CS", "MR");
@@ -151,8 +151,8 @@ TEST_F(DicomRefusal, TellsOfFilesThatAreCutOffAnywhere)
     std::filesystem::resize_file(file, bytes);
     expectRefusal(folder / "cut", "1 of 8 files are cut off");
   }
-  // Cut within the header, it can be told neither from a file without an image nor, cut short
-  // enough, from a file that is not DICOM; then a slice is missing.
+  // A file truncated in its header looks like a file without an image, or like no DICOM file at
+  // all; then a slice is missing.
   for (std::uintmax_t bytes = whole - 240; bytes > 0; bytes -= std::min<std::uintmax_t>(7, bytes)) {
     std::filesystem::resize_file(file, bytes);
     ASSERT_FALSE(readCt(folder / "cut", "1.2.3.4")) << bytes;
@@ -181,7 +181,7 @@ TEST_F(DicomRefusal, NamesACodingThatItDoesNotKnow)
 
 TEST_F(DicomRefusal, AssumesNoCodingWhereItsStatementIsDamaged)
 {
-  // what the decoder would take for another coding must not pass for a plain one
+  // An unknown transfer syntax must not be read as an uncompressed one.
   for (const char* const damaged : {"1.2.840.10008.1.2.1\n", ""}) {
     for (std::size_t i = 0; i < slices.size(); ++i)
       std::ofstream(folder / std::to_string(i), std::ios::binary) << slices[i].file(damaged);
@@ -189,7 +189,7 @@ TEST_F(DicomRefusal, AssumesNoCodingWhereItsStatementIsDamaged)
   }
 }
 
-TEST_F(DicomRefusal, DoesNotBelieveACompressedFileWithoutItsFragments)
+TEST_F(DicomRefusal, RefusesACompressedFileWithoutItsFragments)
 {
   const std::string lossless = "1.2.840.10008.1.2.4.70";
   const auto write = [&](const std::string& fragments) {
@@ -216,9 +216,9 @@ TEST_F(DicomRefusal, DoesNotClipWhat16BitsDoNotHold)
   expectRefusal(slices, "960 voxels lie beyond -32768 to 32767");
 }
 
-TEST_F(DicomRefusal, BoundsTheVoxelsBeforeItMakesRoomForThem)
+TEST_F(DicomRefusal, LimitsTheVoxelsBeforeItAllocatesThem)
 {
-  // Sizes that a header states and no file has: a thousand frames of 65535 x 65535.
+  // Sizes in the header that no file has: a thousand frames of 65535 x 65535.
   auto huge = slices.front();
   huge.setText(frameCount, "IS", "1000");
   huge.setNumber(rows, 65'535);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The files that Debian's python3-pydicom ships for tests: nine ways to store the same image, and
-// files of every other kind.
+// The test files of Debian's python3-pydicom: nine encodings of the same image, and many
+// other kinds of files.
 
 #include <gmock/gmock.h>
 
@@ -61,7 +61,7 @@ TEST_F(PydicomFiles, AreReadOrRefusedInSilence)
     const bool isRead = static_cast<bool>(readCt(entry.path()));
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << entry.path();
     EXPECT_EQ(testing::internal::GetCapturedStdout(), "") << entry.path();
-    // No file of them is a CT of two slices or more by itself.
+    // None of these files is a CT of two or more slices.
     const bool isDirectory = entry.path().filename().string().find("DICOMDIR") == 0;
     EXPECT_TRUE(isDirectory || !isRead) << entry.path();
     ++files;
@@ -78,7 +78,7 @@ TEST_F(PydicomFiles, CutOffAreNotRead)
 
 TEST_F(PydicomFiles, ThatGdcmCannotDecodeAreRefused)
 {
-  // Its second fragment's marker lies within the data, and the decoder gives up in silence.
+  // The marker of its second fragment is within the data, and the decoder stops without an error.
   const auto header = readDicomHeader(folder / "JPEG2000-embedded-sequence-delimiter.dcm");
   ASSERT_TRUE(header);
   EXPECT_TRUE(header->isTruncated || !decodeFrames(*header));

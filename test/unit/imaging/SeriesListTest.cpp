@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What a folder holds, which of it suits a cochlea, and that nothing in it names the patient.
+// The list of series in a folder: their order by suitability for a cochlea, and no patient names.
 
 #include <gmock/gmock.h>
 

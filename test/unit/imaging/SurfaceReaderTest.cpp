@@ -66,7 +66,7 @@ TEST_F(ReadSurface, ReadsBinaryOfBothByteOrders)
 
 TEST_F(ReadSurface, RefusesEveryPlyThatWasCutOff)
 {
-  // without the last corner's digit and its line's end nothing whole is left
+  // Without the last digit of the last corner the file is incomplete; the newline may be missing.
   for (std::size_t bytes = 0; bytes + 1 < square.size(); ++bytes) {
     const auto surface = read("cut.ply", square.substr(0, bytes));
     ASSERT_FALSE(surface) << bytes;
@@ -85,7 +85,7 @@ TEST_F(ReadSurface, RefusesCornersThatAreNotThere)
 
 TEST_F(ReadSurface, RefusesAnStlThatBeginsWithWordsAndGoesOnWithACount)
 {
-  // One byte beyond ASCII, and VTK takes it for binary: 1000 triangles, of which one is there.
+  // A byte above ASCII makes VTK read it as binary: 1000 triangles, of which one exists.
   std::string content = "solid facet \xff";
   content.resize(80, ' ');
   content += std::string("\xe8\x03\0\0", 4) + std::string(50, '\0');
@@ -96,7 +96,7 @@ TEST_F(ReadSurface, RefusesAnStlThatBeginsWithWordsAndGoesOnWithACount)
 
 TEST_F(ReadSurface, RefusesAnStlOfControlCharacters)
 {
-  // Below ASCII's end, yet VTK takes it for binary, of 303 million triangles.
+  // Only ASCII, but VTK reads it as binary, with 303 million triangles.
   const std::string content = "solid facet " + std::string(72, '\x12') + std::string(50, ' ');
   const auto surface = read("control.stl", content);
   ASSERT_FALSE(surface);

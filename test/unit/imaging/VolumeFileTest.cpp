@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// NIfTI and NRRD made by hand, in every byte order and with every kind of matrix.
+// NIfTI and NRRD files written by the test, with both byte orders and every kind of matrix.
 
 #include <gmock/gmock.h>
 #include <zlib.h>
@@ -18,7 +18,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Bytes in one of both orders.
+/// Bytes of a value in one of the two orders.
 class Bytes {
 public:
   explicit Bytes(std::size_t size, bool isBigEndian = false)
@@ -30,7 +30,7 @@ public:
   void put(std::size_t at, Value value)
   {
     char bytes[sizeof value];
-    std::memcpy(bytes, &value, sizeof value);  // this machine's order, least first
+    std::memcpy(bytes, &value, sizeof value);  // this machine's order, little-endian
     for (std::size_t k = 0; k < sizeof value; ++k)
       content[at + k] = bytes[isBig ? sizeof value - 1 - k : k];
   }
@@ -44,7 +44,7 @@ Eigen::Matrix3d obliqueAxes()
   return Eigen::AngleAxisd(0.4, Eigen::Vector3d(0.3, -0.8, 0.5).normalized()).toRotationMatrix();
 }
 
-/// A CT whose matrix is oblique.
+/// A CT with an oblique matrix.
 ct::CtVolume obliqueCt() { return smallCt(obliqueAxes(), {0.3, 0.4, 0.6}); }
 
 template <class Value>
@@ -62,7 +62,7 @@ enum class Form { sform, qform, none };
 
 constexpr std::size_t firstVoxel = 352, voxelCount = 12 * 10 * 8;
 
-/// A NIfTI-1 file of 16-bit voxels, or of others that the caller puts in.
+/// A NIfTI-1 file of 16-bit voxels, or of voxels that the caller gives.
 Bytes nifti(const ct::CtVolume& volume, Form form, bool isBigEndian = false)
 {
   Bytes bytes(firstVoxel + 8 * voxelCount, isBigEndian);

@@ -41,7 +41,7 @@ struct Pair {
     Block<double>& block = row == column + 1 ? band.beside[row] : band.beyond[row];
     block = {b(0, 0), b(0, 1), b(0, 2), b(1, 0), b(1, 1), b(1, 2), b(2, 0), b(2, 1), b(2, 2)};
   }
-  /// The band's solution for the right-hand side, as one column.
+  /// Solution of the band system for the right-hand side, as one column.
   Eigen::VectorXd solution(const Eigen::VectorXd& forRight)
   {
     std::vector<Eigen::Vector3d> blocks(band.blocks());
@@ -59,8 +59,8 @@ struct Pair {
   Eigen::VectorXd right;
 };
 
-// The chain is eliminated from both ends, with one to three blocks left: every remainder of the
-// division is among these lengths.
+// The chain is eliminated from both ends until one to three blocks are left: these lengths include
+// every remainder.
 constexpr std::size_t lengths[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 40, 41};
 
 TEST(BandFactors, SolvesLikeADenseFactorization)
@@ -78,7 +78,7 @@ TEST(BandFactors, SolvesAgainWithTheSameFactors)
   Pair pair(12);
   ASSERT_TRUE(pair.factors.factorize(pair.band));
   pair.solution(pair.right);
-  // the factors are apart from the matrix
+  // the factors are separate from the matrix
   pair.band.clear();
   const Eigen::VectorXd other = pair.right.reverse();
   const Eigen::VectorXd expected = pair.dense.ldlt().solve(other);

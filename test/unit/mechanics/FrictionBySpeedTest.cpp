@@ -11,7 +11,7 @@
 namespace perilymph::mechanics {
 namespace {
 
-/// Rises, then falls: what was measured on a simulant of tissue (Dohr et al. 2021).
+/// Rises, then falls, as measured on a tissue simulant (Dohr et al. 2021).
 FrictionBySpeed hump()
 {
   return {{millimetersPerSecond(0.1), millimetersPerSecond(1.5), millimetersPerSecond(2.0)},

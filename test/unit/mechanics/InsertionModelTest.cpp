@@ -85,7 +85,7 @@ TEST(InsertionModel, ChangesItsFingerprintWithEveryPart)
             }));
 }
 
-TEST(InsertionModel, RefusesWhatCannotBe)
+TEST(InsertionModel, RefusesImpossibleSettings)
 {
   const auto refused = [](auto change) {
     ModelParts parts = contourInATube();

@@ -39,7 +39,7 @@ struct SlowInsertion {
   InsertionState state;
 };
 
-TEST(InsertionState, CopiesGoOnAlikeAndApart)
+TEST(InsertionState, CopiesContinueEquallyAndIndependently)
 {
   SlowInsertion run;
   for (int i = 0; i < 300; ++i) run.step(run.state);
@@ -54,7 +54,7 @@ TEST(InsertionState, CopiesGoOnAlikeAndApart)
   EXPECT_EQ(run.state.fingerprint(), copy.fingerprint());
 }
 
-TEST(InsertionState, TakesOverAnotherOfItsModelWithoutAllocating)
+TEST(InsertionState, IsAssignedFromAStateOfTheSameModelWithoutAllocating)
 {
   if (!test::AllocationGuard::isAvailable()) GTEST_SKIP() << test::AllocationGuard::whyNot();
   SlowInsertion run;

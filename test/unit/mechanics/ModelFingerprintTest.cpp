@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A model's fingerprint changes with every datum that affects results, already by the smallest
-// change of a number.
+// A model's fingerprint changes with every value that affects results, even by the smallest change.
 
 #include <gmock/gmock.h>
 

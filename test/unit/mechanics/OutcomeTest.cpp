@@ -13,7 +13,7 @@
 namespace perilymph::mechanics {
 namespace {
 
-/// A Contour laid along the middle of the mean scala tympani, 20 mm deep.
+/// A Contour along the middle of the mean scala tympani, 20 mm deep.
 struct LaidArray {
   LaidArray()
   {
@@ -21,7 +21,7 @@ struct LaidArray {
     parts.lumen = scala;
     parts.array = *electrode::loadArray(resource("plugins/electrodes/cochlear/contour.toml"));
     model = InsertionModel::build(parts);
-    // the way in: straight to the round window, then along the centers of the sections
+    // the path: straight to the round window, then along the centers of the sections
     double angle = 0.0, gone = scala->leadIn().si();
     for (int i = 0; i < model->nodes; ++i) {
       const double depth = 20e-3 - model->fromTip[static_cast<std::size_t>(i)];
@@ -68,21 +68,21 @@ TEST(Outcome, SaysWhereEveryContactLies)
     EXPECT_NEAR(contact.angle, angle, 0.002) << contact.fromTip;
     const Eigen::Vector3d center = array.scala->center_W(angle);
     EXPECT_NEAR(contact.toModiolarAxis, std::hypot(center.x(), center.y()), 0.01e-3);
-    // the sections' own tables: from the center straight inward to the wall
+    // from the tables of the sections: from the center straight inward to the wall
     const double inward = (array.scala->wall_W(angle, pi) - center).norm();
     EXPECT_NEAR(contact.toInnerWall, inward, 0.03e-3) << contact.fromTip;
   }
 }
 
-TEST(Outcome, SaysWhereItsFaceLooks)
+TEST(Outcome, GivesTheRollOfTheContactsAwayFromTheModiolus)
 {
   const LaidArray array;
   const Eigen::Vector3d inward_W = -array.model->entry.outward_W;
   for (const double roll : {0.0, 0.5, 1.5, 3.0}) {
     const Eigen::Vector3d curl_W =
         Eigen::AngleAxisd(roll, array.model->entry.out_W).toRotationMatrix() * inward_W;
-    // the basal turn is nearly plane: what looked inward at the tweezers still does, rolled by as
-    // much, within the slope of the duct
+    // The basal turn is nearly plane: the side that faces inward at the tweezers still does, with
+    // the same roll, within the slope of the duct.
     for (const ContactOutcome& contact : array.outcome(curl_W)) {
       if (contact.angle < 0.1 || contact.angle > 2.0 * pi) continue;
       EXPECT_NEAR(contact.offModiolus, roll, 0.5) << contact.fromTip;

@@ -23,7 +23,7 @@ protected:
     return loadPatient(file_);
   }
 
-  /// What is wrong with the text, without the folder.
+  /// The error message for the text, without the folder.
   std::string error(const std::string& text)
   {
     const Result<Patient> patient = load(text);

@@ -21,10 +21,10 @@ using anatomy::Surface;
 using Eigen::Vector3d;
 
 constexpr double radius = 0.25e-3;
-constexpr double half = 2e-3;      // of the box
-constexpr double roundOff = 5e-9;  // [m]: some allowances of the solver
+constexpr double half = 2e-3;      // half the side of the box [m]
+constexpr double roundOff = 5e-9;  // a few tolerances of the solver [m]
 
-/// A box around the origin whose sides face outward, so that a proxy lives in it.
+/// A box around the origin whose sides face outward: a proxy stays inside.
 Surface box()
 {
   Surface surface;
@@ -36,8 +36,8 @@ Surface box()
   return surface;
 }
 
-/// From a place to the nearest of the triangles onto whose inside it falls straight down: the
-/// places of a neighboring turn that are nearer belong to its outside.
+/// Distance from a point to the nearest triangle onto which it projects from the inner side; nearer
+/// triangles of a neighboring turn show their outer side.
 double distanceInFront(const Surface& surface, const Vector3d& place)
 {
   const auto at = [&surface](int i) {
@@ -56,7 +56,7 @@ double distanceInFront(const Surface& surface, const Vector3d& place)
   return nearest;
 }
 
-/// Follows a goal until the proxy stands still.
+/// Moves the proxy toward a goal until it rests.
 ProxyHold settled(const ProxySurface& surface, Vector3d proxy, const Vector3d& goal)
 {
   ProxyHold hold{};
@@ -70,7 +70,8 @@ ProxyHold settled(const ProxySurface& surface, Vector3d proxy, const Vector3d& g
 
 TEST(ProxyInABox, StandsAtTheAllowedPlaceNearestToItsGoal)
 {
-  // a box shrunk by the radius allows clamped coordinates: at sides, edges and corners
+  // In a box shrunk by the radius the nearest point has clamped coordinates, at sides, edges and
+  // corners.
   const ProxySurface surface(box(), radius);
   std::mt19937 random(1);
   std::uniform_real_distribution<double> place(-2.0 * half, 2.0 * half);
@@ -111,7 +112,7 @@ TEST(Proxy, StaysOnItsOwnSideOfAThinWall)
 
 TEST(Proxy, KeepsItsRadiusFromThePublishedScalaWhereverItsGoalIs)
 {
-  // as far as a straight carrier can come, and well before its turns run into each other
+  // as far as a straight carrier can reach, and well before the turns overlap
   const auto scala = anatomy::buildPublished({}, millimeters(1));
   const Surface triangles = anatomy::hapticSurface(*scala);
   const ProxySurface surface(triangles, radius);
@@ -129,7 +130,7 @@ TEST(Proxy, KeepsItsRadiusFromThePublishedScalaWhereverItsGoalIs)
       EXPECT_GT(distanceInFront(triangles, proxy), radius - roundOff) << angle_deg;
       if (hold.touches) ++touching;
     }
-    // at rest it lies on the surface to the last micrometer
+    // at rest it is on the surface within a micrometer
     const ProxyHold rest = settled(surface, proxy, scala->wall_W(degrees(angle_deg).si(), 1.0));
     EXPECT_TRUE(rest.touches);
     EXPECT_GT(distanceInFront(triangles, rest.place_W), radius - roundOff) << angle_deg;
@@ -137,7 +138,7 @@ TEST(Proxy, KeepsItsRadiusFromThePublishedScalaWhereverItsGoalIs)
   EXPECT_GT(touching, 200);
 }
 
-TEST(Proxy, GoesNowhereWithoutNumbers)
+TEST(Proxy, PropagatesANonFiniteGoal)
 {
   const ProxySurface surface(box(), radius);
   HalfSpaces allowed;

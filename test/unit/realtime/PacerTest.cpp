@@ -52,7 +52,7 @@ TEST(Pacer, NeverWakesBeforeTheTickIsDue)
   }
 }
 
-TEST(Pacer, GoesOnFromATickThatADeviceBegan)
+TEST(Pacer, ContinuesFromATickThatADeviceStarted)
 {
   Pacer pacer(seconds(1e-3));
   pacer.start(0);

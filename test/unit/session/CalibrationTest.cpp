@@ -65,7 +65,7 @@ TEST(ScenarioCalibration, ScalesTheArrayAndStandsInTheScenariosText)
   EXPECT_EQ(again->array().stylet.residualCurvature, 0.1);
 }
 
-TEST(ScenarioCalibration, IsNotTakenOverByAnArrayNamedAnew)
+TEST(ScenarioCalibration, DoesNotApplyToANewlyNamedArray)
 {
   const auto named = loadScenario("contour-published", {{"array", "contour-advance"}});
   const auto plain =
@@ -80,8 +80,8 @@ TEST(ScenarioCalibration, IsNotTakenOverByAnArrayNamedAnew)
   EXPECT_EQ(same->array().stylet.bending, shipped->array().stylet.bending);
 }
 
-// A recorded text gives the fitted numbers themselves; they are the former array's.
-TEST(ScenarioCalibration, OfARecordedTextIsNotTakenOverByAnArrayNamedAnew)
+// A recorded text contains the fitted numbers; they belong to the previous array.
+TEST(ScenarioCalibration, OfARecordedTextDoesNotApplyToANewlyNamedArray)
 {
   const auto recorded = loadScenario("contour-published");
   const auto plain =
@@ -93,7 +93,7 @@ TEST(ScenarioCalibration, OfARecordedTextIsNotTakenOverByAnArrayNamedAnew)
   EXPECT_EQ(other->array().stylet.bending, plain->array().stylet.bending);
   EXPECT_EQ(other->array().stylet.residualCurvature, plain->array().stylet.residualCurvature);
   EXPECT_EQ(other->calibrationName(), "");
-  // unless they are given with it
+  // unless they are given with the new array
   const auto scaled = parseScenario(recorded->text(), "text",
                                     {{"array", "contour-advance"}, {"stiffness_scale", "2.0"}});
   ASSERT_TRUE(scaled) << scaled.error().message;

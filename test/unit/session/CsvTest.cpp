@@ -68,7 +68,7 @@ TEST(CsvPeriod, KeepsOneRowAPeriodThoughTimesAreRounded)
       EXPECT_EQ(tick % 5, 0) << tick;
       ++kept;
     }
-    time += 0.001;  // gathers rounding errors
+    time += 0.001;  // accumulates rounding errors
   }
   EXPECT_EQ(kept, 200);
 }

@@ -10,9 +10,8 @@
 
 namespace perilymph::test {
 
-/// Lays a journal beside a database that names `victim` as the journal of several databases
-/// (SQLite's file format, section 3: a header padded to a sector, no pages, the name with its
-/// length and sum).
+/// Writes a journal beside a database that names `victim` as its super-journal (SQLite's file
+/// format, section 3: a header padded to a sector, no pages, the name with its length and checksum).
 inline void forgeJournal(const std::filesystem::path& database, const std::filesystem::path& victim)
 {
   const std::string magic("\xd9\xd5\x05\xf9\x20\xa1\x63\xd7", 8);
@@ -23,11 +22,11 @@ inline void forgeJournal(const std::filesystem::path& database, const std::files
   put(0);  // pages kept
   put(1);  // salt
   put(static_cast<std::uint32_t>(std::filesystem::file_size(database) / 4096));
-  put(512);   // bytes a sector
-  put(4096);  // bytes a page
+  put(512);   // bytes per sector
+  put(4096);  // bytes per page
   journal.resize(512, '\0');
   const std::string name = victim.string();
-  put(0x40000000 / 4096 + 1);  // where no page may be
+  put(0x40000000 / 4096 + 1);  // the page number that is never used
   journal += name;
   put(static_cast<std::uint32_t>(name.size()));
   std::uint32_t sum = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Recordings changed behind the program's back.
+// Recordings modified by other programs.
 
 #include <gtest/gtest.h>
 #include <sqlite3.h>
@@ -13,7 +13,7 @@
 
 namespace perilymph::test {
 
-/// Runs SQL on a file as any other program could.
+/// Runs SQL on a file, as any program could.
 inline void runSql(const std::filesystem::path& file, const std::string& sql)
 {
   sqlite3* database = nullptr;
@@ -23,7 +23,7 @@ inline void runSql(const std::filesystem::path& file, const std::string& sql)
   sqlite3_close(database);
 }
 
-/// Gives a changed recording the hash of what is in it now, as a forger would.
+/// Stores in a modified recording the hash of its current content, as a forger would.
 inline void rehash(const std::filesystem::path& file)
 {
   sqlite3* database = nullptr;

@@ -8,8 +8,8 @@
 #include "perilymph/session/Scenario.h"
 #include "perilymph/test/TemporaryFolder.h"
 
-// Friction, opening, membrane and technique by name: what is shipped, and which of several
-// statements counts.
+// Friction, opening, membrane and technique by name: the shipped ones, and which of several
+// settings applies.
 
 namespace perilymph::session {
 namespace {
@@ -48,7 +48,7 @@ TEST(ShippedFriction, OfTheExperimentIsAsPublished)
   EXPECT_DOUBLE_EQ(law.kineticCoefficient, 0.0395);
   EXPECT_DOUBLE_EQ(law.stoppingCoefficient, 0.0185);
   EXPECT_TRUE(law.bySpeed.isEmpty());
-  // the law's own defaults are the same values
+  // the defaults of the law are the same values
   EXPECT_EQ(law.staticCoefficient, mechanics::FrictionLaw{}.staticCoefficient);
   EXPECT_EQ(law.kineticCoefficient, mechanics::FrictionLaw{}.kineticCoefficient);
   EXPECT_EQ(law.stoppingCoefficient, mechanics::FrictionLaw{}.stoppingCoefficient);
@@ -89,7 +89,7 @@ TEST(Friction, OfARecordedTextNeedsNoFile)
   EXPECT_DOUBLE_EQ(second->friction().sliding(7.7e-3), 0.33);
 }
 
-TEST(Friction, NamedAnewReplacesTheNumbersOfTheText)
+TEST(Friction, NamedAgainReplacesTheNumbersOfTheText)
 {
   const std::string text = with({{"friction", "tissue"}}).text();
   const auto again = parseScenario(text, "recording", {{"friction", "paper"}});
@@ -122,13 +122,13 @@ TEST(Friction, WithMoreSpeedsThanCoefficientsIsRefused)
               HasSubstr("2 speeds and 1 coefficients"));
 }
 
-TEST(Friction, ThatStopsAboveItsLeastSlidingValueIsRefused)
+TEST(Friction, ThatStopsAboveItsMinimumKineticValueIsRefused)
 {
   EXPECT_THAT(refusal({{"friction", "soap-90"}, {"friction_stopping", "0.04"}}),
               HasSubstr("friction_stopping is 0.04; it must not be above friction_dynamic"));
 }
 
-TEST(Opening, ThatIsTooNarrowForTheArraysBaseIsSpokenOf)
+TEST(Opening, ThatIsTooNarrowForTheArraysBaseGivesAWarning)
 {
   // FLEXSOFT: 0.5 mm at its tip, 1.3 mm 31.5 mm behind it, straight between: 1 mm at 19.7 mm.
   const Overrides narrow = {{"anatomy", "mean"},
@@ -149,7 +149,7 @@ TEST(Opening, ThatIsTooNarrowForTheArraysBaseIsSpokenOf)
               HasSubstr("opening is 'door'; it must be one of none, round-window, cochleostomy."));
 }
 
-TEST(Membrane, YieldsWhereItIsSaidTo)
+TEST(Membrane, HasTheGivenStiffness)
 {
   EXPECT_FALSE(with({}).membrane());
   const Scenario soft = with({{"membrane", "soft"}, {"membrane_stiffness_N_m", "4.5"}});

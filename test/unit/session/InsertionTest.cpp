@@ -41,7 +41,7 @@ TEST(InsertionInVirtualTime, EndsAtTheStopTravel)
   });
   ASSERT_TRUE(ran) << ran.error().message;
   EXPECT_EQ(last.output.workflow, haptics::Workflow::finished);
-  // less than one tick's way past it
+  // less than one tick's travel beyond it
   EXPECT_NEAR(last.output.travel, scenario.stopTravel().si(),
               scenario.speed().si() * scenario.timeStep().si());
   EXPECT_GE(last.output.time,
@@ -165,7 +165,7 @@ TEST(ARecordingDeletedWhileItIsWritten, IsReportedAndTheInsertionGoesOn)
 TEST(FailingDisk, EndsTheRecordingAndNotTheInsertion)
 {
   const test::TemporaryFolder folder;
-  // Files of this process may grow to 200 kB: a disk that is full.
+  // Files of this process may grow to 200 kB, like on a full disk.
   ASSERT_NE(std::signal(SIGXFSZ, SIG_IGN), SIG_ERR);
   rlimit usual{};
   ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &usual), 0);
@@ -193,7 +193,7 @@ TEST(FailingDisk, EndsTheRecordingAndNotTheInsertion)
   ASSERT_TRUE(recorded) << recorded.error().message;
   EXPECT_GT(recorded->ticks(), 0u);
   EXPECT_LT(recorded->ticks(), last.tick);
-  EXPECT_EQ(recorded->ticks() % 20, 0u);  // whole drains only
+  EXPECT_EQ(recorded->ticks() % 20, 0u);  // complete drains only
   // There may be space to close the recording, but not for these ticks: they are missing.
   EXPECT_FALSE(recorded->wasClosed());
 }

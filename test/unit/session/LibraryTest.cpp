@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The library: recordings found, listed without being read again, renamed, thrown away, put back.
+// The library: recordings are found, listed without being read again, renamed, deleted, restored.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ using test::runSql;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// Ticks on a straight way in at 2 mm/s; the force rises to 0.1 N at 3 mm and falls again.
+/// Ticks of a straight insertion at 2 mm/s; the force rises to 0.1 N at 3 mm and falls again.
 std::vector<haptics::TickRecord> hillOfForce()
 {
   std::vector<haptics::TickRecord> records(3001);
@@ -62,7 +62,7 @@ protected:
     return listed ? *listed : std::vector<SessionSummary>{};
   }
 
-  /// Replaces a word in the index, to see whether a recording or its index was read.
+  /// Replaces a word in the index, which shows whether a recording or its index was read.
   void renameInIndex(const std::string& word, const std::string& by)
   {
     const fs::path index = libraryCache(folder_.path()) / "index.json";
@@ -76,14 +76,14 @@ protected:
   test::TemporaryFolder folder_;
 };
 
-TEST_F(Library, NobodyHasRecordedIntoIsEmpty)
+TEST_F(Library, WithoutRecordingsIsEmpty)
 {
   const auto listed = listSessions(folder_ / "none");
   ASSERT_TRUE(listed);
   EXPECT_THAT(*listed, IsEmpty());
 }
 
-TEST_F(Library, ListsWhoWhatAndHowHardNewestFirst)
+TEST_F(Library, ListsPatientArrayAndPeakForceNewestFirst)
 {
   record(folder_ / "a.insertion", "2010-05-17T09:30:00Z", hillOfForce());
   record(folder_ / "b.insertion", "2010-05-18T09:30:00Z", hillOfForce());
@@ -95,7 +95,7 @@ TEST_F(Library, ListsWhoWhatAndHowHardNewestFirst)
   EXPECT_EQ(one.side, "left");
   EXPECT_EQ(one.array, "Nucleus 24 Contour");
   EXPECT_THAT(one.error, IsEmpty());
-  // the hill's own numbers: its top at 3 mm, 3 s of way
+  // the peak at 3 mm, after 3 s
   EXPECT_DOUBLE_EQ(one.highlights.peakForce, 0.1);
   EXPECT_NEAR(one.highlights.peakTravel, 3e-3, 1e-9);
   EXPECT_NEAR(one.highlights.peakDepth, 5e-3, 1e-9);
@@ -130,7 +130,7 @@ TEST_F(Library, DoesNotOpenWhatHasNotChanged)
   EXPECT_EQ(list().at(0).patient, "014");
 }
 
-TEST_F(Library, MakesADamagedIndexAnew)
+TEST_F(Library, RebuildsADamagedIndex)
 {
   record(folder_ / "a.insertion", "2010-05-17T09:30:00Z", hillOfForce());
   list();
@@ -190,7 +190,7 @@ TEST_F(Library, LeavesTheFileAloneThatIsBeingRecorded)
   EXPECT_THAT(sessions->at(0).error, IsEmpty());
 }
 
-TEST_F(Library, StopsWhenAskedAndListsTheNewestThatItCameTo)
+TEST_F(Library, StopsWhenCanceledAndListsTheNewestRead)
 {
   for (const char* day : {"20100517", "20100518", "20100519"})
     record(folder_ / (std::string(day) + "T093000Z.insertion"), "2010-05-17T09:30:00Z",
@@ -209,7 +209,7 @@ TEST_F(Library, StopsWhenAskedAndListsTheNewestThatItCameTo)
   EXPECT_EQ(list().size(), 3u);
 }
 
-TEST_F(Library, BringsBackWhatWasThrownAway)
+TEST_F(Library, RestoresADeletedRecording)
 {
   const fs::path file = record(folder_ / "a.insertion", "2010-05-17T09:30:00Z", hillOfForce());
   const auto trashed = trashSession(file);
@@ -220,7 +220,7 @@ TEST_F(Library, BringsBackWhatWasThrownAway)
   EXPECT_TRUE(RecordedInsertion::open(file));
 }
 
-TEST_F(Library, ThrowsAwayTwoOfOneName)
+TEST_F(Library, DeletesTwoRecordingsOfOneName)
 {
   const fs::path file = folder_ / "a.insertion";
   for (int i = 0; i < 2; ++i)
@@ -242,7 +242,7 @@ TEST_F(Library, RenamesButNeverOverAnotherRecording)
   EXPECT_FALSE(fs::exists(file));
 }
 
-TEST_F(Library, RefusesNamesThatAreNone)
+TEST_F(Library, RefusesInvalidNames)
 {
   const fs::path file = record(folder_ / "a.insertion", "2010-05-17T09:30:00Z", hillOfForce());
   for (const char* name : {"", "../a", ".hidden", "two\nlines"}) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Ticks with every kind of number in them, and a comparison that counts bits.
+// Ticks with every kind of number, and a comparison by bits.
 
 #include <array>
 #include <bit>
@@ -101,7 +101,7 @@ inline session::RecordingFacts someFacts()
   return facts;
 }
 
-/// Ticks of an ordinary, quiet insertion.
+/// Ticks of an ordinary insertion.
 inline std::vector<haptics::TickRecord> quietRecords(std::uint64_t first, std::uint64_t count)
 {
   std::vector<haptics::TickRecord> records(count);

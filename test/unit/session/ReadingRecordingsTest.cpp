@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Recordings as they come back from the world: crashed, cut, too new, in places nobody may write
-// to.
+// Recordings in the field: of crashed programs, truncated, of newer versions, in read-only folders.
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -59,8 +58,7 @@ std::string refusal(const fs::path& file)
   return opened ? "opened" : opened.error().message;
 }
 
-/// Somebody without rights, for as long as it lives. Nobody in particular where the test already
-/// is.
+/// Drops root's rights until it is destroyed; without effect for other users.
 class Nobody {
 public:
   Nobody()
@@ -166,7 +164,7 @@ TEST(OpeningARecording, SaysThatItsFactsAreMissing)
   EXPECT_THAT(refusal(file), HasSubstr("damaged"));
 }
 
-TEST(ReadingTicks, StopsAtARecordThatIsNoRecord)
+TEST(ReadingTicks, StopsAtAnInvalidRecord)
 {
   const test::TemporaryFolder folder;
   const fs::path file = recorded(folder, 10);
@@ -197,7 +195,7 @@ TEST(ReadingTicks, SurvivesAnyByteThatFlips)
     const fs::path copy = folder / "copy.insertion";
     std::ofstream(copy, std::ios::binary) << damaged;
     const auto opened = RecordedInsertion::open(copy);
-    // Whatever it says, it says it in words.
+    // Every error has a message.
     if (!opened) {
       EXPECT_THAT(opened.error().message, HasSubstr("copy.insertion")) << place;
       continue;

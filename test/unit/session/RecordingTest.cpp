@@ -17,7 +17,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// What another program sees in the file: the first column of every row.
+/// The first column of every row as another program reads it.
 std::vector<std::string> query(const std::filesystem::path& file, const std::string& sql)
 {
   sqlite3* database = nullptr;
@@ -86,7 +86,7 @@ TEST(Recording, IsOneFileOnceClosed)
   auto recording = Recording::create(folder / "one.insertion", test::someFacts());
   ASSERT_TRUE(recording);
   ASSERT_TRUE((*recording)->append(test::quietRecords(0, 100)));
-  EXPECT_GT(filesIn(folder.path()), 1u);  // the log
+  EXPECT_GT(filesIn(folder.path()), 1u);  // the write-ahead log
   ASSERT_TRUE((*recording)->close());
   EXPECT_EQ(filesIn(folder.path()), 1u);
 }
@@ -103,7 +103,7 @@ TEST(Recording, ShowsItsRowsToOtherProgramsWhileItRuns)
             std::vector<std::string>{"20"});
   EXPECT_EQ(query(folder / "live.insertion", "SELECT tick FROM tick WHERE force_axial_N = 0.125"),
             std::vector<std::string>{"7"});
-  EXPECT_TRUE((*recording)->append(test::quietRecords(20, 20)));  // being read does not stop it
+  EXPECT_TRUE((*recording)->append(test::quietRecords(20, 20)));  // a reader does not block it
 }
 
 TEST(Recording, WritesDownCommandsAndChanges)
@@ -224,7 +224,7 @@ TEST_F(RecordingThatIsTaken, AndReplacedLeavesTheOtherFileAndItsLogAlone)
   }
 }
 
-TEST(Recording, TakesNamesThatMeanSomethingElsewhere)
+TEST(Recording, AcceptsNamesWithSpecialCharacters)
 {
   const test::TemporaryFolder folder;
   for (const char* name : {"50%20 done?mode=ro#x.insertion", "a b&c.insertion"}) {

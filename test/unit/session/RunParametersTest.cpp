@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What a device asks of the engine, and what a replay is given of it.
+// The engine parameters that a device requires, and those that a replay reads back.
 
 #include "perilymph/session/RunParameters.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A scenario's text and what runs are one, whatever is changed.
+// A scenario's text and its model agree after every change.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ std::string valueIn(const Scenario& scenario, const std::string& wanted)
   return "none";
 }
 
-// One value of every kind of key: numbers, counts, flags, choices by name and names of files.
+// One value for every kind of key: numbers, counts, flags, names of choices and of files.
 TEST(ScenarioWithOtherValues, SaysEachOfThemInItsTextAndRunsWhatItSays)
 {
   const auto first = loadScenario("mean-contour");

@@ -25,7 +25,7 @@ void write(const std::filesystem::path& file, const std::string& text)
   std::ofstream(file) << text;
 }
 
-// 0.002 + 0.0165 is a rounding above 0.0185 in binary.
+// In binary, 0.002 + 0.0165 is one rounding error above 0.0185.
 TEST(AnArrayOf18Point5Millimeters, MayStart2InsideAndTravel16Point5AndNoMore)
 {
   const auto travels = [](const char* mm) {
@@ -104,7 +104,7 @@ TEST(ScenarioText, CarriesThePatientsNumbersWhenTheFileIsGone)
   EXPECT_EQ(second->patientName(), "somebody.toml");
 }
 
-TEST(ScenarioText, YieldsToAPatientNamedAnew)
+TEST(ScenarioText, IsReplacedByANewlyNamedPatient)
 {
   const auto first = loadScenario("contour-published", {{"patient", "small"}});
   ASSERT_TRUE(first) << first.error().message;
@@ -128,7 +128,7 @@ TEST(ScenarioText, RemembersWhichArrayFileItWasRunWith)
 
 TEST(Scenario, TakesEveryKeyOfTheContract)
 {
-  // commands.md, "Scenario keys", each with a value that is not the usual one
+  // commands.md, "Scenario keys", each with a value other than the default
   const Overrides keys = {{"anatomy", "published"},
                           {"patient", "average"},
                           {"side", "left"},
@@ -233,7 +233,7 @@ TEST(ScenarioAnatomy, IsThePublishedOneUnlessAnotherIsNamed)
 
 TEST(ScenarioAnatomy, GivesTheLumenOfItsName)
 {
-  // 900 degrees for the mean and for Clark's, 994 for the published one (35.58 mm of its spiral)
+  // 900 degrees for the mean and Clark's, 994 for the published one (35.58 mm of its spiral)
   for (const auto& [name, last_deg] :
        {std::pair{"mean", 900.0}, {"clark", 900.0}, {"published", 994.0}}) {
     const auto scenario = loadScenario("contour-published", {{"anatomy", name}});
@@ -325,7 +325,7 @@ TEST(Scenario, RefusesUnknownKeysAndNamesTheLikelyOne)
 
 TEST(Scenario, RefusesToPushAnArrayDeeperThanItMayGo)
 {
-  // The Contour may go in 22 mm; the tip starts 2 mm inside.
+  // The insertable length of the Contour is 22 mm; the tip starts 2 mm inside.
   EXPECT_THAT(refusal({{"stop_travel_mm", "20.5"}}), AllOf(HasSubstr("22.5"), HasSubstr("22 mm")));
   EXPECT_EQ(refusal({{"stop_travel_mm", "20"}}), "accepted");
 }

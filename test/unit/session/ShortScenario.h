@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// A scenario that is over soon: few nodes, a fraction of a millimeter.
+// A short scenario: few nodes, a fraction of a millimeter.
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 namespace perilymph::test {
 namespace {
 
-/// Keeps the compiler from proving that a block is never used.
+/// Prevents the compiler from removing an unused block.
 void use(void* block) { asm volatile("" : : "g"(block) : "memory"); }
 
 TEST(AllocationGuard, SeesNothingWhereNothingIsAllocated)

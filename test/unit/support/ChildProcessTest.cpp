@@ -45,7 +45,7 @@ TEST(ChildProcess, TellsASignalFromAnExit)
 
 TEST(ChildProcess, IsKilledWithItsChildrenWhenTheTimeIsOver)
 {
-  // The inner shell would hold the pipe open for an hour if it lived on.
+  // If it survived, the inner shell would hold the pipe open for an hour.
   const ProgramOutcome outcome = run(shell("echo begun; sh -c 'sleep 3600' & wait"), 200ms);
   EXPECT_TRUE(outcome.timedOut);
   EXPECT_EQ(outcome.signal, SIGKILL);

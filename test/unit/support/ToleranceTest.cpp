@@ -12,7 +12,7 @@
 namespace perilymph::test {
 namespace {
 
-/// Gives the variable back as it was: a run with true residuals must reach every test.
+/// Restores the variable: a run with true residuals must reach every test.
 class ToleranceScale : public ::testing::Test {
 protected:
   ToleranceScale()

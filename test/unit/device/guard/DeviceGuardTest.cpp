@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What a device hears when the program that pushes with it ends, in every way a program can end.
+// What a device receives when the program that renders force with it ends, for every kind of end.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -30,12 +30,13 @@ using testing::ElementsAre;
 using testing::Not;
 using Bytes = std::vector<std::uint8_t>;
 
-// As the profile says: report 2 of three numbers; report 9 is the one to leave with.
+// As in the profile: report 2 has three numbers; report 9 switches the device off.
 const Bytes noForce = {2, 0, 0, 0, 0, 0, 0};
 const Bytes push = {2, 0, 0, 0, 0, 0xf4, 0x01};  // 500 counts of 1 mN along z
 const Bytes left = {9, 77};
 
-/// The device: reports every millisecond on every connection that reports, and notes what it hears.
+/// The device: sends a report every millisecond on every reporting connection, and stores what it
+/// receives.
 class SocketDevice {
 public:
   explicit SocketDevice(const std::string& name) : listener_(listenAs(name))
@@ -134,7 +135,7 @@ class DeviceOfAProgram : public testing::Test {
 protected:
   void SetUp() override { ASSERT_TRUE(device_.isThere()) << "No socket to be had."; }
 
-  /// Runs until the program pushes.
+  /// Runs until the program renders a force.
   void startPushing(const std::string& fault = "none")
   {
     program_ = std::make_unique<ChildProcess>(
@@ -147,7 +148,7 @@ protected:
     EXPECT_TRUE(waitUntil([this] { return device_.hasGuardLeft(); }));
   }
 
-  /// A busy machine may stop the program for a moment too: then there was no force before.
+  /// A busy machine may also stop the program for a moment; then there was no force before.
   void expectSwitchedOff() const
   {
     EXPECT_THAT(device_.fromProgram(), Contains(push));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The bytes between a program and the guard of its device.
+// The messages between a program and the guard of its device.
 
 #include "guard/GuardScript.h"
 

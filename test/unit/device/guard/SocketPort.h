@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// A device at the other end of a socket: each handle on it is a connection, each report a message,
-// so that a process that dies lets go of it as it would of a hidraw node.
+// A device at the other end of a socket: each handle is a connection, each report a message. A
+// process that dies closes its handles, as with a hidraw node.
 
 #include <string>
 
@@ -15,7 +15,7 @@ std::unique_ptr<device::HidPort> socketPort(std::string name);
 
 /// A connection to an abstract socket; -1 if there is no listener.
 int connectTo(const std::string& name, char letter) noexcept;
-/// A listening one; -1 if there is none to be had.
+/// A listening socket; -1 if it cannot be created.
 int listenAs(const std::string& name) noexcept;
 
 }  // namespace perilymph::test

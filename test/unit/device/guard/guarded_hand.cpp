@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A program that pushes with a device until something ends it: guarded_hand SOCKET [FAULT]
-// FAULT: none (ends in order at SIGTERM), abort, segv: what it does to itself after half a second.
+// A program that renders a force until something ends it: guarded_hand SOCKET [FAULT]
+// FAULT: none (ends in order at SIGTERM), abort or segv after half a second.
 
 #include <atomic>
 #include <csignal>
@@ -18,7 +18,7 @@ namespace {
 
 using namespace perilymph;
 
-/// A device of bare numbers that wants to be told when it is left.
+/// A device with plain numbers in its reports that must be switched off at the end.
 const std::string guarded = test::profileHead("vector") + R"(max_force_N = 3.0
 nominal_period_ms = 1.0
 reporting = "periodic"

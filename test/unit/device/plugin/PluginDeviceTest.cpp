@@ -51,7 +51,7 @@ TEST(ExamplePlugin, DriftsInwardAtTheSpeedOfForceOverDamping)
 
 TEST(ExamplePlugin, IsHeldByTheForceItIsTold)
 {
-  // A spring of 100 N/m shown by the program: the handle comes to rest at 0.2 N / 100 N/m.
+  // The program renders a spring of 100 N/m: the handle comes to rest at 0.2 N / 100 N/m.
   const auto device = loadPluginDevice(example());
   ASSERT_TRUE((*device)->open());
   DeviceSample hand;

@@ -194,7 +194,7 @@ void ArraySection::show(const Setup& setup)
   model_->show(QLatin1String(session::nameOf(scenario.model())), {});
   // as allowed in a scenario
   nodes_->setRange(isRod ? Range{8.0, double(mechanics::maxNodes)}
-                         : Range{2.0, double(mechanics::maxPoints)});
+                         : Range{2.0, double(mechanics::maxStablePoints)});
   nodes_->setValue(scenario.nodes());
 }
 

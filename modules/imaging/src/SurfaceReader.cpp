@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/imaging/SurfaceReader.h"
 
-#include <vtkCellArray.h>
-#include <vtkExecutive.h>
-#include <vtkSTLReader.h>
-#include <vtkTriangleFilter.h>
-#include <vtkXMLPolyDataReader.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
 #include <exception>
-#include <initializer_list>
+#include <optional>
 #include <string>
-#include <type_traits>
 
 #include "PlyFile.h"
-#include "PolyData.h"
-#include "VtkComplaints.h"
+#include "SurfaceDecoder.h"
+#include "UntrustedRead.h"
 #include "perilymph/foundation/AtomicFile.h"
 
 namespace perilymph::imaging {
@@ -25,6 +21,76 @@ namespace {
 
 // 256 MiB contain five million triangles, a hundred times what a cochlea needs.
 constexpr std::size_t maxBytes = 256u << 20;
+// A file of that size, its triangles and those of its strips and polygons (choice, medium).
+constexpr std::size_t maxChildBytes = 4 * maxBytes;
+
+/// A file descriptor, closed with its owner.
+class OwnedDescriptor {
+public:
+  explicit OwnedDescriptor(int descriptor) : descriptor_(descriptor) {}
+  ~OwnedDescriptor()
+  {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  OwnedDescriptor(const OwnedDescriptor&) = delete;
+  OwnedDescriptor& operator=(const OwnedDescriptor&) = delete;
+  int get() const { return descriptor_; }
+
+private:
+  int descriptor_;
+};
+
+bool writeBytes(int descriptor, const void* from, std::size_t bytes)
+{
+  const char* at = static_cast<const char*>(from);
+  while (bytes > 0) {
+    const ::ssize_t written = ::write(descriptor, at, bytes);
+    if (written <= 0) return false;
+    at += written;
+    bytes -= static_cast<std::size_t>(written);
+  }
+  return true;
+}
+
+bool readBytes(int descriptor, void* to, std::size_t bytes)
+{
+  char* at = static_cast<char*>(to);
+  while (bytes > 0) {
+    const ::ssize_t count = ::read(descriptor, at, bytes);
+    if (count <= 0) return false;
+    at += count;
+    bytes -= static_cast<std::size_t>(count);
+  }
+  return true;
+}
+
+using Corner = decltype(anatomy::Surface::points)::value_type;
+using Triangle = decltype(anatomy::Surface::triangles)::value_type;
+
+bool writeTo(int descriptor, const anatomy::Surface& surface)
+{
+  const std::uint64_t counts[2] = {surface.points.size(), surface.triangles.size()};
+  return writeBytes(descriptor, counts, sizeof counts) &&
+         writeBytes(descriptor, surface.points.data(), surface.points.size() * sizeof(Corner)) &&
+         writeBytes(descriptor, surface.triangles.data(),
+                    surface.triangles.size() * sizeof(Triangle));
+}
+
+/// The surface that a child wrote; empty if it is incomplete.
+std::optional<anatomy::Surface> readFrom(int descriptor)
+{
+  std::uint64_t counts[2] = {0, 0};
+  if (::lseek(descriptor, 0, SEEK_SET) != 0 || !readBytes(descriptor, counts, sizeof counts) ||
+      counts[0] > maxChildBytes / sizeof(Corner) || counts[1] > maxChildBytes / sizeof(Triangle))
+    return std::nullopt;
+  anatomy::Surface surface;
+  surface.points.resize(counts[0]);
+  surface.triangles.resize(counts[1]);
+  if (!readBytes(descriptor, surface.points.data(), counts[0] * sizeof(Corner)) ||
+      !readBytes(descriptor, surface.triangles.data(), counts[1] * sizeof(Triangle)))
+    return std::nullopt;
+  return surface;
+}
 
 /// Whether VTK also regards the content as text: above a fraction of other bytes, such as control
 /// characters, it takes the file for binary and its text for a number of triangles.
@@ -48,42 +114,19 @@ bool beginsRight(const std::string& content, const std::string& ending)
   return content.size() == 84 + 50 * static_cast<std::size_t>(count);
 }
 
-/// Whether the cells only refer to existing points; VTK's filters do not check it.
-bool cornersExist(vtkPolyData& data)
+/// Reads the surface in a child process: damaged files make VTK print, and allocate what their
+/// headers claim. Empty if it cannot.
+std::optional<anatomy::Surface> decodeGuarded(const std::filesystem::path& file,
+                                              const std::string& ending)
 {
-  const vtkIdType points = data.GetNumberOfPoints();
-  for (vtkCellArray* const cells :
-       {data.GetVerts(), data.GetLines(), data.GetPolys(), data.GetStrips()}) {
-    if (!cells) continue;
-    if (!cells->IsValid()) return false;
-    vtkIdType count = 0;
-    const vtkIdType* corners = nullptr;
-    for (cells->InitTraversal(); cells->GetNextCell(count, corners) != 0;)
-      if (std::any_of(corners, corners + count,
-                      [points](vtkIdType corner) { return corner < 0 || corner >= points; }))
-        return false;
-  }
-  return true;
-}
-
-/// The output of a VTK reader for a file; empty if it reports an error.
-template <class Reader>
-vtkSmartPointer<vtkPolyData> readWith(const std::filesystem::path& file)
-{
-  const auto complaints = vtkSmartPointer<Complaints>::New();
-  const auto reader = vtkSmartPointer<Reader>::New();
-  const auto triangles = vtkSmartPointer<vtkTriangleFilter>::New();
-  complaints->listenTo({reader, reader->GetExecutive(), triangles, triangles->GetExecutive()});
-  if constexpr (std::is_base_of_v<vtkXMLReader, Reader>) reader->SetParserErrorObserver(complaints);
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  if (complaints->isAny || !cornersExist(*reader->GetOutput())) return nullptr;
-  triangles->SetInputConnection(reader->GetOutputPort());
-  triangles->PassLinesOff();
-  triangles->PassVertsOff();
-  triangles->Update();
-  if (complaints->isAny) return nullptr;
-  return triangles->GetOutput();
+  const OwnedDescriptor memory(::memfd_create("surface", MFD_CLOEXEC));
+  if (memory.get() < 0) return std::nullopt;
+  const auto decode = [&] {
+    const auto surface = decodeSurface(file, ending);
+    return surface && writeTo(memory.get(), *surface) ? 0 : childFailed;
+  };
+  if (runInChild(decode, {maxChildBytes, {}}) != 0) return std::nullopt;
+  return readFrom(memory.get());
 }
 
 }  // namespace
@@ -100,17 +143,16 @@ Result<anatomy::Surface> readSurface(const std::filesystem::path& file)
   const auto content = readWhole(file, maxBytes);
   if (!content) return content.error();
   const Error damaged{name + " is not a whole " + ending +
-                      " file of a surface. Export it again from the segmentation program."};
+                      " file of a surface, or needs over 1 GiB to read. Export it again from the "
+                      "segmentation program."};
   try {
     if (ending == ".ply") {
       if (auto surface = readPly(*content)) return *std::move(surface);
       return damaged;
     }
     if (!beginsRight(*content, ending)) return damaged;
-    const vtkSmartPointer<vtkPolyData> data =
-        ending == ".stl" ? readWith<vtkSTLReader>(file) : readWith<vtkXMLPolyDataReader>(file);
-    if (!data || data->GetNumberOfPolys() == 0) return damaged;
-    return fromPolyData(*data);
+    if (auto surface = decodeGuarded(file, ending)) return *std::move(surface);
+    return damaged;
   } catch (const std::exception&) {  // sizes beyond the available memory
     return damaged;
   }

@@ -5,6 +5,7 @@
 
 #include "perilymph/anatomy/MeanScala.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,9 +17,12 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "ReferenceSolid.h"
+#include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/Resources.h"
 #include "perilymph/test/TemporaryFolder.h"
 #include "perilymph/test/Tolerance.h"
 
@@ -310,6 +314,52 @@ TEST_F(PublishedSolid, IsReachedByTheModelEverywhere)
       distances.push_back(
           solid.distance(mean()->wall_W(degrees(angle_deg).si(), 2.0 * pi * k / 60)));
   expectNear(std::move(distances));
+}
+
+/// A folder of resources whose mean scala tympani is another text, while it exists.
+class OtherSections {
+public:
+  explicit OtherSections(const std::string& text)
+  {
+    std::filesystem::create_directories(folder_ / "resources/anatomy");
+    std::ofstream(folder_ / "resources/anatomy/mean-scala-tympani.toml") << text;
+    ::setenv("PERILYMPH_RESOURCES", folder_.path().c_str(), 1);
+  }
+  ~OtherSections() { ::unsetenv("PERILYMPH_RESOURCES"); }
+
+private:
+  test::TemporaryFolder folder_;
+};
+
+/// The shipped text with one coefficient of a section, harmonics -4 to 4, multiplied by a factor.
+std::string withCoefficient(int section, const std::string& key, int harmonic, double factor)
+{
+  std::string text = *readWhole(resource("resources/anatomy/mean-scala-tympani.toml"));
+  std::size_t at = 0;
+  for (int i = 0; i <= section; ++i) at = text.find(key + " = [", at) + key.size() + 4;
+  for (int k = -4; k < harmonic; ++k) at = text.find(',', at) + 1;
+  const std::size_t length = text.find_first_of(",]", at) - at;
+  const double value = std::stod(text.substr(at, length));
+  return text.replace(at, length, " " + std::to_string(factor * value));
+}
+
+TEST(MeasuredSections, WithADamagedCoefficientAreRefused)
+{
+  // Those that a search over all found to matter: size, place, tilt and shape of a section.
+  const std::tuple<int, const char*, int> coefficients[] = {
+      {0, "real_mm", 0},  {3, "real_mm", 1},       {7, "imaginary_mm", 1}, {12, "real_mm", -1},
+      {20, "real_mm", 0}, {25, "imaginary_mm", 0}, {30, "real_mm", 1},     {3, "real_mm", -1}};
+  for (const auto& [section, key, harmonic] : coefficients)
+    for (const double factor : {-1.0, 0.0, 10.0}) {
+      const OtherSections damaged(withCoefficient(section, key, harmonic, factor));
+      const auto sections = loadMeasuredSections();
+      ASSERT_FALSE(sections) << section << " " << key << " " << harmonic << " x " << factor;
+      // a size of 53 mm is already out of range
+      EXPECT_THAT(sections.error().message,
+                  testing::AnyOf(testing::HasSubstr("damaged"), testing::HasSubstr("between -20")));
+      EXPECT_THAT(sections.error().message, testing::HasSubstr("mean-scala-tympani.toml"));
+      EXPECT_FALSE(buildMean(millimeters(1)));
+    }
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 #include "perilymph/imaging/SurfaceReader.h"
 
 #include <gmock/gmock.h>
+#include <sys/resource.h>
+#include <zlib.h>
 
 #include <bit>
 #include <cstdint>
@@ -108,6 +110,87 @@ TEST_F(ReadSurface, NamesTheEndingsItReads)
   const auto surface = read("a.obj", "v 0 0 0\n");
   ASSERT_FALSE(surface);
   EXPECT_THAT(surface.error().message, testing::HasSubstr(".stl, .ply or .vtp"));
+}
+
+std::string base64(const std::string& bytes)
+{
+  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t three = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      three = three << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0);
+    for (std::size_t k = 0; k < 4; ++k)
+      text += i + k > bytes.size() ? '=' : digits[three >> (18 - 6 * k) & 63];
+  }
+  return text;
+}
+
+/// A VTP of one triangle whose points are compressed blocks of zeros, each of `blockBytes`.
+std::string compressedVtp(std::uint64_t blocks, std::uint64_t blockBytes, const char* type)
+{
+  const std::string zeros(blockBytes, '\0');
+  uLongf size = compressBound(blockBytes);
+  std::string block(size, '\0');
+  compress2(reinterpret_cast<Bytef*>(block.data()), &size,
+            reinterpret_cast<const Bytef*>(zeros.data()), blockBytes, 9);
+  block.resize(size);
+  std::string header, data;
+  const auto put = [&header](std::uint64_t value) {
+    for (int k = 0; k < 8; ++k) header += static_cast<char>(value >> (8 * k) & 0xff);
+  };
+  put(blocks);
+  put(blockBytes);
+  put(0);
+  for (std::uint64_t i = 0; i < blocks; ++i) {
+    put(size);
+    data += block;
+  }
+  const std::string points = std::to_string(blocks * blockBytes / 24);
+  return "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" "
+         "byte_order=\"LittleEndian\" header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">"
+         "<PolyData><Piece NumberOfPoints=\"" +
+         points +
+         "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"1\">"
+         "<Points><DataArray type=\"" +
+         type + "\" NumberOfComponents=\"3\" format=\"binary\">" + base64(header) + base64(data) +
+         "</DataArray></Points><Polys>"
+         "<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 1 2</DataArray>"
+         "<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">3</DataArray>"
+         "</Polys></Piece></PolyData></VTKFile>\n";
+}
+
+TEST_F(ReadSurface, ReadsACompressedVtp)
+{
+  const auto surface = read("whole.vtp", compressedVtp(1, 72, "Float64"));
+  ASSERT_TRUE(surface) << surface.error().message;
+  EXPECT_EQ(surface->points.size(), 3u);
+  EXPECT_EQ(surface->triangles.size(), 1u);
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+// A sanitizer's own memory hides what the program takes.
+TEST_F(ReadSurface, TakesNoMoreThanOneGigabyteForASmallFileThatUnpacksToMore)
+{
+  // 3 MB that unpack to 2.4 GB, the points of an array of as many again.
+  const auto surface = read("bomb.vtp", compressedVtp(75, 32'000'016, "Float64"));
+  ASSERT_FALSE(surface);
+  EXPECT_THAT(surface.error().message, testing::HasSubstr("needs over 1 GiB"));
+  rusage used{};
+  ASSERT_EQ(::getrusage(RUSAGE_CHILDREN, &used), 0);
+  EXPECT_LT(used.ru_maxrss, 1'500'000);  // [kB]
+}
+#endif
+
+TEST_F(ReadSurface, KeepsWhatVtkPrintsAwayFromTheTerminal)
+{
+  testing::internal::CaptureStderr();
+  testing::internal::CaptureStdout();
+  const auto surface = read("type.vtp", compressedVtp(1, 72, "Float99"));
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  ASSERT_FALSE(surface);
+  EXPECT_THAT(surface.error().message, testing::HasSubstr("not a whole .vtp file"));
 }
 
 }  // namespace

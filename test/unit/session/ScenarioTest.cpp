@@ -139,7 +139,7 @@ TEST(Scenario, TakesEveryKeyOfTheContract)
                           {"dt_ms", "0.5"},
                           {"seed", "42"},
                           {"speed_mm_s", "0.9"},
-                          {"start_inside_mm", "-5"},
+                          {"start_inside_mm", "5"},
                           {"stop_travel_mm", "12"},
                           {"withdraw", "true"},
                           {"stylet_pull_mm_s", "3"},
@@ -163,7 +163,7 @@ TEST(Scenario, TakesEveryKeyOfTheContract)
   EXPECT_EQ(scenario->timeStep(), milliseconds(0.5));
   EXPECT_EQ(scenario->seed(), 42);
   EXPECT_EQ(scenario->speed(), millimetersPerSecond(0.9));
-  EXPECT_EQ(scenario->startInside(), millimeters(-5));
+  EXPECT_EQ(scenario->startInside(), millimeters(5));
   EXPECT_EQ(scenario->stopTravel(), millimeters(12));
   EXPECT_TRUE(scenario->withdraws());
   EXPECT_EQ(scenario->styletSpeed(), millimetersPerSecond(3));
@@ -202,7 +202,9 @@ TEST(ScenarioModel, OfPointsHasThePublishedTwelveUnlessToldOtherwise)
   EXPECT_EQ(parseScenario("model = 'points'\n", "points")->nodes(), 12);
   EXPECT_EQ(parseScenario("model = 'points'\nnodes = 9\n", "points", {{"model", "rod"}})->nodes(),
             100);
-  EXPECT_THAT(refusal({{"model", "points"}, {"nodes", "1"}}), HasSubstr("between 2 and 256"));
+  EXPECT_THAT(refusal({{"model", "points"}, {"nodes", "1"}}), HasSubstr("between 2 and 18"));
+  EXPECT_THAT(refusal({{"model", "points"}, {"nodes", "19"}}),
+              AllOf(HasSubstr("nodes"), HasSubstr("19"), HasSubstr("between 2 and 18")));
 }
 
 TEST(ScenarioModel, OfPointsReadAgainFromItsTextIsTheSameToTheLastBit)
@@ -314,6 +316,8 @@ TEST(Scenario, RefusesImpossibleNumbersWithTheRange)
               AllOf(HasSubstr("speed_mm_s"), HasSubstr("-3"), HasSubstr("0.01"), HasSubstr("200")));
   EXPECT_THAT(refusal({{"nodes", "1025"}}), AllOf(HasSubstr("1025"), HasSubstr("1024")));
   EXPECT_THAT(refusal({{"dt_ms", "0"}}), HasSubstr("dt_ms"));
+  EXPECT_THAT(refusal({{"start_inside_mm", "-1"}}),
+              AllOf(HasSubstr("start_inside_mm"), HasSubstr("-1"), HasSubstr("between 0 and 10")));
   EXPECT_THAT(refusal({{"nodes", "many"}}), HasSubstr("nodes"));
 }
 

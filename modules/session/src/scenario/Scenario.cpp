@@ -72,9 +72,9 @@ void readModel(ScenarioKeys& keys, InsertionParameters& parameters)
 {
   parameters.model = keys.choice("model", modelKinds, parameters.model);
   if (parameters.model == mechanics::ModelKind::points) {
-    // Two ends make a line; beyond eighteen points the published one shakes at 1 kHz.
+    // Two ends make a line; with more points the published model is unstable at 1 kHz.
     parameters.nodes =
-        static_cast<int>(keys.integer("nodes", 2, mechanics::maxPoints, publishedPoints));
+        static_cast<int>(keys.integer("nodes", 2, mechanics::maxStablePoints, publishedPoints));
     return;
   }
   // Above 1024 nodes a picture no longer fits its channel; below 8 a rod cannot follow the spiral.
@@ -87,8 +87,9 @@ void readMotion(ScenarioKeys& keys, InsertionParameters& parameters)
   // Robots move at 0.1 to 1 mm/s, hands at 0.9, the published rig at 2 (Todd and Naghdy, section
   // II.A; Kesler 2017); a slip of the hand reaches 200.
   parameters.speed = millimetersPerSecond(keys.number("speed_mm_s", {0.01, 200.0}, 2.0));
-  // The published rig starts 1 to 3 mm inside; a free hand 5 mm before the opening.
-  parameters.startInside = millimeters(keys.number("start_inside_mm", {-10.0, 10.0}, 2.0));
+  // The published rig starts 1 to 3 mm inside. A start in front of the opening is not allowed: there
+  // nothing guides the tip into it.
+  parameters.startInside = millimeters(keys.number("start_inside_mm", {0.0, 10.0}, 2.0));
   // No array is longer than 31.5 mm (MED-EL Standard).
   parameters.stopTravel = millimeters(keys.number("stop_travel_mm", {0.1, 35.0}, 16.5));
   parameters.withdraws = keys.flag("withdraw", false);

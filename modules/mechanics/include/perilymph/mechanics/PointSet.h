@@ -63,6 +63,10 @@ inline constexpr int publishedPoints = 12;
 /// Maximum number of points of a model.
 inline constexpr int maxPoints = 256;
 
+/// Maximum number of points with which a published run is stable at 1 kHz (test/bench,
+/// stability/points; confidence high). More points make lighter ones on the same springs.
+inline constexpr int maxStablePoints = 18;
+
 struct PointSetModel;
 
 /// Variable data of a point set, in addition to the common parts of InsertionState.

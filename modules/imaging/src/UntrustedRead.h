@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Reading of untrusted files by libraries that print, allocate, hang or crash on odd ones: in a
+// child process.
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+
+namespace perilymph::imaging {
+
+/// Limits of a child process.
+struct ChildLimits {
+  /// Memory that it may allocate beyond its parent's [bytes]; unlimited if empty.
+  std::optional<std::size_t> memory;
+  std::function<bool()> isCanceled;  ///< Ends it early; may be empty.
+};
+
+/// Status of a child that threw, crashed, was killed or took longer than a minute. Work returns
+/// smaller ones.
+inline constexpr int childFailed = 100;
+
+/// Runs work in a child process without output and without a core file. Returns its status.
+int runInChild(const std::function<int()>& work, const ChildLimits& limits);
+
+}  // namespace perilymph::imaging

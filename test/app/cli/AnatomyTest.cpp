@@ -130,7 +130,7 @@ TEST(Anatomy, WritesTheHapticSurfaceAndSaysHowFarItIsOff)
   }
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto json = nlohmann::json::parse(contentOf(folder / "a.json"));
-  // a binary STL has 84 bytes and 50 a triangle
+  // a binary STL has 84 bytes and 50 per triangle
   const auto triangles = [&](const char* name) {
     return (contentOf(folder / name).size() - 84) / 50;
   };
@@ -209,7 +209,7 @@ TEST(Anatomy, WarnsOfAnImportedShapeThatNoCochleaHas)
   }
 }
 
-TEST(Anatomy, RefusesSurfacesThatAreNone)
+TEST(Anatomy, RefusesSurfacesThatAreNoScala)
 {
   const TemporaryFolder folder;
   if (cli({"anatomy", "--import", folder / "none.stl"}).err.find("has no VTK") != std::string::npos)
@@ -223,7 +223,7 @@ TEST(Anatomy, RefusesSurfacesThatAreNone)
   std::ofstream(folder / "a.docx") << "x";
   expectRefusal(cli({"anatomy", "--import", folder / "a.docx"}), ".stl, .ply or .vtp");
 
-  // shapes cut off in the middle
+  // truncated shapes
   for (const char* ending : {"stl", "ply", "vtp"}) {
     const std::string file = folder / (std::string("whole.") + ending);
     ASSERT_EQ(cli({"anatomy", "--preset", "published", "--surface", file}).status, 0);
@@ -233,7 +233,7 @@ TEST(Anatomy, RefusesSurfacesThatAreNone)
     expectRefusal(cli({"anatomy", "--import", half}), "not a whole");
   }
 
-  // a membrane is no scala
+  // a membrane is no scala tympani
   ASSERT_EQ(cli({"anatomy", "--preset", "published", "--part", "membrane", "--surface",
                  folder / "membrane.ply"})
                 .status,
@@ -243,7 +243,7 @@ TEST(Anatomy, RefusesSurfacesThatAreNone)
                 "--sections");
 }
 
-TEST(Anatomy, MirrorsALeftEarAtTheDoor)
+TEST(Anatomy, MirrorsAnImportedLeftEar)
 {
   const TemporaryFolder folder;
   std::ofstream(folder / "right.toml")

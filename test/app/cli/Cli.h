@@ -28,7 +28,7 @@ inline ProgramOutcome cli(std::vector<std::string> arguments)
   return run(cliCall(std::move(arguments)));
 }
 
-/// The arguments of a simulation that is over soon.
+/// The arguments of a short simulation.
 inline std::vector<std::string> shortSimulation(std::vector<std::string> more = {})
 {
   std::vector<std::string> arguments = {"simulate", "--scenario", "contour-published", "--nodes",
@@ -61,7 +61,7 @@ inline std::vector<std::string> namesIn(const std::filesystem::path& folder)
   return names;
 }
 
-/// It could not be done: status 1, nothing on standard output, one line on standard error.
+/// Failure: status 1, nothing on standard output, one line on standard error.
 inline void expectRefusal(const ProgramOutcome& outcome, const std::string& says)
 {
   EXPECT_EQ(outcome.status, 1) << outcome.err;
@@ -70,7 +70,7 @@ inline void expectRefusal(const ProgramOutcome& outcome, const std::string& says
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
 }
 
-/// The words of the call are wrong: status 2.
+/// Usage error: status 2.
 inline void expectUsageError(const ProgramOutcome& outcome, const std::string& says)
 {
   EXPECT_EQ(outcome.status, 2) << outcome.err;

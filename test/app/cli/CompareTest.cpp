@@ -21,7 +21,8 @@ TEST(Compare, SetsRecordingsSideBySide)
   EXPECT_EQ(table[1].substr(0, 2), "a,");
   const auto curves = linesOf(folder / "out" / "curves.csv");
   EXPECT_EQ(curves[0], "travel_mm,a_N,b_N");
-  EXPECT_EQ(curves.size(), 10u);  // 0 to 0.8 mm; the shorter one leaves its column open
+  EXPECT_EQ(curves.size(),
+            10u);  // 0 to 0.8 mm; the column of the shorter one ends with empty fields
   EXPECT_EQ(curves[9].substr(0, 5), "0.8,,");
   EXPECT_TRUE(std::filesystem::exists(folder / "out" / "curves.svg"));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// `ct` on phantoms written as DICOM: what people get who have a CT.
+// `ct` with phantoms written as DICOM.
 
 #include <cmath>
 #include <fstream>
@@ -16,13 +16,13 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A phantom of 0.3 mm as a folder of DICOM files, made once.
+/// A phantom with 0.3 mm voxels as a folder of DICOM files, written once.
 struct PhantomOnDisk {
   CtPhantom phantom = makeCtPhantom(203, highResolutionScan());
   TemporaryFolder folder;
   PhantomOnDisk() { writeDicomFiles(dicomSlices(phantom.volume), folder / "ct"); }
   std::string path() const { return (folder / "ct").string(); }
-  /// A click in the cochlea, as `--at` takes it.
+  /// A click in the cochlea, in the form of `--at`.
   std::string at() const
   {
     return std::to_string(phantom.inside_P.x()) + "," + std::to_string(phantom.inside_P.y()) + "," +
@@ -101,7 +101,7 @@ TEST(CtMeasure, MeetsTheTruthOfAPhantomWithinItsErrors)
   expectNoPatient(done.out + contentOf(out / "m.json") + contentOf(out / "ear.toml") +
                   contentOf(out / "wall.stl"));
 
-  // The patient is one that the other commands take, with its values.
+  // The patient file is accepted by the other commands and has the measured values.
   const auto described =
       cli({"anatomy", "--patient", out / "ear.toml", "--json", out / "anatomy.json"});
   ASSERT_EQ(described.status, 0) << described.err;
@@ -160,7 +160,7 @@ TEST(CtMeasure, RefusesLandmarksOfAnotherShapeInOneSentence)
   }
 }
 
-TEST(CtMeasure, SaysWhereItCannotInOneSentence)
+TEST(CtMeasure, FailsWithOneSentence)
 {
   TemporaryFolder out;
   const std::string path = onDisk().path(), json = out / "m.json";
@@ -199,7 +199,7 @@ TEST(CtExport, WritesVoxelsAndGeometryWithoutThePatient)
   expectRefusal(cli({"ct", "export", onDisk().path(), "--out", out / "ear.dcm"}), ".nrrd");
 }
 
-TEST(CtMeasure, KnowsWrongWordsOfTheCall)
+TEST(CtMeasure, ReportsUsageErrors)
 {
   expectUsageError(cli({"ct"}), "subcommand");
   expectUsageError(cli({"ct", "measure"}), "path");

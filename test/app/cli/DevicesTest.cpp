@@ -19,7 +19,7 @@ ProgramOutcome devicesIn(const RecordedTree& tree, std::vector<std::string> more
   return run(call);
 }
 
-TEST(Devices, SayWhichHandsThereAreWithoutAnyDevice)
+TEST(Devices, ListTheInputsThatNeedNoHardware)
 {
   const auto outcome = devicesIn(RecordedTree());
   EXPECT_EQ(outcome.status, 0);
@@ -43,7 +43,7 @@ TEST(Devices, AreListedWithWhatTheyAre)
   EXPECT_THAT(contentOf(file), HasSubstr("*:ABCD:0002.*"));
 }
 
-TEST(Devices, CannotTryWhatIsNotThere)
+TEST(Devices, CannotTestAMissingDevice)
 {
   const auto outcome = devicesIn(RecordedTree(), {"--test", "7"});
   EXPECT_EQ(outcome.status, 1);
@@ -64,13 +64,13 @@ TEST(DevicePlugin, IsLoadedListenedToAndPushes)
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out,
               HasSubstr("Example handle: 1 shifts and 0 turns sensed, force on 1 axes"));
-  // one sample per read, and a virtual hand that never releases the button
+  // one sample per read; the virtual hand never releases the button
   EXPECT_THAT(outcome.out, HasSubstr("3000 of 3000 were fresh and valid"));
   EXPECT_THAT(outcome.out, HasSubstr("shown on 1 of 1 axes"));
   EXPECT_THAT(contentOf(file), HasSubstr("\"force_axes_shown\": 1"));
 }
 
-TEST(DevicePlugin, ThatIsNoneIsRefusedInASentence)
+TEST(DevicePlugin, ThatIsInvalidIsRefusedWithAMessage)
 {
   const TemporaryFolder folder;
   std::ofstream(folder / "text.so") << "no library";
@@ -82,7 +82,7 @@ TEST(DevicePlugin, ThatIsNoneIsRefusedInASentence)
   }
 }
 
-// A stick of two axes and a button, HID 1.11 appendix: 8-bit places from 0 to 255.
+// A stick with two axes and a button (HID 1.11, appendix): 8-bit positions from 0 to 255.
 constexpr const char* joystickTape =
     "D: 0\n"
     "R: 38 05 01 09 04 a1 01 09 30 09 31 15 00 26 ff 00 75 08 95 02 81 02 05 09 19 01 29 08 15 00 "
@@ -101,7 +101,7 @@ std::string joystickDescriptor()
       38);
 }
 
-TEST(CapturedDevice, IsReadAgainAsTheDeviceItIsOf)
+TEST(CapturedDevice, IsReadAsTheCapturedDevice)
 {
   const TemporaryFolder folder;
   std::ofstream(folder / "stick.hid") << joystickTape;
@@ -126,7 +126,7 @@ TEST(CapturedDevice, ThatIsDamagedIsAnsweredWithItsLine)
 
 TEST(CapturedDevice, IsCapturedFromATestAndReadAgain)
 {
-  // A tape stands for the device: what is captured of it is a tape of the same reports.
+  // A tape replaces the device: the capture contains the same reports.
   RecordedTree tree;
   tree.add({"0003:ABCD:0002.0001", "Some joystick", "hidraw1", "00", joystickDescriptor()});
   tree.addTape("hidraw1", joystickTape);

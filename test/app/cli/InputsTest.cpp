@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Inputs that would block a reader or never end.
+// Inputs that would block a reader or are endless.
 
 #include <sys/stat.h>
 
@@ -11,7 +11,7 @@
 namespace perilymph::test {
 namespace {
 
-/// Every call that reads a file, with `file` in its place.
+/// Every call that reads a file, with `file` as the file.
 std::vector<std::vector<std::string>> callsThatRead(const std::string& file)
 {
   return {{"simulate", "--scenario", file},

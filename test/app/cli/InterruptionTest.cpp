@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// SIGINT, SIGTERM and SIGHUP: the first one ends every command, and nothing half-written is left.
+// SIGINT, SIGTERM and SIGHUP: the first one ends every command and leaves no partial file.
 
 #include <chrono>
 #include <csignal>
@@ -20,8 +20,8 @@ using testing::StartsWith;
 
 constexpr auto soon = std::chrono::seconds(20);
 
-/// Runs the program with a signal that was sent before it began: blocked, it stays pending until the
-/// program takes signals. So no result depends on how fast a command ends.
+/// Runs the program with a signal that was sent before its start: it is blocked and stays pending
+/// until the program handles signals. No result depends on the speed of a command.
 ProgramOutcome runWithEarlySignal(ProgramCall call, int signal)
 {
   std::vector<std::string> arguments = {"-c", "kill -s \"$0\" $$; exec \"$@\"",
@@ -39,7 +39,7 @@ ProgramOutcome runWithEarlySignal(ProgramCall call, int signal)
   return outcome;
 }
 
-/// Waits until the program has opened such a file; false if it ended without.
+/// Waits until the program has opened such a file; false if it ended first.
 template <typename Predicate>
 bool waitUntilOpen(const ChildProcess& child, Predicate isIt)
 {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Outputs that would replace what must not be lost: an input, a recording, another output, a
-// read-only file.
+// Outputs that would overwrite an input, a recording, another output or a read-only file.
 
 #include <sys/stat.h>
 
@@ -43,7 +42,7 @@ protected:
     return run(call);
   }
 
-  /// A call that is refused and leaves every file as it was.
+  /// A refused call changes no file.
   void expectNothingLost(const std::vector<std::string>& arguments, const std::string& says) const
   {
     const auto before = contents();
@@ -200,7 +199,7 @@ TEST_F(Outputs, ReplaceWhatAnEarlierCallWrote)
   EXPECT_THAT(contentOf(folder / "run.csv"), testing::StartsWith("time_s"));
 }
 
-TEST_F(Outputs, MayFractionAStreamThatKeepsNothing)
+TEST_F(Outputs, MayShareAStreamThatStoresNothing)
 {
   const ProgramOutcome outcome = callHere(
       {"simulate", "--scenario", "scenario.toml", "--csv", "/dev/null", "--json", "/dev/null"});

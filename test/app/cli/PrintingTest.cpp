@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Words of other people's files and devices, made to steer a terminal: they are shown, not obeyed,
-// and JSON and CSV stay valid.
+// Texts of files and devices that contain terminal control sequences: they are printed escaped, and
+// JSON and CSV stay valid.
 
 #include <sqlite3.h>
 
@@ -19,8 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-// A title, a cleared screen, the same as one character (U+009B), delete, a line turned around, and
-// a line of its own.
+// Sets the title, clears the screen, the same with U+009B, delete, reverses the line, and starts a
+// new line.
 const std::string steering =
     "\x1b]0;owned\x07\x1b[2J\xc2\x9b"
     "2J\x7f\xe2\x80\xae"
@@ -28,7 +28,7 @@ const std::string steering =
 // The same as TOML writes it.
 const std::string steeringToml = R"("\u001b]0;owned\u0007\u001b[2J\u009b2J\u007f\u202e\nforged")";
 
-/// Nothing that was printed steers a terminal: only lines, tabs and what can be read.
+/// The output contains no control characters except newlines and tabs.
 void expectHarmless(const ProgramOutcome& outcome)
 {
   EXPECT_EQ(outcome.signal, 0);
@@ -64,7 +64,7 @@ std::string quoted(const std::string& text)
   return result + "'";
 }
 
-TEST(SteeringWords, InTheFactsOfARecordingAreShown)
+TEST(ControlSequences, InTheFactsOfARecordingAreEscaped)
 {
   const TemporaryFolder folder;
   const std::string file = folder / "run.insertion";
@@ -82,7 +82,7 @@ TEST(SteeringWords, InTheFactsOfARecordingAreShown)
                                                    "\\xe2\\x80\\xae\\x0aforged\\xff"));
 }
 
-TEST(SteeringWords, InTheScenarioOfARecordingAreShown)
+TEST(ControlSequences, InTheScenarioOfARecordingAreEscaped)
 {
   const TemporaryFolder folder;
   const std::string recorded = folder / "run.insertion";
@@ -91,7 +91,7 @@ TEST(SteeringWords, InTheScenarioOfARecordingAreShown)
                                 "coupling", "model", "friction", "calibration", "title"}) {
     const fs::path file = folder / (key + ".insertion");
     fs::copy(recorded, file);
-    // the line of the key in the scenario's text becomes another one
+    // the line number of the key in the scenario's text changes
     change(file,
            "UPDATE meta SET value = (WITH RECURSIVE line(rest, text) AS (SELECT value || "
            "char(10), '' FROM meta WHERE key = 'scenario' UNION ALL SELECT substr(rest, "
@@ -111,7 +111,7 @@ TEST(SteeringWords, InTheScenarioOfARecordingAreShown)
   }
 }
 
-TEST(SteeringWords, InAScenarioAreShown)
+TEST(ControlSequences, InAScenarioAreEscaped)
 {
   const TemporaryFolder folder;
   for (const std::string key :
@@ -126,7 +126,7 @@ TEST(SteeringWords, InAScenarioAreShown)
   }
 }
 
-TEST(SteeringWords, InTheWordsOfTheCallAreShown)
+TEST(ControlSequences, InTheArgumentsAreEscaped)
 {
   const std::vector<std::vector<std::string>> calls = {
       {steering},
@@ -144,7 +144,7 @@ TEST(SteeringWords, InTheWordsOfTheCallAreShown)
   }
 }
 
-TEST(SteeringWords, InAPatientBreakNoFile)
+TEST(ControlSequences, InAPatientBreakNoFile)
 {
   const TemporaryFolder folder;
   std::string patient = contentOf(resource("resources/patients/average.toml"));
@@ -163,11 +163,11 @@ TEST(SteeringWords, InAPatientBreakNoFile)
     const auto json = nlohmann::json::parse(contentOf(folder / "a.json"));
     EXPECT_THAT(json["label"].get<std::string>(), HasSubstr("\x1b]0;owned"));
   }
-  // the comment of the .vtp ends where it should
+  // the comment of the .vtp ends correctly
   EXPECT_EQ(cli({"anatomy", "--import", folder / "a.vtp"}).status, 0);
 }
 
-TEST(SteeringWords, InTheNameOfADeviceAreShownAndItsJsonIsValid)
+TEST(ControlSequences, InTheNameOfADeviceAreEscapedAndItsJsonIsValid)
 {
   const TemporaryFolder folder;
   RecordedTree tree;
@@ -183,7 +183,7 @@ TEST(SteeringWords, InTheNameOfADeviceAreShownAndItsJsonIsValid)
   EXPECT_THAT(json["devices"][0]["name"].get<std::string>(), HasSubstr("]0;owned"));
 }
 
-TEST(SteeringWords, OnATapeAreShownAndItsJsonIsValid)
+TEST(ControlSequences, OnATapeAreEscapedAndItsJsonIsValid)
 {
   const TemporaryFolder folder;
   std::ofstream(folder / "stick.hid")
@@ -197,7 +197,7 @@ TEST(SteeringWords, OnATapeAreShownAndItsJsonIsValid)
   EXPECT_TRUE(nlohmann::json::accept(contentOf(folder / "stick.json")));
 }
 
-TEST(SteeringWords, InTheNamesOfRecordingsLeaveTheTablesValid)
+TEST(ControlSequences, InTheNamesOfRecordingsLeaveTheTablesValid)
 {
   const TemporaryFolder folder;
   const fs::path file = folder / ("a,\"b\"\n\x1b[2J\xff.insertion");

@@ -29,7 +29,7 @@ std::pair<unsigned, unsigned> sizeOf(const std::string& png)
   return {number(16), number(20)};
 }
 
-TEST(RenderCommand, RollsTheScalaOutWithoutADisplay)
+TEST(RenderCommand, UnrollsTheScalaWithoutADisplay)
 {
   const TemporaryFolder folder;
   const auto alone =

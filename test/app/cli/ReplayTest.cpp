@@ -40,14 +40,14 @@ TEST(ReplayCommand, SaysWhatIsWrongWithTheFile)
   EXPECT_FALSE(std::filesystem::exists(folder / "cut.csv"));
 }
 
-TEST(ReplayCommand, WritesOutWhatWouldSteerTheTerminal)
+TEST(ReplayCommand, EscapesControlSequences)
 {
   const TemporaryFolder folder;
   const std::string file = folder / "foreign.insertion";
   ASSERT_EQ(cli(shortSimulation({"--record", file})).status, 0);
   sqlite3* database = nullptr;
   ASSERT_EQ(sqlite3_open(file.c_str(), &database), SQLITE_OK);
-  // clears the screen, rings, begins a line of its own, and says so in Greek
+  // clears the screen, rings the bell, starts a new line, and contains Greek letters
   const char* sql =
       "UPDATE meta SET value = char(27) || '[2J' || char(7, 10, 155) || 'Δοκιμή' WHERE key = "
       "'scenario_name'";

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The published run gives the same bits on every x86-64: here, with the processor's newer
-// instructions hidden from the C library, whose own sine and exponential then differ in the last
-// place (that they do is shown by the tests of foundation's Math.h).
+// The published run gives the same bits on every x86-64: here with newer instructions hidden from
+// the C library, whose sine and exponential then differ in the last digit (shown by the tests of
+// foundation's Math.h).
 
 #include "Cli.h"
 
@@ -30,7 +30,7 @@ TEST(PublishedRun, GivesTheSameBitsWithoutFmaAndAvx2)
   EXPECT_GT(std::count(rows.begin(), rows.end(), '\n'), 8250);
   EXPECT_TRUE(rows == contentOf(folder / "older.csv"));
 
-  // and what the older machine recorded replays here
+  // a recording of the older machine replays here
   const auto replayed = cli({"replay", folder / "older.insertion", "--verify"});
   EXPECT_EQ(replayed.status, 0) << replayed.err;
 }

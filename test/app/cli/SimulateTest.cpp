@@ -27,7 +27,7 @@ TEST(Simulate, WritesRowsResultsAndARecording)
   const auto json = nlohmann::json::parse(contentOf(folder / "a.json"));
   const auto recorded = session::RecordedInsertion::open(folder / "a.insertion");
   ASSERT_TRUE(recorded) << recorded.error().message;
-  EXPECT_EQ(rows.size() - 1, recorded->ticks());  // a row a tick
+  EXPECT_EQ(rows.size() - 1, recorded->ticks());  // one row per tick
   EXPECT_EQ(json["ticks"], recorded->ticks());
   EXPECT_EQ(json["seed"], 5);
   EXPECT_EQ(json["overruns"], 0);
@@ -109,7 +109,7 @@ TEST(Simulate, NeverOverwritesARecording)
 TEST(InterruptedSimulation, LeavesNothingButAReadableRecording)
 {
   const TemporaryFolder folder;
-  // slow enough to be interrupted in the middle
+  // slow enough to be interrupted halfway
   ChildProcess child(
       cliCall({"simulate", "--scenario", "contour-published", "--set", "speed_mm_s=0.05", "--csv",
                folder / "a.csv", "--json", folder / "a.json", "--record", folder / "a.insertion"}));

@@ -10,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A validation that is over soon.
+/// A short validation.
 std::vector<std::string> shortValidation(const std::string& out, std::vector<std::string> more = {})
 {
   std::vector<std::string> arguments = {"validate", "--runs", "2",     "--set", "nodes=20",

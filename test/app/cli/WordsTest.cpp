@@ -48,7 +48,7 @@ TEST(CommandLine, KnowsItsCommands)
       "long");
 }
 
-/// The sentence begins with the option and says what is wrong with it.
+/// The message begins with the option and describes the error.
 void expectEmpty(const ProgramOutcome& outcome, const std::string& option)
 {
   EXPECT_EQ(outcome.status, 2) << outcome.err;
@@ -99,7 +99,7 @@ TEST(EmptyValue, OfASettingIsRefused)
 {
   for (const char* setting : {"patient=", "array=", "friction=", "anatomy=", "calibration="})
     expectEmpty(cli(shortSimulation({"--set", setting})), std::string("--set ") + setting);
-  // two quotation marks mean an empty text
+  // two quotation marks are an empty text
   EXPECT_EQ(cli(shortSimulation({"--set", "calibration=\"\""})).status, 0);
 }
 

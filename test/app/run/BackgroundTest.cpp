@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Work beside the UI thread: answered once, whatever it throws, and no reason to wait for ever.
+// Work in a background thread: answered once, even if it throws, and never waited for without
+// limit.
 
 #include "gui/run/Background.h"
 
@@ -73,13 +74,13 @@ TEST(Background, AnswersOnlyTheLastOfSeveralRequests)
   EXPECT_THAT(answers, ElementsAre(3));
 }
 
-/// Whether the promise is kept within two minutes.
+/// Whether the result arrives within two minutes.
 bool isSetSoon(std::promise<void>& promise)
 {
   return promise.get_future().wait_for(std::chrono::minutes(2)) == std::future_status::ready;
 }
 
-TEST(Background, DoesNotAnswerWhatWasForgotten)
+TEST(Background, DoesNotAnswerForgottenWork)
 {
   std::promise<void> begun, ended;
   bool isAnswered = false;
@@ -101,7 +102,7 @@ TEST(Background, DoesNotAnswerWhatWasForgotten)
   EXPECT_FALSE(isAnswered);
 }
 
-TEST(Background, EndsThoughItsWorkDoesNot)
+TEST(Background, EndsEvenIfItsWorkDoesNot)
 {
   std::promise<void> begun, gate;
   auto opened = gate.get_future().share();

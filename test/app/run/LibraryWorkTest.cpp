@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The list of recordings while it is read: a file that takes long, or for ever, hides no other.
+// The list of recordings while it is read: a file that blocks its reader does not hide others.
 
 #include "gui/pages/sessions/LibraryWork.h"
 
@@ -27,7 +27,7 @@ SessionSummary good()
   return summary;
 }
 
-/// Reads one of two recordings, and the other one only when it is let.
+/// Reads one of two recordings, and the other one only when the test allows it.
 class SlowLibrary : public testing::Test {
 protected:
   SlowLibrary()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The force is off and the array rests when the window loses the keyboard, another page is shown,
-// or the window ends.
+// The force is off and the array rests when the window loses the keyboard focus, shows another page
+// or closes.
 
 #include "gui/run/SafetyStop.h"
 
@@ -23,7 +23,7 @@ using gui::InsertionControl;
 
 constexpr int patience_ms = 60'000;
 
-/// What a device was told, seen from outside of it.
+/// The forces written to a device.
 struct Told {
   std::atomic<bool> hasPushed{false};  ///< Some force other than zero was written.
   std::atomic<bool> isZero{true};      ///< The last force written is zero.
@@ -107,7 +107,7 @@ TEST_F(TheSafetyStop, AtTheEndLeavesTheDeviceWithoutForceAndTheLoopStopped)
   safety_.end();
   EXPECT_TRUE(told_.isZero);
   const std::uint64_t writes = told_.writes;
-  control_.update();  // the last picture
+  control_.update();  // the last snapshot
   EXPECT_FALSE(control_.update());
   EXPECT_EQ(told_.writes, writes);
 }
@@ -117,8 +117,7 @@ TEST_F(TheSafetyStop, AtTheEndKeepsTheRecordingWhole)
   begin(InputSource::scripted);
   ASSERT_TRUE(comes([&] { return control_.now().output.travel > 1e-4; }));
   safety_.end();
-  ASSERT_TRUE(
-      control_.prepare(InputSource::scripted));  // the insertion goes as it goes with the window
+  ASSERT_TRUE(control_.prepare(InputSource::scripted));  // the insertion starts as in the window
   const auto recorded = session::RecordedInsertion::open(folder_ / "it.insertion");
   ASSERT_TRUE(recorded) << recorded.error().message;
   EXPECT_TRUE(recorded->wasClosed());
@@ -149,7 +148,7 @@ TEST_F(TheSafetyStop, LetsTheScriptGoOnWhenTheKeyboardIsLost)
   EXPECT_TRUE(control_.isMoving());
 }
 
-TEST_F(TheSafetyStop, RestsWhatMovesWhenNobodySeesIt)
+TEST_F(TheSafetyStop, PausesOrReleasesTheArrayOnAnotherPage)
 {
   begin(InputSource::scripted);
   ASSERT_TRUE(control_.isMoving());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What may be done with an insertion in each of its states.
+// The actions that are allowed in each state of an insertion.
 
 #include "gui/run/WorkflowPredicates.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Tests of what works beside the window, with events but without a display.
+// Tests of the window's logic, with an event loop but without a display.
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Cochlea and model are built in the background: the window stays responsive, shows what it waits
-// for, and accepts other requests meanwhile.
+// Cochlea and model are built in the background: meanwhile the window stays responsive, shows what
+// is built, and accepts other requests.
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ protected:
   WindowRig rig_;
 };
 
-// Between a key and the next turn of the loop of events nothing that was built can arrive.
+// Between a key press and the next iteration of the event loop no result can arrive.
 
 TEST_F(BuildingACochlea, GreysStartAndSaysWhy)
 {
@@ -61,7 +61,7 @@ TEST_F(BuildingACochlea, HappensForAnotherArrayInTheSameOneToo)
   EXPECT_EQ(rig_.window().control().sharedAnatomy(), before);
 }
 
-TEST_F(BuildingACochlea, IsLeftWithEscapeAndThePanelGoesBack)
+TEST_F(BuildingACochlea, IsCanceledWithEscapeAndThePanelIsRestored)
 {
   rig_.type("panelScalaLength", "31.5");
   rig_.type("panelWindowWidth", "2.1");
@@ -71,7 +71,7 @@ TEST_F(BuildingACochlea, IsLeftWithEscapeAndThePanelGoesBack)
   EXPECT_FALSE(isBuilding());
   EXPECT_EQ(field("panelScalaLength"), "35.58");
   EXPECT_EQ(rig_.window().setup().now().scenario.text(), scenario().text());
-  // what was given up comes neither now nor with the next change
+  // the canceled model appears neither now nor with the next change
   rig_.type("panelScalaLength", "33.0");
   ASSERT_TRUE(ends());
   EXPECT_EQ(scenario().patient().scalaTympaniLength, millimeters(33.0));
@@ -89,7 +89,7 @@ TEST_F(BuildingACochlea, CanceledAfterAnUndoGoesForwardAgain)
   EXPECT_TRUE(rig_.button("undoButton").isEnabled());
 }
 
-TEST_F(BuildingACochlea, AnswersOnlyTheNewestWish)
+TEST_F(BuildingACochlea, AnswersOnlyTheNewestRequest)
 {
   int prepared = 0;
   QObject::connect(&rig_.window(), &gui::MainWindow::recordingChanged, &rig_.window(),
@@ -100,7 +100,7 @@ TEST_F(BuildingACochlea, AnswersOnlyTheNewestWish)
   EXPECT_EQ(prepared, 1);
 }
 
-TEST_F(BuildingACochlea, StartsByItselfOnceStartWasAsked)
+TEST_F(BuildingACochlea, StartsTheInsertionIfStartWasPressed)
 {
   rig_.type("panelScalaLength", "31.5");
   rig_.window().setFocus();
@@ -110,7 +110,7 @@ TEST_F(BuildingACochlea, StartsByItselfOnceStartWasAsked)
   EXPECT_EQ(scenario().patient().scalaTympaniLength, millimeters(31.5));
 }
 
-TEST_F(BuildingACochlea, TakesNoTimeForWhatNoModelIsMadeOf)
+TEST_F(BuildingACochlea, IsSkippedForChangesThatDoNotAffectTheModel)
 {
   rig_.type("panelSpeed", "3.0");
   EXPECT_FALSE(isBuilding());
@@ -140,7 +140,7 @@ TEST(ANoteOfWhatIsBuilt, ComesAfterASecondAndCanBeCanceled)
   EXPECT_FALSE(note.isVisible());
 }
 
-// What is taken over from the model before is the very model that would have been built.
+// A model reused from the previous scenario equals the one that would be built.
 TEST(TwoScenariosOfTheSameModel, HaveTheSameFingerprint)
 {
   const auto published = session::loadScenario("contour-published");

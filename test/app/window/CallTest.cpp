@@ -29,7 +29,7 @@ ProgramOutcome perilymph(std::vector<std::string> arguments, const Environment& 
   return run(call);
 }
 
-/// Refused with status 1 and one line on standard error.
+/// The call fails with status 1 and one line on standard error.
 void expectRefused(const ProgramOutcome& outcome, const std::string& because)
 {
   EXPECT_EQ(outcome.status, 1) << outcome.err;
@@ -73,7 +73,7 @@ TEST(PerilymphCall, MeasuredFramesAreReportedAtTheEndOfTheDemonstration)
                                "frame time median [0-9.]+ ms, p95 [0-9.]+ ms, [0-9.]+ frames/s"));
 }
 
-TEST(PerilymphCall, TheLastWayInIsSetBesideTheFirstAfterSoManyTicks)
+TEST(PerilymphCall, TheLastInsertionIsComparedWithTheFirstAfterTheGivenTicks)
 {
   const TemporaryFolder folder;
   const auto scenario = folder / "short.toml";

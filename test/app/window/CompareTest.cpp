@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The clinician's path: two insertions recorded, chosen in the library, compared along a cursor,
-// exported, written as a report.
+// The clinician's workflow: two recorded insertions are selected in the library, compared at a
+// cursor, exported, and written as a report.
 
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ protected:
         session::Overrides{{"stop_travel_mm", "2.0"}, {"speed_mm_s", "2.0"}});
   }
 
-  /// Inserts to full depth with the button, and puts the array back.
+  /// Inserts to full depth with the button, and resets the array.
   void insertOnce()
   {
     rig_->click("insertPageButton");
@@ -109,7 +109,7 @@ TEST_F(Clinician, ReadsPeakWorkAndReasonsInNumbersWithUnits)
     EXPECT_TRUE(reasons.contains(QLatin1String(word))) << word;
 }
 
-TEST_F(Clinician, TakesTableCurvesAndFigureAway)
+TEST_F(Clinician, ExportsTableCurvesAndFigure)
 {
   compareBoth();
   const TemporaryFolder folder;
@@ -117,7 +117,7 @@ TEST_F(Clinician, TakesTableCurvesAndFigureAway)
   ASSERT_TRUE(written) << written.error().message;
   const auto rows = readWhole(folder / "comparison.csv");
   ASSERT_TRUE(rows);
-  EXPECT_EQ(std::count(rows->begin(), rows->end(), '\n'), 3);  // a head and two insertions
+  EXPECT_EQ(std::count(rows->begin(), rows->end(), '\n'), 3);  // a header and two insertions
   const auto curves = readWhole(folder / "curves.svg");
   ASSERT_TRUE(curves);
   EXPECT_NE(curves->find("published measurements"),
@@ -125,7 +125,7 @@ TEST_F(Clinician, TakesTableCurvesAndFigureAway)
   EXPECT_FALSE(QImage(QString::fromStdString((folder / "curves.png").string())).isNull());
 }
 
-TEST_F(Clinician, PutsAGhostBehindTheNextInsertion)
+TEST_F(Clinician, ShowsAGhostCurveInTheNextInsertion)
 {
   insertOnce();
   openLibrary(1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// A folder of its own for what a window keeps.
+// A temporary folder for a window's data.
 
 #include <QByteArray>
 #include <QtGlobal>
@@ -11,7 +11,7 @@
 
 namespace perilymph::test {
 
-/// While it lives, sessions and patients are kept in it; then where they were before.
+/// Stores sessions and patients in a temporary folder until it is destroyed.
 class DataFolder {
 public:
   DataFolder() : wasSet_(qEnvironmentVariableIsSet(name)), before_(qgetenv(name))

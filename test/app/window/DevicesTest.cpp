@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Which devices there are, in the window.
+// The devices in the window.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 namespace perilymph::test {
 namespace {
 
-/// A window on a machine whose devices are a recorded tree.
+/// A window on a machine with the devices of a recorded tree.
 class DevicesOfTheWindow : public testing::Test {
 protected:
   DevicesOfTheWindow()
@@ -35,7 +35,7 @@ protected:
   std::unique_ptr<WindowRig> rig_;
 };
 
-TEST_F(DevicesOfTheWindow, NoneIsSaidWithTheHandsThatNeedNone)
+TEST_F(DevicesOfTheWindow, AreReportedAsNoneWithTheInputsThatNeedNone)
 {
   open();
   rig_->pressKey(Qt::Key_H);
@@ -66,7 +66,7 @@ TEST_F(DevicesOfTheWindow, AreNamedWithWhatTheyAre)
   if (getenv("GRAB")) rig_->window().grab().save(getenv("GRAB"));
 }
 
-/// A second of a WoodenHaptics that stands still: encoder counts at rest, as its profile lays them.
+/// One second of a WoodenHaptics at rest: encoder counts in the layout of its profile.
 std::string restingWoodenHaptics()
 {
   std::string tape = "D: 0\nN: WoodenHaptics\nI: 3 1234 0006\n";
@@ -110,7 +110,7 @@ TEST_F(DevicesOfTheWindow, OfAPlugInBecomesTheHandAndMovesTheArray)
   rig_->window().insertion().usePlugin(PERILYMPH_EXAMPLE_PLUGIN);
   EXPECT_EQ(rig_->window().control().handName(), "Example handle");
   EXPECT_TRUE(rig_->button("deviceChoice").text().contains("Example handle"));
-  // A virtual hand pushes it inward with 0.2 N and never releases the button.
+  // Its virtual hand pushes inward with 0.2 N and never releases the button.
   rig_->click("startButton");
   EXPECT_TRUE(WindowRig::comes([&] { return rig_->travel_mm() > 1.0; }));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How the program ends when it is told to: the insertion is kept whole, and nothing is said of it
-// afterward.
+// The end of the program by a signal: the recording is complete, and the next start does not
+// mention it.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,10 +21,10 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
-/// Bytes of a log that is being written: some hundreds of ticks.
+/// Size of the write-ahead log after some hundreds of ticks [bytes].
 constexpr std::uintmax_t enough = 200'000;
 
-/// The program with folders of its own.
+/// The program with temporary folders.
 class TheWorkstation : public testing::Test {
 protected:
   ProgramCall call(std::vector<std::string> arguments) const
@@ -38,7 +38,7 @@ protected:
   }
   fs::path sessions() const { return folder_ / "XDG_DATA_HOME" / "perilymph" / "sessions"; }
   fs::path state() const { return folder_ / "XDG_STATE_HOME" / "perilymph"; }
-  /// The recording, once it holds some ticks.
+  /// The recording, as soon as it contains some ticks.
   fs::path recording() const
   {
     std::error_code ignored;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Words beside a force: thresholds as printed, each once crossed, and never a promise.
+// The text beside a force: published thresholds from the force at which they are exceeded, and no
+// claim of safety.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

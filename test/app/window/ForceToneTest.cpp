@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What is heard of a force: pitches from the rule that the menu states, samples counted.
+// The tone of a force: its pitch by the rule in the menu, its samples by counting.
 
 #include "gui/pages/insert/ForceTone.h"
 
@@ -71,7 +71,7 @@ TEST(ToneSamples, DoNotJump)
     const auto more = samples(writer, 0.05);
     all.insert(all.end(), more.begin(), more.end());
   }
-  // the steepest sine of the loudest sample and the highest pitch, and what loudness adds to it
+  // the maximum slope of the loudest sine of the highest pitch, plus that of the changing loudness
   const double steepest =
       loudest(all) * (2.0 * M_PI * 3520.0 + 100.0) / ToneWriter::samplesPerSecond;
   for (std::size_t i = 1; i < all.size(); ++i)

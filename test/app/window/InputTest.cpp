@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Keys, wheel and mouse: the model turns, moves and grows; the array moves only while it is held.
+// Keys, wheel and mouse: the model rotates, moves and is magnified; the array only moves while
+// held.
 
 #include <gtest/gtest.h>
 #include <vtkCamera.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The verbs of the window: the array does what the buttons say.
+// The buttons of the window: start, pause, withdraw, reset, stylet.
 
 #include <gtest/gtest.h>
 
@@ -18,9 +18,9 @@ namespace {
 
 using haptics::Workflow;
 
-// A resting base may creep by rounding; a moving one would cover 2 mm in the same time.
+// A resting base may move by rounding errors; a moving one would travel 2 mm in the same time.
 constexpr double rest_mm = 0.01;
-// The hand learns of its arrival within a frame of the window, 16 ms at best and long at worst.
+// The window notices the arrival within a frame: 16 ms or, on a busy machine, much longer.
 constexpr double overshoot_mm = 1.0;
 
 std::set<std::filesystem::path> sessions()
@@ -46,7 +46,7 @@ TEST(Window, PauseHoldsTheArrayWhereItIs)
   WindowRig rig;
   rig.click("startButton");
   ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.5; }));
-  rig.click("startButton");  // says Pause now
+  rig.click("startButton");  // its text is now Pause
   ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::paused; }));
   const double held_mm = rig.travel_mm();
   ASSERT_TRUE(rig.liveForTicks(1000));
@@ -112,7 +112,7 @@ TEST(Window, StartingAgainOnTheWayOutStillStopsAtFullDepth)
   ASSERT_TRUE(WindowRig::comes([&] { return rig.button("withdrawButton").isEnabled(); }));
   rig.click("withdrawButton");
   ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() < 1.5; }));
-  rig.click("startButton");  // says Pause while the array comes out
+  rig.click("startButton");  // its text is Pause while the array is withdrawn
   ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::paused; }));
   ASSERT_TRUE(WindowRig::comes([&] { return rig.button("startButton").isEnabled(); }));
   rig.click("startButton");

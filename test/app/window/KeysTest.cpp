@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The window's habits: the sheet of keys, full screen, a picture, leaving, and the keyboard alone.
+// Keys of the window: the key list, full screen, screenshot, Escape, and use without a mouse.
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ namespace {
 
 using haptics::Workflow;
 
-TEST(KeyActions, WhatIsOnTheSheetIsWhatKeysDo)
+TEST(KeyActions, TheKeyListMatchesTheKeys)
 {
   gui::KeyActions actions;
   int asked = -1;
@@ -156,7 +156,7 @@ TEST(WindowHabits, TabReachesEveryButtonOfTheBars)
       EXPECT_NE(button->focusPolicy() & Qt::TabFocus, 0) << button->objectName().toStdString();
 }
 
-TEST(WindowHabits, TheFocusIsSeen)
+TEST(WindowHabits, TheFocusIsVisible)
 {
   WindowRig rig;
   auto* button = rig.window().findChild<QPushButton*>("resetButton");
@@ -167,7 +167,7 @@ TEST(WindowHabits, TheFocusIsSeen)
   EXPECT_NE(button->grab().toImage(), before);
 }
 
-TEST(WindowHabits, AWindowMadeAnewStillShowsThatItsPresetWasModified)
+TEST(WindowHabits, AReopenedWindowStillShowsThatItsPresetWasModified)
 {
   auto preset = session::loadScenario("contour-published");
   ASSERT_TRUE(preset);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The booth: it shows itself, a visitor inserts with a finger, and it is left alone again.
+// The booth: it runs a demonstration, a visitor inserts with a finger, and it returns to the
+// demonstration.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +23,7 @@ using gui::KioskStage;
 
 const QDate aDay(2026, 11, 20);
 
-/// A booth whose afternoon passes when the test says so.
+/// A booth with a clock that the test controls.
 class Booth : public testing::Test {
 protected:
   void open(const session::Overrides& overrides = {})
@@ -63,7 +64,7 @@ protected:
   {
     QTest::mouseClick(window_->findChild<QAbstractButton*>(QLatin1String(name)), Qt::LeftButton);
   }
-  /// A finger on the pad, near its fast end.
+  /// Puts a finger on the pad, near its fast end.
   void pressPad()
   {
     QTest::mousePress(&pad(), Qt::LeftButton, {}, QPoint(pad().width() - 40, pad().height() / 2));
@@ -208,7 +209,7 @@ TEST_F(Booth, EveryTargetIsAsHighAsAFingerNeeds)
   EXPECT_GE(pad().height(), min_px);
 }
 
-/// As tests of pictures hold one, its lowest row first.
+/// The image format of picture tests, lowest row first.
 DrawnPicture drawn(const QImage& image)
 {
   const QImage rgb = image.convertToFormat(QImage::Format_RGB888);
@@ -221,7 +222,7 @@ DrawnPicture drawn(const QImage& image)
 
 TEST_F(Booth, InvitesAsAccepted)
 {
-  // at rest: an array on its way would be somewhere else each time
+  // at rest, because a moving array would be at a different position each time
   open({{"stop_travel_mm", "2.0"}, {"speed_mm_s", "10.0"}});
   ASSERT_TRUE(WindowRig::comes([&] { return window_->control().isAtDepth(); }));
   QImage before, now;
@@ -257,7 +258,7 @@ TEST(KioskBoard, IsBounded)
   EXPECT_EQ(again.entriesOf(aDay).size(), gui::KioskBoard::capacity);
 }
 
-TEST(KioskBoard, BeginsAnewEveryDay)
+TEST(KioskBoard, RestartsEveryDay)
 {
   const TemporaryFolder folder;
   gui::KioskBoard board(folder.path() / "board");

@@ -27,7 +27,7 @@
 namespace perilymph::test {
 namespace {
 
-/// A language that no one speaks: brackets around what is said, and every word 40 % longer.
+/// A pseudo-language: every text in brackets, and every word 40 % longer.
 class Bracketed : public QTranslator {
 public:
   Bracketed() { QCoreApplication::installTranslator(this); }
@@ -48,7 +48,7 @@ public:
   }
 };
 
-/// The words of a widget, whatever it is.
+/// The text of any widget.
 QStringList textOf(const QWidget& widget)
 {
   QStringList words{widget.toolTip(), widget.accessibleName()};
@@ -59,7 +59,7 @@ QStringList textOf(const QWidget& widget)
   return words;
 }
 
-/// Numbers, signs and units: no two letters beside each other but those of a unit.
+/// Only numbers, signs and units: no two adjacent letters except those of a unit.
 bool needsNoTranslation(QString text)
 {
   for (const char* unit : {"mm/s", "mm", "mN", "Hz", "ms", "SD", "CT"}) text.remove(unit);
@@ -68,7 +68,7 @@ bool needsNoTranslation(QString text)
   return true;
 }
 
-/// Names from data: arrays, patients, devices, languages by their own names.
+/// Names from data: arrays, patients, devices, languages in their own language.
 bool isName(const QString& text, WindowRig& rig)
 {
   const session::Scenario& scenario = rig.window().control().scenario();
@@ -81,7 +81,7 @@ bool isName(const QString& text, WindowRig& rig)
                           QStringLiteral("Deutsch")};
   for (const gui::CatalogFriction& friction : gui::catalogFrictions())
     if (text == friction.title || text == friction.source) return true;
-  // a scenario's title and sources are in its file, in English
+  // a scenario's title and sources come from its file, in English
   const QString title = QString::fromStdString(scenario.title());
   const bool isOfScenario = text == title || text.startsWith(QLatin1String("Todd and Naghdy, "));
   return isOfScenario || names.contains(text);
@@ -105,7 +105,7 @@ int widestWord(const QLabel& label)
   return widest;
 }
 
-/// Whether a label shows all of its words: in one line, or in as many as its height holds.
+/// Whether a label shows its whole text, in one line or in the lines that fit its height.
 bool fits(const QLabel& label)
 {
   if (label.width() >= label.sizeHint().width() && label.height() >= label.sizeHint().height())
@@ -114,7 +114,7 @@ bool fits(const QLabel& label)
          label.width() >= widestWord(label);
 }
 
-/// Lets layouts inside of layouts find their places, one after the other.
+/// Activates nested layouts, the outer ones first.
 void settle()
 {
   for (int i = 0; i < 8; ++i) QCoreApplication::processEvents();
@@ -124,7 +124,7 @@ void expectFits(WindowRig& rig, const char* where)
 {
   for (const QLabel* label : rig.window().findChildren<QLabel*>()) {
     if (!label->isVisible() || label->text().isEmpty()) continue;
-    // the status line is a line of its own with a tooltip
+    // the status line may be cut: it has a tooltip
     if (label->objectName() == "statusLabel") continue;
     EXPECT_TRUE(fits(*label)) << where << ", " << label->objectName().toStdString() << ": "
                               << label->text().toStdString() << " in " << label->width() << " x "
@@ -184,14 +184,14 @@ TEST(PseudoLanguage, WordsThatAreFortyPercentLongerHaveRoom)
   rig.window().views().setArrangement(gui::PaneLayout::two);
 }
 
-TEST(German, IsSpokenWhenAskedFor)
+TEST(German, IsShownWhenRequested)
 {
   gui::useLanguage(*QCoreApplication::instance(), "de");
   {
     WindowRig rig;
     EXPECT_EQ(rig.button("resetButton").text(), "Neu");
     EXPECT_TRUE(rig.readOut("travelReadOut").contains(QLatin1Char(',')));
-    // what VTK writes into the picture and the charts
+    // texts drawn by VTK in the scene and the charts
     EXPECT_EQ(gui::sceneStyle().strings.wallForce, "Wandkraft, mN je mm");
     EXPECT_EQ(gui::sceneStyle().strings.friction, "Reibung, × %1");
     EXPECT_EQ(gui::chartStyle().strings.outerWall, "Außenwand");
@@ -234,7 +234,7 @@ TEST(ALengthTyped, IsThePatientsInAGermanWindow)
                millimeters(34.125);
       })) << typed;
     }
-    // a thousand nodes, as Germans write it, are not silently one
+    // a thousand in German notation is not read as one
     rig.type("panelNodes", "1.000");
     ASSERT_TRUE(WindowRig::comes([&] { return rig.button("startButton").isEnabled(); }));
     rig.click("startButton");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What can be read on the window: nothing clipped, nothing on top of another, units everywhere.
+// Readability of the window: nothing clipped, no overlaps, units everywhere.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 namespace perilymph::test {
 namespace {
 
-/// The status line may be cut by a narrow window: it is a line of its own with a tooltip.
+/// A narrow window may cut the status line, which has a tooltip.
 bool mayBeCut(const QLabel& label)
 {
   return label.wordWrap() || label.objectName() == "statusLabel";
@@ -64,7 +64,7 @@ TEST(WindowLook, WordsOfPictureAndChartsAreScaledOnceOnAScreenOfManyPixels)
   WindowRig rig;
   const auto views = rig.window().findChildren<QVTKOpenGLNativeWidget*>();
   EXPECT_EQ(views.size(), 4);  // array, two charts, the cochlea measured in a CT
-  // scenes and charts are told the ratio of pixels; VTK's own scaling comes on top of it
+  // scenes and charts get the device pixel ratio; VTK's own scaling would be applied on top
   for (const QVTKOpenGLNativeWidget* view : views) EXPECT_FALSE(view->enableHiDPI());
 }
 

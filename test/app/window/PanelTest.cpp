@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The panel at the left: what is typed and chosen is what is inserted, and every change can be
-// undone.
+// The panel on the left: its values are those of the insertion, and every change can be undone.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,7 +24,7 @@ using ::testing::HasSubstr;
 class Panel : public testing::Test {
 protected:
   const session::Scenario& scenario() { return rig_.window().control().scenario(); }
-  /// The window is about what the panel shows, and nothing is being built.
+  /// The window shows the panel's setup, and nothing is being built.
   bool settles()
   {
     return WindowRig::comes([&] {
@@ -102,7 +101,7 @@ TEST_F(Panel, EditsOfOneFieldAreUndoneTogetherAndNamed)
   EXPECT_FALSE(rig_.button("undoButton").isEnabled());
 }
 
-TEST_F(Panel, AnInsertionBetweenTwoEditsPartsThem)
+TEST_F(Panel, AnInsertionBetweenTwoEditsSeparatesThem)
 {
   rig_.type("panelSpeed", "4.0");
   rig_.click("startButton");
@@ -136,7 +135,7 @@ TEST_F(Panel, AnyChangeOfThePublishedScenarioIsMarkedAndTheWayBackIsOneClick)
   rig_.click("restoreButton");
   EXPECT_FALSE(part("modifiedLabel").isVisible());
   EXPECT_EQ(scenario().name(), "contour-published");
-  // the way back is a change like any other
+  // the reset to the published scenario can be undone like any change
   rig_.click("undoButton");
   ASSERT_TRUE(settles());
   EXPECT_EQ(scenario().model(), mechanics::ModelKind::points);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Text of a file or of a person is text: nothing in it is markup, wherever it is drawn.
+// Text from files and users is plain text: it is never interpreted as markup.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ namespace {
 constexpr auto image = "<img src=\"file:///gone.png\">";
 constexpr auto bold = "<b>bold</b>";
 
-/// A window about a patient and a scenario whose names are markup.
+/// A window with a patient and a scenario whose names contain markup.
 class NamesOfMarkup : public testing::Test {
 protected:
   NamesOfMarkup() { rig_.window().load(scenario(), gui::MainWindow::AfterLoading::rest); }
@@ -39,7 +39,7 @@ protected:
     EXPECT_TRUE(read) << read.error().message;
     return *read;
   }
-  /// The labels that show a text, wherever they are.
+  /// All labels that show a text.
   std::vector<const QLabel*> labelsWith(const char* text)
   {
     std::vector<const QLabel*> found;
@@ -47,7 +47,7 @@ protected:
       if (label->isVisible() && label->text().contains(QLatin1String(text))) found.push_back(label);
     return found;
   }
-  /// Drawn as wide as its signs are, each of them.
+  /// Every label is as wide as the characters of its plain text.
   static void expectLiteral(const QLabel& label)
   {
     EXPECT_EQ(label.textFormat(), Qt::PlainText) << label.text().toStdString();
@@ -60,14 +60,14 @@ protected:
   WindowRig rig_;
 };
 
-TEST_F(NamesOfMarkup, AreDrawnAsTheyStand)
+TEST_F(NamesOfMarkup, AreShownVerbatim)
 {
   ASSERT_TRUE(WindowRig::comes([&] { return !labelsWith(image).empty(); }));
   ASSERT_TRUE(WindowRig::comes([&] { return !labelsWith(bold).empty(); }));
   for (const QLabel* label : labelsWith("<")) expectLiteral(*label);
 }
 
-TEST_F(NamesOfMarkup, AreDrawnAsTheyStandInEverySentence)
+TEST_F(NamesOfMarkup, AreShownVerbatimInEverySentence)
 {
   rig_.window().notice().say(bold);
   rig_.window().showError(image);
@@ -75,7 +75,7 @@ TEST_F(NamesOfMarkup, AreDrawnAsTheyStandInEverySentence)
   for (const QLabel* label : labelsWith("<")) expectLiteral(*label);
 }
 
-TEST_F(NamesOfMarkup, AreDrawnAsTheyStandInTips)
+TEST_F(NamesOfMarkup, AreShownVerbatimInTooltips)
 {
   QToolTip::showText({10, 10}, bold, &rig_.window());
   const auto tip = [] {
@@ -88,7 +88,7 @@ TEST_F(NamesOfMarkup, AreDrawnAsTheyStandInTips)
   QToolTip::hideText();
 }
 
-TEST_F(NamesOfMarkup, AreListedAsTheyStand)
+TEST_F(NamesOfMarkup, AreListedVerbatim)
 {
   ASSERT_TRUE(WindowRig::comes([&] { return !labelsWith(image).empty(); }));
   rig_.click("startButton");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The library of recordings and their replay, in the real window.
+// The library of recordings and their replay in the real window.
 
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ fs::path record(const std::string& name, const session::Overrides& more = {})
   return file;
 }
 
-/// A window whose library is empty at first.
+/// A window with an initially empty library.
 class Sessions : public testing::Test {
 protected:
   void openLibrary()
@@ -74,7 +74,7 @@ protected:
   std::unique_ptr<WindowRig> rig_;
 };
 
-TEST_F(Sessions, SayWhatTheyAreForWhereNothingWasRecorded)
+TEST_F(Sessions, ExplainThePageWithoutRecordings)
 {
   openLibrary();
   EXPECT_EQ(rows(), 0);
@@ -82,7 +82,7 @@ TEST_F(Sessions, SayWhatTheyAreForWhereNothingWasRecorded)
   EXPECT_FALSE(rig_->button("replayButton").isEnabled());
 }
 
-/// So many recordings of one insertion: to a library, files of their own.
+/// Several recordings of one insertion as separate files.
 void recordMany(int number)
 {
   const fs::path first = record("20260101T000000Z");
@@ -102,13 +102,13 @@ std::size_t picturesKept()
   return kept;
 }
 
-TEST_F(Sessions, OfThousandsArePaintedAsFarAsTheyAreSeen)
+TEST_F(Sessions, OfThousandsAreDrawnWhereVisible)
 {
   recordMany(2000);
   openLibrary();
   ASSERT_EQ(rows(), 2000);
   EXPECT_TRUE(rig_->label("sessionCount").contains("2000"));
-  // a jump to the end asks for the last ones, not for all on the way
+  // a jump to the end requests the last pictures, not those between
   list().scrollToBottom();
   const QModelIndex last = list().model()->index(rows() - 1, gui::SessionTable::name);
   EXPECT_TRUE(list().viewport()->rect().intersects(list().visualRect(last)));
@@ -119,7 +119,7 @@ TEST_F(Sessions, OfThousandsArePaintedAsFarAsTheyAreSeen)
   EXPECT_EQ(rows(), 1);
 }
 
-TEST_F(Sessions, CanBeCanceledWhileTheyAreReadAndAreListedAsFarAsTheyWere)
+TEST_F(Sessions, CanBeCanceledWhileTheyAreReadAndAreListedUpToThere)
 {
   recordMany(2000);
   rig_ = std::make_unique<WindowRig>();
@@ -131,7 +131,7 @@ TEST_F(Sessions, CanBeCanceledWhileTheyAreReadAndAreListedAsFarAsTheyWere)
   EXPECT_LT(rows(), 2000);
   EXPECT_TRUE(rig_->label("sessionStatus").contains("Ended early"))
       << rows() << " rows: " << rig_->label("sessionStatus").toStdString();
-  // nothing is lost: opened again they are read on
+  // nothing is lost: reading continues when the page is opened again
   rig_->click("insertPageButton");
   rig_->click("sessionsPageButton");
   EXPECT_TRUE(WindowRig::comes([&] { return rows() == 2000; }));
@@ -171,7 +171,7 @@ TEST_F(Sessions, ThatCannotBeReadAreListedWithASentence)
   EXPECT_FALSE(rig_->button("replayButton").isEnabled());
 }
 
-TEST_F(Sessions, ThatAreReadAreListedWhileAnotherOneDoesNotEnd)
+TEST_F(Sessions, AreListedWhileAnotherOneBlocksItsReader)
 {
   std::promise<void> end;
   gui::SessionsPage page(nullptr,
@@ -198,7 +198,7 @@ TEST_F(Sessions, ThatAreReadAreListedWhileAnotherOneDoesNotEnd)
   EXPECT_TRUE(WindowRig::comes([&] { return !page.isBusy(); }));
 }
 
-TEST_F(Sessions, ThatWereThrownAwayComeBack)
+TEST_F(Sessions, ThatWereDeletedAreRestored)
 {
   const fs::path file = record("first");
   openLibrary();
@@ -211,7 +211,7 @@ TEST_F(Sessions, ThatWereThrownAwayComeBack)
   EXPECT_TRUE(fs::exists(file));
 }
 
-TEST_F(Sessions, TakeAnotherName)
+TEST_F(Sessions, AreRenamed)
 {
   record("first");
   openLibrary();
@@ -253,7 +253,7 @@ TEST_F(AReplay, PlaysToItsEndAndSaysThatItsBitsAgree)
   EXPECT_TRUE(WindowRig::comes([&] { return rig_->button("replayPlayButton").text() == "Play"; }));
 }
 
-TEST_F(AReplay, MovesNoHandAndRunsNoLoop)
+TEST_F(AReplay, RunsNoHapticLoop)
 {
   openReplay();
   ASSERT_TRUE(WindowRig::comes([&] { return rig_->readOut("travelReadOut") == "1.0"; }));
@@ -301,7 +301,7 @@ TEST_F(AReplay, GoesSlowerAndFasterInSteps)
   EXPECT_TRUE(WindowRig::comes([&] { return rig_->label("replaySpeed") == "4 ×"; }));
 }
 
-TEST_F(AReplay, GivesTheInsertionItsPlaceBack)
+TEST_F(AReplay, ReturnsToTheInsertion)
 {
   openReplay();
   rig_->pressKey(Qt::Key_Escape);

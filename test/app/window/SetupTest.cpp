@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A change of the setup takes along what depends on it, and no more; a preset claims nothing it is
-// not.
+// A change of the setup updates what depends on it and nothing else; a modified preset no longer
+// has the preset's name.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -121,7 +121,7 @@ TEST(SetupChange, AModifiedPresetDoesNotClaimToBeThePreset)
   EXPECT_THAT(made.scenario.title(), HasSubstr("Modified (speed)"));
   EXPECT_THAT(made.scenario.text(), HasSubstr("speed_mm_s = 1.0"));
   EXPECT_THAT(differingText(origin.setup.scenario, made.scenario), ElementsAre("speed"));
-  // what a recording keeps gives the same scenario again
+  // the text in a recording gives the same scenario
   const auto read = session::parseScenario(made.scenario.text(), "recording");
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ(read->text(), made.scenario.text());
@@ -136,7 +136,7 @@ TEST(SetupChange, TheSameValueAgainIsNoDifference)
   EXPECT_EQ(back.scenario.title(), origin.setup.scenario.title());
 }
 
-TEST(SetupChange, NumbersOfNobodyLoseThePublishedName)
+TEST(SetupChange, EditedMeasuresLoseThePublishedName)
 {
   const SetupOrigin origin = originOf("contour-published");
   const auto made = after(origin.setup, origin, SetupField::scalaLength,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The first screen: from nothing to an insertion, for a surgeon with numbers, a clinician and a
-// visitor.
+// The first screen: the way to an insertion for a surgeon with a patient's measures, a clinician
+// and a visitor.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@
 namespace perilymph::test {
 namespace {
 
-/// A window at its first screen that keeps what it writes in a folder of its own.
+/// A window with its first screen that writes to a temporary folder.
 class FirstScreen : public testing::Test {
 protected:
   FirstScreen()
@@ -72,7 +72,7 @@ TEST_F(FirstScreen, APatientsThreeLengthsMakeThePatientsCochlea)
   EXPECT_EQ(scenario().patient().roundWindowHeight, millimeters(1.7));
   EXPECT_TRUE(rig_->label("patientLabel").contains("P 014"));
   EXPECT_TRUE(rig_->label("patientLabel").contains("left"));
-  // the numbers are kept
+  // the measures are saved
   EXPECT_TRUE(anatomy::loadPatient(patientFolder() / "P-014.toml"));
 }
 
@@ -99,7 +99,7 @@ TEST_F(FirstScreen, ASurgeonInsertsAnotherArrayIntoThePatientsCochleaAndTakesItB
   type("rwHeight", "1.7");
   rig_->click("usePatientButton");
   ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient().label == "P 014"; }));
-  // measured, as the form says, and no preset's
+  // measured, as in the form, and no preset
   int measured = 0;
   for (const QLabel* label : rig_->window().findChildren<QLabel*>())
     measured += label->isVisible() && label->text() == "from CT" ? 1 : 0;
@@ -121,7 +121,7 @@ TEST_F(FirstScreen, ASurgeonInsertsAnotherArrayIntoThePatientsCochleaAndTakesItB
   EXPECT_TRUE(rig_->label("scenarioTitle").contains("P 014: Nucleus 24 Contour"));
 }
 
-TEST_F(FirstScreen, AnImpossibleNumberCannotBeSentOffAndSaysWhatIsAllowed)
+TEST_F(FirstScreen, AnImpossibleNumberIsRefusedWithTheAllowedRange)
 {
   rig_->click("patientCard");
   for (const char* error : {"", "12", "99", "a", "3,4,5", "nan", "-34"}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What outlives the program: its settings, its log, and what a crash leaves.
+// Data that persists: settings, log, and the marker of a crash.
 
 #include <gtest/gtest.h>
 #include <spdlog/spdlog.h>
@@ -77,13 +77,13 @@ TEST_F(KeptSettings, ThatAreDamagedAreForgotten)
   EXPECT_EQ(gui::UserSettings().word("look", {"dark", "light"}), "dark");
 }
 
-TEST(Log, LiesInTheStateHome)
+TEST(Log, IsInTheStateFolder)
 {
   EXPECT_EQ(gui::stateFolder(),
             std::filesystem::path(qgetenv("XDG_STATE_HOME").toStdString()) / "perilymph");
 }
 
-TEST(Log, HoldsWhatWasSaid)
+TEST(Log, ContainsTheMessages)
 {
   const TemporaryFolder folder;
   const auto before = spdlog::default_logger();
@@ -111,7 +111,7 @@ TEST(Log, IsBounded)
   EXPECT_LE(bytes, 5u << 20);
 }
 
-TEST(Log, ThatCannotBeWrittenIsSaid)
+TEST(Log, ThatCannotBeWrittenIsReported)
 {
   const TemporaryFolder folder;
   std::ofstream(folder.path() / "taken") << "a file where a folder is needed";
@@ -120,7 +120,7 @@ TEST(Log, ThatCannotBeWrittenIsSaid)
   EXPECT_NE(log.error().message.find("XDG_STATE_HOME"), std::string::npos);
 }
 
-/// A process that has ended: its id is unused.
+/// The id of a process that has ended.
 long endedProcess()
 {
   const pid_t child = ::fork();
@@ -159,7 +159,7 @@ TEST(CrashMarker, IsGoneAfterAGoodEnd)
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
-TEST(CrashMarker, OfARecordingThatIsGoneSaysNothing)
+TEST(CrashMarker, OfADeletedRecordingIsIgnored)
 {
   const TemporaryFolder folder;
   std::ofstream(folder.path() / ("running-" + std::to_string(endedProcess())))
@@ -167,7 +167,7 @@ TEST(CrashMarker, OfARecordingThatIsGoneSaysNothing)
   EXPECT_TRUE(gui::CrashMarker::takeCrashed(folder.path()).empty());
 }
 
-/// A recording of an insertion to a depth of 3 mm, as it is listed.
+/// The list entry of a recorded insertion to a depth of 3 mm.
 session::SessionSummary threeMillimeters(const std::filesystem::path& file,
                                          const std::function<bool()>& = {})
 {
@@ -188,7 +188,7 @@ TEST(AnInterruptedInsertion, IsOfferedWithItsDepth)
   EXPECT_TRUE(rig.window().notice().sentence().contains("tuesday"));
 }
 
-TEST(AnInterruptedInsertion, WhoseRecordingBlocksItsReaderLetsTheWindowLive)
+TEST(AnInterruptedInsertion, WhoseRecordingBlocksItsReaderDoesNotBlockTheWindow)
 {
   std::promise<void> gate;
   auto opened = gate.get_future().share();
@@ -206,7 +206,7 @@ TEST(AnInterruptedInsertion, WhoseRecordingBlocksItsReaderLetsTheWindowLive)
   gate.set_value();
 }
 
-TEST(AnInterruptedInsertion, WhoseRecordingNeedsTooMuchMemoryLetsTheWindowLive)
+TEST(AnInterruptedInsertion, WhoseRecordingNeedsTooMuchMemoryDoesNotEndTheWindow)
 {
   WindowRig rig;
   std::atomic<bool> wasRead{false};
@@ -221,7 +221,7 @@ TEST(AnInterruptedInsertion, WhoseRecordingNeedsTooMuchMemoryLetsTheWindowLive)
   EXPECT_TRUE(WindowRig::comes([&] { return wasRead && rig.travel_mm() > 0.1; }));
 }
 
-/// A window of a person who writes 9,1.
+/// A window in a locale with decimal commas: 9,1.
 class CommaLocale : public testing::Test {
 protected:
   CommaLocale() { QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany)); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Both looks of the window: what is written can be read.
+// Readability in both color schemes of the window.
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ double contrast(const QColor& a, const QColor& b)
 }
 
 constexpr double ofText = 4.5;
-constexpr double ofMarks = 3.0;  // WCAG 2.1, 1.4.11: what is not text
+constexpr double ofMarks = 3.0;  // WCAG 2.1, 1.4.11: graphics
 
 TEST(Contrast, OfBlackOnWhiteIsTwentyOne)
 {
@@ -46,7 +46,7 @@ protected:
   ~EveryColorScheme() override { gui::setShownColorScheme(gui::ColorScheme::dark); }
 };
 
-TEST_P(EveryColorScheme, WritesSoThatItCanBeRead)
+TEST_P(EveryColorScheme, HasReadableText)
 {
   const gui::Theme& theme = gui::themeOf(GetParam());
   const std::pair<const char*, QColor> inks[] = {
@@ -99,7 +99,7 @@ TEST_P(EveryColorScheme, IsThatOfPicturesAndChartsToo)
   WindowRig rig;
   const QImage window = rig.window().grab().toImage();
   const bool isLight = GetParam() == gui::ColorScheme::light;
-  // corners of the picture and of the chart column
+  // corners of the scene and of the chart column
   EXPECT_EQ(qGray(rig.picture().pixel(3, 3)) > 128, isLight);
   EXPECT_EQ(qGray(window.pixel(window.width() - 4, window.height() / 2)) > 128, isLight);
   EXPECT_EQ(qGray(window.pixel(4, window.height() / 2)) > 128, isLight);

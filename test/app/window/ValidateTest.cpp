@@ -22,7 +22,7 @@ protected:
 
   gui::ValidatePage& page() { return *rig_.window().findChild<gui::ValidatePage*>(); }
   void setRuns(int runs) { rig_.window().findChild<QSpinBox*>("validationRuns")->setValue(runs); }
-  /// Words of a figure.
+  /// The text of a figure.
   bool figureSays(const std::string& caption)
   {
     for (const figures::Mark& mark : rig_.window().findChild<gui::DrawingView*>()->drawing().marks)
@@ -55,7 +55,7 @@ TEST_F(ValidationPage, EndsWithAVerdictForEachPrintedValue)
 {
   setRuns(2);
   rig_.click("validateButton");
-  // A hundred insertions more say what causes the spread; in a sanitizer's build these take
+  // Another hundred insertions determine the sources of the spread; with sanitizers they take
   // minutes.
   ASSERT_TRUE(WindowRig::comes([&] { return page().result().has_value(); }, 900'000));
   EXPECT_EQ(page().result()->runs, 2);

@@ -25,7 +25,7 @@ using gui::QualityPilot;
 using visualization::Quality;
 using visualization::Stereo;
 
-/// Settings of one test are not the next one's.
+/// Removes a test's settings, so that they do not affect the next one.
 struct Views : ::testing::Test {
   Views() { gui::UserSettings().clear(); }
   ~Views() override { gui::UserSettings().clear(); }
@@ -107,7 +107,7 @@ TEST_F(Views, TheirNumberIsKeptForTheNextWindow)
   EXPECT_EQ(next.window().views().arrangement(), PaneLayout::four);
 }
 
-TEST_F(Views, ASettingThatNobodyKnowsIsLeftAside)
+TEST_F(Views, AnUnknownSettingIsIgnored)
 {
   gui::UserSettings().setValue("insert/layout", "seventeen");
   WindowRig rig;
@@ -156,7 +156,7 @@ TEST_F(Views, QuadBufferedStereoOpensAWindowOfItsOwnWhereTheDisplayHasBuffersFor
   const gui::StereoWindow* twin = rig.window().views().stereoWindow();
   ASSERT_NE(twin, nullptr);
   EXPECT_TRUE(WindowRig::comes([&] { return twin->isOpen(); }));
-  EXPECT_EQ(rig.picture(), mono);  // what lies on the operation view stays as it is
+  EXPECT_EQ(rig.picture(), mono);  // the overlays of the operation view stay
   entry(rig, "viewOverview").trigger();
   rig.pressKey(Qt::Key_G);
   EXPECT_EQ(rig.window().view().stereo(), Stereo::off);
@@ -229,7 +229,7 @@ TEST(QualityOfAMachine, IsKnownByTheRenderersName)
 TEST(QualityOfAMachine, StepsDownOnceWhenItsFirstSecondIsSlow)
 {
   QualityPilot pilot("llvmpipe");
-  EXPECT_FALSE(pilot.weigh(4, 2.0, 200.0));   // too few to tell
+  EXPECT_FALSE(pilot.weigh(4, 2.0, 200.0));   // too few frames
   EXPECT_FALSE(pilot.weigh(40, 0.5, 200.0));  // too early
   EXPECT_TRUE(pilot.weigh(40, 2.0, 200.0));
   EXPECT_EQ(pilot.quality(), Quality::fast);
@@ -240,7 +240,7 @@ TEST(QualityOfAMachine, StaysWhenItsFirstSecondIsQuick)
 {
   QualityPilot pilot("llvmpipe");
   EXPECT_FALSE(pilot.weigh(40, 2.0, 30.0));
-  EXPECT_FALSE(pilot.weigh(80, 4.0, 200.0));  // a busy moment later is no reason
+  EXPECT_FALSE(pilot.weigh(80, 4.0, 200.0));  // a later busy moment does not count
   EXPECT_EQ(pilot.quality(), Quality::software);
 }
 
@@ -252,7 +252,7 @@ TEST(QualityOfAMachine, GivesWayToAChoice)
   EXPECT_EQ(pilot.quality(), Quality::gpu);
 }
 
-TEST(QualityOfAMachine, ItsWordsAreThoseOfTheCall)
+TEST(QualityOfAMachine, AcceptsTheNamesOfTheCommandLine)
 {
   for (const char* word : {"auto", "fast", "balanced", "full"}) {
     const auto choice = gui::qualityNamed(word);

@@ -24,7 +24,7 @@ namespace perilymph::test {
 
 namespace {
 
-/// Everything a person can read in a window, but what VTK paints.
+/// All text in a window except that drawn by VTK.
 QStringList textOn(const QWidget& window)
 {
   QStringList sentence;
@@ -88,7 +88,7 @@ void Walk::step(int number, QWidget& window)
 
   const QString folder = qEnvironmentVariable("PERILYMPH_GUIDE_PICTURES");
   if (folder.isEmpty()) return;
-  // no mouse over anything
+  // the mouse is over no widget
   QCursor::setPos(window.mapToGlobal(QPoint(0, window.height() - 1)));
   QCoreApplication::processEvents();
   const QString place =

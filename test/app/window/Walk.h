@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// A walk of the user guide, taken in the real window: what a step tells people to press is there,
-// and pictures of the steps are kept for the guide.
+// A walk through a page of the user guide in the real window: the controls of every step exist, and
+// the guide's pictures can be saved.
 
 #include <QString>
 #include <QWidget>
@@ -11,23 +11,22 @@
 
 namespace perilymph::test {
 
-/// One page of the guide: its steps are the headings "## 1. ..." and so on.
+/// One page of the guide; its steps are the headings "## 1. ..." and so on.
 class Walk {
 public:
-  /// @param page  "surgeon", of resources/guide/surgeon.md.
+  /// @param page  For example "surgeon" for resources/guide/surgeon.md.
   explicit Walk(const char* page);
 
-  /// Checks that every word in bold type of a step stands on the window now. Where the
-  /// environment's PERILYMPH_GUIDE_PICTURES names a folder, the window is kept there as
-  /// surgeon-1.png.
+  /// Checks that the window shows every bold word of a step. If the environment variable
+  /// PERILYMPH_GUIDE_PICTURES names a folder, saves a picture of the window there as surgeon-1.png.
   void step(int number, QWidget& window);
 
-  /// Steps of the page that were not taken.
+  /// Steps of the page that were not visited.
   std::string left() const;
 
 private:
   std::string page_;
-  std::map<int, QString> steps_;  ///< Those to come.
+  std::map<int, QString> steps_;  ///< The remaining ones.
 };
 
 }  // namespace perilymph::test

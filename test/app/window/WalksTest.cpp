@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The three walks of the user guide, step by step as its pages tell them: a surgeon with a
-// patient's numbers, a clinician who compares, a visitor at a booth.
+// The three tutorials of the user guide, step by step: a surgeon with a patient's measures, a
+// clinician who compares techniques, a visitor at a booth.
 
 #include <gtest/gtest.h>
 
@@ -24,14 +24,14 @@
 namespace perilymph::test {
 namespace {
 
-/// A folder of one's own for what a walk writes.
+/// A temporary folder for the output of a tutorial.
 class AWalk : public testing::Test {
 protected:
   static bool canStart(WindowRig& rig)
   {
     return WindowRig::comes([&] { return rig.button("startButton").isEnabled(); });
   }
-  /// At full depth, and the window says so.
+  /// The array is at full depth, and the window shows it.
   static bool isThere(WindowRig& rig)
   {
     return WindowRig::comes([&] {

@@ -99,7 +99,7 @@ void WindowRig::turnWheel(int notches)
   const QPoint middle = view.rect().center();
   QWheelEvent event(middle, view.mapToGlobal(middle), QPoint(), QPoint(0, 120 * notches),
                     Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
-  // Only an event that seems to come from the system goes on from a view to its parents.
+  // Only a spontaneous event propagates from a view to its parents.
   QSpontaneKeyEvent::setSpontaneous(&event);
   qApp->notify(&view, &event);
 }

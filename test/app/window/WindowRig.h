@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// A window that is open on the screen, with hands to press its buttons and keys.
+// An open window and functions that press its buttons and keys.
 
 #include <QAbstractButton>
 #include <QImage>
@@ -25,11 +25,11 @@ public:
   const haptics::Snapshot& now() const { return window_->control().now(); }
   double travel_mm() const { return inMillimeters(Length::fromSi(now().output.travel)); }
 
-  /// Clicks a button, a choice or a check box by its object's name.
+  /// Clicks a button, a radio button or a check box by its object name.
   void click(const char* name);
-  /// Opens a list by its object's name and chooses a value in it, with the keyboard.
+  /// Opens a list by its object name and selects a value with the keyboard.
   void choose(const char* selector, const char* value);
-  /// Types a text into a field in place of its own; Return sends it off.
+  /// Replaces the text of a field and presses Return.
   void type(const char* field, const char* text);
   QAbstractButton& button(const char* name);
   QString label(const char* name);
@@ -38,17 +38,17 @@ public:
   void pressKey(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
   void holdKey(Qt::Key key);
   void releaseKey(Qt::Key key);
-  /// Turns the wheel over the picture; positive away from oneself.
+  /// Turns the wheel over the picture; positive away from the user.
   void turnWheel(int notches);
 
   static constexpr int patience_ms =
-      60'000;  ///< Patience with a busy machine; nothing is timed by it.
-  /// Lets the window live until something is true. False when it takes longer than anybody waits.
+      60'000;  ///< Time limit for a busy machine; no result depends on it.
+  /// Processes events until the condition holds; false after the time limit.
   static bool comes(const std::function<bool()>& claim, int longest_ms = patience_ms);
-  /// Lets the loop run on for some of its ticks.
+  /// Runs the loop for some ticks.
   bool liveForTicks(std::uint64_t ticks);
 
-  /// What the picture in the middle shows, without the words on it.
+  /// The image of the scene without its texts.
   QImage picture();
 
 private:

@@ -17,7 +17,7 @@
 int main(int argc, char** argv)
 {
   ::testing::InitGoogleTest(&argc, argv);
-  const perilymph::test::TemporaryFolder data;  // sessions of the tests are not the user's
+  const perilymph::test::TemporaryFolder data;  // keeps the tests' sessions apart from the user's
   setenv("XDG_DATA_HOME", data.path().c_str(), 1);
   setenv("XDG_CONFIG_HOME", (data.path() / "config").c_str(), 1);
   setenv("XDG_STATE_HOME", (data.path() / "state").c_str(), 1);

@@ -6,12 +6,12 @@
 
 namespace perilymph::bench {
 
-/// Things that take long to build, each built by whichever thread asks for it first and then shared
-/// by all.
+/// A cache of objects that take long to build: the first thread that needs one builds it, and all
+/// threads share it.
 template <class Key, class Value>
 class BuiltOnce {
 public:
-  /// The value of a key: `build(key)`, at the first call for that key.
+  /// The value of a key, built with `build(key)` at its first call.
   template <class Build>
   const Value& of(const Key& key, const Build& build)
   {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How long a library of ten thousand recordings takes: read for the first time, and known.
+// Time to list a library of ten thousand recordings: the first time, and with an index.
 
 #include <benchmark/benchmark.h>
 
@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One short insertion under several names, as separate files.
+/// Copies of one short insertion as separate files.
 std::string fill(const fs::path& folder, int sessions)
 {
   const auto scenario =

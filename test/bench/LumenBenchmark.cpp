@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How long the wall's answer to all nodes of an array takes: the inner loop of contact.
+// Time of the wall query for all nodes of an array, the inner loop of contact.
 
 #include <benchmark/benchmark.h>
 
@@ -14,13 +14,13 @@ namespace {
 
 using namespace perilymph;
 
-/// Points along the duct near its outer wall, where an inserted array lies, with the turn each is
-/// in.
+/// Points along the duct near its outer wall, like an inserted array, each with its turn.
 struct Batch {
   Batch(const anatomy::ScalaTympani& scala, std::size_t count)
       : reach(count, 1e-3), tracks(count), walls(count)
   {
-    // Two thirds of the way up, and 0.8 of the way from the center to the wall: in contact range.
+    // Up to two thirds of the length, at 0.8 of the distance from the center to the wall: in
+    // contact range.
     const double last = 2.0 / 3.0 * scala.lastAngle().si();
     for (std::size_t i = 0; i < count; ++i) {
       const double angle = last * static_cast<double>(i + 1) / static_cast<double>(count);

@@ -8,12 +8,12 @@
 
 namespace perilymph::bench {
 
-/// Times each iteration of a benchmark apart, and adds median, 99th, 99.9th percentile and maximum
-/// to its row as p50_us, p99_us, p999_us, max_us: in a loop of a thousand ticks a second the mean
-/// says little. In rows of several threads each has its own, and the row shows their mean.
+/// Times each iteration of a benchmark and adds median, 99th and 99.9th percentile and maximum to
+/// its row as p50_us, p99_us, p999_us, max_us, because the mean says little about a 1 kHz loop. In
+/// rows with several threads each thread has its own, and the row shows their mean.
 class Percentiles {
 public:
-  /// @param most  Iterations to make room for, so that adding one does not allocate.
+  /// @param most  Number of iterations to reserve, so that adding one does not allocate.
   explicit Percentiles(std::size_t capacity) { seconds_.reserve(capacity); }
 
   /// Runs one iteration and times it.

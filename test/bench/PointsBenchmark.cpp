@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How long a tick of the published point set takes, and how many points it bears.
+// Time of a tick of the published point set, and the number of points with which it is stable.
 
 #include <benchmark/benchmark.h>
 
@@ -18,11 +18,11 @@ namespace {
 
 using namespace perilymph;
 
-/// A step that leaves the published run by more than this is not of its order any more: seven times
-/// the greatest force published of the model, 0.1389 N (Todd and Naghdy, section III).
+/// A run with a larger force is unstable: seven times the maximum force published for the model,
+/// 0.1389 N (Todd and Naghdy, section III).
 constexpr double maxForce = 1.0;  // [N]
 
-/// The published experiment, its array a set of points.
+/// The published experiment with the array as a set of points.
 struct PublishedPoints {
   explicit PublishedPoints(int points)
   {
@@ -30,7 +30,8 @@ struct PublishedPoints {
         "contour-published", {{"model", "points"}, {"nodes", std::to_string(points)}});
     if (!found) return;
     scenario = *found;
-    static const auto scala = session::buildAnatomy(scenario);  // the same for every number
+    static const auto scala =
+        session::buildAnatomy(scenario);  // the same for every number of points
     if (!scala) return;
     const auto built = session::buildModel(scenario, *scala);
     if (built) model = *built;
@@ -54,8 +55,8 @@ struct PublishedPoints {
   std::shared_ptr<const mechanics::InsertionModel> model;
 };
 
-/// The published run of so many points is stable: no point is ever stopped by its bounds of
-/// movement, and the force at the hand stays of the published order.
+/// Whether the published run is stable with this number of points: no point reaches its limit of
+/// motion, and the force at the hand has the published order of magnitude.
 bool isStable(int points)
 {
   const PublishedPoints run(points);
@@ -78,7 +79,7 @@ void tickOfPoints(benchmark::State& benchmark)
   if (!run.isReady()) return benchmark.SkipWithError("The published point set was not built.");
   mechanics::InsertionState state(*run.model);
   const int ticks = run.ticks();
-  // A batch is a whole insertion, from no contact to the last.
+  // A batch is a whole insertion, from the first to the last contact.
   bench::Percentiles percentiles(static_cast<std::size_t>(benchmark.max_iterations + ticks));
   while (benchmark.KeepRunningBatch(ticks)) {
     state.reset(*run.model);
@@ -96,10 +97,10 @@ void twelve(benchmark::internal::Benchmark* row)
 }
 
 BENCHMARK(tickOfPoints)->Name("tick/points")->Apply(twelve);
-// Two insertions at once in one model, each in its own thread and with its own state.
+// Two simultaneous insertions with one model, each with its own thread and state.
 BENCHMARK(tickOfPoints)->Name("tick/points")->Apply(twelve)->Threads(2);
 
-/// Counts up from two until a published run is not stable.
+/// Increases the number of points from two until a published run is unstable.
 void largestStableNumber(benchmark::State& benchmark)
 {
   int largest = 0;

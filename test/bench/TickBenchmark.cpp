@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How long one haptic tick takes, from the hand's sample to the published picture, over whole
-// insertions of the published experiment.
+// Time of one haptic tick, from the hand's sample to the published snapshot, over whole insertions
+// of the published experiment.
 
 #include <benchmark/benchmark.h>
 
@@ -21,7 +21,7 @@ using namespace perilymph;
 
 constexpr const char* scenarioName = "contour-published";
 
-/// Ticks of 16.5 mm at 2 mm/s in steps of 1 ms: the whole insertion, with few contacts and with all.
+/// Ticks of 16.5 mm at 2 mm/s in steps of 1 ms: the whole insertion, from few contacts to all.
 constexpr int ticksOfInsertion = 8250;
 
 /// One insertion in virtual time.
@@ -41,14 +41,14 @@ public:
 
   void tick() { loop_.runOnce(); }
 
-  /// Takes the records, as a recorder would.
+  /// Takes the records like a recorder.
   void takeRecords()
   {
     while (loop_.take(last_)) {
     }
   }
 
-  /// The last tick lies at least nine tenths of the stop travel in, and nothing failed.
+  /// The last tick is beyond nine tenths of the stop travel, and there was no fault.
   bool wentIn(const session::Scenario& scenario) const
   {
     return isOpen_ && last_.output.workflow != haptics::Workflow::fault &&
@@ -85,7 +85,7 @@ void tickOfWholeInsertion(benchmark::State& state)
   const Result<Experiment>& experiment = experiments.of(state.range(0), build);
   if (!experiment) return state.SkipWithError(experiment.error().message.c_str());
 
-  // A batch is a whole insertion and one iteration is a tick: rows of different length compare.
+  // A batch is a whole insertion and an iteration is a tick, so that rows are comparable.
   bench::Percentiles percentiles(static_cast<std::size_t>(state.max_iterations) + ticksOfInsertion);
   while (state.KeepRunningBatch(ticksOfInsertion)) {
     state.PauseTiming();
@@ -109,7 +109,7 @@ void sizes(benchmark::internal::Benchmark* row)
 }
 
 BENCHMARK(tickOfWholeInsertion)->Name("tick/rod")->Apply(sizes);
-// Two insertions at once in one model, each in its own thread and with its own state.
+// Two simultaneous insertions with one model, each with its own thread and state.
 BENCHMARK(tickOfWholeInsertion)->Name("tick/rod")->Apply(sizes)->Threads(2);
 
 }  // namespace

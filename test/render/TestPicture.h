@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Pictures in tests: rendered, queried for pixels, compared with accepted ones.
+// Pictures in tests: rendering, pixel queries, comparison with accepted pictures.
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -90,11 +90,11 @@ inline DrawnPicture load(const std::filesystem::path& file)
   return picture;
 }
 
-/// Empty if the picture is the accepted one; else a sentence that says where both lie and how to
-/// accept the new one. PERILYMPH_ACCEPT_PICTURES=1 accepts.
+/// Empty if the picture equals the accepted one; otherwise a message with the paths of both and how
+/// to accept the new one. PERILYMPH_ACCEPT_PICTURES=1 accepts.
 ///
-/// On one machine the software renderer draws the same bits each time. Other processors round its
-/// vector arithmetic differently, so one pixel in 500 may differ, as edges do.
+/// On one machine the software renderer always draws the same bits. On other processors its vector
+/// arithmetic rounds differently, so one pixel in 500 may differ, as at edges.
 inline std::string comparedWithAccepted(const DrawnPicture& actual, const std::string& name)
 {
   const std::filesystem::path accepted =

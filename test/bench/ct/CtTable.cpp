@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How well A, B, H and the axis are measured, as a table: phantoms of many seeds on three scanners,
-// and the real ears of a folder. Not a test: it prints and does not judge.
+// A table of the errors of A, B, H and the axis: phantoms with many seeds on three scanners, and
+// the real ears of a folder. Not a test: it prints the errors without limits.
 //
 //     perilymph-ct-table phantoms FIRST LAST     seeds FIRST to LAST - 1 on each scanner
 //     perilymph-ct-table ears [search]           the folder that PERILYMPH_EARS names; with

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Bullet's contact test of the sphere with a fixed mesh: the deepest of all contacts, single
-// precision, wall beyond the sphere found up to a threshold.
+// Bullet's contact test of a sphere and a fixed mesh: the deepest contact, in single precision; a
+// wall outside the sphere is found up to a threshold.
 
 #include <btBulletCollisionCommon.h>
 
@@ -15,7 +15,7 @@ using namespace perilymph;
 
 constexpr double radius_mm = 1e3 * bench::sphereRadius;
 
-/// Keeps the least distance of all contacts.
+/// Keeps the minimum distance of all contacts.
 struct Deepest : btCollisionWorld::ContactResultCallback {
   btScalar distance = std::numeric_limits<btScalar>::max();
   btScalar addSingleResult(btManifoldPoint& contact, const btCollisionObjectWrapper*, int, int,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// CGAL's tree of boxes: the closest point, double precision, no bound on the search.
+// CGAL's AABB tree: the closest point, in double precision, with an unlimited search.
 
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>

@@ -15,17 +15,17 @@ namespace {
 
 constexpr std::size_t sizeOfCloud = 1000;
 
-/// Places in the duct come from a fixed seed.
+/// Random positions in the duct from a fixed seed.
 class Places {
 public:
   explicit Places(std::uint64_t seed) : draw_(seed) {}
 
-  /// Evenly between two numbers. Not std::uniform_real_distribution: each library has its own.
+  /// Uniform between two numbers. std::uniform_real_distribution differs between libraries.
   double between(double low, double high)
   {
     return low + (high - low) * static_cast<double>(draw_() >> 11U) * 0x1p-53;
   }
-  /// From behind the opening, 20 degrees, to two thirds of the way up, where arrays come.
+  /// From 20 degrees, behind the opening, to two thirds of the length, which arrays reach.
   double angle() { return between(pi / 9, meanScala().lastAngle().si() * 2.0 / 3.0); }
   double direction() { return between(0.0, 2.0 * pi); }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Embree's point query: the nearest triangle in a tree built for rays, single precision.
+// Embree's point query: the nearest triangle in a tree for rays, in single precision.
 
 #include <embree3/rtcore.h>
 
@@ -54,7 +54,8 @@ public:
   }
 
 private:
-  /// The library hands over each triangle that may be nearer; its distance shrinks the search.
+  /// Embree calls this for each triangle that may be nearer; its distance reduces the search
+  /// radius.
   static bool shrinkTo(RTCPointQueryFunctionArguments* asked)
   {
     auto& self = *static_cast<EmbreePeer*>(asked->userPtr);
@@ -82,8 +83,8 @@ private:
   };
   std::unique_ptr<std::remove_pointer_t<RTCDevice>, Release> device_;
   std::unique_ptr<std::remove_pointer_t<RTCScene>, Release> scene_;
-  float* points_ = nullptr;      ///< The geometry's.
-  unsigned* corners_ = nullptr;  ///< The geometry's.
+  float* points_ = nullptr;      ///< Owned by the geometry.
+  unsigned* corners_ = nullptr;  ///< Owned by the geometry.
   double nearest_ = -1.0;        ///< [mm]
 };
 

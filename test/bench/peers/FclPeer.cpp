@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// FCL's distance between a sphere and a mesh in a tree of boxes, double precision. It answers no
-// distance for shapes that overlap, so the sphere is a nanometer small and the rest is added.
+// FCL's distance between a sphere and a mesh in a bounding-volume tree, in double precision. It
+// gives no distance for overlapping shapes, so the sphere has a radius of 1 nm, which is added.
 
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/sphere.h>

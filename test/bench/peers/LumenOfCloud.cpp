@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Our own lumen asked the question of the cloud: the row the others stand beside.
+// The project's lumen on the same query, for comparison.
 
 #include "Peer.h"
 
@@ -23,7 +23,7 @@ void nearestWallByLumen(benchmark::State& state)
     benchmark::ClobberMemory();
   }
 
-  // Against the finest facets, as the others are.
+  // Compared with the finest facets, like the others.
   std::vector<double> answers;
   for (const anatomy::WallPoint& wall : walls) answers.push_back(wall.isNear ? wall.distance : -1);
   bench::report(state, bench::facets(200000), answers);

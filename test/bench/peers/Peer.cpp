@@ -8,8 +8,8 @@
 namespace perilymph::bench {
 namespace {
 
-/// Our lumen rounds ridges of the wall over one step of its field. Its own answers may lie that far
-/// from the true wall [m] (modules/anatomy/README.md, wall query): all, and nine tenths.
+/// The project's lumen smooths ridges of the wall over one grid step. Its distances may differ from
+/// the true wall by this much [m] (modules/anatomy/README.md, wall query): all, and nine tenths.
 constexpr double maxFieldError = 39e-6;
 constexpr double usualFieldError = 1.3e-6;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// One row of the contact table: a library asked the question of the cloud, timed and checked.
+// One row of the contact table: a library's query of the cloud, timed and checked.
 
 #include <benchmark/benchmark.h>
 
@@ -11,15 +11,15 @@
 
 namespace perilymph::bench {
 
-/// Writes into a row the time per query and how far the answers lie from our own lumen's. A library
-/// that answers something else than the distance to the wall fails its row.
+/// Writes the time per query and the deviation from the project's lumen into a row. The row fails
+/// if the library's result is not the distance to the wall.
 ///
 /// @param answers  For each center of the cloud, the distance to the facets [m].
 void report(benchmark::State& state, const Facets& wall, const std::vector<double>& answers);
 
-/// Times a library. `Peer` is built from the facets in millimeters, as single precision and fixed
-/// margins are at home there, and has `double distance(const Eigen::Vector3d& center_mm)` in
-/// millimeters, a negative number where it finds no wall within `reach`.
+/// Times a library. `Peer` is built from the facets in millimeters, which suit single precision and
+/// fixed margins, and has `double distance(const Eigen::Vector3d& center_mm)` in millimeters,
+/// negative if there is no wall within `reach`.
 template <class Peer>
 void nearestWallBy(benchmark::State& state)
 {

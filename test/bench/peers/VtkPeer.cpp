@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// VTK's locator of cells in bins: the closest point within a radius, points in single precision.
+// VTK's cell locator: the closest point within a radius, with points in single precision.
 
 #include <vtkCellArray.h>
 #include <vtkGenericCell.h>

@@ -18,7 +18,7 @@ namespace {
 constexpr test::Pixel accent{0x45, 0xC4, 0xB0};
 constexpr test::Pixel blue{0x56, 0xB4, 0xE9};
 
-/// A chart with the window it is drawn in.
+/// A chart and its render window.
 struct ChartOnScreen {
   ChartOnScreen()
   {
@@ -34,7 +34,7 @@ struct ChartOnScreen {
   }
 
   vtkAxis& axis(int position) { return *chart.chart().GetAxis(position); }
-  /// The pixel of a value, from the axes that are drawn.
+  /// The pixel of a value, from the drawn axes.
   int x(double travel_mm)
   {
     vtkAxis& a = axis(vtkAxis::BOTTOM);
@@ -116,7 +116,7 @@ TEST(ForceDepthChart, ShowsThePullOfAWithdrawnArrayBelowZero)
   for (int i = 500; i > 0; --i) screen.chart.append(millimeters(0.02 * i), newtons(-0.03));
   const test::DrawnPicture picture = screen.picture();
   EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::LEFT).GetMinimum(), -0.05);
-  // half-transparent over the ground
+  // half-transparent over the background
   const test::Pixel faded{0x30, 0x7D, 0x72};
   EXPECT_TRUE(nearColor(picture, screen.x(5.0), screen.y(-0.03), faded));
 }
@@ -146,7 +146,7 @@ TEST(ForceDepthChart, DoesNotGrowSlowerWithTimeSpentAtOnePlace)
   for (int i = 0; i < 1600; ++i) screen.chart.append(millimeters(0.01 * i), newtons(0.05));
   screen.picture();
   const vtkIdType before = screen.points();
-  // a trembling hand for three minutes
+  // three minutes of tremor
   for (int i = 0; i < 180000; ++i)
     screen.chart.append(millimeters(15.9 + 0.3 * std::sin(0.05 * i)),
                         newtons(0.05 + 1e-4 * (i % 7)));
@@ -169,10 +169,10 @@ TEST(ForceDepthChart, DrawsNoMoreAfterAnHourOfTicksThanAfterTheFirstInsertion)
   const vtkIdType before = screen.points();
   for (int i = 1; i < 225; ++i) insertAndWithdraw();  // 3.6 million ticks
   screen.picture();
-  EXPECT_LE(screen.points(), before + 4);  // where the passes turn
+  EXPECT_LE(screen.points(), before + 4);  // where the direction changes
 }
 
-TEST(ForceDepthChart, LeavesOutWhatIsNotFinite)
+TEST(ForceDepthChart, SkipsNonFiniteValues)
 {
   ChartOnScreen screen;
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -213,7 +213,7 @@ TEST(ForceDepthChart, DrawsThePrintedValuesAndNothingBetweenThem)
   screen.chart.setReference({{4.0, 0.05, 0.02}, {12.0, 0.09, 0.02}}, "experiment");
   const test::DrawnPicture picture = screen.picture();
   const test::Pixel bar{0xBA, 0xBE, 0xC1};  // the text color, a little transparent
-  // the ends of the bars, one standard deviation up and down, and nothing beyond
+  // the ends of the error bars, one standard deviation up and down, and nothing beyond
   for (const double force_N : {0.07, 0.03}) {
     EXPECT_TRUE(nearColor(picture, screen.x(4.0), screen.y(force_N), bar)) << force_N;
     const double beyond_N = force_N > 0.05 ? force_N + 0.004 : force_N - 0.004;

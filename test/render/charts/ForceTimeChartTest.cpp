@@ -38,7 +38,7 @@ TEST(ForceTimeChart, KeepsASpikeOfOneTick)
   EXPECT_NEAR(highest, 55.0, 1e-4);
 }
 
-TEST(ForceTimeChart, StartsAnewWhenTimeRunsBackward)
+TEST(ForceTimeChart, RestartsWhenTimeRunsBackward)
 {
   ForceTimeChart chart;
   for (int i = 0; i < 3000; ++i) chart.append(milliseconds(i), axialOnly(10));
@@ -61,7 +61,7 @@ TEST(ForceTimeChart, GrowsWithTheForceAndShrinksWhenItIsGone)
   EXPECT_DOUBLE_EQ(axis.GetMaximum(), 60.0);
 }
 
-/// A chart as it looks in a pane of the window.
+/// A chart with the size of a pane in the window.
 test::DrawnPicture drawn(ForceTimeChart& chart, int pixelRatio = 1)
 {
   vtkNew<vtkRenderWindow> window;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Comparison with accepted pictures: each of them was inspected before it was accepted.
+// Comparison with accepted pictures, each of which was inspected first.
 
 #include <gtest/gtest.h>
 #include <vtkUnsignedCharArray.h>
@@ -17,7 +17,7 @@ namespace {
 
 using test::SceneOnScreen;
 
-/// An array whose last third is pressed, the more the nearer to the tip.
+/// An array with forces on its last third that increase toward the tip.
 haptics::Snapshot pressed()
 {
   haptics::Snapshot now = test::insertedTo(degrees(220));
@@ -27,7 +27,7 @@ haptics::Snapshot pressed()
 
 const charts::ChartStyle lightCharts{figures::ColorScheme::light, {}};
 
-/// A flat view painted at three pixels a point.
+/// A flat view drawn with three pixels per point.
 test::DrawnPicture painted(const figures::Drawing& drawing)
 {
   const test::TemporaryFolder folder;
@@ -90,7 +90,7 @@ TEST(Anaglyph, LooksAsAccepted)
   screen.scene.show(pressed());
   screen.scene.lookFrom(CameraPreset::overview);
   screen.scene.setStereo(Stereo::anaglyph);
-  // both eyes' pictures are put together in the buffer at the front
+  // the pictures of both eyes are combined in the front buffer
   screen.window->Render();
   test::DrawnPicture picture{screen.window->GetSize()[0], screen.window->GetSize()[1], {}};
   vtkNew<vtkUnsignedCharArray> pixels;

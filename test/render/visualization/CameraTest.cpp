@@ -26,7 +26,7 @@ TEST(Camera, SurgeonLooksAlongTheModiolusWithTheOpeningAtTheLeft)
 TEST(Camera, TheRoundWindowIsTurned110DegreesFromStraightDown)
 {
   SceneOnScreen screen;
-  // the angle zero of the anatomy is the x axis
+  // angle zero of the anatomy is the x axis
   const Eigen::Vector2d axis = screen.pixel({5.0, 0.0, 0.0}) - screen.pixel({0.0, 0.0, 0.0});
   const double fromDown_deg = inDegrees(radians(std::acos(-axis.normalized().y())));
   EXPECT_NEAR(fromDown_deg, 110.0, 0.01);

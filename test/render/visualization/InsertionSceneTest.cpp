@@ -15,7 +15,7 @@ namespace {
 
 using test::SceneOnScreen;
 
-/// Keeps what VTK has to say, for as long as it lives.
+/// Collects the messages of VTK until it is destroyed.
 class WordsOfVtk {
 public:
   WordsOfVtk() { vtkOutputWindow::SetInstance(window_); }
@@ -48,7 +48,7 @@ TEST(InsertionScene, ArrayLiesAroundTheNodesOfTheSnapshot)
     EXPECT_TRUE((place.array() > low.array()).all() && (place.array() < high.array()).all())
         << node;
   }
-  // and no farther than its radius, but for the lead behind the tweezers
+  // no farther than its radius, except for the lead behind the tweezers
   const Eigen::Vector3d tip = test::node_mm(now, test::arrayNodes - 1);
   EXPECT_LT((tip - low).minCoeff(), 24.0);
   double lowest = 1e9;
@@ -82,7 +82,7 @@ TEST(InsertionScene, LeftEarIsTheMirrorImageOfTheRightOne)
     screen->scene.setVisible(Part::styletAndTweezers, false);
   }
   const test::DrawnPicture a = right.picture(), b = left.picture();
-  // Bright lines and arrow, whatever the light, above the scale bars.
+  // Unlit bright lines and the arrow, above the scale bars.
   const auto isBright = [](const test::Pixel& p) { return p[0] > 150; };
   int both = 0, mirrored = 0;
   for (int y = 80; y < a.height; ++y)
@@ -156,7 +156,7 @@ TEST(InsertionScene, WallIsPlainAgainWhenNothingTouches)
 
 TEST(InsertionScene, ForceColorsDoNotDependOnTheNumberOfNodes)
 {
-  // The same line load on 100 nodes and on every second of them.
+  // The same line load on 100 nodes and on every second node.
   SceneOnScreen screen;
   screen.scene.setVisible(Part::contactArrows, false);
   haptics::Snapshot fine = test::insertedTo(degrees(200));
@@ -184,7 +184,7 @@ TEST(InsertionScene, AnArrowPointsIntoTheLumenWhereTheWallPresses)
   const test::DrawnPicture after = screen.picture();
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   const int changed = test::countPixels(after, [&](const test::Pixel& p, int x, int y) {
-    // orange: a force along the array has an arrow of its own, in blue
+    // orange; a force along the array has a separate, blue arrow
     const bool is = test::difference(before.at(x, y), p) > 40 && p[0] > p[2] + 40;
     if (is) sum += Eigen::Vector2d(x, y);
     return is;
@@ -204,7 +204,7 @@ TEST(InsertionScene, StyletComesOutBehindAsItIsPulled)
   screen.scene.setVisible(Part::styletAndTweezers, true);
   screen.scene.show(now);
   const auto before = screen.bounds();
-  now.output.styletWithdrawal = 0.040;  // beyond the tweezers' handles, which reach 30 mm
+  now.output.styletWithdrawal = 0.040;  // beyond the tweezers, which reach 30 mm
   screen.scene.show(now);
   const auto after = screen.bounds();
   const double grown =
@@ -263,9 +263,9 @@ TEST(InsertionScene, LooksAsAccepted)
   EXPECT_EQ(test::comparedWithAccepted(screen.picture(), "overview"), "");
 }
 
-// VTK times the drawing of each actor every hundred pictures, and minds if the actor is empty in
-// the pictures after that one.
-TEST(InsertionScene, VtkHasNothingToSayWhenContactsComeAndGo)
+// Every hundred frames VTK measures the render time of each actor, and it reports an error if the
+// actor is empty in the next frames.
+TEST(InsertionScene, VtkReportsNoErrorsWhenContactsAppearAndDisappear)
 {
   SceneOnScreen screen;
   screen.scene.setVisible(Part::scala, false);

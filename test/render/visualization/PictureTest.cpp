@@ -22,7 +22,7 @@ PictureRequest request(const std::filesystem::path& file)
   return asked;
 }
 
-/// Takes DISPLAY away until the end of the test.
+/// Removes DISPLAY until the end of the test.
 class WithoutDisplay {
 public:
   WithoutDisplay()
@@ -70,7 +70,7 @@ TEST(Picture, StartsADisplayOfItsOwnWhereThereIsNone)
   EXPECT_EQ(std::getenv("DISPLAY"), nullptr);
 }
 
-TEST(Picture, StandsInForADisplayThatDoesNotAnswerAndLeavesItsNameAsItWas)
+TEST(Picture, ReplacesADisplayThatDoesNotAnswerAndKeepsItsName)
 {
   const test::TemporaryFolder folder;
   const WithoutDisplay none;

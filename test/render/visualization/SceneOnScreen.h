@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// A scene with the window it is drawn in, and arrays laid into the scala by hand.
+// A scene with its render window, and arrays at given positions in the scala.
 
 #include <vtkRenderer.h>
 
@@ -48,7 +48,7 @@ inline haptics::Snapshot insertedTo(Angle tip)
 
   haptics::Snapshot now{};
   now.nodes = arrayNodes;
-  // back from the tip, by equal lengths
+  // from the tip backward in equal steps
   std::size_t at = line.size() - 1;
   Eigen::Vector3d place = line[at];
   for (int node = arrayNodes - 1; node >= 0; --node) {
@@ -67,7 +67,7 @@ inline haptics::Snapshot insertedTo(Angle tip)
   return now;
 }
 
-/// Lets the wall press on one node, toward the modiolus.
+/// Applies a wall force to one node, toward the modiolus.
 inline void press(haptics::Snapshot& now, int node, Force force)
 {
   const std::size_t i = static_cast<std::size_t>(node);
@@ -104,7 +104,7 @@ struct SceneOnScreen {
       scene.setVisible(part, false);
   }
 
-  /// Where a point of the picture's space [mm] is drawn, in pixels.
+  /// The pixel of a point in the scene's coordinates [mm].
   Eigen::Vector2d pixel(const Eigen::Vector3d& point_mm)
   {
     window->Render();
@@ -115,7 +115,7 @@ struct SceneOnScreen {
     return {display[0], display[1]};
   }
 
-  /// Low and high corner of everything visible [mm].
+  /// Lower and upper corner of the bounding box of all visible parts [mm].
   std::pair<Eigen::Vector3d, Eigen::Vector3d> bounds()
   {
     double b[6];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Stereo: the disparity follows from the geometry in every stereo mode.
+// Stereo: in every mode the disparity is that of the geometry.
 
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
@@ -16,11 +16,11 @@ namespace {
 using test::DrawnPicture;
 using test::SceneOnScreen;
 
-constexpr double wholePixel = 1.0;  // shifts are found in whole pixels
-constexpr int reach_px = 40;        // of the search, to either side
-constexpr int patch_px = 24;        // half of the patch around the tip
+constexpr double wholePixel = 1.0;  // resolution of the measured shift
+constexpr int reach_px = 40;        // range of the search, in both directions
+constexpr int patch_px = 24;        // half the size of the patch around the tip
 
-/// What is shown: both eyes' pictures are put together in the buffer at the front.
+/// The displayed picture: the pictures of both eyes are combined in the front buffer.
 DrawnPicture shown(SceneOnScreen& screen)
 {
   screen.window->Render();
@@ -31,7 +31,7 @@ DrawnPicture shown(SceneOnScreen& screen)
   return picture;
 }
 
-/// What one eye sees, gray, in pixels of the whole picture.
+/// The picture of one eye in gray, in pixels of the whole picture.
 struct EyePicture {
   int width = 0, height = 0;
   std::vector<double> gray;
@@ -51,7 +51,7 @@ EyePicture eye(const DrawnPicture& picture, Gray gray)
   return result;
 }
 
-/// How far a patch of the left eye's picture lies further right than the right eye's.
+/// Shift of a patch to the right in the left eye's picture relative to the right eye's.
 int shift(const EyePicture& left, const EyePicture& right, int x, int y)
 {
   int best = 0;
@@ -66,7 +66,7 @@ int shift(const EyePicture& left, const EyePicture& right, int x, int y)
   return best;
 }
 
-/// An array seen aslant, so that its tip is far off the plane of the focus.
+/// An array seen obliquely, with its tip far from the focal plane.
 struct ArrayForTwoEyes : ::testing::Test {
   ArrayForTwoEyes()
   {
@@ -75,7 +75,7 @@ struct ArrayForTwoEyes : ::testing::Test {
     screen.scene.lookFrom(CameraPreset::overview);
     screen.scene.setMagnification(14);
     const Eigen::Vector3d tip = test::node_mm(now, test::arrayNodes - 1);
-    // the tip to the middle of the picture, as seen by both eyes together
+    // the tip in the middle of the picture, as seen from between the eyes
     const Eigen::Vector2d off = screen.pixel(tip) - Eigen::Vector2d(320.0, 200.0);
     const double pixel_mm = 170.0 / 14.0 / 400.0;
     screen.scene.moveModel(-pixel_mm * off.x(), -pixel_mm * off.y());
@@ -83,7 +83,7 @@ struct ArrayForTwoEyes : ::testing::Test {
     vtkCamera& camera = *screen.scene.renderer().GetActiveCamera();
     const Eigen::Vector3d focus(camera.GetFocalPoint());
     const Eigen::Vector3d back = -Eigen::Vector3d(camera.GetDirectionOfProjection());
-    // a parallel picture sheared by half the angle for each eye
+    // a parallel projection, sheared by half the angle for each eye
     const double height_mm = (tip - focus).dot(back);
     expected_px = 2.0 * std::tan(0.5 * degrees(eyeAngle_deg).si()) * height_mm / pixel_mm;
   }
@@ -93,7 +93,10 @@ struct ArrayForTwoEyes : ::testing::Test {
   double expected_px = 0.0;
 };
 
-TEST_F(ArrayForTwoEyes, IsFarEnoughOffTheFocusToTell) { EXPECT_GT(std::abs(expected_px), 5.0); }
+TEST_F(ArrayForTwoEyes, IsFarEnoughFromTheFocalPlaneToMeasure)
+{
+  EXPECT_GT(std::abs(expected_px), 5.0);
+}
 
 TEST_F(ArrayForTwoEyes, AnaglyphShowsItsTipWhereEachEyeSeesIt)
 {
@@ -122,7 +125,7 @@ TEST_F(ArrayForTwoEyes, InterlacedShowsItsTipWhereEachEyeSeesIt)
   const auto row = [&](int y, int odd) { return std::min(both.height - 1, y / 2 * 2 + odd); };
   const EyePicture odd = eye(both, [&](int x, int y) { return both.at(x, row(y, 1))[1]; });
   const EyePicture even = eye(both, [&](int x, int y) { return both.at(x, row(y, 0))[1]; });
-  // which eye has which lines is the screen's convention; that they differ so far is geometry
+  // the assignment of lines to eyes is a convention of the screen; their shift is geometry
   EXPECT_NEAR(std::abs(shift(odd, even, 320, 200)), std::abs(expected_px), wholePixel);
 }
 
@@ -135,7 +138,7 @@ TEST_F(ArrayForTwoEyes, OneEyeIsBackWhenStereoIsOff)
   EXPECT_EQ(shown(screen).rgb, before.rgb);
 }
 
-TEST(StereoBackground, IsOfOneColorSoThatNoShadeLiesApartForTheTwoEyes)
+TEST(StereoBackground, IsOfOneColorSoThatNoShadeHasADisparity)
 {
   SceneOnScreen screen;
   screen.scene.setStereo(Stereo::anaglyph);

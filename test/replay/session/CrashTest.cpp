@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What is left of a recording when its program is killed in the middle.
+// The content of a recording after its program was killed.
 
 #include <sys/mman.h>
 #include <sys/wait.h>
@@ -22,7 +22,7 @@
 namespace perilymph::session {
 namespace {
 
-/// A number that two processes see.
+/// A number shared by two processes.
 class SharedCount {
 public:
   SharedCount()
@@ -70,11 +70,11 @@ TEST(KilledInVirtualTime, LosesLessThanOneDrain)
   EXPECT_TRUE(verification->isIdentical);
 }
 
-/// What came of a process that was killed while it inserted by the clock.
+/// Result of a process that was killed during an insertion in real time.
 struct Killed {
   std::uint64_t ran = 0;         ///< Ticks that had run.
-  std::uint64_t seenInFile = 0;  ///< Ticks another program had seen in the file before.
-  std::uint64_t kept = 0;        ///< Ticks in the file afterwards.
+  std::uint64_t seenInFile = 0;  ///< Ticks that another program had read from the file before.
+  std::uint64_t kept = 0;        ///< Ticks in the file afterward.
   bool isIdentical = false;      ///< Those replay to the same bits.
 
   std::uint64_t lost() const { return ran > kept ? ran - kept : 0; }
@@ -99,8 +99,7 @@ Killed killInsertion(const std::filesystem::path& file, std::uint64_t atTick)
   EXPECT_TRUE(
       test::waitUntil([&] { return *ticks >= atTick || ::waitpid(child, &status, WNOHANG) != 0; }));
   Killed killed;
-  // A reader that finds the file in the middle of a drain may see nothing; what it sees is
-  // promised.
+  // A reader may see nothing during a drain; the ticks that it sees must be in the file later.
   if (const auto seen = RecordedInsertion::open(file)) killed.seenInFile = seen->ticks();
   ::kill(child, SIGKILL);
   ::waitpid(child, &status, 0);
@@ -128,7 +127,7 @@ TEST(KilledByTheClock, KeepsWhatHadBeenDrainedAndSaysWhatItLost)
     EXPECT_TRUE(killed.isIdentical);
     lost.push_back(killed.lost());
   }
-  // How much that is depends on how soon the machine lets the recorder run: measured, not bounded.
+  // The number depends on the scheduling of the recorder: measured, not bounded.
   std::sort(lost.begin(), lost.end());
   RecordProperty("median_lost_ms", static_cast<int>(lost[lost.size() / 2]));
   RecordProperty("max_lost_ms", static_cast<int>(lost.back()));

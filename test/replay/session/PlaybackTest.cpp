@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A recording looked at tick by tick: the picture is that of the insertion, wherever one jumps.
+// A recording viewed tick by tick: after any jump the shape is that of the insertion.
 
 #include <gmock/gmock.h>
 #include <sqlite3.h>
@@ -17,7 +17,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// The shape of the array as its bits.
+/// The bits of the array's shape.
 std::string shapeOf(const haptics::Snapshot& picture)
 {
   return {reinterpret_cast<const char*>(picture.node_W.data()),
@@ -55,7 +55,7 @@ protected:
 
   test::TemporaryFolder folder_;
   std::filesystem::path file_ = folder_ / "run.insertion";
-  std::map<std::uint64_t, std::string> live_;  ///< Shapes by tick, as they were.
+  std::map<std::uint64_t, std::string> live_;  ///< Recorded shapes by tick.
 };
 
 TEST_F(APlayback, ShowsTheShapesOfTheInsertionInWhateverOrder)
@@ -85,7 +85,7 @@ TEST_F(APlayback, ShowsTheSameOnceEverythingIsComputed)
   }
 }
 
-TEST_F(APlayback, BehindTheEndShowsTheLastTick)
+TEST_F(APlayback, BeyondTheEndShowsTheLastTick)
 {
   const auto playback = open();
   haptics::Snapshot picture{};
@@ -94,13 +94,13 @@ TEST_F(APlayback, BehindTheEndShowsTheLastTick)
   EXPECT_EQ(shapeOf(picture), live_.rbegin()->second);
 }
 
-TEST_F(APlayback, NamesTheFirstTickThatDiffersAndGoesOn)
+TEST_F(APlayback, NamesTheFirstTickThatDiffersAndContinues)
 {
   sqlite3* database = nullptr;
   ASSERT_EQ(sqlite3_open(file_.c_str(), &database), SQLITE_OK);
   sqlite3_blob* blob = nullptr;
   ASSERT_EQ(sqlite3_blob_open(database, "main", "tick", "record", 200, 1, &blob), SQLITE_OK);
-  const unsigned char byte = 1;  // the residual, last in the record, is 0 nowhere near
+  const unsigned char byte = 1;  // a byte of the residual, last in the record
   ASSERT_EQ(sqlite3_blob_write(blob, &byte, 1, sqlite3_blob_bytes(blob) - 3), SQLITE_OK);
   sqlite3_blob_close(blob);
   sqlite3_close(database);

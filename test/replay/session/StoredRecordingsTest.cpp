@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Recordings made by an earlier build, one per shipped scenario and model: they replay to the same
-// bits.
+// Recordings by an earlier build, one per shipped scenario and model, replay to the same bits.
 
 #include <gmock/gmock.h>
 

@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Records the ticks of a recording again, each changed by `change`; those it refuses are lost.
+/// Copies a recording with each tick modified by `change`; ticks that it refuses are lost.
 void recordAgain(const std::filesystem::path& from, const std::filesystem::path& to,
                  const std::function<bool(haptics::TickRecord&)>& change)
 {
@@ -146,7 +146,7 @@ TEST(Replay, SaysWhenTheModelIsAnother)
   EXPECT_THAT(verified(file).notes, testing::Contains(HasSubstr("not the one recorded")));
 }
 
-TEST(Replay, ComparesAsFarAsNothingWasLostAndSaysThatItIsNotAll)
+TEST(Replay, ComparesUpToTheFirstLostTickAndReportsThatItIsIncomplete)
 {
   const test::TemporaryFolder folder;
   const auto file = folder / "run.insertion";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A kind of codec, any descriptor, any reports, any forces, and a device that answers anything.
+// Fuzzes a codec with any descriptor, reports, forces, and answers of the device.
 
 #include <cmath>
 #include <cstring>
@@ -22,7 +22,7 @@ using device::RawReport;
 using device::ReportList;
 using device::Transfer;
 
-/// A device that accepts and answers as the input specifies.
+/// A device that accepts reports and answers as the input specifies.
 class AnyDevice final : public device::Transport {
 public:
   explicit AnyDevice(InputReader& input) : input_(input) {}
@@ -61,7 +61,7 @@ double anyNumber(InputReader& input)
   return number;
 }
 
-/// Its numbers begin at odd bits and are as long as they may be.
+/// Its numbers start at odd bits and have the maximum length.
 const std::string vectorProfile = test::profileHead("vector") + R"(nominal_period_ms = 1.0
 max_force_N = 2.0
 [mount]
@@ -84,7 +84,8 @@ first_bits = [1, 32, 63]
 quantum_N = [0.001, 0.001, 1e-6]
 )";
 
-/// The shipped profiles, one of plain vectors, and a PID one for each way of telling a direction.
+/// The shipped profiles, a plain vector profile, and a PID profile for each encoding of a
+/// direction.
 std::vector<DeviceProfile> profiles()
 {
   std::vector<DeviceProfile> all = device::shippedProfiles().profiles;
@@ -142,7 +143,7 @@ void run(device::DeviceCodec& codec, InputReader& input)
 std::vector<Bytes> seeds()
 {
   using namespace device::test;
-  // A device that makes room for two effects (four bytes each: block, done, memory left) and takes
+  // A device that creates two effects (four bytes each: block, status, free memory) and accepts
   // everything else, then two reports with forces.
   Bytes conversation{1, 0, 0, 0};
   for (const int block : {1, 2})
@@ -150,7 +151,7 @@ std::vector<Bytes> seeds()
       conversation.push_back(static_cast<std::uint8_t>(byte));
   conversation.push_back(0);
   for (const int number : {1, 0}) {
-    conversation.push_back(23);  // the report's length
+    conversation.push_back(23);  // length of the report
     conversation.push_back(static_cast<std::uint8_t>(number));
     for (int i = 0; i < 22; ++i) conversation.push_back(static_cast<std::uint8_t>(11 * i));
     for (int i = 0; i < 3; ++i)  // 1.0 as a double
@@ -162,7 +163,7 @@ std::vector<Bytes> seeds()
   const auto known = profiles();
   for (std::size_t kind = 0; kind < known.size(); ++kind) {
     const bool isPid = known[kind].kind == device::CodecKind::pid;
-    // A PID device's own descriptor four times: the others do not get far.
+    // A PID device's own descriptor four times: others are soon refused.
     const std::vector<Bytes> fit = isPid
                                        ? std::vector<Bytes>(4, pidDescriptor())
                                        : std::vector<Bytes>{joystickDescriptor(), knobDescriptor(),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Any bytes as a report descriptor.
+// Fuzzes the report descriptor with any bytes.
 
 #include "Descriptors.h"
 #include "FuzzTarget.h"
@@ -19,7 +19,7 @@ constexpr std::size_t maxBytes = device::longestReport - 1;
 
 void lookAt(const ReportDescriptor& descriptor, std::size_t size)
 {
-  // Memory is bounded by the descriptor's own length, whatever it claims.
+  // Memory is bounded by the length of the descriptor, not by its content.
   std::size_t ranges = 0;
   for (const device::ReportField& field : descriptor.fields()) {
     ranges += field.usages.size();
@@ -39,7 +39,7 @@ void lookAt(const ReportDescriptor& descriptor, std::size_t size)
             "a collection's parent exists");
 }
 
-/// What is found can be read and written, and reads as it was written.
+/// Every field found can be written and reads back as written.
 void useSlots(const ReportDescriptor& descriptor)
 {
   for (const ReportKind kind : {ReportKind::input, ReportKind::output, ReportKind::feature})

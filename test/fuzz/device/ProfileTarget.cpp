@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Any text as a device profile.
+// Fuzzes the device profile with any text.
 
 #include <fstream>
 #include <iterator>
@@ -35,7 +35,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
     fuzz::promise(!profile.error().message.empty(), "a refusal has a sentence");
     return 0;
   }
-  // What was accepted can be used.
+  // An accepted profile can be used.
   const auto codec = device::makeCodec(*profile, stick);
   const device::DeviceTraits traits = device::traitsOf(*profile, stick);
   fuzz::promise(traits.nominalPeriod >= 1e-4 && traits.nominalPeriod <= 0.1, "a period in range");

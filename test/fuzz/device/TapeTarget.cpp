@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Any text as a tape of reports, read as a stick.
+// Fuzzes the report tape with any text, decoded as a joystick.
 
 #include <string>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Drives a fuzz target without libFuzzer: inputs number 0, 1, 2, ... are mutations of the target's
-// seeds, each made from its number alone, so that any of them can be made again.
+// seeds. Each depends only on its number, so that it can be reproduced.
 //
 //     fuzz_<target> COUNT [FIRST [SECONDS]]
 //
-// Fails where a promise is broken, where an input takes more than SECONDS (60) of processor time,
+// Fails where an assertion fails, where an input takes more than SECONDS (60) of processor time,
 // and where memory grows.
 
 #include <malloc.h>
@@ -29,7 +29,7 @@ volatile std::sig_atomic_t currentHigh = 0;
 volatile std::sig_atomic_t currentLow = 0;
 constexpr unsigned long chunk = 1000000;
 
-/// Says which input it was, in ways a signal handler may.
+/// Prints the number of the input; safe in a signal handler.
 extern "C" void tellInput(int signal)
 {
   char text[] = "\nThe fuzzed input was number        000000. Run again: fuzz_<target> 1 NUMBER\n";
@@ -72,13 +72,13 @@ void change(Bytes& bytes, const Bytes& other, Random& random)
     case 4:
       bytes[at] = interesting[random() % std::size(interesting)];
       break;
-    case 5: {  // a piece again
+    case 5: {  // repeat a piece
       const std::size_t length = std::min<std::size_t>(1 + below(random, 32), bytes.size() - at);
       const Bytes piece(place, place + static_cast<std::ptrdiff_t>(length));
       bytes.insert(place, piece.begin(), piece.end());
       break;
     }
-    case 6: {  // a piece of another
+    case 6: {  // insert a piece of another seed
       const std::size_t from = below(random, other.size());
       const std::size_t length = std::min<std::size_t>(1 + below(random, 32), other.size() - from);
       const auto begin = other.begin() + static_cast<std::ptrdiff_t>(from);
@@ -94,20 +94,20 @@ void change(Bytes& bytes, const Bytes& other, Random& random)
 Bytes makeInput(unsigned long number, const std::vector<Bytes>& seeds)
 {
   Random random(0x9e3779b97f4a7c15ull * (number + 1));
-  if (random() % 32 == 0) {  // nothing but noise
+  if (random() % 32 == 0) {  // only random bytes
     Bytes noise(below(random, 300));
     for (auto& byte : noise) byte = static_cast<std::uint8_t>(random());
     return noise;
   }
   Bytes bytes = seeds[below(random, seeds.size())];
   const Bytes& other = seeds[below(random, seeds.size())];
-  // Mostly few changes: what is nearly right gets farthest.
+  // Mostly few changes: nearly valid inputs reach the most code.
   const std::size_t changes = 1 + below(random, random() % 4 == 0 ? 24 : 4);
   for (std::size_t i = 0; i < changes; ++i) change(bytes, other, random);
   return bytes;
 }
 
-/// Sends SIGPROF once the process has computed for so many seconds; 0 for never.
+/// Sends SIGPROF after this processor time in seconds; 0 disables it.
 void limitProcessorTime(long seconds)
 {
   const itimerval timer = {{0, 0}, {seconds, 0}};
@@ -144,7 +144,7 @@ int main(int count, char** label)
     LLVMFuzzerTestOneInput(input.data(), input.size());
   }
   limitProcessorTime(0);
-  // A leak of one byte an input would show; what the library keeps at hand does not count.
+  // A leak of one byte per input would show; caches of the library do not count.
   const std::size_t after = memoryInUse();
   const std::size_t grown = after > before ? after - before : 0;
   std::printf("%lu inputs from number %lu on, %zu seeds, memory grown by %zu bytes\n", inputs,

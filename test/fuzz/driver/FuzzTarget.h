@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// What a fuzzer needs of a target. The entry point has libFuzzer's name, so that libFuzzer can
-// drive it as well as FuzzLoop.cpp.
+// Interface of a fuzz target. The entry point has libFuzzer's name, so that libFuzzer and
+// FuzzLoop.cpp can drive it.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-/// Takes one input. Ends the program where a promise is broken.
+/// Runs one input. Ends the program where an assertion fails.
 // NOLINTNEXTLINE(readability-identifier-naming): the name is libFuzzer's
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
@@ -19,10 +19,10 @@ namespace perilymph::fuzz {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// Inputs to start from: things as they should be.
+/// Valid inputs to start from.
 std::vector<Bytes> seeds();
 
-/// Ends the program with a sentence unless a promise is kept.
+/// Ends the program with a message unless the condition holds.
 inline void promise(bool isKept, const char* what)
 {
   if (isKept) return;
@@ -30,7 +30,7 @@ inline void promise(bool isKept, const char* what)
   std::abort();
 }
 
-/// Takes values off the front of an input; zeros when it is used up.
+/// Reads values from the front of an input; zeros at its end.
 class InputReader {
 public:
   explicit InputReader(std::span<const std::uint8_t> input) : rest_(input) {}

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// An input for code that reads a file: a file of its own in a folder of its own.
+// Input for code that reads a file: a file in a temporary folder.
 
 #include <unistd.h>
 
@@ -19,10 +19,10 @@ namespace perilymph::fuzz {
 
 class InputFile {
 public:
-  /// @param name  Of the file, with the ending that the code under test looks at.
+  /// @param name  File name with the extension that the tested code expects.
   explicit InputFile(const std::string& name)
   {
-    // Memory, where the system offers it: the disk is not what is tested.
+    // In memory where possible: the disk is not tested.
     std::error_code none;
     const std::filesystem::path memory = "/dev/shm";
     const bool hasMemory =
@@ -42,7 +42,7 @@ public:
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;
 
-  /// The file with this content, and nothing beside it.
+  /// Writes the file with this content and removes all others.
   const std::filesystem::path& holding(std::span<const std::uint8_t> content)
   {
     for (const auto& entry : std::filesystem::directory_iterator(folder_))
@@ -53,7 +53,7 @@ public:
     return file_;
   }
 
-  /// Files beside the input: what reading it left behind.
+  /// Other files in the folder, left by the tested code.
   int strangers() const
   {
     int count = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// With libFuzzer: puts the target's seeds into the corpus folder named on the command line, so that
-// the search starts from things as they should be.
+// With libFuzzer: writes the target's seeds into the corpus folder of the command line, so that the
+// search starts from valid inputs.
 
 #include <filesystem>
 #include <fstream>

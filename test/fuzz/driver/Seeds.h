@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Where inputs to start from lie: among the files that are shipped, and in the kept corpus.
+// Seeds: shipped files and the stored corpus.
 
 #include <algorithm>
 #include <filesystem>
@@ -19,7 +19,7 @@ inline Bytes contentOf(const std::filesystem::path& file)
   return Bytes(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
 }
 
-/// Adds every file of a folder and of the folders below that has the ending, in their order.
+/// Adds every file with the extension in a folder and its subfolders, in sorted order.
 inline void addFiles(const std::filesystem::path& folder, const std::string& ending,
                      std::vector<Bytes>& seeds)
 {
@@ -31,8 +31,8 @@ inline void addFiles(const std::filesystem::path& folder, const std::string& end
   for (const auto& file : files) seeds.push_back(contentOf(file));
 }
 
-/// Adds what is kept for a target in test/fuzz/corpus: small inputs that test/fuzz/make-corpus
-/// wrote, and inputs that once broke something.
+/// Adds the corpus of a target in test/fuzz/corpus: small inputs written by
+/// test/fuzz/make_corpus.py and inputs that revealed errors.
 inline void addCorpus(const std::string& target, std::vector<Bytes>& seeds)
 {
   const std::filesystem::path folder = std::filesystem::path(PERILYMPH_FUZZ_CORPUS) / target;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Any bytes as an `.insertion` file, opened, read and prepared for replay.
+// Fuzzes the `.insertion` file with any bytes: opened, read and prepared for replay.
 
 #include "InputFile.h"
 #include "MakeEngine.h"
@@ -12,7 +12,7 @@ namespace perilymph::fuzz {
 
 namespace {
 
-/// Somebody's scenario, prepared once: what a replay needs beside the facts.
+/// A prepared scenario, which a replay needs in addition to the facts.
 struct Prepared {
   session::Scenario scenario;
   std::shared_ptr<const mechanics::InsertionModel> model;
@@ -32,7 +32,7 @@ const Prepared& prepared()
   return one;
 }
 
-/// What it says about itself makes an engine or is refused, and the engine bears its ticks.
+/// The facts of the file give an engine or an error, and the engine can run its ticks.
 void use(const session::RecordedInsertion& recorded)
 {
   const auto scenario = session::parseScenario(recorded.facts().scenarioText, "input");

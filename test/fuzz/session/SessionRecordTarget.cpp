@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Any bytes as the record of a tick, replayed.
+// Fuzzes the replay with any bytes as the record of a tick.
 
 #include <cmath>
 
@@ -37,7 +37,7 @@ haptics::EngineSettings settings()
   return settings;
 }
 
-/// Whatever hand and commands are recorded, what they give is a force within its limit.
+/// Any recorded hand and commands give a force within its limit.
 void replay(const haptics::TickRecord& record)
 {
   static const auto model = modelInRing();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Small changes to the surface of a scala tympani: points moved, taken out of line, made infinite,
-// triangles turned, doubled and led astray.
+// Fuzzes the import with small changes to the surface of a scala tympani: points moved or made
+// infinite, triangles reversed, duplicated or given wrong corners.
 
 #include <cmath>
 #include <cstring>
@@ -17,7 +17,7 @@ namespace {
 
 using anatomy::Surface;
 
-/// The published one, coarse.
+/// The published scala tympani as a coarse surface.
 const Surface& scala()
 {
   static const Surface surface =
@@ -69,15 +69,15 @@ void change(Surface& surface, InputReader& input)
     case 4:
       surface.triangles.erase(surface.triangles.begin() + static_cast<std::ptrdiff_t>(triangle));
       break;
-    case 5: {  // all of it, larger, smaller, flat or turned inside out
+    case 5: {  // scale everything: larger, smaller, flat or inside out
       const double factor = 0.02 * (input.byte() - 50);
       for (auto& each : surface.points) each[corner] *= factor;
       break;
     }
-    case 6:  // a hole
+    case 6:  // make a hole
       surface.triangles.resize(triangle);
       break;
-    default:  // a corner that is not there
+    default:  // refer to a missing corner
       surface.triangles[triangle][corner] = input.byte() % 2 ? -1 : 1 << 30;
       break;
   }
@@ -87,7 +87,7 @@ void change(Surface& surface, InputReader& input)
 
 std::vector<Bytes> seeds()
 {
-  // Nothing changed, one point moved, one triangle taken out, everything flat.
+  // No change, one point moved, one triangle removed, everything flat.
   return {{}, {0, 100, 0, 0, 1, 0, 7, 200}, {0, 0, 1, 0, 0, 4}, {0, 0, 0, 0, 2, 5, 50}};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Any bytes as a file of a surface. The first byte says which kind of file.
+// Fuzzes the surface files with any bytes. The first byte selects the file format.
 
 #include <cmath>
 
@@ -38,7 +38,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
   static fuzz::InputFile kinds[] = {fuzz::InputFile("a.stl"), fuzz::InputFile("a.ply"),
                                     fuzz::InputFile("a.vtp")};
   if (size == 0) return 0;
-  // 'S', 'P' or 'V' in the kept corpus.
+  // 'S', 'P' or 'V' in the stored corpus.
   fuzz::InputFile& file = kinds[data[0] == 'S' ? 0 : data[0] == 'P' ? 1 : data[0] % 3];
   const auto surface = imaging::readSurface(file.holding({data + 1, size - 1}));
   if (surface)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Any text as an electrode array, pushed through a wide tube.
+// Fuzzes the electrode array with any text and inserts the array into a wide tube.
 
 #include <cmath>
 #include <stdexcept>
@@ -35,7 +35,7 @@ void checkSections(const electrode::ArrayDesign& array)
   }
 }
 
-/// A model of it can be made, or is refused in words, and its first ticks are numbers.
+/// Its model is built or refused with a message, and its first ticks are finite.
 void push(const electrode::ArrayDesign& array)
 {
   mechanics::ModelParts parts;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Any text as the calibration of an array.
+// Fuzzes the calibration of an array with any text.
 
 #include "InputFile.h"
 #include "Seeds.h"
@@ -40,7 +40,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
   fuzz::checkValue(calibration->stiffnessScale);
   fuzz::checkValue(calibration->residualCurvature);
 
-  // What was accepted is the same after being written and read.
+  // An accepted calibration is unchanged after it was written and read.
   const std::string text = session::calibrationText(*calibration);
   const fuzz::Bytes bytes(text.begin(), text.end());
   const auto again = session::loadCalibration(file.holding(bytes));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Any text as a patient.
+// Fuzzes the patient file with any text.
 
 #include <cmath>
 
@@ -15,7 +15,7 @@ namespace {
 
 bool isNear(Length one, Length other) { return std::fabs(one.si() - other.si()) < 2e-12; }
 
-/// What was accepted is within the limits, and is the same after being written and read.
+/// An accepted patient is within the limits, and unchanged after it was written and read.
 void checkPatient(const anatomy::Patient& patient, InputFile& file)
 {
   promise(static_cast<bool>(anatomy::checkPatient(patient)),

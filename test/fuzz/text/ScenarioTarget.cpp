@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Any text as a scenario, run for a few ticks.
+// Fuzzes the scenario with any text and runs it for a few ticks.
 
 #include <cmath>
 #include <stdexcept>
@@ -17,14 +17,14 @@ namespace {
 
 using session::Scenario;
 
-/// The anatomy of all of them: building each its own would take all the time there is.
+/// One anatomy for all scenarios, because building one takes too long.
 std::shared_ptr<const anatomy::ScalaTympani> sharedAnatomy()
 {
   static const auto shared = anatomy::buildPublished(anatomy::Patient(), millimeters(1));
   return shared;
 }
 
-/// The text as run gives the same text again: a recording can be replayed.
+/// Reading the effective text gives the same text: a recording can be replayed.
 void checkText(const Scenario& scenario)
 {
   const auto again = session::parseScenario(scenario.text(), scenario.name());
@@ -38,7 +38,7 @@ void checkText(const Scenario& scenario)
 
 void runSome(const Scenario& scenario)
 {
-  // The surface that the points need takes seconds; many nodes are many times the same.
+  // Skips models that take seconds: the surface for points, and many nodes.
   if (scenario.model() != mechanics::ModelKind::rod || scenario.nodes() > 200) return;
   auto insertion = session::Insertion::prepare(
       scenario,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Each channel between two threads that hurry as they can. Run under the thread sanitizer too.
+// Each channel between two threads at full speed. Also run with the thread sanitizer.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 namespace perilymph::realtime {
 namespace {
 
-/// Large enough to be torn if it were copied while it is written.
+/// Large enough to be torn if it were copied during a write.
 struct Wide {
   std::array<std::uint64_t, 64> words{};
 
@@ -51,7 +51,7 @@ TEST(TripleBufferBetweenThreads, GivesWholeValuesThatNeverGoBack)
   writer.join();
   EXPECT_EQ(torn, 0u);
   EXPECT_EQ(backward, 0u);
-  EXPECT_EQ(last, values);  // the newest always arrives
+  EXPECT_EQ(last, values);  // the newest value always arrives
 }
 
 TEST(SpscRingBetweenThreads, GivesEveryValueWholeAndInOrder)
@@ -80,7 +80,7 @@ TEST(SpscRingBetweenThreads, LosesExactlyWhatItRefused)
   std::thread writer([&] {
     for (std::uint64_t i = 1; i <= values; ++i)
       if (!ring.push(i)) ++refused;
-    EXPECT_TRUE(test::waitUntil([&] { return ring.push(0); }));  // the end
+    EXPECT_TRUE(test::waitUntil([&] { return ring.push(0); }));  // end marker
   });
   std::uint64_t taken = 0, last = 0, misplaced = 0;
   EXPECT_TRUE(test::waitUntil([&] {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A thread is woken, and a thing is lent from one thread to another. Run under the thread sanitizer
-// too.
+// Waking a thread, and lending an object to another thread. Also run with the thread sanitizer.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +21,7 @@ constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max() / 2;  //
 TEST(DoorbellBetweenThreads, IsHeardWithAllThatWasDoneBefore)
 {
   Doorbell thither, back;
-  std::uint64_t value = 0;  // guarded by the bells alone
+  std::uint64_t value = 0;  // synchronized by the doorbells only
   std::thread other([&] {
     for (int i = 0; i < 2'000; ++i) {
       thither.waitUntil(never);
@@ -54,7 +53,7 @@ TEST(Doorbell, EndsItsWaitWhenTheTimeIsUp)
   EXPECT_TRUE(bell.waitUntil(0));
 }
 
-/// Counts how many of its kind there are.
+/// Counts its instances.
 struct Counted {
   explicit Counted(int& count) : alive(count) { ++alive; }
   ~Counted() { --alive; }
@@ -67,7 +66,7 @@ struct Counted {
 TEST(HandoffBetweenThreads, LendsAndGetsBackEveryOne)
 {
   Handoff<Counted> handoff;
-  int alive = 0;  // the owner's thread makes and destroys
+  int alive = 0;  // only the owner's thread creates and destroys
   std::uint64_t uses = 0;
   std::thread user([&handoff] {
     for (int lent = 0; lent < 1000; ++lent) {

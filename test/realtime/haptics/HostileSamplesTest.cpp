@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Whatever a device says, the force shown stays finite, within its limit and without a step.
+// With any samples of a device the force stays finite, within its limit, and without steps.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ using Kind = Command::Kind;
 
 constexpr double rounding = 1e-9;
 
-/// A device out of its mind: every few ticks another kind of nonsense.
+/// A faulty device: every few ticks another kind of invalid samples.
 class HostileDevice {
 public:
   explicit HostileDevice(unsigned seed) : random_(seed) {}
@@ -62,7 +62,7 @@ public:
         sample.buttons = static_cast<std::uint32_t>(random_());
         break;
       default:
-        break;  // sane for a while
+        break;  // valid for a while
     }
     if (std::abs(place_) > 8.0) place_ = 0.0;
     return sample;
@@ -76,7 +76,7 @@ private:
   double place_ = 0.0;
 };
 
-/// A user out of her mind: any command, any value.
+/// Random commands with any values.
 CommandList anyCommands(std::mt19937& random)
 {
   CommandList list;
@@ -96,7 +96,7 @@ TEST_P(HostileSamples, NeverGiveAForceThatIsNotFiniteOrTooGreatOrAStep)
 {
   EngineSettings settings;
   settings.coupling = GetParam();
-  settings.forceScale = 100.0;  // so that the limits are met
+  settings.forceScale = 100.0;  // so that the limits are reached
   const double maxStep = settings.safety.maxSlew * 1e-3;
   const double maxForce = settings.safety.maxForce;
   const double maxFall = std::max(maxStep, maxForce * 1e-3 / settings.safety.offTime);
@@ -124,7 +124,7 @@ TEST_P(HostileSamples, NeverGiveAForceThatIsNotFiniteOrTooGreatOrAStep)
       const Eigen::Vector3d now_D(force[0], force[1], force[2]);
       ASSERT_TRUE(now_D.allFinite()) << "seed " << seed << ", tick " << i;
       ASSERT_LE(now_D.norm(), maxForce * (1.0 + rounding)) << "seed " << seed << ", tick " << i;
-      // A force that shall end may fall faster than one that is shown: to nothing within offTime.
+      // A force that is switched off may fall faster: to zero within offTime.
       const bool isEnding = now_D.norm() < before_D.norm();
       ASSERT_LE((now_D - before_D).norm(), (isEnding ? maxFall : maxStep) * (1.0 + rounding))
           << "seed " << seed << ", tick " << i;
@@ -133,7 +133,7 @@ TEST_P(HostileSamples, NeverGiveAForceThatIsNotFiniteOrTooGreatOrAStep)
       greatest = std::max(greatest, now_D.norm());
     }
   }
-  EXPECT_GT(greatest, 0.01);  // the test saw forces at all
+  EXPECT_GT(greatest, 0.01);  // there were forces
 }
 
 TEST_P(HostileSamples, NeverMoveTheArrayByAJump)
@@ -152,7 +152,7 @@ TEST_P(HostileSamples, NeverMoveTheArrayByAJump)
   double before = engine.state().base_W.z();
   for (int i = 0; i < 2000; ++i) {
     ++sample.sequence;
-    // the hand appears anywhere within a meter; it never moves
+    // the hand jumps to any position within a meter
     for (double& x : sample.position_D) x = static_cast<double>(random() % 2001) * 1e-3 - 1.0;
     engine.tick(sample, {});
     ASSERT_NEAR(engine.state().base_W.z(), before, 1.0 * 1e-3) << i;  // 1 m/s
@@ -181,7 +181,7 @@ TEST_P(HostileSamples, ASilentDeviceTakesTheForceToZeroAndBackWithoutASnap)
   ASSERT_GT(output.wrench_D.force_D[2], 1e-3);
   ASSERT_LT(output.wrench_D.force_D[2], 0.1);  // so that one tick takes it to zero
 
-  // two ticks without news are jitter, the third is silence
+  // two ticks without a new sample are jitter, the third is silence
   for (int i = 0; i < 2; ++i) EXPECT_EQ(engine.tick(sample, {}).status & staleSample, 0u);
   output = engine.tick(sample, {});
   EXPECT_NE(output.status & staleSample, 0u);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The loop on its own thread, by the clock. Nothing here depends on how fast the machine is.
+// The loop in its thread, paced by the clock. No result depends on the speed of the machine.
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ namespace {
 using device::ScriptedDevice;
 using Kind = Command::Kind;
 
-/// Looks at pictures until one pleases; gives that one.
+/// Reads snapshots until one fulfills the condition and returns it.
 template <class Pleases>
 const Snapshot& waitFor(HapticLoop& loop, Pleases pleases)
 {

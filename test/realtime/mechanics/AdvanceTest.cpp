@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The promises of the tick, kept by the step that costs most of it.
+// The real-time guarantees of the tick, tested on its most expensive step.
 
 #include "perilymph/mechanics/advance.h"
 
@@ -17,7 +17,7 @@
 namespace perilymph::mechanics {
 namespace {
 
-/// A Contour in the published anatomy, driven by a script.
+/// A Contour in the published anatomy with scripted motion.
 struct Insertion {
   Insertion() : model(InsertionModel::build(parts())), state(*model)
   {
@@ -116,9 +116,9 @@ TEST(Advance, LagsASpringHandByForceOverStiffness)
   EXPECT_LT((441.0 * lag - insertion.state.readings.handForce_W).norm(), 1e-5);
 }
 
-TEST(Advance, GoesOnFromACopyWithTheSameBits)
+TEST(Advance, ContinuesFromACopyWithTheSameBits)
 {
-  // what a step keeps for the next one (factors, clearances) is part of the state's value
+  // data kept for the next step (factors, clearances) are part of the state
   Insertion insertion;
   insertion.pushTo(10e-3);
   InsertionState copy = insertion.state;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The promises of the tick, kept by the published point set: no heap, no overflow, whatever the
-// hand does.
+// The real-time guarantees of the tick for the published point set: no allocation and no overflow,
+// for any motion of the hand.
 
 #include <gtest/gtest.h>
 
@@ -72,7 +72,7 @@ TEST(PointSetTick, AllocatesNothingInDeepContact)
 
 TEST(PointSetTick, StaysFiniteAndBoundedInAHundredThousandTicksOfRandomMotion)
 {
-  // up to 200 mm/s, reversals, tilts of the hand, both couplings; and more points than are stable
+  // up to 200 mm/s, reversals, tilts, both couplings; and more points than are stable
   for (const int count : {12, 64}) {
     Points points(count);
     std::mt19937 random(static_cast<unsigned>(count));
@@ -98,7 +98,8 @@ TEST(PointSetTick, StaysFiniteAndBoundedInAHundredThousandTicksOfRandomMotion)
       for (std::size_t k = 0; k < points.state->position_W.size(); ++k) {
         ASSERT_TRUE(points.state->position_W[k].allFinite()) << i;
         ASSERT_TRUE(points.state->wallForce_W[k].allFinite()) << i;
-        // half of 3 x 2 x 2 cm each way, so a diagonal of 2.1 cm, and no proxy outruns its point
+        // half of 3 x 2 x 2 cm in each direction, a diagonal of 2.1 cm; no proxy is ahead of its
+        // point
         const Vector3d off = points.state->position_W[k] - points.state->points.place_W[k];
         ASSERT_LT(off.norm(), 0.0207) << i;
       }
@@ -124,7 +125,7 @@ TEST(PointSetTick, SaysWhenNumbersHaveOverflowed)
 
 TEST(PointSetTick, SurvivesAStartBeyondTheWall)
 {
-  // ten millimeters in, a straight carrier's tip is in the bone
+  // at a depth of ten millimeters the tip of a straight carrier is in the bone
   Points points(12, 10.0);
   for (int i = 0; i < 2000; ++i) {
     points.tick();

@@ -55,10 +55,17 @@ void PageStack::showPage(Page page)
   if (this->page() == Page::insert && page != Page::insert) insert_.leaveSight();
   setCurrentIndex(static_cast<int>(page));
   if (page == Page::start) start_->showCards();
-  if (page == Page::ct) ct_->showInsertion(insert_.control().scenario(), insert_.control().now());
+  if (page == Page::ct) showInsertionInCt();
   if (page != Page::sessions) return;
   sessions_->refresh(insert_.control().recording(), insert_.control().isRunning());
   sessions_->setFocus();
+}
+
+void PageStack::showInsertionInCt()
+{
+  const InsertionControl& control = insert_.control();
+  if (const auto scala = control.sharedAnatomy())
+    ct_->showInsertion(control.scenario(), *scala, control.now());
 }
 
 bool PageStack::cancel()

@@ -43,6 +43,7 @@ Q_SIGNALS:
 
 private:
   void connectPages();
+  void showInsertionInCt();
 
   InsertPage& insert_;
   StartPage* start_;

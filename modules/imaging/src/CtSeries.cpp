@@ -9,6 +9,7 @@
 #include "dicom/DicomFiles.h"
 #include "dicom/DicomSeries.h"
 #include "dicom/DicomVoxels.h"
+#include "dicom/Thumbnail.h"
 #include "volume/VolumeFile.h"
 
 namespace perilymph::imaging {
@@ -118,6 +119,24 @@ Result<CtSeriesList> findSeries(const fs::path& path, const ReadingHooks& hooks)
   } catch (const std::bad_alloc&) {
     return tooLarge(path);
   }
+}
+
+std::vector<CtThumbnail> readThumbnails(const fs::path& path, int edge, const ReadingHooks& hooks)
+{
+  std::vector<CtThumbnail> pictures;
+  try {
+    if (!checkExists(path) || readVolumeHeader(path)) return pictures;
+    const auto listed = listDicom(path, hooks);
+    if (!listed) return pictures;
+    for (const DicomSeries& series : listed->series) {
+      if (hooks.isCanceled && hooks.isCanceled()) break;
+      if (auto picture = thumbnailOf(series, edge, hooks.isCanceled))
+        pictures.push_back(*std::move(picture));
+    }
+  } catch (const std::bad_alloc&) {
+    return pictures;  // those that there was memory for
+  }
+  return pictures;
 }
 
 Result<LoadedCt> readCt(const fs::path& path, const std::string& uid, const ReadingHooks& hooks)

@@ -73,27 +73,4 @@ Result<ct::Marks> readLandmarks(const std::filesystem::path& file)
   return marks;
 }
 
-std::string landmarksText(const ct::Marks& marks)
-{
-  Json points = Json::array();
-  for (std::size_t k = 0; k < ct::markCount; ++k) {
-    const auto mark = static_cast<ct::Mark>(k);
-    const auto& point = marks[mark];
-    if (!point) continue;
-    points.push_back({{"id", std::to_string(points.size() + 1)},
-                      {"label", ct::nameOf(mark)},
-                      {"position", {point->x(), point->y(), point->z()}},
-                      {"positionStatus", "defined"}});
-  }
-  const Json markup{{"type", "Fiducial"},
-                    {"coordinateSystem", "LPS"},
-                    {"coordinateUnits", "mm"},
-                    {"controlPoints", points}};
-  const Json whole{{"@schema",
-                    "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/"
-                    "Markups/Resources/Schema/markups-schema-v1.0.3.json#"},
-                   {"markups", Json::array({markup})}};
-  return whole.dump(2) + "\n";
-}
-
 }  // namespace perilymph::imaging

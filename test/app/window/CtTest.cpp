@@ -6,6 +6,7 @@
 
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMouseEvent>
 #include <QTest>
 
@@ -99,7 +100,7 @@ TEST_F(TheCtPage, ShowsTheInsertedArrayInTheScan)
   rig_.click("startButton");
   ASSERT_TRUE(WindowRig::comes([this] { return rig_.travel_mm() > 5.0; }));
   rig_.click("ctPageButton");
-  const auto& array = study().array();
+  const auto& array = study().array().nodes;
   ASSERT_EQ(array.size(), rig_.now().nodes);
   // its tip lies in the measured lumen: within a lumen's width of the wall, inside the cochlea
   double nearest = 1e9;
@@ -108,6 +109,11 @@ TEST_F(TheCtPage, ShowsTheInsertedArrayInTheScan)
   EXPECT_LT(nearest, 1.2);
   EXPECT_LT((array.back().center_P - study().measures()->center_P).norm(), 7.0);
   EXPECT_LT(array.back().radius_mm, array.front().radius_mm);  // tapered
+  // contacts lie on it, number 1 nearest to the tip
+  const auto& contacts = study().array().contacts_P;
+  ASSERT_EQ(contacts.size(), rig_.window().control().scenario().array().contactsFromTip.size());
+  EXPECT_LT((contacts.front() - array.back().center_P).norm(), 1.5);
+  EXPECT_GT((contacts.back() - array.back().center_P).norm(), 3.0);
 }
 
 TEST_F(TheCtPage, LinksItsPlanesByTheCrosshair)
@@ -209,6 +215,13 @@ TEST_F(TheCtPage, SaysWhyAFolderCannotBeRead)
   ASSERT_TRUE(WindowRig::comes([this] { return !page().isBusy(); }));
   EXPECT_FALSE(rig_.label("ctStatus").isEmpty());
   EXPECT_TRUE(study().hasCt());  // the previous one stays
+}
+
+TEST_F(TheCtPage, ShowsAPictureOfEachSeries)
+{
+  auto* list = rig_.window().findChild<QListWidget*>("ctSeriesList");
+  ASSERT_EQ(list->count(), 1);
+  EXPECT_TRUE(WindowRig::comes([&] { return !list->item(0)->icon().isNull(); }));
 }
 
 TEST_F(TheCtPage, NeverShowsThePatientsName)

@@ -4,6 +4,7 @@
 
 #include "InputFile.h"
 #include "perilymph/imaging/Landmarks.h"
+#include "perilymph/imaging/PlanFiles.h"
 
 namespace perilymph::fuzz {
 
@@ -12,7 +13,7 @@ std::vector<Bytes> seeds()
   ct::Marks marks;
   for (std::size_t k = 0; k < ct::markCount; ++k)
     marks.points_P[k] = Eigen::Vector3d(double(k), 2.5, -1e3);
-  const std::string text = imaging::landmarksText(marks);
+  const std::string text = imaging::planText({.marks = marks});
   const std::string ras =
       R"({"markups":[{"coordinateSystem":"RAS","controlPoints":[{"label":"C","position":[1,2,3]}]}]})";
   return {Bytes(text.begin(), text.end()), Bytes(ras.begin(), ras.end())};

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 
 #include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/imaging/PlanFiles.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::imaging {
@@ -21,7 +22,7 @@ TEST(Landmarks, ComeBackAsTheyWereWritten)
   marks[ct::Mark::apex] = Vector3d(0.1, 0.2, 0.3);
   marks[ct::Mark::farB] = Vector3d(-7.0, 8.0, 9.0);
   const test::TemporaryFolder folder;
-  ASSERT_TRUE(writeWhole(folder / "ear.mrk.json", landmarksText(marks)));
+  ASSERT_TRUE(writeWhole(folder / "ear.mrk.json", planText({.marks = marks})));
   const auto read = readLandmarks(folder / "ear.mrk.json");
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_TRUE(*read == marks);
@@ -31,7 +32,7 @@ TEST(Landmarks, AreWrittenInTheFrameThatTheyName)
 {
   ct::Marks marks;
   marks[ct::Mark::modiolus] = Vector3d(1.0, 2.0, 3.0);
-  const std::string text = landmarksText(marks);
+  const std::string text = planText({.marks = marks});
   EXPECT_THAT(text, testing::HasSubstr("\"coordinateSystem\": \"LPS\""));
   EXPECT_THAT(text, testing::HasSubstr("\"label\": \"C\""));
 }

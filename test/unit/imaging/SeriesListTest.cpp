@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "SmallCt.h"
@@ -67,6 +68,21 @@ TEST_F(SeriesList, ProposesTheFineSeriesOfTheWholeBoneWithItsBoneKernelFirst)
   const auto loaded = readCt(folder.path());
   ASSERT_TRUE(loaded) << loaded.error().message;
   EXPECT_EQ(loaded->series.uid, "1.2");
+}
+
+TEST_F(SeriesList, HasAPictureOfEachSeriesThatCanBeRead)
+{
+  const auto pictures = readThumbnails(folder.path(), 32);
+  ASSERT_EQ(pictures.size(), 4u);  // not of the scout
+  for (const CtThumbnail& picture : pictures) {
+    EXPECT_NE(picture.uid, "1.5");
+    EXPECT_EQ(picture.width, 32);
+    EXPECT_EQ(picture.height, 32);
+    ASSERT_EQ(picture.gray.size(), 32u * 32);
+    EXPECT_EQ(*std::ranges::max_element(picture.gray), 255);
+    EXPECT_EQ(*std::ranges::min_element(picture.gray), 0);
+  }
+  EXPECT_TRUE(readThumbnails(folder / "nothing", 32).empty());
 }
 
 TEST_F(SeriesList, DescribesEachSeries)

@@ -14,6 +14,7 @@
 
 #include "gui/pages/ct/CtPanel.h"
 #include "gui/pages/ct/CtText.h"
+#include "gui/pages/ct/InsertedArray.h"
 #include "gui/pages/ct/MeasuredSetup.h"
 #include "gui/pages/ct/PlaneView.h"
 #include "gui/pages/ct/SurfaceView.h"
@@ -23,12 +24,14 @@
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/imaging/Landmarks.h"
 #include "perilymph/imaging/MeasuredSurface.h"
+#include "perilymph/imaging/PlanFiles.h"
 
 namespace perilymph::gui {
 
 CtPage::CtPage(QWidget* parent)
     : QWidget(parent),
       work_(this),
+      thumbnails_(this),
       panel_(new CtPanel(study_, this)),
       pictures_(new QWidget(this)),
       surface_(new SurfaceView(study_, pictures_))
@@ -78,6 +81,7 @@ void CtPage::connectWork()
           [this](const std::filesystem::path& path, const imaging::CtSeriesList& list) {
             path_ = path;
             panel_->showSeries(list);
+            thumbnails_.readThumbnails(path);
           });
   connect(&work_, &CtWork::ctRead, this, [this](const std::shared_ptr<imaging::LoadedCt>& loaded) {
     QStringList notes;
@@ -87,6 +91,7 @@ void CtPage::connectWork()
     panel_->showIdle(notes.join(QLatin1Char('\n')));
     views_[0]->setFocus();
   });
+  connect(&thumbnails_, &CtWork::thumbnailsRead, panel_, &CtPanel::showThumbnails);
   connect(&work_, &CtWork::measured, this, [this](const ct::CochleaMeasures& measures) {
     study_.setMeasures(measures);
     patient_.clear();
@@ -147,21 +152,13 @@ bool CtPage::cancel()
   return true;
 }
 
-void CtPage::showInsertion(const session::Scenario& scenario, const haptics::Snapshot& now)
+void CtPage::showInsertion(const session::Scenario& scenario, const anatomy::ScalaTympani& scala,
+                           const haptics::Snapshot& now)
 {
   if (!study_.measures() || patient_.empty() || scenario.patient().label != patient_ ||
       scenario.anatomy() != anatomy::AnatomySource::mean)
     return study_.setArray({});
-  const electrode::ArrayDesign& design = scenario.array();
-  std::vector<CtStudy::ArrayNode> array;
-  for (std::size_t k = 0; k < now.nodes; ++k) {
-    const Eigen::Vector3d node_W(now.node_W[k][0], now.node_W[k][1], now.node_W[k][2]);
-    if (!node_W.allFinite()) return study_.setArray({});
-    const double fromTip = double(now.nodes - 1 - k) / double(now.nodes - 1);
-    array.push_back({study_.measures()->fromAnatomy(node_W),
-                     0.5 * inMillimeters(design.sectionAt(fromTip * design.length).within)});
-  }
-  study_.setArray(std::move(array));
+  study_.setArray(insertedArray(*study_.measures(), scenario.array(), scala, now));
 }
 
 void CtPage::measure(bool isAtCrosshair)
@@ -198,10 +195,13 @@ void CtPage::saveSurface()
 {
   const QString file = QFileDialog::getSaveFileName(
       this, tr("Surface of the cochlea"), QStringLiteral("cochlea.stl"),
-      QStringLiteral("STL (*.stl);;PLY (*.ply);;OBJ (*.obj);;VTP (*.vtp)"));
+      QStringLiteral("STL (*.stl);;PLY (*.ply);;glTF (*.gltf);;OBJ (*.obj);;VTP (*.vtp)"));
   if (file.isEmpty() || !study_.measures()) return;
-  showDone(anatomy::writeSurface(imaging::measuredSurface(*study_.measures()),
-                                 imaging::measuredSurfaceTitle, file.toStdString()),
+  const anatomy::Surface surface = imaging::measuredSurface(*study_.measures());
+  const std::filesystem::path path = file.toStdString();
+  showDone(path.extension() == ".gltf"
+               ? imaging::writeGltf(surface, imaging::measuredSurfaceTitle, path)
+               : anatomy::writeSurface(surface, imaging::measuredSurfaceTitle, path),
            file);
 }
 
@@ -210,7 +210,7 @@ void CtPage::saveMarks()
   const QString file = QFileDialog::getSaveFileName(
       this, tr("Landmarks"), QStringLiteral("cochlea.mrk.json"), QStringLiteral("*.mrk.json"));
   if (file.isEmpty()) return;
-  showDone(writeWhole(file.toStdString(), imaging::landmarksText(study_.marks())), file);
+  showDone(writeWhole(file.toStdString(), imaging::planText(planOf(study_))), file);
 }
 
 void CtPage::loadMarks()

@@ -30,7 +30,8 @@ public:
   bool cancel();
 
   /// Shows the array of an insertion in the pictures if it is in the cochlea measured here.
-  void showInsertion(const session::Scenario& scenario, const haptics::Snapshot& now);
+  void showInsertion(const session::Scenario& scenario, const anatomy::ScalaTympani& scala,
+                     const haptics::Snapshot& now);
 
   CtStudy& study() { return study_; }
   bool isBusy() const { return work_.isBusy(); }
@@ -56,6 +57,7 @@ private:
 
   CtStudy study_;
   CtWork work_;
+  CtWork thumbnails_;
   std::filesystem::path path_;
   std::string patient_;  ///< Code of the patient whose cochlea was offered for insertion.
   QString task_;

@@ -5,6 +5,8 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QIcon>
+#include <QImage>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -24,7 +26,8 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr int panelWidth_px = 300, seriesHeight_px = 66, buttonHeight_px = 28, maxCodeLength = 24;
+constexpr int panelWidth_px = 300, seriesHeight_px = 66, buttonHeight_px = 28, maxCodeLength = 24,
+              thumbnail_px = 48;
 
 QLabel* panelText(const QString& caption, int size_px, QWidget* parent, bool isQuiet = false)
 {
@@ -105,6 +108,7 @@ void CtPanel::addSource(QVBoxLayout& column)
   series_->setAccessibleName(tr("Series"));
   series_->setFont(typeface(12));
   series_->setWordWrap(true);
+  series_->setIconSize({thumbnail_px, thumbnail_px});
   series_->setFixedHeight(seriesHeight_px);
   series_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   column.addWidget(series_);
@@ -248,7 +252,9 @@ void CtPanel::addMarks(QVBoxLayout& column)
   redo_ = panelButton(tr("Redo"), "redoMarkButton", this);
   saveMarks_ = panelButton(tr("Save…"), "saveMarksButton", this);
   loadMarks_ = panelButton(tr("Load…"), "loadMarksButton", this);
-  saveMarks_->setToolTip(tr("Markups for 3D Slicer (.mrk.json, LPS)"));
+  saveMarks_->setToolTip(
+      tr("Markups for 3D Slicer (.mrk.json, LPS): landmarks, axis, and the inserted array with its "
+         "contacts"));
   loadMarks_->setToolTip(tr("Markups of 3D Slicer with points named RW, C, A …"));
   for (QPushButton* button : {undo_, redo_, saveMarks_, loadMarks_}) row->addWidget(button);
   column.addLayout(row);
@@ -273,7 +279,8 @@ void CtPanel::addOnward(QVBoxLayout& column)
   insert_ = panelButton(tr("Insert into this cochlea"), "insertCtButton", this);
   insert_->setProperty("primary", true);
   saveSurface_ = panelButton(tr("Save surface…"), "saveCtSurfaceButton", this);
-  saveSurface_->setToolTip(tr("The fitted wall in the CT’s own frame (LPS): STL, PLY, OBJ, VTP"));
+  saveSurface_->setToolTip(
+      tr("The fitted wall in the CT’s own frame (LPS): STL, PLY, glTF, OBJ, VTP"));
   column.addWidget(code_);
   column.addWidget(insert_);
   column.addWidget(saveSurface_);
@@ -297,6 +304,18 @@ void CtPanel::showSeries(const imaging::CtSeriesList& list)
     item->setToolTip(notes.join(QLatin1Char('\n')).toHtmlEscaped());
   }
   series_->setCurrentRow(0);
+}
+
+void CtPanel::showThumbnails(const std::vector<imaging::CtThumbnail>& pictures)
+{
+  for (const imaging::CtThumbnail& picture : pictures)
+    for (int row = 0; row < series_->count(); ++row) {
+      QListWidgetItem* item = series_->item(row);
+      if (item->data(Qt::UserRole).toString().toStdString() != picture.uid) continue;
+      const QImage image(picture.gray.data(), picture.width, picture.height, picture.width,
+                         QImage::Format_Grayscale8);
+      item->setIcon(QIcon(QPixmap::fromImage(image)));
+    }
 }
 
 void CtPanel::showTask(const QString& task, double fraction)

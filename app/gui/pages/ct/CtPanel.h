@@ -6,6 +6,7 @@
 #include <QWidget>
 #include <array>
 #include <string>
+#include <vector>
 
 #include "gui/pages/ct/CtStudy.h"
 
@@ -28,6 +29,8 @@ public:
   CtPanel(CtStudy& study, QWidget* parent);
 
   void showSeries(const imaging::CtSeriesList& list);
+  /// Adds pictures to the series of the list.
+  void showThumbnails(const std::vector<imaging::CtThumbnail>& pictures);
   /// Shows a task with its progress, 0 to 1, and a button to cancel it.
   void showTask(const QString& task, double fraction);
   /// Ends the display of a task; an empty sentence says nothing.

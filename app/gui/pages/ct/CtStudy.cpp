@@ -23,7 +23,7 @@ void CtStudy::setCt(imaging::LoadedCt ct)
   measures_.reset();
   frame_ = PlaneFrame::patient;
   marks_ = proposed_ = {};
-  array_.clear();
+  array_ = {};
   undoStack_.clear();
   redoStack_.clear();
   crosshair_P_ = volume_->center_P();
@@ -39,7 +39,7 @@ void CtStudy::setMeasures(ct::CochleaMeasures measures)
   beginChange();
   measures_ = std::move(measures);
   marks_ = proposed_ = ct::marksOf(*measures_);
-  array_.clear();
+  array_ = {};
   frame_ = PlaneFrame::cochlea;
   crosshair_P_ = ct::basalTurnCenter_P(*measures_);
   showWhole();
@@ -111,9 +111,9 @@ void CtStudy::setSlab(double thickness_mm, imaging::Projection projection)
   Q_EMIT changed();
 }
 
-void CtStudy::setArray(std::vector<ArrayNode> array)
+void CtStudy::setArray(InsertedArray array)
 {
-  if (array.empty() && array_.empty()) return;
+  if (array.nodes.empty() && array_.nodes.empty()) return;
   array_ = std::move(array);
   Q_EMIT changed();
 }

@@ -20,6 +20,9 @@ namespace perilymph::gui {
 /// The directions of the three linked planes.
 enum class PlaneFrame { patient, cochlea };
 
+/// Magnification by a notch of the wheel.
+inline constexpr double zoomPerNotch = 1.2;
+
 /// State of the page CT. All positions are in P, the patient's LPS [mm].
 class CtStudy : public QObject {
   Q_OBJECT
@@ -68,9 +71,17 @@ public:
     Eigen::Vector3d center_P;  ///< [mm]
     double radius_mm;          ///< Half its width toward the modiolus.
   };
-  /// Shows an array that was inserted into the measured cochlea, from base to tip; none if empty.
-  void setArray(std::vector<ArrayNode> array);
-  const std::vector<ArrayNode>& array() const { return array_; }
+  /// An array that was inserted into the measured cochlea.
+  struct InsertedArray {
+    std::vector<ArrayNode> nodes;             ///< From base to tip; none if nothing was inserted.
+    std::vector<Eigen::Vector3d> contacts_P;  ///< Number 1 at the tip [mm].
+    std::array<Eigen::Vector3d, 2> approach_P{
+        Eigen::Vector3d::Zero(),
+        Eigen::Vector3d::Zero()};  ///< Insertion line, into the opening [mm].
+  };
+  /// Shows an array; none if it has no nodes.
+  void setArray(InsertedArray array);
+  const InsertedArray& array() const { return array_; }
 
   const ct::Marks& marks() const { return marks_; }
   /// Measures between the landmarks [mm].
@@ -102,7 +113,7 @@ private:
   imaging::GrayWindow window_ = imaging::boneWindow;
   double thickness_mm_ = 0.0;
   imaging::Projection projection_ = imaging::Projection::mean;
-  std::vector<ArrayNode> array_;
+  InsertedArray array_;
   ct::Marks marks_, proposed_;
   std::vector<ct::Marks> undoStack_, redoStack_;
 };

@@ -78,6 +78,19 @@ void CtWork::read(const std::filesystem::path& path, const std::string& uid)
       });
 }
 
+void CtWork::readThumbnails(const std::filesystem::path& path)
+{
+  background_.run(
+      "The pictures of the series",
+      [path](const std::atomic<bool>& isCanceled) -> Result<std::vector<imaging::CtThumbnail>> {
+        return imaging::readThumbnails(path, thumbnail_px,
+                                       {{}, [&isCanceled] { return isCanceled.load(); }});
+      },
+      [this](const Result<std::vector<imaging::CtThumbnail>>& pictures) {
+        if (pictures) Q_EMIT thumbnailsRead(*pictures);
+      });
+}
+
 void CtWork::measure(std::shared_ptr<const ct::CtVolume> volume, ct::MeasureRequest request)
 {
   const Progress progress = begin();

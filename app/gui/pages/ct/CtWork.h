@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "gui/run/Background.h"
 #include "perilymph/ct/Measures.h"
@@ -27,6 +28,8 @@ public:
   void open(const std::filesystem::path& path);
   /// Reads a series of the list.
   void read(const std::filesystem::path& path, const std::string& uid);
+  /// Reads a small picture of each series of a folder.
+  void readThumbnails(const std::filesystem::path& path);
   /// Measures the cochlea; `request` needs no hooks.
   void measure(std::shared_ptr<const ct::CtVolume> volume, ct::MeasureRequest request);
   void cancel();
@@ -37,10 +40,13 @@ Q_SIGNALS:
   void listed(const std::filesystem::path& path, const perilymph::imaging::CtSeriesList& list);
   void ctRead(std::shared_ptr<perilymph::imaging::LoadedCt> ct);
   void measured(const perilymph::ct::CochleaMeasures& measures);
+  void thumbnailsRead(const std::vector<perilymph::imaging::CtThumbnail>& pictures);
   /// A task ended without a result; empty if it was canceled.
   void failed(const QString& sentence);
 
 private:
+  static constexpr int thumbnail_px = 48;
+
   /// Progress of a task, shared with its thread.
   using Progress = std::shared_ptr<std::atomic<double>>;
 

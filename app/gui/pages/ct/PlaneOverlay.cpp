@@ -80,7 +80,7 @@ void paintOutline(QPainter& painter, const CtStudy& study, const Projector& proj
 /// The array where the plane cuts it: its section where it crosses, its edges where it runs along.
 void paintArray(QPainter& painter, const CtStudy& study, const Projector& project)
 {
-  const auto& nodes = study.array();
+  const auto& nodes = study.array().nodes;
   painter.setPen(QPen(QColor::fromRgba(arrayColor), 1.5));
   painter.setBrush(Qt::NoBrush);
   for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {

@@ -19,7 +19,6 @@ namespace {
 constexpr double reach_px = 12.0;  // of the mouse to a landmark
 constexpr int loupe_px = 132;
 constexpr double loupeTimes = 3.0;
-constexpr double zoomPerNotch = 1.2;
 
 /// Samples the picture of a plane at the screen's pixels.
 QImage pictureOf(CtStudy& study, const ct::ViewPlane& plane, const QSize& size, double ratio,

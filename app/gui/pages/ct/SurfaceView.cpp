@@ -20,7 +20,7 @@ namespace perilymph::gui {
 namespace {
 
 constexpr double turnPerHeight_deg = 180.0;  // by a drag over the full height
-constexpr double zoomPerNotch = 1.2, minPathRadius_mm = 0.05;
+constexpr double minPathRadius_mm = 0.05;
 
 }  // namespace
 
@@ -67,7 +67,7 @@ void SurfaceView::refresh()
   scene_->setPoints(points);
   std::vector<Eigen::Vector3d> line;
   double radius_mm = minPathRadius_mm;
-  for (const auto& node : study_.array()) {
+  for (const auto& node : study_.array().nodes) {
     line.push_back(node.center_P);
     radius_mm = std::max(radius_mm, 0.7 * node.radius_mm);  // drawn with one radius, tapered or not
   }

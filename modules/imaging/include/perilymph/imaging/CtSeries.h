@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -51,6 +52,18 @@ struct CtSeriesList {
 ///
 /// Refuses a path without any series, and more files than maxCtFiles.
 Result<CtSeriesList> findSeries(const std::filesystem::path& path, const ReadingHooks& hooks = {});
+
+/// A small gray picture of a series' middle slice, rows from the top.
+struct CtThumbnail {
+  std::string uid;  ///< The series' UID.
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> gray;
+};
+
+/// Pictures of the series of a DICOM folder, at most `edge` pixels wide and high, for those that can
+/// be read. Takes the time of a slice for each.
+std::vector<CtThumbnail> readThumbnails(const std::filesystem::path& path, int edge,
+                                        const ReadingHooks& hooks = {});
 
 /// A volume, and the series it was read from with every warning.
 struct LoadedCt {

@@ -4,7 +4,6 @@
 // Landmarks of a cochlea in the markups files of 3D Slicer.
 
 #include <filesystem>
-#include <string>
 
 #include "perilymph/ct/Marks.h"
 #include "perilymph/foundation/Result.h"
@@ -14,8 +13,5 @@ namespace perilymph::imaging {
 /// Reads a markups file (.mrk.json) in LPS or RAS; points have the names of ct::nameOf(Mark),
 /// others are ignored. Refuses files without any point that says where the cochlea is (RW, C, A).
 Result<ct::Marks> readLandmarks(const std::filesystem::path& file);
-
-/// The landmarks that are placed, as a markups file in LPS [mm].
-std::string landmarksText(const ct::Marks& marks);
 
 }  // namespace perilymph::imaging

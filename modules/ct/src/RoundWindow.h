@@ -16,7 +16,8 @@ struct RoundWindow {
   Eigen::Vector3d center_W;
   double angle = 0.0;       ///< In W [rad].
   double angleError = 0.0;  ///< Standard deviation [rad].
-  bool isFound = false;     ///< False: estimated from the spiral only.
+  bool isFound = false;     ///< False: no opening where it usually is; from one farther along the
+                            ///< wall, or from the spiral only.
 };
 
 /// Searches outward from the lumen for bone. The window's opening is where no ray meets bone; its

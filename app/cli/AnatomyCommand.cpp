@@ -150,10 +150,12 @@ Result<Done> describeAnatomy(const AnatomyOptions& options)
     print("{:28} {}{}\n", measures[i].key, fixed(measures[i].value, 2),
           bands->empty() ? "" : (" ± " + fixed((*bands)[i], 2)));
   if (!bands->empty())
-    print("± is for an error of {} mm in each number given; the model's own is not in it.\n",
-          fixed(inMillimeters(analysis::measuringError), 1));
+    print(
+        "± assumes an error of {} mm in each measurement; the error of the model is not "
+        "included.\n",
+        fixed(inMillimeters(analysis::measuringError), 1));
   if (haptic)
-    print("haptic surface: {} of {} triangles, off by {} mm on average, {} mm at most\n",
+    print("haptic surface: {} of {} triangles, mean deviation {} mm, maximum {} mm\n",
           haptic->triangles, haptic->visualTriangles,
           fixed(inMillimeters(haptic->surfaceDistance.mean), 3),
           fixed(inMillimeters(haptic->surfaceDistance.greatest), 3));

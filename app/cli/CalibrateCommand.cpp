@@ -16,7 +16,7 @@ void printValue(const char* what, const session::FittedValue& fitted)
 {
   print("{:19} {} ± {}, between {} and {}{}\n", what, fixed(fitted.value, 4),
         fixed(fitted.standardDeviation, 4), fixed(fitted.low, 3), fixed(fitted.high, 3),
-        fitted.standardDeviation == 0.0 ? " (a bound holds it, or nothing depends on it)" : "");
+        fitted.standardDeviation == 0.0 ? " (at a bound, or without effect)" : "");
 }
 
 void printSummary(const analysis::CalibrationResult& result, const analysis::Reference& experiment)
@@ -39,11 +39,11 @@ void printSummary(const analysis::CalibrationResult& result, const analysis::Ref
         std::tuple{"dip", "dip", result.fitted.basalTurn.dip}}) {
     const analysis::PrintedForce* printed = experiment.find(feature);
     if (found && printed)
-      print("{:10} place of the {}: {} mm ({} mm)\n", "predicted", name,
+      print("{:10} position of the {}: {} mm ({} mm)\n", "predicted", name,
             fixed(inMillimeters(meters(found->travel)), 1),
             fixed(inMillimeters(meters(printed->travel)), 1));
     else
-      print("{:10} place of the {}: there is none\n", "predicted", name);
+      print("{:10} position of the {}: none\n", "predicted", name);
   }
 }
 
@@ -72,7 +72,7 @@ Result<Done> calibrate(const CalibrateOptions& options, const CallFiles& files)
   request.seed = options.seed;
   request.jobs = options.jobs;
   watchForInterruption();
-  print("Fitting the array of {} to two printed forces.\n", request.nominal.name);
+  print("Calibrating the array of {} against two published forces.\n", request.nominal.name);
   flushOutput();
   // The number of trials is not known in advance; about thirty.
   const auto result = analysis::fitCalibration(request, [](std::size_t trials) {

@@ -56,7 +56,7 @@ void printSeries(const CtSeries& series)
     print("    Cannot be read. {}\n", series.obstacle);
     return;
   }
-  print("    Suits a cochlea with {} of 100 points.\n", fixed(series.score, 0));
+  print("    Suitability for a cochlea: {} of 100.\n", fixed(series.score, 0));
   for (const std::string& warning : series.warnings) print("    {}\n", warning);
 }
 
@@ -66,8 +66,7 @@ Result<Done> ctInfo(const CtInfoOptions& options)
 {
   const auto list = imaging::findSeries(options.path);
   if (!list) return list.error();
-  print("{} series, the best for a cochlea first; {} other files\n", list->series.size(),
-        list->otherFiles);
+  print("{} series, best suited first; {} other files\n", list->series.size(), list->otherFiles);
   for (const CtSeries& series : list->series) printSeries(series);
   if (options.json.empty()) return Done{};
   Json json;

@@ -58,21 +58,21 @@ void printTape(const device::TapeReading& told)
   const device::ReadingFigures& reading = told.reading;
   print("{}  {}\n    read as {}\n", device::identityText(told.identity), told.name, told.profile);
   print(
-      "{:18} {} s; {} reports a second; between two: median {} ms, 99 % below {} ms, "
-      "longest {} ms\n",
-      "on the tape", fixed(told.duration, 3), fixed(reading.rate, 1), ms(reading.intervalMedian),
+      "{:18} {} s; {} reports/s; interval median {} ms, 99 % below {} ms, "
+      "maximum {} ms\n",
+      "recorded", fixed(told.duration, 3), fixed(reading.rate, 1), ms(reading.intervalMedian),
       ms(reading.intervalP99), ms(reading.intervalMax));
   print(
-      "{:18} {} fresh, {} lost, {} repeated, {} old, {} not understood, {} not "
-      "kept\n",
+      "{:18} {} fresh, {} lost, {} repeated, {} outdated, {} invalid, {} not "
+      "stored\n",
       "reports", reading.fresh, reading.lost, reading.duplicates, reading.old, reading.foreign,
       told.lost);
   if (reading.fresh > 0)
-    print("{:18} x {} to {} mm, y {} to {} mm, z {} to {} mm; buttons {}\n", "the hand",
+    print("{:18} x {} to {} mm, y {} to {} mm, z {} to {} mm; buttons {}\n", "device position",
           mm(told.min_D[0]), mm(told.max_D[0]), mm(told.min_D[1]), mm(told.max_D[1]),
           mm(told.min_D[2]), mm(told.max_D[2]), hexadecimal(told.buttons));
   if (told.writing.accepted + told.writing.refused == 0) return;
-  print("{:18} {} taken, {} refused; median {} ms, 99 % below {} ms, longest {} ms\n",
+  print("{:18} {} taken, {} refused; median {} ms, 99 % below {} ms, maximum {} ms\n",
         "output reports", told.writing.accepted, told.writing.refused, ms(told.writing.timeMedian),
         ms(told.writing.timeP99), ms(told.writing.timeMax));
 }

@@ -133,7 +133,7 @@ Json described(const TrialOutcome& trial)
 
 void printForce(const TrialOutcome& trial)
 {
-  print("{:18} shown on {} of {} axes{}\n", "force", trial.axesFelt, trial.axes,
+  print("{:18} rendered on {} of {} axes{}\n", "force", trial.axesFelt, trial.axes,
         trial.axesFelt < trial.axes ? "; the button was not held" : "");
 }
 
@@ -152,23 +152,23 @@ void printTrial(const TrialOutcome& trial)
   const device::DeviceHealth& health = *trial.health;
   const device::ReadingFigures& reading = health.reading;
   const auto ms = [](double time) { return fixed(time * 1e3, 3); };
-  print("{:18} {} a second; between two: median {} ms, 99 % below {} ms, longest {} ms\n",
-        "reports", fixed(reading.rate, 1), ms(reading.intervalMedian), ms(reading.intervalP99),
+  print("{:18} {}/s; interval median {} ms, 99 % below {} ms, maximum {} ms\n", "reports",
+        fixed(reading.rate, 1), ms(reading.intervalMedian), ms(reading.intervalP99),
         ms(reading.intervalMax));
-  print("{:18} {} fresh, {} lost, {} repeated, {} old, {} not understood\n", "", reading.fresh,
+  print("{:18} {} fresh, {} lost, {} repeated, {} outdated, {} invalid\n", "", reading.fresh,
         reading.lost, reading.duplicates, reading.old, reading.foreign);
   if (!health.error.empty()) print("{:18} {}\n", "", health.error);
   if (trial.axes == 0) return;
   const device::WritingFigures& writing = health.writing;
-  print("{:18} median {} ms, 99 % below {} ms, longest {} ms\n", "to take a force",
+  print("{:18} median {} ms, 99 % below {} ms, maximum {} ms\n", "force output",
         ms(writing.timeMedian), ms(writing.timeP99), ms(writing.timeMax));
   if (!writing.hasRealTimePriority)
     print("{:18} without real-time priority: see modules/realtime/README.md\n", "");
-  print("{:18} there and back {}{} ms; stiffest coupling {} N/m\n", "delay",
+  print("{:18} round trip {}{} ms; stiffest coupling {} N/m\n", "delay",
         health.isRoundTripMeasured ? "" : "at most ", ms(health.roundTrip),
         fixed(trial.stiffness, 0));
-  print("{:18} {}\n", "if this dies",
-        health.isGuarded ? "another process takes the force away" : health.guardObstacle);
+  print("{:18} {}\n", "on failure",
+        health.isGuarded ? "a guard process removes the force" : health.guardObstacle);
   printForce(trial);
 }
 
@@ -213,7 +213,7 @@ Result<Done> devices(const DevicesOptions& options)
     json["test"] = described(*trial);
     printTrial(*trial);
   } else {
-    if (survey.devices.empty()) print("No HID device is plugged in.\n");
+    if (survey.devices.empty()) print("No HID device is connected.\n");
     for (const FoundDevice& found : survey.devices) printDevice(found);
     print(handsWithoutHardware);
   }

@@ -29,10 +29,10 @@ void printArray(const analysis::ArraySummary& array, const analysis::Reference& 
 {
   print("{}\n", array.array);
   if (array.mean)
-    print("  mean cochlea: {} deg, force at the end {} mN, peak {} mN\n",
+    print("  average cochlea: {} deg, final force {} mN, peak force {} mN\n",
           degreesOf(array.mean->apical), milli(array.mean->end), milli(array.mean->peak));
   else
-    print("  mean cochlea: could not be carried out\n");
+    print("  average cochlea: not possible\n");
   if (array.patients > 0)
     print("  {} patients: median {} deg, quartiles {} and {}\n", array.patients,
           degreesOf(array.median), degreesOf(array.lowerQuartile), degreesOf(array.upperQuartile));

@@ -44,11 +44,11 @@ Result<Done> printContent(const session::RecordedInsertion& recorded)
   const analysis::ForceProfile profile = profiler.profile();
   print("{}, recorded {} by {} ({})\n", facts.scenarioName, facts.startedUtc, facts.buildId,
         facts.device);
-  print("{:18} {}, lost {}, {}\n", "ticks", profile.ticks, recorded.lostRecords(),
-        recorded.wasClosed() ? "closed properly" : "not closed: it ends where it broke off");
-  print("{:18} {} N at {} mm of travel\n", "peak force", fixed(profile.peak.force, 4),
+  print("{:18} {}, lost {}, {}\n", "samples", profile.ticks, recorded.lostRecords(),
+        recorded.wasClosed() ? "closed properly" : "not closed: interrupted");
+  print("{:18} {} N at {} mm travel\n", "peak force", fixed(profile.peak.force, 4),
         fixed(inMillimeters(meters(profile.peak.travel)), 1));
-  print("{:18} travel {} mm, depth {} mm\n", "at the end",
+  print("{:18} travel {} mm, insertion depth {} mm\n", "at the end",
         fixed(inMillimeters(meters(profile.finalTravel)), 2),
         fixed(inMillimeters(meters(profile.finalDepth)), 2));
   return Done{};
@@ -63,7 +63,7 @@ Result<Done> verifyBits(const std::string& file)
     return Error{file + " does not contain what was recorded: " + verification->damage +
                  ". Use another copy of the recording."};
   if (verification->isIdentical) {
-    print("{} ticks replayed, every bit the same.\n", verification->ticksCompared);
+    print("Replay verified: {} samples identical.\n", verification->ticksCompared);
     return Done{};
   }
   if (!verification->difference && verification->missingTicks > 0)

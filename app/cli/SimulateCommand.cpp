@@ -60,7 +60,7 @@ Result<Outcome> run(session::Insertion& insertion, CsvRows* rows)
   if (!ran) return ran.error();
   if (outcome.last.workflow != haptics::Workflow::finished)
     return Error{"The array did not reach its full travel: after " +
-                 std::to_string(profiler.profile().ticks) + " ticks it is at " +
+                 std::to_string(profiler.profile().ticks) + " samples it is at " +
                  fixed(inMillimeters(meters(outcome.last.travel)), 2) + " mm of " +
                  fixed(inMillimeters(insertion.parameters().stopTravel), 2) +
                  " mm of travel. Lower stop_travel_mm, or raise coupling_stiffness_N_m."};
@@ -89,26 +89,26 @@ Result<Outcome> runIntoCsv(session::Insertion& insertion, const SimulateOptions&
 void printPoint(const char* name, const std::optional<analysis::CurvePoint>& point)
 {
   if (point)
-    print("{:18} {} N at {} mm of travel\n", name, fixed(point->force, 4),
+    print("{:18} {} N at {} mm travel\n", name, fixed(point->force, 4),
           fixed(inMillimeters(meters(point->travel)), 1));
 }
 
 void printSummary(const session::Scenario& scenario, const Outcome& outcome)
 {
   const analysis::ForceProfile& profile = outcome.profile;
-  print("{}: {} ticks, {} s, array {}\n", scenario.name(), profile.ticks,
+  print("{}: {} samples, {} s, array {}\n", scenario.name(), profile.ticks,
         fixed(profile.duration, 3), scenario.array().name);
   for (const std::string& note : scenario.notes()) print("{}\n", note);
   printPoint("peak force", profile.peak);
   printPoint("basal-turn peak", profile.basalTurnPeak);
-  printPoint("dip behind it", profile.basalTurnDip);
-  print("{:18} travel {} mm, depth {} mm, angle {} deg\n", "at the end",
+  printPoint("following dip", profile.basalTurnDip);
+  print("{:18} travel {} mm, insertion depth {} mm, angular insertion depth {} deg\n", "at the end",
         fixed(inMillimeters(meters(profile.finalTravel)), 2),
         fixed(inMillimeters(meters(profile.finalDepth)), 2),
         fixed(inDegrees(radians(profile.finalAngle)), 1));
-  print("{:18} {} mJ\n", "work of the hand", fixed(profile.work * 1e3, 4));
+  print("{:18} {} mJ\n", "insertion work", fixed(profile.work * 1e3, 4));
   if (profile.ticksNotConverged > 0)
-    print("{:18} in {} ticks the solver left more than its tolerance\n", "not settled",
+    print("{:18} {} samples: solver residual above tolerance\n", "not converged",
           profile.ticksNotConverged);
 }
 

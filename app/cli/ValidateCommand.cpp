@@ -17,15 +17,15 @@ using analysis::ValidationResult;
 
 void printSummary(const ValidationRequest& request, const ValidationResult& result)
 {
-  print("{} insertions of {}, seed {}, {} ticks\n", result.runs, request.nominal.array.name,
+  print("{} insertions of {}, seed {}, {} samples\n", result.runs, request.nominal.array.name,
         result.seed, result.ticks);
   print("{}\n", analysis::completionSentence(result.runs, result.incomplete));
   if (result.ticksNotConverged > 0)
-    print("in {} ticks the solver left more than its tolerance\n", result.ticksNotConverged);
+    print("{} samples not converged: solver residual above tolerance\n", result.ticksNotConverged);
   for (const analysis::Verdict& verdict : analysis::verdictsOf(result, request.experiment))
     print("{:6} {:41} {:10} ({})\n", verdict.isMet ? "met" : "MISSED", verdict.what, verdict.found,
           verdict.wanted);
-  print("spread over travel: {} N; what each source makes alone:\n",
+  print("mean SD over travel: {} N; contribution of each source alone:\n",
         fixed(result.standardDeviation, 4));
   for (const analysis::SourceSpread& spread : result.spreads)
     print("  {:10} {} N, {} % of the variance\n", analysis::spreadSourceName(spread.source),
@@ -56,7 +56,7 @@ Result<Done> validate(const ValidateOptions& options, const CallFiles& files)
   request.seed = options.seed;
   request.jobs = options.jobs;
   watchForInterruption();
-  print("Repeating {} {} times; each source of spread alone takes some more.\n",
+  print("Simulating {} {} times; each source of variability alone takes additional runs.\n",
         request.nominal.name, request.runs);
   flushOutput();
   const auto result = analysis::validate(request, [](std::size_t done, std::size_t all) {

@@ -2,6 +2,317 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en_US">
 <context>
+    <name>Data</name>
+    <message>
+        <source>Lubricated silicone (published)</source>
+        <translation>Silikon, geschmiert (veröffentlicht)</translation>
+    </message>
+    <message>
+        <source>Soap %1 %: speed-independent</source>
+        <translation>Seife %1 %: geschwindigkeitsunabhängig</translation>
+    </message>
+    <message>
+        <source>Soap %1 %: decreases with speed</source>
+        <translation>Seife %1 %: sinkt mit der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Soap %1 %: increases with speed</source>
+        <translation>Seife %1 %: steigt mit der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Tissue-like (endosteum simulant)</source>
+        <translation>Gewebeähnlich (Endost-Simulans)</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>reversals</source>
+        <translation>Richtungswechsel</translation>
+    </message>
+    <message>
+        <source>peak force</source>
+        <translation>Spitzenkraft</translation>
+    </message>
+    <message>
+        <source>smoothness</source>
+        <translation>Gleichmäßigkeit</translation>
+    </message>
+    <message>
+        <source>%1 % of the insertion at %2–%3 mm/s</source>
+        <translation>%1 % der Insertion bei %2–%3 mm/s</translation>
+    </message>
+    <message>
+        <source>%1 before maximum insertion depth</source>
+        <translation>%1 bis zur maximalen Insertionstiefe</translation>
+    </message>
+    <message>
+        <source>%1 % of the time at rest (below %2 mm/s)</source>
+        <translation>%1 % der Zeit in Ruhe (unter %2 mm/s)</translation>
+    </message>
+    <message>
+        <source>full score if the whole insertion is within %1–%2 mm/s, none at %3 %</source>
+        <translation>volle Punktzahl, wenn die ganze Insertion bei %1–%2 mm/s liegt, keine bei %3 %</translation>
+    </message>
+    <message>
+        <source>full score at %1, none from %2</source>
+        <translation>volle Punktzahl bei %1, keine ab %2</translation>
+    </message>
+    <message>
+        <source>full score at %1 %, none from %2 %</source>
+        <translation>volle Punktzahl bei %1 %, keine ab %2 %</translation>
+    </message>
+    <message>
+        <source>full score up to %1 mN, none from %2 mN</source>
+        <translation>volle Punktzahl bis %1 mN, keine ab %2 mN</translation>
+    </message>
+    <message>
+        <source>robotic insertion %1–%2 mm/s (iotaSOFT); manual insertion in cadaver heads %3 ± %4 mm/s; phantom study %5–%6 mm/s (Froehlich et al. %7)</source>
+        <translation>robotische Insertion %1–%2 mm/s (iotaSOFT); manuelle Insertion an Leichenköpfen %3 ± %4 mm/s; Phantomstudie %5–%6 mm/s (Froehlich et al. %7)</translation>
+    </message>
+    <message>
+        <source>Kesler et al. %1: %2 reversals in manual insertions at a target of %3 mm/min</source>
+        <translation>Kesler et al. %1: %2 Richtungswechsel bei manuellen Insertionen mit Zielgeschwindigkeit %3 mm/min</translation>
+    </message>
+    <message>
+        <source>Kesler et al. %1: manual insertions at a target of %2 mm/min paused %3 % of the time</source>
+        <translation>Kesler et al. %1: manuelle Insertionen mit Zielgeschwindigkeit %2 mm/min pausierten %3 % der Zeit</translation>
+    </message>
+    <message>
+        <source>Rau et al. %1: peaks %2 to %3 mN</source>
+        <translation>Rau et al. %1: Spitzen %2 bis %3 mN</translation>
+    </message>
+    <message>
+        <source>force at %1 mm, peak</source>
+        <translation>Kraft bei %1 mm, Maximum der Basalwindung</translation>
+    </message>
+    <message>
+        <source>force at %1 mm, dip</source>
+        <translation>Kraft bei %1 mm, Minimum danach</translation>
+    </message>
+    <message>
+        <source>force at %1 mm, maximum</source>
+        <translation>Kraft bei %1 mm, Maximum</translation>
+    </message>
+    <message>
+        <source>force at %1 mm, end</source>
+        <translation>Kraft bei %1 mm, Ende</translation>
+    </message>
+    <message>
+        <source>largest of these differences</source>
+        <translation>größte dieser Differenzen</translation>
+    </message>
+    <message>
+        <source>largest difference below perception</source>
+        <translation>größte Differenz unter der Wahrnehmung</translation>
+    </message>
+    <message>
+        <source>position of the basal-turn peak</source>
+        <translation>Position des Maximums der Basalwindung</translation>
+    </message>
+    <message>
+        <source>position of the following dip</source>
+        <translation>Position des folgenden Minimums</translation>
+    </message>
+    <message>
+        <source>small early peak</source>
+        <translation>kleines frühes Maximum</translation>
+    </message>
+    <message>
+        <source>raw force just before the first rib</source>
+        <translation>Rohkraft kurz vor dem ersten Ring</translation>
+    </message>
+    <message>
+        <source>raw force at the first rib</source>
+        <translation>Rohkraft am ersten Ring</translation>
+    </message>
+    <message>
+        <source>standard deviation at the reported values</source>
+        <translation>Standardabweichung an den berichteten Werten</translation>
+    </message>
+    <message>
+        <source>at most %1 N</source>
+        <translation>höchstens %1 N</translation>
+    </message>
+    <message>
+        <source>at most %1 mN</source>
+        <translation>höchstens %1 mN</translation>
+    </message>
+    <message>
+        <source>between %1 and %2 mm</source>
+        <translation>zwischen %1 und %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 to %2 N</source>
+        <translation>%1 bis %2 N</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mN</source>
+        <translation>%1 bis %2 mN</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>%1 mN</source>
+        <translation>%1 mN</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 N</source>
+        <translation>%1 ± %2 N</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 mN</source>
+        <translation>%1 ± %2 mN</translation>
+    </message>
+    <message>
+        <source>%1 mm ± %2 mm</source>
+        <translation>%1 mm ± %2 mm</translation>
+    </message>
+    <message>
+        <source>travel, mm</source>
+        <translation>Vorschub, mm</translation>
+    </message>
+    <message>
+        <source>insertion force, N</source>
+        <translation>Insertionskraft, N</translation>
+    </message>
+    <message>
+        <source>insertion force, mN</source>
+        <translation>Insertionskraft, mN</translation>
+    </message>
+    <message>
+        <source>difference of mean insertion force, N</source>
+        <translation>Differenz der mittleren Insertionskraft, N</translation>
+    </message>
+    <message>
+        <source>difference of mean insertion force, mN</source>
+        <translation>Differenz der mittleren Insertionskraft, mN</translation>
+    </message>
+    <message>
+        <source>Published forces</source>
+        <translation>Veröffentlichte Kräfte</translation>
+    </message>
+    <message>
+        <source>experiment, mean ± SD</source>
+        <translation>Versuch, Mittelwert ± SD</translation>
+    </message>
+    <message>
+        <source>published simulator, mean ± SD</source>
+        <translation>veröffentlichter Simulator, Mittelwert ± SD</translation>
+    </message>
+    <message>
+        <source>published measurements, mean ± SD</source>
+        <translation>veröffentlichte Messungen, Mittelwert ± SD</translation>
+    </message>
+    <message>
+        <source>Todd and Naghdy: Nucleus %1 Contour, synthetic scala tympani, soap, %2 mm/s.</source>
+        <translation>Todd und Naghdy: Nucleus %1 Contour, synthetische Scala tympani, Seife, %2 mm/s.</translation>
+    </message>
+    <message>
+        <source>Values between points were not reported.</source>
+        <translation>Werte zwischen den Punkten wurden nicht berichtet.</translation>
+    </message>
+    <message>
+        <source>Simulated insertions and the published experiment</source>
+        <translation>Simulierte Insertionen und der veröffentlichte Versuch</translation>
+    </message>
+    <message>
+        <source>± SD between insertions</source>
+        <translation>± SD zwischen Insertionen</translation>
+    </message>
+    <message>
+        <source>%1 % confidence interval of the mean</source>
+        <translation>%1-%-Konfidenzintervall des Mittelwerts</translation>
+    </message>
+    <message>
+        <source>mean of %1 simulated insertions</source>
+        <translation>Mittelwert aus %1 simulierten Insertionen</translation>
+    </message>
+    <message>
+        <source>perception threshold, median %1 mN</source>
+        <translation>Wahrnehmungsschwelle, Median %1 mN</translation>
+    </message>
+    <message>
+        <source>perception threshold ± %1 mN</source>
+        <translation>Wahrnehmungsschwelle ± %1 mN</translation>
+    </message>
+    <message>
+        <source>Seed %1; least-squares spline through each insertion, resampled every %2 mm.</source>
+        <translation>Startwert %1; Ausgleichsspline durch jede Insertion, neu abgetastet alle %2 mm.</translation>
+    </message>
+    <message>
+        <source>Simulator minus experiment</source>
+        <translation>Simulator minus Versuch</translation>
+    </message>
+    <message>
+        <source>this simulator, %1 % confidence interval</source>
+        <translation>dieser Simulator, %1-%-Konfidenzintervall</translation>
+    </message>
+    <message>
+        <source>published simulator, %1 % confidence interval where reported (sign corrected)</source>
+        <translation>veröffentlichter Simulator, %1-%-Konfidenzintervall, wo berichtet (Vorzeichen berichtigt)</translation>
+    </message>
+    <message>
+        <source>Shown only where the experiment was reported; its means are from about %1 insertions.</source>
+        <translation>Nur gezeigt, wo der Versuch berichtet ist; seine Mittelwerte stammen aus etwa %1 Insertionen.</translation>
+    </message>
+    <message>
+        <source>Recorded insertions: insertion force over travel</source>
+        <translation>Aufgezeichnete Insertionen: Insertionskraft über Vorschub</translation>
+    </message>
+    <message>
+        <source>All %1 insertions reached the end.</source>
+        <translation>Alle %1 Insertionen erreichten das Ende.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 insertions reached the end; %3 bowed in front of the opening and slipped out of it (number %4).</source>
+        <translation>%1 von %2 Insertionen erreichten das Ende; %3 bogen sich vor der Öffnung durch und glitten heraus (Nummer %4).</translation>
+    </message>
+    <message>
+        <source>%1 of %2 insertions reached the end; %3 bowed in front of the opening and slipped out of it (numbers %4 and %5).</source>
+        <translation>%1 von %2 Insertionen erreichten das Ende; %3 bogen sich vor der Öffnung durch und glitten heraus (Nummern %4 und %5).</translation>
+    </message>
+    <message>
+        <source>%1 of %2 insertions reached the end; %3 bowed in front of the opening and slipped out of it (numbers %4, %5 and %6).</source>
+        <translation>%1 von %2 Insertionen erreichten das Ende; %3 bogen sich vor der Öffnung durch und glitten heraus (Nummern %4, %5 und %6).</translation>
+    </message>
+    <message>
+        <source>%1 of %2 insertions reached the end; %3 buckled in front of the opening (number %4).</source>
+        <translation>%1 von %2 Insertionen erreichten das Ende; %3 knickten vor der Öffnung ein (Nummer %4).</translation>
+    </message>
+    <message>
+        <source>%1 of %2 insertions reached the end; %3 buckled in front of the opening (numbers %4 and %5).</source>
+        <translation>%1 von %2 Insertionen erreichten das Ende; %3 knickten vor der Öffnung ein (Nummern %4 und %5).</translation>
+    </message>
+    <message>
+        <source>%1 of %2 insertions reached the end; %3 buckled in front of the opening (numbers %4, %5 and %6).</source>
+        <translation>%1 von %2 Insertionen erreichten das Ende; %3 knickten vor der Öffnung ein (Nummern %4, %5 und %6).</translation>
+    </message>
+    <message>
+        <source>%1 of %2 insertions reached the end; %3 stopped with a fault (number %4).</source>
+        <translation>%1 von %2 Insertionen erreichten das Ende; %3 endeten mit einem Fehler (Nummer %4).</translation>
+    </message>
+    <message>
+        <source>%1 of %2 insertions reached the end; %3 stopped with a fault (numbers %4 and %5).</source>
+        <translation>%1 von %2 Insertionen erreichten das Ende; %3 endeten mit einem Fehler (Nummern %4 und %5).</translation>
+    </message>
+    <message>
+        <source>%1 of %2 insertions reached the end; %3 stopped with a fault (numbers %4, %5 and %6).</source>
+        <translation>%1 von %2 Insertionen erreichten das Ende; %3 endeten mit einem Fehler (Nummern %4, %5 und %6).</translation>
+    </message>
+</context>
+<context>
     <name>Display</name>
     <message>
         <source>not supported by this display</source>
@@ -28,18 +339,269 @@
     </message>
 </context>
 <context>
-    <name>Report</name>
+    <name>QShortcut</name>
     <message>
-        <source>Page %1 of %2</source>
-        <translation>Seite %1 von %2</translation>
+        <source>Ctrl</source>
+        <translation>Strg</translation>
     </message>
     <message>
-        <source>For research and training. Not a medical device.</source>
-        <translation>Für Forschung und Training. Kein Medizinprodukt.</translation>
+        <source>Shift</source>
+        <translation>Umschalt</translation>
     </message>
     <message>
-        <source>Insertion report</source>
-        <translation>Insertionsbericht</translation>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Rücktaste</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Pos1</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Auf</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Ab</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+</context>
+<context>
+    <name>ReportParameters</name>
+    <message>
+        <source>Anatomy</source>
+        <translation>Anatomie</translation>
+    </message>
+    <message>
+        <source>Ear</source>
+        <translation>Ohr</translation>
+    </message>
+    <message>
+        <source>Organ of Corti length</source>
+        <translation>Länge des Corti-Organs</translation>
+    </message>
+    <message>
+        <source>Scala width at round window</source>
+        <translation>Skalenbreite am runden Fenster</translation>
+    </message>
+    <message>
+        <source>Scala height at round window</source>
+        <translation>Skalenhöhe am runden Fenster</translation>
+    </message>
+    <message>
+        <source>A: basal-turn diameter</source>
+        <translation>A: Durchmesser der Basalwindung</translation>
+    </message>
+    <message>
+        <source>B: basal-turn width</source>
+        <translation>B: Breite der Basalwindung</translation>
+    </message>
+    <message>
+        <source>H: cochlear height</source>
+        <translation>H: Höhe der Cochlea</translation>
+    </message>
+    <message>
+        <source>Straight lead-in before the round window</source>
+        <translation>Gerader Vorlauf vor dem runden Fenster</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>Öffnung</translation>
+    </message>
+    <message>
+        <source>Cochleostomy diameter</source>
+        <translation>Durchmesser der Cochleostomie</translation>
+    </message>
+    <message>
+        <source>Approach angle, tilt</source>
+        <translation>Zugangswinkel, Neigung</translation>
+    </message>
+    <message>
+        <source>Approach angle, rotation</source>
+        <translation>Zugangswinkel, Drehung</translation>
+    </message>
+    <message>
+        <source>Technique</source>
+        <translation>Technik</translation>
+    </message>
+    <message>
+        <source>Speed of the scripted insertion</source>
+        <translation>Geschwindigkeit der automatischen Insertion</translation>
+    </message>
+    <message>
+        <source>Insertion depth at the start</source>
+        <translation>Insertionstiefe zu Beginn</translation>
+    </message>
+    <message>
+        <source>Travel at which the insertion stops</source>
+        <translation>Vorschub, bei dem die Insertion endet</translation>
+    </message>
+    <message>
+        <source>Speed of stylet withdrawal</source>
+        <translation>Geschwindigkeit des Stilettrückzugs</translation>
+    </message>
+    <message>
+        <source>Static friction coefficient</source>
+        <translation>Haftreibungskoeffizient</translation>
+    </message>
+    <message>
+        <source>Kinetic friction coefficient</source>
+        <translation>Gleitreibungskoeffizient</translation>
+    </message>
+    <message>
+        <source>Coefficient below which sliding stops</source>
+        <translation>Koeffizient, unter dem das Gleiten endet</translation>
+    </message>
+    <message>
+        <source>Stribeck speed of friction</source>
+        <translation>Stribeck-Geschwindigkeit der Reibung</translation>
+    </message>
+    <message>
+        <source>Wall stiffness, normal</source>
+        <translation>Wandsteifigkeit, normal</translation>
+    </message>
+    <message>
+        <source>Wall stiffness, tangential</source>
+        <translation>Wandsteifigkeit, tangential</translation>
+    </message>
+    <message>
+        <source>Basilar membrane</source>
+        <translation>Basilarmembran</translation>
+    </message>
+    <message>
+        <source>Basilar membrane stiffness, if soft</source>
+        <translation>Steifigkeit der Basilarmembran, falls weich</translation>
+    </message>
+    <message>
+        <source>Calibrated scale of the array stiffness</source>
+        <translation>Kalibrierter Faktor der Trägersteifigkeit</translation>
+    </message>
+    <message>
+        <source>Calibrated residual curvature with stylet</source>
+        <translation>Kalibrierte Restkrümmung mit Stilett</translation>
+    </message>
+    <message>
+        <source>Array model</source>
+        <translation>Modell des Trägers</translation>
+    </message>
+    <message>
+        <source>Nodes of the array model</source>
+        <translation>Knoten des Trägermodells</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Zeitschritt</translation>
+    </message>
+    <message>
+        <source>Coupling to the input device</source>
+        <translation>Kopplung an das Eingabegerät</translation>
+    </message>
+    <message>
+        <source>Coupling stiffness, if a spring</source>
+        <translation>Kopplungssteifigkeit, falls Feder</translation>
+    </message>
+    <message>
+        <source>Coupling damping, if a spring</source>
+        <translation>Kopplungsdämpfung, falls Feder</translation>
+    </message>
+    <message>
+        <source>Force feedback gain</source>
+        <translation>Kraftverstärkung</translation>
+    </message>
+    <message>
+        <source>Random seed</source>
+        <translation>Startwert des Zufalls</translation>
+    </message>
+    <message>
+        <source>published scala tympani</source>
+        <translation>veröffentlichte Scala tympani</translation>
+    </message>
+    <message>
+        <source>average of 15 human cochleae</source>
+        <translation>Mittel aus 15 menschlichen Cochleae</translation>
+    </message>
+    <message>
+        <source>Clark spiral</source>
+        <translation>Clark-Spirale</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>wide opening (no edge contact)</source>
+        <translation>weite Öffnung (kein Randkontakt)</translation>
+    </message>
+    <message>
+        <source>round window</source>
+        <translation>rundes Fenster</translation>
+    </message>
+    <message>
+        <source>cochleostomy</source>
+        <translation>Cochleostomie</translation>
+    </message>
+    <message>
+        <source>standard</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>advance off stylet</source>
+        <translation>Advance-off-Stylet</translation>
+    </message>
+    <message>
+        <source>rigid</source>
+        <translation>starr</translation>
+    </message>
+    <message>
+        <source>soft</source>
+        <translation>weich</translation>
+    </message>
+    <message>
+        <source>spring</source>
+        <translation>Feder</translation>
+    </message>
+    <message>
+        <source>elastic rod</source>
+        <translation>elastischer Stab</translation>
+    </message>
+    <message>
+        <source>point set (published)</source>
+        <translation>Punktmodell (veröffentlicht)</translation>
     </message>
 </context>
 <context>
@@ -63,42 +625,6 @@
     <message>
         <source>%1 mN</source>
         <translation>%1 mN</translation>
-    </message>
-    <message>
-        <source>Patient</source>
-        <translation>Patient</translation>
-    </message>
-    <message>
-        <source>%1, %2 ear</source>
-        <translation>%1, %2es Ohr</translation>
-    </message>
-    <message>
-        <source>left</source>
-        <translation>link</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>recht</translation>
-    </message>
-    <message>
-        <source>Array</source>
-        <translation>Träger</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>Recorded</source>
-        <translation>Aufgezeichnet</translation>
-    </message>
-    <message>
-        <source>%1 (UTC), by %2</source>
-        <translation>%1 (UTC), von %2</translation>
-    </message>
-    <message>
-        <source>Scenario</source>
-        <translation>Szenario</translation>
     </message>
     <message>
         <source>axial, %1</source>
@@ -337,10 +863,6 @@
         <translation>Doppelklick</translation>
     </message>
     <message>
-        <source>insert, compare, validate, sessions</source>
-        <translation>Insertion, Vergleich, Validierung, Sitzungen</translation>
-    </message>
-    <message>
         <source>hide or show the panel</source>
         <translation>Seitenleiste aus- oder einblenden</translation>
     </message>
@@ -421,10 +943,6 @@
         <translation>%1 mm zurückgezogen</translation>
     </message>
     <message>
-        <source>fully inserted</source>
-        <translation>vollständig eingeführt</translation>
-    </message>
-    <message>
         <source>maximum of %1 recorded samples</source>
         <translation>Maximum von %1 aufgezeichneten Abtastwerten</translation>
     </message>
@@ -501,10 +1019,6 @@
         <translation>Simulationsparameter</translation>
     </message>
     <message>
-        <source>Array values and their sources:</source>
-        <translation>Werte des Trägers und ihre Quellen:</translation>
-    </message>
-    <message>
         <source>Forces are computed with a model, not measured in an ear.</source>
         <translation>Die Kräfte sind mit einem Modell berechnet, nicht im Ohr gemessen.</translation>
     </message>
@@ -515,10 +1029,6 @@
     <message>
         <source>No value in this report shows that an insertion is atraumatic: trauma thresholds vary between ears and are not known for the insertion force.</source>
         <translation>Kein Wert in diesem Bericht belegt eine atraumatische Insertion: Traumaschwellen sind von Ohr zu Ohr verschieden und für die Insertionskraft nicht bekannt.</translation>
-    </message>
-    <message>
-        <source>Published values are shown as points; values between points were not reported.</source>
-        <translation>Veröffentlichte Werte sind als Punkte gezeigt; Werte dazwischen wurden nicht berichtet.</translation>
     </message>
     <message>
         <source>%1 samples were lost during recording.</source>
@@ -557,24 +1067,12 @@
         <translation>Insertionsbericht</translation>
     </message>
     <message>
-        <source>For research and training. Not a medical device; must not be used for patient care.</source>
-        <translation>Für Forschung und Training. Kein Medizinprodukt; darf nicht für die Patientenversorgung verwendet werden.</translation>
-    </message>
-    <message>
         <source>Results</source>
         <translation>Ergebnisse</translation>
     </message>
     <message>
         <source>Insertion force over travel</source>
         <translation>Insertionskraft über Vorschub</translation>
-    </message>
-    <message>
-        <source>Array at maximum insertion depth</source>
-        <translation>Träger bei maximaler Insertionstiefe</translation>
-    </message>
-    <message>
-        <source>View along the modiolar axis, to scale; insertion depth %1 mm.</source>
-        <translation>Blick entlang der Modiolusachse, maßstäblich; Insertionstiefe %1 mm.</translation>
     </message>
     <message>
         <source>insertion force, N</source>
@@ -763,6 +1261,482 @@
     <message>
         <source>cochlear partition %1 mN: within or above reported rupture forces (%2–%3 mN, unverified)</source>
         <translation>cochleäre Trennwand %1 mN: im Bereich berichteter Rupturkräfte (%2–%3 mN, ungeprüft) oder darüber</translation>
+    </message>
+    <message>
+        <source>insertion force, mN</source>
+        <translation>Insertionskraft, mN</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 mm</source>
+        <translation>%1 ± %2 mm</translation>
+    </message>
+    <message>
+        <source>no population mean available</source>
+        <translation>kein Populationsmittel verfügbar</translation>
+    </message>
+    <message>
+        <source>at population mean (%1 ± %2 mm)</source>
+        <translation>am Populationsmittel (%1 ± %2 mm)</translation>
+    </message>
+    <message>
+        <source>%1 SD below population mean (%2 ± %3 mm)</source>
+        <translation>%1 SD unter dem Populationsmittel (%2 ± %3 mm)</translation>
+    </message>
+    <message>
+        <source>%1 SD above population mean (%2 ± %3 mm)</source>
+        <translation>%1 SD über dem Populationsmittel (%2 ± %3 mm)</translation>
+    </message>
+    <message>
+        <source>A: basal-turn diameter</source>
+        <translation>A: Durchmesser der Basalwindung</translation>
+    </message>
+    <message>
+        <source>of the model</source>
+        <translation>des Modells</translation>
+    </message>
+    <message>
+        <source>B: basal-turn width</source>
+        <translation>B: Breite der Basalwindung</translation>
+    </message>
+    <message>
+        <source>H: cochlear height</source>
+        <translation>H: Höhe der Cochlea</translation>
+    </message>
+    <message>
+        <source>Organ of Corti length</source>
+        <translation>Länge des Corti-Organs</translation>
+    </message>
+    <message>
+        <source>Scala width at round window</source>
+        <translation>Skalenbreite am runden Fenster</translation>
+    </message>
+    <message>
+        <source>Scala height at round window</source>
+        <translation>Skalenhöhe am runden Fenster</translation>
+    </message>
+    <message>
+        <source>Cochlear duct length (CDL)</source>
+        <translation>Ductus cochlearis (CDL)</translation>
+    </message>
+    <message>
+        <source>estimated from A: 4.16 A − 4 mm</source>
+        <translation>aus A geschätzt: 4,16 A − 4 mm</translation>
+    </message>
+    <message>
+        <source>Alexiades et al. 2015</source>
+        <translation>Alexiades et al. 2015</translation>
+    </message>
+    <message>
+        <source>Cochlear coverage</source>
+        <translation>Abdeckung der Cochlea</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>organ of Corti basal to the most apical contact</source>
+        <translation>Corti-Organ basal des apikalsten Kontakts</translation>
+    </message>
+    <message>
+        <source>Cochlea, CT measurements ± measuring error</source>
+        <translation>Cochlea, CT-Messwerte ± Messfehler</translation>
+    </message>
+    <message>
+        <source>Cochlea: average of 15 human cochleae</source>
+        <translation>Cochlea: Mittel aus 15 menschlichen Cochleae</translation>
+    </message>
+    <message>
+        <source>Cochlea: model</source>
+        <translation>Cochlea: Modell</translation>
+    </message>
+    <message>
+        <source>left ear</source>
+        <translation>linkes Ohr</translation>
+    </message>
+    <message>
+        <source>right ear</source>
+        <translation>rechtes Ohr</translation>
+    </message>
+    <message>
+        <source>No patient · %1</source>
+        <translation>Kein Patient · %1</translation>
+    </message>
+    <message>
+        <source>Patient %1 · %2</source>
+        <translation>Patient %1 · %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 (%3)</source>
+        <translation>%1, %2 (%3)</translation>
+    </message>
+    <message>
+        <source>Advance off stylet</source>
+        <translation>Advance-off-Stylet</translation>
+    </message>
+    <message>
+        <source>Standard</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>%1; scripted insertion, %2 mm/s</source>
+        <translation>%1; automatische Insertion, %2 mm/s</translation>
+    </message>
+    <message>
+        <source>mouse and keyboard</source>
+        <translation>Maus und Tastatur</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>Patient code</source>
+        <translation>Patientencode</translation>
+    </message>
+    <message>
+        <source>Ear</source>
+        <translation>Ohr</translation>
+    </message>
+    <message>
+        <source>Electrode array</source>
+        <translation>Elektrodenträger</translation>
+    </message>
+    <message>
+        <source>Manufacturer</source>
+        <translation>Hersteller</translation>
+    </message>
+    <message>
+        <source>Institution</source>
+        <translation>Einrichtung</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Operateur</translation>
+    </message>
+    <message>
+        <source>Date and time</source>
+        <translation>Datum und Uhrzeit</translation>
+    </message>
+    <message>
+        <source>Technique</source>
+        <translation>Technik</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>rupture reported at %1–%2 mN (unverified)</source>
+        <translation>Ruptur berichtet bei %1–%2 mN (ungeprüft)</translation>
+    </message>
+    <message>
+        <source>at insertion depth %1 mm</source>
+        <translation>bei Insertionstiefe %1 mm</translation>
+    </message>
+    <message>
+        <source>Final insertion force</source>
+        <translation>Insertionskraft am Ende</translation>
+    </message>
+    <message>
+        <source>at maximum insertion depth</source>
+        <translation>bei maximaler Insertionstiefe</translation>
+    </message>
+    <message>
+        <source>Angular insertion depth</source>
+        <translation>Insertionswinkel</translation>
+    </message>
+    <message>
+        <source>of the tip; no contact inserted</source>
+        <translation>der Spitze; kein Kontakt inseriert</translation>
+    </message>
+    <message>
+        <source>of the tip; contacts from %1 to %2</source>
+        <translation>der Spitze; Kontakte von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>Insertion depth</source>
+        <translation>Insertionstiefe</translation>
+    </message>
+    <message>
+        <source>past the opening</source>
+        <translation>jenseits der Öffnung</translation>
+    </message>
+    <message>
+        <source>Insertion time</source>
+        <translation>Insertionsdauer</translation>
+    </message>
+    <message>
+        <source>without pauses, to maximum depth; reversals: %1</source>
+        <translation>ohne Pausen, bis zur größten Tiefe; Richtungswechsel: %1</translation>
+    </message>
+    <message>
+        <source>Maximum partition force</source>
+        <translation>Maximale Trennwandkraft</translation>
+    </message>
+    <message>
+        <source>Contacts, numbered from the tip</source>
+        <translation>Kontakte, gezählt ab der Spitze</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>Angle, °</source>
+        <translation>Winkel, °</translation>
+    </message>
+    <message>
+        <source>Frequency, Hz</source>
+        <translation>Frequenz, Hz</translation>
+    </message>
+    <message>
+        <source>To modiolus, mm</source>
+        <translation>Modiolus, mm</translation>
+    </message>
+    <message>
+        <source>Depth, mm</source>
+        <translation>Tiefe, mm</translation>
+    </message>
+    <message>
+        <source>not inserted</source>
+        <translation>nicht inseriert</translation>
+    </message>
+    <message>
+        <source>Angle from the center of the round window. Frequency by Greenwood (1990) at the place on the organ of Corti. Distance from the center line of the array to the inner wall. Depth past the opening.</source>
+        <translation>Winkel ab der Mitte des runden Fensters. Frequenz nach Greenwood (1990) am Ort des Corti-Organs. Abstand der Mittellinie des Trägers zur Innenwand. Tiefe jenseits der Öffnung.</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Signature</source>
+        <translation>Unterschrift</translation>
+    </message>
+    <message>
+        <source>Simulation for research and training. Not a medical device; must not be used for patient care.</source>
+        <translation>Simulation für Forschung und Training. Kein Medizinprodukt; darf nicht für die Patientenversorgung verwendet werden.</translation>
+    </message>
+    <message>
+        <source>Limits: computed with a model based on published data, not measured in an ear and not manufacturer data; no value shows that an insertion is atraumatic.</source>
+        <translation>Grenzen: mit einem Modell nach veröffentlichten Daten berechnet, nicht im Ohr gemessen und keine Herstellerangaben; kein Wert belegt eine atraumatische Insertion.</translation>
+    </message>
+    <message>
+        <source>confidence high</source>
+        <translation>Konfidenz hoch</translation>
+    </message>
+    <message>
+        <source>confidence medium</source>
+        <translation>Konfidenz mittel</translation>
+    </message>
+    <message>
+        <source>confidence low</source>
+        <translation>Konfidenz niedrig</translation>
+    </message>
+    <message>
+        <source>Array: sources of the values</source>
+        <translation>Träger: Quellen der Werte</translation>
+    </message>
+    <message>
+        <source>Appendix: data for reproduction</source>
+        <translation>Anhang: Daten zur Reproduktion</translation>
+    </message>
+    <message>
+        <source>All results</source>
+        <translation>Alle Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Seite %1 von %2</translation>
+    </message>
+    <message>
+        <source>For research and training. Not a medical device.</source>
+        <translation>Für Forschung und Training. Kein Medizinprodukt.</translation>
+    </message>
+    <message>
+        <source>Cochlear view</source>
+        <translation>Cochleaansicht</translation>
+    </message>
+    <message>
+        <source>Mid-modiolar, along A</source>
+        <translation>Mittmodiolar, entlang A</translation>
+    </message>
+    <message>
+        <source>Mid-modiolar, along B</source>
+        <translation>Mittmodiolar, entlang B</translation>
+    </message>
+    <message>
+        <source>Axial</source>
+        <translation>Axial</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Koronar</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittal</translation>
+    </message>
+    <message>
+        <source>Round window</source>
+        <translation>Rundes Fenster</translation>
+    </message>
+    <message>
+        <source>Far wall (end of A)</source>
+        <translation>Gegenwand (Ende von A)</translation>
+    </message>
+    <message>
+        <source>B, first end</source>
+        <translation>B, erstes Ende</translation>
+    </message>
+    <message>
+        <source>B, second end</source>
+        <translation>B, zweites Ende</translation>
+    </message>
+    <message>
+        <source>Floor of the basal turn</source>
+        <translation>Boden der Basalwindung</translation>
+    </message>
+    <message>
+        <source>Apex</source>
+        <translation>Apex</translation>
+    </message>
+    <message>
+        <source>Modiolus</source>
+        <translation>Modiolus</translation>
+    </message>
+    <message>
+        <source>apex</source>
+        <translation>Apex</translation>
+    </message>
+    <message>
+        <source>floor</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>Cochlear view: the center of the round window, where the basal turn opens.</source>
+        <translation>Cochleaansicht: Mitte des runden Fensters, wo sich die Basalwindung öffnet.</translation>
+    </message>
+    <message>
+        <source>Cochlear view: from the round window through the modiolus to the opposite outer wall of the basal turn.</source>
+        <translation>Cochleaansicht: vom runden Fenster durch den Modiolus zur gegenüberliegenden Außenwand der Basalwindung.</translation>
+    </message>
+    <message>
+        <source>Cochlear view: the outer wall of the basal turn on the line through the modiolus, perpendicular to A.</source>
+        <translation>Cochleaansicht: Außenwand der Basalwindung auf der Linie durch den Modiolus, senkrecht zu A.</translation>
+    </message>
+    <message>
+        <source>Mid-modiolar view: the lowest point of the basal turn’s bony lumen.</source>
+        <translation>Mittmodiolare Ansicht: tiefster Punkt des knöchernen Lumens der Basalwindung.</translation>
+    </message>
+    <message>
+        <source>Mid-modiolar view: the highest point of the apical turn’s bony lumen.</source>
+        <translation>Mittmodiolare Ansicht: höchster Punkt des knöchernen Lumens der apikalen Windung.</translation>
+    </message>
+    <message>
+        <source>Cochlear view: the center of the modiolus in the basal turn.</source>
+        <translation>Cochleaansicht: Mitte des Modiolus in der Basalwindung.</translation>
+    </message>
+    <message>
+        <source>95 % interval. Standard deviations: noise and voxels %1 mm, shape model %2 mm, position of the round window %3 mm.</source>
+        <translation>95-%-Intervall. Standardabweichungen: Rauschen und Voxel %1 mm, Formmodell %2 mm, Position des runden Fensters %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1: %2 ± %3 mm</source>
+        <translation>%1: %2 ± %3 mm</translation>
+    </message>
+    <message>
+        <source>Elliptic-circular, from A and B</source>
+        <translation>Elliptisch-zirkulär, aus A und B</translation>
+    </message>
+    <message>
+        <source>Alexiades, from A</source>
+        <translation>Alexiades, aus A</translation>
+    </message>
+    <message>
+        <source>CT, insert, compare, validate, sessions</source>
+        <translation>CT, Insertion, Vergleich, Validierung, Sitzungen</translation>
+    </message>
+    <message>
+        <source>Pietsch et al. 2017, n = 138</source>
+        <translation>Pietsch et al. 2017, n = 138</translation>
+    </message>
+    <message>
+        <source>Froehlich et al. 2024, n = 15</source>
+        <translation>Froehlich et al. 2024, n = 15</translation>
+    </message>
+    <message>
+        <source>Stakhovskaya et al. 2007, n = 9</source>
+        <translation>Stakhovskaya et al. 2007, n = 9</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Insertable length</source>
+        <translation>Insertierbare Länge</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>Tip</source>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>Bending stiffness</source>
+        <translation>Biegesteifigkeit</translation>
+    </message>
+    <message>
+        <source>Bending stiffness, other axis</source>
+        <translation>Biegesteifigkeit, andere Achse</translation>
+    </message>
+    <message>
+        <source>Torsional stiffness</source>
+        <translation>Torsionssteifigkeit</translation>
+    </message>
+    <message>
+        <source>Curvature at rest</source>
+        <translation>Krümmung in Ruhe</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Kontakte</translation>
+    </message>
+    <message>
+        <source>Marker ribs</source>
+        <translation>Markierungsringe</translation>
+    </message>
+    <message>
+        <source>Stylet</source>
+        <translation>Stilett</translation>
+    </message>
+    <message>
+        <source>in place</source>
+        <translation>eingelegt</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Szenario</translation>
+    </message>
+    <message>
+        <source>Input device</source>
+        <translation>Eingabegerät</translation>
     </message>
 </context>
 <context>
@@ -1194,6 +2168,232 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::CtPage</name>
+    <message>
+        <source>A patient’s CT</source>
+        <translation>CT eines Patienten</translation>
+    </message>
+    <message>
+        <source>Open a folder with a temporal-bone CT, or drop it here. The cochlea is found and measured; then insert into it.</source>
+        <translation>Ordner mit einem Felsenbein-CT öffnen oder hier ablegen. Die Cochlea wird gefunden und gemessen; danach kann darin inseriert werden.</translation>
+    </message>
+    <message>
+        <source>Folder with a temporal-bone CT</source>
+        <translation>Ordner mit einem Felsenbein-CT</translation>
+    </message>
+    <message>
+        <source>CT</source>
+        <translation>CT</translation>
+    </message>
+    <message>
+        <source>Reading the CT…</source>
+        <translation>Das CT wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Measuring the cochlea…</source>
+        <translation>Die Cochlea wird gemessen …</translation>
+    </message>
+    <message>
+        <source>Looking for the cochlea…</source>
+        <translation>Die Cochlea wird gesucht …</translation>
+    </message>
+    <message>
+        <source>Saved to %1.</source>
+        <translation>Gespeichert in %1.</translation>
+    </message>
+    <message>
+        <source>Surface of the cochlea</source>
+        <translation>Oberfläche der Cochlea</translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Landmarken</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::CtPanel</name>
+    <message>
+        <source>CT</source>
+        <translation>CT</translation>
+    </message>
+    <message>
+        <source>Open folder…</source>
+        <translation>Ordner öffnen …</translation>
+    </message>
+    <message>
+        <source>Open file…</source>
+        <translation>Datei öffnen …</translation>
+    </message>
+    <message>
+        <source>A folder with DICOM files, or the folder of a DICOMDIR</source>
+        <translation>Ordner mit DICOM-Dateien oder Ordner eines DICOMDIR</translation>
+    </message>
+    <message>
+        <source>DICOMDIR, enhanced DICOM, NIfTI (.nii, .nii.gz) or NRRD (.nrrd)</source>
+        <translation>DICOMDIR, Enhanced DICOM, NIfTI (.nii, .nii.gz) oder NRRD (.nrrd)</translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation>Serie</translation>
+    </message>
+    <message>
+        <source>VIEW</source>
+        <translation>ANSICHT</translation>
+    </message>
+    <message>
+        <source>Axial, coronal, sagittal</source>
+        <translation>Axial, koronar, sagittal</translation>
+    </message>
+    <message>
+        <source>Cochlear view</source>
+        <translation>Cochleaansicht</translation>
+    </message>
+    <message>
+        <source>The plane through the basal turn, perpendicular to the modiolus, and two mid-modiolar planes. Needs a measured cochlea.</source>
+        <translation>Ebene durch die Basalwindung, senkrecht zum Modiolus, und zwei mittmodiolare Ebenen. Braucht eine gemessene Cochlea.</translation>
+    </message>
+    <message>
+        <source>Gray values</source>
+        <translation>Grauwerte</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Soft tissue</source>
+        <translation>Weichteile</translation>
+    </message>
+    <message>
+        <source>All values</source>
+        <translation>Alle Werte</translation>
+    </message>
+    <message>
+        <source>Bone: level 700, width 4000 HU. Soft tissue: level 40, width 400 HU. Drag with the right mouse button to change brightness and contrast.</source>
+        <translation>Knochen: Mitte 700, Breite 4000 HU. Weichteile: Mitte 40, Breite 400 HU. Mit der rechten Maustaste ziehen ändert Helligkeit und Kontrast.</translation>
+    </message>
+    <message>
+        <source>Slab</source>
+        <translation>Schichtdicke</translation>
+    </message>
+    <message>
+        <source>Single layer</source>
+        <translation>Einzelschicht</translation>
+    </message>
+    <message>
+        <source>Slab 1 mm, mean</source>
+        <translation>1 mm, Mittelwert</translation>
+    </message>
+    <message>
+        <source>Slab 2 mm, mean</source>
+        <translation>2 mm, Mittelwert</translation>
+    </message>
+    <message>
+        <source>Slab 2 mm, maximum</source>
+        <translation>2 mm, Maximum</translation>
+    </message>
+    <message>
+        <source>MEASURES</source>
+        <translation>MESSWERTE</translation>
+    </message>
+    <message>
+        <source>Find and measure the cochlea</source>
+        <translation>Cochlea suchen und messen</translation>
+    </message>
+    <message>
+        <source>Measure at the crosshair</source>
+        <translation>Am Fadenkreuz messen</translation>
+    </message>
+    <message>
+        <source>Click into the cochlea first.</source>
+        <translation>Zuerst in die Cochlea klicken.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>fitted, 95 %</source>
+        <translation>angepasst, 95 %</translation>
+    </message>
+    <message>
+        <source>landmarks</source>
+        <translation>Landmarken</translation>
+    </message>
+    <message>
+        <source>CDL</source>
+        <translation>CDL</translation>
+    </message>
+    <message>
+        <source>LANDMARKS</source>
+        <translation>LANDMARKEN</translation>
+    </message>
+    <message>
+        <source>%1. Press, then click into a picture. %2</source>
+        <translation>%1. Drücken, dann in ein Bild klicken. %2</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern …</translation>
+    </message>
+    <message>
+        <source>Load…</source>
+        <translation>Laden …</translation>
+    </message>
+    <message>
+        <source>Markups of 3D Slicer with points named RW, C, A …</source>
+        <translation>Markups von 3D Slicer mit Punkten namens RW, C, A …</translation>
+    </message>
+    <message>
+        <source>Patient code</source>
+        <translation>Patientencode</translation>
+    </message>
+    <message>
+        <source>Patient code (no names)</source>
+        <translation>Patientencode (kein Name)</translation>
+    </message>
+    <message>
+        <source>Insert into this cochlea</source>
+        <translation>In diese Cochlea inserieren</translation>
+    </message>
+    <message>
+        <source>Save surface…</source>
+        <translation>Oberfläche speichern …</translation>
+    </message>
+    <message>
+        <source>Measure from the landmarks</source>
+        <translation>Aus den Landmarken messen</translation>
+    </message>
+    <message>
+        <source>Type a patient code first.</source>
+        <translation>Zuerst einen Patientencode eingeben.</translation>
+    </message>
+    <message>
+        <source>Left ear</source>
+        <translation>Linkes Ohr</translation>
+    </message>
+    <message>
+        <source>Right ear</source>
+        <translation>Rechtes Ohr</translation>
+    </message>
+    <message>
+        <source>Markups for 3D Slicer (.mrk.json, LPS): landmarks, axis, and the inserted array with its contacts</source>
+        <translation>Markups für 3D Slicer (.mrk.json, LPS): Landmarken, Achse und der eingeführte Träger mit seinen Kontakten</translation>
+    </message>
+    <message>
+        <source>The fitted wall in the CT’s own frame (LPS): STL, PLY, glTF, OBJ, VTP</source>
+        <translation>Angepasste Wand im Koordinatensystem des CT (LPS): STL, PLY, glTF, OBJ, VTP</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::DevicePage</name>
     <message>
         <source>force up to %1 N</source>
@@ -1464,12 +2664,12 @@
         <translation>Handbuch</translation>
     </message>
     <message>
-        <source>Three tutorials, step by step (Shift+F1)</source>
-        <translation>Drei Anleitungen, Schritt für Schritt (Umschalt+F1)</translation>
-    </message>
-    <message>
         <source>View</source>
         <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Four tutorials, step by step (Shift+F1)</source>
+        <translation>Vier Anleitungen, Schritt für Schritt (Umschalt+F1)</translation>
     </message>
 </context>
 <context>
@@ -1680,6 +2880,14 @@
     <message>
         <source>Basal-turn section</source>
         <translation>Schnitt der Basalwindung</translation>
+    </message>
+    <message>
+        <source>depth %1 mm</source>
+        <translation>Tiefe %1 mm</translation>
+    </message>
+    <message>
+        <source>angular depth</source>
+        <translation>Winkel</translation>
     </message>
 </context>
 <context>
@@ -2436,6 +3644,18 @@
         <source>Settings are locked during an insertion. Press Reset first.</source>
         <translation>Während der Insertion gesperrt. Zuerst „Zurücksetzen“ drücken.</translation>
     </message>
+    <message>
+        <source>Institution, for reports</source>
+        <translation>Einrichtung, für Berichte</translation>
+    </message>
+    <message>
+        <source>Operator, for reports</source>
+        <translation>Operateur, für Berichte</translation>
+    </message>
+    <message>
+        <source>optional</source>
+        <translation>optional</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::SetupHistory</name>
@@ -2523,6 +3743,13 @@
     <message>
         <source>Perilymph stereo view</source>
         <translation>Perilymph Stereoansicht</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::SurfaceView</name>
+    <message>
+        <source>Measured cochlea, 3D</source>
+        <translation>Gemessene Cochlea, 3D</translation>
     </message>
 </context>
 <context>
@@ -2623,6 +3850,10 @@
         <source>A recording is shown. No device is active.</source>
         <translation>Eine Aufzeichnung wird gezeigt. Kein Gerät ist aktiv.</translation>
     </message>
+    <message>
+        <source>CT</source>
+        <translation>CT</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::ValidatePage</name>
@@ -2687,10 +3918,6 @@
         <translation>Kurven als CSV, Ergebnisse als JSON und Abbildungen als SVG speichern.</translation>
     </message>
     <message>
-        <source>%1 insertions, seed %2. Mean SD over travel %3 mN.</source>
-        <translation>%1 Insertionen, Startwert %2. Mittlere SD über den Vorschub %3 mN.</translation>
-    </message>
-    <message>
         <source>Run</source>
         <translation>Starten</translation>
     </message>
@@ -2701,6 +3928,10 @@
     <message>
         <source>6 files saved to %1.</source>
         <translation>6 Dateien gespeichert in %1.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 insertions completed, seed %3. Mean SD over travel %4 mN.</source>
+        <translation>%1 von %2 Insertionen vollständig, Startwert %3. Mittlere SD über den Vorschub %4 mN.</translation>
     </message>
 </context>
 <context>

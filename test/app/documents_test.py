@@ -55,12 +55,13 @@ GUIDE = ROOT / "resources/guide"
 class PicturesOfTheGuide(unittest.TestCase):
     def test_every_link_leads_to_a_file_and_every_picture_is_shown(self):
         shown = set()
-        for page in sorted(GUIDE.glob("*.md")):
+        for page in (*sorted(GUIDE.glob("*.md")), *sorted((GUIDE / "de").glob("*.md"))):
             for target in re.findall(r"\]\(([^)#]+)\)", page.read_text()):
                 if "://" in target:
                     continue
-                self.assertTrue((GUIDE / target).exists(), f"{page.name} points to {target}, which is not there.")
-                shown.add((GUIDE / target).resolve())
+                there = page.parent / target
+                self.assertTrue(there.exists(), f"{page} points to {target}, which is not there.")
+                shown.add(there.resolve())
         pictures = {file.resolve() for file in (GUIDE / "pictures").glob("*.png")}
         self.assertTrue(pictures)
         self.assertEqual(pictures - shown, set(), "No page shows these pictures.")
@@ -79,6 +80,13 @@ class PicturesOfTheGuide(unittest.TestCase):
             self.assertEqual(steps, [str(i + 1) for i in range(len(steps))])
             for step in steps:
                 self.assertIn(f"(pictures/{walk}-{step}.png)", text)
+
+    def test_the_german_guide_has_the_pages_steps_tables_and_commands_of_the_english_one(self):
+        for name in ("README", "surgeon", "ct", "clinician", "visitor", "booth", "questions", "glossary"):
+            english, german = ((folder / f"{name}.md").read_text() for folder in (GUIDE, GUIDE / "de"))
+            for pattern in (r"^## \d+\.", r"^\|", r"!\[[^]]*\]\((?:\.\./)?(pictures/[^)]*)\)", r"^\*\*\d+\."):
+                with self.subTest(page=name, pattern=pattern):
+                    self.assertEqual(re.findall(pattern, german, re.MULTILINE), re.findall(pattern, english, re.MULTILINE))
 
 
 class WalksOfTheContributor(unittest.TestCase):

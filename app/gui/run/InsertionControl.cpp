@@ -160,7 +160,7 @@ Result<Done> InsertionControl::build(InputSource hand, std::optional<std::filesy
 
 Result<Done> InsertionControl::begin()
 {
-  if (!insertion_) return Error{"There is no insertion to start. Press Reset."};
+  if (!insertion_) return Error{"No insertion is prepared. Press Reset."};
   if (!isRunning_) {
     const Result<Done> started = insertion_->start();
     if (!started) return started;

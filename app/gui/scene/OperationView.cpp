@@ -124,6 +124,17 @@ void OperationView::addReadOuts()
   column->addWidget(phase_);
 }
 
+void OperationView::captionDepth(const QString& depth_mm)
+{
+  travel_->setCaption(tr("advanced · insertion depth %1 mm").arg(depth_mm));
+  angle_->setCaption(tr("angular insertion depth"));
+  int needed = 5 * spacing;
+  for (const ReadOut* readOut : {travel_, angle_, force_}) needed += readOut->sizeHint().width();
+  if (needed <= width()) return;
+  travel_->setCaption(tr("depth %1 mm").arg(depth_mm));
+  angle_->setCaption(tr("angular depth"));
+}
+
 void OperationView::addToFoot(QWidget* control) { foot_->addWidget(control); }
 
 void OperationView::setScene(std::unique_ptr<visualization::InsertionScene> scene)
@@ -191,8 +202,7 @@ void OperationView::showArray(const haptics::Snapshot& now)
 void OperationView::showNumbers(const haptics::TickOutput& now, Length stopTravel)
 {
   travel_->setNumber(numberText(inMillimeters(Length::fromSi(now.travel)), 1));
-  travel_->setCaption(tr("advanced · insertion depth %1 mm")
-                          .arg(numberText(inMillimeters(Length::fromSi(now.depth)), 1)));
+  captionDepth(numberText(inMillimeters(Length::fromSi(now.depth)), 1));
   angle_->setNumber(numberText(inDegrees(Angle::fromSi(now.angularDepth)), 0));
   force_->setNumber(numberText(inMillinewtons(Force::fromSi(now.axialForce)), 0));
   forceLabel_->show(Force::fromSi(now.axialForce), Force::fromSi(now.membraneForce));

@@ -82,6 +82,8 @@ protected:
 
 private:
   void addReadOuts();
+  /// Captions of depth and angle, shorter where the view is narrow.
+  void captionDepth(const QString& depth_mm);
   void take(std::unique_ptr<visualization::InsertionScene> scene);
   void describeView();
   void showStereo();

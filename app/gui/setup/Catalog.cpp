@@ -5,6 +5,7 @@
 #include <QStringList>
 #include <algorithm>
 
+#include "gui/parts/DataText.h"
 #include "gui/parts/Numbers.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/TomlReader.h"
@@ -61,8 +62,8 @@ std::vector<CatalogFriction> catalogFrictions()
     if (!reader) continue;
     const std::string title = reader->text("title", name);
     const std::string source = reader->table("coefficients").text("source", "");
-    catalog.push_back({QString::fromStdString(name), QString::fromStdString(title),
-                       QString::fromStdString(source)});
+    catalog.push_back(
+        {QString::fromStdString(name), dataText(title), QString::fromStdString(source)});
   }
   return catalog;
 }

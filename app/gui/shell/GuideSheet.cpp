@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QImage>
 #include <QLabel>
+#include <QLocale>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QTextBrowser>
@@ -45,6 +46,13 @@ std::filesystem::path guideFolder()
         resourceRoot().parent_path() / "doc" / "perilymph" / "resources" / "guide"})
     if (std::filesystem::exists(place / "README.md", ignored)) return place;
   return {};
+}
+
+std::filesystem::path guideStart(const std::filesystem::path& folder)
+{
+  const auto spoken = folder / QLocale().name().left(2).toStdString() / "README.md";
+  std::error_code ignored;
+  return std::filesystem::exists(spoken, ignored) ? spoken : folder / "README.md";
 }
 
 GuideSheet::GuideSheet(QWidget* parent) : QFrame(parent), page_(new GuideBrowser(this))
@@ -106,7 +114,7 @@ void GuideSheet::open()
     page_->setPlainText(
         tr("The user guide is not installed. It is in the folder resources/guide of the source."));
   } else {
-    page_->setSource(QUrl::fromLocalFile(QString::fromStdString((folder / "README.md").string())));
+    page_->setSource(QUrl::fromLocalFile(QString::fromStdString(guideStart(folder).string())));
     page_->clearHistory();
   }
   page_->setFocus();

@@ -14,6 +14,9 @@ class GuideBrowser;
 /// it is not installed.
 std::filesystem::path guideFolder();
 
+/// The first page of a guide, in the window's language if it exists in it.
+std::filesystem::path guideStart(const std::filesystem::path& folder);
+
 class GuideSheet : public QFrame {
   Q_OBJECT
 public:

@@ -4,6 +4,7 @@
 #include <QButtonGroup>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <QVariant>
@@ -62,6 +63,8 @@ SettingsSheet::SettingsSheet(QWidget* parent) : QFrame(parent), note_(label({}, 
   addGroup(*column, tr("Language"), QStringLiteral("language"), languageText(),
            {tr("as the system"), QStringLiteral("English"), QStringLiteral("Deutsch")});
   column->addWidget(note_);
+  addLine(*column, tr("Institution, for reports"), QStringLiteral("report/institution"));
+  addLine(*column, tr("Operator, for reports"), QStringLiteral("report/operator"));
   column->addWidget(label(
       tr("Log file: %1").arg(QString::fromStdString((stateFolder() / "perilymph.log").string())),
       12, true, this));
@@ -95,6 +98,26 @@ void SettingsSheet::addGroup(QVBoxLayout& column, const QString& title, const QS
     });
   }
   row->addStretch();
+  column.addLayout(row);
+}
+
+void SettingsSheet::addLine(QVBoxLayout& column, const QString& title, const QString& key)
+{
+  auto* row = new QHBoxLayout;
+  row->setSpacing(spacing);
+  auto* caption = label(title, 13, false, this);
+  auto* field = new QLineEdit(UserSettings().value(key).toString(), this);
+  field->setObjectName(key);
+  field->setAccessibleName(title);
+  field->setPlaceholderText(tr("optional"));
+  field->setMaxLength(80);
+  field->setFont(typeface(13));
+  field->setFixedHeight(26);
+  caption->setBuddy(field);
+  connect(field, &QLineEdit::editingFinished, this,
+          [field, key] { UserSettings().setValue(key, field->text().trimmed()); });
+  row->addWidget(caption, 1);
+  row->addWidget(field, 1);
   column.addLayout(row);
 }
 

@@ -29,6 +29,7 @@ Q_SIGNALS:
 private:
   void addGroup(QVBoxLayout& column, const QString& title, const QString& key,
                 const QStringList& caption, const QStringList& names);
+  void addLine(QVBoxLayout& column, const QString& title, const QString& key);
 
   QLabel* note_;
 };

@@ -50,7 +50,7 @@ Result<ComparedInsertion> readCompared(const std::filesystem::path& file,
   compared.reversals = reversals.reversals();
   compared.motion = motion.motion();
   if (compared.profile.ticks == 0)
-    return Error{file.string() + " holds no tick. Record an insertion into another file."};
+    return Error{file.string() + " contains no samples. Record the insertion to another file."};
   return compared;
 }
 

@@ -59,7 +59,7 @@ InsertionScore scoreOf(const ComparedInsertion& insertion, const PrintedRange& p
        "Kesler et al. 2017: 18.6 reversals in manual insertions at a target of 15 mm/min",
        between(motion.reversals, 0.0, reversalsOfTooSlowHands)},
       {"peak force", fixed(inMillinewtons(newtons(peak)), 1) + " mN",
-       "up to " + fixed(low_mN, 1) + " mN all points; from " + fixed(high_mN, 1) + " mN on none",
+       "full score up to " + fixed(low_mN, 1) + " mN, none from " + fixed(high_mN, 1) + " mN",
        peakBand.source, between(peak, peakBand.low, peakBand.high)},
       {"smoothness", percent(still) + " of the time at rest (below 0.1 mm/s)",
        "full score at 0 %, none from 15.7 %",

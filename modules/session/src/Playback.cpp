@@ -73,8 +73,7 @@ Result<Done> Playback::Content::survey()
   if (!read) return read.error();
   if (ticks == 0)
     return Error{file.string() +
-                 " holds no tick, so there is nothing to replay. The insertion "
-                 "never ran."};
+                 " contains no samples and cannot be replayed: the insertion was never started."};
   between = std::max(fewestBetween, ticks / maxStates);
   return Done{};
 }

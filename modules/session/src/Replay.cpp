@@ -76,15 +76,15 @@ std::vector<std::string> whatChanged(const RecordedInsertion& recorded, const Sc
   std::vector<std::string> notes;
   if (!recorded.note().empty()) notes.push_back(recorded.note());
   if (!recorded.wasClosed())
-    notes.push_back("The recording was not closed; it ends where the program did.");
+    notes.push_back("The recording was not closed: it ends where the program was interrupted.");
   if (facts.buildId != buildId())
     notes.push_back("Recorded by build " + facts.buildId + ", replayed by build " + buildId() +
                     ".");
   if (scenario.expectedArrayFingerprint() != scenario.arrayFingerprint())
     notes.push_back("The file of the array '" + scenario.arrayName() +
-                    "' has changed since the recording.");
+                    "' has changed since the recording was made.");
   if (!model.hasFingerprint(facts.modelFingerprint))
-    notes.push_back("The model built from the recorded scenario is not the one recorded.");
+    notes.push_back("The model built from the recorded scenario differs from the recorded model.");
   return notes;
 }
 
@@ -100,7 +100,7 @@ Result<Verification> beginVerification(const RecordedInsertion& recorded)
     verification.notes.push_back(
         "Recorded in format 1, which has no hash: that nothing was changed is shown by counts, "
         "columns, events and the replay alone.");
-  if (checked->ticks == 0) verification.notes.push_back("The recording holds no ticks.");
+  if (checked->ticks == 0) verification.notes.push_back("The recording contains no samples.");
   return verification;
 }
 

@@ -18,14 +18,14 @@ TEST(CommandLine, ExplainsItself)
 TEST(CommandLine, PrintsTheDefaultOfEveryOptionThatHasOne)
 {
   const auto help = [](const char* command) { return cli({command, "--help"}).out; };
-  EXPECT_THAT(help("validate"), testing::HasSubstr("[200]"));
-  EXPECT_THAT(help("validate"), testing::HasSubstr("[number of cores]"));
-  EXPECT_THAT(help("validate"), testing::HasSubstr("[published-experiment]"));
-  EXPECT_THAT(help("calibrate"), testing::HasSubstr("[24]"));
-  EXPECT_THAT(help("predict"), testing::HasSubstr("[50]"));
-  EXPECT_THAT(help("simulate"), testing::HasSubstr("[0]"));
-  EXPECT_THAT(help("render"), testing::HasSubstr("[surgeon]"));
-  EXPECT_THAT(help("anatomy"), testing::HasSubstr("[scala]"));
+  EXPECT_THAT(help("validate"), testing::HasSubstr("=200"));
+  EXPECT_THAT(help("validate"), testing::HasSubstr("=number of cores"));
+  EXPECT_THAT(help("validate"), testing::HasSubstr("=published-experiment"));
+  EXPECT_THAT(help("calibrate"), testing::HasSubstr("=24"));
+  EXPECT_THAT(help("predict"), testing::HasSubstr("=50"));
+  EXPECT_THAT(help("simulate"), testing::HasSubstr("=0"));
+  EXPECT_THAT(help("render"), testing::HasSubstr("=surgeon"));
+  EXPECT_THAT(help("anatomy"), testing::HasSubstr("=scala"));
 }
 
 TEST(CommandLine, KnowsItsCommands)

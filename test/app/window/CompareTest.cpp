@@ -99,7 +99,7 @@ TEST_F(Clinician, ReadsPeakWorkAndReasonsInNumbersWithUnits)
   for (int row = 0; row < 2; ++row) {
     EXPECT_TRUE(cell(row, "Peak force").endsWith(" mN"));
     EXPECT_TRUE(cell(row, "at insertion depth").endsWith(" mm"));
-    EXPECT_TRUE(cell(row, "Work").endsWith(" mJ"));
+    EXPECT_TRUE(cell(row, "Insertion work").endsWith(" mJ"));
     EXPECT_TRUE(cell(row, "Time").endsWith(" s"));
     EXPECT_EQ(cell(row, "Reversals"), "0");
     EXPECT_TRUE(cell(row, "Score").endsWith("of 100"));
@@ -156,7 +156,7 @@ TEST_F(Clinician, WritesAReportThatCanBeReadAgain)
   for (const std::string& caption :
        {std::string("For research and training"), std::string("Not a medical device"),
         std::string("Peak insertion force"), std::string("Replay verified"), std::string("SHA-256"),
-        buildId(), std::string("Nucleus 24 Contour"), std::string("speed_mm_s"),
+        buildId(), std::string("Nucleus 24 Contour"), std::string("Static friction"),
         std::string("Kesler et al. 2017"), std::string("Limits")})
     EXPECT_NE(read.out.find(caption), std::string::npos) << caption;
 }

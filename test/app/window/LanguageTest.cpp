@@ -6,6 +6,7 @@
 
 #include <QAbstractButton>
 #include <QCoreApplication>
+#include <QKeySequence>
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
@@ -18,11 +19,15 @@
 #include "gui/pages/insert/Pane.h"
 #include "gui/pages/insert/SidePanel.h"
 #include "gui/parts/ChartLabels.h"
+#include "gui/parts/DataText.h"
 #include "gui/parts/Numbers.h"
 #include "gui/program/Languages.h"
 #include "gui/setup/Catalog.h"
 #include "gui/setup/Selector.h"
+#include "gui/shell/GuideSheet.h"
 #include "perilymph/analysis/Reference.h"
+#include "perilymph/analysis/Score.h"
+#include "perilymph/analysis/ValidationReport.h"
 
 namespace perilymph::test {
 namespace {
@@ -184,21 +189,82 @@ TEST(PseudoLanguage, WordsThatAreFortyPercentLongerHaveRoom)
   rig.window().views().setArrangement(gui::PaneLayout::two);
 }
 
+/// The texts of a figure.
+QStringList textOf(const figures::Figure& figure)
+{
+  QStringList texts;
+  const auto add = [&texts](const std::string& text) {
+    if (!text.empty()) texts << QString::fromStdString(text);
+  };
+  add(figure.title);
+  add(figure.x.title);
+  add(figure.y.title);
+  for (const auto& each : figure.bands) add(each.label);
+  for (const auto& each : figure.levels) add(each.label);
+  for (const auto& each : figure.curves) add(each.label);
+  for (const auto& each : figure.values) add(each.label);
+  for (const std::string& note : figure.notes) add(note);
+  return texts;
+}
+
+TEST(PseudoLanguage, TextsOfDataFilesAndOfTheEngineAreTranslated)
+{
+  const Bracketed translator;
+  QStringList texts;
+  for (const gui::CatalogFriction& friction : gui::catalogFrictions()) texts << friction.title;
+  const auto score = analysis::scoreOf(analysis::ComparedInsertion{});
+  ASSERT_TRUE(score);
+  for (const analysis::ScoreCriterion& each : score->criteria)
+    for (const std::string& text : {each.name, each.found, each.band, each.source})
+      texts << gui::dataText(text);
+  const auto experiment = analysis::shippedReference("todd-naghdy-experiment");
+  const auto simulator = analysis::shippedReference("todd-naghdy-simulator");
+  const auto difference = analysis::shippedReference("todd-naghdy-difference");
+  ASSERT_TRUE(experiment && simulator && difference);
+  const analysis::ValidationResult none{};
+  for (const figures::Figure& figure : {analysis::experimentFigure(*experiment, *simulator),
+                                        analysis::simulationFigure(none, *experiment),
+                                        analysis::differenceFigure(none, *difference)})
+    texts << textOf(gui::translated(figure));
+  for (const analysis::Verdict& verdict : analysis::verdictsOf(none, *experiment))
+    for (const std::string& text : {verdict.what, verdict.wanted}) texts << gui::dataText(text);
+  for (const QString& text : texts)
+    EXPECT_TRUE(text.contains(QLatin1Char('['))) << text.toStdString();
+}
+
+TEST(German, TranslatesNumbersInTextsOfData)
+{
+  gui::useLanguage(*QCoreApplication::instance(), "de");
+  EXPECT_EQ(gui::dataText("Soap 10 %: speed-independent"),
+            "Seife 10 %: geschwindigkeitsunabhängig");
+  EXPECT_EQ(gui::dataText("0.0950 N"), "0,0950 N");
+  EXPECT_EQ(gui::dataText("unknown 1.5"), "unknown 1.5");
+  gui::useLanguage(*QCoreApplication::instance(), "en");
+  QLocale::setDefault(QLocale::c());
+}
+
 TEST(German, IsShownWhenRequested)
 {
   gui::useLanguage(*QCoreApplication::instance(), "de");
   {
     WindowRig rig;
-    EXPECT_EQ(rig.button("resetButton").text(), "Neu");
+    EXPECT_EQ(rig.button("resetButton").text(), "Zurücksetzen");
     EXPECT_TRUE(rig.readOut("travelReadOut").contains(QLatin1Char(',')));
+    const auto keyName = [](const QKeySequence& keys) {
+      return keys.toString(QKeySequence::NativeText);
+    };
+    EXPECT_EQ(keyName(Qt::Key_Space), "Leertaste");
+    EXPECT_EQ(keyName(Qt::Key_Backspace), "Rücktaste");
+    EXPECT_EQ(keyName(QKeySequence(Qt::ControlModifier | Qt::Key_R)), "Strg+R");
+    EXPECT_EQ(gui::guideStart(gui::guideFolder()).parent_path().filename(), "de");
     // texts drawn by VTK in the scene and the charts
     EXPECT_EQ(gui::sceneStyle().strings.wallForce, "Wandkraft, mN je mm");
-    EXPECT_EQ(gui::sceneStyle().strings.friction, "Reibung, × %1");
+    EXPECT_EQ(gui::sceneStyle().strings.friction, "Reibkraft (Pfeile %1-fach)");
     EXPECT_EQ(gui::chartStyle().strings.outerWall, "Außenwand");
     EXPECT_EQ(gui::chartStyle().strings.decimalSign, ',');
     const auto reference = analysis::shippedReference("todd-naghdy-experiment");
     ASSERT_TRUE(reference);
-    EXPECT_TRUE(gui::referenceName(reference->label).startsWith("veröffentlichter Versuch"));
+    EXPECT_TRUE(gui::referenceName(reference->label).startsWith("veröffentlichte Messungen"));
   }
   gui::useLanguage(*QCoreApplication::instance(), "en");
   EXPECT_EQ(gui::sceneStyle().strings.wallForce, visualization::SceneStrings().wallForce);

@@ -107,7 +107,7 @@ TEST_F(NamesOfMarkup, AreEscapedInTheReport)
   content.facts.device = bold;
   content.facts.scenarioName = bold;
   content.file = "<u>.insertion";
-  const QString text = gui::reportText(content);
+  const QString text = gui::appendixText(content);
   EXPECT_TRUE(text.contains("&lt;img"));
   EXPECT_TRUE(text.contains("&lt;b&gt;bold"));
   EXPECT_FALSE(text.contains(image));

@@ -140,7 +140,7 @@ TEST(Opening, ThatIsTooNarrowForTheArraysBaseGivesAWarning)
   ASSERT_EQ(scenario.notes().size(), 1u);
   EXPECT_THAT(scenario.notes()[0],
               testing::AllOf(HasSubstr("mm thick 19.7 mm behind its tip, the opening 1 mm wide"),
-                             HasSubstr("comes to rest there")));
+                             HasSubstr("stops there")));
 
   Overrides shallow = narrow;
   shallow.back().second = "10";

@@ -178,7 +178,7 @@ TEST_F(Library, GivesEachRecordingBeforeItReadsTheNext)
 TEST_F(Library, ListsAnInsertionThatNeverRan)
 {
   record(folder_ / "a.insertion", "2010-05-17T09:30:00Z", {});
-  EXPECT_THAT(list().at(0).error, HasSubstr("never ran"));
+  EXPECT_THAT(list().at(0).error, HasSubstr("never started"));
 }
 
 TEST_F(Library, LeavesTheFileAloneThatIsBeingRecorded)

@@ -14,6 +14,7 @@
 #include <QVariant>
 
 #include "gui/pages/compare/ComparisonPlot.h"
+#include "gui/parts/DataText.h"
 #include "gui/parts/EmptyPage.h"
 #include "gui/parts/Numbers.h"
 #include "gui/parts/Theme.h"
@@ -249,9 +250,8 @@ void ComparePage::showScore()
                .arg(QString::fromStdString(runs_[std::size_t(row)].name));
   for (const analysis::ScoreCriterion& each : scored->criteria)
     lines << tr("%1: %2 % (%3). Criterion: %4. Source: %5.")
-                 .arg(QString::fromStdString(each.name), numberText(100.0 * each.fraction, 0),
-                      QString::fromStdString(each.found), QString::fromStdString(each.band),
-                      QString::fromStdString(each.source));
+                 .arg(dataText(each.name), numberText(100.0 * each.fraction, 0),
+                      dataText(each.found), dataText(each.band), dataText(each.source));
   score_->setText(lines.join(QLatin1Char('\n')));
 }
 

@@ -93,7 +93,7 @@ QString styletText(const InsertionControl& control)
   if (!control.scenario().array().hasStylet) return tr("no stylet");
   const double withdrawn_mm = inMillimeters(Length::fromSi(control.now().output.styletWithdrawal));
   return withdrawn_mm > 0.0 ? tr("%1 mm withdrawn").arg(numberText(withdrawn_mm, 1))
-                            : tr("fully inserted");
+                            : tr("in place");
 }
 
 }  // namespace perilymph::gui

@@ -8,25 +8,58 @@
 #include <QPdfWriter>
 #include <QTextDocument>
 #include <QUrl>
+#include <algorithm>
+#include <cmath>
 
+#include "gui/pages/sessions/ReportHead.h"
+#include "gui/pages/sessions/ReportRecord.h"
+#include "gui/pages/sessions/ReportSheet.h"
 #include "gui/pages/sessions/ReportText.h"
 #include "gui/parts/DrawingPainter.h"
+#include "perilymph/figures/Figure.h"
 #include "perilymph/foundation/AtomicFile.h"
 
 namespace perilymph::gui {
 
 namespace {
 
-constexpr int dotsPerInch = 144;
-constexpr double margin_mm = 18.0;
-constexpr int footHeight = 34;  // below the text of a page [dots]
+constexpr int dotsPerInch = 288;
+constexpr double perInch_mm = 25.4;
+constexpr double margin_mm = 15.0;
+constexpr double head_mm = 9.0;  // the line on top of every page
+constexpr double foot_mm = 7.0;
+
+// lupdate assigns texts of free functions to their namespace.
+QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
+
+double dotsOf(double length_mm) { return length_mm * dotsPerInch / perInch_mm; }
+
+/// Insertion force in mN over travel.
+figures::Figure figureOf(const ReportContent& content)
+{
+  figures::FigureCurve curve;
+  curve.ink = figures::ink::blue;
+  double farthest_mm = 0.0, lowest_mN = 0.0, highest_mN = 0.0;
+  for (const analysis::CurvePoint& point : content.insertion.profile.curve) {
+    curve.x.push_back(inMillimeters(meters(point.travel)));
+    curve.y.push_back(inMillinewtons(newtons(point.force)));
+    farthest_mm = std::max(farthest_mm, curve.x.back());
+    // a fraction of a millinewton below zero does not need its own tick
+    if (curve.y.back() < -0.5) lowest_mN = std::min(lowest_mN, curve.y.back());
+    highest_mN = std::max(highest_mN, curve.y.back());
+  }
+  figures::Figure figure;
+  figure.curves = {std::move(curve)};
+  figure.x = figures::axisOver(tr("travel, mm").toStdString(), 0.0, farthest_mm);
+  figure.y = figures::axisOver(tr("insertion force, mN").toStdString(), lowest_mN, highest_mN);
+  return figure;
+}
 
 /// The curve in the standard drawing, painted at print resolution.
 QImage curveOf(const ReportContent& content)
 {
-  const figures::Drawing drawing = figures::draw(analysis::comparisonFigure(
-      {content.insertion}, content.published ? &*content.published : nullptr));
-  constexpr double fineness = 3.0;
+  const figures::Drawing drawing = figures::draw(figureOf(content));
+  constexpr double fineness = 4.0;
   QImage image(int(fineness * drawing.width), int(fineness * drawing.height), QImage::Format_RGB32);
   image.fill(Qt::white);
   QPainter painter(&image);
@@ -36,35 +69,79 @@ QImage curveOf(const ReportContent& content)
   return image;
 }
 
-/// Inter replaces some signs between capitals and digits by glyphs without a code: text copied from
-/// the PDF would lack them ("SHA 256"). DejaVu Sans has no such glyphs.
-QFont reportTypeface(int size_px)
+/// Sizes of the appendix's text [dots].
+QString styleSheet()
 {
-  QFont chosen(QStringLiteral("DejaVu Sans"));
-  chosen.setPixelSize(size_px);
-  return chosen;
+  const auto dots = [](double points) { return int(std::lround(points * dotsPerInch / 72.0)); };
+  return QStringLiteral(
+             "h1 { font-size: %1px; font-weight: 600; margin-top: 0; } "
+             "h2 { font-size: %2px; font-weight: 600; margin-top: 10px; margin-bottom: 3px; } "
+             "td { padding: 1px 10px 1px 0; } .quiet { color: #4A5661; } "
+             ".small { font-size: %3px; }")
+      .arg(dots(13.0))
+      .arg(dots(10.0))
+      .arg(dots(7.0));
 }
 
-void paintPages(QPdfWriter& writer, QTextDocument& document)
+QString pageText(int page, int pages) { return tr("Page %1 of %2").arg(page).arg(pages); }
+
+QString purposeText() { return tr("For research and training. Not a medical device."); }
+
+/// The lines on top and at the foot of every page.
+class PageFrame {
+public:
+  PageFrame(const ReportContent& content, const ReportIssuer& issuer, double width_mm,
+            double height_mm)
+      : subject_(subjectOf(content)),
+        issuer_(issuer),
+        time_(localTimeOf(content.facts.startedUtc)),
+        width_mm_(width_mm),
+        height_mm_(height_mm)
+  {
+  }
+
+  void paint(ReportSheet& sheet, int page, int pages) const
+  {
+    sheet.line({0.0, 0.0, 0.6 * width_mm_, 5.0}, subject_, ReportFace::bold);
+    sheet.line({0.6 * width_mm_, 0.0, 0.4 * width_mm_, 5.0},
+               issuer_.institution.isEmpty() ? QStringLiteral("Perilymph") : issuer_.institution,
+               ReportFace::quiet, Qt::AlignRight);
+    sheet.rule(0.0, 5.8, width_mm_);
+    const QRectF foot(0.0, height_mm_ - 4.0, width_mm_, 4.0);
+    sheet.line(foot, purposeText(), ReportFace::quiet);
+    sheet.line(foot, time_, ReportFace::quiet, Qt::AlignHCenter);
+    sheet.line(foot, pageText(page, pages), ReportFace::quiet, Qt::AlignRight);
+  }
+
+private:
+  QString subject_;
+  const ReportIssuer& issuer_;
+  QString time_;
+  double width_mm_, height_mm_;
+};
+
+void paintPages(QPdfWriter& writer, QTextDocument& appendix, const ReportContent& content)
 {
+  const ReportIssuer issuer = ReportIssuer::fromSettings();
+  const double width_mm = writer.width() * perInch_mm / dotsPerInch;
+  const double height_mm = writer.height() * perInch_mm / dotsPerInch;
+  const PageFrame frame(content, issuer, width_mm, height_mm);
+  const double textHeight = writer.height() - dotsOf(head_mm) - dotsOf(foot_mm);
+  appendix.setPageSize({double(writer.width()), textHeight});
+  const int pages = 1 + appendix.pageCount();
+
   QPainter painter(&writer);
-  const QRectF page(0, 0, writer.width(), writer.height() - footHeight);
-  document.setPageSize(page.size());
-  const int pages = document.pageCount();
-  for (int i = 0; i < pages; ++i) {
-    if (i > 0) writer.newPage();
+  painter.setRenderHint(QPainter::LosslessImageRendering);
+  ReportSheet sheet(painter, dotsPerInch);
+  frame.paint(sheet, 1, pages);
+  paintRecord(sheet, content, issuer, head_mm, height_mm - foot_mm, width_mm);
+  for (int i = 0; i + 1 < pages; ++i) {
+    writer.newPage();
+    frame.paint(sheet, i + 2, pages);
     painter.save();
-    painter.translate(0, -i * page.height());
-    document.drawContents(&painter, page.translated(0, i * page.height()));
+    painter.translate(0.0, dotsOf(head_mm) - i * textHeight);
+    appendix.drawContents(&painter, QRectF(0.0, i * textHeight, writer.width(), textHeight));
     painter.restore();
-    painter.setFont(reportTypeface(13));
-    painter.setPen(QColor(90, 90, 90));
-    const QRectF place(0, page.height(), page.width(), footHeight);
-    painter.drawText(
-        place, Qt::AlignLeft | Qt::AlignBottom,
-        QCoreApplication::translate("Report", "For research and training. Not a medical device."));
-    painter.drawText(place, Qt::AlignRight | Qt::AlignBottom,
-                     QCoreApplication::translate("Report", "Page %1 of %2").arg(i + 1).arg(pages));
   }
 }
 
@@ -72,27 +149,24 @@ void paintPages(QPdfWriter& writer, QTextDocument& document)
 
 Result<Done> writeReport(const ReportContent& content, const std::filesystem::path& file)
 {
-  QTextDocument document;
-  document.setDefaultFont(reportTypeface(16));
-  document.setDefaultStyleSheet(QStringLiteral(
-      "h1 { font-size: 34px; font-weight: 500; } h2 { font-size: 21px; font-weight: 600; }"
-      "td { padding: 3px 14px 3px 0; } .quiet { color: #5A5A5A; } .small { font-size: 14px; }"));
-  document.addResource(QTextDocument::ImageResource, QUrl(QStringLiteral("curve")),
+  QTextDocument appendix;
+  appendix.setDocumentMargin(0.0);
+  appendix.setDefaultFont(reportFont(8.0 * dotsPerInch / 72.0));
+  appendix.setDefaultStyleSheet(styleSheet());
+  appendix.addResource(QTextDocument::ImageResource, QUrl(QStringLiteral("curve")),
                        curveOf(content));
-  document.addResource(QTextDocument::ImageResource, QUrl(QStringLiteral("picture")),
-                       content.picture);
-  document.setHtml(reportText(content));
-  return writeWhole(file, [&document](const std::filesystem::path& place) {
+  appendix.setHtml(appendixText(content));
+  return writeWhole(file, [&](const std::filesystem::path& place) {
     QPdfWriter writer(QString::fromStdString(place.string()));
     writer.setResolution(dotsPerInch);
     writer.setPageSize(QPageSize(QPageSize::A4));
     writer.setPageMargins(QMarginsF(margin_mm, margin_mm, margin_mm, margin_mm),
                           QPageLayout::Millimeter);
-    writer.setTitle(QCoreApplication::translate("Report", "Insertion report"));
+    writer.setTitle(tr("Insertion report"));
     writer.setCreator(QStringLiteral("Perilymph"));
-    document.documentLayout()->setPaintDevice(&writer);
-    paintPages(writer, document);
-    document.documentLayout()->setPaintDevice(nullptr);  // the writer is destroyed first
+    appendix.documentLayout()->setPaintDevice(&writer);
+    paintPages(writer, appendix, content);
+    appendix.documentLayout()->setPaintDevice(nullptr);  // the writer is destroyed first
     std::error_code failure;
     return std::filesystem::file_size(place, failure) > 0 && !failure;
   });

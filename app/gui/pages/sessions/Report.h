@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// PDF report of one insertion: numbers with sources, curve, picture, limitations.
+// PDF report of one insertion: a page for the record, and an appendix that makes it reproducible.
 
 #include <filesystem>
 

@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/sessions/ReportContent.h"
 
-#include <QCoreApplication>
 #include <QCryptographicHash>
 #include <QFile>
 #include <algorithm>
+#include <iterator>
 
-#include "gui/pages/sessions/SessionPicture.h"
+#include "perilymph/analysis/ErrorBand.h"
 #include "perilymph/session/Playback.h"
 #include "perilymph/session/RecordedInsertion.h"
 
 namespace perilymph::gui {
 
 namespace {
-
-constexpr int pictureWidth_px = 900, pictureHeight_px = 640;
 
 QString sha256Of(const std::filesystem::path& path)
 {
@@ -24,25 +22,23 @@ QString sha256Of(const std::filesystem::path& path)
   return QString::fromLatin1(hash.result().toHex());
 }
 
-/// The array at its maximum depth.
-Result<QImage> pictureOf(session::Playback& playback, double& depth_mm)
+/// The first snapshot at maximum depth.
+Result<Done> findDeepest(session::Playback& playback, haptics::Snapshot& deepest)
 {
   const auto& samples = playback.samples();
-  const auto deepest = std::max_element(
+  const auto found = std::max_element(
       samples.begin(), samples.end(),
       [](const auto& one, const auto& other) { return one.output.depth < other.output.depth; });
-  haptics::Snapshot now{};
-  if (const auto done = playback.show(deepest->place, now); !done) return done.error();
-  depth_mm = inMillimeters(meters(now.output.depth));
-  const session::Scenario& scenario = playback.scenario();
-  QImage image(pictureWidth_px, pictureHeight_px, QImage::Format_RGB32);
-  image.fill(Qt::white);
-  QPainter painter(&image);
-  paintInsertion(painter, image.rect(),
-                 {*playback.anatomy(), scenario.array(), scenario.patient().side, &now},
-                 printInks());
-  painter.end();
-  return image;
+  // between this sample and the next one it may be deeper
+  const std::uint64_t end = found + 1 == samples.end() ? playback.ticks() : std::next(found)->place;
+  if (const auto done = playback.show(found->place, deepest); !done) return done.error();
+  haptics::Snapshot next{};
+  for (std::uint64_t place = found->place + 1; place < end; ++place) {
+    if (const auto done = playback.show(place, next); !done) return done.error();
+    if (next.output.depth <= deepest.output.depth) break;
+    deepest = next;
+  }
+  return Done{};
 }
 
 }  // namespace
@@ -64,8 +60,9 @@ Result<ReportContent> gatherReport(const std::filesystem::path& file,
   if (!insertion) return insertion.error();
   content.insertion = *std::move(insertion);
   if (const auto score = analysis::scoreOf(content.insertion)) content.score = *score;
-  if (const auto published = analysis::shippedReference("todd-naghdy-experiment"))
-    content.published = *published;
+  if (const auto inVitro = analysis::shippedReference("in-vitro"))
+    if (const auto* rupture = inVitro->findRange("rupture of the partition"))
+      content.rupture = *rupture;
 
   const auto playback = session::Playback::open(file);
   if (!playback) return playback.error();
@@ -74,9 +71,14 @@ Result<ReportContent> gatherReport(const std::filesystem::path& file,
       (*playback)->compute([&isCanceled](std::uint64_t, std::uint64_t) { return !isCanceled; });
   if (!verification) return verification.error();
   content.verification = *verification;
-  auto picture = pictureOf(**playback, content.depth_mm);
-  if (!picture) return picture.error();
-  content.picture = *std::move(picture);
+  if (const auto done = findDeepest(**playback, content.deepest); !done) return done.error();
+
+  content.anatomy = (*playback)->anatomy();
+  content.contacts =
+      analysis::contactPositions(*content.anatomy, content.scenario.array(), content.deepest);
+  content.measures = analysis::measure(*content.anatomy);
+  const auto bands = analysis::errorBands(content.scenario.parameters().cochlea, content.measures);
+  if (bands) content.bands = *bands;
   return content;
 }
 

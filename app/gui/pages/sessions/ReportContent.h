@@ -3,12 +3,15 @@
 
 // Content of a report on one recorded insertion, computed in the background.
 
-#include <QImage>
 #include <QString>
 #include <atomic>
 #include <filesystem>
+#include <memory>
 #include <optional>
+#include <vector>
 
+#include "perilymph/analysis/AnatomyMeasures.h"
+#include "perilymph/analysis/ContactPositions.h"
 #include "perilymph/analysis/Score.h"
 #include "perilymph/session/Recording.h"
 #include "perilymph/session/Replay.h"
@@ -27,9 +30,20 @@ struct ReportContent {
   analysis::ComparedInsertion insertion;
   std::optional<analysis::InsertionScore> score;
   session::Verification verification;
-  std::optional<analysis::Reference> published;
-  QImage picture;         ///< At maximum depth.
-  double depth_mm = 0.0;  ///< Depth of the tip in the picture.
+  std::optional<analysis::PrintedRange> rupture;  ///< Rupture forces of the cochlear partition.
+
+  std::shared_ptr<const anatomy::ScalaTympani> anatomy;
+  std::vector<analysis::Measure> measures;          ///< Measures of the cochlea.
+  std::vector<double> bands;                        ///< Their uncertainty, or empty.
+  haptics::Snapshot deepest{};                      ///< At maximum depth.
+  std::vector<analysis::ContactPosition> contacts;  ///< At maximum depth, from the tip.
+
+  /// True if the cochlea is scaled by the measures of a patient, not of the published model.
+  bool hasPatient() const
+  {
+    return isScaledBy(scenario.anatomy(), scenario.patient()) &&
+           scenario.patient().label != anatomy::Patient().label;
+  }
 };
 
 /// Replays the recording, in about a tenth of its duration.

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/sessions/ReportText.h"
 
-// In this order: identification, numbers, curve, rating, input data, limitations, and data for
-// reproduction.
+// In this order: curve, all results, technique score, limits, traceability, parameters.
 
 #include <QCoreApplication>
 
+#include "gui/pages/sessions/ReportParameters.h"
+#include "gui/parts/DataText.h"
 #include "gui/parts/Numbers.h"
 #include "perilymph/foundation/Version.h"
 
@@ -13,8 +14,7 @@ namespace perilymph::gui {
 
 namespace {
 
-// Width of pictures, in 1/96 inch: the text of an A4 page is 657 wide.
-constexpr int curveWidth_px = 480, pictureWidth_px = 320;
+constexpr int curveWidth_px = 430;  // in 1/96 inch: the text of an A4 page is 680 wide
 
 // lupdate assigns texts of free functions to their namespace.
 QString tr(const char* caption) { return QCoreApplication::translate("perilymph::gui", caption); }
@@ -32,6 +32,12 @@ QString row(const QString& name, const QString& value, const QString& origin = {
       .arg(cell(name, "quiet"), cell(value), cell(origin, "quiet small"));
 }
 
+/// A value that takes the column of the origin, too.
+QString wideRow(const QString& name, const QString& value)
+{
+  return QStringLiteral("<tr>%1<td colspan=\"2\">%2</td></tr>").arg(cell(name, "quiet"), value);
+}
+
 QString table(const QStringList& rows)
 {
   return QStringLiteral("<table cellspacing=\"0\">%1</table>").arg(rows.join(QString()));
@@ -43,18 +49,38 @@ QString mm(double length) { return tr("%1 mm").arg(numberText(inMillimeters(mete
 
 QString mN(double force) { return tr("%1 mN").arg(numberText(inMillinewtons(newtons(force)), 1)); }
 
-QString whoAndWhat(const ReportContent& content)
+/// A table of an array's file, for people.
+QString partName(const std::string& part)
 {
-  const session::Scenario& scenario = content.scenario;
-  const bool isLeft = scenario.patient().side == anatomy::Side::left;
-  return table(
-      {row(tr("Patient"),
-           tr("%1, %2 ear").arg(from(scenario.patient().label), isLeft ? tr("left") : tr("right"))),
-       row(tr("Array"),
-           tr("%1 (%2)").arg(from(scenario.array().name), from(scenario.array().maker))),
-       row(tr("Recorded"),
-           tr("%1 (UTC), by %2").arg(from(content.facts.startedUtc), from(content.facts.device))),
-       row(tr("Scenario"), from(content.facts.scenarioName))});
+  static constexpr const char* names[][2] = {
+      {"length", QT_TRANSLATE_NOOP("perilymph::gui", "Length")},
+      {"insertable", QT_TRANSLATE_NOOP("perilymph::gui", "Insertable length")},
+      {"diameter", QT_TRANSLATE_NOOP("perilymph::gui", "Diameter")},
+      {"thickness", QT_TRANSLATE_NOOP("perilymph::gui", "Thickness")},
+      {"tip", QT_TRANSLATE_NOOP("perilymph::gui", "Tip")},
+      {"bending", QT_TRANSLATE_NOOP("perilymph::gui", "Bending stiffness")},
+      {"bending_across", QT_TRANSLATE_NOOP("perilymph::gui", "Bending stiffness, other axis")},
+      {"twisting", QT_TRANSLATE_NOOP("perilymph::gui", "Torsional stiffness")},
+      {"rest_curvature", QT_TRANSLATE_NOOP("perilymph::gui", "Curvature at rest")},
+      {"contacts", QT_TRANSLATE_NOOP("perilymph::gui", "Contacts")},
+      {"ribs", QT_TRANSLATE_NOOP("perilymph::gui", "Marker ribs")},
+      {"stylet", QT_TRANSLATE_NOOP("perilymph::gui", "Stylet")}};
+  for (const auto& [key, name] : names)
+    if (part == key) return tr(name);
+  return QString::fromStdString(part);
+}
+
+QString confidenceName(electrode::Confidence confidence)
+{
+  switch (confidence) {
+    case electrode::Confidence::high:
+      return tr("confidence high");
+    case electrode::Confidence::medium:
+      return tr("confidence medium");
+    case electrode::Confidence::low:
+      return tr("confidence low");
+  }
+  return {};
 }
 
 QString numbers(const ReportContent& content)
@@ -98,9 +124,12 @@ QString howItWasDone(const ReportContent& content)
   if (!content.score) return {};
   QStringList rows;
   for (const analysis::ScoreCriterion& each : content.score->criteria)
-    rows << row(from(each.name),
-                tr("%1 %: %2").arg(numberText(100.0 * each.fraction, 0), from(each.found)),
-                tr("%1. %2").arg(from(each.band), from(each.source)));
+    rows << row(
+        dataText(each.name).toHtmlEscaped(),
+        tr("%1 %: %2")
+            .arg(numberText(100.0 * each.fraction, 0), dataText(each.found).toHtmlEscaped()),
+        tr("%1. %2").arg(dataText(each.band).toHtmlEscaped(),
+                         dataText(each.source).toHtmlEscaped()));
   return heading(QT_TRANSLATE_NOOP("perilymph::gui", "Technique score")) +
          QStringLiteral("<p>%1</p>")
              .arg(tr("%1 of 100, the mean of four criteria. Rates technique only; it does not "
@@ -109,16 +138,24 @@ QString howItWasDone(const ReportContent& content)
          table(rows);
 }
 
-QString whatItWasComputedFrom(const ReportContent& content)
+QString parameters(const ReportContent& content)
 {
+  // two parameters in a row
+  QStringList cells;
+  for (const auto& [name, value] : parametersOf(content.scenario))
+    cells << cell(name.toHtmlEscaped(), "quiet") + cell(value.toHtmlEscaped());
+  if (cells.size() % 2 == 1) cells << QString();
+  const int half = cells.size() / 2;
   QStringList rows;
-  for (const auto& [key, value] : content.scenario.values())
-    if (value.size() < 60) rows << row(from(key), from(value));
+  for (int i = 0; i < half; ++i)
+    rows << QStringLiteral("<tr>%1%2</tr>").arg(cells[i], cells[half + i]);
   QStringList sources;
   for (const auto& [part, provenance] : content.scenario.array().provenance)
-    sources << row(from(part), from(provenance.source));
+    sources << row(partName(part).toHtmlEscaped(), from(provenance.source),
+                   confidenceName(provenance.confidence));
   return heading(QT_TRANSLATE_NOOP("perilymph::gui", "Simulation parameters")) + table(rows) +
-         QStringLiteral("<p>%1</p>").arg(tr("Array values and their sources:")) + table(sources);
+         heading(QT_TRANSLATE_NOOP("perilymph::gui", "Array: sources of the values")) +
+         table(sources);
 }
 
 QString limits(const ReportContent& content)
@@ -127,8 +164,8 @@ QString limits(const ReportContent& content)
       tr("Forces are computed with a model, not measured in an ear."),
       tr("The array model is based on published data and is not manufacturer data."),
       tr("No value in this report shows that an insertion is atraumatic: trauma thresholds vary "
-         "between ears and are not known for the insertion force."),
-      tr("Published values are shown as points; values between points were not reported.")};
+         "between ears and are not known for the insertion force.")};
+  if (content.rupture) sentences << from(content.rupture->source);
   for (const std::string& note : content.verification.notes) sentences << from(note);
   for (const std::string& note : content.scenario.notes()) sentences << from(note);
   if (content.lostRecords > 0)
@@ -150,7 +187,10 @@ QString marks(const ReportContent& content)
   return heading(QT_TRANSLATE_NOOP("perilymph::gui", "Traceability")) +
          table({row(tr("Recording"), from(content.file.filename().string()),
                     tr("%1 bytes").arg(content.bytes)),
-                row(tr("SHA-256"), content.sha256, {}), row(tr("Replay"), replay, {}),
+                wideRow(tr("SHA-256"), content.sha256), row(tr("Replay"), replay, {}),
+                row(tr("Patient"), from(content.scenario.patient().label), {}),
+                row(tr("Scenario"), from(content.facts.scenarioName), {}),
+                row(tr("Input device"), from(content.facts.device), {}),
                 row(tr("Recorded by"), from(content.facts.buildId), {}),
                 row(tr("Report by"), from(buildId()), {}),
                 row(tr("Model"),
@@ -163,22 +203,14 @@ QString marks(const ReportContent& content)
 
 }  // namespace
 
-QString reportText(const ReportContent& content)
+QString appendixText(const ReportContent& content)
 {
   const QString image = QStringLiteral("<p><img src=\"%1\" width=\"%2\"></p>");
-  return QStringLiteral("<h1>%1</h1><p class=\"quiet\">%2</p>")
-             .arg(tr("Insertion report"), tr("For research and training. Not a medical device; "
-                                             "must not be used for patient care.")) +
-         whoAndWhat(content) + heading(QT_TRANSLATE_NOOP("perilymph::gui", "Results")) +
-         numbers(content) +
+  return QStringLiteral("<h1>%1</h1>").arg(tr("Appendix: data for reproduction")) +
          heading(QT_TRANSLATE_NOOP("perilymph::gui", "Insertion force over travel")) +
          image.arg(QStringLiteral("curve")).arg(curveWidth_px) +
-         heading(QT_TRANSLATE_NOOP("perilymph::gui", "Array at maximum insertion depth")) +
-         image.arg(QStringLiteral("picture")).arg(pictureWidth_px) +
-         QStringLiteral("<p class=\"quiet small\">%1</p>")
-             .arg(tr("View along the modiolar axis, to scale; insertion depth %1 mm.")
-                      .arg(numberText(content.depth_mm, 1))) +
-         howItWasDone(content) + limits(content) + marks(content) + whatItWasComputedFrom(content);
+         heading(QT_TRANSLATE_NOOP("perilymph::gui", "All results")) + numbers(content) +
+         howItWasDone(content) + limits(content) + marks(content) + parameters(content);
 }
 
 }  // namespace perilymph::gui

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Text of a report.
+// Text of a report's appendix: everything needed to reproduce it.
 
 #include <QString>
 
@@ -9,8 +9,7 @@
 
 namespace perilymph::gui {
 
-/// The report's text as HTML, with all names escaped; its pictures are called "curve" and
-/// "picture".
-QString reportText(const ReportContent& content);
+/// The appendix of a report as HTML, with all names escaped; its chart is called "curve".
+QString appendixText(const ReportContent& content);
 
 }  // namespace perilymph::gui

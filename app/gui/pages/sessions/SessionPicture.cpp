@@ -13,39 +13,13 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr double step = pi / 45.0;            // between sections of the outline [rad]
-constexpr double entryDirection = 0.68 * pi;  // of a right ear's opening: to the upper left
-
-/// Projection from the cochlear frame W [m] to a plane viewed toward the apex [mm], y downward.
-class Plane {
-public:
-  Plane(const anatomy::ScalaTympani& scala, anatomy::Side side)
-      : mirror_(side == anatomy::Side::left ? -1.0 : 1.0)
-  {
-    const Eigen::Vector3d out_W = scala.entry().out_W;
-    // as in the window: a left ear is the mirror image of a right one
-    const double wanted = side == anatomy::Side::left ? pi - entryDirection : entryDirection;
-    const double turn = wanted - std::atan2(mirror_ * out_W.y(), out_W.x());
-    cosine_ = std::cos(turn);
-    sine_ = std::sin(turn);
-  }
-
-  QPointF at(double x, double y) const
-  {
-    const double px = 1e3 * x, py = 1e3 * mirror_ * y;
-    return {cosine_ * px - sine_ * py, -(sine_ * px + cosine_ * py)};
-  }
-  QPointF at(const Eigen::Vector3d& point_W) const { return at(point_W.x(), point_W.y()); }
-
-private:
-  double mirror_, cosine_ = 1.0, sine_ = 0.0;
-};
+constexpr double step = pi / 45.0;  // between sections of the outline [rad]
 
 struct Outline {
   QPolygonF outer, inner;
 };
 
-Outline outlineOf(const anatomy::ScalaTympani& scala, const Plane& plane)
+Outline outlineOf(const anatomy::ScalaTympani& scala, const ScalaProjection& plane)
 {
   Outline outline;
   // the straight lead-in, then the turns
@@ -61,7 +35,7 @@ Outline outlineOf(const anatomy::ScalaTympani& scala, const Plane& plane)
   return outline;
 }
 
-QPolygonF arrayOf(const haptics::Snapshot& now, const Plane& plane)
+QPolygonF arrayOf(const haptics::Snapshot& now, const ScalaProjection& plane)
 {
   QPolygonF line;
   for (std::uint32_t i = 0; i < now.nodes; ++i)
@@ -81,7 +55,7 @@ QPointF fromTip(const QPolygonF& line, double length_mm)
   return line.isEmpty() ? QPointF() : line.front();
 }
 
-void paintArray(QPainter& painter, const PicturedInsertion& pictured, const Plane& plane,
+void paintArray(QPainter& painter, const PicturedInsertion& pictured, const ScalaProjection& plane,
                 const PictureInks& inks)
 {
   const QPolygonF line = arrayOf(*pictured.now, plane);
@@ -124,7 +98,7 @@ PictureInks printInks()
 void paintInsertion(QPainter& painter, const QRectF& place, const PicturedInsertion& pictured,
                     const PictureInks& inks)
 {
-  const Plane plane(pictured.scala, pictured.side);
+  const ScalaProjection plane(pictured.scala, pictured.side);
   const Outline outline = outlineOf(pictured.scala, plane);
   constexpr double margin_mm = 0.6;
   const QRectF whole = outline.outer.boundingRect()
@@ -132,12 +106,19 @@ void paintInsertion(QPainter& painter, const QRectF& place, const PicturedInsert
                            .adjusted(-margin_mm, -margin_mm, margin_mm, margin_mm);
   painter.save();
   painter.setClipRect(place);
-  painter.setRenderHint(QPainter::Antialiasing);
   const double scale = std::min(place.width() / whole.width(), place.height() / whole.height());
   painter.translate(place.center());
   painter.scale(scale, scale);
   painter.translate(-whole.center());
+  paintProjected(painter, plane, pictured, inks);
+  painter.restore();
+}
 
+void paintProjected(QPainter& painter, const ScalaProjection& plane,
+                    const PicturedInsertion& pictured, const PictureInks& inks)
+{
+  const Outline outline = outlineOf(pictured.scala, plane);
+  painter.save();
   // quadrilaterals: a self-overlapping spiral would be filled incorrectly as one polygon
   painter.setPen(Qt::NoPen);
   painter.setBrush(inks.lumen);
@@ -147,7 +128,7 @@ void paintInsertion(QPainter& painter, const QRectF& place, const PicturedInsert
         {outline.outer[i], outline.outer[i + 1], outline.inner[i + 1], outline.inner[i]}});
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(inks.wall, std::max(0.08, 1.0 / scale)));
+  painter.setPen(QPen(inks.wall, std::max(0.08, 1.0 / painter.transform().m11())));
   painter.drawPolyline(outline.outer);
   painter.drawPolyline(outline.inner);
   if (pictured.now != nullptr) paintArray(painter, pictured, plane, inks);

@@ -5,6 +5,7 @@
 
 #include <QPainter>
 
+#include "gui/pages/sessions/ScalaProjection.h"
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/anatomy/ScalaTympani.h"
 #include "perilymph/electrode/ArrayDesign.h"
@@ -31,5 +32,8 @@ PictureInks printInks();
 /// Paints it into a rectangle, to scale, the opening at the upper left. Any thread.
 void paintInsertion(QPainter& painter, const QRectF& place, const PicturedInsertion& pictured,
                     const PictureInks& inks);
+/// The same in the projection's millimeters, for a painter that maps them to its device.
+void paintProjected(QPainter& painter, const ScalaProjection& plane,
+                    const PicturedInsertion& pictured, const PictureInks& inks);
 
 }  // namespace perilymph::gui

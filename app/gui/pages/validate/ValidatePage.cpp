@@ -15,6 +15,7 @@
 #include <QVariant>
 
 #include "gui/parts/CheckBoxes.h"
+#include "gui/parts/DataText.h"
 #include "gui/parts/DrawingView.h"
 #include "gui/parts/Theme.h"
 #include "perilymph/figures/Svg.h"
@@ -224,11 +225,11 @@ void ValidatePage::showFigure()
                                 : experiment_)
       ->setChecked(true);
   const analysis::Reference& experiment = basis_->request.experiment;
-  drawing_->show(
-      figures::draw(shown == Shown::simulation ? analysis::simulationFigure(sofar_, experiment)
-                    : shown == Shown::difference
-                        ? analysis::differenceFigure(*result_, basis_->references.difference)
-                        : analysis::experimentFigure(experiment, basis_->references.simulator)));
+  drawing_->show(figures::draw(
+      translated(shown == Shown::simulation ? analysis::simulationFigure(sofar_, experiment)
+                 : shown == Shown::difference
+                     ? analysis::differenceFigure(*result_, basis_->references.difference)
+                     : analysis::experimentFigure(experiment, basis_->references.simulator))));
 }
 
 void ValidatePage::showState()
@@ -253,11 +254,11 @@ void ValidatePage::showVerdicts()
     auto* mark = text(verdict.isMet ? tr("✓ met") : tr("✗ missed"), 13, this);
     mark->setStyleSheet(
         QStringLiteral("color: %1;").arg((verdict.isMet ? accentColor : warningColor).name()));
-    auto* what = text(QString::fromStdString(verdict.what), 13, this);
+    auto* what = text(dataText(verdict.what), 13, this);
     what->setWordWrap(true);
-    auto* found = text(QString::fromStdString(verdict.found), 13, this);
+    auto* found = text(dataText(verdict.found), 13, this);
     found->setAlignment(Qt::AlignRight | Qt::AlignTop);
-    auto* wanted = text(QString::fromStdString(verdict.wanted), 11, this, true);
+    auto* wanted = text(dataText(verdict.wanted), 11, this, true);
     wanted->setWordWrap(true);
     verdicts_->addWidget(mark, line, 0, Qt::AlignTop);
     verdicts_->addWidget(what, line, 1);

@@ -87,7 +87,7 @@ PredictedInsertion insert(const session::InsertionParameters& parameters,
                            static_cast<std::uint64_t>(ticks));
   if (!ran) predicted.error = ran.error().message;
   if (ran && last.workflow != haptics::Workflow::finished)
-    predicted.error = "It did not reach its full depth.";
+    predicted.error = "The array did not reach full depth.";
   const auto& contacts = parameters.array.contactsFromTip;
   predicted.apical =
       radians(angleAlong((*insertion)->model(), (*insertion)->loop().engine().state(),

@@ -58,7 +58,7 @@ Subject subjectOf(const std::string& text, const std::string& name)
   if (scenario)
     subject.array = scenario->array().name;
   else
-    subject.error = "It can be compared, but not replayed: " + scenario.error().message;
+    subject.error = "Can be compared but not replayed: " + scenario.error().message;
   return subject;
 }
 
@@ -130,9 +130,9 @@ SessionSummary summarize(const fs::path& file, Subjects& known,
   else
     summary.error = highlights.error().message;
   if (summary.error.empty() && !summary.wasClosed)
-    summary.error = "It was not closed: it ends where the program did.";
+    summary.error = "Not closed: the recording ends where the program was interrupted.";
   if (summary.error.empty() && highlights && highlights->ticks == 0)
-    summary.error = "It holds no tick: the insertion never ran.";
+    summary.error = "Empty recording: the insertion was never started.";
   // Last, because opening an unclosed recording may have changed the file.
   stamp(summary);
   return summary;

@@ -177,10 +177,10 @@ void noteSeat(ScenarioContent& scenario, Length deepest)
     const electrode::Section section = array.sectionAt(place);
     const Length across = std::max(section.across, section.within);
     if (across <= wide && std::min(section.across, section.within) <= narrow) continue;
-    scenario.notes.push_back("The array " + array.name + " is " + shortLength_mm(across) +
-                             " mm thick " + shortLength_mm(place) +
-                             " mm behind its tip, the opening " + shortLength_mm(narrow) +
-                             " mm wide: it comes to rest there and can only be forced deeper.");
+    scenario.notes.push_back(
+        "The array " + array.name + " is " + shortLength_mm(across) + " mm thick " +
+        shortLength_mm(place) + " mm behind its tip, the opening " + shortLength_mm(narrow) +
+        " mm wide: it stops there and cannot be inserted further without force.");
     return;
   }
 }

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/sessions/ReportParameters.h"
+
+#include <QCoreApplication>
+#include <cmath>
+#include <map>
+
+#include "gui/parts/Numbers.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+/// A parameter by its key: its name, and its unit if it is a number.
+struct ParameterName {
+  const char* key;
+  const char* name;
+  const char* unit = "";
+};
+
+constexpr ParameterName parameterNames[] = {
+    {"anatomy", QT_TRANSLATE_NOOP("ReportParameters", "Anatomy")},
+    {"side", QT_TRANSLATE_NOOP("ReportParameters", "Ear")},
+    {"patient_numbers.st_length_mm", QT_TRANSLATE_NOOP("ReportParameters", "Organ of Corti length"),
+     "mm"},
+    {"patient_numbers.rw_width_mm",
+     QT_TRANSLATE_NOOP("ReportParameters", "Scala width at round window"), "mm"},
+    {"patient_numbers.rw_height_mm",
+     QT_TRANSLATE_NOOP("ReportParameters", "Scala height at round window"), "mm"},
+    {"patient_numbers.a_mm", QT_TRANSLATE_NOOP("ReportParameters", "A: basal-turn diameter"), "mm"},
+    {"patient_numbers.b_mm", QT_TRANSLATE_NOOP("ReportParameters", "B: basal-turn width"), "mm"},
+    {"patient_numbers.h_mm", QT_TRANSLATE_NOOP("ReportParameters", "H: cochlear height"), "mm"},
+    {"lead_in_mm",
+     QT_TRANSLATE_NOOP("ReportParameters", "Straight lead-in before the round window"), "mm"},
+    {"opening", QT_TRANSLATE_NOOP("ReportParameters", "Opening")},
+    {"cochleostomy_diameter_mm", QT_TRANSLATE_NOOP("ReportParameters", "Cochleostomy diameter"),
+     "mm"},
+    {"approach_tilt_deg", QT_TRANSLATE_NOOP("ReportParameters", "Approach angle, tilt"), "°"},
+    {"approach_turn_deg", QT_TRANSLATE_NOOP("ReportParameters", "Approach angle, rotation"), "°"},
+    {"technique", QT_TRANSLATE_NOOP("ReportParameters", "Technique")},
+    {"speed_mm_s", QT_TRANSLATE_NOOP("ReportParameters", "Speed of the scripted insertion"),
+     "mm/s"},
+    {"start_inside_mm", QT_TRANSLATE_NOOP("ReportParameters", "Insertion depth at the start"),
+     "mm"},
+    {"stop_travel_mm", QT_TRANSLATE_NOOP("ReportParameters", "Travel at which the insertion stops"),
+     "mm"},
+    {"stylet_pull_mm_s", QT_TRANSLATE_NOOP("ReportParameters", "Speed of stylet withdrawal"),
+     "mm/s"},
+    {"friction_static", QT_TRANSLATE_NOOP("ReportParameters", "Static friction coefficient")},
+    {"friction_dynamic", QT_TRANSLATE_NOOP("ReportParameters", "Kinetic friction coefficient")},
+    {"friction_stopping",
+     QT_TRANSLATE_NOOP("ReportParameters", "Coefficient below which sliding stops")},
+    {"friction_stribeck_mm_s", QT_TRANSLATE_NOOP("ReportParameters", "Stribeck speed of friction"),
+     "mm/s"},
+    {"wall_stiffness_N_m", QT_TRANSLATE_NOOP("ReportParameters", "Wall stiffness, normal"), "N/m"},
+    {"wall_tangential_stiffness_N_m",
+     QT_TRANSLATE_NOOP("ReportParameters", "Wall stiffness, tangential"), "N/m"},
+    {"membrane", QT_TRANSLATE_NOOP("ReportParameters", "Basilar membrane")},
+    {"membrane_stiffness_N_m",
+     QT_TRANSLATE_NOOP("ReportParameters", "Basilar membrane stiffness, if soft"), "N/m"},
+    {"stiffness_scale",
+     QT_TRANSLATE_NOOP("ReportParameters", "Calibrated scale of the array stiffness")},
+    {"residual_curvature_fraction",
+     QT_TRANSLATE_NOOP("ReportParameters", "Calibrated residual curvature with stylet")},
+    {"model", QT_TRANSLATE_NOOP("ReportParameters", "Array model")},
+    {"nodes", QT_TRANSLATE_NOOP("ReportParameters", "Nodes of the array model")},
+    {"dt_ms", QT_TRANSLATE_NOOP("ReportParameters", "Time step"), "ms"},
+    {"coupling", QT_TRANSLATE_NOOP("ReportParameters", "Coupling to the input device")},
+    {"coupling_stiffness_N_m",
+     QT_TRANSLATE_NOOP("ReportParameters", "Coupling stiffness, if a spring"), "N/m"},
+    {"coupling_damping_N_s_m",
+     QT_TRANSLATE_NOOP("ReportParameters", "Coupling damping, if a spring"), "N·s/m"},
+    {"force_scale", QT_TRANSLATE_NOOP("ReportParameters", "Force feedback gain")},
+    {"seed", QT_TRANSLATE_NOOP("ReportParameters", "Random seed")}};
+
+/// Values that are words.
+constexpr const char* valueNames[][2] = {
+    {"published", QT_TRANSLATE_NOOP("ReportParameters", "published scala tympani")},
+    {"mean", QT_TRANSLATE_NOOP("ReportParameters", "average of 15 human cochleae")},
+    {"clark", QT_TRANSLATE_NOOP("ReportParameters", "Clark spiral")},
+    {"right", QT_TRANSLATE_NOOP("ReportParameters", "right")},
+    {"left", QT_TRANSLATE_NOOP("ReportParameters", "left")},
+    {"none", QT_TRANSLATE_NOOP("ReportParameters", "wide opening (no edge contact)")},
+    {"round-window", QT_TRANSLATE_NOOP("ReportParameters", "round window")},
+    {"cochleostomy", QT_TRANSLATE_NOOP("ReportParameters", "cochleostomy")},
+    {"standard", QT_TRANSLATE_NOOP("ReportParameters", "standard")},
+    {"aos", QT_TRANSLATE_NOOP("ReportParameters", "advance off stylet")},
+    {"rigid", QT_TRANSLATE_NOOP("ReportParameters", "rigid")},
+    {"soft", QT_TRANSLATE_NOOP("ReportParameters", "soft")},
+    {"spring", QT_TRANSLATE_NOOP("ReportParameters", "spring")},
+    {"rod", QT_TRANSLATE_NOOP("ReportParameters", "elastic rod")},
+    {"points", QT_TRANSLATE_NOOP("ReportParameters", "point set (published)")}};
+
+QString tr(const char* text) { return QCoreApplication::translate("ReportParameters", text); }
+
+/// A value in TOML format, for people.
+QString valueText(const std::string& value, const char* unit)
+{
+  QString text = QString::fromStdString(value);
+  text.remove(QLatin1Char('"'));
+  for (const auto& [word, name] : valueNames)
+    if (text == QLatin1String(word)) return tr(name);
+  bool isNumber = false;
+  const double number = text.toDouble(&isNumber);
+  if (isNumber && text.contains(QLatin1Char('.'))) {
+    int decimals = 1;
+    const auto rest = [number](int places) {
+      const double power = std::pow(10.0, places);
+      return std::fabs(number - std::round(number * power) / power);
+    };
+    while (decimals < 6 && rest(decimals) > 1e-9) ++decimals;
+    text = numberText(number, decimals);
+  }
+  const QString sign = QString::fromUtf8(unit);
+  if (sign.isEmpty() || sign == QStringLiteral("°")) return text + sign;
+  return text + QLatin1Char(' ') + sign;
+}
+
+}  // namespace
+
+std::vector<std::pair<QString, QString>> parametersOf(const session::Scenario& scenario)
+{
+  std::map<std::string, std::string> values(scenario.values().begin(), scenario.values().end());
+  std::vector<std::pair<QString, QString>> parameters;
+  for (const ParameterName& each : parameterNames) {
+    const auto found = values.find(each.key);
+    if (found != values.end())
+      parameters.emplace_back(tr(each.name), valueText(found->second, each.unit));
+  }
+  return parameters;
+}
+
+}  // namespace perilymph::gui

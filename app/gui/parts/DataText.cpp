@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/parts/DataText.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QRegularExpression>
+#include <QStringList>
+
+namespace perilymph::gui {
+
+namespace {
+
+// Texts with their numbers replaced by %1, %2 and so on. lupdate reads them here.
+constexpr const char* shipped[] = {
+    // titles of frictions
+    QT_TRANSLATE_NOOP("Data", "Lubricated silicone (published)"),
+    QT_TRANSLATE_NOOP("Data", "Soap %1 %: speed-independent"),
+    QT_TRANSLATE_NOOP("Data", "Soap %1 %: decreases with speed"),
+    QT_TRANSLATE_NOOP("Data", "Soap %1 %: increases with speed"),
+    QT_TRANSLATE_NOOP("Data", "Tissue-like (endosteum simulant)"),
+    // score
+    QT_TRANSLATE_NOOP("Data", "speed"), QT_TRANSLATE_NOOP("Data", "reversals"),
+    QT_TRANSLATE_NOOP("Data", "peak force"), QT_TRANSLATE_NOOP("Data", "smoothness"),
+    QT_TRANSLATE_NOOP("Data", "%1 % of the insertion at %2–%3 mm/s"),
+    QT_TRANSLATE_NOOP("Data", "%1 before maximum insertion depth"),
+    QT_TRANSLATE_NOOP("Data", "%1 % of the time at rest (below %2 mm/s)"),
+    QT_TRANSLATE_NOOP("Data",
+                      "full score if the whole insertion is within %1–%2 mm/s, none at %3 %"),
+    QT_TRANSLATE_NOOP("Data", "full score at %1, none from %2"),
+    QT_TRANSLATE_NOOP("Data", "full score at %1 %, none from %2 %"),
+    QT_TRANSLATE_NOOP("Data", "full score up to %1 mN, none from %2 mN"),
+    QT_TRANSLATE_NOOP("Data",
+                      "robotic insertion %1–%2 mm/s (iotaSOFT); manual insertion in cadaver heads "
+                      "%3 ± %4 mm/s; phantom study %5–%6 mm/s (Froehlich et al. %7)"),
+    QT_TRANSLATE_NOOP(
+        "Data", "Kesler et al. %1: %2 reversals in manual insertions at a target of %3 mm/min"),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "Kesler et al. %1: manual insertions at a target of %2 mm/min paused %3 % of the time"),
+    QT_TRANSLATE_NOOP("Data", "Rau et al. %1: peaks %2 to %3 mN"),
+    // validation
+    QT_TRANSLATE_NOOP("Data", "force at %1 mm, peak"),
+    QT_TRANSLATE_NOOP("Data", "force at %1 mm, dip"),
+    QT_TRANSLATE_NOOP("Data", "force at %1 mm, maximum"),
+    QT_TRANSLATE_NOOP("Data", "force at %1 mm, end"),
+    QT_TRANSLATE_NOOP("Data", "largest of these differences"),
+    QT_TRANSLATE_NOOP("Data", "largest difference below perception"),
+    QT_TRANSLATE_NOOP("Data", "position of the basal-turn peak"),
+    QT_TRANSLATE_NOOP("Data", "position of the following dip"),
+    QT_TRANSLATE_NOOP("Data", "small early peak"),
+    QT_TRANSLATE_NOOP("Data", "raw force just before the first rib"),
+    QT_TRANSLATE_NOOP("Data", "raw force at the first rib"),
+    QT_TRANSLATE_NOOP("Data", "standard deviation at the reported values"),
+    QT_TRANSLATE_NOOP("Data", "at most %1 N"), QT_TRANSLATE_NOOP("Data", "at most %1 mN"),
+    QT_TRANSLATE_NOOP("Data", "between %1 and %2 mm"), QT_TRANSLATE_NOOP("Data", "%1 to %2 N"),
+    QT_TRANSLATE_NOOP("Data", "%1 to %2 mN"), QT_TRANSLATE_NOOP("Data", "none"),
+    QT_TRANSLATE_NOOP("Data", "%1 N"), QT_TRANSLATE_NOOP("Data", "%1 mN"),
+    QT_TRANSLATE_NOOP("Data", "%1 mm"), QT_TRANSLATE_NOOP("Data", "%1 ± %2 N"),
+    QT_TRANSLATE_NOOP("Data", "%1 ± %2 mN"), QT_TRANSLATE_NOOP("Data", "%1 mm ± %2 mm"),
+    // figures
+    QT_TRANSLATE_NOOP("Data", "travel, mm"), QT_TRANSLATE_NOOP("Data", "insertion force, N"),
+    QT_TRANSLATE_NOOP("Data", "insertion force, mN"),
+    QT_TRANSLATE_NOOP("Data", "difference of mean insertion force, N"),
+    QT_TRANSLATE_NOOP("Data", "difference of mean insertion force, mN"),
+    QT_TRANSLATE_NOOP("Data", "Published forces"),
+    QT_TRANSLATE_NOOP("Data", "experiment, mean ± SD"),
+    QT_TRANSLATE_NOOP("Data", "published simulator, mean ± SD"),
+    QT_TRANSLATE_NOOP("Data", "published measurements, mean ± SD"),
+    QT_TRANSLATE_NOOP(
+        "Data", "Todd and Naghdy: Nucleus %1 Contour, synthetic scala tympani, soap, %2 mm/s."),
+    QT_TRANSLATE_NOOP("Data", "Values between points were not reported."),
+    QT_TRANSLATE_NOOP("Data", "Simulated insertions and the published experiment"),
+    QT_TRANSLATE_NOOP("Data", "± SD between insertions"),
+    QT_TRANSLATE_NOOP("Data", "%1 % confidence interval of the mean"),
+    QT_TRANSLATE_NOOP("Data", "mean of %1 simulated insertions"),
+    QT_TRANSLATE_NOOP("Data", "perception threshold, median %1 mN"),
+    QT_TRANSLATE_NOOP("Data", "perception threshold ± %1 mN"),
+    QT_TRANSLATE_NOOP(
+        "Data", "Seed %1; least-squares spline through each insertion, resampled every %2 mm."),
+    QT_TRANSLATE_NOOP("Data", "All %1 insertions reached the end."),
+    QT_TRANSLATE_NOOP("Data",
+                      "%1 of %2 insertions reached the end; %3 bowed in front of the opening and "
+                      "slipped out of it (number %4)."),
+    QT_TRANSLATE_NOOP("Data",
+                      "%1 of %2 insertions reached the end; %3 bowed in front of the opening and "
+                      "slipped out of it (numbers %4 and %5)."),
+    QT_TRANSLATE_NOOP("Data",
+                      "%1 of %2 insertions reached the end; %3 bowed in front of the opening and "
+                      "slipped out of it (numbers %4, %5 and %6)."),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "%1 of %2 insertions reached the end; %3 buckled in front of the opening (number %4)."),
+    QT_TRANSLATE_NOOP("Data",
+                      "%1 of %2 insertions reached the end; %3 buckled in front of the opening "
+                      "(numbers %4 and %5)."),
+    QT_TRANSLATE_NOOP("Data",
+                      "%1 of %2 insertions reached the end; %3 buckled in front of the opening "
+                      "(numbers %4, %5 and %6)."),
+    QT_TRANSLATE_NOOP("Data",
+                      "%1 of %2 insertions reached the end; %3 stopped with a fault (number %4)."),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "%1 of %2 insertions reached the end; %3 stopped with a fault (numbers %4 and %5)."),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "%1 of %2 insertions reached the end; %3 stopped with a fault (numbers %4, %5 and %6)."),
+    QT_TRANSLATE_NOOP("Data", "Simulator minus experiment"),
+    QT_TRANSLATE_NOOP("Data", "this simulator, %1 % confidence interval"),
+    QT_TRANSLATE_NOOP(
+        "Data", "published simulator, %1 % confidence interval where reported (sign corrected)"),
+    QT_TRANSLATE_NOOP("Data",
+                      "Shown only where the experiment was reported; its means are from about %1 "
+                      "insertions."),
+    QT_TRANSLATE_NOOP("Data", "Recorded insertions: insertion force over travel")};
+
+/// A text with placeholders, and the numbers they stand for.
+struct Pattern {
+  QString text;
+  QStringList numbers;
+};
+
+Pattern patternOf(const QString& text)
+{
+  static const QRegularExpression number(QStringLiteral("(?<![A-Za-z0-9.])[0-9]+(\\.[0-9]+)?"));
+  Pattern pattern;
+  int end = 0;
+  for (auto found = number.globalMatch(text); found.hasNext();) {
+    const QRegularExpressionMatch match = found.next();
+    pattern.numbers << match.captured();
+    pattern.text += text.mid(end, match.capturedStart() - end) +
+                    QStringLiteral("%%1").arg(pattern.numbers.size());
+    end = match.capturedEnd();
+  }
+  pattern.text += text.mid(end);
+  return pattern;
+}
+
+bool isShipped(const QString& pattern)
+{
+  for (const char* text : shipped)
+    if (pattern == QString::fromUtf8(text)) return true;
+  return false;
+}
+
+}  // namespace
+
+QString dataText(const std::string& text)
+{
+  const QString english = QString::fromStdString(text);
+  const Pattern pattern = patternOf(english);
+  if (!isShipped(pattern.text)) return english;
+  QString filled = QCoreApplication::translate("Data", pattern.text.toUtf8().constData());
+  // the highest first, so that %1 does not match the beginning of %10
+  for (int i = pattern.numbers.size(); i > 0; --i) {
+    QString number = pattern.numbers[i - 1];
+    number.replace(QLatin1Char('.'), QLocale().decimalPoint());
+    filled.replace(QStringLiteral("%%1").arg(i), number);
+  }
+  return filled;
+}
+
+figures::Figure translated(figures::Figure figure)
+{
+  const auto translate = [](std::string& text) { text = dataText(text).toStdString(); };
+  translate(figure.title);
+  translate(figure.x.title);
+  translate(figure.y.title);
+  for (auto& band : figure.bands) translate(band.label);
+  for (auto& level : figure.levels) translate(level.label);
+  for (auto& curve : figure.curves) translate(curve.label);
+  for (auto& values : figure.values) translate(values.label);
+  for (std::string& note : figure.notes) translate(note);
+  return figure;
+}
+
+}  // namespace perilymph::gui

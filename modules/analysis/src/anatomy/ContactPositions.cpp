@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "perilymph/analysis/ContactPositions.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "anatomy/Tonotopy.h"
+#include "perilymph/analysis/AnatomyMeasures.h"
+#include "perilymph/mechanics/Outcome.h"
+
+namespace perilymph::analysis {
+
+namespace {
+
+constexpr Angle sectionStep = degrees(2);
+
+/// Part of the organ of Corti from the base to an angle [rad].
+double fractionFromBase(const std::vector<SectionRow>& rows, double angle)
+{
+  const double whole = rows.back().organOfCortiLength;
+  const auto after =
+      std::lower_bound(rows.begin(), rows.end(), angle,
+                       [](const SectionRow& row, double place) { return row.angle < place; });
+  if (after == rows.begin()) return 0.0;
+  if (after == rows.end()) return 1.0;
+  const SectionRow& before = *std::prev(after);
+  const double fraction = (angle - before.angle) / (after->angle - before.angle);
+  return (before.organOfCortiLength +
+          fraction * (after->organOfCortiLength - before.organOfCortiLength)) /
+         whole;
+}
+
+}  // namespace
+
+std::vector<ContactPosition> contactPositions(const anatomy::ScalaTympani& scala,
+                                              const electrode::ArrayDesign& array,
+                                              const haptics::Snapshot& now)
+{
+  const std::size_t count = std::min<std::size_t>(now.nodes, mechanics::maxNodes);
+  if (count < 2) return {};
+  std::vector<Eigen::Vector3d> nodes_W;
+  for (std::size_t i = 0; i < count; ++i)
+    nodes_W.emplace_back(now.node_W[i][0], now.node_W[i][1], now.node_W[i][2]);
+  const auto outcome = mechanics::outcomeOf(scala, array, {nodes_W, {}, Eigen::Vector3d::UnitX()});
+  const auto rows = sectionRows(scala, sectionStep);
+
+  std::vector<ContactPosition> contacts;
+  for (const mechanics::ContactOutcome& each : outcome) {
+    ContactPosition contact;
+    contact.number = static_cast<int>(contacts.size()) + 1;
+    contact.isInserted = each.isInside;
+    contact.depth = meters(now.output.depth - each.fromTip);
+    if (each.isInside) {
+      contact.angle = radians(each.angle);
+      contact.coverage = fractionFromBase(rows, each.angle);
+      contact.frequency_Hz = greenwoodFrequency(1.0 - contact.coverage);
+      contact.toModiolus = meters(each.toInnerWall);
+    }
+    contacts.push_back(contact);
+  }
+  return contacts;
+}
+
+double cochlearCoverage(const std::vector<ContactPosition>& contacts)
+{
+  double coverage = 0.0;
+  for (const ContactPosition& contact : contacts)
+    if (contact.isInserted) coverage = std::max(coverage, contact.coverage);
+  return coverage;
+}
+
+}  // namespace perilymph::analysis

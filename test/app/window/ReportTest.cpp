@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The PDF report as read by poppler: one page for the record, and an appendix.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+#include <QLineEdit>
+#include <QLocale>
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <string>
+#include <system_error>
+
+#include "gui/pages/sessions/Report.h"
+#include "gui/pages/sessions/ReportHead.h"
+#include "gui/parts/UserSettings.h"
+#include "gui/program/Languages.h"
+#include "gui/shell/SettingsSheet.h"
+#include "perilymph/device/ScriptedDevice.h"
+#include "perilymph/foundation/Version.h"
+#include "perilymph/session/Insertion.h"
+#include "perilymph/test/ChildProcess.h"
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+class PdfReport : public testing::Test {
+protected:
+  void SetUp() override
+  {
+    if (!has("pdftotext")) GTEST_SKIP() << "Install the package poppler-utils.";
+  }
+  void TearDown() override
+  {
+    gui::UserSettings().remove(QStringLiteral("report"));
+    gui::useLanguage(*QCoreApplication::instance(), QStringLiteral("en"));
+    QLocale::setDefault(QLocale::c());
+  }
+
+  /// Records an insertion and writes its report.
+  void report(const std::string& scenarioName, const session::Overrides& overrides)
+  {
+    const auto scenario = session::loadScenario(scenarioName, overrides);
+    ASSERT_TRUE(scenario) << scenario.error().message;
+    const fs::path recording = folder_.path() / "recording.insertion";
+    auto insertion = session::Insertion::prepare(
+        *scenario,
+        std::make_unique<device::ScriptedDevice>(scenario->speed().si(), scenario->timeStep().si()),
+        recording);
+    ASSERT_TRUE(insertion) << insertion.error().message;
+    ASSERT_TRUE((*insertion)->runToEnd([](const haptics::TickRecord&) { return true; }));
+    insertion->reset();
+    const std::atomic<bool> isCanceled = false;
+    const auto content = gui::gatherReport(recording, isCanceled);
+    ASSERT_TRUE(content) << content.error().message;
+    const auto written = gui::writeReport(*content, pdf());
+    ASSERT_TRUE(written) << written.error().message;
+  }
+
+  /// A patient with a left ear, A 0.9 SD below and B 0.5 SD above the population mean.
+  std::string leftPatient() const
+  {
+    const fs::path file = folder_.path() / "P-017.toml";
+    std::ofstream(file) << "label = \"P-017\"\nside = \"left\"\na_mm = 8.84\nb_mm = 6.98\n";
+    return file.string();
+  }
+
+  fs::path pdf() const { return folder_.path() / "report.pdf"; }
+
+  /// The text of pages, in its layout.
+  std::string text(int first = 1, int last = 99) const
+  {
+    return outputOf("pdftotext", {"-layout", "-f", std::to_string(first), "-l",
+                                  std::to_string(last), pdf().string(), "-"});
+  }
+  int pages() const
+  {
+    const std::string facts = outputOf("pdfinfo", {pdf().string()});
+    std::smatch found;
+    return std::regex_search(facts, found, std::regex("Pages: +([0-9]+)")) ? std::stoi(found[1])
+                                                                           : 0;
+  }
+  static std::string outputOf(const std::string& program, std::vector<std::string> arguments)
+  {
+    return run({program, std::move(arguments), {}, {}}).out;
+  }
+
+private:
+  static bool has(const std::string& program)
+  {
+    try {
+      run({program, {"-v"}, {}, {}});
+      return true;
+    } catch (const std::system_error&) {
+      return false;
+    }
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(PdfReport, HasOnePageForTheRecordWithPatientEarAndMeasures)
+{
+  report("mean-flex28", {{"patient", leftPatient()}, {"stop_travel_mm", "6.0"}});
+  const std::string record = text(1, 1);
+  for (const char* words : {"Insertion report",
+                            "left ear",
+                            "FLEX28",
+                            "MED-EL",
+                            "basal-turn diameter",
+                            "population mean",
+                            "Cochlear duct length (CDL)",
+                            "Alexiades",
+                            "Cochlear coverage",
+                            "Peak insertion force",
+                            "Final insertion force",
+                            "Angular insertion depth",
+                            "Insertion depth",
+                            "Insertion time",
+                            "Maximum partition force",
+                            "unverified",
+                            "Frequency, Hz",
+                            "To modiolus, mm",
+                            "Signature",
+                            "Limits:",
+                            "5 mm",
+                            "270°"})
+    EXPECT_THAT(record, HasSubstr(words));
+  EXPECT_THAT(record, HasSubstr("Page 1 of " + std::to_string(pages())));
+  EXPECT_GE(pages(), 2);
+  EXPECT_LE(pages(), 4);
+}
+
+TEST_F(PdfReport, HasAnAppendixThatMakesItReproducible)
+{
+  report("mean-flex28", {{"stop_travel_mm", "3.0"}});
+  const std::string appendix = text(2);
+  for (const std::string& words :
+       {std::string("Traceability"), std::string("SHA-256"), buildId(),
+        std::string("Replay verified"), std::string("Static friction coefficient"),
+        std::string("N/m"), std::string("Random seed"), std::string("Technique score")})
+    EXPECT_THAT(appendix, HasSubstr(words));
+  // words, not keys of a file; no folder of the user
+  EXPECT_THAT(appendix, Not(HasSubstr("wall_stiffness")));
+  EXPECT_THAT(appendix, Not(HasSubstr("speed_mm_s")));
+  EXPECT_THAT(appendix, Not(HasSubstr("_N")));
+  EXPECT_THAT(text(), Not(HasSubstr(fs::temp_directory_path().string())));
+  EXPECT_THAT(text(), Not(HasSubstr("/home/")));
+}
+
+TEST_F(PdfReport, NamesPatientAndEarOnEveryPage)
+{
+  report("mean-flex28", {{"patient", leftPatient()}, {"stop_travel_mm", "3.0"}});
+  for (int page = 1; page <= pages(); ++page)
+    EXPECT_THAT(text(page, page), testing::StartsWith("Patient P-017 · left ear")) << page;
+}
+
+TEST_F(PdfReport, SaysThatThereIsNoPatient)
+{
+  report("mean-flex28", {{"stop_travel_mm", "3.0"}});
+  const std::string record = text(1, 1);
+  EXPECT_THAT(record, testing::StartsWith("No patient · right ear"));
+  EXPECT_THAT(record, HasSubstr("average of 15 human cochleae"));
+  EXPECT_THAT(record, Not(HasSubstr("population mean")));
+}
+
+TEST(SettingsOfReports, AreKeptAsTheyAreTyped)
+{
+  {
+    gui::SettingsSheet sheet(nullptr);
+    auto* field = sheet.findChild<QLineEdit*>(QStringLiteral("report/institution"));
+    ASSERT_NE(field, nullptr);
+    field->setText(QStringLiteral(" ENT Clinic "));
+    Q_EMIT field->editingFinished();
+  }
+  EXPECT_EQ(gui::ReportIssuer::fromSettings().institution, "ENT Clinic");
+  gui::UserSettings().remove(QStringLiteral("report"));
+  EXPECT_TRUE(gui::ReportIssuer::fromSettings().institution.isEmpty());
+}
+
+TEST_F(PdfReport, CarriesInstitutionAndOperatorOfTheSettings)
+{
+  gui::UserSettings().setValue(QStringLiteral("report/institution"), "ENT Clinic, Booth 7");
+  gui::UserSettings().setValue(QStringLiteral("report/operator"), "K. 12");
+  report("mean-flex28", {{"stop_travel_mm", "3.0"}});
+  EXPECT_THAT(text(1, 1), HasSubstr("K. 12"));
+  for (int page = 1; page <= pages(); ++page)
+    EXPECT_THAT(text(page, page), HasSubstr("ENT Clinic, Booth 7")) << page;
+}
+
+TEST_F(PdfReport, GivesForcesInMillinewtonsAndNoPublishedValuesOfAnotherArray)
+{
+  report("mean-flex28", {{"stop_travel_mm", "3.0"}});
+  const std::string all = text();
+  EXPECT_THAT(all, HasSubstr(" mN"));
+  EXPECT_FALSE(std::regex_search(all, std::regex("[0-9] N[^/·a-zA-Z0-9]")));
+  EXPECT_THAT(all, Not(HasSubstr("published measurements")));
+}
+
+TEST_F(PdfReport, IsSetInInterAlone)
+{
+  report("mean-flex28", {{"stop_travel_mm", "3.0"}});
+  const std::string fonts = outputOf("pdffonts", {pdf().string()});
+  EXPECT_THAT(fonts, HasSubstr("Inter"));
+  EXPECT_THAT(fonts, Not(HasSubstr("DejaVu")));
+}
+
+TEST_F(PdfReport, SpeaksGerman)
+{
+  gui::useLanguage(*QCoreApplication::instance(), QStringLiteral("de"));
+  report("mean-flex28", {{"patient", leftPatient()}, {"stop_travel_mm", "3.0"}});
+  const std::string all = text();
+  for (const char* words :
+       {"Insertionsbericht", "linkes Ohr", "Maximale Insertionskraft", "Insertionswinkel",
+        "Abdeckung der Cochlea", "Unterschrift", "Haftreibungskoeffizient", "Seite 1 von"})
+    EXPECT_THAT(all, HasSubstr(words));
+  for (const char* words : {"Insertion depth", "left ear", "Technique score", "Page 1"})
+    EXPECT_THAT(all, Not(HasSubstr(words)));
+}
+
+}  // namespace
+}  // namespace perilymph::test

@@ -537,7 +537,7 @@
     </message>
     <message>
         <source>Force feedback gain</source>
-        <translation>Kraftverstärkung</translation>
+        <translation>Kraftfaktor</translation>
     </message>
     <message>
         <source>Random seed</source>
@@ -1778,7 +1778,7 @@
     </message>
     <message>
         <source>Speed</source>
-        <translation>Geschwindigkeit</translation>
+        <translation>Tempo</translation>
     </message>
     <message>
         <source>mm/s</source>
@@ -1790,7 +1790,7 @@
     </message>
     <message>
         <source>speed %1 mm/s</source>
-        <translation>Geschwindigkeit %1 mm/s</translation>
+        <translation>Tempo %1 mm/s</translation>
     </message>
     <message>
         <source>Friction</source>
@@ -2603,7 +2603,7 @@
     </message>
     <message>
         <source>Force feedback gain</source>
-        <translation>Kraftverstärkung</translation>
+        <translation>Kraftfaktor</translation>
     </message>
     <message>
         <source>×</source>
@@ -2627,7 +2627,7 @@
     </message>
     <message>
         <source>force feedback gain %1 ×</source>
-        <translation>Kraftverstärkung %1 ×</translation>
+        <translation>Kraftfaktor %1 ×</translation>
     </message>
     <message>
         <source>The array moves only while this button or Space is held.</source>
@@ -2635,7 +2635,7 @@
     </message>
     <message>
         <source>Force feedback gain %1. Enter a valid value or press Esc.</source>
-        <translation>Kraftverstärkung %1. Gültigen Wert eingeben oder Esc drücken.</translation>
+        <translation>Kraftfaktor %1. Gültigen Wert eingeben oder Esc drücken.</translation>
     </message>
 </context>
 <context>
@@ -3052,10 +3052,6 @@
         <translation>H: Höhe der Cochlea</translation>
     </message>
     <message>
-        <source>CDL and round-window section</source>
-        <translation>CDL und Schnitt am runden Fenster</translation>
-    </message>
-    <message>
         <source>The published scala tympani, scaled by three CT measurements.</source>
         <translation>Die veröffentlichte Scala tympani, skaliert nach drei CT-Messwerten.</translation>
     </message>
@@ -3086,6 +3082,10 @@
     <message>
         <source>%1 not given</source>
         <translation>%1 nicht angegeben</translation>
+    </message>
+    <message>
+        <source>CDL and section</source>
+        <translation>CDL und Schnitt</translation>
     </message>
 </context>
 <context>

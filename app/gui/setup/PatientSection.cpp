@@ -166,7 +166,7 @@ void PatientSection::addKind(const anatomy::AnatomySourceTraits& traits, Patient
     QString title, tip;
   };
   const Known known[] = {
-      {AnatomySource::published, PatientMeasures::threeLengths, tr("CDL and round-window section"),
+      {AnatomySource::published, PatientMeasures::threeLengths, tr("CDL and section"),
        tr("The published scala tympani, scaled by three CT measurements.")},
       {AnatomySource::mean, PatientMeasures::basalTurn, tr("A, B and H"),
        tr("Average of 15 human scalae tympani, scaled by the basal-turn diameters. Adapted from "

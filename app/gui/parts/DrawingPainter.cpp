@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/parts/DrawingPainter.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "gui/parts/Theme.h"
@@ -9,11 +10,20 @@ namespace perilymph::gui {
 
 namespace {
 
-QColor colorOf(const figures::Ink& ink)
+QColor printedColor(const figures::Ink& ink)
 {
   QColor color(ink.rgb[0], ink.rgb[1], ink.rgb[2]);
   color.setAlphaF(ink.opacity);
   return color;
+}
+
+/// The same hue with the opposite lightness, between that of the ground and that of text.
+QColor onDark(const QColor& color)
+{
+  const double ground = groundColor.lightnessF(), text = textColor.lightnessF();
+  const double lightness = ground + (1.0 - color.lightnessF()) * (text - ground);
+  return QColor::fromHslF(std::max(0.0, double(color.hslHueF())), color.hslSaturationF(), lightness,
+                          color.alphaF());
 }
 
 QPolygonF polygonOf(const std::vector<figures::PagePoint>& points)
@@ -27,6 +37,13 @@ QPolygonF polygonOf(const std::vector<figures::PagePoint>& points)
 struct MarkPainter {
   QPainter& painter;
   Lettering lettering;
+  Sheet sheet;
+
+  QColor colorOf(const figures::Ink& ink) const
+  {
+    const QColor printed = printedColor(ink);
+    return sheet == Sheet::dark ? onDark(printed) : printed;
+  }
 
   void operator()(const figures::Area& area) const
   {
@@ -75,9 +92,11 @@ struct MarkPainter {
 
 }  // namespace
 
-void paintMarks(QPainter& painter, const figures::Drawing& drawing, Lettering lettering)
+void paintMarks(QPainter& painter, const figures::Drawing& drawing, Lettering lettering,
+                Sheet sheet)
 {
-  for (const figures::Mark& mark : drawing.marks) std::visit(MarkPainter{painter, lettering}, mark);
+  for (const figures::Mark& mark : drawing.marks)
+    std::visit(MarkPainter{painter, lettering, sheet}, mark);
 }
 
 }  // namespace perilymph::gui

@@ -16,7 +16,14 @@ enum class Lettering {
   onScreen  ///< At screen resolution: sharp and fast. For a painter without scaling.
 };
 
+/// Background of the drawing.
+enum class Sheet {
+  white,  ///< Inks as they are printed.
+  dark    ///< Inks of the same hue with the opposite lightness.
+};
+
 /// Paints the marks in the painter's coordinates; the unit is a page point.
-void paintMarks(QPainter& painter, const figures::Drawing& drawing, Lettering lettering);
+void paintMarks(QPainter& painter, const figures::Drawing& drawing, Lettering lettering,
+                Sheet sheet = Sheet::white);
 
 }  // namespace perilymph::gui

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "gui/parts/DrawingPainter.h"
+#include "gui/parts/Theme.h"
 
 namespace perilymph::gui {
 
@@ -38,8 +39,9 @@ void DrawingView::paintEvent(QPaintEvent*)
   painter.scale(scale, scale);
   QPainterPath sheet;
   sheet.addRoundedRect(QRectF(0.0, 0.0, drawing_.width, drawing_.height), 4.0 / scale, 4.0 / scale);
-  painter.fillPath(sheet, Qt::white);
-  paintMarks(painter, drawing_, Lettering::scaled);
+  painter.fillPath(sheet, groundColor);
+  const bool isDark = shownColorScheme() == ColorScheme::dark;
+  paintMarks(painter, drawing_, Lettering::scaled, isDark ? Sheet::dark : Sheet::white);
 }
 
 }  // namespace perilymph::gui

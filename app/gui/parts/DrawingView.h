@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Preview of a print figure on its page.
+// Preview of a print figure in the window's colors.
 
 #include <QWidget>
 
@@ -11,7 +11,7 @@ class QPainter;
 
 namespace perilymph::gui {
 
-/// Paints a drawing as large as the widget allows, on a white page.
+/// Paints a drawing as large as the widget allows.
 class DrawingView : public QWidget {
   Q_OBJECT
 public:

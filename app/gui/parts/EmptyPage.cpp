@@ -2,6 +2,7 @@
 #include "gui/parts/EmptyPage.h"
 
 #include <QLabel>
+#include <QPushButton>
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
@@ -17,8 +18,17 @@ constexpr int width_px = 480;
 }  // namespace
 
 EmptyPage::EmptyPage(const QString& title, const QString& sentence, QWidget* parent)
-    : QWidget(parent), title_(new QLabel(title, this)), sentence_(new QLabel(sentence, this))
+    : QWidget(parent),
+      title_(new QLabel(title, this)),
+      sentence_(new QLabel(sentence, this)),
+      action_(new QPushButton(this))
 {
+  action_->setObjectName(QStringLiteral("emptyPageButton"));
+  action_->setProperty("primary", true);
+  action_->setFont(typeface(13, QFont::Medium));
+  action_->setFixedHeight(32);
+  action_->hide();
+  connect(action_, &QPushButton::clicked, this, &EmptyPage::actionAsked);
   title_->setFont(typeface(22));
   title_->setAlignment(Qt::AlignCenter);
   sentence_->setFont(typeface(13));
@@ -31,6 +41,7 @@ EmptyPage::EmptyPage(const QString& title, const QString& sentence, QWidget* par
   column->addStretch(2);
   column->addWidget(title_);
   column->addWidget(sentence_, 0, Qt::AlignHCenter);
+  column->addWidget(action_, 0, Qt::AlignHCenter);
   column->addStretch(3);
   say(title, sentence);
 }
@@ -41,6 +52,12 @@ void EmptyPage::say(const QString& title, const QString& sentence)
   sentence_->setText(sentence);
   // height of all its lines; without text there is none
   sentence_->setMinimumHeight(std::max(0, sentence_->heightForWidth(width_px)));
+}
+
+void EmptyPage::offer(const QString& action)
+{
+  action_->setText(action);
+  action_->setVisible(!action.isEmpty());
 }
 
 }  // namespace perilymph::gui

@@ -6,6 +6,7 @@
 #include <QWidget>
 
 class QLabel;
+class QPushButton;
 
 namespace perilymph::gui {
 
@@ -16,10 +17,16 @@ public:
   EmptyPage(const QString& title, const QString& sentence, QWidget* parent);
 
   void say(const QString& title, const QString& sentence);
+  /// Shows a button under the sentence; none if empty.
+  void offer(const QString& action);
+
+Q_SIGNALS:
+  void actionAsked();
 
 private:
   QLabel* title_;
   QLabel* sentence_;
+  QPushButton* action_;
 };
 
 }  // namespace perilymph::gui

@@ -84,10 +84,10 @@ QPushButton {
 }
 QPushButton:hover { border-color: %accent%; }
 QPushButton:pressed { background: %line%; }
-QPushButton:disabled { color: %quietText%; background: %line%; border-color: %line%; }
+QPushButton:disabled { color: %quietText%; background: %panel%; border-color: %line%; }
 QPushButton#startButton { background: %accent%; color: %onAccent%; border-color: %accent%; }
 QPushButton#startButton:hover { background: %accentHover%; }
-QPushButton#startButton:disabled { color: %quietText%; background: %line%; border-color: %line%; }
+QPushButton#startButton:disabled { color: %quietText%; background: %panel%; border-color: %line%; }
 QPushButton[page="true"] {
   background: transparent; border-color: transparent; color: %quietText%; padding: 0 8px;
 }
@@ -100,7 +100,7 @@ QPushButton[primary="true"] {
   background: %accent%; color: %onAccent%; border-color: %accent%; padding: 0 16px;
 }
 QPushButton[primary="true"]:hover { background: %accentHover%; }
-QPushButton[primary="true"]:disabled { color: %quietText%; background: %line%; border-color: %line%; }
+QPushButton[primary="true"]:disabled { color: %quietText%; background: %panel%; border-color: %line%; }
 QPushButton#startPageButton {
   background: transparent; border-color: transparent; color: %accent%; padding: 0;
 }
@@ -109,6 +109,11 @@ QPushButton[fold="true"] {
   text-align: left;
 }
 QPushButton[fold="true"]:hover { color: %text%; }
+QPushButton[link="true"] {
+  background: transparent; border-color: transparent; color: %accent%; padding: 0 8px;
+  text-align: left;
+}
+QPushButton[link="true"]:hover { color: %text%; border-color: %line%; }
 QPushButton[small="true"] { padding: 0 6px; }
 QPushButton[small="true"]:focus { border-color: %accent%; }
 QComboBox QAbstractItemView {
@@ -126,6 +131,7 @@ QLineEdit {
   selection-background-color: %accent%; selection-color: %onAccent%;
 }
 QLineEdit:focus { border-color: %accent%; }
+QLineEdit[hint="true"] { color: %quietText%; }
 QSpinBox {
   background: %ground%; border: 1px solid %line%; border-radius: 4px; padding: 0 8px;
 }
@@ -151,13 +157,15 @@ QFrame#banner QLabel { color: %text%; }
 QFrame#keys, QFrame#devices, QFrame#guide { background: %panel%; border: 1px solid %line%; border-radius: 6px; }
 QTextBrowser { background: %panel%; border: none; selection-background-color: %accent%; selection-color: %onAccent%; }
 QFrame#chartFrame { background: %ground%; border: 1px solid %line%; border-radius: 4px; }
-QTableView {
+QTableView, QListWidget {
   background: %ground%; border: 1px solid %line%; border-radius: 4px; outline: none;
   selection-background-color: %raised%; selection-color: %text%;
 }
 QTableView::item { border-bottom: 1px solid %line%; padding: 0 8px; }
-QTableView::item:selected { background: %raised%; }
+QListWidget::item { border-bottom: 1px solid %line%; padding: 8px; }
+QTableView::item:selected, QListWidget::item:selected { background: %raised%; color: %text%; }
 QHeaderView, QHeaderView::section { background: %ground%; color: %quietText%; border: none; }
+QHeaderView::up-arrow, QHeaderView::down-arrow { image: none; width: 0; height: 0; }
 QHeaderView::section { border-bottom: 1px solid %line%; padding: 6px 8px; }
 QToolTip { color: %text%; background: %ground%; border: 1px solid %line%; padding: 4px; }
 

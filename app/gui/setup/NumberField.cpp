@@ -4,12 +4,19 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QVariant>
+#include <cmath>
 
 #include "gui/parts/Numbers.h"
 #include "gui/parts/Theme.h"
 #include "gui/setup/ValueEdit.h"
 
 namespace perilymph::gui {
+
+namespace {
+
+constexpr double rounding = 1e-9;  // left by the conversion from SI units
+
+}  // namespace
 
 NumberField::NumberField(const Form& form, QWidget* parent)
     : QWidget(parent), form_(form), edit_(new ValueEdit(this)), error_(new QLabel(this))
@@ -58,7 +65,10 @@ void NumberField::setValue(double value)
 {
   // a second decimal if the first does not suffice
   int decimals = form_.decimals;
-  while (decimals < 2 && typedNumber(numberText(value, decimals)) != value) ++decimals;
+  const auto isWhole = [value](int shown) {
+    return std::fabs(typedNumber(numberText(value, shown)).value_or(0.0) - value) < rounding;
+  };
+  while (decimals < 2 && !isWhole(decimals)) ++decimals;
   edit_->setHeld(numberText(value, decimals));
 }
 

@@ -10,7 +10,9 @@
 
 #include "gui/parts/Numbers.h"
 #include "gui/parts/Theme.h"
+#include "gui/setup/DerivedMeasures.h"
 #include "gui/setup/Populations.h"
+#include "gui/setup/SavedPatientRow.h"
 #include "gui/setup/Selector.h"
 #include "gui/setup/ValueEdit.h"
 #include "perilymph/anatomy/Population.h"
@@ -89,17 +91,45 @@ std::optional<Length> numberOf(const anatomy::Patient& patient, SetupField field
 
 PatientSection::PatientSection(QWidget* parent)
     : Section(tr("Patient"), "patientFold", parent),
+      saved_(new SavedPatientRow(body())),
       label_(new ValueEdit(body())),
+      labelError_(new QLabel(body())),
       ear_(new Selector("earSelector", tr("Ear"), body())),
-      kind_(new Selector("anatomySelector", tr("Cochlea"), body()))
+      kind_(new Selector("anatomySelector", tr("Cochlea"), body())),
+      derived_(new DerivedMeasures(body()))
+{
+  rows().addWidget(saved_);
+  addWho();
+  for (const anatomy::AnatomySourceTraits& traits : anatomy::anatomySources()) {
+    if (traits.takes != PatientMeasures::none) addKind(traits, traits.takes);
+    if (!traits.alwaysTakes) addKind(traits, PatientMeasures::none);
+  }
+  connect(kind_, &Selector::chosen, this, [this](const QString& kind) { askKind(kind); });
+  rows().addWidget(namedRow(tr("Cochlea"), kind_, body()));
+  addNumbers();
+  rows().addWidget(derived_);
+  connect(saved_, &SavedPatientRow::patientChosen, this, &PatientSection::patientChosen);
+  connect(saved_, &SavedPatientRow::allPatientsAsked, this, &PatientSection::allPatientsAsked);
+  connect(saved_, &SavedPatientRow::newPatientAsked, this, &PatientSection::newPatientAsked);
+}
+
+void PatientSection::addWho()
 {
   label_->setObjectName(QStringLiteral("panelPatientName"));
-  label_->setAccessibleName(tr("Patient"));
+  label_->setAccessibleName(tr("Patient code"));
   label_->setFont(typeface(13));
   label_->setFixedHeight(26);
   label_->setMaxLength(60);
-  label_->setToolTip(tr("Patient code (no names)."));
+  label_->setToolTip(tr("Patient code (no names)"));
   connect(label_, &QLineEdit::editingFinished, this, [this] { askLabel(); });
+  connect(label_, &QLineEdit::textChanged, this, [this] {
+    labelError_->setText(codeError());
+    labelError_->setVisible(!labelError_->text().isEmpty());
+  });
+  labelError_->setFont(typeface(11));
+  labelError_->setProperty("error", true);
+  labelError_->setWordWrap(true);
+  labelError_->hide();
   ear_->addChoice(tr("right ear"), QStringLiteral("right"));
   ear_->addChoice(tr("left ear"), QStringLiteral("left"),
                   tr("A left ear is the mirror image of a right ear; the forces are identical."));
@@ -116,14 +146,11 @@ PatientSection::PatientSection(QWidget* parent)
   row->addWidget(label_, 1);
   row->addWidget(ear_);
   rows().addWidget(who);
+  rows().addWidget(labelError_);
+}
 
-  for (const anatomy::AnatomySourceTraits& traits : anatomy::anatomySources()) {
-    if (traits.takes != PatientMeasures::none) addKind(traits, traits.takes);
-    if (!traits.alwaysTakes) addKind(traits, PatientMeasures::none);
-  }
-  connect(kind_, &Selector::chosen, this, [this](const QString& kind) { askKind(kind); });
-  rows().addWidget(namedRow(tr("Cochlea"), kind_, body()));
-
+void PatientSection::addNumbers()
+{
   using Width = PopulationField::Width;
   const auto field = [this](const QString& title, const char* name, const Population& population,
                             bool mayBeEmpty) {
@@ -205,6 +232,8 @@ QWidget* PatientSection::addPage(std::vector<Number> numbers)
 void PatientSection::show(const Setup& setup)
 {
   const session::Scenario& scenario = setup.scenario;
+  saved_->show(setup);
+  derived_->show({scenario.anatomy(), scenario.patient(), scenario.leadIn()}, scenario.array());
   label_->setHeld(QString::fromStdString(scenario.patient().label));
   ear_->show(scenario.patient().side == anatomy::Side::left ? QStringLiteral("left")
                                                             : QStringLiteral("right"),
@@ -233,8 +262,17 @@ QString PatientSection::commit()
     if (number.page->isHidden() || number.shown->commit()) continue;
     return tr("%1 %2. Enter a valid value or press Esc.").arg(number.title, number.shown->error());
   }
+  if (const QString refused = codeError(); !refused.isEmpty()) return refused;
   askLabel();
   return {};
+}
+
+QString PatientSection::codeError() const
+{
+  const QString code = label_->text().trimmed();
+  if (!label_->isPending() || code.isEmpty()) return {};
+  const auto checked = anatomy::checkPatientCode(code.toStdString());
+  return checked ? QString() : QString::fromStdString(checked.error().message);
 }
 
 void PatientSection::askNumber(const Number& number, std::optional<Length> value)
@@ -264,7 +302,7 @@ void PatientSection::askKind(const QString& kind)
 
 void PatientSection::askLabel()
 {
-  if (!label_->isPending()) return;
+  if (!label_->isPending() || !codeError().isEmpty()) return;
   const QString label = label_->text().trimmed();
   if (label.isEmpty()) return label_->takeBack();
   Q_EMIT changeAsked({SetupField::patientLabel,

@@ -9,8 +9,12 @@
 #include "gui/setup/Section.h"
 #include "gui/setup/Setup.h"
 
+class QLabel;
+
 namespace perilymph::gui {
 
+class DerivedMeasures;
+class SavedPatientRow;
 class Selector;
 class ValueEdit;
 
@@ -26,6 +30,10 @@ public:
 
 Q_SIGNALS:
   void changeAsked(const perilymph::gui::SetupChange& change);
+  /// The user selected a saved patient, wants to search all of them, or to enter a new one.
+  void patientChosen(const perilymph::anatomy::Patient& patient);
+  void allPatientsAsked();
+  void newPatientAsked();
 
 private:
   struct Number {
@@ -47,8 +55,14 @@ private:
   void askNumber(const Number& number, std::optional<Length> value);
   void askKind(const QString& kind);
   void askLabel();
+  void addWho();
+  void addNumbers();
+  /// Error message of the edited code; empty if there is none.
+  QString codeError() const;
 
+  SavedPatientRow* saved_;
   ValueEdit* label_;
+  QLabel* labelError_;
   Selector* ear_;
   Selector* kind_;
   QWidget* lengths_;
@@ -58,6 +72,7 @@ private:
   session::Overrides lastLengths_, lastBasalTurn_;  ///< As TOML, to restore them when a kind is
                                                     ///< selected again.
   QString heldKind_;
+  DerivedMeasures* derived_;
 };
 
 }  // namespace perilymph::gui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/setup/PopulationField.h"
 
+#include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -11,6 +12,7 @@
 #include <cmath>
 
 #include "gui/parts/Numbers.h"
+#include "gui/parts/Placeholder.h"
 #include "gui/parts/Theme.h"
 #include "gui/setup/ValueEdit.h"
 #include "perilymph/analysis/ErrorBand.h"
@@ -19,8 +21,11 @@ namespace perilymph::gui {
 
 namespace {
 
+// Standard deviations from the mean from which a value is to be checked, as in unusualMeasures().
+constexpr double unusualFrom = 2.0;
+
 constexpr int lineHeight_px = 14;  // of the population line below the field
-constexpr int fieldWidth_px = 84;
+constexpr int fieldWidth_px = 96;
 constexpr int narrowFieldWidth_px = 68;
 
 }  // namespace
@@ -48,7 +53,11 @@ PopulationField::PopulationField(const QString& title, const char* name,
     field_->setFixedSize(fieldWidth_px, 28);
   else
     field_->setFixedSize(narrowFieldWidth_px, 26);
-  if (mayBeEmpty) field_->setPlaceholderText(width == Width::wide ? tr("optional") : tr("none"));
+  if (mayBeEmpty)
+    markPlaceholder(*field_, width == Width::wide ? tr("optional") : tr("none"));
+  else if (population.mean && width == Width::wide)
+    markPlaceholder(*field_, tr("mean %1").arg(numberText(inMillimeters(*population.mean), 2)));
+  field_->installEventFilter(this);
   auto* unit = new QLabel(tr("mm"), this);
   unit->setFont(typeface(11));
   unit->setProperty("quiet", true);
@@ -60,7 +69,10 @@ PopulationField::PopulationField(const QString& title, const char* name,
   provenance_->setProperty("quiet", true);
   provenance_->setToolTip(tr("Source of the value"));
   provenance_->hide();
-  setToolTip(population.source);
+  setToolTip(population.measuring.isEmpty()
+                 ? population.source
+                 : population.measuring + QStringLiteral("\n") + population.source);
+  field_->setToolTip(toolTip());
 
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
@@ -81,11 +93,16 @@ PopulationField::PopulationField(const QString& title, const char* name,
     showPlace();
     Q_EMIT changed();
   });
-  connect(field_, &QLineEdit::editingFinished, this, [this] { commit(); });
+  connect(field_, &QLineEdit::editingFinished, this, [this] {
+    commit();
+    // the same spelling of every number: "34,2" becomes "34.20"
+    if (!isPending() && isAcceptable() && field_->text() != textOf(value())) setValue(value());
+  });
+  connect(field_, &QLineEdit::returnPressed, this, &PopulationField::submitted);
   showPlace();
 }
 
-void PopulationField::setHeld(std::optional<Length> value, const QString& provenance)
+QString PopulationField::textOf(std::optional<Length> value)
 {
   int decimals = 2;
   const auto reads = [&] {
@@ -94,7 +111,12 @@ void PopulationField::setHeld(std::optional<Length> value, const QString& proven
                *value;
   };
   while (decimals < 4 && !reads()) ++decimals;
-  field_->setHeld(value ? numberText(inMillimeters(*value), decimals) : QString());
+  return value ? numberText(inMillimeters(*value), decimals) : QString();
+}
+
+void PopulationField::setHeld(std::optional<Length> value, const QString& provenance)
+{
+  field_->setHeld(textOf(value));
   provenance_->setText(provenance);
   provenance_->setVisible(!provenance.isEmpty());
 }
@@ -115,10 +137,7 @@ bool PopulationField::commit()
   return true;
 }
 
-void PopulationField::setValue(std::optional<Length> value)
-{
-  field_->setText(value ? numberText(inMillimeters(*value), 2) : QString());
-}
+void PopulationField::setValue(std::optional<Length> value) { field_->setText(textOf(value)); }
 
 std::optional<Length> PopulationField::value() const
 {
@@ -134,13 +153,27 @@ bool PopulationField::isAcceptable() const
   return typed && *typed >= population_.low && *typed <= population_.high;
 }
 
+bool PopulationField::isUnusual() const
+{
+  const auto typed = value();
+  if (!typed || !population_.mean || !population_.standardDeviation) return false;
+  return std::fabs((*typed - *population_.mean) / *population_.standardDeviation) >= unusualFrom;
+}
+
+QWidget* PopulationField::input() const { return field_; }
+
 QString PopulationField::error() const
 {
   if (isAcceptable()) return {};
   const QString low = numberText(inMillimeters(population_.low), 1);
   const QString high = numberText(inMillimeters(population_.high), 1);
   if (width_ == Width::narrow) return tr("must be %1 to %2 mm").arg(low, high);
-  return tr("Enter a value from %1 to %2 mm").arg(low, high);
+  const QString range = tr("Enter a value from %1 to %2 mm").arg(low, high);
+  const auto typed = value();
+  const bool isBelow = typed && *typed > Length{} && *typed < population_.low;
+  return isBelow && !population_.belowLow.isEmpty()
+             ? range + QStringLiteral(". ") + population_.belowLow
+             : range;
 }
 
 QString PopulationField::placeOf(Length value) const
@@ -149,37 +182,53 @@ QString PopulationField::placeOf(Length value) const
   const QString error = numberText(inMillimeters(analysis::measuringError), 1);
   if (population_.mean && population_.standardDeviation) {
     const double off = (value - *population_.mean) / *population_.standardDeviation;
+    const bool isBelow = off < -0.05;
+    const QString distance = numberText(std::fabs(off), 1);
     if (isNarrow)
-      return tr("%1%2 SD · CT ± %3 mm")
-          .arg(off < -0.05 ? QStringLiteral("−") : QStringLiteral("+"),
-               numberText(std::fabs(off), 1), error);
-    const QString spread = numberText(inMillimeters(*population_.standardDeviation), 1);
-    const QString mean = numberText(inMillimeters(*population_.mean), 1);
-    if (std::fabs(off) < 0.05)
-      return tr("at population mean (%1 ± %2 mm) · CT ± %3 mm").arg(mean, spread, error);
-    return (off < 0.0 ? tr("%1 SD below population mean (%2 ± %3 mm) · CT ± %4 mm")
-                      : tr("%1 SD above population mean (%2 ± %3 mm) · CT ± %4 mm"))
-        .arg(numberText(std::fabs(off), 1), mean, spread, error);
+      return (isUnusual() ? tr("%1%2 SD: check it · CT ± %3 mm") : tr("%1%2 SD · CT ± %3 mm"))
+          .arg(isBelow ? QStringLiteral("−") : QStringLiteral("+"), distance, error);
+    const QString mean = tr("%1 ± %2 mm")
+                             .arg(numberText(inMillimeters(*population_.mean), 2),
+                                  numberText(inMillimeters(*population_.standardDeviation), 2));
+    const QString place =
+        (isBelow ? tr("%1 SD below population mean (%2)") : tr("%1 SD above population mean (%2)"))
+            .arg(distance, mean);
+    return isUnusual() ? tr("%1: check the measurement").arg(place)
+                       : tr("%1 · CT ± %2 mm").arg(place, error);
   }
   return (isNarrow ? tr("%1–%2 mm · CT ± %3 mm") : tr("range %1–%2 mm · CT ± %3 mm"))
       .arg(numberText(inMillimeters(population_.low), 1),
            numberText(inMillimeters(population_.high), 1), error);
 }
 
+QString PopulationField::emptyText() const
+{
+  if (!mayBeEmpty_) return error();
+  return width_ == Width::narrow ? tr("estimated from A and B")
+                                 : tr("optional; estimated from A and B");
+}
+
 void PopulationField::showPlace()
 {
   const auto typed = value();
-  QString label = error();
-  if (label.isEmpty()) label = typed ? placeOf(*typed) : tr("optional; estimated from A and B");
-  place_->setText(label);
-  const bool isError = !isAcceptable();
-  if (place_->property("error").toBool() != isError) {
-    place_->setProperty("error", isError);
-    place_->setProperty("quiet", !isError);
+  const bool isEmpty = field_->text().trimmed().isEmpty();
+  place_->setText(isEmpty ? emptyText() : isAcceptable() ? placeOf(*typed) : error());
+  // an empty field is no error of the user yet
+  const bool isMarked = (!isEmpty && !isAcceptable()) || isUnusual();
+  if (place_->property("error").toBool() != isMarked) {
+    place_->setProperty("error", isMarked);
+    place_->setProperty("quiet", !isMarked);
     place_->style()->unpolish(place_);
     place_->style()->polish(place_);
   }
   update();
+}
+
+bool PopulationField::eventFilter(QObject* watched, QEvent* event)
+{
+  if (event->type() == QEvent::FocusIn) Q_EMIT focused(true);
+  if (event->type() == QEvent::FocusOut) Q_EMIT focused(false);
+  return QWidget::eventFilter(watched, event);
 }
 
 double PopulationField::fractionOf(Length value) const
@@ -206,7 +255,7 @@ void PopulationField::paintEvent(QPaintEvent*)
   const auto typed = value();
   if (!typed) return;
   painter.setPen(Qt::NoPen);
-  painter.setBrush(isAcceptable() ? accentColor : warningColor);
+  painter.setBrush(isAcceptable() && !isUnusual() ? accentColor : warningColor);
   painter.drawEllipse(QPointF(at(*typed), y), 4.5, 4.5);
 }
 

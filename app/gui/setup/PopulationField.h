@@ -21,6 +21,8 @@ struct Population {
   std::optional<Length> mean;               ///< Empty if unpublished.
   std::optional<Length> standardDeviation;  ///< Empty if unpublished.
   QString source;
+  QString measuring;  ///< How to measure it; may be empty.
+  QString belowLow;   ///< Why smaller values are refused; may be empty.
 };
 
 /// A name, an input field for millimeters and a line that marks the value in the population.
@@ -42,6 +44,10 @@ public:
   std::optional<Length> value() const;
   /// True if the input is a number within the limits, or permissibly empty.
   bool isAcceptable() const;
+  /// The input is two standard deviations or more from the mean.
+  bool isUnusual() const;
+  /// The field itself, for the tab order.
+  QWidget* input() const;
   /// Error message of the input; empty if it is valid.
   QString error() const;
 
@@ -52,16 +58,23 @@ public:
 
 Q_SIGNALS:
   void changed();
+  /// Return was pressed in the field.
+  void submitted();
+  /// The field received or lost the keyboard focus.
+  void focused(bool isFocused);
   /// The user entered another value; empty if an optional number was removed.
   void given(std::optional<perilymph::Length> value);
 
 protected:
   void paintEvent(QPaintEvent*) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
   void showPlace();
   QString placeOf(Length value) const;
   double fractionOf(Length value) const;
+  QString emptyText() const;
+  static QString textOf(std::optional<Length> value);
 
   Population population_;
   bool mayBeEmpty_;

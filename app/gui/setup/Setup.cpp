@@ -292,9 +292,40 @@ std::string fileNameOf(const std::string& name)
   std::string file;
   for (const char c : name) {
     const bool isPlain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-    file += isPlain ? c : '-';
+    if (isPlain)
+      file += c;
+    else if (!file.empty() && file.back() != '-')
+      file += '-';
   }
-  return file + ".toml";
+  while (!file.empty() && file.back() == '-') file.pop_back();
+  return (file.empty() ? "patient" : file) + ".toml";
+}
+
+Result<session::Scenario> withPatient(const session::Scenario& scenario,
+                                      const anatomy::Patient& patient)
+{
+  Values values = scenario.values();
+  drop(values, [](const std::string& key) { return startsWith(key, numbers); });
+  const auto setNumber = [&values](const char* key, Length length) {
+    set(values, std::string(numbers) + key, millimetersText(length));
+  };
+  const anatomy::PatientMeasures measures = measuresOf(patient);
+  set(values, "anatomy", std::string("\"") + nameOf(sourceScaledBy(measures)) + '"');
+  set(values, "side", patient.side == anatomy::Side::left ? "\"left\"" : "\"right\"");
+  set(values, "patient", "\"\"");
+  set(values, label, tomlQuoted(QString::fromStdString(patient.label)));
+  if (patient.basalTurn) {
+    setNumber("a_mm", patient.basalTurn->a);
+    setNumber("b_mm", patient.basalTurn->b);
+    if (patient.basalTurn->h) setNumber("h_mm", *patient.basalTurn->h);
+  } else {
+    setNumber("st_length_mm", patient.scalaTympaniLength);
+    setNumber("rw_width_mm", patient.roundWindowWidth);
+    setNumber("rw_height_mm", patient.roundWindowHeight);
+  }
+  const auto plain = read(values, fileNameOf(patient.label));
+  if (!plain) return plain.error();
+  return asOwn(*plain);
 }
 
 Result<session::Scenario> asOwn(const session::Scenario& scenario)

@@ -84,7 +84,11 @@ Result<Setup> changed(const Setup& now, const SetupOrigin& origin, const SetupCh
 std::vector<std::string> differingText(const session::Scenario& one,
                                        const session::Scenario& other);
 
-/// A file name for a patient: letters and digits are kept, all else becomes a dash.
+/// A scenario with the numbers, the ear and the name of a patient, named after the patient.
+Result<session::Scenario> withPatient(const session::Scenario& scenario,
+                                      const anatomy::Patient& patient);
+
+/// A file name for a patient: letters and digits are kept, all else between them becomes one dash.
 std::string fileNameOf(const std::string& label);
 
 /// The scenario of the user's own patient: named after the patient instead of a preset.

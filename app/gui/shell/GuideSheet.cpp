@@ -7,10 +7,15 @@
 #include <QLocale>
 #include <QPushButton>
 #include <QScrollBar>
+#include <QTextBlock>
 #include <QTextBrowser>
+#include <QTextCursor>
+#include <QTextTable>
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "gui/parts/Theme.h"
 #include "perilymph/foundation/Resources.h"
@@ -20,13 +25,45 @@ namespace perilymph::gui {
 namespace {
 
 constexpr int max_px = 920;  // longer lines are hard to read
+constexpr double lineHeight_percent = 125.0;
 
 }  // namespace
 
-/// A browser whose pictures are at most as wide as the page.
+/// A browser whose pictures are at most as wide as the page, with links in the window's color and
+/// space between paragraphs.
 class GuideBrowser : public QTextBrowser {
 public:
-  using QTextBrowser::QTextBrowser;
+  explicit GuideBrowser(QWidget* parent) : QTextBrowser(parent)
+  {
+    connect(this, &QTextBrowser::sourceChanged, this, [this] { formatPage(); });
+  }
+
+  /// Formats the page: Markdown has neither colors nor margins.
+  void formatPage()
+  {
+    for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
+      QTextCursor cursor(block);
+      QTextBlockFormat spaced = block.blockFormat();
+      const bool isHeading = spaced.headingLevel() > 0;
+      const bool isInTable = cursor.currentTable() != nullptr;
+      spaced.setTopMargin(isInTable ? 3.0 : isHeading ? 2.5 * spacing : 0.5 * spacing);
+      spaced.setBottomMargin(isInTable ? 3.0 : spacing);
+      spaced.setLineHeight(lineHeight_percent, QTextBlockFormat::ProportionalHeight);
+      cursor.setBlockFormat(spaced);
+      std::vector<std::pair<int, int>> links;  // formatting them changes the fragments
+      for (auto part = block.begin(); !part.atEnd(); ++part)
+        if (const QTextFragment each = part.fragment(); each.charFormat().isAnchor())
+          links.emplace_back(each.position(), each.position() + each.length());
+      QTextCharFormat link;
+      link.setForeground(accentColor);
+      link.setFontUnderline(true);
+      for (const auto& [from, to] : links) {
+        cursor.setPosition(from);
+        cursor.setPosition(to, QTextCursor::KeepAnchor);
+        cursor.mergeCharFormat(link);
+      }
+    }
+  }
 
   QVariant loadResource(int type, const QUrl& name) override
   {

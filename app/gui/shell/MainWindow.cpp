@@ -18,6 +18,7 @@
 #include "gui/shell/TopBar.h"
 #include "gui/shell/WindowKeys.h"
 #include "gui/shell/WindowPicture.h"
+#include "gui/shell/WindowTitle.h"
 
 namespace perilymph::gui {
 
@@ -76,6 +77,7 @@ void MainWindow::connectInsertion()
   connect(pages_, &PageStack::setupChosen, this,
           qOverload<const Setup&, SetupOrigin::Kind, AfterLoading>(&MainWindow::load));
   connect(pages_, &PageStack::pageAsked, this, &MainWindow::showPage);
+  connect(pages_, &PageStack::refused, notice_, &Notice::say);
   connect(top_, &TopBar::pageChosen, this, &MainWindow::showPage);
   connect(top_, &TopBar::keysAsked, &sheets_->help(), &Help::toggleKeys);
   connect(top_, &TopBar::settingsAsked, sheets_, &Sheets::toggleSettings);
@@ -96,7 +98,8 @@ void MainWindow::load(const Setup& setup, SetupOrigin::Kind kind, AfterLoading t
 void MainWindow::showPage(Page page)
 {
   top_->setPage(page);
-  if (page == pages_->page()) return;
+  // the tab of the recordings reads them again
+  if (page == pages_->page() && page != Page::sessions) return;
   pages_->showPage(page);
   showSubject();
   if (page != Page::start && page != Page::sessions) setFocus();
@@ -105,13 +108,9 @@ void MainWindow::showPage(Page page)
 void MainWindow::showSubject()
 {
   const ReplayControl& replay = insert_->replay();
-  const std::string name =
-      replay.isOpen() ? replay.playback().file().stem().string() : control().scenario().name();
-  setWindowTitle((replay.isOpen() ? tr("Perilymph · replay of %1") : tr("Perilymph · %1"))
-                     .arg(QString::fromStdString(name)));
-  if (page() == Page::start || page() == Page::ct) return top_->showNobody();
-  if (page() == Page::insert && replay.isOpen())
-    return top_->showSubject(replay.playback().scenario(), {});
+  setWindowTitle(windowTitleOf(*insert_));
+  if (page() != Page::insert) return top_->showNobody();  // the page is about no patient
+  if (replay.isOpen()) return top_->showSubject(replay.playback().scenario(), {});
   top_->showSubject(control().scenario(), setup().isModified() ? setup().changedText() : QString());
 }
 

@@ -9,6 +9,9 @@
 #include "gui/pages/sessions/SessionsPage.h"
 #include "gui/pages/start/StartPage.h"
 #include "gui/pages/validate/ValidatePage.h"
+#include "gui/setup/PatientSetup.h"
+#include "gui/shell/FileDrop.h"
+#include "gui/shell/WindowTitle.h"
 
 namespace perilymph::gui {
 
@@ -32,29 +35,65 @@ PageStack::PageStack(InsertPage& insert, QWidget* parent)
 
 void PageStack::connectPages()
 {
+  connectStart();
+  connectRecordings();
+  connect(ct_, &CtPage::setupChosen, this, [this](const Setup& setup) {
+    Q_EMIT setupChosen(setup, SetupOrigin::Kind::own, InsertPage::AfterLoading::rest);
+  });
+}
+
+void PageStack::connectStart()
+{
   using AfterLoading = InsertPage::AfterLoading;
   connect(start_, &StartPage::setupChosen, this,
           [this](const Setup& setup, SetupOrigin::Kind kind, bool isWatched) {
             Q_EMIT setupChosen(setup, kind, isWatched ? AfterLoading::insert : AfterLoading::rest);
           });
-  connect(ct_, &CtPage::setupChosen, this, [this](const Setup& setup) {
-    Q_EMIT setupChosen(setup, SetupOrigin::Kind::own, AfterLoading::rest);
+  connect(start_, &StartPage::continueAsked, this, [this] { Q_EMIT pageAsked(Page::insert); });
+  connect(start_, &StartPage::replayAsked, &insert_, &InsertPage::openReplay);
+  connect(start_, &StartPage::allRecordingsAsked, this,
+          [this] { Q_EMIT pageAsked(Page::sessions); });
+  connect(&insert_, &InsertPage::allPatientsAsked, this, [this] {
+    Q_EMIT pageAsked(Page::start);
+    start_->showPatients();
   });
+  connect(&insert_, &InsertPage::newPatientAsked, this, [this] {
+    Q_EMIT pageAsked(Page::start);
+    start_->showNewPatient();
+  });
+}
+
+void PageStack::connectRecordings()
+{
   connect(sessions_, &SessionsPage::replayAsked, &insert_, &InsertPage::openReplay);
-  connect(sessions_, &SessionsPage::ghostRead, &insert_, &InsertPage::setGhost);
+  connect(sessions_, &SessionsPage::referenceRead, &insert_, &InsertPage::setReference);
   connect(sessions_, &SessionsPage::compareAsked, this,
           [this](const std::vector<std::filesystem::path>& files) {
             Q_EMIT pageAsked(Page::compare);
             compare_->compare(files);
           });
+  connect(compare_, &ComparePage::recordingsAsked, this,
+          [this] { Q_EMIT pageAsked(Page::sessions); });
   connect(&insert_, &InsertPage::replayFailed, this, &PageStack::showSessionsError);
+  auto* drop = new FileDrop(parentWidget());
+  connect(drop, &FileDrop::recordingDropped, &insert_, &InsertPage::openReplay);
+  connect(drop, &FileDrop::patientDropped, this, &PageStack::openPatient);
+}
+
+void PageStack::openPatient(const std::filesystem::path& file)
+{
+  const auto patient = anatomy::loadPatient(file);
+  if (!patient) return refused(QString::fromStdString(patient.error().message));
+  const auto setup = setupOfPatient(*patient);
+  if (!setup) return refused(QString::fromStdString(setup.error().message));
+  Q_EMIT setupChosen(*setup, SetupOrigin::Kind::own, InsertPage::AfterLoading::rest);
 }
 
 void PageStack::showPage(Page page)
 {
   if (this->page() == Page::insert && page != Page::insert) insert_.leaveSight();
   setCurrentIndex(static_cast<int>(page));
-  if (page == Page::start) start_->showCards();
+  if (page == Page::start) start_->showCards({currentWork(insert_), insert_.control().recording()});
   if (page == Page::ct) showInsertionInCt();
   if (page != Page::sessions) return;
   sessions_->refresh(insert_.control().recording(), insert_.control().isRunning());

@@ -4,6 +4,7 @@
 // The pages of the window, one of which is visible.
 
 #include <QStackedWidget>
+#include <filesystem>
 
 #include "gui/pages/insert/InsertPage.h"
 
@@ -40,10 +41,15 @@ Q_SIGNALS:
                    perilymph::gui::InsertPage::AfterLoading then);
   /// A page asks for another one.
   void pageAsked(perilymph::gui::Page page);
+  /// A dropped file cannot be used.
+  void refused(const QString& sentence);
 
 private:
   void connectPages();
   void showInsertionInCt();
+  void connectStart();
+  void connectRecordings();
+  void openPatient(const std::filesystem::path& file);
 
   InsertPage& insert_;
   StartPage* start_;

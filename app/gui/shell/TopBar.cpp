@@ -34,14 +34,26 @@ QColor colorOf(DeviceState light)
   return quietTextColor;
 }
 
+/// The patient, or the anatomy where there is none.
 QString patientText(const session::Scenario& scenario)
 {
-  const bool isLeft = scenario.patient().side == anatomy::Side::left;
-  const bool isPatient = isScaledBy(scenario.anatomy(), scenario.patient());
-  return (isPatient ? TopBar::tr("Patient %1 · %2 ear") : TopBar::tr("%1 anatomy · %2 ear"))
-      .arg(
-          QString::fromStdString(isPatient ? scenario.patient().label : nameOf(scenario.anatomy())),
-          isLeft ? TopBar::tr("left") : TopBar::tr("right"));
+  const anatomy::Patient& patient = scenario.patient();
+  const QString ear =
+      patient.side == anatomy::Side::left ? TopBar::tr("left") : TopBar::tr("right");
+  const bool isPatient = isScaledBy(scenario.anatomy(), patient);
+  if (isPatient && patient.label == "unnamed")
+    return TopBar::tr("Patient without a code · %1 ear").arg(ear);
+  if (isPatient && patient.label != "published")
+    return TopBar::tr("Patient %1 · %2 ear").arg(QString::fromStdString(patient.label), ear);
+  switch (scenario.anatomy()) {
+    case anatomy::AnatomySource::published:
+      return TopBar::tr("Published cochlea · %1 ear").arg(ear);
+    case anatomy::AnatomySource::mean:
+      return TopBar::tr("Average cochlea · %1 ear").arg(ear);
+    case anatomy::AnatomySource::clark:
+      break;
+  }
+  return TopBar::tr("Clark’s spiral · %1 ear").arg(ear);
 }
 
 }  // namespace

@@ -31,8 +31,10 @@ Result<ComparedInsertion> readCompared(const std::filesystem::path& file,
   const auto recorded = session::RecordedInsertion::open(file);
   if (!recorded) return recorded.error();
   ComparedInsertion compared;
-  compared.name = file.stem().string();
+  compared.name = session::displayNameOf(file);
   compared.scenario = recorded->facts().scenarioName;
+  compared.subject = session::subjectOf(recorded->facts().scenarioText, file.string());
+  compared.startedUtc = recorded->facts().startedUtc;
   ForceProfiler profiler;
   ReversalCounter reversals;
   MotionCounter motion;

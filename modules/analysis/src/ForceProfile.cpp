@@ -73,6 +73,7 @@ void ForceProfiler::follow(const haptics::TickOutput& now)
   profile_.finalTravel = now.travel;
   profile_.finalDepth = now.depth;
   profile_.finalAngle = now.angularDepth;
+  profile_.deepestAngle = std::max(profile_.deepestAngle, now.angularDepth);
   profile_.duration = now.time;
 
   if (!isFirst)

@@ -5,11 +5,14 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
+#include <QFileDialog>
 #include <QImage>
 #include <QLabel>
 #include <QTableView>
 #include <QTableWidget>
 #include <QTest>
+#include <QTimer>
 #include <algorithm>
 #include <system_error>
 
@@ -18,6 +21,7 @@
 #include "gui/pages/compare/ComparePage.h"
 #include "gui/pages/compare/ComparisonPlot.h"
 #include "gui/pages/sessions/SessionsPage.h"
+#include "gui/parts/StatusLine.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/Version.h"
@@ -125,12 +129,58 @@ TEST_F(Clinician, ExportsTableCurvesAndFigure)
   EXPECT_FALSE(QImage(QString::fromStdString((folder / "curves.png").string())).isNull());
 }
 
-TEST_F(Clinician, ShowsAGhostCurveInTheNextInsertion)
+TEST_F(Clinician, PutsAReferenceBehindTheNextInsertionIsWarnedAndRemovesIt)
 {
   insertOnce();
   openLibrary(1);
   rig_->click("ghostButton");
-  EXPECT_TRUE(WindowRig::comes([&] { return rig_->label("sessionStatus").contains("reference"); }));
+  ASSERT_TRUE(WindowRig::comes([&] { return rig_->label("sessionStatus").contains("reference"); }));
+  rig_->click("insertPageButton");
+  EXPECT_TRUE(rig_->label("referenceName").contains("contour-published"));
+  const auto* warning = rig_->window().findChild<QLabel*>("referenceWarning");
+  EXPECT_FALSE(warning->isVisible());
+  rig_->choose("arraySelector", "flex28");
+  ASSERT_TRUE(WindowRig::comes([&] { return warning->isVisible(); }));
+  EXPECT_TRUE(warning->text().contains("another array (Nucleus 24 Contour)"))
+      << warning->text().toStdString();
+  EXPECT_FALSE(warning->text().contains("cochlea"));
+  rig_->choose("anatomySelector", "mean");
+  EXPECT_TRUE(WindowRig::comes([&] { return warning->text().contains("another cochlea"); }));
+  rig_->click("removeReferenceButton");
+  EXPECT_FALSE(rig_->window().findChild<QLabel*>("referenceName")->isVisible());
+}
+
+TEST_F(Clinician, IsLedFromAnEmptyComparisonToTheRecordings)
+{
+  rig_->click("comparePageButton");
+  page().findChild<QAbstractButton*>("emptyPageButton")->click();
+  EXPECT_EQ(rig_->window().page(), gui::Page::sessions);
+}
+
+TEST_F(Clinician, SeesArrayTechniqueAndPatientOfEachRow)
+{
+  compareBoth();
+  for (int row = 0; row < 2; ++row)
+    for (const char* part : {"Nucleus 24 Contour", "standard", "published", "right ear"})
+      EXPECT_TRUE(cell(row, "Insertion").contains(QLatin1String(part))) << part;
+  EXPECT_TRUE(cell(0, "Deepest angle").endsWith("°"));
+}
+
+TEST_F(Clinician, SavesIntoTheFolderOfDocuments)
+{
+  compareBoth();
+  QString folder;
+  QTimer watch;
+  QObject::connect(&watch, &QTimer::timeout, &watch, [&] {
+    auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+    if (dialog == nullptr) return;
+    folder = dialog->directory().absolutePath();
+    dialog->reject();
+  });
+  watch.start(20);
+  rig_->click("exportButton");
+  EXPECT_EQ(folder, gui::documentsFolder());
+  EXPECT_FALSE(folder.contains("perilymph/sessions"));
 }
 
 TEST_F(Clinician, WritesAReportThatCanBeReadAgain)

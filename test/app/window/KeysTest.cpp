@@ -209,7 +209,7 @@ TEST(WindowHabits, TheGuideOpensFromTheSheetAndItsPagesFollowTheirLinks)
   EXPECT_TRUE(rig.window().rect().contains(sheet.geometry()));
   EXPECT_TRUE(page.toPlainText().contains("Four tutorials"));
   page.setSource(page.source().resolved(QUrl("surgeon.md")));
-  EXPECT_TRUE(page.toPlainText().contains("Type the numbers"));
+  EXPECT_TRUE(page.toPlainText().contains("Enter the measurements"));
   EXPECT_LE(page.document()->size().width(), page.viewport()->width());
   rig.click("guideBackButton");
   EXPECT_TRUE(page.toPlainText().contains("Four tutorials"));

@@ -6,6 +6,7 @@
 
 #include <QLabel>
 #include <QLineEdit>
+#include <QScrollBar>
 #include <QTableView>
 #include <QTest>
 #include <cstdio>
@@ -223,6 +224,63 @@ TEST_F(Sessions, AreRenamed)
   QTest::keyClicks(editor, "tuesday");
   QTest::keyClick(editor, Qt::Key_Return);
   EXPECT_TRUE(WindowRig::comes([&] { return fs::exists(sessionFolder() / "tuesday.insertion"); }));
+}
+
+TEST_F(Sessions, KeepTheTypedTextWhereANameIsRefused)
+{
+  record("first");
+  openLibrary();
+  choose(0);
+  rig_->click("renameButton");
+  auto* editor = list().findChild<QLineEdit*>();
+  ASSERT_NE(editor, nullptr);
+  editor->selectAll();
+  QTest::keyClicks(editor, "a/b");
+  QTest::keyClick(editor, Qt::Key_Return);
+  ASSERT_TRUE(WindowRig::comes([&] { return rig_->label("sessionStatus").contains("a/b"); }));
+  editor = list().viewport()->findChild<QLineEdit*>();
+  ASSERT_NE(editor, nullptr);
+  EXPECT_EQ(editor->text(), "a/b");
+  QTest::keyClick(editor, Qt::Key_Backspace);
+  QTest::keyClick(editor, Qt::Key_Backspace);
+  QTest::keyClick(editor, Qt::Key_Return);
+  EXPECT_TRUE(WindowRig::comes([&] { return fs::exists(sessionFolder() / "a.insertion"); }));
+}
+
+TEST_F(Sessions, AreReadAgainByTheirOwnTab)
+{
+  record("first");
+  openLibrary();
+  ASSERT_EQ(rows(), 1);
+  record("second");
+  rig_->click("sessionsPageButton");
+  EXPECT_TRUE(WindowRig::comes([&] { return rows() == 2; }));
+}
+
+TEST_F(Sessions, ShowEarTechniqueAndNameWholeInTheSmallestWindow)
+{
+  using Column = gui::SessionTable::Column;
+  record("20261122T014506Z-P-017", {{"side", "left"}, {"technique", "aos"}});
+  openLibrary();
+  rig_->window().resize(rig_->window().minimumSize());
+  const auto isWhole = [&](int column) {
+    const QString text = list().model()->index(0, column).data().toString();
+    constexpr int padding_px = 16;  // of the style sheet, both sides
+    return list().fontMetrics().horizontalAdvance(text) + padding_px <= list().columnWidth(column);
+  };
+  ASSERT_TRUE(WindowRig::comes([&] { return list().width() < 1024; }));
+  for (const auto& [column, text] :
+       {std::pair{Column::ear, "left"}, std::pair{Column::technique, "Off stylet"},
+        std::pair{Column::name, "P-017"}}) {
+    EXPECT_EQ(list().model()->index(0, column).data().toString(), text);
+    EXPECT_TRUE(isWhole(column)) << text;
+  }
+  EXPECT_FALSE(list().horizontalScrollBar()->isVisible());
+  const auto header = [&](int column) {
+    return list().model()->headerData(column, Qt::Horizontal).toString();
+  };
+  EXPECT_EQ(header(Column::recorded), QString::fromUtf8("Recorded ↓"));  // the newest first
+  EXPECT_EQ(header(Column::ear), "Ear");
 }
 
 class AReplay : public Sessions {

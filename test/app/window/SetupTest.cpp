@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "gui/run/ScenarioDifference.h"
+#include "gui/setup/PatientSetup.h"
 #include "gui/setup/Setup.h"
 #include "perilymph/foundation/Resources.h"
 
@@ -191,16 +192,43 @@ TEST(SetupChange, APatientsOwnScenarioIsNamedAfterThePatientAndTheArray)
 {
   const auto preset = session::loadScenario("contour-published");
   ASSERT_TRUE(preset);
-  session::Overrides label{{"patient_numbers.label", "P 014"}};
+  session::Overrides label{{"patient_numbers.label", "P-014"}};
   const auto patient = session::parseScenario(preset->text(), "x", label);
   ASSERT_TRUE(patient) << patient.error().message;
   const auto own = asOwn(*patient);
   ASSERT_TRUE(own) << own.error().message;
   EXPECT_EQ(own->name(), "P-014");
-  EXPECT_EQ(own->title(), "P 014: Nucleus 24 Contour");
+  EXPECT_EQ(own->title(), "P-014: Nucleus 24 Contour");
   const SetupOrigin origin{{*own, {}}, SetupOrigin::Kind::own};
   const auto other = after(origin.setup, origin, SetupField::array, {{"array", "\"flex28\""}});
-  EXPECT_EQ(other.scenario.title(), "P 014: FLEX28");
+  EXPECT_EQ(other.scenario.title(), "P-014: FLEX28");
+}
+
+TEST(PatientsFile, IsNamedWithoutRepeatedDashes)
+{
+  EXPECT_EQ(fileNameOf("P-017"), "P-017.toml");
+  EXPECT_EQ(fileNameOf("P-017 / Müller"), "P-017-M-ller.toml");
+  EXPECT_EQ(fileNameOf("/"), "patient.toml");
+}
+
+TEST(SetupOfAPatient, KeepsArrayAndTechniqueAndNamesNoFile)
+{
+  const SetupOrigin origin = originOf("contour-published");
+  const auto base = after(origin.setup, origin, SetupField::array, {{"array", "\"flex28\""}});
+  anatomy::Patient patient;
+  patient.label = "P-017";
+  patient.side = anatomy::Side::left;
+  patient.basalTurn = {millimeters(9.1), millimeters(6.7), millimeters(3.9)};
+  const auto setup = setupOfPatient(patient, &base.scenario);
+  ASSERT_TRUE(setup) << setup.error().message;
+  EXPECT_EQ(setup->scenario.arrayName(), "flex28");
+  EXPECT_EQ(setup->scenario.anatomy(), anatomy::AnatomySource::mean);
+  EXPECT_EQ(setup->scenario.patient().basalTurn->h, millimeters(3.9));
+  EXPECT_EQ(setup->scenario.patient().side, anatomy::Side::left);
+  EXPECT_EQ(setup->scenario.name(), "P-017");
+  EXPECT_EQ(setup->scenario.title(), "P-017: FLEX28");
+  EXPECT_EQ(setup->scenario.patientName(), "");
+  EXPECT_EQ(setup->sourceOf(SetupField::lengthA), ValueSource::ct);
 }
 
 }  // namespace

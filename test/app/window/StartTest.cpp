@@ -7,10 +7,13 @@
 
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QTest>
+#include <tuple>
 
 #include "DataFolder.h"
 #include "WindowRig.h"
+#include "gui/pages/start/PatientForm.h"
 #include "perilymph/foundation/Resources.h"
 
 namespace perilymph::test {
@@ -32,6 +35,25 @@ protected:
     line->clear();
     QTest::keyClicks(line, QLatin1String(text));
   }
+
+  /// A measure that the form computes.
+  QString measure(const char* name)
+  {
+    const auto* form = rig_->window().findChild<gui::PatientForm*>();
+    return form->findChild<QLabel*>(QLatin1String(name))->text();
+  }
+
+  /// A visible label says this.
+  bool isSaid(const char* text, bool isMarked = false)
+  {
+    for (const QLabel* label : rig_->window().findChildren<QLabel*>())
+      if (label->isVisible() && label->text().contains(QString::fromUtf8(text)) &&
+          (!isMarked || label->property("error").toBool()))
+        return true;
+    return false;
+  }
+  /// The same in the color of warnings.
+  bool isMarked(const char* text) { return isSaid(text, true); }
 
   const session::Scenario& scenario() { return rig_->window().control().scenario(); }
 
@@ -58,28 +80,29 @@ TEST_F(FirstScreen, TheMeanCochleaIsOneClickAway)
 TEST_F(FirstScreen, APatientsThreeLengthsMakeThePatientsCochlea)
 {
   rig_->click("patientCard");
-  type("patientName", "P 014");
+  rig_->click("byLengths");
+  type("patientName", "P-014");
   type("stLength", "34.2");
   type("rwWidth", "2.05");
   type("rwHeight", "1.7");
   rig_->click("leftEar");
   rig_->click("usePatientButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient().label == "P 014"; }));
+  ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient().label == "P-014"; }));
   EXPECT_EQ(scenario().anatomy(), anatomy::AnatomySource::published);
   EXPECT_EQ(scenario().patient().side, anatomy::Side::left);
   EXPECT_EQ(scenario().patient().scalaTympaniLength, millimeters(34.2));
   EXPECT_EQ(scenario().patient().roundWindowWidth, millimeters(2.05));
   EXPECT_EQ(scenario().patient().roundWindowHeight, millimeters(1.7));
-  EXPECT_TRUE(rig_->label("patientLabel").contains("P 014"));
+  EXPECT_TRUE(rig_->label("patientLabel").contains("P-014"));
   EXPECT_TRUE(rig_->label("patientLabel").contains("left"));
   // the measures are saved
-  EXPECT_TRUE(anatomy::loadPatient(patientFolder() / "P-014.toml"));
+  EXPECT_TRUE(anatomy::loadPatient(patientFolder() / "P-014-left.toml"));
 }
 
 TEST_F(FirstScreen, AAndBMakeAMeanCochleaOfThatSize)
 {
   rig_->click("patientCard");
-  rig_->click("byBasalTurn");
+  type("patientName", "P-015");
   type("aValue", "9.0");
   type("bValue", "6.5");
   rig_->click("usePatientButton");
@@ -90,15 +113,203 @@ TEST_F(FirstScreen, AAndBMakeAMeanCochleaOfThatSize)
   EXPECT_FALSE(scenario().patient().basalTurn->h);
 }
 
+TEST_F(FirstScreen, TheFormIsFilledWithTheKeyboardInItsOrder)
+{
+  rig_->click("patientCard");
+  const auto focused = [&] { return rig_->window().focusWidget(); };
+  const auto typeHere = [&](const char* text) { QTest::keyClicks(focused(), QLatin1String(text)); };
+  const auto tab = [&] { QTest::keyClick(focused(), Qt::Key_Tab); };
+  ASSERT_TRUE(WindowRig::comes(
+      [&] { return focused() != nullptr && focused()->objectName() == "patientName"; }));
+  typeHere("P-016");
+  for (const auto& [name, text] : {std::pair{"rightEar", ""}, std::pair{"aValue", "9.1"},
+                                   std::pair{"bValue", "6.7"}, std::pair{"hValue", "3.9"}}) {
+    tab();
+    ASSERT_EQ(focused()->objectName(), name);
+    typeHere(text);
+  }
+  tab();
+  EXPECT_EQ(focused()->objectName(), "byBasalTurn");
+  tab();
+  EXPECT_EQ(focused()->objectName(), "usePatientButton");
+  QTest::keyClick(focused(), Qt::Key_Tab, Qt::ShiftModifier);
+  QTest::keyClick(focused(), Qt::Key_Tab, Qt::ShiftModifier);
+  ASSERT_EQ(focused()->objectName(), "hValue");
+  QTest::keyClick(focused(), Qt::Key_Return);
+  ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient().label == "P-016"; }));
+  EXPECT_EQ(*scenario().patient().basalTurn->h, millimeters(3.9));
+}
+
+TEST_F(FirstScreen, AnUntouchedFormCannotBeSentOff)
+{
+  rig_->click("patientCard");
+  for (const char* field : {"aValue", "bValue", "hValue", "stLength", "rwWidth", "rwHeight"}) {
+    const auto* line = rig_->window().findChild<QLineEdit*>(QLatin1String(field));
+    EXPECT_TRUE(line->text().isEmpty()) << field;
+    EXPECT_FALSE(line->placeholderText().isEmpty()) << field;
+  }
+  EXPECT_FALSE(rig_->button("usePatientButton").isEnabled());
+  type("aValue", "9.1");
+  type("bValue", "6.7");
+  EXPECT_FALSE(rig_->button("usePatientButton").isEnabled());  // for whom?
+  type("patientName", "P-016");
+  EXPECT_TRUE(rig_->button("usePatientButton").isEnabled());
+}
+
+TEST_F(FirstScreen, ANameInPlaceOfACodeIsRefusedInASentence)
+{
+  rig_->click("patientCard");
+  type("aValue", "9.1");
+  type("bValue", "6.7");
+  rig_->window().findChild<QLineEdit*>("patientName")->setText(QString::fromUtf8("Müller"));
+  EXPECT_FALSE(rig_->button("usePatientButton").isEnabled());
+  EXPECT_TRUE(isMarked("letters A to Z, digits and hyphens"));
+}
+
+TEST_F(FirstScreen, UnusualMeasuresAreMarkedAndStillPossible)
+{
+  rig_->click("patientCard");
+  type("patientName", "P-016");
+  type("aValue", "10.4");  // (10.4 - 9.23) / 0.43 = 2.7 standard deviations
+  type("bValue", "7.4");
+  EXPECT_TRUE(isMarked("2.7 SD above population mean (9.23 ± 0.43 mm): check the measurement"));
+  EXPECT_TRUE(rig_->button("usePatientButton").isEnabled());
+  type("aValue", "9.9");  // each within two standard deviations, but not together
+  type("bValue", "6.3");
+  EXPECT_FALSE(isMarked("check the measurement"));
+  EXPECT_TRUE(isMarked("A and B do not match"));
+  EXPECT_TRUE(rig_->button("usePatientButton").isEnabled());
+  type("aValue", "7.2");
+  EXPECT_TRUE(isMarked("malformed"));
+  EXPECT_FALSE(rig_->button("usePatientButton").isEnabled());
+}
+
+TEST_F(FirstScreen, TheFormShowsWhatTheMeasuresMean)
+{
+  rig_->click("patientCard");
+  type("patientName", "P-016");
+  type("aValue", "9.20");
+  type("bValue", "6.80");
+  // Alexiades et al. 2015: 4.16 A - 4 = 34.3 mm, and 0.1 mm of A are 0.4 mm of duct
+  ASSERT_TRUE(WindowRig::comes([&] { return measure("duct_length_mm").contains("±"); }));
+  EXPECT_EQ(measure("duct_length_mm"), "34.3 ± 0.4 mm");
+  EXPECT_EQ(measure("two_turn_length_mm"), "29.9 ± 0.4 mm");  // 3.65 (A - 1)
+  EXPECT_TRUE(measure("turns").startsWith("2."));
+  EXPECT_TRUE(measure("insertion_angle_deg").endsWith("°"));
+  EXPECT_TRUE(measure("coverage_percent").endsWith(" %"));
+  type("aValue", "");
+  EXPECT_FALSE(measure("duct_length_mm").contains("34.3"));
+}
+
+TEST_F(FirstScreen, APatientIsEditedFoundAndReopenedWithMouseAndKeyboard)
+{
+  for (const auto& [code, a, b] :
+       {std::tuple{"P-017", "9.1", "6.7"}, std::tuple{"K-2", "9.4", "6.9"}}) {
+    rig_->window().showPage(gui::Page::start);
+    rig_->click("patientCard");
+    type("patientName", code);
+    type("aValue", a);
+    type("bValue", b);
+    rig_->click("usePatientButton");
+    ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient().label == code; })) << code;
+  }
+  // the program is closed and opened again
+  rig_.reset();
+  rig_ = std::make_unique<WindowRig>();
+  rig_->window().showPage(gui::Page::start);
+  EXPECT_TRUE(rig_->button("recentPatient0").text().contains("K-2"));  // the last one first
+  rig_->click("recentPatient1");
+  ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient().label == "P-017"; }));
+
+  // found by typing, and edited
+  rig_->click("startPageButton");
+  rig_->click("allPatientsButton");
+  QTest::keyClicks(rig_->window().focusWidget(), "k-2");
+  auto* list = rig_->window().findChild<QListWidget*>("patientList");
+  ASSERT_EQ(list->count(), 1);
+  rig_->click("editPatientButton");
+  EXPECT_EQ(rig_->window().findChild<QLineEdit*>("patientName")->text(), "K-2");
+  type("aValue", "9.5");
+  EXPECT_EQ(rig_->button("usePatientButton").text(), "Save changes");
+  rig_->click("usePatientButton");
+  ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient().label == "K-2"; }));
+  EXPECT_EQ(scenario().patient().basalTurn->a, millimeters(9.5));
+  EXPECT_EQ(anatomy::loadPatient(patientFolder() / "K-2-right.toml")->basalTurn->a,
+            millimeters(9.5));
+
+  // opened from the panel; a change there is saved when asked for
+  const std::string other = (patientFolder() / "P-017-right.toml").string();
+  rig_->choose("savedPatients", other.c_str());
+  ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient().label == "P-017"; }));
+  EXPECT_FALSE(rig_->button("savePatientButton").isVisible());
+  rig_->type("panelA", "9.2");
+  ASSERT_TRUE(WindowRig::comes([&] { return rig_->button("savePatientButton").isVisible(); }));
+  EXPECT_EQ(anatomy::loadPatient(other)->basalTurn->a, millimeters(9.1));
+  rig_->click("savePatientButton");
+  EXPECT_EQ(anatomy::loadPatient(other)->basalTurn->a, millimeters(9.2));
+  EXPECT_FALSE(rig_->button("savePatientButton").isVisible());
+}
+
+TEST_F(FirstScreen, ACodeIsNotGivenToTwoPatients)
+{
+  for (int i = 0; i < 2; ++i) {
+    rig_->window().showPage(gui::Page::start);
+    rig_->click("patientCard");
+    type("patientName", "P-018");
+    type("aValue", i == 0 ? "9.1" : "9.6");
+    type("bValue", "6.8");
+    rig_->click("usePatientButton");
+    if (i > 0) continue;
+    ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient().label == "P-018"; }));
+  }
+  EXPECT_TRUE(isMarked("saved already"));
+  EXPECT_EQ(anatomy::loadPatient(patientFolder() / "P-018-right.toml")->basalTurn->a,
+            millimeters(9.1));
+  rig_->click("leftEar");  // the other ear is another cochlea
+  rig_->click("usePatientButton");
+  EXPECT_TRUE(WindowRig::comes([&] { return scenario().patient().side == anatomy::Side::left; }));
+}
+
+TEST_F(FirstScreen, ItsKeysWorkWhereverTheFocusIs)
+{
+  rig_->window().activateWindow();
+  ASSERT_TRUE(WindowRig::comes([&] { return rig_->window().isActiveWindow(); }));
+  rig_->button("keysButton").setFocus();
+  QTest::keyClick(&rig_->button("keysButton"), Qt::Key_2);
+  EXPECT_TRUE(WindowRig::comes([&] { return rig_->window().page() == gui::Page::insert; }));
+  EXPECT_TRUE(
+      WindowRig::comes([&] { return scenario().anatomy() == anatomy::AnatomySource::mean; }));
+}
+
+TEST_F(FirstScreen, WorkIsContinuedAndTheLastInsertionReplayed)
+{
+  EXPECT_EQ(rig_->window().findChild<QAbstractButton*>("continueButton"), nullptr);
+  rig_->click("demonstrationCard");
+  ASSERT_TRUE(WindowRig::comes([&] { return rig_->travel_mm() > 0.5; }));
+  rig_->click("resetButton");
+  rig_->choose("arraySelector", "flex24");
+  ASSERT_TRUE(WindowRig::comes([&] { return scenario().arrayName() == "flex24"; }));
+  rig_->click("startPageButton");
+  rig_->click("continueButton");
+  EXPECT_EQ(rig_->window().page(), gui::Page::insert);
+  EXPECT_EQ(scenario().arrayName(), "flex24");
+  rig_->click("startPageButton");
+  rig_->click("recentRecording0");
+  EXPECT_TRUE(WindowRig::comes(
+      [&] { return rig_->window().windowTitle().startsWith("Replay of contour-published"); }));
+  EXPECT_EQ(rig_->window().windowTitle().count("Perilymph"), 1);
+}
+
 TEST_F(FirstScreen, ASurgeonInsertsAnotherArrayIntoThePatientsCochleaAndTakesItBack)
 {
   rig_->click("patientCard");
-  type("patientName", "P 014");
+  rig_->click("byLengths");
+  type("patientName", "P-014");
   type("stLength", "34.2");
   type("rwWidth", "2.05");
   type("rwHeight", "1.7");
   rig_->click("usePatientButton");
-  ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient().label == "P 014"; }));
+  ASSERT_TRUE(WindowRig::comes([&] { return scenario().patient().label == "P-014"; }));
   // measured, as in the form, and no preset
   int measured = 0;
   for (const QLabel* label : rig_->window().findChildren<QLabel*>())
@@ -107,7 +318,7 @@ TEST_F(FirstScreen, ASurgeonInsertsAnotherArrayIntoThePatientsCochleaAndTakesItB
   rig_->choose("arraySelector", "slim-straight");
   rig_->type("panelSpeed", "8");
   EXPECT_FALSE(rig_->window().findChild<QLabel*>("modifiedLabel")->isVisible());
-  EXPECT_TRUE(rig_->label("scenarioTitle").contains("P 014: Nucleus Slim Straight"));
+  EXPECT_TRUE(rig_->label("scenarioTitle").contains("P-014: Nucleus Slim Straight"));
 
   ASSERT_TRUE(WindowRig::comes([&] { return rig_->button("startButton").isEnabled(); }));
   rig_->click("startButton");
@@ -118,21 +329,25 @@ TEST_F(FirstScreen, ASurgeonInsertsAnotherArrayIntoThePatientsCochleaAndTakesItB
   rig_->pressKey(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_TRUE(WindowRig::comes([&] { return scenario().arrayName() == "contour"; }));
   EXPECT_EQ(scenario().patient().scalaTympaniLength, millimeters(34.2));
-  EXPECT_TRUE(rig_->label("scenarioTitle").contains("P 014: Nucleus 24 Contour"));
+  EXPECT_TRUE(rig_->label("scenarioTitle").contains("P-014: Nucleus 24 Contour"));
 }
 
 TEST_F(FirstScreen, AnImpossibleNumberIsRefusedWithTheAllowedRange)
 {
   rig_->click("patientCard");
-  for (const char* error : {"", "12", "99", "a", "3,4,5", "nan", "-34"}) {
+  rig_->click("byLengths");
+  type("patientName", "P-014");
+  type("rwWidth", "2.05");
+  type("rwHeight", "1.7");
+  for (const char* error : {"12", "99", "a", "3,4,5", "nan", "-34"}) {
     type("stLength", error);
     EXPECT_FALSE(rig_->button("usePatientButton").isEnabled()) << error;
-    bool isSaid = false;
-    for (const QLabel* label : rig_->window().findChildren<QLabel*>())
-      isSaid = isSaid || (label->isVisible() && label->text().contains("25.0") &&
-                          label->text().contains("45.0 mm") && label->property("error").toBool());
-    EXPECT_TRUE(isSaid) << error;
+    EXPECT_TRUE(isMarked("from 25.0 to 45.0 mm")) << error;
   }
+  type("stLength", "");
+  EXPECT_FALSE(rig_->button("usePatientButton").isEnabled());
+  EXPECT_TRUE(isSaid("from 25.0 to 45.0 mm"));
+  EXPECT_FALSE(isMarked("from 25.0 to 45.0 mm"));  // nothing wrong was typed
   type("stLength", "34");
   EXPECT_TRUE(rig_->button("usePatientButton").isEnabled());
 }

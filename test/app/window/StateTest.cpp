@@ -256,7 +256,7 @@ TEST_P(TypedNumber, WithACommaOrAPointIsTheSameAndTheFileHasAPoint)
   ASSERT_TRUE(WindowRig::comes(
       [&] { return rig.window().control().scenario().patient().basalTurn.has_value(); }));
   EXPECT_EQ(rig.window().control().scenario().patient().basalTurn->a, millimeters(9.1));
-  const auto text = readWhole(patientFolder() / "comma.toml");
+  const auto text = readWhole(patientFolder() / "comma-right.toml");
   ASSERT_TRUE(text) << text.error().message;
   EXPECT_NE(text->find("a_mm = 9.1"), std::string::npos) << *text;
   EXPECT_EQ(text->find("9,1"), std::string::npos);

@@ -5,10 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <QRegularExpression>
+#include <QTextBlock>
+#include <QTextBrowser>
 #include <algorithm>
 #include <cmath>
 
 #include "WindowRig.h"
+#include "gui/parts/DrawingView.h"
 #include "gui/parts/Theme.h"
 
 namespace perilymph::test {
@@ -103,6 +106,57 @@ TEST_P(EveryColorScheme, IsThatOfPicturesAndChartsToo)
   EXPECT_EQ(qGray(rig.picture().pixel(3, 3)) > 128, isLight);
   EXPECT_EQ(qGray(window.pixel(window.width() - 4, window.height() / 2)) > 128, isLight);
   EXPECT_EQ(qGray(window.pixel(4, window.height() / 2)) > 128, isLight);
+}
+
+TEST_P(EveryColorScheme, IsThatOfTheStartCardsAndOfTheFigures)
+{
+  gui::setShownColorScheme(GetParam());
+  WindowRig rig;
+  const bool isLight = GetParam() == gui::ColorScheme::light;
+  rig.window().showPage(gui::Page::start);
+  for (const char* name : {"patientCard", "meanCard", "demonstrationCard"}) {
+    const QImage card = rig.button(name).grab().toImage();
+    EXPECT_EQ(qGray(card.pixel(card.width() / 2, 8)) > 128, isLight) << name;
+  }
+  rig.click("validatePageButton");
+  auto* figure = rig.window().findChild<gui::DrawingView*>();
+  const QImage sheet = figure->grab().toImage();
+  EXPECT_EQ(sheet.pixelColor(sheet.rect().center()), gui::themeOf(GetParam()).ground);
+}
+
+TEST_P(EveryColorScheme, DimsWhatCannotBePressed)
+{
+  gui::setShownColorScheme(GetParam());
+  WindowRig rig;
+  rig.click("sessionsPageButton");  // nothing is selected
+  QAbstractButton& off = rig.button("compareButton");
+  ASSERT_FALSE(off.isEnabled());
+  const auto groundOf = [](QWidget& button) {
+    return button.grab().toImage().pixelColor(8, button.height() / 2);
+  };
+  const gui::Theme& theme = gui::themeOf(GetParam());
+  // closer to the page than an enabled button
+  EXPECT_LT(std::abs(luminance(groundOf(off)) - luminance(theme.panel)),
+            std::abs(luminance(theme.raised) - luminance(theme.panel)));
+}
+
+TEST_P(EveryColorScheme, ColorsTheLinksOfTheGuide)
+{
+  gui::setShownColorScheme(GetParam());
+  WindowRig rig;
+  rig.pressKey(Qt::Key_F1, Qt::ShiftModifier);
+  const auto* page = rig.window().findChild<QTextBrowser*>("guidePage");
+  int links = 0;
+  for (QTextBlock block = page->document()->begin(); block.isValid(); block = block.next())
+    for (auto part = block.begin(); !part.atEnd(); ++part) {
+      const QTextCharFormat format = part.fragment().charFormat();
+      if (!format.isAnchor()) continue;
+      ++links;
+      EXPECT_EQ(format.foreground().color(), gui::themeOf(GetParam()).accent);
+      EXPECT_GT(block.blockFormat().bottomMargin(), 0.0);
+    }
+  EXPECT_GT(links, 5);
+  EXPECT_FALSE(page->toPlainText().contains("make-pictures"));
 }
 
 INSTANTIATE_TEST_SUITE_P(OfTheWindow, EveryColorScheme,

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <QLabel>
+#include <QLineEdit>
 #include <QProgressBar>
-#include <QSpinBox>
 #include <QTest>
 
 #include "WindowRig.h"
@@ -21,7 +21,13 @@ protected:
   ValidationPage() { rig_.click("validatePageButton"); }
 
   gui::ValidatePage& page() { return *rig_.window().findChild<gui::ValidatePage*>(); }
-  void setRuns(int runs) { rig_.window().findChild<QSpinBox*>("validationRuns")->setValue(runs); }
+  void setRuns(int runs) { typeRuns(QByteArray::number(runs).constData()); }
+  void typeRuns(const char* text)
+  {
+    auto* field = rig_.window().findChild<QLineEdit*>("validationRuns");
+    field->clear();
+    QTest::keyClicks(field, QLatin1String(text));
+  }
   /// The text of a figure.
   bool figureSays(const std::string& caption)
   {
@@ -34,7 +40,7 @@ protected:
   {
     int count = 0;
     for (const QLabel* label : page().findChildren<QLabel*>())
-      count += label->text().endsWith(QLatin1String(word)) ? 1 : 0;
+      count += label->text().endsWith(QString::fromUtf8(word)) ? 1 : 0;
     return count;
   }
 
@@ -48,7 +54,34 @@ TEST_F(ValidationPage, SaysWhatItDoesBeforeAnythingWasRun)
   EXPECT_FALSE(rig_.button("saveValidationButton").isEnabled());
   EXPECT_FALSE(rig_.button("simulationFigure").isEnabled());
   EXPECT_TRUE(figureSays("travel"));
-  EXPECT_EQ(verdicts("met") + verdicts("missed"), 0);
+  EXPECT_EQ(verdicts("✓ met") + verdicts("missed"), 0);
+}
+
+TEST_F(ValidationPage, RefusesANumberThatIsOutOfRangeInWords)
+{
+  const auto* error = page().findChild<QLabel*>("validationRunsError");
+  for (const char* typed : {"0", "1", "1001", "99999999", "", "ten"}) {
+    typeRuns(typed);
+    EXPECT_FALSE(rig_.button("validateButton").isEnabled()) << typed;
+    EXPECT_TRUE(error->isVisible()) << typed;
+    EXPECT_TRUE(error->text().contains("from 2 to 1000")) << typed;
+    EXPECT_EQ(page().findChild<QLineEdit*>("validationRuns")->text(), typed);
+  }
+  typeRuns("12");
+  EXPECT_TRUE(rig_.button("validateButton").isEnabled());
+  EXPECT_FALSE(error->isVisible());
+}
+
+TEST_F(ValidationPage, CountsTheInsertionsThatWereAskedFor)
+{
+  setRuns(12);
+  rig_.click("validateButton");
+  EXPECT_TRUE(WindowRig::comes([&] {
+    return rig_.label("validationStatus").startsWith("Insertion ") &&
+           rig_.label("validationStatus").endsWith("of 12");
+  }));
+  page().cancel();
+  EXPECT_TRUE(WindowRig::comes([&] { return !page().isRunning(); }));
 }
 
 TEST_F(ValidationPage, EndsWithAVerdictForEachPrintedValue)
@@ -59,7 +92,10 @@ TEST_F(ValidationPage, EndsWithAVerdictForEachPrintedValue)
   // minutes.
   ASSERT_TRUE(WindowRig::comes([&] { return page().result().has_value(); }, 900'000));
   EXPECT_EQ(page().result()->runs, 2);
-  EXPECT_GE(verdicts("met") + verdicts("missed"), 4);
+  EXPECT_GE(verdicts("✓ met") + verdicts("missed"), 4);
+  EXPECT_EQ(rig_.label("validationHeadline"), QStringLiteral("%1 of %2 criteria met")
+                                                  .arg(verdicts("✓ met"))
+                                                  .arg(verdicts("✓ met") + verdicts("missed")));
   EXPECT_TRUE(rig_.button("saveValidationButton").isEnabled());
   rig_.click("differenceFigure");
   EXPECT_TRUE(figureSays("experiment"));

@@ -65,9 +65,8 @@ TEST_F(AWalk, OfASurgeonEndsAtFullDepthOfThePatientsCochlea)
   walk.step(1, rig.window());
 
   rig.click("patientCard");
-  for (const auto& [field, text] :
-       {std::pair{"patientName", "P 014"}, std::pair{"stLength", "34.2"},
-        std::pair{"rwWidth", "2.05"}, std::pair{"rwHeight", "1.7"}}) {
+  for (const auto& [field, text] : {std::pair{"patientName", "P-014"}, std::pair{"aValue", "9.0"},
+                                    std::pair{"bValue", "6.6"}}) {
     auto* line = rig.window().findChild<QLineEdit*>(QLatin1String(field));
     line->selectAll();
     QTest::keyClicks(line, QLatin1String(text));
@@ -77,7 +76,7 @@ TEST_F(AWalk, OfASurgeonEndsAtFullDepthOfThePatientsCochlea)
 
   rig.click("usePatientButton");
   ASSERT_TRUE(WindowRig::comes(
-      [&] { return rig.window().control().scenario().patient().label == "P 014"; }));
+      [&] { return rig.window().control().scenario().patient().label == "P-014"; }));
   rig.choose("arraySelector", "slim-straight");
   ASSERT_TRUE(canStart(rig));
   walk.step(3, rig.window());
@@ -94,7 +93,7 @@ TEST_F(AWalk, OfASurgeonEndsAtFullDepthOfThePatientsCochlea)
   rig.releaseKey(Qt::Key_Space);
   ASSERT_TRUE(WindowRig::comes([&] { return rig.label("hintLabel").contains("Full depth"); }));
   walk.step(5, rig.window());
-  EXPECT_EQ(rig.window().control().scenario().patient().scalaTympaniLength, millimeters(34.2));
+  EXPECT_EQ(rig.window().control().scenario().patient().basalTurn->a, millimeters(9.0));
   EXPECT_EQ(walk.left(), "");
 }
 

@@ -117,6 +117,35 @@ TEST(Patient, OfAnUnusualDiameterIsFlagged)
   EXPECT_TRUE(checkPatient(patient));
 }
 
+TEST(Patient, WithAAndBThatDoNotGoTogetherIsFlagged)
+{
+  // Each within two standard deviations of its own mean. With the published half-diameters the
+  // covariance of A and B is 0.1236 mm^2, the variance of A 0.1829 and of B 0.1303, so that B given
+  // A = 9.9 mm is 6.80 + 0.1236 / 0.1829 (9.90 - 9.23) = 7.25 mm, SD sqrt(0.1303 - 0.1236^2 /
+  // 0.1829) = 0.22 mm.
+  Patient patient;
+  patient.basalTurn = BasalTurn{millimeters(9.9), millimeters(7.2), std::nullopt};
+  EXPECT_TRUE(unusualMeasures(patient).empty());
+  patient.basalTurn->b = millimeters(6.3);
+  ASSERT_EQ(unusualMeasures(patient).size(), 1u);
+  EXPECT_THAT(unusualMeasures(patient).front(),
+              testing::AllOf(HasSubstr("A and B do not match"), HasSubstr("usually 7.25 mm"),
+                             HasSubstr("SD 0.22")));
+}
+
+TEST(PatientCode, HasLettersDigitsAndHyphens)
+{
+  for (const char* code : {"P-017", "a", "014", "ABCDEFGHIJKLMNOPQRSTUVWX"})
+    EXPECT_TRUE(checkPatientCode(code)) << code;
+  for (const char* code : {"", "P 017", "P-017 / Müller", "Müller", "P_017", "P.017", "../P",
+                           "ABCDEFGHIJKLMNOPQRSTUVWXY"}) {
+    const auto checked = checkPatientCode(code);
+    ASSERT_FALSE(checked) << code;
+    EXPECT_THAT(checked.error().message,
+                testing::AllOf(HasSubstr(code), HasSubstr("letters"), HasSubstr("hyphens")));
+  }
+}
+
 TEST(Patient, OfAHeightThatNoCochleaHasIsFlagged)
 {
   Patient patient;

@@ -76,6 +76,25 @@ protected:
   test::TemporaryFolder folder_;
 };
 
+TEST(NameOfARecording, LeavesOutTheTimeOfAutomaticNames)
+{
+  EXPECT_EQ(displayNameOf("s/20261122T014506Z-P-017.insertion"), "P-017");
+  EXPECT_EQ(displayNameOf("s/20261122T014506Z-contour-published-2.insertion"),
+            "contour-published-2");
+  EXPECT_EQ(displayNameOf("s/tuesday.insertion"), "tuesday");
+  EXPECT_EQ(displayNameOf("s/20261122T014506Z.insertion"), "20261122T014506Z");
+}
+
+TEST_F(Library, ListsTheTechnique)
+{
+  record(folder_ / "one.insertion", "2026-01-01T00:00:00Z", hillOfForce());
+  for (int i = 0; i < 2; ++i) {  // from the recording, then from the index
+    const auto sessions = list();
+    ASSERT_EQ(sessions.size(), 1u);
+    EXPECT_EQ(sessions[0].technique, "standard");
+  }
+}
+
 TEST_F(Library, WithoutRecordingsIsEmpty)
 {
   const auto listed = listSessions(folder_ / "none");

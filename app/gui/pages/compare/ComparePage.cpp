@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/compare/ComparePage.h"
 
+#include <QDateTime>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -17,10 +18,12 @@
 #include "gui/parts/DataText.h"
 #include "gui/parts/EmptyPage.h"
 #include "gui/parts/Numbers.h"
+#include "gui/parts/StatusLine.h"
 #include "gui/parts/Theme.h"
 #include "perilymph/charts/FigurePicture.h"
 #include "perilymph/figures/Svg.h"
 #include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/session/ScenarioChoices.h"
 
 namespace perilymph::gui {
 
@@ -28,7 +31,7 @@ namespace {
 
 enum Column { run, atCursor, peak, peakDepth, work, reversals, duration, angle, score, columns };
 
-constexpr int rowHeight_px = 32;
+constexpr int rowHeight_px = 44;  // two lines
 constexpr int swatchWidth_px = 36;
 
 QLabel* text(const QString& caption, int size_px, QWidget* parent, bool isQuiet = false)
@@ -37,6 +40,22 @@ QLabel* text(const QString& caption, int size_px, QWidget* parent, bool isQuiet 
   label->setFont(typeface(size_px));
   label->setProperty("quiet", isQuiet);
   return label;
+}
+
+/// "FLEX28 · standard", and below it patient, ear and time.
+QString titleOf(const analysis::ComparedInsertion& insertion)
+{
+  const session::ScenarioSubject& subject = insertion.subject;
+  const QString technique =
+      subject.technique == session::nameOf(session::Technique::advanceOffStylet)
+          ? ComparePage::tr("advance off stylet")
+          : ComparePage::tr("standard");
+  const auto utc = QDateTime::fromString(QString::fromStdString(insertion.startedUtc), Qt::ISODate);
+  return ComparePage::tr("%1 · %2\n%3 · %4 ear · %5")
+      .arg(QString::fromStdString(subject.array), technique,
+           QString::fromStdString(subject.patient),
+           subject.side == "left" ? ComparePage::tr("left") : ComparePage::tr("right"),
+           utc.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm")));
 }
 
 QPixmap swatch(std::size_t number)
@@ -59,12 +78,15 @@ ComparePage::ComparePage(QWidget* parent)
       stack_(new QStackedWidget(this)),
       empty_(new EmptyPage(
           tr("Compare insertions"),
-          tr("Select two or more recordings on the Sessions page and press Compare to plot their "
-             "insertion forces on common axes, with the published measurements."),
+          tr("Select two or more recordings on the Sessions page and press Compare to "
+             "plot their insertion forces on common axes, with the published "
+             "measurements."),
           this)),
       reading_(this)
 {
   setObjectName(QStringLiteral("comparePage"));
+  empty_->offer(tr("Choose recordings"));
+  connect(empty_, &EmptyPage::actionAsked, this, &ComparePage::recordingsAsked);
   stack_->addWidget(empty_);
   stack_->addWidget(addRuns());
   auto* column = new QVBoxLayout(this);
@@ -111,10 +133,10 @@ QWidget* ComparePage::addRuns()
   table_->verticalHeader()->setDefaultSectionSize(rowHeight_px);
   table_->horizontalHeader()->setFont(typeface(11));
   table_->horizontalHeader()->setHighlightSections(false);
-  table_->setHorizontalHeaderLabels({tr("Insertion"), tr("At cursor"), tr("Peak force"),
-                                     tr("at insertion depth"), tr("Insertion work"),
-                                     tr("Reversals"), tr("Time"), tr("Final angle"), tr("Score")});
-  const int widths_px[] = {200, 104, 96, 88, 120, 84, 76, 88, 96};
+  table_->setHorizontalHeaderLabels(
+      {tr("Insertion"), tr("At cursor"), tr("Peak force"), tr("at insertion depth"),
+       tr("Insertion work"), tr("Reversals"), tr("Time"), tr("Deepest angle"), tr("Score")});
+  const int widths_px[] = {200, 104, 96, 88, 120, 84, 76, 100, 96};
   for (int column = 0; column < columns; ++column) {
     table_->horizontalHeader()->resizeSection(column, widths_px[column]);
     table_->horizontalHeaderItem(column)->setTextAlignment(
@@ -128,8 +150,7 @@ QWidget* ComparePage::addRuns()
   score_->setWordWrap(true);
   score_->setMinimumHeight(84);
   score_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  status_ = text({}, 11, page, true);
-  status_->setObjectName(QStringLiteral("comparisonStatus"));
+  status_ = new StatusLine("comparisonStatus", page);
 
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
@@ -145,6 +166,7 @@ QWidget* ComparePage::addRuns()
 void ComparePage::compare(const std::vector<std::filesystem::path>& files)
 {
   stack_->setCurrentIndex(0);
+  empty_->offer({});
   empty_->say(tr("Reading %n recording(s)…", nullptr, int(files.size())), tr("Esc cancels."));
   reading_.run(
       "The comparison",
@@ -161,6 +183,7 @@ void ComparePage::compare(const std::vector<std::filesystem::path>& files)
       },
       [this](Result<std::vector<analysis::ComparedInsertion>> runs) {
         if (runs) return showRuns(*std::move(runs));
+        empty_->offer(tr("Choose recordings"));
         empty_->say(tr("Recordings cannot be compared"),
                     QString::fromStdString(runs.error().message));
       });
@@ -170,6 +193,7 @@ void ComparePage::cancel()
 {
   if (!isBusy()) return;
   reading_.forget();
+  empty_->offer(tr("Choose recordings"));
   empty_->say(tr("Canceled"),
               tr("Select two or more recordings on the Sessions page and press Compare."));
 }
@@ -184,7 +208,7 @@ void ComparePage::showRuns(std::vector<analysis::ComparedInsertion> runs)
   if (!runs_.empty()) plot_->setCursor_mm(inMillimeters(meters(runs_[0].profile.peak.travel)));
   fillTable();
   showCursor();
-  status_->clear();
+  status_->say({});
   stack_->setCurrentIndex(1);
   plot_->setFocus();
 }
@@ -197,28 +221,31 @@ void ComparePage::fillTable()
     const analysis::ForceProfile& profile = each.profile;
     const auto& scored = scores_[std::size_t(row)];
     const std::pair<int, QString> cells[] = {
-        {run, QString::fromStdString(each.name)},
+        {run, titleOf(each)},
         {peak, tr("%1 mN").arg(numberText(inMillinewtons(newtons(profile.peak.force)), 1))},
         {peakDepth, tr("%1 mm").arg(numberText(inMillimeters(meters(profile.peakDepth)), 1))},
         {work, tr("%1 mJ").arg(numberText(profile.work * 1e3, 3))},
         {reversals, QString::number(each.reversals)},
         {duration, tr("%1 s").arg(numberText(profile.duration, 1))},
-        {angle, tr("%1°").arg(numberText(inDegrees(radians(profile.finalAngle)), 0))},
+        {angle, tr("%1°").arg(numberText(inDegrees(radians(profile.deepestAngle)), 0))},
         {score, scored ? tr("%1 of 100").arg(numberText(scored->total, 0)) : tr("none")},
         {atCursor, QString()}};
     for (const auto& [column, caption] : cells) {
       auto* item = new QTableWidgetItem(caption);
       item->setTextAlignment(int(column == run ? Qt::AlignLeft : Qt::AlignRight) |
                              Qt::AlignVCenter);
-      if (column == run) item->setIcon(QIcon(swatch(std::size_t(row))));
+      if (column == run) {
+        item->setIcon(QIcon(swatch(std::size_t(row))));
+        item->setToolTip(QString::fromStdString(each.name));
+      }
       if (column == score)
         item->setToolTip(
             QString::fromStdString(scored ? scored->sentence() : scored.error().message));
       table_->setItem(row, column, item);
     }
   }
-  // height of its rows, up to six
-  constexpr int maxColumns = 6;
+  // height of its rows, up to five
+  constexpr int maxColumns = 5;
   const int rows = std::min(maxColumns, std::max(1, int(runs_.size())));
   table_->setFixedHeight(table_->horizontalHeader()->sizeHint().height() + rows * rowHeight_px +
                          2 * table_->frameWidth() + 2);
@@ -270,11 +297,12 @@ Result<Done> ComparePage::writeInto(const std::filesystem::path& folder) const
 
 void ComparePage::save()
 {
-  const QString chosen = QFileDialog::getExistingDirectory(this, tr("Export to folder"));
+  const QString chosen =
+      QFileDialog::getExistingDirectory(this, tr("Export to folder"), documentsFolder());
   if (chosen.isEmpty()) return;
   const auto written = writeInto(chosen.toStdString());
-  status_->setText(written ? tr("4 files saved to %1.").arg(chosen)
-                           : QString::fromStdString(written.error().message));
+  if (!written) return status_->say(QString::fromStdString(written.error().message), true);
+  status_->sayWritten(tr("4 files saved to %1.").arg(chosen), chosen.toStdString());
 }
 
 }  // namespace perilymph::gui

@@ -20,6 +20,7 @@ namespace perilymph::gui {
 
 class ComparisonPlot;
 class EmptyPage;
+class StatusLine;
 
 /// The comparison page.
 class ComparePage : public QWidget {
@@ -36,6 +37,10 @@ public:
   /// Writes table and curves as CSV, the figure as SVG and PNG, into a folder.
   Result<Done> writeInto(const std::filesystem::path& folder) const;
 
+Q_SIGNALS:
+  /// The user wants to choose recordings.
+  void recordingsAsked();
+
 private:
   QWidget* addRuns();
   void showRuns(std::vector<analysis::ComparedInsertion> runs);
@@ -51,7 +56,8 @@ private:
   EmptyPage* empty_;
   ComparisonPlot* plot_ = nullptr;
   QTableWidget* table_ = nullptr;
-  QLabel *legend_ = nullptr, *score_ = nullptr, *status_ = nullptr;
+  QLabel *legend_ = nullptr, *score_ = nullptr;
+  StatusLine* status_ = nullptr;
   QPushButton* save_ = nullptr;
   Background reading_;
 };

@@ -17,6 +17,8 @@ namespace perilymph::gui {
 namespace {
 
 constexpr double left_px = 56.0, right_px = 20.0, top_px = 36.0, bottom_px = 44.0;
+// Below the resolution of the plot: the vibration of an array at rest does not move the axis.
+constexpr double negligible_N = 0.01;
 constexpr double step_mm = 0.1, bigStep_mm = 1.0;
 
 double millimetersOf(double travel) { return inMillimeters(meters(travel)); }
@@ -72,6 +74,7 @@ void ComparisonPlot::fitAxes()
       lowest = std::min(lowest, point.force);
       highest = std::max(highest, point.force);
     }
+  if (lowest > -negligible_N) lowest = 0.0;
   x_ = figures::axisOver({}, nearest, farthest);
   y_ = figures::axisOver({}, lowest, highest);
   cursor_mm_ = std::clamp(cursor_mm_, x_.low, x_.high);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "gui/setup/PatientSetup.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/imaging/MeasuredPatient.h"
 
@@ -16,15 +17,10 @@ Result<Setup> setupOfMeasures(const ct::CochleaMeasures& measures, const QString
   std::filesystem::create_directories(file.parent_path(), ignored);
   if (const auto saved = imaging::writeMeasuredPatient(measures, file); !saved)
     return saved.error();
-  const auto preset = session::loadScenario("mean-contour", {{"patient", file.string()}});
-  if (!preset) return preset.error();
-  auto own = asOwn(*preset);
-  if (!own) return own.error();
-  std::map<SetupField, ValueSource> sources{{SetupField::lengthA, ValueSource::ct},
-                                            {SetupField::widthB, ValueSource::ct}};
-  if (own->patient().basalTurn && own->patient().basalTurn->h)
-    sources[SetupField::heightH] = ValueSource::ct;
-  return Setup{*std::move(own), std::move(sources)};
+  // the scenario carries the measures and not the path of the file
+  const auto patient = anatomy::loadPatient(file);
+  if (!patient) return patient.error();
+  return setupOfPatient(*patient);
 }
 
 }  // namespace perilymph::gui

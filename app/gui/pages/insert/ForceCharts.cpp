@@ -69,9 +69,12 @@ void ForceCharts::setExperimentVisible(bool isVisible)
   overTravel_.setVisible(charts::ChartLayer::reference, isVisible);
 }
 
-void ForceCharts::setGhost(const std::vector<std::pair<Length, Force>>& curve, const QString& name)
+void ForceCharts::setGhost(const std::optional<ReferenceInsertion>& reference)
 {
-  overTravel_.setGhost(curve, name.toStdString());
+  if (reference)
+    overTravel_.setGhost(reference->curve, reference->name.toStdString());
+  else
+    overTravel_.setGhost({}, {});
 }
 
 void ForceCharts::begin(const anatomy::Entry& entry)

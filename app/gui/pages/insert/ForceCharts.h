@@ -4,7 +4,9 @@
 // The two force charts: over travel, and over the last seconds.
 
 #include <QObject>
+#include <optional>
 
+#include "gui/run/ReferenceInsertion.h"
 #include "perilymph/anatomy/Lumen.h"
 #include "perilymph/charts/ForceDepthChart.h"
 #include "perilymph/charts/ForceTimeChart.h"
@@ -28,7 +30,7 @@ public:
   void setExperiment(const Result<charts::ReferenceCurve>& experiment);
   void setExperimentVisible(bool isVisible);
   /// Sets an earlier run drawn behind this one; an empty curve removes it.
-  void setGhost(const std::vector<std::pair<Length, Force>>& curve, const QString& name);
+  void setGhost(const std::optional<ReferenceInsertion>& reference);
 
   /// Starts a new insertion: clears the curves, but not the earlier run. Forces are resolved along
   /// the axes of `entry`.

@@ -20,6 +20,7 @@
 #include "gui/run/ScenarioDifference.h"
 #include "gui/run/WorkflowPredicates.h"
 #include "gui/scene/OperationView.h"
+#include "gui/setup/PatientSetup.h"
 
 namespace perilymph::gui {
 
@@ -97,6 +98,7 @@ void InsertPage::connectParts()
   connect(side_, &SidePanel::holdChanged, this, [this](bool isHeld) { held_.hold(isHeld); });
   connect(side_, &SidePanel::styletAsked, this, &InsertPage::pullStylet);
   connect(side_, &SidePanel::partShown, &view(), &OperationView::setPartVisible);
+  connect(side_, &SidePanel::removeReferenceAsked, this, [this] { setReference(std::nullopt); });
   connect(side_, &SidePanel::experimentShown, views_->charts(), &ForceCharts::setExperimentVisible);
   connect(bottom_, &BottomBar::startAsked, this, &InsertPage::start);
   connect(bottom_, &BottomBar::pauseAsked, this, &InsertPage::pause);
@@ -133,6 +135,9 @@ void InsertPage::connectSetup()
   connect(side_, &SidePanel::restoreAsked, this, [this, history] {
     if (maySetUpNow()) history->restore();
   });
+  connect(side_, &SidePanel::patientChosen, this, &InsertPage::openPatient);
+  connect(side_, &SidePanel::allPatientsAsked, this, &InsertPage::allPatientsAsked);
+  connect(side_, &SidePanel::newPatientAsked, this, &InsertPage::newPatientAsked);
   connect(side_, &SidePanel::undoAsked, this, &InsertPage::undo);
   connect(side_, &SidePanel::redoAsked, this, &InsertPage::redo);
   connect(building_, &BuildingNote::cancelAsked, setup_, &SetupControl::cancel);
@@ -168,6 +173,14 @@ void InsertPage::load(const Setup& setup, SetupOrigin::Kind kind, AfterLoading t
     presenter_.showCochlea();
     if (then == AfterLoading::insert) start();
   });
+}
+
+void InsertPage::openPatient(const anatomy::Patient& patient)
+{
+  if (!maySetUpNow()) return;
+  const auto setup = setupOfPatient(patient, &setup_->history().now().scenario);
+  if (!setup) return showError(QString::fromStdString(setup.error().message));
+  load(*setup, SetupOrigin::Kind::own, AfterLoading::rest);
 }
 
 void InsertPage::use(const session::Scenario& scenario,
@@ -299,9 +312,10 @@ void InsertPage::closeReplay()
   setup_->follow();  // a change that was being built when the replay began
 }
 
-void InsertPage::setGhost(const std::vector<std::pair<Length, Force>>& curve, const QString& name)
+void InsertPage::setReference(const std::optional<ReferenceInsertion>& reference)
 {
-  views_->charts()->setGhost(curve, name);
+  views_->charts()->setGhost(reference);
+  side_->setReference(reference);
 }
 
 bool InsertPage::takeReplayKey(const QKeyEvent& event) { return replay_->takeKey(event); }

@@ -11,6 +11,7 @@
 #include "gui/pages/insert/InsertionPresenter.h"
 #include "gui/pages/insert/SetupControl.h"
 #include "gui/run/InsertionControl.h"
+#include "gui/run/ReferenceInsertion.h"
 #include "gui/run/SafetyStop.h"
 #include "perilymph/foundation/Result.h"
 
@@ -63,8 +64,8 @@ public:
   /// replayFailed().
   void openReplay(const std::filesystem::path& file);
   const ReplayControl& replay() const { return *replay_; }
-  /// Sets an earlier insertion drawn behind the next ones.
-  void setGhost(const std::vector<std::pair<Length, Force>>& curve, const QString& name);
+  /// Sets an earlier insertion drawn behind the next ones; empty to remove it.
+  void setReference(const std::optional<ReferenceInsertion>& reference);
 
   /// Key actions. Functions that are not always possible return whether they were.
   bool takeReplayKey(const QKeyEvent& event);
@@ -109,6 +110,9 @@ Q_SIGNALS:
   /// The state may have changed; emitted fifteen times a second while the insertion runs.
   void stateShown();
   void devicesAsked();
+  /// The user wants to search all saved patients, or to enter a new one.
+  void allPatientsAsked();
+  void newPatientAsked();
   void replayOpened();
   void replayFailed(const QString& sentence);
 
@@ -116,6 +120,7 @@ private:
   void layOut();
   void connectParts();
   void connectSetup();
+  void openPatient(const anatomy::Patient& patient);
   void chooseInput(InputSource input);
   void prepare(InputSource input);
   void use(const session::Scenario& scenario, const std::optional<InsertionControl::Parts>& parts);

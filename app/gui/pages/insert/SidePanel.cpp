@@ -10,6 +10,7 @@
 #include <QWheelEvent>
 
 #include "gui/pages/insert/HandSection.h"
+#include "gui/pages/insert/ReferenceRow.h"
 #include "gui/parts/CheckBoxes.h"
 #include "gui/parts/Theme.h"
 #include "gui/setup/ArraySection.h"
@@ -81,6 +82,9 @@ void SidePanel::connectSections()
   connect(head_, &ScenarioHead::collapseAsked, this, [this] { setCollapsed(true); });
   connect(expand_, &QPushButton::clicked, this, [this] { setCollapsed(false); });
   connect(patient_, &PatientSection::changeAsked, this, &SidePanel::changeAsked);
+  connect(patient_, &PatientSection::patientChosen, this, &SidePanel::patientChosen);
+  connect(patient_, &PatientSection::allPatientsAsked, this, &SidePanel::allPatientsAsked);
+  connect(patient_, &PatientSection::newPatientAsked, this, &SidePanel::newPatientAsked);
   connect(array_, &ArraySection::changeAsked, this, &SidePanel::changeAsked);
   connect(hand_, &HandSection::changeAsked, this, &SidePanel::changeAsked);
   connect(hand_, &HandSection::handChosen, this, &SidePanel::handChosen);
@@ -121,6 +125,9 @@ Section* SidePanel::showSection(QWidget* parent)
   experiment->setFocusPolicy(Qt::TabFocus);
   connect(experiment, &QAbstractButton::toggled, this, &SidePanel::experimentShown);
   section->rows().addWidget(experiment);
+  reference_ = new ReferenceRow(section->body());
+  connect(reference_, &ReferenceRow::removeAsked, this, &SidePanel::removeReferenceAsked);
+  section->rows().addWidget(reference_);
   return section;
 }
 
@@ -135,6 +142,13 @@ void SidePanel::showSetup(const SetupHistory& history)
   patient_->show(history.now());
   array_->show(history.now());
   hand_->show(history.now());
+  const session::Scenario& scenario = history.now().scenario;
+  reference_->showCurrent(session::subjectOf(scenario.text(), scenario.name()));
+}
+
+void SidePanel::setReference(const std::optional<ReferenceInsertion>& reference)
+{
+  reference_->setReference(reference);
 }
 
 QString SidePanel::commit()

@@ -4,9 +4,11 @@
 // The panel on the left: setup, input device, and view options.
 
 #include <QWidget>
+#include <optional>
 #include <vector>
 
 #include "gui/run/InsertionControl.h"
+#include "gui/run/ReferenceInsertion.h"
 #include "gui/setup/Setup.h"
 #include "perilymph/visualization/InsertionScene.h"
 
@@ -19,6 +21,7 @@ class ArraySection;
 class CheckBox;
 class HandSection;
 class PatientSection;
+class ReferenceRow;
 class ScenarioHead;
 class Section;
 class SetupHistory;
@@ -30,6 +33,8 @@ class SidePanel : public QWidget {
 public:
   explicit SidePanel(QWidget* parent);
 
+  /// Shows the reference insertion, if any.
+  void setReference(const std::optional<ReferenceInsertion>& reference);
   void showSetup(const SetupHistory& history);
   /// Commits edited values. An error message if a value is invalid.
   QString commit();
@@ -49,6 +54,11 @@ public:
 
 Q_SIGNALS:
   void changeAsked(const perilymph::gui::SetupChange& change);
+  /// The user selected a saved patient, wants to search all of them, or to enter a new one.
+  void patientChosen(const perilymph::anatomy::Patient& patient);
+  void allPatientsAsked();
+  void newPatientAsked();
+  void removeReferenceAsked();
   void undoAsked();
   void redoAsked();
   void restoreAsked();
@@ -72,6 +82,7 @@ private:
   ScenarioHead* head_;
   PatientSection* patient_;
   ArraySection* array_;
+  ReferenceRow* reference_ = nullptr;
   HandSection* hand_;
   std::vector<std::pair<visualization::Part, CheckBox*>> parts_;
   bool isChangeable_ = true;

@@ -11,6 +11,7 @@
 #include "gui/parts/Numbers.h"
 #include "gui/parts/Theme.h"
 #include "perilymph/foundation/Units.h"
+#include "perilymph/session/ScenarioChoices.h"
 
 namespace perilymph::gui {
 
@@ -20,7 +21,17 @@ namespace {
 
 QString nameOf(const SessionSummary& session)
 {
-  return QString::fromStdString(session.file.stem().string());
+  return QString::fromStdString(session::displayNameOf(session.file));
+}
+
+QString techniqueOf(const SessionSummary& session)
+{
+  const auto is = [&session](session::Technique technique) {
+    return session.technique == session::nameOf(technique);
+  };
+  if (is(session::Technique::standard)) return SessionTable::tr("Standard");
+  if (is(session::Technique::advanceOffStylet)) return SessionTable::tr("Off stylet");
+  return QString::fromStdString(session.technique);
 }
 
 /// The same picture for selected rows: Qt would tint it.
@@ -56,6 +67,13 @@ void SessionTable::setSessions(std::vector<SessionSummary> sessions)
   endResetModel();
 }
 
+void SessionTable::showSorting(int column, Qt::SortOrder order)
+{
+  sortedBy_ = column;
+  order_ = order;
+  Q_EMIT headerDataChanged(Qt::Horizontal, 0, columns - 1);
+}
+
 void SessionTable::addSessions(std::vector<SessionSummary> sessions)
 {
   std::map<std::filesystem::path, std::size_t> places;
@@ -85,8 +103,9 @@ SessionTable::Row SessionTable::rowOf(SessionSummary session) const
   row.session = std::move(session);
   row.recorded = row.session.isBeingRecorded ? tr("recording now") : recordedText(row.session);
   QStringList label;
-  for (int column = recorded; column <= array; ++column) label << text(row, column);
-  label << QString::fromStdString(row.session.scenario)
+  for (int column = recorded; column <= name; ++column) label << text(row, column);
+  label << QString::fromStdString(row.session.file.stem().string())
+        << QString::fromStdString(row.session.scenario)
         << QString::fromStdString(row.session.device);
   row.searched = label.join(QLatin1Char(' '));
   return row;
@@ -122,8 +141,12 @@ QString SessionTable::text(const Row& row, int column) const
       return nameOf(session);
     case patient:
       if (session.patient.empty()) return session.error.empty() ? QString() : tr("unreadable");
-      return tr("%1 · %2").arg(QString::fromStdString(session.patient),
-                               session.side == "left" ? tr("left") : tr("right"));
+      return QString::fromStdString(session.patient);
+    case ear:
+      if (session.patient.empty()) return {};
+      return session.side == "left" ? tr("left") : tr("right");
+    case technique:
+      return techniqueOf(session);
     case array:
       return QString::fromStdString(session.array);
     case duration:
@@ -198,21 +221,32 @@ QVariant SessionTable::headerData(int section, Qt::Orientation orientation, int 
     return section >= duration ? int(Qt::AlignRight | Qt::AlignVCenter)
                                : int(Qt::AlignLeft | Qt::AlignVCenter);
   if (role != Qt::DisplayRole) return {};
-  switch (section) {
+  if (section != sortedBy_) return title(section);
+  return tr("%1 %2").arg(title(section),
+                         order_ == Qt::AscendingOrder ? QStringLiteral("↑") : QStringLiteral("↓"));
+}
+
+QString SessionTable::title(int column) const
+{
+  switch (column) {
     case recorded:
       return tr("Recorded");
     case name:
       return tr("Name");
     case patient:
-      return tr("Patient, ear");
+      return tr("Patient");
+    case ear:
+      return tr("Ear");
+    case technique:
+      return tr("Technique");
     case array:
       return tr("Array");
     case duration:
       return tr("Duration");
     case angle:
-      return tr("Angular insertion depth");
+      return tr("Insertion angle");
     case peak:
-      return tr("Peak force at insertion depth");
+      return tr("Peak force at depth");
     default:
       return {};
   }

@@ -14,7 +14,19 @@ namespace perilymph::gui {
 class SessionTable : public QAbstractTableModel {
   Q_OBJECT
 public:
-  enum Column { picture, recorded, name, patient, array, duration, angle, peak, columns };
+  enum Column {
+    picture,
+    recorded,
+    patient,
+    ear,
+    array,
+    technique,
+    name,
+    duration,
+    angle,
+    peak,
+    columns
+  };
   /// Role of the sort key: a number or a text.
   static constexpr int sortRole = Qt::UserRole;
   /// Role of the searchable text of a row.
@@ -26,6 +38,9 @@ public:
   /// Adds recordings and updates existing ones.
   void addSessions(std::vector<session::SessionSummary> sessions);
   const session::SessionSummary& session(int row) const { return rows_[std::size_t(row)].session; }
+
+  /// Marks the column that the rows are sorted by: "Recorded ↓".
+  void showSorting(int column, Qt::SortOrder order);
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
@@ -50,7 +65,11 @@ private:
   QVariant sortValue(const Row& row, int column) const;
   void showPicture(const std::filesystem::path& file);
 
+  QString title(int column) const;
+
   std::vector<Row> rows_;
+  int sortedBy_ = recorded;
+  Qt::SortOrder order_ = Qt::DescendingOrder;
   Thumbnails* thumbnails_;
 };
 

@@ -5,11 +5,9 @@
 
 #include <QObject>
 #include <filesystem>
-#include <utility>
-#include <vector>
 
 #include "gui/run/Background.h"
-#include "perilymph/foundation/Units.h"
+#include "gui/run/ReferenceInsertion.h"
 
 namespace perilymph::gui {
 
@@ -19,15 +17,15 @@ class SessionTasks : public QObject {
 public:
   explicit SessionTasks(QObject* parent);
 
-  /// Reads the force-travel curve; emits ghostRead().
-  void readGhost(const std::filesystem::path& file);
+  /// Reads the force-travel curve; emits referenceRead().
+  void readReference(const std::filesystem::path& file);
   /// Writes a report as PDF.
   void writeReportOf(const std::filesystem::path& file, const std::filesystem::path& pdf);
 
 Q_SIGNALS:
   void said(const QString& sentence, bool isError);
-  void ghostRead(const std::vector<std::pair<perilymph::Length, perilymph::Force>>& curve,
-                 const QString& name);
+  void referenceRead(const perilymph::gui::ReferenceInsertion& reference);
+  void reportWritten(const std::filesystem::path& pdf);
 
 private:
   Background reading_;

@@ -3,7 +3,6 @@
 
 #include <QFileDialog>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QItemSelection>
 #include <QKeyEvent>
 #include <QLabel>
@@ -12,24 +11,24 @@
 #include <QPushButton>
 #include <QSortFilterProxyModel>
 #include <QStackedWidget>
-#include <QStyle>
 #include <QTableView>
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
 #include <set>
 
+#include "gui/pages/sessions/SessionList.h"
 #include "gui/pages/sessions/SessionTable.h"
 #include "gui/pages/sessions/SessionTasks.h"
 #include "gui/parts/EmptyPage.h"
+#include "gui/parts/Placeholder.h"
+#include "gui/parts/StatusLine.h"
 #include "gui/parts/Theme.h"
 #include "perilymph/foundation/Resources.h"
 
 namespace perilymph::gui {
 
 namespace {
-
-constexpr int rowHeight_px = 60;
 
 QLabel* text(const QString& caption, int size_px, QWidget* parent, bool isQuiet = false)
 {
@@ -93,7 +92,7 @@ QWidget* SessionsPage::addTop()
   search_->setObjectName(QStringLiteral("sessionSearch"));
   search_->setFont(typeface(13));
   search_->setFixedSize(280, 32);
-  search_->setPlaceholderText(tr("Search by patient, array, date or name"));
+  markPlaceholder(*search_, tr("Search by patient, array, date or name"));
   search_->setAccessibleName(tr("Search recordings"));
   search_->setClearButtonEnabled(true);
   connect(search_, &QLineEdit::textChanged, sorted_, &QSortFilterProxyModel::setFilterFixedString);
@@ -121,33 +120,7 @@ QWidget* SessionsPage::addTop()
 
 QWidget* SessionsPage::addList()
 {
-  list_ = new QTableView(this);
-  list_->setObjectName(QStringLiteral("sessionList"));
-  list_->setAccessibleName(tr("Recorded insertions"));
-  list_->setModel(sorted_);
-  list_->setFont(typeface(13));
-  list_->setIconSize(Thumbnails::size);
-  list_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
-  list_->setShowGrid(false);
-  list_->setWordWrap(false);
-  list_->setTabKeyNavigation(false);
-  list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-  list_->verticalHeader()->hide();
-  list_->verticalHeader()->setDefaultSectionSize(rowHeight_px);
-  list_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-  QHeaderView* header = list_->horizontalHeader();
-  header->setHighlightSections(false);
-  header->setSectionsMovable(false);
-  header->setFont(typeface(11));
-  const int widths_px[] = {Thumbnails::size.width() + 16, 136, 200, 132, 190, 88, 116, 168};
-  for (int column = 0; column < SessionTable::columns; ++column)
-    header->resizeSection(column, widths_px[column]);
-  header->setSectionResizeMode(SessionTable::picture, QHeaderView::Fixed);
-  header->setSectionResizeMode(SessionTable::name, QHeaderView::Stretch);
-  list_->setSortingEnabled(true);
-  list_->sortByColumn(SessionTable::recorded, Qt::DescendingOrder);
+  list_ = new SessionList(*table_, *sorted_, this);
   connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &SessionsPage::showChoice);
   connect(list_, &QTableView::doubleClicked, this, &SessionsPage::replayChosen);
@@ -172,9 +145,7 @@ QWidget* SessionsPage::addVerbs()
   rename_ = addVerb(tr("Rename"), "renameButton", tr("Rename the recording (F2)"));
   delete_ = addVerb(tr("Delete"), "deleteButton", tr("Move to the trash (Delete)"));
   undo_ = addVerb(tr("Undo"), "undoDeleteButton", tr("Restore from the trash (Ctrl+Z)"));
-  status_ = text({}, 11, verbs, true);
-  status_->setObjectName(QStringLiteral("sessionStatus"));
-  status_->setWordWrap(true);
+  status_ = new StatusLine("sessionStatus", verbs);
 
   auto* row = new QHBoxLayout(verbs);
   row->setContentsMargins(0, 0, 0, 0);
@@ -187,10 +158,14 @@ QWidget* SessionsPage::addVerbs()
   connect(replay_, &QPushButton::clicked, this, &SessionsPage::replayChosen);
   connect(report_, &QPushButton::clicked, this, &SessionsPage::reportChosen);
   connect(ghost_, &QPushButton::clicked, this, [this] {
-    if (const auto file = oneChosen()) tasks_->readGhost(*file);
+    if (const auto file = oneChosen()) tasks_->readReference(*file);
   });
   connect(tasks_, &SessionTasks::said, this, &SessionsPage::say);
-  connect(tasks_, &SessionTasks::ghostRead, this, &SessionsPage::ghostRead);
+  connect(tasks_, &SessionTasks::referenceRead, this, &SessionsPage::referenceRead);
+  connect(tasks_, &SessionTasks::reportWritten, this, [this](const std::filesystem::path& pdf) {
+    status_->sayWritten(tr("Report saved to %1.").arg(QString::fromStdString(pdf.string())),
+                        pdf.parent_path());
+  });
   connect(compare_, &QPushButton::clicked, this, [this] {
     std::vector<std::filesystem::path> files;
     for (const session::SessionSummary& each : chosen()) files.push_back(each.file);
@@ -230,13 +205,7 @@ void SessionsPage::reread()
 
 void SessionsPage::cancel() { work_.cancel(); }
 
-void SessionsPage::say(const QString& sentence, bool isError)
-{
-  status_->setText(sentence);
-  status_->setProperty("error", isError);
-  status_->style()->unpolish(status_);
-  status_->style()->polish(status_);
-}
+void SessionsPage::say(const QString& sentence, bool isError) { status_->say(sentence, isError); }
 
 void SessionsPage::showFresh(std::vector<session::SessionSummary> sessions)
 {
@@ -332,7 +301,7 @@ void SessionsPage::replayChosen()
 {
   const auto file = oneChosen();
   if (!file) return;
-  say(tr("Opening %1…").arg(QString::fromStdString(file->stem().string())));
+  say(tr("Opening %1…").arg(QString::fromStdString(session::displayNameOf(*file))));
   Q_EMIT replayAsked(*file);
 }
 
@@ -340,8 +309,8 @@ void SessionsPage::reportChosen()
 {
   const auto file = oneChosen();
   if (!file) return;
-  const QString suggested = QString::fromStdString((file->parent_path() / file->stem()).string()) +
-                            QStringLiteral(".pdf");
+  const QString suggested = documentsFolder() + QLatin1Char('/') +
+                            QString::fromStdString(file->stem().string()) + QStringLiteral(".pdf");
   const QString asked =
       QFileDialog::getSaveFileName(this, tr("Report as PDF"), suggested, tr("PDF (*.pdf)"));
   if (!asked.isEmpty()) saveReport(*file, asked.toStdString());
@@ -355,8 +324,21 @@ void SessionsPage::saveReport(const std::filesystem::path& file, const std::file
 void SessionsPage::rename(const std::filesystem::path& file, const QString& name)
 {
   const auto renamed = session::renameSession(file, name.toStdString());
-  if (!renamed) return say(QString::fromStdString(renamed.error().message), true);
-  reread();
+  if (renamed) return reread();
+  editName(file, name);
+  say(QString::fromStdString(renamed.error().message), true);
+}
+
+void SessionsPage::editName(const std::filesystem::path& file, const QString& name)
+{
+  for (int row = 0; row < table_->rowCount(); ++row) {
+    if (table_->session(row).file != file) continue;
+    const QModelIndex here = sorted_->mapFromSource(table_->index(row, SessionTable::name));
+    if (!here.isValid()) return;
+    list_->setCurrentIndex(here);
+    list_->edit(here);
+    if (auto* editor = list_->viewport()->findChild<QLineEdit*>()) editor->setText(name);
+  }
 }
 
 void SessionsPage::throwAway()

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "gui/pages/sessions/LibraryWork.h"
+#include "gui/run/ReferenceInsertion.h"
 
 class QLabel;
 class QLineEdit;
@@ -24,6 +25,7 @@ namespace perilymph::gui {
 class EmptyPage;
 class SessionTable;
 class SessionTasks;
+class StatusLine;
 
 /// The recordings in the session folder.
 class SessionsPage : public QWidget {
@@ -49,8 +51,7 @@ public:
 Q_SIGNALS:
   void replayAsked(const std::filesystem::path& file);
   void compareAsked(const std::vector<std::filesystem::path>& files);
-  void ghostRead(const std::vector<std::pair<perilymph::Length, perilymph::Force>>& curve,
-                 const QString& name);
+  void referenceRead(const perilymph::gui::ReferenceInsertion& reference);
 
 protected:
   void keyPressEvent(QKeyEvent* event) override;
@@ -68,6 +69,8 @@ private:
   void replayChosen();
   void reportChosen();
   void rename(const std::filesystem::path& file, const QString& name);
+  /// Opens the editor of a recording's name with a text.
+  void editName(const std::filesystem::path& file, const QString& name);
   void throwAway();
   void bringBack();
   void reread();
@@ -86,7 +89,8 @@ private:
   QTableView* list_ = nullptr;
   QLineEdit* search_ = nullptr;
   QProgressBar* progress_ = nullptr;
-  QLabel *count_ = nullptr, *status_ = nullptr;
+  QLabel* count_ = nullptr;
+  StatusLine* status_ = nullptr;
   QPushButton *replay_ = nullptr, *compare_ = nullptr, *ghost_ = nullptr, *report_ = nullptr,
               *rename_ = nullptr, *delete_ = nullptr, *undo_ = nullptr, *end_ = nullptr;
 };

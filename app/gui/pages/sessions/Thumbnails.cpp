@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "gui/pages/sessions/SessionPicture.h"
+#include "gui/parts/Theme.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/session/Playback.h"
 
@@ -14,15 +15,21 @@ namespace {
 
 constexpr int fineness = 2;  // pixels per point, for high-resolution screens
 
-// The shape at maximum depth is computed from the beginning: limit this to some seconds.
-constexpr std::uint64_t maxTicks = 60'000;
+// A shape is computed from the beginning: limit this to some seconds.
+constexpr std::uint64_t maxTicks = 120'000;
+
+// An array that rests at full depth moves by less.
+constexpr Length atRest = millimeters(0.02);
 
 QString keyOf(const session::SessionSummary& summary)
 {
-  return QStringLiteral("%1-%2-%3")
+  // the colors, and a letter for the way of choosing the moment
+  const bool isLight = shownColorScheme() == ColorScheme::light;
+  return QStringLiteral("%1-%2-%3%4")
       .arg(QString::fromStdString(summary.file.stem().string()))
       .arg(summary.bytes)
-      .arg(summary.modified_ns);
+      .arg(summary.modified_ns)
+      .arg(isLight ? QStringLiteral("bl") : QStringLiteral("bd"));
 }
 
 std::filesystem::path fileOf(const session::SessionSummary& summary, const QString& key)
@@ -43,7 +50,7 @@ void keep(const QImage& image, const std::filesystem::path& file)
 }
 
 /// Null if the recording cannot be replayed.
-QImage pictureOf(const std::filesystem::path& file)
+QImage pictureOf(const std::filesystem::path& file, const PictureInks& inks)
 {
   const auto playback = session::Playback::open(file);
   if (!playback) return {};
@@ -51,8 +58,12 @@ QImage pictureOf(const std::filesystem::path& file)
   const auto deepest = std::max_element(
       samples.begin(), samples.end(),
       [](const auto& one, const auto& other) { return one.output.depth < other.output.depth; });
+  // the end of the insertion, not of the rest after it; of a long one what is soon computed
+  const auto end = std::find_if(samples.begin(), samples.end(), [&](const auto& sample) {
+    return sample.output.depth >= deepest->output.depth - atRest.si();
+  });
   haptics::Snapshot now{};
-  const bool hasShape = deepest->place < maxTicks && bool((*playback)->show(deepest->place, now));
+  const bool hasShape = bool((*playback)->show(std::min(end->place, maxTicks), now));
   const session::Scenario& scenario = (*playback)->scenario();
   QImage image(fineness * Thumbnails::size, QImage::Format_ARGB32_Premultiplied);
   image.fill(Qt::transparent);
@@ -60,7 +71,7 @@ QImage pictureOf(const std::filesystem::path& file)
   paintInsertion(painter, image.rect(),
                  {*(*playback)->anatomy(), scenario.array(), scenario.patient().side,
                   hasShape ? &now : nullptr},
-                 screenInks());
+                 inks);
   painter.end();
   return image;
 }
@@ -104,8 +115,8 @@ void Thumbnails::paintNext()
   painting_ = wish.key;
   background_.run(
       "The picture",
-      [wish](const std::atomic<bool>&) -> Result<QImage> {
-        QImage image = pictureOf(wish.summary.file);
+      [wish, inks = screenInks()](const std::atomic<bool>&) -> Result<QImage> {
+        QImage image = pictureOf(wish.summary.file, inks);
         if (!image.isNull()) keep(image, fileOf(wish.summary, wish.key));
         return image;
       },

@@ -9,25 +9,57 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 #include <QVariant>
+#include <algorithm>
 
+#include "gui/pages/start/LandmarkDrawing.h"
 #include "gui/parts/CheckBoxes.h"
+#include "gui/parts/Placeholder.h"
 #include "gui/parts/Theme.h"
+#include "gui/setup/DerivedMeasures.h"
 #include "gui/setup/PopulationField.h"
 #include "gui/setup/Populations.h"
 #include "perilymph/anatomy/Population.h"
+#include "perilymph/foundation/Resources.h"
 
 namespace perilymph::gui {
 
 namespace {
 
 constexpr int formWidth_px = 420;
+constexpr int explanationWidth_px = 440;
+constexpr auto exampleArray = "flex28";  // a straight one; the array is chosen on the next page
 
-QLabel* heading(const QString& text, QWidget* parent)
+QLabel* text(const QString& caption, int size_px, QWidget* parent, bool isQuiet = true)
 {
-  auto* label = new QLabel(text, parent);
+  auto* label = new QLabel(caption, parent);
+  label->setFont(typeface(size_px));
+  label->setProperty("quiet", isQuiet);
+  label->setWordWrap(true);
+  return label;
+}
+
+QLabel* heading(const QString& caption, QWidget* parent)
+{
+  auto* label = new QLabel(caption, parent);
   label->setFont(typeface(11, QFont::DemiBold));
   label->setProperty("quiet", true);
   return label;
+}
+
+QLabel* errorLabel(QWidget* parent)
+{
+  auto* label = new QLabel(parent);
+  label->setFont(typeface(11));
+  label->setWordWrap(true);
+  label->setProperty("error", true);
+  label->hide();
+  return label;
+}
+
+void say(QLabel& label, const QString& sentence)
+{
+  label.setText(sentence);
+  label.setVisible(!sentence.isEmpty());
 }
 
 QHBoxLayout* sideBySide(QWidget* first, QWidget* second)
@@ -44,86 +76,134 @@ QHBoxLayout* sideBySide(QWidget* first, QWidget* second)
 
 PatientForm::PatientForm(QWidget* parent)
     : QWidget(parent),
+      title_(text({}, 22, this, false)),
       label_(new QLineEdit(this)),
+      labelError_(errorLabel(this)),
       right_(new Choice(tr("right"), this)),
       left_(new Choice(tr("left"), this)),
-      byLengths_(new Choice(tr("CDL and round-window section"), this)),
       byBasalTurn_(new Choice(tr("A, B and H"), this)),
+      byLengths_(new Choice(tr("CDL and round-window section"), this)),
       numbers_(new QStackedWidget(this)),
-      error_(new QLabel(this)),
-      use_(new QPushButton(tr("Build cochlea"), this))
+      warning_(errorLabel(this)),
+      error_(errorLabel(this)),
+      back_(new QPushButton(tr("Back"), this)),
+      use_(new QPushButton(this)),
+      landmarks_(new LandmarkDrawing(this)),
+      derived_(new DerivedMeasures(this))
 {
-  setFixedWidth(formWidth_px);
+  if (const auto file = findByName("array", "plugins/electrodes", exampleArray))
+    if (const auto array = electrode::loadArray(*file)) array_ = *array;
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 2 * spacing, 0, spacing);
+  row->setSpacing(4 * spacing);
+  row->addWidget(addForm(), 0, Qt::AlignVCenter);
+  row->addWidget(addExplanations());
+  connectFields();
+  setTabOrders();
+  beginNew();
+}
+
+QWidget* PatientForm::addForm()
+{
+  auto* form = new QWidget(this);
+  form->setFixedWidth(formWidth_px);
   label_->setObjectName(QStringLiteral("patientName"));
-  label_->setAccessibleName(tr("Patient"));
+  label_->setAccessibleName(tr("Patient code"));
   label_->setFont(typeface(13));
   label_->setFixedHeight(28);
   label_->setMaxLength(60);
-  label_->setPlaceholderText(tr("Patient code (no names)"));
+  label_->setToolTip(
+      tr("Letters, digits and hyphens, such as P-017. It appears in file names and "
+         "reports."));
+  markPlaceholder(*label_, tr("Patient code (no names)"));
   byLengths_->setObjectName(QStringLiteral("byLengths"));
+  byLengths_->setToolTip(notInClinicalCt());
   byBasalTurn_->setObjectName(QStringLiteral("byBasalTurn"));
   right_->setObjectName(QStringLiteral("rightEar"));
   left_->setObjectName(QStringLiteral("leftEar"));
-  for (Choice* choice : {right_, left_, byLengths_, byBasalTurn_})
-    choice->setFocusPolicy(Qt::TabFocus);
+  for (Choice* choice : {right_, left_, byLengths_, byBasalTurn_}) {
+    // Tab stops at the chosen one; the arrow keys choose another
+    choice->setFocusPolicy(Qt::NoFocus);
+    connect(choice, &QAbstractButton::toggled, choice,
+            [choice](bool isOn) { choice->setFocusPolicy(isOn ? Qt::TabFocus : Qt::NoFocus); });
+  }
   auto* ears = new QButtonGroup(this);
   ears->addButton(right_);
   ears->addButton(left_);
-  auto* ways = new QButtonGroup(this);
-  ways->addButton(byLengths_);
-  ways->addButton(byBasalTurn_);
-
-  numbers_->addWidget(addLengths());
+  auto* measures = new QButtonGroup(this);
+  measures->addButton(byBasalTurn_);
+  measures->addButton(byLengths_);
   numbers_->addWidget(addBasalTurn());
-  error_->setFont(typeface(13));
-  error_->setWordWrap(true);
-  error_->setProperty("error", true);
-  error_->hide();
+  numbers_->addWidget(addLengths());
 
-  auto* back = new QPushButton(tr("Back"), this);
-  back->setObjectName(QStringLiteral("leavePatientButton"));
+  back_->setObjectName(QStringLiteral("leavePatientButton"));
   use_->setObjectName(QStringLiteral("usePatientButton"));
   use_->setProperty("primary", true);
-  use_->setDefault(true);
-  for (QPushButton* button : {back, use_}) {
+  for (QPushButton* button : {back_, use_}) {
     button->setFont(typeface(13, QFont::Medium));
     button->setFixedHeight(32);
   }
-
-  auto* column = new QVBoxLayout(this);
+  auto* column = new QVBoxLayout(form);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(spacing);
-  auto* title = new QLabel(tr("Patient measurements"), this);
-  title->setFont(typeface(22));
-  column->addWidget(title);
-  column->addSpacing(spacing);
-  column->addWidget(heading(tr("PATIENT"), this));
+  column->addWidget(title_);
+  column->addWidget(heading(tr("PATIENT"), form));
   column->addWidget(label_);
-  column->addSpacing(spacing);
-  column->addWidget(heading(tr("EAR"), this));
+  column->addWidget(labelError_);
+  column->addWidget(heading(tr("EAR"), form));
   column->addLayout(sideBySide(right_, left_));
-  column->addSpacing(spacing);
-  column->addWidget(heading(tr("CT MEASUREMENTS"), this));
-  column->addLayout(sideBySide(byLengths_, byBasalTurn_));
+  column->addWidget(heading(tr("MEASUREMENTS"), form));
+  column->addLayout(sideBySide(byBasalTurn_, byLengths_));
   column->addWidget(numbers_);
+  column->addWidget(warning_);
   column->addWidget(error_);
-  column->addSpacing(2 * spacing);
+  column->addSpacing(spacing);
   auto* buttons = new QHBoxLayout;
-  buttons->addWidget(back);
+  buttons->addWidget(back_);
   buttons->addStretch();
   buttons->addWidget(use_);
   column->addLayout(buttons);
+  return form;
+}
 
-  connect(byLengths_, &QAbstractButton::toggled, this, [this](bool isOn) {
-    numbers_->setCurrentIndex(isOn ? 0 : 1);
-    showState();
-  });
-  connect(label_, &QLineEdit::textChanged, this, [this] { showState(); });
-  connect(back, &QPushButton::clicked, this, &PatientForm::leaveAsked);
-  connect(use_, &QPushButton::clicked, this, [this] { Q_EMIT patientGiven(patient()); });
-  anatomy::Patient first;
-  first.label.clear();
-  setPatient(first);
+QWidget* PatientForm::addExplanations()
+{
+  auto* side = new QWidget(this);
+  side->setFixedWidth(explanationWidth_px);
+  auto* column = new QVBoxLayout(side);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(spacing);
+  column->addStretch(1);
+  column->addWidget(heading(tr("HOW TO MEASURE IN CT"), side));
+  column->addWidget(landmarks_, 8);
+  column->addWidget(
+      text(tr("Cochlear view: the oblique plane through the basal turn, perpendicular "
+              "to the modiolus (Xu et al. 2000; Escudé et al. 2006; coordinates as "
+              "in Verbist et al. 2010)."),
+           11, side));
+  for (const QString& sentence : {measuringOfA(), measuringOfB(), measuringOfH()})
+    column->addWidget(text(sentence, 11, side, false));
+  column->addWidget(heading(tr("COMPUTED FROM THE MEASUREMENTS"), side));
+  column->addWidget(derived_);
+  column->addStretch(1);
+  return side;
+}
+
+QWidget* PatientForm::addBasalTurn()
+{
+  auto* page = new QWidget(numbers_);
+  a_ =
+      new PopulationField(tr("A: basal-turn diameter"), "aValue", lengthAPopulation(), false, page);
+  b_ = new PopulationField(tr("B: basal-turn width, perpendicular to A"), "bValue",
+                           widthBPopulation(), false, page);
+  h_ = new PopulationField(tr("H: cochlear height (optional)"), "hValue", heightHPopulation(), true,
+                           page);
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(spacing);
+  for (PopulationField* field : {a_, b_, h_}) column->addWidget(field);
+  column->addStretch();
+  return page;
 }
 
 QWidget* PatientForm::addLengths()
@@ -138,53 +218,97 @@ QWidget* PatientForm::addLengths()
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(spacing);
-  for (PopulationField* field : {length_, width_, height_}) {
-    column->addWidget(field);
-    connect(field, &PopulationField::changed, this, [this] { showState(); });
-  }
+  column->addWidget(text(notInClinicalCt(), 11, page));
+  for (PopulationField* field : {length_, width_, height_}) column->addWidget(field);
+  column->addStretch();
   return page;
 }
 
-QWidget* PatientForm::addBasalTurn()
+void PatientForm::connectFields()
 {
-  auto* page = new QWidget(numbers_);
-  a_ =
-      new PopulationField(tr("A: basal-turn diameter"), "aValue", lengthAPopulation(), false, page);
-  b_ = new PopulationField(tr("B: basal-turn width, perpendicular to A"), "bValue",
-                           widthBPopulation(), false, page);
-  h_ = new PopulationField(tr("H: cochlear height"), "hValue", heightHPopulation(), true, page);
-  auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(spacing);
-  for (PopulationField* field : {a_, b_, h_}) {
-    column->addWidget(field);
-    connect(field, &PopulationField::changed, this, [this] { showState(); });
+  for (PopulationField* field : {a_, b_, h_, length_, width_, height_}) {
+    connect(field, &PopulationField::changed, this, &PatientForm::showState);
+    connect(field, &PopulationField::submitted, this, &PatientForm::submit);
   }
-  return page;
+  using Landmark = LandmarkDrawing::Landmark;
+  for (const auto& [field, landmark] :
+       {std::pair{a_, Landmark::a}, std::pair{b_, Landmark::b}, std::pair{h_, Landmark::h}})
+    connect(field, &PopulationField::focused, this, [this, shown = landmark](bool isFocused) {
+      landmarks_->emphasize(isFocused ? shown : Landmark::none);
+    });
+  connect(byBasalTurn_, &QAbstractButton::toggled, this, [this](bool isOn) {
+    numbers_->setCurrentIndex(isOn ? 0 : 1);
+    showState();
+  });
+  connect(left_, &QAbstractButton::toggled, this, &PatientForm::showState);
+  connect(label_, &QLineEdit::textChanged, this, &PatientForm::showState);
+  connect(label_, &QLineEdit::returnPressed, this, &PatientForm::submit);
+  connect(back_, &QPushButton::clicked, this, &PatientForm::leaveAsked);
+  connect(use_, &QPushButton::clicked, this, &PatientForm::submit);
+}
+
+void PatientForm::setTabOrders()
+{
+  QWidget* const order[] = {label_,
+                            right_,
+                            left_,
+                            a_->input(),
+                            b_->input(),
+                            h_->input(),
+                            length_->input(),
+                            width_->input(),
+                            height_->input(),
+                            byBasalTurn_,
+                            byLengths_,
+                            use_,
+                            back_};
+  for (std::size_t i = 1; i < std::size(order); ++i) setTabOrder(order[i - 1], order[i]);
+  setFocusProxy(label_);
+}
+
+void PatientForm::beginNew()
+{
+  edited_.reset();
+  title_->setText(tr("New patient"));
+  use_->setText(tr("Build cochlea"));
+  label_->clear();
+  right_->setChecked(true);
+  byBasalTurn_->setChecked(true);
+  for (PopulationField* field : {a_, b_, h_, length_, width_, height_})
+    field->setValue(std::nullopt);
+  showError({});
+  showState();
+}
+
+void PatientForm::beginEditing(const anatomy::Patient& patient, const std::filesystem::path& file)
+{
+  beginNew();
+  edited_ = file;
+  title_->setText(tr("Patient measurements"));
+  use_->setText(tr("Save changes"));
+  setPatient(patient);
 }
 
 void PatientForm::setPatient(const anatomy::Patient& patient)
 {
   label_->setText(QString::fromStdString(patient.label));
   (patient.side == anatomy::Side::left ? left_ : right_)->setChecked(true);
-  length_->setValue(patient.scalaTympaniLength);
-  width_->setValue(patient.roundWindowWidth);
-  height_->setValue(patient.roundWindowHeight);
-  const anatomy::BasalTurn turn = patient.basalTurn.value_or(
-      anatomy::BasalTurn{anatomy::spreadOfA().mean, anatomy::spreadOfB().mean, std::nullopt});
-  a_->setValue(turn.a);
-  b_->setValue(turn.b);
-  h_->setValue(turn.h);
   (patient.basalTurn ? byBasalTurn_ : byLengths_)->setChecked(true);
-  showError({});
-  showState();
+  if (const auto& turn = patient.basalTurn) {
+    a_->setValue(turn->a);
+    b_->setValue(turn->b);
+    h_->setValue(turn->h);
+  } else {
+    length_->setValue(patient.scalaTympaniLength);
+    width_->setValue(patient.roundWindowWidth);
+    height_->setValue(patient.roundWindowHeight);
+  }
 }
 
 anatomy::Patient PatientForm::patient() const
 {
   anatomy::Patient patient;
-  const QString name = label_->text().trimmed();
-  patient.label = name.isEmpty() ? tr("unnamed").toStdString() : name.toStdString();
+  patient.label = label_->text().trimmed().toStdString();
   patient.side = left_->isChecked() ? anatomy::Side::left : anatomy::Side::right;
   if (byBasalTurn_->isChecked()) {
     patient.basalTurn = anatomy::BasalTurn{a_->value().value_or(Length{}),
@@ -197,19 +321,54 @@ anatomy::Patient PatientForm::patient() const
   return patient;
 }
 
-void PatientForm::showError(const QString& sentence)
+void PatientForm::showError(const QString& sentence) { say(*error_, sentence); }
+
+std::vector<PopulationField*> PatientForm::fields() const
 {
-  error_->setText(sentence);
-  error_->setVisible(!sentence.isEmpty());
+  if (byBasalTurn_->isChecked()) return {a_, b_, h_};
+  return {length_, width_, height_};
 }
 
-bool PatientForm::isAcceptable() const
+bool PatientForm::isComplete() const
 {
-  if (byBasalTurn_->isChecked())
-    return a_->isAcceptable() && b_->isAcceptable() && h_->isAcceptable();
-  return length_->isAcceptable() && width_->isAcceptable() && height_->isAcceptable();
+  const auto asked = fields();
+  return std::all_of(asked.begin(), asked.end(),
+                     [](const PopulationField* field) { return field->isAcceptable(); });
 }
 
-void PatientForm::showState() { use_->setEnabled(isAcceptable()); }
+void PatientForm::showState()
+{
+  const std::string code = label_->text().trimmed().toStdString();
+  const auto checked = anatomy::checkPatientCode(code);
+  say(*labelError_,
+      code.empty() || checked ? QString() : QString::fromStdString(checked.error().message));
+  use_->setEnabled(isComplete() && checked);
+  const anatomy::Patient given = patient();
+  landmarks_->setVisible(byBasalTurn_->isChecked());
+  say(*warning_, {});
+  if (!isComplete()) {
+    landmarks_->show({anatomy::spreadOfA().mean, anatomy::spreadOfB().mean, std::nullopt},
+                     given.side);
+    return derived_->showNone({});
+  }
+  // each alone is marked beside its field
+  if (given.basalTurn && !a_->isUnusual() && !b_->isUnusual())
+    for (const std::string& sentence : anatomy::unusualMeasures(given))
+      say(*warning_, QString::fromStdString(sentence));
+  if (given.basalTurn) landmarks_->show(*given.basalTurn, given.side);
+  if (array_) derived_->show({sourceScaledBy(measuresOf(given)), given, millimeters(1)}, *array_);
+}
+
+void PatientForm::submit()
+{
+  if (use_->isEnabled()) {
+    Q_EMIT patientGiven(patient());
+    return;
+  }
+  // to what is missing
+  if (!anatomy::checkPatientCode(label_->text().trimmed().toStdString())) return label_->setFocus();
+  for (PopulationField* field : fields())
+    if (!field->isAcceptable()) return field->input()->setFocus();
+}
 
 }  // namespace perilymph::gui

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Form for a patient's numbers from CT: three lengths, or A, B and H.
+// Form for a patient's measures: A, B and H from CT, or three lengths of the scala tympani.
 
 #include <QWidget>
+#include <filesystem>
+#include <optional>
+#include <vector>
 
 #include "perilymph/anatomy/Patient.h"
+#include "perilymph/electrode/ArrayDesign.h"
 
 class QLabel;
 class QLineEdit;
@@ -15,6 +19,8 @@ class QStackedWidget;
 namespace perilymph::gui {
 
 class Choice;
+class DerivedMeasures;
+class LandmarkDrawing;
 class PopulationField;
 
 /// Input of one patient. Errors are shown beside their fields, and invalid input cannot be
@@ -24,7 +30,13 @@ class PatientForm : public QWidget {
 public:
   explicit PatientForm(QWidget* parent);
 
-  void setPatient(const anatomy::Patient& patient);
+  /// Begins a new patient with empty fields.
+  void beginNew();
+  /// Shows a saved patient, whose file is replaced when it is submitted.
+  void beginEditing(const anatomy::Patient& patient, const std::filesystem::path& file);
+  /// The file of the patient that is edited; empty for a new one.
+  const std::optional<std::filesystem::path>& edited() const { return edited_; }
+
   anatomy::Patient patient() const;
   /// Shows why the patient could not be used; hidden if empty.
   void showError(const QString& sentence);
@@ -34,20 +46,36 @@ Q_SIGNALS:
   void leaveAsked();
 
 private:
-  QWidget* addLengths();
+  QWidget* addForm();
+  QWidget* addExplanations();
   QWidget* addBasalTurn();
+  QWidget* addLengths();
+  void connectFields();
+  void setTabOrders();
+  void setPatient(const anatomy::Patient& patient);
   void showState();
-  bool isAcceptable() const;
+  void submit();
+  /// The fields of the chosen measures.
+  std::vector<PopulationField*> fields() const;
+  bool isComplete() const;
 
+  std::optional<std::filesystem::path> edited_;
+  std::optional<electrode::ArrayDesign> array_;  ///< An example for the coverage.
+  QLabel* title_;
   QLineEdit* label_;
+  QLabel* labelError_;
   Choice* right_;
   Choice* left_;
-  Choice* byLengths_;
   Choice* byBasalTurn_;
+  Choice* byLengths_;
   QStackedWidget* numbers_;
-  PopulationField *length_, *width_, *height_, *a_, *b_, *h_;
+  PopulationField *a_, *b_, *h_, *length_, *width_, *height_;
+  QLabel* warning_;
   QLabel* error_;
+  QPushButton* back_;
   QPushButton* use_;
+  LandmarkDrawing* landmarks_;
+  DerivedMeasures* derived_;
 };
 
 }  // namespace perilymph::gui

@@ -6,14 +6,18 @@
 #include <QLabel>
 #include <QPainter>
 #include <QPainterPath>
+#include <QShortcut>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
 
 #include "gui/pages/start/PatientForm.h"
-#include "gui/pages/start/PatientSetup.h"
+#include "gui/pages/start/PatientPicker.h"
+#include "gui/pages/start/RecentWork.h"
 #include "gui/parts/Theme.h"
+#include "gui/setup/PatientLibrary.h"
+#include "gui/setup/PatientSetup.h"
 #include "perilymph/foundation/Resources.h"
 
 namespace perilymph::gui {
@@ -23,13 +27,36 @@ namespace {
 constexpr QSize cardSize{344, 372};
 constexpr int minCardWidth_px = 296;
 constexpr int pictureHeight_px = 232;
+constexpr int minPictureHeight_px = 120;
+constexpr int textHeight_px = cardSize.height() - pictureHeight_px;
+constexpr int aroundCards_px = 270;  // title, recent work, foot and margins
+// Indices of the stages.
+constexpr int cardsStage = 0, formStage = 1, pickerStage = 2;
+
 constexpr double pictureZoom = 1.9;  // the cochlea fills the central half of its picture
+
+/// A picture with a dark ground for the light scheme: the same hues with the opposite lightness, and
+/// its ground, the color of its corner, as that of the card.
+QImage onLight(const QImage& dark)
+{
+  QImage light = dark.convertToFormat(QImage::Format_RGB32);
+  const double ground = light.pixelColor(0, 0).lightnessF(), card = panelColor.lightnessF();
+  for (int y = 0; y < light.height(); ++y)
+    for (int x = 0; x < light.width(); ++x) {
+      const QColor color = light.pixelColor(x, y);
+      const double lightness = card * (1.0 - color.lightnessF()) / (1.0 - ground);
+      light.setPixelColor(x, y,
+                          QColor::fromHslF(std::max(0.0, double(color.hslHueF())),
+                                           color.hslSaturationF(), std::min(lightness, card)));
+    }
+  return light;
+}
 
 }  // namespace
 
 StartCard::StartCard(const char* name, const QString& title, const QString& sentence,
                      const std::string& picture, QWidget* parent)
-    : QPushButton(parent), title_(title), sentence_(sentence)
+    : QPushButton(parent), pictureHeight_px_(pictureHeight_px), title_(title), sentence_(sentence)
 {
   setObjectName(QLatin1String(name));
   setAccessibleName(title);
@@ -42,30 +69,42 @@ StartCard::StartCard(const char* name, const QString& title, const QString& sent
   const int width = int(whole.width() / pictureZoom);
   const int height = width * pictureHeight_px / cardSize.width();
   const QRect middle((whole.width() - width) / 2, (whole.height() - height) / 2, width, height);
-  picture_ = QPixmap::fromImage(
-      whole.copy(middle).scaled(QSize(cardSize.width(), pictureHeight_px) * ratio,
-                                Qt::KeepAspectRatio, Qt::SmoothTransformation));
+  const QImage fitted = whole.copy(middle).scaled(QSize(cardSize.width(), pictureHeight_px) * ratio,
+                                                  Qt::KeepAspectRatio, Qt::SmoothTransformation);
+  const bool isLight = shownColorScheme() == ColorScheme::light;
+  picture_ = QPixmap::fromImage(isLight ? onLight(fitted) : fitted);
   picture_.setDevicePixelRatio(ratio);
 }
 
 QSize StartCard::sizeHint() const { return cardSize; }
 
+void StartCard::setPictureHeight(int height_px)
+{
+  pictureHeight_px_ = height_px;
+  setFixedHeight(height_px + textHeight_px);
+  update();
+}
+
 void StartCard::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const bool isChosen = underMouse() || hasFocus();
+  // the frame is the focus; the mouse only raises a card
+  const bool isChosen = hasFocus();
   QPainterPath edge;
   edge.addRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 6, 6);
-  painter.fillPath(edge, isDown() ? groundColor : panelColor);
+  painter.fillPath(edge, isDown() ? groundColor : underMouse() ? raisedColor : panelColor);
   painter.save();
-  painter.setClipPath(edge);
-  painter.drawPixmap((width() - cardSize.width()) / 2, 0, picture_);
+  QPainterPath top;
+  top.addRect(0, 0, width(), pictureHeight_px_);
+  painter.setClipPath(edge.intersected(top));
+  painter.drawPixmap((width() - cardSize.width()) / 2, (pictureHeight_px_ - pictureHeight_px) / 2,
+                     picture_);
   painter.restore();
   painter.setPen(QPen(isChosen ? accentColor : lineColor, isChosen ? 2.0 : 1.0));
   painter.drawPath(edge);
 
-  const QRect text = rect().adjusted(20, pictureHeight_px + 16, -20, -12);
+  const QRect text = rect().adjusted(20, pictureHeight_px_ + 16, -20, -12);
   painter.setPen(textColor);
   painter.setFont(typeface(18, QFont::DemiBold));
   painter.drawText(text, Qt::AlignLeft | Qt::AlignTop, title_);
@@ -80,26 +119,74 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent), stages_(new QStackedWid
   setObjectName(QStringLiteral("startPage"));
   stages_->addWidget(cards());
   form_ = new PatientForm(stages_);
-  auto* centered = new QWidget(stages_);
-  auto* row = new QHBoxLayout(centered);
-  row->addStretch();
-  row->addWidget(form_, 0, Qt::AlignVCenter);
-  row->addStretch();
-  stages_->addWidget(centered);
+  stages_->addWidget(centered(form_));
+  picker_ = new PatientPicker(stages_);
+  stages_->addWidget(centered(picker_));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(stages_);
 
-  connect(patient_, &QPushButton::clicked, this, [this] {
-    stages_->setCurrentIndex(1);
-    form_->showError({});
-    form_->setFocus();
-  });
+  connect(patient_, &QPushButton::clicked, this, &StartPage::showNewPatient);
   connect(mean_, &QPushButton::clicked, this, [this] { beginShipped("mean-contour", false); });
   connect(demonstration_, &QPushButton::clicked, this,
           [this] { beginShipped("contour-published", true); });
-  connect(form_, &PatientForm::leaveAsked, this, &StartPage::showCards);
-  connect(form_, &PatientForm::patientGiven, this, &StartPage::beginPatient);
+  connect(form_, &PatientForm::leaveAsked, this, [this] { showCards(); });
+  connect(form_, &PatientForm::patientGiven, this, &StartPage::savePatient);
+  connect(picker_, &PatientPicker::leaveAsked, this, [this] { showCards(); });
+  connect(picker_, &PatientPicker::openAsked, this, &StartPage::openPatient);
+  connect(picker_, &PatientPicker::editAsked, this, [this](const SavedPatient& patient) {
+    form_->beginEditing(patient.patient, patient.file);
+    stages_->setCurrentIndex(formStage);
+    form_->setFocus();
+  });
+  connect(recent_, &RecentWork::patientAsked, this, &StartPage::openPatient);
+  connect(recent_, &RecentWork::allPatientsAsked, this, &StartPage::showPatients);
+  connect(recent_, &RecentWork::continueAsked, this, &StartPage::continueAsked);
+  connect(recent_, &RecentWork::replayAsked, this, &StartPage::replayAsked);
+  connect(recent_, &RecentWork::allRecordingsAsked, this, &StartPage::allRecordingsAsked);
+}
+
+QWidget* StartPage::centered(QWidget* content)
+{
+  auto* page = new QWidget(stages_);
+  auto* row = new QHBoxLayout(page);
+  row->addStretch();
+  row->addWidget(content);
+  row->addStretch();
+  return page;
+}
+
+void StartPage::addKey(QWidget& page, Qt::Key key, StartCard& card)
+{
+  // wherever the focus is, as long as the cards are shown
+  connect(new QShortcut(key, &page), &QShortcut::activated, &card, &QAbstractButton::click);
+}
+
+void StartPage::showPatients()
+{
+  picker_->refresh();
+  stages_->setCurrentIndex(pickerStage);
+  picker_->setFocus();
+}
+
+void StartPage::showNewPatient()
+{
+  form_->beginNew();
+  stages_->setCurrentIndex(formStage);
+  form_->setFocus();
+}
+
+void StartPage::savePatient(const anatomy::Patient& patient)
+{
+  const auto file = savePatientInLibrary(patient, form_->edited());
+  if (!file) return showError(QString::fromStdString(file.error().message));
+  openPatient({patient, *file});
+}
+
+void StartPage::openPatient(const SavedPatient& patient)
+{
+  markUsed(patient.file);
+  beginPatient(patient.patient);
 }
 
 void StartPage::beginPatient(const anatomy::Patient& patient)
@@ -131,11 +218,11 @@ QWidget* StartPage::cards()
   error_->setProperty("error", true);
   error_->hide();
 
-  patient_ = new StartCard(
-      "patientCard", tr("New patient"),
-      tr("Build the patient’s scala tympani from CT measurements: A, B and H, or cochlear duct "
-         "length and round-window section. Each value is compared with the population."),
-      "resources/pictures/anatomies/patient-small.png", page);
+  patient_ =
+      new StartCard("patientCard", tr("New patient"),
+                    tr("Build the patient’s scala tympani from A, B and H in CT. Each value is "
+                       "compared with the population."),
+                    "resources/pictures/anatomies/patient-small.png", page);
   mean_ = new StartCard("meanCard", tr("Average cochlea"),
                         tr("Average of 15 human cochleae. Insert automatically or with mouse and "
                            "keyboard and follow the insertion force."),
@@ -150,6 +237,10 @@ QWidget* StartPage::cards()
   row->addStretch();
   for (StartCard* card : {patient_, mean_, demonstration_}) row->addWidget(card);
   row->addStretch();
+  addKey(*page, Qt::Key_1, *patient_);
+  addKey(*page, Qt::Key_2, *mean_);
+  addKey(*page, Qt::Key_3, *demonstration_);
+  recent_ = new RecentWork(page);
   auto* foot = new QLabel(tr("Keys 1, 2 and 3 do the same. For research and training; not a "
                              "medical device."),
                           page);
@@ -158,15 +249,16 @@ QWidget* StartPage::cards()
 
   auto* column = new QVBoxLayout(page);
   column->setSpacing(spacing);
-  column->addStretch(3);
+  column->addStretch(2);
   column->addWidget(title, 0, Qt::AlignHCenter);
   column->addWidget(question, 0, Qt::AlignHCenter);
   column->addSpacing(3 * spacing);
   column->addLayout(row);
   column->addSpacing(spacing);
+  column->addWidget(recent_);
   column->addWidget(error_);
   column->addWidget(foot, 0, Qt::AlignHCenter);
-  column->addStretch(4);
+  column->addStretch(2);
   return page;
 }
 
@@ -175,12 +267,19 @@ void StartPage::resizeEvent(QResizeEvent* event)
   QWidget::resizeEvent(event);
   const int available = (width() - 10 * spacing) / 3;  // two gaps and margins
   const int wide = std::clamp(available, minCardWidth_px, cardSize.width());
-  for (StartCard* card : {patient_, mean_, demonstration_}) card->setFixedWidth(wide);
+  const int high =
+      std::clamp(height() - aroundCards_px - textHeight_px, minPictureHeight_px, pictureHeight_px);
+  for (StartCard* card : {patient_, mean_, demonstration_}) {
+    card->setFixedWidth(wide);
+    card->setPictureHeight(high);
+  }
 }
 
-void StartPage::showCards()
+void StartPage::showCards(const Current& current)
 {
-  stages_->setCurrentIndex(0);
+  current_ = current;
+  recent_->refresh(current.title, current.beingRecorded);
+  stages_->setCurrentIndex(cardsStage);
   error_->hide();
   patient_->setFocus();
 }
@@ -194,11 +293,7 @@ void StartPage::showError(const QString& sentence)
 
 void StartPage::keyPressEvent(QKeyEvent* event)
 {
-  const bool isAsking = stages_->currentIndex() == 1;
-  if (isAsking && event->key() == Qt::Key_Escape) return showCards();
-  if (!isAsking && event->key() == Qt::Key_1) return patient_->click();
-  if (!isAsking && event->key() == Qt::Key_2) return mean_->click();
-  if (!isAsking && event->key() == Qt::Key_3) return demonstration_->click();
+  if (event->key() == Qt::Key_Escape && stages_->currentIndex() != cardsStage) return showCards();
   QWidget::keyPressEvent(event);
 }
 

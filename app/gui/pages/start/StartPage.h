@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The start page with three ways to begin.
+// The start page: three ways to begin, and recent work.
 
 #include <QPushButton>
 #include <QWidget>
+#include <filesystem>
+#include <optional>
 
 #include "gui/setup/Setup.h"
 #include "perilymph/anatomy/Patient.h"
@@ -15,6 +17,9 @@ class QStackedWidget;
 namespace perilymph::gui {
 
 class PatientForm;
+class PatientPicker;
+class RecentWork;
+struct SavedPatient;
 
 /// A large button with a picture, a title and a description.
 class StartCard : public QPushButton {
@@ -24,23 +29,35 @@ public:
   StartCard(const char* name, const QString& title, const QString& sentence,
             const std::string& picture, QWidget* parent);
   QSize sizeHint() const override;
+  /// Limits the height of the picture.
+  void setPictureHeight(int height_px);
 
 protected:
   void paintEvent(QPaintEvent*) override;
 
 private:
+  int pictureHeight_px_;
   QString title_, sentence_;
   QPixmap picture_;
 };
 
-/// Selection of the first setup. The patient form is shown in place.
+/// Selection of the first setup. The patient form and the saved patients are shown in place.
 class StartPage : public QWidget {
   Q_OBJECT
 public:
   explicit StartPage(QWidget* parent);
 
-  /// Shows the three cards again.
-  void showCards();
+  /// Work that the page offers to continue.
+  struct Current {
+    QString title;  ///< Title of the setup on the insertion page; empty if it was not used yet.
+    std::optional<std::filesystem::path> beingRecorded;
+  };
+  /// Shows the three cards again, and recent work.
+  void showCards(const Current& current);
+  /// Shows the list of saved patients.
+  void showPatients();
+  /// Shows an empty form.
+  void showNewPatient();
   /// Shows why the selection failed.
   void showError(const QString& sentence);
 
@@ -49,6 +66,10 @@ Q_SIGNALS:
   /// @param isWatched  The insertion starts automatically.
   void setupChosen(const perilymph::gui::Setup& setup, perilymph::gui::SetupOrigin::Kind kind,
                    bool isWatched);
+  /// The user wants to continue with the insertion page, to replay a recording, or to see all.
+  void continueAsked();
+  void replayAsked(const std::filesystem::path& recording);
+  void allRecordingsAsked();
 
 protected:
   void keyPressEvent(QKeyEvent* event) override;
@@ -56,6 +77,11 @@ protected:
 
 private:
   QWidget* cards();
+  QWidget* centered(QWidget* content);
+  void showCards() { showCards(current_); }
+  void addKey(QWidget& page, Qt::Key key, StartCard& card);
+  void savePatient(const anatomy::Patient& patient);
+  void openPatient(const SavedPatient& patient);
   void beginPatient(const anatomy::Patient& patient);
   void beginShipped(const std::string& name, bool isWatched);
 
@@ -64,6 +90,9 @@ private:
   StartCard* mean_ = nullptr;
   StartCard* demonstration_ = nullptr;
   PatientForm* form_ = nullptr;
+  PatientPicker* picker_ = nullptr;
+  RecentWork* recent_ = nullptr;
+  Current current_;
   QLabel* error_ = nullptr;
 };
 

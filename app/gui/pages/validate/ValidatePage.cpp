@@ -6,17 +6,19 @@
 #include <QFrame>
 #include <QGridLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QSpinBox>
-#include <QStyle>
 #include <QVBoxLayout>
 #include <QVariant>
+#include <algorithm>
 
 #include "gui/parts/CheckBoxes.h"
 #include "gui/parts/DataText.h"
 #include "gui/parts/DrawingView.h"
+#include "gui/parts/Numbers.h"
+#include "gui/parts/StatusLine.h"
 #include "gui/parts/Theme.h"
 #include "perilymph/figures/Svg.h"
 #include "perilymph/foundation/AtomicFile.h"
@@ -26,7 +28,8 @@ namespace perilymph::gui {
 namespace {
 
 constexpr int columnWidth_px = 480;
-constexpr int fewestRuns = 2;
+constexpr int minRuns = 2;
+constexpr int usualRuns = 200;  // as many as the published simulator made
 constexpr int maxRuns = 1000;
 
 QLabel* text(const QString& caption, int size_px, QWidget* parent, bool isQuiet = false)
@@ -48,16 +51,21 @@ ValidatePage::ValidatePage(QWidget* parent) : QWidget(parent), basis_(shippedBas
   row->addWidget(addColumn());
   row->addWidget(addFigures(), 1);
 
-  connect(&work_, &ValidationWork::progressed, this,
-          [this](int done, int all, const analysis::ValidationResult& sofar) {
-            progress_->setRange(0, std::max(all, 1));
-            progress_->setValue(done);
-            status_->setText(tr("Insertion %1 of %2").arg(done).arg(all));
-            sofar_ = sofar;
-            showFigure();
-          });
+  connect(
+      &work_, &ValidationWork::progressed, this,
+      [this](int done, int all, const analysis::ValidationResult& sofar) {
+        progress_->setRange(0, std::max(all, 1));
+        progress_->setValue(done);
+        const int runs = typedRuns().value_or(all);
+        status_->say(
+            done <= runs
+                ? tr("Insertion %1 of %2").arg(done).arg(runs)
+                : tr("Causes of the spread: insertion %1 of %2").arg(done - runs).arg(all - runs));
+        sofar_ = sofar;
+        showFigure();
+      });
   connect(&work_, &ValidationWork::finished, this, &ValidatePage::finish);
-  if (!basis_) status_->setText(QString::fromStdString(basis_.error().message));
+  if (!basis_) status_->say(QString::fromStdString(basis_.error().message), true);
   showFigure();
   showState();
 }
@@ -74,21 +82,25 @@ QWidget* ValidatePage::addColumn()
   column->addWidget(title);
   auto* what =
       text(tr("Simulates repeated insertions with realistic variability in start position, "
-              "alignment, array curvature and friction. Their mean is compared with the published "
-              "forces. Two forces were used to calibrate the array; the others are predictions."),
+              "alignment, array curvature and friction. Their mean is compared with the "
+              "published forces. Two forces were used to calibrate the array; the others "
+              "are predictions."),
            13, page, true);
   what->setWordWrap(true);
   column->addWidget(what);
   column->addSpacing(spacing);
 
-  runs_ = new QSpinBox(page);
+  runs_ = new QLineEdit(QString::number(usualRuns), page);
   runs_->setObjectName(QStringLiteral("validationRuns"));
   runs_->setAccessibleName(tr("Insertions"));
   runs_->setFont(typeface(13));
-  runs_->setRange(fewestRuns, maxRuns);
-  runs_->setValue(200);
+  runs_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   runs_->setFixedSize(88, 32);
-  runs_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  runsError_ = text(
+      tr("Enter a whole number of insertions from %1 to %2.").arg(minRuns).arg(maxRuns), 11, page);
+  runsError_->setObjectName(QStringLiteral("validationRunsError"));
+  runsError_->setProperty("error", true);
+  runsError_->hide();
   start_ = new QPushButton(page);
   start_->setObjectName(QStringLiteral("validateButton"));
   save_ = new QPushButton(tr("Save…"), page);
@@ -108,14 +120,17 @@ QWidget* ValidatePage::addColumn()
   verbs->addWidget(save_);
   verbs->addWidget(start_);
   column->addLayout(verbs);
+  column->addWidget(runsError_);
   progress_ = new QProgressBar(page);
   progress_->setTextVisible(false);
   progress_->setFixedHeight(6);
   column->addWidget(progress_);
-  status_ = text({}, 11, page, true);
-  status_->setObjectName(QStringLiteral("validationStatus"));
-  status_->setWordWrap(true);
+  status_ = new StatusLine("validationStatus", page);
   column->addWidget(status_);
+  headline_ = text({}, 18, page);
+  headline_->setObjectName(QStringLiteral("validationHeadline"));
+  headline_->hide();
+  column->addWidget(headline_);
 
   auto* inside = new QWidget(page);
   verdicts_ = new QGridLayout;
@@ -134,6 +149,8 @@ QWidget* ValidatePage::addColumn()
   column->addWidget(scroll, 1);
 
   connect(start_, &QPushButton::clicked, this, [this] { isRunning() ? cancel() : start(); });
+  connect(runs_, &QLineEdit::textChanged, this, &ValidatePage::showState);
+  connect(runs_, &QLineEdit::returnPressed, this, &ValidatePage::start);
   connect(save_, &QPushButton::clicked, this, &ValidatePage::save);
   return page;
 }
@@ -169,15 +186,23 @@ QWidget* ValidatePage::addFigures()
   return page;
 }
 
+std::optional<int> ValidatePage::typedRuns() const
+{
+  bool isNumber = false;
+  const int typed = runs_->text().trimmed().toInt(&isNumber);
+  return isNumber && typed >= minRuns && typed <= maxRuns ? std::optional(typed) : std::nullopt;
+}
+
 void ValidatePage::start()
 {
-  if (isRunning() || !basis_) return;
+  const auto runs = typedRuns();
+  if (isRunning() || !basis_ || !runs) return;
   analysis::ValidationRequest request = basis_->request;
-  request.runs = runs_->value();
+  request.runs = *runs;
   result_.reset();
   sofar_ = {};
   shown_ = Shown::simulation;
-  status_->setText(tr("Building the cochlea…"));
+  status_->say(tr("Building the cochlea…"));
   work_.start(std::move(request));
   showVerdicts();
   showFigure();
@@ -188,7 +213,7 @@ void ValidatePage::cancel()
 {
   if (!isRunning()) return;
   work_.cancel();
-  status_->setText(tr("Stopping…"));
+  status_->say(tr("Stopping…"));
 }
 
 void ValidatePage::finish(const std::optional<analysis::ValidationResult>& result,
@@ -198,13 +223,13 @@ void ValidatePage::finish(const std::optional<analysis::ValidationResult>& resul
   sofar_ = result.value_or(analysis::ValidationResult{});
   if (result) {
     progress_->setValue(progress_->maximum());
-    status_->setText(tr("%1 of %2 insertions completed, seed %3. Mean SD over travel %4 mN.")
-                         .arg(result->runs - static_cast<int>(result->incomplete.size()))
-                         .arg(result->runs)
-                         .arg(result->seed)
-                         .arg(1e3 * result->standardDeviation, 0, 'f', 1));
+    status_->say(tr("%1 of %2 insertions completed, seed %3. Mean SD over travel %4 mN.")
+                     .arg(result->runs - static_cast<int>(result->incomplete.size()))
+                     .arg(result->runs)
+                     .arg(result->seed)
+                     .arg(numberText(1e3 * result->standardDeviation, 1)));
   } else {
-    status_->setText(error);
+    status_->say(error);
     progress_->reset();
   }
   showVerdicts();
@@ -235,7 +260,8 @@ void ValidatePage::showFigure()
 void ValidatePage::showState()
 {
   start_->setText(isRunning() ? tr("Cancel") : tr("Run"));
-  start_->setEnabled(bool(basis_));
+  start_->setEnabled(isRunning() || (bool(basis_) && typedRuns()));
+  runsError_->setVisible(!typedRuns());
   runs_->setEnabled(!isRunning());
   save_->setEnabled(result_.has_value());
 }
@@ -246,10 +272,14 @@ void ValidatePage::showVerdicts()
     delete item->widget();
     delete item;
   }
+  headline_->setVisible(result_.has_value());
   if (!result_) return;
+  const auto verdicts = analysis::verdictsOf(*result_, basis_->request.experiment);
+  const auto met = std::count_if(verdicts.begin(), verdicts.end(),
+                                 [](const analysis::Verdict& verdict) { return verdict.isMet; });
+  headline_->setText(tr("%1 of %2 criteria met").arg(met).arg(verdicts.size()));
   int line = 0;
-  for (const analysis::Verdict& verdict :
-       analysis::verdictsOf(*result_, basis_->request.experiment)) {
+  for (const analysis::Verdict& verdict : verdicts) {
     // a text in addition to the color
     auto* mark = text(verdict.isMet ? tr("✓ met") : tr("✗ missed"), 13, this);
     mark->setStyleSheet(
@@ -272,21 +302,23 @@ void ValidatePage::showVerdicts()
 void ValidatePage::save()
 {
   if (!result_) return;
-  const QString chosen = QFileDialog::getExistingDirectory(this, tr("Save to folder"));
+  const QString chosen =
+      QFileDialog::getExistingDirectory(this, tr("Save to folder"), documentsFolder());
   if (chosen.isEmpty()) return;
   const std::filesystem::path folder = chosen.toStdString();
   const analysis::ValidationFiles files =
       analysis::validationFiles(basis_->request, *result_, basis_->references);
   const auto keep = [&](const std::string& name, const std::string& content) {
     const auto written = writeWhole(folder / name, content);
-    if (!written) status_->setText(QString::fromStdString(written.error().message));
+    if (!written) status_->say(QString::fromStdString(written.error().message), true);
     return bool(written);
   };
   for (const auto& [name, content] : files.texts)
     if (!keep(name, content)) return;
   for (const auto& [name, figure] : files.figures)
     if (!keep(name + ".svg", figures::svg(figure))) return;
-  status_->setText(tr("6 files saved to %1.").arg(chosen));
+  const auto saved = int(files.texts.size() + files.figures.size());
+  status_->sayWritten(tr("%n file(s) saved to %1.", nullptr, saved).arg(chosen), folder);
 }
 
 }  // namespace perilymph::gui

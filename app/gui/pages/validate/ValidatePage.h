@@ -10,14 +10,15 @@
 
 class QGridLayout;
 class QLabel;
+class QLineEdit;
 class QProgressBar;
 class QPushButton;
-class QSpinBox;
 
 namespace perilymph::gui {
 
 class Choice;
 class DrawingView;
+class StatusLine;
 
 /// Repeats the experiment on request, and lists which expectations were met.
 class ValidatePage : public QWidget {
@@ -41,6 +42,8 @@ private:
   void showVerdicts();
   void finish(const std::optional<analysis::ValidationResult>& result, const QString& error);
   void save();
+  /// The typed number of insertions; empty if it is not allowed.
+  std::optional<int> typedRuns() const;
 
   Result<ValidationBasis> basis_;
   ValidationWork work_;
@@ -48,11 +51,13 @@ private:
   analysis::ValidationResult sofar_;
   Shown shown_ = Shown::experiment;
 
-  QSpinBox* runs_ = nullptr;
+  QLineEdit* runs_ = nullptr;
+  QLabel* runsError_ = nullptr;
   QPushButton* start_ = nullptr;
   QPushButton* save_ = nullptr;
   QProgressBar* progress_ = nullptr;
-  QLabel* status_ = nullptr;
+  StatusLine* status_ = nullptr;
+  QLabel* headline_ = nullptr;
   QGridLayout* verdicts_ = nullptr;
   Choice *simulation_ = nullptr, *experiment_ = nullptr, *difference_ = nullptr;
   DrawingView* drawing_ = nullptr;

@@ -38,8 +38,9 @@ std::vector<anatomy::Patient> movedByOne(const anatomy::Patient& patient, Length
 
 }  // namespace
 
-Result<std::vector<double>> errorBands(const anatomy::Cochlea& cochlea,
-                                       const std::vector<Measure>& measures, Length error)
+Result<std::vector<double>> errorBands(
+    const anatomy::Cochlea& cochlea, const std::vector<Measure>& measures, Length error,
+    const std::function<std::vector<Measure>(const anatomy::ScalaTympani&)>& measuring)
 {
   if (!isScaledBy(cochlea.source, cochlea.patient)) return std::vector<double>{};
 
@@ -48,7 +49,7 @@ Result<std::vector<double>> errorBands(const anatomy::Cochlea& cochlea,
     const auto scala =
         anatomy::buildAnatomy({cochlea.source, patient, cochlea.leadIn}, patient.label);
     if (!scala) return scala.error();
-    const std::vector<Measure> moved = measure(**scala);
+    const std::vector<Measure> moved = measuring(**scala);
     for (std::size_t i = 0; i < bands.size() && i < moved.size(); ++i) {
       const double change = moved[i].value - measures[i].value;
       bands[i] += change * change;

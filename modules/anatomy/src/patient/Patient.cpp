@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/anatomy/Patient.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -25,6 +26,16 @@ constexpr Range length_mm{25.0, 45.0};
 // limit still admits the 0.8 mm base of an array. Reasoned, not measured.
 constexpr Range width_mm{1.0, 3.0};
 constexpr Range height_mm{1.0, 2.8};
+
+// Standard deviations from the mean from which a measure is unusual: 5 % of a normal population.
+constexpr double unusualFrom = 2.0;
+
+constexpr std::size_t maxCodeLength = 24;  // as much as a table and a file name show whole
+
+bool isCodeCharacter(char c)
+{
+  return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-';
+}
 
 /// The text quoted for TOML; control characters become spaces.
 std::string quoted(const std::string& text)
@@ -176,6 +187,15 @@ Result<Done> checkPatient(const Patient& patient)
   return Done{};
 }
 
+Result<Done> checkPatientCode(const std::string& code)
+{
+  const bool isPlain = std::all_of(code.begin(), code.end(), isCodeCharacter);
+  if (isPlain && !code.empty() && code.size() <= maxCodeLength) return Done{};
+  return Error{"'" + code + "' cannot be a patient code; use 1 to " +
+               std::to_string(maxCodeLength) +
+               " letters A to Z, digits and hyphens, such as P-017, and no name."};
+}
+
 Result<Patient> samplePatient(std::uint64_t seed)
 {
   const HalfDiameters half = sampleHalfDiameters(seed);
@@ -194,12 +214,20 @@ std::vector<std::string> unusualMeasures(const Patient& patient)
   std::vector<std::string> sentences;
   if (!patient.basalTurn) return sentences;
   const auto look = [&sentences](const char* name, Length value, const Spread& spread) {
-    if (std::fabs((value - spread.mean) / spread.standardDeviation) > 2.0)
+    if (std::fabs((value - spread.mean) / spread.standardDeviation) >= unusualFrom)
       sentences.push_back(std::string(name) + " is " + place(value, spread) +
                           ". Check the measurement.");
   };
   look("A", patient.basalTurn->a, spreadOfA());
   look("B", patient.basalTurn->b, spreadOfB());
+  if (const Spread given = expectedB(patient.basalTurn->a);
+      sentences.empty() &&
+      std::fabs((patient.basalTurn->b - given.mean) / given.standardDeviation) >= unusualFrom)
+    sentences.push_back(
+        "A and B do not match: with A " + plain(inMillimeters(patient.basalTurn->a)) +
+        " mm, B is usually " + rounded(given.mean) + " mm (SD " + rounded(given.standardDeviation) +
+        ", Pietsch et al. 2017), not " + plain(inMillimeters(patient.basalTurn->b)) +
+        " mm. Check both measurements.");
   const Spread limits = limitsOfH();
   if (const auto& h = patient.basalTurn->h; h && (*h < limits.low || *h > limits.high))
     sentences.push_back("H is " + plain(inMillimeters(*h)) + " mm; cochleae have " +

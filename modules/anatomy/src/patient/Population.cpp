@@ -181,6 +181,20 @@ HalfDiameters sampleHalfDiameters(std::uint64_t seed)
 Spread spreadOfA() { return spreadOf(sums[0]); }
 Spread spreadOfB() { return spreadOf(sums[1]); }
 
+Spread expectedB(Length a)
+{
+  // mean + S_BA / S_AA (a - mean of A), variance S_BB - S_BA^2 / S_AA, with S = C covariance C^T
+  const double aa = sumOf(sums[0], covarianceWith(sums[0]));
+  const double bb = sumOf(sums[1], covarianceWith(sums[1]));
+  const double ab = sumOf(sums[0], covarianceWith(sums[1]));
+  const double mean =
+      sumOf(sums[1], mean_mm) + ab / aa * (inMillimeters(a) - sumOf(sums[0], mean_mm));
+  const double standardDeviation = std::sqrt(bb - ab * ab / aa);
+  const double reach = deviationsAllowed * standardDeviation;
+  return {millimeters(mean), millimeters(standardDeviation), millimeters(mean - reach),
+          millimeters(mean + reach)};
+}
+
 Spread limitsOfH()
 {
   return {millimeters(3.26), millimeters(0.24), millimeters(2.3), millimeters(4.8)};

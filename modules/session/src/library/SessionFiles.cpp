@@ -2,6 +2,7 @@
 
 // Renames, trashes and restores recordings, with the log of an unclosed one.
 
+#include <string_view>
 #include <system_error>
 
 #include "perilymph/session/SessionLibrary.h"
@@ -33,6 +34,19 @@ Result<Done> moveTo(const fs::path& from, const fs::path& to)
 }
 
 }  // namespace
+
+std::string displayNameOf(const fs::path& file)
+{
+  // "20260131T154502Z-P-017": a time of this form, then the scenario's name
+  constexpr std::string_view pattern = "00000000T000000Z-";
+  const std::string name = file.stem().string();
+  if (name.size() <= pattern.size()) return name;
+  for (std::size_t i = 0; i < pattern.size(); ++i) {
+    const bool isDigit = name[i] >= '0' && name[i] <= '9';
+    if (pattern[i] == '0' ? !isDigit : name[i] != pattern[i]) return name;
+  }
+  return name.substr(pattern.size());
+}
 
 Result<fs::path> renameSession(const fs::path& file, const std::string& name)
 {

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 // Incremented when the keys or their meaning change; an index with another number is ignored.
-constexpr int format = 3;
+constexpr int format = 4;
 
 constexpr std::pair<const char*, std::string SessionSummary::*> texts[] = {
     {"started_utc", &SessionSummary::startedUtc},
@@ -22,6 +22,7 @@ constexpr std::pair<const char*, std::string SessionSummary::*> texts[] = {
     {"patient", &SessionSummary::patient},
     {"side", &SessionSummary::side},
     {"array", &SessionSummary::array},
+    {"technique", &SessionSummary::technique},
     {"device", &SessionSummary::device},
     {"version", &SessionSummary::version},
     {"error", &SessionSummary::error}};

@@ -32,47 +32,18 @@ void stamp(SessionSummary& summary)
         std::chrono::duration_cast<std::chrono::nanoseconds>(time.time_since_epoch()).count();
 }
 
-/// The entities named in a scenario's text.
-struct Subject {
-  std::string patient, side, array, error;
-};
-
-/// From the text alone, so that a recording whose array was removed from the catalog can be listed.
-Subject subjectOf(const std::string& text, const std::string& name)
-{
-  Subject subject;
-  auto keys = TomlReader::parse(text, name);
-  if (!keys) {
-    subject.error = keys.error().message;
-    return subject;
-  }
-  subject.side = keys->text("side", "right");
-  subject.array = keys->text("array", "contour");
-  const std::string anatomy = keys->text("anatomy", nameOf(anatomy::AnatomySource::published));
-  const auto source = anatomy::anatomySourceNamed(anatomy);
-  auto patient = keys->table("patient_numbers");
-  // an anatomy without patient numbers has no patient
-  const bool isPatient = (source && traitsOf(*source).alwaysTakes) || patient.has("a_mm");
-  subject.patient = isPatient ? patient.text("label", anatomy) : anatomy + " anatomy";
-  const auto scenario = parseScenario(text, name);
-  if (scenario)
-    subject.array = scenario->array().name;
-  else
-    subject.error = "Can be compared but not replayed: " + scenario.error().message;
-  return subject;
-}
-
 /// Subjects by scenario text: many recordings share a scenario.
-using Subjects = std::map<std::string, Subject>;
+using Subjects = std::map<std::string, ScenarioSubject>;
 
 void describeScenario(SessionSummary& summary, const std::string& text, Subjects& known)
 {
   const auto found = known.find(text);
-  const Subject subject =
+  const ScenarioSubject subject =
       found != known.end() ? found->second : subjectOf(text, summary.file.string());
   summary.patient = subject.patient;
   summary.side = subject.side;
   summary.array = subject.array;
+  summary.technique = subject.technique;
   summary.error = subject.error;
   // an error message names its file
   if (found == known.end() && subject.error.empty()) known.emplace(text, subject);
@@ -92,6 +63,37 @@ bool isWorthKeeping(const SessionSummary& summary)
 }
 
 }  // namespace
+
+ScenarioSubject subjectOf(const std::string& text, const std::string& name)
+{
+  ScenarioSubject subject;
+  auto keys = TomlReader::parse(text, name);
+  if (!keys) {
+    subject.error = keys.error().message;
+    return subject;
+  }
+  subject.side = keys->text("side", "right");
+  subject.array = keys->text("array", "contour");
+  subject.technique = keys->text("technique", nameOf(Technique::standard));
+  const std::string anatomy = keys->text("anatomy", nameOf(anatomy::AnatomySource::published));
+  const auto source = anatomy::anatomySourceNamed(anatomy);
+  auto patient = keys->table("patient_numbers");
+  // an anatomy without patient numbers has no patient
+  const bool isPatient = (source && traitsOf(*source).alwaysTakes) || patient.has("a_mm");
+  subject.patient = isPatient ? patient.text("label", anatomy) : anatomy + " anatomy";
+  subject.cochlea = anatomy;
+  const auto scenario = parseScenario(text, name);
+  if (!scenario) {
+    subject.error = "Can be compared but not replayed: " + scenario.error().message;
+    return subject;
+  }
+  subject.array = scenario->array().name;
+  if (!isPatient) return subject;
+  for (const auto& [key, value] : scenario->values())
+    if (key.starts_with("patient_numbers.") && key != "patient_numbers.label")
+      subject.cochlea += " " + key + "=" + value;
+  return subject;
+}
 
 fs::path libraryCache(const fs::path& folder) { return folder / ".cache"; }
 

@@ -14,13 +14,16 @@
 #include "perilymph/analysis/Reference.h"
 #include "perilymph/figures/Figure.h"
 #include "perilymph/foundation/Result.h"
+#include "perilymph/session/SessionLibrary.h"
 
 namespace perilymph::analysis {
 
 /// Data of one recording.
 struct ComparedInsertion {
-  std::string name;  ///< Name of its file, without extension.
+  std::string name;  ///< Name for display, see session::displayNameOf().
   std::string scenario;
+  session::ScenarioSubject subject;
+  std::string startedUtc;  ///< "2010-05-17T09:30:00Z".
   ForceProfile profile;
   int reversals = 0;  ///< Over the whole insertion.
   Motion motion;      ///< Up to the maximum depth.

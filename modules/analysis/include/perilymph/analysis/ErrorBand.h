@@ -3,6 +3,7 @@
 
 // Uncertainty of a patient's cochlear measures due to errors of the CT measurements.
 
+#include <functional>
 #include <vector>
 
 #include "perilymph/analysis/AnatomyMeasures.h"
@@ -24,9 +25,11 @@ inline constexpr Length measuringError = millimeters(0.1);
 /// It covers only the error of the given lengths, not that of the model. Empty for an anatomy
 /// without patient measures. Takes as long as building two or three anatomies.
 ///
-/// @param measures  Measures of the built cochlea, from measure().
-Result<std::vector<double>> errorBands(const anatomy::Cochlea& cochlea,
-                                       const std::vector<Measure>& measures,
-                                       Length error = measuringError);
+/// @param measures   Measures of the built cochlea, from `measuring`.
+/// @param measuring  Measures a cochlea: measure(), or fewer or other measures.
+Result<std::vector<double>> errorBands(
+    const anatomy::Cochlea& cochlea, const std::vector<Measure>& measures,
+    Length error = measuringError,
+    const std::function<std::vector<Measure>(const anatomy::ScalaTympani&)>& measuring = measure);
 
 }  // namespace perilymph::analysis

@@ -41,6 +41,7 @@ struct ForceProfile {
   double deepest = 0.0;       ///< Maximum depth past the opening [m].
   double finalDepth = 0.0;    ///< [m]
   double finalAngle = 0.0;    ///< Angle of the tip from the round window [rad].
+  double deepestAngle = 0.0;  ///< Maximum angle of the tip [rad].
   double duration = 0.0;      ///< Since the first motion [s].
   double wallForceMax = 0.0;  ///< Maximum normal force on one node in any tick [N].
   double membraneForceMax = 0.0;  ///< Maximum force on the basilar membrane in any tick [N].

@@ -49,12 +49,17 @@ Result<Done> savePatient(const Patient& patient, const std::filesystem::path& fi
 /// Checks values that did not come from a file (command line, window).
 Result<Done> checkPatient(const Patient& patient);
 
+/// Checks a code that stands for a patient in files and reports: 1 to 24 letters, digits and
+/// hyphens, so that neither needs another spelling of it.
+Result<Done> checkPatientCode(const std::string& code);
+
 /// A virtual patient with A and B drawn from the population: the same for the same seed on every
 /// machine.
 Result<Patient> samplePatient(std::uint64_t seed);
 
-/// A sentence for each of A and B that is more than two standard deviations from the population
-/// mean, and for an H outside limitsOfH(): allowed, but the measurement should be checked.
+/// A sentence for each of A and B that is two standard deviations or more from the population mean,
+/// for a B that is so far from what A predicts (expectedB()), and for an H outside limitsOfH():
+/// allowed, but the measurement should be checked.
 std::vector<std::string> unusualMeasures(const Patient& patient);
 
 /// The published three-parameter scala tympani of a patient, with a straight lead-in before the

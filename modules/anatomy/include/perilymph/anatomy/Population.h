@@ -50,6 +50,10 @@ struct Spread {
 Spread spreadOfA();
 Spread spreadOfB();
 
+/// Mean, standard deviation and limits of B in cochleae with a known A: the conditional normal
+/// distribution.
+Spread expectedB(Length a);
+
 /// Limits of the height H, which depends on its definition: from four standard deviations below a
 /// clinical mean (3.26, SD 0.24 mm, Medan) to the highest whole cochlea (4.8 mm, Erixon 2009).
 Spread limitsOfH();

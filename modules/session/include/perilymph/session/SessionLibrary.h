@@ -15,6 +15,18 @@
 
 namespace perilymph::session {
 
+/// The entities named in a scenario's text.
+struct ScenarioSubject {
+  std::string patient, side, array, technique;
+  std::string cochlea;  ///< Equal for equal cochleae, regardless of the ear.
+  std::string error;    ///< Why the text cannot be replayed; else empty.
+};
+
+/// From the text alone, so that a recording whose array was removed from the catalog can be listed.
+///
+/// @param name  For error messages.
+ScenarioSubject subjectOf(const std::string& text, const std::string& name);
+
 /// One recording in a list.
 struct SessionSummary {
   std::filesystem::path file;
@@ -22,6 +34,7 @@ struct SessionSummary {
   std::int64_t modified_ns = 0;  ///< Modification time from the file system.
   std::string startedUtc;        ///< "2010-05-17T09:30:00Z".
   std::string scenario, patient, side, array, device, version;
+  std::string technique;  ///< "standard" or "aos"; see nameOf(Technique).
   Highlights highlights;
   bool wasClosed = true;
   bool isBeingRecorded = false;
@@ -57,6 +70,10 @@ Result<std::vector<SessionSummary>> listSessions(const std::filesystem::path& fo
                                                  const std::filesystem::path& beingRecorded = {},
                                                  const LibraryProgress& progress = {},
                                                  const LibraryEntry& listed = {});
+
+/// Name of a recording for display: that of its file without extension, and without the time with
+/// which automatic names begin.
+std::string displayNameOf(const std::filesystem::path& file);
 
 /// Renames a recording in its folder (name without extension).
 Result<std::filesystem::path> renameSession(const std::filesystem::path& file,

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/sessions/SessionList.h"
+
+#include <QHeaderView>
+#include <QSortFilterProxyModel>
+
+#include "gui/pages/sessions/SessionTable.h"
+#include "gui/pages/sessions/Thumbnails.h"
+#include "gui/parts/Theme.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr int rowHeight_px = 60;
+constexpr int minColumn_px = 44;
+
+constexpr int narrow_px = 1100;  // where the duration leaves its place to the name
+
+// In the order of SessionTable::Column.
+constexpr int widths_px[] = {Thumbnails::size.width() + 16, 134, 96, 58, 152, 94, 96, 72, 100, 138};
+static_assert(std::size(widths_px) == SessionTable::columns);
+
+}  // namespace
+
+SessionList::SessionList(SessionTable& table, QSortFilterProxyModel& sorted, QWidget* parent)
+    : QTableView(parent)
+{
+  setObjectName(QStringLiteral("sessionList"));
+  setAccessibleName(tr("Recorded insertions"));
+  setModel(&sorted);
+  setFont(typeface(13));
+  setIconSize(Thumbnails::size);
+  setSelectionBehavior(QAbstractItemView::SelectRows);
+  setSelectionMode(QAbstractItemView::ExtendedSelection);
+  setEditTriggers(QAbstractItemView::EditKeyPressed);
+  setShowGrid(false);
+  setWordWrap(false);
+  setTabKeyNavigation(false);
+  setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  verticalHeader()->hide();
+  verticalHeader()->setDefaultSectionSize(rowHeight_px);
+  verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  QHeaderView* header = horizontalHeader();
+  header->setHighlightSections(false);
+  header->setSectionsMovable(false);
+  header->setMinimumSectionSize(minColumn_px);
+  header->setFont(typeface(11));
+  for (int column = 0; column < SessionTable::columns; ++column)
+    header->resizeSection(column, widths_px[column]);
+  header->setSectionResizeMode(SessionTable::picture, QHeaderView::Fixed);
+  header->setSectionResizeMode(SessionTable::name, QHeaderView::Stretch);
+  connect(header, &QHeaderView::sortIndicatorChanged, &table, &SessionTable::showSorting);
+  setSortingEnabled(true);
+  sortByColumn(SessionTable::recorded, Qt::DescendingOrder);
+}
+
+void SessionList::resizeEvent(QResizeEvent* event)
+{
+  QTableView::resizeEvent(event);
+  setColumnHidden(SessionTable::duration, width() < narrow_px);
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/start/LandmarkDrawing.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+#include "gui/parts/Theme.h"
+#include "perilymph/anatomy/Population.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr double step = pi / 60.0;         // between points of the spiral [rad]
+constexpr double lastTurn = 3.0 * pi;      // where the drawing ends [rad]
+constexpr double ductFraction = 0.58;      // inner / outer radius of the drawn turn
+constexpr double sideViewFraction = 0.36;  // of the width
+
+/// Outer radius of the spiral [mm].
+double radius_mm(const anatomy::HalfDiameters& half, double angle)
+{
+  return inMillimeters(meters(anatomy::outerWallRadius(half, radians(angle))));
+}
+
+/// A line with a bar at each end.
+void paintMeasure(QPainter& painter, const QPointF& from, const QPointF& to)
+{
+  constexpr double bar_px = 5.0;
+  painter.drawLine(from, to);
+  const QLineF along(from, to);
+  const QLineF across = along.normalVector();
+  const QPointF out = (across.p2() - across.p1()) / std::max(across.length(), 1e-9) * bar_px;
+  for (const QPointF& end : {from, to}) painter.drawLine(end - out, end + out);
+}
+
+}  // namespace
+
+LandmarkDrawing::LandmarkDrawing(QWidget* parent)
+    : QWidget(parent), turn_{anatomy::spreadOfA().mean, anatomy::spreadOfB().mean, std::nullopt}
+{
+  setObjectName(QStringLiteral("landmarkDrawing"));
+  setAccessibleName(tr("Landmarks of A, B and H"));
+  setMinimumHeight(190);
+  setMaximumHeight(300);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+}
+
+void LandmarkDrawing::show(const anatomy::BasalTurn& turn, anatomy::Side side)
+{
+  turn_ = turn;
+  side_ = side;
+  update();
+}
+
+void LandmarkDrawing::emphasize(Landmark landmark)
+{
+  emphasized_ = landmark;
+  update();
+}
+
+QPen LandmarkDrawing::penOf(Landmark landmark) const
+{
+  const bool isEmphasized = landmark == emphasized_;
+  QPen pen(isEmphasized ? accentColor : textColor, isEmphasized ? 2.5 : 1.5);
+  if (landmark == Landmark::b) pen.setDashPattern({4, 2});
+  return pen;
+}
+
+void LandmarkDrawing::paintEvent(QPaintEvent*)
+{
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  QPainterPath ground;
+  ground.addRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
+  painter.fillPath(ground, groundColor);
+  painter.setPen(lineColor);
+  painter.drawPath(ground);
+  const double split = (1.0 - sideViewFraction) * width();
+  const QRectF whole = QRectF(rect()).adjusted(12, 30, -12, -12);
+  painter.setFont(typeface(11));
+  painter.setPen(quietTextColor);
+  painter.drawText(QRectF(12, 8, split - 24, 18), Qt::AlignLeft, tr("Cochlear view"));
+  painter.drawText(QRectF(split, 8, width() - split - 12, 18), Qt::AlignLeft,
+                   tr("Perpendicular view"));
+  paintCochlearView(painter, {whole.left(), whole.top(), split - 24, whole.height()});
+  paintSideView(painter, {split, whole.top(), width() - split - 12, whole.height()});
+}
+
+void LandmarkDrawing::paintCochlearView(QPainter& painter, const QRectF& place) const
+{
+  const anatomy::HalfDiameters half = anatomy::likeliestHalfDiameters(turn_.a, turn_.b);
+  const double mirror = side_ == anatomy::Side::left ? -1.0 : 1.0;
+  // the round window at the bottom right of a right ear, turning upward
+  const auto direction = [&](double angle) {
+    return QPointF(mirror * std::cos(angle), -std::sin(angle));
+  };
+  const double a1 = radius_mm(half, 0.0), a2 = radius_mm(half, pi);
+  const double b1 = radius_mm(half, 0.5 * pi), b2 = radius_mm(half, 1.5 * pi);
+  const double letters_px = 26.0;  // room for names at both ends
+  const double scale = std::min((place.width() - 2.0 * letters_px) / (a1 + a2),
+                                (place.height() - letters_px) / (b1 + b2));
+  const QPointF axis(place.center().x() + mirror * 0.5 * (a2 - a1) * scale,
+                     place.center().y() + 0.5 * (b1 - b2) * scale);
+  const auto at = [&](double angle, double radius) {
+    return axis + scale * radius * direction(angle);
+  };
+
+  QPainterPath outer, inner;
+  outer.moveTo(at(0.0, a1));
+  inner.moveTo(at(0.0, ductFraction * a1));
+  for (double angle = step; angle < lastTurn; angle += step) {
+    const double radius = std::max(radius_mm(half, angle), 0.4);
+    outer.lineTo(at(angle, radius));
+    inner.lineTo(at(angle, ductFraction * radius));
+  }
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(quietTextColor, 1.5));
+  painter.drawPath(outer);
+  painter.setPen(QPen(aheadColor, 1.0));
+  painter.drawPath(inner);
+
+  const QPointF window = at(0.0, a1), far = at(pi, a2);
+  painter.setPen(penOf(Landmark::b));
+  paintMeasure(painter, at(0.5 * pi, b1), at(1.5 * pi, b2));
+  painter.setPen(penOf(Landmark::a));
+  paintMeasure(painter, window, far);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(warningColor);
+  painter.drawEllipse(window, 4.0, 4.0);
+  painter.setBrush(textColor);
+  painter.drawEllipse(axis, 3.0, 3.0);
+
+  painter.setFont(typeface(13, QFont::DemiBold));
+  const auto name = [&](Landmark landmark, const QPointF& where, const QString& text) {
+    painter.setPen(landmark == emphasized_ ? accentColor : textColor);
+    painter.drawText(QRectF(where.x() - 20, where.y() - 10, 40, 20), Qt::AlignCenter, text);
+  };
+  name(Landmark::a, far + 14.0 * direction(pi), QStringLiteral("A"));
+  name(Landmark::b, at(0.5 * pi, b1) + QPointF(mirror * 12.0, -2.0), QStringLiteral("B"));
+  painter.setFont(typeface(11));
+  painter.setPen(quietTextColor);
+  const QRectF under(window.x() - 60, window.y() + 8, 120, 18);
+  QRectF inside = under;
+  if (inside.right() > place.right() + 12) inside.moveRight(place.right() + 12);
+  if (inside.left() < place.left() - 12) inside.moveLeft(place.left() - 12);
+  painter.drawText(inside, side_ == anatomy::Side::left ? Qt::AlignLeft : Qt::AlignRight,
+                   tr("round window"));
+  painter.drawText(QRectF(axis.x() + 6, axis.y() + 4, 80, 18), Qt::AlignLeft, tr("modiolus"));
+}
+
+void LandmarkDrawing::paintSideView(QPainter& painter, const QRectF& place) const
+{
+  // a cone of turns that narrow toward the apex
+  constexpr int turns = 3;
+  constexpr double widths[turns] = {1.0, 0.66, 0.36};
+  const double wide = std::min(place.width() - 34.0, 1.4 * place.height());
+  const double high = 0.8 * wide;
+  const double left = place.left() + 6.0, base = place.center().y() + 0.5 * high;
+  const double each = high / turns;
+  painter.setBrush(Qt::NoBrush);
+  for (int i = 0; i < turns; ++i) {
+    painter.setPen(QPen(quietTextColor, 1.5));
+    const double width = widths[i] * wide;
+    painter.drawRoundedRect(QRectF(left + 0.5 * (wide - width), base - (i + 1) * each, width, each),
+                            0.45 * each, 0.45 * each);
+  }
+  painter.setPen(QPen(aheadColor, 1.0, Qt::DashLine));
+  painter.drawLine(QPointF(left + 0.5 * wide, base + 6.0),
+                   QPointF(left + 0.5 * wide, base - high - 6.0));
+  const double line = left + wide + 12.0;
+  painter.setPen(penOf(Landmark::h));
+  paintMeasure(painter, {line, base}, {line, base - high});
+  painter.setFont(typeface(13, QFont::DemiBold));
+  painter.setPen(emphasized_ == Landmark::h ? accentColor : textColor);
+  painter.drawText(QRectF(line + 4.0, base - 0.5 * high - 10.0, 18.0, 20.0), Qt::AlignCenter,
+                   QStringLiteral("H"));
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Recent patients and insertions on the start page.
+
+#include <QWidget>
+#include <filesystem>
+#include <optional>
+
+#include "gui/setup/PatientLibrary.h"
+
+class QVBoxLayout;
+
+namespace perilymph::gui {
+
+/// Two columns of links: the last used patients; the current setup and the last recordings.
+class RecentWork : public QWidget {
+  Q_OBJECT
+public:
+  explicit RecentWork(QWidget* parent);
+
+  /// Reads both folders again.
+  /// @param current        Title of the setup on the insertion page; empty if it was not used yet.
+  /// @param beingRecorded  Not listed.
+  void refresh(const QString& current, const std::optional<std::filesystem::path>& beingRecorded);
+
+Q_SIGNALS:
+  void patientAsked(const perilymph::gui::SavedPatient& patient);
+  void allPatientsAsked();
+  void continueAsked();
+  void replayAsked(const std::filesystem::path& recording);
+  void allRecordingsAsked();
+
+private:
+  QVBoxLayout *patients_, *recordings_;
+};
+
+}  // namespace perilymph::gui

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/parts/StatusLine.h"
+
+#include <QDesktopServices>
+#include <QDir>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QStandardPaths>
+#include <QStyle>
+#include <QUrl>
+#include <QVariant>
+
+#include "gui/parts/Theme.h"
+
+namespace perilymph::gui {
+
+StatusLine::StatusLine(const char* name, QWidget* parent)
+    : QWidget(parent), label_(new QLabel(this)), open_(new QPushButton(tr("Open folder"), this))
+{
+  label_->setObjectName(QLatin1String(name));
+  label_->setFont(typeface(11));
+  label_->setWordWrap(true);
+  open_->setObjectName(QLatin1String(name) + QStringLiteral("Folder"));
+  open_->setFont(typeface(11));
+  open_->setFixedHeight(24);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(spacing);
+  row->addWidget(label_, 1);
+  row->addWidget(open_);
+  connect(open_, &QPushButton::clicked, this, [this] {
+    QDesktopServices::openUrl(QUrl::fromLocalFile(QString::fromStdString(folder_.string())));
+  });
+  say({});
+}
+
+void StatusLine::say(const QString& sentence, bool isError)
+{
+  label_->setText(sentence);
+  label_->setProperty("error", isError);
+  label_->setProperty("quiet", !isError);
+  label_->style()->unpolish(label_);
+  label_->style()->polish(label_);
+  open_->hide();
+}
+
+void StatusLine::sayWritten(const QString& sentence, const std::filesystem::path& folder)
+{
+  say(sentence);
+  folder_ = folder;
+  open_->setToolTip(QString::fromStdString(folder.string()));
+  open_->show();
+}
+
+QString documentsFolder()
+{
+  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  return QDir(documents).exists() ? documents : QDir::homePath();
+}
+
+}  // namespace perilymph::gui

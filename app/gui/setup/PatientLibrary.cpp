@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/setup/PatientLibrary.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include "gui/parts/Numbers.h"
+#include "perilymph/foundation/Resources.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// lupdate assigns texts of free functions to their namespace.
+QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
+
+QString earText(anatomy::Side side)
+{
+  return side == anatomy::Side::left ? tr("left ear") : tr("right ear");
+}
+
+fs::path fileOf(const anatomy::Patient& patient)
+{
+  const char* ear = patient.side == anatomy::Side::left ? "left" : "right";
+  return patientFolder() / (patient.label + "-" + ear + ".toml");
+}
+
+}  // namespace
+
+std::vector<SavedPatient> savedPatients()
+{
+  std::vector<std::pair<fs::file_time_type, SavedPatient>> found;
+  std::error_code failure;
+  fs::directory_iterator entries(patientFolder(), failure);
+  if (failure) return {};  // no patient was saved yet
+  for (const fs::directory_entry& entry : entries) {
+    if (entry.path().extension() != ".toml") continue;
+    const auto patient = anatomy::loadPatient(entry.path());
+    const auto time = entry.last_write_time(failure);
+    if (patient && !failure) found.push_back({time, {*patient, entry.path()}});
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& one, const auto& other) { return one.first > other.first; });
+  std::vector<SavedPatient> patients;
+  for (auto& [time, patient] : found) patients.push_back(std::move(patient));
+  return patients;
+}
+
+std::optional<SavedPatient> findSavedPatient(const std::string& code, anatomy::Side side)
+{
+  for (SavedPatient& each : savedPatients())
+    if (each.patient.label == code && each.patient.side == side) return std::move(each);
+  return std::nullopt;
+}
+
+Result<fs::path> savePatientInLibrary(const anatomy::Patient& patient,
+                                      const std::optional<fs::path>& replaced)
+{
+  if (const auto code = anatomy::checkPatientCode(patient.label); !code) return code.error();
+  if (const auto possible = anatomy::checkPatient(patient); !possible) return possible.error();
+  const auto known = findSavedPatient(patient.label, patient.side);
+  if (known && known->file != replaced)
+    return Error{tr("%1 is saved already; open that patient, or use another code.")
+                     .arg(nameOfPatient(patient))
+                     .toStdString()};
+  const fs::path file = known ? known->file : fileOf(patient);
+  std::error_code ignored;  // an error is reported when the file is written
+  fs::create_directories(file.parent_path(), ignored);
+  if (const auto saved = anatomy::savePatient(patient, file); !saved) return saved.error();
+  if (replaced && *replaced != file) fs::remove(*replaced, ignored);
+  return file;
+}
+
+void markUsed(const fs::path& file)
+{
+  std::error_code ignored;  // only the order of the list depends on it
+  fs::last_write_time(file, fs::file_time_type::clock::now(), ignored);
+}
+
+QString nameOfPatient(const anatomy::Patient& patient)
+{
+  return tr("%1 · %2").arg(QString::fromStdString(patient.label), earText(patient.side));
+}
+
+QString numbersOfPatient(const anatomy::Patient& patient)
+{
+  const auto text = [](Length length) { return numberText(inMillimeters(length), 2); };
+  if (const auto& turn = patient.basalTurn)
+    return turn->h ? tr("A %1, B %2, H %3 mm").arg(text(turn->a), text(turn->b), text(*turn->h))
+                   : tr("A %1, B %2 mm").arg(text(turn->a), text(turn->b));
+  return tr("scala %1 mm, section %2 × %3 mm")
+      .arg(text(patient.scalaTympaniLength), text(patient.roundWindowWidth),
+           text(patient.roundWindowHeight));
+}
+
+}  // namespace perilymph::gui

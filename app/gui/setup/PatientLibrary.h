@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// The patients saved by the user: a file for each code and ear in the patient folder.
+
+#include <QString>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "perilymph/anatomy/Patient.h"
+#include "perilymph/foundation/Result.h"
+
+namespace perilymph::gui {
+
+struct SavedPatient {
+  anatomy::Patient patient;
+  std::filesystem::path file;
+};
+
+/// The readable patients of the patient folder, the last used first.
+std::vector<SavedPatient> savedPatients();
+
+/// The saved patient with a code and an ear; empty if there is none.
+std::optional<SavedPatient> findSavedPatient(const std::string& code, anatomy::Side side);
+
+/// Saves a patient as "P-017-left.toml". An error if the code is not one, or if another file has
+/// this code and ear.
+///
+/// @param replaced  The patient's previous file, if it was saved before.
+Result<std::filesystem::path> savePatientInLibrary(
+    const anatomy::Patient& patient,
+    const std::optional<std::filesystem::path>& replaced = std::nullopt);
+
+/// Makes a patient the first of savedPatients().
+void markUsed(const std::filesystem::path& file);
+
+/// "P-017 · left ear"
+QString nameOfPatient(const anatomy::Patient& patient);
+
+/// "A 9.20, B 6.80 mm", or the three lengths.
+QString numbersOfPatient(const anatomy::Patient& patient);
+
+}  // namespace perilymph::gui

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/setup/SavedPatientRow.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QStyle>
+#include <QVBoxLayout>
+#include <QVariant>
+#include <algorithm>
+
+#include "gui/parts/Theme.h"
+#include "gui/setup/Selector.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr std::size_t maxListed = 8;
+constexpr auto none = "none";
+constexpr auto all = "all";
+constexpr auto fresh = "new";
+
+bool haveSameNumbers(const anatomy::Patient& one, const anatomy::Patient& other)
+{
+  if (one.basalTurn.has_value() != other.basalTurn.has_value()) return false;
+  if (one.basalTurn)
+    return one.basalTurn->a == other.basalTurn->a && one.basalTurn->b == other.basalTurn->b &&
+           one.basalTurn->h == other.basalTurn->h;
+  return one.scalaTympaniLength == other.scalaTympaniLength &&
+         one.roundWindowWidth == other.roundWindowWidth &&
+         one.roundWindowHeight == other.roundWindowHeight;
+}
+
+/// Labels of scenarios without a patient of the user.
+bool isNoPatient(const std::string& label) { return label == "published" || label == "unnamed"; }
+
+}  // namespace
+
+SavedPatientRow::SavedPatientRow(QWidget* parent)
+    : QWidget(parent),
+      list_(new Selector("savedPatients", tr("Saved patients"), this)),
+      save_(new QPushButton(this)),
+      status_(new QLabel(this))
+{
+  save_->setObjectName(QStringLiteral("savePatientButton"));
+  save_->setProperty("small", true);
+  save_->setFont(typeface(11));
+  save_->setFixedHeight(22);
+  save_->setFocusPolicy(Qt::TabFocus);
+  status_->setObjectName(QStringLiteral("savedPatientStatus"));
+  status_->setFont(typeface(11));
+  status_->setProperty("quiet", true);
+  status_->setWordWrap(true);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  column->addWidget(list_);
+  column->addWidget(save_);
+  column->addWidget(status_);
+  connect(list_, &Selector::chosen, this, &SavedPatientRow::choose);
+  connect(save_, &QPushButton::clicked, this, &SavedPatientRow::save);
+}
+
+void SavedPatientRow::show(const Setup& setup)
+{
+  const session::Scenario& scenario = setup.scenario;
+  patient_ = scenario.patient();
+  isScaled_ = isScaledBy(scenario.anatomy(), patient_) && !isNoPatient(patient_.label);
+  saved_ = isScaled_ ? findSavedPatient(patient_.label, patient_.side) : std::nullopt;
+
+  const QSignalBlocker isSilent(list_);
+  list_->clear();
+  const auto patients = savedPatients();
+  if (!saved_)
+    list_->addChoice(isScaled_ ? tr("Not saved") : tr("Open a patient"), QLatin1String(none));
+  for (std::size_t i = 0; i < std::min(patients.size(), maxListed); ++i)
+    list_->addChoice(nameOfPatient(patients[i].patient),
+                     QString::fromStdString(patients[i].file.string()),
+                     numbersOfPatient(patients[i].patient));
+  if (!patients.empty()) list_->addChoice(tr("Search all patients…"), QLatin1String(all));
+  list_->addChoice(tr("New patient…"), QLatin1String(fresh));
+  shown_ = saved_ ? QString::fromStdString(saved_->file.string()) : QString(QLatin1String(none));
+  list_->show(shown_, nameOfPatient(patient_));
+  status_->clear();
+  showState();
+}
+
+void SavedPatientRow::showState()
+{
+  const bool isChanged = saved_ && !haveSameNumbers(saved_->patient, patient_);
+  save_->setVisible(isScaled_ && (!saved_ || isChanged));
+  save_->setText(saved_ ? tr("Save changes") : tr("Save patient"));
+  save_->setToolTip(saved_ ? tr("Replaces the saved numbers of %1.").arg(nameOfPatient(patient_))
+                           : tr("Keeps these numbers under the patient code."));
+  status_->setVisible(!status_->text().isEmpty());
+}
+
+void SavedPatientRow::choose(const QString& value)
+{
+  list_->show(shown_, {});  // until the choice has taken effect
+  if (value == QLatin1String(all)) return allPatientsAsked();
+  if (value == QLatin1String(fresh)) return newPatientAsked();
+  if (value == QLatin1String(none)) return;
+  const std::filesystem::path file = value.toStdString();
+  const auto patient = anatomy::loadPatient(file);
+  status_->setProperty("error", !patient);
+  if (!patient) {
+    status_->setText(QString::fromStdString(patient.error().message));
+    return showState();
+  }
+  markUsed(file);
+  Q_EMIT patientChosen(*patient);
+}
+
+void SavedPatientRow::save()
+{
+  const auto file =
+      savePatientInLibrary(patient_, saved_ ? std::optional(saved_->file) : std::nullopt);
+  const QString sentence = file ? tr("Saved as %1.").arg(nameOfPatient(patient_))
+                                : QString::fromStdString(file.error().message);
+  if (file) saved_ = SavedPatient{patient_, *file};
+  status_->setProperty("error", !file);
+  status_->style()->unpolish(status_);
+  status_->style()->polish(status_);
+  status_->setText(sentence);
+  showState();
+}
+
+}  // namespace perilymph::gui

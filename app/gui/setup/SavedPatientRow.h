@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// The panel's list of saved patients, and the button that saves the current one.
+
+#include <QWidget>
+#include <optional>
+
+#include "gui/setup/PatientLibrary.h"
+#include "gui/setup/Setup.h"
+
+class QLabel;
+class QPushButton;
+
+namespace perilymph::gui {
+
+class Selector;
+
+/// Opens saved patients, and saves the numbers of the setup.
+class SavedPatientRow : public QWidget {
+  Q_OBJECT
+public:
+  explicit SavedPatientRow(QWidget* parent);
+
+  /// Follows the setup, and reads the patient folder again.
+  void show(const Setup& setup);
+
+Q_SIGNALS:
+  /// The user selected a saved patient.
+  void patientChosen(const perilymph::anatomy::Patient& patient);
+  /// The user wants to search all saved patients, or to enter a new one.
+  void allPatientsAsked();
+  void newPatientAsked();
+
+private:
+  void choose(const QString& value);
+  void save();
+  void showState();
+
+  anatomy::Patient patient_;
+  bool isScaled_ = false;  ///< The cochlea is a patient's.
+  std::optional<SavedPatient> saved_;
+  QString shown_;  ///< The selected entry.
+  Selector* list_;
+  QPushButton* save_;
+  QLabel* status_;
+};
+
+}  // namespace perilymph::gui

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Files dropped on the window, and what its top bar and its title say about them.
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QDropEvent>
+#include <QMimeData>
+#include <QUrl>
+
+#include "DataFolder.h"
+#include "WindowRig.h"
+#include "gui/pages/insert/ReplayBar.h"
+#include "perilymph/foundation/Resources.h"
+
+namespace perilymph::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class DroppedFile : public testing::Test {
+protected:
+  /// Whether the window took it.
+  bool drop(const fs::path& file)
+  {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(QString::fromStdString(file.string()))});
+    const QPoint middle = rig_.window().rect().center();
+    QDragEnterEvent enter(middle, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&rig_.window(), &enter);
+    if (!enter.isAccepted()) return false;
+    QDropEvent dropped(middle, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&rig_.window(), &dropped);
+    return true;
+  }
+
+  /// A recording of a short insertion.
+  fs::path record()
+  {
+    rig_.click("startButton");
+    EXPECT_TRUE(WindowRig::comes([&] { return rig_.travel_mm() > 0.5; }));
+    const fs::path file = *rig_.window().control().recording();
+    rig_.click("resetButton");
+    return file;
+  }
+
+  DataFolder data_;
+  WindowRig rig_;
+};
+
+TEST_F(DroppedFile, OfAPatientIsOpened)
+{
+  rig_.window().showPage(gui::Page::start);
+  EXPECT_TRUE(drop(resource("resources/patients/left.toml")));
+  EXPECT_TRUE(WindowRig::comes([&] {
+    return rig_.window().control().scenario().patient().side == anatomy::Side::left &&
+           rig_.window().page() == gui::Page::insert;
+  }));
+}
+
+TEST_F(DroppedFile, OfARecordingIsReplayedAndNamedOnceInTheTitle)
+{
+  EXPECT_TRUE(drop(record()));
+  ASSERT_TRUE(
+      WindowRig::comes([&] { return rig_.window().findChild<gui::ReplayBar*>()->isVisible(); }));
+  EXPECT_EQ(rig_.window().windowTitle(),
+            QString::fromUtf8("Replay of contour-published — Perilymph"));
+}
+
+TEST_F(DroppedFile, OfAnotherKindIsNotTaken)
+{
+  EXPECT_FALSE(drop(resource("README.md")));
+  EXPECT_FALSE(drop("/no/such/picture.png"));
+}
+
+TEST_F(DroppedFile, ThatIsNoPatientSaysWhy)
+{
+  EXPECT_TRUE(drop(resource("resources/scenarios/contour-published.toml")));
+  EXPECT_TRUE(rig_.label("noticeText").contains("contour-published.toml"))
+      << rig_.label("noticeText").toStdString();
+}
+
+TEST(TopBar, NamesThePatientOnlyWhereThePageIsAboutOne)
+{
+  WindowRig rig;
+  EXPECT_EQ(rig.label("patientLabel"), "Published cochlea · right ear");
+  for (const char* page : {"sessionsPageButton", "validatePageButton", "comparePageButton"}) {
+    rig.click(page);
+    EXPECT_EQ(rig.label("patientLabel"), "") << page;
+  }
+  rig.click("insertPageButton");
+  EXPECT_EQ(rig.label("patientLabel"), "Published cochlea · right ear");
+}
+
+}  // namespace
+}  // namespace perilymph::test

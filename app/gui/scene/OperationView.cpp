@@ -126,13 +126,19 @@ void OperationView::addReadOuts()
 
 void OperationView::captionDepth(const QString& depth_mm)
 {
-  travel_->setCaption(tr("advanced · insertion depth %1 mm").arg(depth_mm));
-  angle_->setCaption(tr("angular insertion depth"));
+  depth_mm_ = depth_mm;
+  const QString fullDepth = tr("advanced · insertion depth %1 mm").arg(depth_mm);
+  const QString fullAngle = tr("angular insertion depth");
+  travel_->setCaption(fullDepth);
+  angle_->setCaption(fullAngle);
   int needed = 5 * spacing;
   for (const ReadOut* readOut : {travel_, angle_, force_}) needed += readOut->sizeHint().width();
-  if (needed <= width()) return;
-  travel_->setCaption(tr("depth %1 mm").arg(depth_mm));
-  angle_->setCaption(tr("angular depth"));
+  if (needed > width()) {
+    travel_->setCaption(tr("depth %1 mm").arg(depth_mm));
+    angle_->setCaption(tr("angular depth"));
+  }
+  // at once: the caption is as wide as its number
+  if (travel_->width() < travel_->sizeHint().width()) layout()->activate();
 }
 
 void OperationView::addToFoot(QWidget* control) { foot_->addWidget(control); }
@@ -335,6 +341,7 @@ bool OperationView::renderIfDirty()
 void OperationView::resizeEvent(QResizeEvent* event)
 {
   QVTKOpenGLNativeWidget::resizeEvent(event);
+  if (!depth_mm_.isEmpty()) captionDepth(QString(depth_mm_));
   placeHint();
   isDirty_ = true;
 }

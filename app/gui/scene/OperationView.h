@@ -84,6 +84,7 @@ private:
   void addReadOuts();
   /// Captions of depth and angle, shorter where the view is narrow.
   void captionDepth(const QString& depth_mm);
+  QString depth_mm_;  ///< The depth in the caption.
   void take(std::unique_ptr<visualization::InsertionScene> scene);
   void describeView();
   void showStereo();

@@ -1738,6 +1738,62 @@
         <source>Input device</source>
         <translation>Eingabegerät</translation>
     </message>
+    <message>
+        <source>another array (%1)</source>
+        <translation>anderer Träger (%1)</translation>
+    </message>
+    <message>
+        <source>another cochlea (%1)</source>
+        <translation>andere Cochlea (%1)</translation>
+    </message>
+    <message>
+        <source>%1 is saved already; open that patient, or use another code.</source>
+        <translation>%1 ist schon gespeichert; diesen Patienten öffnen oder einen anderen Code verwenden.</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>A %1, B %2, H %3 mm</source>
+        <translation>A %1, B %2, H %3 mm</translation>
+    </message>
+    <message>
+        <source>A %1, B %2 mm</source>
+        <translation>A %1, B %2 mm</translation>
+    </message>
+    <message>
+        <source>scala %1 mm, section %2 × %3 mm</source>
+        <translation>Scala %1 mm, Schnitt %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>Smaller cochleae are more than 4 SD below the mean of 138: hypoplastic or malformed, which this model does not describe.</source>
+        <translation>Kleinere Cochleae liegen mehr als 4 SD unter dem Mittel von 138: hypoplastisch oder fehlgebildet; das beschreibt dieses Modell nicht.</translation>
+    </message>
+    <message>
+        <source>A: in the cochlear view, from the center of the round window through the modiolus to the far lateral wall.</source>
+        <translation>A: in der Cochleaansicht von der Mitte des runden Fensters durch den Modiolus zur gegenüberliegenden Außenwand.</translation>
+    </message>
+    <message>
+        <source>B: in the same view, perpendicular to A through the modiolus, from lateral wall to lateral wall.</source>
+        <translation>B: in derselben Ansicht senkrecht zu A durch den Modiolus, von Außenwand zu Außenwand.</translation>
+    </message>
+    <message>
+        <source>H: in the view perpendicular to the cochlear view, along the modiolar axis from the base to the apex.</source>
+        <translation>H: in der Ansicht senkrecht zur Cochleaansicht, entlang der Modiolusachse von der Basis zum Apex.</translation>
+    </message>
+    <message>
+        <source>Not visible in clinical CT; from micro-CT or histology.</source>
+        <translation>Im klinischen CT nicht sichtbar; aus Mikro-CT oder Histologie.</translation>
+    </message>
+    <message>
+        <source>%1 — Perilymph</source>
+        <translation>%1 — Perilymph</translation>
+    </message>
+    <message>
+        <source>Replay of %1 — Perilymph</source>
+        <translation>Wiedergabe von %1 — Perilymph</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::Application</name>
@@ -2029,10 +2085,6 @@
         <translation>Zeit</translation>
     </message>
     <message>
-        <source>Final angle</source>
-        <translation>Insertionswinkel am Ende</translation>
-    </message>
-    <message>
         <source>Score</source>
         <translation>Bewertung</translation>
     </message>
@@ -2146,6 +2198,36 @@
     <message>
         <source>4 files saved to %1.</source>
         <translation>4 Dateien gespeichert in %1.</translation>
+    </message>
+    <message>
+        <source>advance off stylet</source>
+        <translation>Advance-off-Stylet</translation>
+    </message>
+    <message>
+        <source>standard</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>%1 · %2
+%3 · %4 ear · %5</source>
+        <translation>%1 · %2
+%3 · %4es Ohr · %5</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>link</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>recht</translation>
+    </message>
+    <message>
+        <source>Choose recordings</source>
+        <translation>Aufzeichnungen wählen</translation>
+    </message>
+    <message>
+        <source>Deepest angle</source>
+        <translation>Insertionswinkel</translation>
     </message>
 </context>
 <context>
@@ -2391,6 +2473,61 @@
     <message>
         <source>The fitted wall in the CT’s own frame (LPS): STL, PLY, glTF, OBJ, VTP</source>
         <translation>Angepasste Wand im Koordinatensystem des CT (LPS): STL, PLY, glTF, OBJ, VTP</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::DerivedMeasures</name>
+    <message>
+        <source>Cochlear duct length</source>
+        <translation>Länge des Ductus cochlearis</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Two-turn length</source>
+        <translation>Länge zweier Windungen</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Windungen</translation>
+    </message>
+    <message>
+        <source>Insertion angle, up to</source>
+        <translation>Insertionswinkel, bis zu</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Cochlear coverage, up to</source>
+        <translation>Abdeckung, bis zu</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>computing…</source>
+        <translation>wird berechnet …</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>Angle and coverage for %1 along the lateral wall, fully inserted.</source>
+        <translation>Winkel und Abdeckung für %1 entlang der Außenwand, vollständig inseriert.</translation>
+    </message>
+    <message>
+        <source>Angle and coverage are estimated for straight arrays only.</source>
+        <translation>Winkel und Abdeckung werden nur für gerade Träger geschätzt.</translation>
+    </message>
+    <message>
+        <source>± for an error of %1 mm in each measure.</source>
+        <translation>± bei einem Messfehler von je %1 mm.</translation>
     </message>
 </context>
 <context>
@@ -2775,18 +2912,33 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::LandmarkDrawing</name>
+    <message>
+        <source>Landmarks of A, B and H</source>
+        <translation>Landmarken von A, B und H</translation>
+    </message>
+    <message>
+        <source>Cochlear view</source>
+        <translation>Cochleaansicht</translation>
+    </message>
+    <message>
+        <source>Perpendicular view</source>
+        <translation>Senkrechte Ansicht</translation>
+    </message>
+    <message>
+        <source>round window</source>
+        <translation>rundes Fenster</translation>
+    </message>
+    <message>
+        <source>modiolus</source>
+        <translation>Modiolus</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::MainWindow</name>
     <message>
         <source>Show sessions</source>
         <translation>Sitzungen zeigen</translation>
-    </message>
-    <message>
-        <source>Perilymph · %1</source>
-        <translation>Perilymph · %1</translation>
-    </message>
-    <message>
-        <source>Perilymph · replay of %1</source>
-        <translation>Perilymph · Wiedergabe von %1</translation>
     </message>
     <message>
         <source>The program closed unexpectedly. Your last insertion (depth %1 mm) was recovered: %2.</source>
@@ -2905,10 +3057,6 @@
         <translation>A, B und H</translation>
     </message>
     <message>
-        <source>Patient</source>
-        <translation>Patient</translation>
-    </message>
-    <message>
         <source>Back</source>
         <translation>Zurück</translation>
     </message>
@@ -2919,10 +3067,6 @@
     <message>
         <source>EAR</source>
         <translation>OHR</translation>
-    </message>
-    <message>
-        <source>unnamed</source>
-        <translation>unbenannt</translation>
     </message>
     <message>
         <source>CDL and round-window section</source>
@@ -2939,10 +3083,6 @@
     <message>
         <source>Patient measurements</source>
         <translation>Messwerte des Patienten</translation>
-    </message>
-    <message>
-        <source>CT MEASUREMENTS</source>
-        <translation>CT-MESSWERTE</translation>
     </message>
     <message>
         <source>Cochlear duct length (organ of Corti)</source>
@@ -2965,8 +3105,83 @@
         <translation>B: Breite der Basalwindung, senkrecht zu A</translation>
     </message>
     <message>
-        <source>H: cochlear height</source>
-        <translation>H: Höhe der Cochlea</translation>
+        <source>Patient code</source>
+        <translation>Patientencode</translation>
+    </message>
+    <message>
+        <source>Letters, digits and hyphens, such as P-017. It appears in file names and reports.</source>
+        <translation>Buchstaben, Ziffern und Bindestriche, etwa P-017. Der Code erscheint in Dateinamen und Berichten.</translation>
+    </message>
+    <message>
+        <source>MEASUREMENTS</source>
+        <translation>MESSWERTE</translation>
+    </message>
+    <message>
+        <source>HOW TO MEASURE IN CT</source>
+        <translation>MESSUNG IM CT</translation>
+    </message>
+    <message>
+        <source>Cochlear view: the oblique plane through the basal turn, perpendicular to the modiolus (Xu et al. 2000; Escudé et al. 2006; coordinates as in Verbist et al. 2010).</source>
+        <translation>Cochleaansicht: schräge Ebene durch die Basalwindung, senkrecht zum Modiolus (Xu et al. 2000; Escudé et al. 2006; Koordinaten nach Verbist et al. 2010).</translation>
+    </message>
+    <message>
+        <source>COMPUTED FROM THE MEASUREMENTS</source>
+        <translation>AUS DEN MESSWERTEN BERECHNET</translation>
+    </message>
+    <message>
+        <source>H: cochlear height (optional)</source>
+        <translation>H: Höhe der Cochlea (optional)</translation>
+    </message>
+    <message>
+        <source>New patient</source>
+        <translation>Neuer Patient</translation>
+    </message>
+    <message>
+        <source>Save changes</source>
+        <translation>Änderungen speichern</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::PatientPicker</name>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Edit…</source>
+        <translation>Bearbeiten …</translation>
+    </message>
+    <message>
+        <source>Saved patients</source>
+        <translation>Gespeicherte Patienten</translation>
+    </message>
+    <message>
+        <source>Find patients</source>
+        <translation>Patienten suchen</translation>
+    </message>
+    <message>
+        <source>Find by code or ear</source>
+        <translation>Suche nach Code oder Ohr</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>No patient is saved yet.</source>
+        <translation>Noch kein Patient gespeichert.</translation>
+    </message>
+    <message>
+        <source>No patient matches “%1”.</source>
+        <translation>Kein Patient passt zu „%1“.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
     </message>
 </context>
 <context>
@@ -3018,10 +3233,6 @@
     <message>
         <source>entered</source>
         <translation>eingegeben</translation>
-    </message>
-    <message>
-        <source>Patient code (no names).</source>
-        <translation>Patientencode (kein Name).</translation>
     </message>
     <message>
         <source>A left ear is the mirror image of a right ear; the forces are identical.</source>
@@ -3087,6 +3298,14 @@
         <source>CDL and section</source>
         <translation>CDL und Schnitt</translation>
     </message>
+    <message>
+        <source>Patient code</source>
+        <translation>Patientencode</translation>
+    </message>
+    <message>
+        <source>Patient code (no names)</source>
+        <translation>Patientencode (kein Name)</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::PhaseLine</name>
@@ -3142,18 +3361,6 @@
         <translation>Wert von %1 bis %2 mm eingeben</translation>
     </message>
     <message>
-        <source>at population mean (%1 ± %2 mm) · CT ± %3 mm</source>
-        <translation>am Populationsmittel (%1 ± %2 mm) · CT ± %3 mm</translation>
-    </message>
-    <message>
-        <source>%1 SD below population mean (%2 ± %3 mm) · CT ± %4 mm</source>
-        <translation>%1 SD unter dem Populationsmittel (%2 ± %3 mm) · CT ± %4 mm</translation>
-    </message>
-    <message>
-        <source>%1 SD above population mean (%2 ± %3 mm) · CT ± %4 mm</source>
-        <translation>%1 SD über dem Populationsmittel (%2 ± %3 mm) · CT ± %4 mm</translation>
-    </message>
-    <message>
         <source>%1–%2 mm · CT ± %3 mm</source>
         <translation>%1–%2 mm · CT ± %3 mm</translation>
     </message>
@@ -3164,6 +3371,38 @@
     <message>
         <source>optional; estimated from A and B</source>
         <translation>optional; aus A und B geschätzt</translation>
+    </message>
+    <message>
+        <source>mean %1</source>
+        <translation>Mittel %1</translation>
+    </message>
+    <message>
+        <source>%1%2 SD: check it · CT ± %3 mm</source>
+        <translation>%1%2 SD: prüfen · CT ± %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 mm</source>
+        <translation>%1 ± %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 SD below population mean (%2)</source>
+        <translation>%1 SD unter dem Populationsmittel (%2)</translation>
+    </message>
+    <message>
+        <source>%1 SD above population mean (%2)</source>
+        <translation>%1 SD über dem Populationsmittel (%2)</translation>
+    </message>
+    <message>
+        <source>%1: check the measurement</source>
+        <translation>%1: Messung prüfen</translation>
+    </message>
+    <message>
+        <source>%1 · CT ± %2 mm</source>
+        <translation>%1 · CT ± %2 mm</translation>
+    </message>
+    <message>
+        <source>estimated from A and B</source>
+        <translation>aus A und B geschätzt</translation>
     </message>
 </context>
 <context>
@@ -3183,6 +3422,56 @@
     <message>
         <source>Release to pause</source>
         <translation>Loslassen zum Anhalten</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::RecentWork</name>
+    <message>
+        <source>RECENT PATIENTS</source>
+        <translation>LETZTE PATIENTEN</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>All patients: search and edit</source>
+        <translation>Alle Patienten: suchen und bearbeiten</translation>
+    </message>
+    <message>
+        <source>LAST INSERTIONS</source>
+        <translation>LETZTE INSERTIONEN</translation>
+    </message>
+    <message>
+        <source>Continue: %1</source>
+        <translation>Fortsetzen: %1</translation>
+    </message>
+    <message>
+        <source>Replay %1 · %2</source>
+        <translation>Wiedergabe %1 · %2</translation>
+    </message>
+    <message>
+        <source>All recorded insertions</source>
+        <translation>Alle aufgezeichneten Insertionen</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::ReferenceRow</name>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Removes the reference curve from the chart.</source>
+        <translation>Entfernt die Referenzkurve aus dem Diagramm.</translation>
+    </message>
+    <message>
+        <source>Reference: %1</source>
+        <translation>Referenz: %1</translation>
+    </message>
+    <message>
+        <source>It has %1.</source>
+        <translation>Sie hat %1.</translation>
     </message>
 </context>
 <context>
@@ -3299,6 +3588,49 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::SavedPatientRow</name>
+    <message>
+        <source>Saved patients</source>
+        <translation>Gespeicherte Patienten</translation>
+    </message>
+    <message>
+        <source>Not saved</source>
+        <translation>Nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>Open a patient</source>
+        <translation>Patient öffnen</translation>
+    </message>
+    <message>
+        <source>Search all patients…</source>
+        <translation>Alle Patienten durchsuchen …</translation>
+    </message>
+    <message>
+        <source>New patient…</source>
+        <translation>Neuer Patient …</translation>
+    </message>
+    <message>
+        <source>Save changes</source>
+        <translation>Änderungen speichern</translation>
+    </message>
+    <message>
+        <source>Save patient</source>
+        <translation>Patient speichern</translation>
+    </message>
+    <message>
+        <source>Replaces the saved numbers of %1.</source>
+        <translation>Ersetzt die gespeicherten Werte von %1.</translation>
+    </message>
+    <message>
+        <source>Keeps these numbers under the patient code.</source>
+        <translation>Speichert diese Werte unter dem Patientencode.</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Gespeichert als %1.</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::ScenarioHead</name>
     <message>
         <source>MODIFIED</source>
@@ -3380,6 +3712,13 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::SessionList</name>
+    <message>
+        <source>Recorded insertions</source>
+        <translation>Aufgezeichnete Insertionen</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::SessionTable</name>
     <message>
         <source>recording now</source>
@@ -3388,10 +3727,6 @@
     <message>
         <source>unreadable</source>
         <translation>unlesbar</translation>
-    </message>
-    <message>
-        <source>%1 · %2</source>
-        <translation>%1 · %2</translation>
     </message>
     <message>
         <source>left</source>
@@ -3422,10 +3757,6 @@
         <translation>Name</translation>
     </message>
     <message>
-        <source>Patient, ear</source>
-        <translation>Patient, Ohr</translation>
-    </message>
-    <message>
         <source>Array</source>
         <translation>Träger</translation>
     </message>
@@ -3434,12 +3765,36 @@
         <translation>Dauer</translation>
     </message>
     <message>
-        <source>Angular insertion depth</source>
+        <source>Standard</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>Off stylet</source>
+        <translation>Off-Stylet</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>Ear</source>
+        <translation>Ohr</translation>
+    </message>
+    <message>
+        <source>Technique</source>
+        <translation>Technik</translation>
+    </message>
+    <message>
+        <source>Insertion angle</source>
         <translation>Insertionswinkel</translation>
     </message>
     <message>
-        <source>Peak force at insertion depth</source>
-        <translation>Spitzenkraft bei Insertionstiefe</translation>
+        <source>Peak force at depth</source>
+        <translation>Spitzenkraft bei Tiefe</translation>
     </message>
 </context>
 <context>
@@ -3455,10 +3810,6 @@
     <message>
         <source>Replaying %1 for the report…</source>
         <translation>%1 wird für den Bericht wiedergegeben …</translation>
-    </message>
-    <message>
-        <source>Report saved to %1.</source>
-        <translation>Bericht gespeichert in %1.</translation>
     </message>
 </context>
 <context>
@@ -3601,6 +3952,10 @@
         <source>Select several with Ctrl or Shift to compare.</source>
         <translation>Mehrere mit Strg oder Umschalt auswählen, um sie zu vergleichen.</translation>
     </message>
+    <message>
+        <source>Report saved to %1.</source>
+        <translation>Bericht gespeichert in %1.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::SettingsSheet</name>
@@ -3722,10 +4077,6 @@
         <translation>Neuer Patient</translation>
     </message>
     <message>
-        <source>Build the patient’s scala tympani from CT measurements: A, B and H, or cochlear duct length and round-window section. Each value is compared with the population.</source>
-        <translation>Scala tympani des Patienten aus CT-Messwerten: A, B und H, oder Länge des Ductus cochlearis und Schnitt am runden Fenster. Jeder Wert wird mit der Population verglichen.</translation>
-    </message>
-    <message>
         <source>Average cochlea</source>
         <translation>Mittlere Cochlea</translation>
     </message>
@@ -3736,6 +4087,17 @@
     <message>
         <source>A Contour array is inserted automatically into the published cochlea; the published measurements are shown for comparison.</source>
         <translation>Ein Contour-Träger wird automatisch in die veröffentlichte Cochlea eingeführt; die veröffentlichten Messungen werden zum Vergleich gezeigt.</translation>
+    </message>
+    <message>
+        <source>Build the patient’s scala tympani from A, B and H in CT. Each value is compared with the population.</source>
+        <translation>Scala tympani des Patienten aus A, B und H im CT. Jeder Wert wird mit der Population verglichen.</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::StatusLine</name>
+    <message>
+        <source>Open folder</source>
+        <translation>Ordner öffnen</translation>
     </message>
 </context>
 <context>
@@ -3789,10 +4151,6 @@
     <message>
         <source>Patient %1 · %2 ear</source>
         <translation>Patient %1 · %2es Ohr</translation>
-    </message>
-    <message>
-        <source>%1 anatomy · %2 ear</source>
-        <translation>Anatomie %1 · %2es Ohr</translation>
     </message>
     <message>
         <source>left</source>
@@ -3853,6 +4211,22 @@
     <message>
         <source>CT</source>
         <translation>CT</translation>
+    </message>
+    <message>
+        <source>Patient without a code · %1 ear</source>
+        <translation>Patient ohne Code · %1es Ohr</translation>
+    </message>
+    <message>
+        <source>Published cochlea · %1 ear</source>
+        <translation>Veröffentlichte Cochlea · %1es Ohr</translation>
+    </message>
+    <message>
+        <source>Average cochlea · %1 ear</source>
+        <translation>Mittlere Cochlea · %1es Ohr</translation>
+    </message>
+    <message>
+        <source>Clark’s spiral · %1 ear</source>
+        <translation>Clark-Spirale · %1es Ohr</translation>
     </message>
 </context>
 <context>
@@ -3926,12 +4300,27 @@
         <translation>In Ordner speichern</translation>
     </message>
     <message>
-        <source>6 files saved to %1.</source>
-        <translation>6 Dateien gespeichert in %1.</translation>
-    </message>
-    <message>
         <source>%1 of %2 insertions completed, seed %3. Mean SD over travel %4 mN.</source>
         <translation>%1 von %2 Insertionen vollständig, Startwert %3. Mittlere SD über den Vorschub %4 mN.</translation>
+    </message>
+    <message>
+        <source>Causes of the spread: insertion %1 of %2</source>
+        <translation>Ursachen der Streuung: Insertion %1 von %2</translation>
+    </message>
+    <message>
+        <source>Enter a whole number of insertions from %1 to %2.</source>
+        <translation>Ganze Zahl von Insertionen von %1 bis %2 eingeben.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 criteria met</source>
+        <translation>%1 von %2 Kriterien erfüllt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) saved to %1.</source>
+        <translation>
+            <numerusform>%n Datei gespeichert in %1.</numerusform>
+            <numerusform>%n Dateien gespeichert in %1.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

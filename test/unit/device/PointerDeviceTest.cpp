@@ -97,6 +97,59 @@ TEST(PointerDevice, DropsTheRestOfItsMotionWhenReleased)
   EXPECT_NEAR(sample.position_D[2], resting, 1e-12);
 }
 
+/// Where the array is after four seconds of a drive at 2 mm/s that the window repeats.
+double drivenTo(int readsPerCall)
+{
+  PointerDevice hand(timeStep);
+  hand.grasp(true);
+  DeviceSample sample;
+  for (int i = 0; i < 4000; ++i) {
+    if (i % readsPerCall == 0) hand.driveAt(2e-3, 1.0);
+    sample = hand.read();
+  }
+  return -sample.position_D[2];
+}
+
+TEST(PointerDevice, IsDrivenAtTheSameSpeedHoweverOftenTheWindowCalls)
+{
+  EXPECT_NEAR(drivenTo(16), 8e-3, 0.3e-3);  // 0.2 mm behind its target: 2 v / w
+  EXPECT_EQ(drivenTo(100), drivenTo(16));
+  EXPECT_EQ(drivenTo(1000), drivenTo(16));
+}
+
+TEST(PointerDevice, IsDrivenNoFurtherThanAllowed)
+{
+  PointerDevice hand(timeStep);
+  hand.grasp(true);
+  hand.driveAt(2e-3, 1e-3);
+  DeviceSample sample;
+  for (int i = 0; i < 1900; ++i) sample = hand.read();
+  EXPECT_NEAR(sample.position_D[2], -1e-3, 1e-9);
+}
+
+TEST(PointerDevice, StopsADriveThatTheWindowNoLongerRepeats)
+{
+  PointerDevice hand(timeStep);
+  hand.grasp(true);
+  hand.driveAt(2e-3, 1.0);
+  DeviceSample sample;
+  for (int i = 0; i < 10'000; ++i) sample = hand.read();
+  EXPECT_NEAR(sample.position_D[2], -2e-3 * PointerDevice::longestDrive_s, 1e-5);
+}
+
+TEST(PointerDevice, StopsADriveWhenLetGo)
+{
+  PointerDevice hand(timeStep);
+  hand.grasp(true);
+  hand.driveAt(2e-3, 1.0);
+  for (int i = 0; i < 500; ++i) hand.read();
+  hand.grasp(false);
+  const double released = hand.read().position_D[2];
+  DeviceSample sample;
+  for (int i = 0; i < 1000; ++i) sample = hand.read();
+  EXPECT_NEAR(sample.position_D[2], released, 0.3e-3);  // it brakes
+}
+
 TEST(PointerDevice, RollsAboutTheInsertionAxis)
 {
   PointerDevice hand(timeStep);

@@ -48,6 +48,29 @@ PointerDevice::PointerDevice(double timeStep) : timeStep_(checkedTimeStep(timeSt
 
 void PointerDevice::advanceBy(double distance) noexcept { add(askedAdvance_, distance); }
 
+void PointerDevice::driveAt(double velocity, double maxDistance) noexcept
+{
+  if (!std::isfinite(velocity) || !std::isfinite(maxDistance)) return;
+  askedVelocity_ = std::clamp(velocity, -maxSpeed, maxSpeed);
+  askedDistance_ = std::max(0.0, maxDistance);
+}
+
+/// Motion of the target by the drive in one time step [m].
+double PointerDevice::driven() noexcept
+{
+  const double velocity = askedVelocity_;
+  const double distance = askedDistance_.exchange(-1.0);
+  if (distance >= 0.0) {
+    driveDistance_ = distance;
+    driveTime_ = longestDrive_s;
+  }
+  if (driveTime_ <= 0.0) return 0.0;
+  driveTime_ -= timeStep_;
+  const double step = std::min(std::abs(velocity) * timeStep_, driveDistance_);
+  driveDistance_ -= step;
+  return velocity < 0.0 ? -step : step;
+}
+
 void PointerDevice::shiftBy(double right, double up) noexcept
 {
   add(askedRight_, right);
@@ -73,8 +96,9 @@ void PointerDevice::close() noexcept { isHeld_ = false; }
 DeviceSample PointerDevice::read() noexcept
 {
   const bool held = isHeld_;
-  const std::array<double, 4> asked{askedAdvance_.exchange(0.0), askedRight_.exchange(0.0),
-                                    askedUp_.exchange(0.0), askedRoll_.exchange(0.0)};
+  const std::array<double, 4> asked{askedAdvance_.exchange(0.0) + driven(),
+                                    askedRight_.exchange(0.0), askedUp_.exchange(0.0),
+                                    askedRoll_.exchange(0.0)};
   for (std::size_t i = 0; i < asked.size(); ++i)
     wanted_[i] = held ? wanted_[i] + asked[i] : place_[i];
 

@@ -114,11 +114,11 @@ Figure comparisonFigure(const std::vector<ComparedInsertion>& insertions,
     curve.dash = 2.0 * static_cast<double>(i);
     for (const CurvePoint& point : insertions[i].profile.curve) {
       curve.x.push_back(inMillimeters(meters(point.travel)));
-      curve.y.push_back(point.force);
+      curve.y.push_back(inMillinewtons(newtons(point.force)));
       nearest = std::min(nearest, curve.x.back());
       farthest = std::max(farthest, curve.x.back());
-      lowest = std::min(lowest, point.force);
-      highest = std::max(highest, point.force);
+      lowest = std::min(lowest, curve.y.back());
+      highest = std::max(highest, curve.y.back());
     }
     figure.curves.push_back(std::move(curve));
   }
@@ -129,16 +129,18 @@ Figure comparisonFigure(const std::vector<ComparedInsertion>& insertions,
     printed.shape = figures::MarkerShape::ring;
     for (const PrintedForce& point : published->points) {
       printed.x.push_back(inMillimeters(meters(point.travel)));
-      printed.y.push_back(point.mean);
-      printed.low.push_back(point.mean - point.standardDeviation);
-      printed.high.push_back(point.mean + point.standardDeviation);
+      const double mean = inMillinewtons(newtons(point.mean));
+      const double deviation = inMillinewtons(newtons(point.standardDeviation));
+      printed.y.push_back(mean);
+      printed.low.push_back(mean - deviation);
+      printed.high.push_back(mean + deviation);
       farthest = std::max(farthest, printed.x.back());
       highest = std::max(highest, printed.high.back());
     }
     figure.values.push_back(std::move(printed));
   }
   figure.x = figures::axisOver("travel, mm", nearest, farthest);
-  figure.y = figures::axisOver("insertion force, N", lowest, highest);
+  figure.y = figures::axisOver("insertion force, mN", lowest, highest);
   return figure;
 }
 

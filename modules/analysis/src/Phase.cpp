@@ -3,6 +3,12 @@
 
 namespace perilymph::analysis {
 
+namespace {
+
+constexpr Length startTolerance = millimeters(0.05);  // shown as 0.0 mm
+
+}  // namespace
+
 Phase phaseOf(const haptics::TickOutput& now, Length stopTravel) noexcept
 {
   // A finished withdrawal ends near the start: only the depth distinguishes it from a finished
@@ -12,6 +18,8 @@ Phase phaseOf(const haptics::TickOutput& now, Length stopTravel) noexcept
       (now.workflow == haptics::Workflow::finished && now.travel > 0.5 * stopTravel.si());
   if (hasArrived) return Phase::full;
   if (now.depth <= 0.0) return Phase::outside;
+  // Back at the start, a curved array may still touch the wall behind the opening.
+  if (now.travel < startTolerance.si()) return Phase::opening;
   if (now.angularDepth >= basalTurnAngle.si()) return Phase::basalTurn;
   if (now.contacts > 0 && now.angularDepth > 0.0) return Phase::outerWall;
   return Phase::opening;

@@ -29,6 +29,7 @@ TEST(Phase, FollowsTheTipThroughTheCochlea)
       {"at the published peak", 12.6, 10.6, 160.0, 20, Workflow::inserting, Phase::basalTurn},
       {"at the stop", 18.5, 16.5, 270.0, 60, Workflow::finished, Phase::full},
       {"withdrawn again", 2.0, 0.0, 9.0, 0, Workflow::finished, Phase::opening},
+      {"withdrawn, its curve on the wall", 2.0, 0.02, 9.0, 4, Workflow::finished, Phase::opening},
       {"paused on the outer wall", 6.0, 4.0, 45.0, 5, Workflow::paused, Phase::outerWall}};
   for (const Case& c : cases) {
     haptics::TickOutput now;

@@ -22,12 +22,13 @@ namespace ink = figures::ink;
 namespace {
 
 double mm(double travel) { return inMillimeters(meters(travel)); }
+double mN(double force) { return inMillinewtons(newtons(force)); }
 
 FigureAxis travelAxis() { return {"travel, mm", 0.0, 17.0, 2.0, 0}; }
 
 FigureAxis forceAxis(double highest)
 {
-  FigureAxis axis{"insertion force, N", 0.0, 0.20, 0.05, 2};
+  FigureAxis axis{"insertion force, mN", 0.0, 200.0, 50.0, 0};
   while (axis.high < highest) axis.high += axis.tick;
   return axis;
 }
@@ -38,8 +39,8 @@ void addFelt(Figure& figure, const std::string& label, bool isBothWays)
   const Result<Force> felt = forceFeltBySurgeons();
   if (!felt) return;
   figure.levels.push_back(
-      {label + fixed(inMillinewtons(*felt), 1) + " mN", felt->si(), ink::gray, 3.0});
-  if (isBothWays) figure.levels.push_back({"", -felt->si(), ink::gray, 3.0});
+      {label + fixed(inMillinewtons(*felt), 1) + " mN", inMillinewtons(*felt), ink::gray, 3.0});
+  if (isBothWays) figure.levels.push_back({"", -inMillinewtons(*felt), ink::gray, 3.0});
 }
 
 FigureValues printed(const Reference& reference, std::string label, const Ink& color,
@@ -51,9 +52,9 @@ FigureValues printed(const Reference& reference, std::string label, const Ink& c
   values.shape = shape;
   for (const PrintedForce& point : reference.points) {
     values.x.push_back(mm(point.travel));
-    values.y.push_back(point.mean);
-    values.low.push_back(point.mean - point.standardDeviation);
-    values.high.push_back(point.mean + point.standardDeviation);
+    values.y.push_back(mN(point.mean));
+    values.low.push_back(mN(point.mean - point.standardDeviation));
+    values.high.push_back(mN(point.mean + point.standardDeviation));
   }
   return values;
 }
@@ -65,7 +66,7 @@ Figure experimentFigure(const Reference& experiment, const Reference& publishedS
   Figure figure;
   figure.title = "Published forces";
   figure.x = travelAxis();
-  figure.y = forceAxis(0.20);
+  figure.y = forceAxis(200.0);
   figure.values.push_back(
       printed(experiment, "experiment, mean ± SD", ink::black, MarkerShape::disk));
   figure.values.push_back(printed(publishedSimulator, "published simulator, mean ± SD", ink::green,
@@ -93,11 +94,11 @@ Figure simulationFigure(const ValidationResult& result, const Reference& experim
   double highest = 0.0;
   for (const ProfilePoint& point : result.profile) {
     for (auto* x : {&spread.x, &confidence.x, &mean.x}) x->push_back(mm(point.travel));
-    mean.y.push_back(point.force.mean);
-    spread.low.push_back(point.force.mean - point.force.standardDeviation);
-    spread.high.push_back(point.force.mean + point.force.standardDeviation);
-    confidence.low.push_back(point.force.low95());
-    confidence.high.push_back(point.force.high95());
+    mean.y.push_back(mN(point.force.mean));
+    spread.low.push_back(mN(point.force.mean - point.force.standardDeviation));
+    spread.high.push_back(mN(point.force.mean + point.force.standardDeviation));
+    confidence.low.push_back(mN(point.force.low95()));
+    confidence.high.push_back(mN(point.force.high95()));
     highest = std::max(highest, spread.high.back());
   }
   figure.y = forceAxis(highest);
@@ -145,12 +146,12 @@ Figure differenceFigure(const ValidationResult& result, const Reference& publish
   FigureValues ours;
   ours.label = "this simulator, 95 % confidence interval";
   ours.ink = ink::blue;
-  double lowest = -0.08, highest = 0.08;
+  double lowest = -80.0, highest = 80.0;
   for (const AnchorComparison& anchor : result.anchors) {
     ours.x.push_back(mm(anchor.experiment.travel));
-    ours.y.push_back(anchor.difference.mean);
-    ours.low.push_back(anchor.difference.low95());
-    ours.high.push_back(anchor.difference.high95());
+    ours.y.push_back(mN(anchor.difference.mean));
+    ours.low.push_back(mN(anchor.difference.low95()));
+    ours.high.push_back(mN(anchor.difference.high95()));
     lowest = std::min(lowest, ours.low.back());
     highest = std::max(highest, ours.high.back());
   }
@@ -160,11 +161,11 @@ Figure differenceFigure(const ValidationResult& result, const Reference& publish
   theirs.shape = MarkerShape::square;
   for (const PrintedDifference& difference : publishedDifference.differences) {
     theirs.x.push_back(mm(difference.travel));
-    theirs.y.push_back(difference.mean);
-    theirs.low.push_back(difference.low.value_or(difference.mean));
-    theirs.high.push_back(difference.high.value_or(difference.mean));
+    theirs.y.push_back(mN(difference.mean));
+    theirs.low.push_back(mN(difference.low.value_or(difference.mean)));
+    theirs.high.push_back(mN(difference.high.value_or(difference.mean)));
   }
-  figure.y = figures::axisOver("difference of mean insertion force, N", lowest, highest);
+  figure.y = figures::axisOver("difference of mean insertion force, mN", lowest, highest);
   addFelt(figure, "perception threshold ± ", true);
   figure.values = {theirs, ours};
   figure.notes = {

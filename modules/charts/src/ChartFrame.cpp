@@ -4,12 +4,15 @@
 #include <vtkAxis.h>
 #include <vtkBrush.h>
 #include <vtkChartXY.h>
+#include <vtkContext2D.h>
 #include <vtkContextActor.h>
 #include <vtkContextScene.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
+#include <vtkObjectFactory.h>
 #include <vtkPen.h>
 #include <vtkPlot.h>
+#include <vtkPlotLine.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkStringArray.h>
@@ -17,6 +20,7 @@
 #include <vtkTextProperty.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -57,13 +61,50 @@ ChartLine::ChartLine(vtkChartXY& chart, const vtkColor4ub& color, float width) :
 
 ChartLine::~ChartLine() = default;
 
-void ChartLine::set(const std::vector<float>& x, const std::vector<float>& y)
+void ChartLine::setDash(double on, double off)
 {
-  const vtkIdType count = static_cast<vtkIdType>(x.size());
-  x_->SetNumberOfValues(count);
-  y_->SetNumberOfValues(count);
-  std::copy(x.begin(), x.end(), x_->GetPointer(0));
-  std::copy(y.begin(), y.end(), y_->GetPointer(0));
+  dashOn_ = on;
+  dashOff_ = off;
+  // pairs of points instead of one line through all: VTK's own dashes need OpenGL's old profile
+  vtkPlotLine::SafeDownCast(plot_)->SetPolyLine(on <= 0.0);
+}
+
+template <class Add>
+void ChartLine::addDashes(const std::array<double, 2>& from, const std::array<double, 2>& to,
+                          double phase, Add add) const
+{
+  const double period = dashOn_ + dashOff_, width = to[0] - from[0];
+  const auto yAt = [&](double x) {
+    return width > 0.0 ? from[1] + (x - from[0]) / width * (to[1] - from[1]) : to[1];
+  };
+  double x = from[0];
+  do {
+    const double inPeriod = std::fmod(x + phase, period) + (x + phase < 0.0 ? period : 0.0);
+    const bool isOn = inPeriod < dashOn_;
+    // a little further than the dash's end, so that rounding never stops at it
+    const double end = std::min(to[0], x + (isOn ? dashOn_ : period) - inPeriod + 1e-6 * period);
+    if (isOn) {
+      add(x, width > 0.0 ? yAt(x) : from[1]);
+      add(end, yAt(end));
+    }
+    x = end;
+  } while (x < to[0]);
+}
+
+void ChartLine::set(const std::vector<float>& x, const std::vector<float>& y, double phase)
+{
+  x_->Reset();
+  y_->Reset();
+  const auto add = [this](double xValue, double yValue) {
+    x_->InsertNextValue(static_cast<float>(xValue));
+    y_->InsertNextValue(static_cast<float>(yValue));
+  };
+  if (dashOn_ <= 0.0)
+    for (std::size_t i = 0; i < x.size(); ++i) add(x[i], y[i]);
+  else
+    for (std::size_t i = 0; i + 1 < x.size(); ++i)
+      addDashes({x[i], y[i]}, {x[i + 1], y[i + 1]}, phase, add);
+  const vtkIdType count = x_->GetNumberOfValues();
   x_->Modified();
   y_->Modified();
   table_->Modified();
@@ -89,6 +130,9 @@ ChartFrame::ChartFrame(const std::string& xTitle, const std::string& yTitle,
                            inks_.panel.rgb[2] / 255.0);
   renderer_->AddActor(actor_);
   actor_->GetScene()->SetRenderer(renderer_);
+  legendSpace_->chart = chart_;
+  legendSpace_->overlay = overlay_;
+  actor_->GetScene()->AddItem(legendSpace_);
   actor_->GetScene()->AddItem(chart_);
   actor_->GetScene()->AddItem(overlay_);
   overlay_->setChart(chart_);
@@ -97,6 +141,7 @@ ChartFrame::ChartFrame(const std::string& xTitle, const std::string& yTitle,
   chart_->SetAutoAxes(false);  // it would hide the axes until there is a curve
   for (const int position : {vtkAxis::RIGHT, vtkAxis::TOP})
     chart_->GetAxis(position)->SetVisible(false);
+  chart_->SetLayoutStrategy(vtkChart::FILL_RECT);  // of LegendSpace
   chart_->SetShowLegend(false);
   chart_->SetForceAxesToBounds(false);
   chart_->ForceAxesToBoundsOff();
@@ -110,6 +155,22 @@ ChartFrame::ChartFrame(const std::string& xTitle, const std::string& yTitle,
 }
 
 ChartFrame::~ChartFrame() = default;
+
+vtkStandardNewMacro(LegendSpace)
+
+    bool LegendSpace::Paint(vtkContext2D* painter)
+{
+  constexpr double sides_px = 78.0;  // both axes' labels and borders beside the plot
+  const double width = GetScene()->GetSceneWidth() - sides_px * pixelRatio;
+  const int rows = overlay->legendRows(*painter, static_cast<float>(width));
+  const double above_px = ChartOverlay::legendRow_px * double(std::max(0, rows - 1));
+  const vtkRectf below(0.0f, 0.0f, static_cast<float>(GetScene()->GetSceneWidth()),
+                       static_cast<float>(GetScene()->GetSceneHeight() - above_px * pixelRatio));
+  if (below == chart->GetSize()) return true;
+  chart->SetSize(below);
+  chart->Modified();
+  return true;
+}
 
 void ChartFrame::attachTo(vtkRenderWindow& window)
 {
@@ -145,8 +206,8 @@ void ChartFrame::setScale(double pixelRatio)
     axis.GetGridPen()->SetWidth(static_cast<float>(pixelRatio));
     axis.GetPen()->SetWidth(static_cast<float>(pixelRatio));
   }
-  // Above the plot stands the legend; 20 pixels are VTK's own border at ratio 1.
   chart_->SetHiddenAxisBorder(static_cast<int>(std::lround(20.0 * pixelRatio)));
+  legendSpace_->pixelRatio = pixelRatio;
   overlay_->setScale(pixelRatio);
 }
 

@@ -6,6 +6,7 @@
 #include <vtkColor.h>
 #include <vtkNew.h>
 
+#include <array>
 #include <string>
 
 #include "AxisRange.h"
@@ -30,15 +31,41 @@ public:
   ChartLine(const ChartLine&) = delete;
   ChartLine& operator=(const ChartLine&) = delete;
 
-  void set(const std::vector<float>& x, const std::vector<float>& y);
+  /// @param phase  Added to x for the positions of dashes, so that they move with a moving curve.
+  void set(const std::vector<float>& x, const std::vector<float>& y, double phase = 0.0);
+  /// Draws the line in dashes, so that it differs from others without its color.
+  /// @param on, off  Lengths of dashes and gaps along x.
+  void setDash(double on, double off);
   void setVisible(bool visible);
   void setScale(double pixelRatio);
 
 private:
+  template <class Add>
+  void addDashes(const std::array<double, 2>& from, const std::array<double, 2>& to, double phase,
+                 Add add) const;
+
   vtkNew<vtkTable> table_;
   vtkNew<vtkFloatArray> x_, y_;
   vtkPlot* plot_;  // owned by the chart
   float width_;
+  double dashOn_ = 0.0, dashOff_ = 0.0;  ///< 0: solid.
+};
+
+/// Painted before the chart: reserves the space that the legend above it needs at the current width.
+class LegendSpace : public vtkContextItem {
+public:
+  static LegendSpace* New();
+  vtkTypeMacro(LegendSpace, vtkContextItem)
+
+      bool Paint(vtkContext2D* painter) override;
+
+  vtkChartXY* chart = nullptr;      // owned by the frame
+  ChartOverlay* overlay = nullptr;  // owned by the frame
+  double pixelRatio = 1.0;
+
+protected:
+  LegendSpace() = default;
+  ~LegendSpace() override = default;
 };
 
 /// Renderer, chart, axes, grid and overlay.
@@ -70,6 +97,7 @@ private:
   vtkNew<vtkContextActor> actor_;
   vtkNew<vtkChartXY> chart_;
   vtkNew<ChartOverlay> overlay_;
+  vtkNew<LegendSpace> legendSpace_;
 };
 
 }  // namespace perilymph::charts

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "ChartColors.h"
 #include "TextStyle.h"
@@ -52,7 +51,7 @@ void fillWith(vtkContext2D& painter, const vtkColor4ub& color)
 }
 
 constexpr float swatchWidth = 20.0f;  // of a legend, at pixel ratio 1
-constexpr float narrow_px = 260.0f;   // a plot without space for long labels beside its curve
+constexpr float legendGap = 16.0f;    // between entries
 
 /// A disk with a soft edge, drawn as three shells: software rendering does not antialias.
 void disc(vtkContext2D& painter, float x, float y, float radius, const vtkColor4ub& color)
@@ -127,8 +126,6 @@ void ChartOverlay::paintThreshold(vtkContext2D& painter, const Area& area) const
   const float dash = 4.0f * scale_;
   for (float x = area.left; x < area.right; x += 2.0f * dash)
     bar(painter, x, y, std::min(dash, area.right - x), scale_);
-  setText(painter, threshold->color, VTK_TEXT_RIGHT);
-  painter.DrawString(area.right - 5.0f * scale_, y + 9.0f * scale_, threshold->text);
 }
 
 void ChartOverlay::paintBars(vtkContext2D& painter, const Area& area) const
@@ -136,8 +133,8 @@ void ChartOverlay::paintBars(vtkContext2D& painter, const Area& area) const
   for (const ReferencePoint& point : bars) {
     if (point.travel_mm > area.xHigh || point.travel_mm < area.xLow) continue;
     const float x = area.x(point.travel_mm);
-    const float low = std::max(area.bottom, area.y(point.mean_N - point.sd_N));
-    const float high = std::min(area.top, area.y(point.mean_N + point.sd_N));
+    const float low = std::max(area.bottom, area.y(point.mean_mN - point.sd_mN));
+    const float high = std::min(area.top, area.y(point.mean_mN + point.sd_mN));
     const float cap = 4.0f * scale_;
     vtkColor4ub quiet = colorOf(inks_->text);
     quiet.SetAlpha(200);
@@ -145,8 +142,8 @@ void ChartOverlay::paintBars(vtkContext2D& painter, const Area& area) const
     bar(painter, x - 0.5f * scale_, low, scale_, high - low);
     bar(painter, x - cap, low, 2.0f * cap, scale_);
     bar(painter, x - cap, high, 2.0f * cap, scale_);
-    disc(painter, x, area.y(point.mean_N), 4.0f * scale_, colorOf(inks_->text));
-    disc(painter, x, area.y(point.mean_N), 2.4f * scale_, colorOf(inks_->ground));
+    disc(painter, x, area.y(point.mean_mN), 4.0f * scale_, colorOf(inks_->text));
+    disc(painter, x, area.y(point.mean_mN), 2.4f * scale_, colorOf(inks_->ground));
   }
 }
 
@@ -163,6 +160,18 @@ void ChartOverlay::paintSwatch(vtkContext2D& painter, const LegendEntry& entry, 
     bar(painter, x, y - scale_, swatchWidth * scale_, 2.0f * scale_);
     return;
   }
+  if (entry.swatch == Swatch::level) {
+    for (float at = x; at < x + swatchWidth * scale_; at += 8.0f * scale_)
+      bar(painter, at, y, 4.0f * scale_, scale_);
+    return;
+  }
+  if (entry.swatch != Swatch::bar) {
+    const float dash = (entry.swatch == Swatch::dashes ? 6.0f : 2.0f) * scale_;
+    const float end = x + swatchWidth * scale_;
+    for (float at = x; at < end; at += (entry.swatch == Swatch::dashes ? 1.6f : 2.0f) * dash)
+      bar(painter, at, y - scale_, std::min(dash, end - at), 2.0f * scale_);
+    return;
+  }
   const float middle = x + 0.5f * swatchWidth * scale_;
   bar(painter, middle - 0.5f * scale_, y - 6.0f * scale_, scale_, 12.0f * scale_);
   disc(painter, middle, y, 3.5f * scale_, entry.color);
@@ -177,56 +186,36 @@ float ChartOverlay::widthOf(vtkContext2D& painter, const std::string& label) con
   return bounds[2];
 }
 
-std::vector<std::string> ChartOverlay::wrapped(vtkContext2D& painter, const std::string& label,
-                                               float available) const
+int ChartOverlay::legendRows(vtkContext2D& painter, float width) const
 {
-  std::vector<std::string> lines{""};
-  std::istringstream rest(label);
-  for (std::string word; rest >> word;) {
-    const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
-    if (lines.back().empty() || widthOf(painter, longer) <= available)
-      lines.back() = longer;
-    else
-      lines.push_back(word);
+  int rows = legend.empty() ? 0 : 1;
+  float x = 0.0f;
+  for (const LegendEntry& entry : legend) {
+    const float entryWidth = (swatchWidth + 7.0f) * scale_ + widthOf(painter, entry.text);
+    if (x > 0.0f && x + entryWidth > width) {
+      x = 0.0f;
+      ++rows;
+    }
+    x += entryWidth + legendGap * scale_;
   }
-  return lines;
+  return rows;
 }
 
 void ChartOverlay::paintLegend(vtkContext2D& painter, const Area& area) const
 {
-  if (legendPlace == LegendPlace::above) return paintLegendAbove(painter, area);
-  const float x = area.left + 12.0f * scale_;
-  const float label = x + (swatchWidth + 7.0f) * scale_;
-  // in a narrow chart the label avoids the end of the curve
-  const float fraction = area.right - area.left < narrow_px * scale_ ? 0.82f : 1.0f;
-  const float available = area.left + fraction * (area.right - area.left) - label;
-  float y = area.top - 18.0f * scale_;
-  for (const LegendEntry& entry : legend) {
-    paintSwatch(painter, entry, x, y);
-    for (const std::string& line : wrapped(painter, entry.text, available)) {
-      setText(painter, colorOf(inks_->text), VTK_TEXT_LEFT);
-      painter.DrawString(label, y, line);
-      y -= 15.0f * scale_;
-    }
-    y -= 2.0f * scale_;
-  }
-}
-
-void ChartOverlay::paintLegendAbove(vtkContext2D& painter, const Area& area) const
-{
+  const float width = area.right - area.left;
   float x = area.left;
-  float y = area.top + 11.0f * scale_;
+  float y = area.top + (11.0f + legendRow_px * float(legendRows(painter, width) - 1)) * scale_;
   for (const LegendEntry& entry : legend) {
-    const float width = (swatchWidth + 7.0f) * scale_ + widthOf(painter, entry.text);
-    if (x > area.left && x + width > area.right + 8.0f * scale_) {  // a second row, inside the
-                                                                    // chart
-      x = area.left + 12.0f * scale_;
-      y = y > area.top ? area.top - 10.0f * scale_ : y - 15.0f * scale_;
+    const float entryWidth = (swatchWidth + 7.0f) * scale_ + widthOf(painter, entry.text);
+    if (x > area.left && x + entryWidth > area.left + width) {
+      x = area.left;
+      y -= legendRow_px * scale_;
     }
     paintSwatch(painter, entry, x, y);
     setText(painter, colorOf(inks_->text), VTK_TEXT_LEFT);
     painter.DrawString(x + (swatchWidth + 7.0f) * scale_, y, entry.text);
-    x += width + 16.0f * scale_;
+    x += entryWidth + legendGap * scale_;
   }
 }
 

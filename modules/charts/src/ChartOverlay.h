@@ -19,7 +19,7 @@ class vtkChartXY;
 namespace perilymph::charts {
 
 /// Symbol of a legend entry.
-enum class Swatch { line, bar };
+enum class Swatch { line, dashes, dots, level, bar };
 
 /// One line of the legend.
 struct LegendEntry {
@@ -28,10 +28,9 @@ struct LegendEntry {
   std::string text;
 };
 
-/// A dashed line across the chart with a label at its right end.
+/// A dashed line across the chart; the legend names it.
 struct Threshold {
   double y;
-  std::string text;
   vtkColor4ub color;
 };
 
@@ -59,9 +58,11 @@ public:
   std::vector<ReferencePoint> bars;
   std::optional<Threshold> threshold;
   std::optional<Dot> now;
-  enum class LegendPlace { inside, above } legendPlace = LegendPlace::inside;
 
   bool Paint(vtkContext2D* painter) override;
+  /// Rows of the legend above a plot of this width [px].
+  int legendRows(vtkContext2D& painter, float width) const;
+  static constexpr float legendRow_px = 15.0f;  ///< At pixel ratio 1.
 
 protected:
   ChartOverlay() = default;
@@ -74,11 +75,7 @@ private:
   void paintBars(vtkContext2D& painter, const Area& area) const;
   void paintNow(vtkContext2D& painter, const Area& area) const;
   void paintLegend(vtkContext2D& painter, const Area& area) const;
-  void paintLegendAbove(vtkContext2D& painter, const Area& area) const;
   float widthOf(vtkContext2D& painter, const std::string& label) const;
-  /// Wraps a text to a width; single words may exceed it.
-  std::vector<std::string> wrapped(vtkContext2D& painter, const std::string& label,
-                                   float available) const;
   void paintSwatch(vtkContext2D& painter, const LegendEntry& entry, float x, float y) const;
   void setText(vtkContext2D& painter, const vtkColor4ub& color, int justification) const;
 

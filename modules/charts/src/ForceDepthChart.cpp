@@ -18,7 +18,9 @@ namespace {
 constexpr AxisRange usualTravel_mm{0.0, 17.0, 4.0};
 /// Slightly below zero: a free array has forces of some millinewtons of either sign at the
 /// tweezers.
-constexpr AxisRange usualForce_N{-0.01, 0.20, 0.05};
+constexpr AxisRange usualForce_mN{-10.0, 200.0, 50.0};
+
+constexpr double ghostDash_mm = 0.35;  ///< 7 px at the usual range and size.
 
 vtkColor4ub faded(vtkColor4ub color, unsigned char alpha)
 {
@@ -37,6 +39,7 @@ struct ForceDepthChart::Content {
         outLine(frame.chart(), faded(colorOf(inks.accent), 150), thinWidth),
         inLine(frame.chart(), colorOf(inks.accent), lineWidth)
   {
+    ghostLine.setDash(ghostDash_mm, ghostDash_mm);
   }
 
   ChartStrings strings;
@@ -48,7 +51,7 @@ struct ForceDepthChart::Content {
   std::vector<float> x, y;  // memory of one curve
 
   bool hasGhost = false;
-  double ghostTravel_mm = 0.0, ghostLow_N = 0.0, ghostHigh_N = 0.0;
+  double ghostTravel_mm = 0.0, ghostLow_mN = 0.0, ghostHigh_mN = 0.0;
   std::string ghostLabel;
   std::vector<ReferencePoint> reference;
   std::string referenceLabel;
@@ -56,7 +59,7 @@ struct ForceDepthChart::Content {
 
   bool isChanged = true;
   AxisRange travel_mm = usualTravel_mm;
-  AxisRange force_N = usualForce_N;
+  AxisRange force_mN = usualForce_mN;
 
   void setRanges();
   void setMarks();
@@ -64,27 +67,27 @@ struct ForceDepthChart::Content {
 
 void ForceDepthChart::Content::setRanges()
 {
-  double low_N = 0.0, high_N = 0.0, left_mm = 0.0, right_mm = 0.0;
+  double low_mN = 0.0, high_mN = 0.0, left_mm = 0.0, right_mm = 0.0;
   const auto include = [&](double travelLow, double travelHigh, double forceLow, double forceHigh) {
     left_mm = std::min(left_mm, travelLow);
     right_mm = std::max(right_mm, travelHigh);
-    low_N = std::min(low_N, forceLow);
-    high_N = std::max(high_N, forceHigh);
+    low_mN = std::min(low_mN, forceLow);
+    high_mN = std::max(high_mN, forceHigh);
   };
   if (!columns.isEmpty())
-    include(columns.lowestTravel_mm(), columns.highestTravel_mm(), columns.lowestForce_N(),
-            columns.highestForce_N());
-  if (hasGhost && showsGhost) include(0.0, ghostTravel_mm, ghostLow_N, ghostHigh_N);
+    include(columns.lowestTravel_mm(), columns.highestTravel_mm(), columns.lowestForce_mN(),
+            columns.highestForce_mN());
+  if (hasGhost && showsGhost) include(0.0, ghostTravel_mm, ghostLow_mN, ghostHigh_mN);
   if (showsReference)
     for (const ReferencePoint& point : reference)
-      include(0.0, point.travel_mm, point.mean_N - point.sd_N, point.mean_N + point.sd_N);
+      include(0.0, point.travel_mm, point.mean_mN - point.sd_mN, point.mean_mN + point.sd_mN);
 
   // Tremor at the start must not move the axis.
   if (left_mm > -0.5) left_mm = 0.0;
   travel_mm = grown(usualTravel_mm, left_mm, right_mm);
-  force_N = grown(usualForce_N, low_N, high_N);
+  force_mN = grown(usualForce_mN, low_mN, high_mN);
   frame.setXRange(travel_mm);
-  frame.setYRange(force_N, force_N.tick < 1.0 ? 2 : 0);
+  frame.setYRange(force_mN, 0);
 }
 
 void ForceDepthChart::Content::setMarks()
@@ -93,20 +96,21 @@ void ForceDepthChart::Content::setMarks()
   overlay.legend.clear();
   overlay.legend.push_back({Swatch::line, colorOf(inks.accent), strings.thisInsertion});
   if (hasGhost && showsGhost)
-    overlay.legend.push_back({Swatch::line, colorOf(inks.blue), ghostLabel});
+    overlay.legend.push_back({Swatch::dashes, colorOf(inks.blue), ghostLabel});
   if (!reference.empty() && showsReference)
     overlay.legend.push_back({Swatch::bar, colorOf(inks.text), referenceLabel});
 
   overlay.bars = showsReference ? reference : std::vector<ReferencePoint>();
   overlay.threshold.reset();
-  if (showsThreshold && felt)
-    overlay.threshold = Threshold{
-        felt->si(),
-        figures::filled(strings.feltBySurgeons, {figures::fixed(inMillinewtons(*felt), 0)}),
-        colorOf(inks.orange)};
+  if (showsThreshold && felt) {
+    overlay.threshold = Threshold{inMillinewtons(*felt), colorOf(inks.orange)};
+    const std::string number = figures::fixed(inMillinewtons(*felt), 0);
+    overlay.legend.push_back(
+        {Swatch::level, colorOf(inks.orange), figures::filled(strings.feltBySurgeons, {number})});
+  }
   overlay.now.reset();
   if (!columns.isEmpty())
-    overlay.now = Dot{columns.lastTravel_mm(), columns.lastForce_N(), colorOf(inks.accent)};
+    overlay.now = Dot{columns.lastTravel_mm(), columns.lastForce_mN(), colorOf(inks.accent)};
   overlay.Modified();
 }
 
@@ -122,7 +126,7 @@ void ForceDepthChart::attachTo(vtkRenderWindow& window) { content_->frame.attach
 
 void ForceDepthChart::append(Length travel, Force axial)
 {
-  content_->columns.append(inMillimeters(travel), inNewtons(axial));
+  content_->columns.append(inMillimeters(travel), inMillinewtons(axial));
   content_->isChanged = true;
 }
 
@@ -136,11 +140,12 @@ void ForceDepthChart::setGhost(const std::vector<std::pair<Length, Force>>& curv
                                std::string label)
 {
   TravelColumns columns;
-  for (const auto& [travel, force] : curve) columns.append(inMillimeters(travel), inNewtons(force));
+  for (const auto& [travel, force] : curve)
+    columns.append(inMillimeters(travel), inMillinewtons(force));
   content_->hasGhost = !columns.isEmpty();
   content_->ghostTravel_mm = columns.highestTravel_mm();
-  content_->ghostLow_N = columns.lowestForce_N();
-  content_->ghostHigh_N = columns.highestForce_N();
+  content_->ghostLow_mN = columns.lowestForce_mN();
+  content_->ghostHigh_mN = columns.highestForce_mN();
   content_->ghostLabel = std::move(label);
   columns.curve(Direction::in, content_->x, content_->y);
   content_->ghostLine.set(content_->x, content_->y);

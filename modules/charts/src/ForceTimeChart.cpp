@@ -18,6 +18,7 @@ namespace {
 constexpr int slots = 400;
 constexpr double slotTime_s = inSeconds(ForceTimeChart::span) / slots;
 constexpr int components = 3;
+constexpr double dash_s = 0.12, dot_s = 0.04;  ///< 8 and 3 px at the usual width.
 constexpr AxisRange usualForce_mN{-20.0, 60.0, 20.0};
 
 /// Minimum and maximum of each component within one time slot.
@@ -33,10 +34,12 @@ struct ForceTimeChart::Content {
       : strings(given.strings),
         inks(figures::inksOf(given.scheme)),
         frame("", strings.force, given),
-        lines{ChartLine{frame.chart(), colorOf(inks.accent), thinWidth},
+        lines{ChartLine{frame.chart(), colorOf(inks.accent), lineWidth},
               ChartLine{frame.chart(), colorOf(inks.orange), thinWidth},
               ChartLine{frame.chart(), colorOf(inks.blue), thinWidth}}
   {
+    lines[1].setDash(dot_s, dot_s);
+    lines[2].setDash(dash_s, 0.6 * dash_s);
   }
 
   ChartStrings strings;
@@ -79,7 +82,7 @@ void ForceTimeChart::Content::setLine(std::size_t component)
     x.push_back(time_s + 0.5f * static_cast<float>(slotTime_s));
     y.push_back(slot.high[component]);
   }
-  lines[component].set(x, y);
+  lines[component].set(x, y, static_cast<double>(newest) * slotTime_s);
 }
 
 ForceTimeChart::ForceTimeChart(const ChartStyle& style) : content_(std::make_unique<Content>(style))
@@ -87,10 +90,9 @@ ForceTimeChart::ForceTimeChart(const ChartStyle& style) : content_(std::make_uni
   const ChartStrings& strings = content_->strings;
   const figures::SchemeInks& inks = content_->inks;
   ChartOverlay& overlay = content_->frame.overlay();
-  overlay.legendPlace = ChartOverlay::LegendPlace::above;
   overlay.legend = {{Swatch::line, colorOf(inks.accent), strings.axial},
-                    {Swatch::line, colorOf(inks.orange), strings.lateral},
-                    {Swatch::line, colorOf(inks.blue), strings.vertical}};
+                    {Swatch::dots, colorOf(inks.orange), strings.lateral},
+                    {Swatch::dashes, colorOf(inks.blue), strings.vertical}};
   update();
 }
 

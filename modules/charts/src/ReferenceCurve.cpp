@@ -17,8 +17,9 @@ Result<ReferenceCurve> loadReference(const std::filesystem::path& file)
   curve.label = reference->label;
   curve.source = reference->source;
   for (const analysis::PrintedForce& point : reference->points)
-    curve.points.push_back(
-        {inMillimeters(meters(point.travel)), point.mean, point.standardDeviation});
+    curve.points.push_back({inMillimeters(meters(point.travel)),
+                            inMillinewtons(newtons(point.mean)),
+                            inMillinewtons(newtons(point.standardDeviation))});
   return curve;
 }
 

@@ -14,39 +14,39 @@ const auto columns = static_cast<std::size_t>(
 
 TravelColumns::TravelColumns() : in_(columns), out_(columns) {}
 
-void TravelColumns::append(double travel_mm, double force_N)
+void TravelColumns::append(double travel_mm, double force_mN)
 {
-  if (!std::isfinite(force_N) || !(travel_mm >= first_mm && travel_mm < last_mm)) return;
+  if (!std::isfinite(force_mN) || !(travel_mm >= first_mm && travel_mm < last_mm)) return;
   if (isEmpty_) {
     farthest_mm_ = lowestTravel_mm_ = highestTravel_mm_ = travel_mm;
-    lowestForce_N_ = highestForce_N_ = force_N;
+    lowestForce_mN_ = highestForce_mN_ = force_mN;
     isEmpty_ = false;
   }
   turnRound(travel_mm);
   // Values behind the front of this pass are tremor, or a reversal not yet certain.
-  if (std::abs(travel_mm - farthest_mm_) <= width_mm) enter(travel_mm, force_N);
+  if (std::abs(travel_mm - farthest_mm_) <= width_mm) enter(travel_mm, force_mN);
 
   lastTravel_mm_ = travel_mm;
-  lastForce_N_ = force_N;
-  lowestForce_N_ = std::min(lowestForce_N_, force_N);
-  highestForce_N_ = std::max(highestForce_N_, force_N);
+  lastForce_mN_ = force_mN;
+  lowestForce_mN_ = std::min(lowestForce_mN_, force_mN);
+  highestForce_mN_ = std::max(highestForce_mN_, force_mN);
   lowestTravel_mm_ = std::min(lowestTravel_mm_, travel_mm);
   highestTravel_mm_ = std::max(highestTravel_mm_, travel_mm);
 }
 
-void TravelColumns::enter(double travel_mm, double force_N)
+void TravelColumns::enter(double travel_mm, double force_mN)
 {
   const std::size_t index =
       std::min(columns - 1, static_cast<std::size_t>((travel_mm - first_mm) / width_mm));
   Column& column = (direction_ == Direction::in ? in_ : out_)[index];
   const float x = static_cast<float>(travel_mm);
-  const float y = static_cast<float>(force_N);
+  const float y = static_cast<float>(force_mN);
   if (column.pass != pass_)
     column = {pass_, x, y, x, y};
-  else if (y < column.low_N)
-    column.low_N = y, column.lowTravel_mm = x;
-  else if (y > column.high_N)
-    column.high_N = y, column.highTravel_mm = x;
+  else if (y < column.low_mN)
+    column.low_mN = y, column.lowTravel_mm = x;
+  else if (y > column.high_mN)
+    column.high_mN = y, column.highTravel_mm = x;
 }
 
 void TravelColumns::turnRound(double travel_mm)
@@ -69,22 +69,22 @@ void TravelColumns::clear()
   direction_ = Direction::in;
   pass_ = 1;
   isEmpty_ = true;
-  lowestForce_N_ = highestForce_N_ = lowestTravel_mm_ = highestTravel_mm_ = 0.0;
+  lowestForce_mN_ = highestForce_mN_ = lowestTravel_mm_ = highestTravel_mm_ = 0.0;
 }
 
 void TravelColumns::curve(Direction direction, std::vector<float>& travel_mm,
-                          std::vector<float>& force_N) const
+                          std::vector<float>& force_mN) const
 {
   travel_mm.clear();
-  force_N.clear();
+  force_mN.clear();
   for (const Column& column : direction == Direction::in ? in_ : out_) {
     if (column.pass == 0) continue;
     const bool lowFirst = column.lowTravel_mm <= column.highTravel_mm;
     travel_mm.push_back(lowFirst ? column.lowTravel_mm : column.highTravel_mm);
-    force_N.push_back(lowFirst ? column.low_N : column.high_N);
-    if (column.low_N == column.high_N) continue;
+    force_mN.push_back(lowFirst ? column.low_mN : column.high_mN);
+    if (column.low_mN == column.high_mN) continue;
     travel_mm.push_back(lowFirst ? column.highTravel_mm : column.lowTravel_mm);
-    force_N.push_back(lowFirst ? column.high_N : column.low_N);
+    force_mN.push_back(lowFirst ? column.high_mN : column.low_mN);
   }
 }
 

@@ -43,7 +43,7 @@ struct ChartOnScreen {
   int y(double force_N)
   {
     vtkAxis& a = axis(vtkAxis::LEFT);
-    return pixel(force_N, a, a.GetPoint1()[1], a.GetPoint2()[1]);
+    return pixel(1e3 * force_N, a, a.GetPoint1()[1], a.GetPoint2()[1]);
   }
   static int pixel(double value, vtkAxis& a, float from, float to)
   {
@@ -76,8 +76,8 @@ TEST(ForceDepthChart, ShowsSeventeenMillimetersAndTwoHundredMillinewtonsWhenEmpt
   screen.picture();
   EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::BOTTOM).GetMinimum(), 0.0);
   EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::BOTTOM).GetMaximum(), 17.0);
-  EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::LEFT).GetMinimum(), -0.01);
-  EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::LEFT).GetMaximum(), 0.20);
+  EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::LEFT).GetMinimum(), -10.0);
+  EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::LEFT).GetMaximum(), 200.0);
 }
 
 TEST(ForceDepthChart, HasNoGapWhereAFreeArrayPullsALittle)
@@ -96,7 +96,7 @@ TEST(ForceDepthChart, KeepsItsRangesWhileTheCurveFits)
   for (int i = 0; i <= 1650; ++i) screen.chart.append(millimeters(0.01 * i), newtons(1e-4 * i));
   screen.picture();
   EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::BOTTOM).GetMaximum(), 17.0);
-  EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::LEFT).GetMaximum(), 0.20);
+  EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::LEFT).GetMaximum(), 200.0);
 }
 
 TEST(ForceDepthChart, GrowsByWholeTicksWhenForceOrTravelLeavesIt)
@@ -105,7 +105,7 @@ TEST(ForceDepthChart, GrowsByWholeTicksWhenForceOrTravelLeavesIt)
   screen.chart.append(millimeters(0), newtons(0));
   screen.chart.append(millimeters(21), newtons(0.23));
   screen.picture();
-  EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::LEFT).GetMaximum(), 0.25);
+  EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::LEFT).GetMaximum(), 250.0);
   EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::BOTTOM).GetMaximum(), 24.0);
 }
 
@@ -115,8 +115,8 @@ TEST(ForceDepthChart, ShowsThePullOfAWithdrawnArrayBelowZero)
   for (int i = 0; i < 500; ++i) screen.chart.append(millimeters(0.02 * i), newtons(0.05));
   for (int i = 500; i > 0; --i) screen.chart.append(millimeters(0.02 * i), newtons(-0.03));
   const test::DrawnPicture picture = screen.picture();
-  EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::LEFT).GetMinimum(), -0.05);
-  // half-transparent over the background
+  EXPECT_DOUBLE_EQ(screen.axis(vtkAxis::LEFT).GetMinimum(), -50.0);
+  // half-transparent over the ground
   const test::Pixel faded{0x30, 0x7D, 0x72};
   EXPECT_TRUE(nearColor(picture, screen.x(5.0), screen.y(-0.03), faded));
 }
@@ -196,21 +196,52 @@ TEST(ForceDepthChart, SaysWhetherThePictureChanged)
 TEST(ForceDepthChart, ForgetsTheInsertionButNotTheGhost)
 {
   ChartOnScreen screen;
-  screen.chart.setGhost({{millimeters(0), newtons(0.06)}, {millimeters(10), newtons(0.06)}},
-                        "ghost");
+  std::vector<std::pair<Length, Force>> ghost;
+  for (int i = 0; i <= 100; ++i) ghost.push_back({millimeters(0.1 * i), newtons(0.06)});
+  screen.chart.setGhost(ghost, "ghost");
   screen.chart.append(millimeters(0), newtons(0.1));
   screen.chart.append(millimeters(8), newtons(0.1));
   screen.chart.clear();
   const test::DrawnPicture picture = screen.picture();
-  EXPECT_TRUE(nearColor(picture, screen.x(5.0), screen.y(0.06), blue));
+  const auto isBlue = [&](const test::Pixel& p, int, int) {
+    return test::difference(p, blue) < 40;
+  };
+  EXPECT_GT(test::countPixels(picture, isBlue), 40);
   EXPECT_FALSE(nearColor(picture, screen.x(5.0), screen.y(0.1), accent));
+}
+
+TEST(ForceDepthChart, DrawsTheGhostInDashesSoThatItDiffersWithoutColor)
+{
+  ChartOnScreen screen;
+  screen.chart.setVisible(ChartLayer::threshold, false);
+  std::vector<std::pair<Length, Force>> ghost;
+  for (int i = 0; i <= 160; ++i) {
+    ghost.push_back({millimeters(0.1 * i), newtons(0.06)});
+    screen.chart.append(millimeters(0.1 * i), newtons(0.12));
+  }
+  screen.chart.setGhost(ghost, "ghost");
+  const test::DrawnPicture picture = screen.picture();
+  const auto changesAlong = [&](double force_N, const test::Pixel& color) {
+    int changes = 0;
+    bool wasOn = false;
+    for (int x = screen.x(1.0); x < screen.x(15.0); ++x) {
+      bool isOn = false;
+      for (int dy = -2; dy <= 2; ++dy)
+        isOn = isOn || test::difference(picture.at(x, screen.y(force_N) + dy), color) < 60;
+      changes += isOn != wasOn ? 1 : 0;
+      wasOn = isOn;
+    }
+    return changes;
+  };
+  EXPECT_LE(changesAlong(0.12, accent), 2);
+  EXPECT_GT(changesAlong(0.06, blue), 20);
 }
 
 TEST(ForceDepthChart, DrawsThePrintedValuesAndNothingBetweenThem)
 {
   ChartOnScreen screen;
   screen.chart.setVisible(ChartLayer::threshold, false);
-  screen.chart.setReference({{4.0, 0.05, 0.02}, {12.0, 0.09, 0.02}}, "experiment");
+  screen.chart.setReference({{4.0, 50.0, 20.0}, {12.0, 90.0, 20.0}}, "experiment");
   const test::DrawnPicture picture = screen.picture();
   const test::Pixel bar{0xBA, 0xBE, 0xC1};  // the text color, a little transparent
   // the ends of the error bars, one standard deviation up and down, and nothing beyond
@@ -229,11 +260,9 @@ TEST(ForceDepthChart, DrawsThePrintedValuesAndNothingBetweenThem)
 TEST(ForceDepthChart, LooksAsAccepted)
 {
   ChartOnScreen screen;
-  screen.chart.setReference({{10.6, 0.0880, 0.0186},
-                             {11.8, 0.0807, 0.0219},
-                             {15.4, 0.1509, 0.0189},
-                             {16.5, 0.1254, 0.0385}},
-                            "published measurements, mean ± SD");
+  screen.chart.setReference(
+      {{10.6, 88.0, 18.6}, {11.8, 80.7, 21.9}, {15.4, 150.9, 18.9}, {16.5, 125.4, 38.5}},
+      "published measurements, mean ± SD");
   std::vector<std::pair<Length, Force>> ghost;
   for (int i = 0; i <= 160; ++i) ghost.push_back({millimeters(0.1 * i), newtons(5.5e-4 * i)});
   screen.chart.setGhost(ghost, "ghost: best run");

@@ -29,8 +29,8 @@ TEST(ReferenceCurve, ShippedExperimentHasTheValuesThatThePaperPrints)
                                 {16.5, 0.1254, 0.0385}};
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_DOUBLE_EQ(curve->points[i].travel_mm, printed[i][0]);
-    EXPECT_DOUBLE_EQ(curve->points[i].mean_N, printed[i][1]);
-    EXPECT_DOUBLE_EQ(curve->points[i].sd_N, printed[i][2]);
+    EXPECT_DOUBLE_EQ(curve->points[i].mean_mN, 1e3 * printed[i][1]);
+    EXPECT_DOUBLE_EQ(curve->points[i].sd_mN, 1e3 * printed[i][2]);
   }
 }
 

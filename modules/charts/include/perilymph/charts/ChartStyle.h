@@ -12,7 +12,7 @@ namespace perilymph::charts {
 /// Texts of charts and flat views, English by default. %1 and %2 are placeholders of numbers.
 struct ChartStrings {
   std::string travel = "travel, mm";
-  std::string axialForce = "insertion force, N";
+  std::string axialForce = "insertion force, mN";
   std::string force = "force, mN";
   std::string now = "now";
   std::string thisInsertion = "this insertion";

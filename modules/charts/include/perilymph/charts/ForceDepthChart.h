@@ -20,7 +20,7 @@ namespace perilymph::charts {
 /// Optional parts of the chart.
 enum class ChartLayer { ghost, reference, threshold };
 
-/// A chart of axial force [N] over travel [mm]. Its ranges are fixed (0 to 17 mm, -0.01 to 0.20 N)
+/// A chart of axial force [mN] over travel [mm]. Its ranges are fixed (0 to 17 mm, -10 to 200 mN)
 /// and extended in steps if a curve exceeds them, also downward: a withdrawn array pulls.
 class ForceDepthChart {
 public:

@@ -14,8 +14,8 @@ namespace perilymph::charts {
 /// One printed value of a measured force-depth curve.
 struct ReferencePoint {
   double travel_mm = 0.0;
-  double mean_N = 0.0;  ///< Axial force.
-  double sd_N = 0.0;    ///< Standard deviation between insertions.
+  double mean_mN = 0.0;  ///< Axial force.
+  double sd_mN = 0.0;    ///< Standard deviation between insertions.
 };
 
 /// Printed values of one experiment, not interpolated.

@@ -77,7 +77,7 @@ void ContactMarks::buildGlow(const ContactField& field, const ViewFrame& view)
   for (const ContactStation& station : field.stations()) {
     if (station.force_mN_mm <= 0.0) continue;
     // Dots overlap: with this opacity each, their sum is close to the map's.
-    Rgba color = forceColor(station.force_mN_mm);
+    Rgba color = forceColor(station.force_mN_mm, palette_.scheme);
     color[3] = static_cast<unsigned char>(0.42 * color[3]);
     glow_.add(station.wall, color, glowRadius_mm);
   }

@@ -58,28 +58,29 @@ Rgba fromOkLab(const Eigen::Vector3d& lab)
   return {channelOf(light.x()), channelOf(light.y()), channelOf(light.z()), 255};
 }
 
-std::array<Rgba, steps> makeTable()
+std::array<Rgba, steps> makeTable(figures::ColorScheme scheme)
 {
   std::array<Rgba, steps> table;
-  // both schemes have the same map, so that their pictures compare
-  const Palette& palette = paletteOf(figures::ColorScheme::dark);
+  const Palette& palette = paletteOf(scheme);
   const Eigen::Vector3d low = okLab(palette.forceLow), high = okLab(palette.forceHigh);
   for (int i = 0; i < steps; ++i) {
     const double fraction = static_cast<double>(i) / (steps - 1);
-    // transparent to yellow over the first fifth, then yellow to red
-    const double toRed = std::clamp((fraction - 0.2) / 0.8, 0.0, 1.0);
+    // transparent to the low color over the first fifth, then to the high one
+    const double toHigh = std::clamp((fraction - 0.2) / 0.8, 0.0, 1.0);
     const double opacity = 0.92 * std::min(1.0, fraction / 0.2);
     table[static_cast<std::size_t>(i)] =
-        withOpacity(fromOkLab(low + toRed * (high - low)), opacity);
+        withOpacity(fromOkLab(low + toHigh * (high - low)), opacity);
   }
   return table;
 }
 
 }  // namespace
 
-Rgba forceColor(double force_mN_mm)
+Rgba forceColor(double force_mN_mm, figures::ColorScheme scheme)
 {
-  static const std::array<Rgba, steps> table = makeTable();
+  static const std::array<Rgba, steps> dark = makeTable(figures::ColorScheme::dark);
+  static const std::array<Rgba, steps> light = makeTable(figures::ColorScheme::light);
+  const std::array<Rgba, steps>& table = scheme == figures::ColorScheme::light ? light : dark;
   const double fraction = std::clamp(force_mN_mm / maxWallForce_mN_mm, 0.0, 1.0);
   return table[static_cast<std::size_t>(std::lround(fraction * (steps - 1)))];
 }

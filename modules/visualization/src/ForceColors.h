@@ -12,7 +12,9 @@ namespace perilymph::visualization {
 /// opening when its tip reaches the basal turn.
 inline constexpr double maxWallForce_mN_mm = 50.0;
 
-/// Color and opacity for a force per length, clamped at the end of the map.
-Rgba forceColor(double force_mN_mm);
+/// Color and opacity for a force per length, clamped at the end of the map. Its luminance moves away
+/// from that of the ground throughout, so that the greatest force stands out for everybody: from red
+/// to bright yellow on a dark ground, from yellow to dark red on a light one.
+Rgba forceColor(double force_mN_mm, figures::ColorScheme scheme);
 
 }  // namespace perilymph::visualization

@@ -136,13 +136,7 @@ void InsertionScene::Content::addActors(const QualityTraits& traits, const Palet
   overlay->GetScene()->AddItem(bars);
   renderer->AddActor(overlay);
 
-  if (traits.peels == 0) {
-    renderer->SetPass(steps);  // translucent actors blend in the order above, in one pass
-  } else {
-    renderer->UseDepthPeelingOn();
-    renderer->SetMaximumNumberOfPeels(traits.peels);
-  }
-  renderer->SetUseFXAA(traits.isSmoothed);
+  renderer->SetPass(steps);  // translucent actors blend in the order above, in one pass
 }
 
 void InsertionScene::Content::applyVisibility()
@@ -152,7 +146,7 @@ void InsertionScene::Content::applyVisibility()
   arrayParts.setVisible(!path.isEmpty(), shows(Part::styletAndTweezers));
   marks.setVisible(shows(Part::wallForce), shows(Part::contactArrows));
   bars->showsForce = shows(Part::wallForce) && !path.isEmpty();
-  bars->showsArrows = bars->showsForce && shows(Part::contactArrows);
+  bars->showsArrows = shows(Part::contactArrows) && !path.isEmpty();
   bars->Modified();
 }
 
@@ -297,10 +291,17 @@ void InsertionScene::setVisible(Part part, bool visible)
   scene.applyVisibility();
 }
 
+void InsertionScene::showPartsOf(const InsertionScene& other)
+{
+  for (std::size_t part = 0; part < partCount; ++part)
+    setVisible(static_cast<Part>(part), other.content_->isVisible[part]);
+}
+
 void InsertionScene::setScale(double pixelRatio) { content_->pixelRatio = pixelRatio; }
 
 void InsertionScene::setScaleBarMargin(int pixels)
 {
+  if (pixels == content_->bars->bottom_px) return;
   content_->bars->bottom_px = pixels;
   content_->bars->Modified();
 }

@@ -6,6 +6,7 @@ namespace perilymph::visualization {
 const Palette& paletteOf(figures::ColorScheme scheme)
 {
   static constexpr Palette dark{
+      .scheme = figures::ColorScheme::dark,
       .bone = {0xE9, 0xDC, 0xC0, 255},
       .membrane = {0xC7, 0x80, 0x8B, 255},
       .silicone = {0xDC, 0xE4, 0xE9, 255},
@@ -16,8 +17,8 @@ const Palette& paletteOf(figures::ColorScheme scheme)
       .outline = {0x0B, 0x0F, 0x12, 255},
       .arrow = {0xE6, 0x9F, 0x00, 255},
       .frictionArrow = {0x56, 0xB4, 0xE9, 255},
-      .forceLow = {0xF5, 0xC2, 0x4B, 255},
-      .forceHigh = {0xD5, 0x44, 0x2E, 255},
+      .forceLow = {0xB8, 0x36, 0x24, 255},
+      .forceHigh = {0xFF, 0xE2, 0x6E, 255},
       .ground = {0x12, 0x16, 0x1A, 255},
       .groundLight = {0x25, 0x31, 0x38, 255},
       .text = {0xE8, 0xEC, 0xEF, 255},
@@ -26,6 +27,7 @@ const Palette& paletteOf(figures::ColorScheme scheme)
 
   // darker bone and membrane, so that their edges stand out from a light ground
   static constexpr Palette light{
+      .scheme = figures::ColorScheme::light,
       .bone = {0x8A, 0x77, 0x4F, 255},
       .membrane = {0xA8, 0x47, 0x5A, 255},
       .silicone = {0xC3, 0xCE, 0xD6, 255},
@@ -37,7 +39,7 @@ const Palette& paletteOf(figures::ColorScheme scheme)
       .arrow = {0x8F, 0x55, 0x00, 255},
       .frictionArrow = {0x00, 0x62, 0x9B, 255},
       .forceLow = {0xF5, 0xC2, 0x4B, 255},
-      .forceHigh = {0xD5, 0x44, 0x2E, 255},
+      .forceHigh = {0x9E, 0x1F, 0x12, 255},
       .ground = {0xE6, 0xEC, 0xEF, 255},
       .groundLight = {0xFF, 0xFF, 0xFF, 255},
       .text = {0x14, 0x1B, 0x21, 255},

@@ -15,6 +15,7 @@ using Rgba = std::array<unsigned char, 4>;
 
 /// Colors of one scheme.
 struct Palette {
+  figures::ColorScheme scheme;
   Rgba bone, membrane, silicone, platinum, platinumRim, rib, steel, outline, arrow, frictionArrow,
       forceLow, forceHigh, ground, groundLight, text, quietText;
 };

@@ -170,7 +170,7 @@ void ScalaParts::light(const ViewFrame& view)
 void ScalaParts::paintTouched(int index)
 {
   const std::size_t i = static_cast<std::size_t>(index);
-  wall_.setColor(index, over(shell_[i], forceColor(force_mN_mm_[i])));
+  wall_.setColor(index, over(shell_[i], forceColor(force_mN_mm_[i], palette_.scheme)));
 }
 
 void ScalaParts::lookFrom(const ViewFrame& view)

@@ -26,7 +26,8 @@ constexpr double margin_px = 24.0;
 constexpr double swatch_px = 23.0;     // of an arrow's line and the gap behind it
 constexpr double row_px = 17.0;        // line spacing of text
 constexpr double plateRim_px = 8.0;    // around the content of a plate
-constexpr double plateOpacity = 0.72;  // as behind the window's text on the picture
+constexpr double plateOpacity = 0.92;  // as behind the window's text on the picture
+constexpr int lowPicture_px = 380;     // a lower picture has space for the scale of wall force only
 constexpr int labelSize = 12;
 constexpr double namedForce_mN = 20.0;  // the force shown in the legend of arrows
 
@@ -66,7 +67,8 @@ std::string ScaleBars::rounded(double value) const
 bool ScaleBars::Paint(vtkContext2D* painter)
 {
   paintLength(*painter);
-  if (showsForce) paintForce(*painter);
+  const bool isLow = GetScene()->GetSceneHeight() < lowPicture_px * pixelRatio;
+  paintLegend(*painter, isLow ? std::vector<ArrowKind>{} : arrowKinds());
   return true;
 }
 
@@ -121,8 +123,9 @@ void ScaleBars::paintLength(vtkContext2D& painter)
   painter.DrawString(right - 0.5f * length, y + 16.0f * scale, rounded(barLength_mm()) + " mm");
 }
 
-void ScaleBars::paintForce(vtkContext2D& painter)
+void ScaleBars::paintLegend(vtkContext2D& painter, const std::vector<ArrowKind>& arrows)
 {
+  if (!showsForce && arrows.empty()) return;
   const float scale = static_cast<float>(pixelRatio);
   const float left = static_cast<float>(margin_px) * scale;
   const float y = std::round(static_cast<float>(bottom_px) * scale);
@@ -133,19 +136,21 @@ void ScaleBars::paintForce(vtkContext2D& painter)
   const float above = y + height + 11.0f * scale;
   const float below = y - 10.0f * scale;
   const std::string& label = strings_.wallForce;
-  const std::vector<ArrowKind> arrows = showsArrows ? arrowKinds() : std::vector<ArrowKind>{};
 
   // model and text share this corner in some views
   const float rim = static_cast<float>(plateRim_px) * scale;
   const float row = static_cast<float>(row_px) * scale;
-  float widest = std::max(width, widthOf(painter, label));
+  float widest = showsForce ? std::max(width, widthOf(painter, label)) : 0.0f;
   for (const ArrowKind& kind : arrows)
     widest = std::max(widest, static_cast<float>(swatch_px) * scale + widthOf(painter, kind.label));
-  const float top = arrows.empty() ? above : above + 2.0f * scale + row * float(arrows.size());
+  const float foot = showsForce ? above + 2.0f * scale : below - row;
+  const float top = arrows.empty() ? above : foot + row * float(arrows.size());
   paintPlate(painter, left - rim, below - rim, left + widest + rim, top + rim);
+  paintArrows(painter, arrows, left, top);
+  if (!showsForce) return;
 
   for (int i = 0; i < cells; ++i) {
-    fillWith(painter, forceColor((i + 0.5) / cells * maxWallForce_mN_mm));
+    fillWith(painter, forceColor((i + 0.5) / cells * maxWallForce_mN_mm, palette_->scheme));
     painter.DrawRect(left + static_cast<float>(i) * cell, y, cell, height);
   }
   setText(painter, VTK_TEXT_LEFT);
@@ -155,11 +160,11 @@ void ScaleBars::paintForce(vtkContext2D& painter)
   painter.DrawString(left + 0.5f * width, below, rounded(0.5 * maxWallForce_mN_mm));
   setText(painter, VTK_TEXT_RIGHT);
   painter.DrawString(left + width, below, rounded(maxWallForce_mN_mm) + "+");
-  paintArrows(painter, arrows, left, top);
 }
 
 std::vector<ScaleBars::ArrowKind> ScaleBars::arrowKinds() const
 {
+  if (!showsArrows) return {};
   const double shown_mm = ContactMarks::arrow_mm_mN * namedForce_mN;
   const double times = ContactMarks::frictionArrow_mm_mN / ContactMarks::arrow_mm_mN;
   return {{palette_->arrow,

@@ -39,11 +39,11 @@ protected:
 
 private:
   void paintLength(vtkContext2D& painter);
-  void paintForce(vtkContext2D& painter);
   struct ArrowKind {
     Rgba color;
     std::string label;
   };
+  void paintLegend(vtkContext2D& painter, const std::vector<ArrowKind>& arrows);
   std::vector<ArrowKind> arrowKinds() const;
   std::string rounded(double value) const;
   void paintArrows(vtkContext2D& painter, const std::vector<ArrowKind>& kinds, float left, float y);

@@ -5,9 +5,11 @@
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 
+#include <cmath>
 #include <limits>
 #include <string>
 
+#include "ForceColors.h"
 #include "SceneOnScreen.h"
 
 namespace perilymph::visualization {
@@ -250,6 +252,70 @@ TEST(InsertionScene, DrawsAScalaWithoutAnArray)
   const test::DrawnPicture picture = test::draw(*window);
   EXPECT_GT(test::countPixels(picture, [](const test::Pixel& p, int, int) { return p[0] > 150; }),
             100);
+}
+
+TEST(InsertionScene, FullQualityShowsWhatBalancedShows)
+{
+  haptics::Snapshot now = test::insertedTo(degrees(220));
+  for (int node = 84; node < 97; ++node) test::press(now, node, millinewtons(8));
+  const auto drawn = [&now](Quality quality) {
+    InsertionScene scene(*test::publishedScala(), test::plainArray(), anatomy::Side::right,
+                         quality);
+    vtkNew<vtkRenderWindow> window;
+    window->SetOffScreenRendering(true);
+    window->SetSize(640, 400);
+    scene.attachTo(*window);
+    scene.show(now);
+    return test::draw(*window);
+  };
+  const test::DrawnPicture balanced = drawn(Quality::software), full = drawn(Quality::gpu);
+  const int differing = test::countPixels(full, [&](const test::Pixel& p, int x, int y) {
+    return test::difference(p, balanced.at(x, y)) > 48;
+  });
+  EXPECT_LT(differing, 640 * 400 / 100);  // edges of a finer mesh
+}
+
+TEST(InsertionScene, HasALegendOfTheArrowsWithoutWallForce)
+{
+  SceneOnScreen screen;
+  haptics::Snapshot now = test::insertedTo(degrees(220));
+  screen.scene.setVisible(Part::wallForce, false);
+  screen.scene.show(now);
+  const test::DrawnPicture with = screen.picture();
+  screen.scene.setVisible(Part::contactArrows, false);
+  screen.scene.show(now);
+  const test::DrawnPicture without = screen.picture();
+  const int legend = test::countPixels(with, [&](const test::Pixel& p, int x, int y) {
+    return x < 260 && y < 120 && test::difference(p, without.at(x, y)) > 30;
+  });
+  EXPECT_GT(legend, 200);
+}
+
+/// Relative luminance of a color over a ground, as WCAG 2.1 defines it.
+double luminanceOver(const Rgba& color, const Rgba& ground)
+{
+  const double weights[] = {0.2126, 0.7152, 0.0722};
+  double sum = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double value = (ground[i] + color[3] / 255.0 * (color[i] - ground[i])) / 255.0;
+    sum += weights[i] * (value <= 0.03928 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4));
+  }
+  return sum;
+}
+
+TEST(ForceColors, MoveAwayFromTheGroundInLuminanceThroughout)
+{
+  for (const auto scheme : {figures::ColorScheme::dark, figures::ColorScheme::light}) {
+    const Rgba& ground = paletteOf(scheme).ground;
+    const double sign = scheme == figures::ColorScheme::dark ? 1.0 : -1.0;
+    double before = luminanceOver(forceColor(0.0, scheme), ground);
+    for (double force = 1.0; force <= maxWallForce_mN_mm; force += 1.0) {
+      const double now = luminanceOver(forceColor(force, scheme), ground);
+      EXPECT_GE(sign * (now - before), 0.0) << force << " mN/mm";
+      before = now;
+    }
+    EXPECT_GT(sign * (before - luminanceOver(forceColor(10.0, scheme), ground)), 0.2);
+  }
 }
 
 TEST(InsertionScene, LooksAsAccepted)

@@ -65,6 +65,8 @@ public:
 
   void setVisible(Part part, bool visible);
   bool isVisible(Part part) const;
+  /// Shows and hides the same parts as another scene.
+  void showPartsOf(const InsertionScene& other);
   /// Sets the stereo mode. The focal plane has no disparity; a point at height h toward the viewer
   /// is 2 h tan(eyeAngle_deg / 2) further left for the right eye.
   void setStereo(Stereo stereo);

@@ -28,6 +28,8 @@
 #include "gui/setup/SetupHistory.h"
 #include "gui/shell/MainWindow.h"
 #include "gui/shell/SettingsSheet.h"
+#include "gui/shell/WindowMemory.h"
+#include "gui/shell/WindowPlace.h"
 #include "perilymph/foundation/RealTime.h"
 #include "perilymph/foundation/RenamedKeys.h"
 #include "perilymph/foundation/Version.h"
@@ -80,7 +82,7 @@ struct Beginning {
   gui::Page page = gui::Page::start;
   gui::CommandLine options;  ///< Startup actions apply to the first window only.
   std::vector<std::filesystem::path> interrupted;
-  std::optional<std::pair<gui::SetupOrigin, gui::Setup>> setup;  ///< Setup of the previous window.
+  std::optional<gui::WindowMemory> memory;  ///< From the previous window.
 };
 
 /// How a window ended: with an exit status, or to be opened again.
@@ -97,8 +99,8 @@ WindowEnd runWindow(gui::Application& application, const gui::TerminationSignals
   gui::CrashMarker mark(gui::stateFolder());
   gui::MainWindow window(beginning.scenario, options.record);
   application.onException([&window](const QString& sentence) { window.showError(sentence); });
-  if (beginning.setup) window.resume(beginning.setup->first, beginning.setup->second);
   window.showPage(beginning.page);
+  if (beginning.memory) gui::resume(window, *beginning.memory);
   gui::arrangeStartupActions(window, options);
   window.views().drawBy(gui::openGlRenderer(),
                         options.quality ? gui::qualityNamed(*options.quality) : std::nullopt);
@@ -114,22 +116,18 @@ WindowEnd runWindow(gui::Application& application, const gui::TerminationSignals
                    [] { QCoreApplication::exit(openAnew); });
   // a screenshot or a benchmark uses the default size, not the last one
   const bool isPlain = !options.screenshot && !options.measuresFrames;
-  const QString geometry = QStringLiteral("window/geometry");
-  if (isPlain) window.restoreGeometry(gui::UserSettings().value(geometry).toByteArray());
+  if (isPlain) gui::restorePlace(window);
   window.show();
   const int status = openAndRun(window);
-  if (isPlain) gui::UserSettings().setValue(geometry, window.saveGeometry());
+  if (isPlain) gui::keepPlace(window);
   application.onException({});
   if (status != openAnew) return {status, std::nullopt};
   QGuiApplication::setQuitOnLastWindowClosed(false);  // closing it does not end the program
   gui::CommandLine kept;
   kept.quality = options.quality;
   kept.plugin = options.plugin;
-  return {0, Beginning{window.control().scenario(),
-                       window.page(),
-                       kept,
-                       {},
-                       std::pair{window.setup().origin(), window.setup().now()}}};
+  return {0,
+          Beginning{window.control().scenario(), window.page(), kept, {}, gui::memoryOf(window)}};
 }
 
 /// Applies the user's settings, or those of this call.
@@ -139,6 +137,8 @@ void applyChoices(gui::Application& application, const gui::CommandLine& options
   const QString look = settings.word(QStringLiteral("look"), gui::colorSchemeText());
   gui::setShownColorScheme(look == QLatin1String("light") ? gui::ColorScheme::light
                                                           : gui::ColorScheme::dark);
+  gui::setTextScale(settings.word(QStringLiteral("textSize"), gui::textSizeText()).toDouble() /
+                    100.0);
   gui::useLanguage(application, options.language ? QString::fromStdString(*options.language)
                                                  : settings.word(QStringLiteral("language"),
                                                                  gui::languageText()));

@@ -32,7 +32,7 @@ charts::ChartStyle chartStyle()
   charts::ChartStyle style{shownScheme(), {}};
   style.strings = {
       .travel = tr("travel, mm"),
-      .axialForce = tr("insertion force, N"),
+      .axialForce = tr("insertion force, mN"),
       .force = tr("force, mN"),
       .now = tr("now"),
       .thisInsertion = tr("this insertion"),

@@ -19,7 +19,7 @@ constexpr int textLeft_px = mark_px + 10;
 QSize rowSize(const QAbstractButton& button)
 {
   const int text = QFontMetrics(button.font()).horizontalAdvance(button.text());
-  return {textLeft_px + text + 4, rowHeight_px};
+  return {textLeft_px + text + 4, sized(rowHeight_px)};
 }
 
 QSize minSize(const QAbstractButton& button)
@@ -27,7 +27,7 @@ QSize minSize(const QAbstractButton& button)
   int widest = 0;
   for (const QString& word : button.text().split(QLatin1Char(' ')))
     widest = std::max(widest, QFontMetrics(button.font()).horizontalAdvance(word));
-  return {textLeft_px + widest + 4, rowHeight_px};
+  return {textLeft_px + widest + 4, sized(rowHeight_px)};
 }
 
 int heightOf(const QAbstractButton& button, int width)
@@ -35,7 +35,7 @@ int heightOf(const QAbstractButton& button, int width)
   const QFontMetrics metrics(button.font());
   const QRect available(0, 0, std::max(1, width - textLeft_px), 1000);
   const int label = metrics.boundingRect(available, Qt::TextWordWrap, button.text()).height();
-  return std::max(rowHeight_px, label + rowHeight_px - metrics.height());
+  return std::max(sized(rowHeight_px), label + sized(rowHeight_px) - metrics.height());
 }
 
 QRectF markPlace(const QWidget& widget)

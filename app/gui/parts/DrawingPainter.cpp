@@ -72,8 +72,10 @@ struct MarkPainter {
   void operator()(const figures::Label& label) const
   {
     const double fine = lettering == Lettering::scaled ? 16.0 : 1.0;
-    const QFont font = typeface(int(std::lround(label.size * fine)),
-                                label.isBold ? QFont::DemiBold : QFont::Normal);
+    QFont font =
+        typeface(int(std::lround(label.size)), label.isBold ? QFont::DemiBold : QFont::Normal);
+    // the user's text size is for the screen, not for print
+    if (lettering == Lettering::scaled) font.setPixelSize(int(std::lround(label.size * fine)));
     const QString text = QString::fromStdString(label.text);
     painter.save();
     painter.translate(label.at.x, label.at.y);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/parts/Notice.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <algorithm>
+#include <utility>
 
 #include "gui/parts/Theme.h"
 
@@ -13,8 +12,8 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr int time_ms = 6000;
-constexpr int max_px = 760;
+constexpr int messageTime_ms = 6000;
+constexpr int offerTime_ms = 30'000;
 
 }  // namespace
 
@@ -22,22 +21,23 @@ Notice::Notice(QWidget* parent)
     : QFrame(parent),
       label_(new QLabel(this)),
       act_(new QPushButton(this)),
-      dismiss_(new QPushButton(tr("Dismiss"), this))
+      dismiss_(new QPushButton(this))
 {
   setObjectName(QStringLiteral("notice"));
   label_->setObjectName(QStringLiteral("noticeText"));
   label_->setFont(typeface(13));
   label_->setWordWrap(true);
+  label_->setTextFormat(Qt::PlainText);
   label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   act_->setObjectName(QStringLiteral("noticeButton"));
   dismiss_->setObjectName(QStringLiteral("noticeDismissButton"));
   for (QPushButton* button : {act_, dismiss_}) {
     button->setFont(typeface(13, QFont::Medium));
-    button->setFixedHeight(28);
+    button->setFixedHeight(sized(28));
     button->setFocusPolicy(Qt::TabFocus);
   }
   auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(2 * spacing, spacing, spacing, spacing);
+  row->setContentsMargins(2 * spacing, spacing, 2 * spacing, spacing);
   row->setSpacing(spacing);
   row->addWidget(label_, 1);
   row->addWidget(act_);
@@ -49,45 +49,45 @@ Notice::Notice(QWidget* parent)
     hide();
     if (action_) action_();
   });
-  parent->installEventFilter(this);
   hide();
 }
 
 void Notice::say(const QString& sentence)
 {
-  label_->setText(sentence);
-  action_ = nullptr;
-  act_->hide();
-  timer_.start(time_ms);
-  place();
+  if (sentence.isEmpty()) return;
+  show(sentence, {}, tr("Dismiss"), nullptr);
+  timer_.start(messageTime_ms);
 }
 
 void Notice::offer(const QString& sentence, const QString& action, std::function<void()> act)
 {
-  label_->setText(sentence);
-  act_->setText(action);
-  act_->show();
-  action_ = std::move(act);
-  timer_.stop();
-  place();
+  show(sentence, action, tr("Dismiss"), std::move(act));
+  timer_.start(offerTime_ms);
+}
+
+void Notice::ask(const QString& question, const QString& action, const QString& refusal,
+                 std::function<void()> act)
+{
+  show(question, action, refusal, std::move(act));
+}
+
+void Notice::dropOffer()
+{
+  if (timer_.isActive()) hide();
 }
 
 QString Notice::sentence() const { return label_->text(); }
 
-void Notice::place()
+void Notice::show(const QString& sentence, const QString& action, const QString& refusal,
+                  std::function<void()> act)
 {
-  const QWidget& around = *parentWidget();
-  setFixedWidth(std::min(max_px, around.width() - 4 * spacing));
-  adjustSize();
-  move((around.width() - width()) / 2, around.height() - height() - barHeight - 2 * spacing);
-  show();
-  raise();
-}
-
-bool Notice::eventFilter(QObject* target, QEvent* event)
-{
-  if (event->type() == QEvent::Resize && isVisible()) place();
-  return QFrame::eventFilter(target, event);
+  timer_.stop();
+  label_->setText(sentence);
+  act_->setText(action);
+  act_->setVisible(!action.isEmpty());
+  dismiss_->setText(refusal);
+  action_ = std::move(act);
+  setVisible(true);
 }
 
 }  // namespace perilymph::gui

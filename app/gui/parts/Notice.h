@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// A temporary message at the bottom of the window.
+// A strip below the top bar with a message; the page gives way to it, so that it covers nothing.
 
 #include <QFrame>
 #include <QTimer>
@@ -17,17 +17,21 @@ class Notice : public QFrame {
 public:
   explicit Notice(QWidget* parent);
 
-  /// Shows a message for some seconds.
+  /// Shows a message for some seconds; nothing if it is empty.
   void say(const QString& sentence);
-  /// Shows a message with an action; stays until it is answered.
+  /// Shows a message with an action for half a minute.
   void offer(const QString& sentence, const QString& action, std::function<void()> act);
+  /// Asks a question that stays until one of its buttons answers it.
+  /// @param refusal  Text of the button that changes nothing.
+  void ask(const QString& question, const QString& action, const QString& refusal,
+           std::function<void()> act);
+  /// Hides an offer; a question stays.
+  void dropOffer();
   QString sentence() const;
 
-protected:
-  bool eventFilter(QObject* target, QEvent* event) override;
-
 private:
-  void place();
+  void show(const QString& sentence, const QString& action, const QString& refusal,
+            std::function<void()> act);
 
   QLabel* label_;
   QPushButton* act_;

@@ -12,6 +12,7 @@ namespace perilymph::gui {
 namespace {
 
 constexpr int unitGap_px = 8;
+constexpr int compactSize_px = 26;
 // Padding of the plate around number and caption.
 constexpr int plate_px = 6;
 
@@ -20,18 +21,31 @@ QString dashed(const QString& number) { return number.isEmpty() ? QStringLiteral
 }  // namespace
 
 ReadOut::ReadOut(Form form, QWidget* parent)
-    : QWidget(parent),
-      form_(std::move(form)),
-      numberFont_(typeface(form_.size_px, form_.size_px > 30 ? QFont::Light : QFont::Normal)),
-      unitFont_(typeface(std::max(13, form_.size_px * 2 / 5), QFont::Normal)),
-      captionFont_(typeface(12))
+    : QWidget(parent), form_(std::move(form)), captionFont_(typeface(12))
 {
   setAttribute(Qt::WA_TransparentForMouseEvents);
   setAttribute(Qt::WA_NoSystemBackground);
   setFocusPolicy(Qt::NoFocus);
+  setSize(form_.size_px);
+}
+
+void ReadOut::setSize(int size_px)
+{
+  numberFont_ = typeface(size_px, size_px > 30 ? QFont::Light : QFont::Normal);
+  unitFont_ = typeface(std::max(13, size_px * 2 / 5), QFont::Normal);
+  digitWidth_ = 0;
   const QFontMetrics metrics(numberFont_);
   for (char digit = '0'; digit <= '9'; ++digit)
     digitWidth_ = std::max(digitWidth_, metrics.horizontalAdvance(QLatin1Char(digit)));
+}
+
+void ReadOut::setCompact(bool isCompact)
+{
+  if (isCompact == isCompact_) return;
+  isCompact_ = isCompact;
+  setSize(isCompact ? std::min(compactSize_px, form_.size_px) : form_.size_px);
+  updateGeometry();
+  update();
 }
 
 void ReadOut::setNumber(const QString& number)
@@ -55,8 +69,8 @@ QSize ReadOut::sizeHint() const
   const int unit =
       form_.unit.isEmpty() ? 0 : unitGap_px + QFontMetrics(unitFont_).horizontalAdvance(form_.unit);
   const int caption =
-      caption_.isEmpty() ? 0 : QFontMetrics(captionFont_).horizontalAdvance(caption_);
-  const int captionHeight = caption_.isEmpty() ? 0 : QFontMetrics(captionFont_).height() + 2;
+      shownCaption().isEmpty() ? 0 : QFontMetrics(captionFont_).horizontalAdvance(shownCaption());
+  const int captionHeight = shownCaption().isEmpty() ? 0 : QFontMetrics(captionFont_).height() + 2;
   return {std::max(numberWidth(form_.widest) + unit, caption) + 2 + 2 * plate_px,
           QFontMetrics(numberFont_).capHeight() + spacing + captionHeight + 2 * plate_px};
 }
@@ -101,11 +115,11 @@ void ReadOut::paintEvent(QPaintEvent*)
   const int unitX = isRight ? right - unitWidth : left + numberWidth(number);
   painter.drawText(unitX + unitGap_px, baseline, form_.unit);
 
-  if (caption_.isEmpty()) return;
+  if (shownCaption().isEmpty()) return;
   painter.setFont(captionFont_);
   const QFontMetrics metrics(captionFont_);
-  const int captionX = isRight ? right - metrics.horizontalAdvance(caption_) : left;
-  painter.drawText(captionX, baseline + spacing + metrics.ascent() + 2, caption_);
+  const int captionX = isRight ? right - metrics.horizontalAdvance(shownCaption()) : left;
+  painter.drawText(captionX, baseline + spacing + metrics.ascent() + 2, shownCaption());
 }
 
 }  // namespace perilymph::gui

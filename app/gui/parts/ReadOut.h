@@ -23,6 +23,8 @@ public:
 
   ReadOut(Form form, QWidget* parent);
 
+  /// Draws a smaller number without caption, for low views.
+  void setCompact(bool isCompact);
   void setNumber(const QString& number);
   void setCaption(const QString& caption);
   const QString& number() const { return number_; }
@@ -35,12 +37,15 @@ protected:
   void paintEvent(QPaintEvent*) override;
 
 private:
+  void setSize(int size_px);
+  QString shownCaption() const { return isCompact_ ? QString() : caption_; }
   int numberWidth(const QString& number) const;
   int cellWidth(QChar character) const;
 
   Form form_;
   QFont numberFont_, unitFont_, captionFont_;
   int digitWidth_ = 0;
+  bool isCompact_ = false;
   QString number_, caption_;
 };
 

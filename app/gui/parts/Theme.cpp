@@ -16,6 +16,7 @@ const Theme& darkTheme()
       .raised = {0x26, 0x31, 0x3A},
       .pressed = {0x3A, 0x48, 0x54},
       .line = {0x2A, 0x32, 0x3A},
+      .border = {0x66, 0x75, 0x82},
       .ahead = {0x6A, 0x7A, 0x88},
       .text = {0xE8, 0xEC, 0xEF},
       .quietText = {0x93, 0xA1, 0xAC},
@@ -39,6 +40,7 @@ const Theme& lightTheme()
       .raised = {0xDF, 0xE6, 0xEA},
       .pressed = {0xAE, 0xBB, 0xC4},
       .line = {0xC9, 0xD3, 0xDA},
+      .border = {0x7C, 0x8A, 0x95},
       .ahead = {0x76, 0x84, 0x8F},
       .text = {0x14, 0x1B, 0x21},
       .quietText = {0x4A, 0x56, 0x61},
@@ -57,11 +59,13 @@ const Theme& lightTheme()
 struct Shown {
   ColorScheme look = ColorScheme::dark;
   Theme theme;
+  double textScale = 1.0;
+  Lengths lengths;
 };
 
 Shown& shown()
 {
-  static Shown one{ColorScheme::dark, darkTheme()};
+  static Shown one{ColorScheme::dark, darkTheme(), 1.0, {}};
   return one;
 }
 
@@ -80,7 +84,7 @@ QLabel[badge="true"] {
 QFrame#line { background: %line%; border: none; }
 
 QPushButton {
-  background: %raised%; border: 1px solid %raised%; border-radius: 5px; padding: 0 12px;
+  background: %raised%; border: 1px solid %border%; border-radius: 5px; padding: 0 12px;
 }
 QPushButton:hover { border-color: %accent%; }
 QPushButton:pressed { background: %line%; }
@@ -127,13 +131,13 @@ QScrollBar::add-line:vertical, QScrollBar::sub-line:vertical { height: 0; }
 QScrollBar::add-page:vertical, QScrollBar::sub-page:vertical { background: transparent; }
 QLineEdit:disabled { color: %quietText%; background: %panel%; }
 QLineEdit {
-  background: %ground%; border: 1px solid %line%; border-radius: 4px; padding: 0 8px;
+  background: %ground%; border: 1px solid %border%; border-radius: 4px; padding: 0 8px;
   selection-background-color: %accent%; selection-color: %onAccent%;
 }
 QLineEdit:focus { border-color: %accent%; }
 QLineEdit[hint="true"] { color: %quietText%; }
 QSpinBox {
-  background: %ground%; border: 1px solid %line%; border-radius: 4px; padding: 0 8px;
+  background: %ground%; border: 1px solid %border%; border-radius: 4px; padding: 0 8px;
 }
 QSpinBox:focus { border-color: %accent%; }
 QProgressBar { background: %ground%; border: none; border-radius: 3px; }
@@ -142,7 +146,7 @@ QPushButton#keysButton { background: transparent; border-color: transparent; col
 QPushButton#keysButton:hover { color: %text%; border-color: %line%; }
 
 QToolButton#viewButton {
-  background: %plate%; border: 1px solid %line%; border-radius: 4px; padding: 2px 8px; color: %text%;
+  background: %plate%; border: 1px solid %border%; border-radius: 4px; padding: 2px 8px; color: %text%;
 }
 QToolButton#viewButton:hover, QToolButton#viewButton:focus { border-color: %accent%; }
 QToolButton#viewButton::menu-indicator { image: none; }
@@ -169,14 +173,15 @@ QHeaderView::up-arrow, QHeaderView::down-arrow { image: none; width: 0; height: 
 QHeaderView::section { border-bottom: 1px solid %line%; padding: 6px 8px; }
 QToolTip { color: %text%; background: %ground%; border: 1px solid %line%; padding: 4px; }
 
-QFrame#notice, QFrame#buildingNote, QFrame#settings { background: %panel%; border: 1px solid %accent%; border-radius: 6px; }
+QFrame#notice { background: %banner%; border: none; border-bottom: 1px solid %line%; }
+QFrame#buildingNote, QFrame#about, QFrame#settings { background: %panel%; border: 1px solid %accent%; border-radius: 6px; }
 QPushButton:focus, QPushButton[page="true"]:focus, QPushButton#startButton:focus,
 QPushButton[primary="true"]:focus, QPushButton#startPageButton:focus, QPushButton#keysButton:focus,
-QPushButton#settingsButton:focus {
+QPushButton#settingsButton:focus, QPushButton#menuButton:focus {
   border: 2px solid %text%;
 }
-QPushButton#settingsButton { background: transparent; border-color: transparent; color: %quietText%; }
-QPushButton#settingsButton:hover { color: %text%; border-color: %line%; }
+QPushButton#settingsButton, QPushButton#menuButton { background: transparent; border-color: transparent; color: %quietText%; }
+QPushButton#settingsButton:hover, QPushButton#menuButton:hover { color: %text%; border-color: %line%; }
 )";
 
 }  // namespace
@@ -185,7 +190,7 @@ QFont typeface(int size_px, QFont::Weight weight)
 {
   QFont chosen;
   chosen.setFamilies({QStringLiteral("Inter"), QStringLiteral("DejaVu Sans")});
-  chosen.setPixelSize(size_px);
+  chosen.setPixelSize(sized(size_px));
   chosen.setWeight(weight);
   return chosen;
 }
@@ -198,7 +203,25 @@ const Theme& themeOf(ColorScheme look)
 ColorScheme shownColorScheme() { return shown().look; }
 const Theme& shownTheme() { return shown().theme; }
 
-void setShownColorScheme(ColorScheme look) { shown() = {look, themeOf(look)}; }
+double textScale() { return shown().textScale; }
+
+int sized(int size_px) { return qRound(size_px * textScale()); }
+
+const Lengths& shownLengths() { return shown().lengths; }
+
+void setTextScale(double scale)
+{
+  shown().textScale = scale;
+  const Lengths usual;
+  shown().lengths = {sized(usual.sidePanel), sized(usual.chartColumn), sized(usual.minChartColumn),
+                     sized(usual.bar)};
+}
+
+void setShownColorScheme(ColorScheme look)
+{
+  shown().look = look;
+  shown().theme = themeOf(look);
+}
 
 void paintPlate(QPainter& painter, const QRect& area)
 {
@@ -215,19 +238,13 @@ QString windowStyle()
   QString filled = QString::fromLatin1(sheet);
   const Theme& theme = shownTheme();
   const std::pair<const char*, QColor> names[] = {
-      {"%ground%", theme.ground},
-      {"%panel%", theme.panel},
-      {"%raised%", theme.raised},
-      {"%pressed%", theme.pressed},
-      {"%line%", theme.line},
-      {"%text%", theme.text},
-      {"%quietText%", theme.quietText},
-      {"%accent%", theme.accent},
-      {"%accentHover%", theme.accentHover},
-      {"%onAccent%", theme.onAccent},
-      {"%warning%", theme.warning},
-      {"%onWarning%", theme.onWarning},
-      {"%banner%", theme.banner},
+      {"%ground%", theme.ground},       {"%panel%", theme.panel},
+      {"%raised%", theme.raised},       {"%pressed%", theme.pressed},
+      {"%line%", theme.line},           {"%border%", theme.border},
+      {"%text%", theme.text},           {"%quietText%", theme.quietText},
+      {"%accent%", theme.accent},       {"%accentHover%", theme.accentHover},
+      {"%onAccent%", theme.onAccent},   {"%warning%", theme.warning},
+      {"%onWarning%", theme.onWarning}, {"%banner%", theme.banner},
   };
   for (const auto& [name, value] : names) filled.replace(QLatin1String(name), value.name());
   const QColor& ground = theme.ground;

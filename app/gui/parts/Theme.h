@@ -22,7 +22,8 @@ struct Theme {
   QColor raised;   ///< Buttons.
   QColor pressed;  ///< Draggable elements.
   QColor line;
-  QColor ahead;  ///< Remaining part of a progress line; 3:1 on the background.
+  QColor border;  ///< Edges of fields and buttons; 3:1 on the background.
+  QColor ahead;   ///< Remaining part of a progress line; 3:1 on the background.
   QColor text, quietText;
   QColor accent;       ///< The current insertion, and the primary action.
   QColor accentHover;  ///< The same under the mouse.
@@ -46,6 +47,7 @@ inline const QColor& groundColor = shownTheme().ground;
 inline const QColor& panelColor = shownTheme().panel;
 inline const QColor& raisedColor = shownTheme().raised;
 inline const QColor& lineColor = shownTheme().line;
+inline const QColor& borderColor = shownTheme().border;
 inline const QColor& aheadColor = shownTheme().ahead;
 inline const QColor& textColor = shownTheme().text;
 inline const QColor& quietTextColor = shownTheme().quietText;
@@ -54,14 +56,29 @@ inline const QColor& ghostColor = shownTheme().ghost;
 inline const QColor& warningColor = shownTheme().warning;
 inline const QColor& alarmColor = shownTheme().alarm;
 
-inline constexpr int sidePanelWidth = 248;
-inline constexpr int chartColumnWidth = 431;
-inline constexpr int minChartColumnWidth = 300;  ///< Minimum width, to leave space for the 3D view.
-inline constexpr int barHeight = 44;
-inline constexpr int spacing = 8;
-inline constexpr int plateAlpha = 185;  ///< Opacity of the background of text over the 3D view.
+/// Size of text over its standard size, 0.9 to 1.5; chosen before a window is made.
+double textScale();
+void setTextScale(double scale);
+/// A length that grows with the text: heights of fields and buttons, widths of panels [px].
+int sized(int size_px);
 
-/// Inter at a size [px], or DejaVu Sans if Inter is missing.
+/// Lengths of the window that grow with its text [px].
+struct Lengths {
+  int sidePanel = 248, chartColumn = 431;
+  int minChartColumn = 300;  ///< Minimum width, to leave space for the 3D view.
+  int bar = 44;
+};
+const Lengths& shownLengths();
+
+inline const int& sidePanelWidth = shownLengths().sidePanel;
+inline const int& chartColumnWidth = shownLengths().chartColumn;
+inline const int& minChartColumnWidth = shownLengths().minChartColumn;
+inline const int& barHeight = shownLengths().bar;
+inline constexpr int spacing = 8;
+/// Opacity of the background of text over the 3D view: text has 4.5:1 over anything behind it.
+inline constexpr int plateAlpha = 235;
+
+/// Inter at a standard size [px], scaled by textScale(), or DejaVu Sans if Inter is missing.
 QFont typeface(int size_px, QFont::Weight weight = QFont::Normal);
 
 /// Paints the plate behind text over the 3D view, which keeps it legible; leaves no pen.

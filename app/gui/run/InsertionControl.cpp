@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/run/InsertionControl.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <ctime>
 #include <utility>
@@ -205,6 +206,14 @@ void InsertionControl::advanceBy(Length distance)
   if (pointer_ == nullptr || !isHeld_) return;
   if (distance.si() > 0.0 && isAtDepth()) return;
   pointer_->advanceBy(distance.si());
+}
+
+void InsertionControl::driveAt(Speed speed)
+{
+  if (pointer_ == nullptr) return;
+  const double ahead = scenario_.stopTravel().si() - now_.output.travel;
+  const double behind = std::max(0.0, now_.output.depth);  // until the tip is out
+  pointer_->driveAt(isHeld_ ? speed.si() : 0.0, speed.si() > 0.0 ? ahead : behind);
 }
 
 bool InsertionControl::update()

@@ -54,6 +54,7 @@ public:
 
   /// Sets the device that the next prepare(InputSource::device) opens.
   void choose(DeviceFactory device) { chosen_ = std::move(device); }
+  const DeviceFactory& chosen() const noexcept { return chosen_; }
   void choose(const device::FoundDevice& found);
   /// The same for the device of a plug-in (a shared library).
   void choose(const std::filesystem::path& plugin);
@@ -72,6 +73,9 @@ public:
   bool isHeld() const noexcept { return isHeld_; }
   /// Pointer: moves the array while it is grasped; positive into the cochlea.
   void advanceBy(Length distance);
+  /// Pointer: moves the array at a constant speed while it is grasped, up to the stop travel,
+  /// positive into the cochlea. To be repeated in every frame; the haptic loop times the motion.
+  void driveAt(Speed speed);
 
   /// Sends pending commands and takes the newest snapshot. True if there is a new one.
   bool update();

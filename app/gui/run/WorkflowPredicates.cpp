@@ -12,6 +12,7 @@ InsertionState stateOf(const InsertionControl& control)
           control.hand(),
           control.isRunning(),
           control.isMoving(),
+          control.isAtDepth(),
           now.travel,
           control.scenario().array().hasStylet,
           control.isStyletPulled()};
@@ -29,16 +30,22 @@ bool isOver(Workflow workflow)
 
 bool isUnderway(const InsertionState& state) { return state.isRunning && hasBegun(state.workflow); }
 
+bool hasArrived(const InsertionState& state)
+{
+  return isUnderway(state) && state.isAtDepth && !state.isMoving;
+}
+
 bool isBetweenInsertions(const InsertionState& state)
 {
-  return !isUnderway(state) || isOver(state.workflow);
+  return !isUnderway(state) || isOver(state.workflow) || hasArrived(state);
 }
 
 bool maySetUp(const InsertionState& state) { return isBetweenInsertions(state) && !state.isMoving; }
 
 bool mayStart(const InsertionState& state)
 {
-  return state.input == InputSource::scripted ? !isOver(state.workflow) : !state.isRunning;
+  if (state.input != InputSource::scripted) return !state.isRunning;
+  return !isOver(state.workflow) && !hasArrived(state);
 }
 
 bool mayWithdraw(const InsertionState& state)

@@ -14,6 +14,7 @@ struct InsertionState {
   InputSource input = InputSource::scripted;
   bool isRunning = false;  ///< The loop runs.
   bool isMoving = false;   ///< The device was told to move, or is grasped.
+  bool isAtDepth = false;  ///< The stop travel is reached.
   double travel = 0.0;     ///< [m]
   bool hasStylet = false;
   bool isStyletPulled = false;
@@ -29,6 +30,10 @@ bool isOver(haptics::Workflow workflow);
 
 /// True if the array has left its start or may leave it.
 bool isUnderway(const InsertionState& state);
+
+/// True at full depth and at rest. The loop reports it once (finished); after a withdrawal from
+/// there and another way in it does not.
+bool hasArrived(const InsertionState& state);
 
 /// True before or after an insertion: device, colors and language may be changed.
 bool isBetweenInsertions(const InsertionState& state);

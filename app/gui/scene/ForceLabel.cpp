@@ -60,7 +60,7 @@ QSize ForceLabel::sizeHint() const
   const QFontMetrics metrics(font());
   const int widest = std::max(metrics.horizontalAdvance(marked(hand_)),
                               metrics.horizontalAdvance(marked(partition_)));
-  return {widest + 2 * plate_px, 2 * lineHeight_px + plate_px};
+  return {widest + 2 * plate_px, 2 * sized(lineHeight_px) + plate_px};
 }
 
 void ForceLabel::paintEvent(QPaintEvent*)
@@ -68,11 +68,11 @@ void ForceLabel::paintEvent(QPaintEvent*)
   QPainter painter(this);
   paintPlate(painter, rect());
   painter.setFont(font());
-  QRect line(plate_px, plate_px / 2, width() - 2 * plate_px, lineHeight_px);
+  QRect line(plate_px, plate_px / 2, width() - 2 * plate_px, sized(lineHeight_px));
   for (const ForceMeaning* meaning : {&hand_, &partition_}) {
     painter.setPen(meaning->isBeyond ? warningColor : quietTextColor);
     painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, marked(*meaning));
-    line.translate(0, lineHeight_px);
+    line.translate(0, sized(lineHeight_px));
   }
 }
 

@@ -8,8 +8,8 @@
 #include <vtkRenderer.h>
 
 #include <QEvent>
-#include <QFrame>
 #include <QHBoxLayout>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QMouseEvent>
 #include <QVBoxLayout>
@@ -20,8 +20,10 @@
 #include "gui/parts/Numbers.h"
 #include "gui/parts/ReadOut.h"
 #include "gui/parts/Theme.h"
+#include "gui/scene/Banner.h"
 #include "gui/scene/ForceLabel.h"
 #include "gui/scene/PhaseLine.h"
+#include "gui/scene/ReadOutTips.h"
 #include "gui/scene/StereoWindow.h"
 #include "gui/scene/ViewNames.h"
 
@@ -33,9 +35,12 @@ using visualization::CameraPreset;
 
 // A drag over the full height of the view rotates the model by half a turn.
 constexpr double turnPerHeight_deg = 180.0;
-
 // Height of the view's own text below the scale bars: two labels and the phase line.
 constexpr int footHeight_px = 100;
+constexpr int lowFootHeight_px = 56;  // without the phase line
+constexpr int lowView_px = 380;       // below it, read-outs are smaller or hidden
+constexpr qint64 restTime_ms = 1000;
+int footMargin(int height) { return height < lowView_px ? lowFootHeight_px : footHeight_px; }
 
 QLabel* quietLabel(QWidget* parent, const char* name)
 {
@@ -56,8 +61,7 @@ OperationView::OperationView(QWidget* parent)
       force_(new ReadOut({46, QStringLiteral("-000"), tr("mN"), Qt::AlignRight}, this)),
       forceLabel_(new ForceLabel(this)),
       speed_(new ReadOut({20, QStringLiteral("-00.0"), tr("mm/s"), Qt::AlignRight}, this)),
-      banner_(new QFrame(this)),
-      bannerText_(new QLabel(banner_)),
+      banner_(new Banner(this)),
       hint_(quietLabel(this, "hintLabel")),
       magnification_(quietLabel(this, "magnificationLabel")),
       viewName_(quietLabel(this, "viewLabel")),
@@ -73,6 +77,7 @@ OperationView::OperationView(QWidget* parent)
   // Mouse input is handled here: interactor styles have their own keys and drags.
   if (window->GetInteractor() != nullptr) window->GetInteractor()->SetInteractorStyle(nullptr);
   addReadOuts();
+  sinceMotion_.start();
   showNumbers({}, millimeters(1));
 }
 
@@ -84,17 +89,8 @@ void OperationView::addReadOuts()
   angle_->setObjectName(QStringLiteral("angleReadOut"));
   force_->setObjectName(QStringLiteral("forceReadOut"));
   speed_->setObjectName(QStringLiteral("speedReadOut"));
-  angle_->setCaption(tr("angular insertion depth"));
   force_->setCaption(tr("insertion force"));
-
-  banner_->setObjectName(QStringLiteral("banner"));
-  bannerText_->setObjectName(QStringLiteral("bannerText"));
-  bannerText_->setFont(typeface(13));
-  bannerText_->setWordWrap(true);
-  auto* bannerLayout = new QHBoxLayout(banner_);
-  bannerLayout->setContentsMargins(2 * spacing, spacing, 2 * spacing, spacing);
-  bannerLayout->addWidget(bannerText_);
-  banner_->setVisible(false);
+  tips().set();
   hint_->setVisible(false);
   hint_->setWordWrap(true);
   hint_->setAlignment(Qt::AlignCenter);
@@ -141,6 +137,11 @@ void OperationView::captionDepth(const QString& depth_mm)
   if (travel_->width() < travel_->sizeHint().width()) layout()->activate();
 }
 
+ReadOutTips OperationView::tips() const
+{
+  return {travel_, angle_, force_, forceLabel_, speed_, magnification_, viewName_, phase_};
+}
+
 void OperationView::addToFoot(QWidget* control) { foot_->addWidget(control); }
 
 void OperationView::setScene(std::unique_ptr<visualization::InsertionScene> scene)
@@ -153,10 +154,7 @@ void OperationView::setScene(std::unique_ptr<visualization::InsertionScene> scen
 void OperationView::replaceScene(std::unique_ptr<visualization::InsertionScene> scene)
 {
   if (!scene_) return setScene(std::move(scene));
-  using visualization::Part;
-  for (const Part part :
-       {Part::wallForce, Part::contactArrows, Part::membrane, Part::styletAndTweezers, Part::scala})
-    scene->setVisible(part, scene_->isVisible(part));
+  scene->showPartsOf(*scene_);
   const CameraPreset preset = scene_->preset();
   const double magnification = scene_->magnification();
   take(std::move(scene));
@@ -169,24 +167,18 @@ void OperationView::take(std::unique_ptr<visualization::InsertionScene> scene)
 {
   if (scene_) renderWindow()->RemoveRenderer(&scene_->renderer());
   scene_ = std::move(scene);
-  scene_->setScale(devicePixelRatioF());
-  scene_->setScaleBarMargin(footHeight_px + hintLift_);
+  scene_->setScale(devicePixelRatioF() * textScale());
+  scene_->setScaleBarMargin(footMargin(height()) + hintLift_);
   scene_->attachTo(*renderWindow());
-  showStereo();
+  scene_->setStereo(hasOwnWindow(stereo_) ? visualization::Stereo::off : stereo_);
   isDirty_ = true;
-}
-
-void OperationView::showStereo()
-{
-  using visualization::Stereo;
-  scene_->setStereo(stereo_ == Stereo::quadBuffered ? Stereo::off : stereo_);
 }
 
 void OperationView::setStereo(visualization::Stereo stereo)
 {
   stereo_ = stereo;
   if (!scene_) return;
-  showStereo();
+  scene_->setStereo(hasOwnWindow(stereo_) ? visualization::Stereo::off : stereo_);
   describeView();
   isDirty_ = true;
 }
@@ -202,6 +194,7 @@ void OperationView::showArray(const haptics::Snapshot& now)
   if (!scene_) return;
   scene_->show(now);
   if (twin_ != nullptr) twin_->scene().show(now);
+  sinceMotion_.restart();
   isDirty_ = true;
 }
 
@@ -216,6 +209,8 @@ void OperationView::showNumbers(const haptics::TickOutput& now, Length stopTrave
   phase_->setPhase(analysis::phaseOf(now, stopTravel));
 }
 
+void OperationView::setPartial(bool isPartial) { phase_->setPartial(isPartial); }
+
 void OperationView::setPartVisible(visualization::Part part, bool isVisible)
 {
   if (!scene_) return;
@@ -229,6 +224,7 @@ void OperationView::glideTo(CameraPreset preset)
   if (!scene_) return;
   scene_->glideTo(preset);
   describeView();
+  sinceMotion_.restart();
   isDirty_ = true;
 }
 
@@ -236,6 +232,7 @@ void OperationView::turnModel(double azimuth_deg, double elevation_deg, double r
 {
   if (!scene_) return;
   scene_->rotateModel(azimuth_deg, elevation_deg, roll_deg);
+  sinceMotion_.restart();
   isDirty_ = true;
 }
 
@@ -243,6 +240,7 @@ void OperationView::moveModel(double right, double up)
 {
   if (!scene_) return;
   scene_->moveModel(right * pictureHeight_mm(), up * pictureHeight_mm());
+  sinceMotion_.restart();
   isDirty_ = true;
 }
 
@@ -251,6 +249,7 @@ void OperationView::zoom(double factor)
   if (!scene_) return;
   scene_->zoom(factor);
   describeView();
+  sinceMotion_.restart();
   isDirty_ = true;
 }
 
@@ -258,6 +257,7 @@ void OperationView::stepCamera(double seconds)
 {
   if (!scene_ || !scene_->stepCamera(seconds)) return;
   describeView();
+  sinceMotion_.restart();
   isDirty_ = true;
 }
 
@@ -276,18 +276,22 @@ double OperationView::pictureHeight_mm() const
   return 2.0 * scene_->renderer().GetActiveCamera()->GetParallelScale();
 }
 
-void OperationView::setBanner(const QString& sentence)
-{
-  if (bannerText_->text() == sentence) return;
-  bannerText_->setText(sentence);
-  banner_->setVisible(!sentence.isEmpty());
-}
+void OperationView::setBanner(const QString& sentence) { banner_->setSentence(sentence); }
 
 void OperationView::setHint(const QString& hint)
 {
   if (hint_->text() == hint) return;
   hint_->setText(hint);
   placeHint();
+}
+
+void OperationView::fitReadOuts()
+{
+  const bool isLow = height() < lowView_px;
+  for (ReadOut* readOut : {travel_, angle_, force_}) readOut->setCompact(isLow);
+  speed_->setVisible(!isLow);
+  phase_->setVisible(!isLow);
+  layout()->activate();
 }
 
 void OperationView::placeHint()
@@ -323,11 +327,13 @@ void OperationView::placeHint()
     hint_->setGeometry((width() - widest) / 2, beside.top() - height - spacing, widest, height);
     lift = height + spacing;
   }
-  if (!scene_ || lift == hintLift_) return;
+  if (!scene_) return;
   hintLift_ = lift;
-  scene_->setScaleBarMargin(footHeight_px + hintLift_);
+  scene_->setScaleBarMargin(footMargin(height()) + hintLift_);
   isDirty_ = true;
 }
+
+bool OperationView::isResting() const { return sinceMotion_.elapsed() > restTime_ms; }
 
 bool OperationView::renderIfDirty()
 {
@@ -342,6 +348,7 @@ void OperationView::resizeEvent(QResizeEvent* event)
 {
   QVTKOpenGLNativeWidget::resizeEvent(event);
   if (!depth_mm_.isEmpty()) captionDepth(QString(depth_mm_));
+  fitReadOuts();
   placeHint();
   isDirty_ = true;
 }
@@ -349,6 +356,11 @@ void OperationView::resizeEvent(QResizeEvent* event)
 bool OperationView::event(QEvent* event)
 {
   switch (event->type()) {
+    case QEvent::ToolTip: {
+      const auto& help = static_cast<const QHelpEvent&>(*event);
+      if (tips().show(*this, help.pos(), help.globalPos())) return true;
+      return QVTKOpenGLNativeWidget::event(event);
+    }
     case QEvent::MouseButtonPress:
     case QEvent::MouseButtonRelease:
     case QEvent::MouseButtonDblClick:

@@ -5,22 +5,24 @@
 
 #include <QVTKOpenGLNativeWidget.h>
 
+#include <QElapsedTimer>
 #include <memory>
 
 #include "perilymph/foundation/Units.h"
 #include "perilymph/haptics/Snapshot.h"
 #include "perilymph/visualization/InsertionScene.h"
 
-class QFrame;
 class QHBoxLayout;
 class QLabel;
 
 namespace perilymph::gui {
 
+class Banner;
 class ForceLabel;
 class PhaseLine;
 class ReadOut;
 class StereoWindow;
+struct ReadOutTips;
 
 /// Shows the scene and its read-outs; the mouse rotates, moves and zooms the model.
 class OperationView : public QVTKOpenGLNativeWidget {
@@ -41,10 +43,12 @@ public:
   /// Updates the read-outs.
   /// @param stopTravel  Travel at full depth.
   void showNumbers(const haptics::TickOutput& now, Length stopTravel);
+  /// The stop travel leaves some of the array outside.
+  void setPartial(bool isPartial);
   void setPartVisible(visualization::Part part, bool isVisible);
 
   void glideTo(visualization::CameraPreset preset);
-  /// For quad-buffered stereo, shown by another window, this view shows the picture of one eye.
+  /// For stereo shown by another window, this view shows the picture of one eye.
   void setStereo(visualization::Stereo stereo);
   /// Sets a window that shows the same view, or null. It must outlive its use here.
   void setTwin(StereoWindow* twin);
@@ -66,6 +70,8 @@ public:
 
   /// Renders if anything changed. True if it did.
   bool renderIfDirty();
+  /// Nothing has moved for a second: neither array nor camera.
+  bool isResting() const;
 
 Q_SIGNALS:
   /// A double click on the view.
@@ -87,8 +93,9 @@ private:
   QString depth_mm_;  ///< The depth in the caption.
   void take(std::unique_ptr<visualization::InsertionScene> scene);
   void describeView();
-  void showStereo();
   void placeHint();
+  void fitReadOuts();
+  ReadOutTips tips() const;
   double pictureHeight_mm() const;
 
   std::unique_ptr<visualization::InsertionScene> scene_;
@@ -96,14 +103,14 @@ private:
   StereoWindow* twin_ = nullptr;
   bool isDirty_ = true;
   int hintLift_ = 0;  ///< Offset of the scale bars above a hint below them.
+  QElapsedTimer sinceMotion_;
   QPoint mouse_;
   ReadOut* travel_;
   ReadOut* angle_;
   ReadOut* force_;
   ForceLabel* forceLabel_;
   ReadOut* speed_;
-  QFrame* banner_;
-  QLabel* bannerText_;
+  Banner* banner_;
   QLabel* hint_;
   QLabel* magnification_;
   QLabel* viewName_;

@@ -2,7 +2,9 @@
 #include "gui/scene/PhaseLine.h"
 
 #include <QPainter>
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "gui/parts/Theme.h"
 
@@ -18,24 +20,24 @@ constexpr double stationY_px = 14.0;
 
 constexpr std::array stations{Phase::opening, Phase::outerWall, Phase::basalTurn, Phase::full};
 
-QString nameOf(Phase phase)
+}  // namespace
+
+QString PhaseLine::nameOf(Phase phase) const
 {
   switch (phase) {
     case Phase::opening:
-      return PhaseLine::tr("Opening");
+      return tr("Opening");
     case Phase::outerWall:
-      return PhaseLine::tr("Outer wall");
+      return tr("Outer wall");
     case Phase::basalTurn:
-      return PhaseLine::tr("Basal turn");
+      return tr("Basal turn");
     case Phase::full:
-      return PhaseLine::tr("Full depth");
+      return isPartial_ ? tr("Stop") : tr("Full depth");
     case Phase::outside:
       break;
   }
-  return PhaseLine::tr("Outside");
+  return tr("Outside");
 }
-
-}  // namespace
 
 PhaseLine::PhaseLine(QWidget* parent) : QWidget(parent)
 {
@@ -53,7 +55,38 @@ void PhaseLine::setPhase(Phase phase)
   update();
 }
 
-QSize PhaseLine::sizeHint() const { return {480, height_px}; }
+void PhaseLine::setPartial(bool isPartial)
+{
+  if (isPartial == isPartial_) return;
+  isPartial_ = isPartial;
+  setAccessibleName(nameOf(phase_));
+  update();
+}
+
+QString PhaseLine::tipAt(const QPoint& place) const
+{
+  const double step = double(width() - 2 * sideMargin_px) / double(stations.size() - 1);
+  const double nearest = std::round((place.x() - sideMargin_px) / step);
+  const double offset = place.x() - sideMargin_px - nearest * step;
+  if (std::abs(offset) > sideMargin_px) return {};
+  switch (stations[std::size_t(std::clamp(nearest, 0.0, double(stations.size() - 1)))]) {
+    case Phase::opening:
+      return tr("The tip is inside the opening and the array does not contact the wall beyond it.");
+    case Phase::outerWall:
+      return tr("The array contacts the outer wall and slides along it.");
+    case Phase::basalTurn:
+      return tr("The tip is %1° or more past the round window.")
+          .arg(inDegrees(analysis::basalTurnAngle), 0, 'f', 0);
+    case Phase::full:
+      return isPartial_ ? tr("The stop travel is reached; part of the array stays outside.")
+                        : tr("The array is fully inserted.");
+    case Phase::outside:
+      break;
+  }
+  return {};
+}
+
+QSize PhaseLine::sizeHint() const { return {480, sized(height_px)}; }
 
 void PhaseLine::paintEvent(QPaintEvent*)
 {
@@ -78,7 +111,7 @@ void PhaseLine::paintEvent(QPaintEvent*)
 
     painter.setFont(typeface(12, isHere ? QFont::DemiBold : QFont::Normal));
     painter.setPen(isHere ? textColor : quietTextColor);
-    const QRectF name(place.x() - sideMargin_px, stationY_px + 10, 2 * sideMargin_px, 20);
+    const QRectF name(place.x() - sideMargin_px, stationY_px + 10, 2 * sideMargin_px, sized(20));
     painter.drawText(name, Qt::AlignCenter | Qt::TextDontClip, nameOf(stations[i]));
   }
 }

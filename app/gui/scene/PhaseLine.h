@@ -18,13 +18,20 @@ public:
 
   void setPhase(analysis::Phase phase);
   analysis::Phase phase() const { return phase_; }
+  /// Names the last station: full depth, or the stop of a partial insertion.
+  void setPartial(bool isPartial);
+  /// Explanation of the station at a place of this widget; empty between them.
+  QString tipAt(const QPoint& place) const;
   QSize sizeHint() const override;
 
 protected:
   void paintEvent(QPaintEvent*) override;
 
 private:
+  QString nameOf(analysis::Phase phase) const;
+
   analysis::Phase phase_ = analysis::Phase::outside;
+  bool isPartial_ = false;
 };
 
 }  // namespace perilymph::gui

@@ -12,13 +12,15 @@
 
 namespace perilymph::gui {
 
-StereoWindow::StereoWindow(QObject* parent) : QObject(parent)
+StereoWindow::StereoWindow(visualization::Stereo stereo, QObject* parent)
+    : QObject(parent), stereo_(stereo)
 {
+  const bool hasTwoBuffers = stereo == visualization::Stereo::quadBuffered;
   vtkNew<vtkGenericOpenGLRenderWindow> buffers;
   buffers->SetMultiSamples(0);
-  buffers->SetStereoCapableWindow(1);
+  buffers->SetStereoCapableWindow(hasTwoBuffers ? 1 : 0);
   window_ = std::make_unique<QVTKOpenGLWindow>(buffers);
-  QSurfaceFormat format = QVTKOpenGLWindow::defaultFormat(true);
+  QSurfaceFormat format = QVTKOpenGLWindow::defaultFormat(hasTwoBuffers);
   format.setSamples(0);
   format.setSwapInterval(0);  // the main window paces the frames
   window_->setFormat(format);
@@ -37,7 +39,7 @@ void StereoWindow::setScene(std::unique_ptr<visualization::InsertionScene> scene
   scene_ = std::move(scene);
   scene_->setScale(window_->devicePixelRatio());
   scene_->attachTo(*window_->renderWindow());
-  scene_->setStereo(visualization::Stereo::quadBuffered);
+  scene_->setStereo(stereo_);
   if (!window_->isVisible()) window_->show();
 }
 
@@ -54,8 +56,10 @@ void StereoWindow::close() const { window_->close(); }
 
 bool StereoWindow::eventFilter(QObject* watched, QEvent* event)
 {
-  const bool isEscape =
-      event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape;
+  const int key =
+      event->type() == QEvent::KeyPress ? static_cast<QKeyEvent*>(event)->key() : Qt::Key_unknown;
+  const bool isEscape = key == Qt::Key_Escape;
+  if (key == Qt::Key_F11) window_->setWindowStates(window_->windowStates() ^ Qt::WindowFullScreen);
   if (event->type() == QEvent::Close || isEscape) Q_EMIT closed();
   return QObject::eventFilter(watched, event);
 }

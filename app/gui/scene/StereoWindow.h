@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Quad-buffered stereo view, for displays that support it.
+// Stereo view in a window of its own: quad-buffered, or side by side for a 3D screen.
 
 #include <QObject>
 #include <memory>
@@ -12,12 +12,21 @@ class QVTKOpenGLWindow;
 
 namespace perilymph::gui {
 
-/// A separate window, because only a top-level surface has a buffer for each eye: embedded views
-/// are composed from one buffer. It shows the 3D view without read-outs.
+/// Whether a stereo mode is shown in a window of its own.
+inline bool hasOwnWindow(visualization::Stereo stereo)
+{
+  return stereo == visualization::Stereo::quadBuffered ||
+         stereo == visualization::Stereo::sideBySide;
+}
+
+/// A separate window, because only a top-level surface has a buffer for each eye, and because two
+/// halves side by side have to fill a 3D screen (F11). It shows the 3D view without read-outs, which
+/// would be seen by one eye.
 class StereoWindow : public QObject {
   Q_OBJECT
 public:
-  explicit StereoWindow(QObject* parent);
+  /// @param stereo  Quad-buffered or side by side.
+  StereoWindow(visualization::Stereo stereo, QObject* parent);
   ~StereoWindow() override;
 
   /// Sets the scene; the first one opens the window.
@@ -38,6 +47,7 @@ protected:
 
 private:
   // the window owns the scene's renderer and is destroyed first
+  visualization::Stereo stereo_;
   std::unique_ptr<visualization::InsertionScene> scene_;
   std::unique_ptr<QVTKOpenGLWindow> window_;
 };

@@ -9,6 +9,7 @@
 #include "gui/parts/Theme.h"
 #include "gui/setup/NumberField.h"
 #include "gui/setup/Selector.h"
+#include "gui/setup/StopTravel.h"
 #include "perilymph/mechanics/InsertionState.h"
 #include "perilymph/mechanics/PointSet.h"
 
@@ -38,6 +39,7 @@ QLabel* quietLine(QWidget* parent, const char* name)
 
 ArraySection::ArraySection(QWidget* parent)
     : Section(tr("Array"), "arrayFold", parent),
+      expert_(new Section(tr("Expert"), "expertFold", parent)),
       arrays_(catalogArrays()),
       frictions_(catalogFrictions())
 {
@@ -68,6 +70,7 @@ void ArraySection::addArrays()
   rows().addWidget(summary_);
 
   technique_ = new Selector("techniqueSelector", tr("Technique"), body());
+  technique_->setAccessibleDescription(tr("Handling of the stylet during the insertion."));
   technique_->addChoice(tr("Standard"), QLatin1String(nameOf(session::Technique::standard)),
                         tr("The stylet stays in place until full depth."));
   technique_->addChoice(
@@ -96,11 +99,16 @@ void ArraySection::addMotion()
   askNumber(stop_, SetupField::stopTravel, "stop_travel_mm", tr("stop at %1 mm"));
   rows().addWidget(speed_);
   rows().addWidget(stop_);
+  stopNote_ = quietLine(body(), "stopNote");
+  stopNote_->setAlignment(Qt::AlignRight);
+  rows().addWidget(stopNote_);
 }
 
 void ArraySection::addContact()
 {
   friction_ = new Selector("frictionSelector", tr("Friction"), body());
+  friction_->setAccessibleDescription(
+      tr("Friction between array and wall. A choice with its source is in the list."));
   for (const CatalogFriction& friction : frictions_)
     friction_->addChoice(friction.title, friction.name, friction.source);
   connect(friction_, &Selector::chosen, this, [this](const QString& name) {
@@ -115,6 +123,8 @@ void ArraySection::addContact()
   rows().addWidget(coefficients_);
 
   opening_ = new Selector("openingSelector", tr("Opening"), body());
+  opening_->setAccessibleDescription(
+      tr("Opening through which the array enters the scala tympani."));
   opening_->addChoice(tr("Cochleostomy"), QLatin1String(nameOf(session::OpeningKind::cochleostomy)),
                       tr("A drilled round opening; marker ribs contact its edge."));
   opening_->addChoice(tr("Round window"), QLatin1String(nameOf(session::OpeningKind::roundWindow)),
@@ -133,7 +143,8 @@ void ArraySection::addContact()
 
 void ArraySection::addModel()
 {
-  model_ = new Selector("modelSelector", tr("Model"), body());
+  model_ = new Selector("modelSelector", tr("Model"), expert_->body());
+  model_->setAccessibleDescription(tr("Mechanical model of the array."));
   model_->addChoice(tr("Elastic rod"), QLatin1String(session::nameOf(mechanics::ModelKind::rod)),
                     tr("The array is an elastic rod discretized into nodes."));
   model_->addChoice(
@@ -145,10 +156,10 @@ void ArraySection::addModel()
                         tr("model: %1").arg(model_->currentText()),
                         {}});
   });
-  rows().addWidget(namedRow(tr("Model"), model_, body()));
+  expert_->rows().addWidget(namedRow(tr("Model"), model_, expert_->body()));
   nodes_ = new NumberField({tr("Nodes"), "panelNodes", QString(), 0,
                             tr("Number of nodes of the rod, or of sample points.")},
-                           body());
+                           expert_->body());
   connect(nodes_, &NumberField::given, this, [this](double value) {
     const QString count = numberText(value, 0);
     Q_EMIT changeAsked({SetupField::nodes,
@@ -156,7 +167,13 @@ void ArraySection::addModel()
                         tr("%1 nodes").arg(count),
                         {}});
   });
-  rows().addWidget(nodes_);
+  expert_->rows().addWidget(nodes_);
+  timing_ = quietLine(expert_->body(), "timingLabel");
+  timing_->setToolTip(
+      tr("Sample rate of the haptic loop, samples that started more than one period late, and "
+         "frames per second of the window."));
+  expert_->rows().addWidget(timing_);
+  expert_->setFolded(true);
 }
 
 void ArraySection::askNumber(NumberField* field, SetupField what, const char* key,
@@ -187,6 +204,7 @@ void ArraySection::show(const Setup& setup)
   speed_->setValue(inMillimetersPerSecond(scenario.speed()));
   stop_->setRange({0.1, inMillimeters(array.insertable - scenario.startInside())});
   stop_->setValue(inMillimeters(scenario.stopTravel()));
+  stopNote_->setText(stopText(scenario));
   showFriction(scenario);
   opening_->show(QLatin1String(nameOf(scenario.openingKind())), {});
 
@@ -213,6 +231,15 @@ void ArraySection::showFriction(const session::Scenario& scenario)
           : tr("%1–%2, speed-dependent")
                 .arg(numberText(law.bySpeed.minimum(), 2), numberText(law.bySpeed.maximum(), 2)));
 }
+
+void ArraySection::setChangeable(bool isChangeable)
+{
+  body()->setEnabled(isChangeable);
+  model_->setEnabled(isChangeable);
+  nodes_->setEnabled(isChangeable);
+}
+
+void ArraySection::setTiming(const QString& text) { timing_->setText(text); }
 
 QString ArraySection::commit()
 {

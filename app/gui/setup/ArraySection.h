@@ -25,6 +25,11 @@ public:
   void show(const Setup& setup);
   /// Commits edited values. An error message if a value is invalid.
   QString commit();
+  void setChangeable(bool isChangeable);
+  /// Shows the timing of the haptic loop among the settings for experts.
+  void setTiming(const QString& text);
+  /// A folded section of its own: model, nodes, timing.
+  Section* expert() { return expert_; }
 
 Q_SIGNALS:
   void changeAsked(const perilymph::gui::SetupChange& change);
@@ -37,10 +42,13 @@ private:
   void askNumber(NumberField* field, SetupField what, const char* key, const QString& caption);
   void showFriction(const session::Scenario& scenario);
 
+  Section* expert_;
   std::vector<CatalogArray> arrays_;
   std::vector<CatalogFriction> frictions_;
   Selector* array_;
   QLabel* summary_;
+  QLabel* stopNote_;
+  QLabel* timing_;
   Selector* technique_;
   NumberField* speed_;
   NumberField* stop_;

@@ -28,7 +28,7 @@ NumberField::NumberField(const Form& form, QWidget* parent)
   edit_->setAccessibleName(form.title + QLatin1Char(' ') + form.unit);
   edit_->setFont(typeface(13));
   edit_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  edit_->setFixedSize(68, 26);
+  edit_->setFixedSize(sized(68), sized(26));
   auto* unit = new QLabel(form.unit, this);
   unit->setFont(typeface(11));
   unit->setProperty("quiet", true);
@@ -55,9 +55,10 @@ NumberField::NumberField(const Form& form, QWidget* parent)
 void NumberField::setRange(Range allowed)
 {
   allowed_ = allowed;
-  edit_->setToolTip(tr("%1–%2 %3. %4")
-                        .arg(numberText(allowed.low, form_.decimals),
-                             numberText(allowed.high, form_.decimals), form_.unit, form_.tip));
+  // on the whole row; the field itself inherits it
+  setToolTip(tr("%1–%2 %3. %4")
+                 .arg(numberText(allowed.low, form_.decimals),
+                      numberText(allowed.high, form_.decimals), form_.unit, form_.tip));
   showError();
 }
 

@@ -118,7 +118,7 @@ void PatientSection::addWho()
   label_->setObjectName(QStringLiteral("panelPatientName"));
   label_->setAccessibleName(tr("Patient code"));
   label_->setFont(typeface(13));
-  label_->setFixedHeight(26);
+  label_->setFixedHeight(sized(26));
   label_->setMaxLength(60);
   label_->setToolTip(tr("Patient code (no names)"));
   connect(label_, &QLineEdit::editingFinished, this, [this] { askLabel(); });

@@ -16,8 +16,8 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr int undoWidth_px = 148;
-constexpr int redoWidth_px = 64;
+constexpr int undoWidth_px = 106;
+constexpr int redoWidth_px = undoWidth_px;
 constexpr auto publishedPreset = "contour-published";
 
 QString elided(const QString& text, const QFont& font, int width_px)
@@ -49,10 +49,10 @@ ScenarioHead::ScenarioHead(QWidget* parent)
   heading->setProperty("quiet", true);
   badge_->setObjectName(QStringLiteral("modifiedBadge"));
   badge_->setProperty("badge", true);
-  badge_->setFixedHeight(20);
+  badge_->setFixedHeight(sized(20));
   badge_->setFont(typeface(11, QFont::DemiBold));
   auto* collapse = addButton(QStringLiteral("◂"), "collapseButton");
-  collapse->setFixedSize(22, 20);
+  collapse->setFixedSize(sized(22), sized(20));
   collapse->setToolTip(tr("Hide the panel (B)"));
   collapse->setAccessibleName(tr("Hide the panel"));
   collapse->setFocusPolicy(Qt::NoFocus);
@@ -63,11 +63,11 @@ ScenarioHead::ScenarioHead(QWidget* parent)
   locked_->setObjectName(QStringLiteral("lockedLabel"));
   locked_->setFont(typeface(11));
   locked_->setProperty("quiet", true);
-  locked_->setFixedHeight(22);
+  locked_->setFixedHeight(sized(22));
   locked_->setToolTip(tr("The setup can be changed before and after an insertion. Press Reset."));
   locked_->hide();
-  undo_->setFixedWidth(undoWidth_px);
-  redo_->setFixedWidth(redoWidth_px);
+  undo_->setFixedWidth(sized(undoWidth_px));
+  redo_->setFixedWidth(sized(redoWidth_px));
 
   auto* top = new QHBoxLayout;
   top->setSpacing(spacing);
@@ -100,7 +100,7 @@ QPushButton* ScenarioHead::addButton(const QString& text, const char* name)
   button->setObjectName(QLatin1String(name));
   button->setProperty("small", true);
   button->setFont(typeface(11));
-  button->setFixedHeight(22);
+  button->setFixedHeight(sized(22));
   button->setFocusPolicy(Qt::TabFocus);
   return button;
 }
@@ -111,11 +111,18 @@ void ScenarioHead::show(const SetupHistory& history)
   const bool isPreset = origin.kind == SetupOrigin::Kind::preset;
   const session::Scenario& claimed = isPreset ? origin.setup.scenario : history.now().scenario;
   const QString title = QString::fromStdString(claimed.title());
-  title_->setText(title.isEmpty() ? QString::fromStdString(claimed.name()) : title);
   const QString citation = isPreset ? citationOf(claimed) : QString();
-  title_->setToolTip(citation);
-
   const bool isModified = history.isModified();
+  // a modified preset is called by the array in use, because its title may name another one
+  title_->setText(isModified ? tr("%1 · modified from %2")
+                                   .arg(QString::fromStdString(history.now().scenario.array().name),
+                                        QString::fromStdString(claimed.name()))
+                  : title.isEmpty() ? QString::fromStdString(claimed.name())
+                                    : title);
+  title_->setToolTip(
+      isModified ? tr("%1. Changed: %2. %3").arg(title, history.changedText(), citation).trimmed()
+                 : citation);
+
   badge_->setVisible(isModified);
   badge_->setToolTip(tr("Differs from the preset: %1.").arg(history.changedText()));
   restore_->setVisible(isModified);
@@ -128,10 +135,10 @@ void ScenarioHead::show(const SetupHistory& history)
   canRedo_ = stack.canRedo();
   const QString undo = canUndo_ ? tr("Undo %1").arg(stack.undoText()) : tr("Undo");
   const QString redo = canRedo_ ? tr("Redo %1").arg(stack.redoText()) : tr("Redo");
-  undo_->setText(elided(undo, undo_->font(), undoWidth_px - 18));
+  undo_->setText(elided(undo, undo_->font(), sized(undoWidth_px) - 18));
   undo_->setToolTip(tr("%1 (Ctrl+Z)").arg(undo));
   undo_->setAccessibleName(undo);
-  redo_->setText(elided(tr("Redo"), redo_->font(), redoWidth_px - 18));
+  redo_->setText(elided(redo, redo_->font(), sized(redoWidth_px) - 18));
   redo_->setToolTip(tr("%1 (Ctrl+Shift+Z)").arg(redo));
   redo_->setAccessibleName(redo);
   enableButtons();

@@ -29,7 +29,7 @@ Section::Section(const QString& title, const char* name, QWidget* parent)
   head_->setObjectName(QLatin1String(name));
   head_->setProperty("fold", true);
   head_->setFont(typeface(11, QFont::DemiBold));
-  head_->setFixedHeight(20);
+  head_->setFixedHeight(sized(20));
   head_->setFocusPolicy(Qt::NoFocus);
   head_->setCheckable(true);
   head_->setChecked(true);
@@ -79,8 +79,9 @@ QWidget* namedRow(const QString& name, QWidget* control, QWidget* parent)
   auto* row = new QWidget(parent);
   auto* label = new QLabel(name, row);
   label->setFont(typeface(13));
-  label->setMinimumWidth(nameWidth_px);
+  label->setMinimumWidth(sized(nameWidth_px));
   control->setParent(row);
+  row->setToolTip(control->accessibleDescription());
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(spacing);

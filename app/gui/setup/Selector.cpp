@@ -35,7 +35,7 @@ Selector::Selector(const char* name, const QString& accessibleName, QWidget* par
   setAccessibleName(accessibleName);
   setFont(typeface(13));
   view()->setFont(typeface(13));
-  setFixedHeight(height_px);
+  setFixedHeight(sized(height_px));
   setFocusPolicy(Qt::TabFocus);
   setMaxVisibleItems(26);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -104,9 +104,9 @@ bool Selector::isWhole() const
   return QFontMetrics(font()).horizontalAdvance(text()) <= width() - textMargin_px - arrowWidth_px;
 }
 
-QSize Selector::sizeHint() const { return {120, height_px}; }
+QSize Selector::sizeHint() const { return {120, sized(height_px)}; }
 
-QSize Selector::minimumSizeHint() const { return {60, height_px}; }
+QSize Selector::minimumSizeHint() const { return {60, sized(height_px)}; }
 
 void Selector::showPopup()
 {
@@ -124,7 +124,7 @@ void Selector::paintEvent(QPaintEvent*)
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const bool isChosen = isEnabled() && (hasFocus() || underMouse());
-  painter.setPen(QPen(isChosen ? accentColor : lineColor, 1.0));
+  painter.setPen(QPen(isChosen ? accentColor : isEnabled() ? borderColor : lineColor, 1.0));
   painter.setBrush(isEnabled() ? groundColor : panelColor);
   painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
 

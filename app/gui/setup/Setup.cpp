@@ -2,12 +2,12 @@
 #include "gui/setup/Setup.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <utility>
 
 #include "gui/run/ScenarioDifference.h"
+#include "gui/setup/StopTravel.h"
 #include "perilymph/foundation/Resources.h"
 
 namespace perilymph::gui {
@@ -86,16 +86,6 @@ std::string millimetersText(Length length)
   return text.toStdString();
 }
 
-/// Maximum stop travel of an array, rounded to a micrometer, so that start depth and stop travel
-/// together do not exceed the maximum depth.
-Length deepestStop(const electrode::ArrayDesign& array, Length startInside)
-{
-  const double nominal_um = inMillimeters(array.insertable - startInside) * 1e3;
-  Length stop = millimeters(std::round(nominal_um) / 1e3);
-  while (startInside + stop > array.insertable) stop = stop - millimeters(1e-3);
-  return stop;
-}
-
 Result<Done> followArray(Values& values, const Setup& now, const SetupOrigin& origin)
 {
   const session::Scenario& first = origin.setup.scenario;
@@ -115,13 +105,17 @@ Result<Done> followArray(Values& values, const Setup& now, const SetupOrigin& or
   if (!array->hasStylet || !array->stylet.holdDepth)
     set(values, "technique", tomlQuoted(QLatin1String(nameOf(session::Technique::standard))));
 
-  // A default stop travel follows the array; a chosen one is only reduced.
-  const auto limitOf = [&first](const electrode::ArrayDesign& design) {
-    return std::min(first.stopTravel(), deepestStop(design, first.startInside()));
+  // The preset's stop travel belongs to its array; any other array is inserted fully. A chosen stop
+  // travel is only reduced.
+  const Length startInside = now.scenario.startInside();
+  const auto usualOf = [&](const electrode::ArrayDesign& design, const std::string& named) {
+    return named == first.arrayName() ? first.stopTravel() : deepestStop(design, startInside);
   };
-  const bool isChosen = now.scenario.stopTravel() != limitOf(now.scenario.array());
-  const Length deepest = deepestStop(*array, now.scenario.startInside());
-  const Length stop = isChosen ? std::min(now.scenario.stopTravel(), deepest) : limitOf(*array);
+  const bool isChosen =
+      now.scenario.stopTravel() != usualOf(now.scenario.array(), now.scenario.arrayName());
+  const Length stop = isChosen
+                          ? std::min(now.scenario.stopTravel(), deepestStop(*array, startInside))
+                          : usualOf(*array, name);
   if (stop == first.stopTravel())
     takeOver(values, first.values(),
              [](const std::string& key) { return key == "stop_travel_mm"; });

@@ -71,8 +71,8 @@ struct SetupChange {
 std::string tomlQuoted(const QString& text);
 
 /// The setup with a change. Dependent values follow:
-/// - another array removes the calibration and the fingerprint of the previous one, limits the
-///   depth, and changes an unsupported technique;
+/// - another array removes the calibration and the fingerprint of the previous one, is inserted
+///   fully unless a stop travel was chosen, and changes an unsupported technique;
 /// - another friction or model removes the coefficients or the nodes of the previous one;
 /// - another anatomy removes the numbers of the previous patient.
 /// The scenario's title lists the changes of a preset, so that a recording is not mistaken for one

@@ -9,7 +9,6 @@
 
 namespace perilymph::gui {
 
-/// One change, with the setups before and after it.
 class SetupCommand : public QUndoCommand {
 public:
   SetupCommand(SetupHistory& history, Setup before, Setup after, SetupField field, int epoch,
@@ -28,6 +27,7 @@ public:
   int id() const override { return static_cast<int>(field_); }
   const Setup& before() const { return before_; }
   const Setup& after() const { return after_; }
+  SetupHistory::Step step() const { return {before_, after_, field_, epoch_, text()}; }
 
   bool mergeWith(const QUndoCommand* other) override
   {
@@ -57,11 +57,25 @@ void SetupHistory::begin(Setup setup, SetupOrigin::Kind kind)
   Q_EMIT setupChanged();
 }
 
-void SetupHistory::resume(const SetupOrigin& origin, Setup now)
+SetupHistory::Memory SetupHistory::memory() const
+{
+  Memory memory{origin_, now_, {}, stack_.index()};
+  for (int i = 0; i < stack_.count(); ++i)
+    memory.steps.push_back(static_cast<const SetupCommand&>(*stack_.command(i)).step());
+  return memory;
+}
+
+void SetupHistory::resume(const Memory& memory)
 {
   stack_.clear();
-  origin_ = origin;
-  now_ = std::move(now);
+  origin_ = memory.origin;
+  for (const Step& step : memory.steps) {
+    stack_.push(
+        new SetupCommand(*this, step.before, step.after, step.field, step.epoch, step.text));
+    epoch_ = std::max(epoch_, step.epoch);
+  }
+  stack_.setIndex(memory.index);
+  now_ = memory.now;
   Q_EMIT setupChanged();
 }
 

@@ -5,6 +5,7 @@
 
 #include <QObject>
 #include <QUndoStack>
+#include <vector>
 
 #include "gui/setup/Setup.h"
 
@@ -19,8 +20,22 @@ public:
   /// Starts a new history without undo steps.
   void begin(Setup setup, SetupOrigin::Kind kind);
 
-  /// Continues the setup of another history, without undo steps.
-  void resume(const SetupOrigin& origin, Setup now);
+  /// One change, with the setups before and after it.
+  struct Step {
+    Setup before, after;
+    SetupField field = SetupField::preset;
+    int epoch = 0;
+    QString text;
+  };
+  /// A history that another window continues.
+  struct Memory {
+    SetupOrigin origin;
+    Setup now;
+    std::vector<Step> steps;
+    int index = 0;  ///< Index of the first step that can be redone.
+  };
+  Memory memory() const;
+  void resume(const Memory& memory);
 
   const Setup& now() const { return now_; }
   const SetupOrigin& origin() const { return origin_; }

@@ -116,7 +116,7 @@ GuideSheet::GuideSheet(QWidget* parent) : QFrame(parent), page_(new GuideBrowser
   head->addWidget(title, 1);
   for (QPushButton* button : {back, shut}) {
     button->setFont(typeface(13));
-    button->setFixedHeight(28);
+    button->setFixedHeight(sized(28));
     button->setFocusPolicy(Qt::TabFocus);
     head->addWidget(button);
   }

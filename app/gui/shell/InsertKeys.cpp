@@ -36,7 +36,7 @@ void addInsertionSection(KeyActions& keys, InsertPage& page)
             onPage(page, [&page](int which) {
               page.held().press(which == 0 ? Qt::Key_Down : Qt::Key_Up);
             })});
-  keys.add(Gesture{section, tr("Wheel"), tr("advance (up) or withdraw (down) the held array")});
+  keys.add(Gesture{section, tr("Wheel"), tr("advance (down) or withdraw (up) the held array")});
   keys.add({section, {Qt::Key_Backspace}, tr("withdraw"), onPage(page, [&page](int) {
               page.withdraw();
             })});

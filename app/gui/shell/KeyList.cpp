@@ -17,6 +17,9 @@ namespace perilymph::gui {
 
 namespace {
 
+// Two columns fit into the smallest window, 1024 x 640.
+constexpr int meaningWidth_px = 230;
+
 void addHeading(QGridLayout& grid, const QString& text, QWidget* parent)
 {
   auto* heading = new QLabel(text, parent);
@@ -27,9 +30,11 @@ void addHeading(QGridLayout& grid, const QString& text, QWidget* parent)
 void addRow(QGridLayout& grid, const QString& keys, const QString& meaning, QWidget* parent)
 {
   auto* keysLabel = new QLabel(keys, parent);
-  keysLabel->setFont(typeface(13, QFont::Medium));
+  keysLabel->setFont(typeface(12, QFont::Medium));
   auto* meaningLabel = new QLabel(meaning, parent);
-  meaningLabel->setFont(typeface(13));
+  meaningLabel->setFont(typeface(12));
+  meaningLabel->setWordWrap(true);
+  meaningLabel->setMinimumWidth(meaningWidth_px);
   meaningLabel->setProperty("quiet", true);
   const int row = grid.rowCount();
   grid.addWidget(keysLabel, row, 0);
@@ -44,21 +49,21 @@ KeyList::KeyList(const KeyActions& actions, QWidget* parent) : QFrame(parent)
   auto* guide = new QPushButton(tr("User guide"), this);
   guide->setObjectName(QStringLiteral("guideButton"));
   guide->setFont(typeface(13, QFont::Medium));
-  guide->setFixedHeight(28);
+  guide->setFixedHeight(sized(28));
   guide->setFocusPolicy(Qt::TabFocus);
   guide->setToolTip(tr("Four tutorials, step by step (Shift+F1)"));
   connect(guide, &QPushButton::clicked, this, &KeyList::guideAsked);
   auto* columns = new QHBoxLayout(this);
-  columns->setContentsMargins(3 * spacing, 2 * spacing, 3 * spacing, 2 * spacing);
-  columns->setSpacing(4 * spacing);
+  columns->setContentsMargins(2 * spacing, spacing, 2 * spacing, spacing);
+  columns->setSpacing(3 * spacing);
   const std::vector<std::pair<KeySection, QString>> halves[] = {
       {{KeySection::insertion, tr("Insertion")}, {KeySection::picture, tr("View")}},
       {{KeySection::replay, tr("Replay")}, {KeySection::window, tr("Window")}}};
   for (const auto& half : halves) {
     auto* column = new QVBoxLayout;
     auto* grid = new QGridLayout;
-    grid->setHorizontalSpacing(3 * spacing);
-    grid->setVerticalSpacing(6);
+    grid->setHorizontalSpacing(2 * spacing);
+    grid->setVerticalSpacing(3);
     column->addLayout(grid);
     column->addStretch(1);
     columns->addLayout(column);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/shell/MainWindow.h"
 
+#include <QApplication>
 #include <QEvent>
 #include <QFrame>
 #include <QKeyEvent>
@@ -14,10 +15,13 @@
 #include "gui/parts/Theme.h"
 #include "gui/shell/Help.h"
 #include "gui/shell/InsertKeys.h"
+#include "gui/shell/MainMenu.h"
 #include "gui/shell/Sheets.h"
 #include "gui/shell/TopBar.h"
+#include "gui/shell/TypedKeys.h"
 #include "gui/shell/WindowKeys.h"
 #include "gui/shell/WindowPicture.h"
+#include "gui/shell/WindowPlace.h"
 #include "gui/shell/WindowTitle.h"
 
 namespace perilymph::gui {
@@ -27,13 +31,14 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
       insert_(new InsertPage(std::move(scenario), std::move(record), this)),
       sheets_(new Sheets(*insert_, this)),
       notice_(new Notice(this)),
-      pages_(new PageStack(*insert_, this))
+      pages_(new PageStack(*insert_, this)),
+      ending_(*insert_, *notice_)
 {
   setObjectName(QStringLiteral("mainWindow"));
   setFont(typeface(13));
   setStyleSheet(windowStyle());
-  setMinimumSize(1024, 640);
-  resize(1280, 800);
+  setMinimumSize(preferredMinimumSize);
+  resize(preferredWindowSize);
   setFocusPolicy(Qt::StrongFocus);
   layOut();
   connectInsertion();
@@ -42,6 +47,7 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
   sheets_->help().listKeys(keys_);
   showSubject();
   top_->showPreparing();
+  setFocus();  // Space belongs to the insertion, not to the first button
 }
 
 MainWindow::~MainWindow() = default;
@@ -56,6 +62,7 @@ void MainWindow::layOut()
   column->setSpacing(0);
   column->addWidget(top_);
   column->addWidget(line);
+  column->addWidget(notice_);
   column->addWidget(pages_, 1);
   top_->setPage(page());
 }
@@ -67,8 +74,10 @@ void MainWindow::connectInsertion()
   connect(insert_, &InsertPage::subjectChanged, this, &MainWindow::showSubject);
   connect(insert_, &InsertPage::stateShown, this, [this] {
     top_->showInsertion(control(), insert_->error());
+    if (control().isMoving()) notice_->dropOffer();
     sheets_->showState();
   });
+  connect(insert_, &InsertPage::noted, notice_, &Notice::say);
   connect(insert_, &InsertPage::devicesAsked, sheets_, &Sheets::toggleDevices);
   connect(insert_, &InsertPage::replayOpened, this, [this] {
     showPage(Page::insert);
@@ -76,11 +85,13 @@ void MainWindow::connectInsertion()
   });
   connect(pages_, &PageStack::setupChosen, this,
           qOverload<const Setup&, SetupOrigin::Kind, AfterLoading>(&MainWindow::load));
+  connect(pages_, &PageStack::replayAsked, this, &MainWindow::replay);
   connect(pages_, &PageStack::pageAsked, this, &MainWindow::showPage);
   connect(pages_, &PageStack::refused, notice_, &Notice::say);
   connect(top_, &TopBar::pageChosen, this, &MainWindow::showPage);
   connect(top_, &TopBar::keysAsked, &sheets_->help(), &Help::toggleKeys);
   connect(top_, &TopBar::settingsAsked, sheets_, &Sheets::toggleSettings);
+  top_->setMenu(new MainMenu(*this, top_));
   connect(sheets_, &Sheets::settingChosen, this, &MainWindow::anewAsked);
 }
 
@@ -91,8 +102,10 @@ void MainWindow::load(session::Scenario scenario, AfterLoading then)
 
 void MainWindow::load(const Setup& setup, SetupOrigin::Kind kind, AfterLoading then)
 {
-  insert_->load(setup, kind, then);
-  showPage(Page::insert);
+  ending_.askBefore(tr("End it and continue"), [this, setup, kind, then] {
+    insert_->load(setup, kind, then);
+    showPage(Page::insert);
+  });
 }
 
 void MainWindow::showPage(Page page)
@@ -130,6 +143,10 @@ void MainWindow::leave()
 
 void MainWindow::keyPressEvent(QKeyEvent* event)
 {
+  if (isTyped(*event) && (takesText(focusWidget()) || areLettersOff(*event))) {
+    event->ignore();
+    return;
+  }
   const bool isForSheet = event->key() == Qt::Key_Escape && sheets_->wantsEscape();
   if (page() == Page::insert && !isForSheet && insert_->takeReplayKey(*event)) return;
   if (!keys_.take(*event)) QWidget::keyPressEvent(event);
@@ -155,8 +172,18 @@ bool MainWindow::event(QEvent* event)
   return QWidget::event(event);
 }
 
+void MainWindow::replay(const std::filesystem::path& file)
+{
+  ending_.askBefore(tr("End it and replay"), [this, file] { insert_->openReplay(file); });
+}
+
 void MainWindow::closeEvent(QCloseEvent* event)
 {
+  // The end of a desktop session does not wait for an answer.
+  if (!qApp->isSavingSession() && ending_.isNeeded()) {
+    event->ignore();
+    return ending_.askBefore(tr("End it and close"), [this] { close(); });
+  }
   insert_->end();
   QWidget::closeEvent(event);
 }

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "gui/pages/insert/InsertPage.h"
+#include "gui/shell/EndingQuestion.h"
 #include "gui/shell/KeyActions.h"
 #include "gui/shell/PageStack.h"
 #include "perilymph/foundation/Result.h"
@@ -33,15 +34,16 @@ public:
   /// Shows another scenario on the insertion page.
   void load(session::Scenario scenario, AfterLoading then);
   void load(const Setup& setup, SetupOrigin::Kind kind, AfterLoading then);
-  /// Continues with the setup of a previous window with the same scenario.
-  void resume(const SetupOrigin& origin, const Setup& now) { insert_->resume(origin, now); }
 
   /// Shows another page. A moving insertion is paused, because it is not visible.
   void showPage(Page page);
   Page page() const { return pages_->page(); }
   PageStack& pages() { return *pages_; }
 
-  /// The message area at the bottom of the window.
+  /// Replays a recording on the insertion page; asks first if that would end an insertion.
+  void replay(const std::filesystem::path& file);
+
+  /// The message strip below the top bar.
   Notice& notice() { return *notice_; }
   /// Shows an error on the insertion page until the next reset.
   void showError(const QString& sentence) { insert_->showError(sentence); }
@@ -85,6 +87,7 @@ private:
   Notice* notice_;
   PageStack* pages_;
   KeyActions keys_;
+  EndingQuestion ending_;
 };
 
 }  // namespace perilymph::gui

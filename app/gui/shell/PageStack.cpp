@@ -50,7 +50,7 @@ void PageStack::connectStart()
             Q_EMIT setupChosen(setup, kind, isWatched ? AfterLoading::insert : AfterLoading::rest);
           });
   connect(start_, &StartPage::continueAsked, this, [this] { Q_EMIT pageAsked(Page::insert); });
-  connect(start_, &StartPage::replayAsked, &insert_, &InsertPage::openReplay);
+  connect(start_, &StartPage::replayAsked, this, &PageStack::replayAsked);
   connect(start_, &StartPage::allRecordingsAsked, this,
           [this] { Q_EMIT pageAsked(Page::sessions); });
   connect(&insert_, &InsertPage::allPatientsAsked, this, [this] {
@@ -65,7 +65,7 @@ void PageStack::connectStart()
 
 void PageStack::connectRecordings()
 {
-  connect(sessions_, &SessionsPage::replayAsked, &insert_, &InsertPage::openReplay);
+  connect(sessions_, &SessionsPage::replayAsked, this, &PageStack::replayAsked);
   connect(sessions_, &SessionsPage::referenceRead, &insert_, &InsertPage::setReference);
   connect(sessions_, &SessionsPage::compareAsked, this,
           [this](const std::vector<std::filesystem::path>& files) {
@@ -76,7 +76,7 @@ void PageStack::connectRecordings()
           [this] { Q_EMIT pageAsked(Page::sessions); });
   connect(&insert_, &InsertPage::replayFailed, this, &PageStack::showSessionsError);
   auto* drop = new FileDrop(parentWidget());
-  connect(drop, &FileDrop::recordingDropped, &insert_, &InsertPage::openReplay);
+  connect(drop, &FileDrop::recordingDropped, this, &PageStack::replayAsked);
   connect(drop, &FileDrop::patientDropped, this, &PageStack::openPatient);
 }
 

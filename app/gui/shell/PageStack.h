@@ -39,6 +39,7 @@ Q_SIGNALS:
   /// Another setup was chosen for the insertion page.
   void setupChosen(const perilymph::gui::Setup& setup, perilymph::gui::SetupOrigin::Kind kind,
                    perilymph::gui::InsertPage::AfterLoading then);
+  void replayAsked(const std::filesystem::path& file);
   /// A page asks for another one.
   void pageAsked(perilymph::gui::Page page);
   /// A dropped file cannot be used.

@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "gui/pages/insert/HeldArray.h"
 #include "gui/parts/CheckBoxes.h"
 #include "gui/parts/StateFolder.h"
 #include "gui/parts/Theme.h"
@@ -38,6 +39,14 @@ QStringList languageText()
   return {QStringLiteral("system"), QStringLiteral("en"), QStringLiteral("de")};
 }
 
+QStringList letterKeysText() { return {QStringLiteral("on"), QStringLiteral("off")}; }
+
+QStringList textSizeText()
+{
+  return {QStringLiteral("100"), QStringLiteral("90"), QStringLiteral("115"), QStringLiteral("130"),
+          QStringLiteral("150")};
+}
+
 SettingsSheet::SettingsSheet(QWidget* parent) : QFrame(parent), note_(label({}, 12, true, this))
 {
   setObjectName(QStringLiteral("settings"));
@@ -47,7 +56,7 @@ SettingsSheet::SettingsSheet(QWidget* parent) : QFrame(parent), note_(label({}, 
   auto* shut = new QPushButton(tr("Close"), this);
   shut->setObjectName(QStringLiteral("settingsCloseButton"));
   shut->setFont(typeface(13));
-  shut->setFixedHeight(28);
+  shut->setFixedHeight(sized(28));
   shut->setFocusPolicy(Qt::TabFocus);
   connect(shut, &QPushButton::clicked, this, &SettingsSheet::closeAsked);
   auto* head = new QHBoxLayout;
@@ -59,9 +68,16 @@ SettingsSheet::SettingsSheet(QWidget* parent) : QFrame(parent), note_(label({}, 
   column->setSpacing(spacing);
   column->addLayout(head);
   addGroup(*column, tr("Colors"), QStringLiteral("look"), colorSchemeText(),
-           {tr("dark"), tr("light")});
+           {tr("dark"), tr("light")}, Effect::withNewWindow);
   addGroup(*column, tr("Language"), QStringLiteral("language"), languageText(),
-           {tr("as the system"), QStringLiteral("English"), QStringLiteral("Deutsch")});
+           {tr("as the system"), QStringLiteral("English"), QStringLiteral("Deutsch")},
+           Effect::withNewWindow);
+  addGroup(*column, tr("Text size"), QStringLiteral("textSize"), textSizeText(),
+           {tr("100 %"), tr("90 %"), tr("115 %"), tr("130 %"), tr("150 %")}, Effect::withNewWindow);
+  addGroup(*column, tr("Hold the array (Space or button)"), QStringLiteral("hold"), holdText(),
+           {tr("while pressed"), tr("press to hold, press again to release")}, Effect::atOnce);
+  addGroup(*column, tr("Keys that are letters, digits or symbols alone"), QStringLiteral("keys"),
+           letterKeysText(), {tr("on"), tr("off")}, Effect::atOnce);
   column->addWidget(note_);
   addLine(*column, tr("Institution, for reports"), QStringLiteral("report/institution"));
   addLine(*column, tr("Operator, for reports"), QStringLiteral("report/operator"));
@@ -73,7 +89,7 @@ SettingsSheet::SettingsSheet(QWidget* parent) : QFrame(parent), note_(label({}, 
 }
 
 void SettingsSheet::addGroup(QVBoxLayout& column, const QString& title, const QString& key,
-                             const QStringList& caption, const QStringList& names)
+                             const QStringList& caption, const QStringList& names, Effect effect)
 {
   auto* heading = label(title, 13, false, this);
   heading->setFont(typeface(13, QFont::DemiBold));
@@ -89,12 +105,12 @@ void SettingsSheet::addGroup(QVBoxLayout& column, const QString& title, const QS
     choice->setChecked(caption[i] == now);
     group->addButton(choice);
     row->addWidget(choice);
-    connect(choice, &QAbstractButton::clicked, this, [this, key, word = caption[i]] {
+    connect(choice, &QAbstractButton::clicked, this, [this, key, effect, word = caption[i]] {
       UserSettings settings;
       if (settings.value(key).toString() == word) return;
       settings.setValue(key, word);
       settings.sync();
-      Q_EMIT chosen();
+      if (effect == Effect::withNewWindow) Q_EMIT chosen();
     });
   }
   row->addStretch();

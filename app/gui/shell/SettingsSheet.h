@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Settings of the window: color scheme and language.
+// Settings of the window: colors, language, text size, and keys.
 
 #include <QFrame>
 
@@ -12,7 +12,8 @@ namespace perilymph::gui {
 
 class Choice;
 
-/// An overlay of the page. A change is saved at once; the window is then made again to show it.
+/// An overlay of the page. A change is saved at once; colors, language and text size make the window
+/// again.
 class SettingsSheet : public QFrame {
   Q_OBJECT
 public:
@@ -27,8 +28,10 @@ Q_SIGNALS:
   void closeAsked();
 
 private:
+  /// When a change takes effect.
+  enum class Effect { withNewWindow, atOnce };
   void addGroup(QVBoxLayout& column, const QString& title, const QString& key,
-                const QStringList& caption, const QStringList& names);
+                const QStringList& caption, const QStringList& names, Effect effect);
   void addLine(QVBoxLayout& column, const QString& title, const QString& key);
 
   QLabel* note_;
@@ -37,5 +40,9 @@ private:
 /// Allowed values of a setting; the first one is the default.
 QStringList colorSchemeText();
 QStringList languageText();
+/// Whether letters, digits and symbols alone act as keys of the window.
+QStringList letterKeysText();
+/// Size of all text, in percent.
+QStringList textSizeText();
 
 }  // namespace perilymph::gui

@@ -5,6 +5,7 @@
 #include "gui/pages/insert/InsertPage.h"
 #include "gui/run/WorkflowPredicates.h"
 #include "gui/scene/OperationView.h"
+#include "gui/shell/AboutSheet.h"
 #include "gui/shell/Help.h"
 #include "gui/shell/SettingsSheet.h"
 
@@ -16,10 +17,12 @@ Sheets::Sheets(InsertPage& insertion, QWidget* window)
       insertion_(insertion),
       help_(new Help(window)),
       settings_(new SettingsSheet(window)),
-      devices_(new DevicePage(&insertion.view()))
+      devices_(new DevicePage(&insertion.view())),
+      about_(new AboutSheet(window))
 {
   connect(settings_, &SettingsSheet::closeAsked, this, &Sheets::toggleSettings);
   connect(settings_, &SettingsSheet::chosen, this, &Sheets::settingChosen);
+  connect(about_, &AboutSheet::closeAsked, this, &Sheets::toggleAbout);
   connect(devices_, &DevicePage::closeAsked, this, &Sheets::toggleDevices);
   connect(devices_, &DevicePage::deviceChosen, &insertion, &InsertPage::useDevice);
 }
@@ -40,9 +43,20 @@ void Sheets::toggleSettings()
 {
   settings_->setVisible(!settings_->isVisible());
   if (!settings_->isVisible()) return window_->setFocus();
+  help_->leaveKeys();
   settings_->adjustSize();
   place();
   settings_->raise();
+}
+
+void Sheets::toggleAbout()
+{
+  about_->setVisible(!about_->isVisible());
+  if (!about_->isVisible()) return window_->setFocus();
+  help_->leaveKeys();
+  about_->adjustSize();
+  place();
+  about_->raise();
 }
 
 void Sheets::showState()
@@ -61,13 +75,16 @@ void Sheets::place()
   const QRect picture = insertion_.view().rect(), window = window_->rect();
   if (devices_->isVisible()) devices_->move(picture.center() - devices_->rect().center());
   if (settings_->isVisible()) settings_->move(window.center() - settings_->rect().center());
+  if (about_->isVisible()) about_->move(window.center() - about_->rect().center());
   help_->place();
 }
 
 bool Sheets::leave()
 {
   if (help_->leaveKeys()) return true;
-  if (settings_->isVisible())
+  if (about_->isVisible())
+    toggleAbout();
+  else if (settings_->isVisible())
     toggleSettings();
   else if (devices_->isVisible())
     toggleDevices();
@@ -76,6 +93,9 @@ bool Sheets::leave()
   return true;
 }
 
-bool Sheets::wantsEscape() const { return help_->areKeysShown() || settings_->isVisible(); }
+bool Sheets::wantsEscape() const
+{
+  return help_->areKeysShown() || settings_->isVisible() || about_->isVisible();
+}
 
 }  // namespace perilymph::gui

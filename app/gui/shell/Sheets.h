@@ -7,6 +7,7 @@
 
 namespace perilymph::gui {
 
+class AboutSheet;
 class DevicePage;
 class Help;
 class InsertPage;
@@ -21,6 +22,7 @@ public:
   Help& help() { return *help_; }
   void toggleDevices();
   void toggleSettings();
+  void toggleAbout();
 
   /// Updates the overlays: what may be changed now, and the health of the device.
   void showState();
@@ -41,6 +43,7 @@ private:
   Help* help_;
   SettingsSheet* settings_;
   DevicePage* devices_;
+  AboutSheet* about_;
 };
 
 }  // namespace perilymph::gui

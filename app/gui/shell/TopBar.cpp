@@ -4,7 +4,9 @@
 #include <QFontMetrics>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QIcon>
 #include <QLabel>
+#include <QMenu>
 #include <QPainter>
 #include <QPushButton>
 #include <QVariant>
@@ -18,6 +20,29 @@ namespace perilymph::gui {
 namespace {
 
 constexpr int pillHeight_px = 26;
+
+constexpr int gear_px = 18;
+
+/// A gear with eight teeth, in the color of quiet text.
+QIcon gearIcon(double pixelRatio)
+{
+  QPixmap picture(QSize(gear_px, gear_px) * pixelRatio);
+  picture.setDevicePixelRatio(pixelRatio);
+  picture.fill(Qt::transparent);
+  QPainter painter(&picture);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.translate(0.5 * gear_px, 0.5 * gear_px);
+  constexpr double radius = 5.6, tooth = 2.4;
+  painter.setPen(QPen(quietTextColor, 2.2));
+  for (int i = 0; i < 8; ++i) {
+    painter.drawLine(QPointF(radius, 0.0), QPointF(radius + tooth, 0.0));
+    painter.rotate(45.0);
+  }
+  painter.setPen(QPen(quietTextColor, 1.8));
+  painter.drawEllipse(QPointF(0.0, 0.0), radius, radius);
+  painter.drawEllipse(QPointF(0.0, 0.0), 0.35 * radius, 0.35 * radius);
+  return QIcon(picture);
+}
 
 QColor colorOf(DeviceState light)
 {
@@ -77,18 +102,18 @@ void DeviceLight::show(DeviceState light, const QString& caption)
 
 QSize DeviceLight::sizeHint() const
 {
-  return {QFontMetrics(font()).horizontalAdvance(text_) + 38, pillHeight_px};
+  return {QFontMetrics(font()).horizontalAdvance(text_) + 38, sized(pillHeight_px)};
 }
 
 void DeviceLight::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const QRectF pill(0.5, (height() - pillHeight_px) / 2.0 + 0.5, width() - 1.0,
-                    pillHeight_px - 1.0);
+  const QRectF pill(0.5, (height() - sized(pillHeight_px)) / 2.0 + 0.5, width() - 1.0,
+                    sized(pillHeight_px) - 1.0);
   painter.setPen(light_ == DeviceState::off ? QPen(lineColor) : QPen(Qt::NoPen));
   painter.setBrush(light_ == DeviceState::off ? panelColor : raisedColor);
-  painter.drawRoundedRect(pill, pillHeight_px / 2.0, pillHeight_px / 2.0);
+  painter.drawRoundedRect(pill, sized(pillHeight_px) / 2.0, sized(pillHeight_px) / 2.0);
   painter.setPen(Qt::NoPen);
   painter.setBrush(colorOf(light_));
   painter.drawEllipse(QPointF(15.0, height() / 2.0), 4.0, 4.0);
@@ -100,13 +125,14 @@ TopBar::TopBar(QWidget* parent)
     : QWidget(parent),
       patient_(new QLabel(this)),
       modified_(new QLabel(tr("MODIFIED"), this)),
-      device_(new DeviceLight(this))
+      device_(new DeviceLight(this)),
+      menu_(new QPushButton(QStringLiteral("☰"), this))
 {
   setFixedHeight(barHeight);
   auto* name = new QPushButton(tr("Perilymph"), this);
   name->setObjectName(QStringLiteral("startPageButton"));
   name->setFont(typeface(15, QFont::DemiBold));
-  name->setFocusPolicy(Qt::TabFocus);
+  name->setFocusPolicy(Qt::NoFocus);  // its key is Alt+Home
   name->setToolTip(tr("Start page (Alt+Home)"));
   connect(name, &QPushButton::clicked, this, [this] { Q_EMIT pageChosen(Page::start); });
 
@@ -117,25 +143,33 @@ TopBar::TopBar(QWidget* parent)
   modified_->setObjectName(QStringLiteral("modifiedLabel"));
   modified_->setProperty("badge", true);
   modified_->setFont(typeface(11, QFont::DemiBold));
-  modified_->setFixedHeight(20);
+  modified_->setFixedHeight(sized(20));
   modified_->hide();
 
   auto* keys = new QPushButton(QStringLiteral("?"), this);
   keys->setObjectName(QStringLiteral("keysButton"));
   keys->setFont(typeface(15));
-  keys->setFixedSize(32, 28);
+  keys->setFixedSize(sized(32), sized(28));
   keys->setFocusPolicy(Qt::TabFocus);
   keys->setToolTip(tr("Keyboard and mouse (F1)"));
   keys->setAccessibleName(tr("Keyboard and mouse"));
   connect(keys, &QPushButton::clicked, this, &TopBar::keysAsked);
-  auto* settings = new QPushButton(QStringLiteral("☰"), this);
+  auto* settings = new QPushButton(this);
+  settings->setIcon(gearIcon(devicePixelRatioF()));
+  settings->setIconSize(QSize(gear_px, gear_px));
   settings->setObjectName(QStringLiteral("settingsButton"));
   settings->setFont(typeface(15));
-  settings->setFixedSize(32, 28);
+  settings->setFixedSize(sized(32), sized(28));
   settings->setFocusPolicy(Qt::TabFocus);
   settings->setToolTip(tr("Settings (Ctrl+,)"));
   settings->setAccessibleName(tr("Settings"));
   connect(settings, &QPushButton::clicked, this, &TopBar::settingsAsked);
+  menu_->setObjectName(QStringLiteral("menuButton"));
+  menu_->setFont(typeface(15));
+  menu_->setFixedSize(sized(32), sized(28));
+  menu_->setFocusPolicy(Qt::TabFocus);
+  menu_->setToolTip(tr("Menu"));
+  menu_->setAccessibleName(tr("Menu"));
 
   auto* left = new QHBoxLayout;
   left->setSpacing(3 * spacing);
@@ -155,6 +189,7 @@ TopBar::TopBar(QWidget* parent)
   right->addWidget(device_);
   right->addWidget(keys);
   right->addWidget(settings);
+  right->addWidget(menu_);
 
   // Both sides have equal widths, so that the patient is in the center of the window.
   auto* columns = new QGridLayout(this);
@@ -170,13 +205,21 @@ TopBar::TopBar(QWidget* parent)
   columns->setColumnStretch(2, 1);
 }
 
+void TopBar::setMenu(QMenu* menu)
+{
+  connect(menu_, &QPushButton::clicked, menu, [this, menu] {
+    const int right = width() - menu->sizeHint().width();
+    menu->popup(mapToGlobal(QPoint(right - spacing, height())));
+  });
+}
+
 QPushButton* TopBar::addPage(Page page, const QString& text, const char* name)
 {
   auto* button = new QPushButton(text, this);
   button->setObjectName(QLatin1String(name));
   button->setProperty("page", true);
   button->setFont(typeface(13, QFont::Medium));
-  button->setFixedHeight(28);
+  button->setFixedHeight(sized(28));
   // the style sheet, which defines the size hint, is applied later
   const int caption = QFontMetrics(button->font()).horizontalAdvance(text);
   button->setMinimumWidth(std::max(84, caption + 2 * spacing + 4));
@@ -213,11 +256,8 @@ void TopBar::showInsertion(const InsertionControl& control, const QString& error
   if (now.output.workflow == haptics::Workflow::fault)
     return setDevice(DeviceState::alarm, tr("fault · no force"), error);
   if (now.measuredRate <= 0.0) return setDevice(DeviceState::steady, tr("running"), hand);
-  setDevice(
-      DeviceState::steady,
-      tr("%1 Hz · %2 late").arg(numberText(now.measuredRate, 0)).arg(now.lateTicks),
-      tr("%1. Measured sample rate, and number of samples that started more than one period late.")
-          .arg(hand));
+  setDevice(DeviceState::steady, tr("running"),
+            tr("%1, %2 samples per second").arg(hand, numberText(now.measuredRate, 0)));
 }
 
 void TopBar::showPreparing() { setDevice(DeviceState::off, tr("preparing"), {}); }

@@ -11,6 +11,7 @@
 #include "gui/shell/PageStack.h"
 
 class QLabel;
+class QMenu;
 class QPushButton;
 
 namespace perilymph::gui {
@@ -42,6 +43,8 @@ class TopBar : public QWidget {
 public:
   explicit TopBar(QWidget* parent);
 
+  /// Sets the menu of the button at the right.
+  void setMenu(QMenu* menu);
   /// Marks the current page.
   void setPage(Page page);
 
@@ -71,6 +74,7 @@ private:
   QLabel* patient_;
   QLabel* modified_;
   DeviceLight* device_;
+  QPushButton* menu_;
 };
 
 }  // namespace perilymph::gui

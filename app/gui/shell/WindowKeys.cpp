@@ -72,6 +72,9 @@ void addWindowKeys(KeyActions& keys, MainWindow& window, InsertPage& page)
       {section, {with(Qt::ControlModifier, Qt::Key_Comma)}, tr("settings"), always([&window](int) {
          window.sheets().toggleSettings();
        })});
+  keys.add({section, {with(Qt::ControlModifier, Qt::Key_Q)}, tr("quit"), always([&window](int) {
+              window.close();
+            })});
   keys.add({section, {Qt::Key_F11}, tr("full screen on or off"), always([&window](int) {
               window.setWindowState(window.windowState() ^ Qt::WindowFullScreen);
             })});

@@ -11,6 +11,8 @@
 #include <QTest>
 
 #include "WindowRig.h"
+#include "gui/pages/insert/FrameLoop.h"
+#include "gui/parts/UserSettings.h"
 #include "gui/shell/KeyList.h"
 
 namespace perilymph::test {
@@ -129,9 +131,9 @@ TEST(PointerDevice, MovesTheArrayWithTheWheelWhileSpaceIsDown)
   rig.click("startButton");
   rig.holdKey(Qt::Key_Space);
   ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::inserting; }));
-  rig.turnWheel(4);  // 1 mm
+  rig.turnWheel(-4);  // down is in, as with the arrow keys; 1 mm
   EXPECT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.9; }));
-  rig.turnWheel(-2);
+  rig.turnWheel(2);
   EXPECT_TRUE(WindowRig::comes([&] { return rig.travel_mm() < 0.6; }));
 }
 
@@ -141,11 +143,33 @@ TEST(PointerDevice, DoesNotMoveTheArrayUnlessItIsHeld)
   rig.click("pointerChoice");
   rig.click("startButton");
   ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::armed; }));
-  rig.turnWheel(4);
+  rig.turnWheel(-4);
   rig.holdKey(Qt::Key_Down);
   ASSERT_TRUE(rig.liveForTicks(1000));
   EXPECT_NEAR(rig.travel_mm(), 0.0, rest_mm);
 }
+
+class PointerAtFrameRate : public ::testing::TestWithParam<int> {};
+
+TEST_P(PointerAtFrameRate, TheDownKeyAdvancesAtTheScenariosSpeed)
+{
+  WindowRig rig;
+  rig.click("pointerChoice");
+  rig.click("startButton");
+  rig.window().insertion().frames().setInterval(GetParam());
+  rig.holdKey(Qt::Key_Space);
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::inserting; }));
+  rig.holdKey(Qt::Key_Down);
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 1.0; }));
+  const haptics::TickOutput before = rig.now().output;
+  ASSERT_TRUE(rig.liveForTicks(2000));
+  const haptics::TickOutput after = rig.now().output;
+  const double speed = (after.travel - before.travel) / (after.time - before.time);
+  constexpr double published = 2e-3;  // [m/s]
+  EXPECT_NEAR(speed, published, 0.05 * published);
+}
+INSTANTIATE_TEST_SUITE_P(OfFramesEachMilliseconds, PointerAtFrameRate,
+                         ::testing::Values(16, 100, 1000));
 
 TEST(PointerDevice, LetsGoWhenSpaceIsReleased)
 {
@@ -160,6 +184,22 @@ TEST(PointerDevice, LetsGoWhenSpaceIsReleased)
   const double held_mm = rig.travel_mm();
   ASSERT_TRUE(rig.liveForTicks(1000));
   EXPECT_NEAR(rig.travel_mm(), held_mm, rest_mm);
+}
+
+TEST(PointerDevice, CanBeHeldFromOnePressToTheNext)
+{
+  gui::UserSettings().setValue("hold", "toggle");
+  WindowRig rig;
+  rig.click("pointerChoice");
+  rig.click("startButton");
+  rig.pressKey(Qt::Key_Space);  // pressed and released
+  EXPECT_TRUE(rig.window().control().isHeld());
+  rig.holdKey(Qt::Key_Down);
+  EXPECT_TRUE(WindowRig::comes([&] { return rig.travel_mm() > 0.3; }));
+  rig.releaseKey(Qt::Key_Down);
+  rig.pressKey(Qt::Key_Space);
+  EXPECT_FALSE(rig.window().control().isHeld());
+  gui::UserSettings().remove("hold");
 }
 
 TEST(PointerDevice, LetsGoWhenTheWindowIsLeft)

@@ -9,6 +9,7 @@
 
 #include "WindowRig.h"
 #include "gui/scene/PhaseLine.h"
+#include "gui/setup/Selector.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/test/TemporaryFolder.h"
@@ -120,6 +121,44 @@ TEST(Window, StartingAgainOnTheWayOutStillStopsAtFullDepth)
   ASSERT_TRUE(WindowRig::comes([&] { return !rig.window().control().isMoving(); }));
   ASSERT_TRUE(rig.liveForTicks(500));
   EXPECT_LT(rig.travel_mm(), 2.0 + overshoot_mm);
+}
+
+TEST(Window, RecognizesFullDepthAgainAfterAWithdrawal)
+{
+  WindowRig rig(session::Overrides{{"stop_travel_mm", "2.0"}, {"speed_mm_s", "2.0"}});
+  rig.pressKey(Qt::Key_Space);
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::finished; }));
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.button("withdrawButton").isEnabled(); }));
+  rig.pressKey(Qt::Key_Backspace);
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() < 1.5; }));
+  rig.pressKey(Qt::Key_Space);  // pauses
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::paused; }));
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.button("startButton").isEnabled(); }));
+  rig.pressKey(Qt::Key_Space);
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.travel_mm() >= 2.0; }));
+  EXPECT_TRUE(WindowRig::comes([&] { return !rig.button("startButton").isEnabled(); }));
+  EXPECT_TRUE(WindowRig::comes(
+      [&] { return rig.window().findChild<gui::Selector*>("arraySelector")->isEnabled(); }));
+  EXPECT_TRUE(rig.label("hintLabel").contains("Press Withdraw or Reset"))
+      << rig.label("hintLabel").toStdString();
+  EXPECT_TRUE(rig.button("withdrawButton").isEnabled());
+}
+
+TEST(Window, SaysWhereTheTipIsWhenTheArrayIsBackAtItsStart)
+{
+  WindowRig rig(session::Overrides{{"stop_travel_mm", "1.0"}, {"speed_mm_s", "4.0"}});
+  rig.click("startButton");
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.now().output.workflow == Workflow::finished; }));
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.button("withdrawButton").isEnabled(); }));
+  rig.click("withdrawButton");
+  ASSERT_TRUE(WindowRig::comes([&] {
+    return !rig.window().control().isAtDepth() && rig.now().output.workflow == Workflow::finished;
+  }));
+  EXPECT_TRUE(WindowRig::comes([&] { return rig.label("hintLabel").contains("2.0 mm inside"); }))
+      << rig.label("hintLabel").toStdString();
+  EXPECT_FALSE(rig.label("hintLabel").contains("withdrawn"));
+  auto* phase = rig.window().findChild<gui::PhaseLine*>();
+  EXPECT_EQ(phase->phase(), analysis::Phase::opening);
 }
 
 TEST(Window, NumbersOnThePictureAreThoseOfTheLoop)

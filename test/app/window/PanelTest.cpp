@@ -10,7 +10,10 @@
 #include <QTest>
 
 #include "WindowRig.h"
+#include "gui/pages/insert/ForceCharts.h"
+#include "gui/pages/insert/InsertionViews.h"
 #include "gui/pages/insert/SidePanel.h"
+#include "gui/parts/Notice.h"
 #include "gui/setup/Selector.h"
 #include "gui/setup/SetupHistory.h"
 #include "perilymph/session/RecordedInsertion.h"
@@ -126,6 +129,7 @@ TEST_F(Panel, AnyChangeOfThePublishedScenarioIsMarkedAndTheWayBackIsOneClick)
 {
   EXPECT_FALSE(part("modifiedLabel").isVisible());
   EXPECT_FALSE(part("restoreButton").isVisible());
+  rig_.click("expertFold");
   rig_.choose("modelSelector", "points");
   EXPECT_TRUE(part("modifiedLabel").isVisible());
   EXPECT_TRUE(part("modifiedBadge").isVisible());
@@ -139,6 +143,54 @@ TEST_F(Panel, AnyChangeOfThePublishedScenarioIsMarkedAndTheWayBackIsOneClick)
   rig_.click("undoButton");
   ASSERT_TRUE(settles());
   EXPECT_EQ(scenario().model(), mechanics::ModelKind::points);
+}
+
+TEST_F(Panel, AnotherArrayIsInsertedFullyAndSaysSo)
+{
+  rig_.choose("arraySelector", "flex28");
+  ASSERT_TRUE(settles());
+  EXPECT_EQ(field("panelStop"), "26.0");
+  EXPECT_EQ(rig_.label("stopNote"), "full insertion of this array");
+  EXPECT_TRUE(rig_.window().notice().isVisible());
+  EXPECT_TRUE(rig_.window().notice().sentence().contains("stop at 26.0 mm"));
+  EXPECT_TRUE(rig_.label("scenarioTitle").startsWith("FLEX28 · modified from contour-published"))
+      << rig_.label("scenarioTitle").toStdString();
+}
+
+TEST_F(Panel, PublishedMeasurementsAreShownUnderTheirOwnConditionsOnly)
+{
+  const auto picture = [&] {
+    rig_.window().views().charts()->renderIfDirty();
+    return part("travelPane").grab().toImage();
+  };
+  const auto showsMeasurements = [&] {
+    const QImage on = picture();
+    rig_.click("showExperiment");
+    const QImage off = picture();
+    rig_.click("showExperiment");
+    return on != off;
+  };
+  EXPECT_TRUE(part("showExperiment").isEnabled());
+  EXPECT_TRUE(showsMeasurements());
+  rig_.type("panelSpeed", "1.0");
+  ASSERT_TRUE(settles());
+  EXPECT_FALSE(part("showExperiment").isEnabled());
+  EXPECT_FALSE(showsMeasurements());
+  EXPECT_TRUE(part("showExperiment").toolTip().contains("speed"));
+  rig_.click("restoreButton");
+  ASSERT_TRUE(settles());
+  EXPECT_TRUE(showsMeasurements());
+}
+
+TEST_F(Panel, NumericalSettingsAndTimingAreFoldedAwayForExperts)
+{
+  for (const char* name : {"modelSelector", "panelNodes", "timingLabel"})
+    EXPECT_FALSE(part(name).isVisible()) << name;
+  EXPECT_FALSE(rig_.label("statusLabel").contains("fps"));
+  rig_.click("expertFold");
+  for (const char* name : {"modelSelector", "panelNodes", "timingLabel"})
+    EXPECT_TRUE(part(name).isVisible()) << name;
+  EXPECT_TRUE(WindowRig::comes([&] { return rig_.label("timingLabel").contains("fps"); }));
 }
 
 TEST_F(Panel, WhatAnArrayCannotIsGreyedWithTheReason)
@@ -189,6 +241,7 @@ TEST_F(Panel, AnImpossibleNumberIsNotInserted)
 
 TEST_F(Panel, TabGoesThroughTheFieldsAndReturnGivesTheKeysBack)
 {
+  rig_.click("expertFold");
   rig_.window().activateWindow();
   rig_.window().setFocus();
   QStringList visited;

@@ -9,6 +9,7 @@
 #include "gui/run/ScenarioDifference.h"
 #include "gui/setup/PatientSetup.h"
 #include "gui/setup/Setup.h"
+#include "gui/setup/StopTravel.h"
 #include "perilymph/foundation/Resources.h"
 
 namespace perilymph::gui {
@@ -40,9 +41,14 @@ TEST(SetupChange, EveryArrayOfTheCatalogCanReplaceThePublishedOne)
   for (const std::string& name : shippedNames("plugins/electrodes")) {
     const auto made = after(origin.setup, origin, SetupField::array, {{"array", '"' + name + '"'}});
     EXPECT_EQ(made.scenario.arrayName(), name);
-    // 18.5 mm of an array and a start 2.0 mm inside leave 16.5 mm
+    if (name == origin.setup.scenario.arrayName()) {  // as the preset inserts it
+      EXPECT_EQ(made.scenario.stopTravel(), millimeters(16.5));
+      continue;
+    }
+    // inserted fully, but for the 2.0 mm that are inside at the start
     EXPECT_GE(made.scenario.stopTravel() + millimeters(0.002),
-              std::min(millimeters(16.5), made.scenario.array().insertable - millimeters(2)));
+              made.scenario.array().insertable - millimeters(2));
+    EXPECT_EQ(outsideAtStop(made.scenario), Length());
     EXPECT_LE(made.scenario.startInside() + made.scenario.stopTravel(),
               made.scenario.array().insertable + millimeters(1e-9));
   }
@@ -90,6 +96,19 @@ TEST(SetupChange, ADepthThatWasChosenStaysWhereTheArrayAllowsIt)
       after(origin.setup, origin, SetupField::stopTravel, {{"stop_travel_mm", "9.5"}});
   const auto other = after(shallow, origin, SetupField::array, {{"array", "\"flex28\""}});
   EXPECT_EQ(other.scenario.stopTravel(), millimeters(9.5));
+}
+
+TEST(SetupChange, FullDepthFollowsTheArrayAndTheMessageSaysSo)
+{
+  const SetupOrigin origin = originOf("contour-published");
+  const auto longer = after(origin.setup, origin, SetupField::array, {{"array", "\"flex28\""}});
+  EXPECT_EQ(longer.scenario.stopTravel(), millimeters(26));  // 28 mm, of which 2 mm are inside
+  EXPECT_EQ(stopChangeText(origin.setup.scenario, longer.scenario).toStdString(),
+            "FLEX28: stop at 26.0 mm, full insertion of this array.");
+  const auto partial = after(longer, origin, SetupField::stopTravel, {{"stop_travel_mm", "16.5"}});
+  EXPECT_EQ(stopText(partial.scenario).toStdString(),
+            "partial insertion: 9.5 mm of the array outside");
+  EXPECT_TRUE(stopChangeText(longer.scenario, partial.scenario).isEmpty());
 }
 
 TEST(SetupChange, AnotherFrictionBringsItsOwnCoefficients)

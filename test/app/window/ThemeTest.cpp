@@ -71,6 +71,24 @@ TEST_P(EveryColorScheme, HasReadableText)
   EXPECT_GE(contrast(theme.ghost, theme.ground), ofMarks);
   EXPECT_GE(contrast(theme.ahead, theme.ground), ofMarks);
   EXPECT_GE(contrast(theme.ahead, theme.panel), ofMarks);
+  EXPECT_GE(contrast(theme.border, theme.ground), ofMarks);
+  EXPECT_GE(contrast(theme.border, theme.panel), ofMarks);
+}
+
+TEST_P(EveryColorScheme, WritesOverThePictureSoThatItCanBeReadOverAnything)
+{
+  const gui::Theme& theme = gui::themeOf(GetParam());
+  const double cover = gui::plateAlpha / 255.0;
+  for (const QColor& behind : {QColor(Qt::white), QColor(Qt::black)}) {
+    const auto over = [cover](double plate, double back) {
+      return cover * plate + (1.0 - cover) * back;
+    };
+    const QColor plate = QColor::fromRgbF(over(theme.ground.redF(), behind.redF()),
+                                          over(theme.ground.greenF(), behind.greenF()),
+                                          over(theme.ground.blueF(), behind.blueF()));
+    for (const QColor& ink : {theme.text, theme.quietText, theme.warning})
+      EXPECT_GE(contrast(ink, plate), ofText) << ink.name().toStdString();
+  }
 }
 
 TEST_P(EveryColorScheme, NamesEveryColorOfItsStyleSheet)
@@ -84,9 +102,10 @@ TEST_P(EveryColorScheme, HasNoOtherColorsInItsStyleSheet)
   gui::setShownColorScheme(GetParam());
   const gui::Theme& theme = gui::themeOf(GetParam());
   QStringList own;
-  for (const QColor& color : {theme.ground, theme.panel, theme.raised, theme.pressed, theme.line,
-                              theme.text, theme.quietText, theme.accent, theme.accentHover,
-                              theme.onAccent, theme.warning, theme.onWarning, theme.banner})
+  for (const QColor& color :
+       {theme.ground, theme.panel, theme.raised, theme.pressed, theme.line, theme.border,
+        theme.text, theme.quietText, theme.accent, theme.accentHover, theme.onAccent, theme.warning,
+        theme.onWarning, theme.banner})
     own << color.name();
   auto found =
       QRegularExpression(QStringLiteral("#[0-9A-Fa-f]{6}\\b")).globalMatch(gui::windowStyle());

@@ -15,6 +15,7 @@
 #include "gui/parts/UserSettings.h"
 #include "gui/program/DisplayProbe.h"
 #include "gui/scene/StereoWindow.h"
+#include "gui/shell/WindowPlace.h"
 
 namespace perilymph::test {
 namespace {
@@ -76,6 +77,29 @@ TEST_F(Views, NoneLiesOnAnother)
   }
 }
 
+TEST_F(Views, FourFitIntoTheSmallestWindowWithReadOutsThatDoNotOverlap)
+{
+  WindowRig rig;
+  rig.window().resize(gui::preferredMinimumSize);
+  rig.pressKey(Qt::Key_4, Qt::ControlModifier);
+  const gui::OperationView& view = rig.window().view();
+  ASSERT_TRUE(WindowRig::comes([&] { return view.height() < 380; }));
+  EXPECT_FALSE(rig.window().findChild<QWidget*>("phaseLine")->isVisible());
+  QList<const QWidget*> parts;
+  for (const char* name : {"travelReadOut", "angleReadOut", "forceReadOut", "forceWords",
+                           "magnificationLabel", "viewButton"})
+    parts << rig.window().findChild<QWidget*>(QLatin1String(name));
+  int covered = 0;
+  for (const QWidget* one : parts) {
+    EXPECT_TRUE(view.rect().contains(one->geometry())) << one->objectName().toStdString();
+    covered += one->width() * one->height();
+    for (const QWidget* other : parts)
+      EXPECT_TRUE(one == other || !one->geometry().intersects(other->geometry()))
+          << one->objectName().toStdString() << " and " << other->objectName().toStdString();
+  }
+  EXPECT_LT(covered, view.width() * view.height() / 4);
+}
+
 TEST_F(Views, ADoubleClickEnlargesOneAndAnotherBringsTheOthersBack)
 {
   WindowRig rig;
@@ -123,7 +147,9 @@ TEST_F(Views, GGoesThroughTheKindsOfStereoAndSaysWhich)
     rig.pressKey(Qt::Key_G);
     EXPECT_EQ(rig.window().view().stereo(), stereo);
     EXPECT_NE(rig.label("viewLabel"), name);
-    EXPECT_NE(rig.picture(), mono);
+    if (stereo != Stereo::sideBySide) {
+      EXPECT_NE(rig.picture(), mono);
+    }
   }
   rig.pressKey(Qt::Key_G);
   EXPECT_EQ(rig.picture(), mono);
@@ -160,6 +186,19 @@ TEST_F(Views, QuadBufferedStereoOpensAWindowOfItsOwnWhereTheDisplayHasBuffersFor
   entry(rig, "viewOverview").trigger();
   rig.pressKey(Qt::Key_G);
   EXPECT_EQ(rig.window().view().stereo(), Stereo::off);
+  EXPECT_EQ(rig.window().views().stereoWindow(), nullptr);
+}
+
+TEST_F(Views, SideBySideFillsAWindowOfItsOwn)
+{
+  WindowRig rig;
+  const QImage mono = rig.picture();
+  entry(rig, "stereoSideBySide").trigger();
+  const gui::StereoWindow* twin = rig.window().views().stereoWindow();
+  ASSERT_NE(twin, nullptr);
+  EXPECT_TRUE(WindowRig::comes([&] { return twin->isOpen(); }));
+  EXPECT_EQ(rig.picture(), mono);  // read-outs stay readable in the main window
+  entry(rig, "stereoOff").trigger();
   EXPECT_EQ(rig.window().views().stereoWindow(), nullptr);
 }
 
@@ -242,6 +281,18 @@ TEST(QualityOfAMachine, StaysWhenItsFirstSecondIsQuick)
   EXPECT_FALSE(pilot.weigh(40, 2.0, 30.0));
   EXPECT_FALSE(pilot.weigh(80, 4.0, 200.0));  // a later busy moment does not count
   EXPECT_EQ(pilot.quality(), Quality::software);
+}
+
+TEST(QualityOfAMachine, IsRestoredWhileNothingMoves)
+{
+  QualityPilot pilot("llvmpipe");
+  EXPECT_FALSE(pilot.rest(true));
+  EXPECT_FALSE(pilot.rest(false));
+  ASSERT_TRUE(pilot.weigh(40, 2.0, 200.0));
+  EXPECT_TRUE(pilot.rest(true));
+  EXPECT_EQ(pilot.quality(), Quality::software);
+  EXPECT_TRUE(pilot.rest(false));
+  EXPECT_EQ(pilot.quality(), Quality::fast);
 }
 
 TEST(QualityOfAMachine, GivesWayToAChoice)

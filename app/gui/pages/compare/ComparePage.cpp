@@ -100,7 +100,7 @@ QWidget* ComparePage::addRuns()
   save_ = new QPushButton(tr("Export…"), page);
   save_->setObjectName(QStringLiteral("exportButton"));
   save_->setFont(typeface(13, QFont::Medium));
-  save_->setFixedHeight(32);
+  save_->setFixedHeight(sized(32));
   save_->setToolTip(tr("Export table and curves as CSV and the figure as SVG and PNG."));
   connect(save_, &QPushButton::clicked, this, &ComparePage::save);
   legend_ = text(tr("○  published measurements, mean ± SD"), 11, page, true);

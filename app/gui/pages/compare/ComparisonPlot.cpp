@@ -133,7 +133,7 @@ void ComparisonPlot::paintAxes(QPainter& painter) const
     painter.drawLine(here, QPointF(inside.right(), here.y()));
     painter.setPen(quietTextColor);
     painter.drawText(QRectF(0, here.y() - 10, left_px - 8, 20), Qt::AlignRight | Qt::AlignVCenter,
-                     numberText(force, std::max(y_.decimals, 2)));
+                     numberText(inMillinewtons(newtons(force)), 0));
   }
   for (int i = 0; i <= ticksOf(x_); ++i) {
     const double travel = x_.low + i * x_.tick;
@@ -147,7 +147,7 @@ void ComparisonPlot::paintAxes(QPainter& painter) const
   painter.drawText(QRectF(inside.left(), inside.bottom() + 22, inside.width(), 18), Qt::AlignCenter,
                    tr("travel, mm"));
   painter.drawText(QRectF(8, 8, 260, 20), Qt::AlignLeft | Qt::AlignVCenter,
-                   tr("insertion force, N"));
+                   tr("insertion force, mN"));
 }
 
 void ComparisonPlot::paintPublished(QPainter& painter) const

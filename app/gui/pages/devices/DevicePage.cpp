@@ -45,7 +45,7 @@ DevicePage::DevicePage(QWidget* parent)
     auto* made = new QPushButton(text, this);
     made->setObjectName(QLatin1String(name));
     made->setFont(typeface(13));
-    made->setFixedHeight(28);
+    made->setFixedHeight(sized(28));
     made->setFocusPolicy(Qt::NoFocus);
     return made;
   };
@@ -128,7 +128,7 @@ void DevicePage::addDevice(const device::FoundDevice& found)
     use->setObjectName(QStringLiteral("use-") +
                        QString::fromStdString(node.path.filename().string()));
     use->setFont(typeface(12));
-    use->setFixedHeight(24);
+    use->setFixedHeight(sized(24));
     use->setFocusPolicy(Qt::NoFocus);
     use->setEnabled(isChangeable_);
     use->setProperty("chooses", true);

@@ -95,7 +95,7 @@ QPushButton* BottomBar::addButton(const QString& text, const char* name, int wid
   auto* button = new QPushButton(text, this);
   button->setObjectName(QLatin1String(name));
   button->setFont(typeface(13, QFont::Medium));
-  button->setFixedHeight(28);
+  button->setFixedHeight(sized(28));
   button->setMinimumWidth(width);
   button->setFocusPolicy(Qt::TabFocus);
   return button;

@@ -23,7 +23,7 @@ BuildingNote::BuildingNote(QWidget* page) : QFrame(page), text_(new QLabel(this)
   auto* cancel = new QPushButton(tr("Cancel"), this);
   cancel->setObjectName(QStringLiteral("cancelBuildButton"));
   cancel->setFont(typeface(13, QFont::Medium));
-  cancel->setFixedHeight(28);
+  cancel->setFixedHeight(sized(28));
   cancel->setFocusPolicy(Qt::TabFocus);
   cancel->setToolTip(tr("Keep the cochlea and array shown (Esc)"));
   connect(cancel, &QPushButton::clicked, this, &BuildingNote::cancelAsked);

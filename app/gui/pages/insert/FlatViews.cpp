@@ -7,6 +7,7 @@
 #include "gui/pages/insert/PlotView.h"
 #include "gui/parts/ChartLabels.h"
 #include "gui/parts/Numbers.h"
+#include "gui/run/SnapshotDifference.h"
 #include "perilymph/charts/ContactDistances.h"
 
 namespace perilymph::gui {
@@ -77,6 +78,7 @@ FlatViews::~FlatViews() = default;
 void FlatViews::setScene(const anatomy::ScalaTympani& scala, const electrode::ArrayDesign& array)
 {
   scene_ = std::make_unique<Scene>(scala, array);
+  isShown_ = false;
 }
 
 void FlatViews::forgetScene() { scene_.reset(); }
@@ -85,7 +87,9 @@ void FlatViews::show(const haptics::Snapshot& now)
 {
   const bool isSeen = std::any_of(views_.begin(), views_.end(),
                                   [](const View& view) { return view.plot->isVisible(); });
-  if (!scene_ || !isSeen) return;
+  if (!scene_ || !isSeen || (isShown_ && lookAlike(now, shown_))) return;
+  shown_ = now;
+  isShown_ = true;
   scene_->array.follow(now);
   for (const View& view : views_) view.plot->refresh();
   sectionPane_->setNote(

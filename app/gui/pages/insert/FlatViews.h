@@ -52,6 +52,8 @@ private:
 
   std::unique_ptr<Scene> scene_;
   std::vector<View> views_;
+  haptics::Snapshot shown_{};
+  bool isShown_ = false;  ///< The views show that snapshot.
   Pane* sectionPane_;
 };
 

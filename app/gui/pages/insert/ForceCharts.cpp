@@ -10,6 +10,7 @@
 
 #include "gui/pages/insert/Pane.h"
 #include "gui/parts/ChartLabels.h"
+#include "gui/parts/Theme.h"
 
 namespace perilymph::gui {
 
@@ -21,13 +22,13 @@ ForceCharts::ForceCharts(QWidget* parent)
       timeView_(chartView(parent))
 {
   travelPane_ =
-      new Pane(tr("Insertion force over travel"), tr("insertion force, N"), travelView_, parent);
+      new Pane(tr("Insertion force over travel"), tr("insertion force, mN"), travelView_, parent);
   travelPane_->setObjectName(QStringLiteral("travelPane"));
   timePane_ = new Pane(tr("Force components"), tr("last 5 s, mN"), timeView_, parent);
   timePane_->setObjectName(QStringLiteral("componentsPane"));
 
-  overTravel_.setScale(parent->devicePixelRatioF());
-  components_.setScale(parent->devicePixelRatioF());
+  overTravel_.setScale(parent->devicePixelRatioF() * textScale());
+  components_.setScale(parent->devicePixelRatioF() * textScale());
   overTravel_.attachTo(*travelView_->renderWindow());
   components_.attachTo(*timeView_->renderWindow());
 }
@@ -66,11 +67,24 @@ void ForceCharts::setExperiment(const Result<charts::ReferenceCurve>& experiment
 
 void ForceCharts::setExperimentVisible(bool isVisible)
 {
-  overTravel_.setVisible(charts::ChartLayer::reference, isVisible);
+  isExperimentVisible_ = isVisible;
+  showExperiment();
+}
+
+void ForceCharts::setComparable(bool isComparable)
+{
+  isComparable_ = isComparable;
+  showExperiment();
+}
+
+void ForceCharts::showExperiment()
+{
+  overTravel_.setVisible(charts::ChartLayer::reference, isExperimentVisible_ && isComparable_);
 }
 
 void ForceCharts::setGhost(const std::optional<ReferenceInsertion>& reference)
 {
+  ghost_ = reference;
   if (reference)
     overTravel_.setGhost(reference->curve, reference->name.toStdString());
   else

@@ -29,8 +29,11 @@ public:
   /// Sets the published values drawn behind the curve, or shows why there are none.
   void setExperiment(const Result<charts::ReferenceCurve>& experiment);
   void setExperimentVisible(bool isVisible);
+  /// Whether the insertion has the conditions of the experiment; its values are hidden otherwise.
+  void setComparable(bool isComparable);
   /// Sets an earlier run drawn behind this one; an empty curve removes it.
   void setGhost(const std::optional<ReferenceInsertion>& reference);
+  const std::optional<ReferenceInsertion>& ghost() const { return ghost_; }
 
   /// Starts a new insertion: clears the curves, but not the earlier run. Forces are resolved along
   /// the axes of `entry`.
@@ -57,8 +60,12 @@ private:
   QVTKOpenGLNativeWidget* timeView_;
   Pane* travelPane_;
   Pane* timePane_;
+  void showExperiment();
+
+  bool isExperimentVisible_ = true, isComparable_ = true;
   bool travelIsDirty_ = true, timeIsDirty_ = true;
   anatomy::Entry entry_;
+  std::optional<ReferenceInsertion> ghost_;
 };
 
 }  // namespace perilymph::gui

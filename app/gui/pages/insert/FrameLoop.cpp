@@ -9,6 +9,8 @@ namespace perilymph::gui {
 namespace {
 
 constexpr int slowInterval_ms = 66;    // charts and numbers: 15 Hz
+constexpr int restingTurns = 60;       // then nothing moves
+constexpr int restInterval_ms = 50;    // until something does
 constexpr double longestStep_s = 0.1;  // after a stall, keys are not caught up
 
 }  // namespace
@@ -38,10 +40,25 @@ void FrameLoop::takeTurn()
     if (isSeen && turn_.drawCharts()) isDrawn = true;
   }
   if (!isDrawn) meter_.cancel();
+  slowDownAtRest(isDrawn);
   if (!isSeen && isFirstFrame_) {
     isFirstFrame_ = false;
     Q_EMIT firstFrameShown();
   }
+}
+
+void FrameLoop::setInterval(int interval_ms)
+{
+  interval_ms_ = interval_ms;
+  timer_.setInterval(interval_ms);
+}
+
+void FrameLoop::slowDownAtRest(bool isDrawn)
+{
+  turnsAtRest_ = isDrawn ? 0 : turnsAtRest_ + 1;
+  const bool isAtRest = turnsAtRest_ > restingTurns;
+  const int wanted_ms = isAtRest ? std::max(interval_ms_, restInterval_ms) : interval_ms_;
+  if (timer_.interval() != wanted_ms) timer_.setInterval(wanted_ms);
 }
 
 void FrameLoop::present()

@@ -28,7 +28,7 @@ public:
   FrameLoop(Turn turn, QObject* parent);
 
   void start();
-  void setInterval(int interval_ms) { timer_.setInterval(interval_ms); }
+  void setInterval(int interval_ms);
   /// The composed window was passed to the display.
   void present();
 
@@ -42,9 +42,12 @@ Q_SIGNALS:
 
 private:
   void takeTurn();
+  void slowDownAtRest(bool isDrawn);
 
   Turn turn_;
   QTimer timer_;
+  int interval_ms_ = 0;
+  int turnsAtRest_ = 0;  ///< Since something was drawn.
   QElapsedTimer sinceTurn_, sinceSlow_;
   FrameMeter meter_;
   bool isFirstFrame_ = true;

@@ -67,7 +67,7 @@ void HandSection::addButtons()
   pullStylet_->setObjectName(QStringLiteral("styletButton"));
   for (QPushButton* button : {hold_, pullStylet_}) {
     button->setFont(typeface(13));
-    button->setFixedHeight(28);
+    button->setFixedHeight(sized(28));
     button->setFocusPolicy(Qt::NoFocus);
     button->setEnabled(false);
   }

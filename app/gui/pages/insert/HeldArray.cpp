@@ -4,6 +4,7 @@
 #include <QtCore/qnamespace.h>
 
 #include "gui/pages/insert/SidePanel.h"
+#include "gui/parts/UserSettings.h"
 
 namespace perilymph::gui {
 
@@ -13,41 +14,50 @@ constexpr Length perNotch = millimeters(0.25);  // of the wheel
 
 }  // namespace
 
+QStringList holdText() { return {QStringLiteral("press"), QStringLiteral("toggle")}; }
+
 void HeldArray::hold(bool isHeld)
 {
   if (control_.hand() != InputSource::pointer) return;
-  control_.hold(isHeld);
+  const bool isToggled =
+      UserSettings().word(QStringLiteral("hold"), holdText()) == QLatin1String("toggle");
+  if (!isToggled)
+    control_.hold(isHeld);
+  else if (isHeld)
+    control_.hold(!control_.isHeld());
   side_.setHeld(control_.isHeld());
 }
 
 void HeldArray::press(int key)
 {
   if (control_.isHeld()) pressed_.insert(key);
+  drive();
 }
 
 void HeldArray::release(int key)
 {
   pressed_.erase(key);
+  drive();
   if (key == Qt::Key_Space) hold(false);
 }
 
 bool HeldArray::turnWheel(double notches)
 {
   if (!control_.isHeld()) return false;
-  control_.advanceBy(notches * perNotch);
+  control_.advanceBy(-notches * perNotch);
   return true;
 }
 
-void HeldArray::step(double elapsed_s)
+void HeldArray::drive()
 {
   const int direction = int(pressed_.count(Qt::Key_Down)) - int(pressed_.count(Qt::Key_Up));
-  if (direction != 0)
-    control_.advanceBy(Length::fromSi(direction * control_.scenario().speed().si() * elapsed_s));
+  control_.driveAt(direction * control_.scenario().speed());
 }
 
 void HeldArray::letGo()
 {
   pressed_.clear();
+  drive();
   side_.setHeld(control_.isHeld());
 }
 

@@ -3,6 +3,7 @@
 
 // Motion of the array by mouse and keyboard.
 
+#include <QStringList>
 #include <set>
 
 #include "gui/run/InsertionControl.h"
@@ -10,6 +11,10 @@
 namespace perilymph::gui {
 
 class SidePanel;
+
+/// Values of the setting "hold": the array is held while Space or the button is pressed, or from one
+/// press to the next, for one-handed use.
+QStringList holdText();
 
 /// The array follows wheel and arrow keys only while it is grasped: by Space or the button of the
 /// panel.
@@ -22,10 +27,11 @@ public:
   /// @param key  Down or Up; moves the array while it is pressed and the array is grasped.
   void press(int key);
   void release(int key);
-  /// Positive notches, away from the user, push the array in. False while it is not grasped.
+  /// As with the arrow keys, down is in: negative notches, towards the user, push the array in.
+  /// False while it is not grasped.
   bool turnWheel(double notches);
-  /// Advances the time.
-  void step(double elapsed_s);
+  /// Moves the array at the scenario's speed while a key is pressed. To be repeated in every frame.
+  void drive();
   /// Releases all keys; the panel shows whether the array is grasped.
   void letGo();
 

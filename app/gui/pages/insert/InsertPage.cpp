@@ -10,7 +10,6 @@
 
 #include "gui/pages/insert/BottomBar.h"
 #include "gui/pages/insert/BuildingNote.h"
-#include "gui/pages/insert/ForceCharts.h"
 #include "gui/pages/insert/FrameLoop.h"
 #include "gui/pages/insert/InsertionViews.h"
 #include "gui/pages/insert/ReplayBar.h"
@@ -130,7 +129,7 @@ void InsertPage::connectSetup()
     Q_EMIT subjectChanged();
   });
   connect(side_, &SidePanel::changeAsked, this, [this, history](const SetupChange& change) {
-    if (maySetUpNow()) history->change(change);
+    if (maySetUpNow()) Q_EMIT noted(setup_->change(change));
   });
   connect(side_, &SidePanel::restoreAsked, this, [this, history] {
     if (maySetUpNow()) history->restore();
@@ -150,13 +149,23 @@ Result<Done> InsertPage::open()
   views_->charts()->setExperiment(charts::publishedExperiment());
   presenter_.showCochlea();
   showPrepared();
+  if (inputBefore_ != InputSource::scripted) prepare(inputBefore_);
   frames_->start();
   return Done{};
 }
 
-void InsertPage::resume(const SetupOrigin& origin, const Setup& now)
+InsertPage::Memory InsertPage::memory() const
 {
-  setup_->history().resume(origin, now);
+  return {setup().memory(), views_->charts()->ghost(),
+          replay_->isOpen() ? inputBefore_ : control_.hand(), control_.chosen()};
+}
+
+void InsertPage::resume(const Memory& memory)
+{
+  setup_->history().resume(memory.setup);
+  setReference(memory.ghost);
+  control_.choose(memory.device);
+  inputBefore_ = memory.input;
   Q_EMIT subjectChanged();
 }
 
@@ -359,7 +368,7 @@ void InsertPage::leaveSight()
 
 void InsertPage::step(double elapsed_s)
 {
-  held_.step(elapsed_s);
+  held_.drive();
   if (replay_->isOpen())
     replay_->step(elapsed_s, isShown());
   else

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "gui/pages/insert/ForceCharts.h"
 #include "gui/pages/insert/HeldArray.h"
 #include "gui/pages/insert/InsertionPresenter.h"
 #include "gui/pages/insert/SetupControl.h"
@@ -43,8 +44,16 @@ public:
   /// will be shown.
   enum class AfterLoading { rest, insert };
   void load(const Setup& setup, SetupOrigin::Kind kind, AfterLoading then);
-  /// Continues with the setup of a previous window with the same scenario.
-  void resume(const SetupOrigin& origin, const Setup& now);
+  /// What a new window with the same scenario continues.
+  struct Memory {
+    SetupHistory::Memory setup;
+    std::optional<ReferenceInsertion> ghost;
+    InputSource input = InputSource::scripted;
+    InsertionControl::DeviceFactory device;
+  };
+  Memory memory() const;
+  /// Before open(), which uses the input.
+  void resume(const Memory& memory);
 
   void start();
   /// Releases the array, which keeps its position.
@@ -115,6 +124,8 @@ Q_SIGNALS:
   void newPatientAsked();
   void replayOpened();
   void replayFailed(const QString& sentence);
+  /// A message that needs no answer; empty if there is none.
+  void noted(const QString& sentence);
 
 private:
   void layOut();
@@ -144,7 +155,7 @@ private:
   FrameLoop* frames_;
   InsertionPresenter presenter_;
   HeldArray held_;
-  InputSource inputBefore_ = InputSource::scripted;  ///< Before the replay.
+  InputSource inputBefore_ = InputSource::scripted;  ///< Before the replay, or in the last window.
 };
 
 }  // namespace perilymph::gui

@@ -3,8 +3,6 @@
 
 #include <spdlog/spdlog.h>
 
-#include <cstring>
-
 #include "gui/pages/insert/BottomBar.h"
 #include "gui/pages/insert/BuildingNote.h"
 #include "gui/pages/insert/ForceCharts.h"
@@ -14,8 +12,11 @@
 #include "gui/pages/insert/SidePanel.h"
 #include "gui/parts/DeviceRate.h"
 #include "gui/parts/FrameMeter.h"
+#include "gui/run/SnapshotDifference.h"
 #include "gui/run/WorkflowPredicates.h"
 #include "gui/scene/OperationView.h"
+#include "gui/setup/StopTravel.h"
+#include "perilymph/analysis/PublishedConditions.h"
 
 namespace perilymph::gui {
 
@@ -36,7 +37,12 @@ void InsertionPresenter::showPrepared()
 {
   showInput();
   zones_.side->setHeld(false);
+  const session::Scenario& scenario = control_.scenario();
+  const bool isComparable = analysis::hasPublishedConditions(scenario);
+  zones_.side->setComparable(isComparable);
+  zones_.views->charts()->setComparable(isComparable);
   zones_.views->charts()->begin(control_.anatomy().entry());
+  zones_.views->operation()->setPartial(outsideAtStop(scenario).si() > 0.0);
   zones_.views->operation()->showArray(control_.now());
   drawn_ = control_.now();
 }
@@ -48,22 +54,20 @@ void InsertionPresenter::showInput()
 
 bool InsertionPresenter::isNew(const haptics::Snapshot& now)
 {
-  const std::size_t nodes = now.nodes;
-  const bool isSame =
-      nodes == drawn_.nodes && now.output.styletWithdrawal == drawn_.output.styletWithdrawal &&
-      std::memcmp(now.node_W.data(), drawn_.node_W.data(), nodes * sizeof now.node_W[0]) == 0 &&
-      std::memcmp(now.normalForce.data(), drawn_.normalForce.data(),
-                  nodes * sizeof now.normalForce[0]) == 0;
-  if (!isSame) drawn_ = now;
-  return !isSame;
+  if (lookAlike(now, drawn_)) return false;
+  drawn_ = now;
+  return true;
 }
 
 void InsertionPresenter::step()
 {
   if (!control_.update()) return;
   const haptics::Snapshot& now = control_.now();
-  if (isNew(now)) zones_.views->operation()->showArray(now);
-  if (hasBegun(now.output.workflow)) zones_.views->charts()->append(now.output);
+  const bool isMoved = isNew(now);
+  if (isMoved) zones_.views->operation()->showArray(now);
+  // at rest the charts stand still, too
+  const bool isMoving = isMoved || now.output.workflow == haptics::Workflow::inserting;
+  if (isMoving && hasBegun(now.output.workflow)) zones_.views->charts()->append(now.output);
 }
 
 void InsertionPresenter::stepSlowly(const FrameMeter& meter)
@@ -84,8 +88,8 @@ void InsertionPresenter::showState(const FrameMeter& meter, bool maySetUp)
   zones_.side->setChangeable(maySetUp);
   zones_.side->setHoldEnabled(mayHold(state));
   zones_.side->setStylet(styletText(control_), mayPullStylet(state));
-  zones_.bottom->setStatus(statusText(control_, deviceRateText(control_.deviceHealth()),
-                                      meter.framesPerSecond(FrameMeter::Clock::now())),
+  zones_.side->setTiming(timingText(control_, meter.framesPerSecond(FrameMeter::Clock::now())));
+  zones_.bottom->setStatus(statusText(control_, deviceRateText(control_.deviceHealth())),
                            !control_.recordingError().empty());
   zones_.views->operation()->setBanner(error());
   zones_.views->operation()->setHint(setup_.isBuilding() ? buildingHint(setup_.isStartAsked())

@@ -5,6 +5,7 @@
 #include <QStringList>
 
 #include "gui/parts/Numbers.h"
+#include "gui/setup/StopTravel.h"
 
 namespace perilymph::gui {
 
@@ -30,7 +31,18 @@ QString deviceHint(const InsertionControl& control)
 
 }  // namespace
 
-QString statusText(const InsertionControl& control, const QString& device, int framesPerSecond)
+QString timingText(const InsertionControl& control, int framesPerSecond)
+{
+  const haptics::Snapshot& now = control.now();
+  QStringList text;
+  if (control.isRunning() && now.measuredRate > 0.0)
+    text << tr("%1 Hz").arg(numberText(now.measuredRate, 0))
+         << tr("late samples: %1").arg(now.lateTicks);
+  text << tr("%1 fps").arg(framesPerSecond);
+  return text.join(QStringLiteral(" · "));
+}
+
+QString statusText(const InsertionControl& control, const QString& device)
 {
   const haptics::Snapshot& now = control.now();
   QStringList text;
@@ -41,11 +53,9 @@ QString statusText(const InsertionControl& control, const QString& device, int f
                                  : tr("recording"));
   else
     text << tr("not started");
-  if (control.isRunning()) text << tr("late samples: %1").arg(now.lateTicks);
   if (!device.isEmpty()) text << device << tr("%1 overruns").arg(now.overruns);
   if (!control.couplingText().empty())
     text << tr("coupling %1 N/m").arg(numberText(now.couplingStiffness, 0));
-  text << tr("%1 fps").arg(framesPerSecond);
   text << tr("not a medical device");
   return text.join(QStringLiteral(" · "));
 }
@@ -71,15 +81,26 @@ QString errorText(const InsertionControl& control, const QString& error)
 QString hintText(const InsertionControl& control)
 {
   const haptics::TickOutput& now = control.now().output;
-  if (control.isAtDepth()) return tr("Full depth. Press Withdraw or Reset.");
-  if (now.workflow == Workflow::finished)
-    return tr("The array is withdrawn. Press Reset for a new insertion.");
+  if (control.isAtDepth()) {
+    const Length outside = outsideAtStop(control.scenario());
+    return outside.si() <= 0.0
+               ? tr("Full depth. Press Withdraw or Reset.")
+               : tr("Stop travel reached, %1 mm of the array outside. Press Withdraw or Reset.")
+                     .arg(numberText(inMillimeters(outside), 1));
+  }
+  if (now.workflow == Workflow::finished) {
+    const Length inside = Length::fromSi(now.depth);
+    return inside.si() <= 0.0
+               ? tr("The array is withdrawn. Press Reset for a new insertion.")
+               : tr("Back at the start, tip %1 mm inside. Press Reset for a new insertion.")
+                     .arg(numberText(inMillimeters(inside), 1));
+  }
   if (control.hand() == InputSource::scripted) return {};
   if (control.hand() == InputSource::device) return deviceHint(control);
   if (!control.isRunning())
-    return tr("Press Start, then hold Space and scroll up or press ↓ to advance.");
-  if (!control.isHeld()) return tr("Hold Space, then scroll up or press ↓ to advance.");
-  return tr("Holding. Scroll up or press ↓ to advance, scroll down or press ↑ to withdraw.");
+    return tr("Press Start, then hold Space and scroll down or press ↓ to advance.");
+  if (!control.isHeld()) return tr("Hold Space, then scroll down or press ↓ to advance.");
+  return tr("Holding. Scroll down or press ↓ to advance, scroll up or press ↑ to withdraw.");
 }
 
 QString buildingHint(bool isStartAsked)

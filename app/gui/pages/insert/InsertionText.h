@@ -9,9 +9,11 @@
 
 namespace perilymph::gui {
 
-/// @param device           Report rate of the device as text; empty without one.
-/// @param framesPerSecond  Measured frame rate.
-QString statusText(const InsertionControl& control, const QString& device, int framesPerSecond);
+/// @param device  Report rate of the device as text; empty without one.
+QString statusText(const InsertionControl& control, const QString& device);
+
+/// "1000 Hz · late samples: 3 · 60 fps": timing of the haptic loop and the window, for experts.
+QString timingText(const InsertionControl& control, int framesPerSecond);
 
 /// Error and remedy; empty if there is no error.
 /// @param error  An error of the window itself; shown unless the loop has stopped.

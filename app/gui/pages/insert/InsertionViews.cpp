@@ -103,10 +103,8 @@ void InsertionViews::setStereo(visualization::Stereo stereo)
   if (stereo == Stereo::quadBuffered && !hasQuadBuffers_) stereo = Stereo::off;
   operation_->setStereo(stereo);
   menu_->setStereo(stereo);
-  if (stereo == Stereo::quadBuffered)
-    openTwin();
-  else
-    closeTwin();
+  closeTwin();
+  if (hasOwnWindow(stereo)) openTwin();
 }
 
 void InsertionViews::nextStereo()
@@ -133,17 +131,14 @@ void InsertionViews::openTwin()
 {
   if (scala_ == nullptr || operation_->scene() == nullptr) return;
   if (!twin_) {
-    twin_ = std::make_unique<StereoWindow>(nullptr);
+    twin_ = std::make_unique<StereoWindow>(operation_->stereo(), nullptr);
     // deferred, because it is emitted by its own event
     connect(
         twin_.get(), &StereoWindow::closed, this, [this] { setStereo(visualization::Stereo::off); },
         Qt::QueuedConnection);
   }
   auto scene = madeScene();
-  using visualization::Part;
-  for (const Part part :
-       {Part::wallForce, Part::contactArrows, Part::membrane, Part::styletAndTweezers, Part::scala})
-    scene->setVisible(part, operation_->scene()->isVisible(part));
+  scene->showPartsOf(*operation_->scene());
   scene->show(shown_);
   twin_->setScene(std::move(scene));
   operation_->setTwin(twin_.get());
@@ -174,6 +169,7 @@ void InsertionViews::chooseQuality(QualityChoice choice)
 
 void InsertionViews::weigh(const FrameMeter& meter)
 {
+  if (pilot_.rest(operation_->isResting())) redraw();
   const bool isEnough =
       meter.frames() >= QualityPilot::minFrames && meter.span_s() >= QualityPilot::firstSecond_s;
   if (!measures_ || !isEnough) return;
@@ -185,7 +181,7 @@ void InsertionViews::redraw()
 {
   if (scala_ != nullptr) {
     operation_->replaceScene(madeScene());
-    operation_->showArray(shown_);
+    operation_->scene()->show(shown_);  // nothing moved
     if (twin_) openTwin();
   }
   Q_EMIT qualityChanged();

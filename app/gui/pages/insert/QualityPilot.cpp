@@ -34,7 +34,7 @@ std::optional<QualityChoice> qualityNamed(const std::string& name)
 }
 
 QualityPilot::QualityPilot(const std::string& renderer)
-    : measured_(isSoftware(renderer) ? Quality::software : Quality::gpu)
+    : initial_(isSoftware(renderer) ? Quality::software : Quality::gpu), measured_(initial_)
 {
 }
 
@@ -54,7 +54,17 @@ bool QualityPilot::isSoftware(const std::string& renderer)
 
 void QualityPilot::choose(QualityChoice choice) { choice_ = choice; }
 
-Quality QualityPilot::quality() const { return choice_.value_or(measured_); }
+Quality QualityPilot::quality() const
+{
+  return choice_.value_or(isResting_ ? initial_ : measured_);
+}
+
+bool QualityPilot::rest(bool isResting)
+{
+  const Quality before = quality();
+  isResting_ = isResting;
+  return quality() != before;
+}
 
 bool QualityPilot::weigh(std::size_t frames, double span_s, double median_ms)
 {

@@ -28,6 +28,10 @@ public:
   /// @param renderer  Name of the OpenGL renderer: "llvmpipe (LLVM 15.0.6, 256 bits)".
   explicit QualityPilot(const std::string& renderer = {});
 
+  /// At rest the initial quality is restored, as time does not matter then.
+  /// @return Whether the quality changed.
+  bool rest(bool isResting);
+
   void choose(QualityChoice choice);
   QualityChoice choice() const { return choice_; }
   visualization::Quality quality() const;
@@ -40,8 +44,9 @@ public:
 
 private:
   QualityChoice choice_;
-  visualization::Quality measured_;
+  visualization::Quality initial_, measured_;
   bool isDecided_ = false;
+  bool isResting_ = false;
 };
 
 }  // namespace perilymph::gui

@@ -9,6 +9,8 @@
 #include "gui/pages/insert/ReplayPlayer.h"
 #include "gui/run/WorkflowPredicates.h"
 #include "gui/scene/OperationView.h"
+#include "gui/setup/StopTravel.h"
+#include "perilymph/analysis/PublishedConditions.h"
 
 namespace perilymph::gui {
 
@@ -53,6 +55,9 @@ void ReplayControl::open(const std::filesystem::path& file)
 void ReplayControl::begin()
 {
   views_.setScene(*playback().anatomy(), playback().scenario());
+  const session::Scenario& scenario = playback().scenario();
+  views_.charts()->setComparable(analysis::hasPublishedConditions(scenario));
+  views_.operation()->setPartial(outsideAtStop(scenario).si() > 0.0);
   views_.charts()->begin(playback().anatomy()->entry());
   charted_ = 0;
   views_.operation()->setBanner({});

@@ -4,12 +4,20 @@
 #include <utility>
 
 #include "gui/run/ScenarioDifference.h"
+#include "gui/setup/StopTravel.h"
 
 namespace perilymph::gui {
 
 SetupControl::SetupControl(const InsertionControl& control, QObject* parent)
     : QObject(parent), control_(control), history_(new SetupHistory(this)), builder_(this)
 {
+}
+
+QString SetupControl::change(const SetupChange& change)
+{
+  const session::Scenario before = history_->now().scenario;
+  history_->change(change);
+  return stopChangeText(before, history_->now().scenario);
 }
 
 void SetupControl::follow()

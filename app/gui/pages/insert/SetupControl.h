@@ -22,6 +22,8 @@ public:
   SetupHistory& history() { return *history_; }
   const SetupHistory& history() const { return *history_; }
 
+  /// Makes a change. @return A message about dependent values; empty if there is none.
+  QString change(const SetupChange& change);
   /// Updates the insertion to the current setup: emits ready() when everything is built, at once if
   /// nothing has to be.
   void follow();

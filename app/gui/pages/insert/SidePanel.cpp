@@ -45,6 +45,7 @@ SidePanel::SidePanel(QWidget* parent)
   rows->addWidget(head_);
   rows->addWidget(patient_);
   rows->addWidget(array_);
+  rows->addWidget(array_->expert());
   rows->addWidget(hand_);
   rows->addWidget(showSection(content));
   rows->addStretch();
@@ -62,7 +63,7 @@ SidePanel::SidePanel(QWidget* parent)
 
   expand_->setObjectName(QStringLiteral("expandButton"));
   expand_->setProperty("small", true);
-  expand_->setFixedSize(22, 22);
+  expand_->setFixedSize(sized(22), sized(22));
   expand_->setFocusPolicy(Qt::NoFocus);
   expand_->setToolTip(tr("Show the panel (B)"));
   expand_->setAccessibleName(tr("Show the panel"));
@@ -119,16 +120,27 @@ Section* SidePanel::showSection(QWidget* parent)
     section->rows().addWidget(box);
     parts_.emplace_back(part, box);
   }
-  auto* experiment = new CheckBox(tr("Published measurements"), section->body());
-  experiment->setChecked(true);
-  experiment->setObjectName(QStringLiteral("showExperiment"));
-  experiment->setFocusPolicy(Qt::TabFocus);
-  connect(experiment, &QAbstractButton::toggled, this, &SidePanel::experimentShown);
-  section->rows().addWidget(experiment);
+  experiment_ = new CheckBox(tr("Published measurements"), section->body());
+  experiment_->setChecked(true);
+  experiment_->setObjectName(QStringLiteral("showExperiment"));
+  experiment_->setFocusPolicy(Qt::TabFocus);
+  connect(experiment_, &QAbstractButton::toggled, this, &SidePanel::experimentShown);
+  section->rows().addWidget(experiment_);
   reference_ = new ReferenceRow(section->body());
   connect(reference_, &ReferenceRow::removeAsked, this, &SidePanel::removeReferenceAsked);
   section->rows().addWidget(reference_);
   return section;
+}
+
+void SidePanel::setTiming(const QString& text) { array_->setTiming(text); }
+
+void SidePanel::setComparable(bool isComparable)
+{
+  experiment_->setEnabled(isComparable);
+  experiment_->setToolTip(
+      isComparable ? tr("Published measurements, mean ± SD, in the chart of force over travel.")
+                   : tr("Not comparable: array, technique, cochlea, friction or speed differ from "
+                        "the published experiment."));
 }
 
 void SidePanel::announceParts()
@@ -168,7 +180,7 @@ void SidePanel::setChangeable(bool isChangeable)
   if (!isChangeable && focused != nullptr && isAncestorOf(focused)) window()->setFocus();
   head_->setChangeable(isChangeable);
   patient_->body()->setEnabled(isChangeable);
-  array_->body()->setEnabled(isChangeable);
+  array_->setChangeable(isChangeable);
   hand_->setChangeable(isChangeable);
 }
 

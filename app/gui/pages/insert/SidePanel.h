@@ -49,6 +49,10 @@ public:
   /// Collapses the panel to a narrow strip, or expands it.
   void setCollapsed(bool isCollapsed);
   bool isCollapsed() const;
+  /// Shows the timing of the haptic loop in the expert section.
+  void setTiming(const QString& text);
+  /// Enables the check box of the published experiment, or disables it with the reason.
+  void setComparable(bool isComparable);
   /// Emits the view options again, for a new view.
   void announceParts();
 
@@ -85,6 +89,7 @@ private:
   ReferenceRow* reference_ = nullptr;
   HandSection* hand_;
   std::vector<std::pair<visualization::Part, CheckBox*>> parts_;
+  CheckBox* experiment_ = nullptr;
   bool isChangeable_ = true;
   bool isHeld_ = false;
 };

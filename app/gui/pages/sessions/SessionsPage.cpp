@@ -185,7 +185,7 @@ QPushButton* SessionsPage::addVerb(const QString& caption, const char* name, con
   auto* button = new QPushButton(caption, this);
   button->setObjectName(QLatin1String(name));
   button->setFont(typeface(13, QFont::Medium));
-  button->setFixedHeight(32);
+  button->setFixedHeight(sized(32));
   button->setToolTip(tip);
   return button;
 }

@@ -110,7 +110,7 @@ QWidget* PatientForm::addForm()
   label_->setObjectName(QStringLiteral("patientName"));
   label_->setAccessibleName(tr("Patient code"));
   label_->setFont(typeface(13));
-  label_->setFixedHeight(28);
+  label_->setFixedHeight(sized(28));
   label_->setMaxLength(60);
   label_->setToolTip(
       tr("Letters, digits and hyphens, such as P-017. It appears in file names and "
@@ -141,7 +141,7 @@ QWidget* PatientForm::addForm()
   use_->setProperty("primary", true);
   for (QPushButton* button : {back_, use_}) {
     button->setFont(typeface(13, QFont::Medium));
-    button->setFixedHeight(32);
+    button->setFixedHeight(sized(32));
   }
   auto* column = new QVBoxLayout(form);
   column->setContentsMargins(0, 0, 0, 0);

@@ -95,7 +95,7 @@ QWidget* ValidatePage::addColumn()
   runs_->setAccessibleName(tr("Insertions"));
   runs_->setFont(typeface(13));
   runs_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  runs_->setFixedSize(88, 32);
+  runs_->setFixedSize(sized(88), sized(32));
   runsError_ = text(
       tr("Enter a whole number of insertions from %1 to %2.").arg(minRuns).arg(maxRuns), 11, page);
   runsError_->setObjectName(QStringLiteral("validationRunsError"));
@@ -108,7 +108,7 @@ QWidget* ValidatePage::addColumn()
   save_->setToolTip(tr("Save curves as CSV, results as JSON and figures as SVG."));
   for (QPushButton* button : {start_, save_}) {
     button->setFont(typeface(13, QFont::Medium));
-    button->setFixedHeight(32);
+    button->setFixedHeight(sized(32));
   }
   start_->setProperty("primary", true);
   start_->setMinimumWidth(108);

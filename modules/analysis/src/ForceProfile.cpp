@@ -74,7 +74,10 @@ void ForceProfiler::follow(const haptics::TickOutput& now)
   profile_.finalDepth = now.depth;
   profile_.finalAngle = now.angularDepth;
   profile_.deepestAngle = std::max(profile_.deepestAngle, now.angularDepth);
-  profile_.duration = now.time;
+  // The tick of the arrival is no longer Inserting, but its motion still is of the hand.
+  const bool isMoving = now.workflow == haptics::Workflow::inserting;
+  if (isMoving || (!isFirst && before_->workflow == haptics::Workflow::inserting))
+    profile_.duration = now.time;
 
   if (!isFirst)
     for (std::size_t i = 0; i < 3; ++i)

@@ -42,18 +42,38 @@ void MotionCounter::add(const haptics::TickOutput& now)
   // Idle: the array was reset to its start, which is not motion of the hand.
   if (now.workflow == haptics::Workflow::idle) return begin_.reset();
   reversals_.add(now.travel);
-  if (!begin_) {
+  if (!first_) first_ = now;
+  // Finished: waiting at full depth is no hesitation.
+  if (now.workflow == haptics::Workflow::finished) return begin_.reset();
+  // Where the hand grasps or releases, its position is another one without motion.
+  if (!begin_ || begin_->workflow != now.workflow) {
     begin_ = now;
     return;
   }
   if (now.time - begin_->time >= stretch * (1.0 - slack)) endStretch(now);
 }
 
+/// Motion of the hand since the begin of the interval along the base's path [m], positive inward.
+double MotionCounter::wayOfHand(const haptics::TickOutput& now) const
+{
+  constexpr double known = 2e-4;  // [m]; from here on the direction of the path is known
+  double squared = 0.0, pathSquared = 0.0, along = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double moved = now.device_W[i] - begin_->device_W[i];
+    const double path = now.proxy_W[i] - first_->proxy_W[i];
+    squared += moved * moved;
+    pathSquared += path * path;
+    along += moved * path;
+  }
+  if (pathSquared >= known * known) return along / std::sqrt(pathSquared);
+  return std::copysign(std::sqrt(squared), now.travel - begin_->travel);
+}
+
 void MotionCounter::endStretch(const haptics::TickOutput& now)
 {
   const double time = now.time - begin_->time;
   const double way = now.travel - begin_->travel;
-  const double speed = way / time;
+  const double speed = wayOfHand(now) / time;
   begin_ = now;
   const bool isStill = std::fabs(speed) < slowestSpeed.si() * (1.0 - slack);
   if (!hasMoved_ && isStill) return;  // waiting for the start is not a stop

@@ -8,6 +8,9 @@
 #include <cmath>
 
 #include "perilymph/analysis/Score.h"
+#include "perilymph/device/ScriptedDevice.h"
+#include "perilymph/session/Insertion.h"
+#include "perilymph/session/Scenario.h"
 
 namespace perilymph::analysis {
 namespace {
@@ -26,14 +29,29 @@ public:
     for (long i = 0; i < ticks; ++i) {
       now_.time += tick;
       now_.travel += 1e-3 * speed_mm_s * tick;
+      now_.device_W[2] -= 1e-3 * speed_mm_s * tick;
+      now_.proxy_W[2] = now_.device_W[2] + lag_;
       counter_.add(now_);
     }
+    return *this;
+  }
+  /// The base falls behind the hand, or catches up with it, by this much at once.
+  Course& lag(double by_mm)
+  {
+    lag_ += 1e-3 * by_mm;
+    now_.travel -= 1e-3 * by_mm;
+    return *this;
+  }
+  Course& be(haptics::Workflow workflow)
+  {
+    now_.workflow = workflow;
     return *this;
   }
   Motion motion() const { return counter_.motion(); }
 
 private:
   MotionCounter counter_;
+  double lag_ = 0.0;  // [m]
   haptics::TickOutput now_ = [] {
     haptics::TickOutput output;
     output.workflow = haptics::Workflow::inserting;
@@ -79,6 +97,76 @@ TEST(TheMotionOfAnInsertion, DoesNotRestBeforeItsStartOrAfterItsMaximumDepth)
   EXPECT_NEAR(motion.timeStill, 0.0, oneStretch);
   EXPECT_NEAR(motion.time, 3.0, 2.0 * oneStretch);
   EXPECT_EQ(motion.reversals, 0);
+}
+
+TEST(TheMotionOfAnInsertion, AtFullDepthIsOverHoweverLongItWaitsThere)
+{
+  Course course;
+  course.go(1.0, 10.0);
+  const Motion arrived = course.motion();
+  course.be(haptics::Workflow::finished).go(0.0, 60.0);
+  // withdrawn a little, pushed in again and deeper
+  course.be(haptics::Workflow::inserting).go(-1.0, 1.0).go(1.0, 2.0);
+  EXPECT_EQ(arrived.timeStill, 0.0);
+  EXPECT_NEAR(course.motion().timeStill, 0.0, 2.0 * oneStretch);
+  EXPECT_NEAR(course.motion().time, 13.0, 5.0 * oneStretch);
+}
+
+TEST(TheMotionOfAnInsertion, GoesAtTheSpeedOfTheHandThoughTheArrayHesitatesAndSpringsOn)
+{
+  // 0.3 mm late, then at once in its place again: 8 mm/s for one stretch.
+  const Motion motion = Course().go(2.0, 2.0).lag(0.3).go(2.0, 2.0).lag(-0.3).go(2.0, 2.0).motion();
+  EXPECT_DOUBLE_EQ(motion.wayInBand, motion.wayIn);
+  EXPECT_EQ(motion.timeStill, 0.0);
+}
+
+/// A scripted insertion of a shipped scenario; its motion.
+Motion scripted(const char* name, const session::Overrides& overrides)
+{
+  MotionCounter counter;
+  const auto scenario = session::loadScenario(name, overrides);
+  EXPECT_TRUE(scenario) << scenario.error().message;
+  if (!scenario) return {};
+  auto insertion = session::Insertion::prepare(
+      *scenario,
+      std::make_unique<device::ScriptedDevice>(scenario->speed().si(), scenario->timeStep().si()),
+      std::nullopt);
+  EXPECT_TRUE(insertion) << insertion.error().message;
+  if (!insertion) return {};
+  const auto ran = (*insertion)->runToEnd([&](const haptics::TickRecord& record) {
+    counter.add(record.output);
+    return true;
+  });
+  EXPECT_TRUE(ran) << ran.error().message;
+  return counter.motion();
+}
+
+TEST(AScriptAtTwoMillimetersASecond, IsWithinTheBandAllTheWayWithEveryKindOfArray)
+{
+  const std::pair<const char*, session::Overrides> runs[] = {
+      {"contour-published", {}},
+      {"contour-published", {{"technique", "aos"}}},
+      {"contour-published", {{"coupling", "spring"}}},
+      {"mean-flex28", {{"coupling", "spring"}}},
+      {"mean-contour", {{"array", "slim-straight"}, {"technique", "standard"}}}};
+  for (const auto& [name, changes] : runs) {
+    session::Overrides overrides = changes;
+    overrides.push_back({"speed_mm_s", "2.0"});
+    overrides.push_back({"nodes", "40"});
+    const Motion motion = scripted(name, overrides);
+    std::string label = name;
+    for (const auto& [key, value] : changes) label += " " + key + "=" + value;
+    EXPECT_GT(motion.wayIn, 5e-3) << label;
+    EXPECT_DOUBLE_EQ(motion.wayInBand, motion.wayIn) << label;
+    EXPECT_EQ(motion.timeStill, 0.0) << label;
+    EXPECT_EQ(motion.reversals, 0) << label;
+  }
+}
+
+TEST(AScriptAtThreeMillimetersASecond, IsAboveTheBandAllTheWay)
+{
+  const Motion motion = scripted("contour-published", {{"speed_mm_s", "3.0"}, {"nodes", "40"}});
+  EXPECT_LT(motion.wayInBand, 0.05 * motion.wayIn);
 }
 
 TEST(TheMotionOfAnInsertion, ReversesTwiceForOneStepBack)

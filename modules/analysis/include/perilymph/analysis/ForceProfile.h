@@ -42,7 +42,7 @@ struct ForceProfile {
   double finalDepth = 0.0;    ///< [m]
   double finalAngle = 0.0;    ///< Angle of the tip from the round window [rad].
   double deepestAngle = 0.0;  ///< Maximum angle of the tip [rad].
-  double duration = 0.0;      ///< Since the first motion [s].
+  double duration = 0.0;      ///< From the first to the last motion, pauses included [s].
   double wallForceMax = 0.0;  ///< Maximum normal force on one node in any tick [N].
   double membraneForceMax = 0.0;  ///< Maximum force on the basilar membrane in any tick [N].
   std::uint64_t ticks = 0;

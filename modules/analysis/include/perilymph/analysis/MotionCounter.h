@@ -15,7 +15,10 @@ namespace perilymph::analysis {
 inline constexpr Speed slowestSpeed = millimetersPerSecond(0.1);
 inline constexpr Speed fastestSpeed = millimetersPerSecond(2.0);
 
-/// Motion of the tip in intervals of 50 ms, from the first motion to the maximum travel.
+/// Motion in intervals of 50 ms, from the first motion to the maximum travel. Distances are those of
+/// the tip. Speeds are those of the hand along its path: between hand and array a spring gives way
+/// and springs back, so that even the tip of a hand at constant speed is not at constant speed. Time
+/// at full depth does not count.
 struct Motion {
   double wayIn = 0.0;      ///< Sum of all inward motion [m].
   double wayInBand = 0.0;  ///< Inward motion within the speed range [m].
@@ -47,8 +50,10 @@ public:
 
 private:
   void endStretch(const haptics::TickOutput& now);
+  double wayOfHand(const haptics::TickOutput& now) const;
 
   ReversalCounter reversals_;
+  std::optional<haptics::TickOutput> first_;  ///< First tick of the insertion.
   std::optional<haptics::TickOutput> begin_;  ///< Begin of the interval.
   Motion sofar_, untilDeepest_;
   double deepest_ = 0.0;  ///< Travel [m].

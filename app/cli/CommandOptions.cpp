@@ -296,6 +296,11 @@ void addDevices(CLI::App& app, FileOptions& files, DevicesOptions& options)
           ->excludes(test));
   files.reads(
       command
+          .add_option("--profile", options.profile,
+                      "Use only this device profile: a TOML file, or the name of one without .toml")
+          ->excludes("--replay"));
+  files.reads(
+      command
           .add_option("--plugin", options.plugin,
                       "Test a device plug-in (FILE.so) like --test; it runs with your rights")
           ->excludes(test)

@@ -94,6 +94,7 @@ struct DevicesOptions {
   std::optional<int> test;  ///< Number of the node to test, as in /dev/hidraw3.
   std::string capture;      ///< Recording file of the test's reports.
   std::string plugin;       ///< Shared library of a plug-in to test.
+  std::string profile;      ///< The only device profile to use; empty: all.
   std::string replay;       ///< Tape to be read instead of a device.
 };
 Result<Done> devices(const DevicesOptions& options);

@@ -19,6 +19,8 @@ namespace {
 constexpr double timeStep = 1e-3;         // [s]
 constexpr double listeningTime = 3.0;     // [s]
 constexpr double patienceForHold = 20.0;  // [s]
+// Far below what a hand feels (20 mN; Kratchman et al. 2016).
+constexpr double minForce = 1e-3;  // [N]
 
 /// Ticks at 1 kHz, triggered by the device's reports if possible.
 class Beat {
@@ -64,11 +66,22 @@ void listen(device::HapticDevice& hand, Beat& beat, TrialOutcome& outcome)
   }
 }
 
-/// Returns the number of axes on which the force was rendered.
-int showForces(device::HapticDevice& hand, Beat& beat)
+/// Why the trial ended before its last axis.
+std::string whyUntested(device::HapticDevice& hand, const TrialOutcome& outcome)
+{
+  const auto health = hand.health();
+  if (health && !health->isConnected) return "the device was disconnected";
+  if (health ? health->reading.fresh == 0 : outcome.fresh == 0) return "no report came";
+  constexpr double stalled = 0.1;  // [s]
+  if (health && health->reading.silence > stalled) return "the reports ended";
+  return "the button was not held";
+}
+
+void showForces(device::HapticDevice& hand, Beat& beat, TrialOutcome& outcome)
 {
   haptics::ForceTrial trial(hand.traits(), timeStep);
-  if (trial.isOver()) return 0;
+  outcome.greatest = trial.greatest();
+  if (trial.isOver()) return;
   print(
       "Hold the device and its button: it pushes with at most {} N along each axis. Letting "
       "go of the button ends the push.\n",
@@ -81,7 +94,8 @@ int showForces(device::HapticDevice& hand, Beat& beat)
     waited = trial.isHeld() ? 0 : waited + 1;
   }
   hand.write({});
-  return trial.axis();
+  outcome.forces = trial.results();
+  if (!trial.isOver()) outcome.untested = whyUntested(hand, outcome);
 }
 
 Result<TrialOutcome> tryOpened(device::HapticDevice& hand)
@@ -98,7 +112,7 @@ Result<TrialOutcome> tryOpened(device::HapticDevice& hand)
     outcome.stiffness = haptics::couplingLimit(outcome.traits, timeStep).stiffness;
   Beat beat(hand);
   listen(hand, beat, outcome);
-  if (outcome.axes > 0) outcome.axesFelt = showForces(hand, beat);
+  if (outcome.axes > 0) showForces(hand, beat, outcome);
   outcome.health = hand.health();
   hand.close();
   if (isInterrupted()) return Error{"Interrupted; the force is off."};
@@ -106,6 +120,13 @@ Result<TrialOutcome> tryOpened(device::HapticDevice& hand)
 }
 
 }  // namespace
+
+int TrialOutcome::axesShown() const
+{
+  return static_cast<int>(std::count_if(forces.begin(), forces.end(), [](const auto& axis) {
+    return axis.isDone && axis.peak > minForce;
+  }));
+}
 
 Result<TrialOutcome> tryDevice(const device::FoundDevice& found, const std::filesystem::path& tape)
 {

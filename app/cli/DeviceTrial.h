@@ -3,11 +3,14 @@
 
 // Test of a device: reports, write times, and force.
 
+#include <array>
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "perilymph/device/DeviceHealth.h"
 #include "perilymph/device/DeviceRegistry.h"
+#include "perilymph/haptics/ForceTrial.h"
 
 namespace perilymph::cli {
 
@@ -16,10 +19,16 @@ struct TrialOutcome {
                                                ///< itself.
   device::DeviceTraits traits;                 ///< With the measured values.
   double stiffness = 0.0;  ///< Maximum stiffness of the coupling at 1 kHz [N/m]; 0 without force.
-  int axesFelt = 0;        ///< Number of axes on which the force was rendered.
   int axes = 0;            ///< Number of axes that render a force.
-  int samples = 0;         ///< Samples read while listening.
-  int fresh = 0;           ///< Samples that were new and valid.
+  double greatest = 0.0;   ///< Intended maximum force of the test [N].
+  std::array<haptics::ForceTrial::Axis, 3> forces;  ///< Results of the axes.
+  /// A sentence: why the force was not tested on every axis; empty if it was.
+  std::string untested;
+  int samples = 0;  ///< Samples read while listening.
+  int fresh = 0;    ///< Samples that were new and valid.
+
+  /// Number of axes on which a force other than zero was rendered to the end.
+  int axesShown() const;
 };
 
 /// Opens the device, listens for three seconds, then renders at most 0.5 N on each axis while the

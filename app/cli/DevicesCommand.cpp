@@ -47,6 +47,12 @@ std::string ability(const device::DeviceTraits& traits)
   return text + ", a report every " + fixed(traits.nominalPeriod * 1e3, 1) + " ms";
 }
 
+void printProfile(const device::KnownDevice& known)
+{
+  print("    Profile {}, confidence {}.\n", known.file, known.confidence);
+  if (!known.caution.empty()) print("    {}\n", known.caution);
+}
+
 void printDevice(const FoundDevice& found)
 {
   const device::HidNode& node = found.node;
@@ -54,6 +60,7 @@ void printDevice(const FoundDevice& found)
         node.name.empty() ? found.kind : node.name);
   if (found.known)
     print("    {}, a {}: {}\n", found.known->name, found.kind, ability(found.known->traits));
+  if (found.known) printProfile(*found.known);
   print("    {}\n", found.isUsable() ? "It may be opened." : found.obstacle);
 }
 
@@ -79,12 +86,43 @@ Json described(const FoundDevice& found)
   }
   const device::DeviceTraits& traits = found.known->traits;
   json["profile"] = {{"name", found.known->name},
+                     {"file", found.known->file},
                      {"confidence", found.known->confidence},
+                     {"caution", found.known->caution},
                      {"renders_force", traits.rendersForce},
                      {"max_force_N", traits.maxForce},
                      {"nominal_period_s", traits.nominalPeriod},
                      {"max_stiffness_N_m", traits.maxStiffness}};
   return json;
+}
+
+/// What kept a force below the intended one.
+std::vector<std::string> limitsText(std::uint32_t limits)
+{
+  std::vector<std::string> text;
+  for (const auto& [bit, sentence] : std::initializer_list<std::pair<std::uint32_t, const char*>>{
+           {haptics::nearWorkspaceEnd, "near the end of the device's reach"},
+           {haptics::passivityActed, "the handle moved with the force and was damped"},
+           {haptics::rampingIn, "the force was still fading in"},
+           {haptics::forceSlewed, "the rate of change was limited"},
+           {haptics::forceClamped, "the device's maximum"},
+           {haptics::staleSample, "reports were missing"}})
+    if ((limits & bit) != 0) text.emplace_back(sentence);
+  return text;
+}
+
+Json describedForces(const TrialOutcome& trial)
+{
+  Json axes = Json::array();
+  for (int i = 0; i < trial.axes; ++i) {
+    const auto& axis = trial.forces[static_cast<std::size_t>(i)];
+    axes.push_back({{"axis", std::string(1, "xyz"[i])},
+                    {"peak_N", axis.peak},
+                    {"moved_mm", axis.moved * 1e3},
+                    {"done", axis.isDone},
+                    {"limited_by", limitsText(axis.limits)}});
+  }
+  return axes;
 }
 
 /// Results of a plug-in's device, which measures nothing itself.
@@ -98,7 +136,10 @@ Json describedPlugin(const TrialOutcome& trial)
           {"fresh", trial.fresh},
           {"stiffest_coupling_N_m", trial.stiffness},
           {"force_axes", trial.axes},
-          {"force_axes_shown", trial.axesFelt}};
+          {"force_axes_shown", trial.axesShown()},
+          {"force_intended_N", trial.greatest},
+          {"forces", describedForces(trial)},
+          {"untested", trial.untested}};
 }
 
 Json described(const TrialOutcome& trial)
@@ -107,10 +148,11 @@ Json described(const TrialOutcome& trial)
   const device::DeviceHealth& health = *trial.health;
   return {{"period_s", health.period},
           {"period_measured", health.isPeriodMeasured},
-          {"rate_per_s", health.reading.rate},
-          {"interval_median_s", health.reading.intervalMedian},
-          {"interval_p99_s", health.reading.intervalP99},
-          {"interval_max_s", health.reading.intervalMax},
+          {"rate_per_s", health.reading.overall.rate},
+          {"interval_median_s", health.reading.overall.intervalMedian},
+          {"interval_p99_s", health.reading.overall.intervalP99},
+          {"interval_max_s", health.reading.overall.intervalMax},
+          {"reconnections", health.reconnections},
           {"reports", health.reading.fresh},
           {"lost", health.reading.lost},
           {"duplicates", health.reading.duplicates},
@@ -127,14 +169,29 @@ Json described(const TrialOutcome& trial)
           {"writer_real_time", health.writing.hasRealTimePriority},
           {"stiffest_coupling_N_m", trial.stiffness},
           {"force_axes", trial.axes},
-          {"force_axes_shown", trial.axesFelt},
+          {"force_axes_shown", trial.axesShown()},
+          {"force_intended_N", trial.greatest},
+          {"forces", describedForces(trial)},
+          {"untested", trial.untested},
           {"error", health.error}};
 }
 
 void printForce(const TrialOutcome& trial)
 {
-  print("{:18} rendered on {} of {} axes{}\n", "force", trial.axesFelt, trial.axes,
-        trial.axesFelt < trial.axes ? "; the button was not held" : "");
+  print("{:18} rendered on {} of {} axes{}\n", "force", trial.axesShown(), trial.axes,
+        trial.untested.empty() ? "" : "; " + trial.untested);
+  for (int i = 0; i < trial.axes; ++i) {
+    const auto& axis = trial.forces[static_cast<std::size_t>(i)];
+    std::string limits;
+    for (const std::string& limit : limitsText(axis.limits)) limits += "; " + limit;
+    const std::string moved =
+        axis.moved > 0.0 ? "; the handle moved " + fixed(axis.moved * 1e3, 2) + " mm"
+                         : "; the handle did not move: hold it loosely to see the direction";
+    print("{:18} {}: {}\n", "", "xyz"[i],
+          !axis.isDone ? "not tested"
+                       : fixed(axis.peak, 2) + " N of " + fixed(trial.greatest, 2) + " N written" +
+                             (axis.peak > 0.0 ? moved : "") + limits);
+  }
 }
 
 void printPlugin(const TrialOutcome& trial)
@@ -152,11 +209,14 @@ void printTrial(const TrialOutcome& trial)
   const device::DeviceHealth& health = *trial.health;
   const device::ReadingFigures& reading = health.reading;
   const auto ms = [](double time) { return fixed(time * 1e3, 3); };
+  const device::ReportTiming& timing = reading.overall;
   print("{:18} {}/s; interval median {} ms, 99 % below {} ms, maximum {} ms\n", "reports",
-        fixed(reading.rate, 1), ms(reading.intervalMedian), ms(reading.intervalP99),
-        ms(reading.intervalMax));
+        fixed(timing.rate, 1), ms(timing.intervalMedian), ms(timing.intervalP99),
+        ms(timing.intervalMax));
   print("{:18} {} fresh, {} lost, {} repeated, {} outdated, {} invalid\n", "", reading.fresh,
         reading.lost, reading.duplicates, reading.old, reading.foreign);
+  if (health.reconnections > 0)
+    print("{:18} {} reconnections during the test\n", "", health.reconnections);
   if (!health.error.empty()) print("{:18} {}\n", "", health.error);
   if (trial.axes == 0) return;
   const device::WritingFigures& writing = health.writing;
@@ -197,28 +257,41 @@ Result<Done> devices(const DevicesOptions& options)
 {
   if (!options.replay.empty()) return replayDevice(options.replay, options.json);
   if (!options.plugin.empty()) return tryOut(options.plugin, options.json);
-  const device::DeviceSurvey survey = device::surveyDevices(device::systemRoots());
+  const device::SystemRoots roots = device::systemRoots();
+  const auto surveyed = options.profile.empty()
+                            ? Result<device::DeviceSurvey>(device::surveyDevices(roots))
+                            : device::surveyDevices(roots, options.profile);
+  if (!surveyed) return surveyed.error();
+  const device::DeviceSurvey& survey = *surveyed;
   Json json;
   json["version"] = version();
   json["devices"] = Json::array();
   for (const FoundDevice& found : survey.devices) json["devices"].push_back(described(found));
   json["profile_errors"] = survey.errors;
+  Result<Done> outcome = Done{};
   for (const std::string& error : survey.errors) printError("{}\n", error);
 
   if (options.test) {
     const auto found = deviceOfNumber(survey, *options.test);
     if (!found) return found.error();
+    if (found->known) printProfile(*found->known);
     const auto trial = tryDevice(*found, options.capture);
     if (!trial) return trial.error();
     json["test"] = described(*trial);
+    if (found->known) json["test"]["profile"] = found->known->file;
     printTrial(*trial);
+    if (trial->health && trial->health->reading.fresh == 0)
+      outcome = Error{found->name() +
+                      " sent no report during the test, so nothing was tested. Move it; check its "
+                      "cable and, in its profile, 'reporting' and [input]."};
   } else {
     if (survey.devices.empty()) print("No HID device is connected.\n");
     for (const FoundDevice& found : survey.devices) printDevice(found);
     print(handsWithoutHardware);
   }
-  if (options.json.empty()) return Done{};
-  return writeWhole(options.json, jsonText(json));
+  if (options.json.empty()) return outcome;
+  const auto written = writeWhole(options.json, jsonText(json));
+  return written ? outcome : written;
 }
 
 }  // namespace perilymph::cli

@@ -20,27 +20,6 @@ std::string environment(const char* name)
   return value == nullptr ? std::string() : std::string(value);
 }
 
-/// The TOML files in a folder and its direct subfolders, sorted.
-std::vector<fs::path> tomlFiles(const fs::path& folder)
-{
-  std::vector<fs::path> files;
-  std::vector<fs::path> folders;
-  std::error_code failure;
-  const auto collect = [&](const fs::path& place, bool withFolders) {
-    for (fs::directory_iterator entry(place, failure), end; !failure && entry != end;
-         entry.increment(failure)) {
-      std::error_code ignored;
-      if (withFolders && entry->is_directory(ignored)) folders.push_back(entry->path());
-      if (entry->path().extension() == ".toml" && entry->is_regular_file(ignored))
-        files.push_back(entry->path());
-    }
-  };
-  collect(folder, true);
-  for (const fs::path& below : folders) collect(below, false);
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
 std::string joined(const std::vector<std::string>& text)
 {
   std::string all;
@@ -65,10 +44,30 @@ fs::path resourceRoot()
 
 fs::path resource(std::string_view relative) { return resourceRoot() / fs::path(relative); }
 
+std::vector<fs::path> tomlFilesIn(const fs::path& folder)
+{
+  std::vector<fs::path> files;
+  std::vector<fs::path> folders;
+  std::error_code failure;
+  const auto collect = [&](const fs::path& place, bool withFolders) {
+    for (fs::directory_iterator entry(place, failure), end; !failure && entry != end;
+         entry.increment(failure)) {
+      std::error_code ignored;
+      if (withFolders && entry->is_directory(ignored)) folders.push_back(entry->path());
+      if (entry->path().extension() == ".toml" && entry->is_regular_file(ignored))
+        files.push_back(entry->path());
+    }
+  };
+  collect(folder, true);
+  for (const fs::path& below : folders) collect(below, false);
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
 std::vector<std::string> shippedNames(std::string_view folder)
 {
   std::vector<std::string> names;
-  for (const fs::path& file : tomlFiles(resource(folder))) names.push_back(file.stem().string());
+  for (const fs::path& file : tomlFilesIn(resource(folder))) names.push_back(file.stem().string());
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;
@@ -79,7 +78,7 @@ Result<fs::path> findByName(std::string_view kind, std::string_view folder,
 {
   // Prefer a shipped file of that name; everything else is a path.
   std::vector<fs::path> shipped;
-  for (const fs::path& file : tomlFiles(resource(folder)))
+  for (const fs::path& file : tomlFilesIn(resource(folder)))
     if (file.stem() == nameOrFile) shipped.push_back(file);
   if (shipped.size() == 1) return shipped.front();
   if (shipped.size() > 1)
@@ -113,6 +112,8 @@ fs::path sessionFolder()
   }
   return home / ".local" / "share" / "perilymph" / "sessions";
 }
+
+fs::path deviceProfileFolder() { return sessionFolder().parent_path() / "devices"; }
 
 fs::path patientFolder() { return sessionFolder().parent_path() / "patients"; }
 

@@ -2,6 +2,7 @@
 #include "perilymph/haptics/ForceTrial.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace perilymph::haptics {
 
@@ -34,6 +35,21 @@ ForceTrial::ForceTrial(const device::DeviceTraits& traits, double timeStep)
 {
 }
 
+void ForceTrial::note(const HandState& hand, double wanted, double shown,
+                      std::uint32_t limits) noexcept
+{
+  Axis& result = results_[static_cast<std::size_t>(axis_)];
+  const double place = hand.position_D[axis_];
+  if (time_ == 0.0) {  // also after an interruption
+    begin_ = place;
+    result = {};
+  }
+  result.peak = std::max(result.peak, shown);
+  result.moved = std::max(result.moved, std::fabs(place - begin_));
+  // Only around the middle, where the peak is determined.
+  if (wanted > 0.5 * greatest_ && shown < 0.98 * wanted) result.limits |= limits;
+}
+
 device::Wrench ForceTrial::step(const device::DeviceSample& sample) noexcept
 {
   const HandState& hand = validator_.take(sample);
@@ -53,12 +69,14 @@ device::Wrench ForceTrial::step(const device::DeviceSample& sample) noexcept
   condition.isStale = hand.isStale;
   condition.hasFault = hand.isLost;
   condition.hasJumped = hand.hasJumped;
-  std::uint32_t ignored = 0;
-  const Eigen::Vector3d shown_D = safety_.show(wanted_D, condition, ignored);
+  std::uint32_t limits = 0;
+  const Eigen::Vector3d shown_D = safety_.show(wanted_D, condition, limits);
+  if (isHeld_) note(hand, wanted_D[axis_], shown_D[axis_], limits);
 
   time_ = isHeld_ ? time_ + timeStep_ : 0.0;
   if (time_ >= timeForAxis) {
     time_ = 0.0;
+    results_[static_cast<std::size_t>(axis_)].isDone = true;
     ++axis_;
   }
   device::Wrench wrench_D;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <unistd.h>
+
 #include <fstream>
 
 #include "Cli.h"
@@ -99,6 +101,111 @@ std::string joystickDescriptor()
       "\x05\x01\x09\x04\xa1\x01\x09\x30\x09\x31\x15\x00\x26\xff\x00\x75\x08\x95\x02\x81\x02"
       "\x05\x09\x19\x01\x29\x08\x15\x00\x25\x01\x75\x01\x95\x08\x81\x02\xc0",
       38);
+}
+
+/// A tree with one joystick that plays a tape, and a folder of the user's own files.
+class AJoystick : public testing::Test {
+protected:
+  explicit AJoystick(const std::string& tape = joystickTape)
+  {
+    tree_.add({"0003:ABCD:0002.0001", "Some joystick", "hidraw1", "00", joystickDescriptor()});
+    tree_.addTape("hidraw1", tape);
+  }
+  ProgramOutcome devices(std::vector<std::string> more = {})
+  {
+    std::vector<std::string> arguments = {"devices", "--json", json().string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    ProgramCall call = cliCall(std::move(arguments));
+    call.environment.emplace_back("PERILYMPH_SYSTEM_ROOT", tree_.root().string());
+    call.environment.emplace_back("XDG_DATA_HOME", user_.path().string());
+    return run(call);
+  }
+  /// Puts a profile of the user's own into the folder for them.
+  void own(const std::string& name, const std::string& text)
+  {
+    const auto folder = user_ / "perilymph" / "devices";
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / (name + ".toml")) << text;
+  }
+  static std::string profile(const std::string& name)
+  {
+    return "name = \"" + name +
+           "\"\nmaker = \"us\"\nkind = \"joystick\"\nsource = \"a test\"\nconfidence = "
+           "\"low\"\n[[match]]\nvendor_id = 0xabcd\nproduct_id = 2\n[capability]\n"
+           "nominal_period_ms = 10.0\nreporting = \"on_change\"\n[axes]\nmotion = \"place\"\n"
+           "x = \"x\"\ntravel_mm = 15.0\n";
+  }
+  std::filesystem::path json() const { return user_ / "devices.json"; }
+
+  RecordedTree tree_;
+  const TemporaryFolder user_;
+};
+
+TEST_F(AJoystick, IsListedWithItsProfileAndHowSureThatIs)
+{
+  const auto outcome = devices();
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("generic/joystick.toml, confidence"));
+  EXPECT_THAT(contentOf(json()), HasSubstr("generic/joystick.toml"));
+}
+
+TEST_F(AJoystick, TakesTheUsersOwnProfileBeforeTheShippedOne)
+{
+  own("mine", profile("My stick"));
+  EXPECT_THAT(devices().out, HasSubstr("My stick"));
+  EXPECT_THAT(contentOf(json()), HasSubstr("perilymph/devices/mine.toml"));
+}
+
+TEST_F(AJoystick, WithTwoProfilesSaysSoAndUsesTheOneThatIsNamed)
+{
+  own("first", profile("First stick"));
+  own("second", profile("Second stick"));
+  const auto outcome = devices();
+  EXPECT_THAT(outcome.out, HasSubstr("First stick"));
+  EXPECT_THAT(outcome.out, HasSubstr("second.toml fits as well; choose it with --profile"));
+  const auto named = devices({"--profile", "second"});
+  EXPECT_EQ(named.status, 0) << named.err;
+  EXPECT_THAT(named.out, HasSubstr("Second stick"));
+  EXPECT_THAT(named.out, testing::Not(HasSubstr("First stick")));
+}
+
+TEST_F(AJoystick, WhoseProfileIsBrokenIsNotOpenedWithAnother)
+{
+  own("mine", profile("My stick") + "colour = \"red\"\n");
+  const auto listed = devices();
+  EXPECT_THAT(listed.out, HasSubstr("joystick.toml is not used instead"));
+  EXPECT_THAT(listed.err, HasSubstr("colour"));
+  const auto tested = devices({"--test", "1"});
+  EXPECT_EQ(tested.status, 1);
+  EXPECT_THAT(tested.err, HasSubstr("Correct or remove it"));
+}
+
+TEST_F(AJoystick, ThatTheKernelRefusedIsNamed)
+{
+  tree_.addRefused("0003:1234:0006.0002", "Odd handle");
+  const auto outcome = devices();
+  EXPECT_THAT(outcome.err, HasSubstr("1234:0006 (Odd handle) is plugged in, but the kernel"));
+  EXPECT_THAT(outcome.err, testing::Not(HasSubstr("abcd:0002")));
+}
+
+TEST_F(AJoystick, IsAdvisedARuleThatHidesNoShippedOne)
+{
+  std::filesystem::permissions(tree_.dev() / "hidraw1", std::filesystem::perms::none);
+  if (::geteuid() == 0) GTEST_SKIP() << "Root may open every node.";
+  EXPECT_THAT(devices().out, HasSubstr("71-perilymph-local.rules"));
+}
+
+class ASilentJoystick : public AJoystick {
+protected:
+  ASilentJoystick() : AJoystick("D: 0\nN: Some joystick\nI: 3 abcd 0002\n") {}
+};
+
+TEST_F(ASilentJoystick, IsSaidToHaveSentNothing)
+{
+  const auto outcome = devices({"--test", "1"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("sent no report during the test"));
+  EXPECT_THAT(contentOf(json()), HasSubstr("\"reports\": 0"));
 }
 
 TEST(CapturedDevice, IsReadAsTheCapturedDevice)

@@ -57,7 +57,7 @@ TEST(DeviceProfile, IsReadInSi)
 TEST(ShippedProfiles, CanAllBeReadAndHaveNamesOfTheirOwn)
 {
   const ProfileCatalog catalog = shippedProfiles();
-  EXPECT_THAT(catalog.errors, IsEmpty());
+  EXPECT_THAT(catalog.broken, IsEmpty());
   std::set<std::string> names;
   for (const DeviceProfile& profile : catalog.profiles) names.insert(profile.name);
   EXPECT_EQ(names.size(), catalog.profiles.size());

@@ -31,7 +31,7 @@ const std::string stick(
 
 DeviceSurvey surveyOf(const RecordedTree& tree)
 {
-  return surveyDevices(shippedProfiles().profiles, tree.roots());
+  return surveyDevices(shippedProfiles(), tree.roots());
 }
 
 TEST(DeviceSurvey, KnowsAJoystickByWhatItIs)

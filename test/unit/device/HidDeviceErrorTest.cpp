@@ -76,6 +76,18 @@ TEST_F(FailingHidDevice, SaysThatTheDeviceIsSilentOnceATenthOfASecondPassed)
   EXPECT_THAT(hand.health()->error, HasSubstr("has sent nothing for 0.25 s. The force is off."));
 }
 
+TEST_F(FailingHidDevice, SaysThatTheDeviceNeverSentAReport)
+{
+  hid.whenWaiting([](Duration) { virtualNow += millisecond; });
+  HidDevice& hand = handOf(test::fakeTraits());
+  ASSERT_TRUE(hand.open());
+  hand.read();
+  virtualNow += 250 * millisecond;
+  hand.read();
+  EXPECT_THAT(hand.health()->error,
+              HasSubstr("has sent no report since it was opened, 0.25 s ago. The force is off."));
+}
+
 TEST_F(FailingHidDevice, HasNoHealthAndCannotBeWaitedForWhileItIsClosed)
 {
   HidDevice& hand = handOf(test::fakeTraits());

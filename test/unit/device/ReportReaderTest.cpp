@@ -71,6 +71,25 @@ TEST_F(Reading, LosesAndRepeatsNothingInFiveThousandReports)
   EXPECT_NEAR(reader.figures().rate, 1000.0, 1.0);
 }
 
+TEST_F(Reading, ShowsAHoleInTheTimingOfTheWholeTestThoughTheLastSecondIsRegular)
+{
+  const auto run = [this](int reports) {
+    for (int i = 0; i < reports; ++i) {
+      sendNext();
+      reader.drain(*transport);
+    }
+  };
+  run(1000);
+  virtualNow += 700 * millisecond;
+  reader.startOver();  // reconnected
+  run(2500);
+  const ReadingFigures figures = reader.figures();
+  EXPECT_NEAR(figures.intervalMax, 1e-3, 1e-5);
+  EXPECT_NEAR(figures.overall.intervalMax, 0.7, 0.01);
+  EXPECT_NEAR(figures.overall.intervalMedian, 1e-3, 5e-5);
+  EXPECT_NEAR(figures.overall.rate, 3499.0 / 4.2, 2.0);
+}
+
 TEST_F(Reading, RejectsAnOverflowedQueue)
 {
   for (int i = 0; i < 10; ++i) {

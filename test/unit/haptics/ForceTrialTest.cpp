@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "perilymph/haptics/Snapshot.h"
+
 namespace perilymph::haptics {
 namespace {
 
@@ -67,6 +69,62 @@ TEST(ForceTrial, ShowsAFifthOfAWeakDevicesForce)
   device::DeviceTraits traits = threeAxes();
   traits.maxForce = 1.0;
   EXPECT_DOUBLE_EQ(ForceTrial(traits, timeStep).greatest(), 0.2);
+}
+
+/// Runs a trial to its end with a hand at a place that does not move.
+ForceTrial runAt(const device::DeviceTraits& traits, double distance)
+{
+  ForceTrial trial(traits, timeStep);
+  device::DeviceSample sample;
+  sample.isValid = 1;
+  sample.buttons = device::graspButton;
+  sample.position_D[0] = distance;
+  for (int i = 0; i < 10'000 && !trial.isOver(); ++i) {
+    ++sample.sequence;
+    trial.step(sample);
+  }
+  return trial;
+}
+
+TEST(ForceTrial, KnowsThePeakOfEveryAxis)
+{
+  const ForceTrial trial = runAt(threeAxes(), 0.0);
+  for (const ForceTrial::Axis& axis : trial.results()) {
+    EXPECT_TRUE(axis.isDone);
+    EXPECT_NEAR(axis.peak, 0.5, 0.01);
+    EXPECT_EQ(axis.moved, 0.0);
+    EXPECT_EQ(axis.limits, 0u);
+  }
+}
+
+TEST(ForceTrial, SaysThatAHandleAtTheEndOfItsReachWasPushedWithNothing)
+{
+  device::DeviceTraits traits = threeAxes();
+  traits.workspaceRadius = 0.08;
+  const ForceTrial atTheEnd = runAt(traits, 0.08);
+  for (const ForceTrial::Axis& axis : atTheEnd.results()) {
+    EXPECT_EQ(axis.peak, 0.0);
+    EXPECT_NE(axis.limits & nearWorkspaceEnd, 0u);
+  }
+  const ForceTrial within = runAt(traits, 0.076);
+  for (const ForceTrial::Axis& axis : within.results()) {
+    EXPECT_NEAR(axis.peak, 0.25, 0.01);  // in the middle of the last tenth
+    EXPECT_NE(axis.limits & nearWorkspaceEnd, 0u);
+  }
+}
+
+TEST(ForceTrial, SeesTheHandleMove)
+{
+  ForceTrial trial(threeAxes(), timeStep);
+  device::DeviceSample sample;
+  sample.isValid = 1;
+  sample.buttons = device::graspButton;
+  for (int i = 0; i < 1000; ++i) {
+    ++sample.sequence;
+    sample.position_D[0] += 2e-6;
+    trial.step(sample);
+  }
+  EXPECT_NEAR(trial.results()[0].moved, 2e-3, 1e-5);
 }
 
 TEST(ForceTrial, ShowsNothingUntilTheButtonIsHeld)

@@ -141,6 +141,14 @@ void DevicePage::addDevice(const device::FoundDevice& found)
               .arg(QString::fromStdString(node.path.string()),
                    QString::fromStdString(device::identityText(node.identity)), abilityText(found)),
           true);
+  if (found.known)
+    addText(column,
+            tr("Profile %1, confidence %2. %3")
+                .arg(QString::fromStdString(found.known->file),
+                     QString::fromStdString(found.known->confidence),
+                     QString::fromStdString(found.known->caution))
+                .trimmed(),
+            true);
   if (!found.isUsable()) addText(column, QString::fromStdString(found.obstacle), true);
 }
 

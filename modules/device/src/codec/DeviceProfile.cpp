@@ -185,6 +185,20 @@ Result<DeviceProfile> finished(Result<TomlReader> reader)
   return profile;
 }
 
+void addTo(ProfileCatalog& catalog, const std::filesystem::path& file)
+{
+  auto reader = TomlReader::open(file);
+  if (!reader) {
+    catalog.broken.push_back({reader.error().message, {}});
+    return;
+  }
+  DeviceProfile profile = read(*reader);
+  if (const Result<Done> done = reader->finish(); !done)
+    catalog.broken.push_back({done.error().message, std::move(profile.matches)});
+  else
+    catalog.profiles.push_back(std::move(profile));
+}
+
 /// Quality of a match: 0 for none, larger for more specific criteria.
 int fit(const DeviceMatch& match, const HidIdentity& identity, const ReportDescriptor& descriptor)
 {
@@ -217,19 +231,33 @@ Result<DeviceProfile> parseProfile(std::string_view text, const std::string& nam
 ProfileCatalog shippedProfiles()
 {
   ProfileCatalog catalog;
-  for (const std::string& name : shippedNames(folder)) {
-    const auto file = findByName("device profile", folder, name);
-    if (!file) {
-      catalog.errors.push_back(file.error().message);
-      continue;
-    }
-    auto profile = loadProfile(*file);
-    if (profile)
-      catalog.profiles.push_back(*std::move(profile));
-    else
-      catalog.errors.push_back(profile.error().message);
-  }
+  for (const auto& file : tomlFilesIn(resource(folder))) addTo(catalog, file);
   return catalog;
+}
+
+ProfileCatalog allProfiles()
+{
+  ProfileCatalog catalog;
+  for (const auto& file : tomlFilesIn(deviceProfileFolder())) addTo(catalog, file);
+  for (const auto& file : tomlFilesIn(resource(folder))) addTo(catalog, file);
+  return catalog;
+}
+
+Result<DeviceProfile> namedProfile(const std::string& nameOrFile)
+{
+  for (const auto& file : tomlFilesIn(deviceProfileFolder()))
+    if (file.stem() == nameOrFile) return loadProfile(file);
+  const auto file = findByName("device profile", folder, nameOrFile);
+  if (!file) return file.error();
+  return loadProfile(*file);
+}
+
+int fitOf(std::span<const DeviceMatch> matches, const HidIdentity& identity,
+          const ReportDescriptor& descriptor) noexcept
+{
+  int best = 0;
+  for (const DeviceMatch& match : matches) best = std::max(best, fit(match, identity, descriptor));
+  return best;
 }
 
 const DeviceProfile* matchingProfile(std::span<const DeviceProfile> profiles,
@@ -239,11 +267,10 @@ const DeviceProfile* matchingProfile(std::span<const DeviceProfile> profiles,
   const DeviceProfile* best = nullptr;
   int bestFit = 0;
   for (const DeviceProfile& profile : profiles)
-    for (const DeviceMatch& match : profile.matches)
-      if (const int now = fit(match, identity, descriptor); now > bestFit) {
-        best = &profile;
-        bestFit = now;
-      }
+    if (const int now = fitOf(profile.matches, identity, descriptor); now > bestFit) {
+      best = &profile;
+      bestFit = now;
+    }
   return best;
 }
 

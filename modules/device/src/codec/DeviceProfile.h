@@ -126,15 +126,29 @@ Result<DeviceProfile> loadProfile(const std::filesystem::path& file);
 /// The same for text from another source; messages show `name` in place of the file.
 Result<DeviceProfile> parseProfile(std::string_view text, const std::string& name);
 
-/// All shipped profiles, sorted by file, and the errors of those that cannot be read.
+/// A file that is no valid profile.
+struct BrokenProfile {
+  std::string error;
+  std::vector<DeviceMatch> matches;  ///< The devices it is meant for; empty if they are unknown.
+};
+
+/// Profiles, sorted by file, and the files that cannot be read.
 struct ProfileCatalog {
   std::vector<DeviceProfile> profiles;
-  std::vector<std::string> errors;
+  std::vector<BrokenProfile> broken;
 };
 ProfileCatalog shippedProfiles();
+/// The user's own profiles, then the shipped ones.
+ProfileCatalog allProfiles();
+/// The profile of a file, or of a file's name without ending: the user's own, else a shipped one.
+Result<DeviceProfile> namedProfile(const std::string& nameOrFile);
 
-/// The best match of a device: product before vendor before usage; null if none matches. Pass an
-/// empty descriptor if it cannot be read.
+/// Quality of the best match: 0 for none; 16 and more if product and vendor match.
+int fitOf(std::span<const DeviceMatch> matches, const HidIdentity& identity,
+          const ReportDescriptor& descriptor) noexcept;
+
+/// The best match of a device: product before vendor before usage, the first of equal ones; null if
+/// none matches. Pass an empty descriptor if it cannot be read.
 const DeviceProfile* matchingProfile(std::span<const DeviceProfile> profiles,
                                      const HidIdentity& identity,
                                      const ReportDescriptor& descriptor) noexcept;

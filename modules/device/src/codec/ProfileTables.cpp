@@ -244,6 +244,19 @@ PidLayout readPidLayout(TomlReader& file, const AxesLayout& axes)
   pid.gain = table.number("gain_fraction", {0.01, 1.0}, 1.0);
   pid.resetFirst = table.flag("reset_first", true);
 
+  if (pid.effects == PidLayout::Effects::polar)
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = i + 1; j < 3; ++j) {
+        const bool areMoved = axes.axes[i].usage.page != 0 && axes.axes[j].usage.page != 0;
+        const double apart = std::fabs(std::remainder(pid.directions[i] - pid.directions[j], turn));
+        const double opposite = 0.5 * turn - apart;
+        if (areMoved && std::min(apart, opposite) < radians(1.0))
+          table.refuse("directions_deg",
+                       "directions_deg gives two axes the same line, so that their forces would "
+                       "push the same way. Give each moved axis a line of its own, or use effects "
+                       "= \"axes\".");
+      }
+
   int moved = 0;
   for (std::size_t i = 0; i < 3; ++i) moved += axes.axes[i].usage.page != 0 ? 1 : 0;
   if (effects == "direction" && moved != 2)

@@ -10,6 +10,7 @@
 #include "codec/DeviceCodec.h"
 #include "hid/DeviceSurvey.h"
 #include "hid/HidDevice.h"
+#include "perilymph/foundation/Resources.h"
 #include "tape/TapePorts.h"
 
 namespace perilymph::device {
@@ -44,18 +45,54 @@ std::string obstacleOf(const FoundDevice& found, const ReportDescriptor& descrip
 {
   const HidNode& node = found.node;
   if (!found.profile)
-    return "No profile below plugins/devices fits it: " + found.kind +
-           ". For a device of a known kind add one (plugins/README.md).";
+    return "No profile fits it: " + found.kind + ". For a device of a known kind add one to " +
+           deviceProfileFolder().string() + " (plugins/README.md).";
   if (node.access == NodeAccess::absent)
     return "There is no " + node.path.string() +
            ": this system shows its devices without their nodes, as a container does.";
   if (node.access == NodeAccess::denied)
-    return "You may not open " + node.path.string() +
-           ". Put this line into /etc/udev/rules.d/70-perilymph.rules, then plug the device in "
-           "again: " +
+    return "You may not open " + node.path.string() + ". Put this line into " + localRulesFile +
+           ", then plug the device in again: " +
            udevRule(node.identity.vendor, node.identity.product);
   if (const auto codec = makeCodec(*found.profile, descriptor); !codec)
     return codec.error().message;
+  return {};
+}
+
+/// Warnings about a profile that was found for a device.
+std::string cautionOf(const DeviceProfile& profile, const ProfileCatalog& catalog,
+                      const HidIdentity& identity, const ReportDescriptor& descriptor)
+{
+  std::string text = profile.note;
+  const auto add = [&text](const std::string& sentence) {
+    text += (text.empty() ? "" : " ") + sentence;
+  };
+  if (profile.traits.rendersForce && profile.confidence != "high")
+    add("Signs and magnitude of its force were not verified on this device: a wrong sign pulls the "
+        "hand instead of resisting it. Hold the device loosely in its first test.");
+  const int fit = fitOf(profile.matches, identity, descriptor);
+  for (const DeviceProfile& other : catalog.profiles)
+    if (other.file != profile.file && fitOf(other.matches, identity, descriptor) == fit)
+      add(other.file + " fits as well; choose it with --profile.");
+  return text;
+}
+
+/// The error of a broken profile that is, or may be, meant for this device; empty if there is none.
+/// Another profile must not replace it silently.
+std::string brokenFor(const FoundDevice& found, const ProfileCatalog& catalog,
+                      const ReportDescriptor& descriptor)
+{
+  constexpr int ofThisProduct = 16;
+  const HidIdentity& identity = found.node.identity;
+  const int used = found.profile ? fitOf(found.profile->matches, identity, descriptor) : 0;
+  for (const BrokenProfile& broken : catalog.broken) {
+    const int meant = fitOf(broken.matches, identity, descriptor);
+    const bool isUnknown = broken.matches.empty() && used > 0 && used < ofThisProduct;
+    if ((meant == 0 || meant < used) && !isUnknown) continue;
+    return broken.error + " It " + (isUnknown ? "may be" : "is") + " meant for this device" +
+           (found.profile ? ", so " + found.profile->file + " is not used instead" : "") +
+           ". Correct or remove it.";
+  }
   return {};
 }
 
@@ -90,28 +127,40 @@ std::string FoundDevice::name() const
   return node.name.empty() ? identityText(node.identity) : node.name;
 }
 
-DeviceSurvey surveyDevices(const SystemRoots& roots)
+DeviceSurvey surveyDevices(const SystemRoots& roots) { return surveyDevices(allProfiles(), roots); }
+
+Result<DeviceSurvey> surveyDevices(const SystemRoots& roots, const std::string& profile)
 {
-  ProfileCatalog catalog = shippedProfiles();
-  DeviceSurvey survey = surveyDevices(catalog.profiles, roots);
-  survey.errors = std::move(catalog.errors);
-  return survey;
+  auto named = namedProfile(profile);
+  if (!named) return named.error();
+  ProfileCatalog catalog;
+  catalog.profiles.push_back(*std::move(named));
+  return surveyDevices(catalog, roots);
 }
 
-DeviceSurvey surveyDevices(const std::vector<DeviceProfile>& profiles, const SystemRoots& roots)
+DeviceSurvey surveyDevices(const ProfileCatalog& catalog, const SystemRoots& roots)
 {
   DeviceSurvey survey;
+  for (const BrokenProfile& broken : catalog.broken) survey.errors.push_back(broken.error);
+  for (const HidNode& refused : findRefusedDevices(roots))
+    survey.errors.push_back(
+        identityText(refused.identity) + (refused.name.empty() ? "" : " (" + refused.name + ")") +
+        " is plugged in, but the kernel made no node for it: it refused the device's report "
+        "descriptor, or has no driver for it. 'journalctl -k' says which.");
   for (HidNode& node : findHidNodes(roots)) {
     FoundDevice found;
     found.node = std::move(node);
     const ReportDescriptor descriptor = descriptorOf(found.node);
-    const DeviceProfile* const profile = matchingProfile(profiles, found.node.identity, descriptor);
+    const HidIdentity& identity = found.node.identity;
+    const DeviceProfile* const profile = matchingProfile(catalog.profiles, identity, descriptor);
     if (profile != nullptr) {
       found.profile = std::make_shared<const DeviceProfile>(*profile);
-      found.known = {profile->name, profile->confidence, traitsOf(*profile, descriptor)};
+      found.known = {profile->name, profile->confidence, traitsOf(*profile, descriptor),
+                     profile->file, cautionOf(*profile, catalog, identity, descriptor)};
     }
     found.kind = kindOf(descriptor);
-    found.obstacle = obstacleOf(found, descriptor);
+    found.obstacle = brokenFor(found, catalog, descriptor);
+    if (found.obstacle.empty()) found.obstacle = obstacleOf(found, descriptor);
     survey.devices.push_back(std::move(found));
   }
   return survey;

@@ -10,6 +10,6 @@
 
 namespace perilymph::device {
 
-DeviceSurvey surveyDevices(const std::vector<DeviceProfile>& profiles, const SystemRoots& roots);
+DeviceSurvey surveyDevices(const ProfileCatalog& catalog, const SystemRoots& roots);
 
 }  // namespace perilymph::device

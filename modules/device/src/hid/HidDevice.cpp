@@ -82,6 +82,7 @@ struct HidDevice::Content {
   ReportReader reader;
   Transport* reading = nullptr;
   std::int64_t figuresShown = 0;
+  std::int64_t listeningSince = 0;  // [ns]
   realtime::TripleBuffer<ReadingFigures> figures;
 
   // Owned by the supervisor.
@@ -216,6 +217,7 @@ DeviceSample HidDevice::read() noexcept
   if (hand.reading == nullptr) {
     hand.reading = channels.reading.take();
     hand.reader.startOver();
+    hand.listeningSince = hand.clock();
   }
   if (hand.reading == nullptr) return sample;
 
@@ -277,7 +279,7 @@ void HidDevice::Content::showFigures(std::int64_t now) noexcept
   ReadingFigures& shown = figures.draft();
   shown = reader.figures();
   const std::int64_t heard = reader.lastFresh();
-  shown.silence = heard == 0 ? 0.0 : static_cast<double>(now - heard) * 1e-9;
+  shown.silence = static_cast<double>(now - (heard == 0 ? listeningSince : heard)) * 1e-9;
   figures.publishDraft();
 }
 
@@ -340,9 +342,12 @@ std::optional<DeviceHealth> HidDevice::health()
   health.guardObstacle = hand.guardObstacle;
   health.error = hand.error;
   if (health.isConnected && health.reading.silence > 0.1)
-    health.error = hand.profile.name + " has sent nothing for " +
-                   std::to_string(health.reading.silence).substr(0, 4) +
-                   " s. The force is off. Move it, then check its cable.";
+    health.error = hand.profile.name +
+                   (health.reading.fresh == 0 ? " has sent no report since it was opened, "
+                                              : " has sent nothing for ") +
+                   std::to_string(health.reading.silence).substr(0, 4) + " s" +
+                   (health.reading.fresh == 0 ? " ago" : "") +
+                   ". The force is off. Move it, then check its cable.";
   if (health.isBlocked)
     health.error = hand.profile.name + " takes no force. The force is off. Check its cable.";
   return health;

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <string_view>
 
 #include "codec/ReportDescriptor.h"
@@ -144,6 +145,33 @@ std::vector<HidNode> findHidNodes(const SystemRoots& roots)
   for (const auto& [number, folder] : folders)
     if (auto node = readNode(folder, roots)) nodes.push_back(std::move(*node));
   return nodes;
+}
+
+std::vector<HidNode> findRefusedDevices(const SystemRoots& roots)
+{
+  std::set<fs::path> withNode;
+  std::error_code error;
+  for (const HidNode& node : findHidNodes(roots))
+    withNode.insert(
+        fs::canonical(roots.sysfs / "class" / "hidraw" / node.path.filename() / "device", error));
+
+  std::vector<HidNode> refused;
+  fs::directory_iterator entries(roots.sysfs / "bus" / "hid" / "devices", error);
+  while (!error && entries != fs::directory_iterator{}) {
+    std::error_code ignored;
+    const fs::path place = fs::canonical(entries->path(), ignored);
+    const std::string uevent = contentOf(place / "uevent");
+    HidNode node;
+    if (withNode.count(place) == 0 && readIdentity(valueOf(uevent, "HID_ID"), node)) {
+      node.path = entries->path();
+      node.name = valueOf(uevent, "HID_NAME");
+      refused.push_back(std::move(node));
+    }
+    entries.increment(error);
+  }
+  std::sort(refused.begin(), refused.end(),
+            [](const HidNode& a, const HidNode& b) { return a.path < b.path; });
+  return refused;
 }
 
 std::string udevRule(std::uint16_t vendor, std::uint16_t product)

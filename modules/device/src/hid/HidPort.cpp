@@ -39,8 +39,7 @@ public:
     if (found == nullptr) return Error{called() + " is not plugged in."};
     if (found->access == NodeAccess::denied)
       return Error{"You may not open " + found->path.string() + " (" + called() +
-                   "). Put this line into /etc/udev/rules.d/70-perilymph.rules and plug the device "
-                   "in again: " +
+                   "). Put this line into " + localRulesFile + " and plug the device in again: " +
                    udevRule(node_.identity.vendor, node_.identity.product)};
     node_.path = found->path;
     if (!isTape()) return openHidTransport(node_.path, numbers_);

@@ -45,6 +45,9 @@ void ReportReader::note(std::int64_t now) noexcept
   ++freshInSecond_;
   if (lastFresh_ != 0) intervals_.add(now - lastFresh_);
   lastFresh_ = now;
+  if (firstEver_ == 0) firstEver_ = now;
+  if (lastEver_ != 0) allIntervals_.add(now - lastEver_);
+  lastEver_ = now;
   if (secondBegan_ == 0) {
     secondBegan_ = now;
     freshInSecond_ = 0;
@@ -58,6 +61,17 @@ void ReportReader::note(std::int64_t now) noexcept
   intervals_.clear();
   freshInSecond_ = 0;
   secondBegan_ = now;
+}
+
+ReadingFigures ReportReader::figures() const noexcept
+{
+  ReadingFigures figures = figures_;
+  const auto passed = static_cast<double>(lastEver_ - firstEver_) * 1e-9;
+  if (passed > 0.0) figures.overall.rate = static_cast<double>(allIntervals_.count()) / passed;
+  figures.overall.intervalMedian = allIntervals_.quantile(0.5);
+  figures.overall.intervalP99 = allIntervals_.quantile(0.99);
+  figures.overall.intervalMax = allIntervals_.longest();
+  return figures;
 }
 
 Transfer ReportReader::drain(Transport& transport) noexcept

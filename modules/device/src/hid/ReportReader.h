@@ -48,8 +48,8 @@ public:
   /// Restarts with another handle: counters and times restart, figures and sequence continue.
   PERILYMPH_REALTIME void startOver() noexcept;
 
-  /// Counters so far; rate and intervals of the last full second.
-  const ReadingFigures& figures() const noexcept { return figures_; }
+  /// Counters so far; rate and intervals of the last full second and overall.
+  PERILYMPH_REALTIME ReadingFigures figures() const noexcept;
 
 private:
   void note(std::int64_t now) noexcept;
@@ -66,6 +66,8 @@ private:
   std::int64_t secondBegan_ = 0;     // [ns]
   std::uint64_t freshInSecond_ = 0;  // since then
   realtime::TimeHistogram intervals_;
+  std::int64_t firstEver_ = 0, lastEver_ = 0;  // fresh reports, whatever the handle [ns]
+  realtime::TimeHistogram allIntervals_;
   ReadingFigures figures_;
 };
 

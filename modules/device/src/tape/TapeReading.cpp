@@ -81,12 +81,12 @@ Result<TapeReading> readTape(const std::filesystem::path& file)
   if (!tape) return tape.error();
   const auto descriptor = ReportDescriptor::parse(tape->descriptor);
   if (!descriptor) return Error{file.string() + ": " + descriptor.error().message};
-  const ProfileCatalog catalog = shippedProfiles();
+  const ProfileCatalog catalog = allProfiles();
   const DeviceProfile* const profile =
       matchingProfile(catalog.profiles, tape->identity, *descriptor);
   if (profile == nullptr)
-    return Error{"No profile below plugins/devices fits the device on " + file.string() + " (" +
-                 tape->name + ", " + identityText(tape->identity) +
+    return Error{"No profile fits the device on " + file.string() + " (" + tape->name + ", " +
+                 identityText(tape->identity) +
                  "). For a device of a known kind add one (plugins/README.md)."};
   auto codec = makeCodec(*profile, *descriptor);
   if (!codec) return codec.error();

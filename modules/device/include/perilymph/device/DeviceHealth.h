@@ -8,6 +8,14 @@
 
 namespace perilymph::device {
 
+/// Rate of fresh reports and intervals between them, as seen by the haptic thread.
+struct ReportTiming {
+  double rate = 0.0;            ///< Reports per second.
+  double intervalMedian = 0.0;  ///< [s]
+  double intervalP99 = 0.0;     ///< [s]
+  double intervalMax = 0.0;     ///< [s]
+};
+
 /// Counters of the reading side since the device was opened.
 struct ReadingFigures {
   std::uint64_t fresh = 0;       ///< Reports with new data.
@@ -19,7 +27,8 @@ struct ReadingFigures {
   double intervalMedian = 0.0;   ///< Between fresh reports, as seen by the haptic thread [s].
   double intervalP99 = 0.0;      ///< [s]
   double intervalMax = 0.0;      ///< [s]
-  double silence = 0.0;          ///< Since the last fresh report [s].
+  ReportTiming overall;          ///< Since the device was opened, reconnections included.
+  double silence = 0.0;          ///< Since the last fresh report, or since it was opened [s].
 };
 
 /// Counters of the writing side since the device was opened.

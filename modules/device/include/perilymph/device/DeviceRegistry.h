@@ -22,6 +22,9 @@ struct KnownDevice {
   std::string name;
   std::string confidence;  ///< high, medium or low
   DeviceTraits traits;
+  std::string file;  ///< Path of the profile.
+  /// Sentences: what its author notes, what was not verified, which other profile fits; or empty.
+  std::string caution;
 };
 
 /// One HID device, with or without a profile.
@@ -41,11 +44,14 @@ struct FoundDevice {
 
 struct DeviceSurvey {
   std::vector<FoundDevice> devices;  ///< In the order of their nodes.
-  std::vector<std::string> errors;   ///< Profiles that cannot be read: messages.
+  /// Messages: profiles that cannot be read, devices that the kernel refused.
+  std::vector<std::string> errors;
 };
 
-/// Surveys all HID devices with the shipped profiles, without opening any.
+/// Surveys all HID devices with the user's own and the shipped profiles, without opening any.
 DeviceSurvey surveyDevices(const SystemRoots& roots = {});
+/// The same with one profile only: the path of its file, or the file's name without ending.
+Result<DeviceSurvey> surveyDevices(const SystemRoots& roots, const std::string& profile);
 
 /// The usable device with that name, node ("hidraw3" or its path) or identity ("256f:c635"). The
 /// error lists the available ones.

@@ -49,6 +49,14 @@ SystemRoots systemRoots();
 /// Every hidraw node, in numerical order. Nodes that vanish meanwhile are omitted.
 std::vector<HidNode> findHidNodes(const SystemRoots& roots = {});
 
+/// HID devices on the bus without a hidraw node: the kernel refused their report descriptor or has no
+/// driver for them. Their `path` is that on the bus.
+std::vector<HidNode> findRefusedDevices(const SystemRoots& roots = {});
+
+/// The file for a rule of the user's own: another name than that of the shipped rules, which it would
+/// hide, and before systemd's 73-seat-late.rules.
+inline constexpr const char* localRulesFile = "/etc/udev/rules.d/71-perilymph-local.rules";
+
 /// The udev rule that lets the user at the machine open devices of this vendor and product, on any
 /// bus.
 std::string udevRule(std::uint16_t vendor, std::uint16_t product);

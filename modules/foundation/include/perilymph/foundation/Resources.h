@@ -27,6 +27,12 @@ Result<std::filesystem::path> findByName(std::string_view kind, std::string_view
 /// The names that findByName() accepts in a folder, sorted.
 std::vector<std::string> shippedNames(std::string_view folder);
 
+/// The TOML files in a folder and its direct subfolders, sorted by path.
+std::vector<std::filesystem::path> tomlFilesIn(const std::filesystem::path& folder);
+
+/// Folder of the user's own device profiles: `devices` beside the session folder.
+std::filesystem::path deviceProfileFolder();
+
 /// Folder of recorded sessions: $XDG_DATA_HOME/perilymph/sessions, by default in ~/.local/share.
 std::filesystem::path sessionFolder();
 

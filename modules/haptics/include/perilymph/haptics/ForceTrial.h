@@ -4,6 +4,8 @@
 // A force test of a device: a small force on every axis.
 
 #include <Eigen/Core>
+#include <array>
+#include <cstdint>
 
 #include "perilymph/device/HapticDevice.h"
 #include "perilymph/haptics/Safety.h"
@@ -24,6 +26,14 @@ public:
   /// @param timeStep  Between steps [s].
   ForceTrial(const device::DeviceTraits& traits, double timeStep);
 
+  /// Result of one axis.
+  struct Axis {
+    double peak = 0.0;         ///< Maximum force rendered along it [N].
+    double moved = 0.0;        ///< Motion of the device along it during the push [m].
+    std::uint32_t limits = 0;  ///< What kept the force below the intended one: bits of Status.
+    bool isDone = false;       ///< The push was not interrupted.
+  };
+
   /// The force to render for this sample.
   PERILYMPH_REALTIME device::Wrench step(const device::DeviceSample& sample) noexcept;
 
@@ -34,15 +44,21 @@ public:
   bool isHeld() const noexcept { return isHeld_; }
   /// Maximum force of the test [N].
   double greatest() const noexcept { return greatest_; }
+  /// D's x, y, z; only the axes of the device are used.
+  const std::array<Axis, 3>& results() const noexcept { return results_; }
 
 private:
+  void note(const HandState& hand, double wanted, double shown, std::uint32_t limits) noexcept;
+
   double timeStep_;
   double greatest_;
   int axes_;
   SampleValidator validator_;
   Safety safety_;
   int axis_ = 0;
-  double time_ = 0.0;  // within the axis [s]
+  std::array<Axis, 3> results_;
+  double begin_ = 0.0;  // position of the device along the axis at the beginning of the push [m]
+  double time_ = 0.0;   // within the axis [s]
   bool isHeld_ = false;
 };
 

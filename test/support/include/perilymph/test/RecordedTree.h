@@ -37,9 +37,19 @@ public:
                               "\nHID_PHYS=usb-0000:00:14.0-1/input0\nHID_UNIQ=\n");
     write(hid / "report_descriptor", device.descriptor);
     std::filesystem::create_directory_symlink(hid, hid / "hidraw" / device.node / "device");
+    addToBus(hid);
     std::filesystem::create_directories(sys() / "class/hidraw");
     std::filesystem::create_directory_symlink(hid / "hidraw" / device.node,
                                               sys() / "class/hidraw" / device.node);
+  }
+  /// A device on the HID bus for which the kernel made no node.
+  void addRefused(const std::string& kernelName, const std::string& name)
+  {
+    const std::string id = kernelName.substr(0, 4) + ":0000" + kernelName.substr(5, 4) + ":0000" +
+                           kernelName.substr(10, 4);
+    const std::filesystem::path hid = sys() / "devices/pci0000:00/usb1/1-2" / kernelName;
+    write(hid / "uevent", "HID_ID=" + id + "\nHID_NAME=" + name + "\n");
+    addToBus(hid);
   }
   void addNode(const std::string& node) { write(dev() / node, ""); }
   /// A node whose device plays a tape.
@@ -51,6 +61,12 @@ public:
   std::filesystem::path dev() const { return folder_ / "dev"; }
 
 private:
+  void addToBus(const std::filesystem::path& hid) const
+  {
+    std::filesystem::create_directories(sys() / "bus/hid/devices");
+    const std::filesystem::path entry = sys() / "bus/hid/devices" / hid.filename();
+    if (!std::filesystem::exists(entry)) std::filesystem::create_directory_symlink(hid, entry);
+  }
   static void write(const std::filesystem::path& file, const std::string& text)
   {
     std::filesystem::create_directories(file.parent_path());

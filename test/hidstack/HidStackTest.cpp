@@ -14,6 +14,7 @@
 
 #include "FlatWallScene.h"
 #include "HandleScript.h"
+#include "StopWays.h"
 #include "perilymph/test/Tolerance.h"
 
 namespace perilymph::hidstack {
@@ -81,7 +82,8 @@ const double restTolerance = test::tolerance(0.01, "rod and wall are not quite r
 
 TEST_F(RealHidStack, EndsEveryProgramWell)
 {
-  EXPECT_EQ(results_.statuses.size(), 20u);
+  const bool hasWindow = results_.statuses.count("stops.host") != 0;
+  EXPECT_EQ(results_.statuses.size(), hasWindow ? 22u : 20u);
   constexpr int killed = 128 + 9;  // as reported by the shell
   for (const auto& [name, status] : results_.statuses)
     EXPECT_EQ(status, name == "killed.host" ? killed : 0) << name;
@@ -187,6 +189,19 @@ TEST_F(RealHidStack, SwitchesTheForceOffWithinFiveMillisecondsOfAPause)
   // It fades in again after the silence.
   EXPECT_GT(measured("session.pause_force_before_N"), 0.5 * pushAtRest);
   EXPECT_LE(measured("session.pause_zero_heard_ms"), 5.0);
+}
+
+TEST_F(RealHidStack, TakesAStrongForceAwayWithinFiveMillisecondsInEveryWayThatTheWindowStops)
+{
+  if (results_.statuses.count("stops.host") == 0) GTEST_SKIP() << "The window was not built.";
+  for (const std::string way : stopWays) {
+    EXPECT_GT(measured("stops." + way + "_force_before_N"), 0.9 * strongPush) << way;
+    EXPECT_EQ(measured("stops." + way + "_force_after_5ms_N"), 0.0) << way;
+    EXPECT_LE(measured("stops." + way + "_zero_heard_ms"), 5.0) << way;
+    if (way != "quit") {
+      EXPECT_EQ(measured("stops." + way + "_paused"), 1.0) << way;
+    }
+  }
 }
 
 TEST_F(RealHidStack, TakesTheForceAwayWhenTheProgramIsKilledBeforeTheDevicesWatchdogDoes)

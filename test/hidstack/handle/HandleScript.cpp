@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HandleScript.h"
 
+#include "StopWays.h"
+
 namespace perilymph::hidstack {
 
 namespace {
@@ -49,6 +51,25 @@ std::vector<Passage> session()
   return passages;
 }
 
+/// A strong push for every way to stop, each with the handle plugged in again. After the stop the
+/// handle slides to its end stop.
+std::vector<Passage> stops()
+{
+  std::vector<Passage> passages;
+  for (const std::string way : stopWays) {
+    passages.push_back({.name = "greeting"});
+    passages.push_back({.name = "loose", .duration = 0.15});
+    passages.push_back({.name = "grasp", .duration = 0.6, .isButtonPressed = true});
+    Passage push{.name = way, .duration = 1.5, .isButtonPressed = true};
+    if (way == "focus_away") push.duration += focusTime;
+    push.grip = Grip::free;
+    push.push = strongPush;
+    passages.push_back(push);
+    passages.push_back({.name = "unplugged", .duration = 0.2, .wire = Wire::unplugged});
+  }
+  return passages;
+}
+
 }  // namespace
 
 Result<HandleScript> scriptNamed(const std::string& name)
@@ -58,6 +79,7 @@ Result<HandleScript> scriptNamed(const std::string& name)
   if (name == "repeated")
     return HandleScript{{{.name = name, .duration = 0.8}}, Flaw::repeatedReport};
   if (name == "session") return HandleScript{session(), Flaw::none};
+  if (name == "stops") return HandleScript{stops(), Flaw::none};
   if (name == "answer")
     return HandleScript{{{.name = name, .duration = 0.8, .wire = Wire::answering}}, Flaw::none};
 
@@ -75,8 +97,9 @@ Result<HandleScript> scriptNamed(const std::string& name)
   } else if (name == "doubled")
     contact.flaw = Flaw::doubledForce;
   else
-    return Error{"There is no script '" + name +
-                 "'; take stream, lost, repeated, session, killed, answer, flipped or doubled."};
+    return Error{
+        "There is no script '" + name +
+        "'; take stream, lost, repeated, session, killed, answer, stops, flipped or doubled."};
   return contact;
 }
 

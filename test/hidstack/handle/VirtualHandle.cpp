@@ -9,7 +9,7 @@ namespace perilymph::hidstack {
 namespace {
 
 // The longest script, with a margin.
-constexpr std::size_t maxTicks = 20'000;
+constexpr std::size_t maxTicks = 30'000;
 // Index of the tick whose report is lost or repeated by the flawed scripts.
 constexpr std::size_t flawedTick = 400;
 constexpr std::uint8_t graspBit = 1;

@@ -30,7 +30,7 @@ electrode::ArrayDesign stiffRod()
 
 }  // namespace
 
-std::unique_ptr<haptics::InsertionEngine> flatWallEngine(double samplePeriod)
+std::shared_ptr<const mechanics::InsertionModel> flatWallModel()
 {
   mechanics::ModelParts parts;
   // The tip's center stops one radius before the wall.
@@ -43,13 +43,16 @@ std::unique_ptr<haptics::InsertionEngine> flatWallEngine(double samplePeriod)
   parts.wall.onset = millimeters(0.001);
   parts.nodes = nodes;
   parts.startInside = startInside;
+  return mechanics::InsertionModel::build(std::move(parts));
+}
 
+std::unique_ptr<haptics::InsertionEngine> flatWallEngine(double samplePeriod)
+{
   haptics::EngineSettings settings;
   settings.coupling = mechanics::Coupling::spring;
   settings.couplingStiffness = couplingStiffness;
   settings.samplePeriod = samplePeriod;
-  return std::make_unique<haptics::InsertionEngine>(
-      mechanics::InsertionModel::build(std::move(parts)), settings);
+  return std::make_unique<haptics::InsertionEngine>(flatWallModel(), settings);
 }
 
 }  // namespace perilymph::hidstack

@@ -16,6 +16,9 @@ inline constexpr double couplingStiffness = 441.0;
 /// Distance that the hand moves from grasping until the rod touches the wall [m].
 inline constexpr double freeWay = 1e-3;
 
+/// The model of this scene.
+std::shared_ptr<const mechanics::InsertionModel> flatWallModel();
+
 /// The engine of this scene, at 1 kHz, without friction. In balance with a push F the hand stands
 /// F / K beyond the free way, K the coupling's stiffness.
 std::unique_ptr<haptics::InsertionEngine> flatWallEngine(double samplePeriod);

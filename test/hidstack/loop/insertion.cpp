@@ -4,6 +4,7 @@
 #include <poll.h>
 
 #include <csignal>
+#include <memory>
 
 #include "FlatWallScene.h"
 #include "TimedDevice.h"
@@ -20,11 +21,13 @@ constexpr int glance_ms = 20;  // of the user of the insertion; a recorder drain
 // After the last disconnection: long enough to observe the loop.
 constexpr int ticksAfterwards = 200;
 
-/// Simulates the user: arms the insertion, and restarts it after a fault when the device responds
-/// again.
+/// Simulates the user: arms the insertion, and begins another one after a fault when the device
+/// responds again.
 class Operator {
 public:
-  explicit Operator(haptics::HapticLoop& loop) : loop_(loop) { loop_.send({Command::Kind::arm}); }
+  explicit Operator(device::HapticDevice& hand) : hand_(hand) { begin(); }
+
+  haptics::HapticLoop& loop() { return *loop_; }
 
   void watch(const haptics::TickRecord& record)
   {
@@ -35,10 +38,11 @@ public:
       ticksSinceUnplug_ = 0;
     }
     wasLost_ = isLost;
-    const bool isFault = record.output.workflow == haptics::Workflow::fault;
-    if (!isFault) hasAsked_ = false;
-    if (!isFault || isLost || hasAsked_) return;
-    hasAsked_ = loop_.send({Command::Kind::reset}) && loop_.send({Command::Kind::arm});
+    isOver_ = record.output.workflow == haptics::Workflow::fault && !isLost;
+  }
+  void beginAgainAfterFault()
+  {
+    if (isOver_) begin();
   }
 
   bool isDone(int unplugs) const
@@ -47,9 +51,20 @@ public:
   }
 
 private:
-  haptics::HapticLoop& loop_;
+  void begin()
+  {
+    isOver_ = false;
+    loop_.reset();
+    loop_ =
+        std::make_unique<haptics::HapticLoop>(hand_, flatWallEngine(hand_.traits().nominalPeriod));
+    loop_->send({Command::Kind::arm});
+    loop_->start();
+  }
+
+  device::HapticDevice& hand_;
+  std::unique_ptr<haptics::HapticLoop> loop_;
   bool wasLost_ = false;
-  bool hasAsked_ = false;
+  bool isOver_ = false;
   int unplugs_ = 0;
   int ticksSinceUnplug_ = 0;
 };
@@ -59,30 +74,27 @@ private:
 Result<std::vector<LoopTick>> insertUntilUnplugged(device::HapticDevice& hand, int unplugs)
 {
   TimedDevice timed(hand, maxTicks);
-  haptics::HapticLoop loop(timed, flatWallEngine(timed.traits().nominalPeriod));
-  Operator user(loop);
-  loop.start();
+  Operator user(timed);
   haptics::TickRecord record;
   for (std::size_t ticks = 0; !user.isDone(unplugs);) {
     ::poll(nullptr, 0, glance_ms);
-    for (; loop.take(record); ++ticks) user.watch(record);
+    for (; user.loop().take(record); ++ticks) user.watch(record);
+    user.beginAgainAfterFault();
     if (ticks > maxTicks)
       return Error{"The device was not unplugged " + std::to_string(unplugs) + " times within " +
                    std::to_string(ticks) + " ticks; see what the handle's script says."};
   }
-  loop.stop();
+  user.loop().stop();
   return timed.ticks();
 }
 
 Result<Done> insertUntilKilled(device::HapticDevice& hand, std::size_t ticks)
 {
-  haptics::HapticLoop loop(hand, flatWallEngine(hand.traits().nominalPeriod));
-  Operator user(loop);
-  loop.start();
+  Operator user(hand);
   haptics::TickRecord record;
   for (std::size_t done = 0; done < ticks;) {
     ::poll(nullptr, 0, glance_ms);
-    for (; loop.take(record); ++done) user.watch(record);
+    for (; user.loop().take(record); ++done) user.watch(record);
   }
   std::raise(SIGKILL);
   return Done{};

@@ -75,8 +75,9 @@ def stripped(file):
         return Path(thin.name if done.returncode == 0 else file).read_bytes()
 
 
-def build(init, busybox, programs, data, modules):
-    """@return the bytes of the archive."""
+def build(init, busybox, programs, data, modules, trees=()):
+    """@param trees  Folders as (root, relative path); their TOML files keep their relative paths.
+    @return the bytes of the archive."""
     archive = Cpio()
     for folder in ("bin", "dev", "log", "modules", "proc", "sys", "tmp"):
         archive.folder(folder)
@@ -92,6 +93,9 @@ def build(init, busybox, programs, data, modules):
         archive.file(name.lstrip("/"), file.read_bytes())
     for file in data:
         archive.file(f"data/{Path(file).name}", Path(file).read_bytes(), 0o644)
+    for root, folder in trees:
+        for file in sorted((Path(root) / folder).rglob("*.toml")):
+            archive.file(f"data/{file.relative_to(root)}", file.read_bytes(), 0o644)
     for module in modules:
         archive.file(f"modules/{Path(module).name}", Path(module).read_bytes(), 0o644)
     return archive.bytes()

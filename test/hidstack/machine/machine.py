@@ -18,8 +18,13 @@ import kernel
 SKIPPED = 77
 PROGRAMS = ("test/bin/virtual_handle", "test/bin/pid_stick", "test/bin/hid_insertion",
             "test/bin/hid_measures", "bin/perilymph-device-guard")
+# Only where the window is built.
+WINDOW_PROGRAMS = ("test/bin/hid_stops",)
 PROFILES = ("test/hidstack/virtual_handle.toml", "test/hidstack/virtual_handle_answering.toml",
             "plugins/devices/generic/pid.toml")
+# What a scenario is built from.
+TREES = ("resources/anatomy", "resources/calibration", "resources/friction", "resources/patients",
+         "resources/scenarios", "plugins/electrodes")
 # A run takes 20 s of a processor. Only a hang takes this much; an idle machine in virtual time hangs
 # busily. By the clock a run takes as long as others let it, so that bound is wide.
 MAX_PROCESSOR_SECONDS = 75
@@ -76,8 +81,11 @@ def run(programs, cache):
     linux = kernel.find(cache)
     began, used = time.monotonic(), processor_seconds()
     here = Path(__file__).parent
-    content = initramfs.build(here / "init", busybox, [programs / name for name in PROGRAMS],
-                              [here.parents[2] / name for name in PROFILES], linux.modules)
+    root = here.parents[2]
+    built = [programs / name for name in PROGRAMS]
+    built += [programs / name for name in WINDOW_PROGRAMS if (programs / name).exists()]
+    content = initramfs.build(here / "init", busybox, built, [root / name for name in PROFILES],
+                              linux.modules, trees=[(root, name) for name in TREES])
     with tempfile.NamedTemporaryFile(prefix="perilymph-", suffix=".cpio") as archive:
         archive.write(content)
         archive.flush()

@@ -10,6 +10,7 @@
 #include "FlatWallScene.h"
 #include "HandleReports.h"
 #include "StackMeasures.h"
+#include "StopWays.h"
 
 namespace {
 
@@ -104,6 +105,36 @@ Result<Done> measureDeath(const std::string& scene, const std::string& handleLog
   return Done{};
 }
 
+/// The force around each stop.
+Result<Done> measureStops(const std::string& scene, const std::string& handleLog,
+                          const std::string& stopLog)
+{
+  const auto handle = readHandleLog(handleLog);
+  if (!handle) return handle.error();
+  const auto stops = readReportLog(stopLog);
+  if (!stops) return stops.error();
+  constexpr std::int64_t allowed = 5'000'000;  // [ns]
+  for (const ReportRow& stop : *stops) {
+    const std::string way = stopWays.at(static_cast<std::size_t>(stop.sequence));
+    double before = 0.0, after = 0.0;  // [N]
+    std::int64_t zero = 0;             // [ns]; 0: none came, or not for good
+    for (const HandleTick& tick : *handle) {
+      if (tick.outputs == 0 || tick.passage != way) continue;
+      const double force = static_cast<double>(std::abs(tick.force)) * forceQuantum;
+      if (tick.answered < stop.read) before = force;
+      if (tick.answered <= stop.read + allowed) after = force;
+      if (tick.answered < stop.read) continue;
+      if (tick.force != 0) zero = 0;
+      if (tick.force == 0 && zero == 0) zero = tick.answered;
+    }
+    print(scene, way + "_force_before_N", before);
+    print(scene, way + "_force_after_5ms_N", after);
+    if (zero != 0)
+      print(scene, way + "_zero_heard_ms", static_cast<double>(zero - stop.read) * 1e-6);
+  }
+  return Done{};
+}
+
 }  // namespace
 
 int main(int count, char** text)
@@ -114,9 +145,10 @@ int main(int count, char** text)
   }
   const std::string scene = text[1];
   const bool isStream = scene == "stream" || scene == "lost" || scene == "repeated";
-  const auto done = scene == "killed" ? measureDeath(scene, text[2])
-                    : isStream        ? measureStream(scene, text[3])
-                                      : measureInsertion(scene, text[2], text[3]);
+  const auto done = scene == "killed"  ? measureDeath(scene, text[2])
+                    : scene == "stops" ? measureStops(scene, text[2], text[3])
+                    : isStream         ? measureStream(scene, text[3])
+                                       : measureInsertion(scene, text[2], text[3]);
   if (done) return 0;
   std::cerr << done.error().message << '\n';
   return 1;

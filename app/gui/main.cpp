@@ -22,6 +22,7 @@
 #include "gui/program/DisplayProbe.h"
 #include "gui/program/Languages.h"
 #include "gui/program/Logging.h"
+#include "gui/program/ScreenLock.h"
 #include "gui/program/StartupActions.h"
 #include "gui/program/TerminationSignals.h"
 #include "gui/run/Background.h"
@@ -71,6 +72,8 @@ int runKiosk(gui::Application& application, const gui::TerminationSignals& signa
                    [] { QCoreApplication::quit(); });
   QObject::connect(&signals, &gui::TerminationSignals::received, &window,
                    [](int signal) { QCoreApplication::exit(statusOf(signal)); });
+  const gui::ScreenLock screen(nullptr);
+  QObject::connect(&screen, &gui::ScreenLock::locked, &window, &gui::KioskWindow::stopDevice);
   gui::arrangeStartupActions(window, options);
   window.showFullScreen();
   return openAndRun(window);
@@ -112,6 +115,9 @@ WindowEnd runWindow(gui::Application& application, const gui::TerminationSignals
     window.insertion().end();
     QCoreApplication::exit(statusOf(signal));
   });
+  const gui::ScreenLock screen(nullptr);
+  QObject::connect(&screen, &gui::ScreenLock::locked, &window.insertion(),
+                   &gui::InsertPage::stopDevice);
   QObject::connect(&window, &gui::MainWindow::anewAsked, &window,
                    [] { QCoreApplication::exit(openAnew); });
   // a screenshot or a benchmark uses the default size, not the last one

@@ -86,7 +86,10 @@ bool KioskWindow::eventFilter(QObject* target, QEvent* event)
     case QEvent::TouchBegin:
     case QEvent::Wheel:
       touchedAt_s_ = now_s();
-      if (stage_ != KioskStage::attract) return false;
+      if (stage_ != KioskStage::attract) {
+        if (event->type() != QEvent::Wheel) continueTurn();
+        return false;
+      }
       if (event->type() != QEvent::Wheel) beginTurn(InputSource::pointer);
       return true;
     case QEvent::MouseMove:
@@ -233,13 +236,19 @@ void KioskWindow::beginTurn(InputSource hand)
   const bool isHandle = hand == InputSource::device;
   screen_->useHandle(isHandle);
   screen_->view().glideTo(CameraPreset::surgeon);
+  inviteToTurn();
+  showBoard(std::nullopt);
+}
+
+void KioskWindow::inviteToTurn()
+{
+  const bool isHandle = control_.hand() == InputSource::device;
   screen_->say(
       tr("Your turn"),
       isHandle
           ? tr("Hold the device button and advance gently. Keep the force low until full depth.")
           : tr("Hold the bar to insert; further right is faster. Keep the force low until full "
                "depth."));
-  showBoard(std::nullopt);
 }
 
 void KioskWindow::endTurn()
@@ -269,8 +278,23 @@ void KioskWindow::endTurn()
 void KioskWindow::letGo()
 {
   pushedByKey_ = 0;
-  screen_->release();
   control_.pause();
+  screen_->release();
+  if (stage_ == KioskStage::turn && control_.isStopped())
+    screen_->say(tr("Stopped"), tr("The force is off. Touch the screen to continue."));
+}
+
+void KioskWindow::stopDevice()
+{
+  if (control_.isDeviceActive()) letGo();
+}
+
+/// After a stop (the window lost the focus, the screen was locked) a visitor at the handle continues
+/// by touching the screen.
+void KioskWindow::continueTurn()
+{
+  if (stage_ != KioskStage::turn || !control_.isStopped() || !control_.begin()) return;
+  inviteToTurn();
 }
 
 bool KioskWindow::isTouched() const { return screen_->isPressed() || pushedByKey_ != 0; }

@@ -33,6 +33,9 @@ public:
   /// Builds the cochlea and starts the demonstration.
   Result<Done> open();
 
+  /// The screen was locked: removes the force of the visitor's device.
+  void stopDevice();
+
   KioskStage stage() const { return stage_; }
   const InsertionControl& control() const { return control_; }
   const KioskTurn& turn() const { return turn_; }
@@ -66,6 +69,8 @@ private:
   void stepTurn(double elapsed_s);
   void showPicture();
   void letGo();
+  void continueTurn();
+  void inviteToTurn();
   bool isTouched() const;
   double now_s() const { return clock_.seconds(); }
 

@@ -92,6 +92,8 @@ QPushButton:disabled { color: %quietText%; background: %panel%; border-color: %l
 QPushButton#startButton { background: %accent%; color: %onAccent%; border-color: %accent%; }
 QPushButton#startButton:hover { background: %accentHover%; }
 QPushButton#startButton:disabled { color: %quietText%; background: %panel%; border-color: %line%; }
+QPushButton#stopButton { background: #C4161C; color: #FFFFFF; border: 2px solid #FFFFFF; }
+QPushButton#stopButton:pressed { background: #8E0F14; }
 QPushButton[page="true"] {
   background: transparent; border-color: transparent; color: %quietText%; padding: 0 8px;
 }

@@ -2,12 +2,14 @@
 #include "gui/run/InsertionControl.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <utility>
 
 #include "perilymph/device/PluginDevice.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/realtime/Pacer.h"
 
 namespace perilymph::gui {
 
@@ -151,6 +153,8 @@ Result<Done> InsertionControl::build(InputSource hand, std::optional<std::filesy
   hand_ = hand;
   wish_ = Wish::rest;
   isHeld_ = false;
+  isStopAwaited_ = false;
+  isResuming_ = false;
   styletTarget_.reset();
   styletAsked_ = false;
   askedAt_ = 0;
@@ -168,21 +172,43 @@ Result<Done> InsertionControl::begin()
     isRunning_ = true;
   }
   wish_ = Wish::insert;
+  continueDevice();
+  isResuming_ = hand_ == InputSource::device;
   pursue();
   return Done{};
 }
 
 void InsertionControl::pause()
 {
+  if (hand_ == InputSource::device && isRunning_) {
+    insertion_->requestStop();
+    isStopAwaited_ = true;
+    isResuming_ = false;
+    // The stop also ends a withdrawal of the stylet.
+    if (styletTarget_ && now_.output.styletWithdrawal < *styletTarget_) styletTarget_.reset();
+    styletAsked_ = styletTarget_.has_value();
+  }
   wish_ = Wish::rest;
   hold(false);
   moveHand(Motion::hold);
+}
+
+void InsertionControl::stopDeviceAfter(Duration time)
+{
+  if (hand_ != InputSource::device || !isRunning_) return;
+  insertion_->requestStopAt(realtime::monotonicNanoseconds() + std::llround(time.si() * 1e9));
+}
+
+void InsertionControl::continueDevice()
+{
+  if (hand_ == InputSource::device && isRunning_) insertion_->cancelStopAt();
 }
 
 void InsertionControl::withdraw()
 {
   if (!isRunning_) return;
   wish_ = Wish::withdraw;
+  isResuming_ = hand_ == InputSource::device;
   pursue();
 }
 
@@ -221,6 +247,10 @@ bool InsertionControl::update()
   if (!isRunning_) return false;
   const bool isNew = insertion_->refresh();
   if (isNew) now_ = insertion_->latest();
+  const bool isStopShown = (now_.output.status & haptics::stopped) != 0;
+  if (isStopShown) isStopAwaited_ = false;
+  if (isStopShown && !isResuming_) wish_ = Wish::rest;
+  if (!isStopShown && !isStopAwaited_) isResuming_ = false;
   pursue();
   return isNew;
 }
@@ -241,6 +271,7 @@ void InsertionControl::pursue()
     wish_ = Wish::rest;
     return;
   }
+  if (isResuming_) pursueResumption();
   if (wish_ == Wish::rest && !styletTarget_) return;
 
   if (workflow == haptics::Workflow::idle) {
@@ -258,8 +289,15 @@ void InsertionControl::pursue()
   }
 }
 
+void InsertionControl::pursueResumption()
+{
+  const bool isStopShown = (now_.output.status & haptics::stopped) != 0;
+  if (isStopShown && now_.tick >= askedAt_ && ask(Kind::resume)) askedAt_ = now_.tick + 1;
+}
+
 void InsertionControl::pursueWithdrawal()
 {
+  if (isStopped()) return;  // resumed first
   const haptics::TickOutput& now = now_.output;
   // At full depth the loop needs a command; before that the scripted device reverses on its own.
   if (now.workflow == haptics::Workflow::finished && isAtDepth()) {
@@ -289,6 +327,23 @@ bool InsertionControl::isMoving() const noexcept
 {
   if (hand_ == InputSource::device) return now_.output.workflow == haptics::Workflow::inserting;
   return hand_ == InputSource::pointer ? isHeld_ : wish_ != Wish::rest;
+}
+
+bool InsertionControl::isDeviceActive() const noexcept
+{
+  return hand_ == InputSource::device && isRunning_ && !isStopped() &&
+         now_.output.workflow != haptics::Workflow::fault;
+}
+
+bool InsertionControl::isStopped() const noexcept
+{
+  const bool isStopShown = (now_.output.status & haptics::stopped) != 0;
+  return hand_ == InputSource::device && isRunning_ && (isStopAwaited_ || isStopShown);
+}
+
+bool InsertionControl::rendersForce() const
+{
+  return hand_ == InputSource::device && insertion_ && insertion_->hand().traits().rendersForce;
 }
 
 std::string InsertionControl::handName() const

@@ -59,10 +59,16 @@ public:
   /// The same for the device of a plug-in (a shared library).
   void choose(const std::filesystem::path& plugin);
 
-  /// Starts the loop; a scripted device inserts, for the pointer the array is armed.
+  /// Starts the loop; a scripted device inserts, for the pointer the array is armed. A stopped
+  /// device continues, and its force fades in.
   Result<Done> begin();
-  /// Releases the array, which keeps its position.
+  /// Releases the array, which keeps its position. A device is stopped: the haptic loop removes its
+  /// force within the safety chain's off time, even if this thread is blocked afterwards, and it
+  /// moves the array again only after begin() or withdraw().
   void pause();
+  /// The same for a device after a time, unless continueDevice() is called before.
+  void stopDeviceAfter(Duration time);
+  void continueDevice();
   /// Withdraws the array.
   void withdraw();
   /// Withdraws the stylet while the array keeps its position.
@@ -91,6 +97,12 @@ public:
   bool isAtDepth() const noexcept;
   /// The device was told to move, or is grasped.
   bool isMoving() const noexcept;
+  /// The input is a device that moves the array or may do so as soon as its button is pressed.
+  bool isDeviceActive() const noexcept;
+  /// The input is a device that was stopped: no force until begin() or withdraw().
+  bool isStopped() const noexcept;
+  /// The input is a device that renders force.
+  bool rendersForce() const;
   bool isStyletPulled() const noexcept { return styletTarget_.has_value(); }
   const session::Scenario& scenario() const noexcept { return scenario_; }
   std::string handName() const;
@@ -114,6 +126,7 @@ private:
   bool ask(haptics::Command::Kind kind, double value = 0.0);
   void pursue();
   void pursueWithdrawal();
+  void pursueResumption();
   void moveHand(device::ScriptedDevice::Motion motion);
 
   session::Scenario scenario_;
@@ -131,6 +144,8 @@ private:
   Wish wish_ = Wish::rest;
   bool isRunning_ = false;
   bool isHeld_ = false;
+  bool isStopAwaited_ = false;          ///< Requested, not yet in a snapshot.
+  bool isResuming_ = false;             ///< The user wants a stopped device to continue.
   std::optional<double> styletTarget_;  ///< [m]
   bool styletAsked_ = false;
   std::uint64_t askedAt_ = 0;  ///< Tick of the snapshot at the last request.

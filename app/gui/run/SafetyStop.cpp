@@ -3,14 +3,24 @@
 
 namespace perilymph::gui {
 
+bool SafetyStop::stopDevice()
+{
+  if (!control_.isDeviceActive()) return false;
+  control_.pause();
+  return true;
+}
+
 void SafetyStop::loseKeyboard()
 {
   if (control_.hand() == InputSource::pointer) control_.hold(false);
+  control_.stopDeviceAfter(focusPatience);
 }
+
+void SafetyStop::regainKeyboard() { control_.continueDevice(); }
 
 bool SafetyStop::leaveSight()
 {
-  if (!control_.isMoving() && !control_.isHeld()) return false;
+  if (!control_.isMoving() && !control_.isHeld() && !control_.isDeviceActive()) return false;
   control_.pause();
   return true;
 }

@@ -15,7 +15,8 @@ InsertionState stateOf(const InsertionControl& control)
           control.isAtDepth(),
           now.travel,
           control.scenario().array().hasStylet,
-          control.isStyletPulled()};
+          control.isStyletPulled(),
+          control.isDeviceActive()};
 }
 
 bool hasBegun(Workflow workflow)
@@ -42,10 +43,16 @@ bool isBetweenInsertions(const InsertionState& state)
 
 bool maySetUp(const InsertionState& state) { return isBetweenInsertions(state) && !state.isMoving; }
 
+bool mayPause(const InsertionState& state)
+{
+  return state.isDeviceActive || (state.input == InputSource::scripted && state.isMoving);
+}
+
 bool mayStart(const InsertionState& state)
 {
-  if (state.input != InputSource::scripted) return !state.isRunning;
-  return !isOver(state.workflow) && !hasArrived(state);
+  if (state.input == InputSource::scripted) return !isOver(state.workflow) && !hasArrived(state);
+  const bool isDevice = state.input == InputSource::device;
+  return !state.isRunning || (isDevice && state.workflow != Workflow::fault);
 }
 
 bool mayWithdraw(const InsertionState& state)

@@ -18,6 +18,7 @@ struct InsertionState {
   double travel = 0.0;     ///< [m]
   bool hasStylet = false;
   bool isStyletPulled = false;
+  bool isDeviceActive = false;  ///< InsertionControl::isDeviceActive().
 };
 
 InsertionState stateOf(const InsertionControl& control);
@@ -41,7 +42,10 @@ bool isBetweenInsertions(const InsertionState& state);
 /// The same, and nothing moves: the setup may be changed.
 bool maySetUp(const InsertionState& state);
 
-/// The main button starts, or pauses a scripted motion.
+/// The main button pauses; otherwise it starts.
+bool mayPause(const InsertionState& state);
+
+/// The main button starts, pauses, or continues with a stopped device.
 bool mayStart(const InsertionState& state);
 
 /// A script may withdraw the array; mouse and device may after the insertion has finished.

@@ -2,7 +2,6 @@
 #include "gui/shell/MainWindow.h"
 
 #include <QApplication>
-#include <QEvent>
 #include <QFrame>
 #include <QKeyEvent>
 #include <QVBoxLayout>
@@ -17,6 +16,7 @@
 #include "gui/shell/InsertKeys.h"
 #include "gui/shell/MainMenu.h"
 #include "gui/shell/Sheets.h"
+#include "gui/shell/StopTriggers.h"
 #include "gui/shell/TopBar.h"
 #include "gui/shell/TypedKeys.h"
 #include "gui/shell/WindowKeys.h"
@@ -78,6 +78,8 @@ void MainWindow::connectInsertion()
     sheets_->showState();
   });
   connect(insert_, &InsertPage::noted, notice_, &Notice::say);
+  new StopTriggers(*insert_, this);
+  connect(top_, &TopBar::stopAsked, insert_, &InsertPage::stopDevice);
   connect(insert_, &InsertPage::devicesAsked, sheets_, &Sheets::toggleDevices);
   connect(insert_, &InsertPage::replayOpened, this, [this] {
     showPage(Page::insert);
@@ -163,13 +165,6 @@ void MainWindow::wheelEvent(QWheelEvent* event)
   insert_->turnWheel(event->angleDelta().y() / 120.0,
                      (event->modifiers() & Qt::ControlModifier) != 0);
   event->accept();
-}
-
-bool MainWindow::event(QEvent* event)
-{
-  // A key release in another window is not received here: release the array at once.
-  if (event->type() == QEvent::WindowDeactivate) insert_->loseKeyboard();
-  return QWidget::event(event);
 }
 
 void MainWindow::replay(const std::filesystem::path& file)

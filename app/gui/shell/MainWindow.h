@@ -69,7 +69,6 @@ Q_SIGNALS:
   void anewAsked();
 
 protected:
-  bool event(QEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void keyReleaseEvent(QKeyEvent* event) override;

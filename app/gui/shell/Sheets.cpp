@@ -24,7 +24,8 @@ Sheets::Sheets(InsertPage& insertion, QWidget* window)
   connect(settings_, &SettingsSheet::chosen, this, &Sheets::settingChosen);
   connect(about_, &AboutSheet::closeAsked, this, &Sheets::toggleAbout);
   connect(devices_, &DevicePage::closeAsked, this, &Sheets::toggleDevices);
-  connect(devices_, &DevicePage::deviceChosen, &insertion, &InsertPage::useDevice);
+  connect(devices_, &DevicePage::deviceChosen, &insertion,
+          qOverload<const device::FoundDevice&>(&InsertPage::useDevice));
 }
 
 void Sheets::toggleDevices()

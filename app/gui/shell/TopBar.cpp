@@ -14,6 +14,7 @@
 
 #include "gui/parts/Numbers.h"
 #include "gui/parts/Theme.h"
+#include "gui/shell/StopTriggers.h"
 
 namespace perilymph::gui {
 
@@ -121,16 +122,24 @@ void DeviceLight::paintEvent(QPaintEvent*)
   painter.drawText(rect().adjusted(26, 0, -8, 0), Qt::AlignVCenter | Qt::AlignLeft, text_);
 }
 
+void StopButton::mousePressEvent(QMouseEvent* event)
+{
+  Q_EMIT stopAsked();
+  QPushButton::mousePressEvent(event);
+}
+
 TopBar::TopBar(QWidget* parent)
     : QWidget(parent),
       patient_(new QLabel(this)),
       modified_(new QLabel(tr("MODIFIED"), this)),
+      stop_(new StopButton(tr("STOP"), this)),
       device_(new DeviceLight(this)),
       menu_(new QPushButton(QStringLiteral("☰"), this))
 {
   setFixedHeight(barHeight);
   auto* name = new QPushButton(tr("Perilymph"), this);
   name->setObjectName(QStringLiteral("startPageButton"));
+  name->setProperty(leavesInsertion, true);
   name->setFont(typeface(15, QFont::DemiBold));
   name->setFocusPolicy(Qt::NoFocus);  // its key is Alt+Home
   name->setToolTip(tr("Start page (Alt+Home)"));
@@ -145,6 +154,7 @@ TopBar::TopBar(QWidget* parent)
   modified_->setFont(typeface(11, QFont::DemiBold));
   modified_->setFixedHeight(sized(20));
   modified_->hide();
+  addStop();
 
   auto* keys = new QPushButton(QStringLiteral("?"), this);
   keys->setObjectName(QStringLiteral("keysButton"));
@@ -186,6 +196,7 @@ TopBar::TopBar(QWidget* parent)
   auto* right = new QHBoxLayout;
   right->setSpacing(2 * spacing);
   right->addStretch();
+  right->addWidget(stop_);
   right->addWidget(device_);
   right->addWidget(keys);
   right->addWidget(settings);
@@ -213,11 +224,26 @@ void TopBar::setMenu(QMenu* menu)
   });
 }
 
+void TopBar::addStop()
+{
+  stop_->setObjectName(QStringLiteral("stopButton"));
+  stop_->setFont(typeface(17, QFont::Bold));
+  stop_->setFixedSize(128, barHeight - 6);
+  // A click leaves the focus where it is: Space remains the key of the insertion.
+  stop_->setFocusPolicy(Qt::TabFocus);
+  stop_->setToolTip(tr("Remove the force of the device at once (Esc)"));
+  stop_->setAccessibleName(tr("Stop: remove the force of the device"));
+  stop_->hide();
+  connect(stop_, &StopButton::stopAsked, this, &TopBar::stopAsked);
+  connect(stop_, &QPushButton::pressed, this, &TopBar::stopAsked);  // by a key
+}
+
 QPushButton* TopBar::addPage(Page page, const QString& text, const char* name)
 {
   auto* button = new QPushButton(text, this);
   button->setObjectName(QLatin1String(name));
   button->setProperty("page", true);
+  button->setProperty(leavesInsertion, page != Page::insert);
   button->setFont(typeface(13, QFont::Medium));
   button->setFixedHeight(sized(28));
   // the style sheet, which defines the size hint, is applied later
@@ -251,10 +277,14 @@ void TopBar::showNobody()
 void TopBar::showInsertion(const InsertionControl& control, const QString& error)
 {
   const haptics::Snapshot& now = control.now();
+  stop_->setVisible(control.rendersForce());
   const QString hand = QString::fromStdString(control.handName());
   if (!control.isRunning()) return setDevice(DeviceState::off, tr("ready"), hand);
   if (now.output.workflow == haptics::Workflow::fault)
     return setDevice(DeviceState::alarm, tr("fault · no force"), error);
+  if (control.isStopped())
+    return setDevice(DeviceState::warning, tr("stopped · no force"),
+                     tr("%1. Press Start to continue.").arg(hand));
   if (now.measuredRate <= 0.0) return setDevice(DeviceState::steady, tr("running"), hand);
   setDevice(DeviceState::steady, tr("running"),
             tr("%1, %2 samples per second").arg(hand, numberText(now.measuredRate, 0)));

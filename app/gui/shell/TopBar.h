@@ -3,6 +3,7 @@
 
 // The top bar: pages, patient, and device state.
 
+#include <QPushButton>
 #include <QWidget>
 #include <utility>
 #include <vector>
@@ -12,7 +13,6 @@
 
 class QLabel;
 class QMenu;
-class QPushButton;
 
 namespace perilymph::gui {
 
@@ -35,6 +35,19 @@ protected:
 private:
   DeviceState light_ = DeviceState::off;
   QString text_;
+};
+
+/// Acts on the press, before the button is painted, which may take tens of milliseconds.
+class StopButton : public QPushButton {
+  Q_OBJECT
+public:
+  using QPushButton::QPushButton;
+
+Q_SIGNALS:
+  void stopAsked();
+
+protected:
+  void mousePressEvent(QMouseEvent* event) override;
 };
 
 /// Name, pages, patient and device.
@@ -62,17 +75,21 @@ public:
   void showReplay();
 
 Q_SIGNALS:
+  /// The Stop button was pressed (not only after its release).
+  void stopAsked();
   void pageChosen(perilymph::gui::Page page);
   void keysAsked();
   void settingsAsked();
 
 private:
+  void addStop();
   QPushButton* addPage(Page page, const QString& text, const char* name);
   void setDevice(DeviceState light, const QString& caption, const QString& tip);
 
   std::vector<std::pair<Page, QPushButton*>> pages_;
   QLabel* patient_;
   QLabel* modified_;
+  StopButton* stop_;  ///< Visible while the input renders force.
   DeviceLight* device_;
   QPushButton* menu_;
 };

@@ -92,7 +92,7 @@ void addWindowKeys(KeyActions& keys, MainWindow& window, InsertPage& page)
        })});
   keys.add({section,
             {Qt::Key_Escape},
-            tr("close the open panel; release the array"),
+            tr("remove the force of a device; close the open panel; release the array"),
             always([&window](int) { window.leave(); })});
   keys.add(Gesture{section, tr("Tab"), tr("next button or field")});
 }

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -22,6 +23,8 @@ namespace {
 // Eight seconds at 1 kHz: a recorder that waits for a slow disk loses no record.
 constexpr std::size_t recordsKept = 8192;
 constexpr std::int64_t second = 1'000'000'000;  // [ns]
+constexpr std::int64_t atOnce = std::numeric_limits<std::int64_t>::min();
+constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
 
 std::unique_ptr<InsertionEngine> checked(std::unique_ptr<InsertionEngine> engine)
 {
@@ -43,6 +46,7 @@ struct HapticLoop::Content {
   }
 
   CommandList takeCommands() noexcept;
+  bool takeStop() noexcept;
   std::int64_t waitForTick() noexcept;
   void publish() noexcept;
   void measure(std::int64_t began, std::int64_t ended) noexcept;
@@ -55,6 +59,7 @@ struct HapticLoop::Content {
   realtime::SpscRing<Command> commands{maxCommandsPerTick};
   std::thread thread;
   std::atomic<bool> isStopping{false};
+  std::atomic<std::int64_t> stopAt{never};  // when to stop the insertion [ns]
 
   // Written by the haptic thread; others read it after the thread has ended.
   realtime::Pacer pacer;
@@ -64,6 +69,7 @@ struct HapticLoop::Content {
   std::uint64_t sequence = 0;  // of that sample
   std::int64_t lastBegan = 0;  // [ns]
   std::uint64_t ticks = 0;
+  std::uint64_t recordedTicks = 0;
   std::uint64_t overruns = 0;
   std::uint64_t lostRecords = 0;
   realtime::TimeHistogram allTicks;
@@ -85,8 +91,24 @@ HapticLoop::~HapticLoop() { stop(); }
 CommandList HapticLoop::Content::takeCommands() noexcept
 {
   CommandList list;
+  if (takeStop()) {
+    // Commands sent before the stop are no longer wanted.
+    Command discarded;
+    for (int i = 0; i < maxCommandsPerTick && commands.take(discarded); ++i) {
+    }
+    list.items[0].kind = Command::Kind::stop;
+    list.count = 1;
+    return list;
+  }
   while (list.count < maxCommandsPerTick && commands.take(list.items[list.count])) ++list.count;
   return list;
+}
+
+bool HapticLoop::Content::takeStop() noexcept
+{
+  if (stopAt > lastBegan) return false;
+  stopAt = never;
+  return true;
 }
 
 void HapticLoop::Content::publish() noexcept
@@ -106,7 +128,8 @@ void HapticLoop::runOnce() noexcept
   PERILYMPH_EXPECTS_ROLE(haptic);
   Content& loop = *content_;
   TickRecord record;
-  record.tick = loop.ticks++;
+  record.tick = loop.recordedTicks;
+  ++loop.ticks;
   record.commands = loop.takeCommands();
 
   record.sample = loop.device.read();
@@ -115,7 +138,9 @@ void HapticLoop::runOnce() noexcept
   record.output = loop.engine->tick(record.sample, record.commands);
   loop.device.write(record.output.wrench_D);
 
-  loop.publish();                                      // for display: only the newest matters
+  loop.publish();  // for display: only the newest matters
+  if ((record.output.status & resting) != 0) return;
+  ++loop.recordedTicks;
   if (!loop.records.push(record)) ++loop.lostRecords;  // for the file: complete, or counted as lost
 }
 
@@ -138,6 +163,8 @@ void HapticLoop::start()
       runOnce();
       loop.measure(began, realtime::monotonicNanoseconds());
     }
+    // Here, because the thread that waits for this one may get a processor late.
+    loop.device.write(device::Wrench{});
   });
 }
 
@@ -186,6 +213,22 @@ void HapticLoop::Content::measure(std::int64_t began, std::int64_t ended) noexce
 }
 
 bool HapticLoop::send(const Command& command) noexcept { return content_->commands.push(command); }
+
+void HapticLoop::requestStop() noexcept { content_->stopAt = atOnce; }
+
+void HapticLoop::requestStopAt(std::int64_t time) noexcept
+{
+  std::int64_t current = content_->stopAt;
+  while (time < current && !content_->stopAt.compare_exchange_weak(current, time)) {
+  }
+}
+
+void HapticLoop::cancelStopAt() noexcept
+{
+  std::int64_t current = content_->stopAt;
+  while (current != atOnce && !content_->stopAt.compare_exchange_weak(current, never)) {
+  }
+}
 
 bool HapticLoop::refresh() noexcept { return content_->snapshots.refresh(); }
 

@@ -53,7 +53,7 @@ InsertionEngine::InsertionEngine(std::shared_ptr<const mechanics::InsertionModel
       safety_(settings_.safety, model_->timeStep),
       startDepth_(std::max(0.0, model_->parts.startInside.si())),
       base_(startOf(*model_)),
-      forceScale_(settings_.forceScale)
+      isResting_(std::isfinite(settings_.restAfter))
 {
   updateOutput();
 }
@@ -61,6 +61,10 @@ InsertionEngine::InsertionEngine(std::shared_ptr<const mechanics::InsertionModel
 TickOutput InsertionEngine::tick(const device::DeviceSample& sample,
                                  const CommandList& commands) noexcept
 {
+  if (isResting_ && !endsRest(sample, commands)) {
+    rest();
+    return output_;
+  }
   output_.status = allWell;
   const std::uint32_t count = std::min<std::uint32_t>(commands.count, maxCommandsPerTick);
   for (std::uint32_t i = 0; i < count; ++i) applyCommand(commands.items[i]);
@@ -70,14 +74,48 @@ TickOutput InsertionEngine::tick(const device::DeviceSample& sample,
 
   // After an overflow the state is kept for inspection.
   if (workflow_ != Workflow::idle && isFinite()) moveMechanics(hand);
+  if (isStopped_) output_.status |= stopped;
   updateOutput();
 
   // The force is computed after the mechanics, so that it belongs to this tick's pose.
-  const Eigen::Vector3d force_D = registration_.toDevice(forceScale_ * state_.readings.handForce_W);
+  const Eigen::Vector3d force_D =
+      registration_.toDevice(settings_.forceScale * state_.readings.handForce_W);
   const Eigen::Vector3d shown_D = safety_.show(force_D, conditionOf(hand), output_.status);
   output_.wrench_D.force_D = asArray(shown_D);
+  noteRest(hand);
   ++ticks_;
   return output_;
+}
+
+bool InsertionEngine::endsRest(const device::DeviceSample& sample,
+                               const CommandList& commands) noexcept
+{
+  // Nothing of the samples during the rest is known to a replay.
+  validator_ = SampleValidator(model_->timeStep, settings_.samplePeriod);
+  if (commands.count > 0) return true;
+  if (workflow_ == Workflow::fault) return false;
+  if (sample.isValid == 0) return true;
+  if (workflow_ == Workflow::idle || isStopped_) return false;
+  return (sample.buttons & device::graspButton) != 0;
+}
+
+/// All values are those of the tick before the rest, in which the rendered force was zero.
+void InsertionEngine::rest() noexcept
+{
+  output_.status |= resting;
+  ++ticks_;
+}
+
+/// Counts the ticks without motion and force; the next tick rests when there are enough.
+void InsertionEngine::noteRest(const HandState& hand) noexcept
+{
+  const bool isGrasped = hand.isHeld && !isStopped_ && workflow_ != Workflow::fault;
+  const bool isStill = workflow_ != Workflow::inserting && !isGrasped &&
+                       styletWithdrawal_ >= styletTarget_ && safety_.isZero();
+  ticksStill_ = isStill ? ticksStill_ + 1 : 0;
+  const double still = static_cast<double>(ticksStill_) * model_->timeStep;
+  isResting_ =
+      isStill && (hasBegun_ ? still >= settings_.restAfter : std::isfinite(settings_.restAfter));
 }
 
 void InsertionEngine::applyCommand(const Command& command) noexcept
@@ -88,27 +126,20 @@ void InsertionEngine::applyCommand(const Command& command) noexcept
     case Command::Kind::arm:
       transition(WorkflowEvent::arm);
       break;
-    case Command::Kind::reset:
-      reset();
-      break;
     case Command::Kind::withdraw:
       startWithdrawing();
       break;
-    case Command::Kind::clearFault:
-      // Only a reset leaves an overflow.
-      if (isFinite()) transition(WorkflowEvent::clearFault);
+    case Command::Kind::stop:
+      stop();
       break;
-    case Command::Kind::requestFault:
-      transition(WorkflowEvent::error);
+    case Command::Kind::resume:
+      isStopped_ = false;
       break;
     case Command::Kind::pullStylet:
       // A withdrawn stylet is never pushed back into the array.
       if (workflow_ != Workflow::idle && workflow_ != Workflow::fault && command.value >= 0.0)
         styletTarget_ = std::clamp(command.value, styletWithdrawal_,
                                    std::max(styletWithdrawal_, model_->parts.array.length.si()));
-      break;
-    case Command::Kind::setForceScale:
-      if (command.value >= 0.0) forceScale_ = std::min(command.value, maxForceScale);
       break;
   }
 }
@@ -135,19 +166,11 @@ void InsertionEngine::startWithdrawing() noexcept
   transition(WorkflowEvent::withdraw);
 }
 
-void InsertionEngine::reset() noexcept
+void InsertionEngine::stop() noexcept
 {
-  transition(WorkflowEvent::reset);
-  state_.reset(*model_);
-  base_ = startOf(*model_);
-  styletTarget_ = 0.0;
-  styletWithdrawal_ = 0.0;
-  needsAnchor_ = true;
-  isWithdrawing_ = false;
-  isWithdrawn_ = false;
-  hasBegun_ = false;
-  ticksSinceBegin_ = 0;
-  safety_.forgetEnergy();
+  isStopped_ = true;
+  transition(WorkflowEvent::release);
+  styletTarget_ = styletWithdrawal_;
 }
 
 void InsertionEngine::validate(const HandState& hand, std::uint32_t& status) noexcept
@@ -163,8 +186,8 @@ void InsertionEngine::validate(const HandState& hand, std::uint32_t& status) noe
   }
   if (!isFinite()) transition(WorkflowEvent::error);
 
-  // A stale hand cannot grasp.
-  const bool holds = hand.isHeld && !hand.isStale;
+  // A stale hand cannot grasp, and after a stop none can.
+  const bool holds = hand.isHeld && !hand.isStale && !isStopped_;
   if (holds) transition(WorkflowEvent::grasp);
   if (!hand.isHeld) transition(WorkflowEvent::release);
 }
@@ -174,7 +197,7 @@ HandCondition InsertionEngine::conditionOf(const HandState& hand) const noexcept
   HandCondition condition;
   condition.moved_D = hand.moved_D;
   const bool isAtWork = workflow_ == Workflow::inserting || workflow_ == Workflow::finished;
-  condition.isHeld = hand.isHeld && isAtWork;
+  condition.isHeld = hand.isHeld && isAtWork && !isStopped_;
   condition.isStale = hand.isStale;
   condition.hasFault = workflow_ == Workflow::fault;
   condition.hasJumped = hand.hasJumped;
@@ -228,7 +251,7 @@ mechanics::Drive InsertionEngine::hold() const noexcept
 /// multiplied by the force and motion scales.
 double InsertionEngine::softened(double asked, double maximum) const noexcept
 {
-  const double atHand = forceScale_ * settings_.motionScale * asked;
+  const double atHand = settings_.forceScale * settings_.motionScale * asked;
   return atHand <= maximum ? asked : asked * (maximum / atHand);
 }
 
@@ -353,10 +376,12 @@ std::uint64_t InsertionEngine::fingerprint() const noexcept
   }
   hash.add(styletTarget_);
   hash.add(styletWithdrawal_);
-  hash.add(forceScale_);
   hash.add(needsAnchor_);
   hash.add(isWithdrawing_);
   hash.add(isWithdrawn_);
+  hash.add(isStopped_);
+  hash.add(isResting_);
+  hash.add(ticksStill_);
   hash.add(hasBegun_);
   hash.add(ticksSinceBegin_);
   return hash.value();

@@ -8,8 +8,6 @@ Workflow next(Workflow now, WorkflowEvent event) noexcept
   switch (event) {
     case WorkflowEvent::error:
       return Workflow::fault;
-    case WorkflowEvent::reset:
-      return Workflow::idle;
     case WorkflowEvent::arm:
       return now == Workflow::idle ? Workflow::armed : now;
     case WorkflowEvent::grasp:
@@ -20,8 +18,6 @@ Workflow next(Workflow now, WorkflowEvent event) noexcept
       return now == Workflow::inserting ? Workflow::finished : now;
     case WorkflowEvent::withdraw:
       return now == Workflow::finished ? Workflow::inserting : now;
-    case WorkflowEvent::clearFault:
-      return now == Workflow::fault ? Workflow::idle : now;
   }
   return now;
 }

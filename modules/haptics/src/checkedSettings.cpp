@@ -37,6 +37,7 @@ EngineSettings checkedSettings(const EngineSettings& settings)
   if (settings.styletHoldDepth)
     require(*settings.styletHoldDepth * 1e3, 0.0, 100.0, "The depth at which a stylet is held",
             "mm");
+  require(settings.restAfter, 0.1, infinity, "The time after which an insertion rests", "s");
   require(settings.samplePeriod * 1e3, 0.01, 100.0, "The device's sample period", "ms");
   return settings;
 }

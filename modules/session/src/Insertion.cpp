@@ -51,6 +51,17 @@ void tell(device::HapticDevice& hand, device::ScriptedDevice::Motion motion)
   if (auto* script = dynamic_cast<device::ScriptedDevice*>(&hand)) script->move(motion);
 }
 
+/// A device that renders force needs short time steps [s]: after a stop two of them remove the force.
+constexpr double maxStepWithForce = 2e-3;
+
+Error tooSlow(const device::DeviceTraits& traits, double timeStep)
+{
+  return Error{"dt_ms is " + std::to_string(timeStep * 1e3) + "; with " + traits.name +
+               ", which renders force, it must be at most " +
+               std::to_string(maxStepWithForce * 1e3) +
+               ", so that a stop removes the force within 5 ms. Set dt_ms = 1."};
+}
+
 Error fault(const InsertionParameters& parameters, const haptics::TickRecord& record)
 {
   return Error{"The insertion of " + parameters.name + " stopped with a fault at tick " +
@@ -131,6 +142,8 @@ Result<std::unique_ptr<Insertion>> Insertion::prepare(
   content.file = std::move(record);
 
   const device::DeviceTraits traits = content.hand->traits();
+  if (traits.rendersForce && content.model->timeStep > maxStepWithForce)
+    return tooSlow(traits, content.model->timeStep);
   const RunParameters run =
       runParameters(parameters.engine.safety, traits, content.model->timeStep);
   if (traits.rendersForce)
@@ -214,6 +227,12 @@ bool Insertion::send(const haptics::Command& command) noexcept
 {
   return content_->loop->send(command);
 }
+
+void Insertion::requestStop() noexcept { content_->loop->requestStop(); }
+
+void Insertion::requestStopAt(std::int64_t time) noexcept { content_->loop->requestStopAt(time); }
+
+void Insertion::cancelStopAt() noexcept { content_->loop->cancelStopAt(); }
 
 bool Insertion::refresh() noexcept { return content_->loop->refresh(); }
 

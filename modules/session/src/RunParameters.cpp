@@ -20,6 +20,7 @@ RunParameters runParameters(const haptics::SafetyLimits& safety, const device::D
   run.feelsForce = traits.rendersForce;
   run.maxStiffness = coupling.stiffness;
   run.maxDamping = coupling.damping;
+  run.restAfter = recordedWait;
   return run;
 }
 
@@ -33,6 +34,7 @@ haptics::EngineSettings withRunParameters(haptics::EngineSettings settings,
   if (run.feelsForce) settings.coupling = mechanics::Coupling::spring;
   settings.maxStiffness = run.maxStiffness;
   settings.maxDamping = run.maxDamping;
+  settings.restAfter = run.restAfter;
   return settings;
 }
 

@@ -63,13 +63,23 @@ TEST(TheScript, MayStartUntilTheInsertionIsOver)
     EXPECT_EQ(gui::mayStart(at(workflow)), !gui::isOver(workflow)) << int(workflow);
 }
 
-TEST(MouseAndDevice, StartOnceAndThenMoveTheArrayThemselves)
+TEST(TheMouse, StartsOnceAndThenMovesTheArrayItself)
 {
-  for (const InputSource input : {InputSource::pointer, InputSource::device}) {
-    InsertionState state = at(Workflow::armed, input);
-    EXPECT_FALSE(gui::mayStart(state));
-    state.isRunning = false;
-    EXPECT_TRUE(gui::mayStart(state));
+  InsertionState state = at(Workflow::armed, InputSource::pointer);
+  EXPECT_FALSE(gui::mayStart(state));
+  EXPECT_FALSE(gui::mayPause(state));
+  state.isRunning = false;
+  EXPECT_TRUE(gui::mayStart(state));
+}
+
+TEST(ADevice, MayBePausedWhileItIsActiveAndThenContinuedUntilAFault)
+{
+  for (const Workflow workflow : all) {
+    InsertionState state = at(workflow, InputSource::device);
+    EXPECT_EQ(gui::mayStart(state), workflow != Workflow::fault) << int(workflow);
+    EXPECT_FALSE(gui::mayPause(state)) << int(workflow);
+    state.isDeviceActive = true;
+    EXPECT_TRUE(gui::mayPause(state)) << int(workflow);
   }
 }
 

@@ -176,7 +176,7 @@ TEST_F(ForgedSession, WithFactsThatNoDeviceHasIsRefusedOrRunsWithinTheLimits)
   const double maxForce = scenario->engine().safety.maxForce;
 
   for (const char* key : {"dt_s", "sample_period_s", "max_force_N", "reach_m", "max_stiffness_N_m",
-                          "max_damping_N_s_m", "device_delay_s"})
+                          "max_damping_N_s_m", "rest_after_s", "device_delay_s"})
     for (const char* value : {"nan", "inf", "-inf", "-1", "0", "1e308", "", "x"}) {
       SCOPED_TRACE(std::string(key) + " = '" + value + "'");
       runSql(std::string("UPDATE meta SET value = '") + value + "' WHERE key = '" + key + "'");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "perilymph/haptics/InsertionEngine.h"
 #include "perilymph/test/AllocationGuard.h"
 #include "perilymph/test/InsertionRig.h"
 #include "perilymph/test/PlainModels.h"
@@ -41,12 +42,34 @@ TEST_F(HapticTick, AllocatesNothingFromTheVeryFirstTickThroughTheWholeWorkflow)
   rig.send(Kind::pullStylet, 1e-3);
   rig.send(Kind::withdraw);
   for (int i = 0; i < 600; ++i) rig.tick();
-  rig.send(Kind::requestFault);
+  rig.loop().requestStop();
   for (int i = 0; i < 50; ++i) rig.tick();
-  rig.send(Kind::clearFault);
-  rig.send(Kind::reset);
+  rig.send(Kind::resume);
   for (int i = 0; i < 50; ++i) rig.tick();
   EXPECT_EQ(guard.allocations(), 0u);
+}
+
+TEST_F(HapticTick, AllocatesNothingWhileItRestsAndWhenItEndsTheRest)
+{
+  EngineSettings settings;
+  settings.restAfter = 0.1;
+  InsertionEngine engine(test::insertionInRing(), settings);
+  device::DeviceSample sample;
+  sample.isValid = 1;
+  CommandList arm;
+  arm.count = 1;
+  arm.items[0].kind = Kind::arm;
+  const test::AllocationGuard guard;
+  engine.tick(sample, arm);
+  int rested = 0;
+  for (int i = 0; i < 2000; ++i) {
+    ++sample.sequence;
+    // half a second held, half a second released
+    sample.buttons = i % 1000 < 500 ? device::graspButton : 0u;
+    rested += (engine.tick(sample, {}).status & resting) != 0 ? 1 : 0;
+  }
+  EXPECT_EQ(guard.allocations(), 0u);
+  EXPECT_NEAR(rested, 2 * 400, 20);
 }
 
 TEST_F(HapticTick, AllocatesNothingInSpringCoupling)

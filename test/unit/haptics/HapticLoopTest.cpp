@@ -77,7 +77,7 @@ TEST(HapticLoop, TakesEightRequestsAndSaysBusyToTheNinth)
   HapticLoop loop(device,
                   std::make_unique<InsertionEngine>(test::insertionInTube(), EngineSettings{}));
   Command command;
-  command.kind = Command::Kind::setForceScale;
+  command.kind = Command::Kind::withdraw;
   for (int i = 0; i < 8; ++i) EXPECT_TRUE(loop.send(command)) << i;
   EXPECT_FALSE(loop.send(command));
   loop.runOnce();

@@ -35,10 +35,11 @@ TEST(InsertionEngine, ShowsThePhysicalForceOnceItHasFadedIn)
 TEST(InsertionEngine, ScalesOnlyTheForceItShows)
 {
   test::InsertionRig plain(test::insertionInRing());
-  test::InsertionRig scaled(test::insertionInRing());
+  EngineSettings settings;
+  settings.forceScale = 5.0;
+  test::InsertionRig scaled(test::insertionInRing(), settings);
   plain.start();
   scaled.start();
-  scaled.send(Kind::setForceScale, 5.0);
   for (int i = 0; i < 4000; ++i) {
     plain.tick();
     scaled.tick();
@@ -235,17 +236,14 @@ TEST_F(Overflow, LeavesTheShapeInThePictureAsItWas)
   }
 }
 
-TEST_F(Overflow, IsLeftByAResetAlone)
+TEST_F(Overflow, IsLeftByNoCommand)
 {
   test::InsertionRig rig = overflown();
-  rig.hand().move(ScriptedDevice::Motion::hold);
-  rig.send(Kind::clearFault);
-  EXPECT_EQ(rig.tick().output.workflow, Workflow::fault);
-  rig.send(Kind::reset);
-  EXPECT_EQ(rig.tick().output.workflow, Workflow::idle);
-  EXPECT_EQ(rig.output().status & notFinite, 0u);
-  rig.start();
-  EXPECT_EQ(rig.tick().output.workflow, Workflow::inserting);
+  for (const Kind kind : {Kind::resume, Kind::arm, Kind::withdraw}) {
+    rig.send(kind);
+    EXPECT_EQ(rig.tick().output.workflow, Workflow::fault);
+    EXPECT_NE(rig.output().status & notFinite, 0u);
+  }
 }
 
 TEST(LostDevice, IsAFaultFromEveryState)

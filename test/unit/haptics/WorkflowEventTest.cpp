@@ -10,24 +10,24 @@ namespace {
 
 using enum Workflow;
 
-constexpr std::array<WorkflowEvent, 8> allEvents{
-    WorkflowEvent::arm,      WorkflowEvent::grasp, WorkflowEvent::release,    WorkflowEvent::arrive,
-    WorkflowEvent::withdraw, WorkflowEvent::error, WorkflowEvent::clearFault, WorkflowEvent::reset};
+constexpr std::array<WorkflowEvent, 6> allEvents{WorkflowEvent::arm,      WorkflowEvent::grasp,
+                                                 WorkflowEvent::release,  WorkflowEvent::arrive,
+                                                 WorkflowEvent::withdraw, WorkflowEvent::error};
 
 struct Row {
   Workflow from;
-  // arm, grasp, release, arrive, withdraw, error, clearFault, reset
-  std::array<Workflow, 8> to;
+  // arm, grasp, release, arrive, withdraw, error
+  std::array<Workflow, 6> to;
 };
 
 // The state diagram as a table.
 constexpr std::array<Row, 6> table{{
-    {idle, {armed, idle, idle, idle, idle, fault, idle, idle}},
-    {armed, {armed, inserting, armed, armed, armed, fault, armed, idle}},
-    {inserting, {inserting, inserting, paused, finished, inserting, fault, inserting, idle}},
-    {paused, {paused, inserting, paused, paused, paused, fault, paused, idle}},
-    {finished, {finished, finished, finished, finished, inserting, fault, finished, idle}},
-    {fault, {fault, fault, fault, fault, fault, fault, idle, idle}},
+    {idle, {armed, idle, idle, idle, idle, fault}},
+    {armed, {armed, inserting, armed, armed, armed, fault}},
+    {inserting, {inserting, inserting, paused, finished, inserting, fault}},
+    {paused, {paused, inserting, paused, paused, paused, fault}},
+    {finished, {finished, finished, finished, finished, inserting, fault}},
+    {fault, {fault, fault, fault, fault, fault, fault}},
 }};
 
 TEST(Workflow, FollowsItsStateDiagram)

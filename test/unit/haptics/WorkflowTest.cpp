@@ -90,53 +90,118 @@ TEST(InsertionWorkflow, ContinuesWhereItPaused)
   EXPECT_NEAR(rig.output().travel - travel, 2e-3 * 0.1, 1e-9);
 }
 
-TEST(InsertionWorkflow, ResetPutsTheArrayBackToItsStart)
+/// A rig whose hand feels a force and holds on.
+test::InsertionRig feeling(EngineSettings settings = {})
 {
-  test::InsertionRig fresh(test::insertionInTube());
-  test::InsertionRig rig = inserting();
-  rig.hand().move(ScriptedDevice::Motion::hold);
-  rig.send(Kind::reset);
-  rig.tick();
-  EXPECT_EQ(rig.output().workflow, Workflow::idle);
-  EXPECT_EQ(rig.output().travel, 0.0);
-  EXPECT_EQ(rig.output().time, 0.0);
-  EXPECT_EQ(rig.engine().state().fingerprint(), fresh.engine().state().fingerprint());
-}
-
-TEST(InsertionWorkflow, RunsTheSameInsertionAgainAfterAReset)
-{
-  test::InsertionRig rig = inserting(300);
-  const auto first = rig.engine().state().fingerprint();
-  rig.hand().move(ScriptedDevice::Motion::hold);
-  rig.send(Kind::reset);
-  rig.tick();
+  settings.forceScale = 100.0;  // the clamp acts: the largest force there is
+  test::InsertionRig rig(test::insertionInRing(), settings);
   rig.start();
-  for (int i = 0; i < 300; ++i) rig.tick();
-  // The hand is at another position now: equal up to the rounding of its position.
-  EXPECT_NEAR(rig.output().travel, 2e-3 * 0.299, 1e-9);
-  EXPECT_EQ(rig.engine().state().tick, 300u);
-  EXPECT_NE(first, 0u);
+  EXPECT_TRUE(rig.runUntilTravel(millimeters(8), 10'000));
+  return rig;
 }
 
-TEST(InsertionWorkflow, StopsAtTheEmergencyStopUntilItIsCleared)
+double shown(const test::InsertionRig& rig)
+{
+  const auto& force = rig.output().wrench_D.force_D;
+  return std::hypot(force[0], force[1], force[2]);
+}
+
+TEST(Stop, TakesTheLargestForceAwayWithinFourTicksThoughTheHandHoldsOn)
+{
+  test::InsertionRig rig = feeling();
+  ASSERT_NEAR(shown(rig), SafetyLimits{}.maxForce, 1e-9);
+  rig.loop().requestStop();
+  for (int i = 0; i < 4; ++i) rig.tick();
+  EXPECT_EQ(shown(rig), 0.0);
+  EXPECT_EQ(rig.output().workflow, Workflow::paused);
+  EXPECT_NE(rig.output().status & stopped, 0u);
+}
+
+TEST(Stop, LastsUntilItIsTakenBackAndThenTheForceFadesIn)
+{
+  test::InsertionRig rig = feeling();
+  rig.loop().requestStop();
+  for (int i = 0; i < 3000; ++i) {
+    rig.tick();
+    if (i >= 4) {
+      ASSERT_EQ(shown(rig), 0.0) << i;
+    }
+    ASSERT_EQ(rig.output().workflow, Workflow::paused) << i;
+  }
+  // Releasing the button and pressing it again does not continue either.
+  rig.hand().move(ScriptedDevice::Motion::hold);
+  for (int i = 0; i < 10; ++i) rig.tick();
+  rig.hand().move(ScriptedDevice::Motion::insert);
+  for (int i = 0; i < 10; ++i) rig.tick();
+  EXPECT_EQ(rig.output().workflow, Workflow::paused);
+
+  rig.send(Kind::resume);
+  double before = 0.0;
+  const double maxStep = SafetyLimits{}.maxForce * 1e-3 / SafetyLimits{}.rampTime;
+  for (int i = 0; i < 400; ++i) {
+    rig.tick();
+    EXPECT_EQ(rig.output().workflow, Workflow::inserting);
+    EXPECT_EQ(rig.output().status & stopped, 0u);
+    // A tick of passing time adds at most its part of the fade-in of the clamped force.
+    EXPECT_LE(shown(rig) - before, maxStep * 1.001) << i;
+    before = shown(rig);
+  }
+  EXPECT_GT(before, 0.0);
+}
+
+TEST(Stop, WinsOverAFullQueueAndWhatWaitsThereIsForgotten)
+{
+  test::InsertionRig rig = feeling();
+  for (int i = 0; i < maxCommandsPerTick; ++i) rig.send(i % 2 == 0 ? Kind::resume : Kind::withdraw);
+  rig.loop().requestStop();
+  rig.tick();
+  EXPECT_EQ(rig.output().workflow, Workflow::paused);
+  for (int i = 0; i < 20; ++i) rig.tick();
+  EXPECT_EQ(rig.output().workflow, Workflow::paused);
+  EXPECT_EQ(shown(rig), 0.0);
+}
+
+TEST(Stop, KeepsAnArmedLoopFromBeingGrasped)
+{
+  test::InsertionRig rig(test::insertionInTube());
+  rig.send(Kind::arm);
+  rig.tick();
+  rig.loop().requestStop();
+  rig.hand().move(ScriptedDevice::Motion::insert);
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(rig.tick().output.workflow, Workflow::armed);
+  rig.send(Kind::resume);
+  EXPECT_EQ(rig.tick().output.workflow, Workflow::inserting);
+}
+
+TEST(Stop, AtFullDepthTakesTheForceAndLeavesTheInsertionFinished)
+{
+  EngineSettings settings;
+  settings.stopTravel = 8e-3;
+  test::InsertionRig rig = feeling(settings);
+  ASSERT_TRUE(rig.runUntil(Workflow::finished, 1000));
+  ASSERT_GT(shown(rig), 0.0);
+  rig.loop().requestStop();
+  for (int i = 0; i < 4; ++i) rig.tick();
+  EXPECT_EQ(rig.output().workflow, Workflow::finished);
+  EXPECT_EQ(shown(rig), 0.0);
+}
+
+TEST(Stop, EndsTheWithdrawalOfTheStylet)
 {
   test::InsertionRig rig = inserting();
-  rig.send(Kind::requestFault);
-  EXPECT_EQ(rig.tick().output.workflow, Workflow::fault);
-  const double travel = rig.output().travel;
+  rig.send(Kind::pullStylet, 5e-3);
   for (int i = 0; i < 100; ++i) rig.tick();
-  EXPECT_EQ(rig.output().workflow, Workflow::fault);
-  EXPECT_EQ(rig.output().travel, travel);
-
-  rig.send(Kind::clearFault);
-  EXPECT_EQ(rig.tick().output.workflow, Workflow::idle);
-  EXPECT_EQ(rig.output().travel, travel);
+  rig.loop().requestStop();
+  const double withdrawn = rig.tick().output.styletWithdrawal;
+  for (int i = 0; i < 100; ++i) rig.tick();
+  EXPECT_EQ(rig.output().styletWithdrawal, withdrawn);
+  EXPECT_LT(withdrawn, 1e-3);
 }
 
 TEST(InsertionWorkflow, IgnoresRequestsItCannotMeet)
 {
   test::InsertionRig rig(test::insertionInTube());
-  for (const Kind kind : {Kind::withdraw, Kind::clearFault, Kind::pullStylet, Kind::none}) {
+  for (const Kind kind : {Kind::withdraw, Kind::resume, Kind::pullStylet, Kind::none}) {
     rig.send(kind, 5e-3);
     EXPECT_EQ(rig.tick().output.workflow, Workflow::idle) << static_cast<int>(kind);
     EXPECT_EQ(rig.output().styletWithdrawal, 0.0);
@@ -161,7 +226,6 @@ TEST(InsertionWorkflow, RejectsInvalidCommands)
   test::InsertionRig rig = inserting();
   for (const double bad : {std::nan(""), -1.0, -std::numeric_limits<double>::infinity()}) {
     rig.send(Kind::pullStylet, bad);
-    rig.send(Kind::setForceScale, bad);
     rig.tick();
     EXPECT_EQ(rig.output().styletWithdrawal, 0.0) << bad;
     EXPECT_TRUE(std::isfinite(rig.output().wrench_D.force_D[2])) << bad;

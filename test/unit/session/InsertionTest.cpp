@@ -114,6 +114,29 @@ TEST(PreparingAnInsertion, RefusesToRecordOverAFile)
   EXPECT_THAT(again.error().message, HasSubstr("never overwritten"));
 }
 
+TEST(PreparingAnInsertion, RefusesLongTimeStepsWithADeviceThatRendersForce)
+{
+  class Handle : public device::HapticDevice {
+  public:
+    device::DeviceTraits traits() const override
+    {
+      device::DeviceTraits traits;
+      traits.name = "Handle";
+      traits.rendersForce = true;
+      traits.maxForce = 3.3;
+      return traits;
+    }
+    Result<Done> open() override { return Done{}; }
+    void close() noexcept override {}
+    device::DeviceSample read() noexcept override { return {}; }
+    void write(const device::Wrench&) noexcept override {}
+  };
+  const auto slow = Insertion::prepare(test::shortScenario({{"dt_ms", "5"}}),
+                                       std::make_unique<Handle>(), std::nullopt);
+  ASSERT_FALSE(slow);
+  EXPECT_THAT(slow.error().message, HasSubstr("at most 2"));
+}
+
 TEST(InsertionByTheClock, RunsRecordsAndStops)
 {
   const test::TemporaryFolder folder;

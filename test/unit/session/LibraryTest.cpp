@@ -30,6 +30,7 @@ std::vector<haptics::TickRecord> hillOfForce()
     records[i].tick = i;
     haptics::TickOutput& now = records[i].output;
     now.time = 1e-3 * static_cast<double>(i);
+    now.workflow = haptics::Workflow::inserting;
     now.travel = 2e-3 * now.time;
     now.depth = now.travel + 2e-3;
     now.angularDepth = now.time;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/insert/BottomBar.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
@@ -8,6 +9,7 @@
 #include <QStyle>
 #include <QVariant>
 #include <algorithm>
+#include <utility>
 
 #include "gui/parts/Numbers.h"
 #include "gui/parts/Theme.h"
@@ -84,10 +86,23 @@ BottomBar::BottomBar(QWidget* parent)
   row->addWidget(time_);
   row->addWidget(status_, 5);
 
-  connect(start_, &QPushButton::clicked, this,
-          [this] { main_ == Main::start ? Q_EMIT startAsked() : Q_EMIT pauseAsked(); });
+  start_->installEventFilter(this);
+  connect(start_, &QPushButton::clicked, this, [this] {
+    if (std::exchange(hasPaused_, false)) return;
+    main_ == Main::start ? Q_EMIT startAsked() : Q_EMIT pauseAsked();
+  });
   connect(withdraw_, &QPushButton::clicked, this, &BottomBar::withdrawAsked);
   connect(reset_, &QPushButton::clicked, this, &BottomBar::resetAsked);
+}
+
+bool BottomBar::eventFilter(QObject* target, QEvent* event)
+{
+  if (target == start_ && event->type() == QEvent::MouseButtonRelease && start_->isDown() &&
+      main_ == Main::pause) {
+    hasPaused_ = true;
+    Q_EMIT pauseAsked();
+  }
+  return QWidget::eventFilter(target, event);
 }
 
 QPushButton* BottomBar::addButton(const QString& text, const char* name, int width)

@@ -49,10 +49,15 @@ Q_SIGNALS:
   void withdrawAsked();
   void resetAsked();
 
+protected:
+  /// The pause precedes the painting of its button, which may take tens of milliseconds.
+  bool eventFilter(QObject* target, QEvent* event) override;
+
 private:
   QPushButton* addButton(const QString& text, const char* name, int width);
 
   Main main_ = Main::start;
+  bool hasPaused_ = false;  ///< The click that follows was handled.
   QPushButton* start_;
   QPushButton* withdraw_;
   QPushButton* reset_;

@@ -241,15 +241,15 @@ void InsertPage::start()
 
 void InsertPage::pause()
 {
-  setup_->startWhenBuilt(false);
   control_.pause();
+  setup_->startWhenBuilt(false);
   held_.letGo();
   showState();
 }
 
 bool InsertPage::rest()
 {
-  if (!control_.isMoving() && !control_.isHeld()) return false;
+  if (!control_.isMoving() && !control_.isHeld() && !control_.isDeviceActive()) return false;
   pause();
   return true;
 }
@@ -270,6 +270,12 @@ void InsertPage::chooseInput(InputSource input)
 void InsertPage::useDevice(const device::FoundDevice& found)
 {
   control_.choose(found);
+  prepare(InputSource::device);
+}
+
+void InsertPage::useDevice(InsertionControl::DeviceFactory device)
+{
+  control_.choose(std::move(device));
   prepare(InputSource::device);
 }
 
@@ -334,7 +340,7 @@ void InsertPage::pressSpace()
   if (control_.hand() == InputSource::pointer) {
     if (!control_.isRunning()) start();
     held_.hold(true);
-  } else if (control_.isMoving()) {
+  } else if (control_.isMoving() || control_.isDeviceActive()) {
     pause();
   } else {
     start();
@@ -354,6 +360,13 @@ bool InsertPage::leavePanel()
 }
 
 void InsertPage::togglePanel() { side_->setCollapsed(!side_->isCollapsed()); }
+
+bool InsertPage::stopDevice()
+{
+  if (!safety_.stopDevice()) return false;
+  showState();
+  return true;
+}
 
 void InsertPage::loseKeyboard()
 {

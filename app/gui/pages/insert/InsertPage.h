@@ -67,6 +67,7 @@ public:
 
   /// Uses a device as input; if it cannot be opened, the script remains, and the page shows why.
   void useDevice(const device::FoundDevice& found);
+  void useDevice(InsertionControl::DeviceFactory device);
   void usePlugin(const std::filesystem::path& library);
 
   /// Opens a recording for replay in place of the insertion; emits replayOpened() or
@@ -86,8 +87,11 @@ public:
   bool rest();
   void togglePanel();
 
-  /// The window lost the keyboard focus.
+  /// Removes a device's force at once: Esc, the Stop button, a locked screen. True if there was one.
+  bool stopDevice();
+  /// The window lost the keyboard focus, or has it again.
   void loseKeyboard();
+  void regainKeyboard() { safety_.regainKeyboard(); }
   /// Another page is shown: pauses motion.
   void leaveSight();
   /// The window ends: the force is zero when this returns.

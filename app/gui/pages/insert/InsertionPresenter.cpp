@@ -66,8 +66,10 @@ void InsertionPresenter::step()
   const bool isMoved = isNew(now);
   if (isMoved) zones_.views->operation()->showArray(now);
   // at rest the charts stand still, too
+  const bool isResting = (now.output.status & haptics::resting) != 0;
   const bool isMoving = isMoved || now.output.workflow == haptics::Workflow::inserting;
-  if (isMoving && hasBegun(now.output.workflow)) zones_.views->charts()->append(now.output);
+  if (isMoving && !isResting && hasBegun(now.output.workflow))
+    zones_.views->charts()->append(now.output);
 }
 
 void InsertionPresenter::stepSlowly(const FrameMeter& meter)
@@ -99,8 +101,7 @@ void InsertionPresenter::showState(const FrameMeter& meter, bool maySetUp)
 void InsertionPresenter::showButtons(const InsertionState& state)
 {
   const bool isBusy = setup_.isBuilding();
-  const bool isPausing = state.input == InputSource::scripted && state.isMoving;
-  zones_.bottom->setMain(isPausing ? BottomBar::Main::pause : BottomBar::Main::start,
+  zones_.bottom->setMain(mayPause(state) ? BottomBar::Main::pause : BottomBar::Main::start,
                          mayStart(state) && !isBusy);
   zones_.bottom->setWait(
       isBusy ? BottomBar::tr("The cochlea is being built; the insertion can start afterwards.")

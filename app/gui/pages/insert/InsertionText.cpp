@@ -48,6 +48,8 @@ QString statusText(const InsertionControl& control, const QString& device)
   QStringList text;
   if (!control.recordingError().empty())
     text << tr("NOT recording");
+  else if (control.isRunning() && (now.output.status & haptics::resting) != 0)
+    text << tr("recording: waiting for motion");
   else if (control.isRunning())
     text << (now.lostRecords > 0 ? tr("recording, %1 samples lost").arg(now.lostRecords)
                                  : tr("recording"));
@@ -81,6 +83,7 @@ QString errorText(const InsertionControl& control, const QString& error)
 QString hintText(const InsertionControl& control)
 {
   const haptics::TickOutput& now = control.now().output;
+  if (control.isStopped()) return tr("Stopped: the force is off. Press Start to continue.");
   if (control.isAtDepth()) {
     const Length outside = outsideAtStop(control.scenario());
     return outside.si() <= 0.0

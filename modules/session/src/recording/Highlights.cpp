@@ -9,9 +9,13 @@ void Highlights::add(const haptics::TickRecord& record) noexcept
 {
   const haptics::TickOutput& now = record.output;
   ++ticks;
+  // The tick of the arrival is no longer Inserting, but its motion still is of the hand.
+  const bool hasMoved = isMoving || now.workflow == haptics::Workflow::inserting;
+  isMoving = now.workflow == haptics::Workflow::inserting;
   if (!(now.time > 0.0)) return;
-  const bool isFirst = duration == 0.0;
-  duration = std::max(duration, now.time);
+  const bool isFirst = !hasBegun;
+  hasBegun = true;
+  if (hasMoved) duration = std::max(duration, now.time);
   deepest = std::max(deepest, now.depth);
   deepestAngle = std::max(deepestAngle, now.angularDepth);
   if (!isFirst && !(now.axialForce > peakForce)) return;

@@ -18,18 +18,14 @@ std::string commandWord(haptics::Command::Kind kind)
       return "none";
     case Kind::arm:
       return "arm";
-    case Kind::reset:
-      return "reset";
     case Kind::withdraw:
       return "withdraw";
     case Kind::pullStylet:
       return "pullStylet";
-    case Kind::setForceScale:
-      return "setForceScale";
-    case Kind::clearFault:
-      return "clearFault";
-    case Kind::requestFault:
-      return "requestFault";
+    case Kind::stop:
+      return "stop";
+    case Kind::resume:
+      return "resume";
   }
   return "command " + std::to_string(static_cast<std::uint32_t>(kind));
 }
@@ -46,7 +42,7 @@ std::string workflowWord(haptics::Workflow workflow)
 
 std::string statusText(std::uint32_t status)
 {
-  constexpr std::array<std::pair<haptics::Status, const char*>, 12> label = {
+  constexpr std::array<std::pair<haptics::Status, const char*>, 14> label = {
       {{haptics::staleSample, "staleSample"},
        {haptics::couplingSoftened, "couplingSoftened"},
        {haptics::nearWorkspaceEnd, "nearWorkspaceEnd"},
@@ -58,7 +54,9 @@ std::string statusText(std::uint32_t status)
        {haptics::notConverged, "notSettled"},
        {haptics::deviceLost, "deviceLost"},
        {haptics::sampleRejected, "sampleDoubted"},
-       {haptics::handJumped, "handJumped"}}};
+       {haptics::handJumped, "handJumped"},
+       {haptics::stopped, "stopped"},
+       {haptics::resting, "resting"}}};
   std::string text;
   for (const auto& [bit, word] : label)
     if (status & bit) text += (text.empty() ? "" : " ") + std::string(word);

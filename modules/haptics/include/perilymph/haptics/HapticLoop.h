@@ -3,6 +3,7 @@
 
 // The haptic loop: device input, tick, device output; one thread, four channels.
 
+#include <cstdint>
 #include <memory>
 
 #include "perilymph/device/HapticDevice.h"
@@ -51,6 +52,17 @@ public:
 
   /// UI thread: sends a command. False if eight commands are waiting: try again later.
   bool send(const Command& command) noexcept;
+
+  /// UI thread: stops the insertion in the next tick (Command::Kind::stop), after which the safety
+  /// chain removes the force within its off time. Cannot be refused, because it does not use the
+  /// queue of commands; commands that wait there are discarded.
+  void requestStop() noexcept;
+  /// UI thread: the same at a later time of the monotonic clock [ns], even if this thread is
+  /// blocked then. The earlier of two requests applies. Never due in virtual time.
+  void requestStopAt(std::int64_t time) noexcept;
+  /// UI thread: withdraws a request for a later time; does not affect requestStop().
+  void cancelStopAt() noexcept;
+
   /// UI thread: takes the newest snapshot; false if it was already taken.
   bool refresh() noexcept;
   /// UI thread: the snapshot of the last refresh().

@@ -39,6 +39,8 @@ struct EngineSettings {
   /// [m].
   std::optional<double> styletHoldDepth;
   double samplePeriod = 1e-3;  ///< Nominal report period of the device [s].
+  /// Time without motion after which the insertion rests [s]; infinite: it never rests.
+  double restAfter = std::numeric_limits<double>::infinity();
   SafetyLimits safety;
 };
 
@@ -50,7 +52,12 @@ struct EngineSettings {
 /// and the insertion is Finished; because travel is measured along a bending array, it may exceed
 /// the limit by about ten nanometers. After `withdraw` (from Finished, Inserting or Paused) the
 /// stop no longer applies, and the insertion is Finished again when the tip is back at its initial
-/// depth.
+/// depth. After `stop` no hand grasps and no force is rendered, whatever the state, until `resume`.
+///
+/// The insertion rests when nothing moves and no force is rendered for `restAfter`, and from the
+/// beginning until the hand grasps: its state and its time stand still (Status::resting) until a
+/// command, a grasp, or the loss of the device. What ends a rest is decided by the current sample
+/// alone, so that a replay without the ticks of the rest gives the same bits.
 class InsertionEngine {
 public:
   /// @throws std::invalid_argument with a message for settings out of range.
@@ -81,7 +88,10 @@ private:
   void applyCommand(const Command& command) noexcept;
   void transition(WorkflowEvent event) noexcept;
   void startWithdrawing() noexcept;
-  void reset() noexcept;
+  void stop() noexcept;
+  bool endsRest(const device::DeviceSample& sample, const CommandList& commands) noexcept;
+  void rest() noexcept;
+  void noteRest(const HandState& hand) noexcept;
   void validate(const HandState& hand, std::uint32_t& status) noexcept;
   HandCondition conditionOf(const HandState& hand) const noexcept;
   void moveMechanics(const HandState& hand) noexcept;
@@ -105,12 +115,14 @@ private:
   BasePose base_;                  // last pose given to the mechanics
   double styletTarget_ = 0.0;      // [m]
   double styletWithdrawal_ = 0.0;  // [m]
-  double forceScale_;
-  bool needsAnchor_ = true;     // the hand takes a new anchor
-  bool isWithdrawing_ = false;  // the stop travel no longer applies
-  bool isWithdrawn_ = false;    // back at the initial depth
-  bool hasBegun_ = false;       // there was a tick in Inserting
-  std::uint64_t ticks_ = 0;     // of this engine
+  bool needsAnchor_ = true;        // the hand takes a new anchor
+  bool isWithdrawing_ = false;     // the stop travel no longer applies
+  bool isWithdrawn_ = false;       // back at the initial depth
+  bool isStopped_ = false;         // by the user
+  bool hasBegun_ = false;          // there was a tick in Inserting
+  bool isResting_ = false;
+  std::uint64_t ticksStill_ = 0;  // without motion and force
+  std::uint64_t ticks_ = 0;       // of this engine
   std::uint64_t ticksSinceBegin_ = 0;
   TickOutput output_;  // of the last tick; values remain after an overflow
 };

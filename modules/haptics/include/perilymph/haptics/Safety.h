@@ -60,15 +60,13 @@ public:
                                           const HandCondition& hand,
                                           std::uint32_t& status) noexcept;
 
-  /// Resets the energy account when the hand switches to another array. The rendered force stays
-  /// continuous.
-  PERILYMPH_REALTIME void forgetEnergy() noexcept { passivity_.reset(); }
-
   /// Lowers the clamp [N]; never raises it.
   void lowerMaxForce(double maxForce) noexcept;
 
   const SafetyLimits& limits() const noexcept { return limits_; }
   double energy() const noexcept { return passivity_.energy(); }
+  /// The rendered force is zero, and the next one fades in from the beginning.
+  PERILYMPH_REALTIME bool isZero() const noexcept { return shown_D_.isZero(0.0) && ramp_ == 0.0; }
 
   /// Adds all data that the next tick depends on.
   void addTo(Hash& hash) const noexcept;

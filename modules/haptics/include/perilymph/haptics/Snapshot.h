@@ -30,19 +30,21 @@ enum Status : std::uint32_t {
   handJumped = 1u << 9,         ///< The hand was farther away than it could have moved: new anchor.
   couplingSoftened = 1u << 10,  ///< The coupling was reduced to what the device can render.
   nearWorkspaceEnd = 1u << 11,  ///< The rendered force fades toward the end of the device's reach.
+  stopped = 1u << 12,           ///< Stopped by the user: no motion and no force until `resume`.
+  resting = 1u << 13,           ///< The insertion waits, its time does not run: not recorded.
 };
 
-/// A command from the window or the command line to the loop.
+/// A command from the window or the command line to the loop. Recordings contain the numbers.
 struct Command {
   enum class Kind : std::uint32_t {
-    none,
-    arm,            ///< Idle -> Armed.
-    reset,          ///< Any state -> Idle, the array back at its start.
-    withdraw,       ///< Finished -> Inserting; the stop travel no longer applies.
-    pullStylet,     ///< value: target withdrawal of the stylet [m].
-    setForceScale,  ///< value: rendered force over physical force.
-    clearFault,     ///< Fault -> Idle.
-    requestFault,   ///< Any state -> Fault: the emergency stop.
+    none = 0,
+    arm = 1,         ///< Idle -> Armed.
+    withdraw = 3,    ///< Finished -> Inserting; the stop travel no longer applies.
+    pullStylet = 4,  ///< value: target withdrawal of the stylet [m].
+    stop =
+        8,  ///< Inserting -> Paused, no force; not sent, but requested (HapticLoop::requestStop).
+    resume =
+        9,  ///< After `stop`: a hand that holds the device grasps again, and the force fades in.
   };
   Kind kind = Kind::none;
   std::uint32_t reserved = 0;
@@ -66,7 +68,7 @@ struct TickOutput {
   std::uint32_t contacts = 0;
   std::uint32_t iterations = 0;
   double time = 0.0;                 ///< Since the first motion of the insertion [s], pauses
-                                     ///< included.
+                                     ///< included, rests (Status::resting) excluded.
   double travel = 0.0;               ///< Depth minus depth at the start [m].
   double depth = 0.0;                ///< [m]
   double speed = 0.0;                ///< [m/s]
@@ -84,7 +86,7 @@ struct TickOutput {
 
 /// Input and output of one tick: one row of a recording.
 struct TickRecord {
-  std::uint64_t tick = 0;
+  std::uint64_t tick = 0;  ///< Counts the recorded ticks.
   device::DeviceSample sample;
   CommandList commands;
   TickOutput output;

@@ -12,21 +12,19 @@ namespace perilymph::haptics {
 
 /// Events of the workflow.
 enum class WorkflowEvent : std::uint32_t {
-  arm,         ///< The user arms the insertion.
-  grasp,       ///< The hand grasps.
-  release,     ///< The hand releases.
-  arrive,      ///< The stop travel, or on withdrawal the initial depth, is reached.
-  withdraw,    ///< The user requests withdrawal of the array.
-  error,       ///< Device lost, values not finite, emergency stop.
-  clearFault,  ///< The user acknowledges the fault.
-  reset,       ///< The user restarts.
+  arm,       ///< The user arms the insertion.
+  grasp,     ///< The hand grasps.
+  release,   ///< The hand releases, or the user stops.
+  arrive,    ///< The stop travel, or on withdrawal the initial depth, is reached.
+  withdraw,  ///< The user requests withdrawal of the array.
+  error,     ///< Device lost, values not finite.
 };
 
 /// The next state; unchanged if the event does not apply.
 ///
 ///     Idle -arm-> Armed -grasp-> Inserting -release-> Paused -grasp-> Inserting
 ///     Inserting -arrive-> Finished -withdraw-> Inserting
-///     any -error-> Fault -clearFault-> Idle;  any -reset-> Idle
+///     any -error-> Fault
 PERILYMPH_REALTIME Workflow next(Workflow now, WorkflowEvent event) noexcept;
 
 }  // namespace perilymph::haptics

@@ -4,6 +4,7 @@
 // The common way to run an insertion: scenario -> model -> engine -> recorder, by the clock or in
 // virtual time. Used by the window, the command line, validation and tests.
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -49,6 +50,10 @@ public:
   Result<Done> start();
   void stop() noexcept;
   bool send(const haptics::Command& command) noexcept;
+  /// HapticLoop::requestStop(), requestStopAt() and cancelStopAt().
+  void requestStop() noexcept;
+  void requestStopAt(std::int64_t time) noexcept;
+  void cancelStopAt() noexcept;
   bool refresh() noexcept;
   const haptics::Snapshot& latest() const noexcept;
   /// A message if the recording failed (disk full); empty if there is no error.

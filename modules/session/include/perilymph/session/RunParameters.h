@@ -20,7 +20,13 @@ struct RunParameters {
   /// Equal to the EngineSettings of the same names [N/m], [N.s/m].
   double maxStiffness = std::numeric_limits<double>::infinity();
   double maxDamping = std::numeric_limits<double>::infinity();
+  /// EngineSettings::restAfter [s]; infinite in recordings of programs that knew no rest.
+  double restAfter = std::numeric_limits<double>::infinity();
 };
+
+/// Time without motion after which an insertion rests and is not recorded [s]: long enough to see
+/// in a replay that nothing follows (chosen; no source).
+inline constexpr double recordedWait = 3.0;
 
 /// Parameters of a run with a device.
 ///

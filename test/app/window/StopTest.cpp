@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Every way to stop takes the force of a device away, though the window's thread is blocked.
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QTest>
+#include <cstdio>
+
+#include "PushedDevice.h"
+#include "WindowRig.h"
+#include "gui/run/SafetyStop.h"
+#include "perilymph/realtime/Pacer.h"
+#include "perilymph/test/waitUntil.h"
+
+namespace perilymph::test {
+namespace {
+
+using haptics::Workflow;
+
+constexpr std::int64_t millisecond = 1'000'000;  // [ns]
+constexpr std::int64_t allowed = 5 * millisecond;
+
+/// Notes when an event of a type reaches the application, before anything else sees it.
+class Hearing : public QObject {
+public:
+  explicit Hearing(QEvent::Type type) : type_(type) { qApp->installEventFilter(this); }
+  bool eventFilter(QObject*, QEvent* event) override
+  {
+    if (event->type() == type_ && heardAt == 0) heardAt = realtime::monotonicNanoseconds();
+    return false;
+  }
+  std::int64_t heardAt = 0;  // [ns]
+
+private:
+  QEvent::Type type_;
+};
+
+/// A way to stop, as the user or the system does it.
+struct Way {
+  const char* name;
+  QEvent::Type event;
+  void (*go)(WindowRig&);
+  std::int64_t delay = 0;  // from the event to the moment at which the force has to end [ns]
+};
+
+const Way ways[] = {
+    {"Pause", QEvent::MouseButtonRelease, [](WindowRig& rig) { rig.click("startButton"); }},
+    {"Space", QEvent::KeyPress, [](WindowRig& rig) { rig.pressKey(Qt::Key_Space); }},
+    {"Esc", QEvent::KeyPress, [](WindowRig& rig) { rig.pressKey(Qt::Key_Escape); }},
+    {"Esc in a field of the panel", QEvent::KeyPress,
+     [](WindowRig& rig) {
+       auto* field = rig.window().findChild<QWidget*>(QStringLiteral("panelForceScale"));
+       ASSERT_NE(field, nullptr);
+       QTest::keyClick(field, Qt::Key_Escape);
+     }},
+    {"Stop button", QEvent::MouseButtonPress, [](WindowRig& rig) { rig.click("stopButton"); }},
+    {"page left", QEvent::MouseButtonRelease,
+     [](WindowRig& rig) { rig.click("sessionsPageButton"); }},
+    {"focus away", QEvent::WindowDeactivate,
+     [](WindowRig& rig) {
+       QEvent away(QEvent::WindowDeactivate);
+       QApplication::sendEvent(&rig.window(), &away);
+     },
+     1000 * millisecond},
+    {"window closed", QEvent::Close, [](WindowRig& rig) { rig.window().close(); }},
+};
+
+class AForceOfTheWindow : public testing::Test {
+protected:
+  /// Inserts until the device is told its largest force.
+  void push()
+  {
+    rig_ = std::make_unique<WindowRig>(session::Overrides{{"force_scale", "20"},
+                                                          {"friction_static", "0.3"},
+                                                          {"friction_dynamic", "0.3"},
+                                                          {"nodes", "40"}});
+    rig_->window().insertion().useDevice([this] {
+      return Result<std::unique_ptr<device::HapticDevice>>(std::make_unique<PushedDevice>(log_));
+    });
+    ASSERT_EQ(rig_->window().control().handName(), "Pushed device");
+    // Shown fifteen times a second.
+    ASSERT_TRUE(WindowRig::comes([&] { return rig_->button("stopButton").isVisible(); }));
+    rig_->click("startButton");
+    ASSERT_TRUE(
+        WindowRig::comes([&] { return rig_->now().output.workflow == Workflow::inserting; }));
+    log_->isPushed = true;
+    ASSERT_TRUE(WindowRig::comes([&] { return isLargest(log_->newest()); }));
+    ASSERT_TRUE(WindowRig::comes([&] { return rig_->button("startButton").text() == "Pause"; }));
+    ASSERT_TRUE(isLargest(log_->newest()));
+  }
+  static bool isLargest(double magnitude) { return magnitude > 0.99 * PushedDevice::maxForce; }
+
+  /// The window's thread does nothing until the device was told forces for a time.
+  void block(std::int64_t until)
+  {
+    ASSERT_TRUE(
+        waitUntil([&] { return log_->size() > 0 && (*log_)[log_->size() - 1].time > until; },
+                  std::chrono::seconds(30)));
+  }
+
+  const std::shared_ptr<ForceLog> log_ = std::make_shared<ForceLog>();
+  std::unique_ptr<WindowRig> rig_;
+};
+
+class EveryWayToStop : public AForceOfTheWindow, public testing::WithParamInterface<Way> {};
+
+TEST_P(EveryWayToStop, TakesTheLargestForceAwayWithinFiveMillisecondsThoughTheWindowIsBlocked)
+{
+  const Way& way = GetParam();
+  push();
+  if (HasFatalFailure()) return;
+  const Hearing hearing(way.event);
+  way.go(*rig_);
+  ASSERT_NE(hearing.heardAt, 0) << "The window did not hear " << way.name;
+  const std::int64_t due = hearing.heardAt + way.delay;
+  const bool isOver = way.event == QEvent::Close;  // the loop has ended
+  if (!isOver) block(due + 50 * millisecond);
+
+  const std::size_t first = log_->firstAfter(due);
+  ASSERT_GT(first, 0u);
+  std::size_t zero = first;
+  while (zero < log_->size() && (*log_)[zero].magnitude > 0.0) ++zero;
+  ASSERT_LT(zero, log_->size()) << "The force never ended.";
+  for (std::size_t i = zero; i < log_->size(); ++i) ASSERT_EQ((*log_)[i].magnitude, 0.0) << i;
+
+  const double before = (*log_)[first - 1].magnitude;
+  const std::int64_t took = (*log_)[zero].time - due;
+  std::size_t later = log_->firstAfter(due + allowed);
+  if (later == log_->size()) --later;
+  std::printf("%-28s %.2f N before, %.2f N after 5 ms; zero after %.2f ms, %zu ticks\n", way.name,
+              before, (*log_)[later].magnitude, double(took) * 1e-6, zero - first + 1);
+  EXPECT_GT(before, 0.99 * PushedDevice::maxForce);
+  // A tick is a millisecond of the loop's time, however busy the machine is.
+  EXPECT_LE(zero - first + 1, 5u);
+  EXPECT_EQ((*log_)[later].magnitude, 0.0);
+  if (rig_->window().insertion().halt().hasRealTimePriority) {
+    EXPECT_LE(took, allowed);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, EveryWayToStop, testing::ValuesIn(ways), [](const auto& way) {
+  std::string name;
+  for (const char* c = way.param.name; *c != 0; ++c)
+    if (*c != ' ') name += *c;
+  return name;
+});
+
+TEST_F(AForceOfTheWindow, ComesBackOnlyOnAskingAndThenFadesIn)
+{
+  push();
+  rig_->click("stopButton");
+  ASSERT_TRUE(WindowRig::comes([&] { return rig_->now().output.workflow == Workflow::paused; }));
+  ASSERT_TRUE(rig_->liveForTicks(300));
+  EXPECT_EQ(log_->newest(), 0.0);
+  EXPECT_TRUE(rig_->label("hintLabel").contains(QLatin1String("Stopped")));
+  EXPECT_EQ(rig_->button("startButton").text(), "Start");
+
+  const std::size_t asked = log_->size();
+  rig_->click("startButton");
+  ASSERT_TRUE(WindowRig::comes([&] { return isLargest(log_->newest()); }));
+  EXPECT_EQ(rig_->now().output.workflow, Workflow::inserting);
+  // The physical force is about twice the clamp, and fades in over half a second.
+  double before = 0.0;
+  for (std::size_t i = asked; i < log_->size(); ++i) {
+    EXPECT_LE((*log_)[i].magnitude - before, 0.02 * PushedDevice::maxForce) << i;
+    before = (*log_)[i].magnitude;
+  }
+}
+
+TEST_F(AForceOfTheWindow, StaysIfTheFocusComesBackWithinASecond)
+{
+  push();
+  QEvent away(QEvent::WindowDeactivate), back(QEvent::WindowActivate);
+  QApplication::sendEvent(&rig_->window(), &away);
+  const std::int64_t left = realtime::monotonicNanoseconds();
+  block(left + 300 * millisecond);
+  QApplication::sendEvent(&rig_->window(), &back);
+  block(left + 1300 * millisecond);
+  EXPECT_TRUE(isLargest(log_->newest()));
+}
+
+TEST_F(AForceOfTheWindow, IsOfferedNoStopWhereThereIsNone)
+{
+  rig_ = std::make_unique<WindowRig>();
+  ASSERT_TRUE(WindowRig::comes([&] { return rig_->button("startButton").isEnabled(); }));
+  EXPECT_FALSE(rig_->button("stopButton").isVisible());
+}
+
+}  // namespace
+}  // namespace perilymph::test

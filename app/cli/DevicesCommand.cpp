@@ -187,7 +187,7 @@ void printForce(const TrialOutcome& trial)
     const std::string moved =
         axis.moved > 0.0 ? "; the handle moved " + fixed(axis.moved * 1e3, 2) + " mm"
                          : "; the handle did not move: hold it loosely to see the direction";
-    print("{:18} {}: {}\n", "", "xyz"[i],
+    print("{:18} {}: {}\n", "", std::string(1, "xyz"[i]),
           !axis.isDone ? "not tested"
                        : fixed(axis.peak, 2) + " N of " + fixed(trial.greatest, 2) + " N written" +
                              (axis.peak > 0.0 ? moved : "") + limits);

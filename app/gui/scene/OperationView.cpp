@@ -347,8 +347,8 @@ bool OperationView::renderIfDirty()
 void OperationView::resizeEvent(QResizeEvent* event)
 {
   QVTKOpenGLNativeWidget::resizeEvent(event);
-  if (!depth_mm_.isEmpty()) captionDepth(QString(depth_mm_));
   fitReadOuts();
+  if (!depth_mm_.isEmpty()) captionDepth(QString(depth_mm_));
   placeHint();
   isDirty_ = true;
 }

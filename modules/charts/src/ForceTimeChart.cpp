@@ -21,15 +21,15 @@ constexpr int components = 3;
 constexpr double dash_s = 0.12, dot_s = 0.04;  ///< 8 and 3 px at the usual width.
 constexpr AxisRange usualForce_mN{-20.0, 60.0, 20.0};
 
-/// Minimum and maximum of each component within one time slot.
-struct Slot {
-  long long number = -1;  ///< Number of slots since time zero; -1: empty.
-  std::array<float, components> low{}, high{};
-};
-
 }  // namespace
 
 struct ForceTimeChart::Content {
+  /// Minimum and maximum of each component within one time slot.
+  struct Slot {
+    long long number = -1;  ///< Number of slots since time zero; -1: empty.
+    std::array<float, components> low{}, high{};
+  };
+
   explicit Content(const ChartStyle& given)
       : strings(given.strings),
         inks(figures::inksOf(given.scheme)),
@@ -111,7 +111,7 @@ void ForceTimeChart::append(Duration time, const ForceComponents& force)
   if (time_s < content_->now_s) clear();
 
   const long long number = static_cast<long long>(time_s / slotTime_s);
-  Slot& slot = content_->ring[static_cast<std::size_t>(number % (slots + 1))];
+  Content::Slot& slot = content_->ring[static_cast<std::size_t>(number % (slots + 1))];
   const bool isNew = slot.number != number;
   slot.number = number;
   for (std::size_t i = 0; i < components; ++i) {
@@ -126,7 +126,7 @@ void ForceTimeChart::append(Duration time, const ForceComponents& force)
 
 void ForceTimeChart::clear()
 {
-  content_->ring.fill(Slot{});
+  content_->ring.fill(Content::Slot{});
   content_->now_s = -1.0;
   content_->newest = -1;
   content_->isChanged = true;

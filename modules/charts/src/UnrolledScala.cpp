@@ -19,7 +19,7 @@ using figures::Stroke;
 namespace {
 
 constexpr double step_deg = 5.0;
-constexpr int directions = 72;
+constexpr int wallDirections = 72;
 constexpr double outside_deg = 20.0;  ///< Shown before the round window.
 constexpr double usualEnd_deg = 540.0, tick_deg = 90.0;
 constexpr double ahead_deg = 30.0;                              ///< Space kept free before the tip.
@@ -98,8 +98,8 @@ UnrolledScala::UnrolledScala(const anatomy::ScalaTympani& scala, ChartStyle styl
     const double angle = degrees(angle_deg).si();
     const double center = scala.center_W(angle).head<2>().norm();
     Width width{angle_deg, 0.0, 0.0};
-    for (int k = 0; k < directions; ++k) {
-      const Eigen::Vector3d wall_W = scala.wall_W(angle, 2.0 * pi * k / directions);
+    for (int k = 0; k < wallDirections; ++k) {
+      const Eigen::Vector3d wall_W = scala.wall_W(angle, 2.0 * pi * k / wallDirections);
       const double across_mm = 1e3 * (wall_W.head<2>().norm() - center);
       width.inner_mm = std::min(width.inner_mm, across_mm);
       width.outer_mm = std::max(width.outer_mm, across_mm);

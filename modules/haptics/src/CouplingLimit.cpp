@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "perilymph/haptics/SampleValidator.h"
+
 namespace perilymph::haptics {
 
 namespace {
@@ -13,7 +15,6 @@ namespace {
 constexpr double lightHandle = 0.09;   // [kg]
 constexpr double freeHandle = 0.5;     // [N.s/m]
 constexpr double usedFraction = 0.75;  // of the damping, used by the spring
-constexpr double velocityLag = 2e-3;   // of SampleValidator [s]
 constexpr double eulersNumber = 2.718281828459045;
 
 std::string text(const char* format, double value)
@@ -42,7 +43,7 @@ CouplingLimit couplingLimit(const device::DeviceTraits& traits, double timeStep)
   const double wait = followsReports(traits, timeStep) ? 0.0 : 0.5 * traits.nominalPeriod;
   const double late = 0.5 * timeStep + std::max(0.0, traits.transportDelay) + wait;
   limit.stiffness = usedFraction * damping / late;
-  limit.damping = mass / (eulersNumber * (late + velocityLag));
+  limit.damping = mass / (eulersNumber * (late + SampleValidator::velocityLag));
   limit.reason = "a force reaches the hand " + text("%.2f", late * 1e3) + " ms late";
   if (traits.maxStiffness > 0.0 && traits.maxStiffness < limit.stiffness) {
     limit.stiffness = traits.maxStiffness;

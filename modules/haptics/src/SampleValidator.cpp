@@ -11,8 +11,6 @@ namespace {
 constexpr double farthest = 10.0;    // [m]; beyond the reach of any device
 constexpr double maxSpeed = 1.0;     // [m/s]; five times the fastest motion in use
 constexpr double maxTurning = 30.0;  // [rad/s]
-// Smooths encoder quantization (0.055 mm in 1 ms reads as 55 mm/s) at the cost of this lag.
-constexpr double velocityLag = 2e-3;  // [s]
 
 bool isPlausible(const device::DeviceSample& sample) noexcept
 {

@@ -16,7 +16,7 @@ namespace {
 constexpr double stride_deg = 3.0;
 constexpr double endPrecision_deg = 0.05;
 constexpr double farthestStep = 0.45e-3;  // maximum distance of the centers of successive cuts [m]
-constexpr double maxTurns = 4.0;
+constexpr double maxTracedTurns = 4.0;
 constexpr double minArea = 0.05e-6;  // a smaller cut is not the duct [m^2]
 // Maximum relative change of the area between successive sections of the same duct.
 constexpr double likeness = 0.55;
@@ -90,7 +90,7 @@ std::vector<AxialSection> followOneWay(const Surface& closed, const AxisFrame& f
                                        const AxialSection& seed, double stride)
 {
   std::vector<AxialSection> sections{seed};
-  while (std::fabs(sections.back().angle - seed.angle) < maxTurns * 2.0 * pi) {
+  while (std::fabs(sections.back().angle - seed.angle) < maxTracedTurns * 2.0 * pi) {
     const auto found = next(closed, frame, sections.back(), sections.back().angle + stride);
     if (!found) break;
     sections.push_back(*found);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "importing/ClosedSurface.h"
+#include "importing/NumberText.h"
 #include "mesh/Triangles.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <utility>
 
@@ -23,13 +23,6 @@ constexpr double openingRim = 2e-3;
 constexpr double maxOddFraction = 0.01;  // maximum fraction of non-manifold edges
 
 using Edge = std::pair<int, int>;
-
-std::string inText(double value, const char* format)
-{
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
 
 /// Merges equal corners and removes triangles without area.
 Surface merged(const Surface& soup)

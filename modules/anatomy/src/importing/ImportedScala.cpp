@@ -4,12 +4,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "importing/AxialSections.h"
 #include "importing/ClosedSurface.h"
 #include "importing/ModiolarAxis.h"
+#include "importing/NumberText.h"
 #include "importing/SurfaceOpening.h"
 #include "lumen/GridLumen.h"
 #include "perilymph/foundation/Math.h"
@@ -46,13 +46,6 @@ double outerRadius(const std::vector<AxialSection>& duct, double angle)
   const AxialSection& b = duct[i];
   const double fraction = std::clamp((angle - a.angle) / (b.angle - a.angle), 0.0, 1.0);
   return a.outerRadius + fraction * (b.outerRadius - a.outerRadius);
-}
-
-std::string inText(double value, const char* format)
-{
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
 }
 
 /// The section at zero degrees, where the spiral begins.

@@ -121,25 +121,26 @@ struct RingPlane {
 
 RingPlane planeOf(const std::set<int>& ring, const Surface& surface, const RimFrame& rim)
 {
-  constexpr double unit = 1e-3;  // lengths near 1 keep the problem well conditioned
+  constexpr double lengthUnit = 1e-3;  // lengths near 1 keep the problem well conditioned
   const Eigen::Vector3d x = rim.inward.unitOrthogonal();
   const Eigen::Vector3d y = rim.inward.cross(x);
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const int index : ring) middle += corner(surface, index) / static_cast<double>(ring.size());
   const auto rowOf = [&](int index) -> std::vector<double> {
-    const Eigen::Vector3d off = (corner(surface, index) - middle) / unit;
+    const Eigen::Vector3d off = (corner(surface, index) - middle) / lengthUnit;
     return {1.0, off.dot(x), off.dot(y)};
   };
   LeastSquares fit(3);
-  for (const int index : ring) fit.add(rowOf(index), rim.depth(corner(surface, index)) / unit);
+  for (const int index : ring)
+    fit.add(rowOf(index), rim.depth(corner(surface, index)) / lengthUnit);
   const std::vector<double> solution = fit.solve();
   RingPlane plane;
-  plane.depth = unit * solution[0];
+  plane.depth = lengthUnit * solution[0];
   plane.tilt = {solution[1], solution[2]};
   for (const int index : ring) {
     const std::vector<double> row = rowOf(index);
     const double off = rim.depth(corner(surface, index)) - plane.depth -
-                       unit * (row[1] * solution[1] + row[2] * solution[2]);
+                       lengthUnit * (row[1] * solution[1] + row[2] * solution[2]);
     plane.roughness += off * off / static_cast<double>(ring.size());
   }
   plane.roughness = std::sqrt(plane.roughness);

@@ -12,9 +12,9 @@ constexpr Angle end = degrees(720.0);
 /// Corners of a ring. With 14, the chord errors around and along the duct are about equal.
 constexpr int corners = 14;
 /// Candidate directions of a corner.
-constexpr int directions = 112;
+constexpr int candidateDirections = 112;
 
-double directionOf(int index) { return 2.0 * pi * index / directions; }
+double directionOf(int index) { return 2.0 * pi * index / candidateDirections; }
 
 /// Angles from the round window to `end` at which straight edges have equal chord errors: an edge
 /// of length s on a wall of radius r has the error s^2 / (8 r), so s is proportional to sqrt(r).
@@ -61,7 +61,7 @@ Bulge greatestBulge(const std::vector<std::vector<Eigen::Vector3d>>& outlines, i
   for (int k = from + 1; k < to; ++k)
     for (const auto& outline : outlines) {
       const auto at = [&outline](int i) {
-        return outline[static_cast<std::size_t>(i % directions)];
+        return outline[static_cast<std::size_t>(i % candidateDirections)];
       };
       const double height = distanceToEdge(at(k), at(from), at(to));
       if (height > greatest.height) greatest = {k, height};
@@ -72,11 +72,12 @@ Bulge greatestBulge(const std::vector<std::vector<Eigen::Vector3d>>& outlines, i
 /// The directions of the corners, equal for all rings, increasing from zero to less than one turn.
 std::vector<int> cornerDirections(const std::vector<std::vector<Eigen::Vector3d>>& outlines)
 {
-  std::vector<int> chosen{0, directions / 4, 2 * directions / 4, 3 * directions / 4};
+  std::vector<int> chosen{0, candidateDirections / 4, 2 * candidateDirections / 4,
+                          3 * candidateDirections / 4};
   while (static_cast<int>(chosen.size()) < corners) {
     Bulge greatest;
     for (std::size_t i = 0; i < chosen.size(); ++i) {
-      const int to = i + 1 < chosen.size() ? chosen[i + 1] : chosen[0] + directions;
+      const int to = i + 1 < chosen.size() ? chosen[i + 1] : chosen[0] + candidateDirections;
       const Bulge bulge = greatestBulge(outlines, chosen[i], to);
       if (bulge.height > greatest.height) greatest = bulge;
     }
@@ -96,7 +97,8 @@ Surface hapticSurface(const ScalaTympani& scala)
   std::vector<std::vector<Eigen::Vector3d>> outlines;
   for (const double angle : angles) {
     auto& outline = outlines.emplace_back();
-    for (int k = 0; k < directions; ++k) outline.push_back(scala.wall_W(angle, directionOf(k)));
+    for (int k = 0; k < candidateDirections; ++k)
+      outline.push_back(scala.wall_W(angle, directionOf(k)));
   }
   const std::vector<int> chosen = cornerDirections(outlines);
   angles.insert(angles.begin(), -1.0);

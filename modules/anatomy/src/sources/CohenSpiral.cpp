@@ -46,9 +46,9 @@ std::array<double, 3> basalBranch(double spiral_deg)
 std::array<double, 3> apicalBranch(double spiral_deg)
 {
   const double slope = -planB * (0.0004 * spiral_deg + 0.98);
-  const double radius =
+  const double planRadius =
       planA * exponential(-planB * (0.0002 * spiral_deg * spiral_deg + 0.98 * spiral_deg));
-  return {radius, radius * slope, radius * (slope * slope - planB * 0.0004)};
+  return {planRadius, planRadius * slope, planRadius * (slope * slope - planB * 0.0004)};
 }
 
 }  // namespace

@@ -5,12 +5,11 @@
 #include <cmath>
 
 #include "perilymph/foundation/Math.h"
+#include "perilymph/foundation/Units.h"
 
 namespace perilymph::device {
 
 namespace {
-
-constexpr double turn = 0x1.921fb54442d18p+2;  // 2 pi
 
 struct Directions {
   SineCosine a;
@@ -33,7 +32,7 @@ std::array<double, 3> bodyAngles(const Linkage& linkage,
 {
   std::array<double, 3> angles{};
   for (std::size_t i = 0; i < angles.size(); ++i)
-    angles[i] = turn * counts[i] / linkage.countsPerTurn[i] * linkage.bodyTurnsPerTurn[i];
+    angles[i] = 2.0 * pi * counts[i] / linkage.countsPerTurn[i] * linkage.bodyTurnsPerTurn[i];
   return angles;
 }
 

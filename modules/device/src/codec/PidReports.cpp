@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "codec/PidReports.h"
 
+#include "perilymph/foundation/Units.h"
+
 namespace perilymph::device {
 
 namespace {
-
-constexpr double turn = 0x1.921fb54442d18p+2;  // 2 pi
 
 /// Usages of the physical interface page (PID 1.0, chapter 4).
 constexpr Usage pid(std::uint16_t id) { return {0x0f, id}; }
@@ -159,7 +159,7 @@ void PidReports::setEffect(RawReport& report, std::int64_t block, unsigned axes,
     if (((axes >> i) & 1u) != 0 && axisEnable_[i]) putNumber(bytes, *axisEnable_[i], 1);
   if (!direction || !direction_ || !directionEnable_) return;
   putNumber(bytes, *directionEnable_, 1);
-  const double fraction = *direction / turn - std::floor(*direction / turn);
+  const double fraction = *direction / (2.0 * pi) - std::floor(*direction / (2.0 * pi));
   putNumber(bytes, *direction_, nearest(fraction * static_cast<double>(direction_->high)));
 }
 

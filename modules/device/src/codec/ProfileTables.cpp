@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "hid/Transport.h"
+#include "perilymph/foundation/Units.h"
 
 namespace perilymph::device {
 
 namespace {
 
-constexpr double turn = 0x1.921fb54442d18p+2;  // 2 pi
 constexpr long maxBytes = static_cast<long>(longestReport) - 1;
 constexpr double maxBits = 8.0 * (longestReport - 1);
 
@@ -21,7 +21,7 @@ constexpr Range quantum_mA{1e-3, 1000.0};
 constexpr Range length_mm{1.0, 2000.0};
 constexpr Range diameter_mm{1.0, 1000.0};
 
-double radians(double angle_deg) { return angle_deg * turn / 360.0; }
+double radians(double angle_deg) { return angle_deg * (2.0 * pi) / 360.0; }
 
 /// Exactly three numbers.
 std::array<double, 3> three(TomlReader& table, const char* key, Range allowed)

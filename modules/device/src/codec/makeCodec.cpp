@@ -2,6 +2,7 @@
 #include "codec/AxesReader.h"
 #include "codec/PidCodec.h"
 #include "codec/PlainCodec.h"
+#include "perilymph/foundation/Units.h"
 
 namespace perilymph::device {
 
@@ -64,13 +65,12 @@ void addSteps(const DeviceProfile& profile, const ReportDescriptor& descriptor,
 /// Handle displacement per count of the coarsest encoder, with the arm stretched out.
 double linkageStep(const Linkage& linkage)
 {
-  constexpr double turn = 0x1.921fb54442d18p+2;  // 2 pi
   const std::array<double, 3> lever{linkage.lengthB + linkage.lengthC, linkage.lengthB,
                                     linkage.lengthC};
   double step = 0.0;
   for (std::size_t i = 0; i < 3; ++i)
-    step = std::max(
-        step, lever[i] * turn / linkage.countsPerTurn[i] * std::fabs(linkage.bodyTurnsPerTurn[i]));
+    step = std::max(step, lever[i] * (2.0 * pi) / linkage.countsPerTurn[i] *
+                              std::fabs(linkage.bodyTurnsPerTurn[i]));
   return step;
 }
 

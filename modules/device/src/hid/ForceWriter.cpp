@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hid/Intervals.h"
 #include "perilymph/foundation/Units.h"
 #include "perilymph/realtime/Pacer.h"
 #include "perilymph/realtime/RealTimePriority.h"
@@ -12,10 +13,7 @@ namespace perilymph::device {
 
 namespace {
 
-constexpr std::int64_t longestSleep = 10'000'000;     // [ns]
-constexpr std::int64_t betweenFigures = 100'000'000;  // [ns]
-
-std::int64_t nanoseconds(double seconds) noexcept { return std::llround(seconds * 1e9); }
+constexpr std::int64_t longestSleep = 10'000'000;  // [ns]
 
 }  // namespace
 
@@ -117,7 +115,7 @@ void ForceWriter::serve(Transport& transport) noexcept
   // No longer blocked once it has accepted a force of zero.
   if (transfer == Transfer::done && isZero) channels_.isBlocked = false;
 
-  if (now - published_ < betweenFigures) return;
+  if (now - published_ < statisticsInterval) return;
   published_ = now;
   shown_.publish(figures());
 }

@@ -10,6 +10,7 @@
 
 #include "guard/DeviceGuard.h"
 #include "hid/ForceWriter.h"
+#include "hid/Intervals.h"
 #include "hid/ListenFirst.h"
 #include "perilymph/foundation/RealTime.h"
 #include "perilymph/realtime/Pacer.h"
@@ -18,14 +19,11 @@ namespace perilymph::device {
 
 namespace {
 
-constexpr std::int64_t betweenFigures = 100'000'000;  // [ns]
-constexpr std::int64_t betweenLooks = 20'000'000;     // of the supervisor [ns]
+constexpr std::int64_t betweenLooks = 20'000'000;  // of the supervisor [ns]
 // A device that accepted no force for this long is blocked, unless its period is longer.
 constexpr double blockedTime = 5e-3;  // [s]
 // Longer than the writer's own timeout for the haptic thread: the guard is the last resort.
 constexpr double patienceOfGuard = 50e-3;  // [s]
-
-std::int64_t nanoseconds(double seconds) noexcept { return std::llround(seconds * 1e9); }
 
 /// A device opened twice, because a hidapi handle is used by one thread.
 struct Handles {
@@ -274,7 +272,7 @@ void HidDevice::Content::watchWriter(std::int64_t now) noexcept
 
 void HidDevice::Content::showFigures(std::int64_t now) noexcept
 {
-  if (now - figuresShown < betweenFigures) return;
+  if (now - figuresShown < statisticsInterval) return;
   figuresShown = now;
   ReadingFigures& shown = figures.draft();
   shown = reader.figures();

@@ -13,14 +13,14 @@ namespace perilymph::device {
 namespace {
 
 /// Faster than any insertion; limits the effect of a mistyped speed [m/s].
-constexpr double maxSpeed = 1.0;
+constexpr double maxScriptedSpeed = 1.0;
 
 }  // namespace
 
 ScriptedDevice::ScriptedDevice(double speed, double timeStep)
     : speed_(speed), timeStep_(checkedTimeStep(timeStep))
 {
-  if (!(speed >= 0.0 && speed <= maxSpeed))  // also catches NaN
+  if (!(speed >= 0.0 && speed <= maxScriptedSpeed))  // also catches NaN
     throw std::invalid_argument("The speed of a scripted hand is " + std::to_string(speed * 1e3) +
                                 " mm/s; it must be between 0 and 1000 mm/s.");
   sample_.isValid = 1;
@@ -42,7 +42,7 @@ DeviceSample ScriptedDevice::read() noexcept
 {
   const Motion motion = motion_;
   const double asked = speed_;
-  const double speed = std::isfinite(asked) ? std::clamp(asked, 0.0, maxSpeed) : 0.0;
+  const double speed = std::isfinite(asked) ? std::clamp(asked, 0.0, maxScriptedSpeed) : 0.0;
 
   // A hand that grasps is at rest in that report and moves from the next one on.
   const bool hasHold = (sample_.buttons & graspButton) != 0;

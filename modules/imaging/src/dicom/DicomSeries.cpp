@@ -14,7 +14,6 @@ namespace perilymph::imaging {
 namespace {
 
 constexpr double maxSpacingChange = 1e-4;  // of the first slice's
-constexpr double maxTilt_deg = 0.2;        // below, the matrix holds the shear
 
 std::string inMm(double value)
 {

@@ -11,6 +11,9 @@
 
 namespace perilymph::imaging {
 
+/// Maximum tilt of the gantry whose shear the matrix holds; above, slices are resampled [deg].
+inline constexpr double maxTilt_deg = 0.2;
+
 /// Where a slice's voxels are.
 struct SliceSource {
   std::size_t header = 0;  ///< Index of the file.

@@ -14,7 +14,6 @@
 namespace perilymph::imaging {
 namespace {
 
-constexpr double maxTilt_deg = 0.2;  // as the series' warning
 constexpr double maxClippedFraction = 1e-3;
 
 /// Slices of a series, each decoded once if its file is asked for in a row.

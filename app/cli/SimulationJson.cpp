@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double mm(double length) { return inMillimeters(meters(length)); }
+double asMillimeters(double length) { return inMillimeters(meters(length)); }
 
 /// The scenario's values under their own keys; tables as objects.
 Json scenarioAsRun(const session::Scenario& scenario)
@@ -34,7 +34,8 @@ Json point(const std::optional<analysis::CurvePoint>& point)
 {
   if (!point) return nullptr;
   // Points of the curve are at tenths of a millimeter; remove rounding errors.
-  return {{"force_N", point->force}, {"travel_mm", std::round(mm(point->travel) * 1e6) / 1e6}};
+  return {{"force_N", point->force},
+          {"travel_mm", std::round(asMillimeters(point->travel) * 1e6) / 1e6}};
 }
 
 }  // namespace
@@ -48,16 +49,16 @@ std::string simulationJson(const session::Scenario& scenario, const analysis::Fo
   json["seed"] = scenario.seed();
   json["scenario"] = scenarioAsRun(scenario);
   json["peak_force_N"] = profile.peak.force;
-  json["peak_travel_mm"] = mm(profile.peak.travel);
-  json["peak_depth_mm"] = mm(profile.peakDepth);
+  json["peak_travel_mm"] = asMillimeters(profile.peak.travel);
+  json["peak_depth_mm"] = asMillimeters(profile.peakDepth);
   json["basal_turn_peak"] = point(profile.basalTurnPeak);
   json["basal_turn_dip"] = point(profile.basalTurnDip);
   json["work_J"] = profile.work;
-  json["final_travel_mm"] = mm(profile.finalTravel);
-  json["final_depth_mm"] = mm(profile.finalDepth);
+  json["final_travel_mm"] = asMillimeters(profile.finalTravel);
+  json["final_depth_mm"] = asMillimeters(profile.finalDepth);
   json["final_angle_deg"] = inDegrees(radians(profile.finalAngle));
   json["final_phase"] = analysis::phaseName(phase);
-  json["deepest_mm"] = mm(profile.deepest);
+  json["deepest_mm"] = asMillimeters(profile.deepest);
   json["wall_force_max_N"] = profile.wallForceMax;
   json["membrane_force_max_N"] = profile.membraneForceMax;
   json["duration_s"] = profile.duration;

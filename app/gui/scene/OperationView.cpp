@@ -3,8 +3,6 @@
 
 #include <vtkCamera.h>
 #include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkNew.h>
-#include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 
 #include <QEvent>
@@ -23,6 +21,7 @@
 #include "gui/scene/Banner.h"
 #include "gui/scene/ForceLabel.h"
 #include "gui/scene/PhaseLine.h"
+#include "gui/scene/PlainWindow.h"
 #include "gui/scene/ReadOutTips.h"
 #include "gui/scene/StereoWindow.h"
 #include "gui/scene/ViewNames.h"
@@ -68,14 +67,7 @@ OperationView::OperationView(QWidget* parent)
       phase_(new PhaseLine(this))
 {
   setObjectName(QStringLiteral("operationView"));
-  setFocusPolicy(Qt::NoFocus);
-  setAttribute(Qt::WA_AcceptTouchEvents, false);  // VTK 9.1 would handle each touch twice
-  setEnableHiDPI(false);  // the scene scales its texts itself; VTK would do it again
-  vtkNew<vtkGenericOpenGLRenderWindow> window;
-  window->SetMultiSamples(0);
-  setRenderWindow(window);
-  // Mouse input is handled here: interactor styles have their own keys and drags.
-  if (window->GetInteractor() != nullptr) window->GetInteractor()->SetInteractorStyle(nullptr);
+  setPlainWindow(*this);
   addReadOuts();
   sinceMotion_.start();
   showNumbers({}, millimeters(1));

@@ -2,8 +2,6 @@
 #include "gui/pages/ct/SurfaceView.h"
 
 #include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkNew.h>
-#include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 
 #include <QMouseEvent>
@@ -13,6 +11,7 @@
 #include <vector>
 
 #include "gui/parts/ChartLabels.h"
+#include "gui/scene/PlainWindow.h"
 #include "perilymph/imaging/MeasuredSurface.h"
 
 namespace perilymph::gui {
@@ -29,14 +28,7 @@ SurfaceView::SurfaceView(CtStudy& study, QWidget* parent)
 {
   setObjectName(QStringLiteral("surfaceView"));
   setAccessibleName(tr("Measured cochlea, 3D"));
-  setFocusPolicy(Qt::NoFocus);
-  setAttribute(Qt::WA_AcceptTouchEvents, false);  // VTK 9.1 would handle each touch twice
-  setEnableHiDPI(false);                          // nothing in this scene is sized in pixels
-  vtkNew<vtkGenericOpenGLRenderWindow> window;
-  window->SetMultiSamples(0);
-  setRenderWindow(window);
-  // Mouse input is handled here: interactor styles have their own keys and drags.
-  if (window->GetInteractor() != nullptr) window->GetInteractor()->SetInteractorStyle(nullptr);
+  setPlainWindow(*this);
   connect(&study_, &CtStudy::changed, this, &SurfaceView::refresh);
 }
 

@@ -262,26 +262,9 @@ void InsertPage::withdraw()
 
 void InsertPage::reset() { prepare(control_.hand()); }
 
-void InsertPage::chooseInput(InputSource input)
-{
-  if (input != control_.hand()) prepare(input);
-}
-
-void InsertPage::useDevice(const device::FoundDevice& found)
-{
-  control_.choose(found);
-  prepare(InputSource::device);
-}
-
 void InsertPage::useDevice(InsertionControl::DeviceFactory device)
 {
   control_.choose(std::move(device));
-  prepare(InputSource::device);
-}
-
-void InsertPage::usePlugin(const std::filesystem::path& library)
-{
-  control_.choose(library);
   prepare(InputSource::device);
 }
 

@@ -66,9 +66,17 @@ public:
   void redo();
 
   /// Uses a device as input; if it cannot be opened, the script remains, and the page shows why.
-  void useDevice(const device::FoundDevice& found);
+  void useDevice(const device::FoundDevice& found)
+  {
+    control_.choose(found);
+    prepare(InputSource::device);
+  }
   void useDevice(InsertionControl::DeviceFactory device);
-  void usePlugin(const std::filesystem::path& library);
+  void usePlugin(const std::filesystem::path& library)
+  {
+    control_.choose(library);
+    prepare(InputSource::device);
+  }
 
   /// Opens a recording for replay in place of the insertion; emits replayOpened() or
   /// replayFailed().
@@ -136,7 +144,10 @@ private:
   void connectParts();
   void connectSetup();
   void openPatient(const anatomy::Patient& patient);
-  void chooseInput(InputSource input);
+  void chooseInput(InputSource input)
+  {
+    if (input != control_.hand()) prepare(input);
+  }
   void prepare(InputSource input);
   void use(const session::Scenario& scenario, const std::optional<InsertionControl::Parts>& parts);
   bool maySetUpNow() const;

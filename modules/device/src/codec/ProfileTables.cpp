@@ -248,8 +248,9 @@ PidLayout readPidLayout(TomlReader& file, const AxesLayout& axes)
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = i + 1; j < 3; ++j) {
         const bool areMoved = axes.axes[i].usage.page != 0 && axes.axes[j].usage.page != 0;
-        const double apart = std::fabs(std::remainder(pid.directions[i] - pid.directions[j], turn));
-        const double opposite = 0.5 * turn - apart;
+        const double apart =
+            std::fabs(std::remainder(pid.directions[i] - pid.directions[j], 2.0 * pi));
+        const double opposite = pi - apart;
         if (areMoved && std::min(apart, opposite) < radians(1.0))
           table.refuse("directions_deg",
                        "directions_deg gives two axes the same line, so that their forces would "

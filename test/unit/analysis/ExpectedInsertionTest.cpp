@@ -15,7 +15,7 @@ namespace {
 
 std::shared_ptr<const anatomy::ScalaTympani> meanScala()
 {
-  return *buildAnatomy({anatomy::AnatomySource::mean, {}, millimeters(1)}, "the test");
+  return *anatomy::buildAnatomy({anatomy::AnatomySource::mean, {}, millimeters(1)}, "the test");
 }
 
 electrode::ArrayDesign arrayNamed(const char* name)

@@ -262,7 +262,12 @@ void PatientForm::setTabOrders()
                             byLengths_,
                             use_,
                             back_};
+  const auto setChoicePolicy = [this](Qt::FocusPolicy policy) {
+    for (Choice* choice : {right_, left_, byBasalTurn_, byLengths_}) choice->setFocusPolicy(policy);
+  };
+  setChoicePolicy(Qt::TabFocus);  // others have no place in the order
   for (std::size_t i = 1; i < std::size(order); ++i) setTabOrder(order[i - 1], order[i]);
+  setChoicePolicy(Qt::NoFocus);
   setFocusProxy(label_);
 }
 

@@ -268,7 +268,7 @@ TEST_F(Library, RefusesInvalidNames)
   for (const char* name : {"", "../a", ".hidden", "two\nlines"}) {
     const auto renamed = renameSession(file, name);
     ASSERT_FALSE(renamed) << name;
-    EXPECT_THAT(renamed.error().message, HasSubstr("cannot be a name")) << name;
+    EXPECT_THAT(renamed.error().message, HasSubstr("is not a valid recording name")) << name;
   }
 }
 

@@ -230,7 +230,7 @@ TEST_F(TheCtPage, NeverShowsThePatientsName)
     EXPECT_THAT(label->text().toStdString(), testing::Not(testing::HasSubstr("Secretname")));
 }
 
-TEST(AWalk, OfASurgeonWithACtEndsWithTheArrayInTheScan)
+TEST(AWalkThroughACt, OfASurgeonEndsWithTheArrayInTheScan)
 {
   const DataFolder data;
   Walk walk("ct");

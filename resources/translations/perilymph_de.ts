@@ -1794,6 +1794,82 @@
         <source>Replay of %1 — Perilymph</source>
         <translation>Wiedergabe von %1 — Perilymph</translation>
     </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>Stop travel reached, %1 mm of the array outside. Press Withdraw or Reset.</source>
+        <translation>Stopp erreicht, %1 mm des Trägers außerhalb. „Zurückziehen“ oder „Zurücksetzen“ drücken.</translation>
+    </message>
+    <message>
+        <source>Back at the start, tip %1 mm inside. Press Reset for a new insertion.</source>
+        <translation>Zurück am Start, Spitze %1 mm innen. „Zurücksetzen“ für eine neue Insertion.</translation>
+    </message>
+    <message>
+        <source>Press Start, then hold Space and scroll down or press ↓ to advance.</source>
+        <translation>Start drücken, dann Leertaste halten und abwärts scrollen oder ↓ drücken.</translation>
+    </message>
+    <message>
+        <source>Hold Space, then scroll down or press ↓ to advance.</source>
+        <translation>Leertaste halten, dann abwärts scrollen oder ↓ drücken, um vorzuschieben.</translation>
+    </message>
+    <message>
+        <source>Holding. Scroll down or press ↓ to advance, scroll up or press ↑ to withdraw.</source>
+        <translation>Gehalten. Abwärts scrollen oder ↓ schiebt vor, aufwärts scrollen oder ↑ zieht zurück.</translation>
+    </message>
+    <message>
+        <source>Advance of the array since the start of the insertion. Insertion depth: length past the round window.</source>
+        <translation>Vorschub des Trägers seit Beginn der Insertion. Insertionstiefe: Länge jenseits des runden Fensters.</translation>
+    </message>
+    <message>
+        <source>Angular insertion depth of the tip about the modiolar axis, from the round window.</source>
+        <translation>Insertionswinkel der Spitze um die Modiolusachse, ab dem runden Fenster.</translation>
+    </message>
+    <message>
+        <source>Axial force on the hand that inserts the array; positive while it pushes in.</source>
+        <translation>Axiale Kraft zum Vorschieben des Trägers; positiv beim Einführen.</translation>
+    </message>
+    <message>
+        <source>Speed of the array along the insertion axis.</source>
+        <translation>Geschwindigkeit des Trägers entlang der Insertionsachse.</translation>
+    </message>
+    <message>
+        <source>Magnification of a surgical microscope with the same field.</source>
+        <translation>Vergrößerung eines Operationsmikroskops mit demselben Sehfeld.</translation>
+    </message>
+    <message>
+        <source>full insertion of this array</source>
+        <translation>vollständige Insertion dieses Trägers</translation>
+    </message>
+    <message>
+        <source>partial insertion: %1 mm of the array outside</source>
+        <translation>partielle Insertion: %1 mm des Trägers außerhalb</translation>
+    </message>
+    <message>
+        <source>%1: stop at %2 mm, %3.</source>
+        <translation>%1: Stopp bei %2 mm, %3.</translation>
+    </message>
+    <message>
+        <source>advance (down) or withdraw (up) the held array</source>
+        <translation>gehaltenen Träger vorschieben (abwärts) oder zurückziehen (aufwärts)</translation>
+    </message>
+    <message>
+        <source>quit</source>
+        <translation>beenden</translation>
+    </message>
+    <message>
+        <source>recording: waiting for motion</source>
+        <translation>Aufzeichnung: wartet auf Bewegung</translation>
+    </message>
+    <message>
+        <source>Stopped: the force is off. Press Start to continue.</source>
+        <translation>Gestoppt: Die Kraft ist aus. Zum Fortfahren „Start“ drücken.</translation>
+    </message>
+    <message>
+        <source>remove the force of a device; close the open panel; release the array</source>
+        <translation>Kraft eines Geräts abschalten; offenes Feld schließen; Träger loslassen</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::Application</name>
@@ -1983,6 +2059,30 @@
     <message>
         <source>%1 %2. Enter a valid value or press Esc.</source>
         <translation>%1 %2. Gültigen Wert eingeben oder Esc drücken.</translation>
+    </message>
+    <message>
+        <source>Expert</source>
+        <translation>Experte</translation>
+    </message>
+    <message>
+        <source>Handling of the stylet during the insertion.</source>
+        <translation>Handhabung des Stiletts während der Insertion.</translation>
+    </message>
+    <message>
+        <source>Friction between array and wall. A choice with its source is in the list.</source>
+        <translation>Reibung zwischen Träger und Wand. Die Liste nennt die Quellen.</translation>
+    </message>
+    <message>
+        <source>Opening through which the array enters the scala tympani.</source>
+        <translation>Öffnung, durch die der Träger in die Scala tympani eintritt.</translation>
+    </message>
+    <message>
+        <source>Mechanical model of the array.</source>
+        <translation>Mechanisches Modell des Trägers.</translation>
+    </message>
+    <message>
+        <source>Sample rate of the haptic loop, samples that started more than one period late, and frames per second of the window.</source>
+        <translation>Abtastrate der haptischen Schleife, Abtastwerte mit mehr als einer Periode Verspätung, und Bilder pro Sekunde des Fensters.</translation>
     </message>
 </context>
 <context>
@@ -2247,6 +2347,10 @@
     <message>
         <source>insertion force, N</source>
         <translation>Insertionskraft, N</translation>
+    </message>
+    <message>
+        <source>insertion force, mN</source>
+        <translation>Insertionskraft, mN</translation>
     </message>
 </context>
 <context>
@@ -2596,6 +2700,10 @@
         <source>No hardware needed; no force feedback.</source>
         <translation>Ohne Gerät; keine Kraftrückkopplung.</translation>
     </message>
+    <message>
+        <source>Profile %1, confidence %2. %3</source>
+        <translation>Profil %1, Konfidenz %2. %3</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::FlatViews</name>
@@ -2653,6 +2761,10 @@
     <message>
         <source>insertion force, N</source>
         <translation>Insertionskraft, N</translation>
+    </message>
+    <message>
+        <source>insertion force, mN</source>
+        <translation>Insertionskraft, mN</translation>
     </message>
 </context>
 <context>
@@ -2910,6 +3022,14 @@
         <source>%1 s, reversals: %3. %2</source>
         <translation>%1 s, Richtungswechsel: %3. %2</translation>
     </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Gestoppt</translation>
+    </message>
+    <message>
+        <source>The force is off. Touch the screen to continue.</source>
+        <translation>Die Kraft ist aus. Zum Fortfahren den Bildschirm berühren.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::LandmarkDrawing</name>
@@ -2943,6 +3063,18 @@
     <message>
         <source>The program closed unexpectedly. Your last insertion (depth %1 mm) was recovered: %2.</source>
         <translation>Das Programm wurde unerwartet beendet. Ihre letzte Insertion (Tiefe %1 mm) wurde wiederhergestellt: %2.</translation>
+    </message>
+    <message>
+        <source>End it and continue</source>
+        <translation>Beenden und fortfahren</translation>
+    </message>
+    <message>
+        <source>End it and replay</source>
+        <translation>Beenden und wiedergeben</translation>
+    </message>
+    <message>
+        <source>End it and close</source>
+        <translation>Beenden und schließen</translation>
     </message>
 </context>
 <context>
@@ -3329,6 +3461,30 @@
         <source>Outside</source>
         <translation>Außerhalb</translation>
     </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>The tip is inside the opening and the array does not contact the wall beyond it.</source>
+        <translation>Die Spitze ist in der Öffnung, und der Träger berührt die Wand dahinter nicht.</translation>
+    </message>
+    <message>
+        <source>The array contacts the outer wall and slides along it.</source>
+        <translation>Der Träger berührt die Außenwand und gleitet an ihr entlang.</translation>
+    </message>
+    <message>
+        <source>The tip is %1° or more past the round window.</source>
+        <translation>Die Spitze ist mindestens %1° hinter dem runden Fenster.</translation>
+    </message>
+    <message>
+        <source>The stop travel is reached; part of the array stays outside.</source>
+        <translation>Der Stopp ist erreicht; ein Teil des Trägers bleibt außerhalb.</translation>
+    </message>
+    <message>
+        <source>The array is fully inserted.</source>
+        <translation>Der Träger ist vollständig inseriert.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::PopulationField</name>
@@ -3696,6 +3852,14 @@
         <source>Restore the preset</source>
         <translation>Vorlage wiederherstellen</translation>
     </message>
+    <message>
+        <source>%1 · modified from %2</source>
+        <translation>%1 · geändert gegenüber %2</translation>
+    </message>
+    <message>
+        <source>%1. Changed: %2. %3</source>
+        <translation>%1. Geändert: %2. %3</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::Scrubber</name>
@@ -4011,6 +4175,54 @@
         <source>optional</source>
         <translation>optional</translation>
     </message>
+    <message>
+        <source>Text size</source>
+        <translation>Schriftgröße</translation>
+    </message>
+    <message>
+        <source>100 %</source>
+        <translation>100 %</translation>
+    </message>
+    <message>
+        <source>90 %</source>
+        <translation>90 %</translation>
+    </message>
+    <message>
+        <source>115 %</source>
+        <translation>115 %</translation>
+    </message>
+    <message>
+        <source>130 %</source>
+        <translation>130 %</translation>
+    </message>
+    <message>
+        <source>150 %</source>
+        <translation>150 %</translation>
+    </message>
+    <message>
+        <source>Hold the array (Space or button)</source>
+        <translation>Träger halten (Leertaste oder Schaltfläche)</translation>
+    </message>
+    <message>
+        <source>while pressed</source>
+        <translation>solange gedrückt</translation>
+    </message>
+    <message>
+        <source>press to hold, press again to release</source>
+        <translation>drücken zum Halten, erneut drücken zum Loslassen</translation>
+    </message>
+    <message>
+        <source>Keys that are letters, digits or symbols alone</source>
+        <translation>Tasten aus einem einzelnen Buchstaben, einer Ziffer oder einem Zeichen</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::SetupHistory</name>
@@ -4052,6 +4264,14 @@
     <message>
         <source>Published measurements</source>
         <translation>Veröffentlichte Messungen</translation>
+    </message>
+    <message>
+        <source>Published measurements, mean ± SD, in the chart of force over travel.</source>
+        <translation>Veröffentlichte Messungen, Mittelwert ± SD, im Diagramm der Kraft über den Vorschub.</translation>
+    </message>
+    <message>
+        <source>Not comparable: array, technique, cochlea, friction or speed differ from the published experiment.</source>
+        <translation>Nicht vergleichbar: Träger, Technik, Cochlea, Reibung oder Geschwindigkeit weichen vom veröffentlichten Versuch ab.</translation>
     </message>
 </context>
 <context>
@@ -4227,6 +4447,34 @@
     <message>
         <source>Clark’s spiral · %1 ear</source>
         <translation>Clark-Spirale · %1es Ohr</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menü</translation>
+    </message>
+    <message>
+        <source>%1, %2 samples per second</source>
+        <translation>%1, %2 Abtastwerte pro Sekunde</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOPP</translation>
+    </message>
+    <message>
+        <source>Remove the force of the device at once (Esc)</source>
+        <translation>Kraft des Geräts sofort abschalten (Esc)</translation>
+    </message>
+    <message>
+        <source>Stop: remove the force of the device</source>
+        <translation>Stopp: Kraft des Geräts abschalten</translation>
+    </message>
+    <message>
+        <source>stopped · no force</source>
+        <translation>gestoppt · keine Kraft</translation>
+    </message>
+    <message>
+        <source>%1. Press Start to continue.</source>
+        <translation>%1. Zum Fortfahren „Start“ drücken.</translation>
     </message>
 </context>
 <context>
@@ -4491,6 +4739,103 @@
     <message>
         <source>Stereo view through the left and right buffers of the display; Esc closes it.</source>
         <translation>Stereoansicht über linken und rechten Puffer der Anzeige; Esc schließt sie.</translation>
+    </message>
+</context>
+<context>
+    <name>EndingQuestion</name>
+    <message>
+        <source>An insertion is in progress at %1 mm. It is recorded up to here.</source>
+        <translation>Eine Insertion läuft bei %1 mm. Sie ist bis hier aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>Keep inserting</source>
+        <translation>Weiter inserieren</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::AboutSheet</name>
+    <message>
+        <source>Version %1</source>
+        <translation>Version %1</translation>
+    </message>
+    <message>
+        <source>Cochlear-implant insertion workstation for research and training. Not a medical device.</source>
+        <translation>Arbeitsplatz für Cochlea-Implantat-Insertionen, für Forschung und Training. Kein Medizinprodukt.</translation>
+    </message>
+    <message>
+        <source>License: BSD 3-clause, in the file LICENSE of the source and of the package.</source>
+        <translation>Lizenz: BSD 3-Clause, in der Datei LICENSE der Quellen und des Pakets.</translation>
+    </message>
+    <message>
+        <source>Log file: %1</source>
+        <translation>Protokolldatei: %1</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::MainMenu</name>
+    <message>
+        <source>Open recording…</source>
+        <translation>Aufzeichnung öffnen …</translation>
+    </message>
+    <message>
+        <source>Export recordings…</source>
+        <translation>Aufzeichnungen exportieren …</translation>
+    </message>
+    <message>
+        <source>Save screenshot</source>
+        <translation>Bildschirmfoto speichern</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation>Strg+Umschalt+S</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Ctrl+,</source>
+        <translation>Strg+,</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Tastatur und Maus</translation>
+    </message>
+    <message>
+        <source>F1</source>
+        <translation>F1</translation>
+    </message>
+    <message>
+        <source>User guide</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Shift+F1</source>
+        <translation>Umschalt+F1</translation>
+    </message>
+    <message>
+        <source>About Perilymph</source>
+        <translation>Über Perilymph</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Ctrl+Q</source>
+        <translation>Strg+Q</translation>
+    </message>
+    <message>
+        <source>Open recording</source>
+        <translation>Aufzeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>Recordings (*.insertion)</source>
+        <translation>Aufzeichnungen (*.insertion)</translation>
     </message>
 </context>
 </TS>

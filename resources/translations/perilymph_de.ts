@@ -2260,8 +2260,8 @@
         <translation>Am Cursor</translation>
     </message>
     <message>
-        <source>at insertion depth</source>
-        <translation>bei Insertionstiefe</translation>
+        <source>at depth</source>
+        <translation>bei Tiefe</translation>
     </message>
     <message>
         <source>Insertion work</source>

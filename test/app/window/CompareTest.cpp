@@ -102,7 +102,7 @@ TEST_F(Clinician, ReadsPeakWorkAndReasonsInNumbersWithUnits)
   compareBoth();
   for (int row = 0; row < 2; ++row) {
     EXPECT_TRUE(cell(row, "Peak force").endsWith(" mN"));
-    EXPECT_TRUE(cell(row, "at insertion depth").endsWith(" mm"));
+    EXPECT_TRUE(cell(row, "at depth").endsWith(" mm"));
     EXPECT_TRUE(cell(row, "Insertion work").endsWith(" mJ"));
     EXPECT_TRUE(cell(row, "Time").endsWith(" s"));
     EXPECT_EQ(cell(row, "Reversals"), "0");

@@ -133,9 +133,9 @@ QWidget* ComparePage::addRuns()
   table_->verticalHeader()->setDefaultSectionSize(rowHeight_px);
   table_->horizontalHeader()->setFont(typeface(11));
   table_->horizontalHeader()->setHighlightSections(false);
-  table_->setHorizontalHeaderLabels(
-      {tr("Insertion"), tr("At cursor"), tr("Peak force"), tr("at insertion depth"),
-       tr("Insertion work"), tr("Reversals"), tr("Time"), tr("Deepest angle"), tr("Score")});
+  table_->setHorizontalHeaderLabels({tr("Insertion"), tr("At cursor"), tr("Peak force"),
+                                     tr("at depth"), tr("Insertion work"), tr("Reversals"),
+                                     tr("Time"), tr("Deepest angle"), tr("Score")});
   const int widths_px[] = {200, 104, 96, 88, 120, 84, 76, 100, 96};
   for (int column = 0; column < columns; ++column) {
     table_->horizontalHeader()->resizeSection(column, widths_px[column]);

@@ -320,6 +320,17 @@
     </message>
 </context>
 <context>
+    <name>EndingQuestion</name>
+    <message>
+        <source>An insertion is in progress at %1 mm. It is recorded up to here.</source>
+        <translation>Eine Insertion läuft bei %1 mm. Sie ist bis hier aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>Keep inserting</source>
+        <translation>Weiter inserieren</translation>
+    </message>
+</context>
+<context>
     <name>KioskTurn</name>
     <message>
         <source>Below the forces measured in patients.</source>
@@ -923,18 +934,6 @@
         <translation>Der Träger ist zurückgezogen. „Zurücksetzen“ für eine neue Insertion.</translation>
     </message>
     <message>
-        <source>Press Start, then hold Space and scroll up or press ↓ to advance.</source>
-        <translation>Start drücken, dann Leertaste halten und aufwärts scrollen oder ↓ drücken.</translation>
-    </message>
-    <message>
-        <source>Hold Space, then scroll up or press ↓ to advance.</source>
-        <translation>Leertaste halten, dann aufwärts scrollen oder ↓ drücken, um vorzuschieben.</translation>
-    </message>
-    <message>
-        <source>Holding. Scroll up or press ↓ to advance, scroll down or press ↑ to withdraw.</source>
-        <translation>Gehalten. Aufwärts scrollen oder ↓ schiebt vor, abwärts scrollen oder ↑ zieht zurück.</translation>
-    </message>
-    <message>
         <source>Building the cochlea; the insertion then starts…</source>
         <translation>Die Cochlea wird berechnet; dann beginnt die Insertion …</translation>
     </message>
@@ -1075,10 +1074,6 @@
         <translation>Insertionskraft über Vorschub</translation>
     </message>
     <message>
-        <source>insertion force, N</source>
-        <translation>Insertionskraft, N</translation>
-    </message>
-    <message>
         <source>perception threshold %1 mN</source>
         <translation>Wahrnehmungsschwelle %1 mN</translation>
     </message>
@@ -1167,10 +1162,6 @@
         <translation>gehaltenen Träger vorschieben oder zurückziehen</translation>
     </message>
     <message>
-        <source>advance (up) or withdraw (down) the held array</source>
-        <translation>gehaltenen Träger vorschieben (aufwärts) oder zurückziehen (abwärts)</translation>
-    </message>
-    <message>
         <source>reset: new insertion and recording</source>
         <translation>zurücksetzen: neue Insertion und Aufzeichnung</translation>
     </message>
@@ -1241,10 +1232,6 @@
     <message>
         <source>keyboard and mouse reference</source>
         <translation>Tasten- und Mausübersicht</translation>
-    </message>
-    <message>
-        <source>close the open panel; release the array</source>
-        <translation>offenes Feld schließen; Träger loslassen</translation>
     </message>
     <message>
         <source>next button or field</source>
@@ -1872,6 +1859,29 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::AboutSheet</name>
+    <message>
+        <source>Version %1</source>
+        <translation>Version %1</translation>
+    </message>
+    <message>
+        <source>Cochlear-implant insertion workstation for research and training. Not a medical device.</source>
+        <translation>Arbeitsplatz für Cochlea-Implantat-Insertionen, für Forschung und Training. Kein Medizinprodukt.</translation>
+    </message>
+    <message>
+        <source>License: BSD 3-clause, in the file LICENSE of the source and of the package.</source>
+        <translation>Lizenz: BSD 3-Clause, in der Datei LICENSE der Quellen und des Pakets.</translation>
+    </message>
+    <message>
+        <source>Log file: %1</source>
+        <translation>Protokolldatei: %1</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::Application</name>
     <message>
         <source>The action failed: %1</source>
@@ -2345,10 +2355,6 @@
         <translation>Vorschub, mm</translation>
     </message>
     <message>
-        <source>insertion force, N</source>
-        <translation>Insertionskraft, N</translation>
-    </message>
-    <message>
         <source>insertion force, mN</source>
         <translation>Insertionskraft, mN</translation>
     </message>
@@ -2759,10 +2765,6 @@
         <translation>Insertionskraft über Vorschub</translation>
     </message>
     <message>
-        <source>insertion force, N</source>
-        <translation>Insertionskraft, N</translation>
-    </message>
-    <message>
         <source>insertion force, mN</source>
         <translation>Insertionskraft, mN</translation>
     </message>
@@ -3052,6 +3054,69 @@
     <message>
         <source>modiolus</source>
         <translation>Modiolus</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::MainMenu</name>
+    <message>
+        <source>Open recording…</source>
+        <translation>Aufzeichnung öffnen …</translation>
+    </message>
+    <message>
+        <source>Export recordings…</source>
+        <translation>Aufzeichnungen exportieren …</translation>
+    </message>
+    <message>
+        <source>Save screenshot</source>
+        <translation>Bildschirmfoto speichern</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation>Strg+Umschalt+S</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Ctrl+,</source>
+        <translation>Strg+,</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Tastatur und Maus</translation>
+    </message>
+    <message>
+        <source>F1</source>
+        <translation>F1</translation>
+    </message>
+    <message>
+        <source>User guide</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Shift+F1</source>
+        <translation>Umschalt+F1</translation>
+    </message>
+    <message>
+        <source>About Perilymph</source>
+        <translation>Über Perilymph</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Ctrl+Q</source>
+        <translation>Strg+Q</translation>
+    </message>
+    <message>
+        <source>Open recording</source>
+        <translation>Aufzeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>Recordings (*.insertion)</source>
+        <translation>Aufzeichnungen (*.insertion)</translation>
     </message>
 </context>
 <context>
@@ -4393,10 +4458,6 @@
         <translation>läuft</translation>
     </message>
     <message>
-        <source>%1 Hz · %2 late</source>
-        <translation>%1 Hz · %2 verspätet</translation>
-    </message>
-    <message>
         <source>preparing</source>
         <translation>wird vorbereitet</translation>
     </message>
@@ -4419,10 +4480,6 @@
     <message>
         <source>Differs from the preset: %1.</source>
         <translation>Weicht von der Vorlage ab: %1.</translation>
-    </message>
-    <message>
-        <source>%1. Measured sample rate, and number of samples that started more than one period late.</source>
-        <translation>%1. Gemessene Abtastrate und Anzahl der Abtastwerte, die mehr als eine Periode zu spät begannen.</translation>
     </message>
     <message>
         <source>A recording is shown. No device is active.</source>
@@ -4739,103 +4796,6 @@
     <message>
         <source>Stereo view through the left and right buffers of the display; Esc closes it.</source>
         <translation>Stereoansicht über linken und rechten Puffer der Anzeige; Esc schließt sie.</translation>
-    </message>
-</context>
-<context>
-    <name>EndingQuestion</name>
-    <message>
-        <source>An insertion is in progress at %1 mm. It is recorded up to here.</source>
-        <translation>Eine Insertion läuft bei %1 mm. Sie ist bis hier aufgezeichnet.</translation>
-    </message>
-    <message>
-        <source>Keep inserting</source>
-        <translation>Weiter inserieren</translation>
-    </message>
-</context>
-<context>
-    <name>perilymph::gui::AboutSheet</name>
-    <message>
-        <source>Version %1</source>
-        <translation>Version %1</translation>
-    </message>
-    <message>
-        <source>Cochlear-implant insertion workstation for research and training. Not a medical device.</source>
-        <translation>Arbeitsplatz für Cochlea-Implantat-Insertionen, für Forschung und Training. Kein Medizinprodukt.</translation>
-    </message>
-    <message>
-        <source>License: BSD 3-clause, in the file LICENSE of the source and of the package.</source>
-        <translation>Lizenz: BSD 3-Clause, in der Datei LICENSE der Quellen und des Pakets.</translation>
-    </message>
-    <message>
-        <source>Log file: %1</source>
-        <translation>Protokolldatei: %1</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-</context>
-<context>
-    <name>perilymph::gui::MainMenu</name>
-    <message>
-        <source>Open recording…</source>
-        <translation>Aufzeichnung öffnen …</translation>
-    </message>
-    <message>
-        <source>Export recordings…</source>
-        <translation>Aufzeichnungen exportieren …</translation>
-    </message>
-    <message>
-        <source>Save screenshot</source>
-        <translation>Bildschirmfoto speichern</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+S</source>
-        <translation>Strg+Umschalt+S</translation>
-    </message>
-    <message>
-        <source>Settings</source>
-        <translation>Einstellungen</translation>
-    </message>
-    <message>
-        <source>Ctrl+,</source>
-        <translation>Strg+,</translation>
-    </message>
-    <message>
-        <source>Keys and mouse</source>
-        <translation>Tastatur und Maus</translation>
-    </message>
-    <message>
-        <source>F1</source>
-        <translation>F1</translation>
-    </message>
-    <message>
-        <source>User guide</source>
-        <translation>Handbuch</translation>
-    </message>
-    <message>
-        <source>Shift+F1</source>
-        <translation>Umschalt+F1</translation>
-    </message>
-    <message>
-        <source>About Perilymph</source>
-        <translation>Über Perilymph</translation>
-    </message>
-    <message>
-        <source>Quit</source>
-        <translation>Beenden</translation>
-    </message>
-    <message>
-        <source>Ctrl+Q</source>
-        <translation>Strg+Q</translation>
-    </message>
-    <message>
-        <source>Open recording</source>
-        <translation>Aufzeichnung öffnen</translation>
-    </message>
-    <message>
-        <source>Recordings (*.insertion)</source>
-        <translation>Aufzeichnungen (*.insertion)</translation>
     </message>
 </context>
 </TS>

@@ -66,7 +66,7 @@ TEST(ContactDistances, TheirMeanIsWrittenOverThem)
   bool isSaid = false;
   for (const figures::Mark& mark : drawing.marks)
     if (const auto* label = std::get_if<figures::Label>(&mark))
-      isSaid = isSaid || label->text == "mean 0.75 mm, 2 inside";
+      isSaid = isSaid || label->text == "mean 0.75 mm, 2 inserted";
   EXPECT_TRUE(isSaid);
 }
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/parts/StatusLine.h"
 
-#include <QDesktopServices>
 #include <QDir>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QProcess>
 #include <QPushButton>
 #include <QStandardPaths>
 #include <QStyle>
-#include <QUrl>
 #include <QVariant>
 
 #include "gui/parts/Theme.h"
@@ -30,7 +29,9 @@ StatusLine::StatusLine(const char* name, QWidget* parent)
   row->addWidget(label_, 1);
   row->addWidget(open_);
   connect(open_, &QPushButton::clicked, this, [this] {
-    QDesktopServices::openUrl(QUrl::fromLocalFile(QString::fromStdString(folder_.string())));
+    // the desktop's file manager, for a local folder only
+    const QString folder = QString::fromStdString(folder_.string());
+    if (!QProcess::startDetached(QStringLiteral("xdg-open"), {folder})) say(folder);
   });
   say({});
 }

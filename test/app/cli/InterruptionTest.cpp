@@ -137,7 +137,7 @@ TEST(InterruptedCommand, EndsAtOnceOnTheSecondSignal)
 {
   const TemporaryFolder folder;
   ChildProcess child(cliCall({"validate", "--runs", "100000", "--out", folder / "out"}));
-  ASSERT_TRUE(child.waitForOutput("Repeating", std::chrono::minutes(1)));
+  ASSERT_TRUE(child.waitForOutput("Simulating", std::chrono::minutes(1)));
   child.send(SIGINT);
   child.send(SIGTERM);
   const auto outcome = child.wait(soon);

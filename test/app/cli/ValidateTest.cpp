@@ -69,7 +69,7 @@ TEST(InterruptedValidation, LeavesNothing)
 {
   const TemporaryFolder folder;
   ChildProcess child(cliCall({"validate", "--runs", "100000", "--out", folder / "out"}));
-  ASSERT_TRUE(child.waitForOutput("Repeating", std::chrono::minutes(1)));
+  ASSERT_TRUE(child.waitForOutput("Simulating", std::chrono::minutes(1)));
   child.send(SIGINT);
   const auto outcome = child.wait(std::chrono::minutes(1));
   EXPECT_EQ(outcome.status, 1);

@@ -43,13 +43,13 @@ QStringList textOn(const QWidget& window)
   return sentence;
 }
 
-/// Quantizes every channel to multiples of four: invisible, and halves the file size.
+/// Quantizes every channel to multiples of eight: hardly visible, and a third of the file size.
 QImage smallened(QImage image)
 {
   image = image.convertToFormat(QImage::Format_RGB32);
   for (int y = 0; y < image.height(); ++y) {
     auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
-    for (int x = 0; x < image.width(); ++x) line[x] = (line[x] & 0xFFFCFCFC) | 0xFF000000;
+    for (int x = 0; x < image.width(); ++x) line[x] = (line[x] & 0xFFF8F8F8) | 0xFF000000;
   }
   return image;
 }

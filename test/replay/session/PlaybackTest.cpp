@@ -140,7 +140,7 @@ TEST_F(APlayback, OfNoTicksIsRefusedWithASentence)
   runSql(file_, "DELETE FROM tick");
   const auto refused = Playback::open(file_);
   ASSERT_FALSE(refused);
-  EXPECT_THAT(refused.error().message, HasSubstr("nothing to replay"));
+  EXPECT_THAT(refused.error().message, HasSubstr("contains no samples"));
 }
 
 }  // namespace

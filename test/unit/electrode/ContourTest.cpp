@@ -104,7 +104,7 @@ TEST_F(Contour, NamesASourceForEveryTable)
 
 TEST_F(Contour, SaysThatItIsNoDeviceLabeling)
 {
-  EXPECT_NE(array.note.find("no device labeling"), std::string::npos);
+  EXPECT_NE(array.note.find("not device labeling"), std::string::npos);
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ protected:
 
 TEST_P(ShippedArray, HasASourceForEveryTableAndSaysThatItIsNoDeviceLabeling)
 {
-  EXPECT_NE(array.note.find("no device labeling"), std::string::npos);
+  EXPECT_NE(array.note.find("not device labeling"), std::string::npos);
   EXPECT_GE(array.provenance.size(), 5u);
   for (const auto& [table, provenance] : array.provenance)
     EXPECT_GT(provenance.source.size(), 10u) << table;

@@ -18,7 +18,7 @@ namespace perilymph::gui {
 namespace {
 
 constexpr int buttonHeight_px = 96;  // twice the size of a touch target
-constexpr int headHeight_px = 112;
+constexpr int headHeight_px = 124;
 constexpr Speed back = millimetersPerSecond(3);
 
 }  // namespace

@@ -111,6 +111,7 @@ DerivedMeasures::DerivedMeasures(QWidget* parent)
     auto* value = new QLabel(this);
     value->setObjectName(QLatin1String(format.key));
     name->setFont(typeface(11));
+    name->setWordWrap(true);
     value->setFont(typeface(11, QFont::Medium));
     name->setProperty("quiet", true);
     value->setAlignment(Qt::AlignRight);

@@ -38,13 +38,14 @@ PopulationField::PopulationField(const QString& title, const char* name,
       mayBeEmpty_(mayBeEmpty),
       width_(width),
       field_(new ValueEdit(this)),
+      title_(new QLabel(title, this)),
       place_(new QLabel(this)),
       provenance_(new QLabel(this))
 {
-  auto* titleLabel = new QLabel(title, this);
-  titleLabel->setFont(typeface(13));
-  titleLabel->setBuddy(field_);
-  titleLabel->setWordWrap(true);
+  title_->setFont(typeface(13));
+  title_->setBuddy(field_);
+  title_->setWordWrap(true);
+  title_->installEventFilter(this);
   field_->setObjectName(QLatin1String(name));
   field_->setAccessibleName(title);
   field_->setFont(typeface(13, QFont::Medium));
@@ -78,7 +79,7 @@ PopulationField::PopulationField(const QString& title, const char* name,
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(spacing);
   grid->setVerticalSpacing(0);
-  grid->addWidget(titleLabel, 0, 0);
+  grid->addWidget(title_, 0, 0);
   grid->addWidget(field_, 0, 1);
   grid->addWidget(unit, 0, 2);
   grid->setRowMinimumHeight(1, lineHeight_px);
@@ -226,6 +227,9 @@ void PopulationField::showPlace()
 
 bool PopulationField::eventFilter(QObject* watched, QEvent* event)
 {
+  // nested layouts forget how high a wrapped text is
+  if (watched == title_ && event->type() == QEvent::Resize)
+    title_->setMinimumHeight(title_->heightForWidth(title_->width()));
   if (event->type() == QEvent::FocusIn) Q_EMIT focused(true);
   if (event->type() == QEvent::FocusOut) Q_EMIT focused(false);
   return QWidget::eventFilter(watched, event);

@@ -80,6 +80,7 @@ private:
   bool mayBeEmpty_;
   Width width_;
   ValueEdit* field_;
+  QLabel* title_;
   QLabel* place_;
   QLabel* provenance_;
 };

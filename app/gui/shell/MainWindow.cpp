@@ -174,6 +174,7 @@ void MainWindow::replay(const std::filesystem::path& file)
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
+  insert_->stopDevice();  // whatever the answer is
   // The end of a desktop session does not wait for an answer.
   if (!qApp->isSavingSession() && ending_.isNeeded()) {
     event->ignore();

@@ -105,7 +105,7 @@ TEST_F(BuildingACochlea, StartsTheInsertionIfStartWasPressed)
   rig_.type("panelScalaLength", "31.5");
   rig_.window().setFocus();
   rig_.pressKey(Qt::Key_Space);
-  EXPECT_TRUE(rig_.label("hintLabel").contains("then the insertion starts"));
+  EXPECT_TRUE(rig_.label("hintLabel").contains("the insertion then starts"));
   EXPECT_TRUE(WindowRig::comes([&] { return rig_.travel_mm() > 0.2; }));
   EXPECT_EQ(scenario().patient().scalaTympaniLength, millimeters(31.5));
 }

@@ -91,8 +91,7 @@ TEST_F(AWalk, OfASurgeonEndsAtFullDepthOfThePatientsCochlea)
   ASSERT_TRUE(WindowRig::comes([&] { return rig.window().control().isAtDepth(); }));
   rig.releaseKey(Qt::Key_Down);
   rig.releaseKey(Qt::Key_Space);
-  ASSERT_TRUE(
-      WindowRig::comes([&] { return rig.label("hintLabel").contains("Full depth"); }));
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.label("hintLabel").contains("Full depth"); }));
   walk.step(5, rig.window());
   EXPECT_EQ(rig.window().control().scenario().patient().basalTurn->a, millimeters(9.0));
   EXPECT_EQ(walk.left(), "");

@@ -9,6 +9,7 @@
 #include <QScrollBar>
 #include <QTableView>
 #include <QTest>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
@@ -68,7 +69,9 @@ protected:
   bool replayBarIsShown() { return rig_->window().findChild<gui::ReplayBar*>()->isVisible(); }
   std::uint64_t replayedTick()
   {
-    return rig_->label("replayTime").section(QLatin1Char(' '), -1).toULongLong();
+    // "1.222 of 3.000 s" in ticks of a millisecond
+    const double seconds = rig_->label("replayTime").section(QLatin1Char(' '), 0, 0).toDouble();
+    return std::uint64_t(std::lround(1e3 * seconds));
   }
 
   DataFolder data_;

@@ -143,7 +143,8 @@ TEST(Replay, SaysWhenTheModelIsAnother)
   ASSERT_TRUE(test::shortRun(file)->runToEnd({}));
   test::runSql(file, "UPDATE meta SET value = '1' WHERE key = 'model_fingerprint'");
   test::rehash(file);
-  EXPECT_THAT(verified(file).notes, testing::Contains(HasSubstr("differs from the recorded model")));
+  EXPECT_THAT(verified(file).notes,
+              testing::Contains(HasSubstr("differs from the recorded model")));
 }
 
 TEST(Replay, ComparesUpToTheFirstLostTickAndReportsThatItIsIncomplete)

@@ -68,6 +68,9 @@ private:
   realtime::TimeHistogram intervals_;
   std::int64_t firstEver_ = 0, lastEver_ = 0;  // fresh reports, whatever the handle [ns]
   realtime::TimeHistogram allIntervals_;
+  // Quantiles of these, computed in turn by figures().
+  mutable double median_ = 0.0, p99_ = 0.0;
+  mutable std::uint64_t asked_ = 0;
   ReadingFigures figures_;
 };
 

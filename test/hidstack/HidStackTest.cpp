@@ -83,7 +83,7 @@ const double restTolerance = test::tolerance(0.01, "rod and wall are not quite r
 TEST_F(RealHidStack, EndsEveryProgramWell)
 {
   const bool hasWindow = results_.statuses.count("stops.host") != 0;
-  EXPECT_EQ(results_.statuses.size(), hasWindow ? 22u : 20u);
+  EXPECT_EQ(results_.statuses.size(), hasWindow ? 24u : 22u);
   constexpr int killed = 128 + 9;  // as reported by the shell
   for (const auto& [name, status] : results_.statuses)
     EXPECT_EQ(status, name == "killed.host" ? killed : 0) << name;
@@ -136,6 +136,14 @@ TEST_F(RealHidStack, TakesAtMostAHundredMicrosecondsBesidesTheEngineFromTickToFo
   EXPECT_LE(measured("session.tick_to_force_p999_us"), 100.0 + measured("session.engine_p999_us"));
   // One report per tick, except for a few ticks in which the only processor is busy.
   EXPECT_LE(measured("session.besides_engine_p99_us"), 100.0);
+}
+
+TEST_F(RealHidStack, AnswersAtOnceAtWhateverPhaseOfTheDevicesPeriodTheLoopStarts)
+{
+  EXPECT_GT(measured("phases.ticks"), 1500.0);
+  EXPECT_EQ(measured("phases.answered"), measured("phases.ticks"));
+  EXPECT_EQ(measured("phases.caused"), measured("phases.ticks"));
+  EXPECT_LE(measured("phases.besides_engine_p99_us"), 100.0);
 }
 
 TEST_F(RealHidStack, IsCountedTheSameByTheHandItself)

@@ -177,8 +177,10 @@ std::int64_t HapticLoop::Content::waitForTick() noexcept
     awaited = device.await(Duration::fromSi(engine->model().timeStep));
   const std::int64_t now = realtime::monotonicNanoseconds();
 
-  // A report that arrives right after a tick by the clock belongs to the next tick.
+  // A report that arrives right after a tick by the clock waits half a period at most. If it waited
+  // for the clock, so would every report after it: the force would stay late by up to a period.
   const bool isTooSoon = awaited == device::Awaited::fresh && now - lastBegan < period / 2;
+  if (isTooSoon) pacer.start(lastBegan + period / 2 - period);
   if (awaited == device::Awaited::cannot || isTooSoon) {
     lastBegan = pacer.wait();
     return lastBegan;

@@ -51,6 +51,19 @@ std::vector<Passage> session()
   return passages;
 }
 
+/// Connected again and again, for a loop that starts at other phases of the device's period.
+std::vector<Passage> phases()
+{
+  std::vector<Passage> passages;
+  for (int i = 0; i < startPhases; ++i) {
+    passages.push_back({.name = "greeting"});
+    passages.push_back({.name = "loose", .duration = 0.15});
+    passages.push_back({.name = "grasp", .duration = 0.2, .isButtonPressed = true});
+    passages.push_back({.name = "unplugged", .duration = 0.2, .wire = Wire::unplugged});
+  }
+  return passages;
+}
+
 /// A strong push for every way to stop, each with the handle plugged in again. After the stop the
 /// handle slides to its end stop.
 std::vector<Passage> stops()
@@ -79,6 +92,7 @@ Result<HandleScript> scriptNamed(const std::string& name)
   if (name == "repeated")
     return HandleScript{{{.name = name, .duration = 0.8}}, Flaw::repeatedReport};
   if (name == "session") return HandleScript{session(), Flaw::none};
+  if (name == "phases") return HandleScript{phases(), Flaw::none};
   if (name == "stops") return HandleScript{stops(), Flaw::none};
   if (name == "answer")
     return HandleScript{{{.name = name, .duration = 0.8, .wire = Wire::answering}}, Flaw::none};
@@ -99,7 +113,8 @@ Result<HandleScript> scriptNamed(const std::string& name)
   else
     return Error{
         "There is no script '" + name +
-        "'; take stream, lost, repeated, session, killed, answer, stops, flipped or doubled."};
+        "'; take stream, lost, repeated, session, phases, killed, answer, stops, flipped or "
+        "doubled."};
   return contact;
 }
 

@@ -46,7 +46,11 @@ inline constexpr double pushAtRest = 0.2;
 /// Number of reports that are missing while the handle is silent, at a thousand a second.
 inline constexpr int silentReports = 50;
 
-/// stream, lost, repeated, session, killed, answer, stops, flipped or doubled; a sentence for other names.
+/// Phases of the device's period at which a loop starts, evenly spread.
+inline constexpr int startPhases = 8;
+
+/// stream, lost, repeated, session, phases, killed, answer, stops, flipped or doubled; a sentence for
+/// other names.
 Result<HandleScript> scriptNamed(const std::string& name);
 
 }  // namespace perilymph::hidstack

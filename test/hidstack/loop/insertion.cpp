@@ -2,13 +2,16 @@
 #include "insertion.h"
 
 #include <poll.h>
+#include <time.h>
 
 #include <csignal>
 #include <memory>
 
 #include "FlatWallScene.h"
+#include "HandleScript.h"
 #include "TimedDevice.h"
 #include "perilymph/haptics/HapticLoop.h"
+#include "perilymph/realtime/Pacer.h"
 
 namespace perilymph::hidstack {
 
@@ -20,6 +23,18 @@ constexpr std::size_t maxTicks = 30'000;  // half a minute at 1 kHz
 constexpr int glance_ms = 20;  // of the user of the insertion; a recorder drains as often
 // After the last disconnection: long enough to observe the loop.
 constexpr int ticksAfterwards = 200;
+
+/// Sleeps until the clock is at a phase of a device's period that is another one for each `index`.
+void awaitPhase(int index)
+{
+  constexpr std::int64_t period = 1'000'000;  // of the virtual handle [ns]
+  const std::int64_t now = realtime::monotonicNanoseconds();
+  const std::int64_t due = (now / period + 1) * period + index % startPhases * period / startPhases;
+  timespec until{};
+  until.tv_sec = static_cast<time_t>(due / 1'000'000'000);
+  until.tv_nsec = static_cast<long>(due % 1'000'000'000);
+  ::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
+}
 
 /// Simulates the user: arms the insertion, and begins another one after a fault when the device
 /// responds again.
@@ -58,6 +73,7 @@ private:
     loop_ =
         std::make_unique<haptics::HapticLoop>(hand_, flatWallEngine(hand_.traits().nominalPeriod));
     loop_->send({Command::Kind::arm});
+    awaitPhase(begun_++);
     loop_->start();
   }
 
@@ -65,6 +81,7 @@ private:
   std::unique_ptr<haptics::HapticLoop> loop_;
   bool wasLost_ = false;
   bool isOver_ = false;
+  int begun_ = 0;
   int unplugs_ = 0;
   int ticksSinceUnplug_ = 0;
 };

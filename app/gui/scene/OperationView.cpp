@@ -21,7 +21,6 @@
 #include "gui/scene/Banner.h"
 #include "gui/scene/ForceLabel.h"
 #include "gui/scene/PhaseLine.h"
-#include "gui/scene/PlainWindow.h"
 #include "gui/scene/ReadOutTips.h"
 #include "gui/scene/StereoWindow.h"
 #include "gui/scene/ViewNames.h"
@@ -54,7 +53,7 @@ QLabel* quietLabel(QWidget* parent, const char* name)
 }  // namespace
 
 OperationView::OperationView(QWidget* parent)
-    : QVTKOpenGLNativeWidget(parent),
+    : PlainVtkWidget(parent),
       travel_(new ReadOut({46, QStringLiteral("00.0"), tr("mm"), Qt::AlignLeft}, this)),
       angle_(new ReadOut({46, QStringLiteral("000"), QStringLiteral("°"), Qt::AlignLeft}, this)),
       force_(new ReadOut({46, QStringLiteral("-000"), tr("mN"), Qt::AlignRight}, this)),
@@ -67,7 +66,6 @@ OperationView::OperationView(QWidget* parent)
       phase_(new PhaseLine(this))
 {
   setObjectName(QStringLiteral("operationView"));
-  setPlainWindow(*this);
   addReadOuts();
   sinceMotion_.start();
   showNumbers({}, millimeters(1));
@@ -338,7 +336,7 @@ bool OperationView::renderIfDirty()
 
 void OperationView::resizeEvent(QResizeEvent* event)
 {
-  QVTKOpenGLNativeWidget::resizeEvent(event);
+  PlainVtkWidget::resizeEvent(event);
   fitReadOuts();
   if (!depth_mm_.isEmpty()) captionDepth(QString(depth_mm_));
   placeHint();
@@ -347,22 +345,11 @@ void OperationView::resizeEvent(QResizeEvent* event)
 
 bool OperationView::event(QEvent* event)
 {
-  switch (event->type()) {
-    case QEvent::ToolTip: {
-      const auto& help = static_cast<const QHelpEvent&>(*event);
-      if (tips().show(*this, help.pos(), help.globalPos())) return true;
-      return QVTKOpenGLNativeWidget::event(event);
-    }
-    case QEvent::MouseButtonPress:
-    case QEvent::MouseButtonRelease:
-    case QEvent::MouseButtonDblClick:
-    case QEvent::MouseMove:
-    case QEvent::Wheel:
-      // Bypasses VTK, which would handle them. NOLINTNEXTLINE(bugprone-parent-virtual-call)
-      return QOpenGLWidget::event(event);
-    default:
-      return QVTKOpenGLNativeWidget::event(event);
+  if (event->type() == QEvent::ToolTip) {
+    const auto& help = static_cast<const QHelpEvent&>(*event);
+    if (tips().show(*this, help.pos(), help.globalPos())) return true;
   }
+  return PlainVtkWidget::event(event);
 }
 
 void OperationView::mousePressEvent(QMouseEvent* event)

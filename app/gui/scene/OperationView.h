@@ -3,11 +3,10 @@
 
 // The central 3D view with the large read-outs.
 
-#include <QVTKOpenGLNativeWidget.h>
-
 #include <QElapsedTimer>
 #include <memory>
 
+#include "gui/scene/PlainVtkWidget.h"
 #include "perilymph/foundation/Units.h"
 #include "perilymph/haptics/Snapshot.h"
 #include "perilymph/visualization/InsertionScene.h"
@@ -25,7 +24,7 @@ class StereoWindow;
 struct ReadOutTips;
 
 /// Shows the scene and its read-outs; the mouse rotates, moves and zooms the model.
-class OperationView : public QVTKOpenGLNativeWidget {
+class OperationView : public PlainVtkWidget {
   Q_OBJECT
 public:
   explicit OperationView(QWidget* parent);

@@ -97,14 +97,10 @@ private:
 
 void drawMeasures(Canvas& canvas, int view, const ct::ViewPlane& plane, const ct::Marks& marks)
 {
-  using ct::Mark;
-  constexpr std::array ends{std::pair{Mark::roundWindow, Mark::farWall},
-                            std::pair{Mark::nearB, Mark::farB}, std::pair{Mark::floor, Mark::apex}};
-  for (const auto& [one, other] : ends) {
-    const Eigen::Vector3d between = *marks[other] - *marks[one];
-    // only where the line lies in the plane, not where it comes out of the picture
-    if (std::fabs(plane.away_P().dot(between)) > 0.5 * between.norm()) continue;
-    canvas.draw(view, {plane.inPicture(*marks[one]), plane.inPicture(*marks[other])}, markColor);
+  for (const ct::MeasureLine& line : ct::measureLines) {
+    const Eigen::Vector3d &from = *marks[line.from], &to = *marks[line.to];
+    if (plane.runsAlong(from, to))
+      canvas.draw(view, {plane.inPicture(from), plane.inPicture(to)}, markColor);
   }
 }
 

@@ -5,14 +5,14 @@
 #include <vtkImageReslice.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkShortArray.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
+
+#include "volume/imageOf.h"
 
 namespace perilymph::imaging {
 
@@ -54,7 +54,6 @@ GrayWindow wholeWindow(const ct::CtVolume& volume)
 }
 
 struct PlaneSampler::Pipeline {
-  vtkNew<vtkImageData> image;
   vtkNew<vtkImageReslice> reslice;
   vtkNew<vtkMatrix4x4> axes;
   std::vector<std::uint8_t> gray;
@@ -63,17 +62,8 @@ struct PlaneSampler::Pipeline {
 PlaneSampler::PlaneSampler(std::shared_ptr<const ct::CtVolume> volume)
     : volume_(std::move(volume)), pipeline_(std::make_unique<Pipeline>())
 {
-  const auto voxels = volume_->voxels();
-  vtkNew<vtkShortArray> values;
-  // VTK only reads them; save = 1 leaves their memory to the volume
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)
-  values->SetArray(const_cast<std::int16_t*>(voxels.data()), static_cast<vtkIdType>(voxels.size()),
-                   1);
-  const auto& size = volume_->size();
-  pipeline_->image->SetDimensions(size[0], size[1], size[2]);
-  pipeline_->image->GetPointData()->SetScalars(values);
   vtkImageReslice& reslice = *pipeline_->reslice;
-  reslice.SetInputData(pipeline_->image);
+  reslice.SetInputData(imageOf(*volume_));
   reslice.SetInterpolationModeToLinear();
   reslice.SetBackgroundLevel(outside);
   reslice.SetOutputOrigin(0, 0, 0);

@@ -67,6 +67,16 @@ protected:
     QTest::mouseClick(list().viewport(), Qt::LeftButton, modifiers, place.center());
   }
   bool replayBarIsShown() { return rig_->window().findChild<gui::ReplayBar*>()->isVisible(); }
+  /// Types another name for the chosen recording.
+  void rename(const char* name)
+  {
+    rig_->click("renameButton");
+    auto* editor = list().findChild<QLineEdit*>();
+    ASSERT_NE(editor, nullptr);
+    editor->selectAll();
+    QTest::keyClicks(editor, name);
+    QTest::keyClick(editor, Qt::Key_Return);
+  }
   std::uint64_t replayedTick()
   {
     // "1.222 of 3.000 s" in ticks of a millisecond
@@ -220,12 +230,8 @@ TEST_F(Sessions, AreRenamed)
   record("first");
   openLibrary();
   choose(0);
-  rig_->click("renameButton");
-  auto* editor = list().findChild<QLineEdit*>();
-  ASSERT_NE(editor, nullptr);
-  editor->selectAll();
-  QTest::keyClicks(editor, "tuesday");
-  QTest::keyClick(editor, Qt::Key_Return);
+  rename("tuesday");
+  if (HasFatalFailure()) return;
   EXPECT_TRUE(WindowRig::comes([&] { return fs::exists(sessionFolder() / "tuesday.insertion"); }));
 }
 
@@ -234,14 +240,10 @@ TEST_F(Sessions, KeepTheTypedTextWhereANameIsRefused)
   record("first");
   openLibrary();
   choose(0);
-  rig_->click("renameButton");
-  auto* editor = list().findChild<QLineEdit*>();
-  ASSERT_NE(editor, nullptr);
-  editor->selectAll();
-  QTest::keyClicks(editor, "a/b");
-  QTest::keyClick(editor, Qt::Key_Return);
+  rename("a/b");
+  if (HasFatalFailure()) return;
   ASSERT_TRUE(WindowRig::comes([&] { return rig_->label("sessionStatus").contains("a/b"); }));
-  editor = list().viewport()->findChild<QLineEdit*>();
+  auto* editor = list().viewport()->findChild<QLineEdit*>();
   ASSERT_NE(editor, nullptr);
   EXPECT_EQ(editor->text(), "a/b");
   QTest::keyClick(editor, Qt::Key_Backspace);

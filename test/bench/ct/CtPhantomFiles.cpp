@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Writes a synthetic temporal bone as DICOM, for whoever has no CT at hand:
+// Writes a synthetic temporal bone as DICOM, for trying the programs without a CT:
 //
 //     perilymph-ct-phantom SEED FOLDER [cone-beam | high-resolution | clinical]
 //

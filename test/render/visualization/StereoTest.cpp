@@ -75,7 +75,7 @@ struct ArrayForTwoEyes : ::testing::Test {
     screen.scene.lookFrom(CameraPreset::overview);
     screen.scene.setMagnification(14);
     const Eigen::Vector3d tip = test::node_mm(now, test::arrayNodes - 1);
-    // the tip in the middle of the picture, as seen from between the eyes
+    // the tip in the center of the picture without stereo
     const Eigen::Vector2d off = screen.pixel(tip) - Eigen::Vector2d(320.0, 200.0);
     const double pixel_mm = 170.0 / 14.0 / 400.0;
     screen.scene.moveModel(-pixel_mm * off.x(), -pixel_mm * off.y());

@@ -31,6 +31,7 @@ void CtStudy::setCt(imaging::LoadedCt ct)
   // cone-beam scanners have gray values of their own
   const imaging::GrayWindow whole = imaging::wholeWindow(*volume_);
   window_ = series_.modality == "CT" ? imaging::boneWindow : whole;
+  Q_EMIT modelChanged();
   showWhole();
 }
 
@@ -42,7 +43,14 @@ void CtStudy::setMeasures(ct::CochleaMeasures measures)
   array_ = {};
   frame_ = PlaneFrame::cochlea;
   crosshair_P_ = ct::basalTurnCenter_P(*measures_);
+  Q_EMIT modelChanged();
   showWhole();
+}
+
+void CtStudy::announceModel()
+{
+  Q_EMIT modelChanged();
+  Q_EMIT changed();
 }
 
 void CtStudy::setFrame(PlaneFrame frame)
@@ -115,7 +123,7 @@ void CtStudy::setArray(InsertedArray array)
 {
   if (array.nodes.empty() && array_.nodes.empty()) return;
   array_ = std::move(array);
-  Q_EMIT changed();
+  announceModel();
 }
 
 ct::MarkedMeasures CtStudy::marked() const
@@ -137,14 +145,14 @@ void CtStudy::placeMark(ct::Mark mark, const Eigen::Vector3d& point_P)
 {
   if (!hasCt() || !volume_->contains(point_P)) return;
   marks_[mark] = point_P;
-  Q_EMIT changed();
+  announceModel();
 }
 
 void CtStudy::setMarks(const ct::Marks& marks)
 {
   beginChange();
   marks_ = marks;
-  Q_EMIT changed();
+  announceModel();
 }
 
 void CtStudy::undo()
@@ -153,7 +161,7 @@ void CtStudy::undo()
   redoStack_.push_back(marks_);
   marks_ = undoStack_.back();
   undoStack_.pop_back();
-  Q_EMIT changed();
+  announceModel();
 }
 
 void CtStudy::redo()
@@ -162,7 +170,7 @@ void CtStudy::redo()
   undoStack_.push_back(marks_);
   marks_ = redoStack_.back();
   redoStack_.pop_back();
-  Q_EMIT changed();
+  announceModel();
 }
 
 }  // namespace perilymph::gui

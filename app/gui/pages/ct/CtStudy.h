@@ -100,8 +100,12 @@ public:
 Q_SIGNALS:
   /// Something that is drawn or written changed.
   void changed();
+  /// Measures, landmarks or array changed, not only what is looked at; followed by changed().
+  void modelChanged();
 
 private:
+  void announceModel();
+
   std::shared_ptr<const ct::CtVolume> volume_;
   std::unique_ptr<imaging::PlaneSampler> sampler_;
   imaging::CtSeries series_;

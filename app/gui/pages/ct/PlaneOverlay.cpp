@@ -4,9 +4,7 @@
 #include <QLineF>
 #include <QPainter>
 #include <QVector>
-#include <array>
 #include <cmath>
-#include <utility>
 
 #include "gui/pages/ct/CtText.h"
 #include "gui/parts/Numbers.h"
@@ -18,7 +16,7 @@ namespace {
 
 // The colors lie on gray pictures in both schemes; each plane is also named.
 constexpr QRgb planeColors[]{0xffe69f00, 0xff56b4e9, 0xff9fd45f};
-constexpr QRgb outlineColor = 0xff45c4b0, lineColorOfA = 0xffffffff, shadowColor = 0xb0000000,
+constexpr QRgb outlineColor = 0xff45c4b0, measureColor = 0xffffffff, shadowColor = 0xb0000000,
                arrayColor = 0xffffe08a;
 constexpr double crosshairGap_px = 9.0, markRadius_px = 5.0, minBar_px = 40.0;
 constexpr double dimmestMark = 0.35;
@@ -120,23 +118,16 @@ void paintMarks(QPainter& painter, const CtStudy& study, const Projector& projec
   const auto isDrawn = [&](ct::Mark mark) {
     return marks[mark] && opacityOf(project.plane.behind(*marks[mark])) > 0.0;
   };
-  constexpr std::array lines{std::pair{ct::Mark::roundWindow, ct::Mark::farWall},
-                             std::pair{ct::Mark::nearB, ct::Mark::farB},
-                             std::pair{ct::Mark::floor, ct::Mark::apex}};
-  constexpr std::array names{"A", "B", "H"};
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    const auto [one, other] = lines[k];
-    // a line is drawn where it lies nearly in the plane
-    if (!marks[one] || !marks[other] || !(isDrawn(one) || isDrawn(other))) continue;
-    const Eigen::Vector3d between = *marks[other] - *marks[one];
-    const double aside = std::fabs(project.plane.away_P().dot(between));
-    if (aside > 0.5 * between.norm()) continue;
-    const QPointF from = project(*marks[one]), to = project(*marks[other]);
-    painter.setPen(QPen(QColor::fromRgba(lineColorOfA), 1.0, Qt::DashLine));
+  for (const ct::MeasureLine& line : ct::measureLines) {
+    const auto &one = marks[line.from], &other = marks[line.to];
+    if (!one || !other || !(isDrawn(line.from) || isDrawn(line.to))) continue;
+    if (!project.plane.runsAlong(*one, *other)) continue;
+    const QPointF from = project(*one), to = project(*other);
+    painter.setPen(QPen(QColor::fromRgba(measureColor), 1.0, Qt::DashLine));
     painter.drawLine(from, to);
     const QPointF middle = 0.5 * (from + to) + QPointF(6, -6);
     drawText(painter, QRectF(middle, QSizeF(24, 18)), Qt::AlignLeft | Qt::AlignTop,
-             QLatin1String(names[k]), Qt::white);
+             QLatin1String(line.name), Qt::white);
   }
   for (std::size_t k = 0; k < ct::markCount; ++k) {
     const auto mark = static_cast<ct::Mark>(k);

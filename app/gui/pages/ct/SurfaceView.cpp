@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "gui/parts/ChartLabels.h"
-#include "gui/scene/PlainWindow.h"
 #include "perilymph/imaging/MeasuredSurface.h"
 
 namespace perilymph::gui {
@@ -23,13 +22,11 @@ constexpr double minPathRadius_mm = 0.05;
 
 }  // namespace
 
-SurfaceView::SurfaceView(CtStudy& study, QWidget* parent)
-    : QVTKOpenGLNativeWidget(parent), study_(study)
+SurfaceView::SurfaceView(CtStudy& study, QWidget* parent) : PlainVtkWidget(parent), study_(study)
 {
   setObjectName(QStringLiteral("surfaceView"));
   setAccessibleName(tr("Measured cochlea, 3D"));
-  setPlainWindow(*this);
-  connect(&study_, &CtStudy::changed, this, &SurfaceView::refresh);
+  connect(&study_, &CtStudy::modelChanged, this, &SurfaceView::refresh);
 }
 
 SurfaceView::~SurfaceView() = default;
@@ -72,21 +69,6 @@ void SurfaceView::render()
   // before the widget is shown it has no OpenGL context; VTK renders when it gets one
   if (isValid()) renderWindow()->Render();
   update();
-}
-
-bool SurfaceView::event(QEvent* event)
-{
-  switch (event->type()) {
-    case QEvent::MouseButtonPress:
-    case QEvent::MouseButtonRelease:
-    case QEvent::MouseButtonDblClick:
-    case QEvent::MouseMove:
-    case QEvent::Wheel:
-      // Bypasses VTK, which would handle them. NOLINTNEXTLINE(bugprone-parent-virtual-call)
-      return QOpenGLWidget::event(event);
-    default:
-      return QVTKOpenGLNativeWidget::event(event);
-  }
 }
 
 void SurfaceView::mousePressEvent(QMouseEvent* event) { mouse_ = event->localPos(); }

@@ -3,17 +3,16 @@
 
 // The measured cochlea in 3D.
 
-#include <QVTKOpenGLNativeWidget.h>
-
 #include <memory>
 
 #include "gui/pages/ct/CtStudy.h"
+#include "gui/scene/PlainVtkWidget.h"
 #include "perilymph/visualization/SurfaceScene.h"
 
 namespace perilymph::gui {
 
 /// Shows the fitted wall with the landmarks; the mouse rotates and zooms it.
-class SurfaceView : public QVTKOpenGLNativeWidget {
+class SurfaceView : public PlainVtkWidget {
   Q_OBJECT
 public:
   SurfaceView(CtStudy& study, QWidget* parent);
@@ -26,7 +25,6 @@ Q_SIGNALS:
   void maximizeAsked();
 
 protected:
-  bool event(QEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/imaging/VolumeWriter.h"
 
-#include <vtkImageData.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNIFTIImageWriter.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkShortArray.h>
 
 #include <array>
 #include <bit>
@@ -15,6 +12,7 @@
 #include <string>
 
 #include "../VtkComplaints.h"
+#include "imageOf.h"
 #include "perilymph/foundation/AtomicFile.h"
 
 namespace perilymph::imaging {
@@ -61,18 +59,9 @@ bool writeNrrd(const ct::CtVolume& volume, const fs::path& file)
 
 bool writeNifti(const ct::CtVolume& volume, const fs::path& file)
 {
-  const auto& size = volume.size();
   const Eigen::Vector3d spacing = volume.spacing_mm();
-  const auto voxels = volume.voxels();
-  vtkNew<vtkShortArray> values;
-  // VTK only reads them; save = 1 leaves their memory to the volume
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)
-  values->SetArray(const_cast<std::int16_t*>(voxels.data()), static_cast<vtkIdType>(voxels.size()),
-                   1);
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(size[0], size[1], size[2]);
+  const auto image = imageOf(volume);
   image->SetSpacing(spacing.x(), spacing.y(), spacing.z());
-  image->GetPointData()->SetScalars(values);
   // NIfTI is RAS, and VTK's matrix takes millimeters, not indices
   Eigen::Matrix4d ras = volume.lpsFromIndex();
   ras.topRows<2>() = -ras.topRows<2>();

@@ -24,6 +24,15 @@ const char* nameOf(Mark mark);
 /// The landmark with a name in a file; empty for other names.
 std::optional<Mark> markNamed(const std::string& name);
 
+/// A measure between two landmarks.
+struct MeasureLine {
+  const char* name;  ///< "A", "B" or "H".
+  Mark from, to;
+};
+inline constexpr std::array<MeasureLine, 3> measureLines{{{"A", Mark::roundWindow, Mark::farWall},
+                                                          {"B", Mark::nearB, Mark::farB},
+                                                          {"H", Mark::floor, Mark::apex}}};
+
 /// Positions in P [mm]; empty where not placed.
 struct Marks {
   std::array<std::optional<Eigen::Vector3d>, markCount> points_P;

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,12 @@ struct ViewPlane {
   }
   /// Distance of a point from the plane, positive behind it as seen by the viewer [mm].
   double behind(const Eigen::Vector3d& point_P) const { return away_P().dot(point_P - center_P); }
+  /// Whether a line runs along the plane, within 30 degrees, and not out of it.
+  bool runsAlong(const Eigen::Vector3d& from_P, const Eigen::Vector3d& to_P) const
+  {
+    const Eigen::Vector3d between = to_P - from_P;
+    return std::fabs(away_P().dot(between)) <= 0.5 * between.norm();
+  }
 };
 
 /// Axial, coronal and sagittal planes through a point, as radiologists view them: the patient's left

@@ -2,6 +2,9 @@
 
 # The sets of precompiled headers (see precompile.cmake). None contains CLI11, whose definitions
 # would be compiled into every source.
+#
+# The window waits for people and for the modules: its own code is optimized less.
+set(window_options -O1)
 set(standard
   algorithm array atomic bit charconv chrono cmath cstdint filesystem fstream functional limits map memory
   optional span sstream stdexcept string string_view utility variant vector)
@@ -24,12 +27,14 @@ if(PERILYMPH_WINDOW AND PERILYMPH_TOOLKIT)
   perilymph_precompiled_headers(window
     LINKS Eigen3::Eigen ${PERILYMPH_QT}::Widgets
     DEFINITIONS QT_NO_KEYWORDS
+    OPTIONS ${window_options}
     HEADERS ${standard} ${eigen} ${widgets})
   if(PERILYMPH_TESTS)
     find_package(${PERILYMPH_QT} REQUIRED COMPONENTS Test)
     perilymph_precompiled_headers(window_tests
       LINKS Eigen3::Eigen ${PERILYMPH_QT}::Widgets ${PERILYMPH_QT}::Test GTest::gmock GTest::gtest
       DEFINITIONS QT_NO_KEYWORDS
+      OPTIONS ${window_options}
       HEADERS ${standard} ${eigen} ${widgets} QTest ${gtest})
   endif()
 endif()

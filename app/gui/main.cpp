@@ -118,7 +118,7 @@ WindowEnd runWindow(gui::Application& application, const gui::TerminationSignals
   const gui::ScreenLock screen(nullptr);
   QObject::connect(&screen, &gui::ScreenLock::locked, &window.insertion(),
                    &gui::InsertPage::stopDevice);
-  QObject::connect(&window, &gui::MainWindow::anewAsked, &window,
+  QObject::connect(&window, &gui::MainWindow::reopenAsked, &window,
                    [] { QCoreApplication::exit(openAnew); });
   // a screenshot or a benchmark uses the default size, not the last one
   const bool isPlain = !options.screenshot && !options.measuresFrames;

@@ -65,20 +65,20 @@ class Run(PretendedSystem):
         self.pretend("perilymph-cli", "echo 'No such array.' >&2; exit 1", self.programs)
         self.assert_one_sentence(self.call(SCRIPT), "did not run")
 
-    def test_a_second_start_configures_nothing_anew(self):
+    def test_a_second_start_does_not_configure_again(self):
         self.call(SCRIPT)
         self.call(SCRIPT)
         configured = [call for call in self.calls("cmake") if call.startswith("--preset")]
         self.assertEqual(configured, ["--preset release"])
 
-    def test_another_commit_configures_anew(self):
+    def test_another_commit_configures_again(self):
         self.call(SCRIPT)
         self.pretend("git", "echo another-commit")
         self.call(SCRIPT)
         configured = [call for call in self.calls("cmake") if call.startswith("--preset")]
         self.assertEqual(len(configured), 2)
 
-    def test_a_build_folder_from_another_place_is_made_anew(self):
+    def test_a_build_folder_from_another_place_is_replaced(self):
         cache = self.root / "build/release/CMakeCache.txt"
         cache.write_text("CMAKE_HOME_DIRECTORY:INTERNAL=/another/place\n")
         self.call(SCRIPT, DISPLAY=":7")

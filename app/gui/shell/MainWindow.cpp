@@ -94,7 +94,7 @@ void MainWindow::connectInsertion()
   connect(top_, &TopBar::keysAsked, &sheets_->help(), &Help::toggleKeys);
   connect(top_, &TopBar::settingsAsked, sheets_, &Sheets::toggleSettings);
   top_->setMenu(new MainMenu(*this, top_));
-  connect(sheets_, &Sheets::settingChosen, this, &MainWindow::anewAsked);
+  connect(sheets_, &Sheets::settingChosen, this, &MainWindow::reopenAsked);
 }
 
 void MainWindow::load(session::Scenario scenario, AfterLoading then)

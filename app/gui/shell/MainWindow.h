@@ -66,7 +66,7 @@ Q_SIGNALS:
   /// Another insertion is being recorded: control().recording().
   void recordingChanged();
   /// A setting was changed that requires a new window.
-  void anewAsked();
+  void reopenAsked();
 
 protected:
   void closeEvent(QCloseEvent* event) override;

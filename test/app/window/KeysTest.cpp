@@ -199,15 +199,16 @@ TEST(WindowHabits, AReopenedWindowStillShowsThatItsPresetWasModified)
 TEST(WindowHabits, TheSettingsSheetOpensAndAChoiceIsKept)
 {
   WindowRig rig;
-  int anew = 0;
-  QObject::connect(&rig.window(), &gui::MainWindow::anewAsked, &rig.window(), [&] { ++anew; });
+  int reopenings = 0;
+  QObject::connect(&rig.window(), &gui::MainWindow::reopenAsked, &rig.window(),
+                   [&] { ++reopenings; });
   rig.pressKey(Qt::Key_Comma, Qt::ControlModifier);
   auto* sheet = rig.window().findChild<gui::SettingsSheet*>();
   ASSERT_TRUE(sheet->isVisible());
   rig.click("look-light");
-  EXPECT_EQ(anew, 1);
+  EXPECT_EQ(reopenings, 1);
   rig.click("look-dark");
-  EXPECT_EQ(anew, 2);
+  EXPECT_EQ(reopenings, 2);
   rig.pressKey(Qt::Key_Escape);
   EXPECT_FALSE(sheet->isVisible());
 }

@@ -47,7 +47,7 @@ const std::string* overrideOf(const Overrides& overrides, const char* key)
   return last == overrides.rend() ? nullptr : &last->second;
 }
 
-/// An array named anew does not take over the calibration that a file gives for its own.
+/// An array chosen again does not take over the calibration that a file gives for its own.
 void forgetCalibrationOfOtherArray(TomlReader& reader, const Overrides& overrides)
 {
   const std::string* array = overrideOf(overrides, "array");
@@ -57,7 +57,7 @@ void forgetCalibrationOfOtherArray(TomlReader& reader, const Overrides& override
     if (overrideOf(overrides, key) == nullptr) reader.remove(key);
 }
 
-/// A model named anew does not take over the number of nodes that a file gives for its own.
+/// A model chosen again does not take over the number of nodes that a file gives for its own.
 void forgetNodesOfOtherModel(TomlReader& reader, const Overrides& overrides)
 {
   const std::string* model = overrideOf(overrides, "model");

@@ -9,6 +9,7 @@
 #include "CtOptions.h"
 #include "EmptyValues.h"
 #include "FileOptions.h"
+#include "StudyOptions.h"
 #include "perilymph/anatomy/AnatomySource.h"
 
 namespace perilymph::cli {
@@ -321,6 +322,7 @@ void addCommands(CLI::App& app, FileOptions& files, CommandOptions& options)
   addCompare(app, files, options.compare);
   addDevices(app, files, options.devices);
   addCt(app, files, options);
+  addStudy(app, files, options.study);
   refuseEmptyValues(app);
 }
 
@@ -334,6 +336,7 @@ Result<Done> runCommand(const CLI::App& app, const CallFiles& files, const Comma
   if (app.got_subcommand("predict")) return predict(options.predict, files);
   if (app.got_subcommand("compare")) return compare(options.compare, files);
   if (app.got_subcommand("devices")) return devices(options.devices);
+  if (app.got_subcommand("study")) return runStudy(*app.get_subcommand("study"), options.study);
   if (app.got_subcommand("ct")) return runCt(*app.get_subcommand("ct"), options);
   return render(options.render, files);
 }

@@ -119,6 +119,22 @@ struct CtExportOptions {
 };
 Result<Done> ctExport(const CtExportOptions& options);
 
+/// Options of all `study` commands; each uses some.
+struct StudyOptions {
+  std::string file, folder;
+  unsigned jobs = 0;                  ///< 0: one per processor.
+  std::size_t index = 1, shards = 1;  ///< Part `index` of `shards`, from 1.
+  std::string partition, time;        ///< For Slurm; its defaults if empty.
+  std::vector<std::string> sbatchOptions;
+  bool isDryRun = false;
+};
+Result<Done> checkStudy(const StudyOptions& options);
+Result<Done> runWholeStudy(const StudyOptions& options);
+Result<Done> runStudyShard(const StudyOptions& options);
+Result<Done> mergeStudy(const StudyOptions& options);
+Result<Done> showStudyStatus(const StudyOptions& options);
+Result<Done> submitStudy(const StudyOptions& options);
+
 /// The options of all commands; filled while the command line is parsed.
 struct CommandOptions {
   SimulateOptions simulate;
@@ -133,6 +149,7 @@ struct CommandOptions {
   CtInfoOptions ctInfo;
   CtMeasureOptions ctMeasure;
   CtExportOptions ctExport;
+  StudyOptions study;
 };
 
 }  // namespace perilymph::cli

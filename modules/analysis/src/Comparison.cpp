@@ -6,8 +6,8 @@
 #include <limits>
 #include <map>
 
-#include "CsvField.h"
 #include "RoundedTravel.h"
+#include "perilymph/analysis/CsvField.h"
 #include "perilymph/session/Csv.h"
 #include "perilymph/session/RecordedInsertion.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "InParallel.h"
+#include "perilymph/analysis/InParallel.h"
 
 #include <algorithm>
 #include <chrono>

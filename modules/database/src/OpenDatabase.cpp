@@ -78,6 +78,33 @@ std::int64_t maxInstructionsFor(const fs::path& file)
   return 1'000'000 + 4 * (ignored ? 0 : bytes);
 }
 
+/// What is known of a file before SQLite reads it.
+struct Inspected {
+  fs::path place;  ///< Companion files lie beside the file itself, not beside a link to it.
+  FileHeader header;
+  Companions companions;
+};
+
+Result<Inspected> inspect(const fs::path& file, const FileKind& kind)
+{
+  const std::string name = file.string();
+  std::error_code problem;
+  if (fs::is_directory(file, problem)) return Error{name + " is a folder. " + kind.choice};
+  if (!fs::exists(file, problem)) return Error{name + " does not exist. Check the name."};
+  if (!mayAccess(file, R_OK)) return Error{name + " may not be read. Check its permissions."};
+
+  Inspected inspected;
+  inspected.place = fs::canonical(file, problem);
+  if (problem) return Error{name + " cannot be found: " + problem.message() + "."};
+  if (fs::is_regular_file(inspected.place, problem)) inspected.header = readHeader(inspected.place);
+  if (!inspected.header.isDatabase)
+    return Error{name + " is not " + kind.name + ". " + kind.choice};
+  const auto companions = companionsOf(inspected.place);
+  if (!companions) return companions.error();
+  inspected.companions = *companions;
+  return inspected;
+}
+
 }  // namespace
 
 Result<Database> Database::openNew(const fs::path& file)
@@ -92,42 +119,56 @@ Result<Database> Database::openNew(const fs::path& file)
   return Database(std::move(content));
 }
 
+Result<Database> Database::openToAppend(const fs::path& file, const FileKind& kind)
+{
+  const auto inspected = inspect(file, kind);
+  if (!inspected) return inspected.error();
+  const std::string name = file.string();
+  if (!mayWrite(inspected->place))
+    return Error{name + " may not be written. Check its permissions and those of its folder."};
+  auto content = std::make_unique<Content>();
+  content->file = file;
+  content->remedy = kind.remedy;
+  if (!inspected->header.isWhole && !inspected->companions.hasLog)
+    return content->error("it is cut short");
+  if (const auto done = content->open(inspected->place, Content::Access::readWrite); !done)
+    return content->error(done.error().message);
+  Database database(std::move(content));
+  // Taken at once, so that a second writer is refused before it has done any work.
+  if (!database.run("PRAGMA locking_mode=EXCLUSIVE; BEGIN IMMEDIATE; COMMIT"))
+    return Error{name + " is being written by another process, or cannot be locked (" +
+                 database.lastError() + "). Wait until that process has ended."};
+  if (const auto done = database.content_->check(kind); !done) return done.error();
+  return database;
+}
+
 Result<Database> Database::open(const fs::path& file, const FileKind& kind, ShouldStop shouldStop)
 {
+  auto inspected = inspect(file, kind);
+  if (!inspected) return inspected.error();
+  const auto& [place, header, companions] = *inspected;
   const std::string name = file.string();
-  std::error_code problem;
-  if (fs::is_directory(file, problem)) return Error{name + " is a folder. " + kind.choice};
-  if (!fs::exists(file, problem)) return Error{name + " does not exist. Check the name."};
-  if (!mayAccess(file, R_OK)) return Error{name + " may not be read. Check its permissions."};
-
-  // Companion files lie beside the file itself, not beside a link to it.
-  const fs::path place = fs::canonical(file, problem);
-  if (problem) return Error{name + " cannot be found: " + problem.message() + "."};
-  const FileHeader header = fs::is_regular_file(place, problem) ? readHeader(place) : FileHeader{};
-  if (!header.isDatabase) return Error{name + " is not " + kind.name + ". " + kind.choice};
-  const auto companions = companionsOf(place);
-  if (!companions) return companions.error();
 
   auto content = std::make_unique<Content>();
   content->file = file;
   content->remedy = kind.remedy;
   content->watch->shouldStop = std::move(shouldStop);
   content->watch->maxInstructions = maxInstructionsFor(place);
-  if (!header.isWhole && !companions->hasLog) return content->error("it is cut short");
+  if (!header.isWhole && !companions.hasLog) return content->error("it is cut short");
 
   const bool isWritable = mayWrite(place);
-  if (companions->hasLog && !isWritable)
+  if (companions.hasLog && !isWritable)
     content->note = name +
                     " was not closed and lies where nothing may be written, so the ticks in its "
                     "-wal file are not read. Copy both files to a folder you may write to.";
-  const auto read = [&](Content::Access access) -> Result<Done> {
+  const auto read = [&, &place = place](Content::Access access) -> Result<Done> {
     content->watch->instructions = 0;
     if (const auto done = content->open(place, access); !done)
       return content->error(done.error().message);
     return content->check(kind);
   };
   // Without recovery nothing is written, not even a lock.
-  const bool recovers = isWritable && companions->areToRead;
+  const bool recovers = isWritable && companions.areToRead;
   auto done = read(recovers ? Content::Access::readWrite : Content::Access::immutable);
   // If the disk is too full for recovery, checkpointed content can still be read.
   if (!done && recovers && header.isWhole && !content->watch->wasStopped) {

@@ -49,6 +49,16 @@ double anyWithin(Range allowed)
   return std::isfinite(allowed.high) ? allowed.high : 0.0;
 }
 
+/// A number, text, true or false as it would follow `--set key=`; empty for any other node.
+std::optional<std::string> scalarText(const toml::node& node)
+{
+  if (const auto text = node.value_exact<std::string>()) return *text;
+  if (const auto flag = node.value_exact<bool>()) return *flag ? "true" : "false";
+  if (const auto whole = node.value_exact<std::int64_t>()) return std::to_string(*whole);
+  if (const auto number = finiteNumber(node)) return shortest(*number);
+  return std::nullopt;
+}
+
 /// Renames the keys of a table and its inner tables to their current names and lists the old ones.
 /// A key given under both names is an error.
 Result<Done> renameKeys(toml::table& table, const std::string& name, const std::string& path,
@@ -237,6 +247,50 @@ std::vector<double> TomlReader::numbers(std::string_view key, Range allowed, std
     values.push_back(*value);
   }
   return values;
+}
+
+std::vector<std::string> TomlReader::keys() const
+{
+  std::vector<std::string> names;
+  for (auto&& [key, node] : content_->table) names.emplace_back(key.str());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::vector<std::string> TomlReader::values(std::string_view key)
+{
+  std::vector<std::string> texts;
+  const toml::node* node = content_->ask(key);
+  const toml::array* list = node != nullptr ? node->as_array() : nullptr;
+  const std::string mustBe = "a list of at least one number, text, true or false";
+  if (list == nullptr || list->empty()) {
+    if (node == nullptr)
+      content_->keepMissing(key, mustBe);
+    else
+      content_->keepInvalid(key, *node, mustBe);
+    return texts;
+  }
+  for (const toml::node& entry : *list) {
+    const auto text = scalarText(entry);
+    if (!text) {
+      content_->keepInvalid(key, *node, mustBe);
+      return {};
+    }
+    texts.push_back(*text);
+  }
+  return texts;
+}
+
+std::string TomlReader::value(std::string_view key)
+{
+  const toml::node* node = content_->ask(key);
+  const std::string mustBe = "a number, text, true or false";
+  const auto text = node != nullptr ? scalarText(*node) : std::nullopt;
+  if (node == nullptr)
+    content_->keepMissing(key, mustBe);
+  else if (!text)
+    content_->keepInvalid(key, *node, mustBe);
+  return text.value_or("");
 }
 
 std::vector<TomlReader> TomlReader::tables(std::string_view key)

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "perilymph/analysis/RandomStream.h"
 #include "perilymph/session/Insertion.h"
-#include "statistics/RandomStream.h"
 #include "validation/ExperimentDevice.h"
 
 namespace perilymph::analysis {

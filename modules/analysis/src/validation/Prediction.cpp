@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "InParallel.h"
-#include "perilymph/device/ScriptedDevice.h"
-#include "perilymph/foundation/Math.h"
+#include "perilymph/analysis/FullInsertion.h"
+#include "perilymph/analysis/InParallel.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/TomlReader.h"
 #include "perilymph/session/Csv.h"
-#include "perilymph/session/Insertion.h"
 
 namespace perilymph::analysis {
 
@@ -18,30 +16,6 @@ namespace {
 
 /// A fifth of the ticks of a live insertion; forces change by less than 0.4 mN.
 constexpr Duration timeStep = milliseconds(5);
-
-/// Angle from the round window of the point at a distance from the tip, tracked along the array
-/// from the opening, so that turns add up; 0 before the round window.
-double angleAlong(const mechanics::InsertionModel& model, const mechanics::InsertionState& state,
-                  double fromTip)
-{
-  double angle = 0.0;
-  bool isInside = false;
-  Eigen::Vector3d before = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < state.position_W.size() && model.fromTip[i] >= fromTip; ++i) {
-    const Eigen::Vector3d& now = state.position_W[i];
-    if (isInside)
-      angle += arcTangent(before.x() * now.y() - before.y() * now.x(),
-                          before.x() * now.x() + before.y() * now.y());
-    // The plane of the round window is that of angle zero: y = 0 at positive x.
-    if (!isInside && now.x() > 0.0 && now.y() > 0.0 &&
-        (now - model.entry.origin_W).dot(model.entry.out_W) < 0.0) {
-      isInside = true;
-      angle = arcTangent(now.y(), now.x());
-    }
-    before = now;
-  }
-  return angle;
-}
 
 /// The cochlea with a given number: 0 is the mean one, the others are drawn.
 Result<session::InsertionParameters> withCochlea(const session::InsertionParameters& nominal,
@@ -63,38 +37,14 @@ PredictedInsertion insert(const session::InsertionParameters& parameters,
                           std::shared_ptr<const anatomy::ScalaTympani> anatomy,
                           const std::atomic<bool>& isAsked)
 {
+  const FullInsertion full = insertFully(parameters, std::move(anatomy), Length{}, isAsked);
   PredictedInsertion predicted;
-  auto insertion = session::Insertion::prepare(
-      parameters,
-      std::make_unique<device::ScriptedDevice>(parameters.speed.si(), parameters.timeStep.si()),
-      std::move(anatomy));
-  if (!insertion) {
-    predicted.error = insertion.error().message;
-    return predicted;
-  }
-  haptics::TickOutput last;
-  double peak = 0.0;
-  const double ticks =
-      2.0 * parameters.stopTravel.si() / (parameters.speed.si() * parameters.timeStep.si()) +
-      1000.0;
-  const auto ran = (*insertion)
-                       ->runToEnd(
-                           [&](const haptics::TickRecord& record) {
-                             last = record.output;
-                             peak = std::max(peak, last.axialForce);
-                             return !isAsked;
-                           },
-                           static_cast<std::uint64_t>(ticks));
-  if (!ran) predicted.error = ran.error().message;
-  if (ran && last.workflow != haptics::Workflow::finished)
-    predicted.error = "The array did not reach full depth.";
-  const auto& contacts = parameters.array.contactsFromTip;
-  predicted.apical =
-      radians(angleAlong((*insertion)->model(), (*insertion)->loop().engine().state(),
-                         contacts.empty() ? 0.0 : contacts.front().si()));
-  predicted.depth = meters(last.depth);
-  predicted.end = newtons(last.axialForce);
-  predicted.peak = newtons(peak);
+  if (full.end != InsertionEnd::finished)
+    predicted.error = full.reason.empty() ? "The array did not reach full depth." : full.reason;
+  predicted.apical = full.apical;
+  predicted.depth = full.depth;
+  predicted.end = full.endForce;
+  predicted.peak = full.peak.force;
   return predicted;
 }
 

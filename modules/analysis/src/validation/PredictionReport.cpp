@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <nlohmann/json.hpp>
 
-#include "CsvField.h"
+#include "perilymph/analysis/CsvField.h"
 #include "perilymph/analysis/Prediction.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/session/Csv.h"

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "InParallel.h"
+#include "perilymph/analysis/InParallel.h"
+#include "perilymph/analysis/RandomStream.h"
 #include "statistics/LeastSquaresSpline.h"
-#include "statistics/RandomStream.h"
 #include "validation/MeasuredInsertion.h"
 
 namespace perilymph::analysis {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "perilymph/analysis/RandomStream.h"
 #include "perilymph/foundation/Math.h"
 #include "perilymph/foundation/TomlReader.h"
-#include "statistics/RandomStream.h"
 
 namespace perilymph::analysis {
 

@@ -68,6 +68,10 @@ public:
   static Result<Database> open(const std::filesystem::path& file, const FileKind& kind,
                                ShouldStop shouldStop = {});
 
+  /// Opens a file of a given kind to add to it, with the same checks. Refuses a file that may not be
+  /// written and one that another process writes.
+  static Result<Database> openToAppend(const std::filesystem::path& file, const FileKind& kind);
+
   Database(Database&&) noexcept;
   Database& operator=(Database&&) noexcept;
   ~Database();

@@ -59,6 +59,13 @@ public:
   /// A list of finite numbers, each within the range, of at least `fewest` entries.
   std::vector<double> numbers(std::string_view key, Range allowed, std::size_t fewest);
 
+  /// The keys of this table, sorted, for a table whose keys are the user's choice.
+  std::vector<std::string> keys() const;
+  /// A list of at least one number, text, true or false, each as it would follow `--set key=`.
+  std::vector<std::string> values(std::string_view key);
+  /// One such value.
+  std::string value(std::string_view key);
+
   /// The tables of `[[key]]`, each to be read and finished separately; empty if absent.
   std::vector<TomlReader> tables(std::string_view key);
   /// The table `[key]`; an empty one if absent.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// Text as a field of a CSV file.
+
 #include <algorithm>
 #include <string>
 

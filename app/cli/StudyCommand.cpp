@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <thread>
+
+#include "Commands.h"
+#include "Interruption.h"
+#include "Terminal.h"
+#include "perilymph/analysis/FullInsertion.h"
+#include "perilymph/study/StudyFile.h"
+#include "perilymph/study/StudyRun.h"
+
+namespace perilymph::cli {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point begin)
+{
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// "40 s", "12 min", "3.5 h".
+std::string durationText(double seconds)
+{
+  if (seconds < 100.0) return fixed(seconds, 0) + " s";
+  if (seconds < 6000.0) return fixed(seconds / 60.0, 0) + " min";
+  return fixed(seconds / 3600.0, 1) + " h";
+}
+
+/// "300 kB", "12 MB", "3.5 GB".
+std::string sizeText(double bytes)
+{
+  if (bytes < 1e6) return fixed(bytes / 1e3, 0) + " kB";
+  if (bytes < 1e9) return fixed(bytes / 1e6, 0) + " MB";
+  return fixed(bytes / 1e9, 1) + " GB";
+}
+
+/// Shows done insertions, rate and time left if standard error is a terminal; asks for an end after
+/// an interruption.
+study::StudyProgress progressShown()
+{
+  const auto begin = Clock::now();
+  auto before = std::make_shared<std::optional<std::size_t>>();
+  return [begin, before](std::size_t done, std::size_t all) {
+    if (!*before) *before = done;  // from an earlier run
+    const double seconds = secondsSince(begin);
+    const double rate = static_cast<double>(done - **before) / std::max(seconds, 1e-3);
+    if (::isatty(STDERR_FILENO) != 0) {
+      printError("\r\x1b[Kinsertion {} of {}, {} per second", done, all, fixed(rate, 1));
+      if (rate > 0.0 && done < all)
+        printError(", {} left", durationText(static_cast<double>(all - done) / rate));
+      if (done == all) printError("\r\x1b[K");
+      std::fflush(stderr);
+    }
+    return !isInterrupted();
+  };
+}
+
+Result<study::Shard> shardIn(const study::Study& study, const StudyOptions& options)
+{
+  if (options.index > options.shards)
+    return Error{"--index " + std::to_string(options.index) + " is above --of " +
+                 std::to_string(options.shards) + ". Parts count from 1."};
+  return study::shardOf(study.size(), options.index, options.shards);
+}
+
+/// Runs a shard with progress. An interruption is an error that says what was kept.
+Result<Done> runPart(const study::Study& study, const study::Shard& shard,
+                     const StudyOptions& options)
+{
+  watchForInterruption();
+  const auto done = study::runShard(study, shard, options.folder, options.jobs, progressShown());
+  if (!done) return done.error();
+  if (*done) return Done{};
+  return Error{"Interrupted; what was done is kept. The same command continues."};
+}
+
+}  // namespace
+
+Result<Done> checkStudy(const StudyOptions& options)
+{
+  const auto study = study::loadStudy(options.file);
+  if (!study) return study.error();
+  print("{}: {} insertions, {} cochleae with {} each\n", study->title(), study->size(),
+        study->cochleae().size(), study->casesPerCochlea());
+
+  // One insertion of each of some combinations in the first cochlea, as a sample of the duration.
+  const std::size_t tried = std::min<std::size_t>(study->casesPerCochlea(), 3);
+  const std::atomic<bool> isAsked{false};
+  std::shared_ptr<const anatomy::ScalaTympani> anatomy;
+  double buildTime = 0.0, insertionTime = 0.0, bytes = 0.0;
+  for (std::size_t i = 0; i < tried; ++i) {
+    const auto parameters =
+        study->parametersOf(study->caseAt(i * (study->casesPerCochlea() / tried)));
+    if (!parameters) return parameters.error();
+    auto begin = Clock::now();
+    if (!anatomy) {
+      auto built = session::buildAnatomy(*parameters);
+      if (!built) return built.error();
+      anatomy = *built;
+      buildTime = secondsSince(begin);
+      begin = Clock::now();
+    }
+    const analysis::FullInsertion found =
+        analysis::insertFully(*parameters, anatomy, study->profileSpacing(), isAsked);
+    insertionTime += secondsSince(begin) / static_cast<double>(tried);
+    // Bytes of a row of each table, in the shard and in the merged file and table.
+    const double contacts =
+        study->keepsContacts() ? static_cast<double>(found.contacts.size()) : 0.0;
+    bytes += (2.0 * (330.0 + 55.0 * contacts + 30.0 * static_cast<double>(found.profile.size())) +
+              250.0) /
+             static_cast<double>(tried);
+  }
+  const auto cochleae = static_cast<double>(study->cochleae().size());
+  const auto cases = static_cast<double>(study->size());
+  const double seconds = cochleae * buildTime + cases * insertionTime;
+  const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
+  print("about {} on {} cores of this machine, {} on disk\n", durationText(seconds / cores), cores,
+        sizeText(cases * bytes));
+  return Done{};
+}
+
+Result<Done> runWholeStudy(const StudyOptions& options)
+{
+  const auto study = study::loadStudy(options.file);
+  if (!study) return study.error();
+  const auto done = runPart(*study, study::shardOf(study->size(), 1, 1), options);
+  if (!done) return done;
+  return mergeStudy(options);
+}
+
+Result<Done> runStudyShard(const StudyOptions& options)
+{
+  const auto study = study::loadStudy(options.file);
+  if (!study) return study.error();
+  const auto shard = shardIn(*study, options);
+  if (!shard) return shard.error();
+  const auto done = runPart(*study, *shard, options);
+  if (!done) return done;
+  print("{}: insertions {} to {}\n",
+        (std::filesystem::path(options.folder) / fileNameOf(*shard)).string(), shard->first,
+        shard->end == shard->first ? shard->first : shard->end - 1);
+  return Done{};
+}
+
+Result<Done> mergeStudy(const StudyOptions& options)
+{
+  const auto count = study::mergeShards(options.folder);
+  if (!count) return count.error();
+  const std::filesystem::path folder(options.folder);
+  print("{} insertions\n{}\n{}\n", *count, (folder / study::mergedFile).string(),
+        (folder / study::mergedTable).string());
+  return Done{};
+}
+
+Result<Done> showStudyStatus(const StudyOptions& options)
+{
+  const auto states = study::shardsIn(options.folder);
+  if (!states) return states.error();
+  std::size_t done = 0, all = 0;
+  for (const study::ShardState& state : *states) {
+    if (!state.error.empty()) {
+      print("{}\n", state.error);
+      continue;
+    }
+    const std::size_t own = state.shard.end - state.shard.first;
+    done += state.done;
+    all += own;
+    print("{}: {} of {}\n", state.file.filename().string(), state.done, own);
+  }
+  print("{} parts, {} of {} insertions\n", states->size(), done, all);
+  return Done{};
+}
+
+}  // namespace perilymph::cli

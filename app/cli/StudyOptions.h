@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "perilymph/foundation/Result.h"
+
+namespace CLI {
+class App;
+}
+
+namespace perilymph::cli {
+
+class CallFiles;
+class FileOptions;
+struct StudyOptions;
+
+/// Declares `study check`, `run`, `shard`, `merge`, `status` and `submit`.
+void addStudy(CLI::App& app, FileOptions& files, StudyOptions& options);
+/// Runs the one that was given.
+Result<Done> runStudy(const CLI::App& study, const StudyOptions& options);
+
+}  // namespace perilymph::cli

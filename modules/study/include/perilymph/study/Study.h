@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// A study: which insertions, in which cochleae, and what is kept of them.
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "perilymph/foundation/Result.h"
+#include "perilymph/foundation/Units.h"
+#include "perilymph/session/Scenario.h"
+
+namespace perilymph::study {
+
+/// One insertion of a study.
+struct StudyCase {
+  std::size_t number = 0;        ///< From 0.
+  std::size_t cochlea = 0;       ///< Index into Study::cochleae().
+  session::Overrides overrides;  ///< Values that replace those of the study's scenario.
+};
+
+/// A cochlea of a study.
+struct StudyCochlea {
+  std::string name;        ///< "mean", "virtual 17" or the patient's file.
+  std::string patient;     ///< The patient's file; empty for the others.
+  std::uint64_t draw = 0;  ///< Number of the virtual patient from 1; 0 for the others.
+};
+
+/// A range from which a scenario's value is drawn.
+struct StudyRange {
+  std::string key;
+  double low = 0.0, high = 0.0;
+};
+
+/// A study as read from its file; immutable. Case k depends on the text of the study, its seed and
+/// k alone: any part of a study can be run anywhere, in any order.
+///
+/// Every combination of the lists is run in every cochlea, `samples` times if there are ranges. The
+/// ranges are sampled by a Latin hypercube over all cochleae and samples, the same for every
+/// combination.
+class Study {
+public:
+  const std::string& title() const noexcept { return title_; }
+  /// The study's file, line by line as read.
+  const std::string& text() const noexcept { return text_; }
+  /// SHA-256 of the text and of all files it names, 64 hexadecimal digits.
+  const std::string& fingerprint() const noexcept { return fingerprint_; }
+  std::uint64_t seed() const noexcept { return seed_; }
+  const std::vector<StudyCochlea>& cochleae() const noexcept { return cochleae_; }
+  const std::vector<StudyRange>& ranges() const noexcept { return ranges_; }
+  /// Distance between the points of the force profiles that are kept; 0: none are.
+  Length profileSpacing() const noexcept { return profileSpacing_; }
+  /// Whether the position of each contact is kept.
+  bool keepsContacts() const noexcept { return keepsContacts_; }
+
+  std::size_t casesPerCochlea() const noexcept { return combinations_.size() * samples_; }
+  /// Number of insertions.
+  std::size_t size() const noexcept { return cochleae_.size() * casesPerCochlea(); }
+  /// Case `number`, below size(). All cases of a cochlea are consecutive.
+  StudyCase caseAt(std::size_t number) const;
+
+  /// The parameters of a case. The `cochlea` among them is the same for all cases of a cochlea, so
+  /// that its anatomy is built once.
+  Result<session::InsertionParameters> parametersOf(const StudyCase& one) const;
+
+private:
+  friend class StudyReader;
+
+  std::string title_, text_, fingerprint_;
+  std::uint64_t seed_ = 1;
+  bool isFullDepth_ = true;
+  std::vector<StudyCochlea> cochleae_;
+  std::vector<session::Overrides> combinations_;
+  std::vector<session::Scenario> scenarios_;  ///< One per combination, in the scenario's cochlea.
+  std::vector<StudyRange> ranges_;
+  std::size_t samples_ = 1;
+  /// Stratum of each (cochlea, sample) in each range.
+  std::vector<std::vector<std::uint32_t>> strata_;
+  Length profileSpacing_;
+  bool keepsContacts_ = false;
+};
+
+/// Maximum number of insertions of a study.
+inline constexpr std::size_t maxCases = 10'000'000;
+
+/// Reads a study and checks it whole: every combination is read as a scenario, every range at both
+/// ends, every patient. Errors name the file, the key and what is allowed.
+Result<Study> loadStudy(const std::filesystem::path& file);
+/// The same from its text; files it names are looked for beside `file`.
+Result<Study> parseStudy(const std::string& text, const std::filesystem::path& file);
+
+}  // namespace perilymph::study

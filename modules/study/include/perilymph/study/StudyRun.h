@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Running a study: in one process, or in shards of which each is a process anywhere.
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "perilymph/foundation/Result.h"
+#include "perilymph/study/Study.h"
+
+namespace perilymph::study {
+
+/// A part of a study: consecutive cases.
+struct Shard {
+  std::size_t index = 1, count = 1;  ///< Number `index` of `count`, from 1.
+  std::size_t first = 0, end = 0;    ///< Cases first to end - 1.
+};
+/// Part `index` of a study of `cases` insertions; parts differ by one insertion at most.
+Shard shardOf(std::size_t cases, std::size_t index, std::size_t count);
+/// "shard-3-of-16.sqlite".
+std::string fileNameOf(const Shard& shard);
+
+/// Receives the numbers of done and of all insertions; returns false to stop.
+using StudyProgress = std::function<bool(std::size_t done, std::size_t all)>;
+
+/// Runs a shard into its file in the folder, or goes on where an earlier run ended. Results are
+/// written in blocks by transactions: whatever ends the process, whole blocks remain. An insertion
+/// that cannot be prepared or that ends early is a result.
+///
+/// @param jobs  Threads; 0: one per processor. Results do not depend on it.
+/// @return      True if the shard is complete, false if it was stopped. Refuses a file of another
+///              study, of another version of the study or of another build of the program.
+Result<bool> runShard(const Study& study, const Shard& shard, const std::filesystem::path& folder,
+                      unsigned jobs, const StudyProgress& progress);
+
+/// State of one shard's file in a folder.
+struct ShardState {
+  std::filesystem::path file;
+  Shard shard;           ///< Without index and count if the file is not readable.
+  std::size_t done = 0;  ///< Insertions in it.
+  std::string error;     ///< A message if it is not readable.
+};
+/// The shards in a folder, sorted by their first case.
+Result<std::vector<ShardState>> shardsIn(const std::filesystem::path& folder);
+
+/// Merges the complete shards of a folder into `study.sqlite` and `insertions.csv` in it. The same
+/// study gives the same bytes, however it was divided. Refuses shards of different studies, and
+/// missing, incomplete, overlapping or damaged ones by name, and says which to run again.
+///
+/// @return  The number of insertions.
+Result<std::size_t> mergeShards(const std::filesystem::path& folder);
+
+/// Names of the files that mergeShards() writes.
+inline constexpr const char* mergedFile = "study.sqlite";
+inline constexpr const char* mergedTable = "insertions.csv";
+
+}  // namespace perilymph::study

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "perilymph/study/Study.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "LatinHypercube.h"
+#include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/Sha256.h"
+#include "perilymph/foundation/TomlReader.h"
+#include "perilymph/session/Csv.h"
+
+namespace perilymph::study {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Keys of a scenario that a study does not vary, and why.
+struct FixedKey {
+  std::string_view key, remedy;
+};
+constexpr std::array<FixedKey, 7> fixedKeys = {{
+    {"anatomy", "it is that of the cochleae: set it in the scenario"},
+    {"patient", "list patients under [cochleae]"},
+    {"side", "it is that of the patient"},
+    {"lead_in_mm", "it belongs to the cochlea: set it in the scenario"},
+    {"seed", "the study has a seed of its own"},
+    {"title", "it has no effect"},
+    {"withdraw", "a study inserts only"},
+}};
+
+/// Appends every value of a key to every combination: the last key varies fastest.
+void cross(std::vector<session::Overrides>& combinations, const std::string& key,
+           const std::vector<std::string>& values)
+{
+  std::vector<session::Overrides> crossed;
+  for (const session::Overrides& before : combinations)
+    for (const std::string& value : values) {
+      crossed.push_back(before);
+      crossed.back().emplace_back(key, value);
+    }
+  combinations = std::move(crossed);
+}
+
+std::string textOf(const session::Overrides& overrides)
+{
+  std::string text;
+  for (const auto& [key, value] : overrides) text += (text.empty() ? "" : ", ") + key + "=" + value;
+  return text.empty() ? "the scenario as it is" : text;
+}
+
+}  // namespace
+
+/// Reads and checks the text of a study.
+class StudyReader {
+public:
+  StudyReader(TomlReader reader, const fs::path& file, const std::string& text)
+      : reader_(std::move(reader)), file_(file)
+  {
+    study_.text_ = text;
+  }
+
+  Result<Study> read();
+
+private:
+  Result<Done> readCochleae();
+  Result<Done> readFactors();
+  Result<Done> readSamples();
+  Result<Done> checkCombinations();
+  Error error(const std::string& sentence) const { return Error{file_.string() + ": " + sentence}; }
+
+  TomlReader reader_;
+  fs::path file_;
+  Study study_;
+  std::string scenario_;
+  std::size_t patients_ = 0;
+  Sha256 hash_;
+};
+
+Result<Study> StudyReader::read()
+{
+  study_.title_ = reader_.text("title");
+  scenario_ = reader_.text("scenario");
+  study_.seed_ = static_cast<std::uint64_t>(reader_.integer("seed", 0, 1'000'000'000, 1));
+  study_.isFullDepth_ = reader_.choice("depth", {"full", "scenario"}, "full") == "full";
+  TomlReader results = reader_.table("results");
+  study_.profileSpacing_ = millimeters(results.number("profile_spacing_mm", {0.0, 10.0}, 0.0));
+  study_.keepsContacts_ = results.flag("contacts", false);
+  hash_.add(study_.text_);
+  if (const auto done = readCochleae(); !done) return done.error();
+  if (const auto done = readFactors(); !done) return done.error();
+  if (const auto done = readSamples(); !done) return done.error();
+  if (const auto done = reader_.finish(); !done) return done.error();
+  if (study_.cochleae_.empty())
+    return error(
+        "there is no cochlea; give mean = true, virtual = 100 or patients under [cochleae].");
+  if (study_.size() > maxCases || study_.combinations_.size() > maxCases)
+    return error("the study has " + std::to_string(study_.size()) + " insertions; at most " +
+                 std::to_string(maxCases) + " are allowed. Shorten its lists or divide it.");
+  if (const auto done = checkCombinations(); !done) return done.error();
+  study_.fingerprint_ = hash_.hex();
+  return std::move(study_);
+}
+
+Result<Done> StudyReader::readCochleae()
+{
+  TomlReader table = reader_.table("cochleae");
+  if (table.flag("mean", false)) study_.cochleae_.push_back({"mean", "", 0});
+  const long drawn = table.integer("virtual", 0, 1'000'000, 0);
+  for (long i = 1; i <= drawn; ++i)
+    study_.cochleae_.push_back({"virtual " + std::to_string(i), "", static_cast<std::uint64_t>(i)});
+  if (!table.has("patients")) return Done{};
+  for (const std::string& name : table.values("patients")) {
+    const fs::path place = file_.parent_path() / name;
+    const auto content = readWhole(place);
+    if (!content) return error("[cochleae] patients: " + content.error().message);
+    hash_.add(*content);
+    study_.cochleae_.push_back({name, fs::absolute(place).string(), 0});
+    ++patients_;
+  }
+  return Done{};
+}
+
+Result<Done> StudyReader::readFactors()
+{
+  study_.combinations_ = {{}};
+  TomlReader vary = reader_.table("vary");
+  for (const std::string& key : vary.keys()) {
+    const auto fixed = std::find_if(fixedKeys.begin(), fixedKeys.end(),
+                                    [&](const FixedKey& each) { return each.key == key; });
+    if (fixed != fixedKeys.end())
+      vary.refuse(key, "'vary." + key + "' is not allowed: " + std::string(fixed->remedy) + ".");
+    if (key == "stop_travel_mm" && study_.isFullDepth_)
+      vary.refuse(key,
+                  "'vary.stop_travel_mm' has no effect with depth = \"full\"; give depth = "
+                  "\"scenario\".");
+    const std::vector<std::string> values = vary.values(key);
+    if (study_.combinations_.size() * std::max<std::size_t>(values.size(), 1) > maxCases)
+      return error("its lists have more than " + std::to_string(maxCases) +
+                   " combinations. Shorten them.");
+    cross(study_.combinations_, key, values);
+  }
+  // Cases written out: each is combined with the lists above.
+  std::vector<TomlReader> cases = reader_.tables("case");
+  if (cases.empty()) return Done{};
+  std::vector<session::Overrides> combined;
+  for (const session::Overrides& before : study_.combinations_)
+    for (TomlReader& one : cases) {
+      combined.push_back(before);
+      for (const std::string& key : one.keys()) combined.back().emplace_back(key, one.value(key));
+    }
+  study_.combinations_ = std::move(combined);
+  return Done{};
+}
+
+Result<Done> StudyReader::readSamples()
+{
+  TomlReader table = reader_.table("ranges");
+  study_.samples_ = static_cast<std::size_t>(reader_.integer("samples", 1, 1'000'000, 1));
+  for (const std::string& key : table.keys()) {
+    const std::vector<double> ends = table.numbers(key, {}, 2);
+    if (ends.size() != 2 || !(ends[0] < ends[1]))
+      table.refuse(key,
+                   "'ranges." + key + "' must be the lower and the upper end, such as [0.2, 2.0].");
+    if (ends.size() == 2) study_.ranges_.push_back({key, ends[0], ends[1]});
+  }
+  if (study_.ranges_.empty() && study_.samples_ > 1)
+    reader_.refuse("samples", "'samples' needs a range: without one every sample is the same.");
+  return Done{};
+}
+
+/// Reads every combination as a scenario, at both ends of every range.
+Result<Done> StudyReader::checkCombinations()
+{
+  for (const session::Overrides& overrides : study_.combinations_) {
+    // shipped scenarios by name, others beside the study
+    const fs::path beside = file_.parent_path() / scenario_;
+    std::error_code ignored;
+    session::Overrides values = overrides;
+    if (study_.isFullDepth_)
+      values.emplace_back("stop_travel_mm", "0.1");  // replaced by the full depth
+    auto scenario = session::loadScenario(
+        fs::is_regular_file(beside, ignored) ? beside.string() : scenario_, values);
+    if (!scenario) return error(textOf(overrides) + ": " + scenario.error().message);
+    for (const StudyRange& range : study_.ranges_)
+      for (const double end : {range.low, range.high})
+        if (const auto at = scenario->with({{range.key, session::shortestDecimal(end)}}); !at)
+          return error("[ranges] " + range.key + ": " + at.error().message);
+    if (scenario->anatomy() != anatomy::AnatomySource::mean && study_.cochleae_.size() > patients_)
+      return error("the scenario '" + scenario_ +
+                   "' has another anatomy than \"mean\", which mean "
+                   "and virtual cochleae have. Name another scenario, or patients.");
+    hash_.add(scenario->text());
+    study_.scenarios_.push_back(*std::move(scenario));
+  }
+  const std::size_t count = study_.cochleae_.size() * study_.samples_;
+  for (std::size_t i = 0; i < study_.ranges_.size(); ++i)
+    study_.strata_.push_back(strataOf(study_.seed_, i, count));
+  // The first case of every combination and of every patient.
+  for (std::size_t i = 0; i < study_.combinations_.size(); ++i)
+    if (const auto found = study_.parametersOf(study_.caseAt(i * study_.samples_)); !found)
+      return error(textOf(study_.combinations_[i]) + ": " + found.error().message);
+  for (std::size_t i = 0; i < study_.cochleae_.size(); ++i) {
+    if (study_.cochleae_[i].patient.empty()) continue;
+    if (const auto found = study_.parametersOf(study_.caseAt(i * study_.casesPerCochlea())); !found)
+      return error("[cochleae] " + study_.cochleae_[i].name + ": " + found.error().message);
+  }
+  return Done{};
+}
+
+Result<Study> loadStudy(const fs::path& file)
+{
+  const auto text = readWhole(file);
+  if (!text) return text.error();
+  return parseStudy(*text, file);
+}
+
+Result<Study> parseStudy(const std::string& text, const fs::path& file)
+{
+  auto reader = TomlReader::parse(text, file.string());
+  if (!reader) return reader.error();
+  return StudyReader(*std::move(reader), file, text).read();
+}
+
+}  // namespace perilymph::study

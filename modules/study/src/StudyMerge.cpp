@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Shards in a folder: their state, and one file of all.
+
+#include <algorithm>
+#include <fstream>
+#include <optional>
+#include <set>
+
+#include "perilymph/analysis/CsvField.h"
+#include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/session/Csv.h"
+#include "perilymph/study/StudyFile.h"
+#include "perilymph/study/StudyRun.h"
+
+namespace perilymph::study {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Rows of one transaction of the merged file; a constant, so that its bytes do not depend on the
+/// shards.
+constexpr std::size_t rowsAtOnce = 1000;
+
+std::string number(double value) { return session::shortestDecimal(value); }
+
+/// "number,cochlea,<settings>,ending,..." with the study's own settings as columns.
+std::string headerOf(const std::set<std::string>& settings)
+{
+  std::string header = "number,cochlea,A_mm,B_mm,st_length_mm";
+  for (const std::string& key : settings) header += "," + analysis::csvField(key);
+  return header +
+         ",ending,depth_mm,max_depth_mm,angle_deg,coverage_percent,peak_mN,peak_depth_mm,end_mN,"
+         "partition_mN,ticks,ticks_not_converged,reason\n";
+}
+
+std::string rowOf(const StudyResult& result, const std::set<std::string>& settings)
+{
+  const analysis::FullInsertion& found = result.insertion;
+  std::string row = std::to_string(result.number) + "," + analysis::csvField(result.cochlea) + "," +
+                    number(result.a_mm) + "," + number(result.b_mm) + "," +
+                    number(result.scalaLength_mm);
+  for (const std::string& key : settings) {
+    const auto is = [&key](const auto& each) { return each.first == key; };
+    const auto value = std::find_if(result.settings.begin(), result.settings.end(), is);
+    row +=
+        "," + (value == result.settings.end() ? std::string() : analysis::csvField(value->second));
+  }
+  row += std::string(",") + analysis::nameOf(found.end);
+  for (const double value :
+       {inMillimeters(found.depth), inMillimeters(found.maxDepth), inDegrees(found.apical),
+        100.0 * found.coverage, inMillinewtons(found.peak.force), inMillimeters(found.peak.depth),
+        inMillinewtons(found.endForce), inMillinewtons(found.maxMembraneForce)})
+    row += "," + number(value);
+  return row + "," + std::to_string(found.ticks) + "," + std::to_string(found.ticksNotConverged) +
+         "," + analysis::csvField(found.reason) + "\n";
+}
+
+/// The shards that together are the whole study, in order; or what is missing.
+Result<std::vector<StudyFile>> wholeStudy(const fs::path& folder)
+{
+  const auto states = shardsIn(folder);
+  if (!states) return states.error();
+  if (states->empty())
+    return Error{folder.string() +
+                 " has no shards. Run 'perilymph-cli study run' or 'study shard' "
+                 "into it first."};
+  std::vector<StudyFile> files;
+  std::size_t next = 0;
+  for (const ShardState& state : *states) {
+    if (!state.error.empty()) return Error{state.error};
+    auto file = StudyFile::open(state.file);
+    if (!file) return file.error();
+    const StudyFileFacts& facts = file->facts();
+    const std::string name = state.file.string();
+    const StudyFileFacts& one = files.empty() ? facts : files.front().facts();
+    if (facts.fingerprint != one.fingerprint || facts.program != one.program)
+      return Error{name + " is of another study or another build of the program than " +
+                   states->front().file.string() + ". Remove the one that does not belong here."};
+    if (state.done != facts.end - facts.first)
+      return Error{name + " is not complete (" + std::to_string(state.done) + " of " +
+                   std::to_string(facts.end - facts.first) + " insertions). Run its shard again."};
+    if (facts.first < next)
+      return Error{name + " has insertions that another shard has, too (from number " +
+                   std::to_string(facts.first) +
+                   "). Remove the shards of one of the two divisions."};
+    if (facts.first > next)
+      return Error{"The insertions " + std::to_string(next) + " to " +
+                   std::to_string(facts.first - 1) + " are missing in " + folder.string() +
+                   ". Run their shard."};
+    next = facts.end;
+    files.push_back(*std::move(file));
+  }
+  if (next != files.front().facts().cases)
+    return Error{"The insertions " + std::to_string(next) + " to " +
+                 std::to_string(files.front().facts().cases - 1) + " are missing in " +
+                 folder.string() + ". Run their shard."};
+  return files;
+}
+
+/// Calls `each` with every insertion of all shards.
+Result<Done> readAll(const std::vector<StudyFile>& files,
+                     const std::function<Result<Done>(const StudyResult&)>& each)
+{
+  for (const StudyFile& file : files)
+    if (const auto done = file.read(each); !done) return done;
+  return Done{};
+}
+
+/// Writes the merged file under a name that does not exist.
+Result<Done> writeMerged(const std::vector<StudyFile>& files, const fs::path& file)
+{
+  StudyFileFacts facts = files.front().facts();
+  facts.first = 0;
+  facts.end = facts.cases;
+  auto merged = StudyFile::create(file, facts);
+  if (!merged) return merged.error();
+  std::vector<StudyResult> rows;
+  const auto flush = [&]() -> Result<Done> {
+    const auto done = merged->append(rows);
+    rows.clear();
+    return done;
+  };
+  const auto copied = readAll(files, [&](const StudyResult& result) -> Result<Done> {
+    rows.push_back(result);
+    return rows.size() < rowsAtOnce ? Result<Done>(Done{}) : flush();
+  });
+  if (!copied) return copied;
+  if (const auto done = flush(); !done) return done;
+  return merged->close();
+}
+
+}  // namespace
+
+Result<std::vector<ShardState>> shardsIn(const fs::path& folder)
+{
+  std::error_code problem;
+  std::vector<ShardState> states;
+  fs::directory_iterator entry(folder, problem);
+  if (problem)
+    return Error{folder.string() + " cannot be read: " + problem.message() + ". Check the name."};
+  for (; entry != fs::directory_iterator(); entry.increment(problem)) {
+    if (problem) return Error{folder.string() + " cannot be read: " + problem.message() + "."};
+    const std::string name = entry->path().filename().string();
+    if (!name.starts_with("shard-") || !name.ends_with(".sqlite")) continue;
+    ShardState state;
+    state.file = entry->path();
+    const auto file = StudyFile::open(state.file);
+    const auto done = file ? file->size() : Result<std::size_t>(file.error());
+    if (!done) {
+      state.error = done.error().message;
+    } else {
+      state.shard.first = file->facts().first;
+      state.shard.end = file->facts().end;
+      state.done = *done;
+    }
+    states.push_back(state);
+  }
+  std::sort(states.begin(), states.end(), [](const ShardState& a, const ShardState& b) {
+    return a.shard.first != b.shard.first ? a.shard.first < b.shard.first : a.file < b.file;
+  });
+  return states;
+}
+
+Result<std::size_t> mergeShards(const fs::path& folder)
+{
+  const auto files = wholeStudy(folder);
+  if (!files) return files.error();
+  std::set<std::string> settings;
+  const auto listed = readAll(*files, [&](const StudyResult& result) -> Result<Done> {
+    for (const auto& [key, value] : result.settings) settings.insert(key);
+    return Done{};
+  });
+  if (!listed) return listed.error();
+
+  std::optional<Result<Done>> copied;
+  const auto table = writeWhole(folder / mergedTable, [&](const fs::path& place) {
+    std::ofstream stream(place, std::ios::binary);
+    stream << headerOf(settings);
+    copied = readAll(*files, [&](const StudyResult& result) -> Result<Done> {
+      stream << rowOf(result, settings);
+      return Done{};
+    });
+    stream.close();
+    return stream.good() && static_cast<bool>(*copied);
+  });
+  if (copied && !*copied) return copied->error();
+  if (!table) return table.error();
+  // Under another name until it is whole.
+  const fs::path unfinished = folder / (std::string(mergedFile) + ".unfinished");
+  std::error_code ignored;
+  for (const char* ending : {"", "-wal", "-shm", "-journal"})
+    fs::remove(unfinished.string() + ending, ignored);
+  if (const auto done = writeMerged(*files, unfinished); !done) return done.error();
+  std::error_code problem;
+  fs::rename(unfinished, folder / mergedFile, problem);
+  if (problem)
+    return Error{(folder / mergedFile).string() + " cannot be written: " + problem.message() + "."};
+  return files->front().facts().cases;
+}
+
+}  // namespace perilymph::study

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "perilymph/study/StudyRun.h"
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+
+#include "perilymph/analysis/AnatomyMeasures.h"
+#include "perilymph/analysis/FullInsertion.h"
+#include "perilymph/analysis/InParallel.h"
+#include "perilymph/study/StudyFile.h"
+
+namespace perilymph::study {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Insertions of a block: some seconds of work, which an interruption loses at most.
+constexpr std::size_t blockSize = 64;
+
+/// A cochlea as built, with its measures; or a message.
+struct BuiltCochlea {
+  std::size_t index = 0;
+  std::shared_ptr<const anatomy::ScalaTympani> anatomy;
+  double a_mm = 0.0, b_mm = 0.0, scalaLength_mm = 0.0;
+  std::string error;
+};
+
+BuiltCochlea buildCochlea(const Study& study, std::size_t index)
+{
+  BuiltCochlea built;
+  built.index = index;
+  const auto parameters = study.parametersOf(study.caseAt(index * study.casesPerCochlea()));
+  const auto anatomy =
+      parameters ? session::buildAnatomy(*parameters)
+                 : Result<std::shared_ptr<const anatomy::ScalaTympani>>(parameters.error());
+  if (!anatomy) {
+    built.error = anatomy.error().message;
+    return built;
+  }
+  built.anatomy = *anatomy;
+  for (const analysis::Measure& each : analysis::measure(**anatomy)) {
+    if (each.key == "A_mm") built.a_mm = each.value;
+    if (each.key == "B_mm") built.b_mm = each.value;
+    if (each.key == "st_length_mm") built.scalaLength_mm = each.value;
+  }
+  return built;
+}
+
+StudyResult resultOf(const Study& study, std::size_t number, const BuiltCochlea& cochlea,
+                     const std::atomic<bool>& isAsked)
+{
+  const StudyCase one = study.caseAt(number);
+  StudyResult result;
+  result.number = number;
+  result.cochlea = study.cochleae()[one.cochlea].name;
+  result.settings = one.overrides;
+  result.a_mm = cochlea.a_mm;
+  result.b_mm = cochlea.b_mm;
+  result.scalaLength_mm = cochlea.scalaLength_mm;
+  if (!cochlea.anatomy) {
+    result.insertion.reason = cochlea.error;
+    return result;
+  }
+  const auto parameters = study.parametersOf(one);
+  if (!parameters) {
+    result.insertion.reason = parameters.error().message;
+    return result;
+  }
+  result.insertion =
+      analysis::insertFully(*parameters, cochlea.anatomy, study.profileSpacing(), isAsked);
+  if (!study.keepsContacts()) result.insertion.contacts.clear();
+  return result;
+}
+
+/// Cases [first, end) that one thread runs in one cochlea.
+struct Piece {
+  std::size_t first, end;
+};
+
+bool isOneCochlea(const Study& study, std::size_t first, std::size_t end)
+{
+  return first / study.casesPerCochlea() == (end - 1) / study.casesPerCochlea();
+}
+
+/// The pieces of a block: one per cochlea, or one per case if the block lies within one cochlea.
+std::vector<Piece> piecesOf(const Study& study, std::size_t first, std::size_t end)
+{
+  const std::size_t perCochlea = study.casesPerCochlea();
+  std::vector<Piece> pieces;
+  for (std::size_t at = first; at < end;) {
+    const std::size_t nextCochlea = (at / perCochlea + 1) * perCochlea;
+    const std::size_t next = isOneCochlea(study, first, end) ? at + 1 : std::min(end, nextCochlea);
+    pieces.push_back({at, next});
+    at = next;
+  }
+  return pieces;
+}
+
+/// End of the block that begins at a case: whole cochleae, or part of one that has many cases.
+std::size_t endOfBlock(const Study& study, std::size_t first, std::size_t end)
+{
+  const std::size_t perCochlea = study.casesPerCochlea();
+  const std::size_t nextCochlea = (first / perCochlea + 1) * perCochlea;
+  if (perCochlea >= blockSize) return std::min({end, nextCochlea, first + blockSize});
+  return std::min(end, nextCochlea + (blockSize / perCochlea - 1) * perCochlea);
+}
+
+Result<StudyFile> fileOf(const Study& study, const Shard& shard, const fs::path& file)
+{
+  std::error_code ignored;
+  const StudyFileFacts facts = factsOf(study, shard.first, shard.end);
+  auto opened =
+      fs::exists(file, ignored) ? StudyFile::resume(file) : StudyFile::create(file, facts);
+  if (!opened) return opened;
+  const StudyFileFacts& found = opened->facts();
+  const std::string remedy = " Delete it or give another folder.";
+  if (found.fingerprint != facts.fingerprint)
+    return Error{file.string() +
+                 " belongs to another study, or this one or a file it names was "
+                 "changed since." +
+                 remedy};
+  if (found.program != facts.program)
+    return Error{file.string() + " was begun by another build of the program (" + found.program +
+                 "; this is " + facts.program + ")." + remedy};
+  if (found.first != facts.first || found.end != facts.end)
+    return Error{file.string() + " is for other insertions of this study." + remedy};
+  return opened;
+}
+
+}  // namespace
+
+Shard shardOf(std::size_t cases, std::size_t index, std::size_t count)
+{
+  return {index, count, cases * (index - 1) / count, cases * index / count};
+}
+
+std::string fileNameOf(const Shard& shard)
+{
+  return "shard-" + std::to_string(shard.index) + "-of-" + std::to_string(shard.count) + ".sqlite";
+}
+
+Result<bool> runShard(const Study& study, const Shard& shard, const fs::path& folder, unsigned jobs,
+                      const StudyProgress& progress)
+{
+  std::error_code problem;
+  fs::create_directories(folder, problem);
+  if (problem)
+    return Error{folder.string() + " cannot be created: " + problem.message() +
+                 ". Give another folder."};
+  auto file = fileOf(study, shard, folder / fileNameOf(shard));
+  if (!file) return file.error();
+  const auto done = file->size();
+  if (!done) return done.error();
+
+  std::size_t first = shard.first + *done;
+  const std::size_t all = shard.end - shard.first;
+  BuiltCochlea shared;  // of a block within one cochlea, and of the next such block
+  while (first < shard.end) {
+    const std::size_t end = endOfBlock(study, first, shard.end);
+    const std::vector<Piece> pieces = piecesOf(study, first, end);
+    const std::size_t cochlea = first / study.casesPerCochlea();
+    const bool isShared = isOneCochlea(study, first, end);
+    if (isShared && (!shared.anatomy || shared.index != cochlea))
+      shared = buildCochlea(study, cochlea);
+    std::vector<StudyResult> results(end - first);
+    std::atomic<std::size_t> finished{0};
+    bool isStopped = false;
+    const auto work = [&](std::size_t number, const std::atomic<bool>& isAsked) -> Result<Done> {
+      const Piece& piece = pieces[number];
+      const BuiltCochlea own =
+          isShared ? shared : buildCochlea(study, piece.first / study.casesPerCochlea());
+      for (std::size_t i = piece.first; i < piece.end && !isAsked; ++i) {
+        results[i - first] = resultOf(study, i, own, isAsked);
+        ++finished;
+      }
+      return Done{};
+    };
+    const auto ran = analysis::doInParallel(pieces.size(), jobs, work, [&](std::size_t) {
+      isStopped = progress && !progress(first - shard.first + finished, all);
+      return !isStopped;
+    });
+    if (isStopped) return false;
+    if (!ran) return ran.error();
+    if (const auto added = file->append(results); !added) return added.error();
+    first = end;
+  }
+  if (const auto closed = file->close(); !closed) return closed.error();
+  return true;
+}
+
+}  // namespace perilymph::study

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cli.h"
+
+namespace perilymph::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* study = R"(title = "Short"
+scenario = "mean-flex28"
+depth = "scenario"
+[cochleae]
+mean = true
+virtual = 1
+[vary]
+nodes = [20]
+dt_ms = [10.0]
+stop_travel_mm = [1.0]
+speed_mm_s = [4.0, 5.0]
+)";
+
+class Studies : public testing::Test {
+protected:
+  void SetUp() override { std::ofstream(folder_ / "s.toml") << study; }
+
+  std::string file() const { return folder_ / "s.toml"; }
+  std::string out(const std::string& name) const { return folder_ / name; }
+
+private:
+  TemporaryFolder folder_;
+};
+
+TEST_F(Studies, AreCheckedBeforeTheyRun)
+{
+  const auto outcome = cli({"study", "check", file()});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, testing::HasSubstr("Short: 4 insertions, 2 cochleae with 2 each\n"));
+  EXPECT_THAT(outcome.out, testing::HasSubstr("on disk"));
+  std::ofstream(file(), std::ios::app) << "frictoin = [\"tissue\"]\n";
+  expectRefusal(cli({"study", "check", file()}), "frictoin");
+  expectRefusal(cli({"study", "check", out("none.toml")}), "none.toml");
+}
+
+TEST_F(Studies, GiveTheSameFilesAsAWholeAndInParts)
+{
+  ASSERT_EQ(cli({"study", "run", file(), "--out", out("whole"), "--jobs", "2"}).status, 0);
+  for (const char* index : {"2", "1", "3"}) {
+    const auto outcome =
+        cli({"study", "shard", file(), "--index", index, "--of", "3", "--out", out("parts")});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+  }
+  const auto status = cli({"study", "status", out("parts")});
+  EXPECT_THAT(status.out, testing::HasSubstr("shard-3-of-3.sqlite: 2 of 2\n"));
+  EXPECT_THAT(status.out, testing::HasSubstr("3 parts, 4 of 4 insertions\n"));
+  const auto merged = cli({"study", "merge", out("parts")});
+  ASSERT_EQ(merged.status, 0) << merged.err;
+  EXPECT_THAT(merged.out, testing::HasSubstr("4 insertions\n"));
+  for (const char* name : {"study.sqlite", "insertions.csv"})
+    EXPECT_TRUE(contentOf(fs::path(out("whole")) / name) ==
+                contentOf(fs::path(out("parts")) / name))
+        << name;
+  const auto table = linesOf(fs::path(out("parts")) / "insertions.csv");
+  ASSERT_EQ(table.size(), 5u);
+  EXPECT_EQ(table[0].substr(0, 27), "number,cochlea,A_mm,B_mm,st");
+}
+
+TEST_F(Studies, SayWhatIsWrongWithTheCall)
+{
+  expectRefusal(cli({"study", "shard", file(), "--index", "4", "--of", "3", "--out", out("parts")}),
+                "above --of 3");
+  expectRefusal(cli({"study", "merge", out("none")}), "cannot be read");
+  expectUsageError(cli({"study", "run", file()}), "--out");
+  expectUsageError(cli({"study"}), "subcommand");
+}
+
+TEST_F(Studies, AreSubmittedToSlurmByScriptsThatCanBeReadBefore)
+{
+  const auto outcome = cli({"study", "submit", file(), "--shards", "7", "--out", out("jobs"),
+                            "--partition", "short", "--sbatch-option=--mem=2G", "--dry-run"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  for (const char* line : {"#SBATCH --array=1-7\n", "#SBATCH --partition=short\n",
+                           "#SBATCH --mem=2G\n", "study shard", "study merge"})
+    EXPECT_THAT(outcome.out, testing::HasSubstr(line));
+  EXPECT_FALSE(fs::exists(out("jobs")));
+}
+
+}  // namespace
+}  // namespace perilymph::test

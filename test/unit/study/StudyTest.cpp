@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "perilymph/study/Study.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <charconv>
+#include <set>
+
+namespace perilymph::study {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* small = R"(
+title = "Length and friction"
+scenario = "mean-flex28"
+seed = 7
+[cochleae]
+mean = true
+virtual = 2
+[vary]
+array = ["flex24", "flex28"]
+friction = ["soap-10", "tissue"]
+)";
+
+Result<Study> read(const std::string& text) { return parseStudy(text, "/study.toml"); }
+
+/// The message of a study that is refused.
+std::string refusal(const std::string& text)
+{
+  const auto study = read(text);
+  return study ? "was read" : study.error().message;
+}
+
+std::string valueOf(const StudyCase& one, const std::string& key)
+{
+  for (const auto& [name, value] : one.overrides)
+    if (name == key) return value;
+  return "";
+}
+
+TEST(Study, RunsEveryCombinationInEveryCochlea)
+{
+  const auto study = read(small);
+  ASSERT_TRUE(study) << study.error().message;
+  EXPECT_EQ(study->size(), 12u);
+  std::set<std::string> seen;
+  for (std::size_t k = 0; k < study->size(); ++k) {
+    const StudyCase one = study->caseAt(k);
+    EXPECT_EQ(one.number, k);
+    EXPECT_EQ(one.cochlea, k / 4);
+    seen.insert(study->cochleae()[one.cochlea].name + valueOf(one, "array") +
+                valueOf(one, "friction"));
+  }
+  EXPECT_EQ(seen.size(), 12u);
+  EXPECT_EQ(study->cochleae().front().name, "mean");
+  EXPECT_EQ(study->cochleae().back().name, "virtual 2");
+}
+
+TEST(Study, InsertsEachArrayToItsOwnFullDepth)
+{
+  const auto study = read(small);
+  ASSERT_TRUE(study) << study.error().message;
+  for (const std::size_t k : {0, 3, 7}) {
+    const auto parameters = study->parametersOf(study->caseAt(k));
+    ASSERT_TRUE(parameters) << parameters.error().message;
+    const Length full = parameters->array.insertable - parameters->startInside;
+    EXPECT_NEAR(inMillimeters(parameters->stopTravel), inMillimeters(full), 0.001);
+    EXPECT_EQ(parameters->engine.stopTravel, parameters->stopTravel.si());
+  }
+}
+
+TEST(Study, DrawsAVirtualPatientBySeedAndNumberAlone)
+{
+  const auto study = read(small);
+  const auto more = read(std::string(small) + "speed_mm_s = [0.5, 1.0]\n");
+  ASSERT_TRUE(study && more);
+  const auto a = study->parametersOf(study->caseAt(4));
+  const auto b = more->parametersOf(more->caseAt(8));
+  const auto other = study->parametersOf(study->caseAt(8));
+  ASSERT_TRUE(a && b && other);
+  ASSERT_TRUE(a->cochlea.patient.basalTurn);
+  EXPECT_EQ(a->cochlea.patient.basalTurn->a, b->cochlea.patient.basalTurn->a);
+  EXPECT_NE(a->cochlea.patient.basalTurn->a, other->cochlea.patient.basalTurn->a);
+}
+
+TEST(Study, SamplesRangesOverAllCochleaeTheSameForEveryCombination)
+{
+  const auto study =
+      read(std::string(small) + "[ranges]\nspeed_mm_s = [0.2, 2.0]\napproach_tilt_deg = [-5, 5]\n");
+  ASSERT_TRUE(study) << study.error().message;
+  EXPECT_EQ(study->size(), 12u);
+  std::set<std::string> speeds;
+  for (std::size_t k = 0; k < study->size(); ++k) {
+    const StudyCase one = study->caseAt(k);
+    EXPECT_EQ(valueOf(one, "speed_mm_s"), valueOf(study->caseAt(k / 4 * 4), "speed_mm_s"));
+    speeds.insert(valueOf(one, "speed_mm_s"));
+    const auto parameters = study->parametersOf(one);
+    ASSERT_TRUE(parameters) << parameters.error().message;
+    const std::string text = valueOf(one, "speed_mm_s");
+    double written = 0.0;
+    std::from_chars(text.data(), text.data() + text.size(), written);
+    EXPECT_NEAR(parameters->speed.si() * 1e3, written, 1e-12);
+    EXPECT_GE(written, 0.2);
+    EXPECT_LE(written, 2.0);
+  }
+  EXPECT_EQ(speeds.size(), 3u);  // a stratum for each cochlea
+}
+
+TEST(Study, HasCasesThatAreWrittenOut)
+{
+  const auto study = read(R"(
+title = "two techniques"
+scenario = "mean-flex28"
+[cochleae]
+mean = true
+[[case]]
+speed_mm_s = 0.5
+friction = "tissue"
+[[case]]
+speed_mm_s = 1.5
+)");
+  ASSERT_TRUE(study) << study.error().message;
+  ASSERT_EQ(study->size(), 2u);
+  EXPECT_EQ(valueOf(study->caseAt(0), "friction"), "tissue");
+  EXPECT_EQ(valueOf(study->caseAt(1), "speed_mm_s"), "1.5");
+}
+
+TEST(Study, HasAnotherFingerprintWithAnotherArray)
+{
+  const auto a = read(small);
+  std::string text(small);
+  text.replace(text.find("flex24"), 6, "hifocus-slimj");
+  const auto b = read(text);
+  ASSERT_TRUE(a) << a.error().message;
+  ASSERT_TRUE(b) << b.error().message;
+  EXPECT_NE(a->fingerprint(), b->fingerprint());
+  EXPECT_EQ(a->fingerprint(), read(small)->fingerprint());
+}
+
+TEST(Study, RefusesWhatItCannotRunInOneSentence)
+{
+  const std::string text(small);
+  EXPECT_THAT(refusal(text + "anatomy = [\"mean\"]\n"), HasSubstr("'vary.anatomy' is not allowed"));
+  EXPECT_THAT(refusal(text + "speed_mm_s = [1.0, 900.0]\n"),
+              testing::AllOf(HasSubstr("speed_mm_s=900"), HasSubstr("between 0.01 and 200")));
+  EXPECT_THAT(refusal(text + "sped_mm_s = [1.0]\n"), HasSubstr("sped_mm_s"));
+  EXPECT_THAT(refusal(text + "speed_mm_s = []\n"), HasSubstr("at least one"));
+  EXPECT_THAT(refusal(text + "stop_travel_mm = [10.0]\n"), HasSubstr("depth = \"scenario\""));
+  EXPECT_THAT(refusal(text + "[ranges]\nspeed_mm_s = [2.0, 0.2]\n"),
+              HasSubstr("lower and the upper"));
+  EXPECT_THAT(refusal("samples = 5\n" + text), HasSubstr("needs a range"));
+  EXPECT_THAT(refusal("title = \"x\"\nscenario = \"mean-flex28\"\n"), HasSubstr("no cochlea"));
+  EXPECT_THAT(refusal("title = \"x\"\nscenario = \"contour-published\"\n[cochleae]\nvirtual = 3\n"),
+              HasSubstr("anatomy"));
+  EXPECT_THAT(refusal("title = \"x\"\nscenario = \"none-such\"\n[cochleae]\nmean = true\n"),
+              HasSubstr("none-such"));
+  EXPECT_THAT(refusal(text + "[cochleae2]\n"), HasSubstr("cochleae2"));
+}
+
+TEST(Study, RefusesAPatientThatIsNotThere)
+{
+  EXPECT_THAT(refusal("title = \"x\"\nscenario = \"mean-flex28\"\n[cochleae]\npatients = "
+                      "[\"nobody.toml\"]\n"),
+              HasSubstr("nobody.toml"));
+}
+
+}  // namespace
+}  // namespace perilymph::study

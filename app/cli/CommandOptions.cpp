@@ -336,7 +336,8 @@ Result<Done> runCommand(const CLI::App& app, const CallFiles& files, const Comma
   if (app.got_subcommand("predict")) return predict(options.predict, files);
   if (app.got_subcommand("compare")) return compare(options.compare, files);
   if (app.got_subcommand("devices")) return devices(options.devices);
-  if (app.got_subcommand("study")) return runStudy(*app.get_subcommand("study"), options.study);
+  if (app.got_subcommand("study"))
+    return runStudy(*app.get_subcommand("study"), files, options.study);
   if (app.got_subcommand("ct")) return runCt(*app.get_subcommand("ct"), options);
   return render(options.render, files);
 }

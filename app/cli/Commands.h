@@ -132,6 +132,7 @@ Result<Done> checkStudy(const StudyOptions& options);
 Result<Done> runWholeStudy(const StudyOptions& options);
 Result<Done> runStudyShard(const StudyOptions& options);
 Result<Done> mergeStudy(const StudyOptions& options);
+Result<Done> reportStudy(const StudyOptions& options, const CallFiles& files);
 Result<Done> showStudyStatus(const StudyOptions& options);
 Result<Done> submitStudy(const StudyOptions& options);
 

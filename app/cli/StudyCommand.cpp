@@ -9,9 +9,11 @@
 
 #include "Commands.h"
 #include "Interruption.h"
+#include "OutputFolder.h"
 #include "Terminal.h"
 #include "perilymph/analysis/FullInsertion.h"
 #include "perilymph/study/StudyFile.h"
+#include "perilymph/study/StudyReport.h"
 #include "perilymph/study/StudyRun.h"
 
 namespace perilymph::cli {
@@ -157,6 +159,20 @@ Result<Done> mergeStudy(const StudyOptions& options)
   print("{} insertions\n{}\n{}\n", *count, (folder / study::mergedFile).string(),
         (folder / study::mergedTable).string());
   return Done{};
+}
+
+Result<Done> reportStudy(const StudyOptions& options, const CallFiles& files)
+{
+  const auto file =
+      study::StudyFile::open(std::filesystem::path(options.folder) / study::mergedFile);
+  if (!file) return file.error();
+  const auto report = study::reportOf(*file);
+  if (!report) return report.error();
+  FolderContent content;
+  content.texts = {{"report.md", report->text}};
+  for (const auto& [name, figure] : report->figures)
+    content.figures.emplace_back(name, figures::draw(figure));
+  return writeFolder(files, options.folder, content);
 }
 
 Result<Done> showStudyStatus(const StudyOptions& options)

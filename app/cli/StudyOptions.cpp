@@ -84,15 +84,22 @@ void addStudy(CLI::App& app, FileOptions& files, StudyOptions& options)
   merge.add_option("folder", options.folder, "Folder of the parts")->required();
   CLI::App& status = *study.add_subcommand("status", "List the parts of a study in a folder");
   status.add_option("folder", options.folder, "Folder of the parts")->required();
+  CLI::App& report = *study.add_subcommand("report", "Report on a merged study in its folder");
+  std::vector<std::string> names = {"report.md"};
+  for (const char* figure : {"angle", "peak-force"})
+    for (const std::string& name : figureNames(figure)) names.push_back(name);
+  files.writesInto(report.add_option("folder", options.folder, "Folder of the study")->required(),
+                   names);
   addSubmit(study, files, options);
 }
 
-Result<Done> runStudy(const CLI::App& study, const StudyOptions& options)
+Result<Done> runStudy(const CLI::App& study, const CallFiles& files, const StudyOptions& options)
 {
   if (study.got_subcommand("check")) return checkStudy(options);
   if (study.got_subcommand("run")) return runWholeStudy(options);
   if (study.got_subcommand("shard")) return runStudyShard(options);
   if (study.got_subcommand("merge")) return mergeStudy(options);
+  if (study.got_subcommand("report")) return reportStudy(options, files);
   if (study.got_subcommand("status")) return showStudyStatus(options);
   return submitStudy(options);
 }

@@ -13,9 +13,9 @@ class CallFiles;
 class FileOptions;
 struct StudyOptions;
 
-/// Declares `study check`, `run`, `shard`, `merge`, `status` and `submit`.
+/// Declares `study check`, `run`, `shard`, `merge`, `status`, `report` and `submit`.
 void addStudy(CLI::App& app, FileOptions& files, StudyOptions& options);
 /// Runs the one that was given.
-Result<Done> runStudy(const CLI::App& study, const StudyOptions& options);
+Result<Done> runStudy(const CLI::App& study, const CallFiles& files, const StudyOptions& options);
 
 }  // namespace perilymph::cli

@@ -64,6 +64,19 @@ TEST_F(Studies, GiveTheSameFilesAsAWholeAndInParts)
   EXPECT_EQ(table[0].substr(0, 27), "number,cochlea,A_mm,B_mm,st");
 }
 
+TEST_F(Studies, AreReportedWithFigures)
+{
+  ASSERT_EQ(cli({"study", "run", file(), "--out", out("whole")}).status, 0);
+  const auto outcome = cli({"study", "report", out("whole")});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::string text = contentOf(fs::path(out("whole")) / "report.md");
+  EXPECT_THAT(text, testing::HasSubstr("# Short\n\n4 insertions: 4 finished."));
+  EXPECT_THAT(text, testing::HasSubstr("| speed_mm_s = 4 | 2 | 100.0 ("));
+  for (const char* name : {"angle.svg", "peak-force.svg"})
+    EXPECT_THAT(contentOf(fs::path(out("whole")) / name), testing::HasSubstr("<svg"));
+  expectRefusal(cli({"study", "report", out("none")}), "study.sqlite");
+}
+
 TEST_F(Studies, SayWhatIsWrongWithTheCall)
 {
   expectRefusal(cli({"study", "shard", file(), "--index", "4", "--of", "3", "--out", out("parts")}),

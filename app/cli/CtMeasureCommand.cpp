@@ -34,7 +34,7 @@ Result<ct::MeasureRequest> requestOf(const CtMeasureOptions& options)
     const auto marks = imaging::readLandmarks(options.landmarks);
     if (!marks) return marks.error();
     request.click_P = marks->inside_P();
-    request.roundWindow_P = (*marks)[ct::Mark::roundWindow];
+    request.marks = *marks;
   }
   if (!options.side.empty())
     request.side = options.side == "left" ? anatomy::Side::left : anatomy::Side::right;

@@ -75,13 +75,16 @@ void fillMeasures(const LumenShape& family, const FitResult& fit, const RoundWin
   // Subsampled voxels are not neighbors.
   correlated = 1.0 + (correlated - 1.0) * fit.sampled;
   const Eigen::Matrix3d propagated = slopes * covariance * slopes.transpose();
+  const Eigen::Matrix3d byMarks = slopes *
+                                  fit.markCovariance.bottomRightCorner(shape::count, shape::count) *
+                                  slopes.transpose();
 
   const double voxel = power(std::max(1e-9, spacing_mm.prod()), 1.0 / 3.0);
   const Values turned = valuesOf(family, shape, window, axis_W, window.angleError);
   const auto fill = [&](int i, double value, double there, const ModelError& error) {
     Measure measure;
     measure.value = value;
-    measure.statistical = std::sqrt(std::max(0.0, correlated * propagated(i, i)));
+    measure.statistical = std::sqrt(std::max(0.0, correlated * propagated(i, i) + byMarks(i, i)));
     measure.model = error.constant + error.perVoxel * voxel;
     measure.definition = std::fabs(there - value);
     return measure;

@@ -14,7 +14,7 @@ struct Entry {
   const char* sentence;
 };
 
-constexpr std::array<Entry, 8> entries{
+constexpr std::array<Entry, 9> entries{
     {{Flag::coarseVoxels, "coarse_voxels",
       "A voxel is longer than 0.65 mm, the coarsest the measurement was tried with: take a finer "
       "series if there is one, or trust the measures less than their error bars say."},
@@ -39,7 +39,10 @@ constexpr std::array<Entry, 8> entries{
       "No round window was found, so 0 degrees follows from the spiral alone: mark the round "
       "window's center."},
      {Flag::clipped, "clipped",
-      "Part of the cochlea lies outside the volume: take a series that shows all of it."}}};
+      "Part of the cochlea lies outside the volume: take a series that shows all of it."},
+     {Flag::landmarkContradicted, "landmark_contradicted",
+      "A landmark placed by hand lies far from the fitted cochlea, and the voxels contradict it: "
+      "check that landmark in the images."}}};
 
 const Entry& entryOf(Flag flag)
 {

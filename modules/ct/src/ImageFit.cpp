@@ -190,6 +190,15 @@ ImageFit::Normal ImageFit::assemble(const FitState& state, const Observations& o
   normal.misfit = weightSum > 0.0 ? normal.misfit / weightSum : 1.0;
 
   normal.data = normal.matrix;
+  for (const MarkConstraint& mark : observations.marks) {
+    const auto residual = residualOf(mark, family_, lumen, state.pose);
+    if (!residual) continue;
+    constexpr int n = 6 + shape::count;
+    normal.matrix.topLeftCorner<n, n>() +=
+        mark.precision * residual->row * residual->row.transpose();
+    normal.right.head<n>() -= mark.precision * residual->value_mm * residual->row;
+    normal.cost += mark.precision * residual->value_mm * residual->value_mm;
+  }
   // Contribution of the prior.
   const Eigen::VectorXd off = state.shape - priorMean_;
   normal.matrix.block<shape::count, shape::count>(6, 6) += prior_;
@@ -306,8 +315,18 @@ FitResult ImageFit::run(const FitState& start, const Observations& observations,
   const Eigen::MatrixXd data = normal.data.selfadjointView<Eigen::Lower>();
   const Eigen::LDLT<Eigen::MatrixXd> solver(matrix);
   const Eigen::MatrixXd gain = solver.solve(data);
-  result.covariance =
-      dataWeight * solver.solve(gain.transpose()).topLeftCorner(6 + shape::count, 6 + shape::count);
+  constexpr int n = 6 + shape::count;
+  result.covariance = dataWeight * solver.solve(gain.transpose()).topLeftCorner(n, n);
+  result.posterior = solver.solve(Eigen::MatrixXd::Identity(fitted, fitted)).topLeftCorner(n, n);
+  // Parameters change by H^-1 J^T P times the displacement of a mark.
+  result.markCovariance = Eigen::MatrixXd::Zero(n, n);
+  const ShapedLumen lumen(family_, result.state.shape);
+  for (const MarkConstraint& mark : observations.marks) {
+    const auto residual = residualOf(mark, family_, lumen, result.state.pose);
+    if (!residual) continue;
+    const Eigen::VectorXd change = mark.precision * mark.sd_mm * (result.posterior * residual->row);
+    result.markCovariance += change * change.transpose();
+  }
   return result;
 }
 
@@ -337,7 +356,7 @@ Observations observe(const CtVolume& volume, const LumenShape& family, const Fit
           continue;
         all.push_back({point_P, static_cast<double>(volume.voxel(i, j, k))});
       }
-  if (all.size() <= maxCount) return {std::move(all), 1.0};
+  if (all.size() <= maxCount) return {std::move(all), {}, 1.0};
   std::vector<Observation> some;
   const double keep = static_cast<double>(maxCount) / static_cast<double>(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -345,7 +364,7 @@ Observations observe(const CtVolume& volume, const LumenShape& family, const Fit
     const double x = 0.6180339887498949 * static_cast<double>(i);
     if (x - std::floor(x) < keep) some.push_back(all[i]);
   }
-  return {std::move(some), keep};
+  return {std::move(some), {}, keep};
 }
 
 }  // namespace perilymph::ct

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "LumenShape.h"
+#include "MarkConstraint.h"
 #include "Pose.h"
 #include "perilymph/ct/CtVolume.h"
 
@@ -26,9 +27,10 @@ struct Observation {
   double intensity;
 };
 
-/// The voxels of a fit.
+/// What a fit is to agree with: voxels, and landmarks that a person placed.
 struct Observations {
   std::vector<Observation> voxels;
+  std::vector<MarkConstraint> marks = {};
   double sampled = 1.0;  ///< Fraction of the voxels near the wall.
 };
 
@@ -65,6 +67,10 @@ struct FitResult {
   /// Covariance of rotation and translation in W (6), then of the shape, assuming that residuals
   /// are independent between voxels.
   Eigen::MatrixXd covariance;
+  /// Covariance of the same parameters due to the placement of landmarks.
+  Eigen::MatrixXd markCovariance;
+  /// Inverse of the normal matrix, priors included, for the same parameters.
+  Eigen::MatrixXd posterior;
 };
 
 /// Number of parameters: 6 of the pose, the shape, 4 nuisance parameters.

@@ -103,14 +103,16 @@ Eigen::Vector3d cupola_W(const LumenWall& wall)
   return sum / count;
 }
 
+Eigen::Vector3d modiolusBase_W() { return {0.0, 0.0, basalMiddle_mm}; }
+
 Eigen::Vector3d clinicalAxis_W(const LumenWall& mean)
 {
-  return (cupola_W(mean) - Eigen::Vector3d(0.0, 0.0, basalMiddle_mm)).normalized();
+  return (cupola_W(mean) - modiolusBase_W()).normalized();
 }
 
 ClinicalFrame clinicalFrame(const Eigen::Vector3d& axis, const Eigen::Vector3d& roundWindow_W)
 {
-  const Eigen::Vector3d base(0.0, 0.0, basalMiddle_mm);
+  const Eigen::Vector3d base = modiolusBase_W();
   ClinicalFrame frame;
   frame.origin_W = base + (roundWindow_W - base).dot(axis) * axis;
   frame.axes_W.col(2) = axis;

@@ -45,6 +45,9 @@ struct ClinicalFrame {
 /// Center of the cupola: the mean of the wall's points within 0.5 mm of its highest one.
 Eigen::Vector3d cupola_W(const LumenWall& wall);
 
+/// Center of the modiolus in the basal turn, on W's axis [mm]; the clinical axis runs through it.
+Eigen::Vector3d modiolusBase_W();
+
 /// The clinical axis, from the modiolus' center in the basal turn to the center of the cupola, of a
 /// wall of mean shape. An individual's cupola would add more error than it removes: its sections
 /// there are the least certain.

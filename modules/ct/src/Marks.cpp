@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "perilymph/ct/Measures.h"
+
 namespace perilymph::ct {
 
 namespace {

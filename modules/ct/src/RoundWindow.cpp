@@ -191,4 +191,24 @@ RoundWindow findRoundWindow(const CtVolume& volume, const ShapedLumen& lumen, co
   return window;
 }
 
+RoundWindow withClick(const RoundWindow& window, const Eigen::Vector3d& click_W)
+{
+  const double angle = arcTangent(click_W.y(), click_W.x());
+  constexpr double click_mm = 0.5;
+  const double radius = window.center_W.head<2>().norm();
+  const double error = click_mm / radius;
+  const double weight = 1.0 / (error * error);
+  const double before = 1.0 / (window.angleError * window.angleError);
+  const double fraction = weight / (weight + before);
+  RoundWindow mixed;
+  mixed.angle = (weight * angle + before * window.angle) / (weight + before);
+  mixed.angleError = 1.0 / std::sqrt(weight + before);
+  const SineCosine turn = sineCosine(mixed.angle);
+  const double mixedRadius = radius + fraction * (click_W.head<2>().norm() - radius);
+  mixed.center_W = {mixedRadius * turn.cosine, mixedRadius * turn.sine,
+                    window.center_W.z() + fraction * (click_W.z() - window.center_W.z())};
+  mixed.isFound = true;
+  return mixed;
+}
+
 }  // namespace perilymph::ct

@@ -25,4 +25,7 @@ struct RoundWindow {
 RoundWindow findRoundWindow(const CtVolume& volume, const ShapedLumen& lumen,
                             const FitState& state);
 
+/// The window with a click on its center as an additional observation, with a precision of 0.5 mm.
+RoundWindow withClick(const RoundWindow& window, const Eigen::Vector3d& click_W);
+
 }  // namespace perilymph::ct

@@ -10,6 +10,8 @@
 #include "ErrorBars.h"
 #include "ImageFit.h"
 #include "LumenWall.h"
+#include "MarkConstraint.h"
+#include "MeasuredGeometry.h"
 #include "ModiolarSections.h"
 #include "Region.h"
 #include "RoundWindow.h"
@@ -23,6 +25,7 @@ namespace perilymph::ct {
 namespace {
 
 constexpr double maxVoxel_mm = 1.0, coarseVoxel_mm = 0.65;
+constexpr double hFirst_deg = 20.0;  // below this angle the vestibule opens into the lumen
 constexpr double clickReach_mm =
     4.5;  // from a click in the cochlea to the center of its basal turn
 constexpr double seedReach_mm = 2.9;
@@ -34,6 +37,12 @@ constexpr std::size_t fewVoxels = 3000, someVoxels = 8000, manyVoxels = 14000;
 // and more.
 constexpr double poorMisfit = 0.30, refusedMisfit = 0.42;
 constexpr double sectionLimit_mm = 0.25, sectionMissing = 0.25;
+// Weight of landmarks in the choice between starts: as much misfit as tells a cochlea from bone
+// without one. Chosen.
+constexpr double markWeight = 0.15;
+// Landmarks that raise the misfit by more are contradicted by the voxels: those at their true places
+// changed that of wrong fits of phantoms by -0.17 to +0.013.
+constexpr double contradictedMisfit = 0.03;
 constexpr double axisError_deg = 3.0;  // compared with the frames of real ears and of phantoms
 
 const char* const canceled = "The measurement was canceled.";
@@ -45,7 +54,9 @@ public:
         request_(request),
         family_(mean),
         points_(meanTemplate(family_)),
-        fit_(family_, sliceNormal(volume), blurGuess(volume))
+        fit_(family_, sliceNormal(volume), blurGuess(volume)),
+        axis_W_(clinicalAxis_W(
+            wallOf(ShapedLumen(family_, LumenShape::priorMean()), degrees(hFirst_deg).si())))
   {
   }
 
@@ -67,6 +78,13 @@ public:
       best = fit_.run(best.state, voxels, settings);
       report(0.5 + 0.1 * round);
     }
+    if (!request_.marks.isEmpty()) {
+      FitResult corrected = steered(best, GrossError::possible);
+      if (corrected.misfit > best.misfit + contradictedMisfit)
+        corrected = steered(best, GrossError::excluded);
+      best = std::move(corrected);
+    }
+    if (isStopped()) return Error{canceled};
     if (best.misfit > refusedMisfit)
       return Error{"No cochlea of usual shape was found: the best fit leaves " +
                    percent(best.misfit) + " of the voxels near its wall unexplained, at most " +
@@ -122,6 +140,17 @@ private:
         found.push_back({candidate, levels.bone, lumen});
   }
 
+  /// Starts where round window, modiolus and apex were placed, at the levels of the best starts.
+  void addMarkedStarts(std::vector<Start>& found) const
+  {
+    const std::vector<Start> searched = found;
+    for (const bool isRight : {true, false})
+      if (const auto pose = poseOf(request_.marks, family_, axis_W_, isRight))
+        for (std::size_t i = 0; i < searched.size(); i += startsPerLevel)
+          found.push_back(
+              {{*pose, searched[i].candidate.score}, searched[i].bone, searched[i].lumen});
+  }
+
   Result<std::vector<Start>> starts() const
   {
     std::vector<Start> found;
@@ -131,6 +160,7 @@ private:
             "The point given lies outside the volume. Click into the cochlea, or give none and let "
             "the volume be searched."};
       searchAt(*request_.click_P, clickReach_mm, startsPerLevel, found);
+      addMarkedStarts(found);
     } else {
       const auto places = findSeeds(volume_, request_.side, seeds);
       for (std::size_t i = 0; i < places.size(); ++i) {
@@ -152,11 +182,46 @@ private:
     return found;
   }
 
+  struct Scored {
+    FitResult fit;
+    double score = 2.0;  ///< The misfit, more if the fit is far from the landmarks.
+  };
+  Scored scored(FitResult fit) const
+  {
+    const double off =
+        disagreement(request_.marks, family_, fit.state.pose, fit.state.shape, axis_W_);
+    const double score = fit.misfit + markWeight * off;
+    return {std::move(fit), score};
+  }
+
+  /// Goes on with a finished fit under the constraints of the landmarks.
+  FitResult steered(const FitResult& free, GrossError grossError) const
+  {
+    FitResult best = free;
+    std::vector<double> precisions;
+    for (int round = 0; round < 3; ++round) {
+      // Floor and apex refer to the present wall; the precisions stay those of the free fit.
+      auto marks =
+          constraintsOf(request_.marks, family_, best.state.pose, best.state.shape, axis_W_);
+      if (marks.empty() || isStopped()) return best;
+      if (round == 0) {
+        setPrecisions(marks, family_, free.state.pose, free.state.shape, free.posterior,
+                      grossError);
+        for (const MarkConstraint& mark : marks) precisions.push_back(mark.precision);
+      }
+      for (std::size_t i = 0; i < marks.size(); ++i) marks[i].precision = precisions[i];
+      auto observations = observe(volume_, family_, best.state, 1.3, manyVoxels);
+      observations.marks = std::move(marks);
+      best = fit_.run(best.state, observations, {Freedom::everything, 16, 0.0, 1.0});
+    }
+    return best;
+  }
+
   /// A short fit from every start; keeps the best, and the best of the other handedness.
   Result<Done> chooseStart(const std::vector<Start>& from, FitResult& best,
                            FitResult& mirrored) const
   {
-    std::vector<FitResult> results;
+    std::vector<Scored> results;
     for (std::size_t i = 0; i < from.size(); ++i) {
       if (isStopped()) return Error{canceled};
       FitState state;
@@ -168,11 +233,11 @@ private:
       state.blurAxial = blur[1];
       const auto voxels = observe(volume_, family_, state, 1.3, fewVoxels);
       if (voxels.voxels.size() < 200) continue;
-      results.push_back(fit_.run(state, voxels, {Freedom::poseAndSize, 12, 0.5, 1.0}));
+      results.push_back(scored(fit_.run(state, voxels, {Freedom::poseAndSize, 12, 0.5, 1.0})));
       report(0.3 + 0.2 * static_cast<double>(i + 1) / static_cast<double>(from.size()));
     }
     std::stable_sort(results.begin(), results.end(),
-                     [](const FitResult& a, const FitResult& b) { return a.misfit < b.misfit; });
+                     [](const Scored& a, const Scored& b) { return a.score < b.score; });
     if (results.empty())
       return Error{
           "Too few voxels lie near the place given to measure a cochlea. Click into the cochlea, "
@@ -180,16 +245,20 @@ private:
           "take a series that shows all of it."};
     // The shape of the best few is fitted before one is selected.
     constexpr std::size_t finalists = 3;
-    const bool isRight = results.front().state.pose.isRight();
+    const bool isRight = results.front().fit.state.pose.isRight();
+    Scored kept, keptMirrored;
     for (std::size_t i = 0; i < results.size(); ++i) {
-      const bool isOther = results[i].state.pose.isRight() != isRight;
-      if (i >= finalists && !(isOther && mirrored.misfit == 1.0)) continue;
-      const auto voxels = observe(volume_, family_, results[i].state, 1.3, fewVoxels);
-      results[i] = fit_.run(results[i].state, voxels, {Freedom::shape, 8, 0.35, 1.0});
-      FitResult& kept = isOther ? mirrored : best;
-      if (results[i].misfit < kept.misfit) kept = results[i];
+      const FitState& state = results[i].fit.state;
+      const bool isOther = state.pose.isRight() != isRight;
+      if (i >= finalists && !(isOther && keptMirrored.fit.misfit == 1.0)) continue;
+      const auto voxels = observe(volume_, family_, state, 1.3, fewVoxels);
+      Scored next = scored(fit_.run(state, voxels, {Freedom::shape, 8, 0.35, 1.0}));
+      Scored& former = isOther ? keptMirrored : kept;
+      if (next.score < former.score) former = std::move(next);
     }
-    if (mirrored.misfit < best.misfit) std::swap(best, mirrored);
+    if (keptMirrored.score < kept.score) std::swap(kept, keptMirrored);
+    best = std::move(kept.fit);
+    mirrored = std::move(keptMirrored.fit);
     return Done{};
   }
 
@@ -198,12 +267,10 @@ private:
     const FitState& state = best.state;
     const ShapedLumen lumen(family_, state.shape);
     RoundWindow window = findRoundWindow(volume_, lumen, state);
-    if (request_.roundWindow_P) useClick(*request_.roundWindow_P, state, window);
+    if (const auto& click = request_.marks[Mark::roundWindow])
+      window = withClick(window, state.pose.into_W(*click));
     CochleaMeasures measures;
-    const double hFirst = degrees(20).si();
-    const Eigen::Vector3d axis_W =
-        clinicalAxis_W(wallOf(ShapedLumen(family_, LumenShape::priorMean()), hFirst));
-    fillMeasures(family_, best, window, axis_W, volume_.spacing_mm(), measures);
+    fillMeasures(family_, best, window, axis_W_, volume_.spacing_mm(), measures);
     const anatomy::Spread a = anatomy::spreadOfA(), b = anatomy::spreadOfB();
     const auto isBeyond = [](double value_mm, const anatomy::Spread& spread) {
       return value_mm < inMillimeters(spread.low) || value_mm > inMillimeters(spread.high);
@@ -219,7 +286,7 @@ private:
                    "and H do not apply."};
 
     const LumenWall wall = wallOf(lumen, 0.0);
-    const ClinicalFrame frame = clinicalFrame(axis_W, window.center_W);
+    const ClinicalFrame frame = clinicalFrame(axis_W_, window.center_W);
     measures.axes_PW = state.pose.axes_PW * frame.axes_W;
     measures.axis_P = measures.axes_PW.col(2);
     measures.axisError_deg = axisError_deg;
@@ -234,50 +301,19 @@ private:
     measures.blurAxial_mm = state.blurAxial;
     measures.misfit = best.misfit;
     measures.provenance = volume_.provenance();
-    addWall(wall, state, measures);
+    measures.marksByHand = request_.marks;
+    addWall(wall, state.pose, measures);
 
     const SectionCheck check = checkSections(volume_, lumen, state);
     measures.sectionRms_mm = check.rms_mm;
     if (check.kinematic) {
-      const double along = std::fabs(check.kinematic->direction.dot(axis_W));
+      const double along = std::fabs(check.kinematic->direction.dot(axis_W_));
       const double across = std::sqrt(std::max(0.0, 1.0 - along * along));
       measures.kinematicTilt_deg = inDegrees(radians(arcTangent(across, along)));
     }
-    addFlags(check, window, measures);
+    addFlags(state, check, window, measures);
     report(1.0);
     return measures;
-  }
-
-  /// A click is an additional observation of the window's angle with a precision of 0.5 mm.
-  static void useClick(const Eigen::Vector3d& click_P, const FitState& state, RoundWindow& window)
-  {
-    const Eigen::Vector3d click_W = state.pose.into_W(click_P);
-    const double angle = arcTangent(click_W.y(), click_W.x());
-    constexpr double click_mm = 0.5;
-    const double radius = window.center_W.head<2>().norm();
-    const double error = click_mm / radius;
-    const double weight = 1.0 / (error * error);
-    const double before = 1.0 / (window.angleError * window.angleError);
-    window.angle = (weight * angle + before * window.angle) / (weight + before);
-    window.angleError = 1.0 / std::sqrt(weight + before);
-    const SineCosine turn = sineCosine(window.angle);
-    const double fraction = weight / (weight + before);
-    const double mixed = radius + fraction * (click_W.head<2>().norm() - radius);
-    window.center_W = {mixed * turn.cosine, mixed * turn.sine,
-                       window.center_W.z() + fraction * (click_W.z() - window.center_W.z())};
-    window.isFound = true;
-  }
-
-  /// The sections' frame, turned about its axis so that 0 degrees is at the measured round window.
-  static void placeAnatomy(const Pose& pose, CochleaMeasures& measures)
-  {
-    const Eigen::Vector3d z = pose.axes_PW.col(2);
-    const Eigen::Vector3d toWindow = measures.roundWindow_P - pose.origin_P;
-    const Eigen::Vector3d x = (toWindow - z.dot(toWindow) * z).normalized();
-    measures.anatomyAxes_PW.col(0) = x;
-    measures.anatomyAxes_PW.col(1) = (pose.isRight() ? 1.0 : -1.0) * z.cross(x);
-    measures.anatomyAxes_PW.col(2) = z;
-    measures.anatomyOrigin_P = pose.origin_P;
   }
 
   static std::string millimetersOf(double value)
@@ -287,21 +323,7 @@ private:
     return std::to_string(hundredths / 100) + "." + decimals + " mm";
   }
 
-  static void addWall(const LumenWall& wall, const FitState& state, CochleaMeasures& measures)
-  {
-    for (const Eigen::Vector3d& point : wall.points_W)
-      measures.wall_P.push_back(state.pose.outOf_W(point));
-    constexpr int n = LumenWall::around;
-    measures.wallPointsPerRing = n;
-    for (int ring = 0; ring + 1 < wall.rings(); ++ring)
-      for (int k = 0; k < n; ++k) {
-        const int a = ring * n + k, b = ring * n + (k + 1) % n;
-        measures.wallTriangles.push_back({a, b, a + n});
-        measures.wallTriangles.push_back({b, b + n, a + n});
-      }
-  }
-
-  void addFlags(const SectionCheck& check, const RoundWindow& window,
+  void addFlags(const FitState& state, const SectionCheck& check, const RoundWindow& window,
                 CochleaMeasures& measures) const
   {
     const auto raise = [&](Flag flag, bool isRaised) {
@@ -326,6 +348,8 @@ private:
           check.rms_mm > sectionLimit_mm || check.missing - check.clipped > sectionMissing);
     raise(Flag::roundWindowUnsure, !window.isFound);
     raise(Flag::clipped, check.clipped > 0.02);
+    raise(Flag::landmarkContradicted,
+          contradicts(request_.marks, family_, state.pose, state.shape, axis_W_));
   }
 
   /// Distinguishes air from fluid by Hounsfield units: only this flag requires a scanner whose
@@ -341,6 +365,7 @@ private:
   LumenShape family_;
   Template points_;
   ImageFit fit_;
+  Eigen::Vector3d axis_W_;  ///< The clinical axis.
 };
 
 }  // namespace

@@ -117,7 +117,7 @@ TEST(CtMeasure, TakesLandmarksOfSlicerInBothCoordinateSystems)
 {
   TemporaryFolder out;
   const CtPhantom& truth = onDisk().phantom;
-  const Eigen::Vector3d rw = truth.roundWindow_P, c = truth.inside_P;
+  const Eigen::Vector3d rw = truth.roundWindow_P, c = *truth.marks[ct::Mark::modiolus];
   const auto write = [&](const std::string& name, const std::string& system, double sign) {
     const auto point = [&](const char* label, const Eigen::Vector3d& place) {
       return Json{{"label", label},

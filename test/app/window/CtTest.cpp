@@ -198,6 +198,33 @@ TEST_F(TheCtPage, GoesOnFromCorrectedLandmarks)
   EXPECT_LT((after.roundWindow_P - moved).norm(), (before.roundWindow_P - moved).norm());
 }
 
+TEST_F(TheCtPage, LetsEveryCorrectedLandmarkSteerTheFitAndKeepsItInItsPlace)
+{
+  measure();
+  EXPECT_FALSE(study().isCorrected());
+  const ct::Marks& truth = onDisk().phantom.marks;
+  for (const ct::Mark mark : {ct::Mark::apex, ct::Mark::farB}) {
+    study().beginChange();
+    study().placeMark(mark, *truth[mark]);
+  }
+  rig_.click("measureHereButton");
+  ASSERT_TRUE(WindowRig::comes([this] { return !page().isBusy(); }));
+  const ct::Marks& used = study().measures()->marksByHand;
+  EXPECT_EQ(used[ct::Mark::apex], truth[ct::Mark::apex]);
+  EXPECT_EQ(used[ct::Mark::farB], truth[ct::Mark::farB]);
+  EXPECT_FALSE(used[ct::Mark::roundWindow]);
+  // the surgeon's landmarks stay, the others are proposed again
+  EXPECT_EQ(study().marks()[ct::Mark::apex], truth[ct::Mark::apex]);
+  EXPECT_TRUE(study().marksByHand() == used);
+  EXPECT_EQ(study().marks()[ct::Mark::roundWindow], study().measures()->roundWindow_P);
+  // before the measurement, by undo: still both by hand; before that, one and none
+  rig_.click("undoMarkButton");
+  EXPECT_TRUE(study().marksByHand() == used);
+  rig_.click("undoMarkButton");
+  rig_.click("undoMarkButton");
+  EXPECT_FALSE(study().isCorrected());
+}
+
 TEST_F(TheCtPage, CancelsAMeasurement)
 {
   rig_.click("measureCtButton");

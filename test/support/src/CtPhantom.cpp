@@ -78,8 +78,14 @@ void sharpen(Grid& grid, double inPlane, double strength)
     grid.values[i] += static_cast<float>(strength) * (grid.values[i] - wide.values[i]);
 }
 
+/// The outermost point of a half-plane through the axis.
+struct Outermost {
+  double radius;
+  Eigen::Vector3d point_W;
+};
+
 /// Measures the ground truth on the geometry: scans half-planes of the clinical frame point by
-/// point.
+/// point. The landmarks are in W.
 void measureTruth(const PhantomAnatomy& anatomy, CtPhantom& phantom)
 {
   const Eigen::Vector3d window = anatomy.roundWindow_W();
@@ -88,14 +94,23 @@ void measureTruth(const PhantomAnatomy& anatomy, CtPhantom& phantom)
   const Eigen::Vector3d y = clinicalAxis_W.cross(x);
   const auto outermost = [&](double angle) {
     const Eigen::Vector3d out = std::cos(angle) * x + std::sin(angle) * y;
-    double best = 0.0;
+    double best = 0.0, height = 0.0;
     for (double z = -1.5; z < 2.5; z += 0.02)
       for (double r = 6.5; r > std::max(best, 1.8); r -= 0.005)
-        if (anatomy.inside(origin + r * out + z * clinicalAxis_W) >= 0.0) best = r;
-    return best;
+        if (anatomy.inside(origin + r * out + z * clinicalAxis_W) >= 0.0) {
+          best = r;
+          height = z;
+        }
+    return Outermost{best, origin + best * out + height * clinicalAxis_W};
   };
-  phantom.a = (window - origin).norm() + outermost(pi);
-  phantom.b = outermost(0.5 * pi) + outermost(1.5 * pi);
+  const Outermost far = outermost(pi), near = outermost(0.5 * pi), other = outermost(1.5 * pi);
+  phantom.a = (window - origin).norm() + far.radius;
+  phantom.b = near.radius + other.radius;
+  phantom.marks[ct::Mark::roundWindow] = window;
+  phantom.marks[ct::Mark::farWall] = far.point_W;
+  phantom.marks[ct::Mark::nearB] = near.point_W;
+  phantom.marks[ct::Mark::farB] = other.point_W;
+  phantom.marks[ct::Mark::modiolus] = origin;
   double low = 1e9, high = -1e9;
   for (double angle = degrees(20).si(); angle < anatomy.lastAngle(); angle += 0.03) {
     const KidneySection section = anatomy.sectionAt(angle);
@@ -112,6 +127,8 @@ void measureTruth(const PhantomAnatomy& anatomy, CtPhantom& phantom)
     }
   }
   phantom.h = high - low;
+  phantom.marks[ct::Mark::floor] = origin + low * clinicalAxis_W;
+  phantom.marks[ct::Mark::apex] = origin + high * clinicalAxis_W;
 }
 
 }  // namespace
@@ -214,12 +231,14 @@ CtPhantom makeCtPhantom(std::uint64_t seed, const PhantomScan& scan)
       }
   auto volume = ct::CtVolume::make(coarse, lps, std::move(voxels), {"", "", "phantom"});
   if (!volume) throw std::runtime_error(volume.error().message);
-  CtPhantom phantom{std::move(*volume), 0.0, 0.0, 0.0, true, {}, {}, {}};
+  CtPhantom phantom{std::move(*volume), 0.0, 0.0, 0.0, true, {}, {}, {}, {}};
   phantom.isRight = isRight;
   measureTruth(anatomy, phantom);
   const auto toP = [&](const Eigen::Vector3d& point_W) -> Eigen::Vector3d {
     return origin_P + axes * point_W;
   };
+  for (auto& point : phantom.marks.points_P)
+    if (point) point = toP(*point);
   phantom.axis_P = axes * clinicalAxis_W;
   phantom.roundWindow_P = toP(anatomy.roundWindow_W());
   const KidneySection basal = anatomy.sectionAt(degrees(60).si());

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "perilymph/anatomy/MeanScala.h"
+#include "perilymph/ct/Measures.h"
 #include "perilymph/test/CtPhantom.h"
 
 namespace perilymph::ct {

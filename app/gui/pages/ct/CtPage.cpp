@@ -166,8 +166,10 @@ void CtPage::measure(bool isAtCrosshair)
   if (!study_.hasCt()) return;
   ct::MeasureRequest request;
   if (isAtCrosshair && study_.isCorrected()) {
-    request.click_P = study_.marks().inside_P();
-    request.roundWindow_P = study_.marks()[ct::Mark::roundWindow];
+    // proposed landmarks of a wrong fit lie elsewhere, so those placed by hand come first
+    request.marks = study_.marksByHand();
+    const bool isEnough = request.marks[ct::Mark::modiolus] || request.marks[ct::Mark::farWall];
+    request.click_P = (isEnough ? request.marks : study_.marks()).inside_P();
   } else if (isAtCrosshair) {
     request.click_P = study_.crosshair_P();
   }

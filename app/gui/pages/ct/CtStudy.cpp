@@ -22,7 +22,8 @@ void CtStudy::setCt(imaging::LoadedCt ct)
   series_ = std::move(ct.series);
   measures_.reset();
   frame_ = PlaneFrame::patient;
-  marks_ = proposed_ = {};
+  marks_ = {};
+  isByHand_ = {};
   array_ = {};
   undoStack_.clear();
   redoStack_.clear();
@@ -39,7 +40,12 @@ void CtStudy::setMeasures(ct::CochleaMeasures measures)
 {
   beginChange();
   measures_ = std::move(measures);
-  marks_ = proposed_ = ct::marksOf(*measures_);
+  marks_ = ct::marksOf(*measures_);
+  for (std::size_t k = 0; k < ct::markCount; ++k) {
+    const auto& placed = measures_->marksByHand.points_P[k];
+    isByHand_[k] = placed.has_value();
+    if (placed) marks_.points_P[k] = placed;
+  }
   array_ = {};
   frame_ = PlaneFrame::cochlea;
   crosshair_P_ = ct::basalTurnCenter_P(*measures_);
@@ -132,11 +138,17 @@ ct::MarkedMeasures CtStudy::marked() const
       marks_, measures_ ? std::optional<Eigen::Vector3d>(measures_->axis_P) : std::nullopt);
 }
 
-bool CtStudy::isCorrected() const { return !marks_.isEmpty() && !(marks_ == proposed_); }
+ct::Marks CtStudy::marksByHand() const
+{
+  ct::Marks placed;
+  for (std::size_t k = 0; k < ct::markCount; ++k)
+    if (isByHand_[k]) placed.points_P[k] = marks_.points_P[k];
+  return placed;
+}
 
 void CtStudy::beginChange()
 {
-  undoStack_.push_back(marks_);
+  undoStack_.push_back({marks_, isByHand_});
   if (undoStack_.size() > maxUndo) undoStack_.erase(undoStack_.begin());
   redoStack_.clear();
 }
@@ -145,6 +157,7 @@ void CtStudy::placeMark(ct::Mark mark, const Eigen::Vector3d& point_P)
 {
   if (!hasCt() || !volume_->contains(point_P)) return;
   marks_[mark] = point_P;
+  isByHand_[static_cast<std::size_t>(mark)] = true;
   announceModel();
 }
 
@@ -152,25 +165,22 @@ void CtStudy::setMarks(const ct::Marks& marks)
 {
   beginChange();
   marks_ = marks;
+  for (std::size_t k = 0; k < ct::markCount; ++k) isByHand_[k] = marks.points_P[k].has_value();
   announceModel();
 }
 
-void CtStudy::undo()
+void CtStudy::restore(std::vector<Placement>& from, std::vector<Placement>& to)
 {
-  if (!canUndo()) return;
-  redoStack_.push_back(marks_);
-  marks_ = undoStack_.back();
-  undoStack_.pop_back();
+  if (from.empty()) return;
+  to.push_back({marks_, isByHand_});
+  marks_ = from.back().marks;
+  isByHand_ = from.back().isByHand;
+  from.pop_back();
   announceModel();
 }
 
-void CtStudy::redo()
-{
-  if (!canRedo()) return;
-  undoStack_.push_back(marks_);
-  marks_ = redoStack_.back();
-  redoStack_.pop_back();
-  announceModel();
-}
+void CtStudy::undo() { restore(undoStack_, redoStack_); }
+
+void CtStudy::redo() { restore(redoStack_, undoStack_); }
 
 }  // namespace perilymph::gui

@@ -36,8 +36,8 @@ public:
   const imaging::CtSeries& series() const { return series_; }
   imaging::PlaneSampler& sampler() { return *sampler_; }
 
-  /// Shows measures: the planes become those of the cochlea, landmarks are proposed. One step for
-  /// undo.
+  /// Shows measures: the planes become those of the cochlea, landmarks are proposed except for those
+  /// that steered the fit, which stay where they were placed. One step for undo.
   void setMeasures(ct::CochleaMeasures measures);
   const std::optional<ct::CochleaMeasures>& measures() const { return measures_; }
 
@@ -86,11 +86,13 @@ public:
   const ct::Marks& marks() const { return marks_; }
   /// Measures between the landmarks [mm].
   ct::MarkedMeasures marked() const;
-  /// Whether the user moved a landmark since the measures were taken.
-  bool isCorrected() const;
+  /// The landmarks that the user placed or moved; the others are proposed.
+  ct::Marks marksByHand() const;
+  bool isCorrected() const { return !marksByHand().isEmpty(); }
   /// Begins a change of landmarks that undo() takes back as one.
   void beginChange();
   void placeMark(ct::Mark mark, const Eigen::Vector3d& point_P);
+  /// Shows landmarks placed by a person, as from a file.
   void setMarks(const ct::Marks& marks);
   bool canUndo() const { return !undoStack_.empty(); }
   bool canRedo() const { return !redoStack_.empty(); }
@@ -104,7 +106,14 @@ Q_SIGNALS:
   void modelChanged();
 
 private:
+  /// What undo() brings back.
+  struct Placement {
+    ct::Marks marks;
+    std::array<bool, ct::markCount> isByHand;
+  };
+
   void announceModel();
+  void restore(std::vector<Placement>& from, std::vector<Placement>& to);
 
   std::shared_ptr<const ct::CtVolume> volume_;
   std::unique_ptr<imaging::PlaneSampler> sampler_;
@@ -118,8 +127,9 @@ private:
   double thickness_mm_ = 0.0;
   imaging::Projection projection_ = imaging::Projection::mean;
   InsertedArray array_;
-  ct::Marks marks_, proposed_;
-  std::vector<ct::Marks> undoStack_, redoStack_;
+  ct::Marks marks_;
+  std::array<bool, ct::markCount> isByHand_{};
+  std::vector<Placement> undoStack_, redoStack_;
 };
 
 }  // namespace perilymph::gui

@@ -9,9 +9,9 @@
 #include <optional>
 #include <string>
 
-#include "perilymph/ct/Measures.h"
-
 namespace perilymph::ct {
+
+struct CochleaMeasures;
 
 /// The landmarks. A runs from the round window to the far wall, B from near to far, H from the floor
 /// of the basal turn to the apex.

@@ -12,6 +12,7 @@
 
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/ct/CtVolume.h"
+#include "perilymph/ct/Marks.h"
 #include "perilymph/foundation/Result.h"
 
 namespace perilymph::ct {
@@ -26,6 +27,7 @@ enum class Flag {
   sectionsDisagree,   ///< Half-maximum walls and fitted ones differ.
   roundWindowUnsure,  ///< The round window was not found; 0 degrees is estimated from the spiral.
   clipped,            ///< Part of the cochlea is outside the volume.
+  landmarkContradicted,  ///< The voxels contradict a landmark that a person placed.
 };
 
 /// Name of a flag as in files: "air_in_cochlea".
@@ -88,6 +90,7 @@ struct CochleaMeasures {
   std::vector<std::array<int, 3>> wallTriangles;  ///< Triangles between these points.
   std::vector<Flag> flags;
   CtProvenance provenance;
+  Marks marksByHand;  ///< Landmarks that a person placed or corrected; the fit was steered by them.
 
   bool has(Flag flag) const;
   /// Position in P [mm] of a point of the anatomy built from these measures, in its frame W [m].
@@ -99,8 +102,10 @@ struct CochleaMeasures {
 
 struct MeasureRequest {
   std::optional<Eigen::Vector3d> click_P;  ///< Any point in the cochlea; empty: search the volume.
-  /// Weak priors, never ground truth: the round window's center, as clicked.
-  std::optional<Eigen::Vector3d> roundWindow_P;
+  /// Landmarks that a person placed or corrected: soft constraints, never ground truth. Standard
+  /// deviations are 0.5 mm for round window, modiolus and the apex' place across the axis, 0.3 mm
+  /// for points of the wall (src/MarkConstraint.cpp).
+  Marks marks;
   std::optional<anatomy::Side> side;  ///< Known side of the ear, for comparison.
   /// Receives the completed fraction, 0 to 1, on the calling thread.
   std::function<void(double)> onProgress;

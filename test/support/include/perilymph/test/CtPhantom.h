@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include "perilymph/ct/CtVolume.h"
+#include "perilymph/ct/Marks.h"
 
 namespace perilymph::test {
 
@@ -33,6 +34,7 @@ struct CtPhantom {
   double a = 0.0, b = 0.0, h = 0.0;
   bool isRight = true;
   Eigen::Vector3d axis_P, roundWindow_P;
+  ct::Marks marks;           ///< Where a perfect observer places the landmarks.
   Eigen::Vector3d inside_P;  ///< In the lumen of the basal turn: position of a click.
 };
 

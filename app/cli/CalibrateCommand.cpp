@@ -23,13 +23,16 @@ void printSummary(const analysis::CalibrationResult& result, const analysis::Ref
 {
   printValue("stiffness scale", result.calibration.stiffnessScale);
   printValue("residual curvature", result.calibration.residualCurvature);
-  print("sum of squares in standard deviations: {} before, {} now, {} trials\n",
-        fixed(result.costBefore, 3), fixed(result.cost, 3), result.trials);
+  print("chi-square {} before, {} now, {} trials; degrees of freedom: {}, p = {}\n",
+        fixed(result.chiSquareBefore, 1), fixed(result.chiSquare, 1), result.trials,
+        result.degreesOfFreedom, fixed(result.pValue, 4));
+  if (result.pValue < 0.05)
+    print("The two forces cannot both be met within the standard errors of their means.\n");
   for (const analysis::AnchorComparison& anchor : result.fitted.anchors) {
     bool isUsed = false;
     for (const session::FittedForce& force : result.calibration.forces)
       isUsed = isUsed || force.travel == anchor.experiment.travel;
-    print("{:10} {} mm: {} N ({} ± {} N)\n", isUsed ? "fitted" : "predicted",
+    print("{:10} {} mm: {} N ({} ± {} N)\n", isUsed ? "fitted" : "not fitted",
           fixed(inMillimeters(meters(anchor.experiment.travel)), 1),
           fixed(anchor.simulator.mean, 4), fixed(anchor.experiment.mean, 4),
           fixed(anchor.experiment.standardDeviation, 4));
@@ -39,11 +42,11 @@ void printSummary(const analysis::CalibrationResult& result, const analysis::Ref
         std::tuple{"dip", "dip", result.fitted.basalTurn.dip}}) {
     const analysis::PrintedForce* printed = experiment.find(feature);
     if (found && printed)
-      print("{:10} position of the {}: {} mm ({} mm)\n", "predicted", name,
+      print("{:10} position of the {}: {} mm ({} mm)\n", "not fitted", name,
             fixed(inMillimeters(meters(found->travel)), 1),
             fixed(inMillimeters(meters(printed->travel)), 1));
     else
-      print("{:10} position of the {}: none\n", "predicted", name);
+      print("{:10} position of the {}: none\n", "not fitted", name);
   }
 }
 

@@ -9,6 +9,7 @@
 #include <set>
 #include <thread>
 
+#include "perilymph/analysis/CalibrationFit.h"
 #include "perilymph/analysis/ValidationReport.h"
 #include "perilymph/figures/Svg.h"
 #include "perilymph/foundation/Resources.h"
@@ -173,6 +174,15 @@ TEST(Verdicts, ListAgreementAndDisagreement)
   EXPECT_FALSE(verdicts[1].isMet);
   EXPECT_EQ(verdicts[2].found, "0.0500 N");  // the largest difference
   EXPECT_FALSE(verdicts[2].isMet);
+}
+
+TEST(Calibration, GivesTheProbabilityOfItsChiSquare)
+{
+  // Quantiles of the chi-square distribution (Abramowitz and Stegun 1964, table 26.8).
+  EXPECT_NEAR(chiSquareTail(3.84146, 1), 0.05, 1e-6);
+  EXPECT_NEAR(chiSquareTail(6.63490, 1), 0.01, 1e-6);
+  EXPECT_NEAR(chiSquareTail(5.99146, 2), 0.05, 1e-6);
+  EXPECT_EQ(chiSquareTail(7.0, 0), 1.0);
 }
 
 }  // namespace

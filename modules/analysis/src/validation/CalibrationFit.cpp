@@ -23,6 +23,13 @@ double forceAt(const ValidationResult& result, double travel)
 
 }  // namespace
 
+double chiSquareTail(double chiSquare, int degreesOfFreedom)
+{
+  if (degreesOfFreedom == 1) return std::erfc(std::sqrt(0.5 * chiSquare));
+  if (degreesOfFreedom == 2) return std::exp(-0.5 * chiSquare);
+  return 1.0;
+}
+
 Result<CalibrationResult> fitCalibration(const CalibrationRequest& request,
                                          const CalibrationProgress& progress)
 {
@@ -68,16 +75,17 @@ Result<CalibrationResult> fitCalibration(const CalibrationRequest& request,
   const TwoBounds bounds{{scale.low, curvature.low}, {scale.high, curvature.high}, {0.05, 0.01}, 4};
   const auto before = residuals({1.0, curvature.value});
   if (!before) return before.error();
-  const auto cost = [](const TwoNumbers& r, double insertions) {
-    return (r.a * r.a + r.b * r.b) / std::max(1.0, insertions);
-  };
-  result.costBefore = cost(*before, request.experiment.insertions);
+  const auto chiSquare = [](const TwoNumbers& r) { return r.a * r.a + r.b * r.b; };
+  result.chiSquareBefore = chiSquare(*before);
 
   const auto fit = gaussNewton2(residuals, {1.0, curvature.value}, bounds);
   if (!fit) return fit.error();
   const auto there = residuals(fit->at);  // the result then holds the curve of the fit
   if (!there) return there.error();
-  result.cost = cost(*there, request.experiment.insertions);
+  result.chiSquare = chiSquare(*there);
+  for (const double determined : {fit->standardDeviation.a, fit->standardDeviation.b})
+    result.degreesOfFreedom += determined > 0.0 ? 0 : 1;
+  result.pValue = chiSquareTail(result.chiSquare, result.degreesOfFreedom);
   scale.value = fit->at.a;
   scale.standardDeviation = fit->standardDeviation.a;
   curvature.value = fit->at.b;

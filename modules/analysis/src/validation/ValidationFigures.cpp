@@ -115,21 +115,21 @@ Figure simulationFigure(const ValidationResult& result, const Reference& experim
 
 Figure calibrationFigure(const CalibrationResult& calibration, const Reference& experiment)
 {
-  Reference used = experiment, predicted = experiment;
+  Reference used = experiment, others = experiment;
   used.points.clear();
-  predicted.points.clear();
+  others.points.clear();
   for (const PrintedForce& point : experiment.points) {
     bool isUsed = false;
     for (const session::FittedForce& force : calibration.calibration.forces)
       isUsed = isUsed || force.travel == point.travel;
-    (isUsed ? used : predicted).points.push_back(point);
+    (isUsed ? used : others).points.push_back(point);
   }
   Figure figure = simulationFigure(calibration.fitted, experiment);
-  figure.title = "Calibrated insertions: fitted and predicted forces";
+  figure.title = "Calibrated insertions: fitted and other forces";
   figure.values = {
       printed(used, "experiment, mean ± SD, used for calibration", ink::vermilion,
               MarkerShape::diamond),
-      printed(predicted, "experiment, mean ± SD, predicted", ink::black, MarkerShape::disk)};
+      printed(others, "experiment, mean ± SD, not used", ink::black, MarkerShape::disk)};
   const session::Calibration& fit = calibration.calibration;
   figure.notes = {"Stiffness scale " + fixed(fit.stiffnessScale.value, 3) + " ± " +
                   fixed(fit.stiffnessScale.standardDeviation, 3) + ", residual curvature " +

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Fits two array parameters to two printed forces; all other results remain predictions.
+// Fits two array parameters to two printed forces, and says how well both can be met.
 
 #include "perilymph/analysis/Validation.h"
 #include "perilymph/session/Calibration.h"
@@ -22,10 +22,19 @@ struct CalibrationResult {
   session::Calibration calibration;
   int trials = 0;           ///< Number of mean curves computed.
   ValidationResult fitted;  ///< The last of them.
-  double costBefore = 0.0;  ///< Sum of squared deviations in SD of the experiment, before
-                            ///< calibration.
-  double cost = 0.0;        ///< The same after calibration.
+  /// Sum of squared differences at the fitted forces, in standard errors of the experiment's means:
+  /// before and after the fit.
+  double chiSquareBefore = 0.0, chiSquare = 0.0;
+  /// Number of fitted forces minus that of parameters which the forces determine; a parameter at a
+  /// bound does not count.
+  int degreesOfFreedom = 0;
+  /// Probability of a chi-square at least this large if the model were right and only the means
+  /// uncertain; 1 without a degree of freedom.
+  double pValue = 1.0;
 };
+
+/// Probability that a chi-square variable of 0, 1 or 2 degrees of freedom is at least `chiSquare`.
+double chiSquareTail(double chiSquare, int degreesOfFreedom);
 
 /// Receives the number of trials done; returns false to stop.
 using CalibrationProgress = std::function<bool(std::size_t trials)>;

@@ -56,7 +56,7 @@ std::string summaryJson(const ValidationRequest& request, const ValidationResult
 figures::Figure experimentFigure(const Reference& experiment, const Reference& publishedSimulator);
 /// The simulation with mean, confidence interval and spread, and the experiment's printed values.
 figures::Figure simulationFigure(const ValidationResult& result, const Reference& experiment);
-/// The same for a calibration, distinguishing fitted and predicted values.
+/// The same for a calibration, with fitted and other values apart.
 figures::Figure calibrationFigure(const CalibrationResult& calibration,
                                   const Reference& experiment);
 /// Simulator minus experiment at the printed values, and that of the published simulator.

@@ -6,6 +6,7 @@
 #include <QPainterPath>
 #include <algorithm>
 
+#include "gui/parts/FocusRing.h"
 #include "gui/parts/Theme.h"
 
 namespace perilymph::gui {
@@ -15,11 +16,12 @@ namespace {
 constexpr int mark_px = 14;
 constexpr int rowHeight_px = 24;
 constexpr int textLeft_px = mark_px + 10;
+constexpr int ringGap_px = 6;  ///< Between text and the edge of its focus ring.
 
 QSize rowSize(const QAbstractButton& button)
 {
   const int text = QFontMetrics(button.font()).horizontalAdvance(button.text());
-  return {textLeft_px + text + 4, sized(rowHeight_px)};
+  return {textLeft_px + text + ringGap_px, sized(rowHeight_px)};
 }
 
 QSize minSize(const QAbstractButton& button)
@@ -27,7 +29,7 @@ QSize minSize(const QAbstractButton& button)
   int widest = 0;
   for (const QString& word : button.text().split(QLatin1Char(' ')))
     widest = std::max(widest, QFontMetrics(button.font()).horizontalAdvance(word));
-  return {textLeft_px + widest + 4, sized(rowHeight_px)};
+  return {textLeft_px + widest + ringGap_px, sized(rowHeight_px)};
 }
 
 int heightOf(const QAbstractButton& button, int width)
@@ -49,11 +51,9 @@ void drawText(QPainter& painter, const QAbstractButton& button)
   painter.drawText(button.rect().adjusted(textLeft_px, 0, 0, 0),
                    Qt::AlignVCenter | Qt::AlignLeft | Qt::TextWordWrap, button.text());
   if (!button.hasFocus()) return;
-  // keyboard focus: a line below the text
-  const int width = std::min(QFontMetrics(button.font()).horizontalAdvance(button.text()),
-                             button.width() - textLeft_px);
-  painter.setPen(QPen(accentColor, 1.5));
-  painter.drawLine(textLeft_px, button.height() - 3, textLeft_px + width, button.height() - 3);
+  const int width = QFontMetrics(button.font()).horizontalAdvance(button.text());
+  const QRect label(textLeft_px - ringGap_px, 0, width + 2 * ringGap_px, button.height());
+  paintFocusRing(painter, label.intersected(button.rect()));
 }
 
 }  // namespace

@@ -121,7 +121,6 @@ QPushButton[link="true"] {
 }
 QPushButton[link="true"]:hover { color: %text%; border-color: %line%; }
 QPushButton[small="true"] { padding: 0 6px; }
-QPushButton[small="true"]:focus { border-color: %accent%; }
 QComboBox QAbstractItemView {
   background: %ground%; color: %text%; border: 1px solid %line%;
   selection-background-color: %raised%; selection-color: %text%; outline: none;
@@ -136,12 +135,11 @@ QLineEdit {
   background: %ground%; border: 1px solid %border%; border-radius: 4px; padding: 0 8px;
   selection-background-color: %accent%; selection-color: %onAccent%;
 }
-QLineEdit:focus { border-color: %accent%; }
 QLineEdit[hint="true"] { color: %quietText%; }
 QSpinBox {
   background: %ground%; border: 1px solid %border%; border-radius: 4px; padding: 0 8px;
 }
-QSpinBox:focus { border-color: %accent%; }
+QLineEdit:focus, QSpinBox:focus { border: 2px solid %text%; padding: 0 7px; }
 QProgressBar { background: %ground%; border: none; border-radius: 3px; }
 QProgressBar::chunk { background: %accent%; border-radius: 3px; }
 QPushButton#keysButton { background: transparent; border-color: transparent; color: %quietText%; }
@@ -150,7 +148,7 @@ QPushButton#keysButton:hover { color: %text%; border-color: %line%; }
 QToolButton#viewButton {
   background: %plate%; border: 1px solid %border%; border-radius: 4px; padding: 2px 8px; color: %text%;
 }
-QToolButton#viewButton:hover, QToolButton#viewButton:focus { border-color: %accent%; }
+QToolButton#viewButton:hover { border-color: %accent%; }
 QToolButton#viewButton::menu-indicator { image: none; }
 QMenu { background: %panel%; border: 1px solid %line%; padding: 6px 0; }
 QMenu::item { padding: 5px 24px 5px 32px; }
@@ -170,6 +168,8 @@ QTableView, QListWidget {
 QTableView::item { border-bottom: 1px solid %line%; padding: 0 8px; }
 QListWidget::item { border-bottom: 1px solid %line%; padding: 8px; }
 QTableView::item:selected, QListWidget::item:selected { background: %raised%; color: %text%; }
+QScrollArea#verdictScroll { border: 2px solid transparent; }
+QTableView:focus, QListWidget:focus, QTextBrowser:focus, QScrollArea#verdictScroll:focus { border: 2px solid %text%; }
 QHeaderView, QHeaderView::section { background: %ground%; color: %quietText%; border: none; }
 QHeaderView::up-arrow, QHeaderView::down-arrow { image: none; width: 0; height: 0; }
 QHeaderView::section { border-bottom: 1px solid %line%; padding: 6px 8px; }
@@ -177,11 +177,6 @@ QToolTip { color: %text%; background: %ground%; border: 1px solid %line%; paddin
 
 QFrame#notice { background: %banner%; border: none; border-bottom: 1px solid %line%; }
 QFrame#buildingNote, QFrame#about, QFrame#settings { background: %panel%; border: 1px solid %accent%; border-radius: 6px; }
-QPushButton:focus, QPushButton[page="true"]:focus, QPushButton#startButton:focus,
-QPushButton[primary="true"]:focus, QPushButton#startPageButton:focus, QPushButton#keysButton:focus,
-QPushButton#settingsButton:focus, QPushButton#menuButton:focus {
-  border: 2px solid %text%;
-}
 QPushButton#settingsButton, QPushButton#menuButton { background: transparent; border-color: transparent; color: %quietText%; }
 QPushButton#settingsButton:hover, QPushButton#menuButton:hover { color: %text%; border-color: %line%; }
 )";

@@ -10,6 +10,7 @@
 #include <exception>
 #include <iostream>
 
+#include "gui/parts/FocusRing.h"
 #include "gui/parts/Theme.h"
 #include "perilymph/foundation/Version.h"
 
@@ -22,7 +23,7 @@ Application::Application(int& argc, char** argv) : QApplication(argc, argv)
   setApplicationName(QStringLiteral("perilymph"));
   setApplicationDisplayName(QStringLiteral("Perilymph"));
   setApplicationVersion(QString::fromStdString(version()));
-  setStyle(QStringLiteral("Fusion"));
+  setStyle(new FocusRingStyle);
   setFont(typeface(13));
 }
 

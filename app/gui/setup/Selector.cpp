@@ -9,6 +9,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 
+#include "gui/parts/FocusRing.h"
 #include "gui/parts/Theme.h"
 
 namespace perilymph::gui {
@@ -123,7 +124,7 @@ void Selector::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const bool isChosen = isEnabled() && (hasFocus() || underMouse());
+  const bool isChosen = isEnabled() && underMouse();
   painter.setPen(QPen(isChosen ? accentColor : isEnabled() ? borderColor : lineColor, 1.0));
   painter.setBrush(isEnabled() ? groundColor : panelColor);
   painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
@@ -134,6 +135,7 @@ void Selector::paintEvent(QPaintEvent*)
   painter.drawText(place, Qt::AlignVCenter | Qt::AlignLeft,
                    QFontMetrics(font()).elidedText(text(), Qt::ElideRight, place.width()));
   if (!isEnabled()) return;
+  if (hasFocus()) paintFocusRing(painter, rect());
   QPainterPath arrow;
   const QPointF middle(width() - 13.0, height() / 2.0 + 1.0);
   arrow.moveTo(middle + QPointF(-4, -3));

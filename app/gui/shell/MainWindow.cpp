@@ -39,7 +39,7 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
   setStyleSheet(windowStyle());
   setMinimumSize(preferredMinimumSize);
   resize(preferredWindowSize);
-  setFocusPolicy(Qt::StrongFocus);
+  setFocusPolicy(Qt::ClickFocus);  // no stop of Tab, which would show no ring
   layOut();
   connectInsertion();
   addInsertKeys(keys_, *insert_);
@@ -47,6 +47,7 @@ MainWindow::MainWindow(session::Scenario scenario, std::optional<std::filesystem
   sheets_->help().listKeys(keys_);
   showSubject();
   top_->showPreparing();
+  top_->moveToTabEnd();
   setFocus();  // Space belongs to the insertion, not to the first button
 }
 
@@ -116,6 +117,7 @@ void MainWindow::showPage(Page page)
   // the tab of the recordings reads them again
   if (page == pages_->page() && page != Page::sessions) return;
   pages_->showPage(page);
+  top_->moveToTabEnd();  // behind what the page has just made
   showSubject();
   if (page != Page::start && page != Page::sessions) setFocus();
 }

@@ -12,6 +12,7 @@
 #include <QVariant>
 #include <algorithm>
 
+#include "gui/parts/ElidedLabel.h"
 #include "gui/parts/Numbers.h"
 #include "gui/parts/Theme.h"
 #include "gui/shell/StopTriggers.h"
@@ -130,7 +131,7 @@ void StopButton::mousePressEvent(QMouseEvent* event)
 
 TopBar::TopBar(QWidget* parent)
     : QWidget(parent),
-      patient_(new QLabel(this)),
+      patient_(new ElidedLabel(this)),
       modified_(new QLabel(tr("MODIFIED"), this)),
       stop_(new StopButton(tr("STOP"), this)),
       device_(new DeviceLight(this)),
@@ -141,7 +142,7 @@ TopBar::TopBar(QWidget* parent)
   name->setObjectName(QStringLiteral("startPageButton"));
   name->setProperty(leavesInsertion, true);
   name->setFont(typeface(15, QFont::DemiBold));
-  name->setFocusPolicy(Qt::NoFocus);  // its key is Alt+Home
+  name->setFocusPolicy(Qt::TabFocus);
   name->setToolTip(tr("Start page (Alt+Home)"));
   connect(name, &QPushButton::clicked, this, [this] { Q_EMIT pageChosen(Page::start); });
 
@@ -207,6 +208,7 @@ TopBar::TopBar(QWidget* parent)
   columns->setContentsMargins(2 * spacing, 0, 2 * spacing, 0);
   columns->addLayout(left, 0, 0);
   auto* middle = new QHBoxLayout;
+  middle->setContentsMargins(3 * spacing, 0, 3 * spacing, 0);
   middle->setSpacing(spacing);
   middle->addWidget(patient_);
   middle->addWidget(modified_);
@@ -214,6 +216,21 @@ TopBar::TopBar(QWidget* parent)
   columns->addLayout(right, 0, 2);
   columns->setColumnStretch(0, 1);
   columns->setColumnStretch(2, 1);
+}
+
+void TopBar::moveToTabEnd()
+{
+  std::vector<QWidget*> stops{stop_};
+  for (const char* name : {"startPageButton", "keysButton", "settingsButton", "menuButton"})
+    stops.push_back(findChild<QPushButton*>(QLatin1String(name)));
+  for (const auto& [page, button] : pages_) stops.push_back(button);
+  QWidget* last = window()->previousInFocusChain();
+  while (last != window() && (isAncestorOf(last) || last->focusPolicy() == Qt::NoFocus))
+    last = last->previousInFocusChain();
+  for (QWidget* stop : stops) {
+    setTabOrder(last, stop);
+    last = stop;
+  }
 }
 
 void TopBar::setMenu(QMenu* menu)
@@ -248,7 +265,7 @@ QPushButton* TopBar::addPage(Page page, const QString& text, const char* name)
   button->setFixedHeight(sized(28));
   // the style sheet, which defines the size hint, is applied later
   const int caption = QFontMetrics(button->font()).horizontalAdvance(text);
-  button->setMinimumWidth(std::max(84, caption + 2 * spacing + 4));
+  button->setMinimumWidth(std::max(64, caption + 2 * spacing + 4));
   button->setCheckable(true);
   button->setFocusPolicy(Qt::TabFocus);
   connect(button, &QPushButton::clicked, this, [this, page] { Q_EMIT pageChosen(page); });

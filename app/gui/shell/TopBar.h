@@ -16,6 +16,8 @@ class QMenu;
 
 namespace perilymph::gui {
 
+class ElidedLabel;
+
 /// State of the device light. Every state has a text in addition to its color.
 enum class DeviceState { off, steady, warning, alarm };
 
@@ -58,6 +60,10 @@ public:
 
   /// Sets the menu of the button at the right.
   void setMenu(QMenu* menu);
+
+  /// Tab reaches the bar after everything else in the window: Stop, start page, keys, settings,
+  /// menu, and the links to the pages last.
+  void moveToTabEnd();
   /// Marks the current page.
   void setPage(Page page);
 
@@ -87,7 +93,7 @@ private:
   void setDevice(DeviceState light, const QString& caption, const QString& tip);
 
   std::vector<std::pair<Page, QPushButton*>> pages_;
-  QLabel* patient_;
+  ElidedLabel* patient_;
   QLabel* modified_;
   StopButton* stop_;  ///< Visible while the input renders force.
   DeviceLight* device_;

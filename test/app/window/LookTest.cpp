@@ -7,8 +7,11 @@
 #include <QVTKOpenGLNativeWidget.h>
 
 #include <QLabel>
+#include <algorithm>
+#include <vector>
 
 #include "WindowRig.h"
+#include "gui/parts/ElidedLabel.h"
 #include "gui/scene/ForceLabel.h"
 
 namespace perilymph::test {
@@ -78,6 +81,29 @@ TEST(WindowLook, NamesThePatientAndTheEar)
 {
   WindowRig rig(session::Overrides{{"side", "\"left\""}});
   EXPECT_TRUE(rig.label("patientLabel").contains("left ear"));
+}
+
+TEST(WindowLook, KeepsThePartsOfTheBarApart)
+{
+  WindowRig rig(session::Overrides{{"side", "\"left\""}, {"speed_mm_s", "1.0"}});
+  auto* patient = rig.window().findChild<gui::ElidedLabel*>("patientLabel");
+  rig.window().findChild<QWidget*>("modifiedLabel")->show();
+  for (const int width : {1024, 1280, 1366}) {
+    rig.window().resize(width, 700);
+    ASSERT_TRUE(WindowRig::comes([&] { return rig.window().width() == width; }));
+    QRect before;
+    std::vector<QRect> parts;
+    for (const QWidget* part : patient->parentWidget()->findChildren<QWidget*>())
+      if (part->isVisible()) parts.push_back(part->geometry());
+    std::sort(parts.begin(), parts.end(),
+              [](const QRect& one, const QRect& other) { return one.left() < other.left(); });
+    for (const QRect& part : parts) {
+      EXPECT_GE(part.left() - before.right(), part == patient->geometry() ? 24 : 4) << width;
+      before = part;
+    }
+    EXPECT_LE(before.right(), width);
+    EXPECT_TRUE(patient->isWhole() || width < 1280) << width;
+  }
 }
 
 TEST(WindowLook, TheWordsOnThePictureAreOnAGrabOfTheWindow)

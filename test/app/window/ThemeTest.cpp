@@ -7,34 +7,14 @@
 #include <QRegularExpression>
 #include <QTextBlock>
 #include <QTextBrowser>
-#include <algorithm>
-#include <cmath>
 
+#include "Contrast.h"
 #include "WindowRig.h"
 #include "gui/parts/DrawingView.h"
 #include "gui/parts/Theme.h"
 
 namespace perilymph::test {
 namespace {
-
-// Relative luminance and contrast as WCAG 2.1 defines them.
-double linear(double channel)
-{
-  return channel <= 0.03928 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
-}
-
-double luminance(const QColor& color)
-{
-  return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) +
-         0.0722 * linear(color.blueF());
-}
-
-double contrast(const QColor& a, const QColor& b)
-{
-  const double high = std::max(luminance(a), luminance(b));
-  const double low = std::min(luminance(a), luminance(b));
-  return (high + 0.05) / (low + 0.05);
-}
 
 constexpr double ofText = 4.5;
 constexpr double ofMarks = 3.0;  // WCAG 2.1, 1.4.11: graphics

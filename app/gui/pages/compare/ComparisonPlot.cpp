@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 
+#include "gui/parts/FocusRing.h"
 #include "gui/parts/Numbers.h"
 #include "gui/parts/Theme.h"
 
@@ -108,7 +109,7 @@ void ComparisonPlot::paintEvent(QPaintEvent*)
   QPainterPath ground;
   ground.addRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4.0, 4.0);
   painter.fillPath(ground, groundColor);
-  painter.setPen(hasFocus() ? accentColor : lineColor);
+  painter.setPen(lineColor);
   painter.drawPath(ground);
   paintAxes(painter);
   paintCursor(painter);
@@ -117,6 +118,7 @@ void ComparisonPlot::paintEvent(QPaintEvent*)
   paintPublished(painter);
   paintRuns(painter);
   painter.restore();
+  if (hasFocus()) paintFocusRing(painter, rect());
 }
 
 void ComparisonPlot::paintAxes(QPainter& painter) const

@@ -78,6 +78,7 @@ CtPanel::CtPanel(CtStudy& study, QWidget* parent) : QWidget(parent), study_(stud
   scroll->setWidgetResizable(true);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setFocusPolicy(Qt::NoFocus);  // it follows the focus of its fields
   // what follows the measurement stays in view
   auto* foot = new QVBoxLayout;
   foot->setContentsMargins(2 * spacing, spacing, 2 * spacing, 2 * spacing);

@@ -10,6 +10,7 @@
 
 #include "gui/pages/ct/CtText.h"
 #include "gui/pages/ct/PlaneOverlay.h"
+#include "gui/parts/FocusRing.h"
 #include "gui/parts/Theme.h"
 
 namespace perilymph::gui {
@@ -93,16 +94,16 @@ void PlaneView::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);
   painter.fillRect(rect(), Qt::black);
-  if (!study_.hasCt()) return;
+  if (study_.hasCt()) paintPlane(painter);
+  if (hasFocus()) paintFocusRing(painter, rect());
+}
+
+void PlaneView::paintPlane(QPainter& painter)
+{
   painter.drawImage(0, 0,
                     pictureOf(study_, plane(), size(), devicePixelRatioF(), study_.pixel_mm()));
   paintOverlay(painter, size(), study_, index_, dragged_);
   if (dragged_) paintLoupe(painter);
-  if (hasFocus()) {
-    painter.setPen(QPen(accentColor, 2.0));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawRect(QRectF(rect()).adjusted(1, 1, -1, -1));
-  }
 }
 
 void PlaneView::paintLoupe(QPainter& painter)

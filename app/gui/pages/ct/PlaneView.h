@@ -50,7 +50,8 @@ protected:
 
 private:
   ct::ViewPlane plane() const { return study_.planes()[index_]; }
-  void paintLoupe(class QPainter& painter);
+  void paintPlane(class QPainter& painter);
+  void paintLoupe(QPainter& painter);
   void stepLayers(double layers);
 
   CtStudy& study_;

@@ -81,7 +81,6 @@ SessionsPage::SessionsPage(QWidget* parent, LibraryWork::Lister lister)
             QMetaObject::invokeMethod(
                 this, [this, file, name] { rename(file, name); }, Qt::QueuedConnection);
           });
-  setFocusProxy(list_);
   showList({}, 0);
 }
 
@@ -268,6 +267,10 @@ void SessionsPage::showChoice()
         tr("No results"),
         tr("No recording matches “%1” by patient, array, date or name.").arg(search_->text()));
   stack_->setCurrentIndex(shown == 0 ? 0 : 1);
+  // a hidden list would hold the focus, and Tab would go nowhere
+  const bool isListMissed = shown > 0 && hasFocus() && focusProxy() == nullptr;
+  setFocusProxy(shown == 0 ? nullptr : list_);
+  if (isListMissed) list_->setFocus();
 
   const auto rows = chosen();
   const bool isReadable =

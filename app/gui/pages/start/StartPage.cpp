@@ -15,6 +15,7 @@
 #include "gui/pages/start/PatientForm.h"
 #include "gui/pages/start/PatientPicker.h"
 #include "gui/pages/start/RecentWork.h"
+#include "gui/parts/FocusRing.h"
 #include "gui/parts/Theme.h"
 #include "gui/setup/PatientLibrary.h"
 #include "gui/setup/PatientSetup.h"
@@ -89,8 +90,6 @@ void StartCard::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  // the frame is the focus; the mouse only raises a card
-  const bool isChosen = hasFocus();
   QPainterPath edge;
   edge.addRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 6, 6);
   painter.fillPath(edge, isDown() ? groundColor : underMouse() ? raisedColor : panelColor);
@@ -101,8 +100,9 @@ void StartCard::paintEvent(QPaintEvent*)
   painter.drawPixmap((width() - cardSize.width()) / 2, (pictureHeight_px_ - pictureHeight_px) / 2,
                      picture_);
   painter.restore();
-  painter.setPen(QPen(isChosen ? accentColor : lineColor, isChosen ? 2.0 : 1.0));
+  painter.setPen(QPen(lineColor, 1.0));
   painter.drawPath(edge);
+  if (hasFocus()) paintFocusRing(painter, rect());  // the mouse only raises a card
 
   const QRect text = rect().adjusted(20, pictureHeight_px_ + 16, -20, -12);
   painter.setPen(textColor);

@@ -3,7 +3,6 @@
 
 #include <QButtonGroup>
 #include <QFileDialog>
-#include <QFrame>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -142,7 +141,7 @@ QWidget* ValidatePage::addColumn()
   stack->addLayout(verdicts_);
   stack->addStretch();
   auto* scroll = new QScrollArea(page);
-  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setObjectName(QStringLiteral("verdictScroll"));
   scroll->setWidgetResizable(true);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setWidget(inside);

@@ -12,6 +12,9 @@ namespace perilymph::cli {
 
 namespace {
 
+/// A force [N] in millinewtons.
+std::string forceText(double force) { return fixed(inMillinewtons(newtons(force)), 1); }
+
 void printValue(const char* what, const session::FittedValue& fitted)
 {
   print("{:19} {} ± {}, between {} and {}{}\n", what, fixed(fitted.value, 4),
@@ -32,10 +35,10 @@ void printSummary(const analysis::CalibrationResult& result, const analysis::Ref
     bool isUsed = false;
     for (const session::FittedForce& force : result.calibration.forces)
       isUsed = isUsed || force.travel == anchor.experiment.travel;
-    print("{:10} {} mm: {} N ({} ± {} N)\n", isUsed ? "fitted" : "not fitted",
+    print("{:10} {} mm: {} mN ({} ± {} mN)\n", isUsed ? "fitted" : "not fitted",
           fixed(inMillimeters(meters(anchor.experiment.travel)), 1),
-          fixed(anchor.simulator.mean, 4), fixed(anchor.experiment.mean, 4),
-          fixed(anchor.experiment.standardDeviation, 4));
+          forceText(anchor.simulator.mean), forceText(anchor.experiment.mean),
+          forceText(anchor.experiment.standardDeviation));
   }
   for (const auto& [name, feature, found] :
        {std::tuple{"peak", "peak", result.fitted.basalTurn.peak},

@@ -12,10 +12,11 @@ namespace {
 
 void printSummary(const std::vector<analysis::ComparedInsertion>& insertions)
 {
-  print("{:24} {:>8} {:>8} {:>9} {:>9} {:>7}\n", "recording", "peak, N", "at, mm", "work, mJ",
+  print("{:24} {:>8} {:>8} {:>9} {:>9} {:>7}\n", "recording", "peak, mN", "at, mm", "work, mJ",
         "reversals", "time, s");
   for (const analysis::ComparedInsertion& each : insertions)
-    print("{:24} {:>8} {:>8} {:>9} {:>9} {:>7}\n", each.name, fixed(each.profile.peak.force, 4),
+    print("{:24} {:>8} {:>8} {:>9} {:>9} {:>7}\n", each.name,
+          fixed(inMillinewtons(newtons(each.profile.peak.force)), 1),
           fixed(inMillimeters(meters(each.profile.peak.travel)), 1),
           fixed(each.profile.work * 1e3, 4), each.reversals, fixed(each.profile.duration, 2));
 }

@@ -89,7 +89,7 @@ Result<Outcome> runIntoCsv(session::Insertion& insertion, const SimulateOptions&
 void printPoint(const char* name, const std::optional<analysis::CurvePoint>& point)
 {
   if (point)
-    print("{:18} {} N at {} mm travel\n", name, fixed(point->force, 4),
+    print("{:18} {} mN at {} mm travel\n", name, fixed(inMillinewtons(newtons(point->force)), 1),
           fixed(inMillimeters(meters(point->travel)), 1));
 }
 

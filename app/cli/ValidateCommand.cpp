@@ -25,11 +25,12 @@ void printSummary(const ValidationRequest& request, const ValidationResult& resu
   for (const analysis::Verdict& verdict : analysis::verdictsOf(result, request.experiment))
     print("{:6} {:41} {:10} ({})\n", verdict.isMet ? "met" : "MISSED", verdict.what, verdict.found,
           verdict.wanted);
-  print("mean SD over travel: {} N; contribution of each source alone:\n",
-        fixed(result.standardDeviation, 4));
+  print("mean SD over travel: {} mN; contribution of each source alone:\n",
+        fixed(inMillinewtons(newtons(result.standardDeviation)), 1));
   for (const analysis::SourceSpread& spread : result.spreads)
-    print("  {:10} {} N, {} % of the variance\n", analysis::spreadSourceName(spread.source),
-          fixed(spread.standardDeviation, 4), fixed(100.0 * spread.fraction, 1));
+    print("  {:10} {} mN, {} % of the variance\n", analysis::spreadSourceName(spread.source),
+          fixed(inMillinewtons(newtons(spread.standardDeviation)), 1),
+          fixed(100.0 * spread.fraction, 1));
 }
 
 }  // namespace

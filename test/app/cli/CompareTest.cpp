@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <iomanip>
+#include <sstream>
+
 #include "Cli.h"
 
 namespace perilymph::test {
@@ -19,6 +22,14 @@ TEST(Compare, SetsRecordingsSideBySide)
   ASSERT_EQ(table.size(), 3u);
   EXPECT_EQ(table[0].substr(0, 28), "name,scenario,peak_N,peak_tr");
   EXPECT_EQ(table[1].substr(0, 2), "a,");
+  // the text in millinewtons, the table in newtons
+  std::istringstream firstRow(table[1]);
+  std::string name, scenario, peak_N;
+  std::getline(std::getline(std::getline(firstRow, name, ','), scenario, ','), peak_N, ',');
+  EXPECT_THAT(outcome.out, testing::HasSubstr("peak, mN"));
+  std::ostringstream peak_mN;
+  peak_mN << std::fixed << std::setprecision(1) << 1e3 * std::stod(peak_N);
+  EXPECT_THAT(outcome.out, testing::HasSubstr(" " + peak_mN.str() + " "));
   const auto curves = linesOf(folder / "out" / "curves.csv");
   EXPECT_EQ(curves[0], "travel_mm,a_N,b_N");
   EXPECT_EQ(curves.size(),

@@ -9,6 +9,7 @@ namespace perilymph::test {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 /// A short validation.
 std::vector<std::string> shortValidation(const std::string& out, std::vector<std::string> more = {})
@@ -26,6 +27,9 @@ TEST(Validate, WritesTablesNumbersAndThreeFigures)
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("force at 10.6 mm"));
   EXPECT_THAT(outcome.out, HasSubstr("of the variance"));
+  EXPECT_THAT(outcome.out, HasSubstr("(88.0 ± 18.6 mN)"));  // as reported for 10.6 mm
+  for (const char* newtons : {" N ", " N,", " N;", " N)", " N\n"})
+    EXPECT_THAT(outcome.out, Not(HasSubstr(newtons)));
   for (const char* name : {"profile.csv", "difference.csv", "summary.json", "experiment.svg",
                            "simulation.svg", "difference.svg"})
     EXPECT_TRUE(std::filesystem::exists(folder / "deep" / "out" / name)) << name;

@@ -172,7 +172,10 @@ TEST(Verdicts, ListAgreementAndDisagreement)
   const auto verdicts = verdictsOf(result, *experiment);
   EXPECT_TRUE(verdicts[0].isMet);
   EXPECT_FALSE(verdicts[1].isMet);
-  EXPECT_EQ(verdicts[2].found, "0.0500 N");  // the largest difference
+  EXPECT_EQ(verdicts[0].found, "88.0 mN");
+  EXPECT_EQ(verdicts[0].wanted, "88.0 ± 18.6 mN");
+  EXPECT_EQ(verdicts[2].found, "50.0 mN");  // the largest difference
+  EXPECT_EQ(verdicts[2].wanted, "at most 27.0 mN");
   EXPECT_FALSE(verdicts[2].isMet);
 }
 

@@ -25,7 +25,9 @@ constexpr Length peakSlack = millimeters(0.8);
 constexpr Length dipSlack = millimeters(0.6);
 constexpr double minSpread = 0.010, maxSpread = 0.040;
 
-std::string newtonsOf(double force) { return figures::fixed(force, 4) + " N"; }
+std::string forceNumber(double force) { return figures::fixed(inMillinewtons(newtons(force)), 1); }
+
+std::string forceText(double force) { return forceNumber(force) + " mN"; }
 
 std::string mm(double travel) { return figures::fixed(inMillimeters(meters(travel)), 1) + " mm"; }
 
@@ -64,9 +66,9 @@ Verdict rangeVerdict(const char* what, const std::optional<double>& found,
 {
   Verdict verdict;
   verdict.what = what;
-  verdict.found = found ? newtonsOf(*found) : "none";
+  verdict.found = found ? forceText(*found) : "none";
   if (!wanted) return verdict;
-  verdict.wanted = figures::fixed(wanted->low, 4) + " to " + newtonsOf(wanted->high);
+  verdict.wanted = forceNumber(wanted->low) + " to " + forceText(wanted->high);
   verdict.isMet = found && *found >= wanted->low && *found <= wanted->high;
   return verdict;
 }
@@ -104,18 +106,17 @@ std::vector<Verdict> verdictsOf(const ValidationResult& result, const Reference&
   std::vector<Verdict> verdicts;
   for (const AnchorComparison& anchor : result.anchors) {
     const PrintedForce& printed = anchor.experiment;
-    verdicts.push_back(
-        {"force at " + mm(printed.travel) + ", " + printed.feature,
-         newtonsOf(anchor.simulator.mean),
-         figures::fixed(printed.mean, 4) + " ± " + newtonsOf(printed.standardDeviation),
-         anchor.isWithinStandardDeviation});
+    verdicts.push_back({"force at " + mm(printed.travel) + ", " + printed.feature,
+                        forceText(anchor.simulator.mean),
+                        forceNumber(printed.mean) + " ± " + forceText(printed.standardDeviation),
+                        anchor.isWithinStandardDeviation});
   }
   const double largest = largestDifference(result);
-  verdicts.push_back({"largest of these differences", newtonsOf(largest),
-                      "at most " + newtonsOf(maxDifference), largest <= maxDifference});
+  verdicts.push_back({"largest of these differences", forceText(largest),
+                      "at most " + forceText(maxDifference), largest <= maxDifference});
   if (const Result<Force> felt = forceFeltBySurgeons())
-    verdicts.push_back({"largest difference below perception", newtonsOf(largest),
-                        "at most " + newtonsOf(felt->si()), largest <= felt->si()});
+    verdicts.push_back({"largest difference below perception", forceText(largest),
+                        "at most " + forceText(felt->si()), largest <= felt->si()});
   verdicts.push_back(placeVerdict("position of the basal-turn peak", result.basalTurn.peak,
                                   experiment.find("peak"), peakSlack));
   verdicts.push_back(placeVerdict("position of the following dip", result.basalTurn.dip,
@@ -132,8 +133,8 @@ std::vector<Verdict> verdictsOf(const ValidationResult& result, const Reference&
   verdicts.push_back(
       rangeVerdict("raw force at the first rib", peak, experiment.findRange("first rib, raw")));
   const double spread = spreadAtAnchors(result);
-  verdicts.push_back({"standard deviation at the reported values", newtonsOf(spread),
-                      figures::fixed(minSpread, 4) + " to " + newtonsOf(maxSpread),
+  verdicts.push_back({"standard deviation at the reported values", forceText(spread),
+                      forceNumber(minSpread) + " to " + forceText(maxSpread),
                       spread >= minSpread && spread <= maxSpread});
   return verdicts;
 }

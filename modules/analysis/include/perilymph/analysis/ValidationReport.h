@@ -16,8 +16,8 @@ namespace perilymph::analysis {
 /// One expected value compared with the result.
 struct Verdict {
   std::string what;    ///< "force at 10.6 mm, peak"
-  std::string found;   ///< "0.0912 N"
-  std::string wanted;  ///< "0.0880 ± 0.0186 N"
+  std::string found;   ///< "91.2 mN"
+  std::string wanted;  ///< "88.0 ± 18.6 mN"
   bool isMet = false;
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "PlotSheet.h"
@@ -21,11 +22,52 @@ namespace {
 constexpr int directions = 120;
 constexpr double side_px = 14.0;
 constexpr double top_px = 30.0, bottom_px = 58.0;  ///< For names, scale and force.
-constexpr double longestCut = 3.0;  ///< Maximum length of an oblique cut through the array, in
-                                    ///< radii.
+constexpr double cutStep_mm = 0.02;                ///< Between the balls that the array is cut as.
+constexpr double cutReach_mm = 4.0;  ///< From the tip; balls farther behind are of other turns.
 
-/// From the section's center to the wall [mm], across and up.
-std::vector<Eigen::Vector2d> outline_mm(const anatomy::ScalaTympani& scala, double angle)
+/// An ellipse with its axes across and up [mm].
+struct Ellipse {
+  Eigen::Vector2d center, halfAxes;
+};
+
+/// Distance from `from` along a unit direction to the far side of an ellipse; 0 if it misses it.
+double farSide(const Ellipse& ellipse, const Eigen::Vector2d& from, const Eigen::Vector2d& way)
+{
+  const Eigen::Vector2d start = (from - ellipse.center).cwiseQuotient(ellipse.halfAxes);
+  const Eigen::Vector2d slope = way.cwiseQuotient(ellipse.halfAxes);
+  const double a = slope.squaredNorm(), b = start.dot(slope), c = start.squaredNorm() - 1.0;
+  const double discriminant = b * b - a * c;
+  return discriminant < 0.0 ? 0.0 : std::max(0.0, (-b + std::sqrt(discriminant)) / a);
+}
+
+Length cutBehindTip(const ArrayInScala& now) { return now.array().tipRadius(); }
+
+/// The array's ball at a distance from the tip, cut by the half-plane at the angle; none if it does
+/// not reach it.
+std::optional<Ellipse> cutOf(const ArrayInScala& now, double fromTip_mm, double angle)
+{
+  const electrode::Section section = now.array().sectionAt(millimeters(fromTip_mm));
+  const Eigen::Vector2d half_mm(0.5 * inMillimeters(section.within),
+                                0.5 * inMillimeters(section.across));
+  const std::vector<Eigen::Vector3d>& nodes_W = now.nodes_W();
+  const double last = static_cast<double>(nodes_W.size() - 1);
+  const double index =
+      std::clamp(last * (1.0 - fromTip_mm / inMillimeters(now.array().length)), 0.0, last);
+  const std::size_t i = std::min(nodes_W.size() - 2, static_cast<std::size_t>(index));
+  const Eigen::Vector3d at_W =
+      nodes_W[i] + (index - static_cast<double>(i)) * (nodes_W[i + 1] - nodes_W[i]);
+  const Eigen::Vector3d center_W = now.scala().center_W(angle);
+  const Eigen::Vector2d outward = center_W.head<2>().normalized();
+  const double off_mm = 1e3 * (at_W.y() * outward.x() - at_W.x() * outward.y());
+  const double ratio = off_mm / half_mm.maxCoeff();
+  if (std::abs(ratio) >= 1.0 || at_W.head<2>().dot(outward) <= 0.0) return std::nullopt;
+  return Ellipse{{1e3 * (at_W.head<2>().dot(outward) - center_W.head<2>().norm()),
+                  1e3 * (at_W.z() - center_W.z())},
+                 std::sqrt(1.0 - ratio * ratio) * half_mm};
+}
+
+/// The wall in the half-plane at an angle, from the section's center [mm], across and up.
+std::vector<Eigen::Vector2d> wall_mm(const anatomy::ScalaTympani& scala, double angle)
 {
   const Eigen::Vector3d center_W = scala.center_W(angle);
   std::vector<Eigen::Vector2d> outline;
@@ -37,7 +79,37 @@ std::vector<Eigen::Vector2d> outline_mm(const anatomy::ScalaTympani& scala, doub
   return outline;
 }
 
-Length cutBehindTip(const ArrayInScala& now) { return now.array().tipRadius(); }
+/// The array's outline in the half-plane at the cut, likewise: the cut through the body that the
+/// mechanics holds against the wall, balls of the array's thickness along its center line.
+std::vector<Eigen::Vector2d> cut_mm(const ArrayInScala& now)
+{
+  if (now.nodes().empty()) return {};
+  const NodePlace cut = now.at(inMillimeters(cutBehindTip(now)));
+  std::vector<Ellipse> balls;
+  if (cut.angle_deg < 0.0) {  // in the lead-in, whose sections are those at the round window
+    const electrode::Section section = now.array().sectionAt(cutBehindTip(now));
+    balls.push_back({{cut.across_mm, cut.up_mm},
+                     {0.5 * inMillimeters(section.within), 0.5 * inMillimeters(section.across)}});
+  } else {
+    for (double place_mm = 0.0; place_mm <= cutReach_mm; place_mm += cutStep_mm)
+      if (const auto ball = cutOf(now, place_mm, degrees(cut.angle_deg).si()))
+        balls.push_back(*ball);
+  }
+  if (balls.empty()) return {};
+  const auto largest = std::max_element(
+      balls.begin(), balls.end(),
+      [](const auto& a, const auto& b) { return a.halfAxes.maxCoeff() < b.halfAxes.maxCoeff(); });
+  const Eigen::Vector2d middle = largest->center;
+  std::vector<Eigen::Vector2d> ring;
+  for (int k = 0; k < directions; ++k) {
+    const double turn = 2.0 * pi * k / directions;
+    const Eigen::Vector2d way(std::cos(turn), std::sin(turn));
+    double reach = 0.0;
+    for (const Ellipse& ball : balls) reach = std::max(reach, farSide(ball, middle, way));
+    ring.push_back(middle + reach * way);
+  }
+  return ring;
+}
 
 /// Maps positions of the section to the page, to scale.
 struct Frame {
@@ -51,22 +123,10 @@ struct Frame {
 void drawArray(PlotSheet& sheet, const Frame& frame, const ArrayInScala& now,
                const figures::SchemeInks& ink)
 {
-  const NodePlace cut = now.at(inMillimeters(cutBehindTip(now)));
-  const double radius_mm = 0.5 * inMillimeters(now.array().sectionAt(cutBehindTip(now)).within);
-  // an oblique cut through a tube is an ellipse
-  const Eigen::Vector2d lean = cut.along.head<2>();
-  const double stretch =
-      std::min(longestCut, 1.0 / std::max(std::abs(cut.along.z()), 1.0 / longestCut));
-  const Eigen::Vector2d longAxis =
-      lean.norm() > 1e-6 ? Eigen::Vector2d(lean.normalized()) : Eigen::Vector2d::UnitX();
-  const Eigen::Vector2d shortAxis(-longAxis.y(), longAxis.x());
   std::vector<PagePoint> ring;
-  for (int k = 0; k <= directions; ++k) {
-    const double turn = 2.0 * pi * k / directions;
-    ring.push_back(
-        frame.at(Eigen::Vector2d(cut.across_mm, cut.up_mm) +
-                 radius_mm * (stretch * std::cos(turn) * longAxis + std::sin(turn) * shortAxis)));
-  }
+  for (const Eigen::Vector2d& place_mm : cut_mm(now)) ring.push_back(frame.at(place_mm));
+  if (ring.empty()) return;
+  ring.push_back(ring.front());
   sheet.add(Area{ring, ink.silicone});
   sheet.add(Stroke{ring, ink.platinum, 1.5, 0.0});
 }
@@ -121,7 +181,7 @@ TipSection::TipSection(const anatomy::ScalaTympani& scala, ChartStyle style)
 {
   const double last = scala.lastAngle().si();
   for (double angle = 0.0; angle <= last; angle += degrees(10).si())
-    for (const Eigen::Vector2d& place_mm : outline_mm(scala, angle)) {
+    for (const Eigen::Vector2d& place_mm : wall_mm(scala, angle)) {
       halfWidth_mm_ = std::max(halfWidth_mm_, std::abs(place_mm.x()));
       halfHeight_mm_ = std::max(halfHeight_mm_, std::abs(place_mm.y()));
     }
@@ -146,7 +206,7 @@ figures::Drawing TipSection::draw(const ArrayInScala& now, double width, double 
 
   std::vector<PagePoint> wall;
   double inner_mm = 0.0, outer_mm = 0.0;
-  for (const Eigen::Vector2d& place_mm : outline_mm(scala_, angle)) {
+  for (const Eigen::Vector2d& place_mm : wall_mm(scala_, angle)) {
     wall.push_back(frame.at(place_mm));
     inner_mm = std::min(inner_mm, place_mm.x());
     outer_mm = std::max(outer_mm, place_mm.x());

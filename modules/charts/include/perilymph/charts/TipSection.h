@@ -9,9 +9,10 @@
 
 namespace perilymph::charts {
 
-/// The half-plane through the modiolar axis at the tip: modiolus on the left, apex up, to scale.
-/// The array is cut at the end of its rounded tip, where it has its full width. The arrow is the
-/// sum of the wall's normal forces on the last millimeter of the array, with the scale arrow_px_mN.
+/// The half-plane through the modiolar axis one tip radius behind the tip: modiolus on the left,
+/// apex up, to scale. The array is drawn as the cut through the body that the mechanics holds
+/// against the wall. The arrow is the sum of the wall's normal forces on the last millimeter of the
+/// array, with the scale arrow_px_mN.
 class TipSection {
 public:
   static constexpr double forceReach_mm = 1.0;

@@ -188,6 +188,15 @@ void OperationView::showArray(const haptics::Snapshot& now)
   isDirty_ = true;
 }
 
+void OperationView::showGhost(const electrode::ArrayDesign& array,
+                              std::span<const Eigen::Vector3d> nodes_W)
+{
+  if (!scene_) return;
+  scene_->showGhost(array, nodes_W);
+  if (twin_ != nullptr) twin_->scene().showGhost(array, nodes_W);
+  isDirty_ = true;
+}
+
 void OperationView::showNumbers(const haptics::TickOutput& now, Length stopTravel)
 {
   travel_->setNumber(numberText(inMillimeters(Length::fromSi(now.travel)), 1));

@@ -39,6 +39,8 @@ public:
 
   /// Updates the array.
   void showArray(const haptics::Snapshot& now);
+  /// Updates the array of a reference insertion: InsertionScene::showGhost().
+  void showGhost(const electrode::ArrayDesign& array, std::span<const Eigen::Vector3d> nodes_W);
   /// Updates the read-outs.
   /// @param stopTravel  Travel at full depth.
   void showNumbers(const haptics::TickOutput& now, Length stopTravel);

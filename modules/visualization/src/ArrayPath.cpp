@@ -27,6 +27,15 @@ void ArrayPath::follow(const haptics::Snapshot& now, const PictureSpace& space)
   }
 }
 
+void ArrayPath::follow(std::span<const Eigen::Vector3d> nodes_W, const PictureSpace& space)
+{
+  nodes_.clear();
+  const bool isFinite = std::all_of(nodes_W.begin(), nodes_W.end(),
+                                    [](const Eigen::Vector3d& node) { return node.allFinite(); });
+  if (!isFinite) return;
+  for (const Eigen::Vector3d& node_W : nodes_W) nodes_.push_back(space.place(node_W));
+}
+
 PathPoint ArrayPath::at(double fromTip_mm) const
 {
   const int last = static_cast<int>(nodes_.size()) - 1;

@@ -4,6 +4,7 @@
 // The center line of the array as a smooth curve through the nodes of a snapshot.
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "PictureSpace.h"
@@ -26,6 +27,7 @@ public:
   explicit ArrayPath(Length length);
 
   void follow(const haptics::Snapshot& now, const PictureSpace& space);
+  void follow(std::span<const Eigen::Vector3d> nodes_W, const PictureSpace& space);
   bool isEmpty() const { return nodes_.size() < 2; }
 
   /// The point at a distance from the tip; negative beyond the tip, above the length behind the

@@ -21,6 +21,7 @@
 #include "CameraPath.h"
 #include "ContactField.h"
 #include "ContactMarks.h"
+#include "GhostArray.h"
 #include "PictureSpace.h"
 #include "ScalaParts.h"
 #include "ScaleBars.h"
@@ -61,6 +62,7 @@ struct InsertionScene::Content {
   ArrayPath path;
   ContactField field;
   ContactMarks marks;
+  GhostArray ghost;
   Backdrop backdrop;
   CameraSubject subject;
   CameraPath camera;
@@ -92,6 +94,7 @@ InsertionScene::Content::Content(const anatomy::ScalaTympani& scala,
       path(arrayParts.design().length),
       field(arrayParts.design().length),
       marks(paletteOf(style.scheme)),
+      ghost(paletteOf(style.scheme)),
       backdrop(paletteOf(style.scheme))
 {
   const anatomy::Entry entry = scala.entry();
@@ -130,6 +133,7 @@ void InsertionScene::Content::addActors(const QualityTraits& traits, const Palet
   marks.addGlow(*renderer);
   scalaParts.addNearWall(*renderer);
   arrayParts.addOutline(*renderer);
+  ghost.addTo(*renderer);
   marks.addArrows(*renderer);
 
   overlay->GetScene()->SetRenderer(renderer);
@@ -197,6 +201,7 @@ void InsertionScene::Content::prepare()
     arrayParts.lookFrom(view);
     marks.build(field, arrayParts, path, view);
   }
+  ghost.lookFrom(view);
   bars->pixel_mm = pixel_mm;
   bars->pixelRatio = pixelRatio;
   preparedView = view;
@@ -278,6 +283,13 @@ void InsertionScene::show(const haptics::Snapshot& now)
     scene.scalaParts.color(scene.field);
   if (wasEmpty != scene.path.isEmpty()) scene.applyVisibility();
   scene.arrayMoved = true;
+}
+
+void InsertionScene::showGhost(const electrode::ArrayDesign& array,
+                               std::span<const Eigen::Vector3d> nodes_W)
+{
+  content_->ghost.show(array, nodes_W, content_->space);
+  content_->arrayMoved = true;
 }
 
 void InsertionScene::setVisible(Part part, bool visible)

@@ -132,6 +132,8 @@ TEST_F(Clinician, ExportsTableCurvesAndFigure)
 TEST_F(Clinician, PutsAReferenceBehindTheNextInsertionIsWarnedAndRemovesIt)
 {
   insertOnce();
+  ASSERT_TRUE(WindowRig::comes([&] { return rig_->travel_mm() == 0.0; }));
+  const QImage withoutReference = rig_->picture();
   openLibrary(1);
   rig_->click("ghostButton");
   ASSERT_TRUE(WindowRig::comes([&] { return rig_->label("sessionStatus").contains("reference"); }));
@@ -139,6 +141,7 @@ TEST_F(Clinician, PutsAReferenceBehindTheNextInsertionIsWarnedAndRemovesIt)
   EXPECT_TRUE(rig_->label("referenceName").contains("contour-published"));
   const auto* warning = rig_->window().findChild<QLabel*>("referenceWarning");
   EXPECT_FALSE(warning->isVisible());
+  EXPECT_NE(rig_->picture(), withoutReference);  // its array, too
   rig_->choose("arraySelector", "flex28");
   ASSERT_TRUE(WindowRig::comes([&] { return warning->isVisible(); }));
   EXPECT_TRUE(warning->text().contains("another array (Nucleus 24 Contour)"))
@@ -148,6 +151,8 @@ TEST_F(Clinician, PutsAReferenceBehindTheNextInsertionIsWarnedAndRemovesIt)
   EXPECT_TRUE(WindowRig::comes([&] { return warning->text().contains("another cochlea"); }));
   rig_->click("removeReferenceButton");
   EXPECT_FALSE(rig_->window().findChild<QLabel*>("referenceName")->isVisible());
+  rig_->click("restoreButton");
+  EXPECT_TRUE(WindowRig::comes([&] { return rig_->picture() == withoutReference; }));
 }
 
 TEST_F(Clinician, IsLedFromAnEmptyComparisonToTheRecordings)

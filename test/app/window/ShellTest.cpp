@@ -37,7 +37,7 @@ TEST(Shell, AWindowMadeAgainKeepsReferenceInputUndoAndFocus)
     rig.click("pointerChoice");
     rig.type("panelSpeed", "1.5");
     rig.window().insertion().setReference(gui::ReferenceInsertion{
-        "earlier", {}, {{millimeters(0), newtons(0)}, {millimeters(9), newtons(0.1)}}});
+        "earlier", {}, {{millimeters(0), newtons(0)}, {millimeters(9), newtons(0.1)}}, {}});
     rig.window().findChild<QWidget*>("panelStop")->setFocus();
     memory = gui::memoryOf(rig.window());
     scenario = rig.window().control().scenario().text();

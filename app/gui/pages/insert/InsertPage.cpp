@@ -312,8 +312,7 @@ void InsertPage::closeReplay()
 
 void InsertPage::setReference(const std::optional<ReferenceInsertion>& reference)
 {
-  views_->charts()->setGhost(reference);
-  side_->setReference(reference);
+  presenter_.setReference(reference);
 }
 
 bool InsertPage::takeReplayKey(const QKeyEvent& event) { return replay_->takeKey(event); }

@@ -22,7 +22,7 @@ namespace perilymph::gui {
 
 InsertionPresenter::InsertionPresenter(InsertionControl& control, const SetupControl& setup,
                                        Zones zones)
-    : control_(control), setup_(setup), zones_(zones)
+    : control_(control), setup_(setup), zones_(zones), ghost_(*zones.views->operation())
 {
 }
 
@@ -31,6 +31,15 @@ void InsertionPresenter::showCochlea()
   zones_.views->setScene(control_.anatomy(), control_.scenario());
   zones_.side->announceParts();
   zones_.views->operation()->showArray(control_.now());
+  const session::Scenario& scenario = control_.scenario();
+  ghost_.setCurrent(session::subjectOf(scenario.text(), scenario.name()));
+}
+
+void InsertionPresenter::setReference(const std::optional<ReferenceInsertion>& reference)
+{
+  zones_.views->charts()->setGhost(reference);
+  zones_.side->setReference(reference);
+  ghost_.setReference(reference);
 }
 
 void InsertionPresenter::showPrepared()
@@ -65,6 +74,7 @@ void InsertionPresenter::step()
   const haptics::Snapshot& now = control_.now();
   const bool isMoved = isNew(now);
   if (isMoved) zones_.views->operation()->showArray(now);
+  ghost_.follow(now.output.depth);
   // at rest the charts stand still, too
   const bool isResting = (now.output.status & haptics::resting) != 0;
   const bool isMoving = isMoved || now.output.workflow == haptics::Workflow::inserting;

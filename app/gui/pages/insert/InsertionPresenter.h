@@ -5,6 +5,7 @@
 
 #include <QString>
 
+#include "gui/pages/insert/GhostControl.h"
 #include "gui/run/InsertionControl.h"
 
 namespace perilymph::gui {
@@ -43,6 +44,8 @@ public:
   /// @param maySetUp  The setup may be changed now.
   void showState(const FrameMeter& meter, bool maySetUp);
   void showInput();
+  /// Shows a reference insertion in chart, panel and 3D view, or none.
+  void setReference(const std::optional<ReferenceInsertion>& reference);
 
   /// Shows an error until it is cleared.
   void showError(const QString& sentence);
@@ -57,6 +60,7 @@ private:
   InsertionControl& control_;
   const SetupControl& setup_;
   Zones zones_;
+  GhostControl ghost_;
   QString error_;
   haptics::Snapshot drawn_{};  ///< The snapshot shown in the scene.
 };

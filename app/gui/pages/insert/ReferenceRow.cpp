@@ -29,7 +29,7 @@ ReferenceRow::ReferenceRow(QWidget* parent)
   remove_->setFont(typeface(11));
   remove_->setFixedHeight(22);
   remove_->setFocusPolicy(Qt::TabFocus);
-  remove_->setToolTip(tr("Removes the reference curve from the chart."));
+  remove_->setToolTip(tr("Removes the reference from chart and 3D view."));
   auto* row = new QHBoxLayout;
   row->setSpacing(spacing);
   row->addWidget(name_, 1);
@@ -61,7 +61,10 @@ void ReferenceRow::showState()
   if (!reference_) return;
   name_->setText(tr("Reference: %1").arg(reference_->name));
   const QString difference = differenceText(*reference_, current_);
-  warning_->setText(tr("It has %1.").arg(difference));
+  const bool isElsewhere = reference_->subject.cochlea != current_.cochlea;
+  warning_->setText(isElsewhere
+                        ? tr("It has %1. Its array is not shown in the 3D view.").arg(difference)
+                        : tr("It has %1.").arg(difference));
   warning_->setVisible(!difference.isEmpty());
 }
 

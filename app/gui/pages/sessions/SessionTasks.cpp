@@ -1,10 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/sessions/SessionTasks.h"
 
+#include <functional>
+#include <utility>
+
 #include "gui/pages/sessions/Report.h"
 #include "perilymph/analysis/Comparison.h"
 
 namespace perilymph::gui {
+
+namespace {
+
+Result<ReferenceInsertion> referenceOf(const std::filesystem::path& file,
+                                       const std::function<bool()>& goesOn)
+{
+  const auto read = analysis::readCompared(file, goesOn);
+  if (!read) return read.error();
+  auto shapes = readShapes(file, goesOn);
+  if (!shapes) return shapes.error();
+  ReferenceInsertion reference;
+  reference.name = QString::fromStdString(read->name);
+  reference.subject = read->subject;
+  for (const analysis::CurvePoint& point : read->profile.curve)
+    reference.curve.emplace_back(meters(point.travel), newtons(point.force));
+  reference.shapes = *std::move(shapes);
+  return reference;
+}
+
+}  // namespace
 
 SessionTasks::SessionTasks(QObject* parent) : QObject(parent), reading_(this) {}
 
@@ -14,17 +37,12 @@ void SessionTasks::readReference(const std::filesystem::path& file)
   reading_.run(
       "The reference",
       [file](const std::atomic<bool>& isCanceled) {
-        return analysis::readCompared(file, [&isCanceled] { return !isCanceled; });
+        return referenceOf(file, [&isCanceled] { return !isCanceled; });
       },
-      [this](const Result<analysis::ComparedInsertion>& read) {
-        if (!read) return said(QString::fromStdString(read.error().message), true);
-        ReferenceInsertion reference;
-        reference.name = QString::fromStdString(read->name);
-        reference.subject = read->subject;
-        for (const analysis::CurvePoint& point : read->profile.curve)
-          reference.curve.emplace_back(meters(point.travel), newtons(point.force));
-        Q_EMIT referenceRead(reference);
-        said(tr("%1 is shown as reference in the next insertions.").arg(reference.name), false);
+      [this](const Result<ReferenceInsertion>& reference) {
+        if (!reference) return said(QString::fromStdString(reference.error().message), true);
+        Q_EMIT referenceRead(*reference);
+        said(tr("%1 is shown as reference in the next insertions.").arg(reference->name), false);
       });
 }
 

@@ -3,7 +3,9 @@
 
 // The 3D view of the array in the cochlea.
 
+#include <Eigen/Core>
 #include <memory>
+#include <span>
 
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/anatomy/ScalaTympani.h"
@@ -62,6 +64,11 @@ public:
   /// Updates the array and the colors of the wall; pipelines and meshes are reused. A snapshot with
   /// fewer than 2 nodes or with a non-finite one hides the array.
   void show(const haptics::Snapshot& now);
+  /// Shows the array of another insertion into the same cochlea, translucent with a dashed outline;
+  /// hidden without nodes.
+  ///
+  /// @param nodes_W  Base first, tip last [m].
+  void showGhost(const electrode::ArrayDesign& array, std::span<const Eigen::Vector3d> nodes_W);
 
   void setVisible(Part part, bool visible);
   bool isVisible(Part part) const;

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QStringList>
 #include <QVariant>
+#include <algorithm>
 
 #include "gui/parts/Numbers.h"
 #include "gui/parts/Theme.h"
@@ -131,6 +132,19 @@ DerivedMeasures::DerivedMeasures(QWidget* parent)
   showNone({});
 }
 
+void DerivedMeasures::say(const QString& sentence)
+{
+  note_->setText(sentence);
+  // a layout in a layout asks for the height of one line only
+  note_->setMinimumHeight(sentence.isEmpty() ? 0 : note_->heightForWidth(std::max(1, width())));
+}
+
+void DerivedMeasures::resizeEvent(QResizeEvent* event)
+{
+  QWidget::resizeEvent(event);
+  say(note_->text());
+}
+
 void DerivedMeasures::show(const anatomy::Cochlea& cochlea, const electrode::ArrayDesign& array)
 {
   std::string key = keyOf(cochlea, array);
@@ -138,7 +152,7 @@ void DerivedMeasures::show(const anatomy::Cochlea& cochlea, const electrode::Arr
   shown_ = std::move(key);
   cochlea_ = cochlea;
   array_ = array;
-  note_->setText(tr("computing…"));
+  say(tr("computing…"));
   note_->show();
   delay_.start();
 }
@@ -149,7 +163,7 @@ void DerivedMeasures::showNone(const QString& sentence)
   background_.forget();
   shown_.clear();
   for (const auto& [name, value] : rows_) value->setText(tr("–"));
-  note_->setText(sentence);
+  say(sentence);
   note_->setVisible(!sentence.isEmpty());
 }
 
@@ -204,7 +218,7 @@ void DerivedMeasures::showContent(const Result<Content>& content)
   if (!content->bands.empty())
     notes << tr("± for an error of %1 mm in each measure.")
                  .arg(numberText(inMillimeters(analysis::measuringError), 1));
-  note_->setText(notes.join(QLatin1Char(' ')));
+  say(notes.join(QLatin1Char(' ')));
   note_->show();
 }
 

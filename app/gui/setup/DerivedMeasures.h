@@ -31,7 +31,11 @@ public:
   /// Shows a sentence in place of measures.
   void showNone(const QString& sentence);
 
+protected:
+  void resizeEvent(QResizeEvent* event) override;
+
 private:
+  void say(const QString& sentence);
   struct Content {
     std::vector<analysis::Measure> measures;
     std::vector<double> bands;  ///< Empty if nothing was measured in a patient.

@@ -184,6 +184,38 @@ TEST_F(FirstScreen, UnusualMeasuresAreMarkedAndStillPossible)
   EXPECT_FALSE(rig_->button("usePatientButton").isEnabled());
 }
 
+TEST_F(FirstScreen, TheDrawingOfTheLandmarksShowsTheirNamesWhole)
+{
+  rig_->click("patientCard");
+  auto* drawing = rig_->window().findChild<QWidget*>("landmarkDrawing");
+  for (const char* ear : {"leftEar", "rightEar"}) {
+    rig_->click(ear);
+    const QImage picture = drawing->grab().toImage();
+    const QColor ground = picture.pixelColor(4, picture.height() / 2);
+    for (int y = 8; y < picture.height() - 8; ++y)
+      for (const int x : {2, 4, 6, picture.width() - 7, picture.width() - 5, picture.width() - 3})
+        ASSERT_EQ(picture.pixelColor(x, y), ground) << ear << ", at " << x << ", " << y;
+  }
+}
+
+TEST_F(FirstScreen, TheFormShowsTheWholeNoteOnItsMeasures)
+{
+  rig_->click("patientCard");
+  type("aValue", "9.0");
+  type("bValue", "6.6");
+  const auto* form = rig_->window().findChild<gui::PatientForm*>();
+  const auto* measures = form->findChild<QWidget*>("derivedMeasures");
+  const auto note = [measures]() -> const QLabel* {
+    for (const QLabel* label : measures->findChildren<QLabel*>())
+      if (label->text().contains("FLEX28") || label->text().contains("lateral wall")) return label;
+    return nullptr;
+  };
+  ASSERT_TRUE(WindowRig::comes([&] { return note() != nullptr; }));
+  EXPECT_TRUE(WindowRig::comes(
+      [&] { return note()->height() >= note()->heightForWidth(note()->width()); }));
+  EXPECT_TRUE(form->rect().contains(QRect(note()->mapTo(form, QPoint(0, 0)), note()->size())));
+}
+
 TEST_F(FirstScreen, TheFormShowsWhatTheMeasuresMean)
 {
   rig_->click("patientCard");

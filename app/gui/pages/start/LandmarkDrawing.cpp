@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/start/LandmarkDrawing.h"
 
+#include <QFontMetricsF>
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
@@ -78,11 +79,11 @@ void LandmarkDrawing::paintEvent(QPaintEvent*)
   painter.setPen(lineColor);
   painter.drawPath(ground);
   const double split = (1.0 - sideViewFraction) * width();
-  const QRectF whole = QRectF(rect()).adjusted(12, 30, -12, -12);
+  const QRectF whole = QRectF(rect()).adjusted(12, sized(18) + 12, -12, -12);
   painter.setFont(typeface(11));
   painter.setPen(quietTextColor);
-  painter.drawText(QRectF(12, 8, split - 24, 18), Qt::AlignLeft, tr("Cochlear view"));
-  painter.drawText(QRectF(split, 8, width() - split - 12, 18), Qt::AlignLeft,
+  painter.drawText(QRectF(12, 8, split - 24, sized(18)), Qt::AlignLeft, tr("Cochlear view"));
+  painter.drawText(QRectF(split, 8, width() - split - 12, sized(18)), Qt::AlignLeft,
                    tr("Perpendicular view"));
   paintCochlearView(painter, {whole.left(), whole.top(), split - 24, whole.height()});
   paintSideView(painter, {split, whole.top(), width() - split - 12, whole.height()});
@@ -98,7 +99,7 @@ void LandmarkDrawing::paintCochlearView(QPainter& painter, const QRectF& place) 
   };
   const double a1 = radius_mm(half, 0.0), a2 = radius_mm(half, pi);
   const double b1 = radius_mm(half, 0.5 * pi), b2 = radius_mm(half, 1.5 * pi);
-  const double letters_px = 26.0;  // room for names at both ends
+  const double letters_px = sized(26);  // room for names at both ends
   const double scale = std::min((place.width() - 2.0 * letters_px) / (a1 + a2),
                                 (place.height() - letters_px) / (b1 + b2));
   const QPointF axis(place.center().x() + mirror * 0.5 * (a2 - a1) * scale,
@@ -135,19 +136,24 @@ void LandmarkDrawing::paintCochlearView(QPainter& painter, const QRectF& place) 
   painter.setFont(typeface(13, QFont::DemiBold));
   const auto name = [&](Landmark landmark, const QPointF& where, const QString& text) {
     painter.setPen(landmark == emphasized_ ? accentColor : textColor);
-    painter.drawText(QRectF(where.x() - 20, where.y() - 10, 40, 20), Qt::AlignCenter, text);
+    QRectF letter(0, 0, sized(40), sized(20));
+    letter.moveCenter(where);
+    painter.drawText(letter, Qt::AlignCenter, text);
   };
-  name(Landmark::a, far + 14.0 * direction(pi), QStringLiteral("A"));
-  name(Landmark::b, at(0.5 * pi, b1) + QPointF(mirror * 12.0, -2.0), QStringLiteral("B"));
+  name(Landmark::a, far + sized(14) * direction(pi), QStringLiteral("A"));
+  name(Landmark::b, at(0.5 * pi, b1) + QPointF(mirror * sized(12), -2.0), QStringLiteral("B"));
   painter.setFont(typeface(11));
   painter.setPen(quietTextColor);
-  const QRectF under(window.x() - 60, window.y() + 8, 120, 18);
-  QRectF inside = under;
-  if (inside.right() > place.right() + 12) inside.moveRight(place.right() + 12);
-  if (inside.left() < place.left() - 12) inside.moveLeft(place.left() - 12);
-  painter.drawText(inside, side_ == anatomy::Side::left ? Qt::AlignLeft : Qt::AlignRight,
-                   tr("round window"));
-  painter.drawText(QRectF(axis.x() + 6, axis.y() + 4, 80, 18), Qt::AlignLeft, tr("modiolus"));
+  // below the round window, as far as it fits between frame and side view
+  const QString windowName = tr("round window");
+  QRectF under(0, window.y() + 8, QFontMetricsF(painter.font()).horizontalAdvance(windowName) + 1,
+               sized(18));
+  under.moveCenter({window.x(), under.center().y()});
+  if (under.right() > place.right() + 8) under.moveRight(place.right() + 8);
+  if (under.left() < place.left() - 4) under.moveLeft(place.left() - 4);
+  painter.drawText(under, Qt::AlignCenter, windowName);
+  painter.drawText(QRectF(axis.x() + 6, axis.y() + 4, sized(80), sized(18)), Qt::AlignLeft,
+                   tr("modiolus"));
 }
 
 void LandmarkDrawing::paintSideView(QPainter& painter, const QRectF& place) const
@@ -155,7 +161,7 @@ void LandmarkDrawing::paintSideView(QPainter& painter, const QRectF& place) cons
   // a cone of turns that narrow toward the apex
   constexpr int turns = 3;
   constexpr double widths[turns] = {1.0, 0.66, 0.36};
-  const double wide = std::min(place.width() - 34.0, 1.4 * place.height());
+  const double wide = std::min(place.width() - 12.0 - sized(22), 1.4 * place.height());
   const double high = 0.8 * wide;
   const double left = place.left() + 6.0, base = place.center().y() + 0.5 * high;
   const double each = high / turns;
@@ -174,8 +180,9 @@ void LandmarkDrawing::paintSideView(QPainter& painter, const QRectF& place) cons
   paintMeasure(painter, {line, base}, {line, base - high});
   painter.setFont(typeface(13, QFont::DemiBold));
   painter.setPen(emphasized_ == Landmark::h ? accentColor : textColor);
-  painter.drawText(QRectF(line + 4.0, base - 0.5 * high - 10.0, 18.0, 20.0), Qt::AlignCenter,
-                   QStringLiteral("H"));
+  QRectF letter(line + 4.0, 0.0, sized(18), sized(20));
+  letter.moveCenter({letter.center().x(), base - 0.5 * high});
+  painter.drawText(letter, Qt::AlignCenter, QStringLiteral("H"));
 }
 
 }  // namespace perilymph::gui

@@ -73,6 +73,8 @@ public:
   void withdraw();
   /// Withdraws the stylet while the array keeps its position.
   void pullStylet();
+  /// Sends a command to the loop. False if its queue is full.
+  bool ask(haptics::Command::Kind kind, double value = 0.0);
 
   /// Pointer: grasps (the dead-man's button) or releases the array.
   void hold(bool isHeld);
@@ -123,7 +125,6 @@ private:
   std::filesystem::path nextRecording();
   void discard();
   Result<Done> build(InputSource hand, std::optional<std::filesystem::path> file);
-  bool ask(haptics::Command::Kind kind, double value = 0.0);
   void pursue();
   void pursueWithdrawal();
   void pursueResumption();

@@ -43,6 +43,8 @@ device::DeviceTraits PushedDevice::traits() const
 
 device::DeviceSample PushedDevice::read() noexcept
 {
+  while (realtime::monotonicNanoseconds() < log_->heldUpUntil) log_->isHeldUp = true;
+  log_->isHeldUp = false;
   ++sample_.sequence;
   sample_.isValid = 1;
   sample_.buttons = device::graspButton;

@@ -26,6 +26,12 @@ public:
   /// The hand begins to push.
   std::atomic<bool> isPushed{false};
 
+  /// The device answers no read before this time; monotonic [ns]. Its loop takes no command
+  /// meanwhile.
+  std::atomic<std::int64_t> heldUpUntil{0};
+  /// A read waits for that time.
+  std::atomic<bool> isHeldUp{false};
+
   std::size_t size() const { return count_; }
   const Entry& operator[](std::size_t i) const { return entries_[i]; }
   double newest() const { return size() == 0 ? 0.0 : entries_[size() - 1].magnitude; }

@@ -99,12 +99,18 @@ QWidget* KioskScreen::addTurnFoot()
   pull_ = addButton(tr("Hold to withdraw"), "pullButton", page);
   pad_ = new PushPad(page);
   handle_ = addButton(tr("Use the haptic device"), "handleButton", page);
+  stop_ = addButton(tr("STOP"), "stopButton", page);
+  stop_->setFont(typeface(34, QFont::Bold));
+  stop_->setAccessibleName(tr("Stop: remove the force of the device"));
   auto* again = addButton(tr("Start over"), "startOverButton", page);
   row->addWidget(pull_);
   row->addWidget(pad_, 1);
+  row->addWidget(stop_, 1);
   row->addWidget(handle_);
   row->addWidget(again);
   handle_->hide();
+  stop_->hide();
+  connect(stop_, &QPushButton::pressed, this, &KioskScreen::stopAsked);
   connect(again, &QPushButton::clicked, this, &KioskScreen::startOverAsked);
   connect(handle_, &QPushButton::clicked, this, &KioskScreen::handleAsked);
   return page;
@@ -138,9 +144,12 @@ void KioskScreen::offerHandle(bool isThere) { handle_->setVisible(isThere); }
 void KioskScreen::useHandle(bool isHandle)
 {
   handle_->setText(isHandle ? tr("Use the screen") : tr("Use the haptic device"));
-  pad_->setEnabled(!isHandle);
-  pull_->setEnabled(!isHandle);
+  pad_->setVisible(!isHandle);
+  pull_->setVisible(!isHandle);
+  stop_->setVisible(isHandle);
 }
+
+bool KioskScreen::isStop(const QObject* target) const { return target == stop_; }
 
 bool KioskScreen::isPressed() const { return pad_->isHeld() || pull_->isDown(); }
 

@@ -37,9 +37,11 @@ public:
   void showFoot(KioskStage stage);
   /// Whether a haptic device can be used instead of the screen.
   void offerHandle(bool isThere);
-  /// The visitor inserts with the haptic device, or with the screen.
+  /// The visitor inserts with the haptic device, and can stop it, or with the screen.
   void useHandle(bool isHandle);
 
+  /// An event for this object presses the Stop button.
+  bool isStop(const QObject* target) const;
   /// The plate or the button beside it is pressed.
   bool isPressed() const;
   /// Requested speed of the array, positive into the cochlea; zero while nothing is pressed.
@@ -50,6 +52,8 @@ Q_SIGNALS:
   void startOverAsked();
   void handleAsked();
   void leaveAsked();
+  /// Remove the force of the device at once.
+  void stopAsked();
 
 private:
   QWidget* addInvitation();
@@ -65,6 +69,7 @@ private:
   PushPad* pad_ = nullptr;
   QPushButton* pull_ = nullptr;
   QPushButton* handle_ = nullptr;
+  QPushButton* stop_ = nullptr;
 };
 
 }  // namespace perilymph::gui

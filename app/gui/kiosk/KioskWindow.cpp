@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "gui/kiosk/BoardView.h"
 #include "gui/parts/ChartLabels.h"
@@ -67,6 +68,7 @@ KioskWindow::KioskWindow(session::Scenario scenario, std::filesystem::path board
   connect(screen_, &KioskScreen::startOverAsked, this, [this] { beginTurn(control_.hand()); });
   connect(screen_, &KioskScreen::handleAsked, this, &KioskWindow::chooseHandle);
   connect(screen_, &KioskScreen::leaveAsked, this, &KioskWindow::beginAttract);
+  connect(screen_, &KioskScreen::stopAsked, this, &KioskWindow::letGo);
   timer_.setTimerType(Qt::PreciseTimer);
   timer_.setInterval(frameInterval_ms);
   connect(&timer_, &QTimer::timeout, this, &KioskWindow::onFrame);
@@ -87,7 +89,7 @@ bool KioskWindow::eventFilter(QObject* target, QEvent* event)
     case QEvent::Wheel:
       touchedAt_s_ = now_s();
       if (stage_ != KioskStage::attract) {
-        if (event->type() != QEvent::Wheel) continueTurn();
+        if (event->type() != QEvent::Wheel && !screen_->isStop(target)) continueTurn();
         return false;
       }
       if (event->type() != QEvent::Wheel) beginTurn(InputSource::pointer);
@@ -110,6 +112,7 @@ bool KioskWindow::takeKey(QKeyEvent* event)
   touchedAt_s_ = now_s();
   const auto both = Qt::ControlModifier | Qt::AltModifier;
   if (event->key() == Qt::Key_Q && (event->modifiers() & both) == both) {
+    letGo();
     Q_EMIT ended();
     return true;
   }
@@ -217,6 +220,12 @@ void KioskWindow::chooseHandle()
                                   [](const device::FoundDevice& hand) { return hand.isUsable(); });
   if (found == survey.devices.end()) return beginTurn(InputSource::pointer);
   control_.choose(*found);
+  beginTurn(InputSource::device);
+}
+
+void KioskWindow::useDevice(InsertionControl::DeviceFactory device)
+{
+  control_.choose(std::move(device));
   beginTurn(InputSource::device);
 }
 

@@ -33,6 +33,8 @@ public:
   /// Builds the cochlea and starts the demonstration.
   Result<Done> open();
 
+  /// Begins a visitor's turn with a device.
+  void useDevice(InsertionControl::DeviceFactory device);
   /// The screen was locked: removes the force of the visitor's device.
   void stopDevice();
 

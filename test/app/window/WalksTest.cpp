@@ -8,9 +8,11 @@
 #include <QAbstractButton>
 #include <QIcon>
 #include <QImage>
+#include <QLabel>
 #include <QLineEdit>
 #include <QTableView>
 #include <QTest>
+#include <algorithm>
 
 #include "DataFolder.h"
 #include "Walk.h"
@@ -37,6 +39,16 @@ protected:
     return WindowRig::comes([&] {
       return rig.now().output.workflow == haptics::Workflow::finished &&
              rig.button("startButton").text() == "Start";
+    });
+  }
+  /// All measures of the shown cochlea are shown.
+  static bool isComputed(WindowRig& rig)
+  {
+    return WindowRig::comes([&] {
+      const auto labels = rig.window().findChildren<QLabel*>();
+      return std::none_of(labels.begin(), labels.end(), [](const QLabel* label) {
+        return label->isVisible() && label->text() == "computing…";
+      });
     });
   }
   /// Every row of the library shows its picture.
@@ -72,6 +84,7 @@ TEST_F(AWalk, OfASurgeonEndsAtFullDepthOfThePatientsCochlea)
     QTest::keyClicks(line, QLatin1String(text));
   }
   rig.click("leftEar");
+  ASSERT_TRUE(isComputed(rig));
   walk.step(2, rig.window());
 
   rig.click("usePatientButton");
@@ -79,6 +92,7 @@ TEST_F(AWalk, OfASurgeonEndsAtFullDepthOfThePatientsCochlea)
       [&] { return rig.window().control().scenario().patient().label == "P-014"; }));
   rig.choose("arraySelector", "slim-straight");
   ASSERT_TRUE(canStart(rig));
+  ASSERT_TRUE(isComputed(rig));
   walk.step(3, rig.window());
 
   rig.click("pointerChoice");

@@ -4,6 +4,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstdlib>
 #include <stdexcept>
 
 #include "FileOptions.h"
@@ -53,10 +55,15 @@ Result<Done> checkFolder(const std::string& folder)
     missing = there;
     there = there.parent_path();
   }
-  // Only an attempt is conclusive: create it and remove it again.
-  std::error_code failure;
-  const bool canMake = missing.empty() || (fs::create_directory(missing, failure) && !failure);
-  if (canMake && !missing.empty()) fs::remove(missing, ignored);
+  // Only an attempt is conclusive: create a folder and remove it again. Not the one that is wanted,
+  // which another process may create now, too.
+  bool canMake = true;
+  if (!missing.empty()) {
+    canMake = ::access(missing.c_str(), F_OK) == 0 || errno == ENOENT;  // else its name is too long
+    std::string attempt = (there / ".perilymph-XXXXXX").string();
+    canMake = canMake && ::mkdtemp(attempt.data()) != nullptr;
+    if (canMake) fs::remove(attempt, ignored);
+  }
   if (!canMake || ::faccessat(AT_FDCWD, there.c_str(), W_OK, AT_EACCESS) != 0)
     return Error{"Cannot write into " + folder + ": nothing may be written into " + there.string() +
                  ". Choose another folder."};

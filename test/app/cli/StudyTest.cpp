@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <future>
+
 #include "Cli.h"
 
 namespace perilymph::test {
@@ -62,6 +64,21 @@ TEST_F(Studies, GiveTheSameFilesAsAWholeAndInParts)
   const auto table = linesOf(fs::path(out("parts")) / "insertions.csv");
   ASSERT_EQ(table.size(), 5u);
   EXPECT_EQ(table[0].substr(0, 27), "number,cochlea,A_mm,B_mm,st");
+}
+
+TEST_F(Studies, StartTogetherInAFolderThatDoesNotExist)
+{
+  for (const std::string round : {"a", "b", "c", "d"}) {
+    std::vector<std::future<ProgramOutcome>> parts;
+    for (const std::string index : {"1", "2", "3", "4"})
+      parts.push_back(std::async(std::launch::async, [&, index] {
+        return cli({"study", "shard", file(), "--index", index, "--of", "4", "--out", out(round)});
+      }));
+    for (auto& part : parts) {
+      const ProgramOutcome outcome = part.get();
+      EXPECT_EQ(outcome.status, 0) << outcome.err;
+    }
+  }
 }
 
 TEST_F(Studies, AreReportedWithFigures)

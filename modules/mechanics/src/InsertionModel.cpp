@@ -76,6 +76,17 @@ void check(const ModelParts& parts)
                 std::to_string(static_cast<int>(stiffest.si())) + " N/m" +
                 (isRough ? ", ten times that of bone: single steps would not find their balance."
                          : " where nothing rubs."));
+  require(parts.wall.lining.si() > 0.0 && inMillimeters(parts.wall.lining) <= 0.5,
+          "The wall's lining is " + std::to_string(inMillimeters(parts.wall.lining)) +
+              " mm thick; it must be above 0 and at most 0.5 mm.");
+  require(parts.wall.rimStiffness().si() > 0.0 && parts.wall.rimStiffness() <= stiffest,
+          "The rim's stiffness is " + std::to_string(parts.wall.rimStiffness().si()) +
+              " N/m under a sample point; it must be above 0 and at most " +
+              std::to_string(static_cast<int>(stiffest.si())) + " N/m.");
+  require(parts.wall.sectionDelay.si() >= 0.0 && inMilliseconds(parts.wall.sectionDelay) <= 100.0,
+          "The wall's delay for oval sections is " +
+              std::to_string(inMilliseconds(parts.wall.sectionDelay)) +
+              " ms; it must be 0 to 100 ms.");
   if (parts.membrane)
     require(parts.membrane->perSamplePoint.si() > 0.0 &&
                 parts.membrane->perSamplePoint <= parts.wall.perSamplePoint &&

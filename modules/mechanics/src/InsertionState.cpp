@@ -52,6 +52,7 @@ InsertionState::InsertionState(const InsertionModel& model)
       wallForce_W(position_W.size()),
       wallNormal_W(position_W.size()),
       wallTorque(position_W.size()),
+      section(position_W.size()),
       membraneForce(position_W.size()),
       workspace(model.points ? 0 : position_W.size())
 {
@@ -80,6 +81,7 @@ void InsertionState::reset(const InsertionModel& model) noexcept
     wallForce_W[i].setZero();
     wallNormal_W[i].setZero();
     wallTorque[i] = {};
+    section[i] = {};
     membraneForce[i] = 0.0;
     isBeside[i] = 0;
     clearance[i] = 0.0;
@@ -116,6 +118,10 @@ std::uint64_t InsertionState::fingerprint() const noexcept
     hash.add(normalForce[i]);
     addVector(hash, wallNormal_W[i]);
     hash.add(wallTorque[i].torque);
+    if (section[i].isKnown) {
+      hash.add(section[i].length);
+      hash.add(section[i].rate);
+    }
   }
   workspace->rod.system.factors.addTo(hash);
   addVector(hash, rim.spring_W);

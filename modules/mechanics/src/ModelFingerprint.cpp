@@ -75,10 +75,13 @@ void add(Hash& hash, const FrictionLaw& law)
 
 void add(Hash& hash, const WallLaw& law)
 {
-  const auto& [perSamplePoint, tangentialPerSamplePoint, onset] = law;
+  const auto& [perSamplePoint, tangentialPerSamplePoint, lining, rim, sectionDelay] = law;
   add(hash, perSamplePoint);
   add(hash, tangentialPerSamplePoint);
-  add(hash, onset);
+  add(hash, lining);
+  // recordings of before have neither
+  if (rim) add(hash, *rim);
+  if (sectionDelay.si() > 0.0) hash.add(sectionDelay.si());
 }
 
 void add(Hash& hash, const MembraneLaw& law)
@@ -163,7 +166,7 @@ std::uint64_t formerFingerprintOf(const InsertionModel& model)
        {model.styletBending, model.styletFromTip, model.styletResidual, model.baseMass,
         model.parts.friction.staticCoefficient, model.parts.friction.kineticCoefficient,
         model.parts.friction.stoppingCoefficient, model.parts.friction.stribeck.si(),
-        model.parts.wall.onset.si(), model.parts.wall.perSamplePoint.si(),
+        model.parts.wall.lining.si(), model.parts.wall.perSamplePoint.si(),
         model.parts.wall.tangentialPerSamplePoint.si()})
     hash.add(value);
   model.parts.friction.bySpeed.addTo(hash);

@@ -40,7 +40,7 @@ std::shared_ptr<const mechanics::InsertionModel> flatWallModel()
   parts.friction.staticCoefficient = parts.friction.kineticCoefficient =
       parts.friction.stoppingCoefficient = 0.0;
   parts.wall.perSamplePoint = newtonsPerMeter(1e6);
-  parts.wall.onset = millimeters(0.001);
+  parts.wall.lining = millimeters(0.001);
   parts.nodes = nodes;
   parts.startInside = startInside;
   return mechanics::InsertionModel::build(std::move(parts));

@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
+#include <string>
 
 #include "PublishedRun.h"
 #include "perilymph/test/Tolerance.h"
@@ -14,6 +17,8 @@ namespace {
 
 constexpr double timeSteps_ms[] = {CONVERGENCE_TIME_STEPS_MS};
 constexpr int nodeNumbers[] = {CONVERGENCE_NODES};
+constexpr double boneTimeSteps_ms[] = {BONE_TIME_STEPS_MS};
+constexpr int boneNodes[] = {BONE_NODES};
 
 void print(const Spread& spread)
 {
@@ -49,20 +54,86 @@ TEST(PublishedRun, ChangesByLessThanTwoPercentOfItsPeakWithTheNumberOfNodes)
   }
 }
 
-// A soft straight array presses the wall by a few millinewton here and there, and its bend at the
-// ends of each contact dies away over (4 EI / k)^(1/4), with k the wall's stiffness per length: 0.6
-// mm at its tip. With 50 nodes that is the distance between two of them, and the force ripples as
-// they pass.
+// Against the published wall, a soft straight array presses it by a few millinewton here and there,
+// and its bend at the ends of each contact dies away over (4 EI / k)^(1/4), with k the wall's
+// stiffness per length: 0.6 mm at its tip. With 50 nodes that is the distance between two of them,
+// and the force ripples as they pass.
 TEST(SoftStraightRun, RipplesByAMillinewtonOrSoWhereNodesAreAsFarApartAsItsContactsReach)
 {
   std::vector<std::vector<double>> runs;
   for (const int nodes : {50, 100, 200})
-    runs.push_back(forceOverTravel({.scenario = "mean-flex28", .speed_mm_s = 4.0, .nodes = nodes}));
+    runs.push_back(forceOverTravel({.scenario = "mean-flex28",
+                                    .speed_mm_s = 4.0,
+                                    .nodes = nodes,
+                                    .more = {{"wall_stiffness_N_m", "441"},
+                                             {"wall_lining_mm", "0.01"},
+                                             {"wall_section_delay_ms", "0"}}}));
   const Spread coarse = spreadOf({runs[0], runs[2]}), usual = spreadOf({runs[1], runs[2]});
   print(coarse);
   print(usual);
   EXPECT_LE(coarse.maximum, tolerance(1.5e-3, "0.6 mm between nodes"));
   EXPECT_LE(usual.maximum, tolerance(0.8e-3, "0.3 mm between nodes"));
+}
+
+/// An insertion into the mean cochlea, whose wall is bone.
+struct BoneCase {
+  const char* array;
+  const char* friction;
+  double speed_mm_s;
+  const char* travel_mm;
+};
+
+class BoneRun : public testing::TestWithParam<BoneCase> {
+protected:
+  static double peakOf(int nodes, double timeStep_ms)
+  {
+    const BoneCase& run = GetParam();
+    return spreadOf({forceOverTravel({.scenario = "mean-flex28",
+                                      .speed_mm_s = run.speed_mm_s,
+                                      .nodes = nodes,
+                                      .timeStep_ms = timeStep_ms,
+                                      .more = {{"array", run.array},
+                                               {"friction", run.friction},
+                                               {"stop_travel_mm", run.travel_mm}}})})
+        .peak;
+  }
+};
+
+TEST_P(BoneRun, ChangesItsPeakByLessThanThreePercentWithNodesAndTimeStep)
+{
+  const double usual = peakOf(100, 1.0);
+  for (const int nodes : boneNodes) {
+    const double peak = peakOf(nodes, 2.0);
+    std::cout << nodes << " nodes, 2 ms: " << 1e3 * peak << " mN" << std::endl;
+    EXPECT_NEAR(peak, usual, tolerance(0.03, "0.3 mm between nodes") * usual) << nodes << " nodes";
+  }
+  for (const double timeStep_ms : boneTimeSteps_ms) {
+    const double peak = peakOf(100, timeStep_ms);
+    std::cout << "100 nodes, " << timeStep_ms << " ms: " << 1e3 * peak << " mN" << std::endl;
+    EXPECT_NEAR(peak, usual, tolerance(0.03, "stick-slip") * usual) << timeStep_ms << " ms";
+  }
+}
+
+// With the friction of tissue a FLEX28 buckles outside the opening from 18 to 20 mm on.
+INSTANTIATE_TEST_SUITE_P(Arrays, BoneRun,
+                         testing::Values(BoneCase{"flex28", "soap-10", 2.0, "22"},
+                                         BoneCase{"flex28", "tissue", 1.0, "17"},
+                                         BoneCase{"nucleus-straight", "tissue", 1.0, "12"}),
+                         [](const auto& of) {
+                           std::string name = std::string(of.param.array) + of.param.friction;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+// An oval array whose reach toward the wall were that of the moment would rattle in the grooves of
+// the mean cochlea, by 4 mN from one sample to the next.
+TEST(OvalArrayAgainstBone, DoesNotRattle)
+{
+  const std::vector<double> force = forceOverTravel({.scenario = "mean-flex28", .speed_mm_s = 4.0});
+  double largest = 0.0;
+  for (std::size_t i = 1; i < force.size(); ++i)
+    largest = std::max(largest, std::fabs(force[i] - force[i - 1]));
+  EXPECT_LE(largest, tolerance(0.4e-3, "as a node passes the rim"));
 }
 
 }  // namespace

@@ -22,10 +22,11 @@ std::string inText(double value)
 
 session::Scenario scenarioOf(const Resolution& resolution)
 {
-  const auto scenario =
-      session::loadScenario(resolution.scenario, {{"nodes", std::to_string(resolution.nodes)},
-                                                  {"dt_ms", inText(resolution.timeStep_ms)},
-                                                  {"speed_mm_s", inText(resolution.speed_mm_s)}});
+  session::Overrides overrides = {{"nodes", std::to_string(resolution.nodes)},
+                                  {"dt_ms", inText(resolution.timeStep_ms)},
+                                  {"speed_mm_s", inText(resolution.speed_mm_s)}};
+  overrides.insert(overrides.end(), resolution.more.begin(), resolution.more.end());
+  const auto scenario = session::loadScenario(resolution.scenario, overrides);
   if (!scenario) throw std::runtime_error(scenario.error().message);
   return *scenario;
 }

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "perilymph/session/Scenario.h"
+
 namespace perilymph::test {
 
 /// Scenario, and resolution parameters that must not matter.
@@ -14,6 +16,7 @@ struct Resolution {
   double speed_mm_s = 2.0;
   int nodes = 100;
   double timeStep_ms = 1.0;
+  session::Overrides more = {};  ///< Other keys of the scenario.
 };
 
 /// Travel between two samples [m]: one tick of the longest time step at 2 mm/s.

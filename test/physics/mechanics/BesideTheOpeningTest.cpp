@@ -40,7 +40,7 @@ TEST(ArrayBesideTheOpening, IsHeldUpByTheBoneAsBySprings)
   rod.move(2e-3 * rod.model().entry.outward_W, 5e-3);
   rod.move(-0.6e-3 * out, 1e-3, 0.2);
 
-  const double onset = rod.model().parts.wall.onset.si();
+  const double onset = rod.model().parts.wall.lining.si();
   const double expected = rod.model().wallStiffness.back() * (0.1e-3 - 0.5 * onset);
   EXPECT_NEAR(rod.readings().axialForce, expected,
               test::tolerance(0.02 * expected, "the rod yields, too"));

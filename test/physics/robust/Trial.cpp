@@ -130,7 +130,7 @@ private:
     auto tracks = state_.track;
     const std::vector<double> reach(walls_.size(), 1e-3);
     model_.parts.lumen->nearestWall(state_.position_W, reach, tracks, walls_);
-    const double onset = model_.parts.wall.onset.si();
+    const double onset = model_.parts.wall.lining.si();
     for (std::size_t i = 0; i < walls_.size(); ++i) {
       const double inside = (model_.entry.origin_W - state_.position_W[i]).dot(model_.entry.out_W);
       // In the first stretch the wall is still setting in, or the rim has taken its place.
@@ -191,6 +191,7 @@ std::shared_ptr<const mechanics::InsertionModel> build(const Setting& setting)
   parts.friction = setting.friction;
   parts.wall.perSamplePoint = newtonsPerMeter(setting.wall);
   parts.wall.tangentialPerSamplePoint = newtonsPerMeter(setting.wall * 200.0 / 441.0);
+  if (setting.isLined) parts.wall = mechanics::boneWall();
   if (setting.hasRim) parts.opening = mechanics::roundWindow();
   if (setting.hasSoftMembrane) parts.membrane = mechanics::MembraneLaw{};
   parts.nodes = setting.nodes;

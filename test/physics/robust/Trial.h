@@ -22,6 +22,7 @@ struct Setting {
   double wall = 441.0;  ///< Per sample point [N/m].
   mechanics::Coupling coupling = mechanics::Coupling::rigid;
   StyletUse stylet = StyletUse::stays;
+  bool isLined = false;          ///< Bone under a soft lining instead of `wall`.
   bool hasRim = false;           ///< The round window around the array.
   bool hasSoftMembrane = false;  ///< In the roof.
   bool isWatchedLonger = false;  ///< In the quick tier: twenty thousand ticks.

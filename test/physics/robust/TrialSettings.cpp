@@ -67,6 +67,10 @@ std::vector<Setting> all()
   rows[rows.size() - 3].hasRim = true;
   rows[rows.size() - 2].timeStep = 0.2e-3;
   rows.back().timeStep = 5e-3;
+  rows.push_back(row("oval_against_lined_bone", "mean", "flex28", coulomb(0.3), 0, rigid, stays));
+  rows.back().isLined = true;
+  rows.push_back(row("lined_bone_on_a_spring", "mean", "contour", tissue(), 0, spring, pulled));
+  rows.back().isLined = true;
   return rows;
 }
 

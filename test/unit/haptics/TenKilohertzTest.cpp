@@ -45,7 +45,7 @@ std::shared_ptr<const mechanics::InsertionModel> stiffRodBeforeAWall()
   parts.friction.staticCoefficient = parts.friction.kineticCoefficient =
       parts.friction.stoppingCoefficient = 0.0;
   parts.wall.perSamplePoint = newtonsPerMeter(1e6);
-  parts.wall.onset = millimeters(0.001);
+  parts.wall.lining = millimeters(0.001);
   parts.nodes = 8;
   parts.timeStep = Duration::fromSi(period);
   parts.startInside = millimeters(2);

@@ -13,9 +13,27 @@
 namespace perilymph::mechanics {
 namespace {
 
-/// Extent of an oval section toward a wall: its support function along the wall's normal.
+/// Reach of an oval section, with half axes a along d and b across, toward a wall with the gradient n
+/// of D: the root of the mean square over the walls that touch it,
+///
+///     r^2 = a^2 X + b^2 Y,   X = (1 - |n|^2) + f (n.d)^2,   Y likewise,   f = (2 |n|^2 - 1) / |n|^2.
+///
+/// Against one wall, |n| = 1 and r is the section's support function. In a groove, n is the mean of two
+/// unit normals; it gets short and changes its direction within micrometers, r does not.
+SectionReach meanReachToward(double a, double b, double x, double y, double squaredNorm) noexcept
+{
+  const double single = std::min(squaredNorm, 1.0);
+  const double f = (2.0 * single - 1.0) / squaredNorm;
+  SectionReach reach{true, 0.0, 0.0};
+  reach.length = std::sqrt(a * a * (1.0 - single + f * x * x) + b * b * (1.0 - single + f * y * y));
+  reach.rate = (a * a - b * b) * f * x * y / reach.length;
+  return reach;
+}
+
+/// Extent of an oval section toward a wall: its support function along the wall's normal. With a
+/// delay, it follows the wall's direction from one step to the next.
 SectionReach reachToward(const InsertionModel& model, const InsertionState& state,
-                         const RodKinematics& rod, std::size_t i,
+                         const StepStart& start, const RodKinematics& rod, std::size_t i,
                          const Eigen::Vector3d& normal_W) noexcept
 {
   const double within = model.halfWithin[i], across = model.halfAcross[i];
@@ -27,8 +45,18 @@ SectionReach reachToward(const InsertionModel& model, const InsertionState& stat
   const double y = normal_W.dot(t.cross(d));
   const double size = x * x + y * y;
   if (within == across || !(size > 1e-12)) return reach;
-  reach.length = std::sqrt((within * within * x * x + across * across * y * y) / size);
-  reach.rate = (within * within - across * across) * x * y / (size * reach.length);
+  const double delay = model.parts.wall.sectionDelay.si();
+  if (!(delay > 0.0)) {
+    reach.length = std::sqrt((within * within * x * x + across * across * y * y) / size);
+    reach.rate = (within * within - across * across) * x * y / (size * reach.length);
+    return reach;
+  }
+  reach = meanReachToward(within, across, x, y, size);
+  const SectionReach& before = state.section[i];
+  if (!before.isKnown) return reach;
+  const double fraction = start.timeStep / (start.timeStep + delay);
+  reach.length = before.length + fraction * (reach.length - before.length);
+  reach.rate = before.rate + fraction * (reach.rate - before.rate);
   return reach;
 }
 
@@ -38,8 +66,8 @@ SymmetricBlock<double> asBlock(const Eigen::Matrix3d& m) noexcept
 }
 
 /// Normal force of the wall on a node near it, and its stiffness. False if they do not touch.
-bool normalContact(const InsertionModel& model, InsertionState& state, const RodKinematics& rod,
-                   std::size_t i, ContactSet& contacts) noexcept
+bool normalContact(const InsertionModel& model, InsertionState& state, const StepStart& start,
+                   const RodKinematics& rod, std::size_t i, ContactSet& contacts) noexcept
 {
   const Eigen::Vector3d& at_W = state.position_W[i];
   const anatomy::WallPoint& wall = contacts.wall[i];
@@ -49,12 +77,12 @@ bool normalContact(const InsertionModel& model, InsertionState& state, const Rod
   const bool isOval = model.isOval && state.isBeside[i] == 0;
   if (isOval) {
     SectionReach& reach = contacts.section[i];
-    if (!reach.isKnown) reach = reachToward(model, state, rod, i, wall.normal_W);
+    if (!reach.isKnown) reach = reachToward(model, state, start, rod, i, wall.normal_W);
     half = reach.length;
   }
   const double penetration = half - wall.distance;
   if (penetration <= 0.0) return false;
-  const double onset = model.parts.wall.onset.si();
+  const double onset = model.parts.wall.lining.si();
 
   // Behind the opening the wall sets in over one node spacing, so that a node passing the edge does
   // not hit it abruptly.
@@ -134,11 +162,12 @@ NormalForce normalForce(double penetration, double stiffness, double onset) noex
 SoftContactForce softContactForce(double penetration, double bone, double fraction,
                                   const ModelParts& parts) noexcept
 {
-  const double onset = parts.wall.onset.si();
+  const double onset = parts.wall.lining.si();
+  const double bareOnset = parts.wall.bareOnset().si();
   const double hardening = parts.membrane->hardening.si();
   const double soft = bone * (parts.membrane->perSamplePoint.si() / parts.wall.perSamplePoint.si());
   const NormalForce onBone = normalForce(penetration, bone, onset);
-  NormalForce onMembrane = normalForce(penetration, soft, onset);
+  NormalForce onMembrane = normalForce(penetration, soft, bareOnset);
   const double harder = soft * penetration * penetration / (hardening * hardening);
   onMembrane.force += harder * penetration;
   onMembrane.slope += 3.0 * harder;
@@ -146,8 +175,8 @@ SoftContactForce softContactForce(double penetration, double bone, double fracti
   push.onMembrane = fraction * onMembrane.force;
   push.normal.force = (1.0 - fraction) * onBone.force + push.onMembrane;
   push.normal.slope = (1.0 - fraction) * onBone.slope + fraction * onMembrane.slope;
-  push.byFraction = energyOf(penetration, soft, onset) + 0.25 * harder * penetration * penetration -
-                    energyOf(penetration, bone, onset);
+  push.byFraction = energyOf(penetration, soft, bareOnset) +
+                    0.25 * harder * penetration * penetration - energyOf(penetration, bone, onset);
   return push;
 }
 
@@ -175,7 +204,8 @@ void addWallForces(const InsertionModel& model, InsertionState& state, const Ste
     history.spring_W[i].setZero();
     history.isSliding[i] = 0;
     history.slip[i] = 0.0;
-    const bool isPressed = contacts.wall[i].isNear && normalContact(model, state, rod, i, contacts);
+    const bool isPressed =
+        contacts.wall[i].isNear && normalContact(model, state, start, rod, i, contacts);
     const bool hasFriction = history.pressedBefore[i] > 0.0;
     if (hasFriction) friction(model, state, start, i, isPressed, contacts, history);
     if (!isPressed && !hasFriction) continue;

@@ -8,17 +8,11 @@
 #include <vector>
 
 #include "perilymph/anatomy/Lumen.h"
+#include "perilymph/mechanics/InsertionState.h"
 #include "perilymph/mechanics/RimContact.h"
 #include "solver/Blocks.h"
 
 namespace perilymph::mechanics {
-
-/// Extent of an oval section toward the wall, evaluated where it first comes near it in a step.
-struct SectionReach {
-  bool isKnown = false;
-  double length = 0.0;  ///< [m]
-  double rate = 0.0;    ///< Derivative by the rotation of the section [m].
-};
 
 /// Derivative of the rim's force, distributed to the nodes near it.
 struct RimStiffness {

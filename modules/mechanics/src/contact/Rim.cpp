@@ -191,8 +191,8 @@ void tipContact(const InsertionModel& model, const InsertionState& state, const 
   if (distance >= reach) return;
 
   RimPush contact;
-  contact.near.law = normalForce(reach - distance, model.parts.wall.perSamplePoint.si(),
-                                 model.parts.wall.onset.si());
+  contact.near.law = normalForce(reach - distance, model.parts.wall.rimStiffness().si(),
+                                 model.parts.wall.bareOnset().si());
   const Eigen::Vector3d u_W =
       foot.normal[0] * model.entry.outward_W + foot.normal[1] * model.entry.vertical_W;
   contact.near.gradient_W =
@@ -292,8 +292,8 @@ void addRimForces(const InsertionModel& model, const InsertionState& state, cons
   const double overlap = crossing.radius - foot.distance;
   if (overlap <= 0.0 && !(history.rimPressedBefore > 0.0)) return;
 
-  const double stiffness = model.parts.wall.perSamplePoint.si();
-  const double onset = model.parts.wall.onset.si();
+  const double stiffness = model.parts.wall.rimStiffness().si();
+  const double onset = model.parts.wall.bareOnset().si();
   const Eigen::Vector3d u_W =
       foot.normal[0] * model.entry.outward_W + foot.normal[1] * model.entry.vertical_W;
   const Eigen::Vector3d b_W = n_W.cross(u_W);

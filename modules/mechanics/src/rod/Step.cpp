@@ -68,8 +68,10 @@ Step attemptStep(const InsertionModel& model, InsertionState& state, const Drive
   return {base, solveNewton(model, state, base, work)};
 }
 
-void commitStep(InsertionState& state, const RodWorkspace& work) noexcept
+void commitStep(const InsertionModel& model, InsertionState& state,
+                const RodWorkspace& work) noexcept
 {
+  const bool keepsSections = model.isOval && model.parts.wall.sectionDelay.si() > 0.0;
   const double inverseTimeStep = 1.0 / work.start.timeStep;
   state.baseVelocity_W = inverseTimeStep * (state.position_W[0] - work.start.position_W[0]);
   state.base_W = state.position_W[0];
@@ -78,6 +80,7 @@ void commitStep(InsertionState& state, const RodWorkspace& work) noexcept
     state.frictionSpring_W[i] = work.friction.spring_W[i];
     state.isSliding[i] = work.friction.isSliding[i];
     state.slipSpeed[i] = inverseTimeStep * work.friction.slip[i];
+    if (keepsSections) state.section[i] = work.contacts.section[i];
   }
   keepClearance(work.start, work.contacts, state);
   state.rim = work.contacts.rim;

@@ -26,7 +26,8 @@ Step attemptStep(const InsertionModel& model, InsertionState& state, const Drive
                  double timeStep, SolveStrategy strategy, RodWorkspace& work) noexcept;
 
 /// Makes the end of the attempted step the start of the next.
-void commitStep(InsertionState& state, const RodWorkspace& work) noexcept;
+void commitStep(const InsertionModel& model, InsertionState& state,
+                const RodWorkspace& work) noexcept;
 
 /// Restores the state at the start of the attempted step.
 void rollBackStep(InsertionState& state, RodWorkspace& work) noexcept;

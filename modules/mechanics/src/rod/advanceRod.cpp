@@ -126,7 +126,7 @@ Wrench advanceInSubsteps(const InsertionModel& model, InsertionState& state, con
     const Drive there = between(before, drive, static_cast<double>(k) / maxSubsteps);
     const Step step = attemptStep(model, state, there, model.timeStep / maxSubsteps,
                                   SolveStrategy::descent, work);
-    commitStep(state, work);
+    commitStep(model, state, work);
     const Wrench wrench = wrenchOf(model, state, there, step.base, work);
     mean.force_W += wrench.force_W / maxSubsteps;
     mean.torque_W += wrench.torque_W / maxSubsteps;
@@ -161,7 +161,7 @@ void advanceRod(const InsertionModel& model, InsertionState& state, const Drive&
   }
   Wrench wrench;
   if (result.residual.maxNorm <= maxResidual) {
-    commitStep(state, work);
+    commitStep(model, state, work);
     wrench = wrenchOf(model, state, drive, step.base, work);
   } else {
     rollBackStep(state, work);

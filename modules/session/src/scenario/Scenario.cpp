@@ -14,6 +14,7 @@
 #include "scenario/ScenarioCochlea.h"
 #include "scenario/ScenarioFiles.h"
 #include "scenario/ScenarioFriction.h"
+#include "scenario/ScenarioWall.h"
 
 namespace perilymph::session {
 
@@ -126,15 +127,8 @@ void readOpening(ScenarioKeys& keys, InsertionParameters& parameters)
     parameters.opening = mechanics::cochleostomy(millimeters(diameter));
 }
 
-void readWallAndCoupling(ScenarioKeys& keys, InsertionParameters& parameters)
+void readCoupling(ScenarioKeys& keys, InsertionParameters& parameters)
 {
-  // 441 and 200 N/m are the published simulator's, under each of its sample points (Todd and
-  // Naghdy, section II.D); bone is nearer to 2,000 to 10,000, where the solver is still stable.
-  parameters.wall.perSamplePoint =
-      newtonsPerMeter(keys.number("wall_stiffness_N_m", {10.0, 10'000.0}, 441.0));
-  parameters.wall.tangentialPerSamplePoint =
-      newtonsPerMeter(keys.number("wall_tangential_stiffness_N_m", {10.0, 10'000.0}, 200.0));
-
   haptics::EngineSettings& engine = parameters.engine;
   engine.coupling = keys.choice("coupling", couplings, engine.coupling);
   // Devices stay stable up to a few hundred N/m; a virtual hand may be stiffer.
@@ -190,6 +184,7 @@ Result<ScenarioContent> readScenario(TomlReader& reader, const std::string& name
 {
   forgetNodesOfOtherModel(reader, overrides);
   forgetCalibrationOfOtherArray(reader, overrides);
+  forgetWallOfOtherCochlea(reader, [&](const char* key) { return overrideOf(overrides, key); });
   bool namesPatient = false;
   for (const auto& [key, value] : overrides) {
     namesPatient = namesPatient || key == "patient";
@@ -218,7 +213,8 @@ Result<ScenarioContent> readScenario(TomlReader& reader, const std::string& name
   readFriction(reader, keys, isOverridden, parameters.friction);
   readOpening(keys, parameters);
   readMembrane(keys, parameters);
-  readWallAndCoupling(keys, parameters);
+  readWall(keys, reader, scenario.patientName, parameters, parameters.wall);
+  readCoupling(keys, parameters);
 
   keys.text("patient", "");
   anatomy::Patient& patient = parameters.cochlea.patient;

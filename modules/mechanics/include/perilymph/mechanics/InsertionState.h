@@ -59,6 +59,13 @@ struct WallTorque {
   double stiffness = 0.0;  ///< Upper bound of its derivative by the rotation [N.m].
 };
 
+/// Extent of an oval section toward the wall, evaluated where it first comes near it in a step.
+struct SectionReach {
+  bool isKnown = false;
+  double length = 0.0;  ///< [m]
+  double rate = 0.0;    ///< Derivative by the rotation of the section [m].
+};
+
 struct StepWorkspace;
 
 /// Owns the solver's memory: intermediate results of a step, and the last factorization of the
@@ -115,7 +122,9 @@ struct InsertionState {
   std::vector<Eigen::Vector3d> wallNormal_W;  ///< Unit normal of the wall at each node that touches
                                               ///< it.
   std::vector<WallTorque> wallTorque;         ///< On each node's section, if oval.
-  std::vector<double> membraneForce;          ///< Force of the basilar membrane on each node [N].
+  /// Reach of each oval section in the last step, while it is near a wall with a delay.
+  std::vector<SectionReach> section;
+  std::vector<double> membraneForce;  ///< Force of the basilar membrane on each node [N].
   RimContact rim;
   PointSetState points;  ///< State of a point set; empty for a rod.
   Readings readings;

@@ -163,7 +163,8 @@ void leaveThreads(int status)
 
 int run(int argc, char** argv, const gui::CommandLine& options)
 {
-  auto scenario = session::loadScenario(options.scenario.value_or("contour-published"));
+  auto scenario = session::loadScenario(
+      options.scenario.value_or(options.isKiosk ? "booth" : "contour-published"));
   if (!scenario) return refuse(scenario.error().message);
   if (const auto display = gui::probeDisplay(); !display) return refuse(display.error().message);
 

@@ -46,6 +46,7 @@ struct HapticLoop::Content {
   }
 
   CommandList takeCommands() noexcept;
+  void noteSilence() noexcept;
   bool takeStop() noexcept;
   std::int64_t waitForTick() noexcept;
   void publish() noexcept;
@@ -63,11 +64,12 @@ struct HapticLoop::Content {
 
   // Written by the haptic thread; others read it after the thread has ended.
   realtime::Pacer pacer;
-  std::int64_t period;         // [ns]
-  bool followsDevice = false;  // reports may trigger ticks
-  bool isHandFresh = false;    // the last tick had a fresh sample
-  std::uint64_t sequence = 0;  // of that sample
-  std::int64_t lastBegan = 0;  // [ns]
+  std::int64_t period;            // [ns]
+  bool followsDevice = false;     // reports may trigger ticks
+  bool isHandFresh = false;       // the last tick had a fresh sample
+  std::uint64_t sequence = 0;     // of that sample
+  std::uint64_t ticksSilent = 0;  // without a fresh sample, while the hand holds on at rest
+  std::int64_t lastBegan = 0;     // [ns]
   std::uint64_t ticks = 0;
   std::uint64_t recordedTicks = 0;
   std::uint64_t overruns = 0;
@@ -101,7 +103,20 @@ CommandList HapticLoop::Content::takeCommands() noexcept
     return list;
   }
   while (list.count < maxCommandsPerTick && commands.take(list.items[list.count])) ++list.count;
+  // A device that falls silent is stale, at rest, too: an empty command ends the rest, and the
+  // recording contains it.
+  const EngineSettings& settings = engine->settings();
+  const double silent = static_cast<double>(ticksSilent) * engine->model().timeStep;
+  if (list.count == 0 && silent >= SampleValidator::staleTime(settings.samplePeriod)) {
+    list.items[0] = {};
+    list.count = 1;
+  }
   return list;
+}
+
+void HapticLoop::Content::noteSilence() noexcept
+{
+  ticksSilent = engine->isHeldAtRest() && !isHandFresh ? ticksSilent + 1 : 0;
 }
 
 bool HapticLoop::Content::takeStop() noexcept
@@ -137,6 +152,7 @@ void HapticLoop::runOnce() noexcept
   loop.sequence = record.sample.sequence;
   record.output = loop.engine->tick(record.sample, record.commands);
   loop.device.write(record.output.wrench_D);
+  loop.noteSilence();
 
   loop.publish();  // for display: only the newest matters
   if ((record.output.status & resting) != 0) return;

@@ -53,7 +53,7 @@ InsertionEngine::InsertionEngine(std::shared_ptr<const mechanics::InsertionModel
       safety_(settings_.safety, model_->timeStep),
       startDepth_(std::max(0.0, model_->parts.startInside.si())),
       base_(startOf(*model_)),
-      isResting_(std::isfinite(settings_.restAfter))
+      rest_({settings_.restAfter, settings_.restMotion}, model_->timeStep)
 {
   updateOutput();
 }
@@ -61,9 +61,12 @@ InsertionEngine::InsertionEngine(std::shared_ptr<const mechanics::InsertionModel
 TickOutput InsertionEngine::tick(const device::DeviceSample& sample,
                                  const CommandList& commands) noexcept
 {
-  if (isResting_ && !endsRest(sample, commands)) {
-    rest();
-    return output_;
+  if (rest_.isOn()) {
+    if (!endsRest(sample, commands)) {
+      stayAtRest();
+      return output_;
+    }
+    rest_.end();
   }
   output_.status = allWell;
   const std::uint32_t count = std::min<std::uint32_t>(commands.count, maxCommandsPerTick);
@@ -90,17 +93,20 @@ TickOutput InsertionEngine::tick(const device::DeviceSample& sample,
 bool InsertionEngine::endsRest(const device::DeviceSample& sample,
                                const CommandList& commands) noexcept
 {
-  // Nothing of the samples during the rest is known to a replay.
-  validator_ = SampleValidator(model_->timeStep, settings_.samplePeriod);
+  // Nothing of the samples during the rest is known to a replay. A hand that holds on is where it
+  // was at its beginning.
+  if (!rest_.isHeld()) validator_ = SampleValidator(model_->timeStep, settings_.samplePeriod);
   if (commands.count > 0) return true;
   if (workflow_ == Workflow::fault) return false;
   if (sample.isValid == 0) return true;
+  if (rest_.isHeld()) return rest_.isLeftBy(sample);
   if (workflow_ == Workflow::idle || isStopped_) return false;
   return (sample.buttons & device::graspButton) != 0;
 }
 
-/// All values are those of the tick before the rest, in which the rendered force was zero.
-void InsertionEngine::rest() noexcept
+/// All values are those of the tick before the rest, in which the rendered force was zero, or
+/// steady at a hand that holds on.
+void InsertionEngine::stayAtRest() noexcept
 {
   output_.status |= resting;
   ++ticks_;
@@ -110,12 +116,16 @@ void InsertionEngine::rest() noexcept
 void InsertionEngine::noteRest(const HandState& hand) noexcept
 {
   const bool isGrasped = hand.isHeld && !isStopped_ && workflow_ != Workflow::fault;
-  const bool isStill = workflow_ != Workflow::inserting && !isGrasped &&
-                       styletWithdrawal_ >= styletTarget_ && safety_.isZero();
-  ticksStill_ = isStill ? ticksStill_ + 1 : 0;
-  const double still = static_cast<double>(ticksStill_) * model_->timeStep;
-  isResting_ =
-      isStill && (hasBegun_ ? still >= settings_.restAfter : std::isfinite(settings_.restAfter));
+  constexpr std::uint32_t changing = staleSample | forceSlewed | rampingIn | passivityActed;
+  Rest::Condition now;
+  now.isSteady = isGrasped ? (output_.status & changing) == 0 : safety_.isZero();
+  now.mayRest = workflow_ != Workflow::inserting && styletWithdrawal_ >= styletTarget_ &&
+                (isGrasped || now.isSteady);
+  now.isHeld = isGrasped;
+  now.hasBegun = hasBegun_;
+  now.tip_W = state_.position_W.back();
+  now.hand_D = hand.position_D;
+  rest_.note(now);
 }
 
 void InsertionEngine::applyCommand(const Command& command) noexcept
@@ -380,8 +390,7 @@ std::uint64_t InsertionEngine::fingerprint() const noexcept
   hash.add(isWithdrawing_);
   hash.add(isWithdrawn_);
   hash.add(isStopped_);
-  hash.add(isResting_);
-  hash.add(ticksStill_);
+  rest_.addTo(hash);
   hash.add(hasBegun_);
   hash.add(ticksSinceBegin_);
   return hash.value();

@@ -21,6 +21,7 @@ RunParameters runParameters(const haptics::SafetyLimits& safety, const device::D
   run.maxStiffness = coupling.stiffness;
   run.maxDamping = coupling.damping;
   run.restAfter = recordedWait;
+  run.restMotion = recordedMotion;
   return run;
 }
 
@@ -35,6 +36,7 @@ haptics::EngineSettings withRunParameters(haptics::EngineSettings settings,
   settings.maxStiffness = run.maxStiffness;
   settings.maxDamping = run.maxDamping;
   settings.restAfter = run.restAfter;
+  settings.restMotion = run.restMotion;
   return settings;
 }
 

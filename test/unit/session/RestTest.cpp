@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "ShortScenario.h"
@@ -28,11 +29,37 @@ public:
   device::DeviceTraits traits() const override { return script_.traits(); }
   Result<Done> open() override { return script_.open(); }
   void close() noexcept override { script_.close(); }
-  device::DeviceSample read() noexcept override { return script_.read(); }
-  void write(const device::Wrench& wrench_D) noexcept override { script_.write(wrench_D); }
+  device::DeviceSample read() noexcept override { return trembling(script_.read()); }
+  void write(const device::Wrench& wrench_D) noexcept override
+  {
+    script_.write(wrench_D);
+    const auto& force = wrench_D.force_D;
+    force_ = std::hypot(force[0], force[1], force[2]);
+  }
+
+  double force() const { return force_; }  ///< The last one [N].
+  /// Holds the button and trembles by 0.05 mm.
+  void holdOn() { isHolding_ = true; }
+  void letGo() { isHolding_ = false; }
+  void shift(double distance) { shift_ = distance; }
+  /// Repeats its last sample.
+  void fallSilent() { isSilent_ = true; }
 
 private:
+  device::DeviceSample trembling(device::DeviceSample sample) noexcept
+  {
+    if (isSilent_) return last_;
+    if (isHolding_) {
+      sample.buttons |= device::graspButton;
+      sample.position_D[0] += shift_ + (sample.sequence % 40 < 20 ? 0.05e-3 : 0.0);
+    }
+    return last_ = sample;
+  }
+
   ScriptedDevice script_;
+  device::DeviceSample last_;
+  double force_ = 0.0, shift_ = 0.0;
+  bool isHolding_ = false, isSilent_ = false;
 };
 
 class AWaitingInsertion : public testing::Test {
@@ -128,6 +155,67 @@ TEST_F(AWaitingInsertion, OfAMinuteAtFullDepthIsNoLargerThanOneOfThreeSeconds)
   const auto highlights = recorded->highlights();
   ASSERT_TRUE(highlights);
   EXPECT_NEAR(highlights->duration, arrival_, 1.1e-3);  // one tick
+}
+
+TEST_F(AWaitingInsertion, HeldAtFullDepthIsNoLargerThanOneOfThreeSeconds)
+{
+  begin("held-three");
+  insert();
+  hand().holdOn();
+  run(recordedWait);
+  const std::uintmax_t three = closedSize();
+
+  begin("held-sixty");
+  insert();
+  hand().holdOn();
+  run(60.0);
+  EXPECT_EQ(last_.workflow, Workflow::finished);
+  EXPECT_GT(hand().force(), 0.0);         // the hand feels the array all the time
+  EXPECT_LE(closedSize(), three + 8192);  // two pages of SQLite
+  EXPECT_NEAR(static_cast<double>(recordedTicks()), 1e3 * (arrival_ + recordedWait), 30.0);
+  expectSameBits();
+}
+
+TEST_F(AWaitingInsertion, HeldAtFullDepthContinuesWhenTheHandReleasesMovesOrWithdraws)
+{
+  begin("held-on");
+  insert();
+  hand().holdOn();
+  run(10.0);
+  const std::uint64_t rested = recordedTicks();
+  hand().shift(5e-3);
+  run(1.0);
+  EXPECT_NEAR(static_cast<double>(recordedTicks() - rested), 1e3, 2.0);
+  run(10.0);
+  const std::uint64_t restedAgain = recordedTicks();
+  hand().letGo();
+  run(1.0);
+  EXPECT_EQ(hand().force(), 0.0);
+  EXPECT_NEAR(static_cast<double>(recordedTicks() - restedAgain), 1e3, 2.0);
+  hand().holdOn();
+  run(10.0);
+  hand().move(ScriptedDevice::Motion::withdraw);
+  haptics::Command command;
+  command.kind = haptics::Command::Kind::withdraw;
+  ASSERT_TRUE(insertion_->send(command));
+  run(1.5 * arrival_);
+  EXPECT_NEAR(last_.travel, 0.0, 1e-5);
+  closedSize();
+  expectSameBits();
+}
+
+TEST_F(AWaitingInsertion, OfADeviceThatFallsSilentWhileHeldHasNoForce)
+{
+  begin("silent");
+  insert();
+  hand().holdOn();
+  run(10.0);
+  ASSERT_GT(hand().force(), 0.0);
+  hand().fallSilent();
+  run(0.02);
+  EXPECT_EQ(hand().force(), 0.0);
+  closedSize();
+  expectSameBits();
 }
 
 TEST_F(AWaitingInsertion, RecordsTheWithdrawalThatFollows)

@@ -40,6 +40,7 @@ MetaRows metaRowsOf(const RecordingFacts& facts)
           {MetaKey::maxStiffness, shortestDecimal(facts.run.maxStiffness)},
           {MetaKey::maxDamping, shortestDecimal(facts.run.maxDamping)},
           {MetaKey::restAfter, shortestDecimal(facts.run.restAfter)},
+          {MetaKey::restMotion, shortestDecimal(facts.run.restMotion)},
           {MetaKey::deviceDelay, shortestDecimal(facts.deviceDelay)},
           {MetaKey::seed, std::to_string(facts.seed)},
           {MetaKey::modelFingerprint, std::to_string(facts.modelFingerprint)},
@@ -83,6 +84,7 @@ std::optional<RecordingFacts> factsIn(const MetaRows& rows)
       numberIn<double>(rows, MetaKey::maxStiffness).value_or(facts.run.maxStiffness);
   facts.run.maxDamping = numberIn<double>(rows, MetaKey::maxDamping).value_or(facts.run.maxDamping);
   facts.run.restAfter = numberIn<double>(rows, MetaKey::restAfter).value_or(facts.run.restAfter);
+  facts.run.restMotion = numberIn<double>(rows, MetaKey::restMotion).value_or(facts.run.restMotion);
   facts.deviceDelay = numberIn<double>(rows, MetaKey::deviceDelay).value_or(facts.deviceDelay);
   facts.seed = *seed;
   facts.modelFingerprint = *fingerprint;

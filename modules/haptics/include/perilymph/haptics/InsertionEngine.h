@@ -11,6 +11,7 @@
 #include "perilymph/device/HapticDevice.h"
 #include "perilymph/foundation/RealTime.h"
 #include "perilymph/haptics/Registration.h"
+#include "perilymph/haptics/Rest.h"
 #include "perilymph/haptics/Safety.h"
 #include "perilymph/haptics/SampleValidator.h"
 #include "perilymph/haptics/Snapshot.h"
@@ -41,6 +42,8 @@ struct EngineSettings {
   double samplePeriod = 1e-3;  ///< Nominal report period of the device [s].
   /// Time without motion after which the insertion rests [s]; infinite: it never rests.
   double restAfter = std::numeric_limits<double>::infinity();
+  /// RestLimits::motion [m].
+  double restMotion = 0.0;
   SafetyLimits safety;
 };
 
@@ -56,8 +59,10 @@ struct EngineSettings {
 ///
 /// The insertion rests when nothing moves and no force is rendered for `restAfter`, and from the
 /// beginning until the hand grasps: its state and its time stand still (Status::resting) until a
-/// command, a grasp, or the loss of the device. What ends a rest is decided by the current sample
-/// alone, so that a replay without the ticks of the rest gives the same bits.
+/// command, a grasp, or the loss of the device. At full depth it also rests while the hand holds
+/// the device, with the force of the tick before, until the hand releases or moves it. What ends a
+/// rest is decided by the current sample and commands alone, so that a replay without the ticks of
+/// the rest gives the same bits.
 class InsertionEngine {
 public:
   /// @throws std::invalid_argument with a message for settings out of range.
@@ -66,6 +71,9 @@ public:
   /// Computes one time step. Real-time safe.
   PERILYMPH_REALTIME TickOutput tick(const device::DeviceSample& sample,
                                      const CommandList& commands) noexcept;
+
+  /// Whether the insertion rests while the hand holds the device: its force stays.
+  bool isHeldAtRest() const noexcept { return rest_.isHeld(); }
 
   /// Fills the snapshot of the last tick, except for the loop's own statistics. After an overflow
   /// of the mechanics the shape in the snapshot is left unchanged. Real-time safe.
@@ -90,7 +98,7 @@ private:
   void startWithdrawing() noexcept;
   void stop() noexcept;
   bool endsRest(const device::DeviceSample& sample, const CommandList& commands) noexcept;
-  void rest() noexcept;
+  void stayAtRest() noexcept;
   void noteRest(const HandState& hand) noexcept;
   void validate(const HandState& hand, std::uint32_t& status) noexcept;
   HandCondition conditionOf(const HandState& hand) const noexcept;
@@ -120,9 +128,8 @@ private:
   bool isWithdrawn_ = false;       // back at the initial depth
   bool isStopped_ = false;         // by the user
   bool hasBegun_ = false;          // there was a tick in Inserting
-  bool isResting_ = false;
-  std::uint64_t ticksStill_ = 0;  // without motion and force
-  std::uint64_t ticks_ = 0;       // of this engine
+  Rest rest_;
+  std::uint64_t ticks_ = 0;  // of this engine
   std::uint64_t ticksSinceBegin_ = 0;
   TickOutput output_;  // of the last tick; values remain after an overflow
 };

@@ -22,11 +22,17 @@ struct RunParameters {
   double maxDamping = std::numeric_limits<double>::infinity();
   /// EngineSettings::restAfter [s]; infinite in recordings of programs that knew no rest.
   double restAfter = std::numeric_limits<double>::infinity();
+  /// EngineSettings::restMotion [m]; 0 in recordings of programs in which a held device never rested.
+  double restMotion = 0.0;
 };
 
 /// Time without motion after which an insertion rests and is not recorded [s]: long enough to see
 /// in a replay that nothing follows (chosen; no source).
 inline constexpr double recordedWait = 3.0;
+
+/// Motion of the array that ends the time without motion [m]: above one encoder step of 0.055 mm of
+/// a haptic device (SampleValidator::velocityLag).
+inline constexpr double recordedMotion = 0.06e-3;
 
 /// Parameters of a run with a device.
 ///

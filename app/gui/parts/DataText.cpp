@@ -6,6 +6,8 @@
 #include <QRegularExpression>
 #include <QStringList>
 
+#include "gui/parts/SourceText.h"
+
 namespace perilymph::gui {
 
 namespace {
@@ -139,7 +141,7 @@ bool isShipped(const QString& pattern)
 {
   for (const char* text : shipped)
     if (pattern == QString::fromUtf8(text)) return true;
-  return false;
+  return isShippedSource(pattern);
 }
 
 }  // namespace

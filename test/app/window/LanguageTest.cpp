@@ -13,6 +13,7 @@
 #include <QRegularExpression>
 #include <QTranslator>
 #include <algorithm>
+#include <filesystem>
 
 #include "WindowRig.h"
 #include "gui/pages/insert/InsertionViews.h"
@@ -28,6 +29,8 @@
 #include "perilymph/analysis/Reference.h"
 #include "perilymph/analysis/Score.h"
 #include "perilymph/analysis/ValidationReport.h"
+#include "perilymph/electrode/ArrayDesign.h"
+#include "perilymph/foundation/Resources.h"
 
 namespace perilymph::test {
 namespace {
@@ -230,6 +233,29 @@ TEST(PseudoLanguage, TextsOfDataFilesAndOfTheEngineAreTranslated)
     for (const std::string& text : {verdict.what, verdict.wanted}) texts << gui::dataText(text);
   for (const QString& text : texts)
     EXPECT_TRUE(text.contains(QLatin1Char('['))) << text.toStdString();
+}
+
+TEST(PseudoLanguage, SourcesInAReportAreTranslated)
+{
+  const Bracketed bracketed;
+  int sources = 0;
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(resource("plugins/electrodes"))) {
+    if (entry.path().extension() != ".toml") continue;
+    const auto array = electrode::loadArray(entry.path());
+    ASSERT_TRUE(array) << array.error().message;
+    for (const auto& [part, provenance] : array->provenance) {
+      ++sources;
+      EXPECT_TRUE(gui::dataText(provenance.source).startsWith(QLatin1Char('[')))
+          << entry.path() << ": " << provenance.source;
+    }
+  }
+  EXPECT_GT(sources, 90);
+  const auto inVitro = analysis::shippedReference("in-vitro");
+  ASSERT_TRUE(inVitro);
+  const auto* rupture = inVitro->findRange("rupture of the partition");
+  ASSERT_NE(rupture, nullptr);
+  EXPECT_TRUE(gui::dataText(rupture->source).startsWith(QLatin1Char('['))) << rupture->source;
 }
 
 TEST(German, TranslatesNumbersInTextsOfData)

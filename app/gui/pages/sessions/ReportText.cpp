@@ -21,6 +21,9 @@ QString tr(const char* caption) { return QCoreApplication::translate("perilymph:
 
 QString from(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); }
 
+/// A sentence of a shipped file or of the replay, translated.
+QString sentence(const std::string& text) { return dataText(text).toHtmlEscaped(); }
+
 QString cell(const QString& caption, const char* kind = "")
 {
   return QStringLiteral("<td class=\"%1\">%2</td>").arg(QLatin1String(kind), caption);
@@ -151,7 +154,7 @@ QString parameters(const ReportContent& content)
     rows << QStringLiteral("<tr>%1%2</tr>").arg(cells[i], cells[half + i]);
   QStringList sources;
   for (const auto& [part, provenance] : content.scenario.array().provenance)
-    sources << row(partName(part).toHtmlEscaped(), from(provenance.source),
+    sources << row(partName(part).toHtmlEscaped(), sentence(provenance.source),
                    confidenceName(provenance.confidence));
   return heading(QT_TRANSLATE_NOOP("perilymph::gui", "Simulation parameters")) + table(rows) +
          heading(QT_TRANSLATE_NOOP("perilymph::gui", "Array: sources of the values")) +
@@ -165,9 +168,9 @@ QString limits(const ReportContent& content)
       tr("The array model is based on published data and is not manufacturer data."),
       tr("No value in this report shows that an insertion is atraumatic: trauma thresholds vary "
          "between ears and are not known for the insertion force.")};
-  if (content.rupture) sentences << from(content.rupture->source);
-  for (const std::string& note : content.verification.notes) sentences << from(note);
-  for (const std::string& note : content.scenario.notes()) sentences << from(note);
+  if (content.rupture) sentences << sentence(content.rupture->source);
+  for (const std::string& note : content.verification.notes) sentences << sentence(note);
+  for (const std::string& note : content.scenario.notes()) sentences << sentence(note);
   if (content.lostRecords > 0)
     sentences << tr("%1 samples were lost during recording.").arg(content.lostRecords);
   return heading(QT_TRANSLATE_NOOP("perilymph::gui", "Limits")) +

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <exception>
+#include <memory>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -15,6 +17,13 @@
 namespace perilymph::imaging {
 
 namespace fs = std::filesystem;
+
+/// The series of a DICOM folder, or one volume in a file of its own.
+struct ListedFiles {
+  std::vector<DicomSeries> series;
+  std::size_t others = 0;
+  std::optional<VolumeFile> volume;
+};
 
 namespace {
 
@@ -31,11 +40,6 @@ ReadingHooks part(const ReadingHooks& hooks, double from, double to)
   return mapped;
 }
 
-struct Listed {
-  std::vector<DicomSeries> series;
-  std::size_t others = 0;
-};
-
 Result<Done> checkExists(const fs::path& path)
 {
   std::error_code failed;
@@ -46,11 +50,19 @@ Result<Done> checkExists(const fs::path& path)
                                     : " does not exist. Check the path.")};
 }
 
-Result<Listed> listDicom(const fs::path& path, const ReadingHooks& hooks)
+Result<ListedFiles> listFiles(const fs::path& path, const ReadingHooks& hooks)
 {
+  if (const auto there = checkExists(path); !there) return there.error();
+  ListedFiles listed;
+  if (auto volume = readVolumeHeader(path)) {
+    if (!*volume) return volume->error();
+    listed.volume = **std::move(volume);
+    return listed;
+  }
   auto files = listDicomFiles(path, hooks);
   if (!files) return files.error();
-  Listed listed{seriesOf(std::move(files->headers)), files->others};
+  listed.series = seriesOf(std::move(files->headers));
+  listed.others = files->others;
   if (listed.series.empty())
     return Error{path.string() +
                  " holds no DICOM image. Give a folder of DICOM files, a DICOMDIR, a DICOM, NIfTI "
@@ -58,7 +70,7 @@ Result<Listed> listDicom(const fs::path& path, const ReadingHooks& hooks)
   return listed;
 }
 
-Result<const DicomSeries*> choose(const Listed& listed, const fs::path& path,
+Result<const DicomSeries*> choose(const ListedFiles& listed, const fs::path& path,
                                   const std::string& uid)
 {
   const auto& all = listed.series;
@@ -81,15 +93,20 @@ Result<const DicomSeries*> choose(const Listed& listed, const fs::path& path,
       " series, and none of them can be read; of the first: " + all.front().summary.obstacle};
 }
 
-Result<LoadedCt> readDicom(const fs::path& path, const std::string& uid, const ReadingHooks& hooks)
+Result<LoadedCt> readListed(const ListedFiles& listed, const fs::path& path, const std::string& uid,
+                            const ReadingHooks& hooks)
 {
-  const auto listed = listDicom(path, part(hooks, 0.0, listingFraction));
-  if (!listed) return listed.error();
-  const auto chosen = choose(*listed, path, uid);
+  if (listed.volume) {
+    if (!uid.empty())
+      return Error{path.string() + " is one volume and holds no series " + uid +
+                   ". Leave the series out."};
+    return readVolumeFile(path, *listed.volume, hooks);
+  }
+  const auto chosen = choose(listed, path, uid);
   if (!chosen) return chosen.error();
   const CtSeries& summary = (*chosen)->summary;
   if (!summary.obstacle.empty()) return Error{path.string() + ": " + summary.obstacle};
-  auto volume = readVoxels(**chosen, part(hooks, listingFraction, 1.0));
+  auto volume = readVoxels(**chosen, hooks);
   if (!volume) return Error{path.string() + ": " + volume.error().message};
   return LoadedCt{*std::move(volume), summary};
 }
@@ -104,31 +121,28 @@ Error tooLarge(const fs::path& path)
 
 Result<CtSeriesList> findSeries(const fs::path& path, const ReadingHooks& hooks)
 {
-  if (const auto there = checkExists(path); !there) return there.error();
   try {
-    if (const auto volume = readVolumeHeader(path)) {
-      if (!*volume) return volume->error();
-      return CtSeriesList{{describeVolume(**volume)}, 0};
-    }
-    auto listed = listDicom(path, hooks);
+    auto listed = listFiles(path, hooks);
     if (!listed) return listed.error();
     CtSeriesList list;
+    list.path = path;
+    if (listed->volume) list.series.push_back(describeVolume(*listed->volume));
+    for (const DicomSeries& series : listed->series) list.series.push_back(series.summary);
     list.otherFiles = listed->others;
-    for (DicomSeries& series : listed->series) list.series.push_back(std::move(series.summary));
+    list.files = std::make_shared<const ListedFiles>(*std::move(listed));
     return list;
   } catch (const std::bad_alloc&) {
     return tooLarge(path);
   }
 }
 
-std::vector<CtThumbnail> readThumbnails(const fs::path& path, int edge, const ReadingHooks& hooks)
+std::vector<CtThumbnail> readThumbnails(const CtSeriesList& list, int edge,
+                                        const ReadingHooks& hooks)
 {
   std::vector<CtThumbnail> pictures;
+  if (!list.files) return pictures;
   try {
-    if (!checkExists(path) || readVolumeHeader(path)) return pictures;
-    const auto listed = listDicom(path, hooks);
-    if (!listed) return pictures;
-    for (const DicomSeries& series : listed->series) {
+    for (const DicomSeries& series : list.files->series) {
       if (hooks.isCanceled && hooks.isCanceled()) break;
       if (auto picture = thumbnailOf(series, edge, hooks.isCanceled))
         pictures.push_back(*std::move(picture));
@@ -141,18 +155,24 @@ std::vector<CtThumbnail> readThumbnails(const fs::path& path, int edge, const Re
 
 Result<LoadedCt> readCt(const fs::path& path, const std::string& uid, const ReadingHooks& hooks)
 {
-  if (const auto there = checkExists(path); !there) return there.error();
   try {
-    if (const auto volume = readVolumeHeader(path)) {
-      if (!*volume) return volume->error();
-      if (!uid.empty())
-        return Error{path.string() + " is one volume and holds no series " + uid +
-                     ". Leave the series out."};
-      return readVolumeFile(path, **volume, hooks);
-    }
-    return readDicom(path, uid, hooks);
+    const auto listed = listFiles(path, part(hooks, 0.0, listingFraction));
+    if (!listed) return listed.error();
+    // a volume in a file of its own takes no time to list
+    return readListed(*listed, path, uid,
+                      listed->volume ? hooks : part(hooks, listingFraction, 1.0));
   } catch (const std::bad_alloc&) {
     return tooLarge(path);
+  }
+}
+
+Result<LoadedCt> readCt(const CtSeriesList& list, const std::string& uid, const ReadingHooks& hooks)
+{
+  if (!list.files) return readCt(list.path, uid, hooks);
+  try {
+    return readListed(*list.files, list.path, uid, hooks);
+  } catch (const std::bad_alloc&) {
+    return tooLarge(list.path);
   }
 }
 

@@ -77,5 +77,24 @@ void open(benchmark::State& state)
 }
 BENCHMARK(open)->Name("ct/open/512x512x200")->Unit(benchmark::kMillisecond)->UseRealTime();
 
+/// What the page CT does with a folder: list it, read a series, a picture of each.
+void openInWindow(benchmark::State& state)
+{
+  const test::TemporaryFolder folder;
+  test::writeDicomFiles(test::dicomSlices(largeCt()), folder.path());
+  for (auto _ : state) {
+    const auto list = imaging::findSeries(folder.path());
+    if (!list) return state.SkipWithError(list.error().message.c_str());
+    const auto loaded = imaging::readCt(*list);
+    if (!loaded) return state.SkipWithError(loaded.error().message.c_str());
+    benchmark::DoNotOptimize(loaded->volume.voxels().data());
+    benchmark::DoNotOptimize(imaging::readThumbnails(*list, 48).data());
+  }
+}
+BENCHMARK(openInWindow)
+    ->Name("ct/open_in_window/512x512x200")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
 }  // namespace
 }  // namespace perilymph

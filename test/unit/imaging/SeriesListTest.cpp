@@ -72,7 +72,7 @@ TEST_F(SeriesList, ProposesTheFineSeriesOfTheWholeBoneWithItsBoneKernelFirst)
 
 TEST_F(SeriesList, HasAPictureOfEachSeriesThatCanBeRead)
 {
-  const auto pictures = readThumbnails(folder.path(), 32);
+  const auto pictures = readThumbnails(list, 32);
   ASSERT_EQ(pictures.size(), 4u);  // not of the scout
   for (const CtThumbnail& picture : pictures) {
     EXPECT_NE(picture.uid, "1.5");
@@ -82,7 +82,21 @@ TEST_F(SeriesList, HasAPictureOfEachSeriesThatCanBeRead)
     EXPECT_EQ(*std::ranges::max_element(picture.gray), 255);
     EXPECT_EQ(*std::ranges::min_element(picture.gray), 0);
   }
-  EXPECT_TRUE(readThumbnails(folder / "nothing", 32).empty());
+  EXPECT_TRUE(readThumbnails({}, 32).empty());
+}
+
+TEST_F(SeriesList, IsReadWithoutListingItsFolderAgain)
+{
+  // a folder of its own makes the series two phases of the same place, which are refused
+  write("second phase",
+        smallCt(Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitZ()).matrix(), {0.5, 0.5, 0.6},
+                {64, 64, 60}),
+        "1.2", "Hr64");
+  EXPECT_FALSE(readCt(folder.path(), "1.2"));
+  const auto loaded = readCt(list, "1.2");
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(loaded->volume.size(), (std::array{64, 64, 60}));
+  EXPECT_EQ(readThumbnails(list, 32).size(), 4u);
 }
 
 TEST_F(SeriesList, DescribesEachSeries)

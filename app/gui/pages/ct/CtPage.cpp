@@ -77,12 +77,11 @@ void CtPage::connectWork()
 {
   connect(&work_, &CtWork::progressed, this,
           [this](double fraction) { panel_->showTask(task_, fraction); });
-  connect(&work_, &CtWork::listed, this,
-          [this](const std::filesystem::path& path, const imaging::CtSeriesList& list) {
-            path_ = path;
-            panel_->showSeries(list);
-            thumbnails_.readThumbnails(path);
-          });
+  connect(&work_, &CtWork::listed, this, [this](const imaging::CtSeriesList& list) {
+    list_ = list;
+    panel_->showSeries(list);
+    thumbnails_.readThumbnails(list);
+  });
   connect(&work_, &CtWork::ctRead, this, [this](const std::shared_ptr<imaging::LoadedCt>& loaded) {
     QStringList notes;
     for (const std::string& warning : loaded->series.warnings)
@@ -116,7 +115,7 @@ void CtPage::connectPanel()
     if (study_.hasCt() && study_.series().uid == uid) return;
     task_ = tr("Reading the CT…");
     panel_->showTask(task_, 0.0);
-    work_.read(path_, uid);
+    work_.read(list_, uid);
   });
   connect(panel_, &CtPanel::measureAsked, this, &CtPage::measure);
   connect(panel_, &CtPanel::cancelAsked, this, &CtPage::cancel);

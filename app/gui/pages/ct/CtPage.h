@@ -58,7 +58,7 @@ private:
   CtStudy study_;
   CtWork work_;
   CtWork thumbnails_;
-  std::filesystem::path path_;
+  imaging::CtSeriesList list_;
   std::string patient_;  ///< Code of the patient whose cochlea was offered for insertion.
   QString task_;
   CtPanel* panel_;

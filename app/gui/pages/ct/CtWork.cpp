@@ -47,25 +47,25 @@ void CtWork::open(const std::filesystem::path& path)
         return imaging::findSeries(path, {[progress](double done) { progress->store(done); },
                                           [&isCanceled] { return isCanceled.load(); }});
       },
-      [this, path](const Result<imaging::CtSeriesList>& list) {
+      [this](const Result<imaging::CtSeriesList>& list) {
         end();
         if (!list) return fail(list.error().message);
-        Q_EMIT listed(path, *list);
+        Q_EMIT listed(*list);
         if (list->series.empty()) return fail({});
         const imaging::CtSeries& best = list->series.front();
         if (!best.obstacle.empty()) return fail(best.obstacle);
-        read(path, best.uid);
+        read(*list, best.uid);
       });
 }
 
-void CtWork::read(const std::filesystem::path& path, const std::string& uid)
+void CtWork::read(const imaging::CtSeriesList& list, const std::string& uid)
 {
   const Progress progress = begin();
   background_.run(
       "The CT",
-      [path, uid, progress](
+      [list, uid, progress](
           const std::atomic<bool>& isCanceled) -> Result<std::shared_ptr<imaging::LoadedCt>> {
-        auto loaded = imaging::readCt(path, uid,
+        auto loaded = imaging::readCt(list, uid,
                                       {[progress](double done) { progress->store(done); },
                                        [&isCanceled] { return isCanceled.load(); }});
         if (!loaded) return loaded.error();
@@ -78,12 +78,12 @@ void CtWork::read(const std::filesystem::path& path, const std::string& uid)
       });
 }
 
-void CtWork::readThumbnails(const std::filesystem::path& path)
+void CtWork::readThumbnails(const imaging::CtSeriesList& list)
 {
   background_.run(
       "The pictures of the series",
-      [path](const std::atomic<bool>& isCanceled) -> Result<std::vector<imaging::CtThumbnail>> {
-        return imaging::readThumbnails(path, thumbnail_px,
+      [list](const std::atomic<bool>& isCanceled) -> Result<std::vector<imaging::CtThumbnail>> {
+        return imaging::readThumbnails(list, thumbnail_px,
                                        {{}, [&isCanceled] { return isCanceled.load(); }});
       },
       [this](const Result<std::vector<imaging::CtThumbnail>>& pictures) {

@@ -26,10 +26,10 @@ public:
 
   /// Lists the series of a folder or file, then reads the one that suits a cochlea best.
   void open(const std::filesystem::path& path);
-  /// Reads a series of the list.
-  void read(const std::filesystem::path& path, const std::string& uid);
-  /// Reads a small picture of each series of a folder.
-  void readThumbnails(const std::filesystem::path& path);
+  /// Reads a series of a list.
+  void read(const imaging::CtSeriesList& list, const std::string& uid);
+  /// Reads a small picture of each series of a list.
+  void readThumbnails(const imaging::CtSeriesList& list);
   /// Measures the cochlea; `request` needs no hooks.
   void measure(std::shared_ptr<const ct::CtVolume> volume, ct::MeasureRequest request);
   void cancel();
@@ -37,7 +37,7 @@ public:
 
 Q_SIGNALS:
   void progressed(double fraction);
-  void listed(const std::filesystem::path& path, const perilymph::imaging::CtSeriesList& list);
+  void listed(const perilymph::imaging::CtSeriesList& list);
   void ctRead(std::shared_ptr<perilymph::imaging::LoadedCt> ct);
   void measured(const perilymph::ct::CochleaMeasures& measures);
   void thumbnailsRead(const std::vector<perilymph::imaging::CtThumbnail>& pictures);

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -43,9 +44,14 @@ struct CtSeries {
   double score = 0.0;                 ///< How well it suits the measurement of a cochlea, 0 to 100.
 };
 
+struct ListedFiles;
+
 struct CtSeriesList {
   std::vector<CtSeries> series;  ///< The best score first.
   std::size_t otherFiles = 0;    ///< Files that are no images of a known format.
+  std::filesystem::path path;    ///< What was listed.
+  /// Files and headers of the series, so that they are read without listing the path again.
+  std::shared_ptr<const ListedFiles> files = nullptr;
 };
 
 /// Lists the series in a folder, a DICOMDIR or a single file, without reading voxels.
@@ -60,9 +66,9 @@ struct CtThumbnail {
   std::vector<std::uint8_t> gray;
 };
 
-/// Pictures of the series of a DICOM folder, at most `edge` pixels wide and high, for those that can
+/// Pictures of the series of a listed DICOM folder, at most `edge` pixels wide and high, for those that can
 /// be read. Takes the time of a slice for each.
-std::vector<CtThumbnail> readThumbnails(const std::filesystem::path& path, int edge,
+std::vector<CtThumbnail> readThumbnails(const CtSeriesList& list, int edge,
                                         const ReadingHooks& hooks = {});
 
 /// A volume, and the series it was read from with every warning.
@@ -79,6 +85,10 @@ struct LoadedCt {
 /// Refuses with one sentence whatever has no trustworthy geometry (ct::stackSlices), is no CT, is
 /// cut off, encrypted or too large, and a canceled reading. Takes seconds; not real-time safe.
 Result<LoadedCt> readCt(const std::filesystem::path& path, const std::string& uid = {},
+                        const ReadingHooks& hooks = {});
+
+/// Reads a series of a list, as above; the path is not listed again.
+Result<LoadedCt> readCt(const CtSeriesList& list, const std::string& uid = {},
                         const ReadingHooks& hooks = {});
 
 }  // namespace perilymph::imaging

@@ -172,11 +172,22 @@ TEST_F(TheCtPage, MovesALandmarkWithTheMouseAndTakesItBack)
 
 TEST_F(TheCtPage, PlacesALandmarkByButtonAndClick)
 {
+  auto* guide = page().findChild<QWidget*>("markGuide");
+  EXPECT_FALSE(guide->isVisible());
   rig_.click("markRW");
+  EXPECT_TRUE(guide->isVisible());
+  // drawn with the point that is asked for: another point is another picture
+  auto* drawing = guide->findChild<QWidget*>("landmarkDrawing");
+  const QImage ofWindow = drawing->grab().toImage();
+  rig_.click("markC");
+  EXPECT_NE(drawing->grab().toImage(), ofWindow);
+  rig_.click("markRW");
+  EXPECT_EQ(drawing->grab().toImage(), ofWindow);
   const QPoint aim = view(0).rect().center() + QPoint(30, -20);
   QTest::mouseClick(&view(0), Qt::LeftButton, Qt::NoModifier, aim);
   ASSERT_TRUE(study().marks()[ct::Mark::roundWindow]);
   EXPECT_LT((study().marks()[ct::Mark::roundWindow].value() - view(0).pointAt(aim)).norm(), 1e-9);
+  EXPECT_FALSE(guide->isVisible());
   // the next click moves the crosshair again
   const QPoint elsewhere = view(0).rect().center() + QPoint(-60, 60);
   QTest::mouseClick(&view(0), Qt::LeftButton, Qt::NoModifier, elsewhere);

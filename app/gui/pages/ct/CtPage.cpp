@@ -13,7 +13,6 @@
 #include <algorithm>
 
 #include "gui/pages/ct/CtPanel.h"
-#include "gui/pages/ct/CtText.h"
 #include "gui/pages/ct/InsertedArray.h"
 #include "gui/pages/ct/MeasuredSetup.h"
 #include "gui/pages/ct/PlaneView.h"
@@ -46,7 +45,7 @@ CtPage::CtPage(QWidget* parent)
     connect(views_[k], &PlaneView::maximizeAsked, this, [this, k] { maximize(views_[k]); });
     connect(views_[k], &PlaneView::markPlaced, this, [this] {
       for (PlaneView* view : views_) view->setPlaced({});
-      panel_->showIdle({});
+      panel_->showMark({});
     });
   }
   grid->addWidget(views_[0], 0, 0);
@@ -123,7 +122,7 @@ void CtPage::connectPanel()
     const auto& point = study_.marks()[mark];
     if (point) study_.moveCrosshair(*point);
     for (PlaneView* view : views_) view->setPlaced(mark);
-    panel_->showIdle(markGuide(mark));
+    panel_->showMark(mark);
   });
   connect(panel_, &CtPanel::insertAsked, this, [this](const QString& code) {
     if (!study_.measures()) return;

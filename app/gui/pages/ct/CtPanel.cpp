@@ -19,6 +19,7 @@
 #include <QVariant>
 
 #include "gui/pages/ct/CtText.h"
+#include "gui/pages/ct/MarkGuide.h"
 #include "gui/parts/CheckBoxes.h"
 #include "gui/parts/Theme.h"
 
@@ -248,6 +249,7 @@ void CtPanel::addMarks(QVBoxLayout& column)
     connect(button, &QPushButton::clicked, this, [this, mark] { Q_EMIT markAsked(mark); });
   }
   column.addLayout(grid);
+  column.addWidget(guide_ = new MarkGuide(study_, this));
   auto* row = new QHBoxLayout;
   undo_ = panelButton(tr("Undo"), "undoMarkButton", this);
   redo_ = panelButton(tr("Redo"), "redoMarkButton", this);
@@ -318,6 +320,8 @@ void CtPanel::showThumbnails(const std::vector<imaging::CtThumbnail>& pictures)
       item->setIcon(QIcon(QPixmap::fromImage(image)));
     }
 }
+
+void CtPanel::showMark(const std::optional<ct::Mark>& mark) { guide_->showMark(mark); }
 
 void CtPanel::showTask(const QString& task, double fraction)
 {

@@ -21,6 +21,7 @@ class QVBoxLayout;
 namespace perilymph::gui {
 
 class Choice;
+class MarkGuide;
 
 /// Shows a study's numbers and asks for what the buttons say.
 class CtPanel : public QWidget {
@@ -35,6 +36,8 @@ public:
   void showTask(const QString& task, double fraction);
   /// Ends the display of a task; an empty sentence says nothing.
   void showIdle(const QString& sentence, bool isError = false);
+  /// Guides to a landmark that is being placed; none ends it.
+  void showMark(const std::optional<ct::Mark>& mark);
   /// Updates numbers and buttons.
   void refresh();
 
@@ -69,6 +72,7 @@ private:
   QLabel *side_, *flags_, *duct_;
   std::array<QLabel*, 4> fitted_{}, marked_{};
   std::array<QPushButton*, ct::markCount> marks_{};
+  MarkGuide* guide_;
   QPushButton *undo_, *redo_;
   QLineEdit* code_;
   QPushButton *insert_, *saveSurface_, *saveMarks_, *loadMarks_;

@@ -11,11 +11,11 @@
 #include <QVariant>
 #include <algorithm>
 
-#include "gui/pages/start/LandmarkDrawing.h"
 #include "gui/parts/CheckBoxes.h"
 #include "gui/parts/Placeholder.h"
 #include "gui/parts/Theme.h"
 #include "gui/setup/DerivedMeasures.h"
+#include "gui/setup/LandmarkDrawing.h"
 #include "gui/setup/PopulationField.h"
 #include "gui/setup/Populations.h"
 #include "perilymph/anatomy/Population.h"

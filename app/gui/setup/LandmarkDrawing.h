@@ -15,12 +15,16 @@ class LandmarkDrawing : public QWidget {
   Q_OBJECT
 public:
   enum class Landmark { none, a, b, h };
+  /// The ends of A, B and H, and the modiolus.
+  enum class Point { none, roundWindow, farWall, nearB, farB, floor, apex, modiolus };
 
   explicit LandmarkDrawing(QWidget* parent);
 
   void show(const anatomy::BasalTurn& turn, anatomy::Side side);
   /// Emphasizes what the field with the focus asks for.
   void emphasize(Landmark landmark);
+  /// Rings the point that is being placed. A narrow drawing shows the view that has it, alone.
+  void showPoint(Point point);
 
   QSize sizeHint() const override { return {400, 250}; }
 
@@ -30,11 +34,13 @@ protected:
 private:
   void paintCochlearView(QPainter& painter, const QRectF& place) const;
   void paintSideView(QPainter& painter, const QRectF& place) const;
+  void paintRing(QPainter& painter, Point point, const QPointF& place) const;
   QPen penOf(Landmark landmark) const;
 
   anatomy::BasalTurn turn_;
   anatomy::Side side_ = anatomy::Side::right;
   Landmark emphasized_ = Landmark::none;
+  Point point_ = Point::none;
 };
 
 }  // namespace perilymph::gui

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/pages/start/LandmarkDrawing.h"
+#include "gui/setup/LandmarkDrawing.h"
 
 #include <QFontMetricsF>
 #include <QPainter>
@@ -18,6 +18,7 @@ constexpr double step = pi / 60.0;         // between points of the spiral [rad]
 constexpr double lastTurn = 3.0 * pi;      // where the drawing ends [rad]
 constexpr double ductFraction = 0.58;      // inner / outer radius of the drawn turn
 constexpr double sideViewFraction = 0.36;  // of the width
+constexpr int narrow_px = 330;             // too narrow for both views
 
 /// Outer radius of the spiral [mm].
 double radius_mm(const anatomy::HalfDiameters& half, double angle)
@@ -61,6 +62,23 @@ void LandmarkDrawing::emphasize(Landmark landmark)
   update();
 }
 
+void LandmarkDrawing::showPoint(Point point)
+{
+  point_ = point;
+  update();
+}
+
+void LandmarkDrawing::paintRing(QPainter& painter, Point point, const QPointF& place) const
+{
+  if (point != point_) return;
+  painter.setPen(QPen(accentColor, 2.5));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawEllipse(place, 8.0, 8.0);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(accentColor);
+  painter.drawEllipse(place, 3.0, 3.0);
+}
+
 QPen LandmarkDrawing::penOf(Landmark landmark) const
 {
   const bool isEmphasized = landmark == emphasized_;
@@ -82,6 +100,13 @@ void LandmarkDrawing::paintEvent(QPaintEvent*)
   const QRectF whole = QRectF(rect()).adjusted(12, sized(18) + 12, -12, -12);
   painter.setFont(typeface(11));
   painter.setPen(quietTextColor);
+  if (point_ != Point::none && width() < narrow_px) {
+    const bool isBeside = point_ == Point::floor || point_ == Point::apex;
+    painter.drawText(QRectF(12, 8, width() - 24, sized(18)), Qt::AlignLeft,
+                     isBeside ? tr("Perpendicular view") : tr("Cochlear view"));
+    return isBeside ? paintSideView(painter, whole.adjusted(0, 8, 0, -4))
+                    : paintCochlearView(painter, whole);
+  }
   painter.drawText(QRectF(12, 8, split - 24, sized(18)), Qt::AlignLeft, tr("Cochlear view"));
   painter.drawText(QRectF(split, 8, width() - split - 12, sized(18)), Qt::AlignLeft,
                    tr("Perpendicular view"));
@@ -93,17 +118,21 @@ void LandmarkDrawing::paintCochlearView(QPainter& painter, const QRectF& place) 
 {
   const anatomy::HalfDiameters half = anatomy::likeliestHalfDiameters(turn_.a, turn_.b);
   const double mirror = side_ == anatomy::Side::left ? -1.0 : 1.0;
-  // the round window at the bottom right of a right ear, turning upward
+  // the round window at the bottom right of a right ear, turning upward; in the pictures of a CT,
+  // beside which a point is shown, straight down
+  const bool isUpright = point_ != Point::none;
   const auto direction = [&](double angle) {
-    return QPointF(mirror * std::cos(angle), -std::sin(angle));
+    return isUpright ? QPointF(mirror * std::sin(angle), std::cos(angle))
+                     : QPointF(mirror * std::cos(angle), -std::sin(angle));
   };
   const double a1 = radius_mm(half, 0.0), a2 = radius_mm(half, pi);
   const double b1 = radius_mm(half, 0.5 * pi), b2 = radius_mm(half, 1.5 * pi);
   const double letters_px = sized(26);  // room for names at both ends
-  const double scale = std::min((place.width() - 2.0 * letters_px) / (a1 + a2),
-                                (place.height() - letters_px) / (b1 + b2));
-  const QPointF axis(place.center().x() + mirror * 0.5 * (a2 - a1) * scale,
-                     place.center().y() + 0.5 * (b1 - b2) * scale);
+  const double wide = isUpright ? b1 + b2 : a1 + a2, high = isUpright ? a1 + a2 : b1 + b2;
+  const double scale =
+      std::min((place.width() - 2.0 * letters_px) / wide, (place.height() - letters_px) / high);
+  const QPointF axis =
+      place.center() - 0.5 * scale * ((a1 - a2) * direction(0.0) + (b1 - b2) * direction(0.5 * pi));
   const auto at = [&](double angle, double radius) {
     return axis + scale * radius * direction(angle);
   };
@@ -132,6 +161,11 @@ void LandmarkDrawing::paintCochlearView(QPainter& painter, const QRectF& place) 
   painter.drawEllipse(window, 4.0, 4.0);
   painter.setBrush(textColor);
   painter.drawEllipse(axis, 3.0, 3.0);
+  paintRing(painter, Point::roundWindow, window);
+  paintRing(painter, Point::farWall, far);
+  paintRing(painter, Point::nearB, at(0.5 * pi, b1));
+  paintRing(painter, Point::farB, at(1.5 * pi, b2));
+  paintRing(painter, Point::modiolus, axis);
 
   painter.setFont(typeface(13, QFont::DemiBold));
   const auto name = [&](Landmark landmark, const QPointF& where, const QString& text) {
@@ -151,6 +185,7 @@ void LandmarkDrawing::paintCochlearView(QPainter& painter, const QRectF& place) 
   under.moveCenter({window.x(), under.center().y()});
   if (under.right() > place.right() + 8) under.moveRight(place.right() + 8);
   if (under.left() < place.left() - 4) under.moveLeft(place.left() - 4);
+  if (isUpright) under.moveCenter(window + QPointF(0.5 * under.width() + sized(12), 0.0));
   painter.drawText(under, Qt::AlignCenter, windowName);
   painter.drawText(QRectF(axis.x() + 6, axis.y() + 4, sized(80), sized(18)), Qt::AlignLeft,
                    tr("modiolus"));
@@ -183,6 +218,8 @@ void LandmarkDrawing::paintSideView(QPainter& painter, const QRectF& place) cons
   QRectF letter(line + 4.0, 0.0, sized(18), sized(20));
   letter.moveCenter({letter.center().x(), base - 0.5 * high});
   painter.drawText(letter, Qt::AlignCenter, QStringLiteral("H"));
+  paintRing(painter, Point::floor, {left + 0.5 * wide, base});
+  paintRing(painter, Point::apex, {left + 0.5 * wide, base - high});
 }
 
 }  // namespace perilymph::gui

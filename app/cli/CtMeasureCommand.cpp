@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -76,9 +77,12 @@ Result<Done> writeFiles(const CtMeasureOptions& options, const ct::CochleaMeasur
             writeWhole(options.json, measuresJson(measures, loaded.series.warnings, seconds));
         !done)
       return done.error();
-  if (!options.patient.empty())
-    if (const auto done = imaging::writeMeasuredPatient(measures, options.patient); !done)
+  if (!options.patient.empty()) {
+    const std::filesystem::path file = options.patient;
+    if (const auto done = imaging::writeMeasuredPatient(measures, file.stem().string(), file);
+        !done)
       return done.error();
+  }
   if (!options.picture.empty())
     if (const auto done = imaging::writeMeasuredPicture(
             std::make_shared<const ct::CtVolume>(loaded.volume), measures, options.picture);

@@ -57,6 +57,12 @@ std::optional<SavedPatient> findSavedPatient(const std::string& code, anatomy::S
   return std::nullopt;
 }
 
+fs::path libraryFileOf(const anatomy::Patient& patient)
+{
+  const auto known = findSavedPatient(patient.label, patient.side);
+  return known ? known->file : fileOf(patient);
+}
+
 Result<fs::path> savePatientInLibrary(const anatomy::Patient& patient,
                                       const std::optional<fs::path>& replaced)
 {
@@ -67,7 +73,7 @@ Result<fs::path> savePatientInLibrary(const anatomy::Patient& patient,
     return Error{tr("%1 is saved already; open that patient, or use another code.")
                      .arg(nameOfPatient(patient))
                      .toStdString()};
-  const fs::path file = known ? known->file : fileOf(patient);
+  const fs::path file = libraryFileOf(patient);
   std::error_code ignored;  // an error is reported when the file is written
   fs::create_directories(file.parent_path(), ignored);
   if (const auto saved = anatomy::savePatient(patient, file); !saved) return saved.error();

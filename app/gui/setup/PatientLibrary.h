@@ -24,6 +24,9 @@ std::vector<SavedPatient> savedPatients();
 /// The saved patient with a code and an ear; empty if there is none.
 std::optional<SavedPatient> findSavedPatient(const std::string& code, anatomy::Side side);
 
+/// The file in which a code and an ear are saved: "P-017-left.toml", or the one that has them.
+std::filesystem::path libraryFileOf(const anatomy::Patient& patient);
+
 /// Saves a patient as "P-017-left.toml". An error if the code is not one, or if another file has
 /// this code and ear.
 ///

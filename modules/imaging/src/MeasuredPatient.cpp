@@ -31,9 +31,9 @@ std::string line(const char* key, const ct::Measure& measure)
 }
 
 /// A label that TOML takes between quotation marks as it is.
-std::string labelOf(const std::filesystem::path& file)
+std::string quotable(const std::string& text)
 {
-  std::string label = onOneLine(validUtf8(file.stem().string()));
+  std::string label = onOneLine(validUtf8(text));
   for (char& letter : label)
     if (letter == '"' || letter == '\\') letter = '_';
   return label;
@@ -44,9 +44,19 @@ std::string orUnknown(const std::string& text)
   return text.empty() ? "unknown" : onOneLine(text);
 }
 
+/// Names of landmarks: those that a person placed, or the others.
+std::string landmarkNames(const ct::Marks& byHand, bool isByHand)
+{
+  std::string names;
+  for (std::size_t k = 0; k < ct::markCount; ++k)
+    if (byHand.points_P[k].has_value() == isByHand)
+      names += (names.empty() ? "" : ", ") + std::string(nameOf(static_cast<ct::Mark>(k)));
+  return names.empty() ? "none" : names;
+}
+
 }  // namespace
 
-Result<Done> writeMeasuredPatient(const ct::CochleaMeasures& measures,
+Result<Done> writeMeasuredPatient(const ct::CochleaMeasures& measures, const std::string& label,
                                   const std::filesystem::path& file)
 {
   anatomy::Patient patient;
@@ -64,7 +74,9 @@ Result<Done> writeMeasuredPatient(const ct::CochleaMeasures& measures,
   text += "# Series key (SHA-256): " + orUnknown(measures.provenance.seriesKey) + "\n";
   text += "# Scanner: " + orUnknown(measures.provenance.scanner) + "\n";
   text += "# Flags: " + (flags.empty() ? "none" : flags) + "\n";
-  text += "label = \"" + labelOf(file) + "\"\n";
+  text += "# Landmarks by hand: " + landmarkNames(measures.marksByHand, true) + "\n";
+  text += "# Landmarks proposed: " + landmarkNames(measures.marksByHand, false) + "\n";
+  text += "label = \"" + quotable(label) + "\"\n";
   text += std::string("side = ") +
           (measures.side == anatomy::Side::left ? "\"left\"" : "\"right\"") + "\n";
   text += line("a_mm", measures.a) + line("b_mm", measures.b);

@@ -14,7 +14,11 @@
 #include "Walk.h"
 #include "WindowRig.h"
 #include "gui/pages/ct/CtPage.h"
+#include "gui/pages/ct/MeasuredSetup.h"
 #include "gui/pages/ct/PlaneView.h"
+#include "gui/setup/PatientLibrary.h"
+#include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/Resources.h"
 #include "perilymph/test/CtPhantom.h"
 #include "perilymph/test/DicomWriter.h"
 #include "perilymph/test/TemporaryFolder.h"
@@ -87,6 +91,30 @@ TEST_F(TheCtPage, GoesFromAFolderToAnInsertionInThatCochlea)
   EXPECT_NEAR(inMillimeters(patient.basalTurn->a), study().measures()->a.value, 5e-4);
   EXPECT_NEAR(inMillimeters(patient.basalTurn->b), study().measures()->b.value, 5e-4);
   EXPECT_EQ(patient.side, study().measures()->side);
+}
+
+TEST(MeasuredCochleae, OfBothEarsOfAPatientHaveAFileEach)
+{
+  const DataFolder data;
+  ct::MeasureRequest request;
+  request.click_P = onDisk().phantom.inside_P;
+  request.marks[ct::Mark::apex] = onDisk().phantom.marks[ct::Mark::apex];
+  auto measures = ct::measureCochlea(onDisk().phantom.volume, request);
+  ASSERT_TRUE(measures) << measures.error().message;
+  for (const anatomy::Side side : {anatomy::Side::left, anatomy::Side::right}) {
+    measures->side = side;
+    ASSERT_TRUE(gui::setupOfMeasures(*measures, QStringLiteral("P-9")));
+  }
+  for (const auto& [file, side] : {std::pair{"P-9-left.toml", anatomy::Side::left},
+                                   std::pair{"P-9-right.toml", anatomy::Side::right}}) {
+    const auto patient = anatomy::loadPatient(patientFolder() / file);
+    ASSERT_TRUE(patient) << patient.error().message;
+    EXPECT_EQ(patient->label, "P-9");
+    EXPECT_EQ(patient->side, side);
+    EXPECT_THAT(*readWhole(patientFolder() / file),
+                testing::HasSubstr("# Landmarks by hand: A\n# Landmarks proposed: RW, OW"));
+  }
+  EXPECT_EQ(gui::savedPatients().size(), 2U);
 }
 
 TEST_F(TheCtPage, ShowsTheInsertedArrayInTheScan)

@@ -4,18 +4,22 @@
 #include <filesystem>
 #include <system_error>
 
+#include "gui/setup/PatientLibrary.h"
 #include "gui/setup/PatientSetup.h"
-#include "perilymph/foundation/Resources.h"
 #include "perilymph/imaging/MeasuredPatient.h"
 
 namespace perilymph::gui {
 
 Result<Setup> setupOfMeasures(const ct::CochleaMeasures& measures, const QString& code)
 {
-  const auto file = patientFolder() / fileNameOf(code.toStdString());
+  anatomy::Patient named;
+  named.label = code.toStdString();
+  named.side = measures.side;
+  // each ear of a patient has a file of its own
+  const auto file = libraryFileOf(named);
   std::error_code ignored;  // an error is reported when the file is written
   std::filesystem::create_directories(file.parent_path(), ignored);
-  if (const auto saved = imaging::writeMeasuredPatient(measures, file); !saved)
+  if (const auto saved = imaging::writeMeasuredPatient(measures, named.label, file); !saved)
     return saved.error();
   // the scenario carries the measures and not the path of the file
   const auto patient = anatomy::loadPatient(file);

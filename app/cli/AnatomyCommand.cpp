@@ -74,6 +74,11 @@ nlohmann::ordered_json givenNumbers(const anatomy::Cochlea& cochlea)
     given["a_mm"] = inMillimeters(patient.basalTurn->a);
     given["b_mm"] = inMillimeters(patient.basalTurn->b);
     if (patient.basalTurn->h) given["h_mm"] = inMillimeters(*patient.basalTurn->h);
+    if (const auto& errors = patient.errors) {
+      given["a_sd_mm"] = inMillimeters(errors->a);
+      given["b_sd_mm"] = inMillimeters(errors->b);
+      if (errors->h) given["h_sd_mm"] = inMillimeters(*errors->h);
+    }
   } else if (isScaledBy(cochlea.source, patient)) {
     given["st_length_mm"] = inMillimeters(patient.scalaTympaniLength);
     given["rw_width_mm"] = inMillimeters(patient.roundWindowWidth);
@@ -97,7 +102,8 @@ std::string anatomyJson(const anatomy::Cochlea& cochlea,
   if (const auto unusual = anatomy::unusualMeasures(patient); !unusual.empty())
     json["unusual"] = unusual;
   for (const analysis::Measure& measure : measures) json[measure.key] = measure.value;
-  if (!bands.empty()) json["band_for_measuring_error_mm"] = inMillimeters(analysis::measuringError);
+  if (!bands.empty() && !patient.errors)
+    json["band_for_measuring_error_mm"] = inMillimeters(analysis::measuringError);
   for (std::size_t i = 0; i < measures.size(); ++i) {
     auto& derived = json["derived"][measures[i].key];
     derived = {{"formula", measures[i].formula}, {"source", measures[i].source}};
@@ -149,7 +155,12 @@ Result<Done> describeAnatomy(const AnatomyOptions& options)
   for (std::size_t i = 0; i < measures.size(); ++i)
     print("{:28} {}{}\n", measures[i].key, fixed(measures[i].value, 2),
           bands->empty() ? "" : (" ± " + fixed((*bands)[i], 2)));
-  if (!bands->empty())
+  if (!bands->empty() && patient.errors)
+    print(
+        "± stands for the errors of A, B and H as measured in the CT; the error of the model is "
+        "not "
+        "included.\n");
+  else if (!bands->empty())
     print(
         "± assumes an error of {} mm in each measurement; the error of the model is not "
         "included.\n",

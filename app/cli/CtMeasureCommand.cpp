@@ -79,7 +79,8 @@ Result<Done> writeFiles(const CtMeasureOptions& options, const ct::CochleaMeasur
       return done.error();
   if (!options.patient.empty()) {
     const std::filesystem::path file = options.patient;
-    if (const auto done = imaging::writeMeasuredPatient(measures, file.stem().string(), file);
+    if (const auto done =
+            imaging::writeMeasuredPatient(measures, file.stem().string(), options.patient);
         !done)
       return done.error();
   }

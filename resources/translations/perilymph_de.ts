@@ -2639,6 +2639,10 @@
         <source>± for an error of %1 mm in each measure.</source>
         <translation>± bei einem Messfehler von je %1 mm.</translation>
     </message>
+    <message>
+        <source>± for the errors of the measures in the CT.</source>
+        <translation>± bei den Messfehlern aus dem CT.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::DevicePage</name>

@@ -27,6 +27,7 @@ std::vector<Eigen::Vector3d> ReferenceShapes::nodesAt(double depth) const
   const auto after =
       std::upper_bound(shapes.begin(), shapes.end(), depth,
                        [](double wanted, const Shape& shape) { return wanted < shape.depth; });
+  if (shapes.empty()) return {};
   if (after == shapes.begin()) return shapes.front().nodes_W;
   if (after == shapes.end()) return shapes.back().nodes_W;
   const Shape& a = *(after - 1);

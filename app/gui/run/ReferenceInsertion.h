@@ -26,9 +26,10 @@ struct ReferenceShapes {
     std::vector<Eigen::Vector3d> nodes_W;  ///< [m], base first.
   };
   electrode::ArrayDesign array;
-  std::vector<Shape> shapes;  ///< In order of depth, at least one.
+  std::vector<Shape> shapes;  ///< In order of depth.
 
-  /// The nodes at a depth [m], linearly interpolated; those at the nearest recorded depth outside.
+  /// The nodes at a depth [m], linearly interpolated; those at the nearest recorded depth outside;
+  /// none without shapes.
   std::vector<Eigen::Vector3d> nodesAt(double depth) const;
 };
 

@@ -215,7 +215,9 @@ void DerivedMeasures::showContent(const Result<Content>& content)
   notes << (hasInsertion ? tr("Angle and coverage for %1 along the lateral wall, fully inserted.")
                                .arg(QString::fromStdString(array_.name))
                          : tr("Angle and coverage are estimated for straight arrays only."));
-  if (!content->bands.empty())
+  if (!content->bands.empty() && cochlea_.patient.errors)
+    notes << tr("± for the errors of the measures in the CT.");
+  else if (!content->bands.empty())
     notes << tr("± for an error of %1 mm in each measure.")
                  .arg(numberText(inMillimeters(analysis::measuringError), 1));
   say(notes.join(QLatin1Char(' ')));

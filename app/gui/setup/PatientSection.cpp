@@ -87,6 +87,15 @@ std::optional<Length> numberOf(const anatomy::Patient& patient, SetupField field
   }
 }
 
+/// The error of a measure as the CT states it; empty without one.
+std::optional<Length> errorOf(const anatomy::Patient& patient, SetupField field)
+{
+  if (!patient.errors) return std::nullopt;
+  if (field == SetupField::lengthA) return patient.errors->a;
+  if (field == SetupField::widthB) return patient.errors->b;
+  return field == SetupField::heightH ? patient.errors->h : std::nullopt;
+}
+
 }  // namespace
 
 PatientSection::PatientSection(QWidget* parent)
@@ -246,6 +255,7 @@ void PatientSection::show(const Setup& setup)
   for (const Number& number : numbers_) {
     if (number.page->isHidden()) continue;
     const auto value = numberOf(scenario.patient(), number.field);
+    number.shown->setMeasuringError(errorOf(scenario.patient(), number.field));
     number.shown->setHeld(value, value ? sourceText(setup.sourceOf(number.field)) : "");
     session::Overrides& last = number.page == lengths_ ? lastLengths_ : lastBasalTurn_;
     const std::string key = keyOf(number.key);

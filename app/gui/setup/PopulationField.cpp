@@ -180,7 +180,8 @@ QString PopulationField::error() const
 QString PopulationField::placeOf(Length value) const
 {
   const bool isNarrow = width_ == Width::narrow;
-  const QString error = numberText(inMillimeters(analysis::measuringError), 1);
+  const QString error = measuringError_ ? numberText(inMillimeters(*measuringError_), 2)
+                                        : numberText(inMillimeters(analysis::measuringError), 1);
   if (population_.mean && population_.standardDeviation) {
     const double off = (value - *population_.mean) / *population_.standardDeviation;
     const bool isBelow = off < -0.05;
@@ -200,6 +201,13 @@ QString PopulationField::placeOf(Length value) const
   return (isNarrow ? tr("%1–%2 mm · CT ± %3 mm") : tr("range %1–%2 mm · CT ± %3 mm"))
       .arg(numberText(inMillimeters(population_.low), 1),
            numberText(inMillimeters(population_.high), 1), error);
+}
+
+void PopulationField::setMeasuringError(std::optional<Length> error)
+{
+  if (error == measuringError_) return;
+  measuringError_ = error;
+  showPlace();
 }
 
 QString PopulationField::emptyText() const

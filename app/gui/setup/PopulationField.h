@@ -38,6 +38,8 @@ public:
                   bool mayBeEmpty, QWidget* parent, Width width = Width::wide);
 
   void setValue(std::optional<Length> value);
+  /// Sets the error of the value as its measurement states it; empty for the assumed one.
+  void setMeasuringError(std::optional<Length> error);
   /// Sets the current value, valid until another one is given(), and a text for its source.
   void setHeld(std::optional<Length> value, const QString& provenance);
   /// Empty if there is no number.
@@ -77,6 +79,7 @@ private:
   static QString textOf(std::optional<Length> value);
 
   Population population_;
+  std::optional<Length> measuringError_;
   bool mayBeEmpty_;
   Width width_;
   ValueEdit* field_;

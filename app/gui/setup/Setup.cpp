@@ -66,6 +66,11 @@ bool isFrictionNumber(const std::string& key) { return startsWith(key, "friction
 
 bool isPatientNumber(const std::string& key) { return startsWith(key, numbers) && key != label; }
 
+bool isMeasuringError(const std::string& key)
+{
+  return isPatientNumber(key) && key.ends_with("_sd_mm");
+}
+
 /// The order of keys is irrelevant: sort them for comparison.
 Values sorted(Values values)
 {
@@ -215,8 +220,11 @@ Result<Setup> changed(const Setup& now, const SetupOrigin& origin, const SetupCh
     else
       set(values, key, value);
   }
-  if (change.field >= SetupField::scalaLength && change.field <= SetupField::heightH)
-    made.sources[change.field] = change.sources;
+  const bool isMeasure =
+      change.field >= SetupField::scalaLength && change.field <= SetupField::heightH;
+  // the errors are those of the measures in the CT
+  if (isMeasure) drop(values, isMeasuringError);
+  if (isMeasure) made.sources[change.field] = change.sources;
   if (const auto done = follow(values, now, origin, change.field); !done) return done.error();
   followPatient(values, origin, change.field);
 
@@ -312,6 +320,11 @@ Result<session::Scenario> withPatient(const session::Scenario& scenario,
     setNumber("a_mm", patient.basalTurn->a);
     setNumber("b_mm", patient.basalTurn->b);
     if (patient.basalTurn->h) setNumber("h_mm", *patient.basalTurn->h);
+    if (const auto& errors = patient.errors) {
+      setNumber("a_sd_mm", errors->a);
+      setNumber("b_sd_mm", errors->b);
+      if (errors->h) setNumber("h_sd_mm", *errors->h);
+    }
   } else {
     setNumber("st_length_mm", patient.scalaTympaniLength);
     setNumber("rw_width_mm", patient.roundWindowWidth);

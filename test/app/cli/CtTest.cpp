@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "Cli.h"
+#include "perilymph/anatomy/Patient.h"
 #include "perilymph/ct/Measures.h"
 #include "perilymph/test/CtPhantom.h"
 #include "perilymph/test/DicomWriter.h"
@@ -109,6 +110,13 @@ TEST(CtMeasure, MeetsTheTruthOfAPhantomWithinItsErrors)
   EXPECT_NEAR(anatomy.at("given").at("a_mm").get<double>(),
               json.at("A_mm").at("value").get<double>(), 5e-4);
   EXPECT_EQ(anatomy.at("side"), json.at("side"));
+  EXPECT_NEAR(anatomy.at("given").at("a_sd_mm").get<double>(),
+              json.at("A_mm").at("sd").get<double>(), 5e-4);
+  const auto patient = anatomy::loadPatient(out / "ear.toml");
+  ASSERT_TRUE(patient) << patient.error().message;
+  EXPECT_EQ(patient->origin.seriesKey, json.at("provenance").at("series_key"));
+  EXPECT_EQ(patient->origin.landmarksByHand, "");
+  EXPECT_EQ(patient->origin.landmarksProposed, "RW, OW, B1, B2, H, A, C");
   EXPECT_THAT(contentOf(out / "ear.toml"),
               testing::HasSubstr(json.at("provenance").at("series_key").get<std::string>()));
 }

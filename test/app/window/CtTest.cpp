@@ -17,7 +17,7 @@
 #include "gui/pages/ct/MeasuredSetup.h"
 #include "gui/pages/ct/PlaneView.h"
 #include "gui/setup/PatientLibrary.h"
-#include "perilymph/foundation/AtomicFile.h"
+#include "gui/setup/PatientSetup.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/test/CtPhantom.h"
 #include "perilymph/test/DicomWriter.h"
@@ -91,6 +91,31 @@ TEST_F(TheCtPage, GoesFromAFolderToAnInsertionInThatCochlea)
   EXPECT_NEAR(inMillimeters(patient.basalTurn->a), study().measures()->a.value, 5e-4);
   EXPECT_NEAR(inMillimeters(patient.basalTurn->b), study().measures()->b.value, 5e-4);
   EXPECT_EQ(patient.side, study().measures()->side);
+  // the errors go with the measures, and the file says who placed which landmark
+  ASSERT_TRUE(patient.errors);
+  EXPECT_NEAR(inMillimeters(patient.errors->b), study().measures()->b.sd(), 5e-4);
+  const char* file = patient.side == anatomy::Side::left ? "CT-203-left.toml" : "CT-203-right.toml";
+  const auto saved = anatomy::loadPatient(patientFolder() / file);
+  ASSERT_TRUE(saved) << saved.error().message;
+  EXPECT_EQ(saved->label, "CT-203");
+  EXPECT_EQ(saved->origin.seriesKey, study().measures()->provenance.seriesKey);
+  EXPECT_EQ(saved->origin.landmarksByHand, "");
+}
+
+TEST(ATypedMeasure, HasNoLongerTheErrorOfTheOneFromTheCt)
+{
+  anatomy::Patient patient;
+  patient.label = "P-9";
+  patient.basalTurn = anatomy::BasalTurn{millimeters(9.3), millimeters(6.8), millimeters(4)};
+  patient.errors = anatomy::BasalTurnErrors{millimeters(0.2), millimeters(0.1), millimeters(0.3)};
+  const auto setup = gui::setupOfPatient(patient);
+  ASSERT_TRUE(setup) << setup.error().message;
+  EXPECT_EQ(setup->scenario.patient().errors->h, millimeters(0.3));
+  const auto typed = gui::changed(
+      *setup, {*setup, gui::SetupOrigin::Kind::own},
+      {gui::SetupField::lengthA, {{"patient_numbers.a_mm", "9.5"}}, QStringLiteral("A 9.5 mm")});
+  ASSERT_TRUE(typed) << typed.error().message;
+  EXPECT_FALSE(typed->scenario.patient().errors);
 }
 
 TEST(MeasuredCochleae, OfBothEarsOfAPatientHaveAFileEach)
@@ -111,8 +136,8 @@ TEST(MeasuredCochleae, OfBothEarsOfAPatientHaveAFileEach)
     ASSERT_TRUE(patient) << patient.error().message;
     EXPECT_EQ(patient->label, "P-9");
     EXPECT_EQ(patient->side, side);
-    EXPECT_THAT(*readWhole(patientFolder() / file),
-                testing::HasSubstr("# Landmarks by hand: A\n# Landmarks proposed: RW, OW"));
+    EXPECT_EQ(patient->origin.landmarksByHand, "A");
+    EXPECT_THAT(patient->origin.landmarksProposed, testing::StartsWith("RW, OW"));
   }
   EXPECT_EQ(gui::savedPatients().size(), 2U);
 }

@@ -45,6 +45,18 @@ TEST(ErrorBands, OfDiametersFollowTheClinicsFormulas)
   EXPECT_NEAR(bands["cdl_oc_mm"], 4.16 * 0.1, 4.16 * test::tolerance(0.02, "measured back"));
 }
 
+TEST(ErrorBands, UseTheErrorsThatTheMeasurementStates)
+{
+  anatomy::Cochlea cochlea;
+  cochlea.source = anatomy::AnatomySource::mean;
+  cochlea.patient.basalTurn = {millimeters(9.2), millimeters(6.8), std::nullopt};
+  cochlea.patient.errors = {millimeters(0.3), millimeters(0.05), std::nullopt};
+  auto bands = bandsOf(cochlea);
+  EXPECT_NEAR(bands["A_mm"], 0.3, test::tolerance(0.03, "measured back"));
+  EXPECT_NEAR(bands["B_mm"], 0.05, test::tolerance(0.02, "measured back"));
+  EXPECT_NEAR(bands["cdl_oc_mm"], 4.16 * 0.3, 4.16 * test::tolerance(0.03, "measured back"));
+}
+
 TEST(ErrorBands, HoldAtTheEdgeOfWhatIsAllowed)
 {
   anatomy::Cochlea cochlea;

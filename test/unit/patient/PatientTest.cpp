@@ -193,6 +193,42 @@ TEST_F(PatientFile, ThatWasSavedReadsBackAsTheSamePatient)
   EXPECT_EQ(loadPatient(file_)->label, "Frau \"Ü\" \\ 7 ");
 }
 
+TEST_F(PatientFile, CarriesTheErrorsAndTheOriginOfItsMeasures)
+{
+  const Result<Patient> patient = load(
+      "a_mm = 9.3\nb_mm = 6.75\nh_mm = 4\na_sd_mm = 0.15\nb_sd_mm = 0.09\nh_sd_mm = 0.2\n"
+      "measured_with = 'perilymph 0.2'\nseries_sha256 = 'ab12'\nlandmarks_by_hand = 'RW, A'\n"
+      "landmarks_proposed = 'OW'\n");
+  ASSERT_TRUE(patient) << patient.error().message;
+  ASSERT_TRUE(savePatient(*patient, file_));
+  const Result<Patient> back = loadPatient(file_);
+  ASSERT_TRUE(back) << back.error().message;
+  for (const Patient& each : {*patient, *back}) {
+    ASSERT_TRUE(each.errors);
+    EXPECT_EQ(each.errors->a, millimeters(0.15));
+    EXPECT_EQ(each.errors->b, millimeters(0.09));
+    EXPECT_EQ(each.errors->h, millimeters(0.2));
+    EXPECT_EQ(each.origin.software, "perilymph 0.2");
+    EXPECT_EQ(each.origin.seriesKey, "ab12");
+    EXPECT_EQ(each.origin.landmarksByHand, "RW, A");
+    EXPECT_EQ(each.origin.landmarksProposed, "OW");
+  }
+}
+
+TEST_F(PatientFile, WithoutErrorsStatesNone)
+{
+  const Result<Patient> patient = load("a_mm = 9.3\nb_mm = 6.75\n");
+  ASSERT_TRUE(patient);
+  EXPECT_FALSE(patient->errors);
+}
+
+TEST_F(PatientFile, WithHalfOfTheErrorsOrImpossibleOnesIsRefused)
+{
+  EXPECT_THAT(error("a_mm = 9.3\nb_mm = 6.75\na_sd_mm = 0.1\n"), HasSubstr("b_sd_mm"));
+  EXPECT_THAT(error("a_mm = 9.3\nb_mm = 6.75\na_sd_mm = -0.1\nb_sd_mm = 0.1\n"),
+              HasSubstr("a_sd_mm is -0.1"));
+}
+
 TEST(Patient, OfThePaperIsAllowed) { EXPECT_TRUE(checkPatient(Patient{})); }
 
 TEST(Patient, AtTheLimitsIsAllowedAndJustBeyondIsNot)

@@ -12,9 +12,8 @@ namespace perilymph::gui {
 
 Result<Setup> setupOfMeasures(const ct::CochleaMeasures& measures, const QString& code)
 {
-  anatomy::Patient named;
+  anatomy::Patient named = imaging::measuredPatient(measures);
   named.label = code.toStdString();
-  named.side = measures.side;
   // each ear of a patient has a file of its own
   const auto file = libraryFileOf(named);
   std::error_code ignored;  // an error is reported when the file is written

@@ -40,9 +40,9 @@ QString placeOf(Length value, const Population& population)
 }
 
 AnatomyRow measured(const QString& name, Length value, const Population& population,
-                    const QString& source)
+                    const QString& source, Length error = analysis::measuringError)
 {
-  return {name, withError(inMillimeters(value), inMillimeters(analysis::measuringError), 2),
+  return {name, withError(inMillimeters(value), inMillimeters(error), 2),
           placeOf(value, population), source};
 }
 
@@ -67,12 +67,14 @@ std::vector<AnatomyRow> rowsOf(const ReportContent& content)
             {tr("B: basal-turn width"), valueOf(content, "B_mm"), tr("of the model"), {}}};
   } else if (patient.basalTurn) {
     const QString source = tr("Pietsch et al. 2017, n = 138");
-    rows = {
-        measured(tr("A: basal-turn diameter"), patient.basalTurn->a, lengthAPopulation(), source),
-        measured(tr("B: basal-turn width"), patient.basalTurn->b, widthBPopulation(), source)};
+    const anatomy::BasalTurnErrors errors = analysis::errorsOf(patient);
+    rows = {measured(tr("A: basal-turn diameter"), patient.basalTurn->a, lengthAPopulation(),
+                     source, errors.a),
+            measured(tr("B: basal-turn width"), patient.basalTurn->b, widthBPopulation(), source,
+                     errors.b)};
     if (patient.basalTurn->h)
-      rows.push_back(
-          measured(tr("H: cochlear height"), *patient.basalTurn->h, heightHPopulation(), {}));
+      rows.push_back(measured(tr("H: cochlear height"), *patient.basalTurn->h, heightHPopulation(),
+                              {}, errors.h.value_or(analysis::measuringError)));
   } else {
     const QString sections = tr("Froehlich et al. 2024, n = 15");
     rows = {measured(tr("Organ of Corti length"), patient.scalaTympaniLength,

@@ -274,6 +274,7 @@ void PatientForm::setTabOrders()
 void PatientForm::beginNew()
 {
   edited_.reset();
+  shown_ = {};
   title_->setText(tr("New patient"));
   use_->setText(tr("Build cochlea"));
   label_->clear();
@@ -296,6 +297,7 @@ void PatientForm::beginEditing(const anatomy::Patient& patient, const std::files
 
 void PatientForm::setPatient(const anatomy::Patient& patient)
 {
+  shown_ = patient;
   label_->setText(QString::fromStdString(patient.label));
   (patient.side == anatomy::Side::left ? left_ : right_)->setChecked(true);
   (patient.basalTurn ? byBasalTurn_ : byLengths_)->setChecked(true);
@@ -310,6 +312,17 @@ void PatientForm::setPatient(const anatomy::Patient& patient)
   }
 }
 
+bool PatientForm::isAsShown(const anatomy::BasalTurn& turn) const
+{
+  if (!shown_.basalTurn) return false;
+  const auto isSame = [](Length one, Length other) {  // fields show hundredths of a millimeter
+    return std::fabs(inMillimeters(one - other)) < 0.006;
+  };
+  const anatomy::BasalTurn& shown = *shown_.basalTurn;
+  return isSame(turn.a, shown.a) && isSame(turn.b, shown.b) &&
+         turn.h.has_value() == shown.h.has_value() && (!turn.h || isSame(*turn.h, *shown.h));
+}
+
 anatomy::Patient PatientForm::patient() const
 {
   anatomy::Patient patient;
@@ -318,6 +331,10 @@ anatomy::Patient PatientForm::patient() const
   if (byBasalTurn_->isChecked()) {
     patient.basalTurn = anatomy::BasalTurn{a_->value().value_or(Length{}),
                                            b_->value().value_or(Length{}), h_->value()};
+    if (isAsShown(*patient.basalTurn)) {
+      patient.errors = shown_.errors;
+      patient.origin = shown_.origin;
+    }
   } else {
     patient.scalaTympaniLength = length_->value().value_or(Length{});
     patient.roundWindowWidth = width_->value().value_or(Length{});
@@ -350,6 +367,10 @@ void PatientForm::showState()
   use_->setEnabled(isComplete() && checked);
   const anatomy::Patient given = patient();
   landmarks_->setVisible(byBasalTurn_->isChecked());
+  using Errors = std::optional<Length>;
+  a_->setMeasuringError(given.errors ? Errors(given.errors->a) : Errors());
+  b_->setMeasuringError(given.errors ? Errors(given.errors->b) : Errors());
+  h_->setMeasuringError(given.errors ? given.errors->h : Errors());
   say(*warning_, {});
   if (!isComplete()) {
     landmarks_->show({anatomy::spreadOfA().mean, anatomy::spreadOfB().mean, std::nullopt},

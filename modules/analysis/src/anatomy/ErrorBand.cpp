@@ -7,10 +7,12 @@ namespace perilymph::analysis {
 
 namespace {
 
-/// The patients that differ from a given one in a single length, changed by `step`.
-std::vector<anatomy::Patient> movedByOne(const anatomy::Patient& patient, Length step)
+/// The patients that differ from a given one in a single length, changed by its error.
+std::vector<anatomy::Patient> movedByOne(const anatomy::Patient& patient, Length assumed)
 {
   std::vector<anatomy::Patient> moved;
+  const anatomy::BasalTurnErrors errors = errorsOf(patient, assumed);
+  Length step = assumed;
   const auto move = [&](auto change) {
     anatomy::Patient other = patient;
     change(other);
@@ -24,8 +26,11 @@ std::vector<anatomy::Patient> movedByOne(const anatomy::Patient& patient, Length
     moved.push_back(other);
   };
   if (patient.basalTurn) {
+    step = errors.a;
     move([&](anatomy::Patient& p) { p.basalTurn->a = p.basalTurn->a + step; });
+    step = errors.b;
     move([&](anatomy::Patient& p) { p.basalTurn->b = p.basalTurn->b + step; });
+    step = errors.h.value_or(assumed);
     if (patient.basalTurn->h)
       move([&](anatomy::Patient& p) { p.basalTurn->h = *p.basalTurn->h + step; });
   } else {
@@ -37,6 +42,12 @@ std::vector<anatomy::Patient> movedByOne(const anatomy::Patient& patient, Length
 }
 
 }  // namespace
+
+anatomy::BasalTurnErrors errorsOf(const anatomy::Patient& patient, Length assumed)
+{
+  if (!patient.errors) return {assumed, assumed, assumed};
+  return {patient.errors->a, patient.errors->b, patient.errors->h.value_or(assumed)};
+}
 
 Result<std::vector<double>> errorBands(
     const anatomy::Cochlea& cochlea, const std::vector<Measure>& measures, Length error,

@@ -110,6 +110,31 @@ Result<Done> checkBasalTurn(const BasalTurn& turn)
   return Done{};
 }
 
+/// Keys of the origin of measures in a patient file.
+struct OriginKey {
+  const char* key;
+  std::string MeasurementOrigin::*text;
+};
+constexpr OriginKey originKeys[] = {{"measured_with", &MeasurementOrigin::software},
+                                    {"series_sha256", &MeasurementOrigin::seriesKey},
+                                    {"landmarks_by_hand", &MeasurementOrigin::landmarksByHand},
+                                    {"landmarks_proposed", &MeasurementOrigin::landmarksProposed}};
+
+// Larger errors would leave no measurement: A and B are 5 to 11 mm.
+constexpr Range error_mm{0.0, 2.0};
+
+/// Reads the errors of A, B and optionally H; empty if there are none.
+std::optional<BasalTurnErrors> readErrors(TomlReader& reader)
+{
+  if (!reader.has("a_sd_mm") && !reader.has("b_sd_mm") && !reader.has("h_sd_mm"))
+    return std::nullopt;
+  BasalTurnErrors errors;
+  errors.a = millimeters(reader.number("a_sd_mm", error_mm));
+  errors.b = millimeters(reader.number("b_sd_mm", error_mm));
+  if (reader.has("h_sd_mm")) errors.h = millimeters(reader.number("h_sd_mm", error_mm));
+  return errors;
+}
+
 /// Reads A, B and optionally H. Accepts any measurable value; the population limits are checked
 /// later.
 BasalTurn readBasalTurn(TomlReader& reader)
@@ -146,6 +171,8 @@ Result<Patient> loadPatient(const std::filesystem::path& file)
       reader->choice("side", {"right", "left"}, "right") == "left" ? Side::left : Side::right;
   if (reader->has("a_mm") || reader->has("b_mm") || reader->has("h_mm")) {
     patient.basalTurn = readBasalTurn(*reader);
+    patient.errors = readErrors(*reader);
+    for (const auto& [key, text] : originKeys) patient.origin.*text = reader->text(key, "");
   } else {
     patient.scalaTympaniLength = millimeters(reader->number("st_length_mm", length_mm));
     patient.roundWindowWidth = millimeters(reader->number("rw_width_mm", width_mm));
@@ -158,19 +185,31 @@ Result<Patient> loadPatient(const std::filesystem::path& file)
   return patient;
 }
 
-Result<Done> savePatient(const Patient& patient, const std::filesystem::path& file)
+std::string patientText(const Patient& patient)
 {
   std::string text = "label = " + quoted(patient.label) +
                      "\nside = " + (patient.side == Side::left ? "\"left\"" : "\"right\"") + '\n';
   if (patient.basalTurn) {
     text += line("a_mm", patient.basalTurn->a) + line("b_mm", patient.basalTurn->b);
     if (patient.basalTurn->h) text += line("h_mm", *patient.basalTurn->h);
+    if (const auto& errors = patient.errors) {
+      text += line("a_sd_mm", errors->a) + line("b_sd_mm", errors->b);
+      if (errors->h) text += line("h_sd_mm", *errors->h);
+    }
+    for (const auto& [key, origin] : originKeys)
+      if (!(patient.origin.*origin).empty())
+        text += std::string(key) + " = " + quoted(patient.origin.*origin) + '\n';
   } else {
     text += line("st_length_mm", patient.scalaTympaniLength) +
             line("rw_width_mm", patient.roundWindowWidth) +
             line("rw_height_mm", patient.roundWindowHeight);
   }
-  return writeWhole(file, text);
+  return text;
+}
+
+Result<Done> savePatient(const Patient& patient, const std::filesystem::path& file)
+{
+  return writeWhole(file, patientText(patient));
 }
 
 Result<Done> checkPatient(const Patient& patient)

@@ -90,7 +90,8 @@ ScenarioSubject subjectOf(const std::string& text, const std::string& name)
   subject.array = scenario->array().name;
   if (!isPatient) return subject;
   for (const auto& [key, value] : scenario->values())
-    if (key.starts_with("patient_numbers.") && key != "patient_numbers.label")
+    if (key.starts_with("patient_numbers.") && key != "patient_numbers.label" &&
+        !key.ends_with("_sd_mm"))
       subject.cochlea += " " + key + "=" + value;
   return subject;
 }

@@ -116,6 +116,11 @@ void ScenarioKeys::notePatient(const anatomy::Patient& patient, anatomy::Anatomy
     noteLength("a_mm", patient.basalTurn->a);
     noteLength("b_mm", patient.basalTurn->b);
     if (patient.basalTurn->h) noteLength("h_mm", *patient.basalTurn->h);
+    if (const auto& errors = patient.errors) {
+      noteLength("a_sd_mm", errors->a);
+      noteLength("b_sd_mm", errors->b);
+      if (errors->h) noteLength("h_sd_mm", *errors->h);
+    }
   } else if (isScaledBy(anatomy, patient)) {
     noteLength("st_length_mm", patient.scalaTympaniLength);
     noteLength("rw_width_mm", patient.roundWindowWidth);

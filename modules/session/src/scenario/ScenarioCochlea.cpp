@@ -23,6 +23,11 @@ anatomy::Patient patientFromNumbers(TomlReader numbers)
     anatomy::BasalTurn turn{diameter("a_mm"), diameter("b_mm"), std::nullopt};
     if (numbers.has("h_mm")) turn.h = diameter("h_mm");
     patient.basalTurn = turn;
+    if (numbers.has("a_sd_mm")) {
+      anatomy::BasalTurnErrors errors{diameter("a_sd_mm"), diameter("b_sd_mm")};
+      if (numbers.has("h_sd_mm")) errors.h = diameter("h_sd_mm");
+      patient.errors = errors;
+    }
     return patient;
   }
   if (!numbers.has("st_length_mm")) return patient;

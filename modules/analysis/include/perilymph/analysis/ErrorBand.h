@@ -16,8 +16,11 @@ namespace perilymph::analysis {
 /// low.
 inline constexpr Length measuringError = millimeters(0.1);
 
+/// Errors of A, B and H of a patient: those that the measurement states, else the assumed one.
+anatomy::BasalTurnErrors errorsOf(const anatomy::Patient& patient, Length assumed = measuringError);
+
 /// Uncertainty (plus or minus) of each measure, in the measure's own unit. Each given length is
-/// changed by the error, and the model is built and measured again; independent errors add as
+/// changed by its error (errorsOf()), and the model is built and measured again; independent errors add as
 /// squares:
 ///
 ///     band(m) = sqrt(sum over i of (m(x + e_i) - m(x))^2)
@@ -25,6 +28,7 @@ inline constexpr Length measuringError = millimeters(0.1);
 /// It covers only the error of the given lengths, not that of the model. Empty for an anatomy
 /// without patient measures. Takes as long as building two or three anatomies.
 ///
+/// @param error      Error of lengths whose measurement states none.
 /// @param measures   Measures of the built cochlea, from `measuring`.
 /// @param measuring  Measures a cochlea: measure(), or fewer or other measures.
 Result<std::vector<double>> errorBands(

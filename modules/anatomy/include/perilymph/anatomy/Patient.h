@@ -22,6 +22,20 @@ namespace perilymph::anatomy {
 /// Side of the ear. A left ear is mirrored on input: internally every ear is a right one.
 enum class Side { right, left };
 
+/// Standard deviations of the errors of A, B and H, as their measurement states them.
+struct BasalTurnErrors {
+  Length a, b;
+  std::optional<Length> h = std::nullopt;
+};
+
+/// How A, B and H were measured in a CT; empty where a patient file does not say.
+struct MeasurementOrigin {
+  std::string software;           ///< Name and version.
+  std::string seriesKey;          ///< SHA-256 of the series.
+  std::string landmarksByHand;    ///< Names of landmarks that a person placed: "RW, A".
+  std::string landmarksProposed;  ///< Names of those that the software placed.
+};
+
 /// The three parameters of the published anatomy; or A, B and optionally H of the mean anatomy. If
 /// `basalTurn` is set, the three lengths are ignored.
 struct Patient {
@@ -31,6 +45,8 @@ struct Patient {
   Length roundWindowWidth = millimeters(1.94);     ///< Width of the section at the round window.
   Length roundWindowHeight = millimeters(1.85);    ///< Height of the section at the round window.
   std::optional<BasalTurn> basalTurn = std::nullopt;
+  std::optional<BasalTurnErrors> errors = std::nullopt;  ///< Errors of `basalTurn`, if known.
+  MeasurementOrigin origin = {};                         ///< Origin of `basalTurn`.
 };
 
 /// Allowed range of a Patient's values.
@@ -40,8 +56,12 @@ struct PatientLimits {
 PatientLimits patientLimits();
 
 /// Reads a patient: keys `label, side`, and either `st_length_mm, rw_width_mm, rw_height_mm` or
-/// `a_mm, b_mm` with optional `h_mm`.
+/// `a_mm, b_mm` with optional `h_mm`, their errors `a_sd_mm, b_sd_mm, h_sd_mm` and the origin
+/// `measured_with, series_sha256, landmarks_by_hand, landmarks_proposed`.
 Result<Patient> loadPatient(const std::filesystem::path& file);
+
+/// Text of a patient for loadPatient(), rounded to a picometer.
+std::string patientText(const Patient& patient);
 
 /// Writes a patient to a file for loadPatient(), rounded to a picometer.
 Result<Done> savePatient(const Patient& patient, const std::filesystem::path& file);

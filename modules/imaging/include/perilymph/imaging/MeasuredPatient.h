@@ -6,13 +6,18 @@
 #include <filesystem>
 #include <string>
 
+#include "perilymph/anatomy/Patient.h"
 #include "perilymph/ct/Measures.h"
 #include "perilymph/foundation/Result.h"
 
 namespace perilymph::imaging {
 
-/// Writes a patient measured in a CT: A, B, H and the side, errors, provenance and who placed which
-/// landmark as comments. An H that patients may not have is a comment, too.
+/// The patient of a measured cochlea, without a label: A, B, H to a micrometer, their errors, the
+/// side, and the origin: software, series, landmarks by hand and proposed. Without an H that patients
+/// may not have.
+anatomy::Patient measuredPatient(const ct::CochleaMeasures& measures);
+
+/// Writes a measured patient to a file. Scanner and flags are comments.
 Result<Done> writeMeasuredPatient(const ct::CochleaMeasures& measures, const std::string& label,
                                   const std::filesystem::path& file);
 

@@ -311,6 +311,206 @@
         <source>%1 of %2 insertions reached the end; %3 stopped with a fault (numbers %4, %5 and %6).</source>
         <translation>%1 von %2 Insertionen erreichten das Ende; %3 endeten mit einem Fehler (Nummern %4, %5 und %6).</translation>
     </message>
+    <message>
+        <source>Choice: the tweezers hold %1 mm behind the greatest depth.</source>
+        <translation>Wahl: Die Pinzette greift %1 mm hinter der größten Tiefe.</translation>
+    </message>
+    <message>
+        <source>%1 mm: general literature; contacts %2 to %3 mm deep as listed in public research code.</source>
+        <translation>%1 mm: allgemeine Literatur; Kontakte in %2 bis %3 mm Tiefe laut öffentlichem Forschungscode.</translation>
+    </message>
+    <message>
+        <source>Tip %1 mm, base %2 mm: general literature, not measured. Between them a straight line, a choice.</source>
+        <translation>Spitze %1 mm, Basis %2 mm: allgemeine Literatur, nicht gemessen. Dazwischen eine Gerade (Wahl).</translation>
+    </message>
+    <message>
+        <source>Estimate by the model of plugins/README.md: silicone of %1 MPa and N(s) platinum-iridium wires of %2 um, one for each contact nearer to the tip, EI = E_s I + E_w I_w (N + c N^%3) with c = %4. Order of the published moduli of a straight array (Kha et al. %5).</source>
+        <translation>Schätzung nach dem Modell in plugins/README.md: Silikon mit %1 MPa und N(s) Platin-Iridium-Drähte von %2 µm, einer je Kontakt näher an der Spitze, EI = E_s I + E_w I_w (N + c N^%3) mit c = %4. Größenordnung der veröffentlichten Moduln eines geraden Trägers (Kha et al. %5).</translation>
+    </message>
+    <message>
+        <source>Estimate: a curl that holds the array in the middle of the scala, wider than that of a perimodiolar array: radius %1 mm behind, %2 mm near the tip; the tip and what lies behind the active part are straight: choices.</source>
+        <translation>Schätzung: eine Krümmung, die den Träger in der Mitte der Skala hält, weiter als bei einem perimodiolaren Träger: Radius %1 mm hinten, %2 mm nahe der Spitze; Spitze und Bereich hinter dem aktiven Teil gerade (Wahl).</translation>
+    </message>
+    <message>
+        <source>%1 contacts over %2 mm (%3 to %4 mm of depth), pitch about %5 mm, as listed in public research code. The first contact&apos;s place and the contact&apos;s length are choices.</source>
+        <translation>%1 Kontakte auf %2 mm (%3 bis %4 mm Tiefe), Abstand etwa %5 mm, laut öffentlichem Forschungscode. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
+    </message>
+    <message>
+        <source>EI = E pi d^%1 / %2 of a platinum wire, E = %3 GPa, d = %4 mm, as estimated for the Contour. Where it ends and the hold depth, about the straight stretch from the round window to the outer wall of the basal turn, are choices.</source>
+        <translation>EI = E pi d^%1 / %2 eines Platindrahts, E = %3 GPa, d = %4 mm, wie für den Contour geschätzt. Sein Ende und die Haltetiefe, etwa die gerade Strecke vom runden Fenster zur Außenwand der basalen Windung, sind Wahl.</translation>
+    </message>
+    <message>
+        <source>%1 mm: general literature, not measured.</source>
+        <translation>%1 mm: allgemeine Literatur, nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>%1 contacts, pitch %2 mm, %3 mm over all: general literature; public research code has %4 mm from the first to the last (%5 to %6 mm of depth). The first contact&apos;s place and the contact&apos;s length are choices.</source>
+        <translation>%1 Kontakte, Abstand %2 mm, insgesamt %3 mm: allgemeine Literatur; öffentlicher Forschungscode hat %4 mm vom ersten bis zum letzten (%5 bis %6 mm Tiefe). Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
+    </message>
+    <message>
+        <source>Array of %1 to %2 mm, as listed in public research code; its most apical contact lies %3 mm deep there, %4 mm behind the tip.</source>
+        <translation>Träger von %1 bis %2 mm laut öffentlichem Forschungscode; der apikalste Kontakt liegt dort %3 mm tief, %4 mm hinter der Spitze.</translation>
+    </message>
+    <message>
+        <source>Tip %1 mm and base %2 mm as the Contour: general literature, not measured. Between them the Contour&apos;s quarter sine, a choice.</source>
+        <translation>Spitze %1 mm und Basis %2 mm wie beim Contour: allgemeine Literatur, nicht gemessen. Dazwischen die Viertelsinuskurve des Contour (Wahl).</translation>
+    </message>
+    <message>
+        <source>The soft, conical tip (Softip) is general literature; its radius and the length of the cone are choices.</source>
+        <translation>Die weiche, konische Spitze (Softip) ist allgemeine Literatur; ihr Radius und die Länge des Konus sind Wahl.</translation>
+    </message>
+    <message>
+        <source>Estimate: taken to be the carrier of the Contour; the table of contour.toml before any calibration.</source>
+        <translation>Schätzung: als Träger des Contour angenommen; Tabelle aus contour.toml vor jeder Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>Estimate: %1 times the curvature of implanted arrays, from the mean angles between neighboring contacts (Landsberger et al. %2, as tabulated in public research code) and the pitch below: a carrier that hugs the modiolus curls at least as tightly when free. The tip and what lies behind the active part are straight: choices.</source>
+        <translation>Schätzung: das %1-Fache der Krümmung implantierter Träger aus den mittleren Winkeln zwischen benachbarten Kontakten (Landsberger et al. %2, Tabelle in öffentlichem Forschungscode) und dem Abstand unten: Ein Träger, der am Modiolus anliegt, krümmt sich frei mindestens so eng. Spitze und Bereich hinter dem aktiven Teil gerade (Wahl).</translation>
+    </message>
+    <message>
+        <source>%1 contacts over %2 mm (%3 to %4 mm of depth), as listed in public research code. The law of the pitch is the Contour&apos;s, a choice.</source>
+        <translation>%1 Kontakte auf %2 mm (%3 bis %4 mm Tiefe) laut öffentlichem Forschungscode. Der Verlauf der Abstände ist der des Contour (Wahl).</translation>
+    </message>
+    <message>
+        <source>Three marker ribs at the end of the array: general literature; that the last is at the opening at full depth, their distance of %1 mm, height and length are choices.</source>
+        <translation>Drei Markierungsrippen am Ende des Trägers: allgemeine Literatur; dass die letzte bei voller Tiefe an der Öffnung liegt, ihr Abstand von %1 mm, Höhe und Länge sind Wahl.</translation>
+    </message>
+    <message>
+        <source>EI = E pi d^%1 / %2 of a platinum wire, E = %3 GPa, d = %4 mm, as estimated for the Contour. It ends %5 mm behind the tip, before the soft tip: a choice. Hold depth: a choice of the length of the straight stretch from the round window to the outer wall of the basal turn.</source>
+        <translation>EI = E pi d^%1 / %2 eines Platindrahts, E = %3 GPa, d = %4 mm, wie für den Contour geschätzt. Er endet %5 mm hinter der Spitze, vor der weichen Spitze (Wahl). Haltetiefe: gewählt als Länge der geraden Strecke vom runden Fenster zur Außenwand der basalen Windung.</translation>
+    </message>
+    <message>
+        <source>Choice: the tweezers hold %1 mm behind the second rib.</source>
+        <translation>Wahl: Die Pinzette greift %1 mm hinter der zweiten Rippe.</translation>
+    </message>
+    <message>
+        <source>Todd and Naghdy, Real-time haptic modeling and simulation for prosthetic insertion: greatest depth %1 mm.</source>
+        <translation>Todd und Naghdy, Real-time haptic modeling and simulation for prosthetic insertion: größte Tiefe %1 mm.</translation>
+    </message>
+    <message>
+        <source>Tip: Todd and Naghdy, radius %1 mm as measured. Base %2 mm: general literature, not measured. Between them a quarter sine, a choice.</source>
+        <translation>Spitze: Todd und Naghdy, Radius %1 mm, gemessen. Basis %2 mm: allgemeine Literatur, nicht gemessen. Dazwischen eine Viertelsinuskurve (Wahl).</translation>
+    </message>
+    <message>
+        <source>Estimate: %1e-%2 to %3e-%4, growing tenfold from tip to base by exp(%5 s / %6 mm), chosen for the order of the published insertion forces. Physical bounds %7e-%8 to %9e-%10 N m2, from moduli of the order reported for a straight array (Kha et al. %11) and a diameter of %12 to %13 mm.</source>
+        <translation>Schätzung: %1e-%2 bis %3e-%4, von der Spitze zur Basis auf das Zehnfache wachsend nach exp(%5 s / %6 mm), gewählt nach der Größenordnung der veröffentlichten Insertionskräfte. Physikalische Grenzen %7e-%8 bis %9e-%10 N m2 aus Moduln der für einen geraden Träger berichteten Größenordnung (Kha et al. %11) und einem Durchmesser von %12 bis %13 mm.</translation>
+    </message>
+    <message>
+        <source>Estimate: a perimodiolar curl of radius %1 mm that closes to %2 mm near the tip; the tip itself and what lies behind the active part are straight.</source>
+        <translation>Schätzung: eine perimodiolare Krümmung mit Radius %1 mm, die sich nahe der Spitze auf %2 mm schließt; die Spitze selbst und der Bereich hinter dem aktiven Teil sind gerade.</translation>
+    </message>
+    <message>
+        <source>%1 half-band contacts over an active length of %2 mm, pitch %3 to %4 mm growing from the tip: general literature, not measured. The first contact&apos;s place, the law of the pitch and the contact&apos;s length are choices.</source>
+        <translation>%1 Halbbandkontakte auf einer aktiven Länge von %2 mm, Abstand von der Spitze an von %3 auf %4 mm wachsend: allgemeine Literatur, nicht gemessen. Lage des ersten Kontakts, Verlauf der Abstände und Kontaktlänge sind Wahl.</translation>
+    </message>
+    <message>
+        <source>Centers %1 mm behind where a rib first touches the opening. Second rib: full insertion, %2 mm (Todd and Naghdy). First rib: the published curves end before it, %3 mm of travel after a start up to %4 mm inside, so it touches at %5 mm or later; low confidence. Height above the carrier and length along it: choices, low confidence; the height such that the rise at the first rib is of the order of the raw record&apos;s, %6 to %7 N.</source>
+        <translation>Mitten %1 mm hinter der Stelle, an der eine Rippe die Öffnung zuerst berührt. Zweite Rippe: volle Insertion, %2 mm (Todd und Naghdy). Erste Rippe: Die veröffentlichten Kurven enden davor, nach %3 mm Vorschub ab einem Start bis %4 mm innen, sie berührt also bei %5 mm oder später; geringe Sicherheit. Höhe über dem Träger und Länge: Wahl, geringe Sicherheit; die Höhe so, dass der Anstieg an der ersten Rippe in der Größenordnung der Rohaufzeichnung liegt, %6 bis %7 N.</translation>
+    </message>
+    <message>
+        <source>EI = E pi d^%1 / %2 of a platinum wire, E = %3 GPa, d = %4 mm (estimate; %5 to %6 mm gives %7e-%8 to %9e-%10). That the carrier is straight where it is, is a choice; the published experiment saw a slight curvature. That it ends %11 mm behind the tip is a choice made with a look at the experiment: with %12 mm the peak at the basal turn comes %13 mm earlier and stands higher; the forces behind it hardly depend on it. Hold depth: a choice, about the straight stretch from the round window to the outer wall of the basal turn; the published experiment used the standard technique.</source>
+        <translation>EI = E pi d^%1 / %2 eines Platindrahts, E = %3 GPa, d = %4 mm (Schätzung; %5 bis %6 mm ergeben %7e-%8 bis %9e-%10). Dass der Träger dort gerade ist, ist Wahl; im veröffentlichten Experiment war er leicht gekrümmt. Dass er %11 mm hinter der Spitze endet, wurde mit Blick auf das Experiment gewählt: Mit %12 mm kommt das Maximum an der basalen Windung %13 mm früher und ist höher; die Kräfte danach hängen kaum davon ab. Haltetiefe: Wahl, etwa die gerade Strecke vom runden Fenster zur Außenwand der basalen Windung; das veröffentlichte Experiment verwendete die Standardtechnik.</translation>
+    </message>
+    <message>
+        <source>%1 mm, as listed in public research code.</source>
+        <translation>%1 mm laut öffentlichem Forschungscode.</translation>
+    </message>
+    <message>
+        <source>Tip %1 by %2 mm, base %3 by %4 mm: general literature, not measured. That the smaller one lies within the plane of curl, and the straight line between, are choices.</source>
+        <translation>Spitze %1 × %2 mm, Basis %3 × %4 mm: allgemeine Literatur, nicht gemessen. Dass das kleinere Maß in der Krümmungsebene liegt und die Gerade dazwischen sind Wahl.</translation>
+    </message>
+    <message>
+        <source>%1 contacts over %2 mm, as listed in public research code. The first contact&apos;s place and the contact&apos;s length are choices.</source>
+        <translation>%1 Kontakte auf %2 mm laut öffentlichem Forschungscode. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
+    </message>
+    <message>
+        <source>Tip %1 mm, base %2 mm: general literature, not measured. Between them a straight line over the contacts, a choice.</source>
+        <translation>Spitze %1 mm, Basis %2 mm: allgemeine Literatur, nicht gemessen. Dazwischen eine Gerade über die Kontakte (Wahl).</translation>
+    </message>
+    <message>
+        <source>%1 full bands, %2 mm wide, pitch %3 mm, as listed in public research code. The first contact&apos;s place is a choice.</source>
+        <translation>%1 Vollbänder, %2 mm breit, Abstand %3 mm, laut öffentlichem Forschungscode. Die Lage des ersten Kontakts ist Wahl.</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm: general literature; its most apical contact lies %3 mm deep as listed in public research code, %4 mm behind the tip.</source>
+        <translation>%1 bis %2 mm: allgemeine Literatur; der apikalste Kontakt liegt laut öffentlichem Forschungscode %3 mm tief, %4 mm hinter der Spitze.</translation>
+    </message>
+    <message>
+        <source>Tip %1 by %2 mm, base %3 by %4 mm: general literature, not measured. That the smaller one lies within the plane of curl, and the straight line between tip and base, are choices.</source>
+        <translation>Spitze %1 × %2 mm, Basis %3 × %4 mm: allgemeine Literatur, nicht gemessen. Dass das kleinere Maß in der Krümmungsebene liegt und die Gerade zwischen Spitze und Basis sind Wahl.</translation>
+    </message>
+    <message>
+        <source>Estimate: a perimodiolar curl of radius %1 mm behind that closes to %2 mm near the tip, at least as tight as implanted perimodiolar arrays (angles of contacts in Landsberger et al. %3); the tip and what lies behind the active part are straight: choices.</source>
+        <translation>Schätzung: eine perimodiolare Krümmung mit Radius %1 mm hinten, die sich nahe der Spitze auf %2 mm schließt, mindestens so eng wie implantierte perimodiolare Träger (Kontaktwinkel in Landsberger et al. %3); Spitze und Bereich hinter dem aktiven Teil gerade (Wahl).</translation>
+    </message>
+    <message>
+        <source>%1 contacts over %2 mm (%3 to %4 mm of depth), pitch about %5 mm, as listed in public research code. The contact&apos;s length is a choice.</source>
+        <translation>%1 Kontakte auf %2 mm (%3 bis %4 mm Tiefe), Abstand etwa %5 mm, laut öffentlichem Forschungscode. Die Kontaktlänge ist Wahl.</translation>
+    </message>
+    <message>
+        <source>EI = E pi (D^%1 - d^%2) / %3 of a polyimide tube, E = %4 GPa, %5 mm outside and %6 mm inside: an estimate. It reaches %7 mm past the opening, where the basal turn begins, and is held there: a choice.</source>
+        <translation>EI = E pi (D^%1 - d^%2) / %3 eines Polyimidrohrs, E = %4 GPa, außen %5 mm, innen %6 mm (Schätzung). Es reicht %7 mm hinter die Öffnung, wo die basale Windung beginnt, und wird dort gehalten (Wahl).</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm: %3 mm possible, %4 mm recommended, as reported in clinical studies of the CI422.</source>
+        <translation>%1 bis %2 mm: %3 mm möglich, %4 mm empfohlen, berichtet in klinischen Studien zum CI422.</translation>
+    </message>
+    <message>
+        <source>Tip %1 mm, base %2 mm: reported in clinical studies of the CI422. Between them a straight line over %3 mm, a choice.</source>
+        <translation>Spitze %1 mm, Basis %2 mm: berichtet in klinischen Studien zum CI422. Dazwischen eine Gerade über %3 mm (Wahl).</translation>
+    </message>
+    <message>
+        <source>%1 half-band contacts over %2 mm, pitch about %3 mm, as listed in public research code. The first contact&apos;s place and the contact&apos;s length are choices.</source>
+        <translation>%1 Halbbandkontakte auf %2 mm, Abstand etwa %3 mm, laut öffentlichem Forschungscode. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
+    </message>
+    <message>
+        <source>%1 mm: reported in clinical studies of the device.</source>
+        <translation>%1 mm: berichtet in klinischen Studien zum Gerät.</translation>
+    </message>
+    <message>
+        <source>Tip %1 by %2 mm, base %3 mm: general literature, not measured. That the smaller one lies within the plane of curl, and the straight line to a round base, are choices.</source>
+        <translation>Spitze %1 × %2 mm, Basis %3 mm: allgemeine Literatur, nicht gemessen. Dass das kleinere Maß in der Krümmungsebene liegt und die Gerade zu einer runden Basis sind Wahl.</translation>
+    </message>
+    <message>
+        <source>Estimate by the model of plugins/README.md: silicone of %1 MPa and N(s) platinum-iridium wires of %2 um, one for each contact nearer to the tip, EI = E_s I + E_w I_w (N + c N^%3) with c = %4. c is %5 where the others have %6, because the wires are laid in waves and follow a bend more freely. Order of the published moduli of a straight array (Kha et al. %7).</source>
+        <translation>Schätzung nach dem Modell in plugins/README.md: Silikon mit %1 MPa und N(s) Platin-Iridium-Drähte von %2 µm, einer je Kontakt näher an der Spitze, EI = E_s I + E_w I_w (N + c N^%3) mit c = %4. c ist %5 statt %6 bei den anderen, weil die Drähte gewellt liegen und einer Biegung freier folgen. Größenordnung der veröffentlichten Moduln eines geraden Trägers (Kha et al. %7).</translation>
+    </message>
+    <message>
+        <source>%1 channels with a pitch of %2 mm, %3 mm from the first to the last: general literature and clinical studies of the device. The first contact&apos;s place and the contact&apos;s length are choices.</source>
+        <translation>%1 Kanäle im Abstand von %2 mm, %3 mm vom ersten bis zum letzten: allgemeine Literatur und klinische Studien zum Gerät. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
+    </message>
+    <message>
+        <source>About %1 to %2 mm: reported in clinical studies of the device.</source>
+        <translation>Etwa %1 bis %2 mm: berichtet in klinischen Studien zum Gerät.</translation>
+    </message>
+    <message>
+        <source>%1 contacts, pitch %2 mm (%3 mm with the last pitch counted): general literature, not measured. The first contact&apos;s place and the contact&apos;s length are choices.</source>
+        <translation>%1 Kontakte, Abstand %2 mm (%3 mm mit dem letzten Abstand): allgemeine Literatur, nicht gemessen. Lage des ersten Kontakts und Kontaktlänge sind Wahl.</translation>
+    </message>
+    <message>
+        <source>Schuster et al. %1, Otol Neurotol %2:%3: fresh human cochlear partition, mean %4 mN (unverified: original not consulted); force normal to the partition, not the insertion force</source>
+        <translation>Schuster et al. %1, Otol Neurotol %2:%3: frische menschliche Scheidewand der Cochlea, Mittel %4 mN (ungeprüft: Original nicht eingesehen); Kraft senkrecht zur Scheidewand, nicht die Insertionskraft</translation>
+    </message>
+    <message>
+        <source>The recording was not closed: it ends where the program was interrupted.</source>
+        <translation>Die Aufzeichnung wurde nicht geschlossen: Sie endet, wo das Programm unterbrochen wurde.</translation>
+    </message>
+    <message>
+        <source>The model built from the recorded scenario differs from the recorded model.</source>
+        <translation>Das aus dem aufgezeichneten Szenario gebildete Modell weicht vom aufgezeichneten ab.</translation>
+    </message>
+    <message>
+        <source>Recorded in format %1, which has no hash: that nothing was changed is shown by counts, columns, events and the replay alone.</source>
+        <translation>Aufgezeichnet im Format %1, das keinen Hash hat: Dass nichts geändert wurde, zeigen nur Anzahlen, Spalten, Ereignisse und die Wiedergabe.</translation>
+    </message>
+    <message>
+        <source>The recording contains no samples.</source>
+        <translation>Die Aufzeichnung enthält keine Messpunkte.</translation>
+    </message>
+    <message>
+        <source>%1 ticks before tick %2 were lost; nothing after them can be compared.</source>
+        <translation>%1 Zeitschritte vor Zeitschritt %2 gingen verloren; danach lässt sich nichts vergleichen.</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>
@@ -2961,6 +3161,14 @@
         <source>Use the haptic device</source>
         <translation>Haptisches Gerät verwenden</translation>
     </message>
+    <message>
+        <source>STOP</source>
+        <translation type="unfinished">STOPP</translation>
+    </message>
+    <message>
+        <source>Stop: remove the force of the device</source>
+        <translation type="unfinished">Stopp: Kraft des Geräts abschalten</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::KioskWindow</name>
@@ -3687,16 +3895,20 @@
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Removes the reference curve from the chart.</source>
-        <translation>Entfernt die Referenzkurve aus dem Diagramm.</translation>
-    </message>
-    <message>
         <source>Reference: %1</source>
         <translation>Referenz: %1</translation>
     </message>
     <message>
         <source>It has %1.</source>
         <translation>Sie hat %1.</translation>
+    </message>
+    <message>
+        <source>Removes the reference from chart and 3D view.</source>
+        <translation>Entfernt die Referenz aus Diagramm und 3D-Ansicht.</translation>
+    </message>
+    <message>
+        <source>It has %1. Its array is not shown in the 3D view.</source>
+        <translation>Sie hat %1. Ihr Träger wird in der 3D-Ansicht nicht gezeigt.</translation>
     </message>
 </context>
 <context>

@@ -3163,11 +3163,11 @@
     </message>
     <message>
         <source>STOP</source>
-        <translation type="unfinished">STOPP</translation>
+        <translation>STOPP</translation>
     </message>
     <message>
         <source>Stop: remove the force of the device</source>
-        <translation type="unfinished">Stopp: Kraft des Geräts abschalten</translation>
+        <translation>Stopp: Kraft des Geräts abschalten</translation>
     </message>
 </context>
 <context>

@@ -44,10 +44,10 @@ QStringList textOn(const QWidget& window)
   return sentence;
 }
 
-/// Rounds every channel to multiples of four: hardly visible, and half the file size.
+/// Rounds every channel to multiples of six: hardly visible, and half the file size.
 QImage smallened(QImage image)
 {
-  const auto rounded = [](int channel) { return std::min(255, (channel + 2) / 4 * 4); };
+  const auto rounded = [](int channel) { return std::min(255, (channel + 3) / 6 * 6); };
   image = image.convertToFormat(QImage::Format_RGB32);
   for (int y = 0; y < image.height(); ++y) {
     auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));

@@ -5,6 +5,7 @@
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>

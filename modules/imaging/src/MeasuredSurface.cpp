@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/imaging/MeasuredSurface.h"
 
+#include <Eigen/LU>
 #include <utility>
 
 namespace perilymph::imaging {

@@ -6,6 +6,8 @@
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/ct/CtStudy.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <utility>
 

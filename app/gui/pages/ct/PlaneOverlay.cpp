@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/ct/PlaneOverlay.h"
 
+#include <Eigen/Geometry>
 #include <QLineF>
 #include <QPainter>
 #include <QVector>

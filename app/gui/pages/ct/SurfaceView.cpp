@@ -4,6 +4,7 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkRenderer.h>
 
+#include <Eigen/Geometry>
 #include <QMouseEvent>
 #include <QWheelEvent>
 #include <algorithm>

@@ -9,6 +9,7 @@
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/TomlReader.h"
 #include "perilymph/session/Csv.h"
+#include "perilymph/session/Scenario.h"
 
 namespace perilymph::analysis {
 

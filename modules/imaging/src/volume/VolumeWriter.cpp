@@ -5,6 +5,7 @@
 #include <vtkNIFTIImageWriter.h>
 #include <vtkNew.h>
 
+#include <Eigen/LU>
 #include <array>
 #include <bit>
 #include <charconv>

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "AnyStopTravel.h"
 #include "LatinHypercube.h"
 #include "perilymph/session/Csv.h"
 #include "perilymph/study/Study.h"
@@ -15,9 +16,6 @@ namespace {
 /// Factor between the seeds of studies, above the largest number of virtual patients, so that no
 /// two studies of neighboring seeds share one (choice, high).
 constexpr std::uint64_t seedStride = 1'000'003;
-
-/// A stop travel that every array allows, replaced by its full depth.
-constexpr const char* anyStopTravel = "0.1";
 
 }  // namespace
 

@@ -2,7 +2,6 @@
 #include "insertion.h"
 
 #include <poll.h>
-#include <time.h>
 
 #include <csignal>
 #include <memory>
@@ -30,10 +29,9 @@ void awaitPhase(int index)
   constexpr std::int64_t period = 1'000'000;  // of the virtual handle [ns]
   const std::int64_t now = realtime::monotonicNanoseconds();
   const std::int64_t due = (now / period + 1) * period + index % startPhases * period / startPhases;
-  timespec until{};
-  until.tv_sec = static_cast<time_t>(due / 1'000'000'000);
-  until.tv_nsec = static_cast<long>(due % 1'000'000'000);
-  ::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
+  realtime::Pacer pacer(Duration::fromSi(1e-9 * static_cast<double>(period)));
+  pacer.start(due - period);
+  pacer.wait();
 }
 
 /// Simulates the user: arms the insertion, and begins another one after a fault when the device

@@ -23,6 +23,12 @@ void ForceLog::add(double magnitude) noexcept
   count_ = i + 1;
 }
 
+void ForceLog::holdUp(bool isOn)
+{
+  holdsUp = isOn;
+  holdsUp.notify_all();
+}
+
 std::size_t ForceLog::firstAfter(std::int64_t time) const
 {
   const std::size_t all = size();
@@ -43,7 +49,9 @@ device::DeviceTraits PushedDevice::traits() const
 
 device::DeviceSample PushedDevice::read() noexcept
 {
-  while (realtime::monotonicNanoseconds() < log_->heldUpUntil) log_->isHeldUp = true;
+  // Asleep: a thread of real-time priority that spun would take the processor from the window.
+  log_->isHeldUp = log_->holdsUp.load();
+  log_->holdsUp.wait(true);
   log_->isHeldUp = false;
   ++sample_.sequence;
   sample_.isValid = 1;

@@ -26,16 +26,16 @@ public:
   /// The hand begins to push.
   std::atomic<bool> isPushed{false};
 
-  /// The device answers no read before this time; monotonic [ns]. Its loop takes no command
-  /// meanwhile.
-  std::atomic<std::int64_t> heldUpUntil{0};
-  /// A read waits for that time.
+  /// While it is held up, the device answers no read, and its loop takes no command.
+  void holdUp(bool isOn);
+  std::atomic<bool> holdsUp{false};
+  /// A read waits for that.
   std::atomic<bool> isHeldUp{false};
 
   std::size_t size() const { return count_; }
   const Entry& operator[](std::size_t i) const { return entries_[i]; }
   double newest() const { return size() == 0 ? 0.0 : entries_[size() - 1].magnitude; }
-  /// Index of the first entry at or after a time; size() if there is none.
+  /// Index of the first entry at or after a time, monotonic [ns]; size() if there is none.
   std::size_t firstAfter(std::int64_t time) const;
 
 private:

@@ -94,6 +94,35 @@ wanted_N = 0.1
 found_N = 0.11
 """
 
+STUDY = """title = "Every key"
+scenario = "mean-flex28"
+seed = 3
+depth = "scenario"
+samples = 2
+
+[cochleae]
+mean = true
+virtual = 2
+
+[vary]
+array = ["flex24", "flex28"]
+nodes = [30, 40]
+
+[[case]]
+friction = "tissue"
+
+[[case]]
+friction = "paper"
+speed_mm_s = 1.0
+
+[ranges]
+approach_tilt_deg = [-5, 5]
+
+[results]
+contacts = true
+profile_spacing_mm = 1.0
+"""
+
 POINTS = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)]
 FACES = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
 
@@ -186,6 +215,7 @@ def main(cli):
     keep("patient", "left-with-height.toml", PATIENT)
     keep("array", "every-table.toml", ARRAY)
     keep("calibration", "small.toml", CALIBRATION)
+    keep("study", "every-key.toml", STUDY)
     keep("surface_file", "text.stl", b"S" + stl_text())
     keep("surface_file", "binary.stl", b"S" + stl_binary())
     for kind in ("ascii", "binary_little_endian", "binary_big_endian"):

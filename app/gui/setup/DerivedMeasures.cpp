@@ -30,21 +30,15 @@ constexpr auto insertionAngle = "insertion_angle_deg";
 std::vector<Measure> summaryOf(const anatomy::ScalaTympani& scala, anatomy::AnatomySource source,
                                const electrode::ArrayDesign& array)
 {
-  const auto across = [&scala](double from_deg) {
-    return meters(scala.section(degrees(from_deg).si()).outerRadius +
-                  scala.section(degrees(from_deg + 180.0).si()).outerRadius);
-  };
-  const Length a = across(0.0), b = across(90.0);
+  const auto [a, b] = analysis::basalDiameters(scala);
   const std::string alexiades = "Alexiades et al. 2015, Otol Neurotol 36:904";
   const bool isByLength = source == anatomy::AnatomySource::published;
-  const Measure duct =
-      isByLength ? Measure{ductLength,
-                           inMillimeters(meters(
-                               analysis::sectionRows(scala, degrees(2)).back().organOfCortiLength)),
-                           "path of the organ of Corti in the plan, round window to apex",
-                           "measured in this model, defined as in Todd and Naghdy"}
-                 : Measure{ductLength, inMillimeters(analysis::alexiadesDuctLength(a)),
-                           "4.16 A − 4 mm", alexiades};
+  const Measure duct = isByLength
+                           ? Measure{ductLength, inMillimeters(analysis::organOfCortiLength(scala)),
+                                     "path of the organ of Corti in the plan, round window to apex",
+                                     "measured in this model, defined as in Todd and Naghdy"}
+                           : Measure{ductLength, inMillimeters(analysis::alexiadesDuctLength(a)),
+                                     "4.16 A − 4 mm", alexiades};
   std::vector<Measure> measures = {
       duct,
       {twoTurns, inMillimeters(analysis::alexiadesTwoTurns(a)), "3.65 (A − 1 mm)", alexiades}};

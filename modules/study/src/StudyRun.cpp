@@ -40,11 +40,10 @@ BuiltCochlea buildCochlea(const Study& study, std::size_t index)
     return built;
   }
   built.anatomy = *anatomy;
-  for (const analysis::Measure& each : analysis::measure(**anatomy)) {
-    if (each.key == "A_mm") built.a_mm = each.value;
-    if (each.key == "B_mm") built.b_mm = each.value;
-    if (each.key == "st_length_mm") built.scalaLength_mm = each.value;
-  }
+  const analysis::BasalDiameters basal = analysis::basalDiameters(**anatomy);
+  built.a_mm = inMillimeters(basal.a);
+  built.b_mm = inMillimeters(basal.b);
+  built.scalaLength_mm = inMillimeters(analysis::organOfCortiLength(**anatomy));
   return built;
 }
 

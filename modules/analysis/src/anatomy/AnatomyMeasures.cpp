@@ -94,6 +94,21 @@ Path organOfCortiPlan(const anatomy::ScalaTympani& scala)
   };
 }
 
+/// Number of equal pieces of an angle, none above the maximum.
+int piecesIn(double angle, Angle maxStep)
+{
+  return std::max(1, static_cast<int>(std::ceil(angle / maxStep.si() - 1e-9)));
+}
+
+/// Length of a chord in cylindrical coordinates [m].
+double chord(const PathPoint& from, const PathPoint& to, double angle)
+{
+  const double mean = 0.5 * (to.radius + from.radius) * angle;
+  const double out = to.radius - from.radius;
+  const double up = to.height - from.height;
+  return std::sqrt(mean * mean + out * out + up * up);
+}
+
 /// Integral of r over the area of the section at an angle [m^3]: volume per radian.
 double sweptPerRadian(const anatomy::ScalaTympani& scala, double angle)
 {
@@ -128,15 +143,51 @@ double volume(const anatomy::ScalaTympani& scala, double last)
 
 }  // namespace
 
+BasalDiameters basalDiameters(const anatomy::ScalaTympani& scala)
+{
+  const auto outer = [&scala](double angle_deg) {
+    return meters(scala.section(degrees(angle_deg).si()).outerRadius);
+  };
+  return {outer(0) + outer(180), outer(90) + outer(270)};
+}
+
+Length organOfCortiLength(const anatomy::ScalaTympani& scala)
+{
+  const double last = scala.lastAngle().si();
+  return meters(lengthOf(organOfCortiPlan(scala), last, piecesOver(last)));
+}
+
+OrganOfCorti::OrganOfCorti(const anatomy::ScalaTympani& scala)
+{
+  const double last = scala.lastAngle().si();
+  const int pieces = piecesIn(last, degrees(2));
+  step_ = last / pieces;
+  const Path path = organOfCortiPlan(scala);
+  PathPoint before = path(0.0);
+  length_.push_back(0.0);
+  for (int i = 1; i <= pieces; ++i) {
+    const PathPoint now = path(step_ * i);
+    length_.push_back(length_.back() + chord(before, now, step_));
+    before = now;
+  }
+}
+
+double OrganOfCorti::fractionAt(Angle angle) const noexcept
+{
+  const double place = angle.si() / step_;
+  if (!(place > 0.0)) return 0.0;
+  const auto i = static_cast<std::size_t>(place);
+  if (i + 1 >= length_.size()) return 1.0;
+  const double part = place - static_cast<double>(i);
+  return (length_[i] + part * (length_[i + 1] - length_[i])) / length_.back();
+}
+
 std::vector<Measure> measure(const anatomy::ScalaTympani& scala)
 {
   const double last = scala.lastAngle().si();
   const auto mm = [](double length) { return inMillimeters(meters(length)); };
-  const auto outer_mm = [&](double angle_deg) {
-    return mm(scala.section(degrees(angle_deg).si()).outerRadius);
-  };
-  const double a_mm = outer_mm(0) + outer_mm(180);
-  const double b_mm = outer_mm(90) + outer_mm(270);
+  const BasalDiameters basal = basalDiameters(scala);
+  const double a_mm = inMillimeters(basal.a), b_mm = inMillimeters(basal.b);
 
   const anatomy::Section first = scala.section(0.0);
   double floor = first.floorHeight, roof = first.roofHeight;
@@ -160,7 +211,7 @@ std::vector<Measure> measure(const anatomy::ScalaTympani& scala)
        own + "; B as in clinical planning, across A through the modiolus"},
       {"H_mm", mm(roof - floor), "highest roof - lowest floor along the modiolar axis", own},
       {"turns", inDegrees(radians(last)) / 360.0, "angle of the last section / 360 deg", own},
-      {"st_length_mm", mm(lengthOf(organOfCortiPlan(scala), last, piecesOver(last))),
+      {"st_length_mm", inMillimeters(organOfCortiLength(scala)),
        "length of the organ-of-Corti path in the plan, round window to apex",
        own + "; definition of Todd and Naghdy, section II.B"},
       {"cdl_oc_mm", 4.16 * a_mm - 4.0, "4.16 A - 4", "Alexiades 2015, Otol Neurotol 36:904"},
@@ -185,7 +236,7 @@ std::vector<Measure> measure(const anatomy::ScalaTympani& scala)
     measures.push_back({"volume_to_apex_mm3", volume(scala, last) * 1e9,
                         "as volume_mm3, 0 deg to the last section", own});
   }
-  for (Measure& estimate : clinicalEstimates(millimeters(a_mm), millimeters(b_mm)))
+  for (Measure& estimate : clinicalEstimates(basal.a, basal.b))
     measures.push_back(std::move(estimate));
   return measures;
 }
@@ -193,7 +244,7 @@ std::vector<Measure> measure(const anatomy::ScalaTympani& scala)
 std::vector<SectionRow> sectionRows(const anatomy::ScalaTympani& scala, Angle maxStep)
 {
   const double last = scala.lastAngle().si();
-  const int pieces = std::max(1, static_cast<int>(std::ceil(last / maxStep.si() - 1e-9)));
+  const int pieces = piecesIn(last, maxStep);
   const std::array<Path, 4> paths = {
       outerWall(scala),
       [&scala](double angle) {
@@ -213,13 +264,7 @@ std::vector<SectionRow> sectionRows(const anatomy::ScalaTympani& scala, Angle ma
     const double angle = step * i;
     for (std::size_t p = 0; p < paths.size(); ++p) {
       const PathPoint now = paths[p](angle);
-      if (i > 0) {
-        // a chord in cylindrical coordinates
-        const double mean = 0.5 * (now.radius + before[p].radius) * step;
-        const double out = now.radius - before[p].radius;
-        const double up = now.height - before[p].height;
-        length[p] += std::sqrt(mean * mean + out * out + up * up);
-      }
+      if (i > 0) length[p] += chord(before[p], now, step);
       before[p] = now;
     }
     rows.push_back({angle, scala.section(angle), length[0], length[1], length[2], length[3]});

@@ -2,35 +2,12 @@
 #include "perilymph/analysis/ContactPositions.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include "anatomy/Tonotopy.h"
 #include "perilymph/analysis/AnatomyMeasures.h"
 #include "perilymph/mechanics/Outcome.h"
 
 namespace perilymph::analysis {
-
-namespace {
-
-constexpr Angle sectionStep = degrees(2);
-
-/// Part of the organ of Corti from the base to an angle [rad].
-double fractionFromBase(const std::vector<SectionRow>& rows, double angle)
-{
-  const double whole = rows.back().organOfCortiLength;
-  const auto after =
-      std::lower_bound(rows.begin(), rows.end(), angle,
-                       [](const SectionRow& row, double place) { return row.angle < place; });
-  if (after == rows.begin()) return 0.0;
-  if (after == rows.end()) return 1.0;
-  const SectionRow& before = *std::prev(after);
-  const double fraction = (angle - before.angle) / (after->angle - before.angle);
-  return (before.organOfCortiLength +
-          fraction * (after->organOfCortiLength - before.organOfCortiLength)) /
-         whole;
-}
-
-}  // namespace
 
 std::vector<ContactPosition> contactPositions(const anatomy::ScalaTympani& scala,
                                               const electrode::ArrayDesign& array,
@@ -42,7 +19,7 @@ std::vector<ContactPosition> contactPositions(const anatomy::ScalaTympani& scala
   for (std::size_t i = 0; i < count; ++i)
     nodes_W.emplace_back(now.node_W[i][0], now.node_W[i][1], now.node_W[i][2]);
   const auto outcome = mechanics::outcomeOf(scala, array, {nodes_W, {}, Eigen::Vector3d::UnitX()});
-  const auto rows = sectionRows(scala, sectionStep);
+  const OrganOfCorti organ(scala);
 
   std::vector<ContactPosition> contacts;
   for (const mechanics::ContactOutcome& each : outcome) {
@@ -52,7 +29,7 @@ std::vector<ContactPosition> contactPositions(const anatomy::ScalaTympani& scala
     contact.depth = meters(now.output.depth - each.fromTip);
     if (each.isInside) {
       contact.angle = radians(each.angle);
-      contact.coverage = fractionFromBase(rows, each.angle);
+      contact.coverage = organ.fractionAt(contact.angle);
       contact.frequency_Hz = greenwoodFrequency(1.0 - contact.coverage);
       contact.toModiolus = meters(each.toInnerWall);
     }

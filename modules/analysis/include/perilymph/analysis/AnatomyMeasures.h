@@ -27,6 +27,27 @@ struct Measure {
 /// section; if a model extrapolates, those to the apex are listed separately.
 std::vector<Measure> measure(const anatomy::ScalaTympani& scala);
 
+/// A and B of a lumen as built: diameters of the basal turn through the modiolar axis, to the outer
+/// wall at 0 and 180 degrees, and at 90 and 270.
+struct BasalDiameters {
+  Length a, b;
+};
+BasalDiameters basalDiameters(const anatomy::ScalaTympani& scala);
+
+/// Length of the organ of Corti in the plan view, from the round window to the apex: `st_length_mm`.
+Length organOfCortiLength(const anatomy::ScalaTympani& scala);
+
+/// Its part from the round window to an angle, 0 to 1; for places in one cochlea.
+class OrganOfCorti {
+public:
+  explicit OrganOfCorti(const anatomy::ScalaTympani& scala);
+  double fractionAt(Angle angle) const noexcept;
+
+private:
+  double step_;                 // between the entries [rad]
+  std::vector<double> length_;  // from the round window [m]
+};
+
 /// One section in a half-plane through the modiolar axis, for a table.
 struct SectionRow {
   double angle;  ///< From the round window [rad].

@@ -8,15 +8,13 @@
 
 #include "ModelFingerprint.h"
 #include "PublishedCarrier.h"
+#include "contact/Passage.h"
 #include "perilymph/foundation/Math.h"
 #include "points/PointSetModel.h"
 
 namespace perilymph::mechanics {
 namespace {
 
-// Length of wall that the stiffness of one published sample point represents (the paper's numbers;
-// the spacing is ours, medium).
-constexpr double samplePointSpacing = publishedDepth / publishedPoints;  // [m]
 // Silicone rubber with platinum wires (medium): density, and drag in perilymph (low).
 constexpr double siliconeDensity = 1150.0;  // [kg/m^3]
 constexpr double dragPerLength = 0.05;      // [N.s/m^2]
@@ -46,6 +44,27 @@ void check(const Opening& opening, const electrode::ArrayDesign& array)
   require(std::fabs(inMillimeters(opening.outward)) <= 2.0 &&
               std::fabs(inMillimeters(opening.vertical)) <= 2.0,
           "The opening's center must be within 2 mm of the entry.");
+  if (!(opening.passage.si() > 0.0)) {
+    require(opening.passage.si() == 0.0, "The passage of the opening is " +
+                                             std::to_string(inMillimeters(opening.passage)) +
+                                             " mm long; it must be 0 to 5 mm.");
+    return;
+  }
+  require(inMillimeters(opening.passage) <= 5.0,
+          "The passage of the opening is " + std::to_string(inMillimeters(opening.passage)) +
+              " mm long; it must be 0 to 5 mm.");
+  require(opening.width == opening.height,
+          "The opening is " + std::to_string(inMillimeters(opening.width)) + " by " +
+              std::to_string(inMillimeters(opening.height)) +
+              " mm wide; only a round one can have a passage.");
+  require(opening.passageModulus.si() > 0.0 && inMegapascals(opening.passageModulus) <= 100.0,
+          "The array's modulus in the passage is " +
+              std::to_string(inMegapascals(opening.passageModulus)) +
+              " MPa; it must be above 0 and at most 100 MPa.");
+  require(!opening.passageFriction ||
+              (*opening.passageFriction >= 0.0 && *opening.passageFriction <= 2.0),
+          "The coefficient of friction in the passage is " +
+              std::to_string(opening.passageFriction.value_or(0.0)) + "; it must be 0 to 2.");
 }
 
 void check(const ModelParts& parts)
@@ -181,6 +200,7 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
       m.membrane.emplace(*scala);
   if (m.parts.kind == ModelKind::points)
     m.points = std::make_shared<PointSetModel>(*m.parts.hapticSurface, m.nodes, m.timeStep);
+  m.passage = passageOf(m);
   m.fingerprint = fingerprintOf(m);
   m.formerFingerprint = formerFingerprintOf(m);
   return model;

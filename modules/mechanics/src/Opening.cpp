@@ -5,12 +5,19 @@ namespace perilymph::mechanics {
 
 Opening roundWindow()
 {
-  return {millimeters(1.37), millimeters(1.91), millimeters(0.1), millimeters(0), millimeters(0)};
+  Opening opening;
+  opening.width = millimeters(1.37);
+  opening.height = millimeters(1.91);
+  opening.edgeRadius = millimeters(0.1);
+  return opening;
 }
 
 Opening cochleostomy(Length diameter)
 {
-  return {diameter, diameter, millimeters(0.1), millimeters(0), millimeters(0)};
+  Opening opening;
+  opening.width = opening.height = diameter;
+  opening.edgeRadius = millimeters(0.1);
+  return opening;
 }
 
 }  // namespace perilymph::mechanics

@@ -121,6 +121,17 @@ TEST(InsertionModel, RefusesImpossibleSettings)
                 p.opening->outward = millimeters(3);
               }),
               HasSubstr("within 2 mm"));
+  EXPECT_THAT(refused([](ModelParts& p) {
+                p.opening = roundWindow();
+                p.opening->passage = millimeters(1);
+              }),
+              HasSubstr("only a round one can have a passage"));
+  for (const double length_mm : {-1.0, 6.0})
+    EXPECT_THAT(refused([length_mm](ModelParts& p) {
+                  p.opening = cochleostomy();
+                  p.opening->passage = millimeters(length_mm);
+                }),
+                HasSubstr("must be 0 to 5 mm"));
 }
 
 }  // namespace

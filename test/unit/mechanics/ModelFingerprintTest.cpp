@@ -249,6 +249,18 @@ TEST(ModelFingerprint, ChangesWithEveryLawAndSetting)
        {"turn of the approach", [](Parts& p) { nudge(p.approachTurn); }}});
 }
 
+TEST(ModelFingerprint, ChangesWithThePassage)
+{
+  using Parts = ModelParts;
+  Parts parts = fullParts();
+  parts.opening->passage = millimeters(1);
+  expectEachChangesTheFingerprint(
+      parts, {{"presence of a passage", [](Parts& p) { p.opening->passage = millimeters(0); }},
+              {"length of the passage", [](Parts& p) { nudge(p.opening->passage); }},
+              {"modulus in the passage", [](Parts& p) { nudge(p.opening->passageModulus); }},
+              {"friction in the passage", [](Parts& p) { p.opening->passageFriction = 0.1; }}});
+}
+
 TEST(ModelFingerprint, ChangesWithTheSpeedsAndCoefficientsOfMeasuredFriction)
 {
   const auto fingerprintWith = [](double speed, double coefficient) {

@@ -144,6 +144,11 @@ TEST(Scenario, TakesEveryKeyOfTheContract)
                           {"withdraw", "true"},
                           {"stylet_pull_mm_s", "3"},
                           {"lead_in_mm", "2"},
+                          {"opening_outward_mm", "0.3"},
+                          {"opening_vertical_mm", "-0.2"},
+                          {"passage_mm", "1.5"},
+                          {"passage_modulus_MPa", "3"},
+                          {"passage_friction", "0.2"},
                           {"approach_tilt_deg", "-4"},
                           {"approach_turn_deg", "4"},
                           {"friction", "paper"},
@@ -168,6 +173,11 @@ TEST(Scenario, TakesEveryKeyOfTheContract)
   EXPECT_TRUE(scenario->withdraws());
   EXPECT_EQ(scenario->styletSpeed(), millimetersPerSecond(3));
   EXPECT_EQ(scenario->leadIn(), millimeters(2));
+  EXPECT_EQ(scenario->parameters().opening->outward, millimeters(0.3));
+  EXPECT_EQ(scenario->parameters().opening->vertical, millimeters(-0.2));
+  EXPECT_EQ(scenario->parameters().opening->passage, millimeters(1.5));
+  EXPECT_EQ(scenario->parameters().opening->passageModulus, megapascals(3));
+  EXPECT_EQ(scenario->parameters().opening->passageFriction, 0.2);
   EXPECT_EQ(scenario->approachTilt(), degrees(-4));
   EXPECT_EQ(scenario->approachTurn(), degrees(4));
   EXPECT_EQ(scenario->friction().staticCoefficient, 0.3);

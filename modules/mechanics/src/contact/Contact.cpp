@@ -218,10 +218,12 @@ void addWallForces(const InsertionModel& model, InsertionState& state, const Ste
 double frictionLag(const InsertionModel& model, const InsertionState& state,
                    const ContactSet& contacts, const FrictionHistory& history) noexcept
 {
-  double sum = std::fabs(contacts.rim.normalForce - history.rimPressedBefore);
+  const double atRim = std::fabs(contacts.rim.normalForce - history.rimPressedBefore);
+  double sum = model.passage ? 0.0 : atRim;
   for (std::size_t i = 0; i < state.normalForce.size(); ++i)
     sum += std::fabs(state.normalForce[i] - history.pressedBefore[i]);
-  return model.parts.friction.staticCoefficient * sum;
+  const double inPassage = model.passage ? model.passage->friction.staticCoefficient * atRim : 0.0;
+  return model.parts.friction.staticCoefficient * sum + inPassage;
 }
 
 void renewFriction(const InsertionState& state, const ContactSet& contacts,

@@ -4,11 +4,13 @@
 // The contacts of the array with the wall and the rim.
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <vector>
 
 #include "perilymph/anatomy/Lumen.h"
 #include "perilymph/mechanics/InsertionState.h"
+#include "perilymph/mechanics/PassageModel.h"
 #include "perilymph/mechanics/RimContact.h"
 #include "solver/Blocks.h"
 
@@ -51,6 +53,8 @@ struct ContactSet {
       wallStiffness;          ///< Stiffness of the wall at each of them [N/m].
   RimContact rim;             ///< State of the rim contact after this iteration.
   RimStiffness rimStiffness;  ///< Stiffness of the rim contact.
+  std::array<RimStiffness, passageRings - 1>
+      innerRings;  ///< The same at the rings of a passage behind it.
 };
 
 }  // namespace perilymph::mechanics

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "contact/Contact.h"
+#include "contact/Crossing.h"
+#include "contact/Passage.h"
 #include "friction/FrictionStep.h"
 #include "rod/Rod.h"
 
@@ -14,104 +16,11 @@ namespace {
 
 constexpr double minBending = 1e-6;  // [m]; avoids division by zero
 
-/// Intersection of the center line with the plane of the opening.
-struct Crossing {
-  std::size_t first = 0;    ///< First of the nodes that define it.
-  std::size_t count = 0;    ///< 3, or 2 in the last half edge; 0: no intersection.
-  double weight[3] = {};    ///< Weight of each node; they add up to 1.
-  Eigen::Vector3d along_W;  ///< Derivative of the center line by its parameter [m].
-  double fromTip = 0.0;     ///< [m]
-  double radius = 0.0;      ///< Radius of the array there [m].
-  double radiusRate = 0.0;  ///< Its derivative by the parameter [m].
-};
-
 /// A force on the array: energy grows with `overlap`, whose gradient by the crossing is given.
 struct ContactForce {
   NormalForce law{0.0, 0.0};
   Eigen::Vector3d gradient_W = Eigen::Vector3d::Zero();
 };
-
-double heightOf(const InsertionModel& model, const Eigen::Vector3d& at) noexcept
-{
-  return (at - model.openingCenter_W).dot(model.entry.out_W);
-}
-
-void fill(Crossing& crossing, const InsertionModel& model, const std::vector<Eigen::Vector3d>& x,
-          const double (&rate)[3]) noexcept
-{
-  crossing.along_W.setZero();
-  for (std::size_t k = 0; k < crossing.count; ++k) {
-    const std::size_t node = crossing.first + k;
-    crossing.along_W += rate[k] * x[node];
-    crossing.fromTip += crossing.weight[k] * model.fromTip[node];
-    crossing.radius += crossing.weight[k] * model.radius[node];
-    crossing.radiusRate += rate[k] * model.radius[node];
-  }
-  const RibProfile rib = ribsAt(model, crossing.fromTip);
-  crossing.radius += rib.height;
-  crossing.radiusRate -= model.spacing * rib.slope;
-}
-
-/// Intersection between the midpoints of the edges before and after node i.
-Crossing crossingAt(const InsertionModel& model, const std::vector<Eigen::Vector3d>& x,
-                    std::size_t i, double before, double here, double after) noexcept
-{
-  // A l^2 + B l + C = 0
-  const double A = 0.5 * (before - 2.0 * here + after);
-  const double B = here - before;
-  const double C = 0.5 * (before + here);
-  const double root = std::sqrt(std::max(B * B - 4.0 * A * C, 0.0)) - B;
-  const double l = root > 0.0 ? std::clamp(2.0 * C / root, 0.0, 1.0) : 0.0;
-  Crossing crossing;
-  crossing.first = i - 1;
-  crossing.count = 3;
-  crossing.weight[0] = 0.5 * (1.0 - l) * (1.0 - l);
-  crossing.weight[1] = 0.5 + l * (1.0 - l);
-  crossing.weight[2] = 0.5 * l * l;
-  fill(crossing, model, x, {l - 1.0, 1.0 - 2.0 * l, l});
-  return crossing;
-}
-
-/// Intersection on the straight half edge behind the tip.
-Crossing crossingAtTip(const InsertionModel& model, const std::vector<Eigen::Vector3d>& x,
-                       double before, double here) noexcept
-{
-  const double fraction = before / (before - here);
-  Crossing crossing;
-  crossing.first = x.size() - 2;
-  crossing.count = 2;
-  crossing.weight[0] = 1.0 - fraction;
-  crossing.weight[1] = fraction;
-  fill(crossing, model, x, {-1.0, 1.0, 0.0});
-  return crossing;
-}
-
-/// Intersection at which the array enters. Not while its tip is outside: any part below the plane
-/// is then only bent onto the bone. Of several intersections, the one nearest to the previous
-/// entry.
-Crossing crossingOf(const InsertionModel& model, const std::vector<Eigen::Vector3d>& x,
-                    double fromTip) noexcept
-{
-  Crossing nearest;
-  const std::size_t tip = x.size() - 1;
-  double before = heightOf(model, x[0]);
-  double here = heightOf(model, x[1]);
-  if (before + here < 0.0 || !(heightOf(model, x[tip]) < 0.0)) return nearest;
-  const auto compare = [&](const Crossing& crossing) {
-    if (nearest.count == 0 ||
-        std::fabs(crossing.fromTip - fromTip) < std::fabs(nearest.fromTip - fromTip))
-      nearest = crossing;
-  };
-  for (std::size_t i = 1; i < tip; ++i) {
-    const double after = heightOf(model, x[i + 1]);
-    if (before + here >= 0.0 && here + after < 0.0)
-      compare(crossingAt(model, x, i, before, here, after));
-    before = here;
-    here = after;
-  }
-  if (before + here >= 0.0) compare(crossingAtTip(model, x, before, here));
-  return nearest;
-}
 
 /// Normal component of a rim contact.
 struct RimPush {
@@ -271,15 +180,23 @@ void addRimForces(const InsertionModel& model, const InsertionState& state, cons
   const std::vector<Eigen::Vector3d>& x = state.position_W;
   contacts.rim = RimContact{};
   contacts.rimStiffness = RimStiffness{};
+  if (model.passage) contacts.innerRings.fill(RimStiffness{});
   if (!model.parts.opening) return;
-  const Crossing crossing = crossingOf(model, x, state.rim.fromTip);
+  Crossing crossing = crossingOf(model, x, 0.0, state.rim.fromTip);
   if (crossing.count == 0) {
-    const double tip = heightOf(model, x.back());
+    const double tip = heightAbove(model, 0.0, x.back());
     if (!(tip < 0.0)) tipContact(model, state, start, history, tip, contacts, force_W);
     return;
   }
 
   contacts.rim.fromTip = crossing.fromTip;
+  if (model.passage) {
+    addPassageForces(model, state, start, history, crossing, contacts, force_W);
+    return;
+  }
+  const RibProfile rib = ribsAt(model, crossing.fromTip);
+  crossing.radius += rib.height;
+  crossing.radiusRate -= model.spacing * rib.slope;
 
   const Opening& opening = *model.parts.opening;
   const Eigen::Vector3d& n_W = model.entry.out_W;
@@ -329,9 +246,10 @@ void addRimForces(const InsertionModel& model, const InsertionState& state, cons
   rimContact(model, state, start, history, crossing, contact, contacts, force_W);
 }
 
-void addRimStiffness(const ContactSet& contacts, BandMatrix& matrix) noexcept
+namespace {
+
+void addStiffness(const RimStiffness& rim, BandMatrix& matrix) noexcept
 {
-  const RimStiffness& rim = contacts.rimStiffness;
   const auto times = [&rim](double w) {
     const SymmetricBlock<double>& s = rim.stiffness;
     return SymmetricBlock<double>{w * s.xx, w * s.xy, w * s.xz, w * s.yy, w * s.yz, w * s.zz};
@@ -351,6 +269,16 @@ void addRimStiffness(const ContactSet& contacts, BandMatrix& matrix) noexcept
         matrix.beyond[row] += full;
       }
     }
+}
+
+}  // namespace
+
+void addRimStiffness(const InsertionModel& model, const ContactSet& contacts,
+                     BandMatrix& matrix) noexcept
+{
+  addStiffness(contacts.rimStiffness, matrix);
+  if (!model.passage) return;
+  for (const RimStiffness& ring : contacts.innerRings) addStiffness(ring, matrix);
 }
 
 }  // namespace perilymph::mechanics

@@ -44,12 +44,14 @@ RibProfile ribsAt(const InsertionModel& model, double fromTip) noexcept;
 /// Where the section overlaps the ellipse, the compliant wall acts with one sample point's
 /// stiffness at the nearest point of the rim, and with another one opposite if the section overlaps
 /// there too. The force is the gradient of its energy: across the array, and along it on the flank
-/// of a rib. A tip still outside touches the rounded rim and the bone around it as a sphere.
+/// of a rib. A tip still outside touches the rounded rim and the bone around it as a sphere. An
+/// opening with a passage acts on an array inside as described at addPassageForces().
 void addRimForces(const InsertionModel& model, const InsertionState& state, const StepStart& start,
                   const FrictionHistory& history, ContactSet& contacts,
                   std::vector<Eigen::Vector3d>& force_W) noexcept;
 
-/// Adds the rim's stiffness, as stored by addRimForces(), to the matrix.
-void addRimStiffness(const ContactSet& contacts, BandMatrix& matrix) noexcept;
+/// Adds the stiffness of the rim and of its passage, as stored by addRimForces(), to the matrix.
+void addRimStiffness(const InsertionModel& model, const ContactSet& contacts,
+                     BandMatrix& matrix) noexcept;
 
 }  // namespace perilymph::mechanics

@@ -95,7 +95,7 @@ void assembleStiffness(const InsertionModel& model, const Base& base, Compressio
   if (model.twists)
     addMaterialStiffness(model, work.start.timeStep, work.section, work.rod, matrix);
   addWallStiffness(work.contacts, matrix);
-  addRimStiffness(work.contacts, matrix);
+  addRimStiffness(model, work.contacts, matrix);
   for (std::size_t i = 2; i < n; ++i)
     work.system.matrix.diagonal[blockOf(i)] += uniform(work.inertia.hold[i]);
   if (base.isHeld)

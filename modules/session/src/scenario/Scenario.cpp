@@ -14,6 +14,7 @@
 #include "scenario/ScenarioCochlea.h"
 #include "scenario/ScenarioFiles.h"
 #include "scenario/ScenarioFriction.h"
+#include "scenario/ScenarioOpening.h"
 #include "scenario/ScenarioWall.h"
 
 namespace perilymph::session {
@@ -26,14 +27,6 @@ std::string hexadecimal(std::uint64_t value)
 {
   char digits[17];
   std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(value));
-  return digits;
-}
-
-/// Millimeters for a sentence: 27, 18.5.
-std::string shortLength_mm(Length length)
-{
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "%.6g", inMillimeters(length));
   return digits;
 }
 
@@ -115,18 +108,6 @@ void readMembrane(ScenarioKeys& keys, InsertionParameters& parameters)
   if (parameters.membraneKind == MembraneKind::soft) parameters.membrane = law;
 }
 
-/// The rim that the array passes and its ribs meet.
-void readOpening(ScenarioKeys& keys, InsertionParameters& parameters)
-{
-  parameters.openingKind = keys.choice("opening", openings, parameters.openingKind);
-  // Drilled openings are 0.8 to 1.5 mm wide; the published rig's passed a carrier of 0.8 mm.
-  const double diameter = keys.number("cochleostomy_diameter_mm", {0.5, 3.0}, 1.0);
-  if (parameters.openingKind == OpeningKind::roundWindow)
-    parameters.opening = mechanics::roundWindow();
-  if (parameters.openingKind == OpeningKind::cochleostomy)
-    parameters.opening = mechanics::cochleostomy(millimeters(diameter));
-}
-
 void readCoupling(ScenarioKeys& keys, InsertionParameters& parameters)
 {
   haptics::EngineSettings& engine = parameters.engine;
@@ -158,33 +139,14 @@ Result<Done> readArray(const std::string& name, ScenarioContent& scenario)
   return Done{};
 }
 
-/// Says so if the array is to go deeper than it fits through the opening.
-void noteSeat(ScenarioContent& scenario, Length deepest)
-{
-  const std::optional<mechanics::Opening>& opening = scenario.parameters.opening;
-  const electrode::ArrayDesign& array = scenario.parameters.array;
-  if (!opening) return;
-  const Length narrow = std::min(opening->width, opening->height);
-  const Length wide = std::max(opening->width, opening->height);
-  const Length step = millimeters(0.05);
-  for (Length place = millimeters(0); place < deepest; place = place + step) {
-    const electrode::Section section = array.sectionAt(place);
-    const Length across = std::max(section.across, section.within);
-    if (across <= wide && std::min(section.across, section.within) <= narrow) continue;
-    scenario.notes.push_back(
-        "The array " + array.name + " is " + shortLength_mm(across) + " mm thick " +
-        shortLength_mm(place) + " mm behind its tip, the opening " + shortLength_mm(narrow) +
-        " mm wide: it stops there and cannot be inserted further without force.");
-    return;
-  }
-}
-
 Result<ScenarioContent> readScenario(TomlReader& reader, const std::string& name,
                                      const fs::path& folder, const Overrides& overrides)
 {
   forgetNodesOfOtherModel(reader, overrides);
   forgetCalibrationOfOtherArray(reader, overrides);
-  forgetWallOfOtherCochlea(reader, [&](const char* key) { return overrideOf(overrides, key); });
+  const auto overrideNamed = [&](const char* key) { return overrideOf(overrides, key); };
+  forgetWallOfOtherCochlea(reader, overrideNamed);
+  forgetPassageOfOtherOpening(reader, overrideNamed);
   bool namesPatient = false;
   for (const auto& [key, value] : overrides) {
     namesPatient = namesPatient || key == "patient";
@@ -211,7 +173,7 @@ Result<ScenarioContent> readScenario(TomlReader& reader, const std::string& name
                        [&key](const auto& entry) { return entry.first == key; });
   };
   readFriction(reader, keys, isOverridden, parameters.friction);
-  readOpening(keys, parameters);
+  readOpening(keys, reader, parameters);
   readMembrane(keys, parameters);
   readWall(keys, reader, scenario.patientName, parameters, parameters.wall);
   readCoupling(keys, parameters);
@@ -226,6 +188,7 @@ Result<ScenarioContent> readScenario(TomlReader& reader, const std::string& name
   // What the file says itself comes before what the files it names say.
   if (const auto done = reader.finish(); !done) return done.error();
   if (!read) return read.error();
+  if (const auto done = checkPassage(reader.name(), parameters); !done) return done.error();
   if (const auto done = anatomy::checkPatient(patient); !done) return done.error();
   if (const auto done = readArray(scenario.arrayName, scenario); !done) return done.error();
   if (!calibration) return calibration.error();
@@ -250,7 +213,7 @@ Result<ScenarioContent> readScenario(TomlReader& reader, const std::string& name
                  shortLength_mm(parameters.array.insertable) +
                  " mm at most. Lower stop_travel_mm."};
 
-  noteSeat(scenario, deepest);
+  if (const auto note = seatNote(parameters, deepest)) scenario.notes.push_back(*note);
   scenario.files = filesOf(scenario, reader.text("friction", "paper"), folder);
 
   keys.note("array_fingerprint", tomlText(scenario.arrayFingerprint));

@@ -36,6 +36,7 @@ using Duration = Quantity<struct DurationDimension>;                  ///< secon
 using Mass = Quantity<struct MassDimension>;                          ///< kilogram
 using Stiffness = Quantity<struct StiffnessDimension>;                ///< newton per meter
 using Damping = Quantity<struct DampingDimension>;                    ///< newton second per meter
+using Modulus = Quantity<struct ModulusDimension>;                    ///< pascal
 using BendingStiffness = Quantity<struct BendingStiffnessDimension>;  ///< newton square meter
 using Curvature = Quantity<struct CurvatureDimension>;                ///< one over meter
 
@@ -65,6 +66,8 @@ constexpr double inMilliseconds(Duration time) { return time.si() * 1e3; }
 
 constexpr Mass kilograms(double value) { return Mass::fromSi(value); }
 constexpr Stiffness newtonsPerMeter(double value) { return Stiffness::fromSi(value); }
+constexpr Modulus megapascals(double value) { return Modulus::fromSi(value * 1e6); }
+constexpr double inMegapascals(Modulus modulus) { return modulus.si() / 1e6; }
 constexpr Damping newtonSecondsPerMeter(double value) { return Damping::fromSi(value); }
 constexpr BendingStiffness newtonSquareMeters(double value)
 {

@@ -17,6 +17,7 @@
 #include "perilymph/mechanics/FrictionLaw.h"
 #include "perilymph/mechanics/Membrane.h"
 #include "perilymph/mechanics/Opening.h"
+#include "perilymph/mechanics/PassageModel.h"
 #include "perilymph/mechanics/PointSet.h"
 
 namespace perilymph::mechanics {
@@ -133,6 +134,7 @@ struct InsertionModel {
   std::vector<double> wallStiffness;   ///< At each node [N/m].
   std::vector<double> wallTangential;  ///< At each node [N/m].
   std::optional<MembranePlace> membrane;  ///< Region where the wall is soft.
+  std::optional<PassageModel> passage;    ///< Passage of the opening, if it has a length.
   double styletBending = 0.0;             ///< EI of the stylet [N.m^2]; 0 without one.
   double styletFromTip = 0.0;   ///< Distance of its tip from the array's when fully in [m].
   double styletResidual = 0.0;  ///< Fraction of the rest curvature that remains along it.

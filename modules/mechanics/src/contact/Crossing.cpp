@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/Crossing.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace perilymph::mechanics {
+namespace {
+
+void fill(Crossing& crossing, const InsertionModel& model, const std::vector<Eigen::Vector3d>& x,
+          const double (&rate)[3]) noexcept
+{
+  crossing.at_W.setZero();
+  crossing.along_W.setZero();
+  for (std::size_t k = 0; k < crossing.count; ++k) {
+    const std::size_t node = crossing.first + k;
+    crossing.at_W += crossing.weight[k] * x[node];
+    crossing.along_W += rate[k] * x[node];
+    crossing.fromTip += crossing.weight[k] * model.fromTip[node];
+    crossing.radius += crossing.weight[k] * model.radius[node];
+    crossing.radiusRate += rate[k] * model.radius[node];
+  }
+}
+
+/// Intersection between the midpoints of the edges before and after node i.
+Crossing crossingAt(const InsertionModel& model, const std::vector<Eigen::Vector3d>& x,
+                    std::size_t i, double before, double here, double after) noexcept
+{
+  // A l^2 + B l + C = 0
+  const double A = 0.5 * (before - 2.0 * here + after);
+  const double B = here - before;
+  const double C = 0.5 * (before + here);
+  const double root = std::sqrt(std::max(B * B - 4.0 * A * C, 0.0)) - B;
+  const double l = root > 0.0 ? std::clamp(2.0 * C / root, 0.0, 1.0) : 0.0;
+  Crossing crossing;
+  crossing.first = i - 1;
+  crossing.count = 3;
+  crossing.weight[0] = 0.5 * (1.0 - l) * (1.0 - l);
+  crossing.weight[1] = 0.5 + l * (1.0 - l);
+  crossing.weight[2] = 0.5 * l * l;
+  fill(crossing, model, x, {l - 1.0, 1.0 - 2.0 * l, l});
+  return crossing;
+}
+
+/// Intersection on the straight half edge behind the tip.
+Crossing crossingAtTip(const InsertionModel& model, const std::vector<Eigen::Vector3d>& x,
+                       double before, double here) noexcept
+{
+  const double fraction = before / (before - here);
+  Crossing crossing;
+  crossing.first = x.size() - 2;
+  crossing.count = 2;
+  crossing.weight[0] = 1.0 - fraction;
+  crossing.weight[1] = fraction;
+  fill(crossing, model, x, {-1.0, 1.0, 0.0});
+  return crossing;
+}
+
+}  // namespace
+
+double heightAbove(const InsertionModel& model, double plane, const Eigen::Vector3d& at) noexcept
+{
+  return (at - model.openingCenter_W).dot(model.entry.out_W) - plane;
+}
+
+Crossing crossingOf(const InsertionModel& model, const std::vector<Eigen::Vector3d>& x,
+                    double plane, double fromTip) noexcept
+{
+  Crossing nearest;
+  const std::size_t tip = x.size() - 1;
+  double before = heightAbove(model, plane, x[0]);
+  double here = heightAbove(model, plane, x[1]);
+  if (before + here < 0.0 || !(heightAbove(model, plane, x[tip]) < 0.0)) return nearest;
+  const auto compare = [&](const Crossing& crossing) {
+    if (nearest.count == 0 ||
+        std::fabs(crossing.fromTip - fromTip) < std::fabs(nearest.fromTip - fromTip))
+      nearest = crossing;
+  };
+  for (std::size_t i = 1; i < tip; ++i) {
+    const double after = heightAbove(model, plane, x[i + 1]);
+    if (before + here >= 0.0 && here + after < 0.0)
+      compare(crossingAt(model, x, i, before, here, after));
+    before = here;
+    here = after;
+  }
+  if (before + here >= 0.0) compare(crossingAtTip(model, x, before, here));
+  return nearest;
+}
+
+}  // namespace perilymph::mechanics

@@ -62,7 +62,11 @@ void setOption(CLI::App& command, FileOptions& files, session::Overrides& overri
 
 void addSimulate(CLI::App& app, FileOptions& files, SimulateOptions& options)
 {
-  CLI::App& command = *app.add_subcommand("simulate", "Simulate an insertion");
+  CLI::App& command = *app.add_subcommand(
+      "simulate",
+      "Simulate an insertion. It ends as finished, stopped_by_resistance (at stop_force_N), "
+      "buckled, "
+      "out_of_opening, folded_tip or jammed; exit status 1 if the tip never enters");
   files.reads(
       command.add_option("--scenario", options.scenario, "Scenario: shipped name or TOML file")
           ->required(),

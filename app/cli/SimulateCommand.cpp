@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <optional>
@@ -13,6 +12,7 @@
 #include "perilymph/analysis/Phase.h"
 #include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/haptics/InsertionEnd.h"
 #include "perilymph/session/Csv.h"
 #include "perilymph/session/Insertion.h"
 
@@ -26,13 +26,33 @@ struct CsvRows {
   session::CsvPeriod period{0.0};
 };
 
-/// Ticks after which an insertion that has not finished never will: twice the time of insertion and
-/// withdrawal at the script's speed.
-std::uint64_t maxTicks(const session::InsertionParameters& parameters)
+// A tip less deep than this has not entered; tremor moves one at the opening by less (choice, high).
+constexpr Length minDepth = millimeters(0.1);
+
+/// "at 9.31 mm of depth, 2.013 N on the hand".
+std::string where(const haptics::TickOutput& now)
 {
-  const double way = parameters.stopTravel.si() * (parameters.withdraws ? 2.0 : 1.0);
-  return static_cast<std::uint64_t>(
-      std::ceil(2.0 * way / (parameters.speed.si() * parameters.timeStep.si())) + 10'000.0);
+  const auto& f = now.force_W;
+  const double force = std::sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
+  return "at " + fixed(inMillimeters(meters(now.depth)), 2) + " mm of depth, " + fixed(force, 3) +
+         " N on the hand";
+}
+
+/// What the user can change after an early end.
+const char* adviceFor(haptics::InsertionEnd end)
+{
+  switch (end) {
+    case haptics::InsertionEnd::buckled:
+    case haptics::InsertionEnd::outOfOpening:
+      return " Align the array with the opening (approach_tilt_deg, approach_turn_deg), reduce "
+             "friction, or choose a stiffer array.";
+    case haptics::InsertionEnd::foldedTip:
+      return " Change the approach (approach_tilt_deg, approach_turn_deg) or the technique.";
+    case haptics::InsertionEnd::jammed:
+      return " Lower stop_travel_mm, reduce friction, or choose a thinner array.";
+    default:
+      return "";
+  }
 }
 
 /// Result of the run.
@@ -52,19 +72,17 @@ Result<Outcome> run(session::Insertion& insertion, CsvRows* rows)
         if (rows && rows->period.keeps(record.output.time)) rows->stream << session::csvRow(record);
         return !isInterrupted();
       },
-      maxTicks(insertion.parameters()));
+      session::maxTicks(insertion.parameters(), insertion.model()));
   if (isInterrupted())
     return Error{insertion.recording()
                      ? "Interrupted; only the recording was kept, as far as it came."
                      : "Interrupted; nothing was written."};
   if (!ran) return ran.error();
-  if (outcome.last.workflow != haptics::Workflow::finished)
-    return Error{"The array did not reach its full travel: after " +
-                 std::to_string(profiler.profile().ticks) + " samples it is at " +
-                 fixed(inMillimeters(meters(outcome.last.travel)), 2) + " mm of " +
-                 fixed(inMillimeters(insertion.parameters().stopTravel), 2) +
-                 " mm of travel. Lower stop_travel_mm, or raise coupling_stiffness_N_m."};
   outcome.profile = profiler.profile();
+  if (outcome.profile.deepest < minDepth.si())
+    return Error{"The tip did not enter the opening: " + where(outcome.last) +
+                 ". Aim at the opening (approach_tilt_deg, approach_turn_deg), or start deeper "
+                 "inside (start_inside_mm)."};
   return outcome;
 }
 
@@ -99,6 +117,10 @@ void printSummary(const session::Scenario& scenario, const Outcome& outcome)
   print("{}: {} samples, {} s, array {}\n", scenario.name(), profile.ticks,
         fixed(profile.duration, 3), scenario.array().name);
   for (const std::string& note : scenario.notes()) print("{}\n", note);
+  const haptics::InsertionEnd end = endOf(outcome.last);
+  if (end != haptics::InsertionEnd::finished)
+    print("{:18} the array {}, {}.{}\n", nameOf(end), clauseOf(end), where(outcome.last),
+          adviceFor(end));
   printPoint("peak force", profile.peak);
   printPoint("basal-turn peak", profile.basalTurnPeak);
   printPoint("following dip", profile.basalTurnDip);
@@ -133,8 +155,9 @@ Result<Done> simulate(const SimulateOptions& options, const CallFiles& files)
   if (!outcome) return outcome.error();
   if (!options.json.empty()) {
     const auto phase = analysis::phaseOf(outcome->last, scenario->stopTravel());
-    const auto done = writeWhole(options.json, simulationJson(*scenario, outcome->profile, phase,
-                                                              (*insertion)->loop().statistics()));
+    const auto done =
+        writeWhole(options.json, simulationJson(*scenario, outcome->profile, endOf(outcome->last),
+                                                phase, (*insertion)->loop().statistics()));
     if (!done) return done.error();
   }
   printSummary(*scenario, *outcome);

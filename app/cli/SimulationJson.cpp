@@ -41,13 +41,15 @@ Json point(const std::optional<analysis::CurvePoint>& point)
 }  // namespace
 
 std::string simulationJson(const session::Scenario& scenario, const analysis::ForceProfile& profile,
-                           analysis::Phase phase, const haptics::LoopStatistics& statistics)
+                           haptics::InsertionEnd end, analysis::Phase phase,
+                           const haptics::LoopStatistics& statistics)
 {
   Json json;
   json["version"] = version();
   json["build"] = buildId();
   json["seed"] = scenario.seed();
   json["scenario"] = scenarioAsRun(scenario);
+  json["end"] = haptics::nameOf(end);
   json["peak_force_N"] = profile.peak.force;
   json["peak_travel_mm"] = asMillimeters(profile.peak.travel);
   json["peak_depth_mm"] = asMillimeters(profile.peakDepth);

@@ -6,12 +6,14 @@
 #include "perilymph/analysis/ForceProfile.h"
 #include "perilymph/analysis/Phase.h"
 #include "perilymph/haptics/HapticLoop.h"
+#include "perilymph/haptics/InsertionEnd.h"
 #include "perilymph/session/Scenario.h"
 
 namespace perilymph::cli {
 
 /// Content of `simulate --json`: the scenario as run and its results.
 std::string simulationJson(const session::Scenario& scenario, const analysis::ForceProfile& profile,
-                           analysis::Phase phase, const haptics::LoopStatistics& statistics);
+                           haptics::InsertionEnd end, analysis::Phase phase,
+                           const haptics::LoopStatistics& statistics);
 
 }  // namespace perilymph::cli

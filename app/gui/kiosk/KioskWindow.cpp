@@ -207,7 +207,7 @@ void KioskWindow::stepAttract()
     screen_->say(tr("Inserting a cochlear implant"), tourSentences()[std::size_t(station)]);
   }
   const Workflow workflow = control_.now().output.workflow;
-  const bool isOver = control_.isAtDepth() || workflow == Workflow::fault;
+  const bool isOver = control_.isAtDepth() || workflow == Workflow::fault || hasEndedEarly();
   if (isOver && !restingAt_s_) restingAt_s_ = now_s();
   if (restingAt_s_ && now_s() - *restingAt_s_ >= rest_s) beginAttract();
 }
@@ -260,6 +260,11 @@ void KioskWindow::inviteToTurn()
                "depth."));
 }
 
+bool KioskWindow::hasEndedEarly() const
+{
+  return control_.earlyEnd() != haptics::InsertionEnd::none;
+}
+
 void KioskWindow::endTurn()
 {
   letGo();
@@ -267,6 +272,11 @@ void KioskWindow::endTurn()
     screen_->say(
         tr("The insertion was stopped"),
         tr("The simulation became unstable and was stopped. The force is off. Try again."));
+    return setStage(KioskStage::result);
+  }
+  if (hasEndedEarly()) {
+    screen_->say(tr("The array is stuck"),
+                 tr("It bent or jammed before full depth. The force is off. Try again, slower."));
     return setStage(KioskStage::result);
   }
   const QDateTime today = clock_.today();
@@ -320,7 +330,8 @@ void KioskWindow::stepTurn(double elapsed_s)
       control_.advanceBy(Length::fromSi(speed * elapsed_s));
   }
   turn_.follow(control_.now().output);
-  if (control_.isAtDepth() || control_.now().output.workflow == Workflow::fault) endTurn();
+  if (control_.isAtDepth() || control_.now().output.workflow == Workflow::fault || hasEndedEarly())
+    endTurn();
 }
 
 void KioskWindow::showPicture()

@@ -59,6 +59,7 @@ private:
   bool takeKey(QKeyEvent* event);
   void beginAttract();
   void beginTurn(InputSource hand);
+  bool hasEndedEarly() const;
   void endTurn();
   bool prepare(InputSource hand);
   void chooseHandle();

@@ -299,8 +299,10 @@ void InsertionControl::pursueWithdrawal()
 {
   if (isStopped()) return;  // resumed first
   const haptics::TickOutput& now = now_.output;
-  // At full depth the loop needs a command; before that the scripted device reverses on its own.
-  if (now.workflow == haptics::Workflow::finished && isAtDepth()) {
+  // At full depth and after an early end the loop needs a command; before that the scripted device
+  // reverses on its own.
+  const bool isInside = isAtDepth() || earlyEnd() != haptics::InsertionEnd::none;
+  if (now.workflow == haptics::Workflow::finished && isInside) {
     if (now_.tick >= askedAt_ && ask(Kind::withdraw)) askedAt_ = now_.tick + 1;
     return;
   }
@@ -316,6 +318,17 @@ bool InsertionControl::isAtDepth() const noexcept
   const double stop = scenario_.stopTravel().si();
   const bool isFinished = now_.output.workflow == haptics::Workflow::finished;
   return now_.output.travel >= stop || (isFinished && now_.output.travel > 0.5 * stop);
+}
+
+haptics::InsertionEnd InsertionControl::earlyEnd() const noexcept
+{
+  const haptics::TickOutput& now = now_.output;
+  const bool isOver = now.workflow == haptics::Workflow::finished;
+  // Withdrawn to its start, or less: the tip may also be out.
+  constexpr double atStart = 1e-6;  // [m]
+  const bool isBack = now.travel <= atStart && (now.status & haptics::endedOutOfOpening) == 0;
+  if (!isOver || isBack || (now.status & haptics::anyEnd) == 0) return haptics::InsertionEnd::none;
+  return endOf(now);
 }
 
 void InsertionControl::moveHand(Motion motion)

@@ -14,6 +14,7 @@
 #include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/foundation/Units.h"
+#include "perilymph/haptics/InsertionEnd.h"
 #include "perilymph/haptics/Snapshot.h"
 #include "perilymph/session/Insertion.h"
 
@@ -97,6 +98,8 @@ public:
   bool isRunning() const noexcept { return isRunning_; }
   /// The array is at or beyond the stop travel.
   bool isAtDepth() const noexcept;
+  /// The event that ended the insertion before its stop travel; none after the withdrawal.
+  haptics::InsertionEnd earlyEnd() const noexcept;
   /// The device was told to move, or is grasped.
   bool isMoving() const noexcept;
   /// The input is a device that moves the array or may do so as soon as its button is pressed.

@@ -17,8 +17,9 @@ std::string valueOf(const session::Scenario& scenario, const std::string& wanted
 }
 
 // Keys that affect neither cochlea nor model. Any other key requires a new model.
-constexpr std::array notBuiltFrom{"title", "speed_mm_s", "stop_travel_mm",       "force_scale",
-                                  "side",  "patient",    "patient_numbers.label"};
+constexpr std::array notBuiltFrom{"title",        "speed_mm_s",           "stop_travel_mm",
+                                  "stop_force_N", "force_scale",          "side",
+                                  "patient",      "patient_numbers.label"};
 
 /// All keys except the title, sorted for comparison.
 session::Overrides compared(session::Overrides values)

@@ -299,6 +299,9 @@ void TopBar::showInsertion(const InsertionControl& control, const QString& error
   if (!control.isRunning()) return setDevice(DeviceState::off, tr("ready"), hand);
   if (now.output.workflow == haptics::Workflow::fault)
     return setDevice(DeviceState::alarm, tr("fault · no force"), error);
+  const haptics::InsertionEnd end = control.earlyEnd();
+  if (end != haptics::InsertionEnd::none && end != haptics::InsertionEnd::stoppedByResistance)
+    return setDevice(DeviceState::warning, tr("ended · no force"), hand);
   if (control.isStopped())
     return setDevice(DeviceState::warning, tr("stopped · no force"),
                      tr("%1. Press Start to continue.").arg(hand));

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/session/Insertion.h"
@@ -11,12 +10,6 @@
 namespace perilymph::analysis {
 
 namespace {
-
-/// Depth from which a tip counts as inside (choice, high).
-constexpr Length enteredDepth = millimeters(0.1);
-/// Travel of the tweezers beyond the stop without arrival that counts as buckling: a bow of 5 mm on
-/// the 20 mm in front of the opening (choice, high).
-constexpr Length maxLag = millimeters(3);
 
 /// Adds the force at each multiple of the spacing that the tip passes for the first time.
 class ProfilePoints {
@@ -49,23 +42,6 @@ private:
 
 }  // namespace
 
-const char* nameOf(InsertionEnd end) noexcept
-{
-  switch (end) {
-    case InsertionEnd::finished:
-      return "finished";
-    case InsertionEnd::slippedOut:
-      return "slipped out";
-    case InsertionEnd::buckled:
-      return "buckled";
-    case InsertionEnd::fault:
-      return "fault";
-    case InsertionEnd::refused:
-      break;
-  }
-  return "refused";
-}
-
 FullInsertion insertFully(const session::InsertionParameters& given,
                           std::shared_ptr<const anatomy::ScalaTympani> anatomy,
                           Length profileSpacing, const std::atomic<bool>& isAsked)
@@ -82,10 +58,6 @@ FullInsertion insertFully(const session::InsertionParameters& given,
     return result;
   }
 
-  const Eigen::Vector3d out_W = anatomy->entry().out_W;
-  std::optional<Eigen::Vector3d> start_W;  // of the tweezers
-  std::optional<InsertionEnd> end;
-  bool hasEntered = false;
   haptics::TickOutput last;
   ProfilePoints points(profileSpacing);
   const auto each = [&](const haptics::TickRecord& record) {
@@ -100,23 +72,12 @@ FullInsertion insertFully(const session::InsertionParameters& given,
     result.maxMembraneForce = newtons(std::max(result.maxMembraneForce.si(), now.membraneForce));
     result.maxDepth = meters(std::max(result.maxDepth.si(), now.depth));
     points.add(result.profile, now.depth, now.axialForce);
-    const Eigen::Vector3d base_W(now.proxy_W[0], now.proxy_W[1], now.proxy_W[2]);
-    if (!start_W) start_W = base_W;
-    const double pushed = (*start_W - base_W).dot(out_W);
-    hasEntered = hasEntered || now.depth > enteredDepth.si();
-    if (hasEntered && now.depth <= 0.0) end = InsertionEnd::slippedOut;
-    if (pushed > parameters.stopTravel.si() + maxLag.si()) end = InsertionEnd::buckled;
-    return !end && !isAsked;
+    return !isAsked;
   };
-  // Twice the time for the travel, plus a second to start.
-  const double ticks =
-      (2.0 * parameters.stopTravel.si() / parameters.speed.si() + 1.0) / parameters.timeStep.si();
-  const auto ran = (*insertion)->runToEnd(each, static_cast<std::uint64_t>(ticks));
+  const auto ran =
+      (*insertion)->runToEnd(each, session::maxTicks(parameters, (*insertion)->model()));
   if (isAsked) return result;
-  const bool hasArrived = ran && last.workflow == haptics::Workflow::finished;
-  result.end = !ran         ? InsertionEnd::fault
-               : hasArrived ? InsertionEnd::finished
-                            : end.value_or(InsertionEnd::buckled);
+  result.end = ran ? endOf(last) : InsertionEnd::fault;
   if (!ran) result.reason = ran.error().message;
   result.depth = meters(last.depth);
   result.endForce = newtons(last.axialForce);

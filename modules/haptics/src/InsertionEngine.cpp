@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
 #include "checkedSettings.h"
@@ -18,13 +17,6 @@ constexpr double maxResidual = 1e-4;  // [N]
 // Far below measurable depths; above rounding errors.
 constexpr double arrived = 1e-9;  // [m]
 constexpr double infinitelyFar = std::numeric_limits<double>::infinity();
-
-std::shared_ptr<const mechanics::InsertionModel> checked(
-    std::shared_ptr<const mechanics::InsertionModel> model)
-{
-  if (!model) throw std::invalid_argument("An insertion engine needs a model; it was given none.");
-  return model;
-}
 
 std::array<double, 3> asArray(const Eigen::Vector3d& vector) noexcept
 {
@@ -45,14 +37,19 @@ BasePose startOf(const mechanics::InsertionModel& model) noexcept
 
 InsertionEngine::InsertionEngine(std::shared_ptr<const mechanics::InsertionModel> model,
                                  EngineSettings settings)
-    : model_(checked(std::move(model))),
+    : model_(checkedModel(std::move(model))),
       settings_(checkedSettings(settings)),
       state_(*model_),
       validator_(model_->timeStep, settings_.samplePeriod),
-      registration_(model_->entry, settings_.motionScale),
+      registration_(model_->entry,
+                    settings_.pushesAlongOpening ? Eigen::Vector3d(-model_->entry.out_W)
+                                                 : model_->startAxis_W,
+                    settings_.motionScale),
       safety_(settings_.safety, model_->timeStep),
       startDepth_(std::max(0.0, model_->parts.startInside.si())),
       base_(startOf(*model_)),
+      stylet_(settings_.styletSpeed, settings_.styletHoldDepth),
+      detector_(*model_, settings_.stopForce),
       rest_({settings_.restAfter, settings_.restMotion}, model_->timeStep)
 {
   updateOutput();
@@ -78,6 +75,7 @@ TickOutput InsertionEngine::tick(const device::DeviceSample& sample,
   // After an overflow the state is kept for inspection.
   if (workflow_ != Workflow::idle && isFinite()) moveMechanics(hand);
   if (isStopped_) output_.status |= stopped;
+  output_.status |= bitOf(end_);
   updateOutput();
 
   // The force is computed after the mechanics, so that it belongs to this tick's pose.
@@ -119,8 +117,8 @@ void InsertionEngine::noteRest(const HandState& hand) noexcept
   constexpr std::uint32_t changing = staleSample | forceSlewed | rampingIn | passivityActed;
   Rest::Condition now;
   now.isSteady = isGrasped ? (output_.status & changing) == 0 : safety_.isZero();
-  now.mayRest = workflow_ != Workflow::inserting && styletWithdrawal_ >= styletTarget_ &&
-                (isGrasped || now.isSteady);
+  now.mayRest =
+      workflow_ != Workflow::inserting && stylet_.isAtRest() && (isGrasped || now.isSteady);
   now.isHeld = isGrasped;
   now.hasBegun = hasBegun_;
   now.tip_W = state_.position_W.back();
@@ -148,8 +146,7 @@ void InsertionEngine::applyCommand(const Command& command) noexcept
     case Command::Kind::pullStylet:
       // A withdrawn stylet is never pushed back into the array.
       if (workflow_ != Workflow::idle && workflow_ != Workflow::fault && command.value >= 0.0)
-        styletTarget_ = std::clamp(command.value, styletWithdrawal_,
-                                   std::max(styletWithdrawal_, model_->parts.array.length.si()));
+        stylet_.pullTo(*model_, command.value);
       break;
   }
 }
@@ -180,7 +177,7 @@ void InsertionEngine::stop() noexcept
 {
   isStopped_ = true;
   transition(WorkflowEvent::release);
-  styletTarget_ = styletWithdrawal_;
+  stylet_.stop();
 }
 
 void InsertionEngine::validate(const HandState& hand, std::uint32_t& status) noexcept
@@ -209,7 +206,8 @@ HandCondition InsertionEngine::conditionOf(const HandState& hand) const noexcept
   const bool isAtWork = workflow_ == Workflow::inserting || workflow_ == Workflow::finished;
   condition.isHeld = hand.isHeld && isAtWork && !isStopped_;
   condition.isStale = hand.isStale;
-  condition.hasFault = workflow_ == Workflow::fault;
+  const bool isEnded = end_ != InsertionEnd::none && end_ != InsertionEnd::stoppedByResistance;
+  condition.hasFault = workflow_ == Workflow::fault || isEnded;
   condition.hasJumped = hand.hasJumped;
   condition.distance = hand.position_D.norm();
   return condition;
@@ -219,7 +217,7 @@ void InsertionEngine::moveMechanics(const HandState& hand) noexcept
 {
   if (hasBegun_) ++ticksSinceBegin_;
   if (workflow_ == Workflow::inserting) hasBegun_ = true;
-  moveStylet();
+  stylet_.step(*model_, state_.readings.depth);
 
   const mechanics::Drive drive = workflow_ == Workflow::inserting ? follow(hand) : hold();
   mechanics::advance(*model_, state_, drive);
@@ -230,20 +228,16 @@ void InsertionEngine::moveMechanics(const HandState& hand) noexcept
     return;
   }
   if (state_.readings.residual > maxResidual) output_.status |= notConverged;
+  if (workflow_ == Workflow::inserting) noteEnd();
   if (workflow_ == Workflow::inserting) noteArrival();
 }
 
-void InsertionEngine::moveStylet() noexcept
+/// The first event is how the insertion ended; the array may then be withdrawn, without force.
+void InsertionEngine::noteEnd() noexcept
 {
-  styletWithdrawal_ =
-      std::min(styletTarget_, styletWithdrawal_ + settings_.styletSpeed * model_->timeStep);
-  if (!settings_.styletHoldDepth || model_->styletBending <= 0.0) return;
-  // The stylet is held in the cochlea: the array's further advance withdraws it relatively. When
-  // the array is withdrawn, it takes the stylet along.
-  const double held = state_.readings.depth - model_->styletFromTip - *settings_.styletHoldDepth;
-  styletWithdrawal_ = std::clamp(held, styletWithdrawal_,
-                                 std::max(styletWithdrawal_, model_->parts.array.length.si()));
-  styletTarget_ = std::max(styletTarget_, styletWithdrawal_);
+  if (end_ != InsertionEnd::none) return;
+  end_ = detector_.detect(*model_, state_, isWithdrawing_);
+  if (end_ != InsertionEnd::none) transition(WorkflowEvent::arrive);
 }
 
 mechanics::Drive InsertionEngine::hold() const noexcept
@@ -252,7 +246,7 @@ mechanics::Drive InsertionEngine::hold() const noexcept
   drive.handPosition_W = base_.position_W;
   drive.handAxis_W = base_.axis_W;
   drive.handCurl_W = base_.curl_W;
-  drive.styletWithdrawal = styletWithdrawal_;
+  drive.styletWithdrawal = stylet_.withdrawal();
   drive.coupling = mechanics::Coupling::rigid;
   return drive;
 }
@@ -277,9 +271,11 @@ mechanics::Drive InsertionEngine::follow(const HandState& hand) noexcept
 
   const Eigen::Vector3d before_W = base_.position_W;
   base_ = registration_.pose(hand);
-  const Eigen::Vector3d inward_W = -model_->entry.out_W;
-  const double remaining =
+  const Eigen::Vector3d inward_W = registration_.inward_W();
+  const double toBone = distanceToBone(*model_, state_.base_W, inward_W);
+  const double toStop =
       isWithdrawing_ ? infinitelyFar : std::max(0.0, settings_.stopTravel - travel());
+  const double remaining = std::min(toStop, toBone);
 
   mechanics::Drive drive;
   if (settings_.coupling == mechanics::Coupling::spring) {
@@ -331,7 +327,7 @@ void InsertionEngine::updateOutput() noexcept
 {
   output_.workflow = workflow_;
   output_.time = static_cast<double>(ticksSinceBegin_) * model_->timeStep;
-  output_.styletWithdrawal = styletWithdrawal_;
+  output_.styletWithdrawal = stylet_.withdrawal();
   if (!isFinite()) {
     output_.status |= notFinite;
     return;  // the values of the last valid tick are kept
@@ -384,8 +380,7 @@ std::uint64_t InsertionEngine::fingerprint() const noexcept
     hash.add(base_.axis_W[i]);
     hash.add(base_.curl_W[i]);
   }
-  hash.add(styletTarget_);
-  hash.add(styletWithdrawal_);
+  stylet_.addTo(hash);
   hash.add(needsAnchor_);
   hash.add(isWithdrawing_);
   hash.add(isWithdrawn_);
@@ -393,6 +388,8 @@ std::uint64_t InsertionEngine::fingerprint() const noexcept
   rest_.addTo(hash);
   hash.add(hasBegun_);
   hash.add(ticksSinceBegin_);
+  detector_.addTo(hash);
+  hash.add(end_);
   return hash.value();
 }
 

@@ -12,12 +12,20 @@ void add(Hash& hash, const Eigen::Vector3d& vector) noexcept
 
 }  // namespace
 
-Registration::Registration(const anatomy::Entry& entry, double motionScale)
+Registration::Registration(const anatomy::Entry& entry, const Eigen::Vector3d& approach_W,
+                           double motionScale)
     : motionScale_(motionScale)
 {
   rotation_WD_.col(0) = entry.outward_W;
   rotation_WD_.col(1) = entry.vertical_W;
   rotation_WD_.col(2) = entry.out_W;
+  if (approach_W == -entry.out_W) return;
+  const Eigen::Vector3d out_W = -approach_W.normalized();
+  const Eigen::Vector3d outward_W =
+      (entry.outward_W - entry.outward_W.dot(out_W) * out_W).normalized();
+  rotation_WD_.col(0) = outward_W;
+  rotation_WD_.col(1) = out_W.cross(outward_W);
+  rotation_WD_.col(2) = out_W;
 }
 
 void Registration::anchor(const HandState& hand, const BasePose& pose) noexcept

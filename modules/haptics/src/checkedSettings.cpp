@@ -4,6 +4,7 @@
 #include <limits>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace perilymph::haptics {
 
@@ -22,6 +23,13 @@ void require(double value, double minimum, double maximum, const char* name, con
 
 }  // namespace
 
+std::shared_ptr<const mechanics::InsertionModel> checkedModel(
+    std::shared_ptr<const mechanics::InsertionModel> model)
+{
+  if (!model) throw std::invalid_argument("An insertion engine needs a model; it was given none.");
+  return model;
+}
+
 EngineSettings checkedSettings(const EngineSettings& settings)
 {
   if (settings.coupling == mechanics::Coupling::spring) {
@@ -31,6 +39,7 @@ EngineSettings checkedSettings(const EngineSettings& settings)
   require(settings.maxStiffness, 1.0, infinity, "The stiffest coupling of the device", "N/m");
   require(settings.maxDamping, 0.0, infinity, "The strongest damping of the device", "N.s/m");
   require(settings.stopTravel * 1e3, 0.1, 100.0, "The travel at which an insertion stops", "mm");
+  require(settings.stopForce, 0.0, maxHandForce, "The force at which an insertion stops", "N");
   require(settings.forceScale, 0.0, maxForceScale, "The scale of the force shown", "");
   require(settings.motionScale, 0.01, 10.0, "The scale of the motion", "");
   require(settings.styletSpeed * 1e3, 0.01, 1000.0, "The speed of the stylet", "mm/s");

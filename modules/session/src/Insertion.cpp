@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 
 #include "MakeEngine.h"
 #include "perilymph/device/ScriptedDevice.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/haptics/CouplingLimit.h"
+#include "perilymph/haptics/InsertionEnd.h"
 #include "recording/DeviceReport.h"
 #include "recording/Recorder.h"
 
@@ -196,12 +198,21 @@ Result<Done> Insertion::runToEnd(const std::function<bool(const haptics::TickRec
       return fault(content.parameters, record);
     }
     if (workflow != haptics::Workflow::finished) continue;
-    if (!content.parameters.withdraws || isWithdrawing) break;
+    const bool hasArrived = haptics::endOf(record.output) == haptics::InsertionEnd::finished;
+    if (!content.parameters.withdraws || isWithdrawing || !hasArrived) break;
     isWithdrawing = send(haptics::Command::Kind::withdraw);
     tell(*content.hand, Motion::withdraw);
   }
   content.recorder->flush();
   return Done{};
+}
+
+std::uint64_t maxTicks(const InsertionParameters& parameters,
+                       const mechanics::InsertionModel& model) noexcept
+{
+  const double way = model.parts.array.length.si() * (parameters.withdraws ? 2.0 : 1.0);
+  const double time = 2.0 * way / parameters.speed.si() + 1.0;
+  return static_cast<std::uint64_t>(std::ceil(time / model.timeStep));
 }
 
 Result<Done> Insertion::start()

@@ -50,11 +50,9 @@ const database::FileKind& studyKind()
 /// The end of a name; nothing for a name that none has.
 std::optional<analysis::InsertionEnd> endNamed(const std::string& name)
 {
-  for (const auto end : {analysis::InsertionEnd::finished, analysis::InsertionEnd::slippedOut,
-                         analysis::InsertionEnd::buckled, analysis::InsertionEnd::fault,
-                         analysis::InsertionEnd::refused})
-    if (name == analysis::nameOf(end)) return end;
-  return std::nullopt;
+  const analysis::InsertionEnd end = haptics::endNamed(name);
+  if (end == analysis::InsertionEnd::none && name != haptics::nameOf(end)) return std::nullopt;
+  return end;
 }
 
 std::string jsonOf(const session::Overrides& settings)
@@ -128,7 +126,7 @@ bool addInsertion(Statement& insert, const StudyResult& result)
   insert.bind(0, static_cast<std::int64_t>(result.number));
   insert.bind(1, result.cochlea);
   insert.bind(2, jsonOf(result.settings));
-  insert.bind(3, std::string(analysis::nameOf(found.end)));
+  insert.bind(3, std::string(haptics::nameOf(found.end)));
   insert.bind(4, found.reason);
   const double numbers[] = {result.a_mm,
                             result.b_mm,

@@ -47,7 +47,7 @@ std::string rowOf(const StudyResult& result, const std::set<std::string>& settin
     row +=
         "," + (value == result.settings.end() ? std::string() : analysis::csvField(value->second));
   }
-  row += std::string(",") + analysis::nameOf(found.end);
+  row += std::string(",") + haptics::nameOf(found.end);
   for (const double value :
        {inMillimeters(found.depth), inMillimeters(found.maxDepth), inDegrees(found.apical),
         100.0 * found.coverage, inMillinewtons(found.peak.force), inMillimeters(found.peak.depth),

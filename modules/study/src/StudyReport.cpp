@@ -100,7 +100,7 @@ std::string distributions(const StudyEvaluation& study)
 std::string endings(const StudyEvaluation& study)
 {
   std::map<std::string, std::size_t> counts;
-  for (const StudyResult& each : study.results()) ++counts[analysis::nameOf(each.insertion.end)];
+  for (const StudyResult& each : study.results()) ++counts[haptics::nameOf(each.insertion.end)];
   std::string text;
   for (const auto& [name, count] : counts)
     text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + name;

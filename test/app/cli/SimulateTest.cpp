@@ -40,6 +40,35 @@ TEST(Simulate, WritesRowsResultsAndARecording)
   EXPECT_NEAR(json["final_depth_mm"].get<double>(), 2.0 + 0.5, 0.01);
 }
 
+TEST(Simulate, NamesAnEarlyEndInWordsJsonAndRecording)
+{
+  const TemporaryFolder folder;
+  // a carrier that keeps a tenth of its curvature bows in front of the opening
+  const auto outcome = cli({"simulate", "--scenario", "contour-published", "--set", "nodes=50",
+                            "--set", "start_inside_mm=1", "--set", "approach_turn_deg=-5", "--set",
+                            "residual_curvature_fraction=0.1", "--json", folder / "a.json",
+                            "--record", folder / "a.insertion"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("out_of_opening     the array bowed in front of the opening"));
+  const auto json = nlohmann::json::parse(contentOf(folder / "a.json"));
+  EXPECT_EQ(json["end"], "out_of_opening");
+  EXPECT_LT(json["final_travel_mm"].get<double>(), 16.5);
+  const auto replayed = cli({"replay", folder / "a.insertion", "--verify"});
+  EXPECT_EQ(replayed.status, 0) << replayed.err;
+}
+
+TEST(Simulate, FailsIfTheTipNeverEntersAndSaysWhatToDo)
+{
+  const TemporaryFolder folder;
+  const auto outcome = cli({"simulate", "--scenario", "contour-published", "--set", "nodes=50",
+                            "--set", "start_inside_mm=0", "--set", "residual_curvature_fraction=1",
+                            "--json", folder / "a.json"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("did not enter the opening"));
+  EXPECT_THAT(outcome.err, HasSubstr("start_inside_mm"));
+  EXPECT_TRUE(namesIn(folder.path()).empty());
+}
+
 TEST(Simulate, KeepsARowEverySoManyMilliseconds)
 {
   const TemporaryFolder folder;

@@ -32,7 +32,7 @@ TEST_P(Seeds, GiveAStudyInWhichNearlyEveryInsertionReachesTheEnd)
   // Seeds 1 to 8 lose 7 of 1600; a study that lost a twentieth would describe another experiment.
   EXPECT_LE(static_cast<int>(result->incomplete.size()), std::max(1, STUDY_RUNS / 20));
   for (const IncompleteInsertion& each : result->incomplete)
-    EXPECT_NE(each.end, IncompleteEnd::fault) << each.fault;
+    EXPECT_NE(each.end, haptics::InsertionEnd::fault) << each.fault;
 }
 
 INSTANTIATE_TEST_SUITE_P(Study, Seeds, testing::Range(1, STUDY_SEEDS + 1));
@@ -47,7 +47,7 @@ TEST(Study, CountsAnArrayThatSlipsOutOfTheOpeningAndGoesOn)
   ASSERT_EQ(result->incomplete.size(), 2u);
   EXPECT_EQ(curves, 29);
   for (const IncompleteInsertion& each : result->incomplete) {
-    EXPECT_EQ(each.end, IncompleteEnd::slippedOut);
+    EXPECT_EQ(each.end, haptics::InsertionEnd::outOfOpening);
     // A carrier that kept over a tenth of its free curvature; its tip never met the outer wall.
     const DrawnInsertion drawn = drawInsertion(request.nominal, request.variability,
                                                SpreadSources::all(), request.seed, each.number - 1);

@@ -37,16 +37,32 @@ HandState handAt(const Eigen::Vector3d& position_D)
 
 TEST(Registration, TakesAPushAwayFromTheUserIntoTheCochlea)
 {
-  Registration registration(turnedEntry(), 1.0);
+  Registration registration(turnedEntry(), -turnedEntry().out_W, 1.0);
   registration.anchor(handAt({0.1, 0.2, 0.3}), start());
   const BasePose pose = registration.pose(handAt({0.1, 0.2, 0.3 - 2e-3}));
   const Eigen::Vector3d moved_W = pose.position_W - start().position_W;
   EXPECT_NEAR((moved_W - Eigen::Vector3d(-2e-3, 0.0, 0.0)).norm(), 0.0, rounding);
 }
 
+TEST(Registration, PushesTheArrayAlongItsApproach)
+{
+  const Eigen::Vector3d approach_W = Eigen::Vector3d(-3.0, 1.0, 2.0).normalized();
+  Registration registration(turnedEntry(), approach_W, 1.0);
+  registration.anchor(handAt({0, 0, 0}), start());
+  const Eigen::Vector3d pushed_W = registration.pose(handAt({0, 0, -2e-3})).position_W;
+  EXPECT_NEAR((pushed_W - start().position_W - 2e-3 * approach_W).norm(), 0.0, rounding);
+  EXPECT_NEAR((registration.inward_W() - approach_W).norm(), 0.0, rounding);
+  // D stays right-handed and orthonormal: no force is lost
+  const Eigen::Vector3d force_W(0.3, -0.4, 1.2);
+  EXPECT_NEAR(registration.toDevice(force_W).norm(), 1.3, rounding);
+  const Eigen::Vector3d x_W = registration.toCochlea(Eigen::Vector3d::UnitX());
+  const Eigen::Vector3d y_W = registration.toCochlea(Eigen::Vector3d::UnitY());
+  EXPECT_NEAR((x_W.cross(y_W) + approach_W).norm(), 0.0, rounding);
+}
+
 TEST(Registration, StaysWhereTheBaseIsWhenTheHandTakesHold)
 {
-  Registration registration(turnedEntry(), 1.0);
+  Registration registration(turnedEntry(), -turnedEntry().out_W, 1.0);
   const HandState hand = handAt({-3.0, 4.0, 0.3});
   registration.anchor(hand, start());
   EXPECT_NEAR((registration.pose(hand).position_W - start().position_W).norm(), 0.0, rounding);
@@ -55,7 +71,7 @@ TEST(Registration, StaysWhereTheBaseIsWhenTheHandTakesHold)
 
 TEST(Registration, ScalesTheMotion)
 {
-  Registration registration(turnedEntry(), 0.25);
+  Registration registration(turnedEntry(), -turnedEntry().out_W, 0.25);
   registration.anchor(handAt({0, 0, 0}), start());
   const BasePose pose = registration.pose(handAt({4e-3, 8e-3, 0}));
   const Eigen::Vector3d moved_W = pose.position_W - start().position_W;
@@ -64,7 +80,7 @@ TEST(Registration, ScalesTheMotion)
 
 TEST(Registration, TurnsAxisAndCurlByTheRotationSinceTheAnchor)
 {
-  Registration registration(turnedEntry(), 1.0);
+  Registration registration(turnedEntry(), -turnedEntry().out_W, 1.0);
   HandState hand = handAt({0, 0, 0});
   const Eigen::AngleAxisd held(0.4, Eigen::Vector3d::UnitY());
   hand.rotation_D = Eigen::Quaterniond(held);
@@ -81,7 +97,7 @@ TEST(Registration, TurnsAxisAndCurlByTheRotationSinceTheAnchor)
 
 TEST(Registration, GivesForcesBackInTheFrameTheyCameFrom)
 {
-  const Registration registration(turnedEntry(), 1.0);
+  const Registration registration(turnedEntry(), -turnedEntry().out_W, 1.0);
   const Eigen::Vector3d force_W(0.1, 0.2, 0.3);
   // out of the cochlea: toward the user
   EXPECT_EQ(registration.toDevice(force_W), Eigen::Vector3d(0.2, 0.3, 0.1));
@@ -90,7 +106,7 @@ TEST(Registration, GivesForcesBackInTheFrameTheyCameFrom)
 
 TEST(Registration, KeepsUnitVectorsUnitOverManyClutches)
 {
-  Registration registration(turnedEntry(), 1.0);
+  Registration registration(turnedEntry(), -turnedEntry().out_W, 1.0);
   HandState hand = handAt({0, 0, 0});
   BasePose pose = start();
   for (int i = 0; i < 20'000; ++i) {

@@ -78,7 +78,7 @@ TEST(StudyReport, FindsTheSlopeOverSizeWithAnIntervalThatHoldsIt)
 TEST(StudyReport, LeavesOutCochleaeInWhichAnInsertionDidNotFinish)
 {
   auto results = knownResults(20);
-  results[1].insertion.end = analysis::InsertionEnd::slippedOut;
+  results[1].insertion.end = analysis::InsertionEnd::outOfOpening;
   results[1].insertion.apical = degrees(0.0);
   const StudyEvaluation study(results);
   EXPECT_NEAR(effectNamed(study.mainEffects(Outcome::angle), "array = long").value, 23.0, 1e-9);

@@ -80,10 +80,35 @@ QString errorText(const InsertionControl& control, const QString& error)
   return {};
 }
 
+QString endText(haptics::InsertionEnd end, const haptics::TickOutput& now)
+{
+  const QString depth = numberText(inMillimeters(Length::fromSi(now.depth)), 1);
+  switch (end) {
+    case haptics::InsertionEnd::stoppedByResistance:
+      return tr("Stopped by resistance at %1 mm, %2 mN. Press Withdraw or Reset.")
+          .arg(depth, numberText(inMillinewtons(Force::fromSi(now.axialForce)), 0));
+    case haptics::InsertionEnd::buckled:
+      return tr("The array buckled in front of the opening at %1 mm. The force is off. Press "
+                "Withdraw or Reset.")
+          .arg(depth);
+    case haptics::InsertionEnd::outOfOpening:
+      return tr("The tip is outside of the opening. The force is off. Press Reset.");
+    case haptics::InsertionEnd::foldedTip:
+      return tr("The tip folded over at %1 mm. The force is off. Press Withdraw or Reset.")
+          .arg(depth);
+    case haptics::InsertionEnd::jammed:
+      return tr("The array jammed at %1 mm. The force is off. Press Withdraw or Reset.").arg(depth);
+    default:
+      return {};
+  }
+}
+
 QString hintText(const InsertionControl& control)
 {
   const haptics::TickOutput& now = control.now().output;
   if (control.isStopped()) return tr("Stopped: the force is off. Press Start to continue.");
+  const haptics::InsertionEnd end = control.earlyEnd();
+  if (end != haptics::InsertionEnd::none) return endText(end, now);
   if (control.isAtDepth()) {
     const Length outside = outsideAtStop(control.scenario());
     return outside.si() <= 0.0

@@ -79,6 +79,8 @@ constexpr ParameterName parameterNames[] = {
     {"coupling_damping_N_s_m",
      QT_TRANSLATE_NOOP("ReportParameters", "Coupling damping, if a spring"), "N·s/m"},
     {"force_scale", QT_TRANSLATE_NOOP("ReportParameters", "Force feedback gain")},
+    {"stop_force_N", QT_TRANSLATE_NOOP("ReportParameters", "Force limit of the surgeon, 0 if none"),
+     "N"},
     {"seed", QT_TRANSLATE_NOOP("ReportParameters", "Random seed")}};
 
 /// Values that are words.

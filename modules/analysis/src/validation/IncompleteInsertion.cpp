@@ -2,25 +2,15 @@
 #include "perilymph/analysis/IncompleteInsertion.h"
 
 #include <algorithm>
+#include <array>
 
 namespace perilymph::analysis {
+
+using haptics::InsertionEnd;
 
 namespace {
 
 constexpr std::size_t maxNumbersListed = 5;
-
-const char* clause(IncompleteEnd end)
-{
-  switch (end) {
-    case IncompleteEnd::slippedOut:
-      return " bowed in front of the opening and slipped out of it";
-    case IncompleteEnd::buckled:
-      return " buckled in front of the opening";
-    case IncompleteEnd::fault:
-      break;
-  }
-  return " stopped with a fault";
-}
 
 /// "number 25", "numbers 25 and 30", "numbers 1, 2, 3, 4, 5 and 7 more".
 std::string numbersText(const std::vector<std::uint64_t>& numbers)
@@ -37,32 +27,26 @@ std::string numbersText(const std::vector<std::uint64_t>& numbers)
 
 }  // namespace
 
-const char* incompleteEndName(IncompleteEnd end) noexcept
-{
-  switch (end) {
-    case IncompleteEnd::slippedOut:
-      return "slipped out";
-    case IncompleteEnd::buckled:
-      return "buckled";
-    case IncompleteEnd::fault:
-      break;
-  }
-  return "fault";
-}
-
 std::string completionSentence(int runs, const std::vector<IncompleteInsertion>& incomplete)
 {
   const std::string all = std::to_string(runs);
   if (incomplete.empty()) return "All " + all + " insertions reached the end.";
   std::string text = std::to_string(runs - static_cast<int>(incomplete.size())) + " of " + all +
                      " insertions reached the end";
-  for (const IncompleteEnd end :
-       {IncompleteEnd::slippedOut, IncompleteEnd::buckled, IncompleteEnd::fault}) {
+  constexpr std::array ends = {InsertionEnd::outOfOpening,
+                               InsertionEnd::buckled,
+                               InsertionEnd::foldedTip,
+                               InsertionEnd::jammed,
+                               InsertionEnd::stoppedByResistance,
+                               InsertionEnd::fault,
+                               InsertionEnd::none};
+  for (const InsertionEnd end : ends) {
     std::vector<std::uint64_t> numbers;
     for (const IncompleteInsertion& each : incomplete)
       if (each.end == end) numbers.push_back(each.number);
     if (numbers.empty()) continue;
-    text += "; " + std::to_string(numbers.size()) + clause(end) + " (" + numbersText(numbers) + ")";
+    text += "; " + std::to_string(numbers.size()) + " " + clauseOf(end) + " (" +
+            numbersText(numbers) + ")";
   }
   return text + ".";
 }

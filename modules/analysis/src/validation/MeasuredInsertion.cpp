@@ -10,18 +10,6 @@
 
 namespace perilymph::analysis {
 
-namespace {
-
-/// Depth from which a tip counts as inside; tremor moves one at the opening by less (choice, high).
-constexpr Length enteredDepth = millimeters(0.1);
-/// Crosshead travel beyond the stop without arrival that counts as buckling. A shallow bow of
-/// length l and height a shortens the array by (pi a)^2 / (4 l): 3 mm on the 20 mm in front of the
-/// opening are a bow of 5 mm. In completed insertions the tip lags by less than 1 mm (choice,
-/// high).
-constexpr Length maxLag = millimeters(3);
-
-}  // namespace
-
 Result<MeasuredInsertion> measure(const DrawnInsertion& drawn,
                                   std::shared_ptr<const anatomy::ScalaTympani> anatomy,
                                   Duration samplePeriod, Length stop,
@@ -31,6 +19,7 @@ Result<MeasuredInsertion> measure(const DrawnInsertion& drawn,
   parameters.stopTravel = stop;
   parameters.engine.stopTravel = stop.si();
   parameters.engine.samplePeriod = parameters.timeStep.si();
+  parameters.engine.pushesAlongOpening = true;
   parameters.withdraws = false;
   auto insertion = session::Insertion::prepare(
       parameters, std::make_unique<ExperimentDevice>(drawn), std::move(anatomy));
@@ -43,14 +32,13 @@ Result<MeasuredInsertion> measure(const DrawnInsertion& drawn,
   const std::uint64_t ticksPerSample =
       static_cast<std::uint64_t>(std::lround(samplePeriod / parameters.timeStep));
   std::uint64_t moving = 0;
-  bool hasArrived = false, hasEntered = false;
   double maxForce = 0.0, maxDepth = 0.0, crosshead = 0.0;
-  std::optional<IncompleteEnd> end;
+  haptics::InsertionEnd end = haptics::InsertionEnd::none;
   const auto each = [&](const haptics::TickRecord& record) {
     const haptics::TickOutput& now = record.output;
     ++measured.ticks;
     if (now.status & haptics::notConverged) ++measured.ticksNotConverged;
-    hasArrived = now.workflow == haptics::Workflow::finished;
+    end = endOf(now);
     if (now.workflow != haptics::Workflow::inserting) return !isAsked;
     const Eigen::Vector3d base_W(now.proxy_W[0], now.proxy_W[1], now.proxy_W[2]);
     if (!start_W) start_W = base_W;
@@ -62,21 +50,16 @@ Result<MeasuredInsertion> measure(const DrawnInsertion& drawn,
       measured.depth.push_back(now.depth);
       measured.force.push_back(now.axialForce + drawn.noiseDeviation * noise.normal());
     }
-    hasEntered = hasEntered || now.depth > enteredDepth.si();
-    if (hasEntered && now.depth <= 0.0) end = IncompleteEnd::slippedOut;
-    if (crosshead > stop.si() + maxLag.si()) end = IncompleteEnd::buckled;
-    return !end && !isAsked;
+    return !isAsked;
   };
-  // Twice the time for the travel, plus a second to start.
-  const double ticks =
-      2.0 * stop.si() / (drawn.speed * parameters.timeStep.si()) + 1.0 / parameters.timeStep.si();
-  const auto ran = (*insertion)->runToEnd(each, static_cast<std::uint64_t>(ticks));
+  const auto ran =
+      (*insertion)->runToEnd(each, session::maxTicks(parameters, (*insertion)->model()));
   if (isAsked) return Error{"Stopped before insertion " + std::to_string(drawn.number + 1) + "."};
-  if (!ran) end = IncompleteEnd::fault;
-  if (!hasArrived || end)
-    measured.incomplete = IncompleteInsertion{
-        drawn.number + 1, end.value_or(IncompleteEnd::buckled),     maxDepth, crosshead,
-        maxForce,         ran ? std::string() : ran.error().message};
+  if (!ran) end = haptics::InsertionEnd::fault;
+  if (end != haptics::InsertionEnd::finished)
+    measured.incomplete =
+        IncompleteInsertion{drawn.number + 1, end,      maxDepth,
+                            crosshead,        maxForce, ran ? std::string() : ran.error().message};
   return measured;
 }
 

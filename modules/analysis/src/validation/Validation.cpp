@@ -292,8 +292,8 @@ Result<ValidationResult> validate(const ValidationRequest& request,
   const auto curves = curvesOf(kept, 0, runs);
   if (curves.size() < 2)
     return Error{completionSentence(request.runs, result.incomplete) +
-                 " A mean needs at least 2 of them. Lower the spread in the validation file or "
-                 "raise its start." +
+                 " A mean needs at least 2 of them. Ask for more runs, or name a scenario whose "
+                 "insertions reach the end." +
                  (result.incomplete.empty() ? "" : " " + result.incomplete.front().fault)};
   std::vector<CurvePoint> mean;
   for (std::size_t point = 0; point < pointsOfProfile; ++point) {

@@ -163,7 +163,7 @@ std::string summaryJson(const ValidationRequest& request, const ValidationResult
   page["incomplete"] = Json::array();
   for (const IncompleteInsertion& each : result.incomplete)
     page["incomplete"].push_back({{"insertion", each.number},
-                                  {"end", incompleteEndName(each.end)},
+                                  {"end", nameOf(each.end)},
                                   {"max_depth_mm", inMillimeters(meters(each.maxDepth))},
                                   {"crosshead_mm", inMillimeters(meters(each.crosshead))},
                                   {"max_force_N", each.maxForce},

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "perilymph/haptics/InsertionEnd.h"
 #include "perilymph/session/Recording.h"
 
 namespace perilymph::session {
@@ -42,7 +43,7 @@ std::string workflowWord(haptics::Workflow workflow)
 
 std::string statusText(std::uint32_t status)
 {
-  constexpr std::array<std::pair<haptics::Status, const char*>, 14> label = {
+  constexpr std::array<std::pair<haptics::Status, const char*>, 19> label = {
       {{haptics::staleSample, "staleSample"},
        {haptics::couplingSoftened, "couplingSoftened"},
        {haptics::nearWorkspaceEnd, "nearWorkspaceEnd"},
@@ -56,7 +57,12 @@ std::string statusText(std::uint32_t status)
        {haptics::sampleRejected, "sampleDoubted"},
        {haptics::handJumped, "handJumped"},
        {haptics::stopped, "stopped"},
-       {haptics::resting, "resting"}}};
+       {haptics::resting, "resting"},
+       {haptics::endedByResistance, "endedByResistance"},
+       {haptics::endedBuckled, "endedBuckled"},
+       {haptics::endedOutOfOpening, "endedOutOfOpening"},
+       {haptics::endedFoldedTip, "endedFoldedTip"},
+       {haptics::endedJammed, "endedJammed"}}};
   std::string text;
   for (const auto& [bit, word] : label)
     if (status & bit) text += (text.empty() ? "" : " ") + std::string(word);
@@ -87,7 +93,10 @@ std::vector<Event> EventDetector::add(const haptics::TickRecord& record)
   // Only a new status bit is an event; its end is visible in the ticks.
   const std::uint32_t appeared = record.output.status & ~status_;
   status_ = record.output.status;
-  if (appeared != 0) add("status", statusText(appeared));
+  const std::uint32_t status = appeared & ~haptics::anyEnd;
+  if (status != 0) add("status", statusText(status));
+  // a finished insertion is a change of workflow
+  if (appeared != status) add("end", std::string(nameOf(haptics::endOf(record.output))));
   return events;
 }
 

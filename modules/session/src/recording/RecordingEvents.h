@@ -17,12 +17,12 @@ namespace perilymph::session {
 struct Event {
   std::uint64_t tick = 0;
   double time = 0.0;  ///< [s]
-  std::string kind;   ///< A command, "workflow", "status", or "lost".
+  std::string kind;   ///< A command, "workflow", "status", "end", or "lost".
   std::variant<std::int64_t, double, std::string> value;
 };
 
-/// Derives the events from a sequence of ticks: commands, changes of workflow, new status bits, and
-/// missing ticks.
+/// Derives the events from a sequence of ticks: commands, changes of workflow, new status bits, an
+/// early end, and missing ticks.
 class EventDetector {
 public:
   /// The events of the next tick, in the order of their rows.

@@ -119,6 +119,8 @@ void readCoupling(ScenarioKeys& keys, InsertionParameters& parameters)
   // shown.
   engine.forceScale = keys.number("force_scale", {0.0, 20.0}, 1.0);
   engine.stopTravel = parameters.stopTravel.si();
+  // Above 2 N the array is jammed.
+  engine.stopForce = keys.number("stop_force_N", {0.0, haptics::maxHandForce}, 0.0);
   engine.styletSpeed = parameters.styletSpeed.si();
   engine.samplePeriod = parameters.timeStep.si();
 }

@@ -11,21 +11,12 @@
 #include "perilymph/analysis/ContactPositions.h"
 #include "perilymph/anatomy/ScalaTympani.h"
 #include "perilymph/foundation/Units.h"
+#include "perilymph/haptics/InsertionEnd.h"
 #include "perilymph/session/InsertionParameters.h"
 
 namespace perilymph::analysis {
 
-/// How an insertion ended.
-enum class InsertionEnd {
-  finished,    ///< The tip is at its stop.
-  slippedOut,  ///< The tip came back out of the opening.
-  buckled,     ///< The array bowed in front of the opening while its tip stayed inside.
-  fault,       ///< The engine stopped it.
-  refused,     ///< The insertion could not be prepared.
-};
-
-/// "finished", "slipped out", "buckled", "fault", "refused".
-const char* nameOf(InsertionEnd end) noexcept;
+using haptics::InsertionEnd;
 
 /// Force at a depth of the tip.
 struct DepthForce {
@@ -39,7 +30,7 @@ struct FullInsertion {
   std::string reason;  ///< A message for a fault or a refusal; else empty.
   // The following values are those at the end, whatever it was; zero if refused.
   Length depth;            ///< Depth of the tip past the opening.
-  Length maxDepth;         ///< Its maximum: of an array that slipped out, where it turned back.
+  Length maxDepth;         ///< Its maximum: of an array out of the opening, where it turned back.
   Angle apical;            ///< Angle of the most apical contact from the round window.
   Force endForce;          ///< Axial, on the hand.
   DepthForce peak;         ///< Maximum axial force, and where it first occurred.

@@ -7,29 +7,21 @@
 #include <string>
 #include <vector>
 
+#include "perilymph/haptics/InsertionEnd.h"
+
 namespace perilymph::analysis {
-
-/// How an insertion ended before its stop.
-enum class IncompleteEnd {
-  slippedOut,  ///< The array bowed in front of the opening and its tip came back out of it.
-  buckled,     ///< The array bowed in front of the opening while its tip stayed inside.
-  fault,       ///< The engine stopped it.
-};
-
-/// "slipped out", "buckled", "fault".
-const char* incompleteEndName(IncompleteEnd end) noexcept;
 
 /// An insertion that did not reach its stop.
 struct IncompleteInsertion {
   std::uint64_t number = 0;  ///< In its study, from 1.
-  IncompleteEnd end = IncompleteEnd::fault;
+  haptics::InsertionEnd end = haptics::InsertionEnd::fault;
   double maxDepth = 0.0;   ///< Maximum depth of the tip past the opening [m].
   double crosshead = 0.0;  ///< Travel of the crosshead at the end [m].
   double maxForce = 0.0;   ///< Maximum axial force on the hand [N].
   std::string fault;       ///< The engine's message; empty unless it stopped the insertion.
 };
 
-/// "198 of 200 insertions reached the end; 2 slipped out of the opening (numbers 25 and 30)."
+/// "198 of 200 insertions reached the end; 2 buckled in front of the opening (numbers 25 and 30)."
 std::string completionSentence(int runs, const std::vector<IncompleteInsertion>& incomplete);
 
 }  // namespace perilymph::analysis

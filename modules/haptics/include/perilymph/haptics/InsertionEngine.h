@@ -10,11 +10,13 @@
 
 #include "perilymph/device/HapticDevice.h"
 #include "perilymph/foundation/RealTime.h"
+#include "perilymph/haptics/EndDetector.h"
 #include "perilymph/haptics/Registration.h"
 #include "perilymph/haptics/Rest.h"
 #include "perilymph/haptics/Safety.h"
 #include "perilymph/haptics/SampleValidator.h"
 #include "perilymph/haptics/Snapshot.h"
+#include "perilymph/haptics/StyletMotion.h"
 #include "perilymph/haptics/WorkflowEvent.h"
 #include "perilymph/mechanics/InsertionModel.h"
 #include "perilymph/mechanics/InsertionState.h"
@@ -33,9 +35,13 @@ struct EngineSettings {
   double maxStiffness = std::numeric_limits<double>::infinity();  ///< [N/m]
   double maxDamping = std::numeric_limits<double>::infinity();    ///< [N.s/m]
   double stopTravel = 16.5e-3;  ///< Travel at which an insertion is Finished [m].
-  double forceScale = 1.0;      ///< Rendered force over physical force.
-  double motionScale = 1.0;     ///< Motion of the base over motion of the hand.
-  double styletSpeed = 5e-3;    ///< Speed of the stylet while it is pulled [m/s].
+  double stopForce = 0.0;       ///< Axial force at which the surgeon stops [N]; 0: none.
+  /// The hand pushes along the axis of the opening, whatever the approach of the array: a clamped
+  /// array on the crosshead of a tester. Otherwise it pushes along the approach.
+  bool pushesAlongOpening = false;
+  double forceScale = 1.0;    ///< Rendered force over physical force.
+  double motionScale = 1.0;   ///< Motion of the base over motion of the hand.
+  double styletSpeed = 5e-3;  ///< Speed of the stylet while it is pulled [m/s].
   /// Advance off stylet: depth of the stylet's tip past the opening from which it is held still
   /// [m].
   std::optional<double> styletHoldDepth;
@@ -55,7 +61,9 @@ struct EngineSettings {
 /// and the insertion is Finished; because travel is measured along a bending array, it may exceed
 /// the limit by about ten nanometers. After `withdraw` (from Finished, Inserting or Paused) the
 /// stop no longer applies, and the insertion is Finished again when the tip is back at its initial
-/// depth. After `stop` no hand grasps and no force is rendered, whatever the state, until `resume`.
+/// depth. The base never passes the bone around the opening. An event of InsertionEnd.h, such as
+/// buckling, ends the insertion early: it is Finished where it is, TickOutput::status says why, and
+/// except after a stop by resistance no force is rendered any more. After `stop` no hand grasps and no force is rendered, whatever the state, until `resume`.
 ///
 /// The insertion rests when nothing moves and no force is rendered for `restAfter`, and from the
 /// beginning until the hand grasps: its state and its time stand still (Status::resting) until a
@@ -103,10 +111,10 @@ private:
   void validate(const HandState& hand, std::uint32_t& status) noexcept;
   HandCondition conditionOf(const HandState& hand) const noexcept;
   void moveMechanics(const HandState& hand) noexcept;
-  void moveStylet() noexcept;
   mechanics::Drive hold() const noexcept;
   double softened(double asked, double maximum) const noexcept;
   mechanics::Drive follow(const HandState& hand) noexcept;
+  void noteEnd() noexcept;
   void noteArrival() noexcept;
   double travel() const noexcept;
   bool isFinite() const noexcept;
@@ -119,15 +127,16 @@ private:
   SampleValidator validator_;
   Registration registration_;
   Safety safety_;
-  double startDepth_;              // of the tip [m]
-  BasePose base_;                  // last pose given to the mechanics
-  double styletTarget_ = 0.0;      // [m]
-  double styletWithdrawal_ = 0.0;  // [m]
-  bool needsAnchor_ = true;        // the hand takes a new anchor
-  bool isWithdrawing_ = false;     // the stop travel no longer applies
-  bool isWithdrawn_ = false;       // back at the initial depth
-  bool isStopped_ = false;         // by the user
-  bool hasBegun_ = false;          // there was a tick in Inserting
+  double startDepth_;  // of the tip [m]
+  BasePose base_;      // last pose given to the mechanics
+  StyletMotion stylet_;
+  EndDetector detector_;
+  InsertionEnd end_ = InsertionEnd::none;  // the event that ended the insertion
+  bool needsAnchor_ = true;                // the hand takes a new anchor
+  bool isWithdrawing_ = false;             // the stop travel no longer applies
+  bool isWithdrawn_ = false;               // back at the initial depth
+  bool isStopped_ = false;                 // by the user
+  bool hasBegun_ = false;                  // there was a tick in Inserting
   Rest rest_;
   std::uint64_t ticks_ = 0;  // of this engine
   std::uint64_t ticksSinceBegin_ = 0;

@@ -22,8 +22,9 @@ struct BasePose {
                                                          ///< direction of curl.
 };
 
-/// Couples the hand to the base of the array like a clutch. D is parallel to E: pushing away from
-/// the user (-z) moves into the cochlea.
+/// Couples the hand to the base of the array like a clutch. D's -z, away from the user, is the
+/// direction of the approach; D's x is E.x, as far as it is across. Along the axis of the opening, D
+/// is parallel to E.
 ///
 ///     position_W = anchor_W + scale X_WD (hand_D - handAtAnchor_D)
 ///
@@ -31,8 +32,9 @@ struct BasePose {
 class Registration {
 public:
   /// @param entry        The opening of the model.
+  /// @param approach_W   Unit: direction in which the hand pushes the array, D's -z.
   /// @param motionScale  Motion of the base over motion of the hand.
-  Registration(const anatomy::Entry& entry, double motionScale);
+  Registration(const anatomy::Entry& entry, const Eigen::Vector3d& approach_W, double motionScale);
 
   /// Sets the anchor: from now on the base moves from `pose`, relative to the current hand.
   PERILYMPH_REALTIME void anchor(const HandState& hand, const BasePose& pose) noexcept;
@@ -43,6 +45,8 @@ public:
   Eigen::Vector3d toCochlea(const Eigen::Vector3d& vector_D) const noexcept;
   Eigen::Vector3d toDevice(const Eigen::Vector3d& vector_W) const noexcept;
 
+  /// Unit: direction in which the hand pushes the array.
+  Eigen::Vector3d inward_W() const noexcept { return -rotation_WD_.col(2); }
   double motionScale() const noexcept { return motionScale_; }
 
   /// Adds all data that the next tick depends on.

@@ -32,6 +32,12 @@ enum Status : std::uint32_t {
   nearWorkspaceEnd = 1u << 11,  ///< The rendered force fades toward the end of the device's reach.
   stopped = 1u << 12,           ///< Stopped by the user: no motion and no force until `resume`.
   resting = 1u << 13,           ///< The insertion waits, its time does not run: not recorded.
+  // How an insertion ended before its stop travel (InsertionEnd.h); set from then on.
+  endedByResistance = 1u << 14,  ///< The axial force reached the surgeon's limit.
+  endedBuckled = 1u << 15,       ///< The array folded in front of the opening: no force.
+  endedOutOfOpening = 1u << 16,  ///< The tip is pushed past the opening: no force.
+  endedFoldedTip = 1u << 17,     ///< The tip points back along the scala: no force.
+  endedJammed = 1u << 18,        ///< Force above 2 N, or no advance of the tip: no force.
 };
 
 /// A command from the window or the command line to the loop. Recordings contain the numbers.

@@ -12,10 +12,10 @@ namespace perilymph::haptics {
 
 /// Events of the workflow.
 enum class WorkflowEvent : std::uint32_t {
-  arm,       ///< The user arms the insertion.
-  grasp,     ///< The hand grasps.
-  release,   ///< The hand releases, or the user stops.
-  arrive,    ///< The stop travel, or on withdrawal the initial depth, is reached.
+  arm,      ///< The user arms the insertion.
+  grasp,    ///< The hand grasps.
+  release,  ///< The hand releases, or the user stops.
+  arrive,   ///< The stop travel, on withdrawal the initial depth, or an early end (InsertionEnd.h).
   withdraw,  ///< The user requests withdrawal of the array.
   error,     ///< Device lost, values not finite.
 };

@@ -40,8 +40,8 @@ public:
   ~Insertion();  ///< Stops, closes the recording, closes the device.
 
   // --- virtual time: the caller's thread is the loop ---
-  /// Arms, then runs until the insertion is finished (and withdrawn, if the scenario says so), has
-  /// faulted, or `maxTicks` ticks have passed. `each` receives every record and returns false to
+  /// Arms, then runs until the insertion has ended (and is withdrawn, if the scenario says so and
+  /// the stop travel was reached), has faulted, or `maxTicks` ticks have passed. `each` receives every record and returns false to
   /// stop.
   Result<Done> runToEnd(const std::function<bool(const haptics::TickRecord&)>& each,
                         std::uint64_t maxTicks = 10'000'000);
@@ -85,5 +85,10 @@ private:
   struct Content;
   std::unique_ptr<Content> content_;
 };
+
+/// Ticks after which an insertion by a script has ended: the tweezers have reached the bone, and
+/// come back if the array is withdrawn; twice that, and a second to start.
+std::uint64_t maxTicks(const InsertionParameters& parameters,
+                       const mechanics::InsertionModel& model) noexcept;
 
 }  // namespace perilymph::session

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lumen/SectionWall.h"
 #include "lumen/WallLines.h"
 #include "numerics/CubicTable.h"
 #include "perilymph/foundation/Math.h"
@@ -36,9 +37,10 @@ LumenField::LumenField(const ScalaTympani& scala) : entry_(scala.entry()), inwar
     const double angle = step * i;
     const Eigen::Vector3d center = scala.center_W(angle);
     const SineCosine turn = sineCosine(angle);
+    const SectionWall outline(scala, angle);
     double width = 0.0, tall = 0.0;
     for (int k = 0; k < outlinePoints; ++k) {
-      const Eigen::Vector3d e = scala.wall_W(angle, 2.0 * pi * k / outlinePoints) - center;
+      const Eigen::Vector3d e = outline.at(2.0 * pi * k / outlinePoints) - center;
       width = std::max(width, std::fabs(e.x() * turn.cosine + e.y() * turn.sine));
       tall = std::max(tall, std::fabs(e.z()));
     }
@@ -124,17 +126,22 @@ void LumenField::fillSection(const ScalaTympani& scala, int section)
   const CubicWeights here(static_cast<double>(row - piece));
   const double width = along(halfWidth, piece, here.value);
   const double tall = along(halfHeight, piece, here.value);
+  const SectionWall outline(scala, angle);
+  const SectionWall::Radii radii = outline.radii();
+  constexpr double rounding = 1e-9;
   float* distances = distance_.data() + (row + 1) * page;
   for (int i = 0; i < across; ++i)
     for (int j = 0; j < across; ++j) {
       const double u = ((i - 1) / samplesPerUnit - margin) * width;
       const double v = ((j - 1) / samplesPerUnit - margin) * tall;
       const double off = std::sqrt(u * u + v * v);
-      const Eigen::Vector3d wall = scala.wall_W(angle, arcTangent(v, u)) - center;
-      const double edge =
-          std::sqrt(wall.x() * wall.x() + wall.y() * wall.y() + wall.z() * wall.z());
+      bool isInside = off < (1.0 - rounding) * radii.min;
+      if (!isInside && off < (1.0 + rounding) * radii.max) {
+        const Eigen::Vector3d wall = outline.at(arcTangent(v, u)) - center;
+        isInside = off < std::sqrt(wall.x() * wall.x() + wall.y() * wall.y() + wall.z() * wall.z());
+      }
       const double distance = lines.distance(u, v);
-      distances[i * across + j] = static_cast<float>(off < edge ? distance : -distance);
+      distances[i * across + j] = static_cast<float>(isInside ? distance : -distance);
     }
 }
 

@@ -7,18 +7,13 @@
 #include <stdexcept>
 
 #include "lumen/LumenField.h"
+#include "lumen/SectionWall.h"
 #include "numerics/CubicTable.h"
 #include "perilymph/foundation/Hash.h"
 #include "perilymph/foundation/Math.h"
 
 namespace perilymph::anatomy {
 namespace {
-
-/// A position in a table over the angle: the first of four coefficients, and the fraction.
-struct Place {
-  std::size_t first;
-  double fraction;
-};
 
 Place placeIn(double index, std::size_t samples) noexcept
 {
@@ -132,33 +127,58 @@ Eigen::Vector3d ScalaTympani::center_W(double angle) const noexcept
   return {r * turn.cosine, r * turn.sine, spline(centerHeight_, place)};
 }
 
-Eigen::Vector3d ScalaTympani::wall_W(double angle, double direction) const noexcept
+SectionWall::SectionWall(const ScalaTympani& scala, double angle) noexcept
+    : SectionWall(
+          scala, angle,
+          placeIn(std::max(angle, 0.0) / scala.tables_.step, scala.tables_.centerRadius.size()))
 {
-  const Place place = placeIn(std::max(angle, 0.0) / tables_.step, tables_.centerRadius.size());
-  const CubicWeights along(place.fraction);
+}
+
+SectionWall::SectionWall(const ScalaTympani& scala, double angle, Place place) noexcept
+    : scala_(scala),
+      rows_(scala.wallRadius_.data() + place.first * scala.rowLength_),
+      along_(place.fraction),
+      turn_(sineCosine(std::max(angle, 0.0))),
+      centerRadius_(spline(scala.centerRadius_, place)),
+      centerHeight_(spline(scala.centerHeight_, place)),
+      isLeadIn_(angle < 0.0)
+{
+}
+
+Eigen::Vector3d SectionWall::at(double direction, const SineCosine& around) const noexcept
+{
+  const std::size_t rowLength = scala_.rowLength_;
   const double turns = direction / (2.0 * pi);
-  const double index = (turns - std::floor(turns)) * static_cast<double>(tables_.directions);
+  const double index = (turns - std::floor(turns)) * static_cast<double>(scala_.tables_.directions);
   auto column = static_cast<std::size_t>(index);
-  if (column > rowLength_ - 4) column = rowLength_ - 4;
+  if (column > rowLength - 4) column = rowLength - 4;
   const CubicWeights across(index - static_cast<double>(column));
   double radius = 0.0;
   for (std::size_t k = 0; k < 4; ++k)
-    radius += along.value[k] *
-              weighted(wallRadius_.data() + (place.first + k) * rowLength_ + column, across.value);
+    radius += along_.value[k] * weighted(rows_ + k * rowLength + column, across.value);
 
-  const SineCosine around = sineCosine(direction);
-  const SineCosine turn = sineCosine(std::max(angle, 0.0));
-  const double r = spline(centerRadius_, place) + radius * around.cosine;
-  Eigen::Vector3d wall(r * turn.cosine, r * turn.sine,
-                       spline(centerHeight_, place) + radius * around.sine);
-  if (angle < 0.0) wall += tables_.leadIn * entry_.out_W;
+  const double r = centerRadius_ + radius * around.cosine;
+  Eigen::Vector3d wall(r * turn_.cosine, r * turn_.sine, centerHeight_ + radius * around.sine);
+  if (isLeadIn_) wall += scala_.tables_.leadIn * scala_.entry_.out_W;
   return wall;
+}
+
+SectionWall::Radii SectionWall::radii() const noexcept
+{
+  const auto [min, max] = std::minmax_element(rows_, rows_ + 4 * scala_.rowLength_);
+  return {*min, *max};
+}
+
+Eigen::Vector3d ScalaTympani::wall_W(double angle, double direction) const noexcept
+{
+  return SectionWall(*this, angle).at(direction);
 }
 
 Section ScalaTympani::section(double angle) const
 {
   constexpr int steps = 720;
   const Eigen::Vector3d center = center_W(std::max(angle, 0.0));
+  const SectionWall outline(*this, std::max(angle, 0.0));
   Section result{};
   result.centerRadius = std::sqrt(center.x() * center.x() + center.y() * center.y());
   result.centerHeight = center.z();
@@ -167,7 +187,7 @@ Section ScalaTympani::section(double angle) const
   const SineCosine turn = sineCosine(std::max(angle, 0.0));
   double previousR = 0.0, previousZ = 0.0;
   for (int k = 0; k <= steps; ++k) {
-    const Eigen::Vector3d wall = wall_W(std::max(angle, 0.0), 2.0 * pi * k / steps);
+    const Eigen::Vector3d wall = outline.at(2.0 * pi * k / steps);
     const double r = wall.x() * turn.cosine + wall.y() * turn.sine;
     result.innerRadius = std::min(result.innerRadius, r);
     result.outerRadius = std::max(result.outerRadius, r);

@@ -26,18 +26,21 @@ public:
   double minSlant() const noexcept { return minSlant_; }
 
 private:
-  /// A point (u, v) of the outline; unit tangent and curvature [1/m] of its lengthwise line, their
-  /// components in the section, and the magnitude of the curvature.
-  struct Line {
-    double u, v;
-    double alongU, alongV;
-    double bendU, bendV;
-    double bend;
+  /// Every third point is looked at first. Points are stored in this order.
+  static constexpr int stride = 3;
+  static constexpr int coarse = points / stride;
+  static constexpr std::size_t placeOf(int point) noexcept
+  {
+    return static_cast<std::size_t>(point % stride * coarse + point / stride);
+  }
 
-    double squaredDistance(double atU, double atV) const noexcept;
-  };
+  double squaredDistance(std::size_t place, double u, double v) const noexcept;
 
-  std::array<Line, points> lines_;
+  using Column = std::array<double, points>;
+  // A point of the outline; unit tangent and curvature [1/m] of its lengthwise line, their components
+  // in the section, the magnitude of the curvature, and the arc over which a parabola approximates
+  // the line [m]. Columns, so that several points are computed at a time.
+  Column u_, v_, alongU_, alongV_, bendU_, bendV_, bend_, reach_;
   double minRadius_ = 1e9, minSlant_ = 1.0;
 };
 

@@ -41,14 +41,14 @@ private:
 
 OutlineMeasures measuresOf(const MeasuredSection& section)
 {
-  constexpr int corners = 360;
+  constexpr int points = 360;
   OutlineMeasures measures;
   double floor = 0.0, roof = 0.0, rBefore = 0.0, zBefore = 0.0;
-  for (int i = 0; i <= corners; ++i) {
+  for (int i = 0; i <= points; ++i) {
     double r = 0.0, z = 0.0;
     for (int k = 0; k <= 2 * MeasuredSection::harmonics; ++k) {
       const auto index = static_cast<std::size_t>(k);
-      const SineCosine turn = sineCosine((k - MeasuredSection::harmonics) * 2.0 * pi * i / corners);
+      const SineCosine turn = sineCosine((k - MeasuredSection::harmonics) * 2.0 * pi * i / points);
       r += section.real[index] * turn.cosine - section.imaginary[index] * turn.sine;
       z += section.real[index] * turn.sine + section.imaginary[index] * turn.cosine;
     }

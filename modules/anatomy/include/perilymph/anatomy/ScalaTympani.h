@@ -94,6 +94,8 @@ public:
   const SectionTables& tables() const noexcept { return tables_; }
 
 private:
+  friend class SectionWall;
+
   SectionTables tables_;
   double lastAngle_ = 0.0;
   Entry entry_;

@@ -71,27 +71,50 @@ TEST(Insertion, JamsAtTwoNewtons)
 
 class OffAxis : public testing::TestWithParam<std::string> {};
 
+/// An array turned by 15 degrees goes into the round window and out again.
+ScenarioRun runOffAxis(const std::string& array, const char* anatomy, Push push)
+{
+  const ScenarioRun run =
+      runScenario("contour-published",
+                  {{"anatomy", anatomy},
+                   {"array", array},
+                   {"opening", "round-window"},
+                   {"withdraw", "true"},
+                   {"speed_mm_s", "8"},
+                   {"friction", "paper"},
+                   {"approach_tilt_deg", "-5"},
+                   {"approach_turn_deg", "15"},
+                   {"stop_travel_mm", std::to_string(maxStopTravel_mm(array, 2.0))}},
+                  push);
+  std::cout << anatomy << ": " << nameOf(run.end) << ", work " << run.work / microjoule
+            << " uJ, peak " << run.peakForce << " N, in bone " << run.penetration / millimeter
+            << " mm, beyond its compliance " << run.unexplained / millimeter << " mm, tweezers "
+            << run.lowestTweezers / millimeter << " mm\n";
+  return run;
+}
+
 TEST_P(OffAxis, InsertionAndWithdrawalReturnNoEnergyToTheHand)
 {
   for (const char* anatomy : {"published", "mean", "clark"}) {
-    const ScenarioRun run =
-        runScenario("contour-published",
-                    {{"anatomy", anatomy},
-                     {"array", GetParam()},
-                     {"opening", "round-window"},
-                     {"withdraw", "true"},
-                     {"speed_mm_s", "8"},
-                     {"friction", "paper"},
-                     {"approach_tilt_deg", "-5"},
-                     {"approach_turn_deg", "15"},
-                     {"stop_travel_mm", std::to_string(maxStopTravel_mm(GetParam(), 2.0))}});
-    EXPECT_EQ(run.end, InsertionEnd::finished) << anatomy << ": " << nameOf(run.end) << run.error;
+    const ScenarioRun run = runOffAxis(GetParam(), anatomy, Push::alongApproach);
+    EXPECT_STREQ(nameOf(run.end), "finished") << anatomy << run.error;
     EXPECT_GE(run.work, -microjoule) << anatomy;
     EXPECT_LE(run.peakForce, 2.0 + forceOfOneTick) << anatomy;
     EXPECT_LT(run.unexplained, 0.1 * millimeter) << anatomy;
-    std::cout << anatomy << ": work " << run.work / microjoule << " uJ, peak " << run.peakForce
-              << " N, in bone " << run.penetration / millimeter << " mm, beyond its compliance "
-              << run.unexplained / millimeter << " mm\n";
+  }
+}
+
+/// The tweezers end 6 mm beside the opening, at the bone, with the array bent over the rim.
+TEST_P(OffAxis, PushBesideTheOpeningEndsWithANameAndReturnsNoEnergy)
+{
+  for (const char* anatomy : {"published", "mean", "clark"}) {
+    const ScenarioRun run = runOffAxis(GetParam(), anatomy, Push::alongOpening);
+    EXPECT_NE(run.end, InsertionEnd::none) << anatomy;
+    EXPECT_NE(run.end, InsertionEnd::fault) << anatomy << run.error;
+    EXPECT_GE(run.work, -microjoule) << anatomy;
+    EXPECT_LE(run.peakForce, 2.0 + forceOfOneTick) << anatomy;
+    EXPECT_LT(run.unexplained, 0.1 * millimeter) << anatomy;
+    EXPECT_GT(run.lowestTweezers, 0.1 * millimeter) << anatomy;
   }
 }
 
@@ -105,40 +128,66 @@ INSTANTIATE_TEST_SUITE_P(, OffAxis, testing::ValuesIn(shippedArrays()), [](const
 INSTANTIATE_TEST_SUITE_P(, OffAxis, testing::Values("contour", "flex20"));
 #endif
 
-/// Counts of one sample of scenarios.
-struct Count {
-  int named = 0, sameEnd = 0, all = 0;
-};
+/// A scenario drawn at random, run with two time steps.
+class RandomScenarios {
+public:
+  explicit RandomScenarios(std::array<const char*, 2> steps_ms) : steps_ms_(steps_ms) {}
 
-TEST(RandomScenarios, EndAtTheStopOrWithAName)
-{
-  Count count;
-  for (std::uint64_t number = 0; number < ENDS_SCENARIOS; ++number) {
-    session::Overrides keys = randomScenario(1, number);
-    std::array<ScenarioRun, 2> runs;
-    const std::array<const char*, 2> steps = {"0.5", "2"};
-    for (std::size_t k = 0; k < steps.size(); ++k) {
+  void run(const session::Overrides& keys)
+  {
+    std::array<InsertionEnd, 2> ends{};
+    for (std::size_t k = 0; k < steps_ms_.size(); ++k) {
       session::Overrides own = keys;
-      own.emplace_back("dt_ms", steps[k]);
-      runs[k] = runScenario("contour-published", own);
-      const ScenarioRun& run = runs[k];
-      const std::string about =
-          std::to_string(number) + " " + textOf(own) + ": " + nameOf(run.end) + " " + run.error;
+      own.emplace_back("dt_ms", steps_ms_[k]);
+      const ScenarioRun run = runScenario("contour-published", own);
+      const bool isWithdrawn = run.depth < 0.5 * run.deepest && run.end == InsertionEnd::finished;
+      const std::string about = textOf(own) + ": " + nameOf(run.end) + " " + run.error;
       EXPECT_NE(run.end, InsertionEnd::none) << about;
       EXPECT_NE(run.end, InsertionEnd::fault) << about;
       EXPECT_NE(run.end, InsertionEnd::refused) << about;
-      EXPECT_GE(run.work, run.end == InsertionEnd::finished ? -microjoule : -1.0) << about;
-      EXPECT_GT(run.lowestTweezers, 0.0) << about;
+      // An array that is bent at its start may give that energy to the hand; over a closed loop it
+      // may not.
+      if (isWithdrawn) {
+        EXPECT_GE(run.work, -microjoule) << about;
+      }
+      EXPECT_GT(run.lowestTweezers, 0.1 * millimeter) << about;
+      EXPECT_LT(run.unexplained, 0.1 * millimeter) << about;
+      ends[k] = run.end;
     }
-    ++count.all;
-    if (runs[0].end == runs[1].end)
-      ++count.sameEnd;
-    else
-      std::cout << number << " " << textOf(keys) << ": " << nameOf(runs[0].end) << " with 0.5 ms, "
-                << nameOf(runs[1].end) << " with 2 ms\n";
+    ++all_;
+    if (ends[0] == ends[1]) return;
+    ++different_;
+    std::cout << textOf(keys) << ": " << nameOf(ends[0]) << " with " << steps_ms_[0] << " ms, "
+              << nameOf(ends[1]) << " with " << steps_ms_[1] << " ms\n";
   }
-  EXPECT_GE(count.sameEnd, 0.98 * count.all - 1.0);
+
+  double differentFraction() const { return static_cast<double>(different_) / all_; }
+
+private:
+  std::array<const char*, 2> steps_ms_;
+  int all_ = 0, different_ = 0;
+};
+
+#ifdef ENDS_ALL
+TEST(RandomScenario, EndsAtTheStopOrWithANameTheSameForEveryStep)
+{
+  RandomScenarios scenarios({"0.5", "2"});
+  for (std::uint64_t number = 0; number < 1000; ++number) scenarios.run(randomScenario(1, number));
+  EXPECT_LE(scenarios.differentFraction(), 0.02);
 }
+#else
+TEST(RandomScenario, EndsAtTheStopOrWithANameTheSameForEveryStep)
+{
+  RandomScenarios scenarios({"1", "2"});
+  for (std::uint64_t number = 0; number < 24; ++number) {
+    session::Overrides coarse = randomScenario(1, number);
+    coarse.emplace_back("nodes", "30");
+    coarse.emplace_back("speed_mm_s", "30");
+    scenarios.run(coarse);
+  }
+  EXPECT_LE(scenarios.differentFraction(), 0.05);
+}
+#endif
 
 }  // namespace
 }  // namespace perilymph::test

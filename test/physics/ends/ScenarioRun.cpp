@@ -2,6 +2,8 @@
 #include "ScenarioRun.h"
 
 #include <algorithm>
+#include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -46,18 +48,35 @@ private:
   std::vector<double> reach_;
 };
 
+/// The scenario's cochlea; built once for all scenarios that differ in other keys only.
+std::shared_ptr<const anatomy::ScalaTympani> cochleaOf(const session::Scenario& scenario)
+{
+  static std::map<std::string, std::shared_ptr<const anatomy::ScalaTympani>> built;
+  std::string key;
+  for (const auto& [name, value] : scenario.values())
+    if (name == "anatomy" || name == "patient" || name == "lead_in_mm") key += value + "|";
+  std::shared_ptr<const anatomy::ScalaTympani>& cochlea = built[key];
+  if (!cochlea) {
+    const auto now = session::buildAnatomy(scenario.parameters());
+    if (now) cochlea = *now;
+  }
+  return cochlea;
+}
+
 }  // namespace
 
-ScenarioRun runScenario(const std::string& name, const session::Overrides& changes)
+ScenarioRun runScenario(const std::string& name, const session::Overrides& changes, Push push)
 {
   ScenarioRun run;
   run.end = haptics::InsertionEnd::refused;
   const auto scenario = session::loadScenario(name, changes);
   if (!scenario) return run.error = scenario.error().message, run;
+  session::InsertionParameters parameters = scenario->parameters();
+  parameters.engine.pushesAlongOpening = push == Push::alongOpening;
   auto insertion = session::Insertion::prepare(
-      *scenario,
+      parameters,
       std::make_unique<device::ScriptedDevice>(scenario->speed().si(), scenario->timeStep().si()),
-      std::nullopt);
+      cochleaOf(*scenario));
   if (!insertion) return run.error = insertion.error().message, run;
 
   const mechanics::InsertionModel& model = (*insertion)->model();

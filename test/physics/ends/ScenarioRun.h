@@ -27,8 +27,12 @@ struct ScenarioRun {
   std::uint64_t ticksNotConverged = 0;
 };
 
+/// Direction in which the script pushes the array.
+enum class Push { alongApproach, alongOpening };
+
 /// Runs the scenario with its changed keys to its end.
-ScenarioRun runScenario(const std::string& scenario, const session::Overrides& changes);
+ScenarioRun runScenario(const std::string& scenario, const session::Overrides& changes,
+                        Push push = Push::alongApproach);
 
 /// "array=flex28 ...", for messages.
 std::string textOf(const session::Overrides& changes);

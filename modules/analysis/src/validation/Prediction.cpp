@@ -41,7 +41,8 @@ PredictedInsertion insert(const session::InsertionParameters& parameters,
   const FullInsertion full = insertFully(parameters, std::move(anatomy), Length{}, isAsked);
   PredictedInsertion predicted;
   if (full.end != InsertionEnd::finished)
-    predicted.error = full.reason.empty() ? "The array did not reach full depth." : full.reason;
+    predicted.error =
+        full.reason.empty() ? std::string("The array ") + clauseOf(full.end) + "." : full.reason;
   predicted.apical = full.apical;
   predicted.depth = full.depth;
   predicted.end = full.endForce;

@@ -2,22 +2,12 @@
 
 // The cases of a study: from a number to the parameters of an insertion.
 
-#include <cmath>
-
 #include "AnyStopTravel.h"
 #include "LatinHypercube.h"
 #include "perilymph/session/Csv.h"
 #include "perilymph/study/Study.h"
 
 namespace perilymph::study {
-
-namespace {
-
-/// Factor between the seeds of studies, above the largest number of virtual patients, so that no
-/// two studies of neighboring seeds share one (choice, high).
-constexpr std::uint64_t seedStride = 1'000'003;
-
-}  // namespace
 
 StudyCase Study::caseAt(std::size_t number) const
 {
@@ -55,21 +45,19 @@ Result<session::InsertionParameters> Study::parametersOf(const StudyCase& one) c
   parameters.withdraws = false;
   if (cochlea.patient.empty()) parameters.cochlea.patient = {};
   if (cochlea.draw > 0) {
-    const auto patient = anatomy::samplePatient(seed_ * seedStride + cochlea.draw);
+    const auto patient = anatomy::samplePatient(seed_, cochlea.draw);
     if (!patient) return patient.error();
     parameters.cochlea.patient = *patient;
   }
   if (isFullDepth_) {
-    // in whole micrometers, as a stop travel is written in a file
-    const double travel_um =
-        std::floor(inMillimeters(parameters.array.insertable - parameters.startInside) * 1e3);
-    if (!(travel_um > 0.0))
+    const Length travel = session::fullTravel(parameters.array, parameters.startInside);
+    if (!(travel.si() > 0.0))
       return Error{"The array " + parameters.array.name + " is " +
                    session::shortestDecimal(inMillimeters(parameters.array.insertable)) +
                    " mm long and would start " +
                    session::shortestDecimal(inMillimeters(parameters.startInside)) +
                    " mm inside. Lower start_inside_mm."};
-    parameters.stopTravel = millimeters(travel_um / 1e3);
+    parameters.stopTravel = travel;
     parameters.engine.stopTravel = parameters.stopTravel.si();
   }
   return parameters;

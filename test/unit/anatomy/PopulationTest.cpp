@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "perilymph/anatomy/MeanScala.h"
+#include "perilymph/anatomy/Patient.h"
 #include "perilymph/test/Tolerance.h"
 
 namespace perilymph::anatomy {
@@ -229,6 +230,18 @@ TEST(ScaledMean, ExistsAtEveryCornerOfTheLimits)
           EXPECT_GT(section.area, 0.0) << angle_deg;
         }
       }
+}
+
+TEST(SamplePatient, SharesNoneBetweenNeighboringStudies)
+{
+  const auto measuresOf = [](std::uint64_t study, std::uint64_t number) {
+    const auto patient = samplePatient(study, number);
+    return patient ? std::pair(patient->basalTurn->a.si(), patient->basalTurn->b.si())
+                   : std::pair(0.0, 0.0);
+  };
+  EXPECT_EQ(measuresOf(1, 7), measuresOf(1, 7));
+  EXPECT_NE(measuresOf(1, 7), measuresOf(1, 8));
+  EXPECT_NE(measuresOf(1, 1'000'002), measuresOf(2, 1));
 }
 
 }  // namespace

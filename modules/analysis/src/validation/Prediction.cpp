@@ -8,8 +8,7 @@
 #include "perilymph/analysis/InParallel.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/TomlReader.h"
-#include "perilymph/session/Csv.h"
-#include "perilymph/session/Scenario.h"
+#include "validation/VirtualInsertion.h"
 
 namespace perilymph::analysis {
 
@@ -17,22 +16,6 @@ namespace {
 
 /// A fifth of the ticks of a live insertion; forces change by less than 0.4 mN.
 constexpr Duration timeStep = milliseconds(5);
-
-/// The cochlea with a given number: 0 is the mean one, the others are drawn.
-Result<session::InsertionParameters> withCochlea(const session::InsertionParameters& nominal,
-                                                 std::uint64_t seed, std::size_t number)
-{
-  session::InsertionParameters parameters = nominal;
-  parameters.cochlea.source = anatomy::AnatomySource::mean;
-  if (number == 0) {
-    parameters.cochlea.patient = {};
-    return parameters;
-  }
-  auto patient = anatomy::samplePatient(seed * 1'000'003u + number);
-  if (!patient) return patient.error();
-  parameters.cochlea.patient = *patient;
-  return parameters;
-}
 
 PredictedInsertion insert(const session::InsertionParameters& parameters,
                           std::shared_ptr<const anatomy::ScalaTympani> anatomy,
@@ -84,25 +67,6 @@ ArraySummary summaryOf(const std::string& array, const std::vector<PredictedInse
   return summary;
 }
 
-/// The scenario with the array, to be inserted to its full depth.
-Result<session::Scenario> withArray(const PredictionRequest& request, const std::string& array)
-{
-  const auto file = findByName("array", "plugins/electrodes", array);
-  if (!file) return file.error();
-  const auto design = electrode::loadArray(*file);
-  if (!design) return design.error();
-  auto scenario = session::loadScenario(
-      request.scenario,
-      {{"array", file->string()},
-       {"start_inside_mm", session::shortestDecimal(inMillimeters(request.startInside))},
-       {"stop_travel_mm",
-        session::shortestDecimal(
-            std::floor(inMillimeters(design->insertable - request.startInside) * 1e3) / 1e3)},
-       {"dt_ms", session::shortestDecimal(timeStep.si() * 1e3)}});
-  if (!scenario) return Error{array + ": " + scenario.error().message};
-  return scenario;
-}
-
 }  // namespace
 
 Result<std::vector<ClinicalAngle>> clinicalAngles()
@@ -141,7 +105,7 @@ Result<PredictionResult> predict(const PredictionRequest& request,
   if (!clinical) return clinical.error();
   std::vector<session::InsertionParameters> nominal;
   for (const std::string& array : request.arrays) {
-    auto scenario = withArray(request, array);
+    auto scenario = fullInsertionOf(request.scenario, array, request.startInside, timeStep);
     if (!scenario) return scenario.error();
     nominal.push_back(scenario->parameters());
   }

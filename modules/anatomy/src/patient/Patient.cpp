@@ -248,6 +248,13 @@ Result<Patient> samplePatient(std::uint64_t seed)
   return patient;
 }
 
+Result<Patient> samplePatient(std::uint64_t studySeed, std::uint64_t number)
+{
+  // above the largest number of virtual patients (choice, high)
+  constexpr std::uint64_t seedStride = 1'000'003;
+  return samplePatient(studySeed * seedStride + number);
+}
+
 std::vector<std::string> unusualMeasures(const Patient& patient)
 {
   std::vector<std::string> sentences;

@@ -77,6 +77,10 @@ Result<Done> checkPatientCode(const std::string& code);
 /// machine.
 Result<Patient> samplePatient(std::uint64_t seed);
 
+/// Virtual patient `number` of a study or prediction, 1 to 1,000,002: seeds of neighboring studies
+/// have no patient in common.
+Result<Patient> samplePatient(std::uint64_t studySeed, std::uint64_t number);
+
 /// A sentence for each of A and B that is two standard deviations or more from the population mean,
 /// for a B that is so far from what A predicts (expectedB()), and for an H outside limitsOfH():
 /// allowed, but the measurement should be checked.

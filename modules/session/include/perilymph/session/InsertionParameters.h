@@ -32,6 +32,7 @@ struct InsertionParameters {
   bool withdraws = false;  ///< Withdraws the array after the stop travel.
   Speed styletSpeed = millimetersPerSecond(5);
   Angle approachTilt, approachTurn;
+  std::optional<Length> freeLength;  ///< Between opening and forceps; empty: the whole array.
   mechanics::FrictionLaw friction;
   mechanics::WallLaw wall;
   OpeningKind openingKind = OpeningKind::none;
@@ -40,5 +41,9 @@ struct InsertionParameters {
   std::optional<mechanics::MembraneLaw> membrane;
   haptics::EngineSettings engine;  ///< Coupling, force scale.
 };
+
+/// Travel from a start inside the opening to the array's full depth, in whole micrometers as a
+/// scenario writes it; 0 or less if the array starts there or deeper.
+Length fullTravel(const electrode::ArrayDesign& array, Length startInside);
 
 }  // namespace perilymph::session

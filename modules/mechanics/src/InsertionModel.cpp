@@ -114,6 +114,10 @@ void check(const ModelParts& parts)
                 std::to_string(parts.membrane->perSamplePoint.si()) +
                 " N/m; it must be above 0, and no stiffer than the wall.");
   if (parts.opening) check(*parts.opening, parts.array);
+  if (parts.freeLength)
+    require(parts.freeLength->si() > 0.0, "The forceps hold the array " +
+                                              std::to_string(inMillimeters(*parts.freeLength)) +
+                                              " mm in front of the opening; it must be above 0.");
   const FrictionLaw& law = parts.friction;
   require(law.stoppingCoefficient >= 0.0 && law.kineticCoefficient >= law.stoppingCoefficient &&
               law.staticCoefficient >= law.kineticCoefficient && law.staticCoefficient <= 2.0,

@@ -124,7 +124,7 @@ void add(Hash& hash, const anatomy::Entry& entry)
 std::uint64_t fingerprintOf(const InsertionModel& model)
 {
   const auto& [lumen, array, friction, wall, membrane, opening, nodes, timeStep, startInside,
-               approachTilt, approachTurn, kind, hapticSurface] = model.parts;
+               approachTilt, approachTurn, freeLength, kind, hapticSurface] = model.parts;
   Hash hash;
   // Derived data: constants of the program affect results through it.
   hash.add(formerFingerprintOf(model));
@@ -144,6 +144,8 @@ std::uint64_t fingerprintOf(const InsertionModel& model)
   add(hash, startInside);
   add(hash, approachTilt);
   add(hash, approachTurn);
+  // recordings of before have none
+  if (freeLength) add(hash, *freeLength);
   hash.add(kind);
   if (kind == ModelKind::points) add(hash, *hapticSurface);
   return hash.value();

@@ -57,16 +57,18 @@ double minLoadNumber(double outside, double inside)
 
 /// A rod in a hole of its own diameter, its tip on a flat wall `inside` behind the rim.
 struct StoppedColumn {
-  explicit StoppedColumn(double inside)
-      : rod(std::make_shared<anatomy::FlatWall>(inside + spec(inside).radius), spec(inside))
+  explicit StoppedColumn(double inside, std::optional<Length> freeLength = std::nullopt)
+      : rod(std::make_shared<anatomy::FlatWall>(inside + spec(inside).radius),
+            spec(inside, freeLength))
   {
     // a slight misalignment, as every real column has
     rod.drive().handAxis_W =
         Eigen::AngleAxisd(0.0005, Eigen::Vector3d::UnitX()) * rod.drive().handAxis_W;
   }
-  static RodSpec spec(double inside)
+  static RodSpec spec(double inside, std::optional<Length> freeLength = std::nullopt)
   {
     RodSpec spec;
+    spec.freeLength = freeLength;
     spec.startInside = inside - 5e-6;
     spec.wallStiffness = 1e4;
     spec.opening = mechanics::cochleostomy(meters(2.0 * (spec.radius + 0.5e-6)));
@@ -107,6 +109,23 @@ TEST(ColumnThroughTheOpening, GivesWayAtEulersLoad)
       aside = std::max(aside, std::fabs(node.y()));
     EXPECT_GT(aside, 0.3e-3) << inside;  // thirty times the misalignment: it has buckled
   }
+}
+
+TEST(ColumnThroughTheOpening, GivesWayAtTheLoadOfItsFreeLengthWhereForcepsHoldIt)
+{
+  constexpr double inside = 2e-3, free = 5e-3;
+  StoppedColumn column(inside, meters(free));
+  column.rod.move({0.0, 0.0, -0.15e-3}, 0.2e-3, 1.0);
+  const double bending = StoppedColumn::spec(inside).bending;
+  const auto loadOf = [&](double length) {
+    const double k = minLoadNumber(length, inside);
+    return bending * k * k;
+  };
+  // the hold sets in over 0.5 mm, and a beam on an elastic foundation yields along two of its
+  // characteristic lengths, (4 EI / 1e6 N/m^2)^(1/4) = 1.4 mm
+  EXPECT_LT(column.rod.readings().axialForce, loadOf(free));
+  EXPECT_GT(column.rod.readings().axialForce, 2.0 * StoppedColumn::eulersLoad(inside));
+  EXPECT_GT(column.rod.readings().axialForce, loadOf(free + 0.5e-3 + 2.0 * 1.4e-3));
 }
 
 }  // namespace

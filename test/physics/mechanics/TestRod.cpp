@@ -44,6 +44,7 @@ TestRod::TestRod(std::shared_ptr<const anatomy::Lumen> lumen, const RodSpec& spe
   parts.membrane = spec.membrane;
   parts.opening = spec.opening;
   parts.startInside = meters(spec.startInside);
+  parts.freeLength = spec.freeLength;
   parts.friction = {spec.friction, spec.friction, spec.friction, millimetersPerSecond(0.1)};
   parts.wall = {newtonsPerMeter(spec.wallStiffness), newtonsPerMeter(spec.wallStiffness),
                 millimeters(0.002)};

@@ -29,6 +29,7 @@ struct RodSpec {
   int nodes = 101;
   std::optional<mechanics::MembraneLaw> membrane;
   std::optional<mechanics::Opening> opening;
+  std::optional<Length> freeLength;
   std::vector<Length> ribsFromTip;
   double ribHeight = 0.0;  ///< [m]
   double ribLength = 0.0;  ///< [m]

@@ -69,6 +69,18 @@ double FrictionBySpeed::maximum() const noexcept
   return value;
 }
 
+FrictionBySpeed FrictionBySpeed::scaled(double factor) const noexcept
+{
+  FrictionBySpeed other = *this;
+  if (isEmpty()) return other;
+  const double allowed = std::min(factor, 2.0 / std::max(maximum(), 1e-9));
+  for (std::size_t i = 0; i < points_; ++i) {
+    other.coefficient_[i] *= allowed;
+    other.slope_[i] *= allowed;
+  }
+  return other;
+}
+
 void FrictionBySpeed::addTo(Hash& hash) const noexcept
 {
   for (std::size_t i = 0; i < points_; ++i) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/ContactSet.h"
+#include "contact/Guide.h"
 #include "friction/FrictionHistory.h"
 #include "rod/RodKinematics.h"
 #include "solver/LinearSystem.h"
@@ -32,6 +33,7 @@ struct RodWorkspace {
         rod(nodes),
         twist(nodes),
         contacts(nodes),
+        guide(nodes),
         friction(nodes),
         inertia(nodes),
         force_W(nodes),
@@ -44,6 +46,7 @@ struct RodWorkspace {
   RodKinematics rod;
   TwistSystem twist;
   ContactSet contacts;
+  GuideLine guide;
   FrictionHistory friction;
   NodeInertia inertia;
   std::vector<Eigen::Vector3d> force_W;  ///< Force of rod, wall and rim on each node [N].

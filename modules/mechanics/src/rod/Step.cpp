@@ -57,6 +57,7 @@ Step attemptStep(const InsertionModel& model, InsertionState& state, const Drive
   work.start.timeStep = timeStep;
   remember(state, work);
   findBone(model, state);
+  setGuide(drive, state.base_W, work.guide);
   setRestShape(model, state.position_W, drive.handCurl_W, work.section, work.rod);
   if (model.twists)
     turnMaterial(model, drive.handCurl_W, work.section, state, work.rod, work.twist);

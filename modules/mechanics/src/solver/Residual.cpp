@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact/Contact.h"
+#include "contact/Guide.h"
 #include "contact/Rim.h"
 #include "rod/Material.h"
 
@@ -70,6 +71,7 @@ Residual residual(const InsertionModel& model, InsertionState& state, const Base
   addRodForces(model, state.position_W, work.start.timeStep, work.section, work.rod, work.force_W);
   addWallForces(model, state, work.start, work.rod, work.contacts, work.friction, work.force_W);
   addRimForces(model, state, work.start, work.friction, work.contacts, work.force_W);
+  addGuideForces(model, state.position_W, work.guide, work.force_W);
 
   // the base has inertia only with spring coupling
   work.system.right[0].setZero();
@@ -96,6 +98,7 @@ void assembleStiffness(const InsertionModel& model, const Base& base, Compressio
     addMaterialStiffness(model, work.start.timeStep, work.section, work.rod, matrix);
   addWallStiffness(work.contacts, matrix);
   addRimStiffness(model, work.contacts, matrix);
+  addGuideStiffness(model, work.guide, matrix);
   for (std::size_t i = 2; i < n; ++i)
     work.system.matrix.diagonal[blockOf(i)] += uniform(work.inertia.hold[i]);
   if (base.isHeld)

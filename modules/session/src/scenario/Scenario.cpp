@@ -166,10 +166,13 @@ Result<ScenarioContent> readScenario(TomlReader& reader, const std::string& name
   const auto read =
       readCochlea(reader, keys, scenario.patientName, folder, namesPatient, parameters.cochlea);
   readModel(keys, parameters);
-  // Forces change by less than 0.4 mN over this range of steps.
   parameters.timeStep = milliseconds(keys.number("dt_ms", {0.1, 10.0}, 1.0));
   parameters.seed = keys.integer("seed", 0, std::numeric_limits<long>::max(), 1);
   readMotion(keys, parameters);
+  // Forceps take the array 3 to 5 mm in front of the opening (choice, low); a machine's clamp, which
+  // no key describes, holds its end.
+  if (reader.has("free_length_mm"))
+    parameters.freeLength = millimeters(keys.number("free_length_mm", {1.0, 60.0}, 4.0));
   const auto isOverridden = [&overrides](const std::string& key) {
     return std::any_of(overrides.begin(), overrides.end(),
                        [&key](const auto& entry) { return entry.first == key; });

@@ -34,6 +34,7 @@ Result<std::shared_ptr<const mechanics::InsertionModel>> buildModel(
   parts.startInside = parameters.startInside;
   parts.approachTilt = parameters.approachTilt;
   parts.approachTurn = parameters.approachTurn;
+  parts.freeLength = parameters.freeLength;
   try {
     return mechanics::InsertionModel::build(std::move(parts));
   } catch (const std::invalid_argument& error) {

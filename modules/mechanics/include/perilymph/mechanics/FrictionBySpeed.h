@@ -31,6 +31,8 @@ public:
   /// Minimum and maximum coefficient; require points.
   double minimum() const noexcept;
   double maximum() const noexcept;
+  /// All coefficients times a factor of 0 or more, reduced where one would exceed the maximum of 2.
+  FrictionBySpeed scaled(double factor) const noexcept;
   void addTo(Hash& hash) const noexcept;
 
 private:

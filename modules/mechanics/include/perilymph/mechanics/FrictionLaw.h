@@ -3,6 +3,8 @@
 
 // Stick-slip friction of the array on the wall.
 
+#include <algorithm>
+
 #include "perilymph/foundation/Units.h"
 #include "perilymph/mechanics/FrictionBySpeed.h"
 
@@ -33,6 +35,15 @@ struct FrictionLaw {
     if (!bySpeed.isEmpty()) return bySpeed.at(speed);
     const double fast = speed / stribeck.si();
     return kineticCoefficient + (staticCoefficient - kineticCoefficient) / (1.0 + fast * fast);
+  }
+
+  /// All coefficients times a factor of 0 or more, reduced where one would exceed the maximum of 2.
+  FrictionLaw scaled(double factor) const noexcept
+  {
+    const double highest = std::max(staticCoefficient, bySpeed.isEmpty() ? 0.0 : bySpeed.maximum());
+    const double allowed = std::min(factor, 2.0 / std::max(highest, 1e-9));
+    return {allowed * staticCoefficient, allowed * kineticCoefficient,
+            allowed * stoppingCoefficient, stribeck, bySpeed.scaled(allowed)};
   }
 };
 

@@ -94,6 +94,9 @@ struct ModelParts {
       millimeters(2);  ///< Initial depth of the tip past the opening; negative: outside.
   Angle approachTilt = radians(0);  ///< Tilt of the array's axis against E.z, toward E.y.
   Angle approachTurn = radians(0);  ///< Rotation of the array's axis against E.z, toward E.x.
+  /// Length in front of the opening along which the array is free between it and the forceps,
+  /// which hold it straight behind; if empty, all of the array in front of the opening is free.
+  std::optional<Length> freeLength;
   ModelKind kind = ModelKind::rod;
   /// Surface that a point set collides with; not used by a rod.
   std::shared_ptr<const anatomy::Surface> hapticSurface;

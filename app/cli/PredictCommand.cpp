@@ -5,6 +5,7 @@
 #include "Interruption.h"
 #include "OutputFolder.h"
 #include "Terminal.h"
+#include "perilymph/analysis/ClinicalPrediction.h"
 #include "perilymph/analysis/Prediction.h"
 
 namespace perilymph::cli {
@@ -45,16 +46,72 @@ void printArray(const analysis::ArraySummary& array, const analysis::Reference& 
   printForce("peak", array.medianPeak, inVivo.findRange("peak"));
 }
 
+const char* verdict(analysis::RowVerdict verdict)
+{
+  if (verdict == analysis::RowVerdict::notJudged) return "-";
+  return analysis::RowVerdict::hit == verdict ? "hit" : "MISS";
+}
+
+void printRows(const std::vector<analysis::ClinicalRow>& rows, bool isClinical)
+{
+  int hits = 0, judged = 0;
+  for (const analysis::ClinicalRow& row : rows) {
+    if (row.isClinical != isClinical) continue;
+    hits += row.verdict == analysis::RowVerdict::hit ? 1 : 0;
+    judged += row.verdict == analysis::RowVerdict::notJudged ? 0 : 1;
+    const std::string published =
+        row.high > row.low ? fixed(row.low, 1) + " to " + fixed(row.high, 1) : "none";
+    const std::string quartiles =
+        row.runs > 1 && row.unit != "%"
+            ? " (" + fixed(row.lowerQuartile, 1) + " to " + fixed(row.upperQuartile, 1) + ")"
+            : "";
+    print("  {:5} {:<58} {:>7}{} {}, published {}; {} % of {} inside{}\n", verdict(row.verdict),
+          row.quantity, row.runs > 0 ? fixed(row.median, 1) : "none", quartiles, row.unit,
+          published, fixed(100.0 * row.inside, 0), row.runs,
+          row.note.empty() ? "" : "; " + row.note);
+  }
+  print("{} of {} judged rows met.\n", hits, judged);
+}
+
+Result<Done> predictAll(const PredictOptions& options, const CallFiles& files)
+{
+  analysis::ClinicalRequest request;
+  request.seeds = options.seeds;
+  request.patients = options.patients.value_or(request.patients);
+  request.friction = options.friction;
+  request.jobs = options.jobs;
+  watchForInterruption();
+  const auto result = analysis::predictClinic(request, [](std::size_t done, std::size_t all) {
+    return showProgress("insertion", done, all);
+  });
+  if (isInterrupted()) return Error{"Interrupted; nothing was written."};
+  if (!result) return result.error();
+  const auto page = analysis::clinicalJson(request, *result);
+  if (!page) return page.error();
+  FolderContent content;
+  content.texts = {{"clinical-table.csv", analysis::clinicalRowsCsv(result->rows)},
+                   {"clinical-insertions.csv", analysis::clinicalInsertionsCsv(result->insertions)},
+                   {"clinical-table.json", *page}};
+  if (const auto done = writeFolder(files, options.out, content); !done) return done.error();
+  print("Insertions by hand in {} cochleae; medians and quartiles:\n",
+        request.seeds.size() * static_cast<std::size_t>(request.patients));
+  printRows(result->rows, true);
+  print("Experiment with a phantom:\n");
+  printRows(result->rows, false);
+  return Done{};
+}
+
 }  // namespace
 
 Result<Done> predict(const PredictOptions& options, const CallFiles& files)
 {
+  if (options.isAll) return predictAll(options, files);
   const auto inVivo = analysis::shippedReference("in-vivo");
   if (!inVivo) return inVivo.error();
   analysis::PredictionRequest request;
   request.arrays = options.arrays;
-  request.patients = options.patients;
-  request.seed = options.seed;
+  request.patients = options.patients.value_or(request.patients);
+  request.seed = options.seeds.front();
   request.jobs = options.jobs;
   watchForInterruption();
   const auto result = analysis::predict(request, [](std::size_t done, std::size_t all) {

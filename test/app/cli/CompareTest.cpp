@@ -53,6 +53,14 @@ TEST(Predict, SaysWhatIsWrongWithTheCall)
   expectRefusal(cli({"predict", "--array", "spaghetti", "--out", folder / "out"}), "flex28");
   expectUsageError(cli({"predict", "--out", folder / "out"}), "--array");
   expectUsageError(cli({"predict", "--array", "flex28"}), "--out");
+  expectUsageError(cli({"predict", "--array", "flex28", "--all", "--out", folder / "out"}),
+                   "--all");
+  expectUsageError(
+      cli({"predict", "--array", "flex28", "--seed", "1", "2", "--out", folder / "out"}), "--seed");
+  expectUsageError(
+      cli({"predict", "--array", "flex28", "--friction", "paper", "--out", folder / "out"}),
+      "--all");
+  expectRefusal(cli({"predict", "--all", "--friction", "ice", "--out", folder / "out"}), "tissue");
   EXPECT_EQ(namesIn(folder.path()), std::vector<std::string>{});
 }
 

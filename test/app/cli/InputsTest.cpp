@@ -27,6 +27,7 @@ std::vector<std::vector<std::string>> callsThatRead(const std::string& file)
           {"validate", "--variability", file, "--out", "x"},
           {"calibrate", "--variability", file, "--out", "x"},
           {"predict", "--array", file, "--out", "x"},
+          {"predict", "--all", "--friction", file, "--out", "x"},
           {"replay", file},
           {"replay", file, "--verify"},
           {"compare", file, "--out", "x"},

@@ -29,7 +29,7 @@ device::DeviceSample ExperimentDevice::read() noexcept
   if (sample_.buttons != 0) {
     steps_ += 1.0;
     const double time = steps_ * timeStep_;
-    sample_.position_D = {0.0, 0.0, -speed_ * time};
+    sample_.position_D = {0.0, 0.0, -speed_ * (std::min(steps_, lastStep_) * timeStep_)};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double turn = 2.0 * pi * frequency_ * time + phase_[axis];
       sample_.position_D[axis] +=

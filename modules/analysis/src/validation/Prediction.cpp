@@ -14,7 +14,8 @@ namespace perilymph::analysis {
 
 namespace {
 
-/// A fifth of the ticks of a live insertion; forces change by less than 0.4 mN.
+/// A fifth of the ticks of a live insertion; with the friction of tissue 1 ms gives peaks of FLEX24
+/// and FLEX28 within 2 % of it.
 constexpr Duration timeStep = milliseconds(5);
 
 PredictedInsertion insert(const session::InsertionParameters& parameters,

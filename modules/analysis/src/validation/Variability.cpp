@@ -159,6 +159,7 @@ DrawnInsertion drawInsertion(const session::InsertionParameters& nominal,
     for (double* coefficient :
          {&law.staticCoefficient, &law.kineticCoefficient, &law.stoppingCoefficient})
       *coefficient = std::min(1.0, *coefficient * factor);
+    law.bySpeed = law.bySpeed.scaled(factor);
   }
   if (sources.has(SpreadSource::noise)) drawn.noiseDeviation = variability.noiseDeviation.si();
   return drawn;

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "perilymph/analysis/ClinicalPrediction.h"
+
+#include <iterator>
+#include <memory>
+
+#include "clinical/InsertionByHand.h"
+#include "clinical/PhantomRows.h"
+#include "perilymph/analysis/InParallel.h"
+#include "validation/VirtualInsertion.h"
+
+namespace perilymph::analysis {
+
+namespace {
+
+constexpr Length startInside = millimeters(1);
+/// A period of the tremor is 123 ms; see the convergence in the page of mechanics (choice, high).
+constexpr Duration timeStep = milliseconds(1);
+
+constexpr std::size_t arrays = std::size(clinicalArrays);
+
+}  // namespace
+
+std::size_t insertionsOf(const ClinicalRequest& request)
+{
+  return request.seeds.size() * static_cast<std::size_t>(request.patients) * arrays +
+         phantomInsertions;
+}
+
+Result<ClinicalResult> predictClinic(const ClinicalRequest& request,
+                                     const std::function<bool(std::size_t, std::size_t)>& progress)
+{
+  const auto hand = shippedHand();
+  if (!hand) return hand.error();
+  std::vector<session::InsertionParameters> nominal;
+  for (const char* array : clinicalArrays) {
+    auto scenario = fullInsertionOf("surgery-flex28", array, startInside, timeStep,
+                                    {{"friction", request.friction}});
+    if (!scenario) return scenario.error();
+    nominal.push_back(scenario->parameters());
+  }
+
+  // One piece per cochlea, and the phantom as the last.
+  const auto patients = static_cast<std::size_t>(request.patients);
+  const std::size_t cochleae = request.seeds.size() * patients;
+  ClinicalResult result;
+  result.insertions.resize(cochleae * arrays);
+  std::vector<ClinicalRow> phantom;
+  const auto work = [&](std::size_t piece, const std::atomic<bool>& isAsked) -> Result<Done> {
+    if (piece == cochleae) {
+      auto rows = phantomRows(isAsked);
+      if (!rows) return rows.error();
+      phantom = *std::move(rows);
+      return Done{};
+    }
+    const std::uint64_t seed = request.seeds[piece / patients];
+    const std::uint64_t patient = piece % patients + 1;
+    const Surgeon surgeon = drawSurgeon(*hand, seed, patient);
+    std::shared_ptr<const anatomy::ScalaTympani> anatomy;
+    for (std::size_t i = 0; i < arrays && !isAsked; ++i) {
+      const auto parameters = withCochlea(nominal[i], seed, patient);
+      if (!parameters) return parameters.error();
+      if (!anatomy) {
+        auto built = session::buildAnatomy(*parameters);
+        if (!built) return built.error();
+        anatomy = *built;
+      }
+      ClinicalInsertion& place = result.insertions[piece * arrays + i];
+      place = insertByHand(*parameters, anatomy, *hand, surgeon, isAsked);
+      place.array = clinicalArrays[i];
+      place.seed = seed;
+      place.patient = patient;
+    }
+    return Done{};
+  };
+  const std::size_t all = insertionsOf(request);
+  const auto done = doInParallel(cochleae + 1, request.jobs, work, [&](std::size_t count) {
+    return !progress || progress(count > cochleae ? all : count * arrays, all);
+  });
+  if (!done) return done.error();
+
+  auto rows = clinicalRows(result.insertions);
+  if (!rows) return rows.error();
+  result.rows = *std::move(rows);
+  result.rows.insert(result.rows.end(), phantom.begin(), phantom.end());
+  return result;
+}
+
+}  // namespace perilymph::analysis

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clinical/InsertionByHand.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+#include "perilymph/analysis/ContactPositions.h"
+#include "perilymph/analysis/Variability.h"
+#include "perilymph/session/Insertion.h"
+#include "validation/ExperimentDevice.h"
+
+namespace perilymph::analysis {
+
+using haptics::InsertionEnd;
+
+namespace {
+
+/// Depth from which a tip counts as inside; above the amplitude of the tremor (choice, high).
+constexpr Length entered = millimeters(0.2);
+/// Travel beyond the full depth that the engine allows: the hand stops, and its tremor goes on.
+constexpr Length beyond = millimeters(1);
+
+/// The parameters with the surgeon's hand and the lining's friction.
+DrawnInsertion withSurgeon(const session::InsertionParameters& nominal,
+                           const HandDistribution& hand, const Surgeon& surgeon)
+{
+  DrawnInsertion drawn;
+  drawn.parameters = nominal;
+  drawn.parameters.withdraws = false;
+  drawn.parameters.speed = surgeon.speed;
+  drawn.parameters.freeLength = surgeon.freeLength;
+  drawn.parameters.stopTravel = nominal.stopTravel + beyond;
+  drawn.parameters.engine.stopTravel = drawn.parameters.stopTravel.si();
+  drawn.parameters.engine.samplePeriod = nominal.timeStep.si();
+  drawn.parameters.friction = nominal.friction.scaled(surgeon.frictionFactor);
+  drawn.speed = surgeon.speed.si();
+  // a sine of amplitude a along each of three axes has the root mean square a sqrt(3 / 2)
+  drawn.tremorAmplitude = surgeon.tremor.si() / std::sqrt(1.5);
+  drawn.tremorFrequency = hand.tremorFrequency;
+  drawn.tremorPhase = surgeon.tremorPhase;
+  return drawn;
+}
+
+/// Recognizes the end of the push.
+class Watch {
+public:
+  Watch(const session::InsertionParameters& nominal, const HandDistribution& hand,
+        const Surgeon& surgeon, const Eigen::Vector3d& out_W)
+      : out_W_(out_W),
+        fullDepth_((nominal.startInside + nominal.stopTravel).si()),
+        startDepth_(nominal.startInside.si()),
+        stop_(surgeon.stop.si()),
+        lag_(hand.bucklingLag.si())
+  {
+  }
+
+  /// The end that this tick shows, if any.
+  std::optional<InsertionEnd> take(const haptics::TickOutput& now)
+  {
+    const Eigen::Vector3d base_W(now.proxy_W[0], now.proxy_W[1], now.proxy_W[2]);
+    if (!start_W_) start_W_ = base_W;
+    const double pushed = (*start_W_ - base_W).dot(out_W_);
+    hasEntered_ = hasEntered_ || now.depth > startDepth_ + entered.si();
+    if (now.depth >= fullDepth_) return InsertionEnd::finished;
+    if (hasEntered_ && now.depth <= 0.0) return InsertionEnd::outOfOpening;
+    if (pushed - (now.depth - startDepth_) > lag_) return InsertionEnd::buckled;
+    if (now.axialForce >= stop_) return InsertionEnd::stoppedByResistance;
+    return std::nullopt;
+  }
+
+private:
+  Eigen::Vector3d out_W_;
+  double fullDepth_, startDepth_;           // [m]
+  double stop_;                             // [N]
+  double lag_;                              // [m]
+  std::optional<Eigen::Vector3d> start_W_;  // of the tweezers
+  bool hasEntered_ = false;
+};
+
+}  // namespace
+
+ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
+                               std::shared_ptr<const anatomy::ScalaTympani> anatomy,
+                               const HandDistribution& hand, const Surgeon& surgeon,
+                               const std::atomic<bool>& isAsked)
+{
+  ClinicalInsertion result;
+  const DrawnInsertion drawn = withSurgeon(nominal, hand, surgeon);
+  auto device = std::make_unique<ExperimentDevice>(drawn);
+  ExperimentDevice& forceps = *device;
+  auto insertion = session::Insertion::prepare(drawn.parameters, std::move(device), anatomy);
+  if (!insertion) {
+    result.reason = insertion.error().message;
+    return result;
+  }
+
+  Watch watch(nominal, hand, surgeon, anatomy->entry().out_W);
+  std::optional<InsertionEnd> end;
+  haptics::TickOutput last;
+  const auto note = [&](const haptics::TickOutput& now) {
+    last = now;
+    result.peak = newtons(std::max(result.peak.si(), now.axialForce));
+    result.membrane = newtons(std::max(result.membrane.si(), now.membraneForce));
+  };
+  const auto push = [&](const haptics::TickRecord& record) {
+    note(record.output);
+    if (record.output.workflow == haptics::Workflow::inserting) end = watch.take(record.output);
+    if (record.output.workflow == haptics::Workflow::finished) end = endOf(record.output);
+    return !end && !isAsked;
+  };
+  const double step = nominal.timeStep.si();
+  // twice the time for the travel, plus a second to start
+  const auto ticks = (2.0 * drawn.parameters.stopTravel.si() / surgeon.speed.si() + 1.0) / step;
+  auto ran = (*insertion)->runToEnd(push, static_cast<std::uint64_t>(ticks));
+  if (isAsked) return result;
+
+  // the force at the end: the mean over the last part of the rest
+  double sum = 0.0;
+  long count = 0;
+  if (ran) {
+    forceps.rest();
+    const auto restTicks = static_cast<std::uint64_t>(std::lround(hand.rest.si() / step));
+    const auto meanTicks = static_cast<std::uint64_t>(std::lround(hand.restMean.si() / step));
+    std::uint64_t tick = 0;
+    const auto rest = [&](const haptics::TickRecord& record) {
+      note(record.output);
+      if (++tick + meanTicks <= restTicks) return !isAsked;
+      sum += record.output.axialForce;
+      ++count;
+      return !isAsked;
+    };
+    ran = (*insertion)->runToEnd(rest, restTicks);
+  }
+  if (isAsked) return result;
+  result.end = ran ? end.value_or(InsertionEnd::fault) : InsertionEnd::fault;
+  if (!ran) result.reason = ran.error().message;
+  result.depth = meters(last.depth);
+  result.endForce = newtons(count > 0 ? sum / static_cast<double>(count) : last.axialForce);
+  result.isRuptured = result.membrane >= surgeon.rupture;
+  (*insertion)->refresh();
+  const auto contacts = contactPositions(*anatomy, nominal.array, (*insertion)->latest());
+  if (!contacts.empty()) result.apical = contacts.front().angle;
+  return result;
+}
+
+}  // namespace perilymph::analysis

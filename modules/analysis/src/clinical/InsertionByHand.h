@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// One insertion by a drawn surgeon, in virtual time.
+
+#include <atomic>
+#include <memory>
+
+#include "clinical/Surgeon.h"
+#include "perilymph/analysis/ClinicalPrediction.h"
+#include "perilymph/anatomy/ScalaTympani.h"
+#include "perilymph/session/InsertionParameters.h"
+
+namespace perilymph::analysis {
+
+/// Pushes an array until it is fully in, or its force reaches the surgeon's limit, or
+/// the array buckles or slips out; then the hand rests, still trembling, before the force at the end
+/// is read.
+///
+/// @param nominal  The scenario's; the surgeon replaces speed, friction and free length.
+/// @param isAsked  Ends it early; the result is then meaningless.
+ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
+                               std::shared_ptr<const anatomy::ScalaTympani> anatomy,
+                               const HandDistribution& hand, const Surgeon& surgeon,
+                               const std::atomic<bool>& isAsked);
+
+}  // namespace perilymph::analysis

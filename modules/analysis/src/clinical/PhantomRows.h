@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// An experiment with one array, coiled and uncoiled: rows of the clinical table.
+
+#include <atomic>
+#include <vector>
+
+#include "perilymph/analysis/ClinicalPrediction.h"
+
+namespace perilymph::analysis {
+
+/// Number of insertions that the rows need.
+inline constexpr std::size_t phantomInsertions = 9;
+
+/// Inserts a FLEX28 by machine into the mean scala tympani at the experiment's speeds.
+Result<std::vector<ClinicalRow>> phantomRows(const std::atomic<bool>& isAsked);
+
+}  // namespace perilymph::analysis

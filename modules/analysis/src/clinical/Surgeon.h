@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// How surgeons hold and push an array: distributions with sources, and the drawing of one surgeon.
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "perilymph/foundation/Result.h"
+#include "perilymph/foundation/Units.h"
+
+namespace perilymph::analysis {
+
+/// The hands of surgeons.
+struct HandDistribution {
+  /// Source and confidence of the values of one table of the file.
+  struct Provenance {
+    std::string table, source, confidence;
+  };
+
+  Speed speedMean, speedDeviation, speedLow, speedHigh;  ///< Normal within the range.
+  Length tremorLow, tremorHigh;                          ///< Root mean square, three axes: uniform.
+  double tremorFrequency = 0.0;                          ///< [Hz]
+  Length freeLengthLow, freeLengthHigh;                  ///< From the opening to the forceps.
+  Force stopLow, stopHigh;                               ///< At which the surgeon stops: uniform.
+  Duration rest, restMean;         ///< Rest before the end, and the part of it that is averaged.
+  Length bucklingLag;              ///< Lag of the tip at which a bow is visible.
+  double frictionDeviation = 0.0;  ///< Fraction of all coefficients: log-normal with mean 1.
+  Force ruptureMean, ruptureDeviation, ruptureLow, ruptureHigh;  ///< Normal within the range.
+  std::vector<Provenance> provenance;
+};
+
+/// Reads the distributions from a TOML file.
+Result<HandDistribution> loadHand(const std::filesystem::path& file);
+/// The shipped ones: resources/clinical/hand.toml.
+Result<HandDistribution> shippedHand();
+
+/// One surgeon and one cochlear lining.
+struct Surgeon {
+  Speed speed;
+  Length tremor;                        ///< Root mean square of the distance in three axes.
+  std::array<double, 3> tremorPhase{};  ///< [rad]
+  Length freeLength;
+  Force stop;                   ///< Axial force at which this surgeon stops.
+  double frictionFactor = 1.0;  ///< Common factor of the coefficients of friction.
+  Force rupture;                ///< Force on the partition at which it ruptures.
+};
+
+/// Surgeon `number` of a seed: the same on every machine, in any order.
+Surgeon drawSurgeon(const HandDistribution& hand, std::uint64_t seed, std::uint64_t number);
+
+}  // namespace perilymph::analysis

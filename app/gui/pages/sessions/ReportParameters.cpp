@@ -45,6 +45,8 @@ constexpr ParameterName parameterNames[] = {
     {"passage_friction", QT_TRANSLATE_NOOP("ReportParameters", "Friction in the passage")},
     {"approach_tilt_deg", QT_TRANSLATE_NOOP("ReportParameters", "Approach angle, tilt"), "°"},
     {"approach_turn_deg", QT_TRANSLATE_NOOP("ReportParameters", "Approach angle, rotation"), "°"},
+    {"free_length_mm",
+     QT_TRANSLATE_NOOP("ReportParameters", "Free length between opening and forceps"), "mm"},
     {"technique", QT_TRANSLATE_NOOP("ReportParameters", "Technique")},
     {"speed_mm_s", QT_TRANSLATE_NOOP("ReportParameters", "Speed of the scripted insertion"),
      "mm/s"},

@@ -9,6 +9,7 @@
 #include "CtOptions.h"
 #include "EmptyValues.h"
 #include "FileOptions.h"
+#include "PlanOptions.h"
 #include "StudyOptions.h"
 #include "perilymph/anatomy/AnatomySource.h"
 
@@ -341,6 +342,7 @@ void addCommands(CLI::App& app, FileOptions& files, CommandOptions& options)
   addValidate(app, files, options.validate);
   addCalibrate(app, files, options.calibrate);
   addPredict(app, files, options.predict);
+  addPlan(app, files, options.plan);
   addCompare(app, files, options.compare);
   addDevices(app, files, options.devices);
   addCt(app, files, options);
@@ -356,6 +358,7 @@ Result<Done> runCommand(const CLI::App& app, const CallFiles& files, const Comma
   if (app.got_subcommand("validate")) return validate(options.validate, files);
   if (app.got_subcommand("calibrate")) return calibrate(options.calibrate, files);
   if (app.got_subcommand("predict")) return predict(options.predict, files);
+  if (app.got_subcommand("plan")) return plan(options.plan, files);
   if (app.got_subcommand("compare")) return compare(options.compare, files);
   if (app.got_subcommand("devices")) return devices(options.devices);
   if (app.got_subcommand("study"))

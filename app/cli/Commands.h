@@ -76,6 +76,17 @@ struct PredictOptions {
 };
 Result<Done> predict(const PredictOptions& options, const CallFiles& files);
 
+struct PlanOptions {
+  std::string patient;
+  std::vector<std::string> arrays;  ///< Shipped names or files; "all": the shipped ones.
+  std::size_t samples = 64;
+  std::uint64_t seed = 1;
+  unsigned jobs = 0;
+  bool runsAll = false;  ///< All samples, though the bands may stand earlier.
+  std::string out;
+};
+Result<Done> plan(const PlanOptions& options, const CallFiles& files);
+
 struct CompareOptions {
   std::vector<std::string> files;
   std::string out;
@@ -147,6 +158,7 @@ struct CommandOptions {
   ValidateOptions validate;
   CalibrateOptions calibrate;
   PredictOptions predict;
+  PlanOptions plan;
   CompareOptions compare;
   DevicesOptions devices;
   CtInfoOptions ctInfo;

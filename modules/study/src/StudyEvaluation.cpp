@@ -8,7 +8,6 @@
 #include <set>
 
 #include "OutcomeValue.h"
-#include "perilymph/analysis/SampleStatistics.h"
 #include "perilymph/study/StudyReport.h"
 
 namespace perilymph::study {
@@ -52,18 +51,6 @@ double numberIn(const std::string& text)
 }
 
 }  // namespace
-
-Estimate proportionOf(std::size_t hits, std::size_t all)
-{
-  if (all == 0) return {0.0, 0.0, 1.0};
-  const auto n = static_cast<double>(all);
-  const double p = static_cast<double>(hits) / n;
-  const double z2 = analysis::halfWidth95 * analysis::halfWidth95;
-  const double middle = (p + z2 / (2.0 * n)) / (1.0 + z2 / n);
-  const double half =
-      analysis::halfWidth95 / (1.0 + z2 / n) * std::sqrt(p * (1.0 - p) / n + z2 / (4.0 * n * n));
-  return {p, std::max(middle - half, 0.0), std::min(middle + half, 1.0)};
-}
 
 double valueOf(const StudyResult& result, Outcome outcome)
 {

@@ -51,7 +51,7 @@ std::string rowOf(const std::string& name, const std::vector<const StudyResult*>
       std::count_if(results.begin(), results.end(), [](const StudyResult* each) {
         return each->insertion.end == analysis::InsertionEnd::finished;
       }));
-  const Estimate rate = proportionOf(finished, results.size());
+  const Estimate rate = analysis::proportionOf(finished, results.size());
   std::string row = "| " + name + " | " + std::to_string(results.size()) + " | " +
                     interval({100.0 * rate.value, 100.0 * rate.low, 100.0 * rate.high}, 1);
   for (const Outcome outcome : outcomes) row += " | " + quartiles(results, outcome);

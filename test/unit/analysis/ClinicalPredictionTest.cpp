@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "clinical/InsertionByHand.h"
+#include "perilymph/analysis/InsertionByHand.h"
 #include "validation/VirtualInsertion.h"
 
 namespace perilymph::analysis {
@@ -57,7 +57,7 @@ struct ByHand {
   ClinicalInsertion insert()
   {
     const std::atomic<bool> isAsked = false;
-    return insertByHand(parameters, anatomy, hand(), surgeon, isAsked);
+    return insertByHand(parameters, anatomy, hand(), surgeon, millimeters(1), isAsked);
   }
   Surgeon surgeon;
   session::InsertionParameters parameters;
@@ -74,6 +74,10 @@ TEST(InsertionByHand, StopsAtTheSurgeonsForceAndRests)
   EXPECT_GE(done.peak, newtons(0.02));
   // between two half periods of the tremor the force falls
   EXPECT_LT(done.endForce, done.peak);
+  // a point of the profile at every millimeter from the start on
+  ASSERT_GE(done.profile.size(), 7u);
+  EXPECT_NEAR(inMillimeters(done.profile[3].depth), 4.0, 1e-9);
+  EXPECT_TRUE(done.contacts.front().isInserted);
   EXPECT_GT(done.endForce, newtons(0));
 }
 

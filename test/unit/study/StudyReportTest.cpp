@@ -85,17 +85,6 @@ TEST(StudyReport, LeavesOutCochleaeInWhichAnInsertionDidNotFinish)
   EXPECT_TRUE(StudyEvaluation(knownResults(2)).mainEffects(Outcome::angle).empty());
 }
 
-TEST(StudyReport, GivesTheIntervalOfAProportionByWilson)
-{
-  // Newcombe, Stat Med 17, 857, 1998, table I: 81 of 263.
-  const Estimate rate = proportionOf(81, 263);
-  EXPECT_NEAR(rate.value, 0.3080, 1e-4);
-  EXPECT_NEAR(rate.low, 0.2553, 1e-4);
-  EXPECT_NEAR(rate.high, 0.3662, 1e-4);
-  EXPECT_GT(proportionOf(0, 20).high, 0.1);
-  EXPECT_NEAR(proportionOf(0, 20).low, 0.0, 1e-12);
-}
-
 TEST(StudyReport, TellsDistributionsEffectsAndWhatDidNotFinish)
 {
   const test::TemporaryFolder folder;

@@ -7,8 +7,8 @@
 #include <functional>
 #include <utility>
 
-#include "anatomy/Tonotopy.h"
 #include "perilymph/analysis/ClinicalEstimates.h"
+#include "perilymph/analysis/Tonotopy.h"
 #include "perilymph/foundation/Math.h"
 #include "perilymph/session/Csv.h"
 

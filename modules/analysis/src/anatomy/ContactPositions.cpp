@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "anatomy/Tonotopy.h"
 #include "perilymph/analysis/AnatomyMeasures.h"
+#include "perilymph/analysis/Tonotopy.h"
 #include "perilymph/mechanics/Outcome.h"
 
 namespace perilymph::analysis {

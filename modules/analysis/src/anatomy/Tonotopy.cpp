@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "anatomy/Tonotopy.h"
+#include "perilymph/analysis/Tonotopy.h"
 
 #include <algorithm>
 #include <array>

@@ -4,9 +4,9 @@
 #include <iterator>
 #include <memory>
 
-#include "clinical/InsertionByHand.h"
 #include "clinical/PhantomRows.h"
 #include "perilymph/analysis/InParallel.h"
+#include "perilymph/analysis/InsertionByHand.h"
 #include "validation/VirtualInsertion.h"
 
 namespace perilymph::analysis {
@@ -66,7 +66,7 @@ Result<ClinicalResult> predictClinic(const ClinicalRequest& request,
         anatomy = *built;
       }
       ClinicalInsertion& place = result.insertions[piece * arrays + i];
-      place = insertByHand(*parameters, anatomy, *hand, surgeon, isAsked);
+      place = insertByHand(*parameters, anatomy, *hand, surgeon, Length{}, isAsked);
       place.array = clinicalArrays[i];
       place.seed = seed;
       place.patient = patient;

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "clinical/Surgeon.h"
 #include "perilymph/analysis/ClinicalPrediction.h"
 #include "perilymph/analysis/CsvField.h"
+#include "perilymph/analysis/Surgeon.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/session/Csv.h"
 

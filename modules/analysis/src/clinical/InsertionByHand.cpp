@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "clinical/InsertionByHand.h"
+#include "perilymph/analysis/InsertionByHand.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "ProfilePoints.h"
 #include "perilymph/analysis/ContactPositions.h"
 #include "perilymph/analysis/Variability.h"
 #include "perilymph/session/Insertion.h"
@@ -85,7 +86,7 @@ private:
 ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
                                std::shared_ptr<const anatomy::ScalaTympani> anatomy,
                                const HandDistribution& hand, const Surgeon& surgeon,
-                               const std::atomic<bool>& isAsked)
+                               Length profileSpacing, const std::atomic<bool>& isAsked)
 {
   ClinicalInsertion result;
   const DrawnInsertion drawn = withSurgeon(nominal, hand, surgeon);
@@ -105,8 +106,10 @@ ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
     result.peak = newtons(std::max(result.peak.si(), now.axialForce));
     result.membrane = newtons(std::max(result.membrane.si(), now.membraneForce));
   };
+  ProfilePoints points(profileSpacing);
   const auto push = [&](const haptics::TickRecord& record) {
     note(record.output);
+    points.add(result.profile, record.output.depth, record.output.axialForce);
     if (record.output.workflow == haptics::Workflow::inserting) end = watch.take(record.output);
     if (record.output.workflow == haptics::Workflow::finished) end = endOf(record.output);
     return !end && !isAsked;
@@ -141,8 +144,8 @@ ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
   result.endForce = newtons(count > 0 ? sum / static_cast<double>(count) : last.axialForce);
   result.isRuptured = result.membrane >= surgeon.rupture;
   (*insertion)->refresh();
-  const auto contacts = contactPositions(*anatomy, nominal.array, (*insertion)->latest());
-  if (!contacts.empty()) result.apical = contacts.front().angle;
+  result.contacts = contactPositions(*anatomy, nominal.array, (*insertion)->latest());
+  if (!result.contacts.empty()) result.apical = result.contacts.front().angle;
   return result;
 }
 

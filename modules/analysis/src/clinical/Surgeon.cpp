@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "clinical/Surgeon.h"
+#include "perilymph/analysis/Surgeon.h"
 
 #include <cmath>
 

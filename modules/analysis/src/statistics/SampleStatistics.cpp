@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/analysis/SampleStatistics.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace perilymph::analysis {
@@ -29,6 +30,18 @@ SampleStatistics differenceOf(const SampleStatistics& a, const SampleStatistics&
   result.standardError =
       std::sqrt(a.standardError * a.standardError + b.standardError * b.standardError);
   return result;
+}
+
+Estimate proportionOf(std::size_t hits, std::size_t all)
+{
+  if (all == 0) return {0.0, 0.0, 1.0};
+  const auto n = static_cast<double>(all);
+  const double p = static_cast<double>(hits) / n;
+  const double z2 = halfWidth95 * halfWidth95;
+  const double middle = (p + z2 / (2.0 * n)) / (1.0 + z2 / n);
+  const double half =
+      halfWidth95 / (1.0 + z2 / n) * std::sqrt(p * (1.0 - p) / n + z2 / (4.0 * n * n));
+  return {p, std::max(middle - half, 0.0), std::min(middle + half, 1.0)};
 }
 
 }  // namespace perilymph::analysis

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "perilymph/analysis/ContactPositions.h"
+#include "perilymph/analysis/FullInsertion.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/foundation/Units.h"
 #include "perilymph/haptics/InsertionEnd.h"
@@ -27,6 +29,8 @@ struct ClinicalInsertion {
   Force endForce;           ///< Mean axial force on the hand at the end of its rest.
   Force membrane;           ///< Maximum force on the cochlear partition, all of it.
   bool isRuptured = false;  ///< That force reached the drawn strength.
+  std::vector<ContactPosition> contacts;  ///< At the end, from the tip.
+  std::vector<DepthForce> profile;        ///< Force at multiples of a spacing, first passage.
 };
 
 /// How a row of the table is judged.

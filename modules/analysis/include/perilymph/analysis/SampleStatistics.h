@@ -3,6 +3,7 @@
 
 // Mean, spread and confidence of repeated measurements.
 
+#include <cstddef>
 #include <span>
 
 namespace perilymph::analysis {
@@ -25,5 +26,13 @@ SampleStatistics statisticsOf(std::span<const double> values);
 
 /// Statistics of the difference of two independent means, a - b: variances are added.
 SampleStatistics differenceOf(const SampleStatistics& a, const SampleStatistics& b);
+
+/// A value with its 95 % confidence interval.
+struct Estimate {
+  double value = 0.0, low = 0.0, high = 0.0;
+};
+
+/// Confidence interval of a proportion (Wilson, J Am Stat Assoc 22, 209, 1927).
+Estimate proportionOf(std::size_t hits, std::size_t all);
 
 }  // namespace perilymph::analysis

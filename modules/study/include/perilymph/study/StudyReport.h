@@ -8,19 +8,14 @@
 #include <utility>
 #include <vector>
 
+#include "perilymph/analysis/SampleStatistics.h"
 #include "perilymph/figures/Figure.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/study/StudyFile.h"
 
 namespace perilymph::study {
 
-/// A value with its 95 % confidence interval.
-struct Estimate {
-  double value = 0.0, low = 0.0, high = 0.0;
-};
-
-/// Confidence interval of a proportion (Wilson, J Am Stat Assoc 22, 209, 1927).
-Estimate proportionOf(std::size_t hits, std::size_t all);
+using analysis::Estimate;
 
 /// A quantity that the report is about.
 enum class Outcome { angle, coverage, peakForce, partitionForce };

@@ -6,8 +6,8 @@
 #include <atomic>
 #include <memory>
 
-#include "clinical/Surgeon.h"
 #include "perilymph/analysis/ClinicalPrediction.h"
+#include "perilymph/analysis/Surgeon.h"
 #include "perilymph/anatomy/ScalaTympani.h"
 #include "perilymph/session/InsertionParameters.h"
 
@@ -17,11 +17,12 @@ namespace perilymph::analysis {
 /// the array buckles or slips out; then the hand rests, still trembling, before the force at the end
 /// is read.
 ///
-/// @param nominal  The scenario's; the surgeon replaces speed, friction and free length.
-/// @param isAsked  Ends it early; the result is then meaningless.
+/// @param nominal         The scenario's; the surgeon replaces speed, friction and free length.
+/// @param profileSpacing  Between points of the force profile; 0: no profile.
+/// @param isAsked         Ends it early; the result is then meaningless.
 ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
                                std::shared_ptr<const anatomy::ScalaTympani> anatomy,
                                const HandDistribution& hand, const Surgeon& surgeon,
-                               const std::atomic<bool>& isAsked);
+                               Length profileSpacing, const std::atomic<bool>& isAsked);
 
 }  // namespace perilymph::analysis

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <filesystem>
+
+#include "CallFiles.h"
+#include "Commands.h"
+#include "Interruption.h"
+#include "OutputFolder.h"
+#include "PlanOptions.h"
+#include "Terminal.h"
+#include "perilymph/foundation/Resources.h"
+#include "perilymph/planning/PlanReport.h"
+
+namespace perilymph::cli {
+
+namespace {
+
+/// File of the draws in a plan's folder, from which an interrupted plan continues.
+constexpr const char* drawsFile = "draws.sqlite";
+
+Result<planning::PlanRequest> requestOf(const PlanOptions& options)
+{
+  const auto file = findByName("patient", "resources/patients", options.patient);
+  if (!file) return file.error();
+  const auto patient = anatomy::loadPatient(*file);
+  if (!patient) return patient.error();
+  planning::PlanRequest request;
+  request.patient = *patient;
+  const bool isAll =
+      options.arrays.empty() || (options.arrays.size() == 1 && options.arrays.front() == "all");
+  request.arrays = isAll ? shippedNames("plugins/electrodes") : options.arrays;
+  if (request.arrays.size() > maxPlanArrays)
+    return Error{std::to_string(request.arrays.size()) + " arrays are too many; a plan compares " +
+                 std::to_string(maxPlanArrays) + " at most. Name fewer."};
+  request.draws = options.samples;
+  request.stopsEarly = !options.runsAll;
+  request.seed = options.seed;
+  request.jobs = options.jobs;
+  return request;
+}
+
+std::string bandText(const planning::Band& band, int decimals)
+{
+  return fixed(band.median, decimals) + " (" + fixed(band.low, decimals) + " to " +
+         fixed(band.high, decimals) + ")";
+}
+
+std::string percent(const analysis::Estimate& estimate)
+{
+  return fixed(100.0 * estimate.value, 0) + " % (" + fixed(100.0 * estimate.low, 0) + " to " +
+         fixed(100.0 * estimate.high, 0) + ")";
+}
+
+void printArray(const planning::ArrayPlan& array)
+{
+  print("{}, {} {}\n", array.name, array.draws, array.draws == 1 ? "draw" : "draws");
+  print("  angular insertion depth  {} deg\n", bandText(array.angle_deg, 0));
+  print("  cochlear coverage        {} %\n", bandText(array.coverage_percent, 0));
+  print("  peak insertion force     {} mN\n", bandText(array.peak_mN, 1));
+  print("  force on the partition   {} mN\n", bandText(array.partition_mN, 2));
+  print("  full insertion           {}\n", percent(array.full));
+  print("  stopped by resistance    {}\n", percent(array.resisted));
+  print("  buckled                  {}\n", percent(array.buckled));
+  print("  tip folded over          {}\n", percent(array.foldedTip));
+}
+
+}  // namespace
+
+Result<Done> plan(const PlanOptions& options, const CallFiles& files)
+{
+  const auto request = requestOf(options);
+  if (!request) return request.error();
+  if (const auto done = checkFolder(options.out); !done) return done.error();
+  std::error_code failure;
+  std::filesystem::create_directories(options.out, failure);
+  if (failure)
+    return Error{options.out + " cannot be created: " + failure.message() +
+                 ". Give another folder."};
+  watchForInterruption();
+  const auto plan = planning::makePlan(
+      *request, std::filesystem::path(options.out) / drawsFile,
+      [](std::size_t done, std::size_t all) { return showProgress("insertion", done, all); });
+  if (isInterrupted())
+    return Error{"Interrupted; what was done is kept. The same command continues."};
+  if (!plan) return plan.error();
+  const auto json = planning::planJson(*plan);
+  if (!json) return json.error();
+
+  FolderContent content;
+  content.texts = {{"plan.json", *json},
+                   {"arrays.csv", planning::arraysCsv(*plan)},
+                   {"contacts.csv", planning::contactsCsv(*plan)}};
+  for (const auto& [name, figure] : planning::planFigures(*plan))
+    content.figures.emplace_back(name, figures::draw(figure));
+  if (const auto done = writeFolder(files, options.out, content); !done) return done.error();
+  print(
+      "Median (5 to 95 %) of what measures, hand, approach and stiffness leave open; "
+      "probabilities with 95 % intervals.\nFor research and training; not a medical device.\n");
+  for (const planning::ArrayPlan& array : plan->arrays) printArray(array);
+  return Done{};
+}
+
+}  // namespace perilymph::cli

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PlanOptions.h"
+
+#include <CLI/CLI.hpp>
+
+#include "Commands.h"
+#include "FileOptions.h"
+#include "perilymph/planning/Plan.h"
+
+namespace perilymph::cli {
+
+namespace {
+
+/// Names of the files of a plan.
+std::vector<std::string> planFiles()
+{
+  std::vector<std::string> names = {"plan.json", "arrays.csv", "contacts.csv"};
+  const auto add = [&names](const std::string& figure) {
+    for (const std::string& name : figureNames(figure)) names.push_back(name);
+  };
+  add("angle");
+  for (std::size_t i = 1; i <= maxPlanArrays; ++i) add("force-" + std::to_string(i));
+  return names;
+}
+
+}  // namespace
+
+void addPlan(CLI::App& app, FileOptions& files, PlanOptions& options)
+{
+  CLI::App& command =
+      *app.add_subcommand("plan", "Compare arrays in a patient's cochlea, with bands");
+  files.reads(
+      command
+          .add_option("--patient", options.patient,
+                      "Patient with A and B: shipped name or TOML file, as 'ct measure' writes it")
+          ->required(),
+      "resources/patients");
+  files.reads(
+      command
+          .add_option("--arrays", options.arrays,
+                      "Electrode arrays: shipped names or TOML files; 'all': the shipped ones")
+          ->default_str("all"),
+      "plugins/electrodes");
+  command
+      .add_option("--samples", options.samples,
+                  "Draws of measures, hand, approach and stiffness, at most; fewer if the bands "
+                  "stand after 16, 32, 64, ...")
+      ->capture_default_str()
+      ->check(CLI::Range(std::size_t{1}, planning::maxDraws));
+  command.add_flag("--all-samples", options.runsAll, "Run all draws");
+  command.add_option("--seed", options.seed, "Random seed of the draws")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--jobs", options.jobs, "Parallel runs")
+      ->default_str("number of cores")
+      ->check(CLI::Range(1u, 256u));
+  files.writesInto(command
+                       .add_option("--out", options.out,
+                                   "Output folder; the same command continues what is there")
+                       ->required(),
+                   planFiles());
+}
+
+}  // namespace perilymph::cli

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+
+namespace CLI {
+class App;
+}
+
+namespace perilymph::cli {
+
+class FileOptions;
+struct PlanOptions;
+
+/// Largest number of arrays in one plan.
+inline constexpr std::size_t maxPlanArrays = 32;
+
+/// Declares `plan`.
+void addPlan(CLI::App& app, FileOptions& files, PlanOptions& options);
+
+}  // namespace perilymph::cli

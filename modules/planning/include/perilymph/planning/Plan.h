@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// A plan: electrode arrays in one patient's cochlea, with bands for what measures, hand, approach and
+// stiffness leave open. Values are those of the model, none is a recommendation.
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "perilymph/analysis/ClinicalPrediction.h"
+#include "perilymph/analysis/SampleStatistics.h"
+#include "perilymph/anatomy/Patient.h"
+#include "perilymph/foundation/Result.h"
+#include "perilymph/foundation/Units.h"
+
+namespace perilymph::planning {
+
+/// Input of a plan.
+struct PlanRequest {
+  anatomy::Patient patient;         ///< With A and B; H and the errors of all three if known.
+  std::vector<std::string> arrays;  ///< Shipped names or files.
+  std::string scenario = "surgery-flex28";  ///< Defines everything that is neither drawn nor named.
+  std::size_t draws = 64;                   ///< At most.
+  /// Whether fewer draws are run if the bands stand earlier (see bandsStand()).
+  bool stopsEarly = true;
+  std::uint64_t seed = 1;
+  unsigned jobs = 0;  ///< Threads; 0: one per processor. Does not affect the plan.
+};
+
+/// Largest number of draws.
+inline constexpr std::size_t maxDraws = 4096;
+/// Distance between the depths of a force band.
+inline constexpr Length bandSpacing = millimeters(0.5);
+
+/// One array in one draw.
+struct PlannedInsertion {
+  std::size_t draw = 0;                       ///< From 1.
+  std::size_t array = 0;                      ///< Index into PlanRequest::arrays.
+  double a_mm = 0.0, b_mm = 0.0, h_mm = 0.0;  ///< As drawn; H 0 if the patient has none.
+  double tilt_deg = 0.0, turn_deg = 0.0;      ///< From the scenario's approach.
+  double stiffness = 1.0;                     ///< Factor of the array's.
+  double friction = 1.0;                      ///< Factor of the scenario's.
+  double speed_mm_s = 0.0;
+  double stop_mN = 0.0;  ///< Force at which the surgeon stops.
+  analysis::ClinicalInsertion insertion;
+};
+
+/// Quantiles of a quantity over the draws.
+struct Band {
+  double low = 0.0, lowerQuartile = 0.0, median = 0.0, upperQuartile = 0.0, high = 0.0;
+};
+/// The band of at least one value: 5, 25, 50, 75 and 95 %.
+Band bandOf(std::vector<double> values);
+
+/// Force at a depth over the draws whose tip came that deep.
+struct ForceBand {
+  double depth_mm = 0.0;
+  std::size_t draws = 0;
+  Band force_mN;
+};
+
+/// One contact over the draws in which it is inserted.
+struct ContactBand {
+  int number = 0;  ///< 1 at the tip.
+  std::size_t draws = 0;
+  Band angle_deg, toModiolus_mm;
+  double greenwood_Hz = 0.0;       ///< At the median of its place along the organ of Corti.
+  double spiralGanglion_Hz = 0.0;  ///< At the median of its angle.
+};
+
+/// How much of an outcome's variance an input explains: squared rank correlation (Spearman 1904).
+struct Influence {
+  std::string input;
+  double onAngle = 0.0, onPeak = 0.0;
+};
+
+/// One array over all draws.
+struct ArrayPlan {
+  std::string array;  ///< As in the request.
+  std::string name;   ///< "FLEX28".
+  std::size_t draws = 0;
+  Band angle_deg;                ///< Angle of the most apical contact.
+  Band coverage_percent;         ///< Organ of Corti basal to it.
+  Band depth_mm;                 ///< Depth of the tip past the opening.
+  Band peak_mN, end_mN;          ///< Axial, on the hand.
+  Band partition_mN;             ///< Maximum force on the cochlear partition.
+  analysis::Estimate full;       ///< Probability of full depth, with its 95 % interval.
+  analysis::Estimate resisted;   ///< That the surgeon stops by resistance.
+  analysis::Estimate buckled;    ///< That the array bows in front of the opening.
+  analysis::Estimate foldedTip;  ///< That the tip folds over.
+  analysis::Estimate other;      ///< That it ends otherwise: out of the opening, jammed, refused.
+  analysis::Estimate ruptured;   ///< That the force on the partition reaches its drawn strength.
+  std::vector<ForceBand> force;  ///< At multiples of `bandSpacing`.
+  std::vector<ContactBand> contacts;
+  std::vector<Influence> influences;  ///< The largest on the angle first.
+};
+
+/// A plan.
+struct Plan {
+  PlanRequest request;
+  std::string fingerprint;  ///< SHA-256 of everything it depends on but `draws` and `jobs`.
+  std::vector<PlannedInsertion> insertions;  ///< By draw, then by array.
+  std::vector<ArrayPlan> arrays;
+};
+
+/// Summaries of a request's arrays from insertions by draw and array.
+std::vector<ArrayPlan> summarize(const PlanRequest& request, const std::vector<std::string>& names,
+                                 const std::vector<PlannedInsertion>& insertions);
+
+/// Whether the bands of all arrays stand: the standard errors of the median angle and of the median
+/// peak force are at most 5 degrees and 5 % (choices, medium).
+bool bandsStand(const std::vector<ArrayPlan>& arrays);
+
+/// Receives the numbers of done and of all insertions; returns false to stop.
+using PlanProgress = std::function<bool(std::size_t done, std::size_t all)>;
+
+/// Makes a plan. Every draw is a cochlea, an approach, a hand and a stiffness, the same for all
+/// arrays. Draws are kept in a file as they are done: a plan that was interrupted continues there,
+/// and is the same, to the bit, for any number of threads and interruptions.
+///
+/// @param draws  File of the draws (`.sqlite`), created or continued; in memory only if empty.
+/// @return       Refuses a patient without A and B, unknown arrays, a file of another plan.
+Result<Plan> makePlan(const PlanRequest& request, const std::filesystem::path& draws,
+                      const PlanProgress& progress);
+
+}  // namespace perilymph::planning

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// A plan as files: JSON, tables and figures. The same plan gives the same bytes.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "perilymph/figures/Figure.h"
+#include "perilymph/foundation/Result.h"
+#include "perilymph/planning/Plan.h"
+
+namespace perilymph::planning {
+
+/// The whole plan: patient, arrays with bands and probabilities, what was drawn and from where, what
+/// was not, versions. An error only if a shipped source cannot be read.
+Result<std::string> planJson(const Plan& plan);
+
+/// One row per array: draws, bands of angle, coverage, depth and forces, probabilities in percent.
+std::string arraysCsv(const Plan& plan);
+
+/// One row per contact of each array: angle and distance with bands, frequencies.
+std::string contactsCsv(const Plan& plan);
+
+/// Figures by name: "force-ARRAY", the force over depth with its bands, and "angle", the angular
+/// insertion depths side by side.
+std::vector<std::pair<std::string, figures::Figure>> planFigures(const Plan& plan);
+
+/// What a plan leaves open besides what it draws, one sentence each.
+const std::vector<std::string>& limitsOfPlans();
+
+}  // namespace perilymph::planning

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PlanFile.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "perilymph/foundation/Version.h"
+
+namespace perilymph::planning {
+
+namespace {
+
+namespace fs = std::filesystem;
+using database::Database;
+using database::Statement;
+using haptics::InsertionEnd;
+using Row = nlohmann::json;
+
+const database::FileKind& planKind()
+{
+  static const database::FileKind kind = {
+      "the draws of a plan of Perilymph",
+      "Choose a draws.sqlite that 'perilymph-cli plan' wrote.",
+      "Delete it and make the plan again.",
+      0x5065506c,  // "PePl"
+      1,
+      {"CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL)",
+       "CREATE TABLE insertion(draw INTEGER NOT NULL, array INTEGER NOT NULL, content TEXT NOT "
+       "NULL, "
+       "PRIMARY KEY(draw, array)) WITHOUT ROWID"}};
+  return kind;
+}
+
+bool isDone(Statement& statement)
+{
+  const bool done = statement.step() == Statement::Step::done;
+  statement.reset();
+  return done;
+}
+
+/// Creates an empty file: a file with the final name is whole or does not exist.
+Result<Done> create(const fs::path& file, const std::string& fingerprint)
+{
+  const auto failed = [&file](const std::string& reason) {
+    return Error{file.string() + " cannot be created: " + reason +
+                 ". Check the folder's permissions and the space on the disk."};
+  };
+  const std::string unfinished = file.string() + ".begin-" + std::to_string(::getpid());
+  const int descriptor =
+      ::open(unfinished.c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_NOFOLLOW | O_CLOEXEC, 0666);
+  if (descriptor < 0) return failed("its folder takes no file");
+  ::close(descriptor);
+  const auto written = [&]() -> Result<Done> {
+    auto opened = Database::openNew(unfinished);
+    if (!opened) return opened.error();
+    if (const auto done = opened->run(database::creationOf(planKind())); !done) return done;
+    auto insert = opened->prepare("INSERT INTO meta VALUES(?,?)");
+    if (!insert) return insert.error();
+    for (const auto& [key, value] :
+         {std::pair<std::string, std::string>{"fingerprint", fingerprint},
+          std::pair<std::string, std::string>{"program", buildId()}}) {
+      insert->bind(0, key);
+      insert->bind(1, value);
+      if (!isDone(*insert)) return Error{opened->lastError()};
+    }
+    return opened->run("COMMIT");
+  }();
+  const bool isLinked = written && ::link(unfinished.c_str(), file.c_str()) == 0;
+  std::error_code ignored;
+  fs::remove(unfinished, ignored);
+  if (!written) return failed(written.error().message);
+  if (!isLinked) return failed("there is one already, or its file system has no hard links");
+  return Done{};
+}
+
+Row contactJson(const analysis::ContactPosition& contact)
+{
+  return Row::array({contact.isInserted, contact.depth.si(), contact.angle.si(), contact.coverage,
+                     contact.frequency_Hz, contact.toModiolus.si()});
+}
+
+analysis::ContactPosition contactIn(const Row& values, int number)
+{
+  analysis::ContactPosition contact;
+  contact.number = number;
+  contact.isInserted = values.at(0).get<bool>();
+  contact.depth = meters(values.at(1).get<double>());
+  contact.angle = radians(values.at(2).get<double>());
+  contact.coverage = values.at(3).get<double>();
+  contact.frequency_Hz = values.at(4).get<double>();
+  contact.toModiolus = meters(values.at(5).get<double>());
+  return contact;
+}
+
+}  // namespace
+
+std::string contentOf(const PlannedInsertion& planned)
+{
+  const analysis::ClinicalInsertion& found = planned.insertion;
+  Row contacts = Row::array(), depths = Row::array(), forces = Row::array();
+  for (const auto& contact : found.contacts) contacts.push_back(contactJson(contact));
+  for (const auto& point : found.profile) {
+    depths.push_back(point.depth.si());
+    forces.push_back(point.force.si());
+  }
+  return Row{{"draw", planned.draw},
+             {"array", planned.array},
+             {"a_mm", planned.a_mm},
+             {"b_mm", planned.b_mm},
+             {"h_mm", planned.h_mm},
+             {"tilt_deg", planned.tilt_deg},
+             {"turn_deg", planned.turn_deg},
+             {"stiffness", planned.stiffness},
+             {"friction", planned.friction},
+             {"speed_mm_s", planned.speed_mm_s},
+             {"stop_mN", planned.stop_mN},
+             {"end", haptics::nameOf(found.end)},
+             {"reason", found.reason},
+             {"depth", found.depth.si()},
+             {"apical", found.apical.si()},
+             {"peak", found.peak.si()},
+             {"end_force", found.endForce.si()},
+             {"membrane", found.membrane.si()},
+             {"is_ruptured", found.isRuptured},
+             {"contacts", contacts},
+             {"profile_depth", depths},
+             {"profile_force", forces}}
+      .dump();
+}
+
+std::optional<PlannedInsertion> insertionIn(const std::string& content)
+{
+  const Row row = Row::parse(content, nullptr, false);
+  if (!row.is_object()) return std::nullopt;
+  try {
+    PlannedInsertion planned;
+    planned.draw = row.at("draw").get<std::size_t>();
+    planned.array = row.at("array").get<std::size_t>();
+    for (const auto& [key, value] :
+         {std::pair{"a_mm", &planned.a_mm}, std::pair{"b_mm", &planned.b_mm},
+          std::pair{"h_mm", &planned.h_mm}, std::pair{"tilt_deg", &planned.tilt_deg},
+          std::pair{"turn_deg", &planned.turn_deg}, std::pair{"stiffness", &planned.stiffness},
+          std::pair{"friction", &planned.friction}, std::pair{"speed_mm_s", &planned.speed_mm_s},
+          std::pair{"stop_mN", &planned.stop_mN}})
+      *value = row.at(key).get<double>();
+    analysis::ClinicalInsertion& found = planned.insertion;
+    found.end = haptics::endNamed(row.at("end").get<std::string>());
+    if (found.end == InsertionEnd::none) return std::nullopt;
+    found.reason = row.at("reason").get<std::string>();
+    found.depth = meters(row.at("depth").get<double>());
+    found.apical = radians(row.at("apical").get<double>());
+    found.peak = newtons(row.at("peak").get<double>());
+    found.endForce = newtons(row.at("end_force").get<double>());
+    found.membrane = newtons(row.at("membrane").get<double>());
+    found.isRuptured = row.at("is_ruptured").get<bool>();
+    for (const Row& contact : row.at("contacts"))
+      found.contacts.push_back(contactIn(contact, static_cast<int>(found.contacts.size()) + 1));
+    const Row& depths = row.at("profile_depth");
+    const Row& forces = row.at("profile_force");
+    for (std::size_t i = 0; i < depths.size(); ++i)
+      found.profile.push_back(
+          {meters(depths.at(i).get<double>()), newtons(forces.at(i).get<double>())});
+    return planned;
+  } catch (const Row::exception&) {
+    return std::nullopt;  // a member is missing or of another type
+  }
+}
+
+Result<PlanFile> PlanFile::open(const fs::path& file, const std::string& fingerprint)
+{
+  std::error_code ignored;
+  if (!fs::exists(file, ignored))
+    if (const auto done = create(file, fingerprint); !done) return done.error();
+  auto opened = Database::openToAppend(file, planKind());
+  if (!opened) return opened.error();
+  PlanFile plan(*std::move(opened), file);
+  // A commit survives the end of the process and of the machine.
+  if (const auto done = plan.database_.run("PRAGMA journal_mode=WAL; PRAGMA synchronous=FULL");
+      !done)
+    return Error{file.string() + " cannot be continued: " + done.error().message + "."};
+  if (const auto done = plan.check(fingerprint); !done) return done.error();
+  return plan;
+}
+
+Result<Done> PlanFile::check(const std::string& fingerprint) const
+{
+  auto rows = database_.prepare("SELECT key, value FROM meta ORDER BY key");
+  if (!rows) return database_.readingError(rows.error().message);
+  std::string found, program;
+  Statement::Step step = rows->step();
+  for (; step == Statement::Step::row; step = rows->step()) {
+    if (rows->text(0) == "fingerprint") found = rows->text(1);
+    if (rows->text(0) == "program") program = rows->text(1);
+  }
+  if (step == Statement::Step::failed) return database_.readingError(database_.lastError());
+  const std::string remedy = " Delete it or give another folder.";
+  if (found != fingerprint)
+    return Error{file_.string() +
+                 " belongs to another plan, or the patient, an array or the scenario was changed "
+                 "since." +
+                 remedy};
+  if (program != buildId())
+    return Error{file_.string() + " was begun by another build of the program (" + program +
+                 "; this is " + buildId() + ")." + remedy};
+  return Done{};
+}
+
+Result<std::vector<PlannedInsertion>> PlanFile::read() const
+{
+  auto rows = database_.prepare("SELECT draw, array, content FROM insertion ORDER BY draw, array");
+  if (!rows) return database_.readingError(rows.error().message);
+  std::vector<PlannedInsertion> all;
+  Statement::Step step = rows->step();
+  for (; step == Statement::Step::row; step = rows->step()) {
+    auto planned = insertionIn(rows->text(2));
+    if (!planned || static_cast<std::int64_t>(planned->draw) != rows->integer(0) ||
+        static_cast<std::int64_t>(planned->array) != rows->integer(1))
+      return database_.readingError("draw " + std::to_string(rows->integer(0)) +
+                                    " is not readable");
+    all.push_back(*std::move(planned));
+  }
+  if (step == Statement::Step::failed) return database_.readingError(database_.lastError());
+  return all;
+}
+
+Result<Done> PlanFile::append(const std::vector<PlannedInsertion>& insertions)
+{
+  auto insert = database_.prepare("INSERT INTO insertion VALUES(?,?,?)");
+  std::string reason;
+  if (insert && database_.run("BEGIN")) {
+    const bool isWritten =
+        std::all_of(insertions.begin(), insertions.end(), [&](const PlannedInsertion& each) {
+          insert->bind(0, static_cast<std::int64_t>(each.draw));
+          insert->bind(1, static_cast<std::int64_t>(each.array));
+          insert->bind(2, contentOf(each));
+          return isDone(*insert);
+        });
+    if (!isWritten) reason = database_.lastError();
+    if (isWritten) {
+      const auto done = database_.run("COMMIT");
+      if (done) return Done{};
+      reason = done.error().message;
+    }
+    static_cast<void>(database_.run("ROLLBACK"));
+  } else {
+    reason = database_.lastError();
+  }
+  return Error{file_.string() + " takes no more draws: " + reason +
+               ". Those before are kept; make space and make the plan again."};
+}
+
+Result<Done> PlanFile::close()
+{
+  if (const auto done = database_.run("PRAGMA journal_mode=DELETE"); !done)
+    return Error{file_.string() + " cannot be closed: " + done.error().message + "."};
+  return Done{};
+}
+
+}  // namespace perilymph::planning

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "perilymph/planning/PlanReport.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "Uncertainty.h"
+#include "perilymph/analysis/CsvField.h"
+#include "perilymph/analysis/ErrorBand.h"
+#include "perilymph/foundation/Version.h"
+#include "perilymph/session/Csv.h"
+
+namespace perilymph::planning {
+
+namespace {
+
+using nlohmann::ordered_json;
+using session::shortestDecimal;
+namespace ink = figures::ink;
+
+/// A number of a result, to six digits: more would be noise.
+double rounded(double value)
+{
+  if (value == 0.0 || !std::isfinite(value)) return 0.0;
+  const double scale = std::pow(10.0, 5.0 - std::floor(std::log10(std::fabs(value))));
+  return std::round(value * scale) / scale;
+}
+
+std::string number(double value) { return shortestDecimal(rounded(value)); }
+
+/// A quantity of an array's plan with a band.
+struct Quantity {
+  const char* key;
+  Band ArrayPlan::*band;
+};
+constexpr Quantity quantities[] = {
+    {"angle_deg", &ArrayPlan::angle_deg}, {"coverage_percent", &ArrayPlan::coverage_percent},
+    {"depth_mm", &ArrayPlan::depth_mm},   {"peak_mN", &ArrayPlan::peak_mN},
+    {"end_mN", &ArrayPlan::end_mN},       {"partition_mN", &ArrayPlan::partition_mN}};
+
+/// A probability of an array's plan.
+struct Chance {
+  const char* key;
+  analysis::Estimate ArrayPlan::*estimate;
+};
+constexpr Chance chances[] = {
+    {"full_insertion", &ArrayPlan::full}, {"stopped_by_resistance", &ArrayPlan::resisted},
+    {"buckled", &ArrayPlan::buckled},     {"folded_tip", &ArrayPlan::foldedTip},
+    {"other_end", &ArrayPlan::other},     {"partition_ruptured", &ArrayPlan::ruptured}};
+
+ordered_json bandJson(const Band& band)
+{
+  return {{"p5", rounded(band.low)},
+          {"p25", rounded(band.lowerQuartile)},
+          {"median", rounded(band.median)},
+          {"p75", rounded(band.upperQuartile)},
+          {"p95", rounded(band.high)}};
+}
+
+ordered_json arrayJson(const ArrayPlan& plan)
+{
+  ordered_json json = {{"array", plan.array}, {"name", plan.name}, {"draws", plan.draws}};
+  for (const Quantity& each : quantities) json[each.key] = bandJson(plan.*each.band);
+  for (const Chance& each : chances) {
+    const analysis::Estimate& estimate = plan.*each.estimate;
+    json["probability"][each.key] = {{"value", rounded(estimate.value)},
+                                     {"ci95", {rounded(estimate.low), rounded(estimate.high)}}};
+  }
+  json["force"] = ordered_json::array();
+  for (const ForceBand& each : plan.force)
+    json["force"].push_back({{"depth_mm", rounded(each.depth_mm)},
+                             {"draws", each.draws},
+                             {"force_mN", bandJson(each.force_mN)}});
+  json["contacts"] = ordered_json::array();
+  for (const ContactBand& each : plan.contacts)
+    json["contacts"].push_back({{"number", each.number},
+                                {"draws", each.draws},
+                                {"angle_deg", bandJson(each.angle_deg)},
+                                {"to_modiolus_mm", bandJson(each.toModiolus_mm)},
+                                {"greenwood_Hz", rounded(each.greenwood_Hz)},
+                                {"spiral_ganglion_Hz", rounded(each.spiralGanglion_Hz)}});
+  json["influence"] = ordered_json::array();
+  for (const Influence& each : plan.influences)
+    json["influence"].push_back({{"input", each.input},
+                                 {"on_angle", rounded(each.onAngle)},
+                                 {"on_peak_force", rounded(each.onPeak)}});
+  return json;
+}
+
+ordered_json patientJson(const anatomy::Patient& patient)
+{
+  const anatomy::BasalTurn& turn = *patient.basalTurn;
+  const anatomy::BasalTurnErrors errors = analysis::errorsOf(patient);
+  ordered_json json = {{"label", patient.label},
+                       {"side", patient.side == anatomy::Side::left ? "left" : "right"},
+                       {"A_mm", rounded(inMillimeters(turn.a))},
+                       {"A_sd_mm", rounded(inMillimeters(errors.a))},
+                       {"B_mm", rounded(inMillimeters(turn.b))},
+                       {"B_sd_mm", rounded(inMillimeters(errors.b))}};
+  if (turn.h) {
+    json["H_mm"] = rounded(inMillimeters(*turn.h));
+    json["H_sd_mm"] = rounded(inMillimeters(errors.h.value_or(analysis::measuringError)));
+  }
+  json["errors"] = patient.errors ? "as measured" : "assumed: 0.1 mm, about a voxel";
+  if (!patient.origin.seriesKey.empty()) json["series_sha256"] = patient.origin.seriesKey;
+  if (!patient.origin.software.empty()) json["measured_with"] = patient.origin.software;
+  return json;
+}
+
+template <class Provenance>
+void addSources(ordered_json& list, const char* file, const std::vector<Provenance>& provenance)
+{
+  for (const Provenance& each : provenance)
+    list.push_back({{"file", file},
+                    {"table", each.table},
+                    {"source", each.source},
+                    {"confidence", each.confidence}});
+}
+
+figures::Figure forceFigure(const ArrayPlan& plan)
+{
+  figures::Figure figure;
+  figure.title = plan.name + ": insertion force over depth";
+  figures::FigureBand wide{"5 to 95 %", {}, {}, {}, ink::tint(ink::blue, 0.18)};
+  figures::FigureBand narrow{"25 to 75 %", {}, {}, {}, ink::tint(ink::blue, 0.35)};
+  figures::FigureCurve median{"median", {}, {}, ink::blue};
+  double top = 10.0, deepest = 1.0;
+  for (const ForceBand& each : plan.force) {
+    for (auto* x : {&wide.x, &narrow.x, &median.x}) x->push_back(each.depth_mm);
+    wide.low.push_back(each.force_mN.low);
+    wide.high.push_back(each.force_mN.high);
+    narrow.low.push_back(each.force_mN.lowerQuartile);
+    narrow.high.push_back(each.force_mN.upperQuartile);
+    median.y.push_back(each.force_mN.median);
+    top = std::max(top, each.force_mN.high);
+    deepest = std::max(deepest, each.depth_mm);
+  }
+  figure.bands = {wide, narrow};
+  figure.curves = {median};
+  figure.x = figures::axisOver("insertion depth, mm", 0.0, deepest);
+  figure.y = figures::axisOver("axial insertion force, mN", 0.0, top);
+  figure.notes.push_back(std::to_string(plan.draws) +
+                         " draws; at a depth those whose tip came that deep, if at least 8 did.");
+  return figure;
+}
+
+figures::Figure angleFigure(const Plan& plan)
+{
+  figures::Figure figure;
+  figure.title = "Angular insertion depth, median with 5 to 95 %";
+  figures::FigureValues values;
+  values.ink = ink::blue;
+  double top = 90.0;
+  for (std::size_t i = 0; i < plan.arrays.size(); ++i) {
+    const Band& band = plan.arrays[i].angle_deg;
+    values.x.push_back(static_cast<double>(i + 1));
+    values.y.push_back(band.median);
+    values.low.push_back(band.low);
+    values.high.push_back(band.high);
+    top = std::max(top, band.high);
+    figure.notes.push_back(std::to_string(i + 1) + ": " + plan.arrays[i].name);
+  }
+  figure.values = {values};
+  figure.x = {"array", 0.5, static_cast<double>(plan.arrays.size()) + 0.5, 1.0, 0};
+  figure.y = figures::axisOver("angle of the most apical contact, deg", 0.0, top);
+  return figure;
+}
+
+}  // namespace
+
+const std::vector<std::string>& limitsOfPlans()
+{
+  static const std::vector<std::string> limits = {
+      "The shape of the cochlea is the mean one, scaled to A, B and H: what is individual beyond "
+      "them is not drawn.",
+      "Without a measured H the height is that of the mean shape; its spread is not drawn.",
+      "The strength of the cochlear partition and the surgeon's force limit rest on few "
+      "publications; see sources.",
+      "Ends are those of the model: a probability is not a clinical risk."};
+  return limits;
+}
+
+Result<std::string> planJson(const Plan& plan)
+{
+  const auto hand = analysis::shippedHand();
+  if (!hand) return hand.error();
+  const auto uncertainty = shippedUncertainty();
+  if (!uncertainty) return uncertainty.error();
+  ordered_json json = {{"program", "Perilymph " + version()},
+                       {"plan", plan.fingerprint},
+                       {"seed", plan.request.seed},
+                       {"scenario", plan.request.scenario},
+                       {"patient", patientJson(plan.request.patient)}};
+  json["arrays"] = ordered_json::array();
+  for (const ArrayPlan& each : plan.arrays) json["arrays"].push_back(arrayJson(each));
+  json["sources"] = ordered_json::array();
+  addSources(json["sources"], "clinical/hand.toml", hand->provenance);
+  addSources(json["sources"], "planning/uncertainty.toml", uncertainty->provenance);
+  json["limits"] = limitsOfPlans();
+  return json.dump(2) + "\n";
+}
+
+std::string arraysCsv(const Plan& plan)
+{
+  std::string csv = "array,name,draws";
+  for (const Quantity& each : quantities)
+    for (const char* quantile : {"p5", "p25", "median", "p75", "p95"})
+      csv += std::string(",") + each.key + "_" + quantile;
+  for (const Chance& each : chances)
+    csv += std::string(",") + each.key + "_percent," + each.key + "_low," + each.key + "_high";
+  csv += '\n';
+  for (const ArrayPlan& each : plan.arrays) {
+    csv += analysis::csvField(each.array) + "," + analysis::csvField(each.name) + "," +
+           std::to_string(each.draws);
+    for (const Quantity& quantity : quantities) {
+      const Band& band = each.*quantity.band;
+      for (const double value :
+           {band.low, band.lowerQuartile, band.median, band.upperQuartile, band.high})
+        csv += "," + number(value);
+    }
+    for (const Chance& chance : chances) {
+      const analysis::Estimate& estimate = each.*chance.estimate;
+      for (const double value : {estimate.value, estimate.low, estimate.high})
+        csv += "," + number(100.0 * value);
+    }
+    csv += '\n';
+  }
+  return csv;
+}
+
+std::string contactsCsv(const Plan& plan)
+{
+  std::string csv =
+      "array,contact,draws,angle_deg,angle_p5_deg,angle_p95_deg,to_modiolus_mm,to_modiolus_p5_mm,"
+      "to_modiolus_p95_mm,greenwood_Hz,spiral_ganglion_Hz\n";
+  for (const ArrayPlan& array : plan.arrays)
+    for (const ContactBand& each : array.contacts) {
+      csv += analysis::csvField(array.array) + "," + std::to_string(each.number) + "," +
+             std::to_string(each.draws);
+      for (const double value :
+           {each.angle_deg.median, each.angle_deg.low, each.angle_deg.high,
+            each.toModiolus_mm.median, each.toModiolus_mm.low, each.toModiolus_mm.high,
+            each.greenwood_Hz, each.spiralGanglion_Hz})
+        csv += "," + number(value);
+      csv += '\n';
+    }
+  return csv;
+}
+
+std::vector<std::pair<std::string, figures::Figure>> planFigures(const Plan& plan)
+{
+  std::vector<std::pair<std::string, figures::Figure>> figures = {{"angle", angleFigure(plan)}};
+  for (std::size_t i = 0; i < plan.arrays.size(); ++i)
+    figures.emplace_back("force-" + std::to_string(i + 1), forceFigure(plan.arrays[i]));
+  return figures;
+}
+
+}  // namespace perilymph::planning

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Bands, probabilities and influences from the insertions of a plan.
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "perilymph/analysis/Prediction.h"
+#include "perilymph/analysis/Tonotopy.h"
+#include "perilymph/planning/Plan.h"
+
+namespace perilymph::planning {
+
+namespace {
+
+using haptics::InsertionEnd;
+
+/// Draws below which a band at a depth is not given (choice, high).
+constexpr std::size_t fewestInBand = 8;
+/// Tolerances of bandsStand().
+constexpr double angleTolerance_deg = 5.0, peakTolerance = 0.05;
+/// Quartile range of a normal distribution, in standard deviations, and standard error of a median,
+/// in standard errors of a mean.
+constexpr double quartileRange = 1.349, medianError = 1.2533;
+
+using Insertions = std::vector<const PlannedInsertion*>;
+
+template <class Value>
+std::vector<double> valuesOf(const Insertions& all, const Value& value)
+{
+  std::vector<double> values;
+  for (const PlannedInsertion* each : all) values.push_back(value(*each));
+  return values;
+}
+
+analysis::Estimate probability(const Insertions& all, const std::vector<InsertionEnd>& ends)
+{
+  const auto hits = std::count_if(all.begin(), all.end(), [&](const PlannedInsertion* each) {
+    return std::find(ends.begin(), ends.end(), each->insertion.end) != ends.end();
+  });
+  return analysis::proportionOf(static_cast<std::size_t>(hits), all.size());
+}
+
+std::vector<ForceBand> forceBands(const Insertions& all)
+{
+  std::vector<ForceBand> bands;
+  for (int i = 0;; ++i) {
+    const double depth_mm = i * inMillimeters(bandSpacing);
+    std::vector<double> forces;
+    bool isBelow = false;  // some profile goes on deeper
+    for (const PlannedInsertion* each : all)
+      for (const analysis::DepthForce& point : each->insertion.profile) {
+        const double off = inMillimeters(point.depth) - depth_mm;
+        if (std::fabs(off) < 1e-6) forces.push_back(inMillinewtons(point.force));
+        isBelow = isBelow || off > 1e-6;
+      }
+    if (forces.size() >= fewestInBand) bands.push_back({depth_mm, forces.size(), bandOf(forces)});
+    if (!isBelow) return bands;
+  }
+}
+
+std::vector<ContactBand> contactBands(const Insertions& all)
+{
+  std::size_t count = 0;
+  for (const PlannedInsertion* each : all) count = std::max(count, each->insertion.contacts.size());
+  std::vector<ContactBand> bands;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::vector<double> angles, distances, places;
+    for (const PlannedInsertion* each : all) {
+      if (i >= each->insertion.contacts.size()) continue;
+      const analysis::ContactPosition& contact = each->insertion.contacts[i];
+      if (!contact.isInserted) continue;
+      angles.push_back(inDegrees(contact.angle));
+      distances.push_back(inMillimeters(contact.toModiolus));
+      places.push_back(contact.coverage);
+    }
+    ContactBand band;
+    band.number = static_cast<int>(i) + 1;
+    band.draws = angles.size();
+    if (!angles.empty()) {
+      band.angle_deg = bandOf(angles);
+      band.toModiolus_mm = bandOf(distances);
+      band.greenwood_Hz = analysis::greenwoodFrequency(1.0 - analysis::quantile(places, 0.5));
+      band.spiralGanglion_Hz = analysis::spiralGanglionFrequency(degrees(band.angle_deg.median));
+    }
+    bands.push_back(band);
+  }
+  return bands;
+}
+
+/// Ranks from 0; equal values share their mean rank.
+std::vector<double> ranksOf(const std::vector<double>& values)
+{
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  std::vector<double> ranks(values.size());
+  for (std::size_t i = 0; i < order.size();) {
+    std::size_t end = i + 1;
+    while (end < order.size() && values[order[end]] == values[order[i]]) ++end;
+    for (std::size_t k = i; k < end; ++k) ranks[order[k]] = 0.5 * static_cast<double>(i + end - 1);
+    i = end;
+  }
+  return ranks;
+}
+
+/// Squared rank correlation; 0 if one does not vary.
+double explained(const std::vector<double>& x, const std::vector<double>& y)
+{
+  const std::vector<double> a = ranksOf(x), b = ranksOf(y);
+  const double middle = 0.5 * (static_cast<double>(x.size()) - 1.0);
+  double xx = 0.0, xy = 0.0, yy = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    xx += (a[i] - middle) * (a[i] - middle);
+    xy += (a[i] - middle) * (b[i] - middle);
+    yy += (b[i] - middle) * (b[i] - middle);
+  }
+  return xx > 0.0 && yy > 0.0 ? xy * xy / (xx * yy) : 0.0;
+}
+
+double angleOf(const PlannedInsertion& each) { return inDegrees(each.insertion.apical); }
+double peakOf(const PlannedInsertion& each) { return inMillinewtons(each.insertion.peak); }
+
+std::vector<Influence> influencesOn(const Insertions& all)
+{
+  struct Input {
+    const char* name;
+    double (*value)(const PlannedInsertion&);
+  };
+  static constexpr Input inputs[] = {
+      {"A", [](const PlannedInsertion& each) { return each.a_mm; }},
+      {"B", [](const PlannedInsertion& each) { return each.b_mm; }},
+      {"H", [](const PlannedInsertion& each) { return each.h_mm; }},
+      {"approach tilt", [](const PlannedInsertion& each) { return each.tilt_deg; }},
+      {"approach turn", [](const PlannedInsertion& each) { return each.turn_deg; }},
+      {"stiffness", [](const PlannedInsertion& each) { return each.stiffness; }},
+      {"friction", [](const PlannedInsertion& each) { return each.friction; }},
+      {"speed", [](const PlannedInsertion& each) { return each.speed_mm_s; }},
+      {"force limit", [](const PlannedInsertion& each) { return each.stop_mN; }}};
+  std::vector<Influence> influences;
+  for (const Input& input : inputs) {
+    const std::vector<double> values = valuesOf(all, input.value);
+    influences.push_back({input.name, explained(values, valuesOf(all, angleOf)),
+                          explained(values, valuesOf(all, peakOf))});
+  }
+  std::stable_sort(influences.begin(), influences.end(),
+                   [](const Influence& a, const Influence& b) { return a.onAngle > b.onAngle; });
+  return influences;
+}
+
+ArrayPlan summaryOf(const Insertions& all)
+{
+  ArrayPlan plan;
+  plan.draws = all.size();
+  // An insertion that could not be prepared has an end and no values.
+  Insertions run;
+  for (const PlannedInsertion* each : all)
+    if (each->insertion.end != InsertionEnd::refused) run.push_back(each);
+  const auto band = [&run](const auto& value) { return bandOf(valuesOf(run, value)); };
+  plan.angle_deg = band(angleOf);
+  plan.peak_mN = band(peakOf);
+  plan.coverage_percent = band([](const PlannedInsertion& each) {
+    return 100.0 * analysis::cochlearCoverage(each.insertion.contacts);
+  });
+  plan.depth_mm =
+      band([](const PlannedInsertion& each) { return inMillimeters(each.insertion.depth); });
+  plan.end_mN =
+      band([](const PlannedInsertion& each) { return inMillinewtons(each.insertion.endForce); });
+  plan.partition_mN =
+      band([](const PlannedInsertion& each) { return inMillinewtons(each.insertion.membrane); });
+  plan.full = probability(all, {InsertionEnd::finished});
+  plan.resisted = probability(all, {InsertionEnd::stoppedByResistance});
+  plan.buckled = probability(all, {InsertionEnd::buckled});
+  plan.foldedTip = probability(all, {InsertionEnd::foldedTip});
+  plan.other = probability(all, {InsertionEnd::outOfOpening, InsertionEnd::jammed,
+                                 InsertionEnd::fault, InsertionEnd::refused, InsertionEnd::none});
+  const auto ruptured = std::count_if(all.begin(), all.end(), [](const PlannedInsertion* each) {
+    return each->insertion.isRuptured;
+  });
+  plan.ruptured = analysis::proportionOf(static_cast<std::size_t>(ruptured), all.size());
+  plan.force = forceBands(run);
+  plan.contacts = contactBands(run);
+  plan.influences = influencesOn(run);
+  return plan;
+}
+
+}  // namespace
+
+Band bandOf(std::vector<double> values)
+{
+  std::sort(values.begin(), values.end());
+  const auto at = [&values](double fraction) { return analysis::quantile(values, fraction); };
+  return {at(0.05), at(0.25), at(0.5), at(0.75), at(0.95)};
+}
+
+std::vector<ArrayPlan> summarize(const PlanRequest& request, const std::vector<std::string>& names,
+                                 const std::vector<PlannedInsertion>& insertions)
+{
+  std::vector<ArrayPlan> plans;
+  for (std::size_t i = 0; i < request.arrays.size(); ++i) {
+    Insertions own;
+    for (const PlannedInsertion& each : insertions)
+      if (each.array == i) own.push_back(&each);
+    ArrayPlan plan = summaryOf(own);
+    plan.array = request.arrays[i];
+    plan.name = names[i];
+    plans.push_back(std::move(plan));
+  }
+  return plans;
+}
+
+bool bandsStand(const std::vector<ArrayPlan>& arrays)
+{
+  const auto errorOf = [](const Band& band, std::size_t draws) {
+    return medianError * (band.upperQuartile - band.lowerQuartile) / quartileRange /
+           std::sqrt(static_cast<double>(std::max<std::size_t>(draws, 1)));
+  };
+  return std::all_of(arrays.begin(), arrays.end(), [&](const ArrayPlan& plan) {
+    return errorOf(plan.angle_deg, plan.draws) <= angleTolerance_deg &&
+           errorOf(plan.peak_mN, plan.draws) <= peakTolerance * plan.peak_mN.median;
+  });
+}
+
+}  // namespace perilymph::planning

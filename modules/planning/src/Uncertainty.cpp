@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Uncertainty.h"
+
+#include <optional>
+
+#include "perilymph/foundation/Resources.h"
+#include "perilymph/foundation/TomlReader.h"
+
+namespace perilymph::planning {
+
+namespace {
+
+TomlReader sourcedTable(TomlReader& file, const char* key, Uncertainty& uncertainty)
+{
+  TomlReader table = file.table(key);
+  const std::string source = table.text("source");
+  uncertainty.provenance.push_back(
+      {key, source, table.choice("confidence", {"high", "medium", "low"}, std::nullopt)});
+  return table;
+}
+
+}  // namespace
+
+double Uncertainty::stiffnessOf(const electrode::ArrayDesign& array) const
+{
+  for (const auto& [table, source] : array.provenance) {
+    if (table != "bending") continue;
+    if (source.confidence == electrode::Confidence::high) return highStiffness;
+    if (source.confidence == electrode::Confidence::medium) return mediumStiffness;
+  }
+  return lowStiffness;
+}
+
+Result<Uncertainty> loadUncertainty(const std::filesystem::path& file)
+{
+  auto reader = TomlReader::open(file);
+  if (!reader) return reader.error();
+  Uncertainty uncertainty;
+  reader->text("label");
+  TomlReader stiffness = sourcedTable(*reader, "stiffness", uncertainty);
+  uncertainty.highStiffness = stiffness.number("high_sd_fraction", {0.0, 1.0});
+  uncertainty.mediumStiffness =
+      stiffness.number("medium_sd_fraction", {uncertainty.highStiffness, 1.0});
+  uncertainty.lowStiffness =
+      stiffness.number("low_sd_fraction", {uncertainty.mediumStiffness, 1.0});
+  TomlReader approach = sourcedTable(*reader, "approach", uncertainty);
+  uncertainty.tiltDeviation = degrees(approach.number("tilt_sd_deg", {0.0, 15.0}));
+  uncertainty.turnDeviation = degrees(approach.number("turn_sd_deg", {0.0, 15.0}));
+  uncertainty.maxDeviates = approach.number("max_deviates", {0.5, 5.0});
+  if (const auto done = reader->finish(); !done) return done.error();
+  return uncertainty;
+}
+
+Result<Uncertainty> shippedUncertainty()
+{
+  return loadUncertainty(resource("resources/planning/uncertainty.toml"));
+}
+
+}  // namespace perilymph::planning

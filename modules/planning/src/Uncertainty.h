@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// What is uncertain about an insertion besides the measures of the cochlea and the surgeon's hand.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "perilymph/electrode/ArrayDesign.h"
+#include "perilymph/foundation/Result.h"
+#include "perilymph/foundation/Units.h"
+
+namespace perilymph::planning {
+
+/// Standard deviations of array and approach, as data with sources.
+struct Uncertainty {
+  /// Source and confidence of the values of one table of the file.
+  struct Provenance {
+    std::string table, source, confidence;
+  };
+
+  /// Fraction of the bending stiffness, by the confidence that the array's file gives it: log-normal
+  /// with mean 1.
+  double highStiffness = 0.0, mediumStiffness = 0.0, lowStiffness = 0.0;
+  Angle tiltDeviation, turnDeviation;  ///< The approach's, from the scenario's: normal.
+  double maxDeviates =
+      0.0;  ///< Limit of the approach's deviates: a larger one would have been corrected.
+  std::vector<Provenance> provenance;
+
+  /// Standard deviation of an array's stiffness, as a fraction.
+  double stiffnessOf(const electrode::ArrayDesign& array) const;
+};
+
+/// Reads the deviations from a TOML file.
+Result<Uncertainty> loadUncertainty(const std::filesystem::path& file);
+/// The shipped ones: resources/planning/uncertainty.toml.
+Result<Uncertainty> shippedUncertainty();
+
+}  // namespace perilymph::planning

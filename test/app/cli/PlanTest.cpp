@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <nlohmann/json.hpp>
+
+#include "Cli.h"
+
+namespace perilymph::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class Plans : public testing::Test {
+protected:
+  ProgramOutcome plan(const std::string& patient, const std::vector<std::string>& more = {}) const
+  {
+    std::vector<std::string> call = {"plan",          "--patient", patient, "--out",
+                                     folder_ / "out", "--samples", "1"};
+    call.insert(call.end(), more.begin(), more.end());
+    return cli(call);
+  }
+  std::string text(const std::string& name) const { return contentOf(folder_ / "out" / name); }
+  TemporaryFolder folder_;
+};
+
+TEST_F(Plans, AreWrittenWithTheirTablesAndFiguresAndContinueToTheSameBytes)
+{
+  const auto first = plan("measured", {"--arrays", "flex24"});
+  ASSERT_EQ(first.status, 0) << first.err;
+  EXPECT_THAT(first.out, HasSubstr("FLEX24, 1 draw\n"));
+  EXPECT_THAT(first.out, HasSubstr("angular insertion depth"));
+  const std::string json = text("plan.json"), contacts = text("contacts.csv");
+  const auto parsed = nlohmann::json::parse(json);
+  EXPECT_EQ(parsed["patient"]["A_sd_mm"], 0.15);
+  EXPECT_GT(parsed["arrays"][0]["angle_deg"]["median"].get<double>(), 90.0);
+  EXPECT_TRUE(fs::exists(folder_ / "out" / "force-1.svg"));
+
+  const auto again = plan("measured", {"--arrays", "flex24"});
+  ASSERT_EQ(again.status, 0) << again.err;
+  EXPECT_EQ(text("plan.json"), json);
+  EXPECT_EQ(text("contacts.csv"), contacts);
+}
+
+TEST_F(Plans, NeedAPatientWithAAndB)
+{
+  const auto outcome = plan("average", {"--arrays", "flex24"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("has no A and B"));
+}
+
+TEST_F(Plans, NameAnArrayThatIsNotThere)
+{
+  const auto outcome = plan("measured", {"--arrays", "flex99"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("flex99"));
+}
+
+}  // namespace
+}  // namespace perilymph::test

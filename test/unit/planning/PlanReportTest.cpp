@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "perilymph/planning/PlanReport.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "SyntheticPlan.h"
+
+namespace perilymph::test {
+namespace {
+
+std::vector<std::string> fieldsOf(const std::string& line)
+{
+  std::vector<std::string> fields;
+  std::istringstream stream(line);
+  for (std::string field; std::getline(stream, field, ',');) fields.push_back(field);
+  return fields;
+}
+
+TEST(PlanReport, SaysTheSameInJsonAndTables)
+{
+  const planning::Plan plan = syntheticPlan(101);
+  const auto text = planning::planJson(plan);
+  ASSERT_TRUE(text) << text.error().message;
+  const auto json = nlohmann::json::parse(*text);
+  std::istringstream table(planning::arraysCsv(plan));
+  std::string head, row;
+  std::getline(table, head);
+  std::getline(table, row);
+  const auto names = fieldsOf(head), values = fieldsOf(row);
+  ASSERT_EQ(names.size(), values.size());
+  const auto valueOf = [&](const std::string& name) {
+    const auto place = std::find(names.begin(), names.end(), name);
+    return place == names.end() ? -1.0 : std::stod(values[std::size_t(place - names.begin())]);
+  };
+  EXPECT_EQ(valueOf("angle_deg_median"), json["arrays"][0]["angle_deg"]["median"].get<double>());
+  EXPECT_EQ(valueOf("peak_mN_p95"), json["arrays"][0]["peak_mN"]["p95"].get<double>());
+  EXPECT_NEAR(valueOf("full_insertion_percent"),
+              100.0 * json["arrays"][0]["probability"]["full_insertion"]["value"].get<double>(),
+              1e-3);
+  EXPECT_EQ(json["arrays"][0]["contacts"].size(), 2u);
+  EXPECT_EQ(json["patient"]["B_sd_mm"], 0.2);
+}
+
+TEST(PlanReport, NamesTheSourceOfEveryDistributionAndWhatIsNotDrawn)
+{
+  const auto text = planning::planJson(syntheticPlan(20));
+  ASSERT_TRUE(text);
+  const auto json = nlohmann::json::parse(*text);
+  EXPECT_GE(json["sources"].size(), 8u);
+  for (const auto& source : json["sources"])
+    EXPECT_FALSE(source["source"].get<std::string>().empty()) << source;
+  EXPECT_EQ(json["limits"].size(), planning::limitsOfPlans().size());
+}
+
+TEST(PlanReport, HasARowPerContact)
+{
+  const std::string csv = planning::contactsCsv(syntheticPlan(20));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * 2);
+}
+
+TEST(PlanReport, DrawsTheBandsOfEachArray)
+{
+  const auto figures = planning::planFigures(syntheticPlan(101));
+  ASSERT_EQ(figures.size(), 3u);
+  EXPECT_EQ(figures[0].first, "angle");
+  const figures::Figure& force = figures[1].second;
+  EXPECT_EQ(force.bands[0].x.size(), 4u);
+  EXPECT_NEAR(force.curves[0].y[0], 51.0, 1e-9);
+  EXPECT_GE(force.y.high, 96.0);
+}
+
+}  // namespace
+}  // namespace perilymph::test

@@ -35,8 +35,9 @@ void printArray(const analysis::ArraySummary& array, const analysis::Reference& 
   else
     print("  average cochlea: not possible\n");
   if (array.patients > 0)
-    print("  {} patients: median {} deg, quartiles {} and {}\n", array.patients,
-          degreesOf(array.median), degreesOf(array.lowerQuartile), degreesOf(array.upperQuartile));
+    print("  {} patients, {} complete: median {} deg, quartiles {} and {}\n", array.patients,
+          array.complete, degreesOf(array.median), degreesOf(array.lowerQuartile),
+          degreesOf(array.upperQuartile));
   if (array.clinical)
     print("  {:5} clinical median {} deg, {} to {}\n", verdict(array.hitsAngle),
           degreesOf(array.clinical->median), degreesOf(array.clinical->low),

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <fstream>
 
 #include "perilymph/analysis/InsertionByHand.h"
+#include "perilymph/analysis/Prediction.h"
+#include "perilymph/test/TemporaryFolder.h"
 #include "validation/VirtualInsertion.h"
 
 namespace perilymph::analysis {
@@ -150,6 +152,29 @@ TEST(ClinicalRow, GivesNoVerdictOnWhatNobodyHasRead)
       rowOf(insertionsTo("flex24", {400, 400}), "rupture of the partition of all arrays");
   EXPECT_EQ(row.confidence, "low");
   EXPECT_EQ(row.verdict, RowVerdict::notJudged);
+}
+
+TEST(Prediction, CountsPatientsWhoseInsertionStopsEarly)
+{
+  const test::TemporaryFolder folder;
+  const std::string scenario = (folder / "weak.toml").string();
+  const auto weak =
+      session::loadScenario("surgery-flex28", {{"stop_force_N", "0.002"}, {"nodes", "30"}});
+  ASSERT_TRUE(weak) << weak.error().message;
+  std::ofstream(scenario) << weak->text();
+
+  PredictionRequest request;
+  request.arrays = {"flex28"};
+  request.scenario = scenario;
+  request.patients = 2;
+  const auto result = predict(request, {});
+  ASSERT_TRUE(result) << result.error().message;
+  const ArraySummary& summary = result->arrays.front();
+  EXPECT_EQ(summary.patients, 2);
+  EXPECT_EQ(summary.complete, 0);
+  EXPECT_FALSE(summary.mean);
+  EXPECT_GT(summary.medianPeak, newtons(0.0019));
+  EXPECT_LT(summary.medianPeak, newtons(0.004));
 }
 
 }  // namespace

@@ -41,11 +41,13 @@ ArraySummary summaryOf(const std::string& array, const std::vector<PredictedInse
   summary.array = array;
   std::vector<double> angles, ends, peaks;
   for (const PredictedInsertion& each : all) {
-    if (each.array != array || !each.error.empty()) continue;
+    if (each.array != array) continue;
     if (each.patient == "mean") {
-      summary.mean = each;
+      if (each.error.empty()) summary.mean = each;
       continue;
     }
+    // one that ended early counts with the depth it reached
+    summary.complete += each.error.empty() ? 1 : 0;
     angles.push_back(each.apical.si());
     ends.push_back(each.end.si());
     peaks.push_back(each.peak.si());

@@ -32,6 +32,7 @@ Json json(const ArraySummary& array, const PrintedRange* end, const PrintedRange
                             {"end_N", array.mean->end.si()},
                             {"peak_N", array.mean->peak.si()}};
   page["patients"] = array.patients;
+  page["complete"] = array.complete;
   if (array.patients > 0) {
     page["median_deg"] = inDegrees(array.median);
     page["lower_quartile_deg"] = inDegrees(array.lowerQuartile);

@@ -43,7 +43,8 @@ struct PredictedInsertion {
   Angle apical;         ///< Angle of the most apical contact from the round window.
   Length depth;         ///< Final depth past the opening.
   Force end, peak;      ///< Axial, on the hand.
-  /// A message if the insertion failed; the other values are then undefined.
+  /// A message if the insertion ended early; the other values are then those at its end, zero if it
+  /// could not be prepared.
   std::string error;
 };
 
@@ -51,7 +52,8 @@ struct PredictedInsertion {
 struct ArraySummary {
   std::string array;
   std::optional<PredictedInsertion> mean;      ///< In the mean cochlea.
-  int patients = 0;                            ///< Number of patients with a successful insertion.
+  int patients = 0;                            ///< Number of patients, however it ended.
+  int complete = 0;                            ///< Number of them with the array at full depth.
   Angle median, lowerQuartile, upperQuartile;  ///< Angles over all patients.
   Force medianEnd, medianPeak;                 ///< Forces over all patients.
   std::optional<ClinicalAngle> clinical;

@@ -47,12 +47,12 @@ void check(const Opening& opening, const electrode::ArrayDesign& array)
   if (!(opening.passage.si() > 0.0)) {
     require(opening.passage.si() == 0.0, "The passage of the opening is " +
                                              std::to_string(inMillimeters(opening.passage)) +
-                                             " mm long; it must be 0 to 5 mm.");
+                                             " mm long; it must be 0 to 2 mm.");
     return;
   }
-  require(inMillimeters(opening.passage) <= 5.0,
+  require(opening.passage.si() <= longestPassage,
           "The passage of the opening is " + std::to_string(inMillimeters(opening.passage)) +
-              " mm long; it must be 0 to 5 mm.");
+              " mm long; it must be 0 to 2 mm.");
   require(opening.width == opening.height,
           "The opening is " + std::to_string(inMillimeters(opening.width)) + " by " +
               std::to_string(inMillimeters(opening.height)) +

@@ -53,7 +53,7 @@ struct ContactSet {
       wallStiffness;          ///< Stiffness of the wall at each of them [N/m].
   RimContact rim;             ///< State of the rim contact after this iteration.
   RimStiffness rimStiffness;  ///< Stiffness of the rim contact.
-  std::array<RimStiffness, passageRings - 1>
+  std::array<RimStiffness, maxPassageRings - 1>
       innerRings;  ///< The same at the rings of a passage behind it.
 };
 

@@ -87,4 +87,21 @@ Crossing crossingOf(const InsertionModel& model, const std::vector<Eigen::Vector
   return nearest;
 }
 
+Crossing crossingBehind(const InsertionModel& model, const std::vector<Eigen::Vector3d>& x,
+                        double plane, const Crossing& outer) noexcept
+{
+  const std::size_t tip = x.size() - 1;
+  std::size_t i = std::max<std::size_t>(outer.first, 1);
+  double before = heightAbove(model, plane, x[i - 1]);
+  double here = heightAbove(model, plane, x[i]);
+  if (before + here < 0.0 || !(heightAbove(model, plane, x[tip]) < 0.0)) return Crossing();
+  for (; i < tip; ++i) {
+    const double after = heightAbove(model, plane, x[i + 1]);
+    if (here + after < 0.0) return crossingAt(model, x, i, before, here, after);
+    before = here;
+    here = after;
+  }
+  return crossingAtTip(model, x, before, here);
+}
+
 }  // namespace perilymph::mechanics

@@ -35,4 +35,8 @@ double heightAbove(const InsertionModel& model, double plane, const Eigen::Vecto
 Crossing crossingOf(const InsertionModel& model, const std::vector<Eigen::Vector3d>& x,
                     double plane, double fromTip) noexcept;
 
+/// The next intersection with a plane inside, behind an intersection further out.
+Crossing crossingBehind(const InsertionModel& model, const std::vector<Eigen::Vector3d>& x,
+                        double plane, const Crossing& outer) noexcept;
+
 }  // namespace perilymph::mechanics

@@ -17,7 +17,6 @@ namespace {
 
 constexpr double minDistance = 1e-9;   // [m]; avoids division by zero
 constexpr double tableSpacing = 2e-6;  // [m]; a hundredth of a rib's flank
-constexpr std::size_t innerEdge = passageRings - 1;
 
 /// A value of the array at a distance from its tip, and its derivative.
 struct Along {
@@ -40,6 +39,20 @@ Along setIn(double depth, double tipRadius) noexcept
   return {t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t) / tipRadius};
 }
 
+/// Distance that the axis of the array may have from that of the hole before they touch, and its
+/// derivative: the clearance w of the carrier, less the height r of a rib,
+///
+///     w - r + r^2 / (4 w)     for r < 2 w, then 0,
+///
+/// so that a rib takes over the support as smoothly as it comes.
+Along slackOf(double clearance, double clearanceRate, double rib, double ribRate) noexcept
+{
+  if (!(clearance > 0.5 * rib)) return {0.0, 0.0};
+  const double ratio = 0.5 * rib / clearance;
+  return {clearance - rib + 0.5 * rib * ratio,
+          (1.0 - ratio * ratio) * clearanceRate + (ratio - 1.0) * ribRate};
+}
+
 /// The forces and the stiffness at a crossing with one ring.
 struct RingContact {
   Eigen::Vector3d force_W = Eigen::Vector3d::Zero();      ///< On the crossing [N].
@@ -58,17 +71,19 @@ void addSide(const InsertionModel& model, const Crossing& crossing, std::size_t 
   out += crossing.at_W;
   out -= n_W * n_W.dot(out);
   const double distance = out.norm();
-  const RibProfile rib = ribsAt(model, crossing.fromTip);
-  const double clearance = passage.radius - crossing.radius - rib.height;
-  const double overlap = distance - std::max(clearance, 0.0);
+  const bool isEdge = ring == 0 || ring + 1 == passage.rings;
+  const RibProfile rib = isEdge ? RibProfile{0.0, 0.0} : ribsAt(model, crossing.fromTip);
+  const Along slack = slackOf(passage.radius - crossing.radius, -crossing.radiusRate, rib.height,
+                              -model.spacing * rib.slope);
+  const double overlap = distance - slack.value;
   const NormalForce law =
       normalForce(overlap, passage.stiffness[ring], model.parts.wall.bareOnset().si());
   if (!(law.force > 0.0) || distance < minDistance) return;
 
   const Eigen::Vector3d u_W = out / distance;
   const Eigen::Vector3d b_W = n_W.cross(u_W);
-  const double radiusRate = clearance > 0.0 ? crossing.radiusRate - model.spacing * rib.slope : 0.0;
-  const Eigen::Vector3d gradient_W = u_W - ((u_W.dot(crossing.along_W) + radiusRate) / steep) * n_W;
+  const Eigen::Vector3d gradient_W =
+      u_W - ((u_W.dot(crossing.along_W) - slack.slope) / steep) * n_W;
   const Eigen::Vector3d around_W = b_W - (b_W.dot(crossing.along_W) / steep) * n_W;
   const double force = fraction.value * law.force;
   contact.force_W -= force * gradient_W;
@@ -142,13 +157,18 @@ std::optional<PassageModel> passageOf(const InsertionModel& model)
     passage.friction = {coefficient, coefficient, coefficient, model.parts.friction.stribeck};
   }
   const double length = opening.passage.si();
-  const double piece = length / (passageRings - 2);
-  for (std::size_t k = 1; k < innerEdge; ++k) {
+  // a length of whole spacings may be a rounding above them
+  const double onWall = std::clamp(std::ceil(length / passageRingSpacing - 1e-6), 1.0,
+                                   static_cast<double>(maxPassageRings - 2));
+  const double piece = length / onWall;
+  passage.rings = static_cast<std::size_t>(onWall) + 2;
+  for (std::size_t k = 1; k + 1 < passage.rings; ++k) {
     passage.plane[k] = -(static_cast<double>(k) - 0.5) * piece;
     passage.stiffness[k] = model.parts.wall.perSamplePoint.si() * (piece / samplePointSpacing);
   }
-  passage.plane[innerEdge] = -length;
-  passage.stiffness.front() = passage.stiffness.back() = model.parts.wall.rimStiffness().si();
+  passage.plane[passage.rings - 1] = -length;
+  passage.stiffness[0] = model.parts.wall.rimStiffness().si();
+  passage.stiffness[passage.rings - 1] = passage.stiffness[0];
 
   const electrode::ArrayDesign& array = model.parts.array;
   const double arrayLength = array.length.si();
@@ -180,10 +200,10 @@ void addPassageForces(const InsertionModel& model, const InsertionState& state,
   const FrictionStep friction = frictionAlong(model, state, start, history, outer, slip);
   Eigen::Vector3d total_W = Eigen::Vector3d::Zero();
   double normal = 0.0, inner = 0.0;
-  for (std::size_t k = 0; k < passageRings; ++k) {
+  for (std::size_t k = 0; k < passage.rings; ++k) {
     const double plane = passage.plane[k];
     const double depth = -heightAbove(model, plane, x[tip]);
-    const Crossing crossing = k == 0 ? outer : crossingOf(model, x, plane, outer.fromTip + plane);
+    const Crossing crossing = k == 0 ? outer : crossingBehind(model, x, plane, outer);
     if (crossing.count == 0) continue;
     // a tip outside touches the outer edge as a sphere before: that ring acts at once
     const Along fraction = k == 0 ? Along{1.0, 0.0} : setIn(depth, model.radius[tip]);
@@ -194,7 +214,7 @@ void addPassageForces(const InsertionModel& model, const InsertionState& state,
       addSqueeze(model, crossing, 1.0, steep, contact);
       contact.force_W += friction.force_W;
       contact.stiffness_W += friction.stiffness;
-    } else if (k == innerEdge) {
+    } else if (k + 1 == passage.rings) {
       addSqueeze(model, crossing, -1.0, steep, contact);
       inner = interpolate(passage.radialForce, passage.spacing, crossing.fromTip).value;
     }

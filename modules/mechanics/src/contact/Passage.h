@@ -25,16 +25,16 @@ std::optional<PassageModel> passageOf(const InsertionModel& model);
 /// Three parts form one energy, of which every force is the gradient:
 ///
 ///     squeeze    U = 2 pi E integral m(s)^2 ds     between the two edges
-///     edges      U = compliant wall law of p, at the outer and at the inner edge
-///     wall       the same at rings between them, each for its part of the length
+///     edges      U = compliant wall law of p, at the outer and at the inner edge, without ribs
+///     wall       the same with ribs at rings between them, each for its part of the length
 ///
 /// m(s) is the interference of the concentric array, ribs included, with the hole at the distance s
 /// from the tip: a solid cylinder of modulus E and Poisson's ratio 1/2 that can expand along its axis
 /// is pressed by p = 2 E m / R. Because m belongs to the array, the derivative of the integral is
 /// that at its limits: a rib pushes back at the outer edge while it enters, and forward at the inner
 /// edge while it leaves; in between it only rubs. p is the overlap of the array at one side, the
-/// distance of its axis from that of the hole minus the clearance there. A ring sets in over one
-/// radius of the tip once it has passed.
+/// distance of its axis from that of the hole minus the clearance there, which ends smoothly at a
+/// rib. A ring sets in over one radius of the tip once it has passed.
 ///
 /// Friction acts along the passage, bounded by the sum of all normal forces in the previous step,
 /// and on the outer edge: the array is too stiff along its axis for the place to matter.

@@ -32,7 +32,7 @@ void readOpening(ScenarioKeys& keys, TomlReader& reader, InsertionParameters& pa
   const double outward = keys.number("opening_outward_mm", {-2.0, 2.0}, 0.0);
   const double vertical = keys.number("opening_vertical_mm", {-2.0, 2.0}, 0.0);
   // A drilled hole is as long as what it is drilled through; a round window is a thin membrane.
-  const double passage = keys.number("passage_mm", {0.0, 5.0}, 0.0);
+  const double passage = keys.number("passage_mm", {0.0, 2.0}, 0.0);
   const mechanics::Opening usual;
   // Silicone has 0.6 to 4 MPa (Wang et al. 2014, J Appl Polym Sci 131:41050); wires stiffen it.
   const double modulus =

@@ -11,18 +11,25 @@
 
 namespace perilymph::mechanics {
 
-/// Number of rings that support the array in a passage: its two edges, and three on the wall
-/// between them (choice, low: over 1 mm an array bows by less than the clearance).
-inline constexpr std::size_t passageRings = 5;
+/// Longest passage [m]: the bone over the basal turn is 1 to 2 mm thick (choice, low).
+inline constexpr double longestPassage = 2e-3;
+
+/// Largest distance between the rings that stand for the wall of a passage [m]: a third of the reach
+/// of a rib, so that it slides from ring to ring without a ripple.
+inline constexpr double passageRingSpacing = 0.1e-3;
+
+/// Maximum number of rings: those on the wall, and both edges.
+inline constexpr std::size_t maxPassageRings = 22;
 
 /// Constant data of a passage (src/contact/Passage.h).
 struct PassageModel {
-  double radius = 0.0;                              ///< Radius of the hole [m].
-  double modulus = 0.0;                             ///< Young's modulus of what it squeezes [Pa].
-  FrictionLaw friction;                             ///< Friction in it.
-  std::array<double, passageRings> plane = {};      ///< Height of each ring, from 0 down [m].
-  std::array<double, passageRings> stiffness = {};  ///< Stiffness of each ring [N/m].
-  double spacing = 0.0;                             ///< Between the entries of the tables [m].
+  double radius = 0.0;    ///< Radius of the hole [m].
+  double modulus = 0.0;   ///< Young's modulus of what it squeezes [Pa].
+  FrictionLaw friction;   ///< Friction in it.
+  std::size_t rings = 0;  ///< The outer edge, rings on the wall, and the inner edge.
+  std::array<double, maxPassageRings> plane = {};      ///< Height of each ring, from 0 down [m].
+  std::array<double, maxPassageRings> stiffness = {};  ///< Stiffness of each ring [N/m].
+  double spacing = 0.0;                                ///< Between the entries of the tables [m].
   /// Interference of the concentric array, ribs included, with the hole, from its tip on [m].
   std::vector<double> interference;
   /// Radial force of the hole on the array between its tip and each place [N].

@@ -25,12 +25,12 @@ void printValue(const char* what, const session::FittedValue& fitted)
 void printSummary(const analysis::CalibrationResult& result, const analysis::Reference& experiment)
 {
   printValue("stiffness scale", result.calibration.stiffnessScale);
-  printValue("residual curvature", result.calibration.residualCurvature);
-  print("chi-square {} before, {} now, {} trials; degrees of freedom: {}, p = {}\n",
-        fixed(result.chiSquareBefore, 1), fixed(result.chiSquare, 1), result.trials,
-        result.degreesOfFreedom, fixed(result.pValue, 4));
-  if (result.pValue < 0.05)
-    print("The two forces cannot both be met within the standard errors of their means.\n");
+  print("fitted force {} mN before, {} trials\n", forceText(result.before), result.trials);
+  const analysis::Agreement predicted = analysis::agreementOf(result.fitted);
+  print(
+      "predicted forces: largest difference {} mN, chi-square {}, degrees of freedom: {}, p = {}\n",
+      forceText(predicted.largest), fixed(predicted.chiSquare, 1), predicted.degreesOfFreedom,
+      fixed(predicted.pValue, 4));
   for (const analysis::AnchorComparison& anchor : result.fitted.anchors) {
     bool isUsed = false;
     for (const session::FittedForce& force : result.calibration.forces)
@@ -40,6 +40,11 @@ void printSummary(const analysis::CalibrationResult& result, const analysis::Ref
           forceText(anchor.simulator.mean), forceText(anchor.experiment.mean),
           forceText(anchor.experiment.standardDeviation));
   }
+  for (const analysis::IntervalComparison& interval : result.fitted.intervals)
+    print("{:10} {} mm: {} mN ({} to {} mN)\n", "not fitted",
+          fixed(inMillimeters(meters(interval.experiment.travel)), 1),
+          forceText(interval.simulator.mean), forceText(interval.experiment.low),
+          forceText(interval.experiment.high));
   for (const auto& [name, feature, found] :
        {std::tuple{"peak", "peak", result.fitted.basalTurn.peak},
         std::tuple{"dip", "dip", result.fitted.basalTurn.dip}}) {
@@ -78,11 +83,11 @@ Result<Done> calibrate(const CalibrateOptions& options, const CallFiles& files)
   request.seed = options.seed;
   request.jobs = options.jobs;
   watchForInterruption();
-  print("Calibrating the array of {} against two published forces.\n", request.nominal.name);
+  print("Calibrating the array of {} against one published force.\n", request.nominal.name);
   flushOutput();
-  // The number of trials is not known in advance; about thirty.
+  // The number of trials is not known in advance; about four.
   const auto result = analysis::fitCalibration(request, [](std::size_t trials) {
-    return showProgress("trial", trials + 1, std::max<std::size_t>(trials + 2, 30));
+    return showProgress("trial", trials + 1, std::max<std::size_t>(trials + 2, 4));
   });
   if (isInterrupted()) return Error{"Interrupted; nothing was written."};
   if (!result) return result.error();

@@ -197,7 +197,7 @@ void addValidate(CLI::App& app, FileOptions& files, ValidateOptions& options)
 void addCalibrate(CLI::App& app, FileOptions& files, CalibrateOptions& options)
 {
   CLI::App& command = *app.add_subcommand(
-      "calibrate", "Calibrate two array parameters against two published forces");
+      "calibrate", "Calibrate the stiffness of the array against one published force");
   command.add_option("--runs", options.runs, "Number of simulated insertions per trial")
       ->capture_default_str()
       ->check(CLI::Range(2, 10'000));

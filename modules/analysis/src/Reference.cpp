@@ -38,6 +38,17 @@ PrintedForce readPoint(TomlReader& table, const std::vector<PrintedForce>& befor
   return point;
 }
 
+PrintedInterval readInterval(TomlReader& table, const std::vector<PrintedInterval>& before)
+{
+  PrintedInterval interval;
+  interval.travel = travelBehind(table, before, "intervals");
+  interval.low = table.number("low_N", forces_N);
+  interval.high = table.number("high_N", {interval.low, 5.0});
+  interval.standardDeviation = table.number("sd_N", {0.0, 5.0});
+  interval.source = table.text("source");
+  return interval;
+}
+
 PrintedDifference readDifference(TomlReader& table, const std::vector<PrintedDifference>& before)
 {
   PrintedDifference difference;
@@ -105,12 +116,14 @@ Result<Reference> loadReference(const std::filesystem::path& file)
   reference.insertions = reader->number("insertions", {0.0, 1e6}, 0.0);
   for (TomlReader& table : reader->tables("point"))
     reference.points.push_back(readPoint(table, reference.points));
+  for (TomlReader& table : reader->tables("interval"))
+    reference.intervals.push_back(readInterval(table, reference.intervals));
   for (TomlReader& table : reader->tables("difference"))
     reference.differences.push_back(readDifference(table, reference.differences));
   for (TomlReader& table : reader->tables("range")) reference.ranges.push_back(readRange(table));
   for (TomlReader& table : reader->tables("value")) reference.values.push_back(readValue(table));
-  if (reference.points.empty() && reference.differences.empty() && reference.ranges.empty() &&
-      reference.values.empty())
+  if (reference.points.empty() && reference.intervals.empty() && reference.differences.empty() &&
+      reference.ranges.empty() && reference.values.empty())
     reader->refuse(
         "label",
         "There is no [[point]], [[difference]], [[range]] or [[value]]; a reference needs "

@@ -179,13 +179,36 @@ TEST(Verdicts, ListAgreementAndDisagreement)
   EXPECT_FALSE(verdicts[2].isMet);
 }
 
-TEST(Calibration, GivesTheProbabilityOfItsChiSquare)
+TEST(ChiSquare, GivesTheProbabilityOfMoreThanAValue)
 {
   // Quantiles of the chi-square distribution (Abramowitz and Stegun 1964, table 26.8).
   EXPECT_NEAR(chiSquareTail(3.84146, 1), 0.05, 1e-6);
   EXPECT_NEAR(chiSquareTail(6.63490, 1), 0.01, 1e-6);
   EXPECT_NEAR(chiSquareTail(5.99146, 2), 0.05, 1e-6);
+  EXPECT_NEAR(chiSquareTail(7.81473, 3), 0.05, 1e-6);
+  EXPECT_NEAR(chiSquareTail(11.0705, 5), 0.05, 1e-6);
+  EXPECT_NEAR(chiSquareTail(16.8119, 6), 0.01, 1e-6);
   EXPECT_EQ(chiSquareTail(7.0, 0), 1.0);
+}
+
+TEST(Agreement, CountsPredictedForcesByTheStandardErrorsOfTheirMeans)
+{
+  ValidationResult result;
+  AnchorComparison fitted;
+  fitted.experiment.feature = fittedFeature;
+  fitted.difference = {0.030, 0.02, 0.010};  // not predicted
+  AnchorComparison predicted;
+  predicted.difference = {-0.020, 0.02, 0.010};
+  result.anchors = {fitted, predicted};
+  IntervalComparison interval;
+  interval.difference = 0.015;
+  interval.standardError = 0.005;
+  result.intervals = {interval};
+  const Agreement agreement = agreementOf(result);
+  EXPECT_DOUBLE_EQ(agreement.largest, 0.020);
+  EXPECT_DOUBLE_EQ(agreement.chiSquare, 4.0 + 9.0);
+  EXPECT_EQ(agreement.degreesOfFreedom, 2);
+  EXPECT_DOUBLE_EQ(agreement.pValue, std::exp(-6.5));
 }
 
 }  // namespace

@@ -40,20 +40,20 @@ protected:
   session::InsertionParameters nominal;
 };
 
-TEST_F(DrawnInsertions, StartOneToThreeMillimetersInside)
+TEST_F(DrawnInsertions, StartTwoMillimetersInsideWithinThreeTenths)
 {
   std::vector<double> starts_mm;
   for (std::uint64_t number = 0; number < 400; ++number) {
     const double start_mm =
         inMillimeters(drawn(SpreadSources::all(), number).parameters.startInside);
-    EXPECT_GE(start_mm, 1.0);
-    EXPECT_LE(start_mm, 3.0);
+    EXPECT_GE(start_mm, 1.7);
+    EXPECT_LE(start_mm, 2.3);
     starts_mm.push_back(start_mm);
   }
-  // uniform: mean 2, standard deviation 2 / sqrt(12)
+  // uniform: mean 2, standard deviation 0.6 / sqrt(12)
   const SampleStatistics statistics = statisticsOf(starts_mm);
-  EXPECT_NEAR(statistics.mean, 2.0, 4.0 * 2.0 / std::sqrt(12.0 * 400.0));
-  EXPECT_NEAR(statistics.standardDeviation, 2.0 / std::sqrt(12.0), 0.06);
+  EXPECT_NEAR(statistics.mean, 2.0, 4.0 * 0.6 / std::sqrt(12.0 * 400.0));
+  EXPECT_NEAR(statistics.standardDeviation, 0.6 / std::sqrt(12.0), 0.018);
 }
 
 TEST_F(DrawnInsertions, KeepTheMeanOfTheFriction)
@@ -118,7 +118,7 @@ TEST(VariabilityFile, IsRefusedWithTheLineOfTheError)
     return loaded ? std::string("accepted") : loaded.error().message;
   };
   EXPECT_THAT(changed("sd_N = 0.001", "sd_N = 3.0"), HasSubstr("sd_N"));
-  EXPECT_THAT(changed("high_mm = 3.0", "high_mm = 0.5"), HasSubstr("below low_mm"));
+  EXPECT_THAT(changed("high_mm = 2.3", "high_mm = 0.5"), HasSubstr("below low_mm"));
   EXPECT_THAT(changed("tremor_Hz = 8.1", "tremor_hertz = 8.1"), HasSubstr("tremor_Hz"));
   EXPECT_THAT(changed("dt_ms = 5.0", "dt_ms = 7.0"), HasSubstr("without rest"));
 }

@@ -82,7 +82,7 @@ QWidget* ValidatePage::addColumn()
   auto* what =
       text(tr("Simulates repeated insertions with realistic variability in start position, "
               "alignment, array curvature and friction. Their mean is compared with the "
-              "published forces. Two forces were used to calibrate the array; the others "
+              "published forces. One force was used to calibrate the array; the others "
               "are predictions."),
            13, page, true);
   what->setWordWrap(true);

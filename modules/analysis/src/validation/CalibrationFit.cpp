@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/analysis/CalibrationFit.h"
 
+#include <algorithm>
 #include <cmath>
-
-#include "validation/GaussNewton2.h"
 
 namespace perilymph::analysis {
 
 namespace {
+
+constexpr double forceTolerance = 1e-4;  // [N]; a fiftieth of the experiment's standard error
+constexpr int maxTrials = 8;             // the force is nearly linear in the scale
 
 /// Standard error of the experiment's mean: standard deviation / sqrt(insertions).
 double standardError(const Reference& experiment, const PrintedForce& point)
@@ -21,24 +23,22 @@ double forceAt(const ValidationResult& result, double travel)
   return result.profile.at(index).force.mean;
 }
 
-}  // namespace
+/// A scale and the force with it.
+struct Trial {
+  double scale = 1.0;
+  double force = 0.0;
+};
 
-double chiSquareTail(double chiSquare, int degreesOfFreedom)
-{
-  if (degreesOfFreedom == 1) return std::erfc(std::sqrt(0.5 * chiSquare));
-  if (degreesOfFreedom == 2) return std::exp(-0.5 * chiSquare);
-  return 1.0;
-}
+}  // namespace
 
 Result<CalibrationResult> fitCalibration(const CalibrationRequest& request,
                                          const CalibrationProgress& progress)
 {
-  const PrintedForce* peak = request.experiment.find("peak");
-  const PrintedForce* maximum = request.experiment.find("maximum");
-  if (!peak || !maximum || !(peak->standardDeviation > 0.0) || !(maximum->standardDeviation > 0.0))
+  const PrintedForce* printed = request.experiment.find(fittedFeature);
+  if (!printed || !(printed->standardDeviation > 0.0))
     return Error{"The reference '" + request.experiment.label +
-                 "' lacks a point with feature = \"peak\" or \"maximum\" and its deviation; a "
-                 "calibration fits these two."};
+                 "' lacks a point with feature = \"peak\" and its deviation; a calibration fits "
+                 "this one."};
 
   ValidationRequest trial;
   trial.nominal = request.nominal;
@@ -53,52 +53,49 @@ Result<CalibrationResult> fitCalibration(const CalibrationRequest& request,
   trial.anatomy = *anatomy;
 
   CalibrationResult result;
-  // Residuals in standard errors of the experiment, so that the fit yields standard errors.
-  const auto residuals = [&](const TwoNumbers& at) -> Result<TwoNumbers> {
-    trial.nominal.array = session::calibrated(request.nominal.array, at.a, at.b);
-    auto run = validate(trial, [&](std::size_t, std::size_t) {
-      return !progress || progress(static_cast<std::size_t>(result.trials));
-    });
-    if (!run) return run.error();
-    ++result.trials;
-    result.fitted = std::move(*run);
-    return TwoNumbers{(forceAt(result.fitted, peak->travel) - peak->mean) /
-                          standardError(request.experiment, *peak),
-                      (forceAt(result.fitted, maximum->travel) - maximum->mean) /
-                          standardError(request.experiment, *maximum)};
-  };
-
   session::Calibration& calibration = result.calibration;
   calibration = session::uncalibrated(request.nominal.array);
   session::FittedValue& scale = calibration.stiffnessScale;
-  session::FittedValue& curvature = calibration.residualCurvature;
-  const TwoBounds bounds{{scale.low, curvature.low}, {scale.high, curvature.high}, {0.05, 0.01}, 4};
-  const auto before = residuals({1.0, curvature.value});
-  if (!before) return before.error();
-  const auto chiSquare = [](const TwoNumbers& r) { return r.a * r.a + r.b * r.b; };
-  result.chiSquareBefore = chiSquare(*before);
+  const double curvature = calibration.residualCurvature.value;
+  const auto run = [&](double at) -> Result<Trial> {
+    trial.nominal.array = session::calibrated(request.nominal.array, at, curvature);
+    auto insertions = validate(trial, [&](std::size_t, std::size_t) {
+      return !progress || progress(static_cast<std::size_t>(result.trials));
+    });
+    if (!insertions) return insertions.error();
+    ++result.trials;
+    result.fitted = std::move(*insertions);
+    return Trial{at, forceAt(result.fitted, printed->travel)};
+  };
 
-  const auto fit = gaussNewton2(residuals, {1.0, curvature.value}, bounds);
-  if (!fit) return fit.error();
-  const auto there = residuals(fit->at);  // the result then holds the curve of the fit
-  if (!there) return there.error();
-  result.chiSquare = chiSquare(*there);
-  for (const double determined : {fit->standardDeviation.a, fit->standardDeviation.b})
-    result.degreesOfFreedom += determined > 0.0 ? 0 : 1;
-  result.pValue = chiSquareTail(result.chiSquare, result.degreesOfFreedom);
-  scale.value = fit->at.a;
-  scale.standardDeviation = fit->standardDeviation.a;
-  curvature.value = fit->at.b;
-  curvature.standardDeviation = fit->standardDeviation.b;
-  for (const PrintedForce* point : {peak, maximum})
-    calibration.forces.push_back(
-        {point->travel, point->mean, forceAt(result.fitted, point->travel)});
+  // secant method; the second scale as if the force were proportional
+  const auto first = run(1.0);
+  if (!first) return first.error();
+  result.before = first->force;
+  Trial last = *first, now = *first;
+  double next = printed->mean / std::max(now.force, 1e-3);
+  double slope = now.force;  // [N] per unit of the scale
+  while (result.trials < maxTrials && std::fabs(now.force - printed->mean) > forceTolerance) {
+    next = std::clamp(next, scale.low, scale.high);
+    if (next == now.scale) break;  // held by a bound
+    const auto there = run(next);
+    if (!there) return there.error();
+    last = now;
+    now = *there;
+    const double secant = (now.force - last.force) / (now.scale - last.scale);
+    if (secant > 0.0) slope = secant;
+    next = now.scale + (printed->mean - now.force) / slope;
+  }
+
+  const bool isHeld = now.scale == scale.low || now.scale == scale.high;
+  scale.value = now.scale;
+  scale.standardDeviation = isHeld ? 0.0 : standardError(request.experiment, *printed) / slope;
+  calibration.residualCurvature = {curvature, 0.0, curvature, curvature};
+  calibration.forces.push_back({printed->travel, printed->mean, now.force});
   calibration.label = request.nominal.array.name + ", fitted to " + request.experiment.label;
-  calibration.source =
-      "Fitted to the mean forces at the basal-turn peak and at the maximum, nothing "
-      "else, of: " +
-      request.experiment.source + ". " + std::to_string(request.runs) +
-      " insertions a trial, seed " + std::to_string(request.seed) + ".";
+  calibration.source = "Fitted to the mean force at the basal-turn peak, nothing else, of: " +
+                       request.experiment.source + ". " + std::to_string(request.runs) +
+                       " insertions a trial, seed " + std::to_string(request.seed) + ".";
   return result;
 }
 

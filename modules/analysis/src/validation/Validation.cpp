@@ -17,6 +17,8 @@ constexpr std::size_t pointsOfProfile = 166;
 // Intervals of the raw record at the first rib: before contact, and around it.
 constexpr Length ribFar = millimeters(1.0);
 constexpr Length ribNear = millimeters(0.5);
+// Where the raw records have their peak at the basal turn (Todd and Naghdy, section III).
+constexpr Length rawPeakFrom = millimeters(9.0), rawPeakTo = millimeters(12.0);
 
 /// Depth past the opening at which the published simulator's axis begins (Todd and Naghdy, section
 /// III): its device's z was shifted by this length. Applied to the published model only.
@@ -31,7 +33,7 @@ bool isPublishedModel(const session::InsertionParameters& nominal)
 struct Kept {
   std::vector<double> curve;  ///< Empty if it was incomplete.
   std::optional<IncompleteInsertion> incomplete;
-  std::optional<double> beforeRib, ribPeak;
+  std::optional<double> rawPeak, beforeRib, ribPeak;
   std::uint64_t ticks = 0, ticksNotConverged = 0;
 };
 
@@ -72,6 +74,13 @@ void keepRib(const MeasuredInsertion& measured, Length rib, Kept& kept)
   if (count > 0.0) kept.beforeRib = sum / count;
 }
 
+void keepRawPeak(const MeasuredInsertion& measured, Kept& kept)
+{
+  for (std::size_t i = 0; i < measured.travel.size(); ++i)
+    if (measured.travel[i] >= rawPeakFrom.si() && measured.travel[i] <= rawPeakTo.si())
+      kept.rawPeak = std::max(kept.rawPeak.value_or(measured.force[i]), measured.force[i]);
+}
+
 Result<Done> runOne(const ValidationRequest& request, SpreadSources sources, std::uint64_t number,
                     const std::shared_ptr<const anatomy::ScalaTympani>& anatomy,
                     const std::atomic<bool>& isAsked, Kept& kept)
@@ -93,6 +102,7 @@ Result<Done> runOne(const ValidationRequest& request, SpreadSources sources, std
     return Error{"Insertion " + std::to_string(number + 1) +
                  " gave too few samples for its spline. Raise knot_spacing_mm or lower the speed."};
   kept.curve = std::move(*curve);
+  keepRawPeak(*measured, kept);
   if (const auto rib = firstRib(drawn.parameters)) keepRib(*measured, *rib, kept);
   return Done{};
 }
@@ -146,6 +156,34 @@ std::vector<AnchorComparison> compareAnchors(const Reference& experiment,
     anchors.push_back(anchor);
   }
   return anchors;
+}
+
+std::vector<IntervalComparison> compareIntervals(const Reference& experiment,
+                                                 const std::vector<ProfilePoint>& profile)
+{
+  std::vector<IntervalComparison> intervals;
+  for (const PrintedInterval& printed : experiment.intervals) {
+    const auto index = static_cast<std::size_t>(std::lround(printed.travel / profileStep().si()));
+    if (index >= profile.size()) continue;
+    const double found = profile[index].force.mean;
+    SampleStatistics end{std::clamp(found, printed.low, printed.high), printed.standardDeviation,
+                         0.0};
+    if (experiment.insertions > 0.0)
+      end.standardError = printed.standardDeviation / std::sqrt(experiment.insertions);
+    const SampleStatistics difference = differenceOf(profile[index].force, end);
+    intervals.push_back({printed, profile[index].force, difference.mean, difference.standardError});
+  }
+  return intervals;
+}
+
+std::optional<SampleStatistics> rawPeakOf(const ValidationRequest& request,
+                                          const std::vector<Kept>& kept)
+{
+  std::vector<double> peaks;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(request.runs); ++i)
+    if (kept[i].rawPeak) peaks.push_back(*kept[i].rawPeak);
+  if (peaks.empty()) return std::nullopt;
+  return statisticsOf(peaks);
 }
 
 std::optional<RibMeeting> meetRib(const ValidationRequest& request, const std::vector<Kept>& kept)
@@ -306,7 +344,9 @@ Result<ValidationResult> validate(const ValidationRequest& request,
     result.ticksNotConverged += each.ticksNotConverged;
   }
   result.anchors = compareAnchors(request.experiment, result.profile);
+  result.intervals = compareIntervals(request.experiment, result.profile);
   result.basalTurn = findBasalTurn(mean);
+  result.rawPeak = rawPeakOf(request, kept);
   result.earlyPeak = findEarlyPeak(mean);
   result.rib = meetRib(request, kept);
   result.standardDeviation = spreadOf(curves);

@@ -132,9 +132,7 @@ Figure calibrationFigure(const CalibrationResult& calibration, const Reference& 
       printed(others, "experiment, mean ± SD, not used", ink::black, MarkerShape::disk)};
   const session::Calibration& fit = calibration.calibration;
   figure.notes = {"Stiffness scale " + fixed(fit.stiffnessScale.value, 3) + " ± " +
-                  fixed(fit.stiffnessScale.standardDeviation, 3) + ", residual curvature " +
-                  fixed(fit.residualCurvature.value, 3) + " ± " +
-                  fixed(fit.residualCurvature.standardDeviation, 3) + " of the free one."};
+                  fixed(fit.stiffnessScale.standardDeviation, 3) + "."};
   return figure;
 }
 

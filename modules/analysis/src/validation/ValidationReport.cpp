@@ -31,14 +31,6 @@ std::string forceText(double force) { return forceNumber(force) + " mN"; }
 
 std::string mm(double travel) { return figures::fixed(inMillimeters(meters(travel)), 1) + " mm"; }
 
-double largestDifference(const ValidationResult& result)
-{
-  double largest = 0.0;
-  for (const AnchorComparison& anchor : result.anchors)
-    largest = std::max(largest, std::fabs(anchor.difference.mean));
-  return largest;
-}
-
 double spreadAtAnchors(const ValidationResult& result)
 {
   if (result.anchors.empty()) return 0.0;
@@ -111,12 +103,25 @@ std::vector<Verdict> verdictsOf(const ValidationResult& result, const Reference&
                         forceNumber(printed.mean) + " ± " + forceText(printed.standardDeviation),
                         anchor.isWithinStandardDeviation});
   }
-  const double largest = largestDifference(result);
-  verdicts.push_back({"largest of these differences", forceText(largest),
+  for (const IntervalComparison& interval : result.intervals) {
+    const PrintedInterval& printed = interval.experiment;
+    verdicts.push_back({"force at " + mm(printed.travel) + ", derived",
+                        forceText(interval.simulator.mean),
+                        forceNumber(printed.low) + " to " + forceText(printed.high),
+                        std::fabs(interval.difference) <= printed.standardDeviation});
+  }
+  const Agreement agreement = agreementOf(result);
+  const double largest = agreement.largest;
+  verdicts.push_back({"largest difference of the predicted", forceText(largest),
                       "at most " + forceText(maxDifference), largest <= maxDifference});
   if (const Result<Force> felt = forceFeltBySurgeons())
     verdicts.push_back({"largest difference below perception", forceText(largest),
                         "at most " + forceText(felt->si()), largest <= felt->si()});
+  if (agreement.degreesOfFreedom > 0)
+    verdicts.push_back({"p of the predicted forces",
+                        figures::fixed(agreement.pValue, 4) + " (chi-square " +
+                            figures::fixed(agreement.chiSquare, 1) + ")",
+                        "at least 0.05", agreement.pValue >= 0.05});
   verdicts.push_back(placeVerdict("position of the basal-turn peak", result.basalTurn.peak,
                                   experiment.find("peak"), peakSlack));
   verdicts.push_back(placeVerdict("position of the following dip", result.basalTurn.dip,
@@ -128,6 +133,10 @@ std::vector<Verdict> verdictsOf(const ValidationResult& result, const Reference&
     before = result.rib->before.mean;
     peak = result.rib->peak.mean;
   }
+  std::optional<double> basal;
+  if (result.rawPeak) basal = result.rawPeak->mean;
+  verdicts.push_back(rangeVerdict("raw force at the basal turn", basal,
+                                  experiment.findRange("basal-turn peak, raw, 9 to 12 mm")));
   verdicts.push_back(rangeVerdict("raw force just before the first rib", before,
                                   experiment.findRange("just before the first rib, raw")));
   verdicts.push_back(
@@ -190,6 +199,19 @@ std::string summaryJson(const ValidationRequest& request, const ValidationResult
                                {"simulator", json(anchor.simulator)},
                                {"difference", json(anchor.difference)},
                                {"within_1_sd", anchor.isWithinStandardDeviation}});
+  page["intervals"] = Json::array();
+  for (const IntervalComparison& interval : result.intervals)
+    page["intervals"].push_back({{"travel_mm", roundedMillimeters(interval.experiment.travel)},
+                                 {"experiment_low_N", interval.experiment.low},
+                                 {"experiment_high_N", interval.experiment.high},
+                                 {"simulator", json(interval.simulator)},
+                                 {"difference_N", interval.difference}});
+  const Agreement agreement = agreementOf(result);
+  page["predicted"] = {{"largest_difference_N", agreement.largest},
+                       {"chi_square", agreement.chiSquare},
+                       {"degrees_of_freedom", agreement.degreesOfFreedom},
+                       {"p", agreement.pValue}};
+  if (result.rawPeak) page["raw_basal_turn_peak"] = json(*result.rawPeak);
   if (result.rib)
     page["first_rib"] = {{"depth_mm", roundedMillimeters(result.rib->depth)},
                          {"before", json(result.rib->before)},

@@ -12,7 +12,8 @@ namespace {
 
 // [N.m^2]; see uncalibrated().
 constexpr double styletLow = 0.82e-6, styletHigh = 4.2e-6;
-constexpr double carrierLow = 0.2e-6, carrierHigh = 3e-6;
+// The order of a carrier's EI is an estimate: half of the smallest value reported for an array.
+constexpr double carrierLow = 0.1e-6, carrierHigh = 3e-6;
 // Of the whole array with its stylet in: it appears straight, though "slightly curved" (Todd and
 // Naghdy, section IV). The angle is not printed; a choice.
 constexpr Angle maxBend = degrees(10);
@@ -49,9 +50,9 @@ FittedValue readValue(TomlReader& reader, const char* key)
 std::string valueText(const char* key, const FittedValue& fitted)
 {
   return std::string("\n[") + key + "]\nvalue = " + tomlNumber(fitted.value) +
-         "\nsd = " + tomlNumber(fitted.standardDeviation) + "     # 0: a bound holds the value" +
-         "\nlow = " + tomlNumber(fitted.low) + "   # physical bounds" +
-         "\nhigh = " + tomlNumber(fitted.high) + "\n";
+         "\nsd = " + tomlNumber(fitted.standardDeviation) +
+         "     # 0: not fitted, or held by a bound" + "\nlow = " + tomlNumber(fitted.low) +
+         "   # physical bounds" + "\nhigh = " + tomlNumber(fitted.high) + "\n";
 }
 
 }  // namespace

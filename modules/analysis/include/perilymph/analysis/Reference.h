@@ -22,6 +22,14 @@ struct PrintedForce {
   std::string source;
 };
 
+/// Bounds of a mean force that follow from other printed values.
+struct PrintedInterval {
+  double travel = 0.0;             ///< [m]
+  double low = 0.0, high = 0.0;    ///< Axial force [N].
+  double standardDeviation = 0.0;  ///< Standard deviation between insertions [N].
+  std::string source;
+};
+
 /// A printed difference of two mean curves, simulator minus experiment.
 struct PrintedDifference {
   double travel = 0.0;              ///< [m]
@@ -52,6 +60,7 @@ struct Reference {
   std::string source;
   double insertions = 0.0;  ///< Number of insertions per mean; 0 if unknown.
   std::vector<PrintedForce> points;
+  std::vector<PrintedInterval> intervals;
   std::vector<PrintedDifference> differences;
   std::vector<PrintedRange> ranges;
   std::vector<PrintedValue> values;
@@ -65,9 +74,10 @@ struct Reference {
 };
 
 /// Reads a reference: keys `label, kind, source, insertions` and tables `[[point]]` (travel_mm,
-/// mean_N, sd_N, feature, source), `[[difference]]` (travel_mm, mean_N, ci95_low_N, ci95_high_N,
+/// mean_N, sd_N, feature, source), `[[interval]]` (travel_mm, low_N, high_N, sd_N, source),
+/// `[[difference]]` (travel_mm, mean_N, ci95_low_N, ci95_high_N,
 /// source), `[[range]]` (quantity, low_N, high_N, source) and `[[value]]` (quantity, value_N,
-/// source). Points and differences must be in order of travel.
+/// source). Points, intervals and differences must each be in order of travel.
 Result<Reference> loadReference(const std::filesystem::path& file);
 
 /// A shipped reference by its name: "todd-naghdy-experiment".

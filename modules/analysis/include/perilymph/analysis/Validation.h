@@ -52,6 +52,28 @@ struct AnchorComparison {
   bool isWithinStandardDeviation = false;
 };
 
+/// An interval of the experiment compared with the insertions.
+struct IntervalComparison {
+  PrintedInterval experiment;
+  SampleStatistics simulator;
+  double difference = 0.0;     ///< Simulator minus the nearer end; 0 within the interval [N].
+  double standardError = 0.0;  ///< Standard error of the difference [N].
+};
+
+/// Feature of the printed force that the shipped calibration fits; every other one is predicted.
+inline constexpr const char* fittedFeature = "peak";
+
+/// How well the insertions meet the predicted forces of the experiment.
+struct Agreement {
+  double largest = 0.0;  ///< Largest difference, of either sign [N].
+  /// Sum of squared differences in standard errors of the experiment's and the simulator's means.
+  double chiSquare = 0.0;
+  int degreesOfFreedom = 0;  ///< Number of predicted forces.
+  /// Probability of a chi-square at least this large if the model were right and only the means
+  /// uncertain.
+  double pValue = 1.0;
+};
+
 /// Spread caused by one source of variation alone.
 struct SourceSpread {
   SpreadSource source = SpreadSource::start;
@@ -69,10 +91,12 @@ struct RibMeeting {
 struct ValidationResult {
   std::vector<ProfilePoint> profile;
   std::vector<AnchorComparison> anchors;
-  BasalTurn basalTurn;                  ///< Peak and dip of the mean curve.
-  std::optional<CurvePoint> earlyPeak;  ///< At 3 to 7 mm, if the force then falls by 1 mN.
-  std::optional<RibMeeting> rib;        ///< Only if the array has ribs.
-  double standardDeviation = 0.0;       ///< Root mean square over travel of the SD [N].
+  std::vector<IntervalComparison> intervals;
+  BasalTurn basalTurn;                      ///< Peak and dip of the mean curve.
+  std::optional<CurvePoint> earlyPeak;      ///< At 3 to 7 mm, if the force then falls by 1 mN.
+  std::optional<SampleStatistics> rawPeak;  ///< Maximum of each raw record at 9 to 12 mm [N].
+  std::optional<RibMeeting> rib;            ///< Only if the array has ribs.
+  double standardDeviation = 0.0;           ///< Root mean square over travel of the SD [N].
   std::vector<SourceSpread> spreads;
   std::uint64_t ticks = 0, ticksNotConverged = 0;
   int runs = 0;  ///< All insertions, complete or not.
@@ -88,6 +112,12 @@ using ValidationProgress = std::function<bool(std::size_t done, std::size_t all)
 /// insertion that does not reach full travel is counted; an error if fewer than two reach it.
 Result<ValidationResult> validate(const ValidationRequest& request,
                                   const ValidationProgress& progress);
+
+/// Agreement with all forces of the experiment but the fitted one.
+Agreement agreementOf(const ValidationResult& result);
+
+/// Probability that a chi-square variable is at least `chiSquare`; 1 without a degree of freedom.
+double chiSquareTail(double chiSquare, int degreesOfFreedom);
 
 /// Force over travel of one insertion: least-squares fit, resampled at every multiple of
 /// profileStep() up to profileEnd(). Empty if there are too few samples for the spline.

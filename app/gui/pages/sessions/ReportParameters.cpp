@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <cmath>
 #include <map>
+#include <string_view>
 
 #include "gui/parts/Numbers.h"
 
@@ -82,7 +83,7 @@ constexpr ParameterName parameterNames[] = {
      QT_TRANSLATE_NOOP("ReportParameters", "Coupling damping, if a spring"), "N·s/m"},
     {"force_scale", QT_TRANSLATE_NOOP("ReportParameters", "Force feedback gain")},
     {"stop_force_N", QT_TRANSLATE_NOOP("ReportParameters", "Force limit of the surgeon, 0 if none"),
-     "N"},
+     "mN"},
     {"seed", QT_TRANSLATE_NOOP("ReportParameters", "Random seed")}};
 
 /// Values that are words.
@@ -114,6 +115,9 @@ QString valueText(const std::string& value, const char* unit)
     if (text == QLatin1String(word)) return tr(name);
   bool isNumber = false;
   const double number = text.toDouble(&isNumber);
+  // forces are in mN on every page
+  if (isNumber && std::string_view(unit) == "mN")
+    return numberText(1e3 * number, 0) + QStringLiteral(" mN");
   if (isNumber && text.contains(QLatin1Char('.'))) {
     int decimals = 1;
     const auto rest = [number](int places) {

@@ -9,14 +9,17 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <atomic>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <regex>
+#include <set>
 #include <string>
 #include <system_error>
 
 #include "gui/pages/sessions/Report.h"
 #include "gui/pages/sessions/ReportHead.h"
+#include "gui/pages/sessions/ReportParameters.h"
 #include "gui/parts/UserSettings.h"
 #include "gui/program/Languages.h"
 #include "gui/shell/SettingsSheet.h"
@@ -157,6 +160,27 @@ TEST_F(PdfReport, HasAnAppendixThatMakesItReproducible)
   EXPECT_THAT(text(), Not(HasSubstr("/home/")));
 }
 
+TEST(ParametersOfAReport, AreAllThatAScenarioHas)
+{
+  // its own and its files' names, which stand in the head of the report
+  const std::set<std::string> names{"title", "patient",           "patient_numbers.label",
+                                    "array", "array_fingerprint", "calibration"};
+  for (const char* shipped : {"booth", "contour-published", "mean-contour", "mean-flex28"}) {
+    const auto scenario = session::loadScenario(shipped);
+    ASSERT_TRUE(scenario) << scenario.error().message;
+    std::size_t wanted = 0;
+    for (const auto& [key, value] : scenario->values()) wanted += names.count(key) == 0 ? 1 : 0;
+    EXPECT_EQ(gui::parametersOf(*scenario).size(), wanted) << shipped;
+  }
+}
+
+TEST_F(PdfReport, NamesLiningAndRimOfTheWall)
+{
+  report("mean-flex28", {{"stop_travel_mm", "3.0"}});
+  EXPECT_TRUE(std::regex_search(text(2), std::regex("Soft lining of the wall +0\\.08 mm")));
+  EXPECT_TRUE(std::regex_search(text(2), std::regex("Stiffness of the opening.s rim +441")));
+}
+
 TEST_F(PdfReport, NamesPatientAndEarOnEveryPage)
 {
   report("mean-flex28", {{"patient", leftPatient()}, {"stop_travel_mm", "3.0"}});
@@ -218,6 +242,8 @@ TEST_F(PdfReport, SpeaksGerman)
 {
   gui::useLanguage(*QCoreApplication::instance(), QStringLiteral("de"));
   report("mean-flex28", {{"patient", leftPatient()}, {"stop_travel_mm", "3.0"}});
+  if (const char* folder = std::getenv("PERILYMPH_SCREEN_PICTURES"))
+    fs::copy_file(pdf(), fs::path(folder) / "report-de.pdf", fs::copy_options::overwrite_existing);
   const std::string all = text();
   for (const char* words :
        {"Insertionsbericht", "linkes Ohr", "Maximale Insertionskraft", "Insertionswinkel",

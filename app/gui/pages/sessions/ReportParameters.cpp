@@ -2,11 +2,13 @@
 #include "gui/pages/sessions/ReportParameters.h"
 
 #include <QCoreApplication>
+#include <QStringList>
 #include <cmath>
 #include <map>
 #include <string_view>
 
 #include "gui/parts/Numbers.h"
+#include "gui/setup/Catalog.h"
 
 namespace perilymph::gui {
 
@@ -31,6 +33,12 @@ constexpr ParameterName parameterNames[] = {
     {"patient_numbers.a_mm", QT_TRANSLATE_NOOP("ReportParameters", "A: basal-turn diameter"), "mm"},
     {"patient_numbers.b_mm", QT_TRANSLATE_NOOP("ReportParameters", "B: basal-turn width"), "mm"},
     {"patient_numbers.h_mm", QT_TRANSLATE_NOOP("ReportParameters", "H: cochlear height"), "mm"},
+    {"patient_numbers.a_sd_mm",
+     QT_TRANSLATE_NOOP("ReportParameters", "Standard deviation of the error of A"), "mm"},
+    {"patient_numbers.b_sd_mm",
+     QT_TRANSLATE_NOOP("ReportParameters", "Standard deviation of the error of B"), "mm"},
+    {"patient_numbers.h_sd_mm",
+     QT_TRANSLATE_NOOP("ReportParameters", "Standard deviation of the error of H"), "mm"},
     {"lead_in_mm",
      QT_TRANSLATE_NOOP("ReportParameters", "Straight lead-in before the round window"), "mm"},
     {"opening", QT_TRANSLATE_NOOP("ReportParameters", "Opening")},
@@ -55,17 +63,28 @@ constexpr ParameterName parameterNames[] = {
      "mm"},
     {"stop_travel_mm", QT_TRANSLATE_NOOP("ReportParameters", "Travel at which the insertion stops"),
      "mm"},
+    {"withdraw", QT_TRANSLATE_NOOP("ReportParameters", "Withdrawal after the insertion")},
     {"stylet_pull_mm_s", QT_TRANSLATE_NOOP("ReportParameters", "Speed of stylet withdrawal"),
      "mm/s"},
+    {"friction", QT_TRANSLATE_NOOP("ReportParameters", "Friction law")},
     {"friction_static", QT_TRANSLATE_NOOP("ReportParameters", "Static friction coefficient")},
     {"friction_dynamic", QT_TRANSLATE_NOOP("ReportParameters", "Kinetic friction coefficient")},
     {"friction_stopping",
      QT_TRANSLATE_NOOP("ReportParameters", "Coefficient below which sliding stops")},
     {"friction_stribeck_mm_s", QT_TRANSLATE_NOOP("ReportParameters", "Stribeck speed of friction"),
      "mm/s"},
+    {"friction_speed_mm_s", QT_TRANSLATE_NOOP("ReportParameters", "Speeds of the friction curve"),
+     "mm/s"},
+    {"friction_coefficient",
+     QT_TRANSLATE_NOOP("ReportParameters", "Friction coefficients at these speeds")},
     {"wall_stiffness_N_m", QT_TRANSLATE_NOOP("ReportParameters", "Wall stiffness, normal"), "N/m"},
+    {"wall_lining_mm", QT_TRANSLATE_NOOP("ReportParameters", "Soft lining of the wall"), "mm"},
     {"wall_tangential_stiffness_N_m",
      QT_TRANSLATE_NOOP("ReportParameters", "Wall stiffness, tangential"), "N/m"},
+    {"wall_section_delay_ms",
+     QT_TRANSLATE_NOOP("ReportParameters", "Delay of the section's reach at an oval wall"), "ms"},
+    {"rim_stiffness_N_m", QT_TRANSLATE_NOOP("ReportParameters", "Stiffness of the opening's rim"),
+     "N/m"},
     {"membrane", QT_TRANSLATE_NOOP("ReportParameters", "Basilar membrane")},
     {"membrane_stiffness_N_m",
      QT_TRANSLATE_NOOP("ReportParameters", "Basilar membrane stiffness, if soft"), "N/m"},
@@ -100,19 +119,17 @@ constexpr const char* valueNames[][2] = {
     {"aos", QT_TRANSLATE_NOOP("ReportParameters", "advance off stylet")},
     {"rigid", QT_TRANSLATE_NOOP("ReportParameters", "rigid")},
     {"soft", QT_TRANSLATE_NOOP("ReportParameters", "soft")},
+    {"true", QT_TRANSLATE_NOOP("ReportParameters", "yes")},
+    {"false", QT_TRANSLATE_NOOP("ReportParameters", "no")},
     {"spring", QT_TRANSLATE_NOOP("ReportParameters", "spring")},
     {"rod", QT_TRANSLATE_NOOP("ReportParameters", "elastic rod")},
     {"points", QT_TRANSLATE_NOOP("ReportParameters", "point set (published)")}};
 
 QString tr(const char* text) { return QCoreApplication::translate("ReportParameters", text); }
 
-/// A value in TOML format, for people.
-QString valueText(const std::string& value, const char* unit)
+/// A number with the decimals that it has, at most six; any other text unchanged.
+QString plainText(QString text)
 {
-  QString text = QString::fromStdString(value);
-  text.remove(QLatin1Char('"'));
-  for (const auto& [word, name] : valueNames)
-    if (text == QLatin1String(word)) return tr(name);
   bool isNumber = false;
   const double number = text.toDouble(&isNumber);
   // forces are in mN on every page
@@ -127,6 +144,22 @@ QString valueText(const std::string& value, const char* unit)
     while (decimals < 6 && rest(decimals) > 1e-9) ++decimals;
     text = numberText(number, decimals);
   }
+  return text;
+}
+
+/// A value in TOML format, for people.
+QString valueText(const std::string& value, const char* unit)
+{
+  QString text = QString::fromStdString(value);
+  text.remove(QLatin1Char('"'));
+  for (const auto& [word, name] : valueNames)
+    if (text == QLatin1String(word)) return tr(name);
+  for (const CatalogFriction& friction : catalogFrictions())
+    if (text == friction.name) return friction.title;
+  QStringList numbers;
+  for (const QString& part : text.remove(QLatin1Char('[')).remove(QLatin1Char(']')).split(", "))
+    numbers << plainText(part);
+  text = numbers.join(QStringLiteral("; "));
   const QString sign = QString::fromUtf8(unit);
   if (sign.isEmpty() || sign == QStringLiteral("°")) return text + sign;
   return text + QLatin1Char(' ') + sign;

@@ -6,6 +6,7 @@
 #include <QRegularExpression>
 #include <QStringList>
 
+#include "gui/parts/CtSentences.h"
 #include "gui/parts/SourceText.h"
 
 namespace perilymph::gui {
@@ -14,6 +15,18 @@ namespace {
 
 // Texts with their numbers replaced by %1, %2 and so on. lupdate reads them here.
 constexpr const char* shipped[] = {
+    // titles of the shipped scenarios
+    QT_TRANSLATE_NOOP("Data", "Booth: FLEX24 in the mean cochlea, tissue-like friction"),
+    QT_TRANSLATE_NOOP("Data", "Published experiment: Nucleus %1 Contour, %2 mm/s, soap"),
+    QT_TRANSLATE_NOOP("Data", "Mean scala tympani: Nucleus %1 Contour, %2 mm/s, soap"),
+    QT_TRANSLATE_NOOP("Data", "Mean scala tympani: FLEX28, %1 mm/s, soap %2 %"),
+    // what differs from a preset; "speed" is one of the score
+    QT_TRANSLATE_NOOP("Data", "patient"), QT_TRANSLATE_NOOP("Data", "ear"),
+    QT_TRANSLATE_NOOP("Data", "anatomy"), QT_TRANSLATE_NOOP("Data", "array"),
+    QT_TRANSLATE_NOOP("Data", "calibration"), QT_TRANSLATE_NOOP("Data", "technique"),
+    QT_TRANSLATE_NOOP("Data", "full depth"), QT_TRANSLATE_NOOP("Data", "friction"),
+    QT_TRANSLATE_NOOP("Data", "opening"), QT_TRANSLATE_NOOP("Data", "model"),
+    QT_TRANSLATE_NOOP("Data", "nodes"), QT_TRANSLATE_NOOP("Data", "force scale"),
     // titles of frictions
     QT_TRANSLATE_NOOP("Data", "Lubricated silicone (published)"),
     QT_TRANSLATE_NOOP("Data", "Soap %1 %: speed-independent"),
@@ -141,7 +154,7 @@ bool isShipped(const QString& pattern)
 {
   for (const char* text : shipped)
     if (pattern == QString::fromUtf8(text)) return true;
-  return isShippedSource(pattern);
+  return isShippedSource(pattern) || isCtSentence(pattern);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "gui/parts/DataText.h"
 #include "gui/parts/Theme.h"
 #include "gui/setup/SetupHistory.h"
 #include "perilymph/analysis/Reference.h"
@@ -110,7 +111,7 @@ void ScenarioHead::show(const SetupHistory& history)
   const SetupOrigin& origin = history.origin();
   const bool isPreset = origin.kind == SetupOrigin::Kind::preset;
   const session::Scenario& claimed = isPreset ? origin.setup.scenario : history.now().scenario;
-  const QString title = QString::fromStdString(claimed.title());
+  const QString title = dataText(claimed.title());
   const QString citation = isPreset ? citationOf(claimed) : QString();
   const bool isModified = history.isModified();
   // a modified preset is called by the array in use, because its title may name another one

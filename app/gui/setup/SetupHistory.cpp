@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "gui/parts/DataText.h"
 #include "gui/run/ScenarioDifference.h"
 
 namespace perilymph::gui {
@@ -89,7 +90,7 @@ QString SetupHistory::changedText() const
 {
   QStringList label;
   for (const std::string& word : differingText(origin_.setup.scenario, now_.scenario))
-    label << QString::fromStdString(word);
+    label << dataText(word);
   return label.join(QStringLiteral(", "));
 }
 

@@ -29,6 +29,7 @@
 #include "perilymph/analysis/Reference.h"
 #include "perilymph/analysis/Score.h"
 #include "perilymph/analysis/ValidationReport.h"
+#include "perilymph/ct/Measures.h"
 #include "perilymph/electrode/ArrayDesign.h"
 #include "perilymph/foundation/Resources.h"
 
@@ -256,6 +257,44 @@ TEST(PseudoLanguage, SourcesInAReportAreTranslated)
   const auto* rupture = inVitro->findRange("rupture of the partition");
   ASSERT_NE(rupture, nullptr);
   EXPECT_TRUE(gui::dataText(rupture->source).startsWith(QLatin1Char('['))) << rupture->source;
+}
+
+TEST(PseudoLanguage, TitlesOfShippedScenariosAreTranslated)
+{
+  const Bracketed bracketed;
+  int scenarios = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(resource("resources/scenarios"))) {
+    if (entry.path().extension() != ".toml") continue;
+    const auto scenario = session::loadScenario(entry.path().string());
+    ASSERT_TRUE(scenario) << scenario.error().message;
+    ++scenarios;
+    EXPECT_TRUE(gui::dataText(scenario->title()).startsWith(QLatin1Char('['))) << entry.path();
+  }
+  EXPECT_GE(scenarios, 4);
+}
+
+TEST(PseudoLanguage, FlagsOfAMeasurementInACtAreTranslated)
+{
+  const Bracketed bracketed;
+  for (const ct::Flag flag : ct::allFlags())
+    EXPECT_TRUE(gui::dataText(ct::sentenceOf(flag)).startsWith(QLatin1Char('[')))
+        << ct::nameOf(flag);
+}
+
+TEST(German, NamesTheModifiedScenarioInTheTitleOfTheWindow)
+{
+  gui::useLanguage(*QCoreApplication::instance(), "de");
+  {
+    WindowRig rig;
+    EXPECT_TRUE(rig.label("scenarioTitle").startsWith("Veröffentlichter Versuch"));
+    EXPECT_TRUE(rig.window().windowTitle().startsWith("Veröffentlichter Versuch"));
+    rig.choose("techniqueSelector", "aos");
+    EXPECT_TRUE(WindowRig::comes([&] {
+      return rig.window().windowTitle().startsWith("Geändert (Technik): Veröffentlichter Versuch");
+    })) << rig.window().windowTitle().toStdString();
+  }
+  gui::useLanguage(*QCoreApplication::instance(), "en");
+  QLocale::setDefault(QLocale::c());
 }
 
 TEST(German, TranslatesNumbersInTextsOfData)

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/parts/CtSentences.h"
+
+#include <QCoreApplication>
+
+namespace perilymph::gui {
+
+namespace {
+
+// With their numbers replaced by %1, %2 and so on. lupdate reads them here.
+constexpr const char* sentences[] = {
+    // flags of a measurement
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "A voxel is longer than %1 mm, the coarsest the measurement was tried with: take a finer "
+        "series if there is one, or trust the measures less than their error bars say."),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "The cochlea is filled with air, as in a dried specimen: a patient's is filled with fluid, "
+        "so check that this is the right place and the right series."),
+    QT_TRANSLATE_NOOP("Data",
+                      "The spiral winds as in the other ear: the file is mirrored or the side is "
+                      "wrong; check both before anything is planned."),
+    QT_TRANSLATE_NOOP("Data",
+                      "A or B lies more than two standard deviations from the mean of %1 cochleae: "
+                      "check the outline in the images before using the measures."),
+    QT_TRANSLATE_NOOP("Data",
+                      "The fitted cochlea explains the voxels near its wall badly: check the "
+                      "outline in the images, and measure by hand if it does not lie on the wall."),
+    QT_TRANSLATE_NOOP("Data",
+                      "The wall found in sections through the modiolus lies apart from the fitted "
+                      "one: check the outline in the images."),
+    QT_TRANSLATE_NOOP("Data",
+                      "No round window was found, so %1 degrees follows from the spiral alone: "
+                      "mark the round window's center."),
+    QT_TRANSLATE_NOOP(
+        "Data", "Part of the cochlea lies outside the volume: take a series that shows all of it."),
+    QT_TRANSLATE_NOOP("Data",
+                      "A landmark placed by hand lies far from the fitted cochlea, and the voxels "
+                      "contradict it: check that landmark in the images."),
+    // warnings about a series
+    QT_TRANSLATE_NOOP("Data", "%1 scout images were left out."),
+    QT_TRANSLATE_NOOP("Data",
+                      "%1 slices lie at the position of another; they are dropped if their voxels "
+                      "are the same, and the series is refused if not."),
+    QT_TRANSLATE_NOOP(
+        "Data", "The gantry is tilted by %1 degrees; the volume is resampled to right angles."),
+    QT_TRANSLATE_NOOP("Data", "Its images were compressed with loss; fine edges may be gone."),
+    QT_TRANSLATE_NOOP("Data",
+                      "Its images were computed from others, as reformatted planes are; original "
+                      "ones are sharper."),
+    QT_TRANSLATE_NOOP("Data", "A voxel is %1 mm long; at most %2 mm is advised for a cochlea."),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "The volume is only %1 mm thick; a cochlea with its surroundings needs about %2 mm.")};
+
+}  // namespace
+
+bool isCtSentence(const QString& pattern)
+{
+  for (const char* text : sentences)
+    if (pattern == QString::fromUtf8(text)) return true;
+  return false;
+}
+
+}  // namespace perilymph::gui

@@ -10,22 +10,18 @@
 
 namespace perilymph::analysis {
 
-FullInsertion insertFully(const session::InsertionParameters& given,
-                          std::shared_ptr<const anatomy::ScalaTympani> anatomy,
-                          Length profileSpacing, const std::atomic<bool>& isAsked)
-{
-  session::InsertionParameters parameters = given;
-  parameters.withdraws = false;
-  FullInsertion result;
-  auto insertion = session::Insertion::prepare(
-      parameters,
-      std::make_unique<device::ScriptedDevice>(parameters.speed.si(), parameters.timeStep.si()),
-      anatomy);
-  if (!insertion) {
-    result.reason = insertion.error().message;
-    return result;
-  }
+namespace {
 
+std::unique_ptr<device::HapticDevice> scriptOf(const session::InsertionParameters& parameters)
+{
+  return std::make_unique<device::ScriptedDevice>(parameters.speed.si(), parameters.timeStep.si());
+}
+
+FullInsertion runFully(session::Insertion& insertion, Length profileSpacing,
+                       const std::atomic<bool>& isAsked)
+{
+  const session::InsertionParameters& parameters = insertion.parameters();
+  FullInsertion result;
   haptics::TickOutput last;
   ProfilePoints points(profileSpacing);
   const auto each = [&](const haptics::TickRecord& record) {
@@ -42,17 +38,48 @@ FullInsertion insertFully(const session::InsertionParameters& given,
     points.add(result.profile, now.depth, now.axialForce);
     return !isAsked;
   };
-  const auto ran =
-      (*insertion)->runToEnd(each, session::maxTicks(parameters, (*insertion)->model()));
+  const auto ran = insertion.runToEnd(each, session::maxTicks(parameters, insertion.model()));
   if (isAsked) return result;
   result.end = ran ? endOf(last) : InsertionEnd::fault;
   if (!ran) result.reason = ran.error().message;
   result.depth = meters(last.depth);
   result.endForce = newtons(last.axialForce);
-  (*insertion)->refresh();
-  result.contacts = contactPositions(*anatomy, parameters.array, (*insertion)->latest());
+  insertion.refresh();
+  result.contacts = contactPositions(insertion.anatomy(), parameters.array, insertion.latest());
   if (!result.contacts.empty()) result.apical = result.contacts.front().angle;
   result.coverage = cochlearCoverage(result.contacts);
+  return result;
+}
+
+}  // namespace
+
+FullInsertion insertFully(const session::InsertionParameters& given,
+                          std::shared_ptr<const anatomy::ScalaTympani> anatomy,
+                          Length profileSpacing, const std::atomic<bool>& isAsked)
+{
+  session::InsertionParameters parameters = given;
+  parameters.withdraws = false;
+  auto insertion =
+      session::Insertion::prepare(parameters, scriptOf(parameters), std::move(anatomy));
+  if (!insertion) {
+    FullInsertion refused;
+    refused.reason = insertion.error().message;
+    return refused;
+  }
+  return runFully(**insertion, profileSpacing, isAsked);
+}
+
+Result<FullInsertion> insertFully(const session::Scenario& scenario,
+                                  std::shared_ptr<const anatomy::ScalaTympani> anatomy,
+                                  const std::filesystem::path& recording,
+                                  const std::atomic<bool>& isAsked)
+{
+  auto insertion = session::Insertion::prepare(scenario, scriptOf(scenario.parameters()), recording,
+                                               std::move(anatomy));
+  if (!insertion) return insertion.error();
+  FullInsertion result = runFully(**insertion, {}, isAsked);
+  if (isAsked) return Error{"Canceled."};
+  if (const auto closed = (*insertion)->closeRecording(); !closed) return closed.error();
   return result;
 }
 

@@ -146,6 +146,7 @@ std::string creationOf(const FileKind& kind)
   std::string sql = "PRAGMA application_id=" + std::to_string(kind.applicationId) +
                     "; PRAGMA user_version=" + std::to_string(kind.newestVersion) + "; BEGIN;";
   for (const std::string& table : kind.tables) sql += table + ';';
+  for (const std::string& view : kind.views) sql += view + ';';
   return sql;
 }
 

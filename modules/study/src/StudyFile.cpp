@@ -11,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "StudyViews.h"
 #include "perilymph/foundation/Version.h"
 
 namespace perilymph::study {
@@ -28,7 +29,7 @@ const database::FileKind& studyKind()
       "Choose a .sqlite file that 'perilymph-cli study' wrote.",
       "Delete it and run its shard again.",
       0x50655374,  // "PeSt"
-      1,
+      2,           // 1 had no views
       {"CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL)",
        "CREATE TABLE insertion(number INTEGER PRIMARY KEY, cochlea TEXT NOT NULL, settings TEXT "
        "NOT "
@@ -43,7 +44,8 @@ const database::FileKind& studyKind()
        "CREATE TABLE contact(number INTEGER NOT NULL, contact INTEGER NOT NULL, is_inserted "
        "INTEGER "
        "NOT NULL, angle_deg REAL NOT NULL, depth_mm REAL NOT NULL, to_modiolus_mm REAL NOT NULL, "
-       "frequency_Hz REAL NOT NULL, PRIMARY KEY(number, contact)) WITHOUT ROWID"}};
+       "frequency_Hz REAL NOT NULL, PRIMARY KEY(number, contact)) WITHOUT ROWID"},
+      studyViews()};
   return kind;
 }
 
@@ -282,14 +284,18 @@ Result<Done> StudyFile::close()
   return Done{};
 }
 
-Result<Done> StudyFile::read(const std::function<Result<Done>(const StudyResult&)>& each) const
+Result<Done> StudyFile::read(const std::function<Result<Done>(const StudyResult&)>& each,
+                             Part part) const
 {
   auto rows = database_.prepare("SELECT * FROM insertion ORDER BY number");
   auto profiles =
       database_.prepare("SELECT number, depth_mm, force_mN FROM profile ORDER BY number, depth_mm");
   auto contacts = database_.prepare("SELECT * FROM contact ORDER BY number, contact");
   if (!rows || !profiles || !contacts) return database_.readingError(database_.lastError());
-  Statement::Step profile = profiles->step(), contact = contacts->step(), step = rows->step();
+  const bool isWhole = part == Part::whole;
+  Statement::Step profile = isWhole ? profiles->step() : Statement::Step::done;
+  Statement::Step contact = isWhole ? contacts->step() : Statement::Step::done;
+  Statement::Step step = rows->step();
   std::size_t next = facts_.first;
   for (; step == Statement::Step::row; step = rows->step()) {
     StudyResult result;

@@ -4,15 +4,18 @@
 // One insertion to its stop in virtual time, and what it gives for tables.
 
 #include <atomic>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "perilymph/analysis/ContactPositions.h"
 #include "perilymph/anatomy/ScalaTympani.h"
+#include "perilymph/foundation/Result.h"
 #include "perilymph/foundation/Units.h"
 #include "perilymph/haptics/InsertionEnd.h"
 #include "perilymph/session/InsertionParameters.h"
+#include "perilymph/session/Scenario.h"
 
 namespace perilymph::analysis {
 
@@ -50,5 +53,11 @@ struct FullInsertion {
 FullInsertion insertFully(const session::InsertionParameters& parameters,
                           std::shared_ptr<const anatomy::ScalaTympani> anatomy,
                           Length profileSpacing, const std::atomic<bool>& isAsked);
+/// The same insertion with a recording, without a profile. An error if it cannot be prepared or
+/// recorded, or was ended early.
+Result<FullInsertion> insertFully(const session::Scenario& scenario,
+                                  std::shared_ptr<const anatomy::ScalaTympani> anatomy,
+                                  const std::filesystem::path& recording,
+                                  const std::atomic<bool>& isAsked);
 
 }  // namespace perilymph::analysis

@@ -9,7 +9,7 @@
 
 namespace perilymph::database {
 
-/// A kind of file and its exact schema. A file with anything else (views, triggers, indices,
+/// A kind of file and its exact schema. A file with anything else (other views, triggers, indices,
 /// generated columns, further tables) is refused.
 struct FileKind {
   std::string name;                 ///< Name with article, for messages: "a recording of
@@ -20,10 +20,12 @@ struct FileKind {
   std::int64_t newestVersion = 1;   ///< Versions 1 to this one are accepted (SQLite's
                                     ///< user_version).
   std::vector<std::string> tables;  ///< `CREATE TABLE` statements, the same in every version.
+  /// `CREATE VIEW` statements for other programs; earlier versions may lack them.
+  std::vector<std::string> views = {};
 };
 
 /// SQL statements that mark an empty file as the newest version of its kind, begin a transaction
-/// and create the tables.
+/// and create the tables and views.
 std::string creationOf(const FileKind& kind);
 
 }  // namespace perilymph::database

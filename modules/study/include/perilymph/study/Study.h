@@ -65,9 +65,13 @@ public:
   /// The parameters of a case. The `cochlea` among them is the same for all cases of a cochlea, so
   /// that its anatomy is built once.
   Result<session::InsertionParameters> parametersOf(const StudyCase& one) const;
+  /// The same as a scenario, with a text that can be recorded. The diameters of a virtual cochlea
+  /// are those of parametersOf(), or the next number that a text in millimeters can state.
+  Result<session::Scenario> scenarioOf(const StudyCase& one) const;
 
 private:
   friend class StudyReader;
+  Result<session::Scenario> variedScenario(const StudyCase& one) const;
 
   std::string title_, text_, fingerprint_;
   std::uint64_t seed_ = 1;

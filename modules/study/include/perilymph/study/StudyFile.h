@@ -8,6 +8,8 @@
 //   insertion(number, ...)  one row per insertion; `settings` is JSON, scenario key: value
 //   profile(number, depth_mm, force_mN)          if the study keeps force profiles
 //   contact(number, contact, angle_deg, depth_mm, to_modiolus_mm, frequency_Hz)   if it keeps them
+// Views, one per question (StudyViews.cpp): setting, ending_by_setting, outcome_by_setting,
+// outcome_by_size, extreme.
 
 #include <cstdint>
 #include <filesystem>
@@ -59,8 +61,11 @@ public:
   /// Ends writing: the file is then one file, without companions.
   Result<Done> close();
 
-  /// Calls `each` with every insertion, in order, with its contacts and its profile.
-  Result<Done> read(const std::function<Result<Done>(const StudyResult&)>& each) const;
+  /// Which part of the insertions is read.
+  enum class Part { whole, withoutContactsAndProfile };
+  /// Calls `each` with every insertion, in order.
+  Result<Done> read(const std::function<Result<Done>(const StudyResult&)>& each,
+                    Part part = Part::whole) const;
 
 private:
   explicit StudyFile(database::Database database) : database_(std::move(database)) {}

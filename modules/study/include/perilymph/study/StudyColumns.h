@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// The results of a study as columns, to plot and filter many insertions at once.
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "perilymph/foundation/Result.h"
+#include "perilymph/study/StudyFile.h"
+
+namespace perilymph::study {
+
+/// A number of every insertion.
+struct StudyQuantity {
+  std::string key;             ///< As in the table: "peak_mN", or the key of a setting.
+  std::vector<double> values;  ///< One per insertion; NaN where the setting is missing.
+};
+
+/// A setting with 2 to StudyColumns::maxLevels values, or how the insertions ended.
+struct StudyFactor {
+  std::string key;                   ///< "array", or "ending".
+  std::vector<std::string> levels;   ///< Values, in the order of their first insertion.
+  std::vector<std::uint16_t> level;  ///< One per insertion: index into `levels`.
+};
+
+/// Which insertions are selected.
+struct StudyFilter {
+  /// One per factor and level; a factor without entries selects all.
+  std::vector<std::vector<bool>> levels;
+  double minA_mm = 0.0, maxA_mm = 1e9;  ///< Size of the cochlea: diameter A of the basal turn.
+};
+
+/// The numbers of many insertions. Immutable.
+class StudyColumns {
+public:
+  /// A setting with more values is a quantity only, if they are numbers.
+  static constexpr std::size_t maxLevels = 12;
+  /// Maximum number of insertions: about half a gigabyte while they are read (choice, high).
+  static constexpr std::size_t maxInsertions = 1'000'000;
+
+  /// Reads a merged file or a shard. The error says what to do.
+  static Result<StudyColumns> read(const std::filesystem::path& file,
+                                   const std::atomic<bool>& isCanceled);
+
+  const StudyFileFacts& facts() const noexcept { return facts_; }
+  std::size_t size() const noexcept { return results_.size(); }
+  const std::vector<StudyQuantity>& quantities() const noexcept { return quantities_; }
+  const std::vector<StudyFactor>& factors() const noexcept { return factors_; }
+  /// The insertion in row `row`, without contacts and profile.
+  const StudyResult& result(std::size_t row) const { return results_[row]; }
+  /// The quantity with a key; null if there is none.
+  const StudyQuantity* quantity(const std::string& key) const;
+
+  /// The rows that a filter selects, in order.
+  std::vector<std::uint32_t> rows(const StudyFilter& filter) const;
+
+private:
+  void addSettings();
+
+  StudyFileFacts facts_;
+  std::vector<StudyResult> results_;
+  std::vector<StudyQuantity> quantities_;
+  std::vector<StudyFactor> factors_;
+};
+
+}  // namespace perilymph::study

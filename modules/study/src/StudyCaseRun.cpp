@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "perilymph/study/StudyCaseRun.h"
+
+namespace perilymph::study {
+
+Result<Study> studyIn(const StudyFileFacts& facts, const std::filesystem::path& file)
+{
+  auto study = parseStudy(facts.text, file);
+  if (!study)
+    return Error{"The study in " + file.string() + " cannot be read again: " +
+                 study.error().message + " Put the files it names beside it."};
+  if (study->fingerprint() != facts.fingerprint)
+    return Error{"The study in " + file.string() +
+                 " names files that differ from those it was run with. Put those beside it."};
+  return study;
+}
+
+Result<StudyResult> recordCase(const Study& study, std::size_t number,
+                               const std::filesystem::path& recording,
+                               const std::atomic<bool>& isCanceled)
+{
+  if (number >= study.size())
+    return Error{"Insertion " + std::to_string(number) + " is not in the study, which has " +
+                 std::to_string(study.size()) + " of them, counted from 0."};
+  const StudyCase one = study.caseAt(number);
+  const auto scenario = study.scenarioOf(one);
+  if (!scenario) return scenario.error();
+  const auto anatomy = session::buildAnatomy(*scenario);
+  if (!anatomy) return anatomy.error();
+  auto found = analysis::insertFully(*scenario, *anatomy, recording, isCanceled);
+  if (!found) return found.error();
+  StudyResult result;
+  result.number = number;
+  result.cochlea = study.cochleae()[one.cochlea].name;
+  result.settings = one.overrides;
+  result.insertion = *std::move(found);
+  return result;
+}
+
+}  // namespace perilymph::study

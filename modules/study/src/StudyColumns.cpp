@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "perilymph/study/StudyColumns.h"
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "perilymph/study/StudyReport.h"
+
+namespace perilymph::study {
+
+namespace {
+
+using Number = double (*)(const StudyResult&);
+
+/// The numbers that every study has, in the order in which people ask for them.
+constexpr std::pair<const char*, Number> ownQuantities[] = {
+    {"A_mm", [](const StudyResult& one) { return one.a_mm; }},
+    {"B_mm", [](const StudyResult& one) { return one.b_mm; }},
+    {"st_length_mm", [](const StudyResult& one) { return one.scalaLength_mm; }},
+    {"angle_deg", [](const StudyResult& one) { return inDegrees(one.insertion.apical); }},
+    {"coverage_percent", [](const StudyResult& one) { return 100.0 * one.insertion.coverage; }},
+    {"depth_mm", [](const StudyResult& one) { return inMillimeters(one.insertion.depth); }},
+    {"max_depth_mm", [](const StudyResult& one) { return inMillimeters(one.insertion.maxDepth); }},
+    {"peak_mN", [](const StudyResult& one) { return inMillinewtons(one.insertion.peak.force); }},
+    {"peak_depth_mm",
+     [](const StudyResult& one) { return inMillimeters(one.insertion.peak.depth); }},
+    {"end_mN", [](const StudyResult& one) { return inMillinewtons(one.insertion.endForce); }},
+    {"partition_mN",
+     [](const StudyResult& one) { return inMillinewtons(one.insertion.maxMembraneForce); }},
+};
+
+std::optional<double> decimalIn(const std::string& text)
+{
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && end == text.data() + text.size() ? std::optional(value)
+                                                                  : std::nullopt;
+}
+
+/// The level of each text; nothing if there are fewer than two or too many.
+std::optional<StudyFactor> factorOf(const std::string& key, const std::vector<std::string>& texts)
+{
+  StudyFactor factor{key, {}, {}};
+  factor.level.reserve(texts.size());
+  for (const std::string& text : texts) {
+    const auto found = std::find(factor.levels.begin(), factor.levels.end(), text);
+    factor.level.push_back(static_cast<std::uint16_t>(found - factor.levels.begin()));
+    if (found == factor.levels.end()) factor.levels.push_back(text);
+    if (factor.levels.size() > StudyColumns::maxLevels) return std::nullopt;
+  }
+  if (factor.levels.size() < 2) return std::nullopt;
+  return factor;
+}
+
+/// The numbers of a setting; nothing if a value is no number or all are the same.
+std::optional<StudyQuantity> quantityOf(const std::string& key,
+                                        const std::vector<std::string>& texts)
+{
+  StudyQuantity quantity{key, {}};
+  quantity.values.reserve(texts.size());
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const std::string& text : texts) {
+    const auto value =
+        text.empty() ? std::optional(std::numeric_limits<double>::quiet_NaN()) : decimalIn(text);
+    if (!value) return std::nullopt;
+    quantity.values.push_back(*value);
+    low = std::min(low, *value);
+    high = std::max(high, *value);
+  }
+  if (!(high > low)) return std::nullopt;
+  return quantity;
+}
+
+}  // namespace
+
+Result<StudyColumns> StudyColumns::read(const std::filesystem::path& file,
+                                        const std::atomic<bool>& isCanceled)
+{
+  const auto opened = StudyFile::open(file);
+  if (!opened) return opened.error();
+  StudyColumns columns;
+  columns.facts_ = opened->facts();
+  if (columns.facts_.end - columns.facts_.first > maxInsertions)
+    return Error{file.string() + " has " +
+                 std::to_string(columns.facts_.end - columns.facts_.first) +
+                 " insertions; at most " + std::to_string(maxInsertions) +
+                 " can be shown. Open one of its shards, or query it with SQL."};
+  const auto read = opened->read(
+      [&](const StudyResult& result) -> Result<Done> {
+        if (isCanceled) return Error{"Canceled."};
+        columns.results_.push_back(result);
+        return Done{};
+      },
+      StudyFile::Part::withoutContactsAndProfile);
+  if (!read) return read.error();
+  if (columns.results_.empty())
+    return Error{file.string() +
+                 " has no insertions yet. Run 'perilymph-cli study run' or merge "
+                 "its shards first."};
+  for (const auto& [key, number] : ownQuantities) {
+    StudyQuantity quantity{key, {}};
+    quantity.values.reserve(columns.size());
+    for (const StudyResult& result : columns.results_) quantity.values.push_back(number(result));
+    columns.quantities_.push_back(std::move(quantity));
+  }
+  columns.addSettings();
+  return columns;
+}
+
+void StudyColumns::addSettings()
+{
+  std::vector<std::string> texts(size());
+  for (std::size_t i = 0; i < size(); ++i) texts[i] = analysis::nameOf(results_[i].insertion.end);
+  if (auto factor = factorOf("ending", texts)) factors_.push_back(*std::move(factor));
+  std::set<std::string> keys;
+  for (const StudyResult& result : results_)
+    for (const auto& [key, value] : result.settings) keys.insert(key);
+  for (const std::string& key : keys) {
+    for (std::size_t i = 0; i < size(); ++i)
+      texts[i] = StudyEvaluation::settingOf(results_[i], key);
+    if (auto factor = factorOf(key, texts)) factors_.push_back(*std::move(factor));
+    if (auto quantity = quantityOf(key, texts)) quantities_.push_back(*std::move(quantity));
+  }
+}
+
+const StudyQuantity* StudyColumns::quantity(const std::string& key) const
+{
+  const auto found = std::find_if(quantities_.begin(), quantities_.end(),
+                                  [&key](const StudyQuantity& each) { return each.key == key; });
+  return found == quantities_.end() ? nullptr : &*found;
+}
+
+std::vector<std::uint32_t> StudyColumns::rows(const StudyFilter& filter) const
+{
+  std::vector<char> isSelected(size(), 1);
+  for (std::size_t k = 0; k < std::min(factors_.size(), filter.levels.size()); ++k) {
+    const std::vector<bool>& wanted = filter.levels[k];
+    if (wanted.empty()) continue;
+    const StudyFactor& factor = factors_[k];
+    for (std::size_t i = 0; i < size(); ++i)
+      if (factor.level[i] >= wanted.size() || !wanted[factor.level[i]]) isSelected[i] = 0;
+  }
+  std::vector<std::uint32_t> rows;
+  rows.reserve(size());
+  for (std::size_t i = 0; i < size(); ++i)
+    if (isSelected[i] != 0 && results_[i].a_mm >= filter.minA_mm &&
+        results_[i].a_mm <= filter.maxA_mm)
+      rows.push_back(static_cast<std::uint32_t>(i));
+  return rows;
+}
+
+}  // namespace perilymph::study

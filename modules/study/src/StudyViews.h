@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace perilymph::study {
+
+/// The views of a study's file: `CREATE VIEW` statements, one per question.
+std::vector<std::string> studyViews();
+
+}  // namespace perilymph::study

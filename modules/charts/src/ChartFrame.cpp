@@ -211,10 +211,17 @@ void ChartFrame::setScale(double pixelRatio)
   overlay_->setScale(pixelRatio);
 }
 
-void ChartFrame::setXRange(const AxisRange& range)
+void ChartFrame::setTitles(const std::string& x, const std::string& y)
+{
+  chart_->GetAxis(vtkAxis::BOTTOM)->SetTitle(x);
+  chart_->GetAxis(vtkAxis::LEFT)->SetTitle(y);
+}
+
+void ChartFrame::setXRange(const AxisRange& range, int decimals)
 {
   std::vector<std::string> labels;
-  for (const double place : tickPlaces(range)) labels.push_back(tickLabel(place, 0, decimalSign_));
+  for (const double place : tickPlaces(range))
+    labels.push_back(tickLabel(place, decimals, decimalSign_));
   setRange(vtkAxis::BOTTOM, range, labels);
 }
 

@@ -79,7 +79,8 @@ public:
   void attachTo(vtkRenderWindow& window);
   void setScale(double pixelRatio);
 
-  void setXRange(const AxisRange& range);
+  void setTitles(const std::string& x, const std::string& y);
+  void setXRange(const AxisRange& range, int decimals = 0);
   void setYRange(const AxisRange& range, int decimals);
   /// Replaces the numbers at the x ticks by texts.
   void setXLabels(const AxisRange& range, const std::vector<std::string>& labels);

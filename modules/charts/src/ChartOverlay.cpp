@@ -10,6 +10,7 @@
 #include <vtkTextProperty.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "ChartColors.h"
@@ -160,6 +161,18 @@ void ChartOverlay::paintSwatch(vtkContext2D& painter, const LegendEntry& entry, 
     bar(painter, x, y - scale_, swatchWidth * scale_, 2.0f * scale_);
     return;
   }
+  if (entry.swatch == Swatch::mark) {
+    const std::array<float, 2> middle{x + 0.5f * swatchWidth * scale_, y};
+    painter.GetPen()->SetLineType(vtkPen::SOLID_LINE);
+    painter.GetPen()->SetColor(entry.color);
+    painter.GetPen()->SetWidth(8.0f * scale_);  // the size of a mark
+    std::array<float, 2> place = middle;
+    std::array<unsigned char, 4> color{entry.color.GetRed(), entry.color.GetGreen(),
+                                       entry.color.GetBlue(), entry.color.GetAlpha()};
+    painter.DrawMarkers(entry.shape, false, place.data(), 1, color.data(), 4);
+    painter.GetPen()->SetLineType(vtkPen::NO_PEN);
+    return;
+  }
   if (entry.swatch == Swatch::level) {
     for (float at = x; at < x + swatchWidth * scale_; at += 8.0f * scale_)
       bar(painter, at, y, 4.0f * scale_, scale_);
@@ -184,6 +197,19 @@ float ChartOverlay::widthOf(vtkContext2D& painter, const std::string& label) con
   setText(painter, colorOf(inks_->text), VTK_TEXT_LEFT);
   painter.ComputeStringBounds(label, bounds);
   return bounds[2];
+}
+
+std::string ChartOverlay::fitted(vtkContext2D& painter, const std::string& label, float width) const
+{
+  if (widthOf(painter, label) <= width) return label;
+  std::string part = label;
+  while (!part.empty() && widthOf(painter, part + "…") > width) {
+    // a whole character of UTF-8
+    while (part.size() > 1 && (static_cast<unsigned char>(part.back()) & 0xC0u) == 0x80u)
+      part.pop_back();
+    part.pop_back();
+  }
+  return part + "…";
 }
 
 int ChartOverlay::legendRows(vtkContext2D& painter, float width) const
@@ -213,8 +239,9 @@ void ChartOverlay::paintLegend(vtkContext2D& painter, const Area& area) const
       y -= legendRow_px * scale_;
     }
     paintSwatch(painter, entry, x, y);
+    const std::string text = fitted(painter, entry.text, width - (swatchWidth + 7.0f) * scale_);
     setText(painter, colorOf(inks_->text), VTK_TEXT_LEFT);
-    painter.DrawString(x + (swatchWidth + 7.0f) * scale_, y, entry.text);
+    painter.DrawString(x + (swatchWidth + 7.0f) * scale_, y, text);
     x += entryWidth + legendGap * scale_;
   }
 }

@@ -19,13 +19,14 @@ class vtkChartXY;
 namespace perilymph::charts {
 
 /// Symbol of a legend entry.
-enum class Swatch { line, dashes, dots, level, bar };
+enum class Swatch { line, dashes, dots, level, bar, mark };
 
 /// One line of the legend.
 struct LegendEntry {
   Swatch swatch;
   vtkColor4ub color;
   std::string text;
+  int shape = 0;  ///< A mark as vtkPlotPoints names it.
 };
 
 /// A dashed line across the chart; the legend names it.
@@ -76,6 +77,8 @@ private:
   void paintNow(vtkContext2D& painter, const Area& area) const;
   void paintLegend(vtkContext2D& painter, const Area& area) const;
   float widthOf(vtkContext2D& painter, const std::string& label) const;
+  /// The label, with an ellipsis at its end if it is wider than that [px].
+  std::string fitted(vtkContext2D& painter, const std::string& label, float width) const;
   void paintSwatch(vtkContext2D& painter, const LegendEntry& entry, float x, float y) const;
   void setText(vtkContext2D& painter, const vtkColor4ub& color, int justification) const;
 

@@ -8,6 +8,7 @@
 #include "gui/pages/ct/CtPage.h"
 #include "gui/pages/sessions/SessionsPage.h"
 #include "gui/pages/start/StartPage.h"
+#include "gui/pages/studies/StudiesPage.h"
 #include "gui/pages/validate/ValidatePage.h"
 #include "gui/setup/PatientSetup.h"
 #include "gui/shell/FileDrop.h"
@@ -22,12 +23,14 @@ PageStack::PageStack(InsertPage& insert, QWidget* parent)
       ct_(new CtPage(this)),
       compare_(new ComparePage(this)),
       validate_(new ValidatePage(this)),
-      sessions_(new SessionsPage(this))
+      sessions_(new SessionsPage(this)),
+      studies_(new StudiesPage(this))
 {
   // in the order of Page
-  for (QWidget* page : {static_cast<QWidget*>(start_), static_cast<QWidget*>(ct_),
-                        static_cast<QWidget*>(&insert_), static_cast<QWidget*>(compare_),
-                        static_cast<QWidget*>(validate_), static_cast<QWidget*>(sessions_)})
+  for (QWidget* page :
+       {static_cast<QWidget*>(start_), static_cast<QWidget*>(ct_), static_cast<QWidget*>(&insert_),
+        static_cast<QWidget*>(compare_), static_cast<QWidget*>(validate_),
+        static_cast<QWidget*>(sessions_), static_cast<QWidget*>(studies_)})
     addWidget(page);
   setCurrentWidget(&insert_);
   connectPages();
@@ -66,6 +69,7 @@ void PageStack::connectStart()
 void PageStack::connectRecordings()
 {
   connect(sessions_, &SessionsPage::replayAsked, this, &PageStack::replayAsked);
+  connect(studies_, &StudiesPage::replayAsked, this, &PageStack::replayAsked);
   connect(sessions_, &SessionsPage::referenceRead, &insert_, &InsertPage::setReference);
   connect(sessions_, &SessionsPage::compareAsked, this,
           [this](const std::vector<std::filesystem::path>& files) {
@@ -118,6 +122,8 @@ bool PageStack::cancel()
     case Page::validate:
       validate_->cancel();
       return false;
+    case Page::studies:
+      return studies_->cancel();
     default:
       return false;
   }

@@ -14,10 +14,11 @@ class ComparePage;
 class CtPage;
 class SessionsPage;
 class StartPage;
+class StudiesPage;
 class ValidatePage;
 
 /// The pages, in the order of their buttons.
-enum class Page { start, ct, insert, compare, validate, sessions };
+enum class Page { start, ct, insert, compare, validate, sessions, studies };
 
 /// Makes the pages and connects them, as they do not know each other.
 class PageStack : public QStackedWidget {
@@ -34,6 +35,7 @@ public:
   /// Shows a message on the page of recordings.
   void showSessionsError(const QString& sentence);
   CtPage& ct() { return *ct_; }
+  StudiesPage& studies() { return *studies_; }
 
 Q_SIGNALS:
   /// Another setup was chosen for the insertion page.
@@ -58,6 +60,7 @@ private:
   ComparePage* compare_;
   ValidatePage* validate_;
   SessionsPage* sessions_;
+  StudiesPage* studies_;
 };
 
 }  // namespace perilymph::gui

@@ -192,6 +192,7 @@ TopBar::TopBar(QWidget* parent)
   pages->addWidget(addPage(Page::compare, tr("Compare"), "comparePageButton"));
   pages->addWidget(addPage(Page::validate, tr("Validate"), "validatePageButton"));
   pages->addWidget(addPage(Page::sessions, tr("Sessions"), "sessionsPageButton"));
+  pages->addWidget(addPage(Page::studies, tr("Studies"), "studiesPageButton"));
   left->addLayout(pages);
   left->addStretch();
   auto* right = new QHBoxLayout;
@@ -245,7 +246,7 @@ void TopBar::addStop()
 {
   stop_->setObjectName(QStringLiteral("stopButton"));
   stop_->setFont(typeface(17, QFont::Bold));
-  stop_->setFixedSize(128, barHeight - 6);
+  stop_->setFixedSize(sized(128), barHeight - 6);
   // A click leaves the focus where it is: Space remains the key of the insertion.
   stop_->setFocusPolicy(Qt::TabFocus);
   stop_->setToolTip(tr("Remove the force of the device at once (Esc)"));

@@ -30,6 +30,7 @@ public:
   void show(DeviceState light, const QString& caption);
   const QString& text() const { return text_; }
   QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return sizeHint(); }
 
 protected:
   void paintEvent(QPaintEvent*) override;

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/studies/StudyPlot.h"
+
+#include <vtkRenderWindow.h>
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QStyle>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <QVariant>
+#include <algorithm>
+#include <limits>
+
+#include "gui/pages/studies/StudyText.h"
+#include "gui/parts/ChartLabels.h"
+#include "gui/parts/Theme.h"
+#include "gui/scene/PlainVtkWidget.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+constexpr double reach_px = 12.0;  // of the mouse to a point
+
+const std::vector<double>& columnOf(const study::StudyColumns& columns, const std::string& key)
+{
+  const study::StudyQuantity* found = columns.quantity(key);
+  return found != nullptr ? found->values : columns.quantities().front().values;
+}
+
+std::pair<double, double> limitsOf(const std::vector<double>& values)
+{
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  return low <= high ? std::pair{low, high} : std::pair{0.0, 1.0};
+}
+
+}  // namespace
+
+StudyPlot::StudyPlot(QWidget* parent)
+    : QFrame(parent), chart_(chartStyle()), view_(new PlainVtkWidget(this))
+{
+  setObjectName(QStringLiteral("studyPlot"));
+  setAccessibleName(tr("Insertions of the study"));
+  setFocusPolicy(Qt::StrongFocus);
+  setProperty("focused", false);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(2, 2, 2, 2);
+  column->addWidget(view_);
+  chart_.setScale(devicePixelRatioF() * textScale());
+  chart_.attachTo(*view_->renderWindow());
+  view_->installEventFilter(this);
+}
+
+StudyPlot::~StudyPlot() = default;
+
+void StudyPlot::show(const StudyWork::Columns& columns, const Axes& axes)
+{
+  columns_ = columns;
+  axes_ = axes;
+  const auto [lowX, highX] = limitsOf(columnOf(*columns, axes.x));
+  const auto [lowY, highY] = limitsOf(columnOf(*columns, axes.y));
+  chart_.setTitles(quantityTitle(axes.x).toStdString(), quantityTitle(axes.y).toStdString());
+  chart_.setRanges(lowX, highX, lowY, highY);
+  showRows(std::move(rows_));
+}
+
+void StudyPlot::showRows(std::vector<std::uint32_t> rows)
+{
+  rows_ = std::move(rows);
+  if (!columns_) return;
+  const auto& factors = columns_->factors();
+  const auto factor = std::find_if(factors.begin(), factors.end(),
+                                   [this](const auto& each) { return each.key == axes_.group; });
+  const bool isGrouped = factor != factors.end();
+  std::vector<charts::ScatterGroup> groups(isGrouped ? factor->levels.size() : 1);
+  for (std::size_t i = 0; isGrouped && i < groups.size(); ++i)
+    groups[i].label = levelText(factor->levels[i]).toStdString();
+  const std::vector<double>& x = columnOf(*columns_, axes_.x);
+  const std::vector<double>& y = columnOf(*columns_, axes_.y);
+  for (const std::uint32_t row : rows_) {
+    charts::ScatterGroup& group = groups[isGrouped ? factor->level[row] : 0];
+    group.x.push_back(static_cast<float>(x[row]));
+    group.y.push_back(static_cast<float>(y[row]));
+    group.ids.push_back(row);
+  }
+  chart_.setGroups(std::move(groups));
+  later();
+}
+
+void StudyPlot::select(std::optional<std::uint32_t> row)
+{
+  selected_ = row;
+  chart_.setSelected(row);
+  later();
+}
+
+/// Several changes in one turn of the event loop are one drawing.
+void StudyPlot::later()
+{
+  if (isWaiting_) return;
+  isWaiting_ = true;
+  QTimer::singleShot(0, this, &StudyPlot::render);
+}
+
+void StudyPlot::render()
+{
+  isWaiting_ = false;
+  if (!view_->isVisible() || !view_->isValid()) return;
+  chart_.update();
+  view_->renderWindow()->Render();
+}
+
+std::optional<std::uint32_t> StudyPlot::rowAt(const QPointF& place) const
+{
+  const double ratio = view_->devicePixelRatioF();
+  return chart_.pick(place.x() * ratio, (view_->height() - place.y()) * ratio, reach_px * ratio);
+}
+
+bool StudyPlot::eventFilter(QObject* watched, QEvent* event)
+{
+  switch (event->type()) {
+    case QEvent::Show:
+    case QEvent::Resize:
+      later();
+      break;
+    case QEvent::MouseButtonPress: {
+      setFocus();
+      const auto row = rowAt(static_cast<QMouseEvent*>(event)->localPos());
+      if (row) Q_EMIT chosen(*row);
+      return true;
+    }
+    case QEvent::MouseButtonDblClick:
+      if (const auto row = rowAt(static_cast<QMouseEvent*>(event)->localPos())) Q_EMIT opened(*row);
+      return true;
+    default:
+      break;
+  }
+  return QFrame::eventFilter(watched, event);
+}
+
+/// To the next point along an axis.
+void StudyPlot::step(bool isAlongX, int by)
+{
+  if (!columns_ || rows_.empty()) return;
+  const std::vector<double>& values = columnOf(*columns_, isAlongX ? axes_.x : axes_.y);
+  std::vector<std::uint32_t> ordered = rows_;
+  std::stable_sort(ordered.begin(), ordered.end(),
+                   [&values](std::uint32_t a, std::uint32_t b) { return values[a] < values[b]; });
+  const auto here =
+      selected_ ? std::find(ordered.begin(), ordered.end(), *selected_) : ordered.end();
+  const auto last = std::ptrdiff_t(ordered.size()) - 1;
+  const std::ptrdiff_t now =
+      here == ordered.end() ? (by > 0 ? -1 : last + 1) : here - ordered.begin();
+  Q_EMIT chosen(ordered[std::size_t(std::clamp(now + by, std::ptrdiff_t(0), last))]);
+}
+
+void StudyPlot::keyPressEvent(QKeyEvent* event)
+{
+  const int whole = int(rows_.size());
+  switch (event->key()) {
+    case Qt::Key_Left:
+      return step(true, -1);
+    case Qt::Key_Right:
+      return step(true, 1);
+    case Qt::Key_Down:
+      return step(false, -1);
+    case Qt::Key_Up:
+      return step(false, 1);
+    case Qt::Key_Home:
+      return step(false, -whole);
+    case Qt::Key_End:
+      return step(false, whole);
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      if (selected_) Q_EMIT opened(*selected_);
+      return;
+    default:
+      QFrame::keyPressEvent(event);
+  }
+}
+
+void StudyPlot::showFocus(bool isFocused)
+{
+  setProperty("focused", isFocused);
+  style()->unpolish(this);
+  style()->polish(this);
+}
+
+void StudyPlot::focusInEvent(QFocusEvent* event)
+{
+  QFrame::focusInEvent(event);
+  showFocus(true);
+}
+
+void StudyPlot::focusOutEvent(QFocusEvent* event)
+{
+  QFrame::focusOutEvent(event);
+  showFocus(false);
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/studies/StudyText.h"
+
+#include <QCoreApplication>
+
+#include "gui/parts/Numbers.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+struct Name {
+  const char* key;
+  const char* text;
+};
+
+// lupdate reads the texts here.
+constexpr Name quantities[] = {
+    {"A_mm", QT_TRANSLATE_NOOP("Study", "A: basal-turn diameter, mm")},
+    {"B_mm", QT_TRANSLATE_NOOP("Study", "B: basal-turn width, mm")},
+    {"st_length_mm", QT_TRANSLATE_NOOP("Study", "cochlear duct length, mm")},
+    {"angle_deg", QT_TRANSLATE_NOOP("Study", "angular insertion depth, °")},
+    {"coverage_percent", QT_TRANSLATE_NOOP("Study", "cochlear coverage, %")},
+    {"depth_mm", QT_TRANSLATE_NOOP("Study", "insertion depth, mm")},
+    {"max_depth_mm", QT_TRANSLATE_NOOP("Study", "maximum insertion depth, mm")},
+    {"peak_mN", QT_TRANSLATE_NOOP("Study", "peak insertion force, mN")},
+    {"peak_depth_mm", QT_TRANSLATE_NOOP("Study", "depth of the peak force, mm")},
+    {"end_mN", QT_TRANSLATE_NOOP("Study", "final insertion force, mN")},
+    {"partition_mN", QT_TRANSLATE_NOOP("Study", "maximum partition force, mN")},
+    {"speed_mm_s", QT_TRANSLATE_NOOP("Study", "speed, mm/s")},
+    {"start_inside_mm", QT_TRANSLATE_NOOP("Study", "depth at the start, mm")},
+    {"stop_travel_mm", QT_TRANSLATE_NOOP("Study", "stop travel, mm")},
+    {"approach_tilt_deg", QT_TRANSLATE_NOOP("Study", "approach angle, tilt, °")},
+    {"approach_turn_deg", QT_TRANSLATE_NOOP("Study", "approach angle, rotation, °")},
+    {"friction_static", QT_TRANSLATE_NOOP("Study", "static friction coefficient")},
+    {"friction_dynamic", QT_TRANSLATE_NOOP("Study", "kinetic friction coefficient")},
+    {"nodes", QT_TRANSLATE_NOOP("Study", "nodes of the array model")},
+    {"dt_ms", QT_TRANSLATE_NOOP("Study", "time step, ms")},
+};
+
+constexpr Name settings[] = {
+    {"ending", QT_TRANSLATE_NOOP("Study", "how it ended")},
+    {"array", QT_TRANSLATE_NOOP("Study", "array")},
+    {"friction", QT_TRANSLATE_NOOP("Study", "friction")},
+    {"technique", QT_TRANSLATE_NOOP("Study", "technique")},
+    {"opening", QT_TRANSLATE_NOOP("Study", "opening")},
+    {"membrane", QT_TRANSLATE_NOOP("Study", "basilar membrane")},
+    {"model", QT_TRANSLATE_NOOP("Study", "array model")},
+    {"coupling", QT_TRANSLATE_NOOP("Study", "coupling to the hand")},
+    {"anatomy", QT_TRANSLATE_NOOP("Study", "anatomy")},
+};
+
+constexpr Name levels[] = {
+    {"finished", QT_TRANSLATE_NOOP("Study", "finished")},
+    {"slipped out", QT_TRANSLATE_NOOP("Study", "slipped out")},
+    {"buckled", QT_TRANSLATE_NOOP("Study", "buckled")},
+    {"fault", QT_TRANSLATE_NOOP("Study", "stopped with a fault")},
+    {"refused", QT_TRANSLATE_NOOP("Study", "could not be prepared")},
+    {"standard", QT_TRANSLATE_NOOP("Study", "standard")},
+    {"aos", QT_TRANSLATE_NOOP("Study", "advance off stylet")},
+    {"none", QT_TRANSLATE_NOOP("Study", "wide opening")},
+    {"round-window", QT_TRANSLATE_NOOP("Study", "round window")},
+    {"cochleostomy", QT_TRANSLATE_NOOP("Study", "cochleostomy")},
+    {"rigid", QT_TRANSLATE_NOOP("Study", "rigid")},
+    {"soft", QT_TRANSLATE_NOOP("Study", "soft")},
+    {"spring", QT_TRANSLATE_NOOP("Study", "spring")},
+    {"tissue", QT_TRANSLATE_NOOP("Study", "tissue-like")},
+    {"mean", QT_TRANSLATE_NOOP("Study", "average")},
+};
+
+QString tr(const char* text) { return QCoreApplication::translate("Study", text); }
+
+template <std::size_t Count>
+const char* textOf(const Name (&names)[Count], const std::string& key)
+{
+  for (const Name& each : names)
+    if (key == each.key) return each.text;
+  return nullptr;
+}
+
+QString number(double value, int decimals) { return numberText(value, decimals); }
+
+}  // namespace
+
+QString quantityTitle(const std::string& key)
+{
+  const char* text = textOf(quantities, key);
+  return text != nullptr ? tr(text) : QString::fromStdString(key);
+}
+
+QString settingTitle(const std::string& key)
+{
+  const char* text = textOf(settings, key);
+  return text != nullptr ? tr(text) : quantityTitle(key);
+}
+
+QString levelText(const std::string& level)
+{
+  const char* text = textOf(levels, level);
+  if (text != nullptr) return tr(text);
+  return level.empty() ? QStringLiteral("–") : QString::fromStdString(level);
+}
+
+std::vector<std::pair<QString, QString>> valuesOf(const study::StudyResult& result)
+{
+  const analysis::FullInsertion& found = result.insertion;
+  std::vector<std::pair<QString, QString>> values{
+      {tr(QT_TRANSLATE_NOOP("Study", "insertion")), QString::number(result.number)},
+      {tr(QT_TRANSLATE_NOOP("Study", "cochlea")), QString::fromStdString(result.cochlea)},
+      {settingTitle("ending"), levelText(analysis::nameOf(found.end))}};
+  if (!found.reason.empty())
+    values.emplace_back(tr(QT_TRANSLATE_NOOP("Study", "reason")),
+                        QString::fromStdString(found.reason));
+  for (const auto& [key, value] : result.settings)
+    values.emplace_back(settingTitle(key), levelText(value));
+  const auto add = [&values](const char* key, double value, int decimals) {
+    values.emplace_back(quantityTitle(key), number(value, decimals));
+  };
+  add("A_mm", result.a_mm, 2);
+  add("B_mm", result.b_mm, 2);
+  add("st_length_mm", result.scalaLength_mm, 1);
+  add("depth_mm", inMillimeters(found.depth), 2);
+  add("max_depth_mm", inMillimeters(found.maxDepth), 2);
+  add("angle_deg", inDegrees(found.apical), 0);
+  add("coverage_percent", 100.0 * found.coverage, 0);
+  add("peak_mN", inMillinewtons(found.peak.force), 1);
+  add("peak_depth_mm", inMillimeters(found.peak.depth), 2);
+  add("end_mN", inMillinewtons(found.endForce), 1);
+  add("partition_mN", inMillinewtons(found.maxMembraneForce), 1);
+  return values;
+}
+
+}  // namespace perilymph::gui

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/pages/studies/StudyWork.h"
+
+#include <cmath>
+#include <utility>
+
+#include "gui/parts/Numbers.h"
+#include "perilymph/foundation/Resources.h"
+#include "perilymph/study/StudyCaseRun.h"
+
+namespace perilymph::gui {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A recording, and the peak force of its insertion if it was run now.
+struct CaseRecording {
+  fs::path file;
+  std::optional<double> peak_mN;
+};
+
+/// Named by the study's fingerprint, so that no two studies share one.
+fs::path recordingOf(const study::StudyFileFacts& facts, std::size_t number)
+{
+  return sessionFolder() / ("study-" + facts.fingerprint.substr(0, 8) + "-insertion-" +
+                            std::to_string(number) + ".insertion");
+}
+
+Result<CaseRecording> recordingOf(const study::StudyFileFacts& facts, const fs::path& file,
+                                  std::size_t number, const std::atomic<bool>& isCanceled)
+{
+  const fs::path recording = recordingOf(facts, number);
+  std::error_code problem;
+  if (fs::exists(recording, problem)) return CaseRecording{recording, std::nullopt};
+  fs::create_directories(recording.parent_path(), problem);
+  const auto study = study::studyIn(facts, file);
+  if (!study) return study.error();
+  // under another name until it is whole
+  fs::path unfinished = recording;
+  unfinished.replace_extension(".unfinished");
+  const auto removeUnfinished = [&unfinished] {
+    std::error_code ignored;
+    for (const char* ending : {"", "-wal", "-shm", "-journal"})
+      fs::remove(unfinished.string() + ending, ignored);
+  };
+  removeUnfinished();
+  const auto result = study::recordCase(*study, number, unfinished, isCanceled);
+  if (result) fs::rename(unfinished, recording, problem);
+  removeUnfinished();
+  if (!result) return result.error();
+  if (problem)
+    return Error{recording.string() + " cannot be written: " + problem.message() +
+                 ". Check the folder's permissions and the space on the disk."};
+  return CaseRecording{recording, inMillinewtons(result->insertion.peak.force)};
+}
+
+}  // namespace
+
+void StudyWork::open(const fs::path& file)
+{
+  background_.run(
+      "The study",
+      [file](const std::atomic<bool>& isCanceled) -> Result<Columns> {
+        auto columns = study::StudyColumns::read(file, isCanceled);
+        if (!columns) return columns.error();
+        return std::make_shared<const study::StudyColumns>(*std::move(columns));
+      },
+      [this, file](const Result<Columns>& columns) {
+        if (!columns) return failed(QString::fromStdString(columns.error().message));
+        Q_EMIT opened(*columns, file);
+      });
+}
+
+void StudyWork::runAgain(const Columns& columns, const fs::path& file, std::size_t row)
+{
+  const study::StudyResult& result = columns->result(row);
+  background_.run(
+      "The insertion",
+      [facts = columns->facts(), file,
+       number = result.number](const std::atomic<bool>& isCanceled) {
+        return recordingOf(facts, file, number, isCanceled);
+      },
+      [this, number = result.number,
+       before_mN = inMillinewtons(result.insertion.peak.force)](const Result<CaseRecording>& now) {
+        if (!now) return failed(QString::fromStdString(now.error().message));
+        QString sentence;
+        if (now->peak_mN) {
+          // as shown
+          const bool isSame = numberText(*now->peak_mN, 1) == numberText(before_mN, 1);
+          sentence = isSame ? tr("Insertion %1 was run again: peak force %2 mN, as in the study.")
+                                  .arg(number)
+                                  .arg(numberText(*now->peak_mN, 1))
+                            : tr("Insertion %1 was run again: peak force %2 mN; the study, run by "
+                                 "another version, has %3 mN.")
+                                  .arg(number)
+                                  .arg(numberText(*now->peak_mN, 1), numberText(before_mN, 1));
+        }
+        Q_EMIT recorded(now->file, sentence);
+      });
+}
+
+}  // namespace perilymph::gui

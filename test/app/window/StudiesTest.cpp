@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The page of studies, with the result of a small study that is run first.
+
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QLabel>
+#include <QTest>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <optional>
+
+#include "DataFolder.h"
+#include "Walk.h"
+#include "WindowRig.h"
+#include "gui/pages/insert/ReplayControl.h"
+#include "gui/pages/studies/StudiesPage.h"
+#include "gui/pages/studies/StudyPanel.h"
+#include "gui/pages/studies/StudyPlot.h"
+#include "gui/scene/PlainVtkWidget.h"
+#include "perilymph/study/StudyRun.h"
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Two arrays with two frictions in eight virtual cochleae; coarse and fast.
+constexpr const char* studyText = R"(
+title = "Two lengths in eight cochleae"
+scenario = "mean-flex28"
+seed = 1
+depth = "full"
+[cochleae]
+virtual = 8
+[vary]
+array = ["flex24", "flex28"]
+friction = ["tissue", "soap-10"]
+nodes = [30]
+dt_ms = [10.0]
+[ranges]
+speed_mm_s = [2.0, 4.0]
+)";
+constexpr std::size_t insertions = 32;
+
+class AStudy : public testing::Test {
+protected:
+  static void SetUpTestSuite()
+  {
+    folder_ = std::make_unique<TemporaryFolder>();
+    const auto study = study::parseStudy(studyText, folder_->path() / "study.toml");
+    ASSERT_TRUE(study) << study.error().message;
+    ASSERT_EQ(study->size(), insertions);
+    const auto ran =
+        study::runShard(*study, study::shardOf(insertions, 1, 1), folder_->path(), 2, {});
+    ASSERT_TRUE(ran) << ran.error().message;
+    const auto merged = study::mergeShards(folder_->path());
+    ASSERT_TRUE(merged) << merged.error().message;
+  }
+  static void TearDownTestSuite() { folder_.reset(); }
+
+  static fs::path file() { return folder_->path() / study::mergedFile; }
+  static gui::StudiesPage& pageOf(WindowRig& rig)
+  {
+    return *rig.window().findChild<gui::StudiesPage*>();
+  }
+  /// Opens the study on its page, and waits until it is drawn.
+  static bool open(WindowRig& rig)
+  {
+    rig.window().showPage(gui::Page::studies);
+    gui::StudiesPage& page = pageOf(rig);
+    page.open(file());
+    if (!WindowRig::comes([&] { return page.columns() != nullptr; })) return false;
+    for (int i = 0; i < 8; ++i) QCoreApplication::processEvents();  // nested layouts
+    page.plot().render();
+    return true;
+  }
+  static bool isReplaying(WindowRig& rig)
+  {
+    return WindowRig::comes([&] { return rig.window().insertion().replay().isOpen(); });
+  }
+
+  DataFolder data_;
+
+private:
+  static std::unique_ptr<TemporaryFolder> folder_;
+};
+
+std::unique_ptr<TemporaryFolder> AStudy::folder_;
+
+TEST_F(AStudy, IsExplainedBeforeOneIsOpened)
+{
+  WindowRig rig;
+  rig.click("studiesPageButton");
+  EXPECT_EQ(rig.window().page(), gui::Page::studies);
+  const auto labels = pageOf(rig).findChildren<QLabel*>();
+  EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+    return label->isVisible() && label->text().contains("perilymph-cli study");
+  }));
+}
+
+TEST_F(AStudy, ThatIsNoneIsRefusedInOneSentence)
+{
+  WindowRig rig;
+  rig.window().showPage(gui::Page::studies);
+  const TemporaryFolder folder;
+  const fs::path other = folder.path() / "other.sqlite";
+  std::ofstream(other) << "a text";
+  pageOf(rig).open(other);
+  ASSERT_TRUE(WindowRig::comes([&] { return !pageOf(rig).isBusy(); }));
+  EXPECT_TRUE(WindowRig::comes([&] {
+    return rig.label("studyStatus").contains("other.sqlite is not a study of Perilymph");
+  })) << rig.label("studyStatus").toStdString();
+  EXPECT_EQ(pageOf(rig).columns(), nullptr);
+}
+
+TEST_F(AStudy, IsFilteredByArrayAndBySizeOfTheCochlea)
+{
+  WindowRig rig;
+  ASSERT_TRUE(open(rig));
+  EXPECT_EQ(rig.label("studyCount"), "32 of 32 insertions");
+  rig.click("study-array-flex24");
+  EXPECT_EQ(rig.label("studyCount"), "16 of 32 insertions");
+  EXPECT_EQ(pageOf(rig).plot().rows().size(), 16u);
+  rig.type("studyMinA", "99");
+  EXPECT_EQ(rig.label("studyCount"), "0 of 32 insertions");
+  rig.click("resetStudyFilterButton");
+  EXPECT_EQ(rig.label("studyCount"), "32 of 32 insertions");
+}
+
+TEST_F(AStudy, ShowsTheInsertionOfAPointThatIsClicked)
+{
+  WindowRig rig;
+  ASSERT_TRUE(open(rig));
+  gui::StudyPlot& plot = pageOf(rig).plot();
+  auto& view = *plot.findChild<gui::PlainVtkWidget*>();
+  std::optional<std::uint32_t> there;
+  QPoint place;
+  for (int y = 0; y < view.height() && !there; y += 6)
+    for (int x = 0; x < view.width() && !there; x += 6) {
+      place = {x, y};
+      there = plot.chart().pick(x, view.height() - y, 4.0);
+    }
+  ASSERT_TRUE(there);
+  QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, place);
+  ASSERT_TRUE(plot.selected());
+  EXPECT_EQ(*plot.selected(), *there);
+  EXPECT_TRUE(rig.button("replayStudyButton").isEnabled());
+}
+
+TEST_F(AStudy, IsWalkedThroughWithTheKeyboard)
+{
+  WindowRig rig;
+  ASSERT_TRUE(open(rig));
+  gui::StudyPlot& plot = pageOf(rig).plot();
+  const auto& angles = pageOf(rig).columns()->quantity("angle_deg")->values;
+  QTest::keyClick(&plot, Qt::Key_End);  // the deepest
+  ASSERT_TRUE(plot.selected());
+  EXPECT_EQ(angles[*plot.selected()], *std::max_element(angles.begin(), angles.end()));
+  QTest::keyClick(&plot, Qt::Key_Home);
+  EXPECT_EQ(angles[*plot.selected()], *std::min_element(angles.begin(), angles.end()));
+  const double lowest = angles[*plot.selected()];
+  QTest::keyClick(&plot, Qt::Key_Up);
+  EXPECT_GE(angles[*plot.selected()], lowest);
+}
+
+TEST_F(AStudy, IsReadRunAgainAndReplayedInSteps)
+{
+  Walk walk("studies");
+  WindowRig rig;
+  ASSERT_TRUE(open(rig));
+  gui::StudiesPage& page = pageOf(rig);
+  QTest::keyClick(&page.plot(), Qt::Key_End);
+  page.plot().render();
+  walk.step(1, rig.window());
+  rig.click("replayStudyButton");
+  ASSERT_TRUE(isReplaying(rig)) << rig.label("studyStatus").toStdString();
+  EXPECT_EQ(rig.window().page(), gui::Page::insert);
+  EXPECT_TRUE(rig.label("studyStatus").contains("as in the study"))
+      << rig.label("studyStatus").toStdString();
+  EXPECT_EQ(walk.left(), "");
+}
+
+TEST_F(AStudy, RunsAnInsertionOnceOnly)
+{
+  WindowRig rig;
+  ASSERT_TRUE(open(rig));
+  gui::StudiesPage& page = pageOf(rig);
+  QTest::keyClick(&page.plot(), Qt::Key_Home);
+  QTest::keyClick(&page.plot(), Qt::Key_Return);
+  ASSERT_TRUE(isReplaying(rig));
+  const fs::path recording = rig.window().insertion().replay().playback().file();
+  const auto written = fs::last_write_time(recording);
+  rig.window().showPage(gui::Page::studies);
+  QTest::keyClick(&page.plot(), Qt::Key_Return);
+  ASSERT_TRUE(WindowRig::comes([&] { return rig.window().page() == gui::Page::insert; }));
+  EXPECT_EQ(fs::last_write_time(recording), written);
+}
+
+}  // namespace
+}  // namespace perilymph::test

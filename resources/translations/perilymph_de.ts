@@ -511,6 +511,134 @@
         <source>%1 ticks before tick %2 were lost; nothing after them can be compared.</source>
         <translation>%1 Zeitschritte vor Zeitschritt %2 gingen verloren; danach lässt sich nichts vergleichen.</translation>
     </message>
+    <message>
+        <source>A voxel is longer than %1 mm, the coarsest the measurement was tried with: take a finer series if there is one, or trust the measures less than their error bars say.</source>
+        <translation>Ein Voxel ist länger als %1 mm; gröber wurde die Messung nicht erprobt. Feinere Serie verwenden, falls vorhanden, oder den Maßen weniger trauen, als ihre Fehlerangaben sagen.</translation>
+    </message>
+    <message>
+        <source>The cochlea is filled with air, as in a dried specimen: a patient&apos;s is filled with fluid, so check that this is the right place and the right series.</source>
+        <translation>Die Cochlea enthält Luft wie ein getrocknetes Präparat; die eines Patienten ist mit Flüssigkeit gefüllt. Prüfen, ob Ort und Serie stimmen.</translation>
+    </message>
+    <message>
+        <source>The spiral winds as in the other ear: the file is mirrored or the side is wrong; check both before anything is planned.</source>
+        <translation>Die Spirale windet sich wie im anderen Ohr: Die Datei ist gespiegelt oder die Seite falsch. Beides vor jeder Planung prüfen.</translation>
+    </message>
+    <message>
+        <source>A or B lies more than two standard deviations from the mean of %1 cochleae: check the outline in the images before using the measures.</source>
+        <translation>A oder B liegt mehr als zwei Standardabweichungen vom Mittelwert aus %1 Cochleae entfernt: Vor Verwendung der Maße den Umriss in den Bildern prüfen.</translation>
+    </message>
+    <message>
+        <source>The fitted cochlea explains the voxels near its wall badly: check the outline in the images, and measure by hand if it does not lie on the wall.</source>
+        <translation>Die angepasste Cochlea passt schlecht zu den Voxeln an ihrer Wand: Den Umriss in den Bildern prüfen und von Hand messen, falls er nicht auf der Wand liegt.</translation>
+    </message>
+    <message>
+        <source>The wall found in sections through the modiolus lies apart from the fitted one: check the outline in the images.</source>
+        <translation>Die in Schnitten durch den Modiolus gefundene Wand weicht von der angepassten ab: Den Umriss in den Bildern prüfen.</translation>
+    </message>
+    <message>
+        <source>No round window was found, so %1 degrees follows from the spiral alone: mark the round window&apos;s center.</source>
+        <translation>Kein rundes Fenster gefunden; %1 Grad folgt allein aus der Spirale. Die Mitte des runden Fensters markieren.</translation>
+    </message>
+    <message>
+        <source>Part of the cochlea lies outside the volume: take a series that shows all of it.</source>
+        <translation>Ein Teil der Cochlea liegt außerhalb des Volumens: eine Serie verwenden, die sie ganz zeigt.</translation>
+    </message>
+    <message>
+        <source>A landmark placed by hand lies far from the fitted cochlea, and the voxels contradict it: check that landmark in the images.</source>
+        <translation>Eine von Hand gesetzte Landmarke liegt weit von der angepassten Cochlea entfernt, und die Voxel widersprechen ihr: diese Landmarke in den Bildern prüfen.</translation>
+    </message>
+    <message>
+        <source>%1 scout images were left out.</source>
+        <translation>%1 Übersichtsaufnahmen wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 slices lie at the position of another; they are dropped if their voxels are the same, and the series is refused if not.</source>
+        <translation>%1 Schichten liegen am Ort einer anderen; sie entfallen, wenn ihre Voxel gleich sind, sonst wird die Serie abgelehnt.</translation>
+    </message>
+    <message>
+        <source>The gantry is tilted by %1 degrees; the volume is resampled to right angles.</source>
+        <translation>Die Gantry ist um %1 Grad gekippt; das Volumen wird auf rechte Winkel umgerechnet.</translation>
+    </message>
+    <message>
+        <source>Its images were compressed with loss; fine edges may be gone.</source>
+        <translation>Die Bilder wurden verlustbehaftet komprimiert; feine Kanten können fehlen.</translation>
+    </message>
+    <message>
+        <source>Its images were computed from others, as reformatted planes are; original ones are sharper.</source>
+        <translation>Die Bilder wurden aus anderen berechnet (reformatierte Ebenen); Originale sind schärfer.</translation>
+    </message>
+    <message>
+        <source>A voxel is %1 mm long; at most %2 mm is advised for a cochlea.</source>
+        <translation>Ein Voxel ist %1 mm lang; für eine Cochlea werden höchstens %2 mm empfohlen.</translation>
+    </message>
+    <message>
+        <source>The volume is only %1 mm thick; a cochlea with its surroundings needs about %2 mm.</source>
+        <translation>Das Volumen ist nur %1 mm dick; eine Cochlea mit Umgebung braucht etwa %2 mm.</translation>
+    </message>
+    <message>
+        <source>Booth: FLEX24 in the mean cochlea, tissue-like friction</source>
+        <translation>Messestand: FLEX24 in der mittleren Cochlea, gewebeähnliche Reibung</translation>
+    </message>
+    <message>
+        <source>Published experiment: Nucleus %1 Contour, %2 mm/s, soap</source>
+        <translation>Veröffentlichter Versuch: Nucleus %1 Contour, %2 mm/s, Seife</translation>
+    </message>
+    <message>
+        <source>Mean scala tympani: Nucleus %1 Contour, %2 mm/s, soap</source>
+        <translation>Mittlere Scala tympani: Nucleus %1 Contour, %2 mm/s, Seife</translation>
+    </message>
+    <message>
+        <source>Mean scala tympani: FLEX28, %1 mm/s, soap %2 %</source>
+        <translation>Mittlere Scala tympani: FLEX28, %1 mm/s, Seife %2 %</translation>
+    </message>
+    <message>
+        <source>patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>ear</source>
+        <translation>Ohr</translation>
+    </message>
+    <message>
+        <source>anatomy</source>
+        <translation>Anatomie</translation>
+    </message>
+    <message>
+        <source>array</source>
+        <translation>Träger</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>technique</source>
+        <translation>Technik</translation>
+    </message>
+    <message>
+        <source>full depth</source>
+        <translation>volle Tiefe</translation>
+    </message>
+    <message>
+        <source>friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>opening</source>
+        <translation>Öffnung</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>nodes</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>force scale</source>
+        <translation>Kraftskala</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>
@@ -813,6 +941,233 @@
     <message>
         <source>point set (published)</source>
         <translation>Punktmodell (veröffentlicht)</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the error of A</source>
+        <translation>Standardabweichung des Fehlers von A</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the error of B</source>
+        <translation>Standardabweichung des Fehlers von B</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the error of H</source>
+        <translation>Standardabweichung des Fehlers von H</translation>
+    </message>
+    <message>
+        <source>Withdrawal after the insertion</source>
+        <translation>Rückzug nach der Insertion</translation>
+    </message>
+    <message>
+        <source>Soft lining of the wall</source>
+        <translation>Weiche Auskleidung der Wand</translation>
+    </message>
+    <message>
+        <source>Delay of the section&apos;s reach at an oval wall</source>
+        <translation>Verzögerung der Reichweite eines ovalen Querschnitts</translation>
+    </message>
+    <message>
+        <source>Stiffness of the opening&apos;s rim</source>
+        <translation>Steifigkeit des Öffnungsrands</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>Friction law</source>
+        <translation>Reibungsgesetz</translation>
+    </message>
+    <message>
+        <source>Speeds of the friction curve</source>
+        <translation>Geschwindigkeiten der Reibungskurve</translation>
+    </message>
+    <message>
+        <source>Friction coefficients at these speeds</source>
+        <translation>Reibungskoeffizienten bei diesen Geschwindigkeiten</translation>
+    </message>
+</context>
+<context>
+    <name>Study</name>
+    <message>
+        <source>A: basal-turn diameter, mm</source>
+        <translation>A: Durchmesser der Basalwindung, mm</translation>
+    </message>
+    <message>
+        <source>B: basal-turn width, mm</source>
+        <translation>B: Breite der Basalwindung, mm</translation>
+    </message>
+    <message>
+        <source>cochlear duct length, mm</source>
+        <translation>Länge des Ductus cochlearis, mm</translation>
+    </message>
+    <message>
+        <source>angular insertion depth, °</source>
+        <translation>Insertionswinkel, °</translation>
+    </message>
+    <message>
+        <source>cochlear coverage, %</source>
+        <translation>Abdeckung der Cochlea, %</translation>
+    </message>
+    <message>
+        <source>insertion depth, mm</source>
+        <translation>Insertionstiefe, mm</translation>
+    </message>
+    <message>
+        <source>maximum insertion depth, mm</source>
+        <translation>größte Insertionstiefe, mm</translation>
+    </message>
+    <message>
+        <source>peak insertion force, mN</source>
+        <translation>maximale Insertionskraft, mN</translation>
+    </message>
+    <message>
+        <source>depth of the peak force, mm</source>
+        <translation>Tiefe der Spitzenkraft, mm</translation>
+    </message>
+    <message>
+        <source>final insertion force, mN</source>
+        <translation>Insertionskraft am Ende, mN</translation>
+    </message>
+    <message>
+        <source>maximum partition force, mN</source>
+        <translation>maximale Kraft auf die Trennwand, mN</translation>
+    </message>
+    <message>
+        <source>speed, mm/s</source>
+        <translation>Geschwindigkeit, mm/s</translation>
+    </message>
+    <message>
+        <source>depth at the start, mm</source>
+        <translation>Tiefe zu Beginn, mm</translation>
+    </message>
+    <message>
+        <source>stop travel, mm</source>
+        <translation>Vorschub am Stopp, mm</translation>
+    </message>
+    <message>
+        <source>approach angle, tilt, °</source>
+        <translation>Zugangswinkel, Neigung, °</translation>
+    </message>
+    <message>
+        <source>approach angle, rotation, °</source>
+        <translation>Zugangswinkel, Drehung, °</translation>
+    </message>
+    <message>
+        <source>static friction coefficient</source>
+        <translation>Haftreibungskoeffizient</translation>
+    </message>
+    <message>
+        <source>kinetic friction coefficient</source>
+        <translation>Gleitreibungskoeffizient</translation>
+    </message>
+    <message>
+        <source>nodes of the array model</source>
+        <translation>Knoten des Trägermodells</translation>
+    </message>
+    <message>
+        <source>time step, ms</source>
+        <translation>Zeitschritt, ms</translation>
+    </message>
+    <message>
+        <source>how it ended</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>array</source>
+        <translation>Träger</translation>
+    </message>
+    <message>
+        <source>friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>technique</source>
+        <translation>Technik</translation>
+    </message>
+    <message>
+        <source>opening</source>
+        <translation>Öffnung</translation>
+    </message>
+    <message>
+        <source>basilar membrane</source>
+        <translation>Basilarmembran</translation>
+    </message>
+    <message>
+        <source>array model</source>
+        <translation>Trägermodell</translation>
+    </message>
+    <message>
+        <source>coupling to the hand</source>
+        <translation>Kopplung an die Hand</translation>
+    </message>
+    <message>
+        <source>anatomy</source>
+        <translation>Anatomie</translation>
+    </message>
+    <message>
+        <source>finished</source>
+        <translation>vollständig</translation>
+    </message>
+    <message>
+        <source>slipped out</source>
+        <translation>herausgerutscht</translation>
+    </message>
+    <message>
+        <source>buckled</source>
+        <translation>ausgeknickt</translation>
+    </message>
+    <message>
+        <source>stopped with a fault</source>
+        <translation>mit Fehler gestoppt</translation>
+    </message>
+    <message>
+        <source>could not be prepared</source>
+        <translation>nicht vorbereitbar</translation>
+    </message>
+    <message>
+        <source>standard</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>advance off stylet</source>
+        <translation>Advance-off-Stylet</translation>
+    </message>
+    <message>
+        <source>wide opening</source>
+        <translation>weite Öffnung</translation>
+    </message>
+    <message>
+        <source>round window</source>
+        <translation>rundes Fenster</translation>
+    </message>
+    <message>
+        <source>cochleostomy</source>
+        <translation>Cochleostomie</translation>
+    </message>
+    <message>
+        <source>rigid</source>
+        <translation>starr</translation>
+    </message>
+    <message>
+        <source>soft</source>
+        <translation>weich</translation>
+    </message>
+    <message>
+        <source>spring</source>
+        <translation>Feder</translation>
+    </message>
+    <message>
+        <source>tissue-like</source>
+        <translation>gewebeähnlich</translation>
+    </message>
+    <message>
+        <source>average</source>
+        <translation>mittlere</translation>
     </message>
 </context>
 <context>
@@ -1846,10 +2201,6 @@
         <translation>Alexiades, aus A</translation>
     </message>
     <message>
-        <source>CT, insert, compare, validate, sessions</source>
-        <translation>CT, Insertion, Vergleich, Validierung, Sitzungen</translation>
-    </message>
-    <message>
         <source>Pietsch et al. 2017, n = 138</source>
         <translation>Pietsch et al. 2017, n = 138</translation>
     </message>
@@ -2056,6 +2407,14 @@
     <message>
         <source>remove the force of a device; close the open panel; release the array</source>
         <translation>Kraft eines Geräts abschalten; offenes Feld schließen; Träger loslassen</translation>
+    </message>
+    <message>
+        <source>Modified (%1): %2</source>
+        <translation>Geändert (%1): %2</translation>
+    </message>
+    <message>
+        <source>CT, insert, compare, validate, sessions, studies</source>
+        <translation>CT, Insertion, Vergleich, Validierung, Sitzungen, Studien</translation>
     </message>
 </context>
 <context>
@@ -4609,6 +4968,141 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::StudiesPage</name>
+    <message>
+        <source>Studies</source>
+        <translation>Studien</translation>
+    </message>
+    <message>
+        <source>A study runs many insertions: arrays, cochleae and techniques. Run one with perilymph-cli study, then open its result here.</source>
+        <translation>Eine Studie führt viele Insertionen aus: Träger, Cochleae und Techniken. Mit perilymph-cli study ausführen und das Ergebnis hier öffnen.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Open study…</source>
+        <translation>Studie öffnen …</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Open study</source>
+        <translation>Studie öffnen</translation>
+    </message>
+    <message>
+        <source>Results of studies (*.sqlite);;All files (*)</source>
+        <translation>Ergebnisse von Studien (*.sqlite);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Reading %1…</source>
+        <translation>%1 wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Canceled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 insertions</source>
+        <translation>%1 von %2 Insertionen</translation>
+    </message>
+    <message>
+        <source>Running insertion %1 again…</source>
+        <translation>Insertion %1 wird erneut ausgeführt …</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::StudyDetails</name>
+    <message>
+        <source>Click a point to see its insertion. With the keyboard: arrow keys, Home for the lowest and End for the highest value.</source>
+        <translation>Einen Punkt anklicken, um seine Insertion zu sehen. Mit der Tastatur: Pfeiltasten, Pos1 für den kleinsten, Ende für den größten Wert.</translation>
+    </message>
+    <message>
+        <source>Run again and replay</source>
+        <translation>Erneut ausführen, zeigen</translation>
+    </message>
+    <message>
+        <source>The insertion depends on the study, its seed and its number alone (Enter)</source>
+        <translation>Die Insertion hängt nur von der Studie, ihrem Seed und ihrer Nummer ab (Eingabe)</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::StudyPanel</name>
+    <message>
+        <source>Horizontal axis</source>
+        <translation>Waagerechte Achse</translation>
+    </message>
+    <message>
+        <source>Vertical axis</source>
+        <translation>Senkrechte Achse</translation>
+    </message>
+    <message>
+        <source>Color by</source>
+        <translation>Farbe nach</translation>
+    </message>
+    <message>
+        <source>Open study…</source>
+        <translation>Studie öffnen …</translation>
+    </message>
+    <message>
+        <source>study.sqlite, or a shard, as &apos;perilymph-cli study&apos; writes them</source>
+        <translation>study.sqlite oder ein Teil, wie &apos;perilymph-cli study&apos; sie schreibt</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alle zeigen</translation>
+    </message>
+    <message>
+        <source>VERTICAL</source>
+        <translation>SENKRECHT</translation>
+    </message>
+    <message>
+        <source>HORIZONTAL</source>
+        <translation>WAAGERECHT</translation>
+    </message>
+    <message>
+        <source>COLOR BY</source>
+        <translation>FARBE NACH</translation>
+    </message>
+    <message>
+        <source>COCHLEAR SIZE: A, MM</source>
+        <translation>GRÖSSE DER COCHLEA: A, MM</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::StudyPlot</name>
+    <message>
+        <source>Insertions of the study</source>
+        <translation>Insertionen der Studie</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::StudyWork</name>
+    <message>
+        <source>Insertion %1 was run again: peak force %2 mN, as in the study.</source>
+        <translation>Insertion %1 wurde erneut ausgeführt: Spitzenkraft %2 mN, wie in der Studie.</translation>
+    </message>
+    <message>
+        <source>Insertion %1 was run again: peak force %2 mN; the study, run by another version, has %3 mN.</source>
+        <translation>Insertion %1 wurde erneut ausgeführt: Spitzenkraft %2 mN; die Studie einer anderen Version hat %3 mN.</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::SurfaceView</name>
     <message>
         <source>Measured cochlea, 3D</source>
@@ -4748,6 +5242,10 @@
     <message>
         <source>%1. Press Start to continue.</source>
         <translation>%1. Zum Fortfahren „Start“ drücken.</translation>
+    </message>
+    <message>
+        <source>Studies</source>
+        <translation>Studien</translation>
     </message>
 </context>
 <context>

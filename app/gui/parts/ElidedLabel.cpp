@@ -4,6 +4,8 @@
 #include <QEvent>
 #include <QFontMetrics>
 #include <QPainter>
+#include <QStyle>
+#include <QStyleOption>
 #include <algorithm>
 
 #include "gui/parts/Theme.h"
@@ -14,21 +16,26 @@ ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {}
 
 QSize ElidedLabel::minimumSizeHint() const
 {
-  return {std::min(sized(64), sizeHint().width()), sizeHint().height()};
+  const QSize whole = sizeHint();
+  return {std::min(sized(64), whole.width()), whole.height()};
 }
 
 bool ElidedLabel::isWhole() const
 {
-  return QFontMetrics(font()).horizontalAdvance(text()) <= width();
+  return QFontMetrics(font()).horizontalAdvance(text()) <= contentsRect().width();
 }
 
 void ElidedLabel::paintEvent(QPaintEvent*)
 {
+  QStyleOption option;
+  option.initFrom(this);
   QPainter painter(this);
+  style()->drawPrimitive(QStyle::PE_Widget, &option, &painter, this);
+  const QRect inside = contentsRect();
   painter.setFont(font());
-  painter.setPen(textColor);
-  painter.drawText(rect(), int(alignment()),
-                   QFontMetrics(font()).elidedText(text(), Qt::ElideRight, width()));
+  painter.setPen(palette().color(foregroundRole()));
+  painter.drawText(inside, int(alignment()),
+                   QFontMetrics(font()).elidedText(text(), Qt::ElideRight, inside.width()));
 }
 
 bool ElidedLabel::event(QEvent* event)

@@ -26,7 +26,7 @@ EmptyPage::EmptyPage(const QString& title, const QString& sentence, QWidget* par
   action_->setObjectName(QStringLiteral("emptyPageButton"));
   action_->setProperty("primary", true);
   action_->setFont(typeface(13, QFont::Medium));
-  action_->setFixedHeight(32);
+  action_->setFixedHeight(sized(32));
   action_->hide();
   connect(action_, &QPushButton::clicked, this, &EmptyPage::actionAsked);
   title_->setFont(typeface(22));
@@ -35,7 +35,7 @@ EmptyPage::EmptyPage(const QString& title, const QString& sentence, QWidget* par
   sentence_->setProperty("quiet", true);
   sentence_->setAlignment(Qt::AlignCenter);
   sentence_->setWordWrap(true);
-  sentence_->setFixedWidth(width_px);
+  sentence_->setFixedWidth(sized(width_px));
   auto* column = new QVBoxLayout(this);
   column->setSpacing(2 * spacing);
   column->addStretch(2);
@@ -51,7 +51,7 @@ void EmptyPage::say(const QString& title, const QString& sentence)
   title_->setText(title);
   sentence_->setText(sentence);
   // height of all its lines; without text there is none
-  sentence_->setMinimumHeight(std::max(0, sentence_->heightForWidth(width_px)));
+  sentence_->setMinimumHeight(std::max(0, sentence_->heightForWidth(sized(width_px))));
 }
 
 void EmptyPage::offer(const QString& action)

@@ -43,7 +43,19 @@ void ReadOut::setCompact(bool isCompact)
 {
   if (isCompact == isCompact_) return;
   isCompact_ = isCompact;
-  setSize(isCompact ? std::min(compactSize_px, form_.size_px) : form_.size_px);
+  fit();
+}
+
+void ReadOut::setNumberSize(int size_px)
+{
+  if (size_px == form_.size_px) return;
+  form_.size_px = size_px;
+  fit();
+}
+
+void ReadOut::fit()
+{
+  setSize(isCompact_ ? std::min(compactSize_px, form_.size_px) : form_.size_px);
   updateGeometry();
   update();
 }
@@ -120,6 +132,13 @@ void ReadOut::paintEvent(QPaintEvent*)
   const QFontMetrics metrics(captionFont_);
   const int captionX = isRight ? right - metrics.horizontalAdvance(shownCaption()) : left;
   painter.drawText(captionX, baseline + spacing + metrics.ascent() + 2, shownCaption());
+}
+
+int widthOf(std::initializer_list<const ReadOut*> row)
+{
+  int width = 5 * spacing;
+  for (const ReadOut* each : row) width += each->sizeHint().width();
+  return width;
 }
 
 }  // namespace perilymph::gui

@@ -5,6 +5,7 @@
 
 #include <QFont>
 #include <QWidget>
+#include <initializer_list>
 
 namespace perilymph::gui {
 
@@ -25,6 +26,8 @@ public:
 
   /// Draws a smaller number without caption, for low views.
   void setCompact(bool isCompact);
+  /// Size of the number [px, before textScale()].
+  void setNumberSize(int size_px);
   void setNumber(const QString& number);
   void setCaption(const QString& caption);
   const QString& number() const { return number_; }
@@ -38,6 +41,7 @@ protected:
 
 private:
   void setSize(int size_px);
+  void fit();
   QString shownCaption() const { return isCompact_ ? QString() : caption_; }
   int numberWidth(const QString& number) const;
   int cellWidth(QChar character) const;
@@ -48,5 +52,8 @@ private:
   bool isCompact_ = false;
   QString number_, caption_;
 };
+
+/// Width that read-outs need in a row, with the gaps between them [px].
+int widthOf(std::initializer_list<const ReadOut*> row);
 
 }  // namespace perilymph::gui

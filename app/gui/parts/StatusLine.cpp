@@ -22,7 +22,7 @@ StatusLine::StatusLine(const char* name, QWidget* parent)
   label_->setWordWrap(true);
   open_->setObjectName(QLatin1String(name) + QStringLiteral("Folder"));
   open_->setFont(typeface(11));
-  open_->setFixedHeight(24);
+  open_->setFixedHeight(sized(24));
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(spacing);

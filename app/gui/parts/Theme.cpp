@@ -160,6 +160,8 @@ QFrame#banner { background: %banner%; border: 1px solid %warning%; border-radius
 QFrame#banner QLabel { color: %text%; }
 QFrame#keys, QFrame#devices, QFrame#guide { background: %panel%; border: 1px solid %line%; border-radius: 6px; }
 QTextBrowser { background: %panel%; border: none; selection-background-color: %accent%; selection-color: %onAccent%; }
+QFrame#studyPlot { background: %ground%; border: 2px solid %line%; border-radius: 4px; }
+QFrame#studyPlot[focused="true"] { border-color: %text%; }
 QFrame#chartFrame { background: %ground%; border: 1px solid %line%; border-radius: 4px; }
 QTableView, QListWidget {
   background: %ground%; border: 1px solid %line%; border-radius: 4px; outline: none;

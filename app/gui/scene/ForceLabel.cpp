@@ -39,7 +39,7 @@ ForceLabel::ForceLabel(QWidget* parent) : QWidget(parent), known_(ForceThreshold
       "The partition force is the sum of the normal forces of the whole array on the cochlear "
       "partition; rupture was measured under a point load. No force is known to be safe: trauma "
       "may occur below these forces (Mirsalehi et al. 2017).");
-  setToolTip(sources.join(QStringLiteral("\n\n")));
+  sources_ = sources.join(QStringLiteral("\n\n"));
   show({}, {});
 }
 
@@ -51,6 +51,8 @@ void ForceLabel::show(Force onHand, Force onPartition)
   hand_ = std::move(hand);
   partition_ = std::move(partition);
   setAccessibleName(hand_.text + QStringLiteral("; ") + partition_.text);
+  setToolTip(marked(hand_) + QStringLiteral("\n") + marked(partition_) + QStringLiteral("\n\n") +
+             sources_);
   updateGeometry();
   update();
 }
@@ -71,7 +73,8 @@ void ForceLabel::paintEvent(QPaintEvent*)
   QRect line(plate_px, plate_px / 2, width() - 2 * plate_px, sized(lineHeight_px));
   for (const ForceMeaning* meaning : {&hand_, &partition_}) {
     painter.setPen(meaning->isBeyond ? warningColor : quietTextColor);
-    painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, marked(*meaning));
+    painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter,
+                     fontMetrics().elidedText(marked(*meaning), Qt::ElideRight, line.width()));
     line.translate(0, sized(lineHeight_px));
   }
 }

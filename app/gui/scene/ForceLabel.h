@@ -26,6 +26,7 @@ protected:
 
 private:
   ForceThresholds known_;
+  QString sources_;  ///< Sources of the thresholds.
   ForceMeaning hand_, partition_;
 };
 

@@ -21,6 +21,7 @@
 #include "gui/scene/Banner.h"
 #include "gui/scene/ForceLabel.h"
 #include "gui/scene/PhaseLine.h"
+#include "gui/scene/PictureLabel.h"
 #include "gui/scene/ReadOutTips.h"
 #include "gui/scene/StereoWindow.h"
 #include "gui/scene/ViewNames.h"
@@ -35,34 +36,26 @@ using visualization::CameraPreset;
 constexpr double turnPerHeight_deg = 180.0;
 // Height of the view's own text below the scale bars: two labels and the phase line.
 constexpr int footHeight_px = 100;
-constexpr int lowFootHeight_px = 56;  // without the phase line
-constexpr int lowView_px = 380;       // below it, read-outs are smaller or hidden
+constexpr int lowFootHeight_px = 56;                 // without the phase line
+constexpr int lowView_px = 380;                      // below it, read-outs are smaller or hidden
+constexpr int number_px = 46, narrowNumber_px = 24;  // of the three read-outs above
 constexpr qint64 restTime_ms = 1000;
 int footMargin(int height) { return height < lowView_px ? lowFootHeight_px : footHeight_px; }
-
-QLabel* quietLabel(QWidget* parent, const char* name)
-{
-  auto* label = new QLabel(parent);
-  label->setObjectName(QLatin1String(name));
-  label->setFont(typeface(12));
-  label->setProperty("onPicture", true);
-  label->setAttribute(Qt::WA_TransparentForMouseEvents);
-  return label;
-}
 
 }  // namespace
 
 OperationView::OperationView(QWidget* parent)
     : PlainVtkWidget(parent),
-      travel_(new ReadOut({46, QStringLiteral("00.0"), tr("mm"), Qt::AlignLeft}, this)),
-      angle_(new ReadOut({46, QStringLiteral("000"), QStringLiteral("°"), Qt::AlignLeft}, this)),
-      force_(new ReadOut({46, QStringLiteral("-000"), tr("mN"), Qt::AlignRight}, this)),
+      travel_(new ReadOut({number_px, QStringLiteral("00.0"), tr("mm"), Qt::AlignLeft}, this)),
+      angle_(new ReadOut({number_px, QStringLiteral("000"), QStringLiteral("°"), Qt::AlignLeft},
+                         this)),
+      force_(new ReadOut({number_px, QStringLiteral("-000"), tr("mN"), Qt::AlignRight}, this)),
       forceLabel_(new ForceLabel(this)),
       speed_(new ReadOut({20, QStringLiteral("-00.0"), tr("mm/s"), Qt::AlignRight}, this)),
       banner_(new Banner(this)),
-      hint_(quietLabel(this, "hintLabel")),
-      magnification_(quietLabel(this, "magnificationLabel")),
-      viewName_(quietLabel(this, "viewLabel")),
+      hint_(pictureLabel(this, "hintLabel")),
+      magnification_(elidedPictureLabel(this, "magnificationLabel")),
+      viewName_(elidedPictureLabel(this, "viewLabel")),
       phase_(new PhaseLine(this))
 {
   setObjectName(QStringLiteral("operationView"));
@@ -117,14 +110,15 @@ void OperationView::captionDepth(const QString& depth_mm)
   const QString fullAngle = tr("angular insertion depth");
   travel_->setCaption(fullDepth);
   angle_->setCaption(fullAngle);
-  int needed = 5 * spacing;
-  for (const ReadOut* readOut : {travel_, angle_, force_}) needed += readOut->sizeHint().width();
-  if (needed > width()) {
-    travel_->setCaption(tr("depth %1 mm").arg(depth_mm));
-    angle_->setCaption(tr("angular depth"));
-  }
+  if (widthOf({travel_, angle_, force_}) > width()) captionShortly();
   // at once: the caption is as wide as its number
   if (travel_->width() < travel_->sizeHint().width()) layout()->activate();
+}
+
+void OperationView::captionShortly()
+{
+  travel_->setCaption(tr("depth %1 mm").arg(depth_mm_));
+  angle_->setCaption(tr("angular depth"));
 }
 
 ReadOutTips OperationView::tips() const
@@ -286,8 +280,14 @@ void OperationView::setHint(const QString& hint)
 
 void OperationView::fitReadOuts()
 {
-  const bool isLow = height() < lowView_px;
-  for (ReadOut* readOut : {travel_, angle_, force_}) readOut->setCompact(isLow);
+  const bool isLow = height() < sized(lowView_px);
+  captionShortly();
+  for (ReadOut* readOut : {travel_, angle_, force_}) {
+    readOut->setCompact(isLow);
+    readOut->setNumberSize(number_px);
+  }
+  if (widthOf({travel_, angle_, force_}) > width())
+    for (ReadOut* readOut : {travel_, angle_, force_}) readOut->setNumberSize(narrowNumber_px);
   speed_->setVisible(!isLow);
   phase_->setVisible(!isLow);
   layout()->activate();

@@ -96,6 +96,7 @@ private:
   void describeView();
   void placeHint();
   void fitReadOuts();
+  void captionShortly();
   ReadOutTips tips() const;
   double pictureHeight_mm() const;
 

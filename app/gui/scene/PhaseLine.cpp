@@ -15,10 +15,21 @@ namespace {
 using analysis::Phase;
 
 constexpr int height_px = 44;
-constexpr int sideMargin_px = 36;  // half a name beyond the outer stations
+constexpr int sideMargin_px = 36;  // half a name beyond the outer stations, at the usual size
 constexpr double stationY_px = 14.0;
 
 constexpr std::array stations{Phase::opening, Phase::outerWall, Phase::basalTurn, Phase::full};
+
+/// The largest font in which a name fits, within limits.
+QFont fitting(const QString& name, QFont::Weight weight, int width)
+{
+  constexpr int largest_px = 12, smallest_px = 9;
+  for (int size = largest_px; size > smallest_px; --size) {
+    const QFont font = typeface(size, weight);
+    if (QFontMetrics(font).horizontalAdvance(name) <= width) return font;
+  }
+  return typeface(smallest_px, weight);
+}
 
 }  // namespace
 
@@ -65,10 +76,11 @@ void PhaseLine::setPartial(bool isPartial)
 
 QString PhaseLine::tipAt(const QPoint& place) const
 {
-  const double step = double(width() - 2 * sideMargin_px) / double(stations.size() - 1);
-  const double nearest = std::round((place.x() - sideMargin_px) / step);
-  const double offset = place.x() - sideMargin_px - nearest * step;
-  if (std::abs(offset) > sideMargin_px) return {};
+  const int margin = sized(sideMargin_px);
+  const double step = double(width() - 2 * margin) / double(stations.size() - 1);
+  const double nearest = std::round((place.x() - margin) / step);
+  const double offset = place.x() - margin - nearest * step;
+  if (std::abs(offset) > margin) return {};
   switch (stations[std::size_t(std::clamp(nearest, 0.0, double(stations.size() - 1)))]) {
     case Phase::opening:
       return tr("The tip is inside the opening and the array does not contact the wall beyond it.");
@@ -93,10 +105,12 @@ void PhaseLine::paintEvent(QPaintEvent*)
   QPainter painter(this);
   paintPlate(painter, rect());
 
-  const double step = double(width() - 2 * sideMargin_px) / double(stations.size() - 1);
+  const int margin = sized(sideMargin_px);
+  const double step = double(width() - 2 * margin) / double(stations.size() - 1);
   const QColor ahead = aheadColor;
+  const int available = std::max(1, int(step) - 4);
   for (std::size_t i = 0; i < stations.size(); ++i) {
-    const QPointF place(sideMargin_px + double(i) * step, stationY_px);
+    const QPointF place(margin + double(i) * step, stationY_px);
     const bool isReached = phase_ >= stations[i];
     const bool isHere = phase_ == stations[i];
     if (i + 1 < stations.size()) {
@@ -109,10 +123,12 @@ void PhaseLine::paintEvent(QPaintEvent*)
     const double radius = isHere ? 6.5 : 4.5;
     painter.drawEllipse(place, radius, radius);
 
-    painter.setFont(typeface(12, isHere ? QFont::DemiBold : QFont::Normal));
+    const QString caption = nameOf(stations[i]);
+    painter.setFont(fitting(caption, isHere ? QFont::DemiBold : QFont::Normal, available));
     painter.setPen(isHere ? textColor : quietTextColor);
-    const QRectF name(place.x() - sideMargin_px, stationY_px + 10, 2 * sideMargin_px, sized(20));
-    painter.drawText(name, Qt::AlignCenter | Qt::TextDontClip, nameOf(stations[i]));
+    const QRectF name(place.x() - margin, stationY_px + 10, 2 * margin, sized(20));
+    painter.drawText(name, Qt::AlignCenter | Qt::TextDontClip,
+                     painter.fontMetrics().elidedText(caption, Qt::ElideRight, available));
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "gui/parts/Numbers.h"
 #include "gui/parts/Theme.h"
+#include "gui/parts/WrappedLabel.h"
 #include "perilymph/analysis/ClinicalEstimates.h"
 #include "perilymph/analysis/ErrorBand.h"
 #include "perilymph/analysis/ExpectedInsertion.h"
@@ -94,7 +95,7 @@ std::string keyOf(const anatomy::Cochlea& cochlea, const electrode::ArrayDesign&
 }  // namespace
 
 DerivedMeasures::DerivedMeasures(QWidget* parent)
-    : QWidget(parent), note_(new QLabel(this)), background_(this)
+    : QWidget(parent), note_(new WrappedLabel({}, this)), background_(this)
 {
   setObjectName(QStringLiteral("derivedMeasures"));
   auto* grid = new QGridLayout(this);
@@ -102,11 +103,10 @@ DerivedMeasures::DerivedMeasures(QWidget* parent)
   grid->setHorizontalSpacing(spacing);
   grid->setVerticalSpacing(2);
   for (const RowFormat& format : formats) {
-    auto* name = new QLabel(tr(format.name), this);
+    auto* name = new WrappedLabel(tr(format.name), this);
     auto* value = new QLabel(this);
     value->setObjectName(QLatin1String(format.key));
     name->setFont(typeface(11));
-    name->setWordWrap(true);
     value->setFont(typeface(11, QFont::Medium));
     name->setProperty("quiet", true);
     value->setAlignment(Qt::AlignRight);
@@ -117,7 +117,6 @@ DerivedMeasures::DerivedMeasures(QWidget* parent)
   }
   note_->setFont(typeface(11));
   note_->setProperty("quiet", true);
-  note_->setWordWrap(true);
   grid->addWidget(note_, int(rows_.size()), 0, 1, 2);
   grid->setColumnStretch(0, 1);
   delay_.setSingleShot(true);
@@ -126,18 +125,7 @@ DerivedMeasures::DerivedMeasures(QWidget* parent)
   showNone({});
 }
 
-void DerivedMeasures::say(const QString& sentence)
-{
-  note_->setText(sentence);
-  // a layout in a layout asks for the height of one line only
-  note_->setMinimumHeight(sentence.isEmpty() ? 0 : note_->heightForWidth(std::max(1, width())));
-}
-
-void DerivedMeasures::resizeEvent(QResizeEvent* event)
-{
-  QWidget::resizeEvent(event);
-  say(note_->text());
-}
+void DerivedMeasures::say(const QString& sentence) { note_->setText(sentence); }
 
 void DerivedMeasures::show(const anatomy::Cochlea& cochlea, const electrode::ArrayDesign& array)
 {

@@ -31,9 +31,6 @@ public:
   /// Shows a sentence in place of measures.
   void showNone(const QString& sentence);
 
-protected:
-  void resizeEvent(QResizeEvent* event) override;
-
 private:
   void say(const QString& sentence);
   struct Content {

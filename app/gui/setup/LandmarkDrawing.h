@@ -27,6 +27,7 @@ public:
   void showPoint(Point point);
 
   QSize sizeHint() const override { return {400, 250}; }
+  QSize minimumSizeHint() const override { return {240, 160}; }
 
 protected:
   void paintEvent(QPaintEvent*) override;

@@ -32,7 +32,7 @@ NumberField::NumberField(const Form& form, QWidget* parent)
   auto* unit = new QLabel(form.unit, this);
   unit->setFont(typeface(11));
   unit->setProperty("quiet", true);
-  unit->setMinimumWidth(32);
+  unit->setMinimumWidth(sized(32));
   error_->setFont(typeface(11));
   error_->setProperty("error", true);
   error_->setWordWrap(true);

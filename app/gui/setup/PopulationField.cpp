@@ -51,9 +51,9 @@ PopulationField::PopulationField(const QString& title, const char* name,
   field_->setFont(typeface(13, QFont::Medium));
   field_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   if (width == Width::wide)
-    field_->setFixedSize(fieldWidth_px, 28);
+    field_->setFixedSize(sized(fieldWidth_px), sized(28));
   else
-    field_->setFixedSize(narrowFieldWidth_px, 26);
+    field_->setFixedSize(sized(narrowFieldWidth_px), sized(26));
   if (mayBeEmpty)
     markPlaceholder(*field_, width == Width::wide ? tr("optional") : tr("none"));
   else if (population.mean && width == Width::wide)

@@ -46,7 +46,7 @@ SavedPatientRow::SavedPatientRow(QWidget* parent)
   save_->setObjectName(QStringLiteral("savePatientButton"));
   save_->setProperty("small", true);
   save_->setFont(typeface(11));
-  save_->setFixedHeight(22);
+  save_->setFixedHeight(sized(22));
   save_->setFocusPolicy(Qt::TabFocus);
   status_->setObjectName(QStringLiteral("savedPatientStatus"));
   status_->setFont(typeface(11));

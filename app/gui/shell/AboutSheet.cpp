@@ -7,6 +7,7 @@
 
 #include "gui/parts/StateFolder.h"
 #include "gui/parts/Theme.h"
+#include "gui/parts/WrappedLabel.h"
 #include "perilymph/foundation/Version.h"
 
 namespace perilymph::gui {
@@ -18,10 +19,9 @@ AboutSheet::AboutSheet(QWidget* parent) : QFrame(parent)
   column->setContentsMargins(3 * spacing, 2 * spacing, 3 * spacing, 2 * spacing);
   column->setSpacing(spacing);
   const auto add = [this, column](const QString& text, int size_px, QFont::Weight weight) {
-    auto* label = new QLabel(text, this);
+    auto* label = new WrappedLabel(text, this);
     label->setFont(typeface(size_px, weight));
-    label->setWordWrap(true);
-    label->setMinimumWidth(420);
+    label->setMinimumWidth(sized(420));
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     column->addWidget(label);
   };

@@ -19,8 +19,7 @@ void Help::listKeys(const KeyActions& actions)
 
 void Help::toggleKeys()
 {
-  keys_->adjustSize();
-  keys_->move(window_->rect().center() - keys_->rect().center());
+  keys_->fit();
   keys_->setVisible(!keys_->isVisible());
   keys_->raise();
 }
@@ -51,7 +50,7 @@ bool Help::leaveKeys()
 
 void Help::place()
 {
-  if (areKeysShown()) keys_->move(window_->rect().center() - keys_->rect().center());
+  if (areKeysShown()) keys_->fit();
 }
 
 }  // namespace perilymph::gui

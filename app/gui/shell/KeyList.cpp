@@ -10,7 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "gui/parts/SheetScroll.h"
 #include "gui/parts/Theme.h"
+#include "gui/parts/WrappedLabel.h"
 #include "gui/shell/KeyActions.h"
 
 namespace perilymph::gui {
@@ -31,10 +33,9 @@ void addRow(QGridLayout& grid, const QString& keys, const QString& meaning, QWid
 {
   auto* keysLabel = new QLabel(keys, parent);
   keysLabel->setFont(typeface(12, QFont::Medium));
-  auto* meaningLabel = new QLabel(meaning, parent);
+  auto* meaningLabel = new WrappedLabel(meaning, parent);
   meaningLabel->setFont(typeface(12));
-  meaningLabel->setWordWrap(true);
-  meaningLabel->setMinimumWidth(meaningWidth_px);
+  meaningLabel->setMinimumWidth(sized(meaningWidth_px));
   meaningLabel->setProperty("quiet", true);
   const int row = grid.rowCount();
   grid.addWidget(keysLabel, row, 0);
@@ -53,9 +54,13 @@ KeyList::KeyList(const KeyActions& actions, QWidget* parent) : QFrame(parent)
   guide->setFocusPolicy(Qt::TabFocus);
   guide->setToolTip(tr("Four tutorials, step by step (Shift+F1)"));
   connect(guide, &QPushButton::clicked, this, &KeyList::guideAsked);
-  auto* columns = new QHBoxLayout(this);
-  columns->setContentsMargins(2 * spacing, spacing, 2 * spacing, spacing);
-  columns->setSpacing(3 * spacing);
+  auto* content = new QWidget(this);
+  columns_ = new QBoxLayout(QBoxLayout::LeftToRight, content);
+  columns_->setContentsMargins(2 * spacing, spacing, 2 * spacing, spacing);
+  columns_->setSpacing(3 * spacing);
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(1, 1, 1, 1);
+  whole->addWidget(new SheetScroll(content, this));
   const std::vector<std::pair<KeySection, QString>> halves[] = {
       {{KeySection::insertion, tr("Insertion")}, {KeySection::picture, tr("View")}},
       {{KeySection::replay, tr("Replay")}, {KeySection::window, tr("Window")}}};
@@ -66,7 +71,7 @@ KeyList::KeyList(const KeyActions& actions, QWidget* parent) : QFrame(parent)
     grid->setVerticalSpacing(3);
     column->addLayout(grid);
     column->addStretch(1);
-    columns->addLayout(column);
+    columns_->addLayout(column);
     for (const auto& [section, title] : half) {
       addHeading(*grid, title, this);
       for (const KeyAction& action : actions.actions())
@@ -77,6 +82,14 @@ KeyList::KeyList(const KeyActions& actions, QWidget* parent) : QFrame(parent)
     if (&half == std::end(halves) - 1) column->addWidget(guide, 0, Qt::AlignRight);
   }
   hide();
+}
+
+void KeyList::fit()
+{
+  columns_->setDirection(QBoxLayout::LeftToRight);
+  const bool isWide = columns_->sizeHint().width() + 6 * spacing > parentWidget()->width();
+  if (isWide) columns_->setDirection(QBoxLayout::TopToBottom);
+  fitSheet(*this);
 }
 
 }  // namespace perilymph::gui

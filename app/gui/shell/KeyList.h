@@ -5,6 +5,8 @@
 
 #include <QFrame>
 
+class QBoxLayout;
+
 namespace perilymph::gui {
 
 class KeyActions;
@@ -15,8 +17,14 @@ class KeyList : public QFrame {
 public:
   KeyList(const KeyActions& actions, QWidget* parent);
 
+  /// Takes the size of its content, in one column where two are too wide, at most the window's.
+  void fit();
+
 Q_SIGNALS:
   void guideAsked();
+
+private:
+  QBoxLayout* columns_;
 };
 
 }  // namespace perilymph::gui

@@ -11,9 +11,11 @@
 
 #include "gui/pages/insert/HeldArray.h"
 #include "gui/parts/CheckBoxes.h"
+#include "gui/parts/SheetScroll.h"
 #include "gui/parts/StateFolder.h"
 #include "gui/parts/Theme.h"
 #include "gui/parts/UserSettings.h"
+#include "gui/parts/WrappedLabel.h"
 
 namespace perilymph::gui {
 
@@ -23,10 +25,9 @@ constexpr int width_px = 420;
 
 QLabel* label(const QString& text, int size_px, bool isQuiet, QWidget* parent)
 {
-  auto* made = new QLabel(text, parent);
+  auto* made = new WrappedLabel(text, parent);
   made->setFont(typeface(size_px));
   made->setProperty("quiet", isQuiet);
-  made->setWordWrap(true);
   return made;
 }
 
@@ -50,7 +51,7 @@ QStringList textSizeText()
 SettingsSheet::SettingsSheet(QWidget* parent) : QFrame(parent), note_(label({}, 12, true, this))
 {
   setObjectName(QStringLiteral("settings"));
-  setFixedWidth(width_px);
+  setFixedWidth(sized(width_px));
   auto* title = label(tr("Settings"), 15, false, this);
   title->setFont(typeface(15, QFont::DemiBold));
   auto* shut = new QPushButton(tr("Close"), this);
@@ -63,8 +64,9 @@ SettingsSheet::SettingsSheet(QWidget* parent) : QFrame(parent), note_(label({}, 
   head->addWidget(title, 1);
   head->addWidget(shut);
 
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(3 * spacing, 2 * spacing, 3 * spacing, 2 * spacing);
+  auto* content = new QWidget(this);
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(3 * spacing, 2 * spacing, 2 * spacing, 2 * spacing);
   column->setSpacing(spacing);
   column->addLayout(head);
   addGroup(*column, tr("Colors"), QStringLiteral("look"), colorSchemeText(),
@@ -84,6 +86,9 @@ SettingsSheet::SettingsSheet(QWidget* parent) : QFrame(parent), note_(label({}, 
   column->addWidget(label(
       tr("Log file: %1").arg(QString::fromStdString((stateFolder() / "perilymph.log").string())),
       12, true, this));
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(1, 1, 1, 1);
+  whole->addWidget(new SheetScroll(content, this));
   setChangeable(true);
   hide();
 }
@@ -94,8 +99,9 @@ void SettingsSheet::addGroup(QVBoxLayout& column, const QString& title, const QS
   auto* heading = label(title, 13, false, this);
   heading->setFont(typeface(13, QFont::DemiBold));
   column.addWidget(heading);
-  auto* row = new QHBoxLayout;
+  auto* row = new QBoxLayout(QBoxLayout::LeftToRight);
   row->setSpacing(3 * spacing);
+  int needed = 0;
   auto* group = new QButtonGroup(this);
   const QString now = UserSettings().word(key, caption);
   for (int i = 0; i < caption.size(); ++i) {
@@ -105,6 +111,7 @@ void SettingsSheet::addGroup(QVBoxLayout& column, const QString& title, const QS
     choice->setChecked(caption[i] == now);
     group->addButton(choice);
     row->addWidget(choice);
+    needed += choice->sizeHint().width() + 3 * spacing;
     connect(choice, &QAbstractButton::clicked, this, [this, key, effect, word = caption[i]] {
       UserSettings settings;
       if (settings.value(key).toString() == word) return;
@@ -114,6 +121,10 @@ void SettingsSheet::addGroup(QVBoxLayout& column, const QString& title, const QS
     });
   }
   row->addStretch();
+  if (needed > sized(width_px) - 5 * spacing) {
+    row->setDirection(QBoxLayout::TopToBottom);
+    row->setSpacing(0);
+  }
   column.addLayout(row);
 }
 
@@ -128,7 +139,7 @@ void SettingsSheet::addLine(QVBoxLayout& column, const QString& title, const QSt
   field->setPlaceholderText(tr("optional"));
   field->setMaxLength(80);
   field->setFont(typeface(13));
-  field->setFixedHeight(26);
+  field->setFixedHeight(sized(26));
   caption->setBuddy(field);
   connect(field, &QLineEdit::editingFinished, this,
           [field, key] { UserSettings().setValue(key, field->text().trimmed()); });

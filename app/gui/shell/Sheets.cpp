@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/shell/Sheets.h"
 
+#include <algorithm>
+
 #include "gui/pages/devices/DevicePage.h"
 #include "gui/pages/insert/InsertPage.h"
+#include "gui/parts/SheetScroll.h"
 #include "gui/run/WorkflowPredicates.h"
 #include "gui/scene/OperationView.h"
 #include "gui/shell/AboutSheet.h"
@@ -17,7 +20,7 @@ Sheets::Sheets(InsertPage& insertion, QWidget* window)
       insertion_(insertion),
       help_(new Help(window)),
       settings_(new SettingsSheet(window)),
-      devices_(new DevicePage(&insertion.view())),
+      devices_(new DevicePage(&insertion)),
       about_(new AboutSheet(window))
 {
   connect(settings_, &SettingsSheet::closeAsked, this, &Sheets::toggleSettings);
@@ -45,7 +48,6 @@ void Sheets::toggleSettings()
   settings_->setVisible(!settings_->isVisible());
   if (!settings_->isVisible()) return window_->setFocus();
   help_->leaveKeys();
-  settings_->adjustSize();
   place();
   settings_->raise();
 }
@@ -55,7 +57,6 @@ void Sheets::toggleAbout()
   about_->setVisible(!about_->isVisible());
   if (!about_->isVisible()) return window_->setFocus();
   help_->leaveKeys();
-  about_->adjustSize();
   place();
   about_->raise();
 }
@@ -73,11 +74,19 @@ void Sheets::showState()
 
 void Sheets::place()
 {
-  const QRect picture = insertion_.view().rect(), window = window_->rect();
-  if (devices_->isVisible()) devices_->move(picture.center() - devices_->rect().center());
-  if (settings_->isVisible()) settings_->move(window.center() - settings_->rect().center());
-  if (about_->isVisible()) about_->move(window.center() - about_->rect().center());
+  if (devices_->isVisible()) placeDevices();
+  if (settings_->isVisible()) fitSheet(*settings_);
+  if (about_->isVisible()) fitSheet(*about_);
   help_->place();
+}
+
+/// In the middle of the 3D view as far as it is wide enough.
+void Sheets::placeDevices()
+{
+  const OperationView& view = insertion_.view();
+  const QPoint corner = view.mapTo(&insertion_, view.rect().center()) - devices_->rect().center();
+  const int right = std::max(0, insertion_.width() - devices_->width());
+  devices_->move(std::clamp(corner.x(), 0, right), std::max(0, corner.y()));
 }
 
 bool Sheets::leave()

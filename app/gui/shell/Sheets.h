@@ -38,6 +38,8 @@ Q_SIGNALS:
   void settingChosen();
 
 private:
+  void placeDevices();
+
   QWidget* window_;
   InsertPage& insertion_;
   Help* help_;

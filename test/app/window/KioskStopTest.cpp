@@ -6,12 +6,16 @@
 
 #include <QAbstractButton>
 #include <QApplication>
+#include <QLocale>
 #include <QTest>
 #include <memory>
 
+#include "CutTexts.h"
+#include "KeptPicture.h"
 #include "PushedDevice.h"
 #include "WindowRig.h"
 #include "gui/kiosk/KioskWindow.h"
+#include "gui/program/Languages.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::test {
@@ -100,6 +104,27 @@ TEST_P(EveryWayToLeave, TakesTheForceAwayWithinFiveTicks)
 
 INSTANTIATE_TEST_SUITE_P(OfTheBooth, EveryWayToLeave, testing::ValuesIn(leaves),
                          [](const auto& leave) { return std::string(leave.param.name); });
+
+TEST_F(BoothDevice, HasAStopButtonWithWholeTextOnASmallGermanScreen)
+{
+  gui::useLanguage(*QCoreApplication::instance(), "de");
+  push();
+  if (HasFatalFailure()) return;
+  window_->setFixedSize(1024, 640);
+  for (int i = 0; i < 8; ++i) QCoreApplication::processEvents();  // nested layouts
+  const auto* stop = window_->findChild<QAbstractButton*>("stopButton");
+  ASSERT_NE(stop, nullptr);
+  EXPECT_TRUE(stop->isVisible());
+  EXPECT_GE(stop->width(), 400);  // half the booth's width: found without looking for it
+  keepPicture(*window_, "kiosk-stop-de");
+  for (const std::string& text : cutTextsOf(*window_)) ADD_FAILURE() << text;
+  log_->isPushed = false;
+  press(*window_, "stopButton");
+  ASSERT_TRUE(WindowRig::comes([&] { return log_->newest() == 0.0; }));
+  keepPicture(*window_, "kiosk-stopped-de");
+  gui::useLanguage(*QCoreApplication::instance(), "en");
+  QLocale::setDefault(QLocale::c());
+}
 
 TEST_F(BoothDevice, GoesOnAfterAStopWhenTheScreenIsTouched)
 {

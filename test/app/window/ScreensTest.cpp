@@ -7,6 +7,7 @@
 
 #include <QAbstractButton>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QLineEdit>
@@ -15,8 +16,15 @@
 #include <QTest>
 #include <QWindow>
 
+#include "CutTexts.h"
+#include "KeptPicture.h"
+#include "gui/pages/start/StartPage.h"
+#include "gui/parts/Theme.h"
 #include "gui/parts/UserSettings.h"
+#include "gui/program/Languages.h"
+#include "gui/shell/Help.h"
 #include "gui/shell/MainWindow.h"
+#include "gui/shell/Sheets.h"
 #include "gui/shell/WindowPlace.h"
 
 namespace perilymph::test {
@@ -39,8 +47,9 @@ bool liesInScrollArea(const QWidget& widget)
 
 QRect onScreen(const QWidget& widget) { return {widget.mapToGlobal(QPoint(0, 0)), widget.size()}; }
 
-struct FirstWindow : ::testing::Test {
-  FirstWindow()
+/// The first window, shown at its first size.
+struct FirstWindowRig {
+  FirstWindowRig()
   {
     gui::UserSettings().clear();
     auto scenario = session::loadScenario("contour-published");
@@ -60,6 +69,8 @@ struct FirstWindow : ::testing::Test {
 
   std::unique_ptr<gui::MainWindow> window;
 };
+
+struct FirstWindow : ::testing::Test, FirstWindowRig {};
 
 TEST_F(FirstWindow, LiesWithItsFrameInTheScreen)
 {
@@ -100,6 +111,61 @@ TEST_F(FirstWindow, StaysInTheScreenAtItsMinimumSize)
       },
       patience_ms));
 }
+
+class AWindowWithTextOf150Percent : public testing::TestWithParam<const char*> {
+protected:
+  void SetUp() override
+  {
+    gui::setTextScale(1.5);
+    gui::useLanguage(*QCoreApplication::instance(), GetParam());
+  }
+  void TearDown() override
+  {
+    gui::useLanguage(*QCoreApplication::instance(), "en");
+    gui::setTextScale(1.0);
+  }
+  static void expectWhole(QWidget& window, const std::string& name)
+  {
+    for (int i = 0; i < 8; ++i) QCoreApplication::processEvents();  // nested layouts
+    keepPicture(window, name + "-" + GetParam());
+    for (const std::string& text : cutTextsOf(window)) ADD_FAILURE() << name << ": " << text;
+  }
+};
+
+TEST_P(AWindowWithTextOf150Percent, CutsNoText)
+{
+  FirstWindowRig rig;
+  gui::MainWindow& window = *rig.window;
+  for (const auto& [page, name] :
+       {std::pair{gui::Page::start, "start"}, std::pair{gui::Page::ct, "ct"},
+        std::pair{gui::Page::insert, "insert"}, std::pair{gui::Page::compare, "compare"},
+        std::pair{gui::Page::validate, "validate"}, std::pair{gui::Page::sessions, "sessions"},
+        std::pair{gui::Page::studies, "studies"}}) {
+    window.showPage(page);
+    expectWhole(window, name);
+  }
+  auto& start = *window.findChild<gui::StartPage*>();
+  window.showPage(gui::Page::start);
+  start.showNewPatient();
+  expectWhole(window, "patient");
+  start.showPatients();
+  expectWhole(window, "patients");
+  window.showPage(gui::Page::insert);
+  window.sheets().toggleSettings();
+  expectWhole(window, "settings");
+  window.sheets().leave();
+  window.sheets().toggleDevices();
+  expectWhole(window, "devices");
+  window.sheets().leave();
+  window.sheets().toggleAbout();
+  expectWhole(window, "about");
+  window.sheets().leave();
+  window.sheets().help().toggleKeys();
+  expectWhole(window, "keys");
+}
+
+INSTANTIATE_TEST_SUITE_P(Language, AWindowWithTextOf150Percent, testing::Values("en", "de"),
+                         [](const auto& language) { return std::string(language.param); });
 
 }  // namespace
 }  // namespace perilymph::test

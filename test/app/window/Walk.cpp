@@ -44,10 +44,16 @@ QStringList textOn(const QWidget& window)
   return sentence;
 }
 
-/// Rounds every channel to multiples of six: hardly visible, and half the file size.
+/// Rounds every channel: dark ones little, because the eye sees steps in the smooth shades of a dark
+/// background, bright ones more, where letters, edges and the noise of a CT hide it. Half the file
+/// size.
 QImage smallened(QImage image)
 {
-  const auto rounded = [](int channel) { return std::min(255, (channel + 3) / 6 * 6); };
+  constexpr int dark = 56, fine = 2, coarse = 8;
+  const auto rounded = [](int channel) {
+    const int step = channel < dark ? fine : coarse;
+    return std::min(255, (channel + step / 2) / step * step);
+  };
   image = image.convertToFormat(QImage::Format_RGB32);
   for (int y = 0; y < image.height(); ++y) {
     auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));

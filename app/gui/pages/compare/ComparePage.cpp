@@ -130,7 +130,7 @@ QWidget* ComparePage::addRuns()
   table_->setWordWrap(false);
   table_->setTabKeyNavigation(false);
   table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(rowHeight_px);
+  table_->verticalHeader()->setDefaultSectionSize(sized(rowHeight_px));
   table_->horizontalHeader()->setFont(typeface(11));
   table_->horizontalHeader()->setHighlightSections(false);
   table_->setHorizontalHeaderLabels({tr("Insertion"), tr("At cursor"), tr("Peak force"),
@@ -247,8 +247,8 @@ void ComparePage::fillTable()
   // height of its rows, up to five
   constexpr int maxColumns = 5;
   const int rows = std::min(maxColumns, std::max(1, int(runs_.size())));
-  table_->setFixedHeight(table_->horizontalHeader()->sizeHint().height() + rows * rowHeight_px +
-                         2 * table_->frameWidth() + 2);
+  table_->setFixedHeight(table_->horizontalHeader()->sizeHint().height() +
+                         rows * sized(rowHeight_px) + 2 * table_->frameWidth() + 2);
   table_->selectRow(0);
   showScore();
 }

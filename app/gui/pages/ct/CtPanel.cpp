@@ -21,7 +21,9 @@
 #include "gui/pages/ct/CtText.h"
 #include "gui/pages/ct/MarkGuide.h"
 #include "gui/parts/CheckBoxes.h"
+#include "gui/parts/DataText.h"
 #include "gui/parts/Theme.h"
+#include "gui/parts/WrappedLabel.h"
 
 namespace perilymph::gui {
 
@@ -32,10 +34,9 @@ constexpr int panelWidth_px = 300, seriesHeight_px = 66, buttonHeight_px = 28, m
 
 QLabel* panelText(const QString& caption, int size_px, QWidget* parent, bool isQuiet = false)
 {
-  auto* label = new QLabel(caption, parent);
+  auto* label = new WrappedLabel(caption, parent);
   label->setFont(typeface(size_px, isQuiet && size_px == 11 ? QFont::DemiBold : QFont::Normal));
   label->setProperty("quiet", isQuiet);
-  label->setWordWrap(true);
   return label;
 }
 
@@ -44,7 +45,7 @@ QPushButton* panelButton(const QString& caption, const char* name, QWidget* pare
   auto* button = new QPushButton(caption, parent);
   button->setObjectName(QLatin1String(name));
   button->setFont(typeface(13, QFont::Medium));
-  button->setFixedHeight(buttonHeight_px);
+  button->setFixedHeight(sized(buttonHeight_px));
   button->setFocusPolicy(Qt::TabFocus);
   button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // rows share the panel's width
   return button;
@@ -64,7 +65,7 @@ constexpr std::array<Slab, 4> slabs{{{0.0, imaging::Projection::mean},
 CtPanel::CtPanel(CtStudy& study, QWidget* parent) : QWidget(parent), study_(study)
 {
   setObjectName(QStringLiteral("ctPanel"));
-  setFixedWidth(panelWidth_px);
+  setFixedWidth(sized(panelWidth_px));
   auto* upper = new QWidget(this);
   auto* column = new QVBoxLayout(upper);
   column->setContentsMargins(2 * spacing, 2 * spacing, 2 * spacing, spacing);
@@ -111,7 +112,7 @@ void CtPanel::addSource(QVBoxLayout& column)
   series_->setFont(typeface(12));
   series_->setWordWrap(true);
   series_->setIconSize({thumbnail_px, thumbnail_px});
-  series_->setFixedHeight(seriesHeight_px);
+  series_->setFixedHeight(sized(seriesHeight_px));
   series_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   column.addWidget(series_);
   connect(folder, &QPushButton::clicked, this, &CtPanel::folderAsked);
@@ -161,7 +162,7 @@ void CtPanel::addView(QVBoxLayout& column)
   for (QComboBox* box : {window_, slab_}) {
     box->setFont(typeface(13));
     box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    boxes->addWidget(box, 1);
+    boxes->addWidget(box, box == window_ ? 3 : 4);  // the longer names
   }
   column.addLayout(boxes);
   connect(window_, QOverload<int>::of(&QComboBox::activated), this, [this](int which) {
@@ -250,7 +251,8 @@ void CtPanel::addMarks(QVBoxLayout& column)
   }
   column.addLayout(grid);
   column.addWidget(guide_ = new MarkGuide(study_, this));
-  auto* row = new QHBoxLayout;
+  auto* verbs = new QGridLayout;
+  verbs->setSpacing(4);
   undo_ = panelButton(tr("Undo"), "undoMarkButton", this);
   redo_ = panelButton(tr("Redo"), "redoMarkButton", this);
   saveMarks_ = panelButton(tr("Save…"), "saveMarksButton", this);
@@ -259,8 +261,9 @@ void CtPanel::addMarks(QVBoxLayout& column)
       tr("Markups for 3D Slicer (.mrk.json, LPS): landmarks, axis, and the inserted array with its "
          "contacts"));
   loadMarks_->setToolTip(tr("Markups of 3D Slicer with points named RW, C, A …"));
-  for (QPushButton* button : {undo_, redo_, saveMarks_, loadMarks_}) row->addWidget(button);
-  column.addLayout(row);
+  const std::array buttons{undo_, redo_, saveMarks_, loadMarks_};
+  for (int i = 0; i < 4; ++i) verbs->addWidget(buttons[std::size_t(i)], i / 2, i % 2);
+  column.addLayout(verbs);
   connect(undo_, &QPushButton::clicked, &study_, &CtStudy::undo);
   connect(redo_, &QPushButton::clicked, &study_, &CtStudy::redo);
   connect(saveMarks_, &QPushButton::clicked, this, &CtPanel::saveMarksAsked);
@@ -272,7 +275,7 @@ void CtPanel::addOnward(QVBoxLayout& column)
   code_ = new QLineEdit(this);
   code_->setObjectName(QStringLiteral("ctPatientCode"));
   code_->setFont(typeface(13));
-  code_->setFixedHeight(buttonHeight_px);
+  code_->setFixedHeight(sized(buttonHeight_px));
   code_->setMaxLength(maxCodeLength);
   code_->setAccessibleName(tr("Patient code"));
   code_->setPlaceholderText(tr("Patient code (no names)"));
@@ -299,7 +302,7 @@ void CtPanel::showSeries(const imaging::CtSeriesList& list)
     auto* item = new QListWidgetItem(seriesText(series), series_);
     item->setData(Qt::UserRole, QString::fromStdString(series.uid));
     QStringList notes;
-    for (const std::string& warning : series.warnings) notes << QString::fromStdString(warning);
+    for (const std::string& warning : series.warnings) notes << dataText(warning);
     if (!series.obstacle.empty()) {
       notes.prepend(QString::fromStdString(series.obstacle));
       item->setFlags(Qt::NoItemFlags);
@@ -390,7 +393,7 @@ void CtPanel::showMeasures()
   side_->setText(measures->side == anatomy::Side::left ? tr("Left ear") : tr("Right ear"));
   duct_->setText(ductLengthText(*measures));
   QStringList flags;
-  for (const ct::Flag flag : measures->flags) flags << tr(ct::sentenceOf(flag));
+  for (const ct::Flag flag : measures->flags) flags << dataText(ct::sentenceOf(flag));
   flags_->setText(flags.join(QLatin1Char('\n')));
 }
 

@@ -37,7 +37,7 @@ DevicePage::DevicePage(QWidget* parent)
     : QFrame(parent), hand_(new QLabel(this)), live_(new QLabel(this))
 {
   setObjectName(QStringLiteral("devices"));
-  setFixedWidth(pageWidth_px);
+  setFixedWidth(sized(pageWidth_px));
 
   auto* title = new QLabel(tr("Devices"), this);
   title->setFont(typeface(15, QFont::DemiBold));

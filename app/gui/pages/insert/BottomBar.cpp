@@ -66,7 +66,7 @@ BottomBar::BottomBar(QWidget* parent)
 
   time_->setFont(typeface(13));
   time_->setProperty("quiet", true);
-  time_->setMinimumWidth(56);
+  time_->setMinimumWidth(sized(56));
   time_->setObjectName(QStringLiteral("timeLabel"));
   status_->setFont(typeface(11));
   status_->setProperty("quiet", true);

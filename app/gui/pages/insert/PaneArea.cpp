@@ -12,6 +12,7 @@ namespace {
 
 constexpr int gap_px = 1;  // line between the parts
 constexpr int topMargin_px = spacing;
+constexpr int lowColumn_px = 430;         // below it, a third plot has no space for its axes
 constexpr double columnFraction = 0.34;   // of a wide area; a narrow one has chartColumnWidth
 constexpr double upperFraction = 0.6;     // of the height, in four parts
 constexpr double sectionFraction = 0.54;  // of the lower right
@@ -76,6 +77,12 @@ std::vector<std::pair<PaneRole, QRect>> PaneArea::places() const
   const int leftWidth = std::max(1, width() - columnWidth() - gap_px);
   const QRect left(0, 0, leftWidth, height());
   const QRect right(leftWidth + gap_px, 0, columnWidth(), height());
+  if (layout_ == PaneLayout::two && height() < sized(lowColumn_px)) {
+    // two plots that can be read instead of three that cannot; four views show all
+    const std::vector<QRect> column = rows(right.adjusted(0, topMargin_px, 0, 0), {0.58, 0.42});
+    return {
+        {PaneRole::picture, left}, {PaneRole::travel, column[0]}, {PaneRole::unrolled, column[1]}};
+  }
   if (layout_ == PaneLayout::two) {
     const std::vector<QRect> column =
         rows(right.adjusted(0, topMargin_px, 0, 0), {0.46, 0.27, 0.27});

@@ -27,7 +27,7 @@ ReferenceRow::ReferenceRow(QWidget* parent)
   remove_->setObjectName(QStringLiteral("removeReferenceButton"));
   remove_->setProperty("small", true);
   remove_->setFont(typeface(11));
-  remove_->setFixedHeight(22);
+  remove_->setFixedHeight(sized(22));
   remove_->setFocusPolicy(Qt::TabFocus);
   remove_->setToolTip(tr("Removes the reference from chart and 3D view."));
   auto* row = new QHBoxLayout;

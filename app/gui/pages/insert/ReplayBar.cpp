@@ -100,11 +100,11 @@ ReplayBar::ReplayBar(QWidget* parent)
   speed_->setObjectName(QStringLiteral("replaySpeed"));
   speed_->setFont(typeface(13));
   speed_->setAlignment(Qt::AlignCenter);
-  speed_->setFixedWidth(52);
+  speed_->setFixedWidth(sized(52));
   time_->setObjectName(QStringLiteral("replayTime"));
   time_->setFont(typeface(13));
   time_->setProperty("quiet", true);
-  time_->setMinimumWidth(188);
+  time_->setMinimumWidth(sized(188));
   status_->setObjectName(QStringLiteral("replayStatus"));
   status_->setFont(typeface(11));
   status_->setProperty("quiet", true);
@@ -141,7 +141,7 @@ QPushButton* ReplayBar::addButton(const QString& text, const char* name, int wid
   auto* button = new QPushButton(text, this);
   button->setObjectName(QLatin1String(name));
   button->setFont(typeface(13, QFont::Medium));
-  button->setFixedSize(width, 28);
+  button->setFixedSize(sized(width), sized(28));
   if (width < 40) button->setStyleSheet(QStringLiteral("padding: 0;"));
   button->setFocusPolicy(Qt::NoFocus);
   button->setToolTip(tip);

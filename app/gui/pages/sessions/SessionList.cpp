@@ -3,6 +3,7 @@
 
 #include <QHeaderView>
 #include <QSortFilterProxyModel>
+#include <algorithm>
 
 #include "gui/pages/sessions/SessionTable.h"
 #include "gui/pages/sessions/Thumbnails.h"
@@ -39,7 +40,7 @@ SessionList::SessionList(SessionTable& table, QSortFilterProxyModel& sorted, QWi
   setTabKeyNavigation(false);
   setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   verticalHeader()->hide();
-  verticalHeader()->setDefaultSectionSize(rowHeight_px);
+  verticalHeader()->setDefaultSectionSize(std::max(rowHeight_px, sized(40)));
   verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   QHeaderView* header = horizontalHeader();
   header->setHighlightSections(false);
@@ -47,7 +48,7 @@ SessionList::SessionList(SessionTable& table, QSortFilterProxyModel& sorted, QWi
   header->setMinimumSectionSize(minColumn_px);
   header->setFont(typeface(11));
   for (int column = 0; column < SessionTable::columns; ++column)
-    header->resizeSection(column, widths_px[column]);
+    header->resizeSection(column, sized(widths_px[column]));
   header->setSectionResizeMode(SessionTable::picture, QHeaderView::Fixed);
   header->setSectionResizeMode(SessionTable::name, QHeaderView::Stretch);
   connect(header, &QHeaderView::sortIndicatorChanged, &table, &SessionTable::showSorting);
@@ -58,7 +59,7 @@ SessionList::SessionList(SessionTable& table, QSortFilterProxyModel& sorted, QWi
 void SessionList::resizeEvent(QResizeEvent* event)
 {
   QTableView::resizeEvent(event);
-  setColumnHidden(SessionTable::duration, width() < narrow_px);
+  setColumnHidden(SessionTable::duration, width() < sized(narrow_px));
 }
 
 }  // namespace perilymph::gui

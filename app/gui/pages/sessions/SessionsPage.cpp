@@ -90,7 +90,7 @@ QWidget* SessionsPage::addTop()
   search_ = new QLineEdit(top);
   search_->setObjectName(QStringLiteral("sessionSearch"));
   search_->setFont(typeface(13));
-  search_->setFixedSize(280, 32);
+  search_->setFixedSize(sized(280), sized(32));
   markPlaceholder(*search_, tr("Search by patient, array, date or name"));
   search_->setAccessibleName(tr("Search recordings"));
   search_->setClearButtonEnabled(true);

@@ -14,6 +14,7 @@
 #include "gui/parts/CheckBoxes.h"
 #include "gui/parts/Placeholder.h"
 #include "gui/parts/Theme.h"
+#include "gui/parts/WrappedLabel.h"
 #include "gui/setup/DerivedMeasures.h"
 #include "gui/setup/LandmarkDrawing.h"
 #include "gui/setup/PopulationField.h"
@@ -31,10 +32,9 @@ constexpr auto exampleArray = "flex28";  // a straight one; the array is chosen 
 
 QLabel* text(const QString& caption, int size_px, QWidget* parent, bool isQuiet = true)
 {
-  auto* label = new QLabel(caption, parent);
+  auto* label = new WrappedLabel(caption, parent);
   label->setFont(typeface(size_px));
   label->setProperty("quiet", isQuiet);
-  label->setWordWrap(true);
   return label;
 }
 
@@ -48,9 +48,8 @@ QLabel* heading(const QString& caption, QWidget* parent)
 
 QLabel* errorLabel(QWidget* parent)
 {
-  auto* label = new QLabel(parent);
+  auto* label = new WrappedLabel({}, parent);
   label->setFont(typeface(11));
-  label->setWordWrap(true);
   label->setProperty("error", true);
   label->hide();
   return label;
@@ -96,8 +95,9 @@ PatientForm::PatientForm(QWidget* parent)
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 2 * spacing, 0, spacing);
   row->setSpacing(4 * spacing);
+  setMaximumWidth(sized(formWidth_px) + 4 * spacing + sized(explanationWidth_px));
   row->addWidget(addForm(), 0, Qt::AlignVCenter);
-  row->addWidget(addExplanations());
+  row->addWidget(addExplanations(), 1);
   connectFields();
   setTabOrders();
   beginNew();
@@ -106,7 +106,7 @@ PatientForm::PatientForm(QWidget* parent)
 QWidget* PatientForm::addForm()
 {
   auto* form = new QWidget(this);
-  form->setFixedWidth(formWidth_px);
+  form->setFixedWidth(sized(formWidth_px));
   label_->setObjectName(QStringLiteral("patientName"));
   label_->setAccessibleName(tr("Patient code"));
   label_->setFont(typeface(13));
@@ -169,7 +169,7 @@ QWidget* PatientForm::addForm()
 QWidget* PatientForm::addExplanations()
 {
   auto* side = new QWidget(this);
-  side->setFixedWidth(explanationWidth_px);
+  side->setMaximumWidth(sized(explanationWidth_px));
   auto* column = new QVBoxLayout(side);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(spacing);

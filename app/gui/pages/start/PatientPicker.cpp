@@ -30,13 +30,13 @@ PatientPicker::PatientPicker(QWidget* parent)
       open_(new QPushButton(tr("Open"), this)),
       edit_(new QPushButton(tr("Edit…"), this))
 {
-  setFixedWidth(width_px);
+  setFixedWidth(sized(width_px));
   auto* title = new QLabel(tr("Saved patients"), this);
   title->setFont(typeface(22));
   search_->setObjectName(QStringLiteral("patientSearch"));
   search_->setAccessibleName(tr("Find patients"));
   search_->setFont(typeface(13));
-  search_->setFixedHeight(32);
+  search_->setFixedHeight(sized(32));
   search_->setClearButtonEnabled(true);
   markPlaceholder(*search_, tr("Find by code or ear"));
   search_->installEventFilter(this);
@@ -58,7 +58,7 @@ PatientPicker::PatientPicker(QWidget* parent)
   buttons->addWidget(open_);
   for (QPushButton* button : {back, edit_, open_}) {
     button->setFont(typeface(13, QFont::Medium));
-    button->setFixedHeight(32);
+    button->setFixedHeight(sized(32));
   }
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 3 * spacing, 0, 3 * spacing);

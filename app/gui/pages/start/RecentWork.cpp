@@ -73,9 +73,10 @@ QPushButton* addLink(QVBoxLayout& column, const QString& text, const QString& na
   link->setObjectName(name);
   link->setProperty("link", true);
   link->setFont(typeface(13));
-  link->setText(QFontMetrics(link->font()).elidedText(text, Qt::ElideRight, linkWidth_px - 24));
+  link->setText(
+      QFontMetrics(link->font()).elidedText(text, Qt::ElideRight, sized(linkWidth_px) - 24));
   link->setAccessibleName(text);
-  link->setFixedHeight(26);
+  link->setFixedHeight(sized(26));
   link->setCursor(Qt::PointingHandCursor);
   link->setFocusPolicy(Qt::TabFocus);
   column.addWidget(link, 0, Qt::AlignLeft);
@@ -105,7 +106,7 @@ RecentWork::RecentWork(QWidget* parent) : QWidget(parent)
   row->addStretch();
   for (QVBoxLayout** column : {&patients_, &recordings_}) {
     auto* side = new QWidget(this);
-    side->setFixedWidth(linkWidth_px);
+    side->setFixedWidth(sized(linkWidth_px));
     *column = new QVBoxLayout(side);
     (*column)->setContentsMargins(0, 0, 0, 0);
     (*column)->setSpacing(0);

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QPainter>
 #include <QPainterPath>
+#include <QScrollArea>
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -29,7 +30,8 @@ constexpr QSize cardSize{344, 372};
 constexpr int minCardWidth_px = 296;
 constexpr int pictureHeight_px = 232;
 constexpr int minPictureHeight_px = 120;
-constexpr int textHeight_px = cardSize.height() - pictureHeight_px;
+constexpr int cardMargin_px = 20, titleTop_px = 16, titleGap_px = 12, textBottom_px = 16;
+constexpr int maxHeight_px = 10'000;
 constexpr int aroundCards_px = 270;  // title, recent work, foot and margins
 // Indices of the stages.
 constexpr int cardsStage = 0, formStage = 1, pickerStage = 2;
@@ -79,10 +81,25 @@ StartCard::StartCard(const char* name, const QString& title, const QString& sent
 
 QSize StartCard::sizeHint() const { return cardSize; }
 
-void StartCard::setPictureHeight(int height_px)
+int StartCard::titleHeight(int width_px) const
 {
-  pictureHeight_px_ = height_px;
-  setFixedHeight(height_px + textHeight_px);
+  const QRect available(0, 0, width_px - 2 * cardMargin_px, maxHeight_px);
+  const QFontMetrics metrics(typeface(18, QFont::DemiBold));
+  return metrics.boundingRect(available, Qt::TextWordWrap, title_).height() + titleGap_px;
+}
+
+int StartCard::textHeight(int width_px) const
+{
+  const QRect available(0, 0, width_px - 2 * cardMargin_px, maxHeight_px);
+  const QRect sentence =
+      QFontMetrics(typeface(13)).boundingRect(available, Qt::TextWordWrap, sentence_);
+  return titleTop_px + titleHeight(width_px) + sentence.height() + textBottom_px;
+}
+
+void StartCard::setHeights(int picture_px, int text_px)
+{
+  pictureHeight_px_ = picture_px;
+  setFixedHeight(picture_px + text_px);
   update();
 }
 
@@ -104,20 +121,21 @@ void StartCard::paintEvent(QPaintEvent*)
   painter.drawPath(edge);
   if (hasFocus()) paintFocusRing(painter, rect());  // the mouse only raises a card
 
-  const QRect text = rect().adjusted(20, pictureHeight_px_ + 16, -20, -12);
+  const QRect text =
+      rect().adjusted(cardMargin_px, pictureHeight_px_ + titleTop_px, -cardMargin_px, 0);
   painter.setPen(textColor);
   painter.setFont(typeface(18, QFont::DemiBold));
-  painter.drawText(text, Qt::AlignLeft | Qt::AlignTop, title_);
+  painter.drawText(text, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, title_);
   painter.setPen(quietTextColor);
   painter.setFont(typeface(13));
-  painter.drawText(text.adjusted(0, 34, 0, 0), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
-                   sentence_);
+  painter.drawText(text.adjusted(0, titleHeight(width()), 0, 0),
+                   Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, sentence_);
 }
 
 StartPage::StartPage(QWidget* parent) : QWidget(parent), stages_(new QStackedWidget(this))
 {
   setObjectName(QStringLiteral("startPage"));
-  stages_->addWidget(cards());
+  stages_->addWidget(scrolled(cards()));
   form_ = new PatientForm(stages_);
   stages_->addWidget(centered(form_));
   picker_ = new PatientPicker(stages_);
@@ -146,14 +164,25 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent), stages_(new QStackedWid
   connect(recent_, &RecentWork::allRecordingsAsked, this, &StartPage::allRecordingsAsked);
 }
 
+QWidget* StartPage::scrolled(QWidget* page)
+{
+  auto* scroll = new QScrollArea(stages_);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setFocusPolicy(Qt::NoFocus);  // it follows the focus of its fields
+  scroll->setWidget(page);
+  return scroll;
+}
+
 QWidget* StartPage::centered(QWidget* content)
 {
   auto* page = new QWidget(stages_);
   auto* row = new QHBoxLayout(page);
-  row->addStretch();
-  row->addWidget(content);
-  row->addStretch();
-  return page;
+  row->addStretch(1);
+  row->addWidget(content, 1000);  // up to its maximum width
+  row->addStretch(1);
+  return scrolled(page);
 }
 
 void StartPage::addKey(QWidget& page, Qt::Key key, StartCard& card)
@@ -267,11 +296,14 @@ void StartPage::resizeEvent(QResizeEvent* event)
   QWidget::resizeEvent(event);
   const int available = (width() - 10 * spacing) / 3;  // two gaps and margins
   const int wide = std::clamp(available, minCardWidth_px, cardSize.width());
+  int text = 0;
+  for (StartCard* card : {patient_, mean_, demonstration_})
+    text = std::max(text, card->textHeight(wide));
   const int high =
-      std::clamp(height() - aroundCards_px - textHeight_px, minPictureHeight_px, pictureHeight_px);
+      std::clamp(height() - sized(aroundCards_px) - text, minPictureHeight_px, pictureHeight_px);
   for (StartCard* card : {patient_, mean_, demonstration_}) {
     card->setFixedWidth(wide);
-    card->setPictureHeight(high);
+    card->setHeights(high, text);
   }
 }
 

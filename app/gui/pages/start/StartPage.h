@@ -29,13 +29,16 @@ public:
   StartCard(const char* name, const QString& title, const QString& sentence,
             const std::string& picture, QWidget* parent);
   QSize sizeHint() const override;
-  /// Limits the height of the picture.
-  void setPictureHeight(int height_px);
+  /// Height that its text needs at a width [px].
+  int textHeight(int width_px) const;
+  void setHeights(int picture_px, int text_px);
 
 protected:
   void paintEvent(QPaintEvent*) override;
 
 private:
+  int titleHeight(int width_px) const;
+
   int pictureHeight_px_;
   QString title_, sentence_;
   QPixmap picture_;
@@ -78,6 +81,7 @@ protected:
 private:
   QWidget* cards();
   QWidget* centered(QWidget* content);
+  QWidget* scrolled(QWidget* page);
   void showCards() { showCards(current_); }
   void addKey(QWidget& page, Qt::Key key, StartCard& card);
   void savePatient(const anatomy::Patient& patient);

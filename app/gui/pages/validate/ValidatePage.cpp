@@ -72,7 +72,7 @@ ValidatePage::ValidatePage(QWidget* parent) : QWidget(parent), basis_(shippedBas
 QWidget* ValidatePage::addColumn()
 {
   auto* page = new QWidget(this);
-  page->setFixedWidth(columnWidth_px);
+  page->setFixedWidth(sized(columnWidth_px));
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(spacing);
@@ -110,7 +110,7 @@ QWidget* ValidatePage::addColumn()
     button->setFixedHeight(sized(32));
   }
   start_->setProperty("primary", true);
-  start_->setMinimumWidth(108);
+  start_->setMinimumWidth(sized(108));
   auto* verbs = new QHBoxLayout;
   verbs->setSpacing(spacing);
   verbs->addWidget(runs_);

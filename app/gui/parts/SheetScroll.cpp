@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/parts/SheetScroll.h"
+
+#include <QLayout>
+#include <QScrollBar>
+
+#include "gui/parts/Theme.h"
+
+namespace perilymph::gui {
+
+SheetScroll::SheetScroll(QWidget* content, QWidget* parent) : QScrollArea(parent)
+{
+  setWidgetResizable(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setFrameShape(QFrame::NoFrame);
+  setFocusPolicy(Qt::NoFocus);  // it follows the focus of its fields
+  setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
+  setWidget(content);
+}
+
+QSize SheetScroll::sizeHint() const
+{
+  const QWidget& content = *widget();
+  const QSize whole = content.sizeHint().expandedTo(content.minimumSizeHint());
+  return {whole.width() + verticalScrollBar()->sizeHint().width(), whole.height()};
+}
+
+void fitSheet(QWidget& sheet)
+{
+  const QWidget& window = *sheet.parentWidget();
+  // twice: wrapped texts know their height when they have their width
+  for (int i = 0; i < 2; ++i) {
+    sheet.layout()->activate();
+    sheet.adjustSize();
+    sheet.resize(sheet.size().boundedTo(window.size() - QSize(2 * spacing, 2 * spacing)));
+    for (QLayout* each : sheet.findChildren<QLayout*>()) each->activate();
+  }
+  sheet.move(window.rect().center() - sheet.rect().center());
+}
+
+}  // namespace perilymph::gui

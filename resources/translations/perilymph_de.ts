@@ -639,6 +639,18 @@
         <source>force scale</source>
         <translation>Kraftskala</translation>
     </message>
+    <message>
+        <source>Scripted insertion</source>
+        <translation>Automatische Insertion</translation>
+    </message>
+    <message>
+        <source>Mouse and keyboard</source>
+        <translation>Maus und Tastatur</translation>
+    </message>
+    <message>
+        <source>Recorded hand</source>
+        <translation>Aufgezeichnete Hand</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>
@@ -1818,19 +1830,19 @@
     </message>
     <message>
         <source>at population mean (%1 ± %2 mm)</source>
-        <translation>am Populationsmittel (%1 ± %2 mm)</translation>
+        <translation>am Mittel der Population (%1 ± %2 mm)</translation>
     </message>
     <message>
         <source>%1 SD below population mean (%2 ± %3 mm)</source>
-        <translation>%1 SD unter dem Populationsmittel (%2 ± %3 mm)</translation>
+        <translation>%1 SD unter dem Mittel (%2 ± %3 mm)</translation>
     </message>
     <message>
         <source>%1 SD above population mean (%2 ± %3 mm)</source>
-        <translation>%1 SD über dem Populationsmittel (%2 ± %3 mm)</translation>
+        <translation>%1 SD über dem Mittel (%2 ± %3 mm)</translation>
     </message>
     <message>
         <source>A: basal-turn diameter</source>
-        <translation>A: Durchmesser der Basalwindung</translation>
+        <translation>A: Basalwindung, Durchmesser</translation>
     </message>
     <message>
         <source>of the model</source>
@@ -1838,7 +1850,7 @@
     </message>
     <message>
         <source>B: basal-turn width</source>
-        <translation>B: Breite der Basalwindung</translation>
+        <translation>B: Basalwindung, Breite</translation>
     </message>
     <message>
         <source>H: cochlear height</source>

@@ -34,7 +34,9 @@ BoardView::BoardView(QWidget* parent)
   column_->setSpacing(spacing);
   auto* title = label(tr("Lowest peak forces today"), 22, false, this);
   title->setFont(typeface(22, QFont::DemiBold));
+  title->setWordWrap(true);
   auto* note = label(tr("peak insertion force at full depth"), 15, true, this);
+  note->setWordWrap(true);
   column_->addWidget(title);
   column_->addWidget(note);
   column_->addStretch();

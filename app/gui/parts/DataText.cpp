@@ -27,6 +27,9 @@ constexpr const char* shipped[] = {
     QT_TRANSLATE_NOOP("Data", "full depth"), QT_TRANSLATE_NOOP("Data", "friction"),
     QT_TRANSLATE_NOOP("Data", "opening"), QT_TRANSLATE_NOOP("Data", "model"),
     QT_TRANSLATE_NOOP("Data", "nodes"), QT_TRANSLATE_NOOP("Data", "force scale"),
+    // input devices without hardware
+    QT_TRANSLATE_NOOP("Data", "Scripted insertion"),
+    QT_TRANSLATE_NOOP("Data", "Mouse and keyboard"), QT_TRANSLATE_NOOP("Data", "Recorded hand"),
     // titles of frictions
     QT_TRANSLATE_NOOP("Data", "Lubricated silicone (published)"),
     QT_TRANSLATE_NOOP("Data", "Soap %1 %: speed-independent"),

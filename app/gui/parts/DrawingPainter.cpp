@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/parts/DrawingPainter.h"
 
+#include <QLocale>
+#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 
@@ -34,6 +36,14 @@ QPolygonF polygonOf(const std::vector<figures::PagePoint>& points)
 }
 
 /// Draws one mark in page points.
+/// A number at an axis with the window's decimal sign; any other text unchanged.
+QString withDecimalSign(QString text)
+{
+  static const QRegularExpression number(QStringLiteral("^[-−]?\\d+\\.\\d+$"));
+  if (number.match(text).hasMatch()) text.replace(QLatin1Char('.'), QLocale().decimalPoint());
+  return text;
+}
+
 struct MarkPainter {
   QPainter& painter;
   Lettering lettering;
@@ -76,7 +86,7 @@ struct MarkPainter {
         typeface(int(std::lround(label.size)), label.isBold ? QFont::DemiBold : QFont::Normal);
     // the user's text size is for the screen, not for print
     if (lettering == Lettering::scaled) font.setPixelSize(int(std::lround(label.size * fine)));
-    const QString text = QString::fromStdString(label.text);
+    const QString text = withDecimalSign(QString::fromStdString(label.text));
     painter.save();
     painter.translate(label.at.x, label.at.y);
     if (label.direction == figures::Direction::upward) painter.rotate(-90.0);

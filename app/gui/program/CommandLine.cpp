@@ -61,7 +61,7 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
                "perilymph");
   app.set_version_flag("--version", "perilymph " + buildId());
 
-  std::string record, plugin, screenshot;
+  std::string record, plugin, screenshot, study;
   app.add_option("--scenario", options.scenario,
                  "Scenario: shipped name or TOML file (default: start page)")
       ->type_name("FILE|NAME");
@@ -74,6 +74,9 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
                      "Device plug-in used as input device; it runs with your rights")
           ->type_name("FILE.so")
           ->excludes(demoOption);
+  auto* studyOption = app.add_option("--study", study, "Open the result of a study")
+                          ->type_name("FILE.sqlite")
+                          ->excludes(demoOption);
   auto* screenshotOption =
       app.add_option("--screenshot", screenshot, "Save a screenshot of the window, then exit")
           ->type_name("FILE.png")
@@ -85,10 +88,11 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
       ->capture_default_str();
   app.add_option("--quality", options.quality, "Rendering quality (default: as set in the window)")
       ->check(CLI::IsMember({"auto", "fast", "balanced", "full"}));
-  auto* measureOption = app.add_flag("--measure-frames", options.measuresFrames,
-                                     "Run the demo, print frame times, then exit")
-                            ->excludes(screenshotOption)
-                            ->excludes(pluginOption);
+  auto* measureOption =
+      app.add_flag("--measure-frames", options.measuresFrames,
+                   "Run the demo, or filter the study, print frame times, then exit")
+          ->excludes(screenshotOption)
+          ->excludes(pluginOption);
   app.add_option("--ticks", options.measuredTicks,
                  "Repeat the demo until N samples are recorded (3600000 = 1 h) and compare the "
                  "last insertion with the first (default: one insertion)")
@@ -103,6 +107,7 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
       ->excludes(demoOption)
       ->excludes(recordOption)
       ->excludes(pluginOption)
+      ->excludes(studyOption)
       ->excludes("--measure-frames");
 
   try {
@@ -116,6 +121,7 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
     return Exit{2};
   }
   if (recordOption->count() > 0) options.record = record;
+  if (studyOption->count() > 0) options.study = study;
   if (pluginOption->count() > 0) options.plugin = plugin;
   if (screenshotOption->count() > 0) options.screenshot = screenshot;
   return options;

@@ -17,6 +17,7 @@ struct CommandLine {
   bool isKiosk = false;                         ///< The booth instead of the workstation.
   bool isDemo = false;                          ///< Starts an insertion automatically.
   std::optional<std::filesystem::path> record;  ///< File of the recording.
+  std::optional<std::filesystem::path> study;   ///< A study's result to open.
   std::optional<std::filesystem::path> plugin;  ///< A device plug-in to use as input device.
   std::optional<std::filesystem::path> screenshot;
   std::optional<std::string> language;  ///< "en", "de" or "system", for this call only.

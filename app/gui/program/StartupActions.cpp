@@ -10,6 +10,7 @@
 #include "gui/kiosk/KioskWindow.h"
 #include "gui/program/FrameBenchmark.h"
 #include "gui/program/ProcessUptime.h"
+#include "gui/program/StudyBenchmark.h"
 #include "gui/shell/MainWindow.h"
 #include "perilymph/foundation/AtomicFile.h"
 
@@ -45,7 +46,7 @@ void takeScreenshotLater(QWidget& window, const CommandLine& options)
 
 void arrangeStartupActions(MainWindow& window, const CommandLine& options)
 {
-  const bool isDemo = options.isDemo || options.measuresFrames;
+  const bool isDemo = options.isDemo || (options.measuresFrames && !options.study);
   QObject::connect(&window, &MainWindow::firstFrameShown, &window, [&window, options, isDemo] {
     if (options.plugin) window.insertion().usePlugin(*options.plugin);
     if (isDemo) {
@@ -53,7 +54,12 @@ void arrangeStartupActions(MainWindow& window, const CommandLine& options)
       std::fflush(stdout);
       if (!options.measuresFrames) window.insertion().start();
     }
-    if (options.measuresFrames) measureFrames(window, options.measuredTicks);
+    if (options.measuresFrames && options.study)
+      measureStudyFrames(window, *options.study);
+    else if (options.measuresFrames)
+      measureFrames(window, options.measuredTicks);
+    else if (options.study)
+      window.pages().openStudy(*options.study);
     takeScreenshotLater(window, options);
   });
 }

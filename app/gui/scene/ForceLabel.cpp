@@ -62,7 +62,7 @@ QSize ForceLabel::sizeHint() const
   const QFontMetrics metrics(font());
   const int widest = std::max(metrics.horizontalAdvance(marked(hand_)),
                               metrics.horizontalAdvance(marked(partition_)));
-  return {widest + 2 * plate_px, 2 * sized(lineHeight_px) + plate_px};
+  return {widest + 2 * plate_px + 2, 2 * sized(lineHeight_px) + plate_px};
 }
 
 void ForceLabel::paintEvent(QPaintEvent*)
@@ -73,8 +73,9 @@ void ForceLabel::paintEvent(QPaintEvent*)
   QRect line(plate_px, plate_px / 2, width() - 2 * plate_px, sized(lineHeight_px));
   for (const ForceMeaning* meaning : {&hand_, &partition_}) {
     painter.setPen(meaning->isBeyond ? warningColor : quietTextColor);
-    painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter,
-                     fontMetrics().elidedText(marked(*meaning), Qt::ElideRight, line.width()));
+    painter.drawText(
+        line, Qt::AlignRight | Qt::AlignVCenter,
+        QFontMetrics(font()).elidedText(marked(*meaning), Qt::ElideRight, line.width()));
     line.translate(0, sized(lineHeight_px));
   }
 }

@@ -128,7 +128,7 @@ void PhaseLine::paintEvent(QPaintEvent*)
     painter.setPen(isHere ? textColor : quietTextColor);
     const QRectF name(place.x() - margin, stationY_px + 10, 2 * margin, sized(20));
     painter.drawText(name, Qt::AlignCenter | Qt::TextDontClip,
-                     painter.fontMetrics().elidedText(caption, Qt::ElideRight, available));
+                     QFontMetrics(painter.font()).elidedText(caption, Qt::ElideRight, available));
   }
 }
 

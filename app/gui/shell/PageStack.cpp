@@ -129,6 +129,12 @@ bool PageStack::cancel()
   }
 }
 
+void PageStack::openStudy(const std::filesystem::path& file)
+{
+  Q_EMIT pageAsked(Page::studies);
+  studies_->open(file);
+}
+
 void PageStack::showSessionsError(const QString& sentence) { sessions_->say(sentence, true); }
 
 }  // namespace perilymph::gui

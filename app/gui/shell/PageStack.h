@@ -36,6 +36,8 @@ public:
   void showSessionsError(const QString& sentence);
   CtPage& ct() { return *ct_; }
   StudiesPage& studies() { return *studies_; }
+  /// Shows a study's result on its page.
+  void openStudy(const std::filesystem::path& file);
 
 Q_SIGNALS:
   /// Another setup was chosen for the insertion page.

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/study/StudyCaseRun.h"
 
+#include <optional>
+
+#include "perilymph/analysis/InParallel.h"
+
 namespace perilymph::study {
 
 Result<Study> studyIn(const StudyFileFacts& facts, const std::filesystem::path& file)
@@ -27,13 +31,21 @@ Result<StudyResult> recordCase(const Study& study, std::size_t number,
   if (!scenario) return scenario.error();
   const auto anatomy = session::buildAnatomy(*scenario);
   if (!anatomy) return anatomy.error();
-  auto found = analysis::insertFully(*scenario, *anatomy, recording, isCanceled);
-  if (!found) return found.error();
+  // in a thread that may compute whole insertions, whatever the caller's is
+  std::optional<Result<analysis::FullInsertion>> ran;
+  const auto done = analysis::doInParallel(
+      1, 1,
+      [&](std::size_t, const std::atomic<bool>& isAsked) -> Result<Done> {
+        ran = analysis::insertFully(*scenario, *anatomy, recording, isAsked);
+        return *ran ? Result<Done>(Done{}) : Result<Done>(ran->error());
+      },
+      [&isCanceled](std::size_t) { return !isCanceled; });
+  if (!done) return done.error();
   StudyResult result;
   result.number = number;
   result.cochlea = study.cochleae()[one.cochlea].name;
   result.settings = one.overrides;
-  result.insertion = *std::move(found);
+  result.insertion = **std::move(ran);
   return result;
 }
 

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "CutTexts.h"
 #include "WindowRig.h"
 #include "gui/pages/insert/InsertionViews.h"
 #include "gui/pages/insert/Pane.h"
@@ -106,23 +107,6 @@ void expectTranslated(WindowRig& rig, const char* where)
   }
 }
 
-int widestWord(const QLabel& label)
-{
-  int widest = 0;
-  for (const QString& word : label.text().split(QRegularExpression("\\s+")))
-    widest = std::max(widest, QFontMetrics(label.font()).horizontalAdvance(word));
-  return widest;
-}
-
-/// Whether a label shows its whole text, in one line or in the lines that fit its height.
-bool fits(const QLabel& label)
-{
-  if (label.width() >= label.sizeHint().width() && label.height() >= label.sizeHint().height())
-    return true;
-  return label.wordWrap() && label.height() >= label.heightForWidth(label.width()) &&
-         label.width() >= widestWord(label);
-}
-
 /// Activates nested layouts, the outer ones first.
 void settle()
 {
@@ -131,36 +115,13 @@ void settle()
 
 void expectFits(WindowRig& rig, const char* where)
 {
-  for (const QLabel* label : rig.window().findChildren<QLabel*>()) {
-    if (!label->isVisible() || label->text().isEmpty()) continue;
-    // the status line may be cut: it has a tooltip
-    if (label->objectName() == "statusLabel") continue;
-    EXPECT_TRUE(fits(*label)) << where << ", " << label->objectName().toStdString() << ": "
-                              << label->text().toStdString() << " in " << label->width() << " x "
-                              << label->height() << ", widest word " << widestWord(*label) << ", "
-                              << label->heightForWidth(label->width()) << " high";
-  }
-  for (const QAbstractButton* button : rig.window().findChildren<QAbstractButton*>()) {
-    if (!button->isVisible() || button->text().isEmpty()) continue;
-    const bool isMarked = button->hasHeightForWidth();
-    const int needed = QFontMetrics(button->font()).horizontalAdvance(button->text());
-    const bool isWhole = isMarked ? button->width() >= button->minimumSizeHint().width() &&
-                                        button->height() >= button->heightForWidth(button->width())
-                                  : button->width() >= needed;
-    EXPECT_TRUE(isWhole) << where << ": " << button->text().toStdString();
-  }
-  for (const gui::Selector* selector : rig.window().findChildren<gui::Selector*>()) {
-    if (!selector->isVisible()) continue;
-    EXPECT_TRUE(selector->isWhole() || !selector->toolTip().isEmpty())
-        << where << ": " << selector->currentText().toStdString();
-  }
+  for (const std::string& text : cutTextsOf(rig.window())) ADD_FAILURE() << where << ", " << text;
 }
 
-constexpr std::pair<gui::Page, const char*> pages[] = {{gui::Page::start, "start"},
-                                                       {gui::Page::insert, "insert"},
-                                                       {gui::Page::compare, "compare"},
-                                                       {gui::Page::validate, "validate"},
-                                                       {gui::Page::sessions, "sessions"}};
+constexpr std::pair<gui::Page, const char*> pages[] = {
+    {gui::Page::start, "start"},       {gui::Page::insert, "insert"},
+    {gui::Page::compare, "compare"},   {gui::Page::validate, "validate"},
+    {gui::Page::sessions, "sessions"}, {gui::Page::studies, "studies"}};
 
 TEST(PseudoLanguage, EveryWordOfEveryPageComesFromATranslation)
 {

@@ -8,6 +8,7 @@
 #include <QVariant>
 #include <algorithm>
 
+#include "gui/parts/DataText.h"
 #include "gui/parts/DeviceRate.h"
 #include "gui/parts/Numbers.h"
 #include "gui/parts/Theme.h"
@@ -163,7 +164,7 @@ void DevicePage::setChangeable(bool isChangeable)
 void DevicePage::showHand(const QString& name, const std::optional<device::DeviceHealth>& health,
                           const haptics::Snapshot& now, const QString& coupling)
 {
-  hand_->setText(tr("Input: %1").arg(name));
+  hand_->setText(tr("Input: %1").arg(dataText(name.toStdString())));
   QStringList lines;
   if (now.measuredRate > 0.0)
     lines << tr("Loop: %1 samples/s, %2 late, %3 overruns, 99 % below %4 ms.")

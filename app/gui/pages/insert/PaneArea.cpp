@@ -141,7 +141,9 @@ void PaneArea::paintEvent(QPaintEvent*)
   QPainter painter(this);
   painter.fillRect(rect(), panelColor);
   if (maximized_ || layout_ == PaneLayout::one) return;
-  for (const auto& [role, place] : places()) {
+  for (const auto& [role, widget] : parts_) {
+    if (!widget->isVisible()) continue;
+    const QRect place = widget->geometry();
     if (role == PaneRole::picture)
       painter.fillRect(QRect(place.right() + 1, 0, gap_px, height()), lineColor);
     if (role == PaneRole::unrolled && layout_ == PaneLayout::four)

@@ -193,7 +193,7 @@ QString marks(const ReportContent& content)
                 wideRow(tr("SHA-256"), content.sha256), row(tr("Replay"), replay, {}),
                 row(tr("Patient"), from(content.scenario.patient().label), {}),
                 row(tr("Scenario"), from(content.facts.scenarioName), {}),
-                row(tr("Input device"), from(content.facts.device), {}),
+                row(tr("Input device"), sentence(content.facts.device), {}),
                 row(tr("Recorded by"), from(content.facts.buildId), {}),
                 row(tr("Report by"), from(buildId()), {}),
                 row(tr("Model"),

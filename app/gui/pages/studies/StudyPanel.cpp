@@ -120,7 +120,8 @@ void StudyPanel::addSize(QVBoxLayout& column)
 
 void StudyPanel::offer(const study::StudyColumns& columns)
 {
-  const StudyPlot::Axes before = axes();
+  StudyPlot::Axes before = axes();
+  if (group_->count() == 0) before.group = "array";
   for (Selector* list : {x_, y_, group_}) list->clear();
   for (const study::StudyQuantity& each : columns.quantities())
     for (Selector* list : {x_, y_})

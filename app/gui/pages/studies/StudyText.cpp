@@ -2,8 +2,10 @@
 #include "gui/pages/studies/StudyText.h"
 
 #include <QCoreApplication>
+#include <map>
 
 #include "gui/parts/Numbers.h"
+#include "gui/setup/Catalog.h"
 
 namespace perilymph::gui {
 
@@ -78,6 +80,14 @@ const char* textOf(const Name (&names)[Count], const std::string& key)
   return nullptr;
 }
 
+/// Titles of arrays and frictions by their names.
+std::map<QString, QString> catalogTitles()
+{
+  std::map<QString, QString> titles;
+  for (const CatalogArray& array : catalogArrays()) titles[array.name] = array.title;
+  return titles;
+}
+
 QString number(double value, int decimals) { return numberText(value, decimals); }
 
 }  // namespace
@@ -98,6 +108,9 @@ QString levelText(const std::string& level)
 {
   const char* text = textOf(levels, level);
   if (text != nullptr) return tr(text);
+  const QString name = QString::fromStdString(level);
+  static const std::map<QString, QString> titles = catalogTitles();
+  if (const auto found = titles.find(name); found != titles.end()) return found->second;
   return level.empty() ? QStringLiteral("–") : QString::fromStdString(level);
 }
 

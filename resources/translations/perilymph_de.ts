@@ -1002,6 +1002,30 @@
         <source>Friction coefficients at these speeds</source>
         <translation>Reibungskoeffizienten bei diesen Geschwindigkeiten</translation>
     </message>
+    <message>
+        <source>Offset of the opening, toward the outer wall</source>
+        <translation>Versatz der Öffnung zur Außenwand</translation>
+    </message>
+    <message>
+        <source>Offset of the opening, toward the roof</source>
+        <translation>Versatz der Öffnung zum Dach</translation>
+    </message>
+    <message>
+        <source>Length of the drilled passage</source>
+        <translation>Länge des Bohrkanals</translation>
+    </message>
+    <message>
+        <source>Modulus of the array in the passage</source>
+        <translation>Elastizitätsmodul des Trägers im Kanal</translation>
+    </message>
+    <message>
+        <source>Friction in the passage</source>
+        <translation>Reibung im Kanal</translation>
+    </message>
+    <message>
+        <source>Force limit of the surgeon, 0 if none</source>
+        <translation>Kraftgrenze des Operateurs, 0 ohne Grenze</translation>
+    </message>
 </context>
 <context>
     <name>Study</name>
@@ -1126,10 +1150,6 @@
         <translation>vollständig</translation>
     </message>
     <message>
-        <source>slipped out</source>
-        <translation>herausgerutscht</translation>
-    </message>
-    <message>
         <source>buckled</source>
         <translation>ausgeknickt</translation>
     </message>
@@ -1180,6 +1200,22 @@
     <message>
         <source>average</source>
         <translation>mittlere</translation>
+    </message>
+    <message>
+        <source>slipped out of the opening</source>
+        <translation>aus der Öffnung gerutscht</translation>
+    </message>
+    <message>
+        <source>stopped by resistance</source>
+        <translation>durch Widerstand gestoppt</translation>
+    </message>
+    <message>
+        <source>folded tip</source>
+        <translation>umgeschlagene Spitze</translation>
+    </message>
+    <message>
+        <source>jammed</source>
+        <translation>verklemmt</translation>
     </message>
 </context>
 <context>
@@ -2428,6 +2464,26 @@
         <source>CT, insert, compare, validate, sessions, studies</source>
         <translation>CT, Insertion, Vergleich, Validierung, Sitzungen, Studien</translation>
     </message>
+    <message>
+        <source>Stopped by resistance at %1 mm, %2 mN. Press Withdraw or Reset.</source>
+        <translation>Bei %1 mm und %2 mN durch Widerstand gestoppt. „Zurückziehen“ oder „Zurücksetzen“ drücken.</translation>
+    </message>
+    <message>
+        <source>The array buckled in front of the opening at %1 mm. The force is off. Press Withdraw or Reset.</source>
+        <translation>Der Träger ist bei %1 mm vor der Öffnung ausgeknickt. Die Kraft ist aus. „Zurückziehen“ oder „Zurücksetzen“ drücken.</translation>
+    </message>
+    <message>
+        <source>The tip is outside of the opening. The force is off. Press Reset.</source>
+        <translation>Die Spitze ist außerhalb der Öffnung. Die Kraft ist aus. „Zurücksetzen“ drücken.</translation>
+    </message>
+    <message>
+        <source>The tip folded over at %1 mm. The force is off. Press Withdraw or Reset.</source>
+        <translation>Die Spitze ist bei %1 mm umgeschlagen. Die Kraft ist aus. „Zurückziehen“ oder „Zurücksetzen“ drücken.</translation>
+    </message>
+    <message>
+        <source>The array jammed at %1 mm. The force is off. Press Withdraw or Reset.</source>
+        <translation>Der Träger ist bei %1 mm verklemmt. Die Kraft ist aus. „Zurückziehen“ oder „Zurücksetzen“ drücken.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::AboutSheet</name>
@@ -3614,6 +3670,14 @@
     <message>
         <source>The force is off. Touch the screen to continue.</source>
         <translation>Die Kraft ist aus. Zum Fortfahren den Bildschirm berühren.</translation>
+    </message>
+    <message>
+        <source>The array is stuck</source>
+        <translation>Der Träger steckt fest</translation>
+    </message>
+    <message>
+        <source>It bent or jammed before full depth. The force is off. Try again, slower.</source>
+        <translation>Er hat sich vor der vollen Tiefe verbogen oder verklemmt. Die Kraft ist aus. Bitte langsamer noch einmal versuchen.</translation>
     </message>
 </context>
 <context>
@@ -5258,6 +5322,10 @@
     <message>
         <source>Studies</source>
         <translation>Studien</translation>
+    </message>
+    <message>
+        <source>ended · no force</source>
+        <translation>beendet · keine Kraft</translation>
     </message>
 </context>
 <context>

@@ -114,7 +114,7 @@ Result<StudyColumns> StudyColumns::read(const std::filesystem::path& file,
 void StudyColumns::addSettings()
 {
   std::vector<std::string> texts(size());
-  for (std::size_t i = 0; i < size(); ++i) texts[i] = analysis::nameOf(results_[i].insertion.end);
+  for (std::size_t i = 0; i < size(); ++i) texts[i] = haptics::nameOf(results_[i].insertion.end);
   if (auto factor = factorOf("ending", texts)) factors_.push_back(*std::move(factor));
   std::set<std::string> keys;
   for (const StudyResult& result : results_)

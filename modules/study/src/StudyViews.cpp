@@ -11,7 +11,7 @@ std::vector<std::string> studyViews()
       "json_each.value AS value FROM insertion, json_each(insertion.settings)",
       // How do insertions end, by value of each setting?
       "CREATE VIEW ending_by_setting AS SELECT key, value, count(*) AS insertions, "
-      "sum(ending = 'finished') AS finished, sum(ending = 'slipped out') AS slipped_out, "
+      "sum(ending = 'finished') AS finished, sum(ending = 'out_of_opening') AS out_of_opening, "
       "sum(ending = 'buckled') AS buckled, sum(ending = 'fault') AS fault, "
       "sum(ending = 'refused') AS refused, "
       "100.0 * sum(ending = 'finished') / count(*) AS finished_percent "

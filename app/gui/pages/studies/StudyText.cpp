@@ -54,7 +54,10 @@ constexpr Name settings[] = {
 
 constexpr Name levels[] = {
     {"finished", QT_TRANSLATE_NOOP("Study", "finished")},
-    {"slipped out", QT_TRANSLATE_NOOP("Study", "slipped out")},
+    {"out_of_opening", QT_TRANSLATE_NOOP("Study", "slipped out of the opening")},
+    {"stopped_by_resistance", QT_TRANSLATE_NOOP("Study", "stopped by resistance")},
+    {"folded_tip", QT_TRANSLATE_NOOP("Study", "folded tip")},
+    {"jammed", QT_TRANSLATE_NOOP("Study", "jammed")},
     {"buckled", QT_TRANSLATE_NOOP("Study", "buckled")},
     {"fault", QT_TRANSLATE_NOOP("Study", "stopped with a fault")},
     {"refused", QT_TRANSLATE_NOOP("Study", "could not be prepared")},
@@ -120,7 +123,7 @@ std::vector<std::pair<QString, QString>> valuesOf(const study::StudyResult& resu
   std::vector<std::pair<QString, QString>> values{
       {tr(QT_TRANSLATE_NOOP("Study", "insertion")), QString::number(result.number)},
       {tr(QT_TRANSLATE_NOOP("Study", "cochlea")), QString::fromStdString(result.cochlea)},
-      {settingTitle("ending"), levelText(analysis::nameOf(found.end))}};
+      {settingTitle("ending"), levelText(haptics::nameOf(found.end))}};
   if (!found.reason.empty())
     values.emplace_back(tr(QT_TRANSLATE_NOOP("Study", "reason")),
                         QString::fromStdString(found.reason));

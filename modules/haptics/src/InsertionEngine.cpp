@@ -50,7 +50,7 @@ InsertionEngine::InsertionEngine(std::shared_ptr<const mechanics::InsertionModel
       base_(startOf(*model_)),
       stylet_(settings_.styletSpeed, settings_.styletHoldDepth),
       detector_(*model_, settings_.stopForce),
-      rest_({settings_.restAfter, settings_.restMotion}, model_->timeStep)
+      rest_({settings_.restAfter, settings_.restMotion, settings_.restHandMotion}, model_->timeStep)
 {
   updateOutput();
 }
@@ -117,8 +117,8 @@ void InsertionEngine::noteRest(const HandState& hand) noexcept
   constexpr std::uint32_t changing = staleSample | forceSlewed | rampingIn | passivityActed;
   Rest::Condition now;
   now.isSteady = isGrasped ? (output_.status & changing) == 0 : safety_.isZero();
-  now.mayRest =
-      workflow_ != Workflow::inserting && stylet_.isAtRest() && (isGrasped || now.isSteady);
+  now.isInserting = workflow_ == Workflow::inserting;
+  now.mayRest = stylet_.isAtRest() && (isGrasped || now.isSteady);
   now.isHeld = isGrasped;
   now.hasBegun = hasBegun_;
   now.tip_W = state_.position_W.back();

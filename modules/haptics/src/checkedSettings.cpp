@@ -48,6 +48,7 @@ EngineSettings checkedSettings(const EngineSettings& settings)
             "mm");
   require(settings.restAfter, 0.1, infinity, "The time after which an insertion rests", "s");
   require(settings.restMotion, 0.0, 1e-3, "The motion that ends a rest", "m");
+  require(settings.restHandMotion, 0.0, 1e-3, "The motion of a hand that ends a rest", "m");
   require(settings.samplePeriod * 1e3, 0.01, 100.0, "The device's sample period", "ms");
   return settings;
 }

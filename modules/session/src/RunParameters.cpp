@@ -22,6 +22,8 @@ RunParameters runParameters(const haptics::SafetyLimits& safety, const device::D
   run.maxDamping = coupling.damping;
   run.restAfter = recordedWait;
   run.restMotion = recordedMotion;
+  // A script or a mouse moves as slowly as it is told, a hand does not.
+  if (traits.rendersForce) run.restHandMotion = recordedHandMotion;
   return run;
 }
 
@@ -37,6 +39,7 @@ haptics::EngineSettings withRunParameters(haptics::EngineSettings settings,
   settings.maxDamping = run.maxDamping;
   settings.restAfter = run.restAfter;
   settings.restMotion = run.restMotion;
+  settings.restHandMotion = run.restHandMotion;
   return settings;
 }
 

@@ -24,9 +24,18 @@ using haptics::Workflow;
 /// A scripted hand that only the test moves.
 class Hand : public device::HapticDevice {
 public:
-  Hand(double speed, double timeStep) : script_(speed, timeStep) {}
+  Hand(double speed, double timeStep, bool rendersForce)
+      : script_(speed, timeStep), rendersForce_(rendersForce)
+  {
+  }
   void move(ScriptedDevice::Motion motion) { script_.move(motion); }
-  device::DeviceTraits traits() const override { return script_.traits(); }
+  device::DeviceTraits traits() const override
+  {
+    device::DeviceTraits traits = script_.traits();
+    traits.rendersForce = rendersForce_;
+    if (rendersForce_) traits.maxForce = 3.3;
+    return traits;
+  }
   Result<Done> open() override { return script_.open(); }
   void close() noexcept override { script_.close(); }
   device::DeviceSample read() noexcept override { return trembling(script_.read()); }
@@ -59,12 +68,12 @@ private:
   ScriptedDevice script_;
   device::DeviceSample last_;
   double force_ = 0.0, shift_ = 0.0;
-  bool isHolding_ = false, isSilent_ = false;
+  bool isHolding_ = false, isSilent_ = false, rendersForce_;
 };
 
 class AWaitingInsertion : public testing::Test {
 protected:
-  void begin(const std::string& name)
+  void begin(const std::string& name, bool rendersForce = false, const char* stop_mm = "0.2")
   {
     insertion_.reset();
     ticksRun_ = 0;
@@ -72,11 +81,12 @@ protected:
     // Keeps a little of its curl with the stylet in: its tip moves at once when that is pulled.
     const Scenario scenario = test::shortScenario({{"calibration", ""},
                                                    {"stiffness_scale", "1.22"},
-                                                   {"residual_curvature_fraction", "0.024"}});
+                                                   {"residual_curvature_fraction", "0.024"},
+                                                   {"stop_travel_mm", stop_mm}});
     speed_ = scenario.speed().si();
     stop_ = scenario.stopTravel().si();
     auto prepared = Insertion::prepare(
-        scenario, std::make_unique<Hand>(speed_, scenario.timeStep().si()), file_);
+        scenario, std::make_unique<Hand>(speed_, scenario.timeStep().si(), rendersForce), file_);
     ASSERT_TRUE(prepared) << prepared.error().message;
     insertion_ = std::move(*prepared);
   }
@@ -204,6 +214,58 @@ TEST_F(AWaitingInsertion, HeldAtFullDepthContinuesWhenTheHandReleasesMovesOrWith
   run(1.5 * arrival_);
   EXPECT_NEAR(last_.travel, 0.0, 1e-5);
   closedSize();
+  expectSameBits();
+}
+
+TEST_F(AWaitingInsertion, HeldStillInTheMiddleIsRecordedForThreeSecondsOnly)
+{
+  begin("middle", true, "2.0");
+  hand().move(ScriptedDevice::Motion::insert);
+  run(0.5);
+  hand().move(ScriptedDevice::Motion::hold);
+  hand().holdOn();
+  run(60.0);
+  ASSERT_EQ(last_.workflow, Workflow::inserting);
+  EXPECT_GT(last_.travel, 0.0);
+  EXPECT_LT(last_.travel, 0.9 * stop_);
+  closedSize();
+  EXPECT_LT(static_cast<double>(recordedTicks()), 1e3 * (0.5 + recordedWait + 1.0));
+  expectSameBits();
+}
+
+TEST_F(AWaitingInsertion, HeldStillInTheMiddleContinuesWithTheHand)
+{
+  begin("middle-on", true, "2.0");
+  hand().move(ScriptedDevice::Motion::insert);
+  run(0.5);
+  hand().move(ScriptedDevice::Motion::hold);
+  hand().holdOn();
+  run(20.0);
+  const double travel = last_.travel;
+  const std::uint64_t rested = recordedTicks();
+  hand().move(ScriptedDevice::Motion::insert);
+  run(0.3);
+  EXPECT_GT(recordedTicks(), rested + 200);
+  EXPECT_GT(last_.travel, travel + 0.1 * speed_);
+  hand().letGo();
+  hand().move(ScriptedDevice::Motion::hold);
+  run(0.1);
+  EXPECT_EQ(last_.workflow, Workflow::paused);
+  closedSize();
+  expectSameBits();
+}
+
+TEST_F(AWaitingInsertion, InTheMiddleOfAScriptIsRecordedAsItIs)
+{
+  begin("waiting-script", false, "2.0");
+  hand().move(ScriptedDevice::Motion::insert);
+  run(0.5);
+  hand().move(ScriptedDevice::Motion::hold);
+  hand().holdOn();  // a robot waits: its script says how long
+  run(10.0);
+  EXPECT_EQ(last_.workflow, Workflow::inserting);
+  closedSize();
+  EXPECT_NEAR(static_cast<double>(recordedTicks()), 10.5e3, 30.0);
   expectSameBits();
 }
 

@@ -41,6 +41,7 @@ MetaRows metaRowsOf(const RecordingFacts& facts)
           {MetaKey::maxDamping, shortestDecimal(facts.run.maxDamping)},
           {MetaKey::restAfter, shortestDecimal(facts.run.restAfter)},
           {MetaKey::restMotion, shortestDecimal(facts.run.restMotion)},
+          {MetaKey::restHandMotion, shortestDecimal(facts.run.restHandMotion)},
           {MetaKey::deviceDelay, shortestDecimal(facts.deviceDelay)},
           {MetaKey::seed, std::to_string(facts.seed)},
           {MetaKey::modelFingerprint, std::to_string(facts.modelFingerprint)},
@@ -85,6 +86,8 @@ std::optional<RecordingFacts> factsIn(const MetaRows& rows)
   facts.run.maxDamping = numberIn<double>(rows, MetaKey::maxDamping).value_or(facts.run.maxDamping);
   facts.run.restAfter = numberIn<double>(rows, MetaKey::restAfter).value_or(facts.run.restAfter);
   facts.run.restMotion = numberIn<double>(rows, MetaKey::restMotion).value_or(facts.run.restMotion);
+  facts.run.restHandMotion =
+      numberIn<double>(rows, MetaKey::restHandMotion).value_or(facts.run.restHandMotion);
   facts.deviceDelay = numberIn<double>(rows, MetaKey::deviceDelay).value_or(facts.deviceDelay);
   facts.seed = *seed;
   facts.modelFingerprint = *fingerprint;

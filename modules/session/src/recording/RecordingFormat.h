@@ -43,6 +43,7 @@ struct MetaKey {
   static constexpr const char* maxDamping = "max_damping_N_s_m";
   static constexpr const char* restAfter = "rest_after_s";
   static constexpr const char* restMotion = "rest_motion_m";
+  static constexpr const char* restHandMotion = "rest_hand_motion_m";
   static constexpr const char* deviceDelay = "device_delay_s";
   static constexpr const char* deviceReport = "device_report";
   static constexpr const char* seed = "seed";

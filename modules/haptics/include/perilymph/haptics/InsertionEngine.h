@@ -50,6 +50,8 @@ struct EngineSettings {
   double restAfter = std::numeric_limits<double>::infinity();
   /// RestLimits::motion [m].
   double restMotion = 0.0;
+  /// RestLimits::handMotion [m].
+  double restHandMotion = 0.0;
   SafetyLimits safety;
 };
 
@@ -67,8 +69,9 @@ struct EngineSettings {
 ///
 /// The insertion rests when nothing moves and no force is rendered for `restAfter`, and from the
 /// beginning until the hand grasps: its state and its time stand still (Status::resting) until a
-/// command, a grasp, or the loss of the device. At full depth it also rests while the hand holds
-/// the device, with the force of the tick before, until the hand releases or moves it. What ends a
+/// command, a grasp, or the loss of the device. At full depth and while it inserts it also rests
+/// while the hand holds the device still, with the force of the tick before, until the hand
+/// releases or moves it. What ends a
 /// rest is decided by the current sample and commands alone, so that a replay without the ticks of
 /// the rest gives the same bits.
 class InsertionEngine {

@@ -19,21 +19,25 @@ struct RestLimits {
   /// Motion of the array that ends the time without motion [m]; 0: an insertion never rests while
   /// the hand holds the device.
   double motion = 0.0;
+  /// Motion of a hand that holds the device while it inserts, which ends the time without motion and
+  /// the rest [m]: the array follows it. 0: an insertion never rests there.
+  double handMotion = 0.0;
 };
 
 /// The state of an insertion that may rest. No clock: time is counted in ticks.
 class Rest {
 public:
-  /// Motion of a hand that holds the device at rest, beyond which the rest ends [m]: several times
-  /// the tremor of a hand. The array does not follow it then (choice, low).
-  static constexpr double handMotion = 2e-3;
+  /// Motion of a hand that holds the device at full depth, beyond which the rest ends [m]: several
+  /// times the tremor of a hand. The array does not follow it then (choice, low).
+  static constexpr double handMotionAtDepth = 2e-3;
 
   /// What may begin or continue a rest.
   struct Condition {
-    bool mayRest = false;   ///< Neither hand nor stylet move the array.
-    bool isSteady = false;  ///< The rendered force does not change.
-    bool isHeld = false;    ///< The hand holds the device and feels a force.
-    bool hasBegun = false;  ///< There was a motion; before it, the rest needs no time.
+    bool mayRest = false;      ///< Neither hand nor stylet move the array.
+    bool isSteady = false;     ///< The rendered force does not change.
+    bool isHeld = false;       ///< The hand holds the device and feels a force.
+    bool isInserting = false;  ///< The array follows the hand.
+    bool hasBegun = false;     ///< There was a motion; before it, the rest needs no time.
     Eigen::Vector3d tip_W = Eigen::Vector3d::Zero();   ///< [m]
     Eigen::Vector3d hand_D = Eigen::Vector3d::Zero();  ///< [m]
   };
@@ -60,8 +64,10 @@ private:
   bool isOn_;
   bool isHeld_ = false;
   std::uint64_t ticksStill_ = 0;
-  Eigen::Vector3d tip_W_ = Eigen::Vector3d::Zero();   // at the last motion [m]
-  Eigen::Vector3d hand_D_ = Eigen::Vector3d::Zero();  // at the beginning of the rest [m]
+  bool isInserting_ = false;
+  Eigen::Vector3d tip_W_ = Eigen::Vector3d::Zero();        // at the last motion [m]
+  Eigen::Vector3d movedHand_D_ = Eigen::Vector3d::Zero();  // at the last motion [m]
+  Eigen::Vector3d hand_D_ = Eigen::Vector3d::Zero();       // at the beginning of the rest [m]
 };
 
 }  // namespace perilymph::haptics

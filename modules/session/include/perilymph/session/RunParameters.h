@@ -24,6 +24,9 @@ struct RunParameters {
   double restAfter = std::numeric_limits<double>::infinity();
   /// EngineSettings::restMotion [m]; 0 in recordings of programs in which a held device never rested.
   double restMotion = 0.0;
+  /// EngineSettings::restHandMotion [m]; 0 in recordings of programs in which an insertion never
+  /// rested, and for devices that are no hand's.
+  double restHandMotion = 0.0;
 };
 
 /// Time without motion after which an insertion rests and is not recorded [s]: long enough to see
@@ -33,6 +36,10 @@ inline constexpr double recordedWait = 3.0;
 /// Motion of the array that ends the time without motion [m]: above one encoder step of 0.055 mm of
 /// a haptic device (SampleValidator::velocityLag).
 inline constexpr double recordedMotion = 0.06e-3;
+
+/// Motion of a hand at a haptic device while it inserts that ends the time without motion [m]: above
+/// one encoder step in each of two directions; a hand trembles by as much (choice, low).
+inline constexpr double recordedHandMotion = 0.1e-3;
 
 /// Parameters of a run with a device.
 ///

@@ -3885,6 +3885,10 @@
         <source>angular depth</source>
         <translation>Winkel</translation>
     </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::PatientForm</name>

@@ -28,8 +28,10 @@ QSize SheetScroll::sizeHint() const
 void fitSheet(QWidget& sheet)
 {
   const QWidget& window = *sheet.parentWidget();
-  // twice: wrapped texts know their height when they have their width
-  for (int i = 0; i < 2; ++i) {
+  // again and again: wrapped texts know their height when they have their width
+  constexpr int passes = 4;
+  for (int i = 0; i < passes; ++i) {
+    sheet.layout()->invalidate();
     sheet.layout()->activate();
     sheet.adjustSize();
     sheet.resize(sheet.size().boundedTo(window.size() - QSize(2 * spacing, 2 * spacing)));

@@ -142,7 +142,9 @@ QSpinBox {
 QLineEdit:focus, QSpinBox:focus { border: 2px solid %text%; padding: 0 7px; }
 QProgressBar { background: %ground%; border: none; border-radius: 3px; }
 QProgressBar::chunk { background: %accent%; border-radius: 3px; }
-QPushButton#keysButton { background: transparent; border-color: transparent; color: %quietText%; }
+QPushButton#keysButton {
+  background: transparent; border-color: transparent; color: %quietText%; padding: 0;
+}
 QPushButton#keysButton:hover { color: %text%; border-color: %line%; }
 
 QToolButton#viewButton {
@@ -179,7 +181,9 @@ QToolTip { color: %text%; background: %ground%; border: 1px solid %line%; paddin
 
 QFrame#notice { background: %banner%; border: none; border-bottom: 1px solid %line%; }
 QFrame#buildingNote, QFrame#about, QFrame#settings { background: %panel%; border: 1px solid %accent%; border-radius: 6px; }
-QPushButton#settingsButton, QPushButton#menuButton { background: transparent; border-color: transparent; color: %quietText%; }
+QPushButton#settingsButton, QPushButton#menuButton {
+  background: transparent; border-color: transparent; color: %quietText%; padding: 0;
+}
 QPushButton#settingsButton:hover, QPushButton#menuButton:hover { color: %text%; border-color: %line%; }
 )";
 

@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "gui/parts/Numbers.h"
@@ -36,9 +37,10 @@ using visualization::CameraPreset;
 constexpr double turnPerHeight_deg = 180.0;
 // Height of the view's own text below the scale bars: two labels and the phase line.
 constexpr int narrowView_px = 330, legendHeight_px = 84, footHeight_px = 100;
-constexpr int lowFootHeight_px = 56;                 // without the phase line
-constexpr int lowView_px = 380;                      // below it, read-outs are smaller or hidden
-constexpr int number_px = 46, narrowNumber_px = 24;  // of the three read-outs above
+constexpr int lowFootHeight_px = 56;  // without the phase line
+constexpr int lowView_px = 380;       // below it, read-outs are smaller or hidden
+constexpr int number_px = 46;  // of the three read-outs above, and what yields to a narrow view
+constexpr std::array numbers_px{number_px, 34, 28, 24, 20, 17};
 constexpr qint64 restTime_ms = 1000;
 /// Height below the scale bar, which lies above the legends of forces in a narrow view.
 int footMargin(const QSize& view)
@@ -77,7 +79,6 @@ void OperationView::addReadOuts()
   angle_->setObjectName(QStringLiteral("angleReadOut"));
   force_->setObjectName(QStringLiteral("forceReadOut"));
   speed_->setObjectName(QStringLiteral("speedReadOut"));
-  force_->setCaption(tr("insertion force"));
   tips().set();
   hint_->setVisible(false);
   hint_->setWordWrap(true);
@@ -111,10 +112,9 @@ void OperationView::addReadOuts()
 void OperationView::captionDepth(const QString& depth_mm)
 {
   depth_mm_ = depth_mm;
-  const QString fullDepth = tr("advanced · insertion depth %1 mm").arg(depth_mm);
-  const QString fullAngle = tr("angular insertion depth");
-  travel_->setCaption(fullDepth);
-  angle_->setCaption(fullAngle);
+  travel_->setCaption(tr("advanced · insertion depth %1 mm").arg(depth_mm));
+  angle_->setCaption(tr("angular insertion depth"));
+  force_->setCaption(tr("insertion force"));
   if (widthOf({travel_, angle_, force_}) > width()) captionShortly();
   // at once: the caption is as wide as its number
   if (travel_->width() < travel_->sizeHint().width()) layout()->activate();
@@ -124,6 +124,7 @@ void OperationView::captionShortly()
 {
   travel_->setCaption(tr("depth %1 mm").arg(depth_mm_));
   angle_->setCaption(tr("angular depth"));
+  force_->setCaption(tr("force"));
 }
 
 ReadOutTips OperationView::tips() const
@@ -287,12 +288,11 @@ void OperationView::fitReadOuts()
 {
   const bool isLow = height() < sized(lowView_px);
   captionShortly();
-  for (ReadOut* readOut : {travel_, angle_, force_}) {
-    readOut->setCompact(isLow);
-    readOut->setNumberSize(number_px);
+  for (ReadOut* readOut : {travel_, angle_, force_}) readOut->setCompact(isLow);
+  for (const int size : numbers_px) {
+    for (ReadOut* readOut : {travel_, angle_, force_}) readOut->setNumberSize(size);
+    if (widthOf({travel_, angle_, force_}) <= width()) break;
   }
-  if (widthOf({travel_, angle_, force_}) > width())
-    for (ReadOut* readOut : {travel_, angle_, force_}) readOut->setNumberSize(narrowNumber_px);
   speed_->setVisible(!isLow);
   phase_->setVisible(!isLow);
   layout()->activate();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/shell/Sheets.h"
 
+#include <QTimer>
 #include <algorithm>
 
 #include "gui/pages/devices/DevicePage.h"
@@ -48,7 +49,7 @@ void Sheets::toggleSettings()
   settings_->setVisible(!settings_->isVisible());
   if (!settings_->isVisible()) return window_->setFocus();
   help_->leaveKeys();
-  place();
+  placeAtOnceAndLater();
   settings_->raise();
 }
 
@@ -57,8 +58,15 @@ void Sheets::toggleAbout()
   about_->setVisible(!about_->isVisible());
   if (!about_->isVisible()) return window_->setFocus();
   help_->leaveKeys();
-  place();
+  placeAtOnceAndLater();
   about_->raise();
+}
+
+/// A sheet that was just shown gets its style, and so its size, with the next events.
+void Sheets::placeAtOnceAndLater()
+{
+  place();
+  QTimer::singleShot(0, this, &Sheets::place);
 }
 
 void Sheets::showState()

@@ -39,6 +39,7 @@ Q_SIGNALS:
 
 private:
   void placeDevices();
+  void placeAtOnceAndLater();
 
   QWidget* window_;
   InsertPage& insertion_;

@@ -33,6 +33,9 @@ constexpr std::pair<const char*, Number> ownQuantities[] = {
      [](const StudyResult& one) { return inMillinewtons(one.insertion.maxMembraneForce); }},
 };
 
+/// A number with more characters was drawn from a range (choice, high).
+constexpr std::size_t maxListedDigits = 9;
+
 std::optional<double> decimalIn(const std::string& text)
 {
   double value = 0.0;
@@ -53,6 +56,11 @@ std::optional<StudyFactor> factorOf(const std::string& key, const std::vector<st
     if (factor.levels.size() > StudyColumns::maxLevels) return std::nullopt;
   }
   if (factor.levels.size() < 2) return std::nullopt;
+  // Numbers drawn from a range have all their digits, those that people list do not.
+  if (std::any_of(factor.levels.begin(), factor.levels.end(), [](const std::string& level) {
+        return level.size() > maxListedDigits && decimalIn(level);
+      }))
+    return std::nullopt;
   return factor;
 }
 

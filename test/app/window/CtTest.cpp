@@ -9,6 +9,7 @@
 #include <QListWidget>
 #include <QMouseEvent>
 #include <QTest>
+#include <algorithm>
 
 #include "DataFolder.h"
 #include "Walk.h"
@@ -353,6 +354,12 @@ TEST(AWalkThroughACt, OfASurgeonEndsWithTheArrayInTheScan)
   ASSERT_TRUE(WindowRig::comes(
       [&] { return rig.window().control().scenario().patient().label == "CT-203"; }));
   ASSERT_TRUE(WindowRig::comes([&] { return rig.button("startButton").isEnabled(); }));
+  ASSERT_TRUE(WindowRig::comes([&] {
+    const auto labels = rig.window().findChildren<QLabel*>();
+    return std::none_of(labels.begin(), labels.end(), [](const QLabel* label) {
+      return label->isVisible() && label->text() == "computing…";
+    });
+  }));
   walk.step(4, rig.window());
 
   rig.click("startButton");

@@ -126,7 +126,8 @@ protected:
   }
   static void expectWhole(QWidget& window, const std::string& name)
   {
-    for (int i = 0; i < 8; ++i) QCoreApplication::processEvents();  // nested layouts
+    // measures of the cochlea come late, and nested layouts take some turns
+    EXPECT_TRUE(QTest::qWaitFor([&] { return cutTextsOf(window).empty(); }, patience_ms)) << name;
     keepPicture(window, name + "-" + GetParam());
     for (const std::string& text : cutTextsOf(window)) ADD_FAILURE() << name << ": " << text;
   }

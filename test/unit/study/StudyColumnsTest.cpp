@@ -107,6 +107,18 @@ TEST_F(AStudyInColumns, IsFilteredByLevelAndByCochlearSize)
   EXPECT_THAT(study.rows(filter), ElementsAre(16u, 18u));
 }
 
+TEST_F(AStudyInColumns, HasDrawnNumbersAsQuantityOnly)
+{
+  auto results = twentyResults();
+  results.resize(2);
+  results[0].settings.back().second = "2.7583438084835765";
+  results[1].settings.back().second = "2.4768641177949675";
+  const auto study = StudyColumns::read(write(results), notCanceled);
+  ASSERT_TRUE(study);
+  for (const StudyFactor& factor : study->factors()) EXPECT_NE(factor.key, "speed_mm_s");
+  EXPECT_NE(study->quantity("speed_mm_s"), nullptr);
+}
+
 TEST_F(AStudyInColumns, OfANumberThatIsMissingHasNone)
 {
   auto results = twentyResults();

@@ -11,6 +11,8 @@ namespace perilymph::gui {
 
 namespace {
 
+constexpr int maxDigits = 9;  // of a number in a list
+
 struct Name {
   const char* key;
   const char* text;
@@ -114,6 +116,9 @@ QString levelText(const std::string& level)
   const QString name = QString::fromStdString(level);
   static const std::map<QString, QString> titles = catalogTitles();
   if (const auto found = titles.find(name); found != titles.end()) return found->second;
+  bool isNumber = false;
+  const double value = name.toDouble(&isNumber);
+  if (isNumber && name.size() > maxDigits) return number(value, 3);  // drawn from a range
   return level.empty() ? QStringLiteral("–") : QString::fromStdString(level);
 }
 

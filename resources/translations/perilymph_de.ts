@@ -1026,6 +1026,10 @@
         <source>Force limit of the surgeon, 0 if none</source>
         <translation>Kraftgrenze des Operateurs, 0 ohne Grenze</translation>
     </message>
+    <message>
+        <source>Free length between opening and forceps</source>
+        <translation>Freie Länge zwischen Öffnung und Pinzette</translation>
+    </message>
 </context>
 <context>
     <name>Study</name>

@@ -5391,10 +5391,6 @@
         <translation>Veröffentlichten Versuch reproduzieren</translation>
     </message>
     <message>
-        <source>Simulates repeated insertions with realistic variability in start position, alignment, array curvature and friction. Their mean is compared with the published forces. Two forces were used to calibrate the array; the others are predictions.</source>
-        <translation>Simuliert wiederholte Insertionen mit realistischer Variabilität von Startposition, Ausrichtung, Krümmung des Trägers und Reibung. Ihr Mittelwert wird mit den veröffentlichten Kräften verglichen. Zwei Kräfte dienten der Kalibrierung des Trägers; die anderen sind Vorhersagen.</translation>
-    </message>
-    <message>
         <source>Save curves as CSV, results as JSON and figures as SVG.</source>
         <translation>Kurven als CSV, Ergebnisse als JSON und Abbildungen als SVG speichern.</translation>
     </message>
@@ -5428,6 +5424,10 @@
             <numerusform>%n Datei gespeichert in %1.</numerusform>
             <numerusform>%n Dateien gespeichert in %1.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Simulates repeated insertions with realistic variability in start position, alignment, array curvature and friction. Their mean is compared with the published forces. One force was used to calibrate the array; the others are predictions.</source>
+        <translation>Simuliert wiederholte Insertionen mit realistischer Variabilität von Startposition, Ausrichtung, Krümmung des Trägers und Reibung. Ihr Mittelwert wird mit den veröffentlichten Kräften verglichen. Eine Kraft diente der Kalibrierung des Trägers; die anderen sind Vorhersagen.</translation>
     </message>
 </context>
 <context>

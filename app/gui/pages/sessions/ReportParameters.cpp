@@ -132,9 +132,6 @@ QString plainText(QString text)
 {
   bool isNumber = false;
   const double number = text.toDouble(&isNumber);
-  // forces are in mN on every page
-  if (isNumber && std::string_view(unit) == "mN")
-    return numberText(1e3 * number, 0) + QStringLiteral(" mN");
   if (isNumber && text.contains(QLatin1Char('.'))) {
     int decimals = 1;
     const auto rest = [number](int places) {
@@ -156,6 +153,11 @@ QString valueText(const std::string& value, const char* unit)
     if (text == QLatin1String(word)) return tr(name);
   for (const CatalogFriction& friction : catalogFrictions())
     if (text == friction.name) return friction.title;
+  bool isForce = false;
+  const double force = text.toDouble(&isForce);
+  // forces are in mN on every page
+  if (isForce && std::string_view(unit) == "mN")
+    return numberText(1e3 * force, 0) + QStringLiteral(" mN");
   QStringList numbers;
   for (const QString& part : text.remove(QLatin1Char('[')).remove(QLatin1Char(']')).split(", "))
     numbers << plainText(part);

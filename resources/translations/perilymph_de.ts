@@ -651,6 +651,22 @@
         <source>Recorded hand</source>
         <translation>Aufgezeichnete Hand</translation>
     </message>
+    <message>
+        <source>Surgery: FLEX28 through the round window, tissue-like friction</source>
+        <translation>Operation: FLEX28 through the rundes Fenster, gewebeähnliche Reibung</translation>
+    </message>
+    <message>
+        <source>largest difference of the predicted</source>
+        <translation>größter Unterschied der Vorhersagen</translation>
+    </message>
+    <message>
+        <source>raw force at the basal turn</source>
+        <translation>Rohkraft an der Basalwindung</translation>
+    </message>
+    <message>
+        <source>Todd and Naghdy: the second rib is at the opening at full insertion, %1 mm of travel after a start %2 to %3 mm inside, so it touches %4 to %5 mm from the tip; with the latest start of the validation, %6 mm, at %7 mm, its middle %8 mm behind. The first rib touches where the forces rise between %9 and %10 mm of travel: %11 to %12 mm from the tip. Height above the carrier: chosen such that entering a passage %13 mm wide takes the %14 mN by which the raw record rises at the first rib; length along it: a choice. Low confidence.</source>
+        <translation>Todd und Naghdy: Die zweite Rippe liegt bei voller Insertion an der Öffnung, %1 mm Vorschub nach einem Beginn %2 bis %3 mm innen; sie berührt also %4 bis %5 mm hinter der Spitze; beim spätesten Beginn der Validierung, %6 mm, bei %7 mm, ihre Mitte %8 mm dahinter. Die erste Rippe berührt, wo die Kräfte zwischen %9 und %10 mm Vorschub steigen: %11 bis %12 mm hinter der Spitze. Höhe über dem Träger: so gewählt, dass der Eintritt in einen %13 mm weiten Kanal die %14 mN braucht, um die die Rohaufzeichnung an der ersten Rippe steigt; Länge: Wahl. Geringe Konfidenz.</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>

@@ -30,6 +30,9 @@ constexpr const char* shipped[] = {
     // input devices without hardware
     QT_TRANSLATE_NOOP("Data", "Scripted insertion"),
     QT_TRANSLATE_NOOP("Data", "Mouse and keyboard"), QT_TRANSLATE_NOOP("Data", "Recorded hand"),
+    QT_TRANSLATE_NOOP("Data", "Surgery: FLEX28 through the round window, tissue-like friction"),
+    QT_TRANSLATE_NOOP("Data", "largest difference of the predicted"),
+    QT_TRANSLATE_NOOP("Data", "raw force at the basal turn"),
     // titles of frictions
     QT_TRANSLATE_NOOP("Data", "Lubricated silicone (published)"),
     QT_TRANSLATE_NOOP("Data", "Soap %1 %: speed-independent"),

@@ -11,6 +11,14 @@ namespace {
 // them here.
 constexpr const char* sources[] = {
     // plugins/electrodes
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "Todd and Naghdy: the second rib is at the opening at full insertion, %1 mm of travel "
+        "after a start %2 to %3 mm inside, so it touches %4 to %5 mm from the tip; with the latest "
+        "start of the validation, %6 mm, at %7 mm, its middle %8 mm behind. The first rib touches "
+        "where the forces rise between %9 and %10 mm of travel: %11 to %12 mm from the tip. Height "
+        "above the carrier: chosen such that entering a passage %13 mm wide takes the %14 mN by "
+        "which the raw record rises at the first rib; length along it: a choice. Low confidence."),
     QT_TRANSLATE_NOOP("Data", "Choice: the tweezers hold %1 mm behind the greatest depth."),
     QT_TRANSLATE_NOOP(
         "Data",

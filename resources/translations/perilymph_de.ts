@@ -653,7 +653,7 @@
     </message>
     <message>
         <source>Surgery: FLEX28 through the round window, tissue-like friction</source>
-        <translation>Operation: FLEX28 through the rundes Fenster, gewebeähnliche Reibung</translation>
+        <translation>Operation: FLEX28 durch das runde Fenster, gewebeähnliche Reibung</translation>
     </message>
     <message>
         <source>largest difference of the predicted</source>

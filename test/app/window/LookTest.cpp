@@ -24,20 +24,31 @@ bool mayBeCut(const QLabel& label)
          qobject_cast<const gui::ElidedLabel*>(&label) != nullptr;
 }
 
-void expectEverythingLegible(WindowRig& rig)
+/// What is cut off or lies on another read-out; empty if nothing.
+std::string illegible(WindowRig& rig)
 {
+  std::string found;
   for (const QLabel* label : rig.window().findChildren<QLabel*>()) {
     if (!label->isVisible() || label->text().isEmpty() || mayBeCut(*label)) continue;
-    EXPECT_GE(label->width(), label->sizeHint().width()) << label->text().toStdString();
+    if (label->width() < label->sizeHint().width())
+      found += "cut: " + label->text().toStdString() + '\n';
   }
   const auto readOuts = rig.window().findChildren<gui::ReadOut*>();
-  EXPECT_EQ(readOuts.size(), 4);
   for (const gui::ReadOut* one : readOuts) {
-    EXPECT_GE(one->width(), one->sizeHint().width()) << one->objectName().toStdString();
+    const std::string name = one->objectName().toStdString();
+    if (one->width() < one->sizeHint().width()) found += "cut: " + name + '\n';
     for (const gui::ReadOut* other : readOuts)
-      EXPECT_TRUE(one == other || !one->geometry().intersects(other->geometry()))
-          << one->objectName().toStdString() << " lies on " << other->objectName().toStdString();
+      if (one != other && one->geometry().intersects(other->geometry()))
+        found += name + " lies on " + other->objectName().toStdString() + '\n';
   }
+  return found;
+}
+
+/// Values that are computed in the background, such as the derived measures, may still be laid out.
+void expectEverythingLegible(WindowRig& rig)
+{
+  EXPECT_EQ(rig.window().findChildren<gui::ReadOut*>().size(), 4);
+  EXPECT_TRUE(WindowRig::comes([&] { return illegible(rig).empty(); })) << illegible(rig);
 }
 
 TEST(WindowLook, NothingIsClippedDuringAnInsertion)

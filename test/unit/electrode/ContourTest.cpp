@@ -32,13 +32,17 @@ TEST_F(Contour, HasTheMeasuredTipRadius)
   EXPECT_DOUBLE_EQ(inMillimeters(array.diameter.at(millimeters(0.0))), 2.0 * 0.25);
 }
 
-TEST_F(Contour, GoesInToItsSecondRib)
+// Todd and Naghdy: the simulator goes on to 22 mm; the experiment ends after 16.5 mm of travel, from a
+// start 1 to 3 mm inside, with the second rib at the opening.
+TEST_F(Contour, TouchesTheOpeningWithItsSecondRibWhereTheExperimentEnds)
 {
   ASSERT_EQ(array.ribsFromTip.size(), 2u);
   EXPECT_DOUBLE_EQ(inMillimeters(array.insertable), 22.0);
   // there the rib's flank touches a rim of radius 0.1 mm
-  const Length touches = array.ribsFromTip[1] - 0.5 * array.ribLength - millimeters(0.1);
-  EXPECT_NEAR(inMillimeters(touches), inMillimeters(array.insertable), 0.05);
+  const double touches_mm = inMillimeters(array.ribsFromTip[1] - 0.5 * array.ribLength) - 0.1;
+  EXPECT_GE(touches_mm, 16.5 + 1.0);
+  EXPECT_LE(touches_mm, 16.5 + 3.0);
+  EXPECT_LT(array.ribsFromTip[0], array.ribsFromTip[1]);
 }
 
 TEST_F(Contour, Has22ContactsOver15MillimetersWith400To800MicrometersPitch)

@@ -20,7 +20,8 @@ subprocess.run(["cmake", "--install", PROGRAMS.parent, "--component", "sdk", "--
                check=True, capture_output=True)
 WITH_DISPLAY = ROOT / "test/support/with-display"
 # Statistics of 200 insertions take a minute; three insertions suffice to test the call.
-FEWER = [(re.compile(r"--runs \d+"), "--runs 3")]
+FEWER = [(re.compile(r"--runs \d+"), "--runs 3"),
+         (re.compile(r"--all --seed 1 2 3"), "--all --patients 1 --seed 1")]
 
 
 def documents():

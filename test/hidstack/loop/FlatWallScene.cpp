@@ -50,7 +50,9 @@ std::unique_ptr<haptics::InsertionEngine> flatWallEngine(double samplePeriod)
 {
   haptics::EngineSettings settings;
   settings.coupling = mechanics::Coupling::spring;
-  settings.couplingStiffness = couplingStiffness;
+  settings.forceScale = forceScale;
+  settings.couplingStiffness = couplingStiffness / forceScale;
+  settings.couplingDamping /= forceScale;
   settings.samplePeriod = samplePeriod;
   return std::make_unique<haptics::InsertionEngine>(flatWallModel(), settings);
 }

@@ -10,7 +10,11 @@
 
 namespace perilymph::hidstack {
 
-/// Stiffness of the coupling [N/m]: that of the wall in the published simulator.
+/// Ratio of the force at the handle to that on the array: an array that is pushed with 2 N is jammed,
+/// and a handle that was silent comes back with more.
+inline constexpr double forceScale = 4.0;
+
+/// Stiffness of the coupling at the handle [N/m]: that of the wall in the published simulator.
 inline constexpr double couplingStiffness = 441.0;
 
 /// Distance that the hand moves from grasping until the rod touches the wall [m].

@@ -18,6 +18,7 @@
 #include "gui/run/InsertionControl.h"
 #include "gui/run/SafetyStop.h"
 #include "perilymph/realtime/Pacer.h"
+#include "perilymph/session/Csv.h"
 #include "virtualDevice.h"
 
 namespace {
@@ -29,6 +30,9 @@ using haptics::Workflow;
 constexpr double patience = 5.0;  // [s]
 constexpr int glance_ms = 20;     // as often as the window's display
 constexpr int steadyGlances = 5;
+/// Ratio of the force at the handle to that on the array: the handle runs into the wall with all its
+/// force, and the array must not be jammed by it.
+constexpr double strongScale = 20.0;
 
 /// The calls of the window, in the order of stopWays.
 std::vector<std::function<void(gui::InsertionControl&, gui::SafetyStop&)>> calls()
@@ -89,7 +93,11 @@ Result<Done> stop(std::size_t way, gui::InsertionControl& control, std::vector<R
 
 Result<Done> stopInEveryWay(const std::string& profile, const std::string& log)
 {
-  auto scenario = session::loadScenario("contour-published");
+  auto scenario = session::loadScenario(
+      "contour-published",
+      {{"force_scale", session::shortestDecimal(strongScale)},
+       {"coupling_stiffness_N_m", session::shortestDecimal(couplingStiffness / strongScale)},
+       {"coupling_damping_N_s_m", session::shortestDecimal(1.0 / strongScale)}});
   if (!scenario) return scenario.error();
   auto anatomy = session::buildAnatomy(*scenario);
   if (!anatomy) return anatomy.error();

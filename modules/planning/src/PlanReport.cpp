@@ -8,6 +8,7 @@
 #include "Uncertainty.h"
 #include "perilymph/analysis/CsvField.h"
 #include "perilymph/analysis/ErrorBand.h"
+#include "perilymph/analysis/Surgeon.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/session/Csv.h"
 

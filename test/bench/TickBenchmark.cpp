@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Time of one haptic tick, from the hand's sample to the published snapshot, over whole insertions
-// of the published experiment.
+// Time of one haptic tick, from the hand's sample to the published snapshot, over whole insertions:
+// the published experiment, an everyday array on tissue, and a precurved array against bone.
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -19,10 +20,32 @@ namespace {
 
 using namespace perilymph;
 
-constexpr const char* scenarioName = "contour-published";
+/// A whole insertion in steps of 1 ms, from few contacts to all.
+struct Row {
+  const char* scenario;
+  session::Overrides overrides;
+  int ticks;
+};
 
-/// Ticks of 16.5 mm at 2 mm/s in steps of 1 ms: the whole insertion, from few contacts to all.
-constexpr int ticksOfInsertion = 8250;
+const Row& published()
+{
+  static const Row row{"contour-published", {}, 8250};  // 16.5 mm at 2 mm/s
+  return row;
+}
+
+/// With the friction of tissue, by hand, to 17.5 mm at 0.66 mm/s.
+const Row& tissueFlex28()
+{
+  static const Row row{"surgery-flex28", {{"stop_travel_mm", "16.5"}}, 25'000};
+  return row;
+}
+
+/// Against bone under a thin lining, 16.5 mm at 2 mm/s.
+const Row& stiffWall()
+{
+  static const Row row{"mean-contour", {}, 8250};
+  return row;
+}
 
 /// One insertion in virtual time.
 class Run {
@@ -48,6 +71,11 @@ public:
     }
   }
 
+  /// Evaluations of all forces in the last tick.
+  int evaluations() const { return loop_.engine().state().readings.evaluations; }
+  /// Factorizations of the stiffness in the last tick.
+  int factorizations() const { return loop_.engine().state().readings.factorizations; }
+
   /// The last tick is beyond nine tenths of the stop travel, and there was no fault.
   bool wentIn(const session::Scenario& scenario) const
   {
@@ -62,15 +90,17 @@ private:
   haptics::TickRecord last_;
 };
 
-/// The published experiment and its model, shared by all threads of a row.
+/// A scenario and its model, shared by all threads of a row.
 struct Experiment {
   session::Scenario scenario;
   std::shared_ptr<const mechanics::InsertionModel> model;
 };
 
-Result<Experiment> build(std::int64_t nodes)
+Result<Experiment> build(const Row& row, std::int64_t nodes)
 {
-  const auto scenario = session::loadScenario(scenarioName, {{"nodes", std::to_string(nodes)}});
+  session::Overrides overrides = row.overrides;
+  overrides.emplace_back("nodes", std::to_string(nodes));
+  const auto scenario = session::loadScenario(row.scenario, overrides);
   if (!scenario) return scenario.error();
   const auto scala = session::buildAnatomy(*scenario);
   if (!scala) return Error{"The anatomy could not be built."};
@@ -79,21 +109,29 @@ Result<Experiment> build(std::int64_t nodes)
   return Experiment{*scenario, *model};
 }
 
-void tickOfWholeInsertion(benchmark::State& state)
+void tickOfWholeInsertion(benchmark::State& state, const Row& row)
 {
-  static bench::BuiltOnce<std::int64_t, Result<Experiment>> experiments;
-  const Result<Experiment>& experiment = experiments.of(state.range(0), build);
+  static bench::BuiltOnce<std::pair<const Row*, std::int64_t>, Result<Experiment>> experiments;
+  const Result<Experiment>& experiment = experiments.of(
+      {&row, state.range(0)}, [](const auto& key) { return build(*key.first, key.second); });
   if (!experiment) return state.SkipWithError(experiment.error().message.c_str());
 
   // A batch is a whole insertion and an iteration is a tick, so that rows are comparable.
-  bench::Percentiles percentiles(static_cast<std::size_t>(state.max_iterations) + ticksOfInsertion);
-  while (state.KeepRunningBatch(ticksOfInsertion)) {
+  bench::Percentiles percentiles(static_cast<std::size_t>(state.max_iterations) +
+                                 static_cast<std::size_t>(row.ticks));
+  long evaluations = 0, ticks = 0;
+  int maxEvaluations = 0, maxFactorizations = 0;
+  while (state.KeepRunningBatch(row.ticks)) {
     state.PauseTiming();
     Run run(experiment->scenario, experiment->model);
     state.ResumeTiming();
-    for (int i = 0; i < ticksOfInsertion; ++i) {
+    for (int i = 0; i < row.ticks; ++i) {
       percentiles.time([&run] { run.tick(); });
       run.takeRecords();
+      evaluations += run.evaluations();
+      ++ticks;
+      maxEvaluations = std::max(maxEvaluations, run.evaluations());
+      maxFactorizations = std::max(maxFactorizations, run.factorizations());
     }
     if (!run.wentIn(experiment->scenario)) {
       state.SkipWithError("The array did not go in: no tick of this run tells anything.");
@@ -101,6 +139,11 @@ void tickOfWholeInsertion(benchmark::State& state)
     }
   }
   percentiles.report(state);
+  const auto mean = benchmark::Counter::kAvgThreads;
+  state.counters["evaluations"] = benchmark::Counter(
+      static_cast<double>(evaluations) / static_cast<double>(std::max(1L, ticks)), mean);
+  state.counters["max_evaluations"] = benchmark::Counter(maxEvaluations, mean);
+  state.counters["max_factorizations"] = benchmark::Counter(maxFactorizations, mean);
 }
 
 void sizes(benchmark::internal::Benchmark* row)
@@ -108,8 +151,17 @@ void sizes(benchmark::internal::Benchmark* row)
   row->ArgName("nodes")->Arg(100)->Arg(200)->Arg(1000)->Unit(benchmark::kMicrosecond);
 }
 
-BENCHMARK(tickOfWholeInsertion)->Name("tick/rod")->Apply(sizes);
+BENCHMARK_CAPTURE(tickOfWholeInsertion, published, published())->Name("tick/rod")->Apply(sizes);
 // Two simultaneous insertions with one model, each with its own thread and state.
-BENCHMARK(tickOfWholeInsertion)->Name("tick/rod")->Apply(sizes)->Threads(2);
+BENCHMARK_CAPTURE(tickOfWholeInsertion, published, published())
+    ->Name("tick/rod")
+    ->Apply(sizes)
+    ->Threads(2);
+BENCHMARK_CAPTURE(tickOfWholeInsertion, tissueFlex28, tissueFlex28())
+    ->Name("tick/tissue_flex28")
+    ->Apply(sizes);
+BENCHMARK_CAPTURE(tickOfWholeInsertion, stiffWall, stiffWall())
+    ->Name("tick/stiff_wall")
+    ->Apply(sizes);
 
 }  // namespace

@@ -66,6 +66,7 @@ InsertionState::InsertionState(const InsertionModel& model)
 void InsertionState::reset(const InsertionModel& model) noexcept
 {
   tick = 0;
+  isSettling = false;
   base_W = model.startBase_W;
   baseVelocity_W.setZero();
   styletWithdrawal = 0.0;
@@ -101,6 +102,7 @@ std::uint64_t InsertionState::fingerprint() const noexcept
 {
   Hash hash;
   hash.add(tick);
+  if (isSettling) hash.add(isSettling);
   addVector(hash, base_W);
   addVector(hash, baseVelocity_W);
   hash.add(styletWithdrawal);

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "Energy.h"
+#include "StepWorkspace.h"
 #include "perilymph/anatomy/MeanScala.h"
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/foundation/Resources.h"
@@ -17,6 +18,8 @@ namespace perilymph::test {
 namespace {
 
 constexpr long ticksOfOneInsertion = 20'000;
+constexpr long ticksBetweenRests = 500;
+constexpr double jammedForce = 2.0;  // of the hand, as in the engine's EndDetector [N]
 
 std::shared_ptr<const anatomy::Lumen> lumenOf(const std::string& anatomy)
 {
@@ -74,6 +77,7 @@ public:
     }
     mechanics::advance(model_, state_, drive);
     ++findings_.ticks;
+    noteWork();
     if (!isFinite()) {
       ++findings_.notFinite;
       return false;
@@ -83,8 +87,13 @@ public:
     notePenetration();
     noteResidual();
     last_ = drive;
+    isJammed_ = state_.readings.handForce_W.norm() > jammedForce;
+    if (++sinceRest_ == ticksBetweenRests) noteRest();
     return true;
   }
+
+  /// The engine ends an insertion here.
+  bool isJammed() const { return isJammed_; }
 
 private:
   bool isFinite() const
@@ -146,6 +155,40 @@ private:
     }
   }
 
+  void noteWork()
+  {
+    const mechanics::Readings& now = state_.readings;
+    findings_.maxEvaluations = std::max(findings_.maxEvaluations, now.evaluations);
+    findings_.maxFactorizations = std::max(findings_.maxFactorizations, now.factorizations);
+    settlingInARow_ = state_.isSettling ? settlingInARow_ + 1 : 0;
+    if (state_.isSettling) ++findings_.settling;
+    findings_.longestSettling = std::max(findings_.longestSettling, settlingInARow_);
+  }
+
+  /// Holds the hand still in two copies, one of which may work as long as it needs in every tick.
+  void noteRest()
+  {
+    sinceRest_ = 0;
+    mechanics::InsertionState bounded = state_, full = state_;
+    full.workspace->rod.limit = {1'000'000, 1'000'000};
+    mechanics::Drive still = last_;
+    still.handVelocity_W.setZero();
+    const int ticks = static_cast<int>(std::lround(50e-3 / model_.timeStep));
+    for (int i = 0; i < ticks; ++i) {
+      mechanics::advance(model_, bounded, still);
+      mechanics::advance(model_, full, still);
+    }
+    ++findings_.rests;
+    if (bounded.isSettling) ++findings_.restsUnsettled;
+    double apart = 0.0;
+    for (std::size_t i = 0; i < bounded.position_W.size(); ++i)
+      apart = std::max(apart, (bounded.position_W[i] - full.position_W[i]).norm());
+    const double forceApart = (bounded.readings.handForce_W - full.readings.handForce_W).norm();
+    if (apart > 1e-6 || forceApart > 0.1e-3) ++findings_.restsElsewhere;
+    findings_.apartAtRest = std::max(findings_.apartAtRest, apart);
+    findings_.forceApartAtRest = std::max(findings_.forceApartAtRest, forceApart);
+  }
+
   void noteResidual()
   {
     bool hasToggled = false;
@@ -173,6 +216,8 @@ private:
   std::vector<anatomy::WallPoint> walls_;
   std::vector<bool> wasTouching_, wasSliding_;
   ArrayPose before_;
+  long sinceRest_ = 0, settlingInARow_ = 0;
+  bool isJammed_ = false;
   double byHand_ = 0.0, released_ = 0.0;  // [J]
   Findings& findings_;
 };
@@ -208,7 +253,7 @@ Findings run(const Setting& setting, long ticks, std::uint64_t seed)
                                        [](double curvature) { return curvature == 0.0; });
   while (findings.ticks < ticks) {
     Book book(setting, *model, static_cast<std::uint64_t>(seeds.within(0.0, 1e15)), findings);
-    for (long i = 0; i < ticksOfOneInsertion && findings.ticks < ticks; ++i)
+    for (long i = 0; i < ticksOfOneInsertion && findings.ticks < ticks && !book.isJammed(); ++i)
       if (!book.tick()) return findings;
   }
   findings.iterations /= static_cast<double>(std::max(1L, findings.ticks));
@@ -217,16 +262,20 @@ Findings run(const Setting& setting, long ticks, std::uint64_t seed)
 
 std::string summaryOf(const Findings& f)
 {
-  char line[640];
-  std::snprintf(line, sizeof line,
-                "%ld ticks, %.2f iterations each; force up to %.3f N, penetration %.1f um, "
-                "unexplained %.3f um; least energy %.3f uJ, at the hand alone %.3f uJ; "
-                "unsettled %ld of %ld quiet ticks, worst %.3g mN; over 1 mN in %ld of %ld toggles, "
-                "worst %.3g mN; not finite %ld",
-                f.ticks, f.iterations, f.greatestForce, f.deepest * 1e6, f.unexplained * 1e6,
-                f.minEnergy * 1e6, f.minHandEnergy * 1e6, f.notConverged, f.ticks - f.toggles,
-                f.maxResidualAtRest * 1e3, f.togglesNotConverged, f.toggles, f.worstToggle * 1e3,
-                f.notFinite);
+  char line[1024];
+  std::snprintf(
+      line, sizeof line,
+      "%ld ticks, %.2f iterations each; force up to %.3f N, penetration %.1f um, "
+      "unexplained %.3f um; least energy %.3f uJ, at the hand alone %.3f uJ; "
+      "unsettled %ld of %ld quiet ticks, worst %.3g mN; over 1 mN in %ld of %ld toggles, "
+      "worst %.3g mN; not finite %ld; at most %d evaluations, %d factorizations; %ld "
+      "settling, %ld in a row; of %ld rests %ld unsettled, %ld elsewhere, up to %.3g um and "
+      "%.3g mN",
+      f.ticks, f.iterations, f.greatestForce, f.deepest * 1e6, f.unexplained * 1e6,
+      f.minEnergy * 1e6, f.minHandEnergy * 1e6, f.notConverged, f.ticks - f.toggles,
+      f.maxResidualAtRest * 1e3, f.togglesNotConverged, f.toggles, f.worstToggle * 1e3, f.notFinite,
+      f.maxEvaluations, f.maxFactorizations, f.settling, f.longestSettling, f.rests,
+      f.restsUnsettled, f.restsElsewhere, f.apartAtRest * 1e6, f.forceApartAtRest * 1e3);
   return line;
 }
 

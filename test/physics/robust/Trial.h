@@ -53,7 +53,18 @@ struct Findings {
   double worstToggle = 0.0;        ///< The most left in one of them.
   long unbalanced = 0;             ///< Ticks of either kind with more than 1 mN left.
   double greatestForce = 0.0;      ///< On the hand.
-  double iterations = 0.0;         ///< Newton iterations, mean of a tick.
+  int maxEvaluations = 0;          ///< Maximum evaluations of all forces in one tick.
+  int maxFactorizations = 0;       ///< Maximum factorizations in one tick.
+  long settling = 0;               ///< Ticks that went on in the next one.
+  long longestSettling = 0;        ///< The most of them in a row.
+  long rests = 0;                  ///< Times that the hand was held still for 50 ms.
+  long restsUnsettled = 0;         ///< Rests after which a step still went on.
+  long restsElsewhere = 0;         ///< Rests that ended more than 1 um or 0.1 mN from where
+                                   ///< unlimited work in every tick of the rest takes the array.
+  double apartAtRest = 0.0;  ///< Greatest distance of a node from where unlimited work in every
+                             ///< tick of the rest takes it.
+  double forceApartAtRest = 0.0;  ///< The same for the force on the hand.
+  double iterations = 0.0;        ///< Newton iterations, mean of a tick.
 };
 
 /// Runs insertions of 20,000 ticks, each from the start and with a hand of its own, until `ticks`

@@ -112,7 +112,7 @@ INSTANTIATE_TEST_SUITE_P(FullDepth, BoneWall,
 TEST(BoneWallOfTissue, KeepsArraysWithinATenthOfAMillimeterUpToTheForcesInPatients)
 {
   for (const char* array : {"flex28", "nucleus-straight", "hifocus-slimj"}) {
-    const Full full = insertFully({"mean-flex28", array, "", "tissue"});
+    const Full full = insertFully({"surgery-flex28", array, "", "tissue"});
     EXPECT_GE(full.peak, extremeForce) << array;
     EXPECT_LE(full.wallDepth_mm,
               inMillimeters(full.insertion->model().parts.wall.lining) + extreme_mm)

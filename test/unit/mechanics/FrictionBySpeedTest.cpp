@@ -52,6 +52,15 @@ TEST(FrictionBySpeed, HasNoKinksWhereItKeepsRising)
   EXPECT_LT(before, 0.2);
 }
 
+TEST(FrictionBySpeed, HasTheSlopeOfItsCurve)
+{
+  constexpr double step = 1e-8;
+  for (double speed = 0.05e-3; speed < 2.2e-3; speed += 0.0173e-3)
+    EXPECT_NEAR(hump().slopeAt(speed),
+                (hump().at(speed + step) - hump().at(speed - step)) / (2 * step), 1e-2)
+        << speed;
+}
+
 TEST(FrictionBySpeed, RefusesSpeedsThatDoNotGrowAndCoefficientsOutOfRange)
 {
   const Speed slow = millimetersPerSecond(1), fast = millimetersPerSecond(2);

@@ -231,7 +231,7 @@ TEST(ModelFingerprint, ChangesWithEveryLawAndSetting)
        {"wall stiffness", [](Parts& p) { nudge(p.wall.perSamplePoint); }},
        {"tangential wall stiffness", [](Parts& p) { nudge(p.wall.tangentialPerSamplePoint); }},
        {"lining of the wall", [](Parts& p) { nudge(p.wall.lining); }},
-       {"delay of oval sections", [](Parts& p) { p.wall.sectionDelay = milliseconds(5); }},
+       {"delay of oval sections", [](Parts& p) { p.wall.sectionDelay = milliseconds(7); }},
        {"rim stiffness", [](Parts& p) { p.wall.rim = newtonsPerMeter(500); }},
        {"presence of a membrane", [](Parts& p) { p.membrane.reset(); }},
        {"membrane stiffness", [](Parts& p) { nudge(p.membrane->perSamplePoint); }},

@@ -137,8 +137,8 @@ void friction(const InsertionModel& model, InsertionState& state, const StepStar
   const Eigen::Vector3d& spring = state.frictionSpring_W[i];
   const FrictionStep friction =
       frictionStep(slip + spring - normal_W * normal_W.dot(spring), history.pressedBefore[i],
-                   model.wallTangential[i], state.isSliding[i] != 0, state.slipSpeed[i], normal_W,
-                   model.parts.friction);
+                   model.wallTangential[i], {state.isSliding[i] != 0, state.slipSpeed[i]}, normal_W,
+                   model.parts.friction, start.timeStep);
   state.wallForce_W[i] += friction.force_W;
   SymmetricBlock<double>& stiffness = contacts.wallStiffness[contacts.touches];
   if (!isPressed) stiffness = {};

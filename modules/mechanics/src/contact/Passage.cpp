@@ -128,8 +128,9 @@ FrictionStep frictionAlong(const InsertionModel& model, const InsertionState& st
   if (!(history.rimPressedBefore > 0.0)) return friction;
   const double stretch = slip + n_W.dot(state.rim.spring_W);
   friction = frictionStep(stretch * n_W, history.rimPressedBefore,
-                          model.parts.wall.tangentialPerSamplePoint.si(), state.rim.isSliding,
-                          state.rim.slipSpeed, model.entry.outward_W, model.passage->friction);
+                          model.parts.wall.tangentialPerSamplePoint.si(),
+                          {state.rim.isSliding, state.rim.slipSpeed}, model.entry.outward_W,
+                          model.passage->friction, start.timeStep);
   friction.stiffness = n_W.dot(friction.stiffness * n_W) * n_W * n_W.transpose();
   return friction;
 }

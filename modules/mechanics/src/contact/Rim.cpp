@@ -51,10 +51,10 @@ void rimContact(const InsertionModel& model, const InsertionState& state, const 
   FrictionStep friction{Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero(), Eigen::Vector3d::Zero(),
                         false};
   if (history.rimPressedBefore > 0.0)
-    friction =
-        frictionStep(slip + spring - across_W * across_W.dot(spring), history.rimPressedBefore,
-                     model.parts.wall.tangentialPerSamplePoint.si(), state.rim.isSliding,
-                     state.rim.slipSpeed, across_W, model.parts.friction);
+    friction = frictionStep(
+        slip + spring - across_W * across_W.dot(spring), history.rimPressedBefore,
+        model.parts.wall.tangentialPerSamplePoint.si(), {state.rim.isSliding, state.rim.slipSpeed},
+        across_W, model.parts.friction, start.timeStep);
 
   const Eigen::Vector3d pushed_W = -near.law.force * near.gradient_W -
                                    opposite.law.force * opposite.gradient_W + friction.force_W;

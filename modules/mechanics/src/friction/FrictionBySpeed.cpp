@@ -55,6 +55,20 @@ double FrictionBySpeed::at(double speed) const noexcept
   return coefficient_[points_ - 1];
 }
 
+double FrictionBySpeed::slopeAt(double speed) const noexcept
+{
+  if (speed <= speed_[0]) return 0.0;
+  for (std::size_t i = 1; i < points_; ++i) {
+    if (speed > speed_[i]) continue;
+    const double width = speed_[i] - speed_[i - 1];
+    const double x = (speed - speed_[i - 1]) / width;
+    const double y = 1.0 - x;
+    return 6.0 * x * y * (coefficient_[i] - coefficient_[i - 1]) / width +
+           y * (y - 2.0 * x) * slope_[i - 1] + x * (x - 2.0 * y) * slope_[i];
+  }
+  return 0.0;
+}
+
 double FrictionBySpeed::minimum() const noexcept
 {
   double value = coefficient_[0];

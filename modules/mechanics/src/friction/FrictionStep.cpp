@@ -1,34 +1,61 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "friction/FrictionStep.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace perilymph::mechanics {
+namespace {
+
+/// Largest friction of a node, and its derivative by the stretch of the spring.
+struct FrictionLimit {
+  double force;     ///< [N]
+  double rise = 0;  ///< [N/m]
+};
+
+/// With the coefficient mu(v) + mu'(v) (u - v) at the speed u of the spring's end, u = (s - L / k) /
+/// dt for the stretch s and the friction L.
+FrictionLimit limitAt(double stretch, double normal, double stiffness, const SlipBefore& before,
+                      const FrictionLaw& law, double timeStep) noexcept
+{
+  if (!before.isSliding) return {law.staticCoefficient * normal};
+  const double force = law.sliding(before.speed) * normal;
+  const double slope = law.rise(before.speed) * normal / timeStep;
+  if (!(slope > 0.0)) return {force};
+  const double weight = 1.0 / (1.0 + slope / stiffness);
+  const double rising = weight * (force + slope * (stretch - timeStep * before.speed));
+  const double low = law.bySpeed.minimum() * normal, high = law.bySpeed.maximum() * normal;
+  if (rising < low) return {low};
+  if (rising > high) return {high};
+  return {rising, weight * slope};
+}
+
+}  // namespace
 
 FrictionStep frictionStep(const Eigen::Vector3d& stretch_W, double normal, double stiffness,
-                          bool isSliding, double slipSpeed, const Eigen::Vector3d& normal_W,
-                          const FrictionLaw& law) noexcept
+                          const SlipBefore& before, const Eigen::Vector3d& normal_W,
+                          const FrictionLaw& law, double timeStep) noexcept
 {
   const Eigen::Matrix3d tangential = Eigen::Matrix3d::Identity() - normal_W * normal_W.transpose();
   const double length = stretch_W.norm();
   const double trial = stiffness * length;
-
-  const double coefficient = isSliding ? law.sliding(slipSpeed) : law.staticCoefficient;
-  const double limit = coefficient * normal;
+  const FrictionLimit limit = limitAt(length, normal, stiffness, before, law, timeStep);
 
   FrictionStep step;
-  if (trial <= limit) {
+  if (trial <= limit.force) {
     step.force_W = -stiffness * stretch_W;
     step.stiffness = stiffness * tangential;
     step.spring_W = stretch_W;
-    step.isSliding = isSliding && trial > law.stoppingCoefficient * normal;
+    step.isSliding = before.isSliding && trial > law.stoppingCoefficient * normal;
     return step;
   }
   // slides: the spring keeps what the friction cone allows, the rest is dissipated
   const Eigen::Vector3d direction = stretch_W / length;
-  step.force_W = -limit * direction;
-  step.stiffness = (limit / length) * (tangential - direction * direction.transpose());
-  step.spring_W = (limit / stiffness) * direction;
+  const Eigen::Matrix3d along = direction * direction.transpose();
+  step.force_W = -limit.force * direction;
+  step.stiffness = (limit.force / length) * (tangential - along);
+  if (limit.rise > 0.0) step.stiffness += limit.rise * along;
+  step.spring_W = (limit.force / stiffness) * direction;
   step.isSliding = true;
   return step;
 }

@@ -19,18 +19,27 @@ struct FrictionStep {
   bool isSliding;            ///< Whether the node slides.
 };
 
+/// Sliding of a node in the last step.
+struct SlipBefore {
+  bool isSliding;  ///< Whether it slid at its end.
+  double speed;    ///< Along the wall [m/s].
+};
+
 /// Friction on a node that moved along the wall.
+///
+/// Where the coefficient rises with the speed, the force follows the speed in this step, with the
+/// slope of the coefficient at the last one: taken from the last speed alone, a node would slide and
+/// stop in alternate steps. Where it falls, it is that of the last speed, and the energy is convex.
 ///
 /// @param stretch_W  Stored spring deflection plus this step's motion, tangent to the wall [m].
 /// @param normal     Normal force between node and wall [N], 0 or more.
 /// @param stiffness  Of the spring [N/m].
-/// @param isSliding  Whether the node slid at the end of the last step.
-/// @param slipSpeed  Its speed along the wall in the last step [m/s].
 /// @param normal_W   Unit, off the wall.
+/// @param timeStep   Duration of this step [s].
 ///
 /// Real-time safe.
 FrictionStep frictionStep(const Eigen::Vector3d& stretch_W, double normal, double stiffness,
-                          bool isSliding, double slipSpeed, const Eigen::Vector3d& normal_W,
-                          const FrictionLaw& law) noexcept;
+                          const SlipBefore& before, const Eigen::Vector3d& normal_W,
+                          const FrictionLaw& law, double timeStep) noexcept;
 
 }  // namespace perilymph::mechanics

@@ -9,6 +9,7 @@
 #include "contact/ContactSet.h"
 #include "contact/Guide.h"
 #include "friction/FrictionHistory.h"
+#include "perilymph/mechanics/advance.h"
 #include "rod/RodKinematics.h"
 #include "solver/LinearSystem.h"
 
@@ -22,6 +23,12 @@ struct NodeInertia {
 
   std::vector<double> hold;             ///< Stiffness of that spring [N/m] ...
   std::vector<Eigen::Vector3d> goal_W;  ///< ... and its rest position [m].
+};
+
+/// Work in one time step. It is counted, because bits may not depend on a clock.
+struct StepWork {
+  int evaluations = 0;     ///< Evaluations of all forces.
+  int factorizations = 0;  ///< Factorizations of the stiffness.
 };
 
 /// Intermediate results of one time step; only `system.factors` is kept between steps. Functions
@@ -51,6 +58,8 @@ struct RodWorkspace {
   NodeInertia inertia;
   std::vector<Eigen::Vector3d> force_W;  ///< Force of rod, wall and rim on each node [N].
   LinearSystem system;
+  StepWork done;
+  StepWork limit{maxEvaluations, maxFactorizations};
 };
 
 }  // namespace perilymph::mechanics

@@ -4,7 +4,6 @@
 #include "contact/Clearance.h"
 #include "rod/Material.h"
 #include "rod/Rod.h"
-#include "solver/Descent.h"
 
 namespace perilymph::mechanics {
 namespace {
@@ -12,7 +11,7 @@ namespace {
 /// Initial guess: while the hand continues its motion, every node continues its own, scaled by the
 /// same factor; otherwise every node slides along the array by the advance of the base.
 void predict(const InsertionModel& model, InsertionState& state, const Drive& drive,
-             const Base& base, SolveStrategy strategy, const RodWorkspace& work) noexcept
+             const Base& base, const RodWorkspace& work) noexcept
 {
   const auto n = static_cast<std::size_t>(model.nodes);
   Eigen::Vector3d to_W = drive.handPosition_W;
@@ -22,7 +21,7 @@ void predict(const InsertionModel& model, InsertionState& state, const Drive& dr
   const double forward = (to_W - work.start.position_W[0]).dot(drive.handAxis_W);
   const double lastForward = work.start.timeStep * state.baseVelocity_W.dot(drive.handAxis_W);
   const double fraction = forward / lastForward;
-  const bool goesOn = strategy == SolveStrategy::newton && fraction > 0.25 && fraction < 4.0;
+  const bool goesOn = !state.isSettling && fraction > 0.25 && fraction < 4.0;
   for (std::size_t i = 2; i < n; ++i) {
     const Eigen::Vector3d motion =
         goesOn ? Eigen::Vector3d(fraction * work.start.timeStep * state.velocity_W[i])
@@ -51,21 +50,19 @@ void remember(const InsertionState& state, RodWorkspace& work) noexcept
 
 }  // namespace
 
-Step attemptStep(const InsertionModel& model, InsertionState& state, const Drive& drive,
-                 double timeStep, SolveStrategy strategy, RodWorkspace& work) noexcept
+Step takeStep(const InsertionModel& model, InsertionState& state, const Drive& drive,
+              RodWorkspace& work) noexcept
 {
-  work.start.timeStep = timeStep;
+  work.start.timeStep = model.timeStep;
   remember(state, work);
   findBone(model, state);
   setGuide(drive, state.base_W, work.guide);
   setRestShape(model, state.position_W, drive.handCurl_W, work.section, work.rod);
   if (model.twists)
     turnMaterial(model, drive.handCurl_W, work.section, state, work.rod, work.twist);
-  const Base base = baseOf(model, state, drive, timeStep);
+  const Base base = baseOf(model, state, drive, model.timeStep);
   setHold(model, state, work.start, work.inertia);
-  predict(model, state, drive, base, strategy, work);
-  if (strategy == SolveStrategy::descent)
-    return {base, minimizeEnergy(model, state, base, {}, work)};
+  predict(model, state, drive, base, work);
   return {base, solveNewton(model, state, base, work)};
 }
 
@@ -77,7 +74,9 @@ void commitStep(const InsertionModel& model, InsertionState& state,
   state.baseVelocity_W = inverseTimeStep * (state.position_W[0] - work.start.position_W[0]);
   state.base_W = state.position_W[0];
   for (std::size_t i = 0; i < state.position_W.size(); ++i) {
+    // what goes on in the next step has no momentum: nothing that is unbalanced adds energy
     state.velocity_W[i] = inverseTimeStep * (state.position_W[i] - work.start.position_W[i]);
+    if (state.isSettling) state.velocity_W[i].setZero();
     state.frictionSpring_W[i] = work.friction.spring_W[i];
     state.isSliding[i] = work.friction.isSliding[i];
     state.slipSpeed[i] = inverseTimeStep * work.friction.slip[i];
@@ -85,18 +84,6 @@ void commitStep(const InsertionModel& model, InsertionState& state,
   }
   keepClearance(work.start, work.contacts, state);
   state.rim = work.contacts.rim;
-}
-
-void rollBackStep(InsertionState& state, RodWorkspace& work) noexcept
-{
-  for (std::size_t i = 0; i < state.position_W.size(); ++i) {
-    state.position_W[i] = work.start.position_W[i];
-    state.track[i] = work.start.track[i];
-    state.curl_W[i] = work.start.curl_W[i];
-    state.normalForce[i] = work.friction.pressedBefore[i];
-    state.wallNormal_W[i] = work.friction.normalBefore_W[i];
-  }
-  work.system.factors.forget();
 }
 
 }  // namespace perilymph::mechanics

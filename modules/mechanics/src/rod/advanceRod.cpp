@@ -8,15 +8,14 @@
 #include "perilymph/mechanics/advance.h"
 #include "rod/Rod.h"
 #include "rod/Step.h"
-#include "solver/Descent.h"
 
 namespace perilymph::mechanics {
 namespace {
 
 // Faster than a hand pulls a stylet (choice, low).
 constexpr double fastestStylet = 0.1;  // [m/s]
-// Maximum residual of a step where contact toggles: a hundredth of the forces of an insertion.
-constexpr double maxResidual = 1e-3;  // [N]
+// A step with a larger residual goes on in the next one.
+constexpr double settledForce = 0.1e-3;  // [N]
 
 /// Wrench of the array on the hand.
 struct Wrench {
@@ -59,9 +58,11 @@ double depthOf(const InsertionModel& model, const InsertionState& state) noexcep
 
 /// Fills the readings of the step.
 void read(const InsertionModel& model, InsertionState& state, const Wrench& wrench,
-          const SolveResult& result) noexcept
+          const SolveResult& result, const StepWork& done) noexcept
 {
   Readings& r = state.readings;
+  r.evaluations = done.evaluations;
+  r.factorizations = done.factorizations;
   r.iterations = result.iterations;
   r.residual = result.residual.maxNorm;
   r.handForce_W = wrench.force_W;
@@ -87,56 +88,6 @@ void read(const InsertionModel& model, InsertionState& state, const Wrench& wren
   r.isFinite = std::isfinite(sum);
 }
 
-/// The drive at the start of the step.
-Drive handBefore(const InsertionModel& model, const InsertionState& state,
-                 const Drive& drive) noexcept
-{
-  Drive before = drive;
-  before.handPosition_W = state.base_W;
-  if (drive.coupling == Coupling::spring)
-    before.handPosition_W = drive.handPosition_W - model.timeStep * drive.handVelocity_W;
-  before.handAxis_W = (state.position_W[1] - state.position_W[0]) / model.spacing;
-  before.handCurl_W = state.curl_W[0];
-  return before;
-}
-
-/// The drive interpolated by a fraction of the step.
-Drive between(const Drive& from, const Drive& to, double fraction) noexcept
-{
-  const auto mix = [fraction](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    return Eigen::Vector3d((1.0 - fraction) * a + fraction * b);
-  };
-  Drive there = to;
-  there.handPosition_W = mix(from.handPosition_W, to.handPosition_W);
-  there.handAxis_W = mix(from.handAxis_W, to.handAxis_W).normalized();
-  const Eigen::Vector3d curl_W = mix(from.handCurl_W, to.handCurl_W);
-  there.handCurl_W = (curl_W - curl_W.dot(there.handAxis_W) * there.handAxis_W).normalized();
-  return there;
-}
-
-/// Divides the step into equal substeps, with the hand interpolated.
-///
-/// @return The mean wrench: its work on the hand equals that of the substeps.
-Wrench advanceInSubsteps(const InsertionModel& model, InsertionState& state, const Drive& drive,
-                         SolveResult& result, RodWorkspace& work) noexcept
-{
-  const Drive before = handBefore(model, state, drive);
-  Wrench mean;
-  for (int k = 1; k <= maxSubsteps; ++k) {
-    const Drive there = between(before, drive, static_cast<double>(k) / maxSubsteps);
-    const Step step = attemptStep(model, state, there, model.timeStep / maxSubsteps,
-                                  SolveStrategy::descent, work);
-    commitStep(model, state, work);
-    const Wrench wrench = wrenchOf(model, state, there, step.base, work);
-    mean.force_W += wrench.force_W / maxSubsteps;
-    mean.torque_W += wrench.torque_W / maxSubsteps;
-    result.iterations += step.result.iterations;
-    result.residual = step.result.residual;
-  }
-  work.system.factors.forget();
-  return mean;
-}
-
 }  // namespace
 
 void advanceRod(const InsertionModel& model, InsertionState& state, const Drive& drive,
@@ -150,25 +101,13 @@ void advanceRod(const InsertionModel& model, InsertionState& state, const Drive&
       std::min(static_cast<double>(state.tick + 1) * model.timeStep / releaseTime, 1.0);
   setStiffness(model, state.styletWithdrawal, released, work.section);
 
-  Step step = attemptStep(model, state, drive, model.timeStep, SolveStrategy::newton, work);
-  SolveResult result = step.result;
-  if (result.residual.maxNorm > maxResidual) {
-    rollBackStep(state, work);
-    step = attemptStep(model, state, drive, model.timeStep, SolveStrategy::descent, work);
-    result = step.result;
-  } else if (result.residual.maxNorm > forceTolerance) {
-    result = minimizeEnergy(model, state, step.base, result, work);
-  }
-  Wrench wrench;
-  if (result.residual.maxNorm <= maxResidual) {
-    commitStep(model, state, work);
-    wrench = wrenchOf(model, state, drive, step.base, work);
-  } else {
-    rollBackStep(state, work);
-    wrench = advanceInSubsteps(model, state, drive, result, work);
-  }
+  work.done = {};
+  const Step step = takeStep(model, state, drive, work);
+  state.isSettling = !(step.result.residual.maxNorm <= settledForce);
+  commitStep(model, state, work);
+  const Wrench wrench = wrenchOf(model, state, drive, step.base, work);
   ++state.tick;
-  read(model, state, wrench, result);
+  read(model, state, wrench, step.result, work.done);
 }
 
 }  // namespace perilymph::mechanics

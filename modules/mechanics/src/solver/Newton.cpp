@@ -12,7 +12,7 @@
 namespace perilymph::mechanics {
 namespace {
 
-constexpr int maxHalvings = 3;
+constexpr int maxTries = 6;  // evaluations along one step
 // Maximum remaining displacement of a node: small forces alone do not suffice, because a rod bends
 // under very little.
 constexpr double motionTolerance = 0.2e-9;  // [m]
@@ -21,15 +21,17 @@ constexpr double atRest = 1e-9;  // [N]
 // Step length below which iteration has no effect: contact toggles.
 constexpr double stuck = 1e-9;          // [m]
 constexpr double minGain = 0.9;         // of the sum of squared forces
-constexpr double longestStep = 0.5e-3;  // maximum displacement of one node in one Newton step [m]
+constexpr double longestStep = 0.5e-3;  // maximum displacement of one node in one iteration [m]
 // Friction is bounded by an earlier pressure, renewed while its error may exceed this [N].
 constexpr double maxLag = 0.1e-3;
 constexpr int maxPasses = 2;
 // A step that takes more iterations than this keeps the pressure at its start.
 constexpr int maxIterationsToRenew = 6;
-// Oval sections are re-evaluated until steps are shorter than this.
+// Factors of an earlier step are good for steps shorter than this.
+constexpr double farStep = 50e-6;  // [m]
+// Oval sections are evaluated again after a first iteration that is longer than this.
 constexpr double nearStep = 20e-6;  // [m]
-// A Newton step with good factors reduces the unbalanced forces below this fraction.
+// A step with good factors reduces the unbalanced forces below this fraction.
 constexpr double goodRatio = 0.1;
 // A step is too long if the opposing slope at its end exceeds this fraction of that at its start.
 constexpr double slopeTolerance = 0.3;
@@ -38,6 +40,58 @@ constexpr double slopeTolerance = 0.3;
 bool wasGood(const Residual& before, const Residual& after) noexcept
 {
   return after.squaredNorm < goodRatio * goodRatio * before.squaredNorm;
+}
+
+/// Number of points that an iteration may try: the bounds of the step leave room to go back from the
+/// last one, and for two factorizations. 0: none.
+int triesLeft(const RodWorkspace& work) noexcept
+{
+  if (work.done.factorizations + 2 > work.limit.factorizations) return 0;
+  return std::clamp(work.limit.evaluations - work.done.evaluations - 1, 0, maxTries);
+}
+
+/// A point on a step: its fraction, and the directional derivative there [J].
+struct Place {
+  double alpha;
+  double slope;
+};
+
+/// Moves along the step that starts at system.start_W with the residual `now` and the slope `start`,
+/// by the fraction `alpha` or less, to a point of lower energy: one with a good residual or where the
+/// slope nearly vanishes, else one before it. The change of energy is that of the trapezoid between
+/// the slopes at both ends.
+///
+/// @return The fraction, 0 if it stays.
+double lineSearch(const InsertionModel& model, InsertionState& state, const Base& base,
+                  double start, double alpha, Residual& now, RodWorkspace& work) noexcept
+{
+  const int tries = triesLeft(work);
+  const Residual before = now;
+  const double enough = slopeTolerance * start;
+  Place low{0.0, start}, high{alpha, 0.0};
+  // Illinois method: regula falsi that halves the weight of an end that stays
+  double lowSlope = start, highSlope = 0.0;
+  for (int k = 0; k < tries; ++k) {
+    moveBy(work.system, alpha, state.position_W);
+    now = residual(model, state, base, work);
+    if (wasGood(before, now)) return alpha;
+    const double slope = directionalDerivativeAt(work.system, alpha);
+    if (slope >= -enough && (k == 0 || slope <= enough)) return alpha;
+    if (slope > 0.0) {
+      low = {alpha, slope};
+      lowSlope = slope;
+      highSlope *= 0.5;
+    } else {
+      high = {alpha, slope};
+      highSlope = slope;
+      lowSlope *= 0.5;
+    }
+    const double fraction = std::isfinite(highSlope) ? lowSlope / (lowSlope - highSlope) : 0.1;
+    alpha = low.alpha + (high.alpha - low.alpha) * std::clamp(fraction, 0.2, 0.8);
+  }
+  moveBy(work.system, low.alpha, state.position_W);
+  now = residual(model, state, base, work);
+  return low.alpha;
 }
 
 /// Newton's method from state.position_W, where the residual is `now`.
@@ -51,56 +105,30 @@ SolveResult iterate(const InsertionModel& model, InsertionState& state, const Ba
   bool areOwn = false;  // factorized in this time step
 
   auto& [now, iterations] = result;
-  for (; iterations < maxIterations && now.maxNorm > atRest; ++iterations) {
+  for (; triesLeft(work) > 0 && now.maxNorm > atRest; ++iterations) {
     if (!factors.exist()) {
-      if (!factorize(model, base, work)) break;
+      Compression compression = Compression::included;
+      if (!factorize(model, base, compression, work)) break;
       areOwn = true;
     }
     const double longest = solveLinearSystem(work.system);
-    if (model.isOval && longest > nearStep && iterations < maxIterations / 4)
+    if (!areOwn && longest > farStep) {
+      factors.forget();
+      continue;
+    }
+    if (model.isOval && longest > nearStep && iterations == 0)
       for (SectionReach& section : work.contacts.section) section.isKnown = false;
     if (now.maxNorm <= forceTolerance && longest < motionTolerance) break;
 
     const double slope = directionalDerivative(work.system);
+    if (!(slope > 0.0) || !std::isfinite(longest)) break;
     work.system.start_W = state.position_W;
-    double alpha = longest > longestStep ? longestStep / longest : 1.0;
-    moveBy(work.system, alpha, state.position_W);
-    Residual next = residual(model, state, base, work);
-    if (!areOwn && !(next.squaredNorm < now.squaredNorm)) {
-      // the old factors gave a bad step: go back and factorize again
-      factors.forget();
-      moveBy(work.system, 0.0, state.position_W);
-      now = residual(model, state, base, work);
-      continue;
-    }
-    for (int halving = 0; halving < maxHalvings && !(next.squaredNorm <= now.squaredNorm);
-         ++halving) {
-      alpha *= 0.5;
-      moveBy(work.system, alpha, state.position_W);
-      next = residual(model, state, base, work);
-    }
-    // forces derive from an energy: if the slope changes sign along the step, the minimum is in
-    // between
-    if (!wasGood(now, next)) {
-      const double slopeThere = directionalDerivative(work.system);
-      if (slopeThere < -slopeTolerance * slope) {
-        const double wholeStep = alpha;
-        alpha *= slope / (slope - slopeThere);
-        moveBy(work.system, alpha, state.position_W);
-        const Residual between = residual(model, state, base, work);
-        if (between.squaredNorm < next.squaredNorm) {
-          next = between;
-        } else {
-          alpha = wholeStep;
-          moveBy(work.system, alpha, state.position_W);
-          next = residual(model, state, base, work);
-        }
-      }
-    }
-    const bool goesOn = alpha * longest >= stuck || next.maxNorm <= forceTolerance ||
-                        next.squaredNorm < minGain * now.squaredNorm;
-    if (!wasGood(now, next)) factors.forget();
-    now = next;
+    const Residual before = now;
+    const double alpha =
+        lineSearch(model, state, base, slope, std::min(1.0, longestStep / longest), now, work);
+    if (!wasGood(before, now)) factors.forget();
+    const bool goesOn = alpha * longest >= stuck || now.maxNorm <= forceTolerance ||
+                        now.squaredNorm < minGain * before.squaredNorm;
     if (areOwn && !goesOn) {
       ++iterations;
       break;
@@ -118,7 +146,8 @@ SolveResult solveNewton(const InsertionModel& model, InsertionState& state, cons
   double lag = std::numeric_limits<double>::infinity();
   for (int pass = 0;; ++pass) {
     result = iterate(model, state, base, result, work);
-    if (pass == maxPasses || result.iterations > maxIterationsToRenew) break;
+    if (pass == maxPasses || result.iterations > maxIterationsToRenew || triesLeft(work) == 0)
+      break;
     const double before = lag;
     lag = frictionLag(model, state, work.contacts, work.friction);
     // where friction and pressure amplify each other, each step keeps the pressure at its start

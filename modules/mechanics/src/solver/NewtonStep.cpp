@@ -55,12 +55,17 @@ double directionalDerivativeAt(const LinearSystem& system, double alpha) noexcep
   return sum;
 }
 
-bool factorize(const InsertionModel& model, const Base& base, RodWorkspace& work) noexcept
+bool factorize(const InsertionModel& model, const Base& base, Compression& compression,
+               RodWorkspace& work) noexcept
 {
-  assembleStiffness(model, base, Compression::included, work);
-  if (work.system.factors.factorize(work.system.matrix)) return true;
-  // past its buckling load the exact matrix is indefinite; this one is always positive definite
-  assembleStiffness(model, base, Compression::leftOut, work);
+  if (compression == Compression::included) {
+    ++work.done.factorizations;
+    assembleStiffness(model, base, compression, work);
+    if (work.system.factors.factorize(work.system.matrix)) return true;
+    compression = Compression::leftOut;
+  }
+  ++work.done.factorizations;
+  assembleStiffness(model, base, compression, work);
   return work.system.factors.factorize(work.system.matrix);
 }
 

@@ -7,8 +7,11 @@
 
 namespace perilymph::mechanics {
 
-/// Factorizes the stiffness at the last residual. False only if that is impossible.
-bool factorize(const InsertionModel& model, const Base& base, RodWorkspace& work) noexcept;
+/// Factorizes the stiffness at the last residual. Past its buckling load the exact matrix is
+/// indefinite; then it leaves compression out, which is always positive definite, and says so in
+/// `compression`. False only if that is impossible.
+bool factorize(const InsertionModel& model, const Base& base, Compression& compression,
+               RodWorkspace& work) noexcept;
 
 /// Computes the Newton step of every block, into system.trial_W.
 ///

@@ -67,6 +67,7 @@ Residual residual(const InsertionModel& model, InsertionState& state, const Base
                   RodWorkspace& work) noexcept
 {
   const auto n = static_cast<std::size_t>(model.nodes);
+  ++work.done.evaluations;
   for (std::size_t i = 0; i < n; ++i) work.force_W[i].setZero();
   addRodForces(model, state.position_W, work.start.timeStep, work.section, work.rod, work.force_W);
   addWallForces(model, state, work.start, work.rod, work.contacts, work.friction, work.force_W);

@@ -28,6 +28,8 @@ public:
   bool isEmpty() const noexcept { return points_ == 0; }
   /// Coefficient at a speed of 0 or more [m/s]; requires points. Real-time safe.
   double at(double speed) const noexcept;
+  /// Derivative of the coefficient by the speed [s/m]; requires points. Real-time safe.
+  double slopeAt(double speed) const noexcept;
   /// Minimum and maximum coefficient; require points.
   double minimum() const noexcept;
   double maximum() const noexcept;

@@ -37,6 +37,12 @@ struct FrictionLaw {
     return kineticCoefficient + (staticCoefficient - kineticCoefficient) / (1.0 + fast * fast);
   }
 
+  /// How much the kinetic coefficient rises with the speed [s/m]; 0 where it falls. Real-time safe.
+  double rise(double speed) const noexcept
+  {
+    return bySpeed.isEmpty() ? 0.0 : std::max(bySpeed.slopeAt(speed), 0.0);
+  }
+
   /// All coefficients times a factor of 0 or more, reduced where one would exceed the maximum of 2.
   FrictionLaw scaled(double factor) const noexcept
   {

@@ -49,6 +49,8 @@ struct Readings {
   double rimForce = 0.0;        ///< Normal force of the opening's rim on the array [N].
   int contacts = 0;             ///< Number of nodes that touch the wall.
   int iterations = 0;           ///< Newton iterations in this step.
+  int evaluations = 0;          ///< Evaluations of all forces in this step.
+  int factorizations = 0;       ///< Factorizations of the stiffness in this step.
   double residual = 0.0;        ///< Maximum unbalanced force on a node [N].
   bool isFinite = true;         ///< False: a value overflowed; all others are unreliable.
 };
@@ -102,6 +104,7 @@ struct InsertionState {
   std::uint64_t fingerprint() const noexcept;
 
   std::uint64_t tick = 0;
+  bool isSettling = false;                  ///< The last step was not balanced: the next goes on.
   Eigen::Vector3d base_W;                   ///< Position of the tweezers [m].
   Eigen::Vector3d baseVelocity_W;           ///< [m/s]
   double styletWithdrawal = 0.0;            ///< [m]

@@ -9,23 +9,22 @@
 
 namespace perilymph::mechanics {
 
-/// Maximum Newton iterations per time step.
-inline constexpr int maxIterations = 32;
-/// Maximum number of substeps into which a step that does not converge is divided.
-inline constexpr int maxSubsteps = 8;
-/// Maximum iterations of the energy minimization per time step, and per substep.
-inline constexpr int maxDescentIterations = 200;
+/// Maximum evaluations of all forces in a time step.
+inline constexpr int maxEvaluations = 32;
+/// Maximum factorizations of the stiffness in a time step.
+inline constexpr int maxFactorizations = 10;
 
 /// Advances the state by one time step of backward Euler: predicts the rod, finds contacts, solves
 /// for normal force and friction, and computes the reaction at the base (into state.readings).
 ///
 /// If Newton's method leaves a residual of more than 2 uN, an energy minimization continues from
 /// there; if more than 1 mN, as when an array snaps, the step is rolled back and the minimization
-/// starts from its beginning. If more than 1 mN still remains, the step is divided into equal
-/// substeps, with the hand interpolated; the readings then contain the mean wrench on the hand.
+/// starts from its beginning. The work is bounded: a step that still has more than 0.1 mN goes on in
+/// the next one, downhill from where it is, without momentum (state.isSettling). Meanwhile the
+/// readings hold the gradient of the energy where the array is.
 ///
-/// Pure: no clock, no file, no randomness, bounded iterations. The same model, state and drive give
-/// the same bits on every x86-64 machine. Real-time safe.
+/// Pure: no clock, no file, no randomness, bounded work. The same model, state and drive give the
+/// same bits on every x86-64 machine. Real-time safe.
 PERILYMPH_REALTIME void advance(const InsertionModel& model, InsertionState& state,
                                 const Drive& drive) noexcept;
 

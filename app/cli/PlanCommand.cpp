@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <atomic>
+#include <cstdint>
 #include <filesystem>
 
 #include "CallFiles.h"
@@ -7,8 +9,10 @@
 #include "OutputFolder.h"
 #include "PlanOptions.h"
 #include "Terminal.h"
+#include "perilymph/analysis/CsvField.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/planning/PlanReport.h"
+#include "perilymph/planning/PlannedShape.h"
 
 namespace perilymph::cli {
 
@@ -50,6 +54,28 @@ std::string percent(const analysis::Estimate& estimate)
          fixed(100.0 * estimate.high, 0) + ")";
 }
 
+/// The arrays at the end of their median draws: `array, draw, node, x, y, z`, a row per node from the
+/// base to the tip, in the cochlear frame.
+Result<std::string> shapesCsv(const planning::Plan& plan)
+{
+  std::string csv = "array,draw,node,x_mm,y_mm,z_mm\n";
+  const std::atomic<bool> isAsked{false};
+  for (std::size_t i = 0; i < plan.arrays.size(); ++i) {
+    const std::size_t draw = planning::medianDraw(plan, i);
+    if (draw == 0) continue;  // no draw could be run
+    const auto shape = planning::shapeOf(plan, i, draw, isAsked);
+    if (!shape) return shape.error();
+    for (std::uint32_t node = 0; node < shape->end.nodes; ++node) {
+      csv += analysis::csvField(plan.arrays[i].array) + "," + std::to_string(draw) + "," +
+             std::to_string(node + 1);
+      for (const float place : shape->end.node_W[node])
+        csv += "," + fixed(inMillimeters(meters(static_cast<double>(place))), 4);
+      csv += '\n';
+    }
+  }
+  return csv;
+}
+
 void printArray(const planning::ArrayPlan& array)
 {
   print("{}, {} {}\n", array.name, array.draws, array.draws == 1 ? "draw" : "draws");
@@ -57,6 +83,7 @@ void printArray(const planning::ArrayPlan& array)
   print("  cochlear coverage        {} %\n", bandText(array.coverage_percent, 0));
   print("  peak insertion force     {} mN\n", bandText(array.peak_mN, 1));
   print("  force on the partition   {} mN\n", bandText(array.partition_mN, 2));
+  print("  first resistance         {} mm\n", bandText(array.firstResistance_mm, 1));
   print("  full insertion           {}\n", percent(array.full));
   print("  stopped by resistance    {}\n", percent(array.resisted));
   print("  buckled                  {}\n", percent(array.buckled));
@@ -85,10 +112,14 @@ Result<Done> plan(const PlanOptions& options, const CallFiles& files)
   const auto json = planning::planJson(*plan);
   if (!json) return json.error();
 
+  const auto shapes = shapesCsv(*plan);
+  if (!shapes) return shapes.error();
+
   FolderContent content;
   content.texts = {{"plan.json", *json},
                    {"arrays.csv", planning::arraysCsv(*plan)},
-                   {"contacts.csv", planning::contactsCsv(*plan)}};
+                   {"contacts.csv", planning::contactsCsv(*plan)},
+                   {"shapes.csv", *shapes}};
   for (const auto& [name, figure] : planning::planFigures(*plan))
     content.figures.emplace_back(name, figures::draw(figure));
   if (const auto done = writeFolder(files, options.out, content); !done) return done.error();

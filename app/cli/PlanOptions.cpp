@@ -14,12 +14,15 @@ namespace {
 /// Names of the files of a plan.
 std::vector<std::string> planFiles()
 {
-  std::vector<std::string> names = {"plan.json", "arrays.csv", "contacts.csv"};
+  std::vector<std::string> names = {"plan.json", "arrays.csv", "contacts.csv", "shapes.csv"};
   const auto add = [&names](const std::string& figure) {
     for (const std::string& name : figureNames(figure)) names.push_back(name);
   };
   add("angle");
-  for (std::size_t i = 1; i <= maxPlanArrays; ++i) add("force-" + std::to_string(i));
+  for (std::size_t i = 1; i <= maxPlanArrays; ++i) {
+    add("force-" + std::to_string(i));
+    add("influence-" + std::to_string(i));
+  }
   return names;
 }
 

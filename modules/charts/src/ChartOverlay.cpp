@@ -91,6 +91,7 @@ bool ChartOverlay::Paint(vtkContext2D* painter)
                   const_cast<vtkAxis&>(yAxis).GetMaximum()};
   if (area.right <= area.left || area.top <= area.bottom) return true;
 
+  paintExpected(*painter, area);
   paintZero(*painter, area);
   paintThreshold(*painter, area);
   paintBars(*painter, area);
@@ -127,6 +128,32 @@ void ChartOverlay::paintThreshold(vtkContext2D& painter, const Area& area) const
   const float dash = 4.0f * scale_;
   for (float x = area.left; x < area.right; x += 2.0f * dash)
     bar(painter, x, y, std::min(dash, area.right - x), scale_);
+}
+
+void ChartOverlay::paintExpected(vtkContext2D& painter, const Area& area) const
+{
+  const auto x = [&](double travel_mm) {
+    return std::clamp(area.x(travel_mm), area.left, area.right);
+  };
+  const auto y = [&](double force_mN) {
+    return std::clamp(area.y(force_mN), area.bottom, area.top);
+  };
+  vtkColor4ub light = colorOf(inks_->blue);
+  light.SetAlpha(60);
+  fillWith(painter, light);
+  for (std::size_t i = 1; i < expected.size(); ++i) {
+    const ExpectedForce &from = expected[i - 1], &to = expected[i];
+    painter.DrawQuad(x(from.travel_mm), y(from.low_mN), x(from.travel_mm), y(from.high_mN),
+                     x(to.travel_mm), y(to.high_mN), x(to.travel_mm), y(to.low_mN));
+  }
+  fillWith(painter, colorOf(inks_->blue));
+  const float dot = 2.0f * scale_;
+  for (std::size_t i = 1; i < expected.size(); ++i) {
+    const float left = x(expected[i - 1].travel_mm), right = x(expected[i].travel_mm);
+    const float from = y(expected[i - 1].median_mN), to = y(expected[i].median_mN);
+    for (float at = left; at < right; at += 2.0f * dot)
+      bar(painter, at, from + (to - from) * (at - left) / (right - left), dot, dot);
+  }
 }
 
 void ChartOverlay::paintBars(vtkContext2D& painter, const Area& area) const

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "perilymph/charts/ExpectedForce.h"
 #include "perilymph/charts/ReferenceCurve.h"
 #include "perilymph/figures/Style.h"
 
@@ -57,6 +58,7 @@ public:
 
   std::vector<LegendEntry> legend;
   std::vector<ReferencePoint> bars;
+  std::vector<ExpectedForce> expected;
   std::optional<Threshold> threshold;
   std::optional<Dot> now;
 
@@ -73,6 +75,7 @@ private:
   struct Area;
   void paintZero(vtkContext2D& painter, const Area& area) const;
   void paintThreshold(vtkContext2D& painter, const Area& area) const;
+  void paintExpected(vtkContext2D& painter, const Area& area) const;
   void paintBars(vtkContext2D& painter, const Area& area) const;
   void paintNow(vtkContext2D& painter, const Area& area) const;
   void paintLegend(vtkContext2D& painter, const Area& area) const;

@@ -55,6 +55,8 @@ struct ForceDepthChart::Content {
   std::string ghostLabel;
   std::vector<ReferencePoint> reference;
   std::string referenceLabel;
+  std::vector<ExpectedForce> expected;
+  std::string expectedLabel;
   bool showsGhost = true, showsReference = true, showsThreshold = true;
 
   bool isChanged = true;
@@ -78,6 +80,8 @@ void ForceDepthChart::Content::setRanges()
     include(columns.lowestTravel_mm(), columns.highestTravel_mm(), columns.lowestForce_mN(),
             columns.highestForce_mN());
   if (hasGhost && showsGhost) include(0.0, ghostTravel_mm, ghostLow_mN, ghostHigh_mN);
+  for (const ExpectedForce& point : expected)
+    include(0.0, point.travel_mm, point.low_mN, point.high_mN);
   if (showsReference)
     for (const ReferencePoint& point : reference)
       include(0.0, point.travel_mm, point.mean_mN - point.sd_mN, point.mean_mN + point.sd_mN);
@@ -100,6 +104,10 @@ void ForceDepthChart::Content::setMarks()
   if (!reference.empty() && showsReference)
     overlay.legend.push_back({Swatch::bar, colorOf(inks.text), referenceLabel});
 
+  if (!expected.empty())
+    overlay.legend.push_back({Swatch::dots, colorOf(inks.blue), expectedLabel});
+
+  overlay.expected = expected;
   overlay.bars = showsReference ? reference : std::vector<ReferencePoint>();
   overlay.threshold.reset();
   if (showsThreshold && felt) {
@@ -156,6 +164,13 @@ void ForceDepthChart::setReference(std::vector<ReferencePoint> points, std::stri
 {
   content_->reference = std::move(points);
   content_->referenceLabel = std::move(label);
+  content_->isChanged = true;
+}
+
+void ForceDepthChart::setExpected(std::vector<ExpectedForce> points, std::string label)
+{
+  content_->expected = std::move(points);
+  content_->expectedLabel = std::move(label);
   content_->isChanged = true;
 }
 

@@ -14,7 +14,7 @@ namespace perilymph::planning {
 namespace {
 
 /// Uses of random numbers, apart from those of analysis::drawSurgeon().
-enum class Draw : std::uint64_t { measures = 200, approach, stiffness };
+enum class Draw : std::uint64_t { measures = 200, approach, stiffness, shape, tissue };
 
 /// Deviates beyond which a measure or a stiffness is not drawn (choice, high).
 constexpr double maxDeviates = 3.0;
@@ -23,6 +23,19 @@ Length drawLength(analysis::RandomStream& random, Length mean, Length deviation,
                   Length high)
 {
   return meters(random.normal(mean.si(), deviation.si(), low.si(), high.si()));
+}
+
+/// A factor with mean 1 and a standard deviation, log-normal.
+double factorOf(double deviate, double deviation)
+{
+  const double variance = logarithm(1.0 + deviation * deviation);
+  return exponential(std::sqrt(variance) * deviate - 0.5 * variance);
+}
+
+/// Between two limits, uniform in the logarithm.
+double logUniform(analysis::RandomStream& random, double low, double high)
+{
+  return exponential(random.between(logarithm(low), logarithm(high)));
 }
 
 }  // namespace
@@ -47,6 +60,18 @@ PlanDraw drawPlan(const anatomy::Patient& patient, const Uncertainty& uncertaint
         drawLength(measures, *turn.h, errors.h.value_or(analysis::measuringError), h.low, h.high);
   }
 
+  analysis::RandomStream shape = stream(Draw::shape);
+  for (double& deviate : drawn.sharing) deviate = shape.normal(0.0, 1.0, -maxDeviates, maxDeviates);
+  drawn.shape.half = anatomy::individualHalfDiameters(turn.a, turn.b, drawn.sharing);
+  drawn.shape.section = factorOf(
+      shape.normal(0.0, 1.0, -uncertainty.maxSectionDeviates, uncertainty.maxSectionDeviates),
+      uncertainty.sectionDeviation);
+  analysis::RandomStream tissue = stream(Draw::tissue);
+  drawn.lining =
+      meters(logUniform(tissue, uncertainty.liningLow.si(), uncertainty.liningHigh.si()));
+  drawn.membrane = newtonsPerMeter(
+      logUniform(tissue, uncertainty.membraneLow.si(), uncertainty.membraneHigh.si()));
+
   analysis::RandomStream approach = stream(Draw::approach);
   const auto deviate = [&] {
     return approach.normal(0.0, 1.0, -uncertainty.maxDeviates, uncertainty.maxDeviates);
@@ -60,15 +85,21 @@ PlanDraw drawPlan(const anatomy::Patient& patient, const Uncertainty& uncertaint
 
 double stiffnessFactor(const PlanDraw& draw, double deviation)
 {
-  const double variance = logarithm(1.0 + deviation * deviation);
-  return exponential(std::sqrt(variance) * draw.stiffnessDeviate - 0.5 * variance);
+  return factorOf(draw.stiffnessDeviate, deviation);
 }
 
 session::InsertionParameters drawnParameters(const session::InsertionParameters& nominal,
-                                             const PlanDraw& draw, double stiffness)
+                                             const PlanDraw& draw, double stiffness,
+                                             const std::optional<Resolution>& resolution)
 {
   session::InsertionParameters parameters = nominal;
+  if (resolution) {
+    parameters.nodes = resolution->nodes;
+    parameters.timeStep = resolution->step;
+  }
   parameters.cochlea.patient = draw.patient;
+  parameters.wall.lining = draw.lining;
+  if (parameters.membrane) parameters.membrane->perSamplePoint = draw.membrane;
   parameters.approachTilt = parameters.approachTilt + draw.tilt;
   parameters.approachTurn = parameters.approachTurn + draw.turn;
   parameters.array =

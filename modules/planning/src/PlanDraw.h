@@ -3,11 +3,15 @@
 
 // One draw of everything that is uncertain; the same for all arrays, so that they can be compared.
 
+#include <array>
 #include <cstdint>
+#include <optional>
 
 #include "Uncertainty.h"
 #include "perilymph/analysis/Surgeon.h"
 #include "perilymph/anatomy/Patient.h"
+#include "perilymph/anatomy/Population.h"
+#include "perilymph/planning/Plan.h"
 #include "perilymph/session/InsertionParameters.h"
 
 namespace perilymph::planning {
@@ -15,6 +19,10 @@ namespace perilymph::planning {
 /// A cochlea that the patient may have, an approach, a hand, and how far stiffness is off.
 struct PlanDraw {
   anatomy::Patient patient;
+  std::array<double, 2> sharing{};  ///< Standard normal: how A and B are shared between both sides.
+  anatomy::IndividualShape shape;   ///< With that sharing.
+  Length lining;
+  Stiffness membrane;
   Angle tilt, turn;               ///< Added to the scenario's approach.
   double stiffnessDeviate = 0.0;  ///< Standard normal.
   analysis::Surgeon surgeon;
@@ -31,7 +39,9 @@ PlanDraw drawPlan(const anatomy::Patient& patient, const Uncertainty& uncertaint
 double stiffnessFactor(const PlanDraw& draw, double deviation);
 
 /// The parameters of an array in a draw's cochlea, by its approach and with its stiffness.
+/// Without a resolution, nodes and time step are the nominal ones.
 session::InsertionParameters drawnParameters(const session::InsertionParameters& nominal,
-                                             const PlanDraw& draw, double stiffness);
+                                             const PlanDraw& draw, double stiffness,
+                                             const std::optional<Resolution>& resolution);
 
 }  // namespace perilymph::planning

@@ -27,7 +27,7 @@ const database::FileKind& planKind()
       "Choose a draws.sqlite that 'perilymph-cli plan' wrote.",
       "Delete it and make the plan again.",
       0x5065506c,  // "PePl"
-      1,
+      2,
       {"CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL)",
        "CREATE TABLE insertion(draw INTEGER NOT NULL, array INTEGER NOT NULL, content TEXT NOT "
        "NULL, "
@@ -112,6 +112,11 @@ std::string contentOf(const PlannedInsertion& planned)
              {"a_mm", planned.a_mm},
              {"b_mm", planned.b_mm},
              {"h_mm", planned.h_mm},
+             {"a1_deviate", planned.a1_deviate},
+             {"b1_deviate", planned.b1_deviate},
+             {"section", planned.section},
+             {"lining_mm", planned.lining_mm},
+             {"membrane_N_m", planned.membrane_N_m},
              {"tilt_deg", planned.tilt_deg},
              {"turn_deg", planned.turn_deg},
              {"stiffness", planned.stiffness},
@@ -142,10 +147,13 @@ std::optional<PlannedInsertion> insertionIn(const std::string& content)
     planned.array = row.at("array").get<std::size_t>();
     for (const auto& [key, value] :
          {std::pair{"a_mm", &planned.a_mm}, std::pair{"b_mm", &planned.b_mm},
-          std::pair{"h_mm", &planned.h_mm}, std::pair{"tilt_deg", &planned.tilt_deg},
-          std::pair{"turn_deg", &planned.turn_deg}, std::pair{"stiffness", &planned.stiffness},
-          std::pair{"friction", &planned.friction}, std::pair{"speed_mm_s", &planned.speed_mm_s},
-          std::pair{"stop_mN", &planned.stop_mN}})
+          std::pair{"h_mm", &planned.h_mm}, std::pair{"a1_deviate", &planned.a1_deviate},
+          std::pair{"b1_deviate", &planned.b1_deviate}, std::pair{"section", &planned.section},
+          std::pair{"lining_mm", &planned.lining_mm},
+          std::pair{"membrane_N_m", &planned.membrane_N_m},
+          std::pair{"tilt_deg", &planned.tilt_deg}, std::pair{"turn_deg", &planned.turn_deg},
+          std::pair{"stiffness", &planned.stiffness}, std::pair{"friction", &planned.friction},
+          std::pair{"speed_mm_s", &planned.speed_mm_s}, std::pair{"stop_mN", &planned.stop_mN}})
       *value = row.at(key).get<double>();
     analysis::ClinicalInsertion& found = planned.insertion;
     found.end = haptics::endNamed(row.at("end").get<std::string>());

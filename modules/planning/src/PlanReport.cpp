@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "FrequencyAllocation.h"
 #include "Uncertainty.h"
 #include "perilymph/analysis/CsvField.h"
 #include "perilymph/analysis/ErrorBand.h"
@@ -35,20 +36,28 @@ struct Quantity {
   const char* key;
   Band ArrayPlan::*band;
 };
-constexpr Quantity quantities[] = {
-    {"angle_deg", &ArrayPlan::angle_deg}, {"coverage_percent", &ArrayPlan::coverage_percent},
-    {"depth_mm", &ArrayPlan::depth_mm},   {"peak_mN", &ArrayPlan::peak_mN},
-    {"end_mN", &ArrayPlan::end_mN},       {"partition_mN", &ArrayPlan::partition_mN}};
+constexpr Quantity quantities[] = {{"angle_deg", &ArrayPlan::angle_deg},
+                                   {"coverage_percent", &ArrayPlan::coverage_percent},
+                                   {"depth_mm", &ArrayPlan::depth_mm},
+                                   {"peak_mN", &ArrayPlan::peak_mN},
+                                   {"end_mN", &ArrayPlan::end_mN},
+                                   {"partition_mN", &ArrayPlan::partition_mN},
+                                   {"first_resistance_mm", &ArrayPlan::firstResistance_mm}};
 
 /// A probability of an array's plan.
 struct Chance {
   const char* key;
   analysis::Estimate ArrayPlan::*estimate;
 };
-constexpr Chance chances[] = {
-    {"full_insertion", &ArrayPlan::full}, {"stopped_by_resistance", &ArrayPlan::resisted},
-    {"buckled", &ArrayPlan::buckled},     {"folded_tip", &ArrayPlan::foldedTip},
-    {"other_end", &ArrayPlan::other},     {"partition_ruptured", &ArrayPlan::ruptured}};
+constexpr Chance chances[] = {{"full_insertion", &ArrayPlan::full},
+                              {"stopped_by_resistance", &ArrayPlan::resisted},
+                              {"buckled", &ArrayPlan::buckled},
+                              {"folded_tip", &ArrayPlan::foldedTip},
+                              {"other_end", &ArrayPlan::other},
+                              {"partition_ruptured", &ArrayPlan::ruptured},
+                              {"partition_reaches_weakest", &ArrayPlan::reachesWeakest},
+                              {"partition_reaches_strongest", &ArrayPlan::reachesStrongest},
+                              {"resistance_felt", &ArrayPlan::felt}};
 
 ordered_json bandJson(const Band& band)
 {
@@ -80,12 +89,20 @@ ordered_json arrayJson(const ArrayPlan& plan)
                                 {"angle_deg", bandJson(each.angle_deg)},
                                 {"to_modiolus_mm", bandJson(each.toModiolus_mm)},
                                 {"greenwood_Hz", rounded(each.greenwood_Hz)},
-                                {"spiral_ganglion_Hz", rounded(each.spiralGanglion_Hz)}});
+                                {"spiral_ganglion_Hz", rounded(each.spiralGanglion_Hz)},
+                                {"filter_Hz", rounded(each.filter_Hz)},
+                                {"mismatch_semitones", bandJson(each.mismatch_semitones)}});
   json["influence"] = ordered_json::array();
-  for (const Influence& each : plan.influences)
-    json["influence"].push_back({{"input", each.input},
-                                 {"on_angle", rounded(each.onAngle)},
-                                 {"on_peak_force", rounded(each.onPeak)}});
+  for (const Influence& each : plan.influences) {
+    ordered_json influence = {{"input", each.input},
+                              {"on_angle", rounded(each.onAngle)},
+                              {"on_peak_force", rounded(each.onPeak)},
+                              {"angle_width_if_known_deg", rounded(each.angleWidth_deg)},
+                              {"peak_width_if_known_mN", rounded(each.peakWidth_mN)}};
+    if (each.finerAngleWidth_deg > 0.0)
+      influence["angle_width_if_measured_to_0.1_mm_deg"] = rounded(each.finerAngleWidth_deg);
+    json["influence"].push_back(std::move(influence));
+  }
   return json;
 }
 
@@ -168,13 +185,51 @@ figures::Figure angleFigure(const Plan& plan)
   return figure;
 }
 
+/// Ranked bars: by how much the bands of angle and peak force would be narrower if an input were known.
+figures::Figure influenceFigure(const ArrayPlan& plan)
+{
+  constexpr std::size_t maxBars = 8;
+  constexpr double width = 0.35;
+  figures::Figure figure;
+  figure.title = plan.name + ": what the band's width rests on";
+  const auto addBar = [&](const char* label, std::size_t i, double from, double known,
+                          figures::Ink color) {
+    const double x = static_cast<double>(i) + 1.0 + from;
+    const double narrower = 100.0 * (1.0 - std::sqrt(std::max(0.0, 1.0 - known)));
+    figure.bands.push_back(
+        {i == 0 ? label : "", {x, x + width}, {0.0, 0.0}, {narrower, narrower}, color});
+  };
+  const std::size_t bars = std::min(maxBars, plan.influences.size());
+  for (std::size_t i = 0; i < bars; ++i) {
+    const Influence& each = plan.influences[i];
+    addBar("angular insertion depth", i, -width, each.onAngle, ink::tint(ink::blue, 0.8));
+    addBar("peak force", i, 0.0, each.onPeak, ink::tint(ink::vermilion, 0.5));
+    std::string note = std::to_string(i + 1) + ": " + each.input;
+    if (each.finerAngleWidth_deg > 0.0)
+      note += "; measured to 0.1 mm: 90 % band of the angle " +
+              number(std::round(each.finerAngleWidth_deg)) + " instead of " +
+              number(std::round(plan.angle_deg.high - plan.angle_deg.low)) + " deg";
+    figure.notes.push_back(note);
+  }
+  figure.x = {"input", 0.5, static_cast<double>(std::max<std::size_t>(bars, 1)) + 0.5, 1.0, 0};
+  figure.y = figures::axisOver("narrower if it were known, %", 0.0, 100.0);
+  figure.notes.push_back("1 - sqrt(1 - r^2) with the squared rank correlation r^2 over " +
+                         std::to_string(plan.draws) + " draws, adjusted for chance.");
+  return figure;
+}
+
 }  // namespace
 
 const std::vector<std::string>& limitsOfPlans()
 {
   static const std::vector<std::string> limits = {
-      "The shape of the cochlea is the mean one, scaled to A, B and H: what is individual beyond "
-      "them is not drawn.",
+      "The shape of the cochlea is the mean one, scaled to A, B and H, with the sharing of A and B "
+      "between both sides and one size of the sections drawn: other individual shape is not, nor "
+      "a covariance of the measures.",
+      "Arrays stay in the scala tympani: a translocation through the partition is not in the "
+      "mechanics.",
+      "Insertions have fewer nodes and longer steps than the scenario: their median angle is up to "
+      "12 degrees smaller.",
       "Without a measured H the height is that of the mean shape; its spread is not drawn.",
       "The strength of the cochlear partition and the surgeon's force limit rest on few "
       "publications; see sources.",
@@ -188,16 +243,27 @@ Result<std::string> planJson(const Plan& plan)
   if (!hand) return hand.error();
   const auto uncertainty = shippedUncertainty();
   if (!uncertainty) return uncertainty.error();
+  const auto allocations = shippedAllocations();
+  if (!allocations) return allocations.error();
   ordered_json json = {{"program", "Perilymph " + version()},
                        {"plan", plan.fingerprint},
                        {"seed", plan.request.seed},
                        {"scenario", plan.request.scenario},
                        {"patient", patientJson(plan.request.patient)}};
+  json["thresholds"] = {
+      {"felt_mN", rounded(inMillinewtons(plan.thresholds.felt))},
+      {"partition_weakest_mN", rounded(inMillinewtons(plan.thresholds.ruptureLow))},
+      {"partition_strongest_mN", rounded(inMillinewtons(plan.thresholds.ruptureHigh))}};
   json["arrays"] = ordered_json::array();
   for (const ArrayPlan& each : plan.arrays) json["arrays"].push_back(arrayJson(each));
   json["sources"] = ordered_json::array();
   addSources(json["sources"], "clinical/hand.toml", hand->provenance);
   addSources(json["sources"], "planning/uncertainty.toml", uncertainty->provenance);
+  for (const FrequencyAllocation& each : *allocations)
+    json["sources"].push_back({{"file", "planning/frequency-allocation.toml"},
+                               {"table", each.maker},
+                               {"source", each.source},
+                               {"confidence", each.confidence}});
   json["limits"] = limitsOfPlans();
   return json.dump(2) + "\n";
 }
@@ -234,15 +300,17 @@ std::string contactsCsv(const Plan& plan)
 {
   std::string csv =
       "array,contact,draws,angle_deg,angle_p5_deg,angle_p95_deg,to_modiolus_mm,to_modiolus_p5_mm,"
-      "to_modiolus_p95_mm,greenwood_Hz,spiral_ganglion_Hz\n";
+      "to_modiolus_p95_mm,greenwood_Hz,spiral_ganglion_Hz,filter_Hz,mismatch_semitones,"
+      "mismatch_p5_semitones,mismatch_p95_semitones\n";
   for (const ArrayPlan& array : plan.arrays)
     for (const ContactBand& each : array.contacts) {
       csv += analysis::csvField(array.array) + "," + std::to_string(each.number) + "," +
              std::to_string(each.draws);
-      for (const double value :
-           {each.angle_deg.median, each.angle_deg.low, each.angle_deg.high,
-            each.toModiolus_mm.median, each.toModiolus_mm.low, each.toModiolus_mm.high,
-            each.greenwood_Hz, each.spiralGanglion_Hz})
+      for (const double value : {each.angle_deg.median, each.angle_deg.low, each.angle_deg.high,
+                                 each.toModiolus_mm.median, each.toModiolus_mm.low,
+                                 each.toModiolus_mm.high, each.greenwood_Hz, each.spiralGanglion_Hz,
+                                 each.filter_Hz, each.mismatch_semitones.median,
+                                 each.mismatch_semitones.low, each.mismatch_semitones.high})
         csv += "," + number(value);
       csv += '\n';
     }
@@ -252,8 +320,10 @@ std::string contactsCsv(const Plan& plan)
 std::vector<std::pair<std::string, figures::Figure>> planFigures(const Plan& plan)
 {
   std::vector<std::pair<std::string, figures::Figure>> figures = {{"angle", angleFigure(plan)}};
-  for (std::size_t i = 0; i < plan.arrays.size(); ++i)
+  for (std::size_t i = 0; i < plan.arrays.size(); ++i) {
     figures.emplace_back("force-" + std::to_string(i + 1), forceFigure(plan.arrays[i]));
+    figures.emplace_back("influence-" + std::to_string(i + 1), influenceFigure(plan.arrays[i]));
+  }
   return figures;
 }
 

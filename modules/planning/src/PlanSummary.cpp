@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "FrequencyAllocation.h"
+#include "perilymph/analysis/ErrorBand.h"
 #include "perilymph/analysis/Prediction.h"
 #include "perilymph/analysis/Tonotopy.h"
 #include "perilymph/planning/Plan.h"
@@ -34,12 +36,32 @@ std::vector<double> valuesOf(const Insertions& all, const Value& value)
   return values;
 }
 
-analysis::Estimate probability(const Insertions& all, const std::vector<InsertionEnd>& ends)
+template <class Event>
+analysis::Estimate probability(const Insertions& all, const Event& event)
 {
-  const auto hits = std::count_if(all.begin(), all.end(), [&](const PlannedInsertion* each) {
-    return std::find(ends.begin(), ends.end(), each->insertion.end) != ends.end();
-  });
+  const auto hits = std::count_if(all.begin(), all.end(),
+                                  [&](const PlannedInsertion* each) { return event(*each); });
   return analysis::proportionOf(static_cast<std::size_t>(hits), all.size());
+}
+
+analysis::Estimate probabilityOf(const Insertions& all, const std::vector<InsertionEnd>& ends)
+{
+  return probability(all, [&](const PlannedInsertion& each) {
+    return std::find(ends.begin(), ends.end(), each.insertion.end) != ends.end();
+  });
+}
+
+/// Depth at which a profile first reaches a force [mm], linear between its points.
+std::optional<double> depthAt(const std::vector<analysis::DepthForce>& profile, Force force)
+{
+  for (std::size_t i = 0; i < profile.size(); ++i) {
+    if (profile[i].force < force) continue;
+    if (i == 0) return inMillimeters(profile[i].depth);
+    const auto& [depth, before] = profile[i - 1];
+    const double alpha = (force - before) / (profile[i].force - before);
+    return inMillimeters(depth + alpha * (profile[i].depth - depth));
+  }
+  return std::nullopt;
 }
 
 std::vector<ForceBand> forceBands(const Insertions& all)
@@ -60,27 +82,33 @@ std::vector<ForceBand> forceBands(const Insertions& all)
   }
 }
 
-std::vector<ContactBand> contactBands(const Insertions& all)
+std::vector<ContactBand> contactBands(const Insertions& all, const std::vector<double>& filter_Hz)
 {
   std::size_t count = 0;
   for (const PlannedInsertion* each : all) count = std::max(count, each->insertion.contacts.size());
   std::vector<ContactBand> bands;
   for (std::size_t i = 0; i < count; ++i) {
-    std::vector<double> angles, distances, places;
+    const double filter = i < filter_Hz.size() ? filter_Hz[i] : 0.0;
+    std::vector<double> angles, distances, places, mismatches;
     for (const PlannedInsertion* each : all) {
       if (i >= each->insertion.contacts.size()) continue;
       const analysis::ContactPosition& contact = each->insertion.contacts[i];
       if (!contact.isInserted) continue;
       angles.push_back(inDegrees(contact.angle));
-      distances.push_back(inMillimeters(contact.toModiolus));
+      // negative where no lumen lies toward the modiolus
+      if (contact.toModiolus.si() >= 0.0) distances.push_back(inMillimeters(contact.toModiolus));
       places.push_back(contact.coverage);
+      if (filter > 0.0)
+        mismatches.push_back(semitones(filter, analysis::spiralGanglionFrequency(contact.angle)));
     }
     ContactBand band;
     band.number = static_cast<int>(i) + 1;
     band.draws = angles.size();
+    band.filter_Hz = filter;
+    if (!mismatches.empty()) band.mismatch_semitones = bandOf(mismatches);
     if (!angles.empty()) {
       band.angle_deg = bandOf(angles);
-      band.toModiolus_mm = bandOf(distances);
+      if (!distances.empty()) band.toModiolus_mm = bandOf(distances);
       band.greenwood_Hz = analysis::greenwoodFrequency(1.0 - analysis::quantile(places, 0.5));
       band.spiralGanglion_Hz = analysis::spiralGanglionFrequency(degrees(band.angle_deg.median));
     }
@@ -106,7 +134,7 @@ std::vector<double> ranksOf(const std::vector<double>& values)
   return ranks;
 }
 
-/// Squared rank correlation; 0 if one does not vary.
+/// Squared rank correlation, adjusted for chance; 0 if one does not vary.
 double explained(const std::vector<double>& x, const std::vector<double>& y)
 {
   const std::vector<double> a = ranksOf(x), b = ranksOf(y);
@@ -117,13 +145,31 @@ double explained(const std::vector<double>& x, const std::vector<double>& y)
     xy += (a[i] - middle) * (b[i] - middle);
     yy += (b[i] - middle) * (b[i] - middle);
   }
-  return xx > 0.0 && yy > 0.0 ? xy * xy / (xx * yy) : 0.0;
+  if (x.size() < 3 || !(xx > 0.0 && yy > 0.0)) return 0.0;
+  const auto count = static_cast<double>(x.size());
+  return std::max(0.0, 1.0 - (1.0 - xy * xy / (xx * yy)) * (count - 1.0) / (count - 2.0));
 }
 
 double angleOf(const PlannedInsertion& each) { return inDegrees(each.insertion.apical); }
 double peakOf(const PlannedInsertion& each) { return inMillinewtons(each.insertion.peak); }
 
-std::vector<Influence> influencesOn(const Insertions& all)
+/// The part of a band's width that remains if the part `known` of the variance were known.
+double widthKnowing(const Band& band, double known)
+{
+  return (band.high - band.low) * std::sqrt(std::max(0.0, 1.0 - known));
+}
+
+/// Error of a measure in the patient's file; nothing for other inputs.
+std::optional<Length> errorOf(const std::string& input, const anatomy::BasalTurnErrors& errors)
+{
+  if (input == "A") return errors.a;
+  if (input == "B") return errors.b;
+  if (input == "H") return errors.h.value_or(analysis::measuringError);
+  return std::nullopt;
+}
+
+std::vector<Influence> influencesOn(const Insertions& all, const ArrayPlan& plan,
+                                    const anatomy::BasalTurnErrors& errors)
 {
   struct Input {
     const char* name;
@@ -133,6 +179,11 @@ std::vector<Influence> influencesOn(const Insertions& all)
       {"A", [](const PlannedInsertion& each) { return each.a_mm; }},
       {"B", [](const PlannedInsertion& each) { return each.b_mm; }},
       {"H", [](const PlannedInsertion& each) { return each.h_mm; }},
+      {"share of A", [](const PlannedInsertion& each) { return each.a1_deviate; }},
+      {"share of B", [](const PlannedInsertion& each) { return each.b1_deviate; }},
+      {"section", [](const PlannedInsertion& each) { return each.section; }},
+      {"lining", [](const PlannedInsertion& each) { return each.lining_mm; }},
+      {"membrane", [](const PlannedInsertion& each) { return each.membrane_N_m; }},
       {"approach tilt", [](const PlannedInsertion& each) { return each.tilt_deg; }},
       {"approach turn", [](const PlannedInsertion& each) { return each.turn_deg; }},
       {"stiffness", [](const PlannedInsertion& each) { return each.stiffness; }},
@@ -142,15 +193,43 @@ std::vector<Influence> influencesOn(const Insertions& all)
   std::vector<Influence> influences;
   for (const Input& input : inputs) {
     const std::vector<double> values = valuesOf(all, input.value);
-    influences.push_back({input.name, explained(values, valuesOf(all, angleOf)),
-                          explained(values, valuesOf(all, peakOf))});
+    Influence one;
+    one.input = input.name;
+    one.onAngle = explained(values, valuesOf(all, angleOf));
+    one.onPeak = explained(values, valuesOf(all, peakOf));
+    one.angleWidth_deg = widthKnowing(plan.angle_deg, one.onAngle);
+    one.peakWidth_mN = widthKnowing(plan.peak_mN, one.onPeak);
+    if (const auto error = errorOf(one.input, errors); error && *error > finerError) {
+      const double rest = finerError / *error;
+      one.finerAngleWidth_deg = widthKnowing(plan.angle_deg, one.onAngle * (1.0 - rest * rest));
+    }
+    influences.push_back(one);
   }
   std::stable_sort(influences.begin(), influences.end(),
                    [](const Influence& a, const Influence& b) { return a.onAngle > b.onAngle; });
   return influences;
 }
 
-ArrayPlan summaryOf(const Insertions& all)
+void addForceEvents(ArrayPlan& plan, const Insertions& all, const Thresholds& thresholds)
+{
+  const auto reaches = [&](Force strength) {
+    return probability(
+        all, [=](const PlannedInsertion& each) { return each.insertion.membrane >= strength; });
+  };
+  plan.ruptured =
+      probability(all, [](const PlannedInsertion& each) { return each.insertion.isRuptured; });
+  plan.reachesWeakest = reaches(thresholds.ruptureLow);
+  plan.reachesStrongest = reaches(thresholds.ruptureHigh);
+  std::vector<double> depths;
+  for (const PlannedInsertion* each : all)
+    if (const auto depth = depthAt(each->insertion.profile, thresholds.felt))
+      depths.push_back(*depth);
+  plan.felt = analysis::proportionOf(depths.size(), all.size());
+  if (!depths.empty()) plan.firstResistance_mm = bandOf(depths);
+}
+
+ArrayPlan summaryOf(const Insertions& all, const PlannedArray& array, const Thresholds& thresholds,
+                    const anatomy::BasalTurnErrors& errors)
 {
   ArrayPlan plan;
   plan.draws = all.size();
@@ -170,19 +249,16 @@ ArrayPlan summaryOf(const Insertions& all)
       band([](const PlannedInsertion& each) { return inMillinewtons(each.insertion.endForce); });
   plan.partition_mN =
       band([](const PlannedInsertion& each) { return inMillinewtons(each.insertion.membrane); });
-  plan.full = probability(all, {InsertionEnd::finished});
-  plan.resisted = probability(all, {InsertionEnd::stoppedByResistance});
-  plan.buckled = probability(all, {InsertionEnd::buckled});
-  plan.foldedTip = probability(all, {InsertionEnd::foldedTip});
-  plan.other = probability(all, {InsertionEnd::outOfOpening, InsertionEnd::jammed,
-                                 InsertionEnd::fault, InsertionEnd::refused, InsertionEnd::none});
-  const auto ruptured = std::count_if(all.begin(), all.end(), [](const PlannedInsertion* each) {
-    return each->insertion.isRuptured;
-  });
-  plan.ruptured = analysis::proportionOf(static_cast<std::size_t>(ruptured), all.size());
+  plan.full = probabilityOf(all, {InsertionEnd::finished});
+  plan.resisted = probabilityOf(all, {InsertionEnd::stoppedByResistance});
+  plan.buckled = probabilityOf(all, {InsertionEnd::buckled});
+  plan.foldedTip = probabilityOf(all, {InsertionEnd::foldedTip});
+  plan.other = probabilityOf(all, {InsertionEnd::outOfOpening, InsertionEnd::jammed,
+                                   InsertionEnd::fault, InsertionEnd::refused, InsertionEnd::none});
+  addForceEvents(plan, all, thresholds);
   plan.force = forceBands(run);
-  plan.contacts = contactBands(run);
-  plan.influences = influencesOn(run);
+  plan.contacts = contactBands(run, array.filter_Hz);
+  plan.influences = influencesOn(run, plan, errors);
   return plan;
 }
 
@@ -191,11 +267,20 @@ ArrayPlan summaryOf(const Insertions& all)
 Band bandOf(std::vector<double> values)
 {
   std::sort(values.begin(), values.end());
-  const auto at = [&values](double fraction) { return analysis::quantile(values, fraction); };
+  const auto last = static_cast<double>(values.size()) - 1.0;
+  const auto at = [&](double fraction) {
+    const double place = std::clamp(fraction * (last + 2.0) - 1.0, 0.0, last);
+    const auto below = static_cast<std::size_t>(place);
+    const double alpha = place - static_cast<double>(below);
+    return alpha > 0.0 ? values[below] + alpha * (values[below + 1] - values[below])
+                       : values[below];
+  };
   return {at(0.05), at(0.25), at(0.5), at(0.75), at(0.95)};
 }
 
-std::vector<ArrayPlan> summarize(const PlanRequest& request, const std::vector<std::string>& names,
+std::vector<ArrayPlan> summarize(const PlanRequest& request,
+                                 const std::vector<PlannedArray>& arrays,
+                                 const Thresholds& thresholds,
                                  const std::vector<PlannedInsertion>& insertions)
 {
   std::vector<ArrayPlan> plans;
@@ -203,9 +288,9 @@ std::vector<ArrayPlan> summarize(const PlanRequest& request, const std::vector<s
     Insertions own;
     for (const PlannedInsertion& each : insertions)
       if (each.array == i) own.push_back(&each);
-    ArrayPlan plan = summaryOf(own);
+    ArrayPlan plan = summaryOf(own, arrays[i], thresholds, analysis::errorsOf(request.patient));
     plan.array = request.arrays[i];
-    plan.name = names[i];
+    plan.name = arrays[i].name;
     plans.push_back(std::move(plan));
   }
   return plans;

@@ -47,6 +47,17 @@ Result<Uncertainty> loadUncertainty(const std::filesystem::path& file)
   uncertainty.tiltDeviation = degrees(approach.number("tilt_sd_deg", {0.0, 15.0}));
   uncertainty.turnDeviation = degrees(approach.number("turn_sd_deg", {0.0, 15.0}));
   uncertainty.maxDeviates = approach.number("max_deviates", {0.5, 5.0});
+  TomlReader section = sourcedTable(*reader, "section", uncertainty);
+  uncertainty.sectionDeviation = section.number("sd_fraction", {0.0, 0.3});
+  uncertainty.maxSectionDeviates = section.number("max_deviates", {0.5, 3.0});
+  TomlReader lining = sourcedTable(*reader, "lining", uncertainty);
+  uncertainty.liningLow = millimeters(lining.number("low_mm", {0.01, 0.5}));
+  uncertainty.liningHigh =
+      millimeters(lining.number("high_mm", {inMillimeters(uncertainty.liningLow), 0.5}));
+  TomlReader membrane = sourcedTable(*reader, "membrane", uncertainty);
+  uncertainty.membraneLow = newtonsPerMeter(membrane.number("low_N_m", {0.01, 1000.0}));
+  uncertainty.membraneHigh =
+      newtonsPerMeter(membrane.number("high_N_m", {uncertainty.membraneLow.si(), 1000.0}));
   if (const auto done = reader->finish(); !done) return done.error();
   return uncertainty;
 }

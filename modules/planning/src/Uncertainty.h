@@ -24,8 +24,12 @@ struct Uncertainty {
   /// with mean 1.
   double highStiffness = 0.0, mediumStiffness = 0.0, lowStiffness = 0.0;
   Angle tiltDeviation, turnDeviation;  ///< The approach's, from the scenario's: normal.
-  double maxDeviates =
-      0.0;  ///< Limit of the approach's deviates: a larger one would have been corrected.
+  /// Limit of the approach's deviates: a larger one would have been corrected.
+  double maxDeviates = 0.0;
+  /// Fraction of the sections' width and height: log-normal with mean 1, within a limit of deviates.
+  double sectionDeviation = 0.0, maxSectionDeviates = 0.0;
+  Length liningLow, liningHigh;         ///< Thickness: uniform in its logarithm.
+  Stiffness membraneLow, membraneHigh;  ///< Under a sample point: uniform in its logarithm.
   std::vector<Provenance> provenance;
 
   /// Standard deviation of an array's stiffness, as a fraction.

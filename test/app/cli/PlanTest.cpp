@@ -33,6 +33,8 @@ TEST_F(Plans, AreWrittenWithTheirTablesAndFiguresAndContinueToTheSameBytes)
   EXPECT_EQ(parsed["patient"]["A_sd_mm"], 0.15);
   EXPECT_GT(parsed["arrays"][0]["angle_deg"]["median"].get<double>(), 90.0);
   EXPECT_TRUE(fs::exists(folder_ / "out" / "force-1.svg"));
+  EXPECT_TRUE(fs::exists(folder_ / "out" / "influence-1.svg"));
+  EXPECT_THAT(text("shapes.csv"), HasSubstr("\nflex24,1,50,"));  // the tip of 50 nodes
 
   const auto again = plan("measured", {"--arrays", "flex24"});
   ASSERT_EQ(again.status, 0) << again.err;

@@ -18,6 +18,53 @@
 namespace perilymph::anatomy {
 namespace {
 
+TEST(IndividualHalfDiameters, KeepAAndBAndHaveTheConditionalCovarianceOfThePopulation)
+{
+  const Length a = millimeters(9.6), b = millimeters(6.5);
+  const HalfDiameters mean = likeliestHalfDiameters(a, b);
+  const auto deviated = [&](double first, double second) {
+    return individualHalfDiameters(a, b, {first, second});
+  };
+  for (const auto& one : {deviated(0.0, 0.0), deviated(1.3, -0.4), deviated(-2.0, 2.0)}) {
+    EXPECT_NEAR(inMillimeters(one.a()), 9.6, 1e-9);
+    EXPECT_NEAR(inMillimeters(one.b()), 6.5, 1e-9);
+  }
+  // Schur complement of the covariance in A1, B1, A, B, eliminated by hand
+  const auto s = halfDiameterCovariance();
+  const double aa = s[0][0] + 2.0 * s[0][2] + s[2][2];
+  const double bb = s[1][1] + 2.0 * s[1][3] + s[3][3];
+  const double ab = s[0][1] + s[0][3] + s[2][1] + s[2][3];
+  const double a1a = s[0][0] + s[0][2], a1b = s[0][1] + s[0][3];
+  const double weightA = (bb * a1a - ab * a1b) / (aa * bb - ab * ab);
+  const double weightB = (aa * a1b - ab * a1a) / (aa * bb - ab * ab);
+  const double variance = s[0][0] - weightA * a1a - weightB * a1b;
+  EXPECT_NEAR(deviated(1.0, 0.0).a1 - mean.a1, std::sqrt(variance), 1e-9);
+  EXPECT_NEAR(deviated(0.0, 1.0).a1 - mean.a1, 0.0, 1e-12);
+}
+
+TEST(IndividualShape, KeepsAAndBAndNarrowsTheScalaFromTheModiolus)
+{
+  const BasalTurn turn{millimeters(9.3), millimeters(6.7), millimeters(3.9)};
+  IndividualShape shape{individualHalfDiameters(turn.a, turn.b, {1.0, -1.0}), 0.85};
+  const auto individual = buildMean("individual", turn, shape, Length{});
+  ASSERT_TRUE(individual) << individual.error().message;
+  const auto typical = buildMean("typical", turn, Length{});
+  ASSERT_TRUE(typical) << typical.error().message;
+  const auto outer = [](const ScalaTympani& scala, double angle_deg) {
+    return scala.section(degrees(angle_deg).si()).outerRadius * 1e3;
+  };
+  const ScalaTympani& own = **individual;
+  EXPECT_NEAR(outer(own, 0.0) + outer(own, 180.0), 9.3, 0.02);
+  EXPECT_NEAR(outer(own, 90.0) + outer(own, 270.0), 6.7, 0.02);
+  EXPECT_GT(std::fabs(outer(own, 180.0) - outer(**typical, 180.0)), 0.05);
+  const auto width = [&](const ScalaTympani& scala, double angle_deg) {
+    const Section section = scala.section(degrees(angle_deg).si());
+    return (section.outerRadius - section.innerRadius) / section.outerRadius;
+  };
+  for (const double angle_deg : {90.0, 270.0, 400.0})
+    EXPECT_NEAR(width(own, angle_deg) / width(**typical, angle_deg), 0.85, 0.01) << angle_deg;
+}
+
 TEST(Population, TurnsTwoTurnsAndTwoThirds)
 {
   EXPECT_NEAR(turnAngle(meanHalfDiameters()) / degrees(360), 2.686, 0.0005);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 
 #include "SyntheticPlan.h"
@@ -72,6 +73,25 @@ TEST_F(PlanDraws, HaveStiffnessFactorsOfMeanOneAndTheGivenDeviation)
   EXPECT_EQ(planning::stiffnessFactor(draw(1), 0.0), 1.0);
 }
 
+TEST_F(PlanDraws, HaveIndividualShapesAndTissueWithinTheStatedRanges)
+{
+  const auto a1 = statisticsOf([](const PlanDraw& d) { return d.sharing[0]; });
+  EXPECT_NEAR(a1.mean, 0.0, 4.0 * a1.standardError);
+  EXPECT_NEAR(a1.standardDeviation, 1.0, 0.05);
+  const auto section = statisticsOf([](const PlanDraw& d) { return d.shape.section; });
+  EXPECT_NEAR(section.mean, 1.0, 4.0 * section.standardError);
+  EXPECT_NEAR(section.standardDeviation, uncertainty_.sectionDeviation, 0.005);
+  const auto lining =
+      statisticsOf([](const PlanDraw& d) { return std::log(inMillimeters(d.lining)); });
+  EXPECT_NEAR(lining.mean, std::log(0.08), 4.0 * lining.standardError);  // 0.04 to 0.16
+  for (std::uint64_t i = 1; i <= 200; ++i) {
+    EXPECT_GE(draw(i).membrane.si(), uncertainty_.membraneLow.si());
+    EXPECT_LE(draw(i).membrane.si(), uncertainty_.membraneHigh.si());
+    const PlanDraw one = draw(i);
+    EXPECT_NEAR(one.shape.half.a().si(), one.patient.basalTurn->a.si(), 1e-12);
+  }
+}
+
 TEST_F(PlanDraws, DependOnSeedAndNumberAlone)
 {
   EXPECT_EQ(draw(7).patient.basalTurn->a.si(), draw(7).patient.basalTurn->a.si());
@@ -86,11 +106,23 @@ TEST_F(PlanDraws, ChangeWhatIsDrawnAndNothingElse)
                            {BendingStiffness::fromSi(1e-6), BendingStiffness::fromSi(2e-6)}};
   nominal.approachTilt = degrees(1);
   const PlanDraw one = draw(3);
-  const auto parameters = planning::drawnParameters(nominal, one, 1.5);
+  const auto parameters = planning::drawnParameters(nominal, one, 1.5, std::nullopt);
   EXPECT_DOUBLE_EQ(parameters.array.bending.value[1].si(), 3e-6);
   EXPECT_DOUBLE_EQ(parameters.approachTilt.si(), (degrees(1) + one.tilt).si());
   EXPECT_EQ(parameters.cochlea.patient.basalTurn->b.si(), one.patient.basalTurn->b.si());
   EXPECT_EQ(parameters.speed.si(), nominal.speed.si());  // the surgeon's comes with the hand
+  EXPECT_EQ(parameters.nodes, nominal.nodes);
+  EXPECT_EQ(parameters.timeStep.si(), nominal.timeStep.si());
+}
+
+TEST_F(PlanDraws, HaveTheNodesAndTheTimeStepOfTheResolution)
+{
+  session::InsertionParameters nominal;
+  nominal.array.bending = {{millimeters(0)}, {BendingStiffness::fromSi(1e-6)}};
+  const auto parameters =
+      planning::drawnParameters(nominal, draw(3), 1.0, planning::Resolution{40, milliseconds(2)});
+  EXPECT_EQ(parameters.nodes, 40);
+  EXPECT_EQ(parameters.timeStep.si(), milliseconds(2).si());
 }
 
 TEST(Uncertainty, OfAnArrayFollowsTheConfidenceInItsStiffness)

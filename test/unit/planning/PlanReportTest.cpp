@@ -65,8 +65,14 @@ TEST(PlanReport, HasARowPerContact)
 TEST(PlanReport, DrawsTheBandsOfEachArray)
 {
   const auto figures = planning::planFigures(syntheticPlan(101));
-  ASSERT_EQ(figures.size(), 3u);
+  ASSERT_EQ(figures.size(), 5u);
   EXPECT_EQ(figures[0].first, "angle");
+  EXPECT_EQ(figures[2].first, "influence-1");
+  // two bars an input, the largest first: A explains everything
+  const figures::Figure& influence = figures[2].second;
+  EXPECT_EQ(influence.bands.size() % 2, 0u);
+  EXPECT_NEAR(influence.bands[0].high[0], 100.0, 1e-6);
+  EXPECT_GE(influence.bands[0].high[0], influence.bands[2].high[0]);
   const figures::Figure& force = figures[1].second;
   EXPECT_EQ(force.bands[0].x.size(), 4u);
   EXPECT_NEAR(force.curves[0].y[0], 51.0, 1e-9);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "SyntheticPlan.h"
 #include "perilymph/analysis/Tonotopy.h"
 
@@ -15,12 +18,27 @@ TEST(PlanSummary, GivesTheQuantilesOfEachArraysDraws)
   ASSERT_EQ(arrays.size(), 2u);
   EXPECT_EQ(arrays[0].draws, 101u);
   EXPECT_NEAR(arrays[0].angle_deg.median, 351.0, 1e-9);
-  EXPECT_NEAR(arrays[0].angle_deg.low, 306.0, 1e-9);
-  EXPECT_NEAR(arrays[0].angle_deg.high, 396.0, 1e-9);
+  // the quantile i / (n + 1) is the i-th of 101: 5.1 of 301 ... 401, and 25.5 of 1 ... 101
+  EXPECT_NEAR(arrays[0].angle_deg.low, 305.1, 1e-9);
+  EXPECT_NEAR(arrays[0].angle_deg.high, 396.9, 1e-9);
   EXPECT_NEAR(arrays[1].angle_deg.low, 500.0, 1e-9);
-  EXPECT_NEAR(arrays[0].peak_mN.lowerQuartile, 26.0, 1e-9);
-  EXPECT_NEAR(arrays[0].end_mN.upperQuartile, 38.0, 1e-9);
+  EXPECT_NEAR(arrays[0].peak_mN.lowerQuartile, 25.5, 1e-9);
+  EXPECT_NEAR(arrays[0].end_mN.upperQuartile, 38.25, 1e-9);
   EXPECT_NEAR(arrays[0].coverage_percent.median, 50.0, 1e-9);
+}
+
+TEST(Band, HoldsNineInTenOfValuesToComeFromNineteenOn)
+{
+  // expected fraction of a distribution between the i-th and the k-th of n: (k - i) / (n + 1)
+  std::vector<double> values;
+  for (int i = 1; i <= 19; ++i) values.push_back(i);
+  const planning::Band band = planning::bandOf(values);
+  EXPECT_NEAR(band.low, 1.0, 1e-12);
+  EXPECT_NEAR(band.high, 19.0, 1e-12);
+  EXPECT_NEAR((band.high - band.low) / 20.0, 0.9, 1e-12);
+  EXPECT_NEAR(band.median, 10.0, 1e-12);
+  EXPECT_EQ(planning::bandOf({7.0}).low, 7.0);
+  EXPECT_EQ(planning::bandOf({7.0}).high, 7.0);
 }
 
 TEST(PlanSummary, CountsEveryEnd)
@@ -37,10 +55,10 @@ TEST(PlanSummary, LeavesAnInsertionThatCouldNotBePreparedOutOfTheBandsButNotOutO
 {
   auto insertions = syntheticInsertions(100);
   insertions[0].insertion = {};  // refused, without values
-  const auto arrays =
-      planning::summarize(syntheticPlan(1).request, {"FLEX24", "FLEX28"}, insertions);
+  const auto arrays = planning::summarize(syntheticPlan(1).request, plannedArrays(),
+                                          publishedThresholds(), insertions);
   EXPECT_NEAR(arrays[0].other.value, 0.01, 1e-12);
-  EXPECT_GT(arrays[0].angle_deg.low, 305.0);
+  EXPECT_GT(arrays[0].angle_deg.low, 304.0);  // not the 0 of the first
 }
 
 TEST(PlanSummary, GivesAForceBandOnlyWhereEnoughDrawsCame)
@@ -64,6 +82,54 @@ TEST(PlanSummary, CountsAContactWhereItIsInserted)
   EXPECT_NEAR(array.contacts[0].greenwood_Hz, analysis::greenwoodFrequency(0.5), 1e-9);
 }
 
+TEST(PlanSummary, LeavesOutDistancesWhereNoLumenLiesTowardTheModiolus)
+{
+  auto insertions = syntheticInsertions(20);
+  for (std::size_t i = 0; i < 10; ++i)
+    insertions[i].insertion.contacts.at(0).toModiolus = millimeters(-1000.0);
+  const auto arrays = planning::summarize(syntheticPlan(1).request, plannedArrays(),
+                                          publishedThresholds(), insertions);
+  EXPECT_EQ(arrays[0].contacts[0].draws, 20u);
+  EXPECT_GT(arrays[0].contacts[0].toModiolus_mm.low, 0.0);
+}
+
+TEST(PlanSummary, GivesTheMismatchOfPlaceAndFilterInSemitones)
+{
+  const auto arrays = syntheticPlan(101).arrays;
+  const planning::ContactBand& apical = arrays[0].contacts[0];
+  EXPECT_EQ(apical.filter_Hz, 100.0);
+  // the median draw: 351 degrees
+  const double octaves = std::log2(analysis::spiralGanglionFrequency(degrees(351.0)) / 100.0);
+  EXPECT_NEAR(apical.mismatch_semitones.median, 12.0 * octaves, 1e-9);
+  // a deeper contact has a lower place frequency
+  EXPECT_LT(apical.mismatch_semitones.low, apical.mismatch_semitones.high);
+  EXPECT_EQ(arrays[1].contacts[0].filter_Hz, 0.0);
+  EXPECT_EQ(arrays[1].contacts[0].mismatch_semitones.high, 0.0);
+}
+
+TEST(PlanSummary, CountsTheDrawsThatReachThePublishedStrengthsOfThePartition)
+{
+  const ArrayPlan array = syntheticPlan(200).arrays[0];
+  EXPECT_NEAR(array.reachesWeakest.value, 159.0 / 200.0, 1e-12);   // 42 to 200 mN
+  EXPECT_NEAR(array.reachesStrongest.value, 79.0 / 200.0, 1e-12);  // 122 to 200 mN
+}
+
+TEST(PlanSummary, FindsTheFirstResistanceBetweenThePointsOfTheProfile)
+{
+  auto insertions = syntheticInsertions(10);
+  for (auto& each : insertions) {
+    each.insertion.profile.clear();
+    for (const double depth_mm : {0.0, 0.5, 1.0})
+      each.insertion.profile.push_back(
+          {millimeters(depth_mm), millinewtons(each.draw % 2 == 0 ? 40.8 * depth_mm : 0.0)});
+  }
+  const auto arrays = planning::summarize(syntheticPlan(1).request, plannedArrays(),
+                                          publishedThresholds(), insertions);
+  EXPECT_NEAR(arrays[0].felt.value, 0.5, 1e-12);  // odd draws feel nothing
+  EXPECT_NEAR(arrays[0].firstResistance_mm.low, 0.5, 1e-9);
+  EXPECT_NEAR(arrays[0].firstResistance_mm.high, 0.5, 1e-9);
+}
+
 TEST(PlanSummary, RanksWhatExplainsTheAngle)
 {
   const auto arrays = syntheticPlan(101).arrays;
@@ -72,6 +138,33 @@ TEST(PlanSummary, RanksWhatExplainsTheAngle)
   EXPECT_NEAR(arrays[0].influences.front().onPeak, 1.0, 1e-9);
   // an angle that does not vary is explained by nothing
   for (const auto& each : arrays[1].influences) EXPECT_EQ(each.onAngle, 0.0) << each.input;
+}
+
+TEST(PlanSummary, SaysHowWideABandWereWithAnInputKnownOrMeasuredBetter)
+{
+  // the angle is the sum of two independent, equally wide inputs: each explains half its variance
+  auto insertions = syntheticInsertions(20 * 20);
+  for (auto& each : insertions) {
+    const auto a = static_cast<double>((each.draw - 1) % 20),
+               b = static_cast<double>((each.draw - 1) / 20);
+    each.a_mm = 9.0 + 0.01 * a;
+    each.b_mm = 6.5 + 0.01 * b;
+    each.insertion.apical = degrees(300.0 + a + b);
+  }
+  const auto arrays = planning::summarize(syntheticPlan(1).request, plannedArrays(),
+                                          publishedThresholds(), insertions);
+  const double width = arrays[0].angle_deg.high - arrays[0].angle_deg.low;
+  const auto& influences = arrays[0].influences;
+  const auto b = std::find_if(influences.begin(), influences.end(),
+                              [](const auto& each) { return each.input == "B"; });
+  ASSERT_NE(b, influences.end());
+  EXPECT_NEAR(b->onAngle, 0.5, 0.03);  // of ranks, which are nearly linear here
+  EXPECT_NEAR(b->angleWidth_deg, width * std::sqrt(0.5), 0.03 * width);
+  // its error of 0.2 mm halved: a quarter of its half of the variance remains
+  EXPECT_NEAR(b->finerAngleWidth_deg, width * std::sqrt(0.625), 0.03 * width);
+  const auto a = std::find_if(influences.begin(), influences.end(),
+                              [](const auto& each) { return each.input == "A"; });
+  EXPECT_EQ(a->finerAngleWidth_deg, 0.0);  // known to 0.1 mm already
 }
 
 TEST(PlanSummary, FindsThatBandsStandWithEnoughDraws)
@@ -84,8 +177,8 @@ TEST(PlanSummary, FindsThatBandsStandWithEnoughDraws)
     each.insertion.apical = degrees(400.0 + static_cast<double>(each.draw % 8));
     each.insertion.peak = millinewtons(80.0 + static_cast<double>(each.draw % 8));
   }
-  EXPECT_TRUE(planning::bandsStand(
-      planning::summarize(syntheticPlan(1).request, {"FLEX24", "FLEX28"}, steady)));
+  EXPECT_TRUE(planning::bandsStand(planning::summarize(syntheticPlan(1).request, plannedArrays(),
+                                                       publishedThresholds(), steady)));
 }
 
 }  // namespace

@@ -7,14 +7,13 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
-#include <regex>
+#include <atomic>
 
 #include "PlanFile.h"
 #include "SyntheticPlan.h"
-#include "perilymph/foundation/Resources.h"
+#include "perilymph/analysis/ContactPositions.h"
 #include "perilymph/planning/PlanReport.h"
+#include "perilymph/planning/PlannedShape.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::test {
@@ -24,14 +23,9 @@ class SmallPlan : public testing::Test {
 protected:
   SmallPlan()
   {
-    std::ifstream shipped(resource("resources/scenarios/surgery-flex28.toml"));
-    std::string text(std::istreambuf_iterator<char>(shipped), {});
-    text = std::regex_replace(text, std::regex("nodes = [0-9]+"), "nodes = 30");
-    text = std::regex_replace(text, std::regex("dt_ms = [0-9.]+"), "dt_ms = 10");
-    std::ofstream(folder_.path() / "coarse.toml") << text;
     request_.patient = measuredPatient();
     request_.arrays = {"flex24", "hifocus-slimj"};
-    request_.scenario = (folder_.path() / "coarse.toml").string();
+    request_.resolution = planning::Resolution{30, milliseconds(10)};
     request_.draws = 3;
   }
   std::filesystem::path draws() const { return folder_.path() / "draws.sqlite"; }
@@ -82,6 +76,44 @@ TEST_F(SmallPlan, InsertsAllArraysIntoTheSameCochleaByTheSameHand)
     EXPECT_FALSE(a.insertion.profile.empty());
   }
   EXPECT_NE(plan->insertions[0].a_mm, plan->insertions[2].a_mm);
+}
+
+TEST_F(SmallPlan, RunsADrawAgainForAView)
+{
+  const auto plan = planning::makePlan(request_, {}, {});
+  ASSERT_TRUE(plan) << plan.error().message;
+  const std::size_t draw = planning::medianDraw(*plan, 1);
+  ASSERT_GE(draw, 1u);
+  ASSERT_LE(draw, 3u);
+  const std::atomic<bool> isAsked{false};
+  const auto shape = planning::shapeOf(*plan, 1, draw, isAsked);
+  ASSERT_TRUE(shape) << shape.error().message;
+  const auto& planned = plan->insertions[2 * (draw - 1) + 1].insertion;
+  const auto& again = shape->insertion.insertion;
+  EXPECT_EQ(again.apical.si(), planned.apical.si());
+  EXPECT_EQ(again.endForce.si(), planned.endForce.si());
+  EXPECT_GT(again.profile.size(), 4 * planned.profile.size());
+  EXPECT_EQ(shape->end.nodes, 30u);
+  EXPECT_EQ(shape->parameters.array.name, plan->arrays[1].name);
+  // the tip is in the draw's cochlea, at the depth that the plan says
+  const auto contacts =
+      analysis::contactPositions(*shape->anatomy, shape->parameters.array, shape->end);
+  EXPECT_EQ(contacts.front().angle.si(), planned.contacts.front().angle.si());
+}
+
+TEST_F(SmallPlan, HasNoShapeOfADrawThatWasNotRun)
+{
+  request_.draws = 1;
+  const auto plan = planning::makePlan(request_, {}, {});
+  ASSERT_TRUE(plan) << plan.error().message;
+  const std::atomic<bool> isAsked{false};
+  EXPECT_FALSE(planning::shapeOf(*plan, 1, 2, isAsked));
+  EXPECT_FALSE(planning::shapeOf(*plan, 2, 1, isAsked));
+}
+
+TEST(MedianDraw, IsNearestToTheMediansOfAngleAndPeak)
+{
+  EXPECT_EQ(planning::medianDraw(syntheticPlan(101), 0), 51u);
 }
 
 TEST_F(SmallPlan, OfAPatientWithoutABasalTurnIsRefused)

@@ -30,6 +30,7 @@ std::vector<planning::PlannedInsertion> syntheticInsertions(std::size_t draws)
       found.apical = degrees(array == 0 ? 300.0 + number : 500.0);
       found.depth = millimeters(20.0);
       found.peak = millinewtons(number);
+      found.membrane = millinewtons(number);
       found.endForce = millinewtons(0.5 * number);
       for (const double depth_mm : {0.0, 0.5, 1.0})
         found.profile.push_back({millimeters(depth_mm), millinewtons(number)});
@@ -50,6 +51,16 @@ std::vector<planning::PlannedInsertion> syntheticInsertions(std::size_t draws)
   return all;
 }
 
+planning::Thresholds publishedThresholds()
+{
+  return {millinewtons(20.4), millinewtons(42.0), millinewtons(122.0)};
+}
+
+std::vector<planning::PlannedArray> plannedArrays()
+{
+  return {{"FLEX24", {100.0, 200.0}}, {"FLEX28", {}}};
+}
+
 planning::Plan syntheticPlan(std::size_t draws)
 {
   planning::Plan plan;
@@ -57,7 +68,9 @@ planning::Plan syntheticPlan(std::size_t draws)
   plan.request.arrays = {"flex24", "flex28"};
   plan.fingerprint = "0123";
   plan.insertions = syntheticInsertions(draws);
-  plan.arrays = planning::summarize(plan.request, {"FLEX24", "FLEX28"}, plan.insertions);
+  plan.thresholds = publishedThresholds();
+  plan.arrays =
+      planning::summarize(plan.request, plannedArrays(), plan.thresholds, plan.insertions);
   return plan;
 }
 

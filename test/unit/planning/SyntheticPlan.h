@@ -13,10 +13,15 @@ namespace perilymph::test {
 anatomy::Patient measuredPatient();
 
 /// Draws 1 to `draws` of two arrays: A is 9 mm + draw / 1000, the angle of the first array 300 deg +
-/// draw, that of the second 500; the peak force draw mN; a force of draw mN at 0, 0.5 and 1 mm, in the
+/// draw, that of the second 500; the peak force and the force on the partition draw mN; a force of draw mN at 0, 0.5 and 1 mm, in the
 /// first array's first ten draws at 1.5 mm, too; two contacts, the second in odd draws only. Every
 /// fourth draw is stopped by resistance, every tenth ruptures the partition.
 std::vector<planning::PlannedInsertion> syntheticInsertions(std::size_t draws);
+
+/// The thresholds that the shipped references state.
+planning::Thresholds publishedThresholds();
+/// The two arrays: filters at 100 and 200 Hz, and none.
+std::vector<planning::PlannedArray> plannedArrays();
 
 /// The plan of them.
 planning::Plan syntheticPlan(std::size_t draws);

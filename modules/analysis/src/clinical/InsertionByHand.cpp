@@ -86,7 +86,8 @@ private:
 ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
                                std::shared_ptr<const anatomy::ScalaTympani> anatomy,
                                const HandDistribution& hand, const Surgeon& surgeon,
-                               Length profileSpacing, const std::atomic<bool>& isAsked)
+                               Length profileSpacing, const std::atomic<bool>& isAsked,
+                               haptics::Snapshot* shape)
 {
   ClinicalInsertion result;
   const DrawnInsertion drawn = withSurgeon(nominal, hand, surgeon);
@@ -144,6 +145,7 @@ ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
   result.endForce = newtons(count > 0 ? sum / static_cast<double>(count) : last.axialForce);
   result.isRuptured = result.membrane >= surgeon.rupture;
   (*insertion)->refresh();
+  if (shape != nullptr) *shape = (*insertion)->latest();
   result.contacts = contactPositions(*anatomy, nominal.array, (*insertion)->latest());
   if (!result.contacts.empty()) result.apical = result.contacts.front().angle;
   return result;

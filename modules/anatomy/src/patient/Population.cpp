@@ -147,6 +147,35 @@ HalfDiameters likeliestHalfDiameters(Length a, Length b)
   return fromMillimeters(half_mm);
 }
 
+HalfDiameters individualHalfDiameters(Length a, Length b, std::array<double, 2> deviates)
+{
+  // Given A and B, A1 and B1 deviate by x, A2 and B2 by -x: the conditional covariance of A1 and B1,
+  // S - S C^T (C S C^T)^-1 C S, by its Cholesky factor.
+  const Four withA = covarianceWith(sums[0]);
+  const Four withB = covarianceWith(sums[1]);
+  const double aa = sumOf(sums[0], withA);
+  const double bb = sumOf(sums[1], withB);
+  const double ab = sumOf(sums[0], withB);
+  const double determinant = aa * bb - ab * ab;
+  const auto conditional = [&](std::size_t i, std::size_t k) {
+    const double explained = (bb * withA[i] * withA[k] + aa * withB[i] * withB[k] -
+                              ab * (withA[i] * withB[k] + withB[i] * withA[k])) /
+                             determinant;
+    return correlation[i][k] * deviation_mm[i] * deviation_mm[k] - explained;
+  };
+  const double first = std::sqrt(conditional(0, 0));
+  const double cross = conditional(0, 1) / first;
+  const double second = std::sqrt(conditional(1, 1) - cross * cross);
+  const double a1_mm = first * deviates[0];
+  const double b1_mm = cross * deviates[0] + second * deviates[1];
+  Four half_mm = inMillimetersOf(likeliestHalfDiameters(a, b));
+  half_mm[0] += a1_mm;
+  half_mm[1] += b1_mm;
+  half_mm[2] -= a1_mm;
+  half_mm[3] -= b1_mm;
+  return fromMillimeters(half_mm);
+}
+
 double outerWallRadius(const HalfDiameters& half, Angle angle)
 {
   const Four x = inMillimetersOf(half);

@@ -36,10 +36,11 @@ Extent heights(const Outline& outline)
 /// The mean scala tympani scaled to a patient.
 class ScaledMean {
 public:
-  ScaledMean(const MeanOutlines& mean, const BasalTurn& wanted)
+  ScaledMean(const MeanOutlines& mean, const BasalTurn& wanted, const IndividualShape& shape)
       : mean_(mean),
         typical_(likeliestHalfDiameters(diameter(mean, 0.0), diameter(mean, 90.0))),
-        patient_(likeliestHalfDiameters(wanted.a, wanted.b))
+        patient_(shape.half),
+        section_(shape.section)
   {
     // 1 + even + odd cos 2 angle equals 1 + even + odd along A and 1 + even - odd along B
     const double alongA = wanted.a.si() / scaledDiameter(0.0);
@@ -63,12 +64,28 @@ public:
     Outline outline = mean_.outline(angle);
     const double size = fraction(angle);
     const double center = centroid(outline).z;
+    const double outer = radii(outline).high;
     for (HalfPlanePoint& corner : outline)
-      corner = {size * corner.r, rise_ * center + size * (corner.z - center)};
+      corner = {size * sized(corner.r, outer),
+                rise_ * center + size * section_ * (corner.z - center)};
     return outline;
   }
 
+  /// Distance of the organ-of-Corti path from the axis [m].
+  double organOfCorti(double angle) const
+  {
+    const double r = mean_.organOfCorti(angle);
+    if (section_ == 1.0) return fraction(angle) * r;
+    return fraction(angle) * sized(r, radii(mean_.outline(angle)).high);
+  }
+
 private:
+  /// A radius of a section whose width has the factor `section_`; the outer wall stays.
+  double sized(double r, double outer) const
+  {
+    return section_ == 1.0 ? r : outer - section_ * (outer - r);
+  }
+
   static Length diameter(const MeanOutlines& mean, double from_deg)
   {
     return Length::fromSi(radii(mean.outline(degrees(from_deg).si())).high +
@@ -99,8 +116,8 @@ private:
       const Outline outline = mean_.outline(angle);
       const double center = centroid(outline).z;
       const Extent extent = heights(outline);
-      rows.push_back({center, fraction(angle) * (extent.low - center),
-                      fraction(angle) * (extent.high - center)});
+      rows.push_back({center, fraction(angle) * section_ * (extent.low - center),
+                      fraction(angle) * section_ * (extent.high - center)});
     }
     const auto height = [&](double rise) {
       Extent whole{1.0, -1.0};
@@ -118,6 +135,7 @@ private:
 
   const MeanOutlines& mean_;
   HalfDiameters typical_, patient_;
+  double section_ = 1.0;
   double even_ = 0.0, odd_ = 0.0;
   double rise_ = 1.0;
 };
@@ -146,13 +164,21 @@ Result<std::shared_ptr<const ScalaTympani>> buildMean(Length leadIn)
 Result<std::shared_ptr<const ScalaTympani>> buildMean(const std::string& label,
                                                       const BasalTurn& basalTurn, Length leadIn)
 {
+  return buildMean(label, basalTurn,
+                   IndividualShape{likeliestHalfDiameters(basalTurn.a, basalTurn.b)}, leadIn);
+}
+
+Result<std::shared_ptr<const ScalaTympani>> buildMean(const std::string& label,
+                                                      const BasalTurn& basalTurn,
+                                                      const IndividualShape& shape, Length leadIn)
+{
   const auto sections = loadMeasuredSections();
   if (!sections) return sections.error();
   const MeanOutlines mean(*sections);
-  const ScaledMean scaled(mean, basalTurn);
+  const ScaledMean scaled(mean, basalTurn, shape);
   const double last = MeanOutlines::lastAngle();
   const OutlineSource source = [&](double angle) {
-    return OutlineAtAngle{scaled.outline(angle), scaled.fraction(angle) * mean.organOfCorti(angle),
+    return OutlineAtAngle{scaled.outline(angle), scaled.organOfCorti(angle),
                           membraneWidth(angle, last) * MeanOutlines::capFraction(angle)};
   };
   return measuredScala(mean, tablesFrom(source, label, last, leadIn.si()));

@@ -9,6 +9,7 @@
 #include "perilymph/analysis/ClinicalPrediction.h"
 #include "perilymph/analysis/Surgeon.h"
 #include "perilymph/anatomy/ScalaTympani.h"
+#include "perilymph/haptics/Snapshot.h"
 #include "perilymph/session/InsertionParameters.h"
 
 namespace perilymph::analysis {
@@ -20,9 +21,11 @@ namespace perilymph::analysis {
 /// @param nominal         The scenario's; the surgeon replaces speed, friction and free length.
 /// @param profileSpacing  Between points of the force profile; 0: no profile.
 /// @param isAsked         Ends it early; the result is then meaningless.
+/// @param shape           Receives the array at the end, for a view; may be null.
 ClinicalInsertion insertByHand(const session::InsertionParameters& nominal,
                                std::shared_ptr<const anatomy::ScalaTympani> anatomy,
                                const HandDistribution& hand, const Surgeon& surgeon,
-                               Length profileSpacing, const std::atomic<bool>& isAsked);
+                               Length profileSpacing, const std::atomic<bool>& isAsked,
+                               haptics::Snapshot* shape = nullptr);
 
 }  // namespace perilymph::analysis

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "perilymph/anatomy/Population.h"
 #include "perilymph/anatomy/ScalaTympani.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/foundation/Units.h"
@@ -52,5 +53,10 @@ struct BasalTurn {
 /// shape; without H the rise of the center line scales with the width of the basal turn.
 Result<std::shared_ptr<const ScalaTympani>> buildMean(const std::string& label,
                                                       const BasalTurn& basalTurn, Length leadIn);
+
+/// The same with an individual shape. A, B and H are kept.
+Result<std::shared_ptr<const ScalaTympani>> buildMean(const std::string& label,
+                                                      const BasalTurn& basalTurn,
+                                                      const IndividualShape& shape, Length leadIn);
 
 }  // namespace perilymph::anatomy

@@ -32,6 +32,17 @@ std::array<std::array<double, 4>, 4> halfDiameterCovariance();
 /// The most likely half-diameters of a cochlea with known A and B: their conditional mean.
 HalfDiameters likeliestHalfDiameters(Length a, Length b);
 
+/// The same with what A and B leave open, how A1 and A2 share A and B1 and B2 share B, that many
+/// conditional standard deviations away: two independent standard normal deviates give the
+/// conditional normal distribution of the population.
+HalfDiameters individualHalfDiameters(Length a, Length b, std::array<double, 2> deviates);
+
+/// The shape of a cochlea beyond its A, B and H.
+struct IndividualShape {
+  HalfDiameters half;    ///< Only the course of the spiral between A and B counts.
+  double section = 1.0;  ///< Factor of the sections' width and height, with the outer wall kept.
+};
+
 /// Radius of the outer wall at an angle from the round window, up to the turn angle [m].
 double outerWallRadius(const HalfDiameters& half, Angle angle);
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Axial force over travel: the current insertion, a previous one, and the published experiment.
+// Axial force over travel: the current insertion, a previous one, a plan, and the published
+// experiment.
 
 #include <memory>
 #include <string>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "perilymph/charts/ChartStyle.h"
+#include "perilymph/charts/ExpectedForce.h"
 #include "perilymph/charts/ReferenceCurve.h"
 #include "perilymph/foundation/Units.h"
 
@@ -44,6 +46,9 @@ public:
   /// Printed values, drawn as points with error bars of one standard deviation; an empty list
   /// removes them.
   void setReference(std::vector<ReferencePoint> points, std::string label);
+  /// Force expected by a plan, in order of travel: an area with a dotted median; an empty list
+  /// removes it.
+  void setExpected(std::vector<ExpectedForce> points, std::string label);
   void setVisible(ChartLayer layer, bool visible);
 
   /// Scales fonts and lines for a screen's pixel ratio; 1 by default.

@@ -19,6 +19,13 @@
 
 namespace perilymph::planning {
 
+/// Nodes of the array and time step of a plan's insertions: coarser than the scenario's, a third of
+/// the time. What that moves is measured in test/physics/plan and stated in the module's README.
+struct Resolution {
+  int nodes = 50;
+  Duration step = milliseconds(5);  ///< At most 10 ms, which an engine accepts.
+};
+
 /// Input of a plan.
 struct PlanRequest {
   anatomy::Patient patient;         ///< With A and B; H and the errors of all three if known.
@@ -28,6 +35,8 @@ struct PlanRequest {
   /// Whether fewer draws are run if the bands stand earlier (see bandsStand()).
   bool stopsEarly = true;
   std::uint64_t seed = 1;
+  /// Without one, the scenario's own nodes and time step.
+  std::optional<Resolution> resolution = Resolution{};
   unsigned jobs = 0;  ///< Threads; 0: one per processor. Does not affect the plan.
 };
 
@@ -41,9 +50,13 @@ struct PlannedInsertion {
   std::size_t draw = 0;                       ///< From 1.
   std::size_t array = 0;                      ///< Index into PlanRequest::arrays.
   double a_mm = 0.0, b_mm = 0.0, h_mm = 0.0;  ///< As drawn; H 0 if the patient has none.
-  double tilt_deg = 0.0, turn_deg = 0.0;      ///< From the scenario's approach.
-  double stiffness = 1.0;                     ///< Factor of the array's.
-  double friction = 1.0;                      ///< Factor of the scenario's.
+  /// How A and B are shared between both sides of the axis: deviates of the population.
+  double a1_deviate = 0.0, b1_deviate = 0.0;
+  double section = 1.0;  ///< Factor of the sections' width and height.
+  double lining_mm = 0.0, membrane_N_m = 0.0;
+  double tilt_deg = 0.0, turn_deg = 0.0;  ///< From the scenario's approach.
+  double stiffness = 1.0;                 ///< Factor of the array's.
+  double friction = 1.0;                  ///< Factor of the scenario's.
   double speed_mm_s = 0.0;
   double stop_mN = 0.0;  ///< Force at which the surgeon stops.
   analysis::ClinicalInsertion insertion;
@@ -53,7 +66,10 @@ struct PlannedInsertion {
 struct Band {
   double low = 0.0, lowerQuartile = 0.0, median = 0.0, upperQuartile = 0.0, high = 0.0;
 };
-/// The band of at least one value: 5, 25, 50, 75 and 95 %.
+/// The band of at least one value: 5, 25, 50, 75 and 95 % of the cochlea and hand to come. The i-th
+/// of n sorted draws is the quantile i / (n + 1), whose expectation no distribution changes
+/// (Hyndman and Fan 1996, Am Stat 50:361, definition 6); below 19 draws low and high are the extremes
+/// and hold less than 90 %.
 Band bandOf(std::vector<double> values);
 
 /// Force at a depth over the draws whose tip came that deep.
@@ -70,13 +86,26 @@ struct ContactBand {
   Band angle_deg, toModiolus_mm;
   double greenwood_Hz = 0.0;       ///< At the median of its place along the organ of Corti.
   double spiralGanglion_Hz = 0.0;  ///< At the median of its angle.
+  double filter_Hz = 0.0;          ///< Center of its default filter; 0 if no allocation is known.
+  /// Frequency of its place on the spiral ganglion above its filter's center; positive: it hears
+  /// a lower frequency than its place. Zeros without a filter.
+  Band mismatch_semitones;
 };
 
-/// How much of an outcome's variance an input explains: squared rank correlation (Spearman 1904).
+/// How much of an outcome's variance an input explains: squared rank correlation (Spearman 1904),
+/// adjusted for what chance gives it in as many draws, 1 - (1 - r^2) (n - 1) / (n - 2) or 0. Inputs
+/// are independent; were one known, the outcome's deviation and band would be sqrt(1 - r^2) as wide.
 struct Influence {
   std::string input;
   double onAngle = 0.0, onPeak = 0.0;
+  double angleWidth_deg = 0.0, peakWidth_mN = 0.0;  ///< From 5 to 95 %, if the input were known.
+  /// The angle's width if A, B or H, whichever this is, were measured to `finerError`; 0 for other
+  /// inputs and for a measure that is as exact already.
+  double finerAngleWidth_deg = 0.0;
 };
+/// Standard deviation of a finer measurement of A, B or H: an isotropic voxel of 0.2 mm halved
+/// (choice, medium).
+inline constexpr Length finerError = millimeters(0.1);
 
 /// One array over all draws.
 struct ArrayPlan {
@@ -94,21 +123,42 @@ struct ArrayPlan {
   analysis::Estimate foldedTip;  ///< That the tip folds over.
   analysis::Estimate other;      ///< That it ends otherwise: out of the opening, jammed, refused.
   analysis::Estimate ruptured;   ///< That the force on the partition reaches its drawn strength.
+  /// That the force on the partition reaches the weakest, and the strongest published partition's
+  /// strength (Thresholds).
+  analysis::Estimate reachesWeakest, reachesStrongest;
+  /// Depth at which the axial force first reaches Thresholds::felt, over the draws in which it does.
+  Band firstResistance_mm;
+  analysis::Estimate felt;       ///< That it does.
   std::vector<ForceBand> force;  ///< At multiples of `bandSpacing`.
   std::vector<ContactBand> contacts;
   std::vector<Influence> influences;  ///< The largest on the angle first.
 };
 
+/// What a summary knows of an array before it is inserted.
+struct PlannedArray {
+  std::string name;               ///< "FLEX28".
+  std::vector<double> filter_Hz;  ///< Centers of the default filters from the tip, if known.
+};
+
+/// Forces that results are compared with.
+struct Thresholds {
+  Force felt;                     ///< First resistance: the median force that surgeons detect.
+  Force ruptureLow, ruptureHigh;  ///< Published range of the strength of the cochlear partition.
+};
+
 /// A plan.
 struct Plan {
   PlanRequest request;
+  Thresholds thresholds;
   std::string fingerprint;  ///< SHA-256 of everything it depends on but `draws` and `jobs`.
   std::vector<PlannedInsertion> insertions;  ///< By draw, then by array.
   std::vector<ArrayPlan> arrays;
 };
 
 /// Summaries of a request's arrays from insertions by draw and array.
-std::vector<ArrayPlan> summarize(const PlanRequest& request, const std::vector<std::string>& names,
+std::vector<ArrayPlan> summarize(const PlanRequest& request,
+                                 const std::vector<PlannedArray>& arrays,
+                                 const Thresholds& thresholds,
                                  const std::vector<PlannedInsertion>& insertions);
 
 /// Whether the bands of all arrays stand: the standard errors of the median angle and of the median

@@ -23,8 +23,9 @@ std::string arraysCsv(const Plan& plan);
 /// One row per contact of each array: angle and distance with bands, frequencies.
 std::string contactsCsv(const Plan& plan);
 
-/// Figures by name: "force-ARRAY", the force over depth with its bands, and "angle", the angular
-/// insertion depths side by side.
+/// Figures by name: "angle", the angular insertion depths side by side; "force-1", "force-2", ...,
+/// the force over depth with its bands, and "influence-1", ..., ranked bars of what the bands' width
+/// rests on.
 std::vector<std::pair<std::string, figures::Figure>> planFigures(const Plan& plan);
 
 /// What a plan leaves open besides what it draws, one sentence each.

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PlanSetup.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include "FrequencyAllocation.h"
+#include "perilymph/analysis/InsertionByHand.h"
+#include "perilymph/analysis/Reference.h"
+#include "perilymph/foundation/Sha256.h"
+#include "perilymph/session/Csv.h"
+#include "perilymph/session/Scenario.h"
+
+namespace perilymph::planning {
+
+namespace {
+
+/// Travel that every array allows, until the array's full one is known.
+constexpr const char* anyStopTravel = "0.1";
+
+Result<Done> addArray(PlanSetup& setup, const PlanRequest& request, const std::string& array,
+                      const std::vector<FrequencyAllocation>& allocations)
+{
+  const auto scenario = session::loadScenario(
+      request.scenario, {{"array", array}, {"stop_travel_mm", anyStopTravel}});
+  if (!scenario) return Error{array + ": " + scenario.error().message};
+  const electrode::ArrayDesign& design = scenario->array();
+  Nominal nominal{scenario->parameters(), scenario->text(), setup.uncertainty.stiffnessOf(design)};
+  session::InsertionParameters& parameters = nominal.parameters;
+  parameters.withdraws = false;
+  parameters.cochlea.source = anatomy::AnatomySource::mean;
+  parameters.stopTravel = session::fullTravel(parameters.array, parameters.startInside);
+  if (!(parameters.stopTravel.si() > 0.0))
+    return Error{"The array " + design.name + " starts at its full depth. Lower start_inside_mm."};
+  parameters.engine.stopTravel = parameters.stopTravel.si();
+  setup.arrays.push_back({design.name, filtersOf(design, allocations)});
+  setup.nominal.push_back(std::move(nominal));
+  return Done{};
+}
+
+Result<Done> checkRequest(const PlanRequest& request)
+{
+  if (!request.patient.basalTurn)
+    return Error{"The patient " + request.patient.label +
+                 " has no A and B, which a plan needs. Measure them, or use 'simulate'."};
+  if (request.arrays.empty()) return Error{"A plan needs at least one array. Name one."};
+  if (request.draws < 1 || request.draws > maxDraws)
+    return Error{"A plan of " + std::to_string(request.draws) + " draws is not possible; 1 to " +
+                 std::to_string(maxDraws) + " are."};
+  return Done{};
+}
+
+PlannedInsertion plannedOf(const PlanDraw& draw, double stiffness, std::size_t number,
+                           std::size_t array)
+{
+  PlannedInsertion planned;
+  planned.draw = number;
+  planned.array = array;
+  const anatomy::BasalTurn& turn = *draw.patient.basalTurn;
+  planned.a_mm = inMillimeters(turn.a);
+  planned.b_mm = inMillimeters(turn.b);
+  planned.h_mm = turn.h ? inMillimeters(*turn.h) : 0.0;
+  planned.a1_deviate = draw.sharing[0];
+  planned.b1_deviate = draw.sharing[1];
+  planned.section = draw.shape.section;
+  planned.lining_mm = inMillimeters(draw.lining);
+  planned.membrane_N_m = draw.membrane.si();
+  planned.tilt_deg = inDegrees(draw.tilt);
+  planned.turn_deg = inDegrees(draw.turn);
+  planned.stiffness = stiffness;
+  planned.friction = draw.surgeon.frictionFactor;
+  planned.speed_mm_s = inMillimetersPerSecond(draw.surgeon.speed);
+  planned.stop_mN = inMillinewtons(draw.surgeon.stop);
+  return planned;
+}
+
+Result<std::shared_ptr<const anatomy::ScalaTympani>> buildCochlea(const PlanDraw& draw,
+                                                                  Length leadIn)
+{
+  try {
+    return anatomy::buildMean(draw.patient.label, *draw.patient.basalTurn, draw.shape, leadIn);
+  } catch (const std::invalid_argument& error) {
+    return Error{"A cochlea of " + draw.patient.label + " cannot be built: " + error.what() +
+                 ". Check A and B and their errors."};
+  }
+}
+
+/// One array in a draw.
+///
+/// @param shape  Receives parameters and the array at the end; its cochlea is built if empty.
+Result<PlannedInsertion> insertArray(const PlanRequest& request, const PlanSetup& setup,
+                                     const PlanDraw& draw, std::size_t number, std::size_t array,
+                                     Length profileSpacing, PlannedShape& shape,
+                                     const std::atomic<bool>& isAsked)
+{
+  const Nominal& nominal = setup.nominal[array];
+  const double stiffness = stiffnessFactor(draw, nominal.stiffnessDeviation);
+  shape.parameters = drawnParameters(nominal.parameters, draw, stiffness, request.resolution);
+  if (!shape.anatomy) {
+    auto built = buildCochlea(draw, shape.parameters.cochlea.leadIn);
+    if (!built) return built.error();
+    shape.anatomy = *std::move(built);
+  }
+  PlannedInsertion planned = plannedOf(draw, stiffness, number, array);
+  planned.insertion = analysis::insertByHand(shape.parameters, shape.anatomy, setup.hand,
+                                             draw.surgeon, profileSpacing, isAsked, &shape.end);
+  return planned;
+}
+
+}  // namespace
+
+Result<PlanSetup> preparePlan(const PlanRequest& request)
+{
+  if (const auto done = checkRequest(request); !done) return done.error();
+  const auto uncertainty = shippedUncertainty();
+  if (!uncertainty) return uncertainty.error();
+  const auto hand = analysis::shippedHand();
+  if (!hand) return hand.error();
+  const auto felt = analysis::forceFeltBySurgeons();
+  if (!felt) return felt.error();
+  const auto allocations = shippedAllocations();
+  if (!allocations) return allocations.error();
+  PlanSetup setup{*uncertainty, *hand, {*felt, hand->ruptureLow, hand->ruptureHigh}, {}, {}};
+  for (const std::string& array : request.arrays)
+    if (const auto added = addArray(setup, request, array, *allocations); !added)
+      return added.error();
+  return setup;
+}
+
+std::string fingerprintOf(const PlanRequest& request, const PlanSetup& setup)
+{
+  Sha256 hash;
+  const auto add = [&hash](const std::string& text) {
+    hash.add(std::to_string(text.size()) + ":" + text);
+  };
+  add("plan 2");
+  if (const auto& resolution = request.resolution) {
+    add(std::to_string(resolution->nodes));
+    add(session::shortestDecimal(resolution->step.si()));
+  }
+  add(std::to_string(request.seed));
+  add(anatomy::patientText(request.patient));
+  for (const Nominal& each : setup.nominal) add(each.text);
+  return hash.hex();
+}
+
+Result<std::vector<PlannedInsertion>> runDraw(const PlanRequest& request, const PlanSetup& setup,
+                                              std::size_t number, const std::atomic<bool>& isAsked)
+{
+  const PlanDraw draw =
+      drawPlan(request.patient, setup.uncertainty, setup.hand, request.seed, number);
+  PlannedShape shape;
+  std::vector<PlannedInsertion> insertions;
+  for (std::size_t i = 0; i < setup.nominal.size() && !isAsked; ++i) {
+    auto planned = insertArray(request, setup, draw, number, i, bandSpacing, shape, isAsked);
+    if (!planned) return planned.error();
+    insertions.push_back(*std::move(planned));
+  }
+  return insertions;
+}
+
+Result<PlannedShape> runShape(const PlanRequest& request, const PlanSetup& setup, std::size_t array,
+                              std::size_t number, const std::atomic<bool>& isAsked)
+{
+  const PlanDraw draw =
+      drawPlan(request.patient, setup.uncertainty, setup.hand, request.seed, number);
+  PlannedShape shape;
+  auto planned = insertArray(request, setup, draw, number, array, traceSpacing, shape, isAsked);
+  if (!planned) return planned.error();
+  shape.insertion = *std::move(planned);
+  return shape;
+}
+
+}  // namespace perilymph::planning

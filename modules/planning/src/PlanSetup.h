@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Everything that a plan's insertions need, read once: arrays, distributions, thresholds.
+
+#include <atomic>
+#include <string>
+#include <vector>
+
+#include "PlanDraw.h"
+#include "Uncertainty.h"
+#include "perilymph/analysis/Surgeon.h"
+#include "perilymph/planning/Plan.h"
+#include "perilymph/planning/PlannedShape.h"
+
+namespace perilymph::planning {
+
+/// An array before anything is drawn.
+struct Nominal {
+  session::InsertionParameters parameters;
+  std::string text;  ///< Its scenario as run.
+  double stiffnessDeviation = 0.0;
+};
+
+/// Input of all draws of a plan.
+struct PlanSetup {
+  Uncertainty uncertainty;
+  analysis::HandDistribution hand;
+  Thresholds thresholds;
+  std::vector<Nominal> nominal;      ///< By array.
+  std::vector<PlannedArray> arrays;  ///< By array.
+};
+
+/// Reads arrays, scenario and distributions. Refuses a request that no plan can be made of.
+Result<PlanSetup> preparePlan(const PlanRequest& request);
+
+/// SHA-256 of everything that a plan depends on but the numbers of draws and of threads.
+std::string fingerprintOf(const PlanRequest& request, const PlanSetup& setup);
+
+/// The insertions of all arrays in one draw, in one cochlea; fewer if asked to end.
+Result<std::vector<PlannedInsertion>> runDraw(const PlanRequest& request, const PlanSetup& setup,
+                                              std::size_t number, const std::atomic<bool>& isAsked);
+
+/// One array in one draw.
+Result<PlannedShape> runShape(const PlanRequest& request, const PlanSetup& setup, std::size_t array,
+                              std::size_t number, const std::atomic<bool>& isAsked);
+
+}  // namespace perilymph::planning

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "perilymph/planning/PlannedShape.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "PlanSetup.h"
+
+namespace perilymph::planning {
+
+std::size_t medianDraw(const Plan& plan, std::size_t array)
+{
+  const ArrayPlan& summary = plan.arrays[array];
+  const auto squared = [](double value, const Band& band) {
+    const double range = band.upperQuartile - band.lowerQuartile;
+    const double off = range > 0.0 ? (value - band.median) / range : 0.0;
+    return off * off;
+  };
+  std::size_t found = 0;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const PlannedInsertion& each : plan.insertions) {
+    if (each.array != array || each.insertion.end == haptics::InsertionEnd::refused) continue;
+    const double off = squared(inDegrees(each.insertion.apical), summary.angle_deg) +
+                       squared(inMillinewtons(each.insertion.peak), summary.peak_mN);
+    if (off < smallest) {
+      smallest = off;
+      found = each.draw;
+    }
+  }
+  return found;
+}
+
+Result<PlannedShape> shapeOf(const Plan& plan, std::size_t array, std::size_t draw,
+                             const std::atomic<bool>& isAsked)
+{
+  const auto isRun =
+      std::any_of(plan.insertions.begin(), plan.insertions.end(),
+                  [=](const auto& each) { return each.array == array && each.draw == draw; });
+  if (!isRun)
+    return Error{
+        "The plan has no draw " + std::to_string(draw) + " of array " + std::to_string(array + 1) +
+        "; it has " +
+        std::to_string(
+            plan.request.arrays.empty() ? 0 : plan.insertions.size() / plan.request.arrays.size()) +
+        " draws of " + std::to_string(plan.request.arrays.size()) + " arrays. Choose one of them."};
+  const auto setup = preparePlan(plan.request);
+  if (!setup) return setup.error();
+  if (fingerprintOf(plan.request, *setup) != plan.fingerprint)
+    return Error{"An array or the scenario was changed since the plan of " +
+                 plan.request.patient.label + " was made. Make it again."};
+  auto shape = runShape(plan.request, *setup, array, draw, isAsked);
+  if (!shape) return shape.error();
+  if (isAsked) return Error{"Stopped."};
+  if (shape->insertion.insertion.end == haptics::InsertionEnd::refused)
+    return Error{shape->insertion.insertion.reason};
+  return shape;
+}
+
+}  // namespace perilymph::planning

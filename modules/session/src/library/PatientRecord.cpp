@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "perilymph/session/PatientRecord.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "perilymph/anatomy/Patient.h"
+#include "perilymph/foundation/AtomicFile.h"
+
+namespace perilymph::session {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int recordFormat = 1;
+constexpr const char* exportedPatient = "patient.toml";
+constexpr const char* exportedRecord = "record.json";
+constexpr const char* exportedInsertions = "insertions";
+constexpr std::size_t maxRecordBytes = std::size_t{64} << 10;
+constexpr std::size_t maxInsertions = 10'000;
+
+std::string textOf(const PatientRecord& record)
+{
+  const nlohmann::ordered_json json = {{"format", recordFormat},
+                                       {"tags", record.tags},
+                                       {"notes", record.notes},
+                                       {"archived", record.isArchived}};
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+Result<PatientRecord> readRecord(const fs::path& file)
+{
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) return PatientRecord{};
+  const auto text = readWhole(file, maxRecordBytes);
+  if (!text) return text.error();
+  PatientRecord record;
+  try {
+    const auto json = nlohmann::json::parse(*text);
+    if (json.at("format").get<int>() > recordFormat)
+      return Error{file.string() + " is of a newer program. Open it with that one."};
+    record.tags = json.at("tags").get<std::vector<std::string>>();
+    record.notes = json.at("notes").get<std::string>();
+    record.isArchived = json.at("archived").get<bool>();
+  } catch (const nlohmann::json::exception&) {
+    return Error{file.string() +
+                 " is not the record of a patient: it needs format, tags, notes and archived. "
+                 "Restore it from a backup, or remove it."};
+  }
+  if (const auto possible = checkRecord(record); !possible)
+    return Error{file.string() + ": " + possible.error().message};
+  return record;
+}
+
+Result<Done> copyWhole(const fs::path& from, const fs::path& to)
+{
+  return writeWhole(to, [&from](const fs::path& place) {
+    std::error_code failure;
+    return fs::copy_file(from, place, fs::copy_options::overwrite_existing, failure) && !failure;
+  });
+}
+
+/// Recordings in an exported folder.
+Result<std::vector<fs::path>> insertionsIn(const fs::path& folder)
+{
+  std::vector<fs::path> found;
+  std::error_code failure;
+  fs::directory_iterator entries(folder / exportedInsertions, failure);
+  if (failure) return found;  // none was exported
+  for (const fs::directory_entry& entry : entries) {
+    if (entry.is_symlink(failure) || !entry.is_regular_file(failure) ||
+        entry.path().extension() != ".insertion")
+      return Error{entry.path().string() +
+                   " is not a recording; an exported patient has nothing else there. Remove it."};
+    found.push_back(entry.path());
+    if (found.size() > maxInsertions)
+      return Error{folder.string() + " holds more than 10000 recordings. Remove some."};
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+}  // namespace
+
+Result<Done> checkRecord(const PatientRecord& record)
+{
+  if (record.notes.size() > maxNotes)
+    return Error{"Notes have " + std::to_string(record.notes.size()) +
+                 " characters; at most 4000 are kept. Shorten them."};
+  if (record.tags.size() > maxTags)
+    return Error{"There are " + std::to_string(record.tags.size()) +
+                 " tags; at most 16 are kept. Remove some."};
+  std::set<std::string> seen;
+  for (const std::string& tag : record.tags) {
+    const bool isClean = std::none_of(tag.begin(), tag.end(), [](char c) {
+      return c == ',' || static_cast<unsigned char>(c) < ' ';
+    });
+    if (tag.empty() || tag.size() > maxTag || !isClean)
+      return Error{"The tag \"" + tag +
+                   "\" is not possible: it has 1 to 24 characters and no comma. Change it."};
+    if (!seen.insert(tag).second) return Error{"The tag \"" + tag + "\" stands twice. Remove one."};
+  }
+  return Done{};
+}
+
+fs::path recordFileOf(const fs::path& patient)
+{
+  return fs::path(patient).replace_extension(".json");
+}
+
+Result<PatientRecord> loadPatientRecord(const fs::path& patient)
+{
+  return readRecord(recordFileOf(patient));
+}
+
+Result<Done> savePatientRecord(const PatientRecord& record, const fs::path& patient)
+{
+  if (const auto possible = checkRecord(record); !possible) return possible;
+  return writeWhole(recordFileOf(patient), textOf(record));
+}
+
+Result<Done> exportPatient(const fs::path& patient, const std::vector<fs::path>& insertions,
+                           const fs::path& folder)
+{
+  std::error_code failure;
+  if (fs::exists(folder, failure))
+    return Error{folder.string() + " exists. Give the name of a new folder."};
+  const auto record = loadPatientRecord(patient);
+  if (!record) return record.error();
+  const fs::path unfinished = folder.string() + ".part";
+  fs::create_directories(unfinished / exportedInsertions, failure);
+  const auto written = [&]() -> Result<Done> {
+    if (const auto done = copyWhole(patient, unfinished / exportedPatient); !done) return done;
+    if (const auto done = writeWhole(unfinished / exportedRecord, textOf(*record)); !done)
+      return done;
+    for (const fs::path& each : insertions)
+      if (const auto done = copyWhole(each, unfinished / exportedInsertions / each.filename());
+          !done)
+        return done;
+    fs::rename(unfinished, folder, failure);
+    if (!failure) return Done{};
+    return Error{folder.string() + " cannot be created: " + failure.message() +
+                 ". Choose another place."};
+  }();
+  if (!written) fs::remove_all(unfinished, failure);
+  return written;
+}
+
+Result<fs::path> importPatient(const fs::path& folder, const fs::path& library,
+                               const fs::path& recordings)
+{
+  const auto patient = anatomy::loadPatient(folder / exportedPatient);
+  if (!patient) return patient.error();
+  if (const auto code = anatomy::checkPatientCode(patient->label); !code) return code.error();
+  const auto record = readRecord(folder / exportedRecord);
+  if (!record) return record.error();
+  const auto insertions = insertionsIn(folder);
+  if (!insertions) return insertions.error();
+
+  const char* ear = patient->side == anatomy::Side::left ? "left" : "right";
+  const fs::path file = library / (patient->label + "-" + ear + ".toml");
+  std::error_code failure;
+  if (fs::exists(file, failure))
+    return Error{"The library has " + patient->label + ", " + ear +
+                 " ear, already. Rename or remove that patient first."};
+  for (const fs::path& each : *insertions)
+    if (fs::exists(recordings / each.filename(), failure))
+      return Error{(recordings / each.filename()).string() +
+                   " exists; an import replaces no recording. Rename it first."};
+
+  std::vector<fs::path> made;
+  const auto written = [&]() -> Result<Done> {
+    fs::create_directories(library, failure);
+    fs::create_directories(recordings, failure);
+    for (const fs::path& each : *insertions) {
+      made.push_back(recordings / each.filename());
+      if (const auto done = copyWhole(each, made.back()); !done) return done;
+    }
+    made.push_back(recordFileOf(file));
+    if (const auto done = savePatientRecord(*record, file); !done) return done;
+    return anatomy::savePatient(*patient, file);
+  }();
+  if (written) return file;
+  for (const fs::path& each : made) fs::remove(each, failure);
+  return written.error();
+}
+
+}  // namespace perilymph::session

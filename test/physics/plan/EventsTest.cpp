@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Each end that a plan counts occurs where it should: full depth in slippery cochleae, resistance in
+// tissue, buckling of arrays with soft bodies, a ruptured partition where a curved array is pushed up.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "perilymph/foundation/Resources.h"
+#include "perilymph/planning/Plan.h"
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::test {
+namespace {
+
+using Changes = std::vector<std::pair<std::string, std::string>>;
+
+class PlannedEnds : public testing::Test {
+protected:
+  /// The arrays of a plan by the surgery's scenario with changed text.
+  std::vector<planning::ArrayPlan> planWith(const Changes& changes, std::size_t draws,
+                                            const std::vector<std::string>& arrays)
+  {
+    std::ifstream shipped(resource("resources/scenarios/surgery-flex28.toml"));
+    std::string text(std::istreambuf_iterator<char>(shipped), {});
+    for (const auto& [from, to] : changes) {
+      const auto place = text.find(from);
+      EXPECT_NE(place, std::string::npos) << from;
+      if (place != std::string::npos) text.replace(place, from.size(), to);
+    }
+    std::ofstream(folder_.path() / "scenario.toml") << text;
+    planning::PlanRequest request;
+    const auto patient = anatomy::loadPatient(resource("resources/patients/measured.toml"));
+    EXPECT_TRUE(patient);
+    if (patient) request.patient = *patient;
+    request.scenario = (folder_.path() / "scenario.toml").string();
+    request.arrays = arrays;
+    request.draws = draws;
+    request.seed = 5;
+    request.resolution = planning::Resolution{40, milliseconds(10)};
+    const auto plan = planning::makePlan(request, {}, {});
+    EXPECT_TRUE(plan) << (plan ? "" : plan.error().message);
+    return plan ? plan->arrays : std::vector<planning::ArrayPlan>(arrays.size());
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(PlannedEnds, AreFullDepthInSoap)
+{
+  const auto arrays =
+      planWith({{"friction = \"tissue\"", "friction = \"soap-10\""}}, 1, {"flex20"});
+  EXPECT_EQ(arrays[0].full.value, 1.0);
+}
+
+TEST_F(PlannedEnds, AreResistanceAndBucklingInTissue)
+{
+  const auto arrays = planWith({}, 4, {"medel-standard", "flexsoft"});
+  EXPECT_GT(arrays[0].resisted.value, 0.0);
+  EXPECT_GT(arrays[0].buckled.value + arrays[1].buckled.value, 0.0);
+}
+
+TEST_F(PlannedEnds, AreARupturedPartitionWhereACurvedArrayIsPushedUpAgainstIt)
+{
+  const auto arrays = planWith({{"friction = \"tissue\"", "friction = \"soap-10\""},
+                                {"membrane = \"soft\"", "membrane = \"rigid\""},
+                                {"approach_tilt_deg = 0.0", "approach_tilt_deg = 30.0"}},
+                               3, {"contour"});
+  EXPECT_GT(arrays[0].ruptured.value, 0.0);
+  EXPECT_GE(arrays[0].reachesWeakest.value, arrays[0].ruptured.value);
+}
+
+}  // namespace
+}  // namespace perilymph::test

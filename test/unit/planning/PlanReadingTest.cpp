@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A plan.json read again.
+
+#include "perilymph/planning/PlanReading.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "SyntheticPlan.h"
+#include "perilymph/planning/PlanReport.h"
+#include "perilymph/test/TemporaryFolder.h"
+
+namespace perilymph::test {
+namespace {
+
+using testing::HasSubstr;
+
+std::string writtenPlan()
+{
+  const auto json = planning::planJson(syntheticPlan(20));
+  return json ? *json : std::string();
+}
+
+std::string with(std::string text, const std::string& part, const std::string& other)
+{
+  const auto found = text.find(part);
+  EXPECT_NE(found, std::string::npos) << part;
+  return text.replace(found, part.size(), other);
+}
+
+TEST(StoredPlan, GivesTheSameTextWhenItIsWrittenAgain)
+{
+  const std::string text = writtenPlan();
+  const auto stored = planning::planIn(text, "plan.json");
+  ASSERT_TRUE(stored) << stored.error().message;
+  const auto again = planning::planJson(stored->plan);
+  ASSERT_TRUE(again) << again.error().message;
+  EXPECT_EQ(*again, text);
+  EXPECT_EQ(stored->limits, planning::limitsOfPlans());
+  EXPECT_FALSE(stored->sources.empty());
+  EXPECT_THAT(stored->program, HasSubstr("Perilymph "));
+}
+
+TEST(StoredPlan, IsFoundInItsFolderAndBesideItsDraws)
+{
+  const TemporaryFolder folder;
+  std::ofstream(folder / "plan.json") << writtenPlan();
+  for (const auto& place : {folder.path(), folder / "plan.json", folder / "draws.sqlite"})
+    EXPECT_TRUE(planning::readPlan(place)) << place;
+}
+
+TEST(StoredPlan, IsNotFoundWhereAPlanWasInterrupted)
+{
+  const TemporaryFolder folder;
+  std::ofstream(folder / "draws.sqlite") << "draws";
+  const auto stored = planning::readPlan(folder.path());
+  ASSERT_FALSE(stored);
+  EXPECT_THAT(stored.error().message, HasSubstr("was not finished"));
+}
+
+TEST(StoredPlan, RefusesTextsThatAreNoPlanInOneSentence)
+{
+  const std::string good = writtenPlan();
+  const std::pair<std::string, const char*> texts[] = {
+      {"", "not JSON"},
+      {"[1, 2]", "is missing"},
+      {good.substr(0, good.size() / 2), "not JSON"},
+      {with(good, "\"A_mm\": 9.2", "\"A_mm\": \"9.2\""), "A_mm is not a number"},
+      {with(good, "\"A_mm\": 9.2", "\"A_mm\": 92"), "not possible"},
+      {with(good, "\"A_mm\": 9.2", "\"A_mm\": 1e300"), "A_mm is not a number"},
+      {with(good, "\"p5\": ", "\"p5\": 9"), "quantiles that decrease"},
+      {with(good, "\"value\": 0", "\"value\": 7"), "not a probability"},
+      {with(good, "\"draws\": 20", "\"draws\": -20"), "draws is not a whole number"}};
+  for (const auto& [text, reason] : texts) {
+    const auto stored = planning::planIn(text, "plan.json");
+    ASSERT_FALSE(stored) << reason;
+    EXPECT_THAT(stored.error().message, HasSubstr(reason));
+    EXPECT_THAT(stored.error().message, HasSubstr("plan.json is not a plan"));
+  }
+}
+
+TEST(StoredPlan, AbsentHasTheSentenceOfTheFile)
+{
+  const auto stored = planning::readPlan("/no/such/plan.json");
+  ASSERT_FALSE(stored);
+  EXPECT_THAT(stored.error().message, HasSubstr("/no/such/plan.json"));
+}
+
+}  // namespace
+}  // namespace perilymph::test
